@@ -1,0 +1,25 @@
+# Everything Epafi takes from Debian 12, each as one target.
+#
+# Debian's Trilinos 13.2 exports plain library targets without include folders, so a wrapper
+# per package carries the include folder (SYSTEM: its headers are not free of warnings).
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+find_package(LAPACK REQUIRED)
+find_package(muparser REQUIRED CONFIG)
+find_package(Boost 1.74 REQUIRED)
+find_package(MPI REQUIRED COMPONENTS C CXX)
+find_package(Trilinos 13.2 REQUIRED CONFIG
+  COMPONENTS Teuchos Kokkos Tpetra Belos Thyra ThyraTpetraAdapters Stratimikos NOX)
+
+# add_trilinos(<name> <library>...): the target trilinos::<name>.
+function(add_trilinos name)
+  add_library(trilinos_wrapper_${name} INTERFACE)
+  add_library(trilinos::${name} ALIAS trilinos_wrapper_${name})
+  target_include_directories(trilinos_wrapper_${name} SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS})
+  target_link_libraries(trilinos_wrapper_${name} INTERFACE ${ARGN})
+endfunction()
+
+add_trilinos(Teuchos trilinos_teuchosparameterlist trilinos_teuchosparser
+  trilinos_teuchoscore trilinos_teuchosnumerics trilinos_teuchoscomm MPI::MPI_CXX)
+add_trilinos(Tpetra trilinos_tpetra trilinos_belostpetra trilinos_teuchosparameterlist MPI::MPI_CXX)
+add_trilinos(NOX trilinos_nox trilinos_thyratpetra trilinos_tpetra
+  trilinos_teuchosparameterlist MPI::MPI_CXX)

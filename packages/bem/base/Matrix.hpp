@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace epafi::bem {
+
+/// Index of an unknown or a row: wide enough that n² never overflows.
+using Index = std::ptrdiff_t;
+
+/// A dense matrix of doubles, stored by columns.
+///
+/// The distance of two columns, stride(), is padded so that it is no multiple of a page:
+/// power-of-two strides make the cache thrash.  A matrix is movable, and copied only by copy().
+class Matrix {
+ public:
+  Matrix() = default;
+  Matrix(Index rows, Index columns);  ///< all entries zero
+
+  Matrix(Matrix&&) noexcept = default;
+  Matrix& operator=(Matrix&&) noexcept = default;
+  Matrix copy() const;
+
+  Index rows() const { return rows_; }
+  Index columns() const { return columns_; }
+  Index stride() const { return stride_; }
+  bool empty() const { return rows_ == 0 || columns_ == 0; }
+
+  double* data() { return data_.get(); }
+  const double* data() const { return data_.get(); }
+  double* column(Index j) { return data_.get() + j * stride_; }
+  const double* column(Index j) const { return data_.get() + j * stride_; }
+
+  double& operator()(Index i, Index j) { return data_[i + j * stride_]; }
+  double operator()(Index i, Index j) const { return data_[i + j * stride_]; }
+
+ private:
+  struct Free {
+    void operator()(double* p) const;
+  };
+
+  Index rows_ = 0;
+  Index columns_ = 0;
+  Index stride_ = 1;
+  std::unique_ptr<double[], Free> data_;
+};
+
+using Vector = std::vector<double>;
+
+}  // namespace epafi::bem

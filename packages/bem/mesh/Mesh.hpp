@@ -1,0 +1,87 @@
+#pragma once
+
+#include "bem/geometry/Outline.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace epafi::bem {
+
+/// A place on an edge, accurate near both of its ends (in outline diameters).
+struct Position {
+  double fromStart = 0;
+  double toEnd = 0;
+};
+
+Position midpoint(Position a, Position b);
+/// fromStart of b minus fromStart of a, from whichever end loses fewer digits.
+double distanceAlong(Position a, Position b);
+
+/// What a mesh is made of: a piece of an edge and the degree on it.
+struct Piece {
+  int edge = 0;
+  Position start;
+  Position end;
+  int degree = 1;
+};
+
+/// A boundary element: y(t) = middle + half t tangent, -1 <= t <= 1.
+struct Element {
+  Piece piece;
+  int startNode = 0;
+  int endNode = 0;
+  int previous = 0;  ///< element that ends at startNode
+  int next = 0;
+  Vec2 middle;
+  double half = 0;  ///< half its length
+  Vec2 tangent;
+  Vec2 normal;
+  int degree = 1;  ///< p: displacements of degree p, densities of degree p - 1
+};
+
+/// A point of the boundary together with the edge it lies on; differences of two of them
+/// keep their digits near a common vertex and along a common edge.
+struct BoundaryPoint {
+  int edge = 0;
+  Position position;
+};
+
+/// The boundary cut into elements, each with its own degree.  Immutable.
+class Mesh {
+ public:
+  /// Pieces in the order of the outline's edges, each edge covered without gaps.
+  /// \throws InputError if they do not cover it, or for a degree below 1 or above 25.
+  Mesh(std::shared_ptr<const Outline> outline, const std::vector<Piece>& pieces);
+
+  const Outline& outline() const { return *outline_; }
+  std::shared_ptr<const Outline> sharedOutline() const { return outline_; }
+
+  int size() const { return static_cast<int>(elements_.size()); }
+  const std::vector<Element>& elements() const { return elements_; }
+  const Element& operator[](int e) const { return elements_[static_cast<std::size_t>(e)]; }
+  int nodes() const { return static_cast<int>(elements_.size()); }
+
+  const std::string& boundary(int e) const {
+    return outline_->edge((*this)[e].piece.edge).boundary;
+  }
+  /// Elements of a named boundary, in the outline's direction.
+  std::vector<int> elementsOf(const std::string& boundary) const;
+
+  BoundaryPoint at(int e, double t) const;
+  Vec2 scaledPoint(int e, double t) const;
+  /// In the user's coordinates.
+  Vec2 physicalPoint(int e, double t) const;
+
+  /// x - y, without the loss of digits that subtracting coordinates brings.
+  Vec2 difference(const BoundaryPoint& x, const BoundaryPoint& y) const;
+
+ private:
+  std::shared_ptr<const Outline> outline_;
+  std::vector<Element> elements_;
+};
+
+/// Cuts edge k of the outline into elementsPerEdge[k] equal elements of one degree.
+Mesh makeMesh(std::shared_ptr<const Outline> outline, const std::vector<int>& elementsPerEdge,
+              int degree);
+
+}  // namespace epafi::bem
