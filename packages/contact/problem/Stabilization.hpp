@@ -1,0 +1,24 @@
+#pragma once
+
+namespace epafi::contact {
+
+/// How λ + S u is weighted and evaluated in the stabilisation of [P (13)].
+struct Stabilization {
+  enum class Form {
+    Projected,  ///< S u projected onto polynomials of degree p on each element [P (42)]
+    Exact,      ///< S u at quadrature points graded to the element's ends      [P sec. 6]
+    None
+  };
+  enum class Scaling {
+    Stiffness,  ///< γ = γ₀ min(1, 50(1-2ν)) (h/d)^β h p^(-2-η) / E
+    Absolute    ///< γ = γ₀ h^(1+β) p^(-2-η), in the user's units, as printed in [P]
+  };
+
+  Form form = Form::Projected;
+  Scaling scaling = Scaling::Stiffness;
+  double gamma0 = 0.1;  ///< > 0
+  double beta = 0;      ///< >= 0
+  double eta = 0;       ///< >= 0
+};
+
+}  // namespace epafi::contact
