@@ -1,0 +1,52 @@
+# The architecture as a test:  cmake -DROOT=<source folder> -P CheckLayers.cmake
+#
+#   1. A layer includes only itself and the layers to its left, by full path.
+#   2. Solver, MPI, HDF5 and muParser headers live at the border only.
+#   3. Other headers of the packages take nothing but the standard library; Teuchos is forward
+#      declared, except in bem/base/Parameters.hpp.
+set(layers bem contact adaptivity drivers)
+set(border "^(packages/bem/tpetra/|packages/contact/nox/|drivers/)")
+set(foreign "Tpetra|Belos|Thyra|NOX|LOCA|Stratimikos|Kokkos|Xpetra|Epetra|Piro|Amesos|mpi\\.h|hdf5|H5|muParser|Teuchos_[A-Za-z]*(Mpi|MPI)")
+
+if(NOT EXISTS ${ROOT}/packages/bem)
+  message(FATAL_ERROR "no packages/bem in ROOT=${ROOT}")
+endif()
+
+while(layers)
+  list(POP_FRONT layers layer)
+  list(JOIN layers "|" later)
+  set(folder packages/${layer})
+  if(layer STREQUAL "drivers")
+    set(folder drivers)
+  endif()
+
+  file(GLOB_RECURSE files RELATIVE ${ROOT}
+    ${ROOT}/${folder}/*.[chi]pp ${ROOT}/${folder}/*.h ${ROOT}/${folder}/*.in[cl])
+  foreach(file IN LISTS files)
+    file(STRINGS ${ROOT}/${file} includes REGEX "^[ \t]*#[ \t]*include")
+    foreach(include IN LISTS includes)
+      if(NOT include MATCHES "[<\"]([^>\"]*)[>\"]")
+        continue()
+      endif()
+      set(header "${CMAKE_MATCH_1}")
+
+      if(later AND header MATCHES "^(${later})/")
+        message(SEND_ERROR "${file} includes ${header}, of the later layer ${CMAKE_MATCH_1}/")
+      elseif(header MATCHES "(^|/)\\.\\.?/")
+        message(SEND_ERROR "${file} includes ${header}: write the path from packages/ on")
+      elseif(NOT file MATCHES "${border}")
+        if(header MATCHES "^([^/]*/)*(${foreign})")
+          message(SEND_ERROR "${file} includes ${header}, which belongs into bem/tpetra, contact/nox or drivers")
+        elseif(NOT file MATCHES "\\.cpp$" AND include MATCHES "<")
+          if(header MATCHES "^Teuchos")
+            if(NOT file STREQUAL "packages/bem/base/Parameters.hpp")
+              message(SEND_ERROR "${file} includes ${header}: forward declare Teuchos in a core header")
+            endif()
+          elseif(header MATCHES "[./]" AND NOT header MATCHES "intrin\\.h$")
+            message(SEND_ERROR "${file} includes ${header}: core headers use the standard library only")
+          endif()
+        endif()
+      endif()
+    endforeach()
+  endforeach()
+endwhile()
