@@ -14,7 +14,8 @@ struct Rows {
   bool contain(Index i) const { return begin <= i && i < end; }
 };
 
-/// The factor L of a symmetric positive definite matrix A = L Lᵀ, wherever its pieces live.
+/// The factor L of a symmetric positive definite matrix A = L Lᵀ, wherever its pieces
+/// live.
 class CholeskyFactor {
  public:
   virtual ~CholeskyFactor() = default;
@@ -24,25 +25,34 @@ class CholeskyFactor {
 
   /// L⁻¹ B for an n x m matrix B, given and returned by my rows of n.
   virtual Matrix forward(Matrix rows) const = 0;
+
+  /// L⁻ᵀ b for a replicated vector b.
+  virtual Vector backward(const Vector& b) const = 0;
 };
 
 /// The one door to dense linear algebra on matrices distributed by rows.
 ///
-/// A matrix with n rows is held as the rows myRows(n) of this process, all columns; vectors
-/// are replicated.  A symmetric matrix is given by its lower triangle: what stands above the
-/// diagonal is neither read nor kept.  All calls are collective.  [design.md 2]
+/// A matrix with n rows is held as the rows myRows(n) of this process, all columns;
+/// vectors are replicated.  A symmetric matrix is given by its lower triangle: what
+/// stands above the diagonal is neither read nor kept.  All calls are collective.
+/// [design.md 2]
 class DenseAlgebra {
  public:
   virtual ~DenseAlgebra() = default;
 
   virtual Rows myRows(Index n) const = 0;
 
-  /// \throws NumericalError if the matrix is not positive definite.  `name` is for the message.
-  virtual std::unique_ptr<CholeskyFactor> cholesky(Matrix lower, const char* name) const = 0;
+  /// \throws NumericalError if the matrix is not positive definite.  `name` is for the
+  /// message.
+  virtual std::unique_ptr<CholeskyFactor> cholesky(Matrix lower,
+                                                   const char* name) const = 0;
 
-  /// C + Yᵀ Y, the lower triangle of a symmetric matrix; Y has n rows (mine are given), C as
-  /// many as Y has columns.
+  /// C + Yᵀ Y, the lower triangle of a symmetric matrix; Y has n rows (mine are given), C
+  /// as many as Y has columns.
   virtual Matrix addGram(Matrix lower, const Matrix& y) const = 0;
+
+  /// C + scale X Xᵀ, the lower triangle; X has as many rows as C (mine are given).
+  virtual Matrix addOuter(Matrix lower, const Matrix& x, double scale) const = 0;
 
   /// Xᵀ Y, by my rows of the result; X (n x k) and Y (n x m) by my rows of n.
   virtual Matrix transposeTimes(const Matrix& x, const Matrix& y) const = 0;

@@ -6,7 +6,8 @@
 
 namespace epafi::bem {
 
-/// The scene asks for something impossible; the message names the parameter.  Exit code 1.
+/// The scene asks for something impossible; the message names the parameter.  Exit
+/// code 1.
 struct InputError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };

@@ -6,19 +6,20 @@ namespace epafi::bem {
 
 /// A linear elastic, isotropic, homogeneous material in the plane.
 struct Material {
-  double youngsModulus = 1;   ///< E > 0 [stress]
+  double youngsModulus = 1;    ///< E > 0 [stress]
   double poissonsRatio = 0.3;  ///< -1 < nu < 1/2 [-]
   bool planeStress = false;    ///< else plane strain
 };
 
-/// Lamé's problem made dimensionless (E = 1), with plane stress turned into the plane strain
-/// that has the same equations.  Every constant is written without 1/(1-2nu). [design.md 3.2]
+/// Lamé's problem made dimensionless (E = 1), with plane stress turned into the plane
+/// strain that has the same equations.  Every constant is written without 1/(1-2nu).
+/// [design.md 3.2]
 struct Lame {
-  double nu;        ///< the plane-strain Poisson's ratio
-  double mu;        ///< shear modulus / Young's modulus
-  double a;         ///< A = (3-4nu) / (8 pi mu (1-nu)):  G = A (-log r I + c2 d d'/r²)
-  double b;         ///< B = A c2 = 1 / (8 pi mu (1-nu))
-  double d;         ///< D = mu / (2 pi (1-nu)):  V* = D (-log r I + d d'/r²)
+  double nu;  ///< the plane-strain Poisson's ratio
+  double mu;  ///< shear modulus / Young's modulus
+  double a;   ///< A = (3-4nu) / (8 pi mu (1-nu)):  G = A (-log r I + c2 d d'/r²)
+  double b;   ///< B = A c2 = 1 / (8 pi mu (1-nu))
+  double d;   ///< D = mu / (2 pi (1-nu)):  V* = D (-log r I + d d'/r²)
 
   /// \throws InputError if nu is not in (-1, 1/2).
   explicit Lame(const Material& material);

@@ -8,7 +8,8 @@ namespace epafi::bem {
 
 namespace {
 
-// A column is a whole number of cache lines, and the stride never a multiple of 512 bytes.
+// A column is a whole number of cache lines, and the stride never a multiple of 512
+// bytes.
 Index paddedStride(Index rows) {
   const Index lines = std::max<Index>(1, (rows + 7) / 8);
   return 8 * (lines % 8 == 0 ? lines + 1 : lines);
@@ -20,7 +21,8 @@ void Matrix::Free::operator()(double* p) const { std::free(p); }
 
 Matrix::Matrix(Index rows, Index columns)
     : rows_(rows), columns_(columns), stride_(paddedStride(rows)) {
-  const std::size_t count = static_cast<std::size_t>(stride_) * std::max<Index>(1, columns);
+  const std::size_t count =
+      static_cast<std::size_t>(stride_) * std::max<Index>(1, columns);
   auto* memory = static_cast<double*>(std::aligned_alloc(64, count * sizeof(double)));
   if (memory == nullptr)
     throw std::bad_alloc();

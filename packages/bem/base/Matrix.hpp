@@ -12,7 +12,8 @@ using Index = std::ptrdiff_t;
 /// A dense matrix of doubles, stored by columns.
 ///
 /// The distance of two columns, stride(), is padded so that it is no multiple of a page:
-/// power-of-two strides make the cache thrash.  A matrix is movable, and copied only by copy().
+/// power-of-two strides make the cache thrash.  A matrix is movable, and copied only by
+/// copy().
 class Matrix {
  public:
   Matrix() = default;

@@ -7,7 +7,8 @@
 
 namespace epafi::bem {
 
-/// A closed polygon as the user writes it: counter-clockwise, edge i from vertex i to i+1.
+/// A closed polygon as the user writes it: counter-clockwise, edge i from vertex i to
+/// i+1.
 struct Loop {
   std::vector<Vec2> vertices;
   std::vector<std::string> edges;  ///< the boundary's name for each edge
@@ -28,16 +29,17 @@ struct Edge {
 
 /// The boundary of a body: one outer polygon and any number of holes.
 ///
-/// Coordinates are scaled and shifted so that the outer polygon has diameter 1 and lies about
-/// the origin: the single layer potential is positive definite only on small outlines
-/// (design.md 3.1), and a body far from the origin shall not lose digits.  physical() and
-/// scaled() lead out and in.
+/// Coordinates are scaled and shifted so that the outer polygon has diameter 1 and lies
+/// about the origin: the single layer potential is positive definite only on small
+/// outlines (design.md 3.1), and a body far from the origin shall not lose digits.
+/// physical() and scaled() lead out and in.
 class Outline {
  public:
-  /// Holes are written counter-clockwise too; inside, they run clockwise: body on the left.
-  /// \throws InputError naming the vertex or edge if a polygon has fewer than three vertices,
-  ///   a zero or non-finite edge, is clockwise, touches or crosses itself or another one, or
-  ///   if a hole does not lie inside the outer polygon.
+  /// Holes are written counter-clockwise too; inside, they run clockwise: body on the
+  /// left. \throws InputError naming the vertex or edge if a polygon has fewer than three
+  /// vertices,
+  ///   a zero or non-finite edge, is clockwise, touches or crosses itself or another one,
+  ///   or if a hole does not lie inside the outer polygon.
   explicit Outline(const Loop& outer, const std::vector<Loop>& holes = {});
 
   const std::vector<Edge>& edges() const { return edges_; }

@@ -58,7 +58,9 @@ class Mesh {
 
   int size() const { return static_cast<int>(elements_.size()); }
   const std::vector<Element>& elements() const { return elements_; }
-  const Element& operator[](int e) const { return elements_[static_cast<std::size_t>(e)]; }
+  const Element& operator[](int e) const {
+    return elements_[static_cast<std::size_t>(e)];
+  }
   int nodes() const { return static_cast<int>(elements_.size()); }
 
   const std::string& boundary(int e) const {
@@ -81,7 +83,7 @@ class Mesh {
 };
 
 /// Cuts edge k of the outline into elementsPerEdge[k] equal elements of one degree.
-Mesh makeMesh(std::shared_ptr<const Outline> outline, const std::vector<int>& elementsPerEdge,
-              int degree);
+Mesh makeMesh(std::shared_ptr<const Outline> outline,
+              const std::vector<int>& elementsPerEdge, int degree);
 
 }  // namespace epafi::bem

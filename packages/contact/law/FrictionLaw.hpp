@@ -7,8 +7,8 @@ namespace epafi::contact {
 
 /// How much shear a contact point carries:  |λₜ| ≤ s(λₙ).
 ///
-/// `strength` is the value at the point of the expression that the scene gives for the law: a
-/// threshold [stress] under Tresca, a coefficient [-] under Coulomb.
+/// `strength` is the value at the point of the expression that the scene gives for the
+/// law: a threshold [stress] under Tresca, a coefficient [-] under Coulomb.
 struct FrictionLaw {
   const char* name;
   const char* parameter;  ///< the scene's key of the strength; empty if the law has none

@@ -18,15 +18,15 @@ struct Tangential {
   double strength = 0;  ///< threshold or coefficient, dimensionless, >= 0
 };
 
-/// The discrete contact problem condensed onto the multiplier: only numbers, dimensionless.
+/// The discrete contact problem condensed onto the multiplier: only numbers,
+/// dimensionless.
 ///
 ///   λ = (λₙ, λₜ): `normals` normal coefficients, then one tangential per entry of
 ///   `tangentials`; α: the displacement's free rigid motions.
 ///
-///   r = d₀ - D λ + G α            weighted penetration and slip           [design.md 4.1]
-///   Gᵀ λ = q                      balance of the free rigid motions
-///   λₙ ≥ 0,  rₙ ≤ 0,  λₙ rₙ = 0
-///   |λₜ| ≤ s,  |λₜ| < s ⇒ rₜ = 0,  λₜ = ± s ⇒ ± rₜ ≥ 0,   s = law.slipBound(λₙ, strength)
+///   r = d₀ - D λ + G α            weighted penetration and slip [design.md 4.1] Gᵀ λ = q
+///   balance of the free rigid motions λₙ ≥ 0,  rₙ ≤ 0,  λₙ rₙ = 0 |λₜ| ≤ s,  |λₜ| < s ⇒
+///   rₜ = 0,  λₜ = ± s ⇒ ± rₜ ≥ 0,   s = law.slipBound(λₙ, strength)
 ///
 /// D is symmetric and positive semidefinite, positive definite on {Gᵀ λ = 0} at least.
 struct Problem {

@@ -34,9 +34,10 @@ struct SolverOptions {
 
 /// Solves a condensed contact problem, whatever its friction laws.
 ///
-/// Frictionless and Tresca problems go to Newton directly; with a bound that depends on the
-/// pressure the iteration of the options is used.  Slow convergence is reported, not thrown.
-/// \throws bem::NumericalError if the arithmetic breaks down (singular Jacobian, NaN).
+/// Frictionless and Tresca problems go to Newton directly; with a bound that depends on
+/// the pressure the iteration of the options is used.  Slow convergence is reported, not
+/// thrown. \throws bem::NumericalError if the arithmetic breaks down (singular Jacobian,
+/// NaN).
 Solution solve(const Problem& problem, const State& start, const SolverOptions& options);
 
 }  // namespace epafi::contact

@@ -1,0 +1,297 @@
+#include "bem/assembly/FarPairs.hpp"
+
+#include "bem/quadrature/Gauss.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace epafi::bem {
+
+namespace {
+
+constexpr int largestOrder = 48;
+
+// Everything in this file that the vector variants share must be inlined into them: an
+// out-of-line copy compiled for AVX-512 could be picked by the linker for an older CPU.
+#define EPAFI_INLINE inline __attribute__((always_inline))
+
+using Pack = double __attribute__((vector_size(8 * lanes), may_alias));
+
+/// Smallest z (sum of the focal distances over the length) for which `base` points give
+/// 1e-12, without the part that pays for the polynomials.
+struct OrderTable {
+  double smallestZ[largestOrder + 1];
+  OrderTable() {
+    const double digits = std::log(1e12);
+    smallestZ[0] = std::numeric_limits<double>::infinity();
+    for (int base = 1; base <= largestOrder; ++base) {
+      const double r = std::exp(digits / (2 * base));
+      smallestZ[base] = 0.5 * (r + 1 / r);
+    }
+  }
+};
+
+int orderFor(double z, int degree) {
+  static const OrderTable table;
+  int base = 1;
+  while (base < largestOrder && table.smallestZ[base] > z)
+    ++base;
+  return base + (degree + 2) / 2 + 1;
+}
+
+/// min over y in `source` of (|y-e0| + |y-e1|) / h, e0 and e1 the ends of E.
+/// [design.md 3.4]
+double focalRatio(const Element& e, const Element& source, Vec2 middle) {
+  // in a frame with E's middle as origin: `middle` is the source's middle there
+  const Vec2 e1 = e.half * e.tangent;
+  const Vec2 e0 = -e1;
+  const auto foot = [&](Vec2 x) { return dot(x - middle, source.tangent); };
+  const auto off = [&](Vec2 x) { return std::abs(dot(x - middle, source.normal)); };
+  const double d0 = off(e0);
+  const double d1 = off(e1);
+  double t = 0;
+  if (d0 + d1 > 1e-14 * e.half)
+    t = (foot(e0) * d1 + foot(e1) * d0) / (d0 + d1);
+  else
+    t = foot({0, 0});
+  t = std::clamp(t, -source.half, source.half);
+  const Vec2 y = middle + t * source.tangent;
+  return (norm(y - e0) + norm(y - e1)) / (2 * e.half);
+}
+
+double distanceToSegment(Vec2 x, Vec2 middle, const Element& segment) {
+  const double t =
+      std::clamp(dot(x - middle, segment.tangent), -segment.half, segment.half);
+  return norm(x - middle - t * segment.tangent);
+}
+
+/// Distance of two elements that do not cross; `w` from F's middle to E's.
+double gap(const Element& e, const Element& f, Vec2 w) {
+  const Vec2 he = e.half * e.tangent;
+  const Vec2 hf = f.half * f.tangent;
+  return std::min({distanceToSegment(w - he, {0, 0}, f),
+                   distanceToSegment(w + he, {0, 0}, f), distanceToSegment(-hf, w, e),
+                   distanceToSegment(hf, w, e)});
+}
+
+}  // namespace
+
+bool isNear(const Mesh& mesh, int ie, int jf, PairOrder& order) {
+  const Element& e = mesh[ie];
+  const Element& f = mesh[jf];
+  if (ie == jf || e.next == jf || f.next == ie)
+    return true;
+  const Vec2 w = mesh.difference(mesh.at(ie, 0), mesh.at(jf, 0));
+  const double distance = norm(w);
+  const double larger = std::max(e.half, f.half);
+  if (distance - e.half - f.half < larger && gap(e, f, w) < larger)
+    return true;
+  // |y-e0| + |y-e1| >= 2 |y-m|: a bound that costs no projections
+  double zE = (distance - f.half) / e.half;
+  double zF = (distance - e.half) / f.half;
+  if (zE < 4)
+    zE = std::max(zE, focalRatio(e, f, -w));
+  if (zF < 4)
+    zF = std::max(zF, focalRatio(f, e, w));
+  order = {orderFor(zE, e.degree), orderFor(zF, f.degree)};
+  return false;
+}
+
+namespace {
+
+struct Tables {
+  // weights times P_k at Gauss points, k <= largestDegree + 1
+  double weighted[largestOrder + 32][largestDegree + 2];
+};
+
+void fillTables(const Rule& rule, int degree, Tables& tables) {
+  for (int q = 0; q < rule.size(); ++q) {
+    legendreValues(degree, rule.points[q], tables.weighted[q]);
+    for (int k = 0; k <= degree; ++k)
+      tables.weighted[q][k] *= rule.weights[q];
+  }
+}
+
+struct Work {
+  const Rule& outer;
+  const Rule& inner;
+  Tables outerTables;
+  Tables innerTables;
+  Work(PairOrder order, int rows, int columns)
+      : outer(gaussLegendre(order.outer)), inner(gaussLegendre(order.inner)) {
+    fillTables(outer, rows, outerTables);
+    fillTables(inner, columns + 1, innerTables);
+  }
+};
+
+// by reference, not by value: packs wider than the baseline's registers have no fixed ABI
+EPAFI_INLINE const Pack& load(const double* p) {
+  return *reinterpret_cast<const Pack*>(p);
+}
+
+EPAFI_INLINE void add(double* p, const Pack& v) { *reinterpret_cast<Pack*>(p) += v; }
+EPAFI_INLINE void store(double* p, const Pack& v) { *reinterpret_cast<Pack*>(p) = v; }
+
+/// The inner integrals at one outer point.
+struct Inner {
+  Pack i[largestDegree + 2];  // ∫ P_k / r²
+  Pack j[largestDegree + 1];  // ∫ P_k η / r²,  η = w·τ_F
+  Pack l[largestDegree + 1];  // ∫ P_k log r
+};
+
+template <int Degree>
+EPAFI_INLINE void innerIntegrals(const Work& work, int degree, const Pack& eta0,
+                                 const Pack& off2, const Pack& a, Inner& in) {
+  const int p = Degree > 0 ? Degree : degree;
+  for (int k = 0; k <= p + 1; ++k)
+    in.i[k] = Pack{};
+  for (int q = 0; q < work.inner.size(); ++q) {
+    const Pack eta = eta0 - a * work.inner.points[q];
+    const Pack inverse = 1.0 / (eta * eta + off2);
+    for (int k = 0; k <= p + 1; ++k)
+      in.i[k] += inverse * work.innerTables.weighted[q][k];
+  }
+  for (int k = 0; k <= p; ++k) {
+    Pack t = in.i[k + 1] * ((k + 1.0) / (2 * k + 1));
+    if (k > 0)
+      t += in.i[k - 1] * (static_cast<double>(k) / (2 * k + 1));
+    in.j[k] = eta0 * in.i[k] - a * t;
+  }
+  // ∫ log r dt = (log r(1) + log r(-1)) + a ∫ t η/r² dt, and by parts for the others
+  const Pack right = eta0 - a;
+  const Pack left = eta0 + a;
+  const Pack product = (right * right + off2) * (left * left + off2);
+  Pack ends;
+  for (int lane = 0; lane < lanes; ++lane)
+    ends[lane] = 0.5 * std::log(product[lane]);
+  in.l[0] = ends + a * in.j[1];
+  for (int k = 1; k < p; ++k)
+    in.l[k] = a * (in.j[k + 1] - in.j[k - 1]) * (1.0 / (2 * k + 1));
+}
+
+template <int Degree>
+EPAFI_INLINE void farKernel(const Element& e, const FarBatch& batch, int rows,
+                            int columns, const Work& work, FarMoments& m) {
+  const int pE = Degree > 0 ? Degree : rows;
+  const int pF = Degree > 0 ? Degree : columns;
+  const Pack tx = load(batch.tx);
+  const Pack ty = load(batch.ty);
+  const Pack a = load(batch.half);
+  const Pack tangentOnNormal = tx * e.normal.x + ty * e.normal.y;  // τ_F·n_E
+  const Pack normalOnNormal = ty * e.normal.x - tx * e.normal.y;   // n_F·n_E
+  constexpr int stride = FarMoments::stride;
+  const Pack zero{};
+  for (int i = 0; i <= pE; ++i)
+    for (int j = 0; j <= pF; ++j) {
+      const int at = i * stride + j;
+      store(m.log[at], zero);
+      store(m.along[at], zero);
+      store(m.across[at], zero);
+      store(m.direct[at], zero);
+      store(m.reverse[at], zero);
+    }
+  Inner in;
+  for (int q = 0; q < work.outer.size(); ++q) {
+    const double s = e.half * work.outer.points[q];
+    const Pack wx = load(batch.wx) + s * e.tangent.x;
+    const Pack wy = load(batch.wy) + s * e.tangent.y;
+    const Pack eta0 = wx * tx + wy * ty;
+    const Pack off = wx * ty - wy * tx;
+    const Pack off2 = off * off;
+    innerIntegrals<Degree>(work, pF, eta0, off2, a, in);
+    const double* weight = work.outerTables.weighted[q];
+    for (int j = 0; j <= pF; ++j) {
+      const Pack offI = off * in.i[j];
+      const Pack direct = a * offI;
+      const Pack along = off * in.j[j];
+      const Pack across = off * offI;
+      const Pack reverse = -e.half * (tangentOnNormal * in.j[j] + normalOnNormal * offI);
+      for (int i = 0; i < pE; ++i)
+        add(m.direct[i * stride + j], direct * weight[i]);
+      if (j == pF)
+        continue;
+      for (int i = 0; i < pE; ++i) {
+        const int at = i * stride + j;
+        add(m.log[at], in.l[j] * weight[i]);
+        add(m.along[at], along * weight[i]);
+        add(m.across[at], across * weight[i]);
+      }
+      for (int i = 0; i <= pE; ++i)
+        add(m.reverse[i * stride + j], reverse * weight[i]);
+    }
+  }
+}
+
+EPAFI_INLINE void farKernelOfDegree(const Element& e, const FarBatch& batch, int rows,
+                                    int columns, const Work& work, FarMoments& m) {
+  if (rows == 1 && columns == 1)
+    farKernel<1>(e, batch, rows, columns, work, m);
+  else if (rows == 2 && columns == 2)
+    farKernel<2>(e, batch, rows, columns, work, m);
+  else
+    farKernel<0>(e, batch, rows, columns, work, m);
+}
+
+__attribute__((target("avx512f,avx512dq,avx512vl,fma"))) void farAvx512(
+    const Element& e, const FarBatch& batch, int rows, int columns, const Work& work,
+    FarMoments& m) {
+  farKernelOfDegree(e, batch, rows, columns, work, m);
+}
+
+__attribute__((target("avx2,fma"))) void farAvx2(const Element& e, const FarBatch& batch,
+                                                 int rows, int columns, const Work& work,
+                                                 FarMoments& m) {
+  farKernelOfDegree(e, batch, rows, columns, work, m);
+}
+
+void farBaseline(const Element& e, const FarBatch& batch, int rows, int columns,
+                 const Work& work, FarMoments& m) {
+  farKernelOfDegree(e, batch, rows, columns, work, m);
+}
+
+using FarFunction = void (*)(const Element&, const FarBatch&, int, int, const Work&,
+                             FarMoments&);
+
+FarFunction chooseKernel() {
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
+    return farAvx512;
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    return farAvx2;
+  return farBaseline;
+}
+
+}  // namespace
+
+void farMoments(const Element& e, const FarBatch& batch, int rows, int columns,
+                PairOrder order, FarMoments& moments) {
+  static const FarFunction kernel = chooseKernel();
+  const Work work(order, rows, columns);
+  kernel(e, batch, rows, columns, work, moments);
+}
+
+void extractLane(const FarMoments& far, int lane, Vec2 tangent, int rows, int columns,
+                 PairMoments& moments) {
+  const std::complex<double> t(tangent.x, tangent.y);
+  const std::complex<double> square = t * t;
+  for (int i = 0; i <= rows; ++i)
+    for (int j = 0; j <= columns; ++j) {
+      const int at = i * FarMoments::stride + j;
+      if (i < rows)
+        moments.direct(i, j) = far.direct[at][lane];
+      if (j < columns)
+        moments.reverse(i, j) = far.reverse[at][lane];
+      if (i == rows || j == columns)
+        continue;
+      moments.log(i, j) = far.log[at][lane];
+      // w/conj(w) = τ² (1 - 2 (w·n)²/r² - 2i (w·n)(w·τ)/r²)
+      const double constant = i == 0 && j == 0 ? 4 : 0;
+      const std::complex<double> phase =
+          square * std::complex<double>(constant - 2 * far.across[at][lane],
+                                        -2 * far.along[at][lane]);
+      moments.phaseReal(i, j) = phase.real();
+      moments.phaseImag(i, j) = phase.imag();
+    }
+}
+
+}  // namespace epafi::bem

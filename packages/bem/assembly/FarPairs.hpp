@@ -1,0 +1,55 @@
+#pragma once
+
+#include "bem/assembly/PairMoments.hpp"
+#include "bem/mesh/Mesh.hpp"
+
+namespace epafi::bem {
+
+/// Number of element pairs that the far kernel treats at once.
+constexpr int lanes = 8;
+
+/// Eight elements F = first ... first+7 seen from one element E, structure of arrays.
+struct alignas(64) FarBatch {
+  double wx[lanes];  ///< middle of E minus middle of F
+  double wy[lanes];
+  double tx[lanes];  ///< tangent of F
+  double ty[lanes];
+  double half[lanes];
+};
+
+/// Gauss orders of a pair: on E and on F.
+struct PairOrder {
+  int outer = 0;
+  int inner = 0;
+};
+
+/// True when the pair must go to nearPairMoments: the gap is below half the larger
+/// length. Otherwise sets the orders that give eps = 1e-12 (tensor Gauss, design.md 3.4),
+/// which grow with the degree and shrink with the distance, separately for the two
+/// elements.
+bool isNear(const Mesh& mesh, int e, int f, PairOrder& order);
+
+/// Moments of a far pair, one lane of the batch.
+class FarMoments {
+ public:
+  static constexpr int stride = largestDegree + 1;
+  using Lane = double[lanes];
+  alignas(64) Lane log[stride * stride];
+  alignas(64) Lane along[stride * stride];   ///< ∫∫ P_i P_j (w·n_F)(w·τ_F)/|w|²
+  alignas(64) Lane across[stride * stride];  ///< ∫∫ P_i P_j (w·n_F)²/|w|²
+  alignas(64) Lane direct[stride * stride];
+  alignas(64) Lane reverse[stride * stride];
+};
+
+/// Far moments of E against a batch: `rows` = p_E, `columns` = the batch's largest
+/// degree, orders the batch's largest.  Tensor Gauss with one reciprocal per point pair
+/// and one logarithm per outer point: ∫ P_j log|w| comes from ∫ P_j w·τ/|w|² by parts.
+/// The instruction set (AVX-512, AVX2, baseline) is chosen at run time.
+void farMoments(const Element& e, const FarBatch& batch, int rows, int columns,
+                PairOrder order, FarMoments& moments);
+
+/// Copies one lane out.
+void extractLane(const FarMoments& far, int lane, Vec2 tangent, int rows, int columns,
+                 PairMoments& moments);
+
+}  // namespace epafi::bem

@@ -1,0 +1,130 @@
+#include "bem/assembly/NearPair.hpp"
+
+#include "bem/potential/RelativeTarget.hpp"
+#include "bem/quadrature/Graded.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::bem {
+
+namespace {
+
+// ∫ P_n Q_m dt over [-1,1] for n + m odd, principal value.            [DLMF 14.17.9]
+double integralPQ(int n, int m) { return 2.0 / ((n - m) * (n + m + 1.0)); }
+
+// An element with itself:  log|w| = log(h/2) + log|s-t|,  w/conj(w) = τ²,  w·n = 0.
+void selfMoments(const Element& element, PairMoments& moments) {
+  const int p = element.degree;
+  moments.clear(p, p);
+  const double tx = element.tangent.x;
+  const double ty = element.tangent.y;
+  moments.phaseReal(0, 0) = 4 * (tx * tx - ty * ty);
+  moments.phaseImag(0, 0) = 8 * tx * ty;
+  for (int i = 0; i < p; ++i)
+    for (int j = i % 2; j < p; j += 2)  // odd ones vanish
+      moments.log(i, j) =
+          j == 0 ? (i == 0 ? 4 * std::log(2.0) - 6
+                           : 2 * integralPQ(0, i + 1) / (2 * i + 1) -
+                                 2 * integralPQ(0, i - 1) / (2 * i + 1))
+                 : 2 * (integralPQ(i, j + 1) - integralPQ(i, j - 1)) / (2 * j + 1);
+  moments.log(0, 0) += 4 * std::log(element.half);
+}
+
+std::vector<Feature> feetOf(const Mesh& mesh, int inner, int outer) {
+  const Piece& piece = mesh[inner].piece;
+  std::vector<Feature> features;
+  for (const Position& end : {piece.start, piece.end}) {
+    const RelativeTarget seen = seenFrom(mesh, outer, {piece.edge, end});
+    features.push_back({seen.z().real(), std::abs(seen.b())});
+  }
+  return features;
+}
+
+/// One pass: outer quadrature on `outer`, closed form on `inner`; calls
+/// visit(weighted P_i(x), i, moments of inner at x, b).
+template <class Visit>
+void sweep(const Mesh& mesh, int outer, int inner, Need need, const Visit& visit) {
+  const Element& x = mesh[outer];
+  const Element& y = mesh[inner];
+  const int order = 14 + (x.degree + y.degree) / 2;
+  const double smallest = 1e-8 * std::min(1.0, y.half / x.half);
+  const GradedRule rule = gradedRule(feetOf(mesh, inner, outer), order, smallest);
+  std::array<double, largestDegree + 1> legendre{};
+  LegendreMoments moments;
+  for (int q = 0; q < rule.size(); ++q) {
+    const EndPoint& point = rule.points[q];
+    const Piece& piece = x.piece;
+    const BoundaryPoint place{piece.edge,
+                              {piece.start.fromStart + x.half * point.fromStart,
+                               piece.end.toEnd + x.half * point.toEnd}};
+    const RelativeTarget seen = seenFrom(mesh, inner, place);
+    evaluateMoments(seen, y.degree, need, moments);
+    legendreValues(x.degree, point.t, legendre.data());
+    for (int i = 0; i <= x.degree; ++i)
+      visit(rule.weights[q] * legendre[i], i, moments, seen.b());
+  }
+}
+
+struct TableWriter {
+  PairMoments& moments;
+  bool transposed;
+};
+
+// log and phase by outer quadrature on `outer`; written transposed if outer is F.
+void logAndPhase(const Mesh& mesh, int outer, int inner, const TableWriter& writer) {
+  const Element& y = mesh[inner];
+  const Complex square =
+      Complex(y.tangent.x, y.tangent.y) * Complex(y.tangent.x, y.tangent.y);
+  const double logHalf = std::log(y.half);
+  const int rows = mesh[outer].degree;
+  PairMoments& m = writer.moments;
+  sweep(mesh, outer, inner, Need::CandL,
+        [&](double weight, int i, const LegendreMoments& at, double b) {
+          if (i >= rows)
+            return;
+          for (int j = 0; j < y.degree; ++j) {
+            const double delta = j == 0 ? 2 : 0;
+            const double logarithm = weight * (at.l[j] + delta * logHalf);
+            const Complex phase = weight * square * (delta - Complex(0, 2 * b) * at.c[j]);
+            const int row = writer.transposed ? j : i;
+            const int column = writer.transposed ? i : j;
+            m.log(row, column) += logarithm;
+            m.phaseReal(row, column) += phase.real();
+            m.phaseImag(row, column) += phase.imag();
+          }
+        });
+}
+
+}  // namespace
+
+void nearPairMoments(const Mesh& mesh, int e, int f, PairMoments& moments) {
+  if (e == f) {
+    selfMoments(mesh[e], moments);
+    return;
+  }
+  const int rows = mesh[e].degree;
+  const int columns = mesh[f].degree;
+  moments.clear(rows, columns);
+  // the smaller element outside: the potential of the larger one is smoother on it
+  if (mesh[e].half <= mesh[f].half)
+    logAndPhase(mesh, e, f, {moments, false});
+  else
+    logAndPhase(mesh, f, e, {moments, true});
+  if (mesh[e].piece.edge == mesh[f].piece.edge)
+    return;  // on one line w·n = 0
+  sweep(mesh, e, f, Need::C,
+        [&](double weight, int i, const LegendreMoments& at, double) {
+          if (i < rows)
+            for (int j = 0; j <= columns; ++j)
+              moments.direct(i, j) -= weight * at.c[j].imag();
+        });
+  sweep(mesh, f, e, Need::C,
+        [&](double weight, int j, const LegendreMoments& at, double) {
+          if (j < columns)
+            for (int i = 0; i <= rows; ++i)
+              moments.reverse(i, j) -= weight * at.c[i].imag();
+        });
+}
+
+}  // namespace epafi::bem

@@ -1,0 +1,142 @@
+#include "bem/mesh/Mesh.hpp"
+
+#include "bem/base/Error.hpp"
+#include "bem/basis/Legendre.hpp"
+
+#include <cmath>
+
+namespace epafi::bem {
+
+Position midpoint(Position a, Position b) {
+  return {0.5 * (a.fromStart + b.fromStart), 0.5 * (a.toEnd + b.toEnd)};
+}
+
+double distanceAlong(Position a, Position b) {
+  return a.fromStart + b.fromStart < a.toEnd + b.toEnd ? b.fromStart - a.fromStart
+                                                       : a.toEnd - b.toEnd;
+}
+
+namespace {
+
+Position along(Position start, Position end, double fraction) {
+  return {start.fromStart + fraction * (end.fromStart - start.fromStart),
+          end.toEnd + (1 - fraction) * (start.toEnd - end.toEnd)};
+}
+
+Vec2 place(const Edge& edge, Position p) {
+  return p.fromStart < p.toEnd ? edge.from + p.fromStart * edge.tangent
+                               : edge.to - p.toEnd * edge.tangent;
+}
+
+Element makeElement(const Edge& edge, const Piece& piece) {
+  Element element;
+  element.piece = piece;
+  element.degree = piece.degree;
+  element.middle = place(edge, midpoint(piece.start, piece.end));
+  element.half = 0.5 * distanceAlong(piece.start, piece.end);
+  element.tangent = edge.tangent;
+  element.normal = edge.normal;
+  return element;
+}
+
+void check(const Outline& outline, const Element& element) {
+  const Piece& piece = element.piece;
+  const std::string& name = outline.edge(piece.edge).boundary;
+  if (!(element.half > 0))
+    throw InputError(message("element of length ", 2 * element.half, " on boundary '",
+                             name, "'; elements must have positive length"));
+  if (piece.degree < 1 || piece.degree > largestDegree)
+    throw InputError(message("degree ", piece.degree, " on boundary '", name, "'; 1 to ",
+                             largestDegree, " are possible"));
+}
+
+}  // namespace
+
+Mesh::Mesh(std::shared_ptr<const Outline> outline, const std::vector<Piece>& pieces)
+    : outline_(std::move(outline)) {
+  std::vector<int> first(outline_->edges().size(), -1);
+  std::vector<int> last(outline_->edges().size(), -1);
+  for (const Piece& piece : pieces) {
+    const int e = size();
+    elements_.push_back(makeElement(outline_->edge(piece.edge), piece));
+    check(*outline_, elements_.back());
+    if (first[piece.edge] < 0)
+      first[piece.edge] = e;
+    else if (last[piece.edge] != e - 1 ||
+             pieces[e - 1].end.fromStart != piece.start.fromStart)
+      throw InputError(message("the mesh leaves a gap on boundary '",
+                               outline_->edge(piece.edge).boundary, "'"));
+    last[piece.edge] = e;
+  }
+  for (std::size_t k = 0; k < first.size(); ++k)
+    if (first[k] < 0 || pieces[first[k]].start.fromStart != 0 ||
+        pieces[last[k]].end.toEnd != 0)
+      throw InputError(message("the mesh does not cover edge ", k, " of boundary '",
+                               outline_->edges()[k].boundary, "'"));
+  for (int e = 0; e < size(); ++e) {
+    Element& element = elements_[e];
+    const int edge = element.piece.edge;
+    element.previous = e == first[edge] ? last[outline_->edge(edge).previous] : e - 1;
+    element.next = e == last[edge] ? first[outline_->edge(edge).next] : e + 1;
+    element.startNode = e;  // one node an element: the one it starts with
+  }
+  for (Element& element : elements_)
+    element.endNode = elements_[element.next].startNode;
+}
+
+std::vector<int> Mesh::elementsOf(const std::string& name) const {
+  std::vector<int> result;
+  for (int e = 0; e < size(); ++e)
+    if (boundary(e) == name)
+      result.push_back(e);
+  return result;
+}
+
+BoundaryPoint Mesh::at(int e, double t) const {
+  const Piece& piece = (*this)[e].piece;
+  return {piece.edge, along(piece.start, piece.end, 0.5 * (1 + t))};
+}
+
+Vec2 Mesh::scaledPoint(int e, double t) const {
+  const BoundaryPoint p = at(e, t);
+  return place(outline_->edge(p.edge), p.position);
+}
+
+Vec2 Mesh::physicalPoint(int e, double t) const {
+  return outline_->physical(scaledPoint(e, t));
+}
+
+Vec2 Mesh::difference(const BoundaryPoint& x, const BoundaryPoint& y) const {
+  const Edge& ex = outline_->edge(x.edge);
+  if (x.edge == y.edge)
+    return distanceAlong(y.position, x.position) * ex.tangent;
+  const Edge& ey = outline_->edge(y.edge);
+  if (ex.next == y.edge)  // common vertex: end of x's edge, start of y's
+    return -x.position.toEnd * ex.tangent - y.position.fromStart * ey.tangent;
+  if (ey.next == x.edge)
+    return x.position.fromStart * ex.tangent - (-y.position.toEnd) * ey.tangent;
+  return place(ex, x.position) - place(ey, y.position);
+}
+
+Mesh makeMesh(std::shared_ptr<const Outline> outline,
+              const std::vector<int>& elementsPerEdge, int degree) {
+  const std::size_t edges = outline->edges().size();
+  if (elementsPerEdge.size() != edges)
+    throw InputError(message("elements for ", elementsPerEdge.size(),
+                             " edges given; the outline has ", edges));
+  std::vector<Piece> pieces;
+  for (std::size_t k = 0; k < edges; ++k) {
+    const int count = elementsPerEdge[k];
+    const double length = outline->edges()[k].length;
+    if (count < 1)
+      throw InputError(message(count, " elements on edge ", k, "; at least 1 is needed"));
+    const auto node = [&](int i) {
+      return Position{length * i / count, length * (count - i) / count};
+    };
+    for (int i = 0; i < count; ++i)
+      pieces.push_back({static_cast<int>(k), node(i), node(i + 1), degree});
+  }
+  return Mesh(std::move(outline), pieces);
+}
+
+}  // namespace epafi::bem

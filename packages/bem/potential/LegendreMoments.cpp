@@ -1,0 +1,97 @@
+#include "bem/potential/LegendreMoments.hpp"
+
+#include <cmath>
+
+namespace epafi::bem {
+
+namespace {
+
+// Q₀(z) = log((z+1)/(z-1)) / 2 without the cancellation of the quotient far away.
+Complex legendreQ0(const RelativeTarget& x, bool onElement) {
+  const double a = x.z().real();
+  const double real = a >= 0 ? 0.25 * std::log1p(4 * a / std::norm(x.zMinus1))
+                             : -0.25 * std::log1p(-4 * a / std::norm(x.zPlus1));
+  if (onElement)
+    return real;
+  const double product = x.zMinus1.real() * x.zPlus1.real() + x.b() * x.b();
+  return {real, -0.5 * std::atan2(2 * x.b(), product)};
+}
+
+// 2 Q_j for j = 0 ... top by the forward recurrence, stable near [-1, 1].
+void forward(Complex z, Complex q0, int top, Complex* c) {
+  c[0] = 2.0 * q0;
+  if (top > 0)
+    c[1] = z * c[0] - 2.0;
+  for (int j = 1; j < top; ++j)
+    c[j + 1] = ((2 * j + 1.0) * z * c[j] - static_cast<double>(j) * c[j - 1]) / (j + 1.0);
+}
+
+// 2 Q_j for j = 0 ... top by Miller's backward recurrence, scaled to 2 Q₀.
+void backward(Complex z, Complex q0, int top, double logR, Complex* c) {
+  const int start = top + static_cast<int>(37 / (2 * logR)) + 2;
+  Complex above = 0;
+  Complex here = 1e-280;
+  for (int j = start; j > 0; --j) {
+    const Complex below =
+        ((2 * j + 1.0) * z * here - (j + 1.0) * above) / static_cast<double>(j);
+    above = here;
+    here = below;
+    if (j - 1 <= top)
+      c[j - 1] = here;
+    if (j <= top)
+      continue;
+    if (std::norm(here) > 1e200) {  // only ratios matter
+      here *= 1e-200;
+      above *= 1e-200;
+      if (j - 1 <= top)
+        c[j - 1] = here;
+    }
+  }
+  const Complex scale = 2.0 * q0 / c[0];
+  for (int j = 0; j <= top; ++j)
+    c[j] *= scale;
+}
+
+}  // namespace
+
+void evaluateMoments(const RelativeTarget& x, int degree, Need need, LegendreMoments& m) {
+  const bool onElement = x.onElement();
+  const bool wantL = need == Need::CandL || need == Need::All;
+  const bool wantD = (need == Need::CandD || need == Need::All) && !onElement;
+  const int top = need == Need::C ? degree : degree + 1;
+  const Complex z = x.z();
+  const Complex q0 = legendreQ0(x, onElement);
+
+  const double radius = std::abs(z + std::sqrt(x.zMinus1) * std::sqrt(x.zPlus1));
+  const double logR = std::log(radius);
+  const bool runForward = 2 * top * logR < 2.3;
+  if (runForward)
+    forward(z, q0, top, m.c.data());
+  else
+    backward(z, q0, top, logR, m.c.data());
+
+  if (wantL) {
+    m.l[0] = 0.5 * std::log(std::norm(x.zMinus1) * std::norm(x.zPlus1)) +
+             (z * m.c[0]).real() - 2;
+    for (int j = 1; j <= degree; ++j)
+      m.l[j] = (m.c[j + 1].real() - m.c[j - 1].real()) / (2 * j + 1);
+  }
+  if (!wantD)
+    return;
+  const Complex product = x.zMinus1 * x.zPlus1;
+  if (runForward) {
+    const Complex left = 1.0 / x.zPlus1;
+    const Complex right = 1.0 / x.zMinus1;
+    // D_j = 1/(z-1) - (-1)^j/(z+1) - Σ (2k+1) C_k over k = j-1, j-3, ...
+    Complex sum[2] = {0, 0};
+    for (int j = 0; j <= degree; ++j) {
+      m.d[j] = right - (j % 2 == 0 ? left : -left) - sum[j % 2];
+      sum[(j + 1) % 2] += (2 * j + 1.0) * m.c[j];
+    }
+  } else {
+    for (int j = 0; j <= degree; ++j)
+      m.d[j] = -(j + 1.0) * (m.c[j + 1] - z * m.c[j]) / product;
+  }
+}
+
+}  // namespace epafi::bem

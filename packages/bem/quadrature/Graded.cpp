@@ -1,0 +1,78 @@
+#include "bem/quadrature/Graded.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::bem {
+
+namespace {
+
+constexpr double grading = 0.15;
+
+/// An interval of [-1, 1], its ends counted from whichever end of [-1, 1] is nearer.
+struct Interval {
+  EndPoint from;
+  EndPoint to;
+  double length() const {
+    // from the side where both ends have small numbers, so that nothing cancels
+    return from.fromStart < to.toEnd ? to.fromStart - from.fromStart
+                                     : from.toEnd - to.toEnd;
+  }
+};
+
+EndPoint fromStart(double s) { return {s - 1, s, 2 - s}; }
+EndPoint toEnd(double s) { return {1 - s, 2 - s, s}; }
+
+/// The point a fraction f from a to b.
+EndPoint between(const EndPoint& a, const EndPoint& b, double f) {
+  if (a.fromStart + b.fromStart < 2)
+    return fromStart(a.fromStart + f * (b.fromStart - a.fromStart));
+  return toEnd(a.toEnd + f * (b.toEnd - a.toEnd));
+}
+
+double separation(const Interval& interval, const Feature& feature) {
+  const double along =
+      std::max({0.0, interval.from.t - feature.t, feature.t - interval.to.t});
+  return std::hypot(along, feature.distance);
+}
+
+void refine(const Interval& interval, const std::vector<Feature>& features,
+            double smallest, std::vector<Interval>& leaves) {
+  const double length = interval.length();
+  for (const Feature& feature : features) {
+    if (length <= smallest || length <= 1.2 * separation(interval, feature))
+      continue;
+    // Split at the feature's foot if it lies inside, else next to the end that is nearer.
+    const double lo = interval.from.t;
+    const double hi = interval.to.t;
+    EndPoint cut;
+    if (feature.t > lo + 1e-3 * length && feature.t < hi - 1e-3 * length)
+      cut = between(interval.from, interval.to, (feature.t - lo) / (hi - lo));
+    else
+      cut = between(interval.from, interval.to,
+                    feature.t < 0.5 * (lo + hi) ? grading : 1 - grading);
+    refine({interval.from, cut}, features, smallest, leaves);
+    refine({cut, interval.to}, features, smallest, leaves);
+    return;
+  }
+  leaves.push_back(interval);
+}
+
+}  // namespace
+
+GradedRule gradedRule(const std::vector<Feature>& features, int order, double smallest) {
+  std::vector<Interval> leaves;
+  refine({fromStart(0), toEnd(0)}, features, smallest, leaves);
+  const Rule& gauss = gaussLegendre(order);
+  GradedRule rule;
+  rule.points.reserve(leaves.size() * static_cast<std::size_t>(order));
+  rule.weights.reserve(rule.points.capacity());
+  for (const Interval& leaf : leaves)
+    for (int i = 0; i < order; ++i) {
+      rule.points.push_back(between(leaf.from, leaf.to, 0.5 * (1 + gauss.points[i])));
+      rule.weights.push_back(0.5 * leaf.length() * gauss.weights[i]);
+    }
+  return rule;
+}
+
+}  // namespace epafi::bem

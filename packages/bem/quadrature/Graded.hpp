@@ -1,0 +1,34 @@
+#pragma once
+
+#include "bem/quadrature/Gauss.hpp"
+
+namespace epafi::bem {
+
+/// A point t of [-1, 1] known accurately near both ends.
+struct EndPoint {
+  double t = 0;
+  double fromStart = 0;  ///< t + 1
+  double toEnd = 0;      ///< 1 - t
+};
+
+struct GradedRule {
+  std::vector<EndPoint> points;
+  Vector weights;
+  int size() const { return static_cast<int>(points.size()); }
+};
+
+/// A place on the line of [-1, 1] where the integrand is not smooth: at t, `distance` off
+/// the line (0: on it).
+struct Feature {
+  double t = 0;
+  double distance = 0;
+};
+
+/// Composite Gauss rule with `order` points on intervals that shrink geometrically
+/// (factor 0.15) toward every feature, until an interval is no longer than its distance
+/// from the feature, or than `smallest` where the feature lies on the line.
+///
+/// Integrands like log|t - f| are met to rounding with order 16, smallest 1e-16.
+GradedRule gradedRule(const std::vector<Feature>& features, int order, double smallest);
+
+}  // namespace epafi::bem

@@ -1,0 +1,96 @@
+#include "bem/space/Space.hpp"
+
+#include "bem/basis/Legendre.hpp"
+#include "bem/quadrature/Gauss.hpp"
+
+#include <array>
+
+namespace epafi::bem {
+
+Space::Space(Mesh mesh) : mesh_(std::move(mesh)) {
+  displacementStart_.assign(1, 0);
+  densityStart_.assign(1, 0);
+  for (const Element& element : mesh_.elements()) {
+    displacementStart_.push_back(displacementStart_.back() + 2 * element.degree);
+    densityStart_.push_back(densityStart_.back() + 2 * element.degree);
+  }
+}
+
+Vec2 Space::displacementAt(const Vector& u, int e, double t) const {
+  std::array<double, largestDegree + 1> phi{};
+  const int p = mesh_[e].degree;
+  DisplacementBasis::values(p, t, phi.data());
+  Vec2 value;
+  for (int k = 0; k <= p; ++k)
+    value = value + phi[k] * Vec2{u[displacement(e, k, 0)], u[displacement(e, k, 1)]};
+  return value;
+}
+
+Vec2 Space::densityAt(const Vector& psi, int e, double t) const {
+  std::array<double, largestDegree + 1> legendre{};
+  const int p = mesh_[e].degree;
+  legendreValues(p - 1, t, legendre.data());
+  Vec2 value;
+  for (int i = 0; i < p; ++i)
+    value = value + legendre[i] * Vec2{psi[density(e, i, 0)], psi[density(e, i, 1)]};
+  return value;
+}
+
+Matrix Space::rigidMotions() const {
+  Matrix motions(displacements(), 3);
+  for (int e = 0; e < mesh_.size(); ++e) {
+    const Vec2 x = mesh_.scaledPoint(e, -1);
+    motions(displacement(e, 0, 0), 0) = 1;
+    motions(displacement(e, 0, 1), 1) = 1;
+    motions(displacement(e, 0, 0), 2) = -x.y;
+    motions(displacement(e, 0, 1), 2) = x.x;
+  }
+  return motions;
+}
+
+// Both ends, then Gauss points enough for the derivative's Legendre coefficients by
+// parts:
+//   ∫ v' P_k dt = [v P_k] - ∫ v P_k' dt.
+std::vector<double> Space::samplePoints(int degree) const {
+  std::vector<double> points = {-1, 1};
+  if (degree > 1) {
+    const Rule& rule = gaussLegendre(degree + 6);
+    points.insert(points.end(), rule.points.begin(), rule.points.end());
+  }
+  return points;
+}
+
+Vector Space::interpolateSamples(const std::vector<Vec2>& samples) const {
+  Vector u(static_cast<std::size_t>(displacements()));
+  const Vec2* sample = samples.data();
+  for (int e = 0; e < mesh_.size(); ++e) {
+    const int p = mesh_[e].degree;
+    const Vec2 start = sample[0];
+    const Vec2 end = sample[1];
+    sample += 2;
+    u[displacement(e, 0, 0)] = start.x;
+    u[displacement(e, 0, 1)] = start.y;
+    if (p == 1)
+      continue;
+    const Rule& rule = gaussLegendre(p + 6);
+    for (int k = 2; k <= p; ++k) {
+      // coefficient of P_{k-1} in v', divided by the slope of φ_k
+      Vec2 integral = end - (k % 2 == 0 ? -1.0 : 1.0) * start;
+      for (int q = 0; q < rule.size(); ++q) {
+        std::array<double, largestDegree + 1> legendre{};
+        legendreValues(k, rule.points[q], legendre.data());
+        double derivative = 0;  // P_{k-1}' = Σ (2i+1) P_i,  i = k-2, k-4, ...
+        for (int i = k - 2; i >= 0; i -= 2)
+          derivative += (2 * i + 1) * legendre[i];
+        integral = integral - rule.weights[q] * derivative * sample[q];
+      }
+      const double scale = (2 * k - 1) / (2 * DisplacementBasis::slope(k));
+      u[displacement(e, k, 0)] = scale * integral.x;
+      u[displacement(e, k, 1)] = scale * integral.y;
+    }
+    sample += rule.size();
+  }
+  return u;
+}
+
+}  // namespace epafi::bem

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "bem/base/Matrix.hpp"
+#include "bem/mesh/Mesh.hpp"
+
+namespace epafi::bem {
+
+/// The numbering of the discrete spaces on a mesh.                      [P (10), (11)]
+///
+///   displacements: continuous, of degree p on each element (DisplacementBasis),
+///   densities:     discontinuous Legendre series of degree p - 1.
+///
+/// Component c is 0 for x and 1 for y.  Displacements come element by element: the start
+/// node's two components, then the bubbles; densities likewise.
+class Space {
+ public:
+  explicit Space(Mesh mesh);
+
+  const Mesh& mesh() const { return mesh_; }
+
+  Index displacements() const { return displacementStart_.back(); }
+  Index densities() const { return densityStart_.back(); }
+
+  /// Number of the local basis function k (0 start node, 1 end node, k >= 2 bubble) on e.
+  Index displacement(int e, int k, int c) const {
+    if (k == 1)
+      return displacementStart_[static_cast<std::size_t>(mesh_[e].next)] + c;
+    return displacementStart_[static_cast<std::size_t>(e)] + 2 * (k == 0 ? 0 : k - 1) + c;
+  }
+
+  /// Number of P_i on element e.
+  Index density(int e, int i, int c) const {
+    return densityStart_[static_cast<std::size_t>(e)] + 2 * i + c;
+  }
+
+  /// Value of a displacement at a point of an element.
+  Vec2 displacementAt(const Vector& u, int e, double t) const;
+  /// Value of a density at a point of an element.
+  Vec2 densityAt(const Vector& psi, int e, double t) const;
+
+  /// The displacement that equals `field` (of a scaled point) at the nodes and whose
+  /// derivative is the best approximation in L² on each element, of exactly what the
+  /// space holds: linear fields are met to rounding.
+  template <class Field>
+  Vector interpolate(const Field& field) const;
+
+  /// The three rigid motions (1,0), (0,1), (-y, x) about the origin of the scaled
+  /// outline.
+  Matrix rigidMotions() const;
+
+ private:
+  Vector interpolateSamples(const std::vector<Vec2>& samples) const;
+  std::vector<double> samplePoints(int degree) const;
+
+  Mesh mesh_;
+  std::vector<Index> displacementStart_;
+  std::vector<Index> densityStart_;
+};
+
+template <class Field>
+Vector Space::interpolate(const Field& field) const {
+  std::vector<Vec2> samples;
+  for (int e = 0; e < mesh_.size(); ++e)
+    for (const double t : samplePoints(mesh_[e].degree))
+      samples.push_back(field(mesh_.scaledPoint(e, t)));
+  return interpolateSamples(samples);
+}
+
+}  // namespace epafi::bem
