@@ -1,0 +1,60 @@
+#pragma once
+
+#include "bem/assembly/SteklovPoincare.hpp"
+#include "bem/base/Units.hpp"
+#include "contact/multiplier/MultiplierSpace.hpp"
+#include "contact/problem/Problem.hpp"
+#include "contact/problem/Stabilization.hpp"
+
+#include <memory>
+
+namespace epafi::contact {
+
+/// The stabilised mixed problem [P (13)] on one mesh, condensed onto the multiplier:
+///
+///   A u + Bᵀ λ = f,   (μ - λ)ᵀ (B u - M λ - g) <= 0 for all admissible μ     [design.md 4.1]
+///
+/// Eliminates all displacements once; numbers() is what the nonlinear solver sees,
+/// displacement() leads back.  Holds nothing of the mesh's operators beyond construction
+/// except the factor of A.
+class ContactProblem {
+ public:
+  struct Input {
+    const bem::Space& space;
+    const bem::SteklovPoincare& stiffness;
+    const bem::Lame& lame;
+    bem::Units units;
+    const Conditions& conditions;  ///< must outlive the problem
+    const MultiplierBasis& basis;
+    Stabilization stabilization;
+  };
+
+  /// \throws bem::InputError if the conditions contradict each other or leave a rigid motion
+  ///   that is both fixed and clamped; bem::NumericalError if A is not positive definite, with
+  ///   the largest safe gamma0.
+  explicit ContactProblem(const Input& input);
+  ~ContactProblem();
+  ContactProblem(ContactProblem&&) noexcept;
+
+  const Problem& numbers() const;
+  const MultiplierSpace& multiplier() const;
+
+  /// u of a state, all unknowns of the space, dimensionless.
+  Vector displacement(const State& state) const;
+
+  /// Consistent load f of the Neumann data, all unknowns.
+  const Vector& load() const;
+
+  /// γ on a contact element (index into multiplier().elements()), dimensionless.
+  double gamma(std::size_t contactElement) const;
+
+  /// ρ: amplitude of the uniform traction that holds each fixed rigid motion (x, y, rotation
+  /// about the boundary's centroid); zero for those not fixed.
+  Vector fixedReactions(const State& state) const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace epafi::contact
