@@ -25,7 +25,8 @@ struct Scene {
   std::shared_ptr<const bem::Outline> outline;
   contact::Conditions conditions;
 
-  std::vector<int> elementsPerEdge;  ///< one per edge of the outline, holes after the outer loop
+  std::vector<int>
+      elementsPerEdge;  ///< one per edge of the outline, holes after the outer loop
   int degree = 1;
   std::string multiplier;
   contact::Stabilization stabilization;
@@ -38,9 +39,9 @@ struct Scene {
   } adaptivity;
 
   struct Output {
-    int contactSamples = 8;               ///< per element
+    int contactSamples = 8;  ///< per element
     std::vector<bem::Vec2> interiorPoints;
-    bool fields = true;                   ///< write boundary.csv and what shows fields
+    bool fields = true;  ///< write boundary.csv and what shows fields
   } output;
 
   /// The complete list with every default filled in: what used.xml says.

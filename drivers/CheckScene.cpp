@@ -1,0 +1,111 @@
+#include "bem/base/Error.hpp"
+#include "bem/mesh/Mesh.hpp"
+#include "bem/quadrature/Gauss.hpp"
+#include "drivers/Commands.hpp"
+#include "drivers/SceneReader.hpp"
+
+#include <ostream>
+#include <sstream>
+
+namespace epafi::drivers {
+
+namespace {
+
+/// Where conditions are evaluated on an element: nodes of the multiplier (Gauss points of
+/// low order), loads and their estimator (higher order).
+std::vector<double> quadraturePoints(int degree) {
+  std::vector<double> points;
+  for (int n : {degree, degree + 1, 2 * degree + 8})
+    for (double t : bem::gaussLegendre(n).points)
+      points.push_back(t);
+  return points;
+}
+
+void evaluate(const bem::Mesh& mesh, const std::string& boundary,
+              const std::vector<bem::Function>& functions,
+              const std::vector<double>& points) {
+  for (int e : mesh.elementsOf(boundary))
+    for (double t : points)
+      for (const bem::Function& function : functions)
+        if (function)
+          function(mesh.physicalPoint(e, t));
+}
+
+void evaluateAll(const Scene& scene, const bem::Mesh& mesh) {
+  const std::vector<double> inner = quadraturePoints(scene.degree);
+  std::vector<double> closed = inner;  // contact: Lobatto nodes include the ends
+  closed.push_back(-1);
+  closed.push_back(1);
+  for (const auto& [boundary, condition] : scene.conditions.dirichlet)
+    evaluate(mesh, boundary, {condition.x, condition.y}, closed);
+  for (const auto& [boundary, condition] : scene.conditions.neumann)
+    evaluate(mesh, boundary, {condition.x, condition.y}, inner);
+  for (const auto& [boundary, condition] : scene.conditions.contact)
+    evaluate(mesh, boundary, {condition.gap, condition.strength}, closed);
+}
+
+template <class Conditions>
+std::string namesOf(const Conditions& conditions) {
+  std::string names;
+  for (const auto& [boundary, condition] : conditions)
+    names += " " + boundary;
+  return names.empty() ? " none" : names;
+}
+
+std::string fixedMotions(const contact::Conditions::Fix& fix) {
+  const std::string names = std::string(fix.x ? " X" : "") + (fix.y ? " Y" : "") +
+                            (fix.rotation ? " Rotation" : "");
+  return names.empty() ? " none" : names;
+}
+
+}  // namespace
+
+std::string checkScene(const Scene& scene) {
+  const bem::Mesh mesh =
+      bem::makeMesh(scene.outline, scene.elementsPerEdge, scene.degree);
+  evaluateAll(scene, mesh);
+
+  std::ostringstream text;
+  text << scene.title << " (" << scene.file << ")\n"
+       << "  body        " << scene.body << ": E = " << scene.material.youngsModulus
+       << ", nu = " << scene.material.poissonsRatio
+       << (scene.material.planeStress ? ", plane stress" : ", plane strain") << "\n"
+       << "  outline     " << scene.outline->edges().size() << " edges, "
+       << scene.outline->loops() - 1 << " holes, diameter " << scene.outline->diameter()
+       << "\n"
+       << "  first mesh  " << mesh.size() << " elements of degree " << scene.degree
+       << "\n"
+       << "  Dirichlet  " << namesOf(scene.conditions.dirichlet) << "\n"
+       << "  Neumann    " << namesOf(scene.conditions.neumann) << "\n"
+       << "  contact    " << namesOf(scene.conditions.contact) << "\n"
+       << "  held       " << fixedMotions(scene.conditions.fix) << "\n"
+       << "  strategy    " << scene.adaptivity.strategy << ", at most "
+       << scene.adaptivity.maximumLevels << " levels and "
+       << scene.adaptivity.maximumDegreesOfFreedom << " degrees of freedom\n"
+       << "The scene is valid.\n";
+  return text.str();
+}
+
+int checkCommand(const std::vector<std::string>& arguments, std::ostream& out) {
+  std::string file;
+  std::vector<std::string> overrides;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& argument = arguments[i];
+    if (argument == "--set" && i + 1 < arguments.size())
+      overrides.push_back(arguments[++i]);
+    else if (argument.rfind("--", 0) == 0 || !file.empty())
+      throw bem::InputError(bem::message("check: argument '", argument,
+                                         "' is not understood; usage: epafi check "
+                                         "SCENE.xml [--set 'A->B->Key=value']..."));
+    else
+      file = argument;
+  }
+  if (file.empty())
+    throw bem::InputError(
+        "check: no scene is given; usage: epafi check SCENE.xml [--set "
+        "'A->B->Key=value']...");
+  out << checkScene(readScene(file, overrides));
+  return 0;
+}
+
+}  // namespace epafi::drivers

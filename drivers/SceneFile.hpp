@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <string>
+#include <vector>
+
+namespace epafi::drivers {
+
+/// A scene as it stands in its file: names and types as written, nothing checked against
+/// the schema.
+struct RawScene {
+  std::string title;
+  Teuchos::ParameterList list;
+};
+
+/// Reads XML, or YAML if the name ends in .yaml or .yml.  The title is the root list's
+/// name, or the file's name without extension if it has none. \throws bem::InputError for
+/// a file that is missing, a folder, empty, not readable or
+///   malformed, and for values that do not spell their type; without the file's name.
+RawScene readRawScene(const std::string& file);
+
+/// Applies one "A->B->Key=value" of --set: the first '=' splits, the type that the schema
+/// declares for the path decides how the value is read.
+/// \throws bem::InputError for an undeclared path or a value of another type.
+void applyOverride(Teuchos::ParameterList& list, const std::string& assignment);
+
+/// The list as XML that reads back to the same list: numbers keep every bit.
+std::string toXml(const Teuchos::ParameterList& list, const std::string& title);
+
+}  // namespace epafi::drivers
