@@ -1,6 +1,7 @@
 # Is every source file formatted?  cmake -DROOT=<source folder> -P CheckFormat.cmake
 #
 # To format them:  clang-format-14 -i <file>...
+cmake_minimum_required(VERSION 3.20)
 find_program(clang_format NAMES clang-format-14 REQUIRED)
 file(GLOB_RECURSE files
   ${ROOT}/packages/*.[ch]pp ${ROOT}/drivers/*.[ch]pp ${ROOT}/test/*.[ch]pp)

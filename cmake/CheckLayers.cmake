@@ -4,6 +4,7 @@
 #   2. Solver, MPI, HDF5 and muParser headers live at the border only.
 #   3. Other headers of the packages take nothing but the standard library; Teuchos is forward
 #      declared, except in bem/base/Parameters.hpp.
+cmake_minimum_required(VERSION 3.20)
 set(layers bem contact adaptivity drivers)
 set(border "^(packages/bem/tpetra/|packages/contact/nox/|drivers/)")
 set(foreign "Tpetra|Belos|Thyra|NOX|LOCA|Stratimikos|Kokkos|Xpetra|Epetra|Piro|Amesos|mpi\\.h|hdf5|H5|muParser|Teuchos_[A-Za-z]*(Mpi|MPI)")

@@ -2,6 +2,7 @@
 #
 # Each case is a tree with one file that has one include; the sound ones must pass, each bad
 # one must fail with its own message.
+cmake_minimum_required(VERSION 3.20)
 set(check ${CMAKE_CURRENT_LIST_DIR}/CheckLayers.cmake)
 
 # expect(<file> <include> <message>): an empty message means that the tree is sound.

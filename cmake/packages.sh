@@ -49,9 +49,10 @@ installPackages() {
   fi
   echo "epafi: installing ${#missing[@]} missing Debian packages: ${missing[*]}"
   export DEBIAN_FRONTEND=noninteractive
-  apt-get -q -o DPkg::Lock::Timeout=600 update &&
-    apt-get -q -o DPkg::Lock::Timeout=600 -o Dpkg::Use-Pty=0 install -y \
-      --no-install-recommends "${missing[@]}" && return 0
+  # An update that fails need not matter: what is missing may be in the lists that are there.
+  apt-get -q -o DPkg::Lock::Timeout=600 update || echo "epafi: apt-get update failed, going on"
+  apt-get -q -o DPkg::Lock::Timeout=600 -o Dpkg::Use-Pty=0 install -y \
+    --no-install-recommends "${missing[@]}" && return 0
   echo "epafi: apt-get failed (see above); what was tried: $line" >&2
   return 1
 }
