@@ -35,7 +35,7 @@ std::vector<Feature> feetOf(const Mesh& mesh, int inner, int outer) {
   const Piece& piece = mesh[inner].piece;
   std::vector<Feature> features;
   for (const Position& end : {piece.start, piece.end}) {
-    const RelativeTarget seen = seenFrom(mesh, outer, {piece.edge, end});
+    const RelativeTarget seen = seenFrom(mesh, outer, {piece.edge, end, 0});
     features.push_back({seen.z().real(), std::abs(seen.b())});
   }
   return features;
@@ -54,10 +54,7 @@ void sweep(const Mesh& mesh, int outer, int inner, Need need, const Visit& visit
   LegendreMoments moments;
   for (int q = 0; q < rule.size(); ++q) {
     const EndPoint& point = rule.points[q];
-    const Piece& piece = x.piece;
-    const BoundaryPoint place{piece.edge,
-                              {piece.start.fromStart + x.half * point.fromStart,
-                               piece.end.toEnd + x.half * point.toEnd}};
+    const BoundaryPoint place = mesh.at(outer, point.fromStart, point.toEnd);
     const RelativeTarget seen = seenFrom(mesh, inner, place);
     evaluateMoments(seen, y.degree, need, moments);
     legendreValues(x.degree, point.t, legendre.data());

@@ -18,21 +18,17 @@ double distanceAlong(Position a, Position b) {
 
 namespace {
 
-Position along(Position start, Position end, double fraction) {
-  return {start.fromStart + fraction * (end.fromStart - start.fromStart),
-          end.toEnd + (1 - fraction) * (start.toEnd - end.toEnd)};
-}
-
-Vec2 place(const Edge& edge, Position p) {
-  return p.fromStart < p.toEnd ? edge.from + p.fromStart * edge.tangent
-                               : edge.to - p.toEnd * edge.tangent;
+Vec2 place(const Edge& edge, const BoundaryPoint& p) {
+  return p.position.fromStart < p.position.toEnd
+             ? edge.from + (p.position.fromStart + p.offset) * edge.tangent
+             : edge.to + (p.offset - p.position.toEnd) * edge.tangent;
 }
 
 Element makeElement(const Edge& edge, const Piece& piece) {
   Element element;
   element.piece = piece;
   element.degree = piece.degree;
-  element.middle = place(edge, midpoint(piece.start, piece.end));
+  element.middle = place(edge, {piece.edge, midpoint(piece.start, piece.end), 0});
   element.half = 0.5 * distanceAlong(piece.start, piece.end);
   element.tangent = edge.tangent;
   element.normal = edge.normal;
@@ -92,14 +88,16 @@ std::vector<int> Mesh::elementsOf(const std::string& name) const {
   return result;
 }
 
-BoundaryPoint Mesh::at(int e, double t) const {
-  const Piece& piece = (*this)[e].piece;
-  return {piece.edge, along(piece.start, piece.end, 0.5 * (1 + t))};
+BoundaryPoint Mesh::at(int e, double fromStart, double toEnd) const {
+  const Element& element = (*this)[e];
+  const Piece& piece = element.piece;
+  if (fromStart < toEnd)
+    return {piece.edge, piece.start, element.half * fromStart};
+  return {piece.edge, piece.end, -element.half * toEnd};
 }
 
 Vec2 Mesh::scaledPoint(int e, double t) const {
-  const BoundaryPoint p = at(e, t);
-  return place(outline_->edge(p.edge), p.position);
+  return place(outline_->edge((*this)[e].piece.edge), at(e, t));
 }
 
 Vec2 Mesh::physicalPoint(int e, double t) const {
@@ -109,13 +107,15 @@ Vec2 Mesh::physicalPoint(int e, double t) const {
 Vec2 Mesh::difference(const BoundaryPoint& x, const BoundaryPoint& y) const {
   const Edge& ex = outline_->edge(x.edge);
   if (x.edge == y.edge)
-    return distanceAlong(y.position, x.position) * ex.tangent;
+    return (distanceAlong(y.position, x.position) + (x.offset - y.offset)) * ex.tangent;
   const Edge& ey = outline_->edge(y.edge);
-  if (ex.next == y.edge)  // common vertex: end of x's edge, start of y's
-    return -x.position.toEnd * ex.tangent - y.position.fromStart * ey.tangent;
+  if (ex.next == y.edge)  // common vertex: the end of x's edge
+    return (x.offset - x.position.toEnd) * ex.tangent -
+           (y.position.fromStart + y.offset) * ey.tangent;
   if (ey.next == x.edge)
-    return x.position.fromStart * ex.tangent - (-y.position.toEnd) * ey.tangent;
-  return place(ex, x.position) - place(ey, y.position);
+    return (x.position.fromStart + x.offset) * ex.tangent -
+           (y.offset - y.position.toEnd) * ey.tangent;
+  return place(ex, x) - place(ey, y);
 }
 
 Mesh makeMesh(std::shared_ptr<const Outline> outline,

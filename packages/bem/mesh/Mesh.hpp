@@ -39,11 +39,12 @@ struct Element {
   int degree = 1;  ///< p: displacements of degree p, densities of degree p - 1
 };
 
-/// A point of the boundary together with the edge it lies on; differences of two of them
-/// keep their digits near a common vertex and along a common edge.
+/// A point of the boundary: `offset` along its edge from a nearby place, mostly a node.
+/// Differences of two of them keep their digits near a common vertex and a common node.
 struct BoundaryPoint {
   int edge = 0;
   Position position;
+  double offset = 0;
 };
 
 /// The boundary cut into elements, each with its own degree.  Immutable.
@@ -69,7 +70,9 @@ class Mesh {
   /// Elements of a named boundary, in the outline's direction.
   std::vector<int> elementsOf(const std::string& boundary) const;
 
-  BoundaryPoint at(int e, double t) const;
+  BoundaryPoint at(int e, double t) const { return at(e, 1 + t, 1 - t); }
+  /// The point with 1 + t = fromStart, 1 - t = toEnd, anchored at the nearer end of e.
+  BoundaryPoint at(int e, double fromStart, double toEnd) const;
   Vec2 scaledPoint(int e, double t) const;
   /// In the user's coordinates.
   Vec2 physicalPoint(int e, double t) const;

@@ -21,8 +21,8 @@ RelativeTarget seenFrom(const Mesh& mesh, int e, const BoundaryPoint& x) {
   const Element& element = mesh[e];
   const int edge = element.piece.edge;
   RelativeTarget target =
-      fromOffsets(element, mesh.difference(x, {edge, element.piece.start}),
-                  mesh.difference(x, {edge, element.piece.end}));
+      fromOffsets(element, mesh.difference(x, {edge, element.piece.start, 0}),
+                  mesh.difference(x, {edge, element.piece.end, 0}));
   if (x.edge == edge) {
     target.zMinus1.imag(0.0);
     target.zPlus1.imag(0.0);
