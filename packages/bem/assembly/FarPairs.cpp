@@ -37,7 +37,7 @@ int orderFor(double z, int degree) {
   int base = 1;
   while (base < largestOrder && table.smallestZ[base] > z)
     ++base;
-  return base + (degree + 2) / 2 + 1;
+  return base + degreeShare(degree);
 }
 
 /// min over y in `source` of (|y-e0| + |y-e1|) / h, e0 and e1 the ends of E.

@@ -23,6 +23,9 @@ struct PairOrder {
   int inner = 0;
 };
 
+/// Gauss points that polynomials of a degree cost on top of what the kernel needs.
+constexpr int degreeShare(int degree) { return (degree + 2) / 2 + 1; }
+
 /// True when the pair must go to nearPairMoments: the gap is below half the larger
 /// length. Otherwise sets the orders that give eps = 1e-12 (tensor Gauss, design.md 3.4),
 /// which grow with the degree and shrink with the distance, separately for the two

@@ -52,10 +52,10 @@ class ElementRows {
         mesh_(space.mesh()),
         kernel_(lame, asComplex(mesh_[element].normal)),
         element_(element) {
-    split();
-    moments_ = form == TractionForm::Projected
-                   ? mesh_[element].degree + 1
-                   : std::max(farOrder_, mesh_[element].degree + 1);
+    split(form);
+    moments_ = mesh_[element].degree + 1;
+    if (form == TractionForm::Exact)  // what far sources have beyond these is rounding
+      moments_ = std::max(moments_, 2 * farOrder_);
     makeRule();
     if (form == TractionForm::Exact)
       compress();
@@ -85,11 +85,9 @@ class ElementRows {
     SourceValues values;
     double legendre[largestOuter];
     for (const Far& far : far_) {
-      const Rule& rule = gaussLegendre(far.order);
-      const int known = std::min(moments_, far.order);
-      std::fill(legendre, legendre + moments_, 0.0);
+      const Rule& rule = gaussLegendre(far.smoothOrder + degreeShare(moments_));
       for (int q = 0; q < rule.size(); ++q) {
-        legendreValues(known - 1, rule.points[q], legendre);
+        legendreValues(moments_ - 1, rule.points[q], legendre);
         evaluate(far.source, mesh_.at(element_, rule.points[q]), rule.points[q], values);
         forEachSource(space_, far.source, values, putMoments(rule.weights[q], legendre));
       }
@@ -110,7 +108,7 @@ class ElementRows {
  private:
   struct Far {
     int source;
-    int order;
+    int smoothOrder;  ///< Gauss points for 1e-12 without any polynomial
   };
   struct Source {
     Kind kind;
@@ -122,14 +120,18 @@ class ElementRows {
     return std::sqrt(mesh_[element_].half * (2 * i + 1) / 2);
   }
 
-  void split() {
+  /// Near sources get graded points.  In the exact form these are also the ones whose
+  /// field on the element would need many Legendre moments.
+  void split(TractionForm form) {
     for (int f = 0; f < mesh_.size(); ++f) {
       PairOrder order;
-      if (isNear(mesh_, element_, f, order)) {
+      const bool near = isNear(mesh_, element_, f, order);
+      const int smooth = order.outer - degreeShare(mesh_[element_].degree);
+      if (near || (form == TractionForm::Exact && smooth > 7)) {
         near_.push_back(f);
       } else {
-        far_.push_back({f, std::min(order.outer + 1, largestOuter)});
-        farOrder_ = std::max(farOrder_, far_.back().order);
+        far_.push_back({f, smooth});
+        farOrder_ = std::max(farOrder_, smooth);
       }
     }
   }
