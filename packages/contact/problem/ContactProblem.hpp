@@ -45,6 +45,10 @@ class ContactProblem {
   /// Consistent load f of the Neumann data, all unknowns.
   const Vector& load() const;
 
+  /// A u + Bᵀ λ - f, all unknowns: zero where nothing is prescribed, apart from what holds the
+  /// fixed rigid motions; where a displacement is prescribed, the clamp's force on the body.
+  Vector residual(const State& state) const;
+
   /// γ on a contact element (index into multiplier().elements()), dimensionless.
   double gamma(std::size_t contactElement) const;
 

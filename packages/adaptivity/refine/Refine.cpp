@@ -1,0 +1,139 @@
+#include "adaptivity/refine/Refine.hpp"
+
+#include "bem/algebra/Blas.hpp"
+#include "bem/base/Error.hpp"
+#include "bem/quadrature/Gauss.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace epafi::adaptivity {
+
+namespace {
+
+using contact::Index;
+using contact::MultiplierBasis;
+using contact::MultiplierSpace;
+using contact::Vector;
+
+/// Where a new element lies in the old mesh: its t in [-1, 1] is middle + scale t there.
+struct Origin {
+  int element = 0;
+  double middle = 0;
+  double scale = 1;
+};
+
+struct Pieces {
+  std::vector<bem::Piece> pieces;
+  std::vector<Origin> origins;
+};
+
+Pieces cut(const bem::Mesh& mesh, const Marks& marks) {
+  assert(static_cast<int>(marks.size()) == mesh.size());
+  Pieces result;
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bem::Piece piece = mesh[e].piece;
+    const Mark mark = marks[static_cast<std::size_t>(e)];
+    if (mark == Mark::Bisect) {
+      const bem::Position middle = bem::midpoint(piece.start, piece.end);
+      result.pieces.push_back({piece.edge, piece.start, middle, piece.degree});
+      result.pieces.push_back({piece.edge, middle, piece.end, piece.degree});
+      result.origins.push_back({e, -0.5, 0.5});
+      result.origins.push_back({e, 0.5, 0.5});
+    } else {
+      const int raise = mark == Mark::RaiseDegree ? 1 : 0;
+      result.pieces.push_back({piece.edge, piece.start, piece.end, piece.degree + raise});
+      result.origins.push_back({e, 0, 1});
+    }
+  }
+  return result;
+}
+
+/// Coefficients of polynomials of one degree from their values at the Gauss points.
+class Collocation {
+ public:
+  Collocation(const MultiplierBasis& basis, int degree)
+      : points_(bem::gaussLegendre(degree + 1).points), matrix_(size(), size()) {
+    for (Index i = 0; i < size(); ++i) {
+      const Vector row = basis.values(degree, points_[static_cast<std::size_t>(i)]);
+      for (Index k = 0; k < size(); ++k)
+        matrix_(i, k) = row[static_cast<std::size_t>(k)];
+    }
+  }
+
+  const Vector& points() const { return points_; }
+
+  Vector coefficients(Vector values) const {
+    bem::Matrix factor = matrix_.copy();
+    const int n = static_cast<int>(size());
+    const int stride = static_cast<int>(factor.stride());
+    const int one = 1;
+    std::vector<int> pivots(points_.size());
+    int info = 0;
+    dgesv_(&n, &one, factor.data(), &stride, pivots.data(), values.data(), &n, &info);
+    if (info != 0)
+      throw bem::NumericalError("the multiplier's basis is linearly dependent");
+    return values;
+  }
+
+ private:
+  Index size() const { return static_cast<Index>(points_.size()); }
+
+  Vector points_;
+  bem::Matrix matrix_;
+};
+
+void store(const Vector& coefficients, Index first, Vector& multiplier) {
+  std::copy(coefficients.begin(), coefficients.end(), multiplier.begin() + first);
+}
+
+/// The old multiplier as a function on the new elements, in the new coefficients.
+Vector carry(const MultiplierSpace& from, const Vector& old, const MultiplierSpace& to,
+             const std::vector<Origin>& origins) {
+  Vector result(static_cast<std::size_t>(to.size()));
+  for (const MultiplierSpace::ContactElement& element : to.elements()) {
+    const Origin& origin = origins[static_cast<std::size_t>(element.element)];
+    const auto source = std::find_if(
+        from.elements().begin(), from.elements().end(),
+        [&](const auto& candidate) { return candidate.element == origin.element; });
+    assert(source != from.elements().end());
+    const Collocation collocation(to.basis(), element.degree);
+    Vector normal;
+    Vector tangential;
+    for (const double t : collocation.points()) {
+      const auto value = from.at(old, *source, origin.middle + origin.scale * t);
+      normal.push_back(value.normal);
+      tangential.push_back(value.tangential);
+    }
+    store(collocation.coefficients(normal), element.normal, result);
+    if (element.tangential >= 0)
+      store(collocation.coefficients(tangential), element.tangential, result);
+  }
+  return result;
+}
+
+}  // namespace
+
+bool anyMarked(const Marks& marks) {
+  return std::any_of(marks.begin(), marks.end(),
+                     [](Mark mark) { return mark != Mark::None; });
+}
+
+bem::Mesh refine(const bem::Mesh& mesh, const Marks& marks) {
+  return {mesh.sharedOutline(), cut(mesh, marks).pieces};
+}
+
+Refined refine(const bem::Mesh& mesh, const Marks& marks,
+               const MultiplierSpace& multiplier, const contact::Conditions& conditions,
+               const contact::State& state) {
+  const Pieces next = cut(mesh, marks);
+  Refined result{{mesh.sharedOutline(), next.pieces}, {}};
+  result.start.rigid = state.rigid;
+  if (!state.multiplier.empty())
+    result.start.multiplier =
+        carry(multiplier, state.multiplier,
+              MultiplierSpace(result.mesh, multiplier.basis(), conditions), next.origins);
+  return result;
+}
+
+}  // namespace epafi::adaptivity

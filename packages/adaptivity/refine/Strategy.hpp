@@ -1,0 +1,36 @@
+#pragma once
+
+#include "adaptivity/refine/Refine.hpp"
+
+#include <string>
+#include <vector>
+
+namespace epafi::adaptivity {
+
+/// What a strategy decides from: a solved level.
+struct LevelData {
+  const bem::Mesh& mesh;
+};
+
+/// Where the next level's iteration starts.
+enum class Start {
+  Zero,    ///< as if it were the first level, so that levels can be compared
+  Carried  ///< from this level's state, see refine
+};
+
+/// A way from one level to the next.
+struct Strategy {
+  const char* name;
+  const char* meaning;
+  Start start;
+  /// No mark at all ends the run.
+  Marks (*marks)(const LevelData& level);
+};
+
+/// All strategies.  A new one is one line in Strategy.cpp.
+const std::vector<Strategy>& strategies();
+
+/// \throws bem::InputError naming the known strategies.
+const Strategy& strategy(const std::string& name);
+
+}  // namespace epafi::adaptivity

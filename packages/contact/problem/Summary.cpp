@@ -1,0 +1,207 @@
+#include "contact/problem/Summary.hpp"
+
+#include "bem/quadrature/Gauss.hpp"
+#include "contact/problem/ContactFields.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+namespace epafi::contact {
+
+namespace {
+
+using bem::Vec2;
+using Element = MultiplierSpace::ContactElement;
+using Profile = std::function<double(double)>;  // of t in [-1, 1]
+
+/// Where a continuous function on [-1, 1] changes its sign, the ends included.
+std::vector<double> signChanges(const Profile& f, int intervals) {
+  std::vector<double> breaks = {-1};
+  for (int i = 0; i < intervals; ++i) {
+    double low = -1 + 2.0 * i / intervals;
+    double high = -1 + 2.0 * (i + 1) / intervals;
+    const bool negative = f(low) < 0;
+    if ((f(high) < 0) == negative)
+      continue;
+    while (high - low > 1e-15) {
+      const double middle = 0.5 * (low + high);
+      if (middle <= low || middle >= high)
+        break;
+      ((f(middle) < 0) == negative ? low : high) = middle;
+    }
+    breaks.push_back(0.5 * (low + high));
+  }
+  breaks.push_back(1);
+  return breaks;
+}
+
+/// Enough to separate the zeros of a polynomial of this degree in practice.
+int samples(int degree) { return 8 * (degree + 1); }
+
+/// ∫ f dt over [-1, 1], f smooth between breaks.
+double integrate(const Profile& f, const std::vector<double>& breaks, int order) {
+  const bem::Rule& rule = bem::gaussLegendre(order);
+  double sum = 0;
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    const double half = 0.5 * (breaks[k + 1] - breaks[k]);
+    const double middle = 0.5 * (breaks[k + 1] + breaks[k]);
+    for (int i = 0; i < rule.size(); ++i)
+      sum += half * rule.weights[static_cast<std::size_t>(i)] *
+             f(middle + half * rule.points[static_cast<std::size_t>(i)]);
+  }
+  return sum;
+}
+
+/// Length of {f > 0} as a part of [-1, 1].
+double positivePart(const Profile& f, int degree) {
+  const std::vector<double> breaks = signChanges(f, samples(degree));
+  double sum = 0;
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
+    if (f(0.5 * (breaks[k] + breaks[k + 1])) > 0)
+      sum += breaks[k + 1] - breaks[k];
+  return sum;
+}
+
+/// ∫ bound |uₜ| over one contact element, dt.  Kinks: where uₜ or λₙ changes its sign.
+double frictionWork(const ContactFields& fields, const Element& element) {
+  const auto slip = [&](double t) { return fields.at(element, t).tangential; };
+  const auto pressure = [&](double t) { return fields.at(element, t).pressure; };
+  std::vector<double> breaks = signChanges(slip, samples(element.degree));
+  const std::vector<double> more = signChanges(pressure, samples(element.degree));
+  breaks.insert(breaks.end(), more.begin(), more.end());
+  for (int i = 1; i < 4; ++i)  // the bound is the user's: it may bend anywhere
+    breaks.push_back(-1 + 0.5 * i);
+  std::sort(breaks.begin(), breaks.end());
+  const auto work = [&](double t) {
+    const ContactPoint point = fields.at(element, t);
+    return point.bound * std::abs(point.tangential);
+  };
+  return integrate(work, breaks, element.degree + 4);
+}
+
+void addContact(const Solved& solved, Summary& summary) {
+  const ContactFields fields(solved.problem, solved.space, solved.units, solved.state,
+                             solved.displacement);
+  for (const Element& element : fields.elements()) {
+    const int p = element.degree;
+    const double half = solved.units.length * solved.space.mesh()[element.element].half;
+    const auto normal = [&](double t) { return fields.at(element, t).pressure; };
+    const auto tangential = [&](double t) { return fields.at(element, t).shear; };
+    summary.forceNormal += half * integrate(normal, {-1, 1}, p + 1);
+    summary.contactLength +=
+        half * positivePart([&](double t) { return fields.closing(element, t); }, p);
+    if (element.tangential < 0)
+      continue;
+    summary.forceTangential += half * integrate(tangential, {-1, 1}, p + 1);
+    summary.energyFriction += half * frictionWork(fields, element);
+    summary.slipLength +=
+        half * positivePart([&](double t) { return fields.slipping(element, t); }, p);
+  }
+}
+
+/// Length of the boundary and its centroid, scaled.
+struct Perimeter {
+  double length = 0;
+  Vec2 centroid;
+};
+
+Perimeter perimeter(const bem::Mesh& mesh) {
+  Perimeter result;
+  for (const bem::Element& element : mesh.elements()) {
+    result.length += 2 * element.half;
+    result.centroid = result.centroid + (2 * element.half) * element.middle;
+  }
+  result.centroid = (1 / result.length) * result.centroid;
+  return result;
+}
+
+double dotProduct(const Vector& a, const Vector& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+/// Work of the reactions on a rigid motion, dimensionless:
+///
+///   R·v = Σ_c residual_c v_c + Σ_k ρ_k ∫ r_k · (v - v_c) ds,
+///
+/// c: prescribed unknowns, v_c: v with all others zero, r_k: the fixed modes.  The
+/// residual at c contains the tractions ρ_k r_k with the wrong sign, as a force of the
+/// clamp.
+double reactionWork(const Solved& solved, const Vector& residual, const Vector& motion) {
+  const bem::Mesh& mesh = solved.space.mesh();
+  Vector clamped = motion;
+  const std::vector<bool> isPrescribed = prescribed(solved.space, solved.conditions);
+  for (std::size_t i = 0; i < clamped.size(); ++i)
+    if (!isPrescribed[i])
+      clamped[i] = 0;
+  double work = dotProduct(residual, clamped);
+
+  const Vector amplitudes = solved.problem.fixedReactions(solved.state);
+  const Vec2 centroid = perimeter(mesh).centroid;
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bem::Rule& rule = bem::gaussLegendre(mesh[e].degree + 1);
+    for (int i = 0; i < rule.size(); ++i) {
+      const double t = rule.points[static_cast<std::size_t>(i)];
+      const Vec2 arm = mesh.scaledPoint(e, t) - centroid;
+      const Vec2 traction =
+          Vec2{amplitudes[0], amplitudes[1]} + amplitudes[2] * bem::turnLeft(arm);
+      const Vec2 rest = solved.space.displacementAt(motion, e, t) -
+                        solved.space.displacementAt(clamped, e, t);
+      work +=
+          mesh[e].half * rule.weights[static_cast<std::size_t>(i)] * dot(traction, rest);
+    }
+  }
+  return work;
+}
+
+void addReactions(const Solved& solved, Summary& summary) {
+  const bem::Matrix motions = solved.space.rigidMotions();
+  const Vector residual = solved.problem.residual(solved.state);
+  std::array<double, 3> work{};
+  for (Index k = 0; k < 3; ++k)
+    work[static_cast<std::size_t>(k)] = reactionWork(
+        solved, residual, Vector(motions.column(k), motions.column(k) + motions.rows()));
+
+  // From the scaled outline's origin to the user's: M = M_scaled d + origin x force.
+  const Vec2 origin = solved.space.mesh().outline().physical({0, 0});
+  const double force = solved.units.stress * solved.units.length;
+  summary.reactionX = force * work[0];
+  summary.reactionY = force * work[1];
+  summary.reactionMoment =
+      force * (solved.units.length * work[2] + cross(origin, {work[0], work[1]}));
+}
+
+}  // namespace
+
+Summary summarize(const Solved& solved) {
+  const double energy = solved.units.stress * solved.units.length * solved.units.length;
+  const Vector& u = solved.displacement;
+  Summary summary;
+  summary.energyStrain = energy * 0.5 * dotProduct(u, solved.stiffness.apply(u));
+  summary.energyLoad = energy * dotProduct(solved.problem.load(), u);
+  addContact(solved, summary);
+  addReactions(solved, summary);
+  return summary;
+}
+
+std::vector<bool> prescribed(const bem::Space& space, const Conditions& conditions) {
+  std::vector<bool> result(static_cast<std::size_t>(space.displacements()), false);
+  for (const auto& [boundary, condition] : conditions.dirichlet)
+    for (const int e : space.mesh().elementsOf(boundary))
+      for (int k = 0; k <= space.mesh()[e].degree; ++k) {
+        if (condition.x)
+          result[static_cast<std::size_t>(space.displacement(e, k, 0))] = true;
+        if (condition.y)
+          result[static_cast<std::size_t>(space.displacement(e, k, 1))] = true;
+      }
+  return result;
+}
+
+Index freeDisplacements(const bem::Space& space, const Conditions& conditions) {
+  const std::vector<bool> isPrescribed = prescribed(space, conditions);
+  return std::count(isPrescribed.begin(), isPrescribed.end(), false);
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "contact/problem/ContactProblem.hpp"
+
+namespace epafi::contact {
+
+/// The scalar results of a solved problem, per unit thickness, in the user's units:
+/// energies [stress length²], forces [stress length], moment [stress length²], lengths.
+struct Summary {
+  double energyStrain = 0;     ///< ½ uᵀ S u
+  double energyLoad = 0;       ///< fᵀ u
+  double energyFriction = 0;   ///< ∫ bound |uₜ| over all contact sides
+  double forceNormal = 0;      ///< ∫ λₙ over all contact sides
+  double forceTangential = 0;  ///< ∫ λₜ
+  double reactionX = 0;        ///< of clamps and fixed rigid motions, on the body
+  double reactionY = 0;
+  double reactionMoment = 0;  ///< about the origin of the user's coordinates
+  double contactLength = 0;   ///< where λₙ > 0
+  double slipLength = 0;      ///< where |λₜ| reaches its bound
+};
+
+/// Everything that the results of a level are computed from.
+struct Solved {
+  const bem::Space& space;
+  const bem::SteklovPoincare& stiffness;
+  const ContactProblem& problem;
+  const Conditions& conditions;
+  bem::Units units;
+  const State& state;
+  const Vector& displacement;  ///< all unknowns, dimensionless
+};
+
+/// Reactions come from the residual of the discrete equations at the constrained
+/// unknowns, paired with rigid motions, and so do not know of the loads elsewhere: that
+/// everything together is in balance tests the whole solution.
+Summary summarize(const Solved& solved);
+
+/// Which displacements a Dirichlet condition prescribes.
+std::vector<bool> prescribed(const bem::Space& space, const Conditions& conditions);
+
+/// Number of displacements that no Dirichlet condition prescribes.
+Index freeDisplacements(const bem::Space& space, const Conditions& conditions);
+
+}  // namespace epafi::contact
