@@ -1,0 +1,254 @@
+// The Galerkin matrices against 33 digits (a sample; all of it in
+// OperatorsConvergence_test) and against identities that hold for whole problems.
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/assembly/Assembly.hpp"
+#include "reference/ExactFields.hpp"
+#include "reference/OperatorErrors.hpp"
+#include "reference/SampleMeshes.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using namespace epafi::reference;
+namespace bem = epafi::bem;
+using bem::Vec2;
+using bem::Vector;
+
+const bem::LapackAlgebra algebra;
+
+bem::Lame lameOf(double nu) { return bem::Lame({1, nu, false}); }
+
+double largest(const Vector& v) {
+  double size = 0;
+  for (double x : v)
+    size = std::max(size, std::abs(x));
+  return size;
+}
+
+double largest(const bem::Matrix& m) {
+  double size = 0;
+  for (bem::Index j = 0; j < m.columns(); ++j)
+    for (bem::Index i = 0; i < m.rows(); ++i)
+      size = std::max(size, std::abs(m(i, j)));
+  return size;
+}
+
+Vector minus(Vector a, const Vector& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    a[i] -= b[i];
+  return a;
+}
+
+Vector doubleLayerTimes(const bem::Operators& operators, const Vector& u) {
+  return algebra.multiply(operators.doubleLayer, operators.doubleLayer.rows(), u);
+}
+
+/// (K + 1/2) u - V t, which vanishes for the Cauchy data of a solution.
+double calderonResidual(const bem::Operators& operators, const Vector& u,
+                        const Vector& t) {
+  return largest(minus(doubleLayerTimes(operators, u),
+                       algebra.multiplySymmetric(operators.singleLayer, t)));
+}
+
+TEUCHOS_UNIT_TEST(Operators, areExactTo12DigitsOfTheirBlocks) {
+  for (const Sample& sample : quickSamples())
+    for (double nu : {0.3, 0.4999999}) {
+      const bem::Space space(sample.mesh);
+      const OperatorErrors error =
+          operatorErrors(bem::assembleOperators(space, lameOf(nu), algebra),
+                         quadOperators(space, lameOf(nu)));
+      out << sample.name << ", nu = " << nu << ": ";
+      TEST_COMPARE(error.singleLayer, <, 1e-12);
+      TEST_COMPARE(error.doubleLayer, <, 1e-12);
+      TEST_COMPARE(error.hypersingular, <, 1e-12);
+    }
+}
+
+// The comparison above would be worthless if it could not tell materials apart.
+TEUCHOS_UNIT_TEST(Operators, ofAnotherMaterialAreToldApart) {
+  const bem::Space space(quickSamples().front().mesh);
+  const OperatorErrors error =
+      operatorErrors(bem::assembleOperators(space, lameOf(0.3 + 1e-10), algebra),
+                     quadOperators(space, lameOf(0.3)));
+  TEST_COMPARE(error.singleLayer, >, 1e-12);
+  TEST_COMPARE(error.doubleLayer, >, 1e-12);
+  TEST_COMPARE(error.hypersingular, >, 1e-12);
+}
+
+TEUCHOS_UNIT_TEST(Operators, annihilateRigidMotions) {
+  for (const Sample& sample : hardSamples())
+    for (double nu : {-0.5, 0.3, 0.4999999}) {
+      const bem::Space space(sample.mesh);
+      const bem::Operators operators = bem::assembleOperators(space, lameOf(nu), algebra);
+      const bem::Matrix motions = space.rigidMotions();
+      for (int k = 0; k < 3; ++k) {
+        const Vector r(motions.column(k), motions.column(k) + motions.rows());
+        out << sample.name << ", nu = " << nu << ": ";
+        TEST_COMPARE(largest(doubleLayerTimes(operators, r)), <, 1e-14);
+        TEST_COMPARE(largest(algebra.multiplySymmetric(operators.hypersingular, r)), <,
+                     1e-14 * largest(operators.hypersingular));
+      }
+    }
+}
+
+TEUCHOS_UNIT_TEST(Operators, satisfyCalderonsIdentityForConstantStress) {
+  for (const Sample& sample : hardSamples())
+    for (double nu : {0.3, 0.4999999})
+      for (const PlaneStressTensor sigma :
+           {PlaneStressTensor{1, 0, 0}, PlaneStressTensor{0, 1, 0},
+            PlaneStressTensor{0, 0, 1}}) {
+        const bem::Space space(sample.mesh);
+        const bem::Operators operators =
+            bem::assembleOperators(space, lameOf(nu), algebra);
+        const ExactField field = constantStress(lameOf(nu), sigma, 0.3);
+        out << sample.name << ", nu = " << nu << ": ";
+        TEST_COMPARE(calderonResidual(operators, displacementOf(space, field),
+                                      tractionOf(space, field)),
+                     <, 1e-14);
+      }
+}
+
+/// Error of the traction V⁻¹ (K + 1/2) u for the interpolated displacement of a point
+/// force.
+double pointForceError(const bem::Mesh& mesh, double nu) {
+  const bem::Space space(mesh);
+  const ExactField field = pointForce(lameOf(nu), {0.8, 0.5}, {0.6, -0.8});
+  bem::Operators operators = bem::assembleOperators(space, lameOf(nu), algebra);
+  const Vector right = doubleLayerTimes(operators, displacementOf(space, field));
+  const auto factor = algebra.cholesky(std::move(operators.singleLayer), "V");
+  return tractionError(space, factor->solve(right), field);
+}
+
+std::shared_ptr<const bem::Outline> squareOutline() {
+  return std::make_shared<const bem::Outline>(square());
+}
+
+TEUCHOS_UNIT_TEST(Operators, giveThePointForcesTractionAtFullOrderInH) {
+  for (int p : {1, 2, 3}) {
+    const int n = 16 / p;
+    const double coarse =
+        pointForceError(bem::makeMesh(squareOutline(), {n, n, n, n}, p), 0.3);
+    const double fine = pointForceError(
+        bem::makeMesh(squareOutline(), {2 * n, 2 * n, 2 * n, 2 * n}, p), 0.3);
+    out << "p = " << p << ", errors " << coarse << ", " << fine << ": ";
+    TEST_COMPARE(std::log2(coarse / fine), >, p - 0.2);
+  }
+}
+
+// Down to rounding: u's last digit changes the volume, and a nearly incompressible body
+// answers with a pressure 1/(1-2nu) times as large.
+TEUCHOS_UNIT_TEST(Operators, giveThePointForcesTractionExponentiallyInP) {
+  for (const auto& shape : {squareOutline(), squareWithHole()})
+    for (double nu : {0.3, 0.4999999}) {
+      const std::vector<int> two(shape->edges().size(), 2);
+      const double rounding = std::max(1e-12, 1e-15 / (1 - 2 * nu));
+      double before = pointForceError(bem::makeMesh(shape, two, 2), nu);
+      for (int p = 6; p <= 18; p += 4) {
+        const double error = pointForceError(bem::makeMesh(shape, two, p), nu);
+        out << "nu = " << nu << ", p = " << p << ": ";
+        TEST_COMPARE(error, <, std::max(0.02 * before, rounding));
+        before = error;
+      }
+      TEST_COMPARE(before, <, rounding);
+    }
+}
+
+/// Rayleigh quotient <S u, u> / <u, u> on a polygon of diameter 1 for the displacement
+/// u_x + i u_y = e^{ik theta}.
+double discEigenvalue(int sides, int k, double nu) {
+  const auto shape = std::make_shared<const bem::Outline>(regularPolygon(sides, 0.5));
+  const bem::Space space(bem::makeMesh(shape, std::vector<int>(sides, 1), 2));
+  const Vector u = space.interpolate([k](Vec2 x) {
+    const double angle = k * std::atan2(x.y, x.x);
+    return Vec2{std::cos(angle), std::sin(angle)};
+  });
+  bem::Operators operators = bem::assembleOperators(space, lameOf(nu), algebra);
+  const Vector wu = algebra.multiplySymmetric(operators.hypersingular, u);
+  const Vector ku = doubleLayerTimes(operators, u);
+  const Vector psi = algebra.cholesky(std::move(operators.singleLayer), "V")->solve(ku);
+  double energy = 0;
+  for (std::size_t i = 0; i < u.size(); ++i)
+    energy += wu[i] * u[i];
+  for (std::size_t i = 0; i < psi.size(); ++i)
+    energy += psi[i] * ku[i];
+  return energy / std::acos(-1.0);  // |u| = 1 on a circle of length pi
+}
+
+// R = 1/2, E = 1:  2 mu k / (kappa R) for k >= 2,  2 mu m / R for e^{-im theta},
+// 2 mu / ((1-2nu) R) for the dilation.                                   [benchmarks.md
+// 1]
+TEUCHOS_UNIT_TEST(Operators, onPolygonsConvergeToTheDiscsEigenvalues) {
+  const double nu = 0.3;
+  const double mu = 1 / (2 * (1 + nu));
+  const double kappa = 3 - 4 * nu;
+  const auto exact = [=](int k) {
+    if (k == 1)
+      return 4 * mu / (1 - 2 * nu);
+    return k > 1 ? 4 * mu * k / kappa : -4 * mu * k;
+  };
+  for (int k : {1, 2, 3, -1, -2, -3}) {
+    const double coarse = std::abs(discEigenvalue(24, k, nu) / exact(k) - 1);
+    const double fine = std::abs(discEigenvalue(96, k, nu) / exact(k) - 1);
+    out << "k = " << k << ", errors " << coarse << ", " << fine << ": ";
+    TEST_COMPARE(fine, <, 1e-4);
+    TEST_COMPARE(fine, <, 0.1 * coarse);
+  }
+  TEST_COMPARE(std::abs(discEigenvalue(40, 0, nu)), <, 1e-13);
+}
+
+// V 1 = c1 2 pi R (-log R + 1/(2 kappa)) 1 on a circle.
+TEUCHOS_UNIT_TEST(Operators, onPolygonsConvergeToTheDiscsSingleLayer) {
+  const bem::Lame lame = lameOf(0.3);
+  const double pi = std::acos(-1.0);
+  const double exact = lame.a * pi * (std::log(2.0) + 1 / (2 * (3 - 4 * 0.3)));
+  const auto error = [&](int sides) {
+    const auto shape = std::make_shared<const bem::Outline>(regularPolygon(sides, 0.5));
+    const bem::Space space(bem::makeMesh(shape, std::vector<int>(sides, 1), 1));
+    Vector ones(static_cast<std::size_t>(space.densities()));
+    double length = 0;
+    for (int e = 0; e < sides; ++e) {
+      ones[static_cast<std::size_t>(space.density(e, 0, 0))] = 1;
+      length += 2 * space.mesh()[e].half;
+    }
+    const Vector v = algebra.multiplySymmetric(
+        bem::assembleOperators(space, lame, algebra).singleLayer, ones);
+    double energy = 0;
+    for (std::size_t i = 0; i < v.size(); ++i)
+      energy += v[i] * ones[i];
+    return std::abs(energy / length / exact - 1);
+  };
+  TEST_COMPARE(error(80), <, 2e-3);
+  TEST_COMPARE(error(80), <, 0.3 * error(40));
+}
+
+TEUCHOS_UNIT_TEST(Operators, doNotDependOnUnitsOrOnTheOrigin) {
+  const auto assemble = [](double factor, Vec2 shift) {
+    bem::Loop loop = polygon({{0, 0}, {1, 0}, {1.25, 0.5}, {0, 0.75}});
+    for (Vec2& v : loop.vertices)
+      v = factor * (v + shift);
+    return bem::assembleOperators(
+        bem::Space(
+            bem::makeMesh(std::make_shared<const bem::Outline>(loop), {2, 1, 1, 2}, 3)),
+        lameOf(0.3), algebra);
+  };
+  const auto difference = [](const bem::Matrix& a, const bem::Matrix& b) {
+    double error = 0;
+    for (bem::Index j = 0; j < a.columns(); ++j)
+      for (bem::Index i = 0; i < a.rows(); ++i)
+        error = std::max(error, std::abs(a(i, j) - b(i, j)));
+    return error / largest(a);
+  };
+  const bem::Operators one = assemble(1, {0, 0});
+  for (const bem::Operators& other : {assemble(1000, {0, 0}), assemble(1e-3, {0, 0}),
+                                      assemble(1, {8, -4}), assemble(1e6, {0.5, 0.5})}) {
+    TEST_COMPARE(difference(one.singleLayer, other.singleLayer), <, 1e-14);
+    TEST_COMPARE(difference(one.doubleLayer, other.doubleLayer), <, 1e-14);
+    TEST_COMPARE(difference(one.hypersingular, other.hypersingular), <, 1e-14);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,147 @@
+#include "bem/geometry/Outline.hpp"
+
+#include "bem/base/Error.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+
+namespace {
+
+using epafi::bem::InputError;
+using epafi::bem::Loop;
+using epafi::bem::Outline;
+using epafi::bem::Vec2;
+
+Loop named(const std::vector<Vec2>& vertices) {
+  Loop loop{vertices, {}};
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    loop.edges.push_back("e" + std::to_string(i));
+  return loop;
+}
+
+Loop rectangle(double x0, double y0, double x1, double y1) {
+  return named({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
+}
+
+/// Area of the body by Gauss' theorem, in the user's units: 1/2 sum of x·n length.
+double area(const Outline& outline) {
+  double sum = 0;
+  for (const auto& edge : outline.edges())
+    sum += 0.5 * dot(edge.from, edge.normal) * edge.length;
+  return sum * outline.diameter() * outline.diameter();
+}
+
+std::string complaint(const Loop& outer, const std::vector<Loop>& holes = {}) {
+  try {
+    const Outline outline(outer, holes);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(Outline, hasTheAreaOfThePolygonLessItsHoles) {
+  const Outline plain(rectangle(1, 2, 4, 6));
+  TEST_FLOATING_EQUALITY(area(plain), 12.0, 1e-14);
+  const Outline holed(rectangle(1, 2, 4, 6),
+                      {rectangle(1.5, 2.5, 2, 3), named({{3, 4}, {3.5, 4}, {3, 5}})});
+  TEST_FLOATING_EQUALITY(area(holed), 12.0 - 0.25 - 0.25, 1e-14);
+  TEST_EQUALITY(holed.loops(), 3);
+}
+
+TEUCHOS_UNIT_TEST(Outline, hasDiameterOneInsideAndGivesTheUsersCoordinatesBack) {
+  const Outline outline(rectangle(1000, 2000, 1003, 2004));
+  TEST_FLOATING_EQUALITY(outline.diameter(), 5.0, 1e-15);
+  for (const auto& edge : outline.edges())
+    for (Vec2 p : {edge.from, edge.to})
+      TEST_FLOATING_EQUALITY(norm(p), 0.5, 1e-14);
+  const Vec2 p = outline.physical(outline.scaled({1001, 2003}));
+  TEST_FLOATING_EQUALITY(p.x, 1001.0, 1e-15);
+  TEST_FLOATING_EQUALITY(p.y, 2003.0, 1e-15);
+}
+
+TEUCHOS_UNIT_TEST(Outline, keepsTheBodyOnTheLeftAndTheNormalOutward) {
+  const Outline outline(rectangle(0, 0, 4, 4), {rectangle(1, 1, 3, 2)});
+  for (const auto& edge : outline.edges()) {
+    const Vec2 middle = outline.physical(0.5 * (edge.from + edge.to));
+    TEST_ASSERT(outline.contains(middle - 1e-3 * edge.normal));
+    TEST_ASSERT(!outline.contains(middle + 1e-3 * edge.normal));
+    TEST_EQUALITY(outline.edge(edge.next).from.x, edge.to.x);
+    TEST_EQUALITY(outline.edge(edge.next).from.y, edge.to.y);
+    TEST_EQUALITY(outline.edge(outline.edge(edge.next).previous).boundary, edge.boundary);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Outline, givesEachEdgeOfAHoleItsOwnNameThoughItRunsBackwards) {
+  const Loop hole = named({{1, 1}, {3, 1}, {3, 2}, {1, 2}});
+  const Outline outline(rectangle(0, 0, 4, 4), {hole});
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Vec2 middle = 0.5 * (hole.vertices[i] + hole.vertices[(i + 1) % 4]);
+    for (const auto& edge : outline.edges())
+      if (edge.loop == 1 && edge.boundary == hole.edges[i])
+        TEST_COMPARE(norm(outline.physical(0.5 * (edge.from + edge.to)) - middle), <,
+                     1e-14);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Outline, containsThePointsInsideButNotThoseOnTheBoundaryOrInHoles) {
+  // An L whose reflex corner and horizontal edges lie at the height of tested points.
+  const Outline outline(named({{0, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}}),
+                        {rectangle(0.5, 0.5, 1, 1)});
+  for (Vec2 p : {Vec2{1, 2}, Vec2{3, 1}, Vec2{1, 3}, Vec2{0.25, 1}, Vec2{1e-9, 1}})
+    TEST_ASSERT(outline.contains(p));
+  for (Vec2 p : {Vec2{3, 3}, Vec2{-1, 2}, Vec2{5, 2}, Vec2{3, 2}, Vec2{2, 2}, Vec2{0, 0},
+                 Vec2{0.75, 0.75}, Vec2{1, 0.7}, Vec2{2, 5}})
+    TEST_ASSERT(!outline.contains(p));
+}
+
+TEUCHOS_UNIT_TEST(Outline, refusesAPolygonThatCrossesOrTouchesItself) {
+  const std::string bow = complaint(named({{0, 0}, {1, 1}, {1, 0}, {0, 1}}));
+  TEST_ASSERT(contains(bow, "touches or crosses itself"));
+  TEST_ASSERT(contains(bow, "edge 0 ('e0')") && contains(bow, "edge 2 ('e2')"));
+  // A vertex that comes to lie on another edge.
+  TEST_ASSERT(contains(complaint(named({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}})),
+                       "touches or crosses itself"));
+  // An edge that runs back along its predecessor.
+  TEST_ASSERT(contains(complaint(named({{0, 0}, {4, 0}, {2, 0}, {2, 2}})), "runs back"));
+}
+
+TEUCHOS_UNIT_TEST(Outline, refusesClockwiseOpenAndDegeneratePolygons) {
+  TEST_ASSERT(contains(complaint(named({{0, 0}, {0, 1}, {1, 1}, {1, 0}})), "clockwise"));
+  TEST_ASSERT(contains(
+      complaint(rectangle(0, 0, 4, 4), {named({{1, 1}, {1, 2}, {2, 2}, {2, 1}})}),
+      "hole 1: the polygon runs clockwise"));
+  TEST_ASSERT(contains(complaint(named({{0, 0}, {1, 0}})), "at least 3 vertices"));
+  TEST_ASSERT(contains(complaint(named({{0, 0}, {1, 0}, {1, 1}, {0, 0}})),
+                       "do not repeat the first vertex"));
+  TEST_ASSERT(contains(complaint(named({{0, 0}, {1, 0}, {1, NAN}})), "not finite"));
+  Loop open = rectangle(0, 0, 1, 1);
+  open.edges.pop_back();
+  TEST_ASSERT(contains(complaint(open), "3 names are given"));
+}
+
+TEUCHOS_UNIT_TEST(Outline, refusesHolesThatTouchCrossOrLieOutside) {
+  const Loop outer = rectangle(0, 0, 4, 4);
+  TEST_ASSERT(contains(complaint(outer, {rectangle(0, 1, 1, 2)}), "touch or cross"));
+  TEST_ASSERT(contains(complaint(outer, {rectangle(3, 1, 5, 2)}), "touch or cross"));
+  TEST_ASSERT(contains(complaint(outer, {rectangle(5, 1, 6, 2)}), "does not lie inside"));
+  TEST_ASSERT(contains(complaint(outer, {rectangle(1, 1, 2, 2), rectangle(2, 2, 3, 3)}),
+                       "hole 1 and hole 2 touch or cross"));
+  TEST_ASSERT(
+      contains(complaint(outer, {rectangle(1, 1, 3, 3), rectangle(1.5, 1.5, 2, 2)}),
+               "lie inside each other"));
+  TEST_EQUALITY(complaint(outer, {rectangle(1, 1, 2, 2), rectangle(2.1, 2, 3, 3)}), "");
+}
+
+TEUCHOS_UNIT_TEST(Outline, acceptsAcuteCornersAndThinBodies) {
+  TEST_EQUALITY(complaint(named({{0, 0}, {1, 0}, {1, 0.08}})), "");
+  TEST_EQUALITY(complaint(rectangle(0, 0, 1, 1e-6)), "");
+  TEST_EQUALITY(complaint(named({{0, 0}, {1, 0}, {2, 0}, {1, 1e-3}})), "");
+}

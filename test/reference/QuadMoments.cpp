@@ -1,0 +1,347 @@
+#include "reference/QuadMoments.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace epafi::reference {
+
+namespace {
+
+QuadVec operator+(const QuadVec& a, const QuadVec& b) { return {a.x + b.x, a.y + b.y}; }
+QuadVec operator-(const QuadVec& a, const QuadVec& b) { return {a.x - b.x, a.y - b.y}; }
+QuadVec operator*(const Quad& s, const QuadVec& a) { return {s * a.x, s * a.y}; }
+Quad dot(const QuadVec& a, const QuadVec& b) { return a.x * b.x + a.y * b.y; }
+Quad cross(const QuadVec& a, const QuadVec& b) { return a.x * b.y - a.y * b.x; }
+Quad norm(const QuadVec& a) { return sqrt(dot(a, a)); }
+
+std::vector<Quad> legendre(int degree, const Quad& t) {
+  std::vector<Quad> p = {1, t};
+  for (int k = 1; k < degree; ++k)
+    p.push_back(((2 * k + 1) * t * p[k] - k * p[k - 1]) / (k + 1));
+  p.resize(static_cast<std::size_t>(degree) + 1);
+  return p;
+}
+
+/// All fields at d.
+std::array<Quad, fields> fieldsAt(const QuadVec& d) {
+  const Quad inverse = 1 / dot(d, d);
+  const Quad gx = d.x * inverse;
+  const Quad gy = d.y * inverse;
+  const Quad xx = d.x * gx;
+  const Quad yy = d.y * gy;
+  return {-log(inverse) / 2, xx, d.x * gy, xx * gx, xx * gy, yy * gx, yy * gy};
+}
+
+/// Where a graded rule for a function with a singular point at distance `height` from
+/// `foot` on the line of [0, 1] has its intervals: none longer than its distance from the
+/// point.
+void bisect(const Quad& from, const Quad& to, const Quad& foot, const Quad& height,
+            std::vector<std::array<Quad, 3>>& intervals) {
+  const Quad nearest = std::max(from, std::min(to, foot));
+  const Quad distance = sqrt((nearest - foot) * (nearest - foot) + height * height);
+  if (distance >= to - from) {
+    intervals.push_back({from, to, distance});
+    return;
+  }
+  const Quad middle = (from + to) / 2;
+  bisect(from, middle, foot, height, intervals);
+  bisect(middle, to, foot, height, intervals);
+}
+
+Quad distanceToPoint(const QuadVec& from, const QuadVec& to, const QuadVec& p) {
+  const QuadVec along = to - from;
+  const Quad t =
+      std::max(Quad(0), std::min(Quad(1), dot(p - from, along) / dot(along, along)));
+  return norm(p - from - t * along);
+}
+
+/// Distance of two segments that do not cross.
+Quad distance(const QuadVec& a, const QuadVec& b, const QuadVec& c, const QuadVec& d) {
+  return std::min(std::min(distanceToPoint(a, b, c), distanceToPoint(a, b, d)),
+                  std::min(distanceToPoint(c, d, a), distanceToPoint(c, d, b)));
+}
+
+QuadVec pointAt(const Segment& segment, const Quad& t) {
+  return ((1 - t) / 2) * segment.from + ((1 + t) / 2) * segment.to;
+}
+
+}  // namespace
+
+Quad Segment::length() const { return norm(to - from); }
+QuadVec Segment::tangent() const { return (1 / length()) * (to - from); }
+
+PairMoments::PairMoments(int firstDegree, int secondDegree)
+    : firstDegree_(firstDegree),
+      secondDegree_(secondDegree),
+      values_(static_cast<std::size_t>(fields * (firstDegree + 1) * (secondDegree + 1))) {
+}
+
+PairMoments PairMoments::transposed() const {
+  PairMoments result(secondDegree_, firstDegree_);
+  for (int f = 0; f < fields; ++f) {
+    const auto field = static_cast<Field>(f);
+    const int sign = field >= Field::xxx ? -1 : 1;
+    for (int i = 0; i <= firstDegree_; ++i)
+      for (int j = 0; j <= secondDegree_; ++j)
+        result(field, j, i) = sign * (*this)(field, i, j);
+  }
+  return result;
+}
+
+QuadRule quadGauss(int n) {
+  QuadRule rule;
+  for (int i = 0; i < n; ++i) {
+    Quad t = -std::cos(std::acos(-1.0) * (i + 0.75) / (n + 0.5));
+    Quad slope;
+    for (int step = 0; step < 8; ++step) {  // 1e-4, 1e-8, ... : five would do
+      const std::vector<Quad> p = legendre(std::max(n, 1), t);
+      slope = n * (t * p[n] - p[n - 1]) / (t * t - 1);
+      t -= p[n] / slope;
+    }
+    rule.points.push_back(t);
+    rule.weights.push_back(2 / ((1 - t * t) * slope * slope));
+  }
+  return rule;
+}
+
+// Integrals of a polynomial f against a logarithm use rules for polynomials only:
+//   ∫₀¹ f(v) log v dv = -∫₀¹∫₀¹ f(vw) dv dw,   because -log v = ∫_v^1 dw/w.
+PairIntegrator::PairIntegrator(int largestDegree, double tolerance)
+    : degree_(largestDegree), tolerance_(tolerance) {
+  const int most = std::max(points(1, 1, degree_), degree_ + 3);
+  rules_.resize(1);
+  for (int n = 1; n <= most; ++n)
+    rules_.push_back(quadGauss(n));
+
+  const std::size_t size = static_cast<std::size_t>((degree_ + 1) * (degree_ + 1));
+  selfLog_.resize(size);
+  selfPole_.resize(size);
+  logMaximum_.resize(size);
+
+  const QuadRule& exact = rule(degree_ + 2);  // to degree 2 degree_ + 3
+  // g(v) on [0,1]: calls use(v, weight) so that the sum of weight g(v) is ∫ g(v) log v
+  // dv.
+  const auto againstLog = [&exact](const auto& use) {
+    for (std::size_t a = 0; a < exact.points.size(); ++a)
+      for (std::size_t b = 0; b < exact.points.size(); ++b)
+        use((1 + exact.points[a]) * (1 + exact.points[b]) / 4,
+            -exact.weights[a] * exact.weights[b] / 4);
+  };
+
+  // log|s-t|, u = |s-t| = 2v:  ∫₀² log u ∫_{-1}^{1-u} [P_i(t+u) P_j(t) + P_i(t) P_j(t+u)]
+  // dt du
+  const auto addSelf = [&](const Quad& u, const Quad& weight) {
+    for (std::size_t q = 0; q < exact.points.size(); ++q) {
+      const Quad t = -1 + (2 - u) * (1 + exact.points[q]) / 2;
+      const std::vector<Quad> low = legendre(degree_, t);
+      const std::vector<Quad> high = legendre(degree_, t + u);
+      const Quad w = weight * exact.weights[q] * (2 - u) / 2;
+      for (int i = 0; i <= degree_; ++i)
+        for (int j = 0; j <= degree_; ++j)
+          selfLog_[at(i, j)] += w * (high[i] * low[j] + low[i] * high[j]);
+    }
+  };
+  againstLog([&](const Quad& v, const Quad& weight) { addSelf(2 * v, 2 * weight); });
+  const Quad log2 = log(Quad(2));
+  selfLog_[0] +=
+      4 * log2;  // log u = log 2 + log v; the rest of the basis is orthogonal to 1
+
+  // 1/(s-t):  ∫ (P_j(t) - P_j(s))/(s-t) dt + P_j(s) log((1+s)/(1-s)),  tested with P_i
+  const QuadRule& other = rule(degree_ + 3);  // its points are none of the first rule's
+  for (std::size_t q = 0; q < exact.points.size(); ++q) {
+    const std::vector<Quad> ps = legendre(degree_, exact.points[q]);
+    for (std::size_t r = 0; r < other.points.size(); ++r) {
+      const std::vector<Quad> pt = legendre(degree_, other.points[r]);
+      const Quad w =
+          exact.weights[q] * other.weights[r] / (exact.points[q] - other.points[r]);
+      for (int i = 0; i <= degree_; ++i)
+        for (int j = 0; j <= degree_; ++j)
+          selfPole_[at(i, j)] += w * ps[i] * (pt[j] - ps[j]);
+    }
+  }
+  againstLog([&](const Quad& v, const Quad& weight) {
+    const std::vector<Quad> p = legendre(degree_, 2 * v - 1);
+    for (int i = 0; i <= degree_; ++i)
+      for (int j = 0; j <= degree_; ++j)
+        if ((i + j) % 2 == 1)  // f(s) - f(-s), f = P_i P_j
+          selfPole_[at(i, j)] += 4 * weight * p[i] * p[j];
+  });
+
+  // log max(s,t) = log s where t < s, log t elsewhere
+  againstLog([&](const Quad& v, const Quad& weight) {
+    const std::vector<Quad> p = legendre(degree_, 2 * v - 1);
+    for (std::size_t q = 0; q < exact.points.size(); ++q) {
+      const std::vector<Quad> below = legendre(degree_, v * (1 + exact.points[q]) - 1);
+      const Quad w = weight * exact.weights[q] * v / 2;
+      for (int i = 0; i <= degree_; ++i)
+        for (int j = 0; j <= degree_; ++j)
+          logMaximum_[at(i, j)] += w * (p[i] * below[j] + below[i] * p[j]);
+    }
+  });
+}
+
+// Gauss's rule converges like R^(-2n) for functions analytic in the ellipse of sum R of
+// its half axes; a singular point at `distance` is at worst beside the middle: R - 1/R =
+// 4 d/L.
+int PairIntegrator::points(const Quad& distance, const Quad& length, int degree) const {
+  const double q = 2 * static_cast<double>(distance / length);
+  const double rate = std::log(q + std::sqrt(1 + q * q));
+  return static_cast<int>(
+      std::ceil(-std::log(tolerance_) / (2 * rate) + 0.5 * degree + 1));
+}
+
+PairMoments PairIntegrator::operator()(const Segment& first, int firstDegree,
+                                       const Segment& second, int secondDegree,
+                                       Meeting meeting) const {
+  assert(firstDegree <= degree_ && secondDegree <= degree_);
+  if (meeting == Meeting::same)
+    return same(first, firstDegree, secondDegree);
+  if (meeting != Meeting::apart)
+    return touching(first, firstDegree, second, secondDegree, meeting);
+  PairMoments sum(firstDegree, secondDegree);
+  addApart(sum, first, {-1, 1}, second, {-1, 1});
+  return sum;
+}
+
+PairMoments PairIntegrator::same(const Segment& segment, int firstDegree,
+                                 int secondDegree) const {
+  PairMoments result(firstDegree, secondDegree);
+  const Quad half = segment.length() / 2;
+  const QuadVec tau = segment.tangent();
+  for (int i = 0; i <= firstDegree; ++i)
+    for (int j = 0; j <= secondDegree; ++j) {
+      const Quad one = i == 0 && j == 0 ? Quad(4) : Quad(0);
+      const Quad pole = half * selfPole_[at(i, j)];
+      result(Field::logR, i, j) = half * half * (selfLog_[at(i, j)] + one * log(half));
+      result(Field::xx, i, j) = half * half * one * tau.x * tau.x;
+      result(Field::xy, i, j) = half * half * one * tau.x * tau.y;
+      result(Field::xxx, i, j) = pole * tau.x * tau.x * tau.x;
+      result(Field::xxy, i, j) = pole * tau.x * tau.x * tau.y;
+      result(Field::xyy, i, j) = pole * tau.x * tau.y * tau.y;
+      result(Field::yyy, i, j) = pole * tau.y * tau.y * tau.y;
+    }
+  return result;
+}
+
+PairMoments PairIntegrator::touching(const Segment& first, int firstDegree,
+                                     const Segment& second, int secondDegree,
+                                     Meeting meeting) const {
+  const bool firstAtStart = meeting == Meeting::fromFrom || meeting == Meeting::fromTo;
+  const bool secondAtStart = meeting == Meeting::fromFrom || meeting == Meeting::toFrom;
+  const QuadVec a = (firstAtStart ? 1 : -1) * (first.to - first.from);
+  const QuadVec b = (secondAtStart ? 1 : -1) * (second.to - second.from);
+
+  PairMoments sum(firstDegree, secondDegree);
+  addTriangle(sum, a, b, Leader::first);
+  addTriangle(sum, a, b, Leader::second);
+  const Quad area = norm(a) * norm(b);
+  for (int i = 0; i <= firstDegree; ++i)
+    for (int j = 0; j <= secondDegree; ++j) {
+      sum(Field::logR, i, j) += logMaximum_[at(i, j)];
+      // so far from the common point on: P_i(2s-1); where that is an end, t = 1-2s
+      const bool odd = ((firstAtStart ? 0 : i) + (secondAtStart ? 0 : j)) % 2 == 1;
+      for (int f = 0; f < fields; ++f)
+        sum(static_cast<Field>(f), i, j) *= odd ? -area : area;
+    }
+  return sum;
+}
+
+// x = s first, y = t second (from the common point), {s, t} = {rho, rho eta}: d = rho
+// D(eta), so a field is rho⁰ or rho⁻¹ times its value at D, and ds dt = rho d(rho)
+// d(eta).
+void PairIntegrator::addTriangle(PairMoments& sum, const QuadVec& first,
+                                 const QuadVec& second, Leader leader) const {
+  const QuadVec& lead = leader == Leader::first ? first : second;
+  const QuadVec& follow = leader == Leader::first ? second : first;
+  const int m = sum.firstDegree();
+  const int n = sum.secondDegree();
+
+  const Quad square = dot(follow, follow);
+  const Quad foot = dot(lead, follow) / square;
+  const Quad height = abs(cross(lead, follow)) / square;
+  std::vector<std::array<Quad, 3>> intervals;
+  bisect(0, 1, foot, height, intervals);
+
+  const QuadRule& radial = rule((m + n + 1) / 2 + 1);
+  for (const auto& [from, to, distance] : intervals) {
+    const QuadRule& angular = rule(points(distance, to - from, std::max(m, n)));
+    for (std::size_t q = 0; q < angular.points.size(); ++q) {
+      const Quad eta = from + (to - from) * (1 + angular.points[q]) / 2;
+      const QuadVec d =
+          leader == Leader::first ? first - eta * second : eta * first - second;
+      auto value = fieldsAt(d);
+      for (Quad& v : value)
+        v *= angular.weights[q] * (to - from) / 2;
+      for (std::size_t r = 0; r < radial.points.size(); ++r) {
+        const Quad rho = (1 + radial.points[r]) / 2;
+        const Quad s = leader == Leader::first ? rho : rho * eta;
+        const Quad t = leader == Leader::first ? rho * eta : rho;
+        const std::vector<Quad> pi = legendre(m, 2 * s - 1);
+        const std::vector<Quad> pj = legendre(n, 2 * t - 1);
+        std::array<Quad, fields> weighted = value;
+        for (int f = 0; f < fields; ++f)
+          weighted[f] *= radial.weights[r] / 2 *
+                         (static_cast<Field>(f) >= Field::xxx ? Quad(1) : rho);
+        for (int i = 0; i <= m; ++i)
+          for (int j = 0; j <= n; ++j) {
+            const Quad product = pi[i] * pj[j];
+            for (int f = 0; f < fields; ++f)
+              sum(static_cast<Field>(f), i, j) += weighted[f] * product;
+          }
+      }
+    }
+  }
+}
+
+void PairIntegrator::addApart(PairMoments& sum, const Segment& first,
+                              std::array<Quad, 2> s, const Segment& second,
+                              std::array<Quad, 2> t) const {
+  const Quad firstLength = first.length() * (s[1] - s[0]) / 2;
+  const Quad secondLength = second.length() * (t[1] - t[0]) / 2;
+  const Quad gap = distance(pointAt(first, s[0]), pointAt(first, s[1]),
+                            pointAt(second, t[0]), pointAt(second, t[1]));
+  if (gap < std::max(firstLength, secondLength)) {
+    const bool halveFirst = firstLength >= secondLength;
+    const std::array<Quad, 2>& range = halveFirst ? s : t;
+    const Quad middle = (range[0] + range[1]) / 2;
+    for (const std::array<Quad, 2>& part :
+         {std::array<Quad, 2>{range[0], middle}, std::array<Quad, 2>{middle, range[1]}})
+      addApart(sum, first, halveFirst ? part : s, second, halveFirst ? t : part);
+    return;
+  }
+
+  const int m = sum.firstDegree();
+  const int n = sum.secondDegree();
+  const QuadRule& outer = rule(points(gap, firstLength, m));
+  const QuadRule& inner = rule(points(gap, secondLength, n));
+  std::vector<QuadVec> y;
+  std::vector<std::vector<Quad>> weightedLegendre;
+  for (std::size_t r = 0; r < inner.points.size(); ++r) {
+    const Quad tau = t[0] + (t[1] - t[0]) * (1 + inner.points[r]) / 2;
+    y.push_back(pointAt(second, tau));
+    weightedLegendre.push_back(legendre(n, tau));
+    for (Quad& p : weightedLegendre.back())
+      p *= inner.weights[r] * secondLength / 2;
+  }
+  for (std::size_t q = 0; q < outer.points.size(); ++q) {
+    const Quad sigma = s[0] + (s[1] - s[0]) * (1 + outer.points[q]) / 2;
+    const QuadVec x = pointAt(first, sigma);
+    PairMoments line(0, n);
+    for (std::size_t r = 0; r < y.size(); ++r) {
+      const auto value = fieldsAt(x - y[r]);
+      for (int f = 0; f < fields; ++f)
+        for (int j = 0; j <= n; ++j)
+          line(static_cast<Field>(f), 0, j) += value[f] * weightedLegendre[r][j];
+    }
+    const std::vector<Quad> p = legendre(m, sigma);
+    for (int i = 0; i <= m; ++i) {
+      const Quad w = p[i] * outer.weights[q] * firstLength / 2;
+      for (int f = 0; f < fields; ++f)
+        for (int j = 0; j <= n; ++j)
+          sum(static_cast<Field>(f), i, j) += w * line(static_cast<Field>(f), 0, j);
+    }
+  }
+}
+
+}  // namespace epafi::reference

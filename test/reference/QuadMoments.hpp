@@ -1,0 +1,114 @@
+#pragma once
+
+#include <array>
+#include <boost/multiprecision/float128.hpp>
+#include <vector>
+
+namespace epafi::reference {
+
+/// A number of 33 digits.
+using Quad = boost::multiprecision::float128;
+
+struct QuadVec {
+  Quad x;
+  Quad y;
+};
+
+/// A straight element, from t = -1 to t = 1.
+struct Segment {
+  QuadVec from;
+  QuadVec to;
+
+  Quad length() const;
+  QuadVec tangent() const;
+};
+
+/// How the second of two segments meets the first, which is known from the mesh and need
+/// not be guessed from coordinates.  `fromFrom`: the starts of both are one point.
+enum class Meeting { apart, same, fromFrom, fromTo, toFrom, toTo };
+
+/// Seven fields of d = x - y, r = |d|, of which all kernels of plane elasticity are made.
+enum class Field { logR, xx, xy, xxx, xxy, xyy, yyy };
+constexpr int fields = 7;
+
+/// The double integrals  ∫∫ P_i(x) P_j(y) field(x - y) ds_y ds_x  over two segments:
+/// log r,  dd'/r²  (xx, xy) and  ddd/r⁴  (xxx, xxy, xyy, yyy), all i and j of one pair at
+/// once.
+class PairMoments {
+ public:
+  PairMoments(int firstDegree, int secondDegree);
+
+  Quad& operator()(Field f, int i, int j) { return values_[at(f, i, j)]; }
+  const Quad& operator()(Field f, int i, int j) const { return values_[at(f, i, j)]; }
+
+  int firstDegree() const { return firstDegree_; }
+  int secondDegree() const { return secondDegree_; }
+
+  /// The moments with the two segments exchanged: d changes its sign.
+  PairMoments transposed() const;
+
+ private:
+  std::size_t at(Field f, int i, int j) const {
+    return static_cast<std::size_t>(
+        (static_cast<int>(f) * (firstDegree_ + 1) + i) * (secondDegree_ + 1) + j);
+  }
+
+  int firstDegree_;
+  int secondDegree_;
+  std::vector<Quad> values_;
+};
+
+struct QuadRule {
+  std::vector<Quad> points;
+  std::vector<Quad> weights;
+};
+
+/// The Gauss-Legendre rule on [-1, 1] to 33 digits: Newton's method on P_n.
+QuadRule quadGauss(int n);
+
+/// Computes PairMoments by plain quadrature in 33 digits: slow, simple, and nothing in
+/// common with the closed forms under test.
+///
+///   same      the inner integral over s + t is a polynomial: one-dimensional, exact for
+///   the
+///             principal value of 1/(s-t), graded toward 0 for log|s-t|;
+///   touching  s = rho, t = rho eta and the other triangle: polynomials in rho (exact
+///   rules), so
+///             that one integral over eta is left, bisected until it keeps off the point
+///             where the two lines meet again in complex numbers;
+///   apart     both segments are bisected until each pair of pieces is at least as far
+///   apart as
+///             the longer one is long; then tensor Gauss with as many points as the
+///             ellipse of analyticity asks for.
+class PairIntegrator {
+ public:
+  /// `tolerance` is the relative error that the number of points is chosen for.
+  PairIntegrator(int largestDegree, double tolerance);
+
+  PairMoments operator()(const Segment& first, int firstDegree, const Segment& second,
+                         int secondDegree, Meeting meeting) const;
+
+ private:
+  PairMoments same(const Segment& segment, int firstDegree, int secondDegree) const;
+  PairMoments touching(const Segment& first, int firstDegree, const Segment& second,
+                       int secondDegree, Meeting meeting) const;
+  enum class Leader { first, second };  // the one whose parameter is rho
+  void addTriangle(PairMoments& sum, const QuadVec& first, const QuadVec& second,
+                   Leader leader) const;
+  void addApart(PairMoments& sum, const Segment& first, std::array<Quad, 2> s,
+                const Segment& second, std::array<Quad, 2> t) const;
+  int points(const Quad& distance, const Quad& length, int degree) const;
+  const QuadRule& rule(int n) const { return rules_[static_cast<std::size_t>(n)]; }
+  std::size_t at(int i, int j) const {
+    return static_cast<std::size_t>(i * (degree_ + 1) + j);
+  }
+
+  int degree_;
+  double tolerance_;
+  std::vector<QuadRule> rules_;   // by number of points
+  std::vector<Quad> selfLog_;     // ∫∫ P_i(s) P_j(t) log|s-t|   on [-1,1]²
+  std::vector<Quad> selfPole_;    // ∫∫ P_i(s) P_j(t) / (s-t)    on [-1,1]²
+  std::vector<Quad> logMaximum_;  // ∫∫ P_i(2s-1) P_j(2t-1) log max(s,t)  on [0,1]²
+};
+
+}  // namespace epafi::reference

@@ -1,0 +1,346 @@
+#include "reference/QuadOperators.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace epafi::reference {
+
+namespace {
+
+using bem::Index;
+using Components = std::array<std::array<Quad, 2>, 2>;
+
+/// A dense block of 2 x 2 matrices, one for each pair of scalar basis functions.
+struct Block {
+  Block(int m, int n) : rows(m), columns(n), values(static_cast<std::size_t>(m * n)) {}
+
+  Components& operator()(int i, int j) {
+    return values[static_cast<std::size_t>(i * columns + j)];
+  }
+  const Components& operator()(int i, int j) const {
+    return values[static_cast<std::size_t>(i * columns + j)];
+  }
+
+  Quad frobenius() const {
+    Quad sum = 0;
+    for (const Components& value : values)
+      for (const auto& row : value)
+        for (const Quad& v : row)
+          sum += v * v;
+    return sqrt(sum);
+  }
+
+  int rows;
+  int columns;
+  std::vector<Components> values;
+  Quad norm = 0;  // what errors are measured by
+};
+
+struct Constants {
+  explicit Constants(const bem::Lame& lame) : nu(lame.nu) {
+    const Quad pi = acos(Quad(-1));
+    const Quad mu = lame.mu;
+    b = 1 / (8 * pi * mu * (1 - nu));
+    a = (3 - 4 * nu) * b;
+    c3 = 1 / (4 * pi * (1 - nu));
+    d = mu / (2 * pi * (1 - nu));
+  }
+  Quad nu, a, b, c3, d;
+};
+
+/// A scalar function on an element as its Legendre coefficients.
+using Series = std::vector<Quad>;
+
+/// φ₀, φ₁ and the integrated Legendre polynomials.
+std::vector<Series> displacementBasis(int degree) {
+  std::vector<Series> basis(static_cast<std::size_t>(degree) + 1);
+  const Quad half = Quad(1) / 2;
+  basis[0] = {half, -half};
+  basis[1] = {half, half};
+  for (int k = 2; k <= degree; ++k) {
+    basis[k].resize(static_cast<std::size_t>(k) + 1);
+    basis[k][k] = 1 / sqrt(Quad(2 * (2 * k - 1)));
+    basis[k][k - 2] = -basis[k][k];
+  }
+  return basis;
+}
+
+/// dφ_k/ds on an element.
+std::vector<Series> displacementSlopes(int degree, const Quad& length) {
+  std::vector<Series> slopes(static_cast<std::size_t>(degree) + 1);
+  slopes[0] = {-1 / length};
+  slopes[1] = {1 / length};
+  for (int k = 2; k <= degree; ++k) {
+    slopes[k].resize(static_cast<std::size_t>(k));
+    slopes[k][k - 1] = sqrt(Quad(2 * k - 1) / 2) * 2 / length;
+  }
+  return slopes;
+}
+
+std::vector<Series> legendreBasis(int degree) {
+  std::vector<Series> basis(static_cast<std::size_t>(degree) + 1);
+  for (int k = 0; k <= degree; ++k) {
+    basis[k].resize(static_cast<std::size_t>(k) + 1);
+    basis[k][k] = 1;
+  }
+  return basis;
+}
+
+/// ∫∫ ψ_i(x) kernel(x,y) φ_j(y), the kernel given by its Legendre moments.
+template <class Kernel>
+Block tested(const std::vector<Series>& psi, const Kernel& kernel,
+             const std::vector<Series>& phi) {
+  std::size_t m = 0;
+  std::size_t n = 0;
+  for (const Series& s : psi)
+    m = std::max(m, s.size());
+  for (const Series& s : phi)
+    n = std::max(n, s.size());
+  std::vector<Components> moments;
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      moments.push_back(kernel(static_cast<int>(i), static_cast<int>(j)));
+
+  Block block(static_cast<int>(psi.size()), static_cast<int>(phi.size()));
+  for (int i = 0; i < block.rows; ++i)
+    for (int j = 0; j < block.columns; ++j)
+      for (std::size_t k = 0; k < psi[i].size(); ++k)
+        for (std::size_t l = 0; l < phi[j].size(); ++l)
+          for (int c = 0; c < 2; ++c)
+            for (int e = 0; e < 2; ++e)
+              block(i, j)[c][e] += psi[i][k] * phi[j][l] * moments[k * n + l][c][e];
+  block.norm = block.frobenius();
+  return block;
+}
+
+/// α (-log r I) + β dd'/r²
+struct LogKernel {
+  Quad alpha;
+  Quad beta;
+  const PairMoments& moments;
+  Quad area;  // ∫∫ ds ds
+
+  Components operator()(int i, int j) const {
+    const Quad log = -alpha * moments(Field::logR, i, j);
+    const Quad xx = beta * moments(Field::xx, i, j);
+    const Quad xy = beta * moments(Field::xy, i, j);
+    const Quad both = i == 0 && j == 0 ? beta * area : Quad(0);  // xx + yy
+    return {{{log + xx, xy}, {xy, log + both - xx}}};
+  }
+};
+
+/// c3 [(shear I + 2 dd'/r²) (d.n)/r² - shear (dn' - nd')/r²],  shear = 1-2nu
+struct DoubleLayerKernel {
+  Quad c3;
+  Quad shear;
+  const PairMoments& moments;
+  QuadVec n;
+
+  Components operator()(int i, int j) const {
+    const Quad xxx = moments(Field::xxx, i, j);
+    const Quad xxy = moments(Field::xxy, i, j);
+    const Quad xyy = moments(Field::xyy, i, j);
+    const Quad yyy = moments(Field::yyy, i, j);
+    const Quad dx = xxx + xyy;  // d/r²
+    const Quad dy = xxy + yyy;
+    const Quad diagonal = shear * (dx * n.x + dy * n.y);
+    const Quad turn = shear * (dx * n.y - dy * n.x);
+    const Quad xx = 2 * (xxx * n.x + xxy * n.y);
+    const Quad xy = 2 * (xxy * n.x + xyy * n.y);
+    const Quad yy = 2 * (xyy * n.x + yyy * n.y);
+    return {{{c3 * (diagonal + xx), c3 * (xy - turn)},
+             {c3 * (xy + turn), c3 * (diagonal + yy)}}};
+  }
+};
+
+QuadVec normalOf(const Segment& segment) {
+  const QuadVec tau = segment.tangent();
+  return {tau.y, -tau.x};
+}
+
+/// The double layer of a pair.  As nu -> 1/2 blocks of collinear elements vanish like
+/// 1-2nu, although the two parts they are the difference of do not: the norm is that of
+/// shear = 1.
+Block doubleLayerBlock(const Constants& constants, int firstDegree,
+                       const PairMoments& moments, const Segment& second,
+                       int secondDegree) {
+  const auto psi = legendreBasis(firstDegree - 1);
+  const auto phi = displacementBasis(secondDegree);
+  const QuadVec n = normalOf(second);
+  Block block =
+      tested(psi, DoubleLayerKernel{constants.c3, 1 - 2 * constants.nu, moments, n}, phi);
+  block.norm = tested(psi, DoubleLayerKernel{constants.c3, 1, moments, n}, phi).norm;
+  return block;
+}
+
+Meeting meeting(const bem::Mesh& mesh, int e, int f) {
+  if (e == f)
+    return Meeting::same;
+  if (mesh[e].next == f)
+    return Meeting::toFrom;
+  if (mesh[f].next == e)
+    return Meeting::fromTo;
+  return Meeting::apart;
+}
+
+/// What one pair of elements adds to the three matrices.
+struct PairBlocks {
+  Block singleLayer;       // (e, f)
+  Block doubleLayer;       // densities on e, displacements on f
+  Block transposedDouble;  // densities on f, displacements on e
+  Block hypersingular;     // (e, f)
+};
+
+PairBlocks pairBlocks(const bem::Mesh& mesh, const std::vector<Segment>& segments,
+                      const PairIntegrator& integrate, const Constants& constants, int e,
+                      int f) {
+  const int p = mesh[e].degree;
+  const int q = mesh[f].degree;
+  const Segment& first = segments[e];
+  const Segment& second = segments[f];
+  const Quad length = first.length();
+  const Quad otherLength = second.length();
+  const PairMoments moments = integrate(first, p, second, q, meeting(mesh, e, f));
+  const Quad area = length * otherLength;
+  return {tested(legendreBasis(p - 1), LogKernel{constants.a, constants.b, moments, area},
+                 legendreBasis(q - 1)),
+          doubleLayerBlock(constants, p, moments, second, q),
+          doubleLayerBlock(constants, q, moments.transposed(), first, p),
+          tested(displacementSlopes(p, length),
+                 LogKernel{constants.d, constants.d, moments, area},
+                 displacementSlopes(q, otherLength))};
+}
+
+/// 1/2 ∫ P_i φ_j ds on one element.
+void addHalfMass(Block& block, const Quad& length) {
+  const std::vector<Series> basis = displacementBasis(block.columns - 1);
+  for (int j = 0; j < block.columns; ++j)
+    for (int i = 0; i < block.rows && i < static_cast<int>(basis[j].size()); ++i)
+      for (int c = 0; c < 2; ++c)
+        block(i, j)[c][c] += basis[j][i] * length / (2 * (2 * i + 1));
+  block.norm = block.frobenius();
+}
+
+/// Adds a block; `row` and `column` number (local function, component).
+template <class Row, class Column>
+void scatter(QuadMatrix& matrix, const Block& block, const Row& row,
+             const Column& column) {
+  for (int i = 0; i < block.rows; ++i)
+    for (int j = 0; j < block.columns; ++j)
+      for (int c = 0; c < 2; ++c)
+        for (int d = 0; d < 2; ++d)
+          matrix.add(row(i, c), column(j, d), block(i, j)[c][d], block.norm);
+}
+
+template <class Row, class Column>
+void scatterTransposed(QuadMatrix& matrix, const Block& block, const Row& row,
+                       const Column& column) {
+  for (int i = 0; i < block.rows; ++i)
+    for (int j = 0; j < block.columns; ++j)
+      for (int c = 0; c < 2; ++c)
+        for (int d = 0; d < 2; ++d)
+          matrix.add(column(j, d), row(i, c), block(i, j)[c][d], block.norm);
+}
+
+QuadVec nodeOf(const bem::Mesh& mesh, int e) {
+  const bem::Piece& piece = mesh[e].piece;
+  const bem::Edge& edge = mesh.outline().edge(piece.edge);
+  const Segment line = {{edge.from.x, edge.from.y}, {edge.to.x, edge.to.y}};
+  const QuadVec tau = line.tangent();
+  if (piece.start.fromStart < piece.start.toEnd)
+    return {line.from.x + piece.start.fromStart * tau.x,
+            line.from.y + piece.start.fromStart * tau.y};
+  return {line.to.x - piece.start.toEnd * tau.x, line.to.y - piece.start.toEnd * tau.y};
+}
+
+}  // namespace
+
+QuadMatrix::QuadMatrix(Index rows, Index columns)
+    : rows_(rows),
+      columns_(columns),
+      values_(static_cast<std::size_t>(rows * columns)),
+      scales_(static_cast<std::size_t>(rows * columns)) {}
+
+void QuadMatrix::add(Index i, Index j, const Quad& value, const Quad& blockNorm) {
+  values_[at(i, j)] += value;
+  scales_[at(i, j)] += blockNorm;
+}
+
+std::vector<Quad> QuadMatrix::operator*(const std::vector<Quad>& x) const {
+  std::vector<Quad> result(static_cast<std::size_t>(rows_));
+  for (Index i = 0; i < rows_; ++i)
+    for (Index j = 0; j < columns_; ++j)
+      result[static_cast<std::size_t>(i)] +=
+          (*this)(i, j) * x[static_cast<std::size_t>(j)];
+  return result;
+}
+
+std::vector<Segment> segments(const bem::Mesh& mesh) {
+  std::vector<Segment> result;
+  for (int e = 0; e < mesh.size(); ++e)
+    result.push_back({nodeOf(mesh, e), nodeOf(mesh, mesh[e].next)});
+  return result;
+}
+
+std::vector<std::vector<Quad>> quadRigidMotions(const bem::Space& space) {
+  std::vector<std::vector<Quad>> motions(
+      3, std::vector<Quad>(static_cast<std::size_t>(space.displacements())));
+  const std::vector<Segment> lines = segments(space.mesh());
+  for (int e = 0; e < space.mesh().size(); ++e) {
+    const auto x = static_cast<std::size_t>(space.displacement(e, 0, 0));
+    const auto y = static_cast<std::size_t>(space.displacement(e, 0, 1));
+    motions[0][x] = 1;
+    motions[1][y] = 1;
+    motions[2][x] = -lines[e].from.y;
+    motions[2][y] = lines[e].from.x;
+  }
+  return motions;
+}
+
+QuadOperators quadOperators(const bem::Space& space, const bem::Lame& lame,
+                            double tolerance) {
+  const bem::Mesh& mesh = space.mesh();
+  const Constants constants(lame);
+  const std::vector<Segment> lines = segments(mesh);
+  int degree = 1;
+  for (const bem::Element& element : mesh.elements())
+    degree = std::max(degree, element.degree);
+  const PairIntegrator integrate(degree, tolerance);
+
+  const Index n = space.densities();
+  const Index m = space.displacements();
+  QuadOperators result{QuadMatrix(n, n), QuadMatrix(n, m), QuadMatrix(m, m)};
+  const auto density = [&space](int e) {
+    return [&space, e](int i, int c) { return space.density(e, i, c); };
+  };
+  const auto displacement = [&space](int e) {
+    return [&space, e](int k, int c) { return space.displacement(e, k, c); };
+  };
+  const int size = mesh.size();
+#pragma omp parallel for schedule(dynamic)
+  for (int pair = 0; pair < size * size; ++pair) {
+    const int e = pair / size;
+    const int f = pair % size;
+    if (f > e)
+      continue;
+    PairBlocks blocks = pairBlocks(mesh, lines, integrate, constants, e, f);
+    if (e == f)
+      addHalfMass(blocks.doubleLayer, lines[e].length());
+#pragma omp critical
+    {
+      scatter(result.singleLayer, blocks.singleLayer, density(e), density(f));
+      scatter(result.doubleLayer, blocks.doubleLayer, density(e), displacement(f));
+      scatter(result.hypersingular, blocks.hypersingular, displacement(e),
+              displacement(f));
+      if (e != f) {
+        scatter(result.doubleLayer, blocks.transposedDouble, density(f), displacement(e));
+        scatterTransposed(result.singleLayer, blocks.singleLayer, density(e), density(f));
+        scatterTransposed(result.hypersingular, blocks.hypersingular, displacement(e),
+                          displacement(f));
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace epafi::reference

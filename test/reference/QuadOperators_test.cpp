@@ -1,0 +1,155 @@
+#include "reference/QuadOperators.hpp"
+
+#include "reference/SampleMeshes.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+
+namespace {
+
+using namespace epafi::reference;
+namespace bem = epafi::bem;
+
+constexpr int degree = 10;
+
+const PairIntegrator& integrator() {
+  static const PairIntegrator instance(degree, 1e-22);
+  return instance;
+}
+
+/// Largest difference of two tables, relative to the largest entry of the same field.
+double difference(const PairMoments& a, const PairMoments& b) {
+  double worst = 0;
+  for (int f = 0; f < fields; ++f) {
+    Quad error = 0;
+    Quad size = 0;
+    for (int i = 0; i <= a.firstDegree(); ++i)
+      for (int j = 0; j <= a.secondDegree(); ++j) {
+        const auto field = static_cast<Field>(f);
+        error = std::max<Quad>(error, abs(a(field, i, j) - b(field, i, j)));
+        size = std::max<Quad>(size, abs(b(field, i, j)));
+      }
+    if (size > 0)
+      worst = std::max(worst, static_cast<double>(error / size));
+  }
+  return worst;
+}
+
+PairMoments plus(PairMoments a, const PairMoments& b) {
+  for (int f = 0; f < fields; ++f)
+    for (int i = 0; i <= a.firstDegree(); ++i)
+      for (int j = 0; j <= a.secondDegree(); ++j)
+        a(static_cast<Field>(f), i, j) += b(static_cast<Field>(f), i, j);
+  return a;
+}
+
+Segment fromVertex(double angleInDegrees, double length) {
+  const double angle = angleInDegrees * std::acos(-1.0) / 180;
+  return {{0, 0}, {length * std::cos(angle), length * std::sin(angle)}};
+}
+
+QuadVec between(const Segment& s, double fraction) {
+  return {s.from.x + fraction * (s.to.x - s.from.x),
+          s.from.y + fraction * (s.to.y - s.from.y)};
+}
+
+TEUCHOS_UNIT_TEST(QuadMoments, gaussRuleIntegratesMonomialsTo30Digits) {
+  for (int n : {1, 2, 7, 30}) {
+    const QuadRule rule = quadGauss(n);
+    for (int k = 0; k < 2 * n; ++k) {
+      Quad sum = k % 2 == 0 ? -Quad(2) / (k + 1) : Quad(0);
+      for (int q = 0; q < n; ++q)
+        sum += rule.weights[q] * pow(rule.points[q], k);
+      TEST_COMPARE(static_cast<double>(abs(sum)), <, 1e-30);
+    }
+  }
+}
+
+// ∫∫ log|s-t| = 4 log 2 - 6,  ∫∫ s t log|s-t| = -1,  ∫∫ t / (s-t) = -2 (principal value).
+TEUCHOS_UNIT_TEST(QuadMoments, selfLogarithmHasItsClosedForm) {
+  const Segment unit = {{-1, 0}, {1, 0}};
+  const PairMoments m = integrator()(unit, degree, unit, degree, Meeting::same);
+  TEST_COMPARE(static_cast<double>(abs(m(Field::logR, 0, 0) - (4 * log(Quad(2)) - 6))), <,
+               1e-30);
+  TEST_COMPARE(static_cast<double>(abs(m(Field::logR, 1, 1) + 1)), <, 1e-30);
+  TEST_COMPARE(static_cast<double>(abs(m(Field::xxx, 0, 1) + 2)), <, 1e-30);
+}
+
+// With P_0 on the part that is cut, self, touching and separated pairs must add up.
+TEUCHOS_UNIT_TEST(QuadMoments, halvesAddUpToTheWholeElement) {
+  const Segment whole = fromVertex(17, 0.7);
+  const Segment left = {whole.from, between(whole, 0.25)};
+  const Segment right = {left.to, whole.to};
+  const PairMoments one = integrator()(whole, 0, whole, 0, Meeting::same);
+  const PairMoments inner = integrator()(left, 0, left, 0, Meeting::same);
+  const PairMoments outer = integrator()(right, 0, right, 0, Meeting::same);
+  const PairMoments mixed = integrator()(left, 0, right, 0, Meeting::toFrom);
+  const PairMoments sum = plus(plus(inner, outer), plus(mixed, mixed.transposed()));
+  for (Field f : {Field::logR, Field::xx, Field::xy})
+    TEST_COMPARE(static_cast<double>(abs(sum(f, 0, 0) - one(f, 0, 0))), <, 1e-25);
+}
+
+TEUCHOS_UNIT_TEST(QuadMoments, touchingPairIsATouchingAndASeparatedPair) {
+  for (double angle : {180.0, 90.0, 5.0, 300.0})
+    for (double ratio : {1.0, 1e-3}) {
+      const Segment first = fromVertex(0, 1);
+      const Segment second = fromVertex(angle, ratio);
+      const Segment nearPart = {second.from, between(second, 0.375)};
+      const Segment farPart = {nearPart.to, second.to};
+      const PairMoments one = integrator()(first, degree, second, 0, Meeting::fromFrom);
+      const PairMoments sum =
+          plus(integrator()(first, degree, nearPart, 0, Meeting::fromFrom),
+               integrator()(first, degree, farPart, 0, Meeting::apart));
+      TEST_COMPARE(difference(sum, one), <, 1e-22);
+    }
+}
+
+TEUCHOS_UNIT_TEST(QuadMoments, orientationOfTouchingSegmentsOnlyChangesSigns) {
+  const Segment a = fromVertex(0, 1);
+  const Segment b = fromVertex(50, 0.4);
+  const Segment c = {a.to, a.from};
+  const Segment d = {b.to, b.from};
+  PairMoments turned = integrator()(c, 3, d, 4, Meeting::toTo);
+  for (int f = 0; f < fields; ++f)
+    for (int i = 0; i <= 3; ++i)
+      for (int j = 0; j <= 4; ++j)
+        if ((i + j) % 2 == 1)
+          turned(static_cast<Field>(f), i, j) *= -1;
+  TEST_COMPARE(difference(turned, integrator()(a, 3, b, 4, Meeting::fromFrom)), <, 1e-28);
+}
+
+// Choosing every rule for 1e-28 instead of 1e-22 (a third more points) changes nothing.
+TEUCHOS_UNIT_TEST(QuadMoments, moreQuadraturePointsChangeNothing) {
+  const PairIntegrator finer(degree, 1e-28);
+  const Segment unit = fromVertex(0, 1);
+  for (double angle : {180.0, 90.0, 5.0})
+    for (double ratio : {1.0, 1e-3}) {
+      const Segment other = fromVertex(angle, ratio);
+      TEST_COMPARE(
+          difference(integrator()(unit, degree, other, degree, Meeting::fromFrom),
+                     finer(unit, degree, other, degree, Meeting::fromFrom)),
+          <, 1e-22);
+    }
+  for (const Segment& other : {Segment{{1.2, 0.1}, {0.2, 0.1}},
+                               Segment{{1.001, 0}, {1.002, 0}}, Segment{{5, 4}, {5, 5}}})
+    TEST_COMPARE(difference(integrator()(unit, degree, other, degree, Meeting::apart),
+                            finer(unit, degree, other, degree, Meeting::apart)),
+                 <, 1e-22);
+}
+
+// Couples all pairs of a polygon, self and touching and separated, with the mass matrix.
+TEUCHOS_UNIT_TEST(QuadOperators, annihilateRigidMotionsTo20Digits) {
+  for (const Sample& sample : quickSamples()) {
+    const bem::Space space(sample.mesh);
+    const QuadOperators exact = quadOperators(space, bem::Lame({1, 0.3, false}));
+    for (const std::vector<Quad>& r : quadRigidMotions(space)) {
+      for (const Quad& value : exact.doubleLayer* r)
+        TEST_COMPARE(static_cast<double>(abs(value)), <, 1e-20);
+      for (const Quad& value : exact.hypersingular* r)
+        TEST_COMPARE(static_cast<double>(abs(value)), <, 1e-20);
+    }
+  }
+}
+
+}  // namespace

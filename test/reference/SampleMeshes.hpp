@@ -1,0 +1,47 @@
+#pragma once
+
+#include "bem/mesh/Mesh.hpp"
+
+#include <string>
+#include <vector>
+
+namespace epafi::reference {
+
+/// A closed polygon whose edges are all called "side".
+bem::Loop polygon(const std::vector<bem::Vec2>& vertices);
+
+/// A regular polygon, vertices on a circle about the origin.
+bem::Loop regularPolygon(int sides, double radius);
+
+bem::Loop square();
+
+/// Unit square with a square hole of side 0.2 that keeps 0.1 off the left side.
+std::shared_ptr<const bem::Outline> squareWithHole();
+
+/// Pieces of one edge that end at the given fractions of it.
+struct Cuts {
+  int edge = 0;
+  std::vector<double> fractions;  ///< increasing, without 0 and 1
+};
+
+/// A mesh with chosen cuts; element k gets degrees[k mod size].
+bem::Mesh cutMesh(std::shared_ptr<const bem::Outline> outline,
+                  const std::vector<Cuts>& cuts, const std::vector<int>& degrees);
+
+struct Sample {
+  std::string name;
+  bem::Mesh mesh;
+};
+
+/// Small meshes with every relation of two elements that is hard: acute corner of 5
+/// degrees, reentrant corner, thin beam 1:100, neighbours 1:1000, a hole, degrees up
+/// to 10.
+std::vector<Sample> hardSamples();
+
+/// Lengths from 1e-10 to 1 on one edge.
+Sample gradedSample();
+
+/// Three meshes of a few elements for a quick look.
+std::vector<Sample> quickSamples();
+
+}  // namespace epafi::reference
