@@ -16,7 +16,9 @@ Vector Problem::slipBounds(const Vector& multiplier) const {
   bounds.reserve(tangentials.size());
   for (const Tangential& t : tangentials) {
     const double pressure =
-        multiplier.empty() ? 0.0 : std::max(multiplier[static_cast<std::size_t>(t.normal)], 0.0);
+        multiplier.empty()
+            ? 0.0
+            : std::max(multiplier[static_cast<std::size_t>(t.normal)], 0.0);
     bounds.push_back(t.law->slipBound(pressure, t.strength));
   }
   return bounds;

@@ -18,6 +18,7 @@ struct Report {
   double tolerance = 0;         ///< what it was compared with, rounding floor included
   std::vector<int> setChanges;  ///< coefficients that changed state, step by step
   bool globalised = false;      ///< full steps were given up for a line search
+  std::vector<double> merits;   ///< the last descent's merit function, step by step
   std::string reason;  ///< empty when converged; else what happened and what to try
   std::vector<Index> restless;  ///< coefficients still changing state, when not converged
 };

@@ -1,0 +1,126 @@
+#include "contact/multiplier/MultiplierBasis.hpp"
+
+#include "bem/base/Error.hpp"
+#include "bem/quadrature/Gauss.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace epafi::contact {
+
+namespace {
+
+using bem::Vector;
+
+// The zeros of P_{q+1}.
+Vector gaussPlaces(int degree) { return bem::gaussLegendre(degree + 1).points; }
+
+// One step of Newton's method for P_q'(t) = 0, |t| < 1, by Legendre's differential
+// equation.
+double lobattoCorrection(int degree, double t) {
+  double before = 0;
+  double value = 1;
+  for (int k = 1; k <= degree; ++k)
+    before = std::exchange(value, ((2 * k - 1) * t * value - (k - 1) * before) / k);
+  const double w = (1 - t) * (1 + t);
+  const double slope = degree * (before - t * value) / w;
+  return slope * w / (2 * t * slope - degree * (degree + 1.0) * value);
+}
+
+// -1, the zeros of P_q', 1, exactly symmetric; the midpoint for q = 0.
+Vector lobattoPlaces(int degree) {
+  if (degree == 0)
+    return {0.0};
+  const double pi = std::acos(-1.0);
+  Vector places(static_cast<std::size_t>(degree + 1), 0.0);
+  for (int i = 0; 2 * i < degree; ++i) {
+    double t = -std::cos(pi * i / degree);
+    for (int step = 0; i > 0 && step < 20; ++step) {
+      const double change = lobattoCorrection(degree, t);
+      t -= change;
+      if (std::abs(change) < 1e-15)
+        break;
+    }
+    places[static_cast<std::size_t>(i)] = t;
+    places[static_cast<std::size_t>(degree - i)] = -t;
+  }
+  return places;
+}
+
+// Lagrange's functions by the barycentric formula, stable for every degree.
+//                                                              [Berrut & Trefethen 2004,
+//                                                              (4.2)]
+Vector lagrange(const Vector& nodes, double t) {
+  Vector values(nodes.size(), 0.0);
+  double sum = 0;
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (t == nodes[i]) {
+      values.assign(nodes.size(), 0.0);
+      values[i] = 1;
+      return values;
+    }
+    double weight = 1;
+    // Factors of mean size one: [-1, 1] has capacity 1/2.
+    for (std::size_t j = 0; j < nodes.size(); ++j)
+      if (j != i)
+        weight /= 2 * (nodes[i] - nodes[j]);
+    values[i] = weight / (t - nodes[i]);
+    sum += values[i];
+  }
+  for (double& value : values)
+    value /= sum;
+  return values;
+}
+
+Vector gaussValues(int degree, double t) { return lagrange(gaussPlaces(degree), t); }
+
+Vector lobattoValues(int degree, double t) { return lagrange(lobattoPlaces(degree), t); }
+
+Vector controlPoints(int degree) {
+  Vector points;
+  for (int i = 0; i <= degree; ++i)
+    points.push_back(degree == 0 ? 0.0 : -1 + 2.0 * i / degree);
+  return points;
+}
+
+// B_i = binomial(q, i) x^i (1-x)^(q-i), x = (1+t)/2, by the recurrence in q: sums of
+// nonnegative terms only.
+Vector bernsteinValues(int degree, double t) {
+  const double x = 0.5 * (1 + t);
+  const double y = 0.5 * (1 - t);
+  Vector values = {1.0};
+  for (int q = 1; q <= degree; ++q) {
+    values.push_back(0.0);
+    for (std::size_t i = values.size(); i-- > 0;)
+      values[i] = y * values[i] + (i > 0 ? x * values[i - 1] : 0.0);
+  }
+  return values;
+}
+
+}  // namespace
+
+const std::vector<MultiplierBasis>& multiplierBases() {
+  static const std::vector<MultiplierBasis> bases = {
+      {"Gauss-Legendre-Lagrange", "Lagrange's functions at Gauss-Legendre points",
+       gaussPlaces, gaussValues},
+      {"Gauss-Lobatto-Lagrange", "Lagrange's functions at Gauss-Lobatto points",
+       lobattoPlaces, lobattoValues},
+      {"Bernstein",
+       "Bernstein's polynomials: nonnegative coefficients mean a nonnegative pressure",
+       controlPoints, bernsteinValues},
+  };
+  return bases;
+}
+
+const MultiplierBasis& multiplierBasis(const std::string& name) {
+  std::string known;
+  for (const MultiplierBasis& basis : multiplierBases()) {
+    if (basis.name == name)
+      return basis;
+    known += (known.empty() ? "'" : ", '") + std::string(basis.name) + "'";
+  }
+  throw bem::InputError(
+      bem::message("multiplier '", name, "'; known multipliers: ", known));
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "bem/base/Matrix.hpp"
+
+#include <string>
+#include <vector>
+
+namespace epafi::contact {
+
+/// A basis of the polynomials of degree q >= 0 on [-1, 1] for the multiplier of one
+/// element.
+///
+/// All sum to one.  The signs of the coefficients stand for the sign of the multiplier:
+/// of its values at the nodes (Lagrange) or, Bernstein's functions being nonnegative,
+/// everywhere.
+///                                                                      [P (12), (14)]
+struct MultiplierBasis {
+  const char* name;
+  const char* meaning;
+  /// The q+1 places in [-1, 1] where coefficient i stands: gap and bound are sampled
+  /// there.
+  bem::Vector (*places)(int degree);
+  /// The q+1 functions at t in [-1, 1].
+  bem::Vector (*values)(int degree, double t);
+};
+
+/// All bases.  A new one is one line in MultiplierBasis.cpp.
+const std::vector<MultiplierBasis>& multiplierBases();
+
+/// \throws bem::InputError naming the known bases.
+const MultiplierBasis& multiplierBasis(const std::string& name);
+
+}  // namespace epafi::contact

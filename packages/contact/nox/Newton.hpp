@@ -1,0 +1,61 @@
+#pragma once
+
+#include "contact/solve/Equation.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Teuchos {
+class ParameterList;
+}
+
+namespace epafi::contact {
+
+/// How one run of Newton's method chooses and shortens its steps.
+enum class NewtonMethod {
+  /// Newton's steps as NOX's list wants them: full ones unless a user asks for a line
+  /// search.
+  Newton,
+  /// Projected Newton on the energy ½ λᵀDλ - d₀ᵀλ over the box, Armijo's rule along the
+  /// projected arc.  Only without rigid motions and with fixed bounds.      [Bertsekas
+  /// 1982]
+  ProjectedDescent,
+  /// Armijo's rule on ½|F|²; the equation's function must have a smooth merit function.
+  MeritDescent
+};
+
+/// What one run of Newton's method did.
+struct NewtonRun {
+  enum class End {
+    Converged,
+    Iterations,  ///< no convergence within the allowed steps
+    Restless,    ///< a set of states came back and the residual had not fallen
+    Growth,      ///< the residual grew beyond all measure
+    NotFinite,
+    Stalled,  ///< no step length decreases the merit function
+    Singular
+  };
+
+  End end = End::Iterations;
+  int iterations = 0;  ///< linear systems solved
+  Vector last;
+  Vector best;  ///< the iterate with the least residual
+  double residual = 0;
+  double tolerance = 0;
+  std::vector<int> setChanges;
+  std::vector<Index> restless;  ///< coefficients that changed in the last steps
+  std::vector<double> merits;  ///< of the start and after each step, descent methods only
+  std::string message;         ///< of a singular Jacobian
+};
+
+/// Runs NOX on F(x) = 0 from `start`.
+///
+/// The list is filled in by NOX; null means Epafi's own choice, which prints nothing.
+/// \throws bem::InputError for what NOX refuses in the list, or does not use of it.
+/// \throws bem::NumericalError if no position of the body can balance the load.
+NewtonRun runNewton(const Equation& equation, const Vector& start, NewtonMethod method,
+                    int maximumIterations,
+                    const std::shared_ptr<Teuchos::ParameterList>& list = nullptr);
+
+}  // namespace epafi::contact

@@ -1,0 +1,91 @@
+#include "contact/nox/StatusTests.hpp"
+
+#include "contact/nox/Group.hpp"
+
+#include <NOX_Solver_Generic.H>
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::contact {
+
+namespace {
+
+constexpr double growthLimit = 1e6;
+constexpr double hasFallen = 0.999;  // a cycle repeats its residual up to rounding
+constexpr std::size_t memory = 4;    // steps looked at for restless coefficients
+
+int differences(const ActiveSet& a, const ActiveSet& b) {
+  int count = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    count += a[i] != b[i] ? 1 : 0;
+  return count;
+}
+
+std::vector<Index> changing(const std::vector<ActiveSet>& sets) {
+  std::vector<Index> result;
+  const std::size_t begin = sets.size() > memory ? sets.size() - memory : 0;
+  for (std::size_t i = 0; i < sets.back().size(); ++i)
+    for (std::size_t s = begin; s + 1 < sets.size(); ++s)
+      if (sets[s][i] != sets[s + 1][i]) {
+        result.push_back(static_cast<Index>(i));
+        break;
+      }
+  return result;
+}
+
+}  // namespace
+
+void StepTest::record(const Evaluation& e) {
+  run_.last = e.unknowns;
+  run_.residual = e.scaled;
+  run_.tolerance = e.tolerance;
+  if (sets_.empty()) {
+    first_ = least_ = e.scaled;
+    run_.best = e.unknowns;
+  } else {
+    run_.setChanges.push_back(differences(sets_.back(), e.set));
+  }
+  if (e.scaled < least_) {
+    least_ = e.scaled;
+    run_.best = e.unknowns;
+  }
+  sets_.push_back(e.set);
+  run_.restless = changing(sets_);
+}
+
+NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& solver,
+                                                  NOX::StatusTest::CheckType) {
+  const auto& group = dynamic_cast<const Group&>(solver.getSolutionGroup());
+  const Evaluation& e = group.evaluation();
+  record(e);
+
+  status_ = NOX::StatusTest::Unconverged;
+  const auto fail = [&](NewtonRun::End end) {
+    run_.end = end;
+    status_ = NOX::StatusTest::Failed;
+  };
+  if (!std::isfinite(e.scaled)) {
+    fail(NewtonRun::End::NotFinite);
+  } else if (e.converged) {
+    run_.end = NewtonRun::End::Converged;
+    status_ = NOX::StatusTest::Converged;
+  } else if (method_ == NewtonMethod::Newton) {
+    const auto before = seen_.find(e.set);
+    if (before != seen_.end() && e.scaled >= hasFallen * before->second &&
+        --patience_ <= 0)
+      fail(NewtonRun::End::Restless);
+    else if (e.scaled > growthLimit * std::max(first_, 1.0))
+      fail(NewtonRun::End::Growth);
+    seen_[e.set] = e.scaled;
+  }
+  return status_;
+}
+
+std::ostream& StepTest::print(std::ostream& stream, int indent) const {
+  return stream << std::string(static_cast<std::size_t>(indent), ' ') << status_
+                << "scaled residual = " << run_.residual << " (tolerance "
+                << run_.tolerance << ")\n";
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "contact/nox/Newton.hpp"
+
+#include <NOX_StatusTest_Generic.H>
+
+#include <map>
+#include <vector>
+
+namespace epafi::contact {
+
+/// Decides after each step whether to go on, and keeps the history that a report needs.
+///
+/// Converged: by the scaled residual alone, never because a set of states came back.
+/// Failed: a set came back although the residual has not fallen since (the classical
+/// cycle of active sets), the residual grew a million times, or it is no number.
+class StepTest final : public NOX::StatusTest::Generic {
+ public:
+  /// `patience`: how many returning sets end the run.
+  StepTest(NewtonMethod method, int patience) : method_(method), patience_(patience) {}
+
+  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver,
+                                          NOX::StatusTest::CheckType check) override;
+  NOX::StatusTest::StatusType getStatus() const override { return status_; }
+  std::ostream& print(std::ostream& stream, int indent) const override;
+
+  /// Everything but the number of iterations and the end of an exhausted run.
+  const NewtonRun& history() const { return run_; }
+
+ private:
+  void record(const Evaluation& e);
+
+  NewtonMethod method_;
+  int patience_;
+  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
+  NewtonRun run_;
+  std::vector<ActiveSet> sets_;
+  std::map<ActiveSet, double> seen_;  // a set, and the residual when it was last seen
+  double first_ = 0;
+  double least_ = 0;
+};
+
+}  // namespace epafi::contact

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "contact/problem/Problem.hpp"
+
+#include <vector>
+
+namespace epafi::contact {
+
+enum class NormalState { Open, Closed };
+
+/// None: the bound is zero, so there is no friction to speak of.
+enum class FrictionState { None, Stick, SlipForward, SlipBackward };
+
+/// What each coefficient of a multiplier does.
+struct ContactState {
+  std::vector<NormalState> normal;
+  std::vector<FrictionState> tangential;  ///< SlipForward: λₜ = +s; SlipBackward: λₜ = -s
+};
+
+/// Closed where λ + r/D_ii > 0; slip where |λ + r/D_ii| reaches the bound.
+ContactState classify(const Problem& problem, const State& state);
+
+}  // namespace epafi::contact

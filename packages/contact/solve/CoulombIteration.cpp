@@ -1,0 +1,153 @@
+#include "contact/solve/CoulombIteration.hpp"
+
+#include "bem/base/Error.hpp"
+#include "contact/solve/Tresca.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace epafi::contact {
+
+namespace {
+
+constexpr double smallestDamping = 1.0 / 64;
+
+double largestDifference(const Vector& a, const Vector& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+// A bound to begin with: that of the start or, where it is zero and friction may have to
+// hold the body, that after a few steps of the coupled problem.
+Solution firstBound(const Problem& problem, const State& start, Report report,
+                    const SolverOptions& options) {
+  constexpr int steps = 5;
+  const Vector bounds = problem.slipBounds(start.multiplier);
+  const bool slippery =
+      std::all_of(bounds.begin(), bounds.end(), [](double s) { return s <= 0; });
+  if (problem.rigidMotions() == 0 || !slippery)
+    return {start, std::move(report)};
+  const Equation equation(problem, complementarityOf(options), Equation::Bound::Lagged,
+                          options.tolerance);
+  const NewtonRun run =
+      runNewton(equation, pack(problem, start), NewtonMethod::Newton, steps);
+  return {unpack(problem, run.last), extended(std::move(report), run, problem)};
+}
+
+// One update of the bound: Tresca's problem, its report added to what came before.
+Solution update(const Problem& tresca, Solution before, const SolverOptions& options) {
+  Report& report = before.report;
+  report.coulombIterations += 1;
+  try {
+    Solution next = solveFixedBounds(tresca, before.state, options);
+    next.report.newtonIterations += report.newtonIterations;
+    next.report.coulombIterations = report.coulombIterations;
+    next.report.globalised = next.report.globalised || report.globalised;
+    next.report.setChanges.insert(next.report.setChanges.begin(),
+                                  report.setChanges.begin(), report.setChanges.end());
+    return next;
+  } catch (const bem::NumericalError& error) {
+    // With this bound there is no equilibrium; with the right one there may be.
+    report.status = Status::NotConverged;
+    report.reason = error.what();
+    return before;
+  }
+}
+
+// A whole Tresca problem per update of the bound; the update is shortened when the
+// bound's change does not fall.
+Solution fixedPoint(const Problem& problem, const State& start, Report report,
+                    const SolverOptions& options) {
+  const double tolerance = std::max(options.tolerance, options.coulombTolerance);
+  const Equation coulomb(problem, complementarityOf(options), Equation::Bound::Lagged,
+                         tolerance);
+  Solution solution = firstBound(problem, start, std::move(report), options);
+  Vector bounds = problem.slipBounds(solution.state.multiplier);
+  Problem tresca = withSlipBounds(problem, bounds);
+  double damping = 1;
+  double change = 0;
+  for (int k = 1; k <= options.coulombMaximumIterations; ++k) {
+    for (std::size_t t = 0; t < bounds.size(); ++t)
+      tresca.tangentials[t].strength = bounds[t];
+    solution = update(tresca, std::move(solution), options);
+
+    const Evaluation e = coulomb.at(pack(problem, solution.state));
+    const double previous =
+        std::exchange(change, largestDifference(e.bounds, bounds) / problem.stress);
+    Report& result = solution.report;
+    result.residual = e.scaled;
+    result.tolerance = e.tolerance;
+    if (result.status != Status::Converged) {
+      result.reason = bem::message("Tresca's problem of update ", k,
+                                   " of the slip bound: ", result.reason,
+                                   ".  Try Solver->Coulomb Iteration = 'Newton'");
+      return solution;
+    }
+    if (e.converged && change <= e.tolerance)
+      return solution;
+    if (k > 2 && change > 0.95 * previous) {
+      damping = std::max(0.5 * damping, smallestDamping);
+      result.globalised = true;
+    }
+    for (std::size_t t = 0; t < bounds.size(); ++t)
+      bounds[t] += damping * (e.bounds[t] - bounds[t]);
+  }
+  solution.report.status = Status::NotConverged;
+  solution.report.reason =
+      bem::message("the slip bound still changes by ", change, " of the load after ",
+                   options.coulombMaximumIterations,
+                   " updates: use Solver->Coulomb Iteration = 'Newton', or "
+                   "raise Solver->Coulomb Maximum Iterations; with a large friction "
+                   "coefficient there may "
+                   "be several solutions, or none");
+  return solution;
+}
+
+// Newton's method on the coupled problem, with or without the bound's derivative.
+Solution newton(const Problem& problem, const State& start, Equation::Bound bound,
+                const SolverOptions& options) {
+  const bool lagged = bound == Equation::Bound::Lagged;
+  const Equation equation(problem, complementarityOf(options), bound, options.tolerance);
+  const NewtonRun run = runNewton(
+      equation, pack(problem, start), NewtonMethod::Newton,
+      lagged ? std::max(options.maximumIterations, options.coulombMaximumIterations)
+             : options.maximumIterations,
+      options.nox);
+  Report report = extended({}, run, problem);
+  report.coulombIterations = run.iterations;
+  if (run.end == NewtonRun::End::Converged || run.end == NewtonRun::End::Iterations)
+    return {unpack(problem, run.last), std::move(report)};
+
+  const Equation smooth(problem, complementarity("Fischer-Burmeister"),
+                        Equation::Bound::Differentiated, options.tolerance);
+  const NewtonRun descent = runNewton(smooth, run.best, NewtonMethod::MeritDescent,
+                                      2 * options.maximumIterations);
+  report = extended(std::move(report), descent, problem);
+  report.coulombIterations += descent.iterations;
+  if (descent.end == NewtonRun::End::Converged)
+    return {unpack(problem, descent.best), std::move(report)};
+
+  return fixedPoint(problem, unpack(problem, run.best), std::move(report), options);
+}
+
+}  // namespace
+
+Solution solve(const Problem& problem, const State& start, const SolverOptions& options) {
+  if (!(problem.stress > 0) || !std::isfinite(problem.stress))
+    throw bem::NumericalError("the contact problem's load has no positive, finite size");
+  if (!problem.boundDependsOnPressure())
+    return solveFixedBounds(problem, start, options);
+  switch (options.coulomb) {
+    case SolverOptions::Coulomb::FixedPoint:
+      return fixedPoint(problem, unpack(problem, pack(problem, start)), {}, options);
+    case SolverOptions::Coulomb::InexactFixedPoint:
+      return newton(problem, start, Equation::Bound::Lagged, options);
+    default:
+      return newton(problem, start, Equation::Bound::Differentiated, options);
+  }
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,311 @@
+#include "contact/solve/Equation.hpp"
+
+#include "bem/base/Error.hpp"
+#include "contact/solve/ContactState.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace epafi::contact {
+
+namespace {
+
+// A vector as numbers with signed indices.
+double entry(const Vector& v, Index i) { return v[static_cast<std::size_t>(i)]; }
+double& entry(Vector& v, Index i) { return v[static_cast<std::size_t>(i)]; }
+
+void requireFinite(const Vector& v, const char* name) {
+  if (!std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x); }))
+    throw bem::NumericalError(bem::message("the contact problem's ", name,
+                                           " holds a number that is not finite"));
+}
+
+Vector diagonalWeights(const Problem& problem) {
+  const Index n = problem.size();
+  double largest = 0;
+  for (Index i = 0; i < n; ++i)
+    largest = std::max(largest, problem.flexibility(i, i));
+  Vector weights;
+  weights.reserve(static_cast<std::size_t>(n));
+  for (Index i = 0; i < n; ++i) {
+    double d = problem.flexibility(i, i);
+    if (!std::isfinite(d))
+      throw bem::NumericalError(
+          "the contact flexibility holds a number that is not finite");
+    // A coefficient that only moves the body as a whole has no flexibility of its own.
+    if (!(d > 0))
+      d = largest > 0 ? largest : 1;
+    weights.push_back(1 / d);
+  }
+  return weights;
+}
+
+}  // namespace
+
+Equation::Equation(const Problem& problem, const Complementarity& function, Bound bound,
+                   double tolerance)
+    : problem_(problem),
+      function_(function),
+      fischerBurmeister_(complementarity("Fischer-Burmeister")),
+      bound_(bound),
+      tolerance_(tolerance),
+      weights_(diagonalWeights(problem)) {
+  requireFinite(problem.offset, "load");
+  requireFinite(problem.rigidLoad, "resultant");
+  for (Index j = 0; j < problem.rigidMotions(); ++j) {
+    const double* g = problem.rigid.column(j);
+    double sum = 0;
+    for (Index i = 0; i < problem.size(); ++i)
+      sum += std::abs(g[i]);
+    balanceScales_.push_back(sum > 0 ? sum : 1);
+  }
+}
+
+Evaluation Equation::at(Vector unknowns) const {
+  const Index n = problem_.size();
+  assert(static_cast<Index>(unknowns.size()) == size());
+  Evaluation e;
+  e.unknowns = std::move(unknowns);
+
+  Vector r = problem_.offset;
+  Vector magnitude(r.size());
+  std::transform(r.begin(), r.end(), magnitude.begin(),
+                 [](double x) { return std::abs(x); });
+  const auto add = [&](const double* column, double factor) {
+    for (Index i = 0; i < n && factor != 0; ++i) {
+      const double term = column[i] * factor;
+      entry(r, i) += term;
+      entry(magnitude, i) += std::abs(term);
+    }
+  };
+  for (Index j = 0; j < n; ++j)
+    add(problem_.flexibility.column(j), -entry(e.unknowns, j));
+  for (Index j = 0; j < problem_.rigidMotions(); ++j)
+    add(problem_.rigid.column(j), entry(e.unknowns, n + j));
+
+  e.penetration.resize(r.size());
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    e.penetration[i] = weights_[i] * r[i];
+    magnitude[i] *= weights_[i];
+  }
+  e.bounds = problem_.slipBounds(e.unknowns);
+  for (const Tangential& t : problem_.tangentials)
+    e.boundSlopes.push_back(
+        bound_ == Bound::Lagged
+            ? 0.0
+            : t.law->slipBoundSlope(entry(e.unknowns, t.normal), t.strength));
+  evaluateRows(e);
+  measure(e, magnitude);
+  return e;
+}
+
+void Equation::evaluateRows(Evaluation& e) const {
+  const Index n = problem_.size();
+  e.rows.reserve(static_cast<std::size_t>(n));
+  for (Index i = 0; i < n; ++i) {
+    const double multiplier = entry(e.unknowns, i);
+    const double y = entry(e.penetration, i);
+    e.rows.push_back(
+        i < problem_.normals
+            ? function_.normal(multiplier, y)
+            : function_.tangential(multiplier, y, entry(e.bounds, i - problem_.normals)));
+    e.residual.push_back(e.rows.back().value);
+  }
+  for (Index j = 0; j < problem_.rigidMotions(); ++j) {
+    const double* g = problem_.rigid.column(j);
+    double sum = -entry(problem_.rigidLoad, j);
+    for (Index i = 0; i < n; ++i)
+      sum += g[i] * entry(e.unknowns, i);
+    e.residual.push_back(sum / entry(balanceScales_, j));
+  }
+}
+
+void Equation::measure(Evaluation& e, const Vector& magnitude) const {
+  const double rounding = 8 * std::numeric_limits<double>::epsilon() / problem_.stress;
+  double largestFloor = 0;
+  e.converged = true;
+  const auto count = [&](double residual, double floor) {
+    const double scaled = std::abs(residual) / problem_.stress;
+    largestFloor = std::max(largestFloor, floor);
+    // Written so that a NaN is never converged.
+    e.converged = e.converged && scaled <= std::max(tolerance_, floor);
+    e.scaled = scaled <= e.scaled ? e.scaled : scaled;
+  };
+
+  for (Index i = 0; i < problem_.size(); ++i) {
+    const double multiplier = entry(e.unknowns, i);
+    const double trial = multiplier + entry(e.penetration, i);
+    double projection = std::max(trial, 0.0);
+    double bound = 0;
+    if (i >= problem_.normals) {
+      bound = entry(e.bounds, i - problem_.normals);
+      projection = std::clamp(trial, -bound, bound);
+    }
+    const bool above = i < problem_.normals ? trial > 0 : trial >= bound;
+    const bool below = i >= problem_.normals && trial <= -bound;
+    e.set.push_back(static_cast<signed char>(above ? 1 : (below ? -1 : 0)));
+    const double natural =
+        projection == trial ? -entry(e.penetration, i) : multiplier - projection;
+    count(natural, rounding * (entry(magnitude, i) + std::abs(multiplier) + bound));
+  }
+  for (Index j = 0; j < problem_.rigidMotions(); ++j) {
+    const double* g = problem_.rigid.column(j);
+    double sum = std::abs(entry(problem_.rigidLoad, j));
+    for (Index i = 0; i < problem_.size(); ++i)
+      sum += std::abs(g[i] * entry(e.unknowns, i));
+    count(entry(e.residual, problem_.size() + j),
+          rounding * sum / entry(balanceScales_, j));
+  }
+  e.tolerance = std::max(tolerance_, largestFloor);
+}
+
+Vector Equation::jacobianTimes(const Evaluation& e, const Vector& direction) const {
+  const Index n = problem_.size();
+  Vector r(static_cast<std::size_t>(n), 0.0);
+  const auto add = [&](const double* column, double factor) {
+    for (Index i = 0; i < n && factor != 0; ++i)
+      entry(r, i) += column[i] * factor;
+  };
+  for (Index j = 0; j < n; ++j)
+    add(problem_.flexibility.column(j), -entry(direction, j));
+  for (Index j = 0; j < problem_.rigidMotions(); ++j)
+    add(problem_.rigid.column(j), entry(direction, n + j));
+
+  Vector result;
+  result.reserve(direction.size());
+  for (Index i = 0; i < n; ++i) {
+    const auto& row = e.rows[static_cast<std::size_t>(i)];
+    double value = row.multiplier * entry(direction, i) +
+                   row.penetration * entry(weights_, i) * entry(r, i);
+    if (i >= problem_.normals) {
+      const Index t = i - problem_.normals;
+      const Index normal = problem_.tangentials[static_cast<std::size_t>(t)].normal;
+      value += row.bound * entry(e.boundSlopes, t) * entry(direction, normal);
+    }
+    result.push_back(value);
+  }
+  for (Index j = 0; j < problem_.rigidMotions(); ++j) {
+    const double* g = problem_.rigid.column(j);
+    double sum = 0;
+    for (Index i = 0; i < n; ++i)
+      sum += g[i] * entry(direction, i);
+    result.push_back(sum / entry(balanceScales_, j));
+  }
+  return result;
+}
+
+Vector Equation::projected(const Evaluation& e) const {
+  Vector x = e.unknowns;
+  for (Index i = 0; i < problem_.normals; ++i)
+    entry(x, i) = std::max(entry(x, i), 0.0);
+  for (std::size_t t = 0; t < e.bounds.size(); ++t) {
+    double& value = x[static_cast<std::size_t>(problem_.normals) + t];
+    value = std::clamp(value, -e.bounds[t], e.bounds[t]);
+  }
+  return x;
+}
+
+double Equation::energy(const Evaluation& e) const {
+  // Dλ = d₀ + Gα - r, so that the energy needs no further product with D.
+  double sum = 0;
+  for (Index i = 0; i < problem_.size(); ++i) {
+    double rigid = 0;
+    for (Index j = 0; j < problem_.rigidMotions(); ++j)
+      rigid += problem_.rigid(i, j) * entry(e.unknowns, problem_.size() + j);
+    const double r = entry(e.penetration, i) / entry(weights_, i);
+    sum += 0.5 * entry(e.unknowns, i) * (rigid - r - entry(problem_.offset, i));
+  }
+  return sum;
+}
+
+double Equation::merit(const Evaluation& e) const {
+  double sum = 0;
+  for (Index i = 0; i < size(); ++i) {
+    double f = entry(e.residual, i);
+    if (i < problem_.size()) {
+      const double multiplier = entry(e.unknowns, i);
+      const double y = entry(e.penetration, i);
+      f = i < problem_.normals
+              ? fischerBurmeister_.normal(multiplier, y).value
+              : fischerBurmeister_
+                    .tangential(multiplier, y, entry(e.bounds, i - problem_.normals))
+                    .value;
+    }
+    sum += 0.5 * f * f;
+  }
+  return sum;
+}
+
+Vector Equation::meritGradient(const Evaluation& e) const {
+  const Index n = problem_.size();
+  Vector gradient(static_cast<std::size_t>(size()), 0.0);
+  for (Index i = 0; i < n; ++i) {
+    const double multiplier = entry(e.unknowns, i);
+    const double y = entry(e.penetration, i);
+    Complementarity::Value row{};
+    if (i < problem_.normals) {
+      row = fischerBurmeister_.normal(multiplier, y);
+    } else {
+      const Index t = i - problem_.normals;
+      const Tangential& tangential = problem_.tangentials[static_cast<std::size_t>(t)];
+      row = fischerBurmeister_.tangential(multiplier, y, entry(e.bounds, t));
+      entry(gradient, tangential.normal) +=
+          row.value * row.bound *
+          tangential.law->slipBoundSlope(entry(e.unknowns, tangential.normal),
+                                         tangential.strength);
+    }
+    entry(gradient, i) += row.value * row.multiplier;
+    // The row's part through r_i: D is symmetric, its column i is its row i.
+    const double factor = row.value * row.penetration * entry(weights_, i);
+    const double* column = problem_.flexibility.column(i);
+    for (Index j = 0; j < n && factor != 0; ++j)
+      entry(gradient, j) -= factor * column[j];
+    for (Index j = 0; j < problem_.rigidMotions(); ++j)
+      entry(gradient, n + j) += factor * problem_.rigid(i, j);
+  }
+  for (Index j = 0; j < problem_.rigidMotions(); ++j) {
+    const double factor = entry(e.residual, n + j) / entry(balanceScales_, j);
+    for (Index i = 0; i < n; ++i)
+      entry(gradient, i) += factor * problem_.rigid(i, j);
+  }
+  return gradient;
+}
+
+Vector pack(const Problem& problem, const State& state) {
+  Vector x(static_cast<std::size_t>(problem.size() + problem.rigidMotions()), 0.0);
+  assert(state.multiplier.empty() ||
+         static_cast<Index>(state.multiplier.size()) == problem.size());
+  assert(state.rigid.empty() || state.rigid.size() == problem.rigidLoad.size());
+  std::copy(state.multiplier.begin(), state.multiplier.end(), x.begin());
+  std::copy(state.rigid.begin(), state.rigid.end(), x.begin() + problem.size());
+  return x;
+}
+
+State unpack(const Problem& problem, const Vector& unknowns) {
+  return {Vector(unknowns.begin(), unknowns.begin() + problem.size()),
+          Vector(unknowns.begin() + problem.size(), unknowns.end())};
+}
+
+ContactState classify(const Problem& problem, const State& state) {
+  const Equation equation(problem, complementarity("Projection"), Equation::Bound::Lagged,
+                          0);
+  const Evaluation e = equation.at(pack(problem, state));
+  ContactState result;
+  for (Index i = 0; i < problem.normals; ++i)
+    result.normal.push_back(e.set[static_cast<std::size_t>(i)] == 1 ? NormalState::Closed
+                                                                    : NormalState::Open);
+  for (std::size_t t = 0; t < e.bounds.size(); ++t) {
+    const auto set = e.set[static_cast<std::size_t>(problem.normals) + t];
+    FrictionState friction = FrictionState::Stick;
+    if (e.bounds[t] <= 0)
+      friction = FrictionState::None;
+    else if (set != 0)
+      friction = set > 0 ? FrictionState::SlipForward : FrictionState::SlipBackward;
+    result.tangential.push_back(friction);
+  }
+  return result;
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,114 @@
+#include "contact/solve/RigidPlacement.hpp"
+
+#include "bem/base/Error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::contact {
+
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+constexpr const char* noBalance =
+    "the load moves the body along a rigid motion that nothing holds: neither contact "
+    "nor "
+    "friction can balance its resultant; hold the motion (Rigid Motions -> Fix, or a "
+    "Dirichlet "
+    "condition), or change the load";
+
+// The spring forces P(λ + y) for given penetrations y.  A bound that follows the pressure
+// is left out: what pressure the solution has is not known yet.
+Vector springForces(const Problem& problem, const Vector& unknowns, const Vector& y) {
+  Vector forces;
+  for (Index i = 0; i < problem.normals; ++i)
+    forces.push_back(std::max(unknowns[at(i)] + y[at(i)], 0.0));
+  const Vector bounds = problem.slipBounds(forces);
+  for (std::size_t t = 0; t < bounds.size(); ++t) {
+    const std::size_t i = at(problem.normals) + t;
+    const bool bonded = problem.tangentials[t].law->dependsOnPressure && bounds[t] > 0;
+    const double force = unknowns[i] + y[i];
+    forces.push_back(bonded ? force : std::clamp(force, -bounds[t], bounds[t]));
+  }
+  return forces;
+}
+
+}  // namespace
+
+Vector rigidPlacement(const Equation& equation, const Evaluation& e,
+                      const Vector& motion) {
+  const Problem& problem = equation.problem();
+  const Index n = problem.size();
+  Vector slope(at(n), 0.0);  // dy/dt
+  double work0 = 0;
+  for (Index j = 0; j < problem.rigidMotions(); ++j) {
+    work0 += motion[at(j)] * problem.rigidLoad[at(j)];
+    for (Index i = 0; i < n; ++i)
+      slope[at(i)] += equation.weights()[at(i)] * problem.rigid(i, j) * motion[at(j)];
+  }
+  const auto penetrationAt = [&](double t) {
+    Vector y = e.penetration;
+    for (std::size_t i = 0; i < y.size(); ++i)
+      y[i] += t * slope[i];
+    return y;
+  };
+  const auto work = [&](double t) {
+    const Vector forces = springForces(problem, e.unknowns, penetrationAt(t));
+    double sum = work0;
+    for (Index i = 0; i < n; ++i)
+      sum -= forces[at(i)] * slope[at(i)] / equation.weights()[at(i)];
+    return sum;
+  };
+
+  double fastest = 0;
+  double scale = std::abs(work0);
+  for (std::size_t i = 0; i < slope.size(); ++i) {
+    fastest = std::max(fastest, std::abs(slope[i]));
+    scale = std::max(scale, std::abs(slope[i] / equation.weights()[i]) * problem.stress);
+  }
+  // Gaps may be 1e12 times as large as the load's own displacements, not more.
+  constexpr int quadruplings = 20;
+  double low = 0;
+  double high = fastest > 0 ? problem.stress / fastest : 1;
+  for (int k = 0; work(high) > 1e-12 * scale; ++k) {
+    if (k == quadruplings)
+      throw bem::NumericalError(noBalance);
+    low = high;
+    high *= 4;
+  }
+  for (int i = 0; i < 100 && high - low > 1e-9 * high; ++i) {
+    const double middle = 0.5 * (low + high);
+    (work(middle) > 0 ? low : high) = middle;
+  }
+
+  Vector step(e.unknowns.size());
+  const Vector projection = equation.projected(e);
+  for (std::size_t i = 0; i < step.size(); ++i)
+    step[i] = projection[i] - e.unknowns[i];
+  for (Index j = 0; j < problem.rigidMotions(); ++j)
+    step[at(n + j)] = high * motion[at(j)];
+  return step;
+}
+
+void requireBalance(const Problem& problem, const Vector& bounds, const Vector& motion) {
+  double demand = 0;
+  double size = 0;
+  for (Index j = 0; j < problem.rigidMotions(); ++j)
+    demand += motion[at(j)] * problem.rigidLoad[at(j)];
+  double supply = 0;
+  for (Index i = 0; i < problem.size(); ++i) {
+    double g = 0;
+    for (Index j = 0; j < problem.rigidMotions(); ++j)
+      g += problem.rigid(i, j) * motion[at(j)];
+    size = std::max(size, std::abs(g));
+    if (i >= problem.normals)
+      supply += std::abs(g) * bounds[at(i - problem.normals)];
+    else if (g > 0)
+      return;  // pressure there can grow as it needs to
+  }
+  if (supply < demand - 1e-10 * std::max(size * problem.stress, std::abs(demand)))
+    throw bem::NumericalError(noBalance);
+}
+
+}  // namespace epafi::contact

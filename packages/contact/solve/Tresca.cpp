@@ -1,0 +1,180 @@
+#include "contact/solve/Tresca.hpp"
+
+#include "bem/base/Error.hpp"
+#include "contact/solve/RigidPlacement.hpp"
+
+#include <algorithm>
+
+namespace epafi::contact {
+
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+std::string reasonOf(const NewtonRun& run) {
+  const std::string residual =
+      bem::message("scaled residual ", run.residual, ", tolerance ", run.tolerance,
+                   " after ", run.iterations, " steps");
+  switch (run.end) {
+    case NewtonRun::End::Converged:
+      return "";
+    case NewtonRun::End::Iterations:
+      return residual + ": raise Solver->Maximum Iterations";
+    case NewtonRun::End::Restless:
+      return residual +
+             ": the active sets repeat; use the other Solver->Complementarity, "
+             "another Multiplier, or a finer mesh where the contact ends";
+    case NewtonRun::End::Growth:
+      return residual + ": the residual grows; check load and units, or load in steps";
+    case NewtonRun::End::Stalled:
+      return residual +
+             ": no step length decreases the merit function; the problem may be too "
+             "ill-conditioned for this Solver->Tolerance, or have no solution";
+    case NewtonRun::End::Singular:
+      return residual + ": " + run.message;
+    default:
+      return residual + ": not a number";
+  }
+}
+
+// Minimises the energy over the box; the equality constraint is the caller's.
+NewtonRun minimise(const Problem& box, const Vector& start, double tolerance,
+                   int maximumIterations) {
+  const Equation equation(box, complementarity("Projection"),
+                          Equation::Bound::Differentiated, tolerance);
+  return runNewton(equation, start, NewtonMethod::ProjectedDescent, maximumIterations);
+}
+
+/// The augmented Lagrangian of  min ½ λᵀDλ - d₀ᵀλ,  Gᵀλ = q,  as a sequence of box
+/// problems
+///
+///   D + ρ G W Gᵀ,   d₀ + G (α + ρ W q),   then  α ← α - ρ W (Gᵀλ - q).
+///
+/// W gives each motion size one.  Convex: converges for every ρ > 0.       [Rockafellar
+/// 1973]
+class AugmentedLagrangian {
+ public:
+  AugmentedLagrangian(const Problem& problem, const Vector& weights)
+      : problem_(problem), box_(withSlipBounds(problem, problem.slipBounds({}))) {
+    const Index n = problem.size();
+    for (Index j = 0; j < problem.rigidMotions(); ++j) {
+      double sum = 0;
+      for (Index i = 0; i < n; ++i)
+        sum += weights[at(i)] * problem.rigid(i, j) * problem.rigid(i, j);
+      penalty_.push_back(sum > 0 ? 100.0 * static_cast<double>(n) / sum : 0);
+      for (Index b = 0; b < n; ++b)
+        for (Index a = 0; a < n; ++a)
+          box_.flexibility(a, b) +=
+              penalty_[at(j)] * problem.rigid(a, j) * problem.rigid(b, j);
+    }
+    box_.rigid = Matrix(n, 0);
+    box_.rigidLoad.clear();
+  }
+
+  const Problem& boxProblem(const Vector& rigid) {
+    box_.offset = problem_.offset;
+    for (Index j = 0; j < problem_.rigidMotions(); ++j) {
+      const double force = rigid[at(j)] + penalty_[at(j)] * problem_.rigidLoad[at(j)];
+      for (Index i = 0; i < problem_.size(); ++i)
+        box_.offset[at(i)] += problem_.rigid(i, j) * force;
+    }
+    return box_;
+  }
+
+  /// The change of α.
+  Vector update(const Vector& multiplier) const {
+    Vector change;
+    for (Index j = 0; j < problem_.rigidMotions(); ++j) {
+      double rest = problem_.rigidLoad[at(j)];
+      for (Index i = 0; i < problem_.size(); ++i)
+        rest -= problem_.rigid(i, j) * multiplier[at(i)];
+      change.push_back(penalty_[at(j)] * rest);
+    }
+    return change;
+  }
+
+ private:
+  const Problem& problem_;
+  Problem box_;
+  Vector penalty_;  // ρ W
+};
+
+Solution descendWithBalance(const Equation& equation, const Vector& start, Report report,
+                            const SolverOptions& options) {
+  constexpr int maximumUpdates = 40;
+  constexpr int polishing = 4;
+  const Problem& problem = equation.problem();
+  const Vector bounds = problem.slipBounds({});
+  AugmentedLagrangian lagrangian(problem, equation.weights());
+  State state = unpack(problem, start);
+  for (int update = 0; update < maximumUpdates; ++update) {
+    const NewtonRun inner = minimise(lagrangian.boxProblem(state.rigid), state.multiplier,
+                                     options.tolerance, options.maximumIterations);
+    report = extended(std::move(report), inner, problem);
+    state.multiplier = inner.best;
+    const Vector change = lagrangian.update(state.multiplier);
+    requireBalance(problem, bounds, change);
+    for (std::size_t j = 0; j < change.size(); ++j)
+      state.rigid[j] += change[j];
+    const NewtonRun polished =
+        runNewton(equation, pack(problem, state), NewtonMethod::Newton, polishing);
+    report = extended(std::move(report), polished, problem);
+    if (polished.end == NewtonRun::End::Converged)
+      return {unpack(problem, polished.last), std::move(report)};
+  }
+  return {std::move(state), std::move(report)};
+}
+
+}  // namespace
+
+const Complementarity& complementarityOf(const SolverOptions& options) {
+  return complementarity(options.complementarity ==
+                                 SolverOptions::Complementarity::Projection
+                             ? "Projection"
+                             : "Fischer-Burmeister");
+}
+
+Report extended(Report report, const NewtonRun& run, const Problem& problem) {
+  if (run.end == NewtonRun::End::NotFinite)
+    throw bem::NumericalError(
+        bem::message("Newton's method met a number that is not finite after ",
+                     run.iterations, " steps; the problem of ", problem.size(),
+                     " coefficients is too badly "
+                     "scaled or its flexibility is not positive definite"));
+  report.status =
+      run.end == NewtonRun::End::Converged ? Status::Converged : Status::NotConverged;
+  report.newtonIterations += run.iterations;
+  report.residual = run.residual;
+  report.tolerance = run.tolerance;
+  report.setChanges.insert(report.setChanges.end(), run.setChanges.begin(),
+                           run.setChanges.end());
+  report.reason = reasonOf(run);
+  report.restless.clear();
+  if (run.end != NewtonRun::End::Converged)
+    report.restless = run.restless;
+  if (!run.merits.empty()) {
+    report.globalised = true;
+    report.merits = run.merits;
+  }
+  return report;
+}
+
+Solution solveFixedBounds(const Problem& problem, const State& start,
+                          const SolverOptions& options) {
+  const Equation equation(problem, complementarityOf(options),
+                          Equation::Bound::Differentiated, options.tolerance);
+  const NewtonRun run = runNewton(equation, pack(problem, start), NewtonMethod::Newton,
+                                  options.maximumIterations, options.nox);
+  Report report = extended({}, run, problem);
+  if (run.end == NewtonRun::End::Converged || run.end == NewtonRun::End::Iterations)
+    return {unpack(problem, run.last), std::move(report)};
+  if (problem.rigidMotions() > 0)
+    return descendWithBalance(equation, run.best, std::move(report), options);
+
+  const NewtonRun descent =
+      minimise(problem, run.best, options.tolerance, options.maximumIterations);
+  report = extended(std::move(report), descent, problem);
+  return {unpack(problem, descent.best), std::move(report)};
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "contact/nox/Newton.hpp"
+#include "contact/solve/CoulombIteration.hpp"
+
+namespace epafi::contact {
+
+/// Solves a problem whose slip bounds do not depend on the pressure: frictionless or
+/// Tresca.
+///
+/// Newton's method with full steps; where these cycle, grow or meet a singular Jacobian,
+/// the energy of the quadratic programme  min ½ λᵀDλ - d₀ᵀλ  over the box, Gᵀλ = q  takes
+/// over. It falls with each step and so cannot cycle.  Gᵀλ = q is reached by an augmented
+/// Lagrangian, whose last digits come from Newton's steps again. \throws
+/// bem::NumericalError see solve()
+Solution solveFixedBounds(const Problem& problem, const State& start,
+                          const SolverOptions& options);
+
+/// The table's entry for the options.
+const Complementarity& complementarityOf(const SolverOptions& options);
+
+/// A report extended by one more run, which decides residual, status and reason.
+Report extended(Report report, const NewtonRun& run, const Problem& problem);
+
+}  // namespace epafi::contact
