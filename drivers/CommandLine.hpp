@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace epafi::drivers {
+
+/// The arguments of `epafi run`.
+struct RunOptions {
+  std::string scene;
+  std::string output;  ///< empty: defaultOutputFolder
+  std::vector<std::string> overrides;
+  int threads = 0;  ///< 0: all cores, or what the environment says
+  bool force = false;
+  bool quiet = false;
+};
+
+/// Options may stand before or after the scene; values as `--key value` or `--key=value`.
+/// \throws bem::InputError for an unknown option, naming the nearest, a missing or superfluous
+///   value, and anything but one scene.
+RunOptions parseRunOptions(const std::vector<std::string>& arguments);
+
+/// What `epafi --help` prints.
+std::string usage();
+
+/// \throws bem::InputError always, naming the nearest command.
+[[noreturn]] void refuseCommand(const std::string& name);
+
+}  // namespace epafi::drivers

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace epafi::drivers {
+
+/// A number with all its digits: 17 significant ones.
+std::string exactly(double value);
+
+/// Comma-separated values: a header, then rows.
+class Csv {
+ public:
+  explicit Csv(const std::vector<std::string>& columns);
+
+  /// \pre as many cells as columns
+  void row(const std::vector<std::string>& cells);
+
+  const std::string& text() const { return text_; }
+
+ private:
+  void line(const std::vector<std::string>& cells);
+
+  std::size_t columns_;
+  std::string text_;
+};
+
+}  // namespace epafi::drivers

@@ -1,0 +1,261 @@
+#include "drivers/Commands.hpp"
+#include "drivers/Expression.hpp"
+#include "drivers/Schema.hpp"
+#include "test/drivers/SceneText.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+#include <Teuchos_XMLParameterListHelpers.hpp>
+
+#include <thread>
+
+namespace {
+
+using namespace epafi;
+using test::read;
+using test::SceneText;
+
+const char* const yaml = R"(A test:
+  Bodies:
+    block:
+      Material: {Young's Modulus: 200, Poisson's Ratio: 0.25}
+      Geometry:
+        Vertices: [[0, 0], [2, 0], [2, 1], [0, 1]]
+        Edges: [base, right, top, left]
+      Boundary Conditions:
+        base:
+          Type: Contact
+          Gap: '0.1*x^2'
+          Friction: {Law: Coulomb, Coefficient: 0.3}
+        top:
+          Type: Dirichlet
+          Displacement Y: -0.01
+      Rigid Motions:
+        Fix: [X]
+  Discretization:
+    Elements per Edge: [4, 2, 4, 2]
+)";
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(Scene, saysWhatTheFileSays) {
+  const drivers::Scene scene = read(SceneText());
+  TEST_EQUALITY(scene.title, "A test");
+  TEST_EQUALITY(scene.body, "block");
+  TEST_EQUALITY(scene.material.youngsModulus, 200);
+  TEST_EQUALITY(scene.material.poissonsRatio, 0.25);
+  TEST_ASSERT(!scene.material.planeStress);
+  TEST_EQUALITY(scene.outline->edges().size(), 4u);
+  TEST_ASSERT((scene.elementsPerEdge == std::vector<int>{4, 2, 4, 2}));
+  const contact::Conditions::Contact& base = scene.conditions.contact.at("base");
+  TEST_EQUALITY(std::string(base.law->name), "Coulomb");
+  TEST_EQUALITY(base.strength({0.5, 0}), 0.3);
+  TEST_FLOATING_EQUALITY(base.gap({2, 0}), 0.4, 1e-15);
+  const contact::Conditions::Dirichlet& top = scene.conditions.dirichlet.at("top");
+  TEST_ASSERT(!top.x);
+  TEST_EQUALITY(top.y({0, 1}), -0.01);
+  TEST_ASSERT(scene.conditions.neumann.empty());
+  TEST_ASSERT(scene.conditions.fix.x && !scene.conditions.fix.y);
+}
+
+TEUCHOS_UNIT_TEST(Scene, defaultsAreThoseOfTheOptions) {
+  const drivers::Scene scene = read(SceneText());
+  const contact::SolverOptions solver;
+  TEST_ASSERT(scene.solver.coulomb == solver.coulomb);
+  TEST_ASSERT(scene.solver.complementarity == solver.complementarity);
+  TEST_EQUALITY(scene.solver.tolerance, solver.tolerance);
+  TEST_EQUALITY(scene.solver.maximumIterations, solver.maximumIterations);
+  TEST_EQUALITY(scene.solver.coulombTolerance, solver.coulombTolerance);
+  TEST_EQUALITY(scene.solver.coulombMaximumIterations, solver.coulombMaximumIterations);
+  TEST_ASSERT(scene.solver.nox == nullptr);
+  const contact::Stabilization stabilization;
+  TEST_ASSERT(scene.stabilization.form == stabilization.form);
+  TEST_ASSERT(scene.stabilization.scaling == stabilization.scaling);
+  TEST_EQUALITY(scene.stabilization.gamma0, stabilization.gamma0);
+  TEST_EQUALITY(scene.degree, 1);
+  TEST_EQUALITY(scene.multiplier, "Gauss-Legendre-Lagrange");
+  TEST_EQUALITY(scene.adaptivity.strategy, "None");
+  TEST_EQUALITY(scene.adaptivity.maximumLevels, 1);
+  TEST_EQUALITY(scene.output.contactSamples, 8);
+  TEST_ASSERT(scene.output.fields);
+}
+
+TEUCHOS_UNIT_TEST(Scene, isTheSameFromXmlAndYaml) {
+  const test::TemporaryFile file("scene.yaml", yaml);
+  const drivers::Scene fromYaml = drivers::readScene(file.path());
+  const drivers::Scene fromXml = read(SceneText());
+  TEST_EQUALITY(drivers::usedXml(fromYaml), drivers::usedXml(fromXml));
+  TEST_EQUALITY(fromYaml.conditions.contact.at("base").gap({2, 0}),
+                fromXml.conditions.contact.at("base").gap({2, 0}));
+}
+
+TEUCHOS_UNIT_TEST(Scene, usedXmlGivesTheSameSceneBitByBit) {
+  SceneText text;
+  text.material =
+      R"(<Parameter name="Young's Modulus" type="double" value="0.30000000000000004"/>
+         <Parameter name="Poisson's Ratio" type="double" value="0.33333333333333331"/>)";
+  text.base = R"(<Parameter name="Type" type="string" value="Contact"/>
+                 <Parameter name="Gap" type="string" value="x &lt; 1 ? 0 : x - 1 &amp;&amp;
+                   1"/>)";
+  text.rest = R"(
+    <ParameterList name="Solver"><ParameterList name="NOX"><ParameterList name="Line Search">
+      <Parameter name="Method" type="string" value="Full Step"/>
+      <Parameter name="Step" type="double" value="0.1000000000000000055"/>
+      <Parameter name="Steps" type='Array(double)' value="{0.1, 1e-300, 3.3333333333333335}"/>
+    </ParameterList></ParameterList></ParameterList>
+    <ParameterList name="Output"><Parameter name="Interior Points" type='TwoDArray(double)'
+      value="2x2:{0.1, 0.70000000000000007, 0.033333333333333347, 0.5}"/></ParameterList>)";
+  const std::vector<std::string> overrides = {
+      "Discretization->Degree=3", "Discretization->Stabilization->Gamma0=7.1e-3"};
+  const drivers::Scene first = read(text, overrides);
+  const std::string used = drivers::usedXml(first);
+  const test::TemporaryFile file("used.xml", used);
+  const drivers::Scene second = drivers::readScene(file.path());
+  TEST_EQUALITY(drivers::usedXml(second), used);
+  TEST_ASSERT(*first.used == [&] {
+    Teuchos::ParameterList list(*second.used);
+    list.remove("Versions");
+    return list;
+  }());
+  TEST_EQUALITY(second.title, "A test");
+  TEST_EQUALITY(second.degree, 3);
+  TEST_EQUALITY(second.stabilization.gamma0, 7.1e-3);
+  TEST_EQUALITY(second.material.youngsModulus, 0.30000000000000004);
+  TEST_EQUALITY(second.output.interiorPoints[1].x, 0.033333333333333347);
+  TEST_EQUALITY(second.conditions.contact.at("base").gap({0.5, 0}),
+                first.conditions.contact.at("base").gap({0.5, 0}));
+}
+
+TEUCHOS_UNIT_TEST(Scene, overridesReadTheDeclaredType) {
+  const drivers::Scene scene = read(
+      SceneText(), {"Discretization->Elements per Edge={1, 2, 3, 4}",
+                    "Bodies->block->Boundary Conditions->base->Gap=x == 1 ? 2 : 3",
+                    "Bodies->block->Material->Young's Modulus=7", "Output->Fields=false",
+                    "Bodies->block->Geometry->Vertices=4x2:{0,0, 4,0, 4,1, 0,1}",
+                    "Adaptivity->Strategy=Uniform h", "Adaptivity->Maximum Levels=4",
+                    "Bodies->block->Rigid Motions->Fix={X, Rotation}",
+                    "Discretization->Degree=2", "Discretization->Degree=5"});
+  TEST_ASSERT((scene.elementsPerEdge == std::vector<int>{1, 2, 3, 4}));
+  TEST_EQUALITY(scene.conditions.contact.at("base").gap({1, 0}), 2.0);
+  TEST_EQUALITY(scene.conditions.contact.at("base").gap({0, 0}), 3.0);
+  TEST_EQUALITY(scene.material.youngsModulus, 7.0);
+  TEST_ASSERT(!scene.output.fields);
+  TEST_FLOATING_EQUALITY(scene.outline->diameter(), std::sqrt(17.0), 1e-15);
+  TEST_EQUALITY(scene.adaptivity.maximumLevels, 4);
+  TEST_ASSERT(scene.conditions.fix.rotation);
+  TEST_EQUALITY(scene.degree, 5);  // the last one counts
+}
+
+TEUCHOS_UNIT_TEST(Scene, wholeNumbersAndNumbersStandForDoublesAndExpressions) {
+  SceneText text;
+  text.material = R"(<Parameter name="Young's Modulus" type="int" value="200"/>
+                     <Parameter name="Poisson's Ratio" type="int" value="0"/>)";
+  text.base = R"(<Parameter name="Type" type="string" value="Contact"/>
+                 <Parameter name="Gap" type="double" value="0.1"/>)";
+  text.top = R"(<Parameter name="Type" type="string" value="Neumann"/>
+                <Parameter name="Traction Y" type="int" value="-3"/>)";
+  const drivers::Scene scene = read(text);
+  TEST_EQUALITY(scene.material.youngsModulus, 200.0);
+  TEST_EQUALITY(scene.conditions.contact.at("base").gap({7, 7}), 0.1);
+  TEST_EQUALITY(scene.conditions.neumann.at("top").y({7, 7}), -3.0);
+  TEST_ASSERT(scene.conditions.contact.at("base").law == nullptr);
+}
+
+TEUCHOS_UNIT_TEST(Scene, meshSizeGivesTheFewestElementsThatAreNotLarger) {
+  for (const auto& [size, wanted] :
+       std::vector<std::pair<double, std::vector<int>>>{{0.25, {8, 4, 8, 4}},
+                                                        {0.3, {7, 4, 7, 4}},
+                                                        {0.1, {20, 10, 20, 10}},
+                                                        {9, {1, 1, 1, 1}}}) {
+    SceneText text;
+    text.discretization = "<Parameter name=\"Mesh Size\" type=\"double\" value=\"" +
+                          std::to_string(size) + "\"/>";
+    TEST_ASSERT(read(text).elementsPerEdge == wanted);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Scene, elementsOfAHoleFollowItsEdges) {
+  SceneText text;
+  text.geometry += R"(
+    <Parameter name="Hole 1 Vertices" type='TwoDArray(double)' value="3x2:{0.5,0.2, 1.5,0.2, 1,0.8}"/>
+    <Parameter name="Hole 1 Edges" type='Array(string)' value="{h0, h1, h2}"/>)";
+  text.discretization += R"(
+    <Parameter name="Hole 1 Elements per Edge" type='Array(int)' value="{10, 11, 12}"/>)";
+  const drivers::Scene scene = read(text);
+  for (std::size_t e = 4; e < 7; ++e) {
+    const std::string& name = scene.outline->edges()[e].boundary;
+    TEST_EQUALITY(scene.elementsPerEdge[e], 10 + (name[1] - '0'));
+  }
+}
+
+TEUCHOS_UNIT_TEST(Scene, expressionsKnowWhatTheManualLists) {
+  const auto value = [](const std::string& text) {
+    return drivers::makeExpression(text, {"f", "p"})({0.3, -0.7});
+  };
+  TEST_EQUALITY(value("pi"), std::acos(-1.0));
+  TEST_EQUALITY(value("x < y ? 1 : 2"), 2.0);
+  TEST_EQUALITY(value("x > y && x != y || 0"), 1.0);
+  TEST_EQUALITY(value("x >= y"), 1.0);
+  TEST_EQUALITY(value("sign(y)"), -1.0);
+  TEST_EQUALITY(value("log(exp(2)) + ln(1)"), 2.0);
+  TEST_FLOATING_EQUALITY(value("atan2(y, x)"), std::atan2(-0.7, 0.3), 1e-15);
+  TEST_EQUALITY(value("min(x, y) + max(x, y) + abs(y)"), -0.7 + 0.3 + 0.7);
+}
+
+TEUCHOS_UNIT_TEST(Scene, expressionsMayBeEvaluatedByManyThreads) {
+  const bem::Function f = drivers::makeExpression("x + 1000*y", {"f", "p"});
+  std::vector<int> wrong(4, 0);
+  std::vector<std::thread> threads;
+  for (int k = 0; k < 4; ++k)
+    threads.emplace_back([&, k] {
+      for (int i = 0; i < 20000; ++i) {
+        const double x = i;
+        const double y = k;
+        wrong[static_cast<std::size_t>(k)] += f({x, y}) != x + 1000 * y;
+      }
+    });
+  for (std::thread& thread : threads)
+    thread.join();
+  for (int count : wrong)
+    TEST_EQUALITY(count, 0);
+}
+
+TEUCHOS_UNIT_TEST(Scene, shippedScenesPassTheCheck) {
+  for (const char* name : {"tresca", "coulomb", "patch", "hertz", "punch"}) {
+    std::ostringstream text;
+    TEST_EQUALITY(
+        drivers::checkCommand({std::string(EPAFI_SCENES) + "/" + name + ".xml"}, text),
+        0);
+    TEST_ASSERT(test::contains(text.str(), "The scene is valid."));
+  }
+}
+
+TEUCHOS_UNIT_TEST(Schema, everyDefaultIsValidAndEveryListStandsBeforeItsKeys) {
+  for (const drivers::Parameter& row : drivers::parameters()) {
+    TEST_ASSERT(!row.meaning.empty());
+    TEST_ASSERT(!(row.required && !row.standard.empty()));
+    if (!row.allowed.empty() && !row.standard.empty())
+      TEST_ASSERT(std::find(row.allowed.begin(), row.allowed.end(), row.standard) !=
+                  row.allowed.end());
+    if (row.kind == drivers::Kind::Real && !row.standard.empty())
+      TEST_ASSERT(row.interval.contains(std::stod(row.standard)));
+    if (!row.parent().empty())
+      TEST_EQUALITY(drivers::declared(row.parent()).path, row.parent());
+  }
+}
+
+TEUCHOS_UNIT_TEST(Schema, everyParameterIsPrintedInEveryFormat) {
+  for (const char* format : {"text", "xml", "markdown"}) {
+    std::ostringstream text;
+    drivers::parametersCommand({"--format", format}, text);
+    for (const drivers::Parameter& row : drivers::parameters())
+      if (row.name().front() != '<' && row.name().find("<k>") == std::string::npos &&
+          row.name().find('\'') == std::string::npos)
+        TEST_ASSERT(test::contains(text.str(), row.name()));
+  }
+}
+
+TEUCHOS_UNIT_TEST(Schema, itsXmlCanBeReadByTeuchos) {
+  const auto list = Teuchos::getParametersFromXmlString(drivers::parametersText("xml"));
+  TEST_EQUALITY(list->sublist("Discretization").get<int>("Degree"), 1);
+  TEST_EQUALITY(list->sublist("Solver").get<double>("Tolerance"), 1e-12);
+}
