@@ -105,70 +105,81 @@ QuadRule quadGauss(int n) {
   return rule;
 }
 
-// Integrals of a polynomial f against a logarithm use rules for polynomials only:
-//   ∫₀¹ f(v) log v dv = -∫₀¹∫₀¹ f(vw) dv dw,   because -log v = ∫_v^1 dw/w.
 PairIntegrator::PairIntegrator(int largestDegree, double tolerance)
     : degree_(largestDegree), tolerance_(tolerance) {
   const int most = std::max(points(1, 1, degree_), degree_ + 3);
   rules_.resize(1);
   for (int n = 1; n <= most; ++n)
     rules_.push_back(quadGauss(n));
+  selfLog_ = tabulateSelfLog();
+  selfPole_ = tabulateSelfPole();
+  logMaximum_ = tabulateLogMaximum();
+}
 
-  const std::size_t size = static_cast<std::size_t>((degree_ + 1) * (degree_ + 1));
-  selfLog_.resize(size);
-  selfPole_.resize(size);
-  logMaximum_.resize(size);
+/// Calls use(v, weight) so that the sum of weight f(v) is ∫₀¹ f(v) log v dv for
+/// polynomials f, by rules for polynomials only:
+///   ∫₀¹ f(v) log v dv = -∫₀¹∫₀¹ f(vw) dv dw,   because -log v = ∫_v^1 dw/w.
+template <class Use>
+void PairIntegrator::againstLog(const Use& use) const {
+  const QuadRule& exact = polynomialRule();
+  for (std::size_t a = 0; a < exact.points.size(); ++a)
+    for (std::size_t b = 0; b < exact.points.size(); ++b)
+      use((1 + exact.points[a]) * (1 + exact.points[b]) / 4,
+          -exact.weights[a] * exact.weights[b] / 4);
+}
 
-  const QuadRule& exact = rule(degree_ + 2);  // to degree 2 degree_ + 3
-  // g(v) on [0,1]: calls use(v, weight) so that the sum of weight g(v) is ∫ g(v) log v
-  // dv.
-  const auto againstLog = [&exact](const auto& use) {
-    for (std::size_t a = 0; a < exact.points.size(); ++a)
-      for (std::size_t b = 0; b < exact.points.size(); ++b)
-        use((1 + exact.points[a]) * (1 + exact.points[b]) / 4,
-            -exact.weights[a] * exact.weights[b] / 4);
-  };
-
-  // log|s-t|, u = |s-t| = 2v:  ∫₀² log u ∫_{-1}^{1-u} [P_i(t+u) P_j(t) + P_i(t) P_j(t+u)]
-  // dt du
-  const auto addSelf = [&](const Quad& u, const Quad& weight) {
+// With u = |s-t|:  ∫₀² log u ∫_{-1}^{1-u} [P_i(t+u) P_j(t) + P_i(t) P_j(t+u)] dt du;
+// u = 2v, log u = log 2 + log v, and all of the basis but P_0 is orthogonal to 1.
+std::vector<Quad> PairIntegrator::tabulateSelfLog() const {
+  std::vector<Quad> table(tableSize());
+  const QuadRule& exact = polynomialRule();
+  againstLog([&](const Quad& v, const Quad& weight) {
+    const Quad u = 2 * v;
     for (std::size_t q = 0; q < exact.points.size(); ++q) {
       const Quad t = -1 + (2 - u) * (1 + exact.points[q]) / 2;
       const std::vector<Quad> low = legendre(degree_, t);
       const std::vector<Quad> high = legendre(degree_, t + u);
-      const Quad w = weight * exact.weights[q] * (2 - u) / 2;
+      const Quad w = 2 * weight * exact.weights[q] * (2 - u) / 2;
       for (int i = 0; i <= degree_; ++i)
         for (int j = 0; j <= degree_; ++j)
-          selfLog_[at(i, j)] += w * (high[i] * low[j] + low[i] * high[j]);
+          table[at(i, j)] += w * (high[i] * low[j] + low[i] * high[j]);
     }
-  };
-  againstLog([&](const Quad& v, const Quad& weight) { addSelf(2 * v, 2 * weight); });
-  const Quad log2 = log(Quad(2));
-  selfLog_[0] +=
-      4 * log2;  // log u = log 2 + log v; the rest of the basis is orthogonal to 1
+  });
+  table[0] += 4 * log(Quad(2));
+  return table;
+}
 
-  // 1/(s-t):  ∫ (P_j(t) - P_j(s))/(s-t) dt + P_j(s) log((1+s)/(1-s)),  tested with P_i
-  const QuadRule& other = rule(degree_ + 3);  // its points are none of the first rule's
-  for (std::size_t q = 0; q < exact.points.size(); ++q) {
-    const std::vector<Quad> ps = legendre(degree_, exact.points[q]);
-    for (std::size_t r = 0; r < other.points.size(); ++r) {
-      const std::vector<Quad> pt = legendre(degree_, other.points[r]);
+// ∫ P_j(t)/(s-t) dt = ∫ (P_j(t) - P_j(s))/(s-t) dt + P_j(s) log((1+s)/(1-s)), times
+// P_i(s).
+std::vector<Quad> PairIntegrator::tabulateSelfPole() const {
+  std::vector<Quad> table(tableSize());
+  const QuadRule& outer = polynomialRule();
+  const QuadRule& inner = rule(degree_ + 3);  // shares no point with the outer one
+  for (std::size_t q = 0; q < outer.points.size(); ++q) {
+    const std::vector<Quad> ps = legendre(degree_, outer.points[q]);
+    for (std::size_t r = 0; r < inner.points.size(); ++r) {
+      const std::vector<Quad> pt = legendre(degree_, inner.points[r]);
       const Quad w =
-          exact.weights[q] * other.weights[r] / (exact.points[q] - other.points[r]);
+          outer.weights[q] * inner.weights[r] / (outer.points[q] - inner.points[r]);
       for (int i = 0; i <= degree_; ++i)
         for (int j = 0; j <= degree_; ++j)
-          selfPole_[at(i, j)] += w * ps[i] * (pt[j] - ps[j]);
+          table[at(i, j)] += w * ps[i] * (pt[j] - ps[j]);
     }
   }
   againstLog([&](const Quad& v, const Quad& weight) {
     const std::vector<Quad> p = legendre(degree_, 2 * v - 1);
     for (int i = 0; i <= degree_; ++i)
       for (int j = 0; j <= degree_; ++j)
-        if ((i + j) % 2 == 1)  // f(s) - f(-s), f = P_i P_j
-          selfPole_[at(i, j)] += 4 * weight * p[i] * p[j];
+        if ((i + j) % 2 == 1)  // ∫ f(s) log((1+s)/(1-s)) ds vanishes for even f = P_i P_j
+          table[at(i, j)] += 4 * weight * p[i] * p[j];
   });
+  return table;
+}
 
-  // log max(s,t) = log s where t < s, log t elsewhere
+// log max(s,t) is log s where t < s, and log t elsewhere.
+std::vector<Quad> PairIntegrator::tabulateLogMaximum() const {
+  std::vector<Quad> table(tableSize());
+  const QuadRule& exact = polynomialRule();
   againstLog([&](const Quad& v, const Quad& weight) {
     const std::vector<Quad> p = legendre(degree_, 2 * v - 1);
     for (std::size_t q = 0; q < exact.points.size(); ++q) {
@@ -176,9 +187,10 @@ PairIntegrator::PairIntegrator(int largestDegree, double tolerance)
       const Quad w = weight * exact.weights[q] * v / 2;
       for (int i = 0; i <= degree_; ++i)
         for (int j = 0; j <= degree_; ++j)
-          logMaximum_[at(i, j)] += w * (p[i] * below[j] + below[i] * p[j]);
+          table[at(i, j)] += w * (p[i] * below[j] + below[i] * p[j]);
     }
   });
+  return table;
 }
 
 // Gauss's rule converges like R^(-2n) for functions analytic in the ellipse of sum R of
@@ -247,9 +259,8 @@ PairMoments PairIntegrator::touching(const Segment& first, int firstDegree,
   return sum;
 }
 
-// x = s first, y = t second (from the common point), {s, t} = {rho, rho eta}: d = rho
-// D(eta), so a field is rho⁰ or rho⁻¹ times its value at D, and ds dt = rho d(rho)
-// d(eta).
+// x = s first, y = t second from the common point, {s, t} = {rho, rho eta}, d = rho D:
+// a field is rho⁰ or rho⁻¹ times its value at D(eta), and ds dt = rho drho deta.
 void PairIntegrator::addTriangle(PairMoments& sum, const QuadVec& first,
                                  const QuadVec& second, Leader leader) const {
   const QuadVec& lead = leader == Leader::first ? first : second;

@@ -99,6 +99,16 @@ class PairIntegrator {
                 const Segment& second, std::array<Quad, 2> t) const;
   int points(const Quad& distance, const Quad& length, int degree) const;
   const QuadRule& rule(int n) const { return rules_[static_cast<std::size_t>(n)]; }
+  /// Exact for products of two basis polynomials and two factors more.
+  const QuadRule& polynomialRule() const { return rule(degree_ + 2); }
+  template <class Use>
+  void againstLog(const Use& use) const;
+  std::vector<Quad> tabulateSelfLog() const;
+  std::vector<Quad> tabulateSelfPole() const;
+  std::vector<Quad> tabulateLogMaximum() const;
+  std::size_t tableSize() const {
+    return static_cast<std::size_t>((degree_ + 1) * (degree_ + 1));
+  }
   std::size_t at(int i, int j) const {
     return static_cast<std::size_t>(i * (degree_ + 1) + j);
   }
