@@ -60,16 +60,19 @@ std::vector<double> Space::samplePoints(int degree) const {
   return points;
 }
 
-Vector Space::interpolateSamples(const std::vector<Vec2>& samples) const {
+Vector Space::interpolateSamples(const std::vector<int>& elements,
+                                 const std::vector<Vec2>& samples) const {
   Vector u(static_cast<std::size_t>(displacements()));
   const Vec2* sample = samples.data();
-  for (int e = 0; e < mesh_.size(); ++e) {
+  for (const int e : elements) {
     const int p = mesh_[e].degree;
     const Vec2 start = sample[0];
     const Vec2 end = sample[1];
     sample += 2;
     u[displacement(e, 0, 0)] = start.x;
     u[displacement(e, 0, 1)] = start.y;
+    u[displacement(e, 1, 0)] = end.x;
+    u[displacement(e, 1, 1)] = end.y;
     if (p == 1)
       continue;
     const Rule& rule = gaussLegendre(p + 6);

@@ -3,6 +3,8 @@
 #include "bem/base/Matrix.hpp"
 #include "bem/mesh/Mesh.hpp"
 
+#include <numeric>
+
 namespace epafi::bem {
 
 /// The numbering of the discrete spaces on a mesh.                      [P (10), (11)]
@@ -42,28 +44,35 @@ class Space {
   /// derivative is the best approximation in L² on each element, of exactly what the
   /// space holds: linear fields are met to rounding.
   template <class Field>
-  Vector interpolate(const Field& field) const;
+  Vector interpolate(const Field& field) const {
+    std::vector<int> all(static_cast<std::size_t>(mesh_.size()));
+    std::iota(all.begin(), all.end(), 0);
+    return interpolateOn(all, field);
+  }
+
+  /// The same on some elements only, of a field that need not exist elsewhere; unknowns
+  /// of other elements are zero.
+  template <class Field>
+  Vector interpolateOn(const std::vector<int>& elements, const Field& field) const {
+    std::vector<Vec2> samples;
+    for (const int e : elements)
+      for (const double t : samplePoints(mesh_[e].degree))
+        samples.push_back(field(mesh_.scaledPoint(e, t)));
+    return interpolateSamples(elements, samples);
+  }
 
   /// The three rigid motions (1,0), (0,1), (-y, x) about the origin of the scaled
   /// outline.
   Matrix rigidMotions() const;
 
  private:
-  Vector interpolateSamples(const std::vector<Vec2>& samples) const;
+  Vector interpolateSamples(const std::vector<int>& elements,
+                            const std::vector<Vec2>& samples) const;
   std::vector<double> samplePoints(int degree) const;
 
   Mesh mesh_;
   std::vector<Index> displacementStart_;
   std::vector<Index> densityStart_;
 };
-
-template <class Field>
-Vector Space::interpolate(const Field& field) const {
-  std::vector<Vec2> samples;
-  for (int e = 0; e < mesh_.size(); ++e)
-    for (const double t : samplePoints(mesh_[e].degree))
-      samples.push_back(field(mesh_.scaledPoint(e, t)));
-  return interpolateSamples(samples);
-}
 
 }  // namespace epafi::bem

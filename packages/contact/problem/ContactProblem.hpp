@@ -12,7 +12,7 @@ namespace epafi::contact {
 
 /// The stabilised mixed problem [P (13)] on one mesh, condensed onto the multiplier:
 ///
-///   A u + Bᵀ λ = f,   (μ - λ)ᵀ (B u - M λ - g) <= 0 for all admissible μ     [design.md 4.1]
+///   A u + Bᵀ λ = f,   (μ - λ)ᵀ (B u - M λ - g) <= 0 for all admissible μ [design.md 4.1]
 ///
 /// Eliminates all displacements once; numbers() is what the nonlinear solver sees,
 /// displacement() leads back.  Holds nothing of the mesh's operators beyond construction
@@ -29,9 +29,10 @@ class ContactProblem {
     Stabilization stabilization;
   };
 
-  /// \throws bem::InputError if the conditions contradict each other or leave a rigid motion
-  ///   that is both fixed and clamped; bem::NumericalError if A is not positive definite, with
-  ///   the largest safe gamma0.
+  /// \throws bem::InputError if the conditions contradict each other or leave a rigid
+  /// motion
+  ///   that is both fixed and clamped; bem::NumericalError if A is not positive definite,
+  ///   with the largest safe gamma0.
   explicit ContactProblem(const Input& input);
   ~ContactProblem();
   ContactProblem(ContactProblem&&) noexcept;
@@ -45,15 +46,16 @@ class ContactProblem {
   /// Consistent load f of the Neumann data, all unknowns.
   const Vector& load() const;
 
-  /// A u + Bᵀ λ - f, all unknowns: zero where nothing is prescribed, apart from what holds the
-  /// fixed rigid motions; where a displacement is prescribed, the clamp's force on the body.
+  /// A u + Bᵀ λ - f, all unknowns: zero where nothing is prescribed, apart from what
+  /// holds the fixed rigid motions; where a displacement is prescribed, the clamp's force
+  /// on the body.
   Vector residual(const State& state) const;
 
   /// γ on a contact element (index into multiplier().elements()), dimensionless.
   double gamma(std::size_t contactElement) const;
 
-  /// ρ: amplitude of the uniform traction that holds each fixed rigid motion (x, y, rotation
-  /// about the boundary's centroid); zero for those not fixed.
+  /// ρ: amplitude of the uniform traction that holds each fixed rigid motion (x, y,
+  /// rotation about the boundary's centroid); zero for those not fixed.
   Vector fixedReactions(const State& state) const;
 
  private:

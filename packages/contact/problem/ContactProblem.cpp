@@ -1,0 +1,283 @@
+#include "contact/problem/ContactProblem.hpp"
+
+#include "bem/algebra/Blas.hpp"
+#include "bem/base/Error.hpp"
+#include "contact/problem/Coupling.hpp"
+#include "contact/problem/Loads.hpp"
+#include "contact/problem/RigidConstraints.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace epafi::contact {
+
+using bem::DenseAlgebra;
+using bem::Rows;
+
+namespace {
+
+double inner(const Vector& a, const Vector& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+void axpy(double s, const Vector& x, Vector& y) {
+  for (std::size_t i = 0; i < y.size(); ++i)
+    y[i] += s * x[i];
+}
+
+Vector columnOf(const Matrix& a, Index j) {
+  return {a.column(j), a.column(j) + a.rows()};
+}
+
+/// Clamped rows and columns become those of the identity, and every allowed rigid motion
+/// gets the stiffness of its functional, which makes A positive definite:  A + Σ c cᵀ.
+Matrix constrain(Matrix lower, const Rows& mine, const Loads& loads,
+                 const RigidConstraints& rigid) {
+  for (Index j = 0; j < lower.columns(); ++j)
+    for (Index i = 0; i < lower.rows(); ++i) {
+      const Index row = i + mine.begin;
+      if (loads.clamped[static_cast<std::size_t>(row)] != 0 ||
+          loads.clamped[static_cast<std::size_t>(j)] != 0)
+        lower(i, j) = row == j ? 1 : 0;
+    }
+  for (Index k = 0; k < rigid.functionals.columns(); ++k) {
+    const double* c = rigid.functionals.column(k);
+    for (Index j = 0; j < lower.columns(); ++j)
+      for (Index i = 0; i < lower.rows(); ++i)
+        lower(i, j) += c[i + mine.begin] * c[j];
+  }
+  return lower;
+}
+
+/// Rows of clamped unknowns set to zero.
+void clearClamped(Matrix& rows, const Rows& mine, const Loads& loads) {
+  for (Index j = 0; j < rows.columns(); ++j)
+    for (Index i = 0; i < rows.rows(); ++i)
+      if (loads.clamped[static_cast<std::size_t>(i + mine.begin)] != 0)
+        rows(i, j) = 0;
+}
+
+double largestEigenvalue(Matrix symmetric) {
+  const int n = static_cast<int>(symmetric.rows());
+  const int ld = static_cast<int>(symmetric.stride());
+  Vector values(static_cast<std::size_t>(n));
+  Vector work(static_cast<std::size_t>(std::max(1, 34 * n)));
+  const int size = static_cast<int>(work.size());
+  int info = 0;
+  dsyev_("N", "L", &n, symmetric.data(), &ld, values.data(), work.data(), &size, &info);
+  return info == 0 && n > 0 ? values.back() : 0;
+}
+
+}  // namespace
+
+struct ContactProblem::Parts {
+  Problem numbers;
+  MultiplierSpace multiplier;
+  Vector gamma;
+  Loads loads;
+  RigidConstraints rigid;
+  std::unique_ptr<bem::CholeskyFactor> factor;  ///< of A, constrained
+  Matrix couplingTransposed;                    ///< Bᵀ, clamped rows kept
+  const DenseAlgebra* algebra;
+  Index unknowns = 0;
+
+  Vector load;      ///< f - A u_D on the unclamped unknowns
+  Vector constant;  ///< u_D and what Fix makes of it
+
+  /// Bᵀ λ as a replicated vector.
+  Vector push(const Vector& lambda) const {
+    return algebra->multiply(couplingTransposed, unknowns, lambda);
+  }
+
+  /// The unclamped, non-rigid displacement under a force: A⁺ of design.md 4.1.
+  Vector respond(Vector force) const {
+    for (std::size_t j = 0; j < force.size(); ++j)
+      if (loads.clamped[j] != 0)
+        force[j] = 0;
+    Vector u = factor->solve(force);
+    for (Index k = 0; k < rigid.allowed.columns(); ++k) {
+      const Vector r = columnOf(rigid.allowed, k);
+      axpy(-inner(r, force), r, u);
+    }
+    return u;
+  }
+
+  /// B u for a replicated displacement.
+  Vector pull(const Vector& u) const {
+    const Rows mine = algebra->myRows(unknowns);
+    Vector result(static_cast<std::size_t>(couplingTransposed.columns()));
+    for (Index i = 0; i < couplingTransposed.columns(); ++i)
+      for (Index j = 0; j < mine.size(); ++j)
+        result[static_cast<std::size_t>(i)] +=
+            couplingTransposed(j, i) * u[static_cast<std::size_t>(j + mine.begin)];
+    return algebra->sum(std::move(result));
+  }
+};
+
+namespace {
+
+/// \throws NumericalError with the largest safe gamma0 if A = S - S^ is not definite.
+std::unique_ptr<bem::CholeskyFactor> factorise(const ContactProblem::Input& input,
+                                               Matrix a, const Matrix& stabilisationHalf,
+                                               const Loads& loads,
+                                               const RigidConstraints& rigid) {
+  const DenseAlgebra& algebra = input.stiffness.algebra();
+  const Rows mine = algebra.myRows(input.space.displacements());
+  try {
+    return algebra.cholesky(constrain(std::move(a), mine, loads, rigid),
+                            "the stiffness matrix");
+  } catch (const bem::NumericalError&) {
+    if (stabilisationHalf.columns() == 0)
+      throw;
+  }
+  const auto stiffness = algebra.cholesky(
+      constrain(input.stiffness.stiffness().copy(), mine, loads, rigid), "S");
+  Matrix half = stabilisationHalf.copy();
+  clearClamped(half, mine, loads);
+  const Matrix reduced = stiffness->forward(std::move(half));
+  const Index columns = reduced.columns();
+  const Rows mineOfColumns = algebra.myRows(columns);
+  const Matrix gram = algebra.replicate(
+      algebra.addGram(Matrix(mineOfColumns.size(), columns), reduced), columns);
+  const double safe = input.stabilization.gamma0 / largestEigenvalue(gram.copy());
+  throw bem::NumericalError(bem::message(
+      "the stabilised stiffness S - S^ is not positive definite: "
+      "Discretization->Stabilization->",
+      "Gamma0 = ", input.stabilization.gamma0, " is too large for this mesh; below ",
+      safe, " it is definite, and a quarter of that is safe"));
+}
+
+/// D = B A⁻¹ Bᵀ + M - Σ (B r)(B r)ᵀ, full and on every process.
+Matrix condense(const DenseAlgebra& algebra, const bem::CholeskyFactor& factor,
+                Matrix couplingTransposed, const Matrix& mass,
+                const Matrix& coupledRigid) {
+  const Index m = couplingTransposed.columns();
+  const Rows mine = algebra.myRows(m);
+  Matrix lower(mine.size(), m);
+  for (Index j = 0; j < m; ++j)
+    for (Index i = 0; i < mine.size(); ++i) {
+      const Index row = i + mine.begin;
+      lower(i, j) = mass(row, j);
+      for (Index k = 0; k < coupledRigid.columns(); ++k)
+        lower(i, j) -= coupledRigid(row, k) * coupledRigid(j, k);
+    }
+  const Matrix half = factor.forward(std::move(couplingTransposed));
+  Matrix d = algebra.replicate(algebra.addGram(std::move(lower), half), m);
+  for (Index j = 0; j < m; ++j)
+    for (Index i = j + 1; i < m; ++i)
+      d(j, i) = d(i, j);
+  return d;
+}
+
+}  // namespace
+
+ContactProblem::ContactProblem(const Input& input) {
+  const DenseAlgebra& algebra = input.stiffness.algebra();
+  const Index n = input.space.displacements();
+  const Rows mine = algebra.myRows(n);
+
+  Loads loads = makeLoads(input.space, input.conditions, input.units);
+  RigidConstraints rigid =
+      makeRigidConstraints(makeRigidModes(input.space), loads, input.conditions.fix);
+  MultiplierSpace multiplier(input.space.mesh(), input.basis, input.conditions);
+  Coupling coupling = makeCoupling(input, multiplier);
+  Obstacle obstacle = makeObstacle(input.space.mesh(), multiplier, input.units);
+
+  Matrix a = algebra.addOuter(input.stiffness.stiffness().copy(),
+                              coupling.stabilisationHalf, -1);
+  Vector load = loads.load;
+  axpy(-1, algebra.multiplySymmetric(a, loads.prescribed), load);
+  auto factor = factorise(input, std::move(a), coupling.stabilisationHalf, loads, rigid);
+
+  // what Fix makes of the prescribed displacement: the whole of u has no mean motion
+  Vector constant = loads.prescribed;
+  const RigidModes modes = makeRigidModes(input.space);
+  for (Index k = 0; k < rigid.fixed(); ++k) {
+    const Vector functional =
+        columnOf(modes.functionals, rigid.fixedModes[static_cast<std::size_t>(k)]);
+    axpy(-inner(functional, loads.prescribed), columnOf(rigid.allowed, k), constant);
+  }
+
+  parts_.reset(new Parts{{},
+                         std::move(multiplier),
+                         std::move(coupling.gamma),
+                         std::move(loads),
+                         std::move(rigid),
+                         std::move(factor),
+                         std::move(coupling.couplingTransposed),
+                         &algebra,
+                         n,
+                         std::move(load),
+                         std::move(constant)});
+  Parts& parts = *parts_;
+  Problem& numbers = parts.numbers;
+  const Index m = parts.multiplier.size();
+
+  Matrix coupledRigid(m, parts.rigid.allowed.columns());
+  for (Index k = 0; k < coupledRigid.columns(); ++k) {
+    const Vector b = parts.pull(columnOf(parts.rigid.allowed, k));
+    std::copy(b.begin(), b.end(), coupledRigid.column(k));
+  }
+  Matrix unclamped = parts.couplingTransposed.copy();
+  clearClamped(unclamped, mine, parts.loads);
+  numbers.flexibility = condense(algebra, *parts.factor, std::move(unclamped),
+                                 coupling.multiplierMass, coupledRigid);
+  numbers.normals = parts.multiplier.normals();
+  numbers.tangentials = std::move(obstacle.tangentials);
+  Vector u = parts.respond(parts.load);
+  axpy(1, parts.constant, u);
+  numbers.offset = parts.pull(u);
+  for (std::size_t i = 0; i < obstacle.gap.size(); ++i)
+    numbers.offset[i] -= obstacle.gap[i];
+
+  const Index fixed = parts.rigid.fixed();
+  numbers.rigid = Matrix(m, parts.rigid.free());
+  for (Index k = 0; k < parts.rigid.free(); ++k) {
+    std::copy_n(coupledRigid.column(fixed + k), m, numbers.rigid.column(k));
+    numbers.rigidLoad.push_back(
+        inner(columnOf(parts.rigid.allowed, fixed + k), parts.load));
+  }
+  // dimensionless: strains and stresses are of one size
+  const double size = parts.loads.largestTraction + parts.loads.largestDisplacement +
+                      obstacle.largestPenetration;
+  numbers.stress = size > 0 ? size : 1;
+}
+
+ContactProblem::~ContactProblem() = default;
+ContactProblem::ContactProblem(ContactProblem&&) noexcept = default;
+
+const Problem& ContactProblem::numbers() const { return parts_->numbers; }
+const MultiplierSpace& ContactProblem::multiplier() const { return parts_->multiplier; }
+const Vector& ContactProblem::load() const { return parts_->loads.load; }
+double ContactProblem::gamma(std::size_t contactElement) const {
+  return parts_->gamma[contactElement];
+}
+
+Vector ContactProblem::displacement(const State& state) const {
+  const Parts& parts = *parts_;
+  Vector force = parts.load;
+  if (!state.multiplier.empty())
+    axpy(-1, parts.push(state.multiplier), force);
+  Vector u = parts.respond(std::move(force));
+  axpy(1, parts.constant, u);
+  for (Index k = 0; k < static_cast<Index>(state.rigid.size()); ++k)
+    axpy(state.rigid[static_cast<std::size_t>(k)],
+         columnOf(parts.rigid.allowed, parts.rigid.fixed() + k), u);
+  return u;
+}
+
+Vector ContactProblem::fixedReactions(const State& state) const {
+  const Parts& parts = *parts_;
+  Vector force = parts.load;
+  if (!state.multiplier.empty())
+    axpy(-1, parts.push(state.multiplier), force);
+  Vector reactions(3, 0.0);
+  for (Index k = 0; k < parts.rigid.fixed(); ++k)
+    reactions[static_cast<std::size_t>(
+        parts.rigid.fixedModes[static_cast<std::size_t>(k)])] =
+        -inner(columnOf(parts.rigid.allowed, k), force);
+  return reactions;
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,211 @@
+#include "contact/problem/Coupling.hpp"
+
+#include "bem/base/Error.hpp"
+#include "bem/basis/Legendre.hpp"
+#include "bem/quadrature/Gauss.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace epafi::contact {
+
+using bem::Element;
+using bem::Rows;
+using bem::Rule;
+using bem::Vec2;
+using ContactElement = MultiplierSpace::ContactElement;
+
+namespace {
+
+double gammaOn(const bem::Mesh& mesh, int e, const ContactProblem::Input& input) {
+  const Stabilization& s = input.stabilization;
+  if (s.form == Stabilization::Form::None)
+    return 0;
+  const Element& element = mesh[e];
+  // a coarse element beside a tiny one would lose definiteness with its own size
+  const double h =
+      2 * std::min({element.half, mesh[element.previous].half, mesh[element.next].half});
+  const double degrees = std::pow(element.degree, -2 - s.eta);
+  if (s.scaling == Stabilization::Scaling::Absolute) {
+    const double physical =
+        s.gamma0 * std::pow(h * input.units.length, 1 + s.beta) * degrees;
+    return physical * input.units.stress / input.units.length;
+  }
+  const double nearlyIncompressible = std::min(1.0, 50 * (1 - 2 * input.lame.nu));
+  return s.gamma0 * nearlyIncompressible * std::pow(h, 1 + s.beta) * degrees;
+}
+
+/// Column i: the coefficients of χ_i in the orthonormal Legendre polynomials on the
+/// element.
+Matrix orthonormalCoefficients(const MultiplierBasis& basis, const Element& element) {
+  const int p = element.degree;
+  const Rule& rule = bem::gaussLegendre(p + 1);
+  Matrix coefficients(p + 1, p + 1);
+  std::array<double, bem::largestDegree + 1> legendre{};
+  for (int q = 0; q < rule.size(); ++q) {
+    const Vector chi = basis.values(p, rule.points[q]);
+    bem::legendreValues(p, rule.points[q], legendre.data());
+    for (int i = 0; i <= p; ++i)
+      for (int k = 0; k <= p; ++k)
+        coefficients(k, i) += rule.weights[q] *
+                              std::sqrt(element.half * (2 * k + 1) / 2) * legendre[k] *
+                              chi[i];
+  }
+  return coefficients;
+}
+
+/// Column k: the coefficients of φ_k in the same polynomials.
+Matrix displacementCoefficients(const Element& element) {
+  Matrix coefficients = bem::DisplacementBasis::legendreCoefficients(element.degree);
+  for (Index k = 0; k < coefficients.columns(); ++k)
+    for (Index i = 0; i < coefficients.rows(); ++i)
+      coefficients(i, k) *=
+          std::sqrt(2 * element.half / (2 * static_cast<double>(i) + 1));
+  return coefficients;
+}
+
+bem::TractionRows tractions(const ContactProblem::Input& input,
+                            const MultiplierSpace& multiplier) {
+  std::vector<int> elements;
+  for (const ContactElement& element : multiplier.elements())
+    elements.push_back(element.element);
+  const auto form = input.stabilization.form == Stabilization::Form::Exact
+                        ? bem::TractionForm::Exact
+                        : bem::TractionForm::Projected;
+  return bem::tractionRows(input.space, input.lame, input.stiffness, elements, form);
+}
+
+/// Adds the normal or tangential coefficients of one element to Bᵀ and M.
+class CouplingWriter {
+ public:
+  CouplingWriter(const ContactProblem::Input& input, const MultiplierSpace& multiplier,
+                 Coupling& coupling)
+      : space_(input.space),
+        basis_(multiplier.basis()),
+        mine_(input.stiffness.algebra().myRows(input.space.displacements())),
+        coupling_(coupling) {}
+
+  void write(const ContactElement& contact, double gamma,
+             const bem::TractionRows& tractions, Index firstTraction) const {
+    const Element& element = space_.mesh()[contact.element];
+    writeDirection(contact, contact.normal, element.normal, gamma, tractions,
+                   firstTraction);
+    if (contact.tangential >= 0)
+      writeDirection(contact, contact.tangential, turnLeft(element.normal), gamma,
+                     tractions, firstTraction);
+  }
+
+ private:
+  void writeDirection(const ContactElement& contact, Index first, Vec2 direction,
+                      double gamma, const bem::TractionRows& tractions,
+                      Index firstTraction) const {
+    const Element& element = space_.mesh()[contact.element];
+    const int p = element.degree;
+    const Matrix chi = orthonormalCoefficients(basis_, element);
+    const Matrix phi = displacementCoefficients(element);
+    const double components[2] = {direction.x, direction.y};
+    for (int i = 0; i <= p; ++i) {
+      for (int k = 0; k <= p; ++k) {
+        double product = 0;
+        double mass = 0;
+        for (int l = 0; l <= p; ++l) {
+          product += chi(l, i) * phi(l, k);
+          mass += chi(l, i) * chi(l, k);
+        }
+        for (int c = 0; c < 2; ++c) {
+          const Index unknown = space_.displacement(contact.element, k, c);
+          if (mine_.contain(unknown))
+            coupling_.couplingTransposed(unknown - mine_.begin, first + i) +=
+                components[c] * product;
+        }
+        coupling_.multiplierMass(first + i, first + k) += gamma * mass;
+      }
+      if (gamma == 0)
+        continue;
+      double* column = coupling_.couplingTransposed.column(first + i);
+      for (int l = 0; l <= p; ++l)
+        for (int c = 0; c < 2; ++c) {
+          const double factor = gamma * chi(l, i) * components[c];
+          const double* traction = tractions.rows.column(firstTraction + 2 * l + c);
+          for (Index j = 0; j < mine_.size(); ++j)
+            column[j] -= factor * traction[j];
+        }
+    }
+  }
+
+  const bem::Space& space_;
+  const MultiplierBasis& basis_;
+  Rows mine_;
+  Coupling& coupling_;
+};
+
+}  // namespace
+
+Coupling makeCoupling(const ContactProblem::Input& input,
+                      const MultiplierSpace& multiplier) {
+  const Index mine = input.stiffness.algebra().myRows(input.space.displacements()).size();
+  Coupling coupling;
+  coupling.couplingTransposed = Matrix(mine, multiplier.size());
+  coupling.multiplierMass = Matrix(multiplier.size(), multiplier.size());
+  bem::TractionRows traction;
+  traction.start.assign(multiplier.elements().size() + 1, 0);
+  const bool stabilised = input.stabilization.form != Stabilization::Form::None;
+  if (stabilised)
+    traction = tractions(input, multiplier);
+
+  const CouplingWriter writer(input, multiplier, coupling);
+  for (std::size_t k = 0; k < multiplier.elements().size(); ++k) {
+    const ContactElement& contact = multiplier.elements()[k];
+    const double gamma = gammaOn(input.space.mesh(), contact.element, input);
+    coupling.gamma.push_back(gamma);
+    writer.write(contact, gamma, traction, traction.start[k]);
+    const double root = std::sqrt(gamma);
+    for (Index c = traction.start[k]; c < traction.start[k + 1]; ++c)
+      for (Index j = 0; j < mine; ++j)
+        traction.rows(j, c) *= root;
+  }
+  coupling.stabilisationHalf = stabilised ? std::move(traction.rows) : Matrix(mine, 0);
+  return coupling;
+}
+
+Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
+                      bem::Units units) {
+  Obstacle obstacle;
+  obstacle.gap.assign(static_cast<std::size_t>(multiplier.normals()), 0.0);
+  for (const ContactElement& contact : multiplier.elements()) {
+    const Element& element = mesh[contact.element];
+    const Rule& rule = bem::gaussLegendre(contact.degree + 12);
+    for (int q = 0; q < rule.size(); ++q) {
+      const Vec2 x = mesh.physicalPoint(contact.element, rule.points[q]);
+      const double gap =
+          contact.condition->gap ? contact.condition->gap(x) / units.length : 0.0;
+      obstacle.largestPenetration = std::max(obstacle.largestPenetration, -gap);
+      const Vector chi = multiplier.basis().values(contact.degree, rule.points[q]);
+      for (std::size_t i = 0; i < chi.size(); ++i)
+        obstacle.gap[static_cast<std::size_t>(contact.normal) + i] +=
+            rule.weights[q] * element.half * gap * chi[i];
+    }
+  }
+  for (const ContactElement& contact : multiplier.elements()) {
+    if (contact.tangential < 0)
+      continue;
+    const FrictionLaw& law = *contact.condition->law;
+    const Vector places = multiplier.basis().places(contact.degree);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const Vec2 x = mesh.physicalPoint(contact.element, places[i]);
+      const double strength =
+          contact.condition->strength ? contact.condition->strength(x) : 0.0;
+      if (!(strength >= 0 && std::isfinite(strength)))
+        throw bem::InputError(bem::message(
+            "boundary '", *contact.boundary, "': ", law.parameter, " = ", strength,
+            " at (", x.x, ", ", x.y, "); it must be finite and not negative"));
+      obstacle.tangentials.push_back(
+          {contact.normal + static_cast<Index>(i), &law,
+           law.strengthIsStress ? strength / units.stress : strength});
+    }
+  }
+  return obstacle;
+}
+
+}  // namespace epafi::contact

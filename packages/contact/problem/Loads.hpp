@@ -1,0 +1,37 @@
+#pragma once
+
+#include "bem/base/Units.hpp"
+#include "bem/space/Space.hpp"
+#include "contact/problem/Conditions.hpp"
+
+namespace epafi::contact {
+
+using bem::Index;
+using bem::Matrix;
+using bem::Vector;
+
+/// Loads and prescribed displacements as numbers, dimensionless.
+struct Loads {
+  Vector load;                ///< f_j = ∫ traction · φ_j ds
+  Vector prescribed;          ///< displacement with the clamped values, zero elsewhere
+  std::vector<char> clamped;  ///< per unknown: given by a Dirichlet condition?
+  double largestTraction = 0;
+  double largestDisplacement = 0;
+};
+
+/// \throws bem::InputError for a condition on a boundary that the mesh does not have, or
+/// on
+///   one boundary twice.
+Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Units units);
+
+/// ∫ φ_j · r ds for the rigid motions r of Space::rigidMotions, with the rotation about
+/// the boundary's centroid: 3 vectors over the displacements.
+struct RigidModes {
+  Matrix motions;      ///< displacements x 3: (1,0), (0,1), rotation about the centroid
+  Matrix functionals;  ///< displacements x 3: column k pairs u to ∫ u · r_k ds
+  bem::Vec2 centroid;  ///< in scaled coordinates
+};
+
+RigidModes makeRigidModes(const bem::Space& space);
+
+}  // namespace epafi::contact

@@ -1,0 +1,227 @@
+#include "contact/problem/RigidConstraints.hpp"
+
+#include "bem/algebra/Blas.hpp"
+#include "bem/base/Error.hpp"
+
+#include <algorithm>
+
+namespace epafi::contact {
+
+namespace {
+
+/// A = U diag(s) Vᵀ; V whole, so that its last columns span the kernel.
+struct Svd {
+  Matrix u;   ///< rows x min(rows, columns)
+  Vector s;   ///< min(rows, columns), descending
+  Matrix vt;  ///< columns x columns
+};
+
+Svd singularValues(Matrix a) {
+  const int m = static_cast<int>(a.rows());
+  const int n = static_cast<int>(a.columns());
+  const int k = std::min(m, n);
+  Svd svd{Matrix(m, std::max(1, k)), Vector(static_cast<std::size_t>(k)), Matrix(n, n)};
+  if (k == 0) {
+    for (Index i = 0; i < n; ++i)
+      svd.vt(i, i) = 1;
+    return svd;
+  }
+  Matrix u(m, m);
+  Vector work(static_cast<std::size_t>(16 * (m + n)));
+  const int size = static_cast<int>(work.size());
+  const int lda = static_cast<int>(a.stride());
+  const int ldu = static_cast<int>(u.stride());
+  const int ldvt = static_cast<int>(svd.vt.stride());
+  int info = 0;
+  dgesvd_("A", "A", &m, &n, a.data(), &lda, svd.s.data(), u.data(), &ldu, svd.vt.data(),
+          &ldvt, work.data(), &size, &info);
+  if (info != 0)
+    throw bem::NumericalError("the singular values of the rigid motions do not converge");
+  for (Index j = 0; j < k; ++j)
+    std::copy_n(u.column(j), m, svd.u.column(j));
+  return svd;
+}
+
+int rank(const Svd& svd, double threshold) {
+  return static_cast<int>(
+      std::count_if(svd.s.begin(), svd.s.end(), [&](double s) { return s > threshold; }));
+}
+
+Matrix multiply(const Matrix& a, const Matrix& b) {
+  Matrix product(a.rows(), b.columns());
+  for (Index j = 0; j < b.columns(); ++j)
+    for (Index k = 0; k < a.columns(); ++k)
+      for (Index i = 0; i < a.rows(); ++i)
+        product(i, j) += a(i, k) * b(k, j);
+  return product;
+}
+
+Matrix transpose(const Matrix& a) {
+  Matrix result(a.columns(), a.rows());
+  for (Index j = 0; j < a.columns(); ++j)
+    for (Index i = 0; i < a.rows(); ++i)
+      result(j, i) = a(i, j);
+  return result;
+}
+
+/// Columns first ... last-1 of Vᵀ's transpose.
+Matrix rightVectors(const Svd& svd, Index first, Index last) {
+  Matrix result(svd.vt.columns(), last - first);
+  for (Index j = first; j < last; ++j)
+    for (Index i = 0; i < result.rows(); ++i)
+      result(i, j - first) = svd.vt(j, i);
+  return result;
+}
+
+/// What the motions do at the clamped unknowns, reduced to 3 x 3 by Gram-Schmidt so that
+/// its singular values are accurate.
+Matrix clampedMotions(const RigidModes& modes, const Loads& loads) {
+  std::vector<Index> rows;
+  for (Index j = 0; j < modes.motions.rows(); ++j)
+    if (loads.clamped[static_cast<std::size_t>(j)] != 0 &&
+        (modes.motions(j, 0) != 0 || modes.motions(j, 1) != 0 ||
+         modes.motions(j, 2) != 0))
+      rows.push_back(j);
+  Matrix q(static_cast<Index>(rows.size()), 3);
+  for (Index c = 0; c < 3; ++c)
+    for (std::size_t r = 0; r < rows.size(); ++r)
+      q(static_cast<Index>(r), c) = modes.motions(rows[r], c);
+  Matrix reduced(3, 3);
+  for (Index c = 0; c < 3; ++c) {
+    for (Index k = 0; k < c; ++k)
+      for (int twice = 0; twice < 2; ++twice) {
+        double projection = 0;
+        for (Index r = 0; r < q.rows(); ++r)
+          projection += q(r, k) * q(r, c);
+        for (Index r = 0; r < q.rows(); ++r)
+          q(r, c) -= projection * q(r, k);
+        reduced(k, c) += projection;
+      }
+    double square = 0;
+    for (Index r = 0; r < q.rows(); ++r)
+      square += q(r, c) * q(r, c);
+    const double length = std::sqrt(square);
+    reduced(c, c) = length;
+    for (Index r = 0; r < q.rows(); ++r)
+      q(r, c) = length > 0 ? q(r, c) / length : 0;
+  }
+  return reduced;
+}
+
+std::vector<int> namedModes(const Conditions::Fix& fix) {
+  std::vector<int> modes;
+  if (fix.x)
+    modes.push_back(0);
+  if (fix.y)
+    modes.push_back(1);
+  if (fix.rotation)
+    modes.push_back(2);
+  return modes;
+}
+
+/// Without what clamps take: the functionals act on what is left of u.
+Matrix withoutClamped(Matrix columns, const Loads& loads) {
+  for (Index c = 0; c < columns.columns(); ++c)
+    for (Index j = 0; j < columns.rows(); ++j)
+      if (loads.clamped[static_cast<std::size_t>(j)] != 0)
+        columns(j, c) = 0;
+  return columns;
+}
+
+/// Keeps the first `fixed` functionals, which are dual to the first motions already, and
+/// changes the others so that all are dual to all.
+Matrix dualTo(const Matrix& motions, Matrix functionals, Index fixed) {
+  const Matrix pairing = multiply(transpose(functionals), motions);
+  const Index free = motions.columns() - fixed;
+  const Index n = functionals.rows();
+  for (Index k = fixed; k < motions.columns(); ++k)
+    for (Index l = 0; l < fixed; ++l)
+      for (Index j = 0; j < n; ++j)
+        functionals(j, k) -= pairing(k, l) * functionals(j, l);
+  if (free == 0)
+    return functionals;
+  Matrix gram(free, free);
+  Matrix right(free, n);
+  for (Index k = 0; k < free; ++k) {
+    for (Index l = 0; l < free; ++l)
+      gram(k, l) = pairing(fixed + k, fixed + l);
+    for (Index j = 0; j < n; ++j)
+      right(k, j) = functionals(j, fixed + k);
+  }
+  const int size = static_cast<int>(free);
+  const int columns = static_cast<int>(n);
+  const int lda = static_cast<int>(gram.stride());
+  const int ldb = static_cast<int>(right.stride());
+  std::vector<int> pivots(static_cast<std::size_t>(free));
+  int info = 0;
+  dgesv_(&size, &columns, gram.data(), &lda, pivots.data(), right.data(), &ldb, &info);
+  if (info != 0)
+    throw bem::NumericalError(
+        "the free rigid motions cannot be told apart on this boundary");
+  for (Index k = 0; k < free; ++k)
+    for (Index j = 0; j < n; ++j)
+      functionals(j, fixed + k) = right(k, j);
+  return functionals;
+}
+
+}  // namespace
+
+RigidConstraints makeRigidConstraints(const RigidModes& modes, const Loads& loads,
+                                      const Conditions::Fix& fix) {
+  const Svd clamps = singularValues(clampedMotions(modes, loads));
+  // motions are of size 1, coordinates known to 1e-16
+  const Matrix allowedCombinations = rightVectors(clamps, rank(clamps, 1e-12), 3);
+  const Index allowed = allowedCombinations.columns();
+
+  RigidConstraints constraints;
+  constraints.fixedModes = namedModes(fix);
+  const Index fixed = constraints.fixed();
+
+  // values of the named functionals on the allowed motions, and of all three
+  const Matrix pairing = multiply(transpose(modes.functionals), modes.motions);
+  const Matrix onAllowed = multiply(pairing, allowedCombinations);
+  Matrix named(fixed, allowed);
+  for (Index k = 0; k < fixed; ++k)
+    for (Index a = 0; a < allowed; ++a)
+      named(k, a) = onAllowed(constraints.fixedModes[static_cast<std::size_t>(k)], a);
+  const Svd held = singularValues(named.copy());
+  if (rank(held, 1e-10) < fixed) {
+    constexpr const char* names[] = {"X", "Y", "Rotation"};
+    std::string list;
+    for (const int mode : constraints.fixedModes)
+      list += (list.empty() ? "" : ", ") + std::string(names[mode]);
+    throw bem::InputError(
+        "Rigid Motions->Fix = {" + list +
+        "}: the clamps already hold at least one of these motions; name "
+        "only those that no Dirichlet condition stops");
+  }
+  // combinations of the allowed motions: pseudo-inverse for the fixed, kernel for the
+  // free
+  Matrix combinations(allowed, allowed);
+  for (Index k = 0; k < fixed; ++k)
+    for (Index a = 0; a < allowed; ++a)
+      for (Index s = 0; s < fixed; ++s)
+        combinations(a, k) +=
+            held.vt(s, a) / held.s[static_cast<std::size_t>(s)] * held.u(k, s);
+  for (Index k = fixed; k < allowed; ++k)
+    for (Index a = 0; a < allowed; ++a)
+      combinations(a, k) = held.vt(k, a);
+  const Matrix inModes = multiply(allowedCombinations, combinations);
+  constraints.allowed = withoutClamped(multiply(modes.motions, inModes), loads);
+
+  // functionals of the free motions: ∫ u · r ds, made dual to all allowed motions
+  Matrix functionals(modes.functionals.rows(), allowed);
+  for (Index k = 0; k < fixed; ++k)
+    std::copy_n(
+        modes.functionals.column(constraints.fixedModes[static_cast<std::size_t>(k)]),
+        functionals.rows(), functionals.column(k));
+  for (Index k = fixed; k < allowed; ++k)
+    for (Index m = 0; m < 3; ++m)
+      for (Index j = 0; j < functionals.rows(); ++j)
+        functionals(j, k) += inModes(m, k) * modes.functionals(j, m);
+  functionals = withoutClamped(std::move(functionals), loads);
+  constraints.functionals = dualTo(constraints.allowed, std::move(functionals), fixed);
+  return constraints;
+}
+
+}  // namespace epafi::contact

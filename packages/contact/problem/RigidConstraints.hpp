@@ -1,0 +1,26 @@
+#pragma once
+
+#include "contact/problem/Loads.hpp"
+
+namespace epafi::contact {
+
+/// How the body's rigid motions are held: by clamps, by Fix, or not at all.
+///
+/// `allowed` columns are the rigid motions that no clamp stops: first those that Fix
+/// holds, then the free ones.  `functionals` pairs with them: functional k of motion l is
+/// δ_kl; those of the fixed motions are exactly  ∫ u · r ds  of the modes that Fix names.
+struct RigidConstraints {
+  Matrix allowed;      ///< displacements x (fixed + free)
+  Matrix functionals;  ///< displacements x (fixed + free)
+  std::vector<int>
+      fixedModes;  ///< which of x (0), y (1), rotation (2) Fix holds, in order
+
+  Index fixed() const { return static_cast<Index>(fixedModes.size()); }
+  Index free() const { return allowed.columns() - fixed(); }
+};
+
+/// \throws bem::InputError if a mode of Fix is held by clamps already.
+RigidConstraints makeRigidConstraints(const RigidModes& modes, const Loads& loads,
+                                      const Conditions::Fix& fix);
+
+}  // namespace epafi::contact
