@@ -1,6 +1,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/mesh/Mesh.hpp"
 #include "bem/quadrature/Gauss.hpp"
+#include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/Commands.hpp"
 #include "drivers/SceneReader.hpp"
 
@@ -11,13 +12,20 @@ namespace epafi::drivers {
 
 namespace {
 
-/// Where conditions are evaluated on an element: nodes of the multiplier (Gauss points of
-/// low order), loads and their estimator (higher order).
+/// Where loads are integrated on an element; a rule of higher order than any that is
+/// used.
 std::vector<double> quadraturePoints(int degree) {
-  std::vector<double> points;
-  for (int n : {degree, degree + 1, 2 * degree + 8})
-    for (double t : bem::gaussLegendre(n).points)
-      points.push_back(t);
+  return bem::gaussLegendre(2 * degree + 8).points;
+}
+
+/// Where gaps, bounds and prescribed displacements are sampled: also at the multiplier's
+/// own places and at the ends of the element.
+std::vector<double> samplingPoints(const Scene& scene) {
+  std::vector<double> points = quadraturePoints(scene.degree);
+  const auto places = contact::multiplierBasis(scene.multiplier).places(scene.degree);
+  points.insert(points.end(), places.begin(), places.end());
+  points.push_back(-1);
+  points.push_back(1);
   return points;
 }
 
@@ -33,9 +41,7 @@ void evaluate(const bem::Mesh& mesh, const std::string& boundary,
 
 void evaluateAll(const Scene& scene, const bem::Mesh& mesh) {
   const std::vector<double> inner = quadraturePoints(scene.degree);
-  std::vector<double> closed = inner;  // contact: Lobatto nodes include the ends
-  closed.push_back(-1);
-  closed.push_back(1);
+  const std::vector<double> closed = samplingPoints(scene);
   for (const auto& [boundary, condition] : scene.conditions.dirichlet)
     evaluate(mesh, boundary, {condition.x, condition.y}, closed);
   for (const auto& [boundary, condition] : scene.conditions.neumann)
@@ -93,6 +99,8 @@ int checkCommand(const std::vector<std::string>& arguments, std::ostream& out) {
     const std::string& argument = arguments[i];
     if (argument == "--set" && i + 1 < arguments.size())
       overrides.push_back(arguments[++i]);
+    else if (argument.rfind("--set=", 0) == 0)
+      overrides.push_back(argument.substr(6));
     else if (argument.rfind("--", 0) == 0 || !file.empty())
       throw bem::InputError(bem::message("check: argument '", argument,
                                          "' is not understood; usage: epafi check "

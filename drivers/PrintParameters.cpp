@@ -35,15 +35,24 @@ std::string markdownText(const std::string& text) {
   return replaced(text, {{'|', "\\|"}, {'<', "&lt;"}, {'>', "&gt;"}, {'*', "\\*"}});
 }
 
+bool isList(const Parameter& row) {
+  return row.kind == Kind::List || row.kind == Kind::Free;
+}
+
+/// A list that is not required may be left out: its keys then have their defaults.
+std::string standardOf(const Parameter& row) {
+  if (row.required)
+    return "required";
+  if (isList(row))
+    return "may be left out";
+  return row.standard.empty() ? "none" : row.standard;
+}
+
 std::string typeOf(const Parameter& row) {
   return row.kind == Kind::Expression ? "string: expression in x, y" : typeName(row.kind);
 }
 
-std::string standardOf(const Parameter& row) {
-  return row.required ? "required" : row.standard.empty() ? "none" : row.standard;
-}
-
-/// "only under Law 'Tresca'"
+/// "only with Law 'Tresca'"
 std::string restriction(const Parameter& row) {
   if (row.only.empty())
     return "";
@@ -63,16 +72,11 @@ std::string remarks(const Parameter& row) {
   return text;
 }
 
-bool isList(const Parameter& row) {
-  return row.kind == Kind::List || row.kind == Kind::Free;
-}
-
 std::string plainText() {
   std::ostringstream out;
   for (const Parameter& row : parameters()) {
-    out << row.path << "\n    " << typeOf(row);
-    if (!isList(row) || row.required)
-      out << ", default: " << standardOf(row);
+    out << row.path << "\n    " << typeOf(row) << (isList(row) ? ", " : ", default: ")
+        << standardOf(row);
     if (!row.range().empty())
       out << ", range: " << row.range();
     out << "\n    " << remarks(row) << "\n";

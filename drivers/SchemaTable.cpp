@@ -1,4 +1,6 @@
+#include "adaptivity/refine/Strategy.hpp"
 #include "contact/law/FrictionLaw.hpp"
+#include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/Schema.hpp"
 
 namespace epafi::drivers {
@@ -42,6 +44,25 @@ class Row {
 };
 
 using Table = std::vector<Parameter>;
+
+/// The names of a family: friction laws, multiplier bases, strategies.
+template <class Family>
+std::vector<std::string> namesOf(const Family& family) {
+  std::vector<std::string> names;
+  for (const auto& member : family)
+    names.push_back(member.name);
+  return names;
+}
+
+/// "A: what A does; B: what B does"
+template <class Family>
+std::string meanings(const Family& family) {
+  std::string text;
+  for (const auto& member : family)
+    text +=
+        (text.empty() ? "" : "; ") + (std::string(member.name) + ": " + member.meaning);
+  return text;
+}
 
 void add(Table& table, const std::vector<Row>& rows) {
   for (const Row& row : rows)
@@ -120,12 +141,9 @@ void addConditions(Table& table) {
           Row(boundary + "->Friction", Kind::List, "how much shear the contact carries")
               .only("Contact"),
       });
-  std::vector<std::string> laws;
-  for (const contact::FrictionLaw& law : contact::frictionLaws())
-    laws.push_back(law.name);
   table.push_back(Row(boundary + "->Friction->Law", Kind::Text, "friction law")
-                      .standard(laws.front())
-                      .allowed(laws)
+                      .standard(contact::frictionLaws().front().name)
+                      .allowed(namesOf(contact::frictionLaws()))
                       .done());
   for (const contact::FrictionLaw& law : contact::frictionLaws())
     if (*law.parameter != '\0')
@@ -169,10 +187,10 @@ void addDiscretization(Table& table) {
               .unit("1")
               .standard("1")
               .range({1, 25}),
-          Row("Discretization->Multiplier", Kind::Text, "basis of the contact stress")
+          Row("Discretization->Multiplier", Kind::Text,
+              "basis of the contact stress; " + meanings(contact::multiplierBases()))
               .standard("Gauss-Legendre-Lagrange")
-              .allowed(
-                  {"Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange", "Bernstein"}),
+              .allowed(namesOf(contact::multiplierBases())),
           Row(stabilization, Kind::List, "stabilisation of the mixed method"),
           Row(stabilization + "->Form", Kind::Text,
               "the boundary stress S u: projected onto polynomials, exact, or no "
@@ -242,11 +260,9 @@ void addRun(Table& table) {
   add(table,
       {
           Row("Adaptivity", Kind::List, "from one level to the next"),
-          Row("Adaptivity->Strategy", Kind::Text,
-              "None: one level; Uniform h halves all elements, Uniform p raises all "
-              "degrees")
+          Row("Adaptivity->Strategy", Kind::Text, meanings(adaptivity::strategies()))
               .standard("None")
-              .allowed({"None", "Uniform h", "Uniform p"}),
+              .allowed(namesOf(adaptivity::strategies())),
           Row("Adaptivity->Maximum Levels", Kind::Whole,
               "levels computed, the first included")
               .unit("1")
