@@ -88,6 +88,10 @@ std::vector<Sample> hardSamples() {
                      cutMesh(squareWithHole(), {{3, {0.5}}}, {2, 3, 1})});
   samples.push_back(
       {"square, p = 10", cutMesh(outline(unitSquare), {{1, {0.25}}}, {10})});
+  samples.push_back({"strip, elements facing at half their length, p = 1 to 10",
+                     cutMesh(outline({{0, 0}, {1, 0}, {1, 0.1}, {0, 0.1}}),
+                             {{0, {0.2, 0.4, 0.6, 0.8}}, {2, {0.17, 0.31, 0.55, 0.75}}},
+                             {10, 1, 6, 3, 2})});
   samples.push_back({"square, 48 elements, p = 3",
                      bem::makeMesh(outline(unitSquare), {12, 12, 12, 12}, 3)});
   samples.push_back({"square, 20 elements, p = 10",
