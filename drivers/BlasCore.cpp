@@ -1,13 +1,12 @@
 #include "drivers/BlasCore.hpp"
 
-#include <dlfcn.h>
-#include <omp.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
+#include <dlfcn.h>
 #include <iterator>
+#include <omp.h>
 #include <string>
+#include <unistd.h>
 
 namespace epafi::drivers {
 

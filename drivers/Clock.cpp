@@ -1,8 +1,7 @@
 #include "drivers/Clock.hpp"
 
-#include <sys/resource.h>
-
 #include <ctime>
+#include <sys/resource.h>
 
 namespace epafi::drivers {
 

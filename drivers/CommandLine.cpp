@@ -78,8 +78,8 @@ RunOptions parseRunOptions(const std::vector<std::string>& arguments) {
       value = argument.substr(equals + 1);
     else if (takesValue) {
       if (++i == arguments.size())
-        throw bem::InputError(bem::message("run: ", name, " needs a value: ", name, " ",
-                                           option.value));
+        throw bem::InputError(
+            bem::message("run: ", name, " needs a value: ", name, " ", option.value));
       value = arguments[i];
     }
     option.store(result, value);

@@ -16,7 +16,8 @@ struct RunOptions {
 };
 
 /// Options may stand before or after the scene; values as `--key value` or `--key=value`.
-/// \throws bem::InputError for an unknown option, naming the nearest, a missing or superfluous
+/// \throws bem::InputError for an unknown option, naming the nearest, a missing or
+/// superfluous
 ///   value, and anything but one scene.
 RunOptions parseRunOptions(const std::vector<std::string>& arguments);
 

@@ -45,8 +45,8 @@ std::string contactCsv(const contact::Solved& solved, int samples) {
       const contact::ContactPoint p = fields.at(element, t);
       csv.row({*element.boundary, std::to_string(element.element), exactly(p.place.x),
                exactly(p.place.y), exactly(p.pressure), exactly(p.shear),
-               exactly(p.normal), exactly(p.tangential), exactly(p.gap),
-               exactly(p.bound), p.closed ? "1" : "0", numberOf(p.friction)});
+               exactly(p.normal), exactly(p.tangential), exactly(p.gap), exactly(p.bound),
+               p.closed ? "1" : "0", numberOf(p.friction)});
     }
   return csv.text();
 }

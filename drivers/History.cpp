@@ -48,9 +48,8 @@ constexpr Column columns[] = {
      [](const LevelRow& r) { return number(r.report.coulombIterations); }},
     {"status",
      [](const LevelRow& r) {
-       return std::string(r.report.status == contact::Status::Converged
-                              ? "converged"
-                              : "not converged");
+       return std::string(
+           r.report.status == contact::Status::Converged ? "converged" : "not converged");
      }},
     {"seconds_assembly", [](const LevelRow& r) { return number(r.seconds.assembly); }},
     {"seconds_factorization",

@@ -1,8 +1,7 @@
 #include "drivers/Interrupt.hpp"
 
-#include <unistd.h>
-
 #include <csignal>
+#include <unistd.h>
 
 namespace epafi::drivers {
 

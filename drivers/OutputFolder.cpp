@@ -32,9 +32,9 @@ void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
     if (!fs::exists(fs::symlink_status(file, error)))
       continue;
     if (earlier == EarlierRun::Refuse)
-      throw bem::InputError(
-          bem::message("--output: the folder '", path.string(), "' holds an earlier run (",
-                       name, "); --force replaces it, --output DIR goes elsewhere"));
+      throw bem::InputError(bem::message(
+          "--output: the folder '", path.string(), "' holds an earlier run (", name,
+          "); --force replaces it, --output DIR goes elsewhere"));
     if (fs::is_directory(file, error) || !fs::remove(file, error))
       throw bem::InputError(bem::message("--output: '", file.string(),
                                          "' of an earlier run cannot be deleted: ",
@@ -82,10 +82,9 @@ void OutputFolder::write(const std::string& name, const std::string& text) {
 }
 
 const std::vector<std::string>& outputFiles() {
-  static const std::vector<std::string> names = {"history.csv",  "contact.csv",
-                                                 "boundary.csv", "interior.csv",
-                                                 "solution.hdf", "used.xml",
-                                                 "timings.txt"};
+  static const std::vector<std::string> names = {
+      "history.csv",  "contact.csv", "boundary.csv", "interior.csv",
+      "solution.hdf", "used.xml",    "timings.txt"};
   return names;
 }
 

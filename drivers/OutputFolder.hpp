@@ -12,7 +12,8 @@ enum class EarlierRun { Refuse, Delete };
 class OutputFolder {
  public:
   /// Makes the folder and its parents.
-  /// \throws bem::InputError if an earlier run's files are there and must not be deleted, if
+  /// \throws bem::InputError if an earlier run's files are there and must not be deleted,
+  /// if
   ///   the path is a file, or if nothing can be written there.
   OutputFolder(const std::string& path, EarlierRun earlier);
 

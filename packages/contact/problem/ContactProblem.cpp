@@ -50,6 +50,15 @@ Matrix constrain(Matrix lower, const Rows& mine, const Loads& loads,
   return lower;
 }
 
+/// All but the clamped unknowns set to zero.
+Matrix onClamped(Matrix columns, const Loads& loads) {
+  for (Index j = 0; j < columns.columns(); ++j)
+    for (Index i = 0; i < columns.rows(); ++i)
+      if (loads.clamped[static_cast<std::size_t>(i)] == 0)
+        columns(i, j) = 0;
+  return columns;
+}
+
 /// Rows of clamped unknowns set to zero.
 void clearClamped(Matrix& rows, const Rows& mine, const Loads& loads) {
   for (Index j = 0; j < rows.columns(); ++j)
@@ -84,6 +93,9 @@ struct ContactProblem::Parts {
 
   Vector load;      ///< f - A u_D on the unclamped unknowns
   Vector constant;  ///< u_D and what Fix makes of it
+
+  Matrix clampMotions;  ///< the three rigid motions v at the clamped unknowns
+  Matrix clampRows;     ///< A v, all unknowns
 
   /// Bᵀ λ as a replicated vector.
   Vector push(const Vector& lambda) const {
@@ -188,6 +200,12 @@ ContactProblem::ContactProblem(const Input& input) {
                               coupling.stabilisationHalf, -1);
   Vector load = loads.load;
   axpy(-1, algebra.multiplySymmetric(a, loads.prescribed), load);
+  Matrix clampMotions = onClamped(input.space.rigidMotions(), loads);
+  Matrix clampRows(n, clampMotions.columns());
+  for (Index k = 0; k < clampRows.columns(); ++k) {
+    const Vector row = algebra.multiplySymmetric(a, columnOf(clampMotions, k));
+    std::copy(row.begin(), row.end(), clampRows.column(k));
+  }
   auto factor = factorise(input, std::move(a), coupling.stabilisationHalf, loads, rigid);
 
   // what Fix makes of the prescribed displacement: the whole of u has no mean motion
@@ -209,7 +227,9 @@ ContactProblem::ContactProblem(const Input& input) {
                          &algebra,
                          n,
                          std::move(load),
-                         std::move(constant)});
+                         std::move(constant),
+                         std::move(clampMotions),
+                         std::move(clampRows)});
   Parts& parts = *parts_;
   Problem& numbers = parts.numbers;
   const Index m = parts.multiplier.size();
@@ -265,6 +285,19 @@ Vector ContactProblem::displacement(const State& state) const {
     axpy(state.rigid[static_cast<std::size_t>(k)],
          columnOf(parts.rigid.allowed, parts.rigid.fixed() + k), u);
   return u;
+}
+
+Vector ContactProblem::clampWork(const State& state) const {
+  const Parts& parts = *parts_;
+  const Vector u = displacement(state);
+  Vector force = parts.loads.load;
+  if (!state.multiplier.empty())
+    axpy(-1, parts.push(state.multiplier), force);
+  Vector work;
+  for (Index k = 0; k < parts.clampRows.columns(); ++k)
+    work.push_back(inner(columnOf(parts.clampRows, k), u) -
+                   inner(columnOf(parts.clampMotions, k), force));
+  return work;
 }
 
 Vector ContactProblem::fixedReactions(const State& state) const {

@@ -46,10 +46,10 @@ class ContactProblem {
   /// Consistent load f of the Neumann data, all unknowns.
   const Vector& load() const;
 
-  /// A u + Bᵀ λ - f, all unknowns: zero where nothing is prescribed, apart from what
-  /// holds the fixed rigid motions; where a displacement is prescribed, the clamp's force
-  /// on the body.
-  Vector residual(const State& state) const;
+  /// (A u + Bᵀ λ - f) · v: work of the clamps' forces on the body on the rigid motions v
+  /// of Space::rigidMotions, all but the prescribed unknowns of v set to zero.
+  /// Stabilisation included; what holds fixed rigid motions is not.
+  Vector clampWork(const State& state) const;
 
   /// γ on a contact element (index into multiplier().elements()), dimensionless.
   double gamma(std::size_t contactElement) const;

@@ -2,6 +2,7 @@
 
 #include "bem/quadrature/Gauss.hpp"
 #include "contact/problem/ContactFields.hpp"
+#include "contact/problem/Loads.hpp"
 
 #include <algorithm>
 #include <array>
@@ -102,67 +103,36 @@ void addContact(const Solved& solved, Summary& summary) {
   }
 }
 
-/// Length of the boundary and its centroid, scaled.
-struct Perimeter {
-  double length = 0;
-  Vec2 centroid;
-};
-
-Perimeter perimeter(const bem::Mesh& mesh) {
-  Perimeter result;
-  for (const bem::Element& element : mesh.elements()) {
-    result.length += 2 * element.half;
-    result.centroid = result.centroid + (2 * element.half) * element.middle;
-  }
-  result.centroid = (1 / result.length) * result.centroid;
-  return result;
-}
-
 double dotProduct(const Vector& a, const Vector& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// Work of the reactions on a rigid motion, dimensionless:
+/// Work of the reactions on the rigid motions v of Space::rigidMotions, dimensionless:
 ///
-///   R·v = Σ_c residual_c v_c + Σ_k ρ_k ∫ r_k · (v - v_c) ds,
+///   R·v = (A u + Bᵀ λ - f)·v_c + Σ_k ρ_k ∫ r_k · (v - v_c) ds,
 ///
-/// c: prescribed unknowns, v_c: v with all others zero, r_k: the fixed modes.  The
-/// residual at c contains the tractions ρ_k r_k with the wrong sign, as a force of the
-/// clamp.
-double reactionWork(const Solved& solved, const Vector& residual, const Vector& motion) {
-  const bem::Mesh& mesh = solved.space.mesh();
-  Vector clamped = motion;
+/// v_c: v at the prescribed unknowns, r_k: the fixed modes.  A clamp that lies where the
+/// traction ρ_k r_k acts takes that up again, hence v - v_c.
+std::array<double, 3> reactionWork(const Solved& solved) {
   const std::vector<bool> isPrescribed = prescribed(solved.space, solved.conditions);
-  for (std::size_t i = 0; i < clamped.size(); ++i)
-    if (!isPrescribed[i])
-      clamped[i] = 0;
-  double work = dotProduct(residual, clamped);
-
+  const bem::Matrix motions = solved.space.rigidMotions();
+  const bem::Matrix modes = makeRigidModes(solved.space).functionals;
+  const Vector clamps = solved.problem.clampWork(solved.state);
   const Vector amplitudes = solved.problem.fixedReactions(solved.state);
-  const Vec2 centroid = perimeter(mesh).centroid;
-  for (int e = 0; e < mesh.size(); ++e) {
-    const bem::Rule& rule = bem::gaussLegendre(mesh[e].degree + 1);
-    for (int i = 0; i < rule.size(); ++i) {
-      const double t = rule.points[static_cast<std::size_t>(i)];
-      const Vec2 arm = mesh.scaledPoint(e, t) - centroid;
-      const Vec2 traction =
-          Vec2{amplitudes[0], amplitudes[1]} + amplitudes[2] * bem::turnLeft(arm);
-      const Vec2 rest = solved.space.displacementAt(motion, e, t) -
-                        solved.space.displacementAt(clamped, e, t);
-      work +=
-          mesh[e].half * rule.weights[static_cast<std::size_t>(i)] * dot(traction, rest);
-    }
+  std::array<double, 3> work{};
+  for (Index v = 0; v < 3; ++v) {
+    double& sum = work[static_cast<std::size_t>(v)];
+    sum = clamps[static_cast<std::size_t>(v)];
+    for (Index i = 0; i < motions.rows(); ++i)
+      if (!isPrescribed[static_cast<std::size_t>(i)])
+        for (Index k = 0; k < 3; ++k)
+          sum += amplitudes[static_cast<std::size_t>(k)] * modes(i, k) * motions(i, v);
   }
   return work;
 }
 
 void addReactions(const Solved& solved, Summary& summary) {
-  const bem::Matrix motions = solved.space.rigidMotions();
-  const Vector residual = solved.problem.residual(solved.state);
-  std::array<double, 3> work{};
-  for (Index k = 0; k < 3; ++k)
-    work[static_cast<std::size_t>(k)] = reactionWork(
-        solved, residual, Vector(motions.column(k), motions.column(k) + motions.rows()));
+  const std::array<double, 3> work = reactionWork(solved);
 
   // From the scaled outline's origin to the user's: M = M_scaled d + origin x force.
   const Vec2 origin = solved.space.mesh().outline().physical({0, 0});
