@@ -1,0 +1,142 @@
+#include "adaptivity/refine/Refine.hpp"
+
+#include "SquareMesh.hpp"
+#include "bem/base/Error.hpp"
+#include "bem/basis/Legendre.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+
+namespace epafi {
+
+using adaptivity::Mark;
+using adaptivity::Marks;
+using contact::MultiplierSpace;
+
+namespace {
+
+Marks only(const bem::Mesh& mesh, int element, Mark mark) {
+  Marks marks(static_cast<std::size_t>(mesh.size()), Mark::None);
+  marks[static_cast<std::size_t>(element)] = mark;
+  return marks;
+}
+
+/// The last element of the first edge: it ends at a vertex.
+int lastOfFirstEdge(const bem::Mesh& mesh) {
+  int e = 0;
+  while (mesh[e + 1].piece.edge == 0)
+    ++e;
+  return e;
+}
+
+contact::Conditions contactAtBottomAndTop() {
+  contact::Conditions conditions;
+  conditions.contact["bottom"] = {
+      {}, &contact::frictionLaw("Coulomb"), [](bem::Vec2) { return 0.3; }};
+  conditions.contact["top"] = {};
+  return conditions;
+}
+
+/// Some state with no symmetry at all.
+contact::State anyState(const MultiplierSpace& space) {
+  contact::State state;
+  for (bem::Index i = 0; i < space.size(); ++i)
+    state.multiplier.push_back(std::sin(1.0 + 2.7 * static_cast<double>(i)));
+  state.rigid = {0.25, -3};
+  return state;
+}
+
+struct Place {
+  double normal;
+  double tangential;
+};
+
+/// The multiplier at a scaled point, found by searching.
+Place valueAt(const bem::Mesh& mesh, const MultiplierSpace& space,
+              const bem::Vector& multiplier, bem::Vec2 x) {
+  for (const auto& element : space.elements()) {
+    const bem::Element& e = mesh[element.element];
+    const bem::Vec2 arm = x - e.middle;
+    const double t = dot(arm, e.tangent) / e.half;
+    if (std::abs(dot(arm, e.normal)) < 1e-12 && std::abs(t) <= 1) {
+      const auto value = space.at(multiplier, element, t);
+      return {value.normal, value.tangential};
+    }
+  }
+  return {NAN, NAN};
+}
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(Refine, bisectionKeepsAllDigitsNextToBothVertices) {
+  bem::Mesh mesh = test::squareMesh(1);
+  const double first = mesh[0].half;
+  const double last = mesh[lastOfFirstEdge(mesh)].half;
+  for (int k = 1; k <= 60; ++k) {
+    mesh = adaptivity::refine(mesh, only(mesh, 0, Mark::Bisect));
+    mesh = adaptivity::refine(mesh, only(mesh, lastOfFirstEdge(mesh), Mark::Bisect));
+    TEST_FLOATING_EQUALITY(mesh[0].half, std::ldexp(first, -k), 1e-15);
+    TEST_FLOATING_EQUALITY(mesh[lastOfFirstEdge(mesh)].half, std::ldexp(last, -k), 1e-15);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Refine, theBoundaryKeepsItsLengthAndItsNames) {
+  bem::Mesh mesh = test::squareMesh(2);
+  const auto length = [](const bem::Mesh& m, const std::string& boundary) {
+    double sum = 0;
+    for (const int e : m.elementsOf(boundary))
+      sum += 2 * m[e].half;
+    return sum;
+  };
+  Marks marks(static_cast<std::size_t>(mesh.size()), Mark::None);
+  for (std::size_t e = 0; e < marks.size(); ++e)
+    marks[e] = static_cast<Mark>(e % 3);
+  const bem::Mesh next = adaptivity::refine(mesh, marks);
+  for (const char* boundary : {"bottom", "right", "top", "left"})
+    TEST_FLOATING_EQUALITY(length(next, boundary), length(mesh, boundary), 1e-14);
+}
+
+TEUCHOS_UNIT_TEST(Refine, theMultiplierStaysTheSameFunctionInEveryBasis) {
+  const contact::Conditions conditions = contactAtBottomAndTop();
+  for (const contact::MultiplierBasis& basis : contact::multiplierBases())
+    for (const int degree : {1, 2, 5, 9}) {
+      const bem::Mesh mesh = test::squareMesh(degree);
+      const MultiplierSpace space(mesh, basis, conditions);
+      const contact::State state = anyState(space);
+      Marks marks(static_cast<std::size_t>(mesh.size()), Mark::None);
+      for (std::size_t e = 0; e < marks.size(); ++e)
+        marks[e] = static_cast<Mark>(e % 3);
+
+      const adaptivity::Refined next =
+          adaptivity::refine(mesh, marks, space, conditions, state);
+      const MultiplierSpace finer(next.mesh, basis, conditions);
+      TEST_EQUALITY(static_cast<bem::Index>(next.start.multiplier.size()), finer.size());
+      TEST_COMPARE_ARRAYS(next.start.rigid, state.rigid);
+      for (const auto& element : finer.elements())
+        for (const double t : {-0.83, -0.2, 0.61}) {
+          const auto value = finer.at(next.start.multiplier, element, t);
+          const Place old = valueAt(mesh, space, state.multiplier,
+                                    next.mesh.scaledPoint(element.element, t));
+          TEST_COMPARE(std::abs(value.normal - old.normal), <, 1e-11);
+          TEST_COMPARE(std::abs(value.tangential - old.tangential), <, 1e-11);
+        }
+    }
+}
+
+TEUCHOS_UNIT_TEST(Refine, anEmptyStateStaysEmpty) {
+  const contact::Conditions conditions = contactAtBottomAndTop();
+  const bem::Mesh mesh = test::squareMesh(1);
+  const MultiplierSpace space(mesh, contact::multiplierBases().front(), conditions);
+  const adaptivity::Refined next = adaptivity::refine(
+      mesh, only(mesh, 0, Mark::RaiseDegree), space, conditions, contact::State{});
+  TEST_ASSERT(next.start.multiplier.empty());
+  TEST_EQUALITY(next.mesh[0].degree, 2);
+}
+
+TEUCHOS_UNIT_TEST(Refine, degreesAboveTheLargestAreRefused) {
+  const bem::Mesh mesh = test::squareMesh(bem::largestDegree);
+  TEST_THROW(adaptivity::refine(mesh, only(mesh, 0, Mark::RaiseDegree)), bem::InputError);
+}
+
+}  // namespace epafi
