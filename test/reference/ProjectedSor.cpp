@@ -22,6 +22,15 @@ double boundOf(const Problem& problem, const Vector& multiplier, Index i) {
   return t.law->slipBound(std::max(at(multiplier, t.normal), 0.0), t.strength);
 }
 
+// The penetration or slip that a uniform multiplier of size one makes at i.
+double response(const Problem& problem, Index i) {
+  const bool normal = i < problem.normals;
+  double sum = 0;
+  for (Index j = 0; j < problem.size(); ++j)
+    sum += (j < problem.normals) == normal ? std::abs(problem.flexibility(i, j)) : 0.0;
+  return sum;
+}
+
 // One sweep; the largest change.
 double sweep(const Problem& problem, const Matrix& d, const Vector& offset, Vector& x) {
   constexpr double relaxation = 1.2;
@@ -87,7 +96,7 @@ double violation(const Problem& problem, const State& state) {
       r -= problem.flexibility(i, j) * at(state.multiplier, j);
     for (Index j = 0; j < problem.rigidMotions(); ++j)
       r += problem.rigid(i, j) * at(state.rigid, j);
-    const double y = r / problem.flexibility(i, i);
+    const double y = r / response(problem, i);
     const double x = at(state.multiplier, i);
     if (i < problem.normals) {
       count(-x);

@@ -15,8 +15,7 @@ using bem::Vector;
 // The zeros of P_{q+1}.
 Vector gaussPlaces(int degree) { return bem::gaussLegendre(degree + 1).points; }
 
-// One step of Newton's method for P_q'(t) = 0, |t| < 1, by Legendre's differential
-// equation.
+// One step of Newton's method for P_q'(t) = 0, |t| < 1; P_q'' by Legendre's equation.
 double lobattoCorrection(int degree, double t) {
   double before = 0;
   double value = 1;

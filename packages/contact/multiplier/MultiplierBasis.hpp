@@ -7,18 +7,15 @@
 
 namespace epafi::contact {
 
-/// A basis of the polynomials of degree q >= 0 on [-1, 1] for the multiplier of one
-/// element.
+/// A basis of the polynomials of degree q >= 0 on [-1, 1], for one element's multiplier.
 ///
 /// All sum to one.  The signs of the coefficients stand for the sign of the multiplier:
-/// of its values at the nodes (Lagrange) or, Bernstein's functions being nonnegative,
-/// everywhere.
-///                                                                      [P (12), (14)]
+/// of its values at the nodes (Lagrange) or everywhere (Bernstein's functions are
+/// nonnegative).                                                          [P (12), (14)]
 struct MultiplierBasis {
   const char* name;
   const char* meaning;
-  /// The q+1 places in [-1, 1] where coefficient i stands: gap and bound are sampled
-  /// there.
+  /// The q+1 places in [-1, 1] where gap and bound of coefficient i are sampled.
   bem::Vector (*places)(int degree);
   /// The q+1 functions at t in [-1, 1].
   bem::Vector (*values)(int degree, double t);

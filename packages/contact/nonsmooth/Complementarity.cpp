@@ -27,8 +27,7 @@ Value projectedTangential(double multiplier, double slip, double bound) {
   return {-slip, 0, -1, 0};
 }
 
-// φ(a,b) = a + b - √(a²+b²): zero exactly when a ≥ 0, b ≥ 0 and ab = 0.        [Fischer
-// 1992]
+// φ(a,b) = a + b - √(a²+b²): zero exactly when a ≥ 0, b ≥ 0 and ab = 0.    [Fischer 1992]
 struct Phi {
   double value;
   double a;

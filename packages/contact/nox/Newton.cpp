@@ -24,8 +24,7 @@ using Teuchos::ParameterList;
 using Teuchos::RCP;
 using Teuchos::rcp;
 
-// What the user wrote and NOX never asked for, as A->B->Key.  What NOX filled in is no
-// concern.
+// What the user wrote and NOX never asked for, as A->B->Key.
 std::string firstUnused(const ParameterList& user, const ParameterList& run,
                         const std::string& path) {
   for (auto it = user.begin(); it != user.end(); ++it) {
@@ -35,11 +34,26 @@ std::string firstUnused(const ParameterList& user, const ParameterList& run,
           firstUnused(user.sublist(key), run.sublist(key), path + "->" + key);
       if (!inner.empty())
         return inner;
-    } else if (!run.isParameter(key) || !run.getEntry(key).isUsed()) {
+    } else if (!user.entry(it).isDefault() &&
+               (!run.isParameter(key) || !run.getEntry(key).isUsed())) {
       return path + "->" + key;
     }
   }
   return "";
+}
+
+// Adds what NOX filled in, marked as a default so that it never counts as the user's own.
+void addDefaults(ParameterList& user, const ParameterList& run) {
+  for (auto it = run.begin(); it != run.end(); ++it) {
+    const std::string& key = run.name(it);
+    if (run.isSublist(key)) {
+      addDefaults(user.sublist(key), run.sublist(key));
+    } else if (!user.isParameter(key)) {
+      Teuchos::ParameterEntry entry;
+      entry.setAnyValue(run.entry(it).getAny(false), true);
+      user.setEntry(key, entry);
+    }
+  }
 }
 
 bool isUsersOwn(const ParameterList& list, const char* sublist, const char* key) {
@@ -98,7 +112,8 @@ class RunList {
     list_->sublist("Solver Options").remove("User Defined Merit Function");
     list_->sublist("Printing").remove("Output Stream", false);
     list_->sublist("Printing").remove("Error Stream");
-    *user_ = *list_;
+    list_->remove("Output", false);
+    addDefaults(*user_, *list_);
   }
 
  private:
@@ -112,7 +127,7 @@ class RunList {
         fresh.sublist(key) = list.sublist(key);
       } else {
         Teuchos::ParameterEntry entry;
-        entry.setAnyValue(list.entry(it).getAny(false));
+        entry.setAnyValue(list.entry(it).getAny(false), list.entry(it).isDefault());
         fresh.setEntry(key, entry);
       }
     }

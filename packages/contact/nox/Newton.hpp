@@ -14,12 +14,10 @@ namespace epafi::contact {
 
 /// How one run of Newton's method chooses and shortens its steps.
 enum class NewtonMethod {
-  /// Newton's steps as NOX's list wants them: full ones unless a user asks for a line
-  /// search.
+  /// Newton's steps, full ones unless NOX's list asks for a line search.
   Newton,
   /// Projected Newton on the energy ½ λᵀDλ - d₀ᵀλ over the box, Armijo's rule along the
-  /// projected arc.  Only without rigid motions and with fixed bounds.      [Bertsekas
-  /// 1982]
+  /// projected arc.  Only without rigid motions and with fixed bounds.   [Bertsekas 1982]
   ProjectedDescent,
   /// Armijo's rule on ½|F|²; the equation's function must have a smooth merit function.
   MeritDescent

@@ -12,8 +12,9 @@ namespace epafi::contact {
 namespace {
 
 constexpr double growthLimit = 1e6;
-constexpr double hasFallen = 0.999;  // a cycle repeats its residual up to rounding
-constexpr std::size_t memory = 4;    // steps looked at for restless coefficients
+constexpr double hasFallen = 0.999;       // a cycle repeats its residual up to rounding
+constexpr std::size_t patientSteps = 12;  // without progress
+constexpr std::size_t memory = 4;         // steps looked at for restless coefficients
 
 int differences(const ActiveSet& a, const ActiveSet& b) {
   int count = 0;
@@ -46,6 +47,10 @@ void StepTest::record(const Evaluation& e) {
   } else {
     run_.setChanges.push_back(differences(sets_.back(), e.set));
   }
+  if (sets_.empty() || e.scaled < 0.9 * improved_) {
+    improved_ = e.scaled;
+    progress_ = sets_.size();
+  }
   if (e.scaled < least_) {
     least_ = e.scaled;
     run_.best = e.unknowns;
@@ -74,6 +79,8 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
     const auto before = seen_.find(e.set);
     if (before != seen_.end() && e.scaled >= hasFallen * before->second &&
         --patience_ <= 0)
+      fail(NewtonRun::End::Restless);
+    else if (sets_.size() > progress_ + patientSteps)
       fail(NewtonRun::End::Restless);
     else if (e.scaled > growthLimit * std::max(first_, 1.0))
       fail(NewtonRun::End::Growth);

@@ -38,6 +38,8 @@ class StepTest final : public NOX::StatusTest::Generic {
   std::map<ActiveSet, double> seen_;  // a set, and the residual when it was last seen
   double first_ = 0;
   double least_ = 0;
+  double improved_ = 0;       // the residual at the last real progress
+  std::size_t progress_ = 0;  // and the step
 };
 
 }  // namespace epafi::contact

@@ -17,7 +17,7 @@ struct ContactState {
   std::vector<FrictionState> tangential;  ///< SlipForward: λₜ = +s; SlipBackward: λₜ = -s
 };
 
-/// Closed where λ + r/D_ii > 0; slip where |λ + r/D_ii| reaches the bound.
+/// Closed where λ + c r > 0 (c: see Equation); slip where |λ + c r| reaches the bound.
 ContactState classify(const Problem& problem, const State& state);
 
 }  // namespace epafi::contact

@@ -1,6 +1,7 @@
 #include "contact/solve/CoulombIteration.hpp"
 
 #include "bem/base/Error.hpp"
+#include "contact/solve/FrictionContinuation.hpp"
 #include "contact/solve/Tresca.hpp"
 
 #include <algorithm>
@@ -130,7 +131,14 @@ Solution newton(const Problem& problem, const State& start, Equation::Bound boun
   if (descent.end == NewtonRun::End::Converged)
     return {unpack(problem, descent.best), std::move(report)};
 
-  return fixedPoint(problem, unpack(problem, run.best), std::move(report), options);
+  Solution followed = followFriction(problem, options);
+  const int updates = report.coulombIterations + followed.report.newtonIterations;
+  followed.report.newtonIterations += report.newtonIterations;
+  followed.report.coulombIterations = updates;
+  if (followed.report.status == Status::Converged)
+    return followed;
+  return fixedPoint(problem, unpack(problem, run.best), std::move(followed.report),
+                    options);
 }
 
 }  // namespace

@@ -36,8 +36,9 @@ struct SolverOptions {
 ///
 /// Frictionless and Tresca problems go to Newton directly; with a bound that depends on
 /// the pressure the iteration of the options is used.  Slow convergence is reported, not
-/// thrown. \throws bem::NumericalError if the arithmetic breaks down (singular Jacobian,
-/// NaN).
+/// thrown.
+/// \throws bem::NumericalError if the arithmetic breaks down (singular Jacobian, NaN) or
+///   nothing balances the load; bem::InputError for what is wrong in options.nox.
 Solution solve(const Problem& problem, const State& start, const SolverOptions& options);
 
 }  // namespace epafi::contact

@@ -55,6 +55,7 @@ Vector projectedNewtonStep(const Equation& equation, const Evaluation& e) {
   const double epsilon = problem.stress * std::min(1e-3, e.scaled);
 
   Evaluation split = e;
+  Vector right = e.penetration;
   for (Index i = 0; i < problem.size(); ++i) {
     const double multiplier = e.unknowns[at(i)];
     const double y = e.penetration[at(i)];
@@ -66,8 +67,15 @@ Vector projectedNewtonStep(const Equation& equation, const Evaluation& e) {
     }
     split.rows[at(i)] = pushed ? Complementarity::Value{-y, 1, 0, 0}
                                : Complementarity::Value{-y, 0, -1, 0};
+    if (pushed)
+      right[at(i)] = 0;
   }
-  return NewtonSystem(equation, split).solve(e.penetration);
+  // The projection cuts the pushed ones short, so the others must not reckon with them.
+  Vector d = NewtonSystem(equation, split).solve(right);
+  for (Index i = 0; i < problem.size(); ++i)
+    if (split.rows[at(i)].penetration == 0)
+      d[at(i)] = e.penetration[at(i)];
+  return d;
 }
 
 Vector meritDescentStep(const Equation& equation, const Evaluation& e) {

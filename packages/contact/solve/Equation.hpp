@@ -26,13 +26,14 @@ struct Evaluation {
 
 /// F(x) = 0, the condensed contact problem as a semismooth equation in stresses.
 ///
-///   rows of λ:   complementarity(λ_i, c_i r_i, s_i),   c_i = 1/D_ii
+///   rows of λ:   complementarity(λ_i, c_i r_i, s_i),   c_i = 1/Σ|D_ij| (j of i's kind)
 ///   rows of α:   (Gᵀλ - q)_j / Σ_i |G_ij|
 ///
 /// Convergence is measured by the natural residual λ - P(λ + c r) whatever the function
 /// is, so that a tolerance means the same for all of them.  A row counts as solved when
-/// it is below the tolerance or below what rounding makes of it, 8 eps c_i (|D||λ| + |d₀|
-/// + |G||α|)_i.
+/// it is below the tolerance or below what rounding makes of it,
+///
+///   8 eps c_i (|D||λ| + |d₀| + |G||α|)_i.
 ///
 /// Refers to the problem, which must outlive it.
 class Equation {

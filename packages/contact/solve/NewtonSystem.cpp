@@ -325,8 +325,7 @@ struct NewtonSystem::Impl {
     return d;
   }
 
-  // M d - Ĝ β = x, Ĝᵀ d = h  is the same with M + Ĝ Ĝᵀ on the left and x + Ĝ h on the
-  // right.
+  // M d - Ĝ β = x, Ĝᵀ d = h  is the same as  (M + Ĝ Ĝᵀ) d - Ĝ β = x + Ĝ h, Ĝᵀ d = h.
   void solveSymmetric(Vector& x) const {
     const Index c = border.columns();
     const Vector h(x.begin() + count(), x.end());

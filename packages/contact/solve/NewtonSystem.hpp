@@ -14,18 +14,16 @@ struct SingularJacobian : bem::NumericalError {
 
 /// The factorised linear system of one semismooth Newton step:  J d = b.
 ///
-/// Rows whose coefficient's change is known (open, slipping) are eliminated.  What is
-/// left,
+/// Rows whose coefficient's change is known (open, slipping) are eliminated.  The rest,
 ///
 ///   D_II + diag(a/(-b c)) ,   bordered by the free rigid motions G_I,
 ///
 /// is symmetric positive definite on {G_Iᵀ d = 0} as long as no slip bound is
-/// differentiated: Cholesky with the border by its Schur complement.  Otherwise LU of the
-/// same reduced size.
+/// differentiated: Cholesky with the border by its Schur complement.  Otherwise LU, of
+/// the same reduced size.
 ///
 /// Rigid motions that the inactive rows do not hold (no contact yet, everything slips)
-/// are left out of the step; `unheld` says how far they are from balance.  See
-/// rigidPlacement.
+/// are left out of the step; `unheld` tells which of them the load demands.
 class NewtonSystem {
  public:
   /// \throws SingularJacobian if the Jacobian is singular.
@@ -45,9 +43,10 @@ class NewtonSystem {
   std::unique_ptr<Impl> impl_;
 };
 
-/// J⁻¹ (-F) or, where a rigid motion is not held, the step that moves the body along it
-/// until the penalty forces P(λ + c r) balance the load. \throws bem::NumericalError if
-/// no such position exists: the load has no counterpart.
+/// J⁻¹ (-F) or, where a rigid motion is not held, a step that makes it so: closed places
+/// of Coulomb friction stick for this step, whatever their bound; where this does not
+/// help, the body moves until the penalty forces P(λ + c r) balance the load. \throws
+/// bem::NumericalError if no such position exists: the load has no counterpart.
 Vector newtonStep(const Equation& equation, const Evaluation& at);
 
 }  // namespace epafi::contact

@@ -45,13 +45,11 @@ NewtonRun minimise(const Problem& box, const Vector& start, double tolerance,
   return runNewton(equation, start, NewtonMethod::ProjectedDescent, maximumIterations);
 }
 
-/// The augmented Lagrangian of  min ½ λᵀDλ - d₀ᵀλ,  Gᵀλ = q,  as a sequence of box
-/// problems
+/// The augmented Lagrangian of  min ½ λᵀDλ - d₀ᵀλ,  Gᵀλ = q:  a sequence of box problems
 ///
 ///   D + ρ G W Gᵀ,   d₀ + G (α + ρ W q),   then  α ← α - ρ W (Gᵀλ - q).
 ///
-/// W gives each motion size one.  Convex: converges for every ρ > 0.       [Rockafellar
-/// 1973]
+/// W gives each motion size one.  Convex: converges for every ρ > 0.   [Rockafellar 1973]
 class AugmentedLagrangian {
  public:
   AugmentedLagrangian(const Problem& problem, const Vector& weights)
@@ -105,11 +103,17 @@ Solution descendWithBalance(const Equation& equation, const Vector& start, Repor
   constexpr int polishing = 4;
   const Problem& problem = equation.problem();
   const Vector bounds = problem.slipBounds({});
+  // Near the solution active sets are found at once; the function of the options brought
+  // us here.
+  const Equation sharp(problem, complementarity("Projection"),
+                       Equation::Bound::Differentiated, options.tolerance);
   AugmentedLagrangian lagrangian(problem, equation.weights());
   State state = unpack(problem, start);
   for (int update = 0; update < maximumUpdates; ++update) {
     const NewtonRun inner = minimise(lagrangian.boxProblem(state.rigid), state.multiplier,
                                      options.tolerance, options.maximumIterations);
+    if (inner.end == NewtonRun::End::Singular)
+      throw bem::NumericalError(inner.message);
     report = extended(std::move(report), inner, problem);
     state.multiplier = inner.best;
     const Vector change = lagrangian.update(state.multiplier);
@@ -117,7 +121,7 @@ Solution descendWithBalance(const Equation& equation, const Vector& start, Repor
     for (std::size_t j = 0; j < change.size(); ++j)
       state.rigid[j] += change[j];
     const NewtonRun polished =
-        runNewton(equation, pack(problem, state), NewtonMethod::Newton, polishing);
+        runNewton(sharp, pack(problem, state), NewtonMethod::Newton, polishing);
     report = extended(std::move(report), polished, problem);
     if (polished.end == NewtonRun::End::Converged)
       return {unpack(problem, polished.last), std::move(report)};
@@ -173,6 +177,8 @@ Solution solveFixedBounds(const Problem& problem, const State& start,
 
   const NewtonRun descent =
       minimise(problem, run.best, options.tolerance, options.maximumIterations);
+  if (descent.end == NewtonRun::End::Singular)
+    throw bem::NumericalError(descent.message);
   report = extended(std::move(report), descent, problem);
   return {unpack(problem, descent.best), std::move(report)};
 }

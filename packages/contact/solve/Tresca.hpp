@@ -5,13 +5,14 @@
 
 namespace epafi::contact {
 
-/// Solves a problem whose slip bounds do not depend on the pressure: frictionless or
-/// Tresca.
+/// Solves a problem whose slip bounds do not depend on the pressure: none, or
+/// Tresca's.
 ///
 /// Newton's method with full steps; where these cycle, grow or meet a singular Jacobian,
 /// the energy of the quadratic programme  min ½ λᵀDλ - d₀ᵀλ  over the box, Gᵀλ = q  takes
 /// over. It falls with each step and so cannot cycle.  Gᵀλ = q is reached by an augmented
-/// Lagrangian, whose last digits come from Newton's steps again. \throws
+/// Lagrangian, whose last digits come from Newton's steps again.
+/// \throws
 /// bem::NumericalError see solve()
 Solution solveFixedBounds(const Problem& problem, const State& start,
                           const SolverOptions& options);

@@ -1,0 +1,92 @@
+#include "contact/solve/FrictionContinuation.hpp"
+
+#include "bem/base/Error.hpp"
+#include "contact/solve/Tresca.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace epafi::contact {
+
+namespace {
+
+constexpr double firstStep = 0.25;
+constexpr double smallestStep = 1.0 / 256;
+
+// The problem with another law's strength; everything else is copied once.
+class ScaledFriction {
+ public:
+  explicit ScaledFriction(const Problem& problem)
+      : original_(problem.tangentials),
+        scaled_(withSlipBounds(problem, problem.slipBounds({}))) {}
+
+  const Problem& at(double theta) {
+    for (std::size_t t = 0; t < original_.size(); ++t) {
+      scaled_.tangentials[t] = original_[t];
+      scaled_.tangentials[t].strength *= theta;
+    }
+    return scaled_;
+  }
+
+ private:
+  const std::vector<Tangential>& original_;
+  Problem scaled_;
+};
+
+// Full steps, then Armijo's on the smooth merit function.
+Solution correct(const Problem& problem, const State& start,
+                 const SolverOptions& options) {
+  const Equation sharp(problem, complementarity("Projection"),
+                       Equation::Bound::Differentiated, options.tolerance);
+  const NewtonRun newton = runNewton(sharp, pack(problem, start), NewtonMethod::Newton,
+                                     options.maximumIterations);
+  Report report = extended({}, newton, problem);
+  if (newton.end == NewtonRun::End::Converged)
+    return {unpack(problem, newton.last), std::move(report)};
+  const Equation smooth(problem, complementarity("Fischer-Burmeister"),
+                        Equation::Bound::Differentiated, options.tolerance);
+  const NewtonRun descent = runNewton(smooth, newton.best, NewtonMethod::MeritDescent,
+                                      options.maximumIterations);
+  report = extended(std::move(report), descent, problem);
+  return {unpack(problem, descent.best), std::move(report)};
+}
+
+Report joined(Report later, const Report& earlier) {
+  later.newtonIterations += earlier.newtonIterations;
+  later.setChanges.insert(later.setChanges.begin(), earlier.setChanges.begin(),
+                          earlier.setChanges.end());
+  later.globalised = true;
+  return later;
+}
+
+}  // namespace
+
+Solution followFriction(const Problem& problem, const SolverOptions& options) {
+  Solution now;
+  ScaledFriction friction(problem);
+  try {
+    now = solveFixedBounds(friction.at(0), {}, options);
+  } catch (const bem::NumericalError& error) {
+    now.report.reason = error.what();  // without friction there is no equilibrium
+  }
+  double theta = 0;
+  double step = firstStep;
+  while (now.report.status == Status::Converged && theta < 1) {
+    const double next = std::min(1.0, theta + step);
+    Solution trial = correct(friction.at(next), now.state, options);
+    trial.report = joined(std::move(trial.report), now.report);
+    if (trial.report.status == Status::Converged) {
+      theta = next;
+      step *= 1.5;
+      now = std::move(trial);
+    } else {
+      step *= 0.5;
+      now.report.newtonIterations = trial.report.newtonIterations;
+      if (step < smallestStep)
+        now.report = std::move(trial.report);
+    }
+  }
+  return now;
+}
+
+}  // namespace epafi::contact

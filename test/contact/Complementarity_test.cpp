@@ -1,0 +1,164 @@
+#include "contact/nonsmooth/Complementarity.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace {
+
+using namespace epafi::contact;
+
+double projectedTo(double x, double low, double high) { return std::clamp(x, low, high); }
+
+// Away from the kinks of either function by this much.
+constexpr double distance = 1e-2;
+
+bool nearKink(double multiplier, double y, double s) {
+  return std::abs(multiplier + y - s) < distance ||
+         std::abs(multiplier + y + s) < distance ||
+         std::hypot(multiplier - s, y) < distance ||
+         std::hypot(multiplier + s, y) < distance;
+}
+
+TEUCHOS_UNIT_TEST(Complementarity, normalVanishesExactlyOnSignorinisGraph) {
+  for (const auto& f : complementarities()) {
+    for (double a : {0.0, 1e-9, 0.3, 7.0}) {
+      TEST_COMPARE(std::abs(f.normal(a, 0).value), <, 1e-15);
+      TEST_COMPARE(std::abs(f.normal(0, -a).value), <, 1e-15);
+    }
+    for (double a : {0.1, 2.0}) {
+      TEST_COMPARE(std::abs(f.normal(-a, 0).value), >, 0.05);  // tension
+      TEST_COMPARE(std::abs(f.normal(0, a).value), >, 0.05);   // penetration
+      TEST_COMPARE(std::abs(f.normal(a, -a).value), >, 0.05);  // pressure across a gap
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(Complementarity, tangentialVanishesExactlyOnTrescasGraph) {
+  for (const auto& f : complementarities())
+    for (double s : {0.0, 0.5, 2.0}) {
+      for (double a : {0.0, 0.3, 9.0}) {
+        TEST_COMPARE(std::abs(f.tangential(s, a, s).value), <, 1e-15);
+        TEST_COMPARE(std::abs(f.tangential(-s, -a, s).value), <, 1e-15);
+      }
+      TEST_COMPARE(std::abs(f.tangential(0.5 * s, 0, s).value), <, 1e-15);
+      for (double a : {0.1, 2.0}) {
+        TEST_COMPARE(std::abs(f.tangential(s + a, 0, s).value), >, 0.02);
+        TEST_COMPARE(std::abs(f.tangential(-s - a, 0, s).value), >, 0.02);
+        if (s > 0) {
+          TEST_COMPARE(std::abs(f.tangential(s, -a, s).value), >, 0.02);
+          TEST_COMPARE(std::abs(f.tangential(-s, a, s).value), >, 0.02);
+          TEST_COMPARE(std::abs(f.tangential(0, a, s).value), >, 0.02);
+        }
+      }
+    }
+}
+
+TEUCHOS_UNIT_TEST(Complementarity, slopesAreDifferenceQuotientsAwayFromKinks) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> number(-2, 2);
+  const double h = 1e-6;
+  for (const auto& f : complementarities())
+    for (int k = 0; k < 2000; ++k) {
+      const double multiplier = number(random);
+      const double y = number(random);
+      const double s = k % 5 == 0 ? 0.0 : std::abs(number(random));
+      if (nearKink(multiplier, y, 0) || nearKink(multiplier, y, s))
+        continue;
+      const auto n = f.normal(multiplier, y);
+      const auto quotient = [h](double up, double down) { return (up - down) / (2 * h); };
+      TEST_COMPARE(std::abs(n.multiplier - quotient(f.normal(multiplier + h, y).value,
+                                                    f.normal(multiplier - h, y).value)),
+                   <, 1e-7);
+      TEST_COMPARE(std::abs(n.penetration - quotient(f.normal(multiplier, y + h).value,
+                                                     f.normal(multiplier, y - h).value)),
+                   <, 1e-7);
+      const auto t = f.tangential(multiplier, y, s);
+      TEST_COMPARE(
+          std::abs(t.multiplier - quotient(f.tangential(multiplier + h, y, s).value,
+                                           f.tangential(multiplier - h, y, s).value)),
+          <, 1e-7);
+      TEST_COMPARE(
+          std::abs(t.penetration - quotient(f.tangential(multiplier, y + h, s).value,
+                                            f.tangential(multiplier, y - h, s).value)),
+          <, 1e-7);
+      if (s > h)
+        TEST_COMPARE(
+            std::abs(t.bound - quotient(f.tangential(multiplier, y, s + h).value,
+                                        f.tangential(multiplier, y, s - h).value)),
+            <, 1e-7);
+    }
+}
+
+/// Across every kink the slope of F² jumps for a function that says it is not smooth, and
+/// does not for one that says it is.
+TEUCHOS_UNIT_TEST(Complementarity, theMeritIsSmoothExactlyWhereTheTableSaysSo) {
+  for (const auto& f : complementarities()) {
+    double jump = 0;
+    const double h = 1e-7;
+    const auto look = [&](double multiplier, double y, double s) {
+      // Both sides of a kink at (multiplier, y), in many directions.
+      for (int k = 0; k < 16; ++k) {
+        const double a = h * std::cos(0.39 * k);
+        const double b = h * std::sin(0.39 * k);
+        const auto up = f.tangential(multiplier + a, y + b, s);
+        const auto down = f.tangential(multiplier - a, y - b, s);
+        jump = std::max(
+            {jump, std::abs(up.value * up.multiplier - down.value * down.multiplier),
+             std::abs(up.value * up.penetration - down.value * down.penetration)});
+        const auto in = f.normal(multiplier + a, y + b);
+        const auto out = f.normal(multiplier - a, y - b);
+        jump = std::max(jump,
+                        std::abs(in.value * in.multiplier - out.value * out.multiplier));
+      }
+    };
+    for (double s : {0.0, 1.0})
+      for (double x = -2; x <= 2; x += 0.25) {
+        look(x, s - x, s);
+        look(x, -s - x, s);
+        look(s, x, s);
+        look(-s, x, s);
+        look(x, 0, s);
+        look(x, -x, s);
+      }
+    if (f.meritIsSmooth)
+      TEST_COMPARE(jump, <, 1e-5);
+    if (!f.meritIsSmooth)
+      TEST_COMPARE(jump, >, 0.1);
+  }
+}
+
+/// What keeps Newton's matrix definite: F grows with λ and falls with y, never both flat.
+TEUCHOS_UNIT_TEST(Complementarity, slopesHaveTheirSignsAndNeverVanishTogether) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> number(-2, 2);
+  for (const auto& f : complementarities())
+    for (int k = 0; k < 5000; ++k) {
+      // Kinks included.
+      const double s = k % 3 == 0 ? 0.0 : 1.0;
+      const double multiplier = k % 7 == 0 ? s : number(random);
+      const double y = k % 4 == 0 ? 0.0 : (k % 11 == 0 ? s - multiplier : number(random));
+      for (const auto& row : {f.normal(multiplier, y), f.tangential(multiplier, y, s)}) {
+        TEST_COMPARE(row.multiplier, >=, 0.0);
+        TEST_COMPARE(row.penetration, <=, 0.0);
+        TEST_COMPARE(row.multiplier - row.penetration, >, 0.1);
+      }
+    }
+}
+
+TEUCHOS_UNIT_TEST(Complementarity, projectionIsTheProjection) {
+  const auto& f = complementarity("Projection");
+  for (double multiplier = -2; multiplier <= 2; multiplier += 0.3)
+    for (double y = -2; y <= 2; y += 0.3) {
+      TEST_COMPARE(std::abs(f.normal(multiplier, y).value -
+                            (multiplier - std::max(0.0, multiplier + y))),
+                   <, 1e-15);
+      TEST_COMPARE(std::abs(f.tangential(multiplier, y, 0.7).value -
+                            (multiplier - projectedTo(multiplier + y, -0.7, 0.7))),
+                   <, 1e-15);
+    }
+}
+
+}  // namespace

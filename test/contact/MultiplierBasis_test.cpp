@@ -1,0 +1,108 @@
+#include "contact/multiplier/MultiplierBasis.hpp"
+
+#include "bem/base/Error.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+#include <numeric>
+
+namespace {
+
+using namespace epafi;
+
+constexpr int highestDegree = 25;
+
+TEUCHOS_UNIT_TEST(MultiplierBasis, valuesOfEveryBasisSumToOne) {
+  for (const auto& basis : contact::multiplierBases())
+    for (int q = 0; q <= highestDegree; ++q)
+      for (double t = -1; t <= 1; t += 0.0625) {
+        const bem::Vector values = basis.values(q, t);
+        TEST_EQUALITY(values.size(), static_cast<std::size_t>(q + 1));
+        TEST_COMPARE(std::abs(std::accumulate(values.begin(), values.end(), -1.0)), <,
+                     1e-13);
+      }
+}
+
+TEUCHOS_UNIT_TEST(MultiplierBasis,
+                  lagrangeFunctionsAreOneAtTheirPlaceAndZeroAtTheOthers) {
+  for (const char* name : {"Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange"})
+    for (int q = 0; q <= highestDegree; ++q) {
+      const auto& basis = contact::multiplierBasis(name);
+      const bem::Vector places = basis.places(q);
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const bem::Vector values = basis.values(q, places[i]);
+        for (std::size_t j = 0; j < values.size(); ++j)
+          TEST_EQUALITY(values[j], i == j ? 1.0 : 0.0);
+      }
+    }
+}
+
+/// The interpolant of a polynomial of the same degree is the polynomial: every function
+/// has degree q and belongs to its node.
+TEUCHOS_UNIT_TEST(MultiplierBasis, lagrangeFunctionsReproducePolynomials) {
+  for (const char* name : {"Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange"})
+    for (int q = 0; q <= highestDegree; ++q) {
+      const auto& basis = contact::multiplierBasis(name);
+      const bem::Vector places = basis.places(q);
+      for (double t : {-0.99, -0.3, 0.1234, 0.77}) {
+        const bem::Vector values = basis.values(q, t);
+        double sum = 0;
+        for (std::size_t i = 0; i < values.size(); ++i)
+          sum += values[i] * std::cos(q * std::acos(places[i]));
+        TEST_COMPARE(std::abs(sum - std::cos(q * std::acos(t))), <, 1e-12);
+      }
+    }
+}
+
+TEUCHOS_UNIT_TEST(MultiplierBasis, gaussNodesMakeTheRuleExactToDegreeTwoNMinusOne) {
+  // The nodal polynomial is orthogonal to all of lower degree exactly for Gauss's points;
+  // tested through P_3 and P_5: zeros in closed form.
+  const auto& gauss = contact::multiplierBasis("Gauss-Legendre-Lagrange");
+  TEST_COMPARE(std::abs(gauss.places(2)[2] - std::sqrt(0.6)), <, 1e-15);
+  const double p5 = std::sqrt(5 + 2 * std::sqrt(10.0 / 7)) / 3;
+  TEST_COMPARE(std::abs(gauss.places(4)[4] - p5), <, 1e-15);
+  const auto& lobatto = contact::multiplierBasis("Gauss-Lobatto-Lagrange");
+  TEST_EQUALITY(lobatto.places(1)[0], -1.0);
+  TEST_EQUALITY(lobatto.places(2)[1], 0.0);
+  TEST_COMPARE(std::abs(lobatto.places(3)[2] - std::sqrt(0.2)), <, 1e-15);
+  TEST_COMPARE(std::abs(lobatto.places(4)[3] - std::sqrt(3.0 / 7)), <, 1e-15);
+}
+
+TEUCHOS_UNIT_TEST(MultiplierBasis, placesIncreaseAndLieInTheElement) {
+  for (const auto& basis : contact::multiplierBases())
+    for (int q = 0; q <= highestDegree; ++q) {
+      const bem::Vector places = basis.places(q);
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        TEST_COMPARE(std::abs(places[i]), <=, 1.0);
+        if (i > 0)
+          TEST_COMPARE(places[i - 1], <, places[i]);
+      }
+    }
+}
+
+TEUCHOS_UNIT_TEST(MultiplierBasis, bernsteinIsNonnegativeAndReproducesItsControlPoints) {
+  const auto& bernstein = contact::multiplierBasis("Bernstein");
+  for (int q = 1; q <= highestDegree; ++q)
+    for (double t = -1; t <= 1; t += 0.125) {
+      const bem::Vector values = bernstein.values(q, t);
+      const bem::Vector places = bernstein.places(q);
+      double sum = 0;
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        TEST_COMPARE(values[i], >=, 0.0);
+        sum += values[i] * places[i];
+      }
+      TEST_COMPARE(std::abs(sum - t), <, 1e-14);
+    }
+}
+
+TEUCHOS_UNIT_TEST(MultiplierBasis, anUnknownNameIsAnErrorThatNamesTheKnown) {
+  try {
+    contact::multiplierBasis("Legendre");
+    TEST_ASSERT(false);
+  } catch (const bem::InputError& error) {
+    TEST_ASSERT(std::string(error.what()).find("'Bernstein'") != std::string::npos);
+  }
+}
+
+}  // namespace

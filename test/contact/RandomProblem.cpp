@@ -1,0 +1,102 @@
+#include "contact/RandomProblem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::test {
+
+using contact::Index;
+using contact::Matrix;
+using contact::Problem;
+using contact::Vector;
+
+namespace {
+
+double draw(std::mt19937& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+// A kernel of the boundary element method's kind, plus a Gram matrix of random vectors
+// that couples everything with everything.
+Matrix randomFlexibility(const Problem& problem, const Recipe& recipe,
+                         std::mt19937& random) {
+  const Index n = problem.size();
+  std::normal_distribution<double> normal;
+  Vector places;
+  Vector sizes;
+  for (Index i = 0; i < n; ++i) {
+    places.push_back(draw(random, -1, 1));
+    sizes.push_back(std::pow(recipe.grading, -draw(random, 0, 1)));
+  }
+  const Index rank = std::max<Index>(1, n);
+  Matrix factors(rank, n);
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < rank; ++i)
+      factors(i, j) = normal(random) / std::sqrt(static_cast<double>(rank));
+  Matrix d(n, n);
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i) {
+      const double apart =
+          places[static_cast<std::size_t>(i)] - places[static_cast<std::size_t>(j)];
+      const bool alike = (i < problem.normals) == (j < problem.normals);
+      double value = alike ? std::exp(-4 * std::abs(apart)) : 0.0;
+      for (Index k = 0; k < rank; ++k)
+        value += 0.5 * factors(k, i) * factors(k, j);
+      if (i == j)
+        value += recipe.softness;
+      d(i, j) =
+          value * sizes[static_cast<std::size_t>(i)] * sizes[static_cast<std::size_t>(j)];
+    }
+  return d;
+}
+
+void addRigidMotions(Problem& problem, Index count, std::mt19937& random) {
+  const Index n = problem.size();
+  problem.rigid = Matrix(n, count);
+  for (Index i = 0; i < n; ++i) {
+    const double weight = std::sqrt(problem.flexibility(i, i));
+    for (Index j = 0; j < count; ++j) {
+      const bool normal = i < problem.normals;
+      const double component[3] = {normal ? 1.0 : 0.0, normal ? draw(random, -1, 1) : 0.3,
+                                   normal ? 0.2 : 1.0};
+      problem.rigid(i, j) = weight * component[j];
+    }
+  }
+  // The resultant of some admissible multiplier.
+  Vector admissible;
+  for (Index i = 0; i < problem.normals; ++i)
+    admissible.push_back(draw(random, 0, 1));
+  const Vector bounds = problem.slipBounds(admissible);
+  for (const double s : bounds)
+    admissible.push_back(0.5 * draw(random, -s, s));
+  for (Index j = 0; j < count; ++j) {
+    double sum = 0;
+    for (Index i = 0; i < n; ++i)
+      sum += problem.rigid(i, j) * admissible[static_cast<std::size_t>(i)];
+    problem.rigidLoad.push_back(sum);
+  }
+}
+
+}  // namespace
+
+Problem randomProblem(const Recipe& recipe, std::mt19937& random) {
+  Problem problem;
+  problem.normals = recipe.normals;
+  const auto& law = contact::frictionLaw(recipe.law);
+  if (law.name != std::string("None"))
+    for (Index i = 0; i < recipe.normals; ++i)
+      problem.tangentials.push_back(
+          {i, &law, draw(random, 0, 1) < 0.2 ? 0.0 : draw(random, 0, recipe.strength)});
+  problem.flexibility = randomFlexibility(problem, recipe, random);
+  for (Index i = 0; i < problem.size(); ++i) {
+    const double value =
+        recipe.ties ? std::floor(draw(random, -1, 2)) : draw(random, -1, 1.5);
+    problem.offset.push_back(value * std::sqrt(problem.flexibility(i, i)));
+  }
+  problem.rigid = Matrix(problem.size(), 0);
+  if (recipe.rigidMotions > 0)
+    addRigidMotions(problem, recipe.rigidMotions, random);
+  return problem;
+}
+
+}  // namespace epafi::test

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "contact/problem/Problem.hpp"
+
+#include <random>
+
+namespace epafi::test {
+
+/// What a random contact problem should look like.
+struct Recipe {
+  contact::Index normals = 20;
+  const char* law = "None";  ///< "None": no tangential coefficients
+  double strength = 1;  ///< strengths are drawn from [0, strength], a fifth of them zero
+  double softness = 1e-2;  ///< smallest eigenvalue of D over its diagonal, about
+  double grading = 1;      ///< ratio of the largest to the smallest coefficient's size
+  contact::Index rigidMotions = 0;
+  bool ties = false;  ///< loads and gaps from a few values, many of them zero
+};
+
+/// Contact-like: D is a logarithmic kernel on random points plus random coupling of
+/// normal and tangential coefficients; loads of both signs.  With rigid motions the load
+/// can be balanced.
+contact::Problem randomProblem(const Recipe& recipe, std::mt19937& random);
+
+}  // namespace epafi::test

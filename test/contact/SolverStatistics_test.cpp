@@ -1,0 +1,94 @@
+// A thousand random problems of each kind; prints median and worst numbers of Newton
+// steps.
+#include "contact/RandomProblem.hpp"
+#include "contact/solve/CoulombIteration.hpp"
+#include "reference/ProjectedSor.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+namespace {
+
+using namespace epafi;
+using contact::SolverOptions;
+using contact::Status;
+
+struct Statistics {
+  std::vector<int> steps;
+  int globalised = 0;
+  int unsolved = 0;
+  double violation = 0;
+};
+
+Statistics statistics(std::ostream& out, test::Recipe recipe,
+                      const SolverOptions& options) {
+  std::mt19937 random(31);
+  Statistics result;
+  for (int k = 0; k < 1000; ++k) {
+    recipe.normals = 4 + static_cast<contact::Index>(random() % 40);
+    recipe.ties = k % 4 == 0;
+    recipe.grading = k % 3 == 0 ? 1e3 : 1;
+    const auto problem = randomProblem(recipe, random);
+    const auto solution = solve(problem, {}, options);
+    result.steps.push_back(solution.report.newtonIterations);
+    result.globalised += solution.report.globalised ? 1 : 0;
+    if (solution.report.status != Status::Converged) {
+      result.unsolved += 1;
+      out << "  problem " << k << ": " << solution.report.reason << "\n";
+    } else {
+      result.violation =
+          std::max(result.violation, reference::violation(problem, solution.state));
+    }
+  }
+  std::sort(result.steps.begin(), result.steps.end());
+  return result;
+}
+
+void print(std::ostream& out, const char* what, const char* how, const Statistics& s) {
+  out << what << ", " << how << ": steps median " << s.steps[s.steps.size() / 2]
+      << ", 99 % " << s.steps[s.steps.size() * 99 / 100] << ", worst " << s.steps.back()
+      << "; globalised " << s.globalised << ", unsolved " << s.unsolved << ", violation "
+      << s.violation << "\n";
+}
+
+constexpr std::pair<const char*, SolverOptions::Complementarity> functions[] = {
+    {"Projection", SolverOptions::Complementarity::Projection},
+    {"Fischer-Burmeister", SolverOptions::Complementarity::FischerBurmeister}};
+
+TEUCHOS_UNIT_TEST(SolverStatistics, everyProblemWithFixedBoundsIsSolved) {
+  for (const char* law : {"None", "Tresca"})
+    for (const contact::Index rigidMotions : {0, 1, 2})
+      for (const auto& [name, function] : functions) {
+        SolverOptions options;
+        options.complementarity = function;
+        test::Recipe recipe;
+        recipe.law = law;
+        recipe.rigidMotions = rigidMotions;
+        const Statistics s = statistics(out, recipe, options);
+        print(out, law, name, s);
+        TEST_EQUALITY(s.unsolved, 0);
+        TEST_COMPARE(s.violation, <, 1e-10);
+      }
+}
+
+TEUCHOS_UNIT_TEST(SolverStatistics,
+                  coulombIsSolvedForSmallFrictionAndNearlyAlwaysForLarge) {
+  for (const double strength : {0.3, 1.0, 3.0, 10.0})
+    for (const auto& [name, function] : functions) {
+      SolverOptions options;
+      options.complementarity = function;
+      test::Recipe recipe;
+      recipe.law = "Coulomb";
+      recipe.strength = strength;
+      const Statistics s = statistics(out, recipe, options);
+      out << "f up to " << strength << ": ";
+      print(out, recipe.law, name, s);
+      TEST_COMPARE(s.unsolved, <=, strength <= 3 ? 0 : 5);
+      TEST_COMPARE(s.violation, <, 1e-9);
+    }
+}
+
+}  // namespace

@@ -1,0 +1,383 @@
+#include "bem/base/Error.hpp"
+#include "contact/RandomProblem.hpp"
+#include "contact/nox/Newton.hpp"
+#include "contact/solve/ContactState.hpp"
+#include "contact/solve/CoulombIteration.hpp"
+#include "contact/solve/NewtonSystem.hpp"
+#include "reference/ProjectedSor.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace {
+
+using namespace epafi;
+using contact::Equation;
+using contact::Index;
+using contact::Problem;
+using contact::Solution;
+using contact::SolverOptions;
+using contact::State;
+using contact::Status;
+using contact::Vector;
+using test::Recipe;
+
+double difference(const Vector& a, const Vector& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+SolverOptions with(SolverOptions::Complementarity function) {
+  SolverOptions options;
+  options.complementarity = function;
+  return options;
+}
+
+constexpr auto projection = SolverOptions::Complementarity::Projection;
+constexpr auto fischerBurmeister = SolverOptions::Complementarity::FischerBurmeister;
+
+// Recipes of every kind, one per number.
+Recipe recipeOf(int k, std::mt19937& random) {
+  Recipe recipe;
+  recipe.law = k % 2 == 0 ? "None" : "Tresca";
+  recipe.normals = 4 + static_cast<Index>(random() % 22);
+  recipe.rigidMotions = (k / 2) % 3;
+  const double softness[] = {1, 1e-2, 1e-10};
+  recipe.softness = softness[(k / 6) % 3];
+  recipe.ties = k % 5 == 0;
+  recipe.grading = k % 4 == 0 ? 1e4 : 1;
+  return recipe;
+}
+
+/// Complementarity, friction and balance, computed from D, d₀, G, q alone.
+TEUCHOS_UNIT_TEST(Solver, findsTheContactStateOfRandomFixedBoundProblems) {
+  std::mt19937 random(11);
+  for (int k = 0; k < 240; ++k) {
+    const Problem problem = randomProblem(recipeOf(k, random), random);
+    for (const auto function : {projection, fischerBurmeister}) {
+      const Solution solution = solve(problem, {}, with(function));
+      TEST_ASSERT(solution.report.status == Status::Converged);
+      TEST_EQUALITY(solution.report.reason, "");
+      TEST_COMPARE(solution.report.residual, <=, solution.report.tolerance);
+      TEST_COMPARE(reference::violation(problem, solution.state), <=,
+                   4 * solution.report.tolerance);
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(Solver, agreesWithProjectedSor) {
+  std::mt19937 random(12);
+  for (const char* law : {"None", "Tresca", "Coulomb"})
+    for (int k = 0; k < 12; ++k) {
+      Recipe recipe;
+      recipe.law = law;
+      recipe.strength = 0.2;
+      recipe.softness = 1;
+      recipe.normals = 3 + k;
+      recipe.rigidMotions = k % 2;
+      const Problem problem = randomProblem(recipe, random);
+      const Vector slow = reference::projectedSor(problem).multiplier;
+      const Vector fast = solve(problem, {}, {}).state.multiplier;
+      TEST_COMPARE(difference(slow, fast), <, 1e-10);
+    }
+}
+
+TEUCHOS_UNIT_TEST(Solver, coulombsThreeIterationsAgree) {
+  std::mt19937 random(13);
+  for (int k = 0; k < 60; ++k) {
+    Recipe recipe;
+    recipe.law = "Coulomb";
+    recipe.strength = 0.3;
+    recipe.softness = k % 2 == 0 ? 1 : 0.1;
+    recipe.normals = 4 + k % 20;
+    recipe.rigidMotions = k % 3 == 0 ? 1 : 0;
+    const Problem problem = randomProblem(recipe, random);
+    for (const auto function : {projection, fischerBurmeister}) {
+      SolverOptions options = with(function);
+      const Solution newton = solve(problem, {}, options);
+      options.coulomb = SolverOptions::Coulomb::InexactFixedPoint;
+      const Solution inexact = solve(problem, {}, options);
+      options.coulomb = SolverOptions::Coulomb::FixedPoint;
+      const Solution fixedPoint = solve(problem, {}, options);
+      for (const Solution* solution : {&newton, &inexact, &fixedPoint}) {
+        TEST_ASSERT(solution->report.status == Status::Converged);
+        TEST_COMPARE(solution->report.coulombIterations, >, 0);
+        TEST_COMPARE(difference(solution->state.multiplier, newton.state.multiplier), <,
+                     1e-8);
+        TEST_COMPARE(reference::violation(problem, solution->state), <, 1e-9);
+      }
+    }
+  }
+}
+
+/// Full steps on this one visit three active sets for ever.
+Problem cyclingProblem() {
+  const double d[3][3] = {{9, -4, -5}, {-4, 5, 7}, {-5, 7, 10}};
+  Problem problem;
+  problem.normals = 3;
+  problem.flexibility = contact::Matrix(3, 3);
+  for (Index i = 0; i < 3; ++i)
+    for (Index j = 0; j < 3; ++j)
+      problem.flexibility(i, j) = d[i][j];
+  problem.offset = {8, -3, -2};
+  problem.rigid = contact::Matrix(3, 0);
+  return problem;
+}
+
+TEUCHOS_UNIT_TEST(Solver, fullStepsCycleWithPeriodThreeOnTheClassicalExample) {
+  const Problem problem = cyclingProblem();
+  const Equation equation(problem, contact::complementarity("Projection"),
+                          Equation::Bound::Differentiated, 1e-12);
+  auto e = equation.at({0, 0, 0});
+  std::vector<contact::ActiveSet> sets;
+  for (int step = 0; step < 9; ++step) {
+    Vector x = e.unknowns;
+    const Vector d = contact::newtonStep(equation, e);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] += d[i];
+    e = equation.at(x);
+    sets.push_back(e.set);
+    TEST_ASSERT(!e.converged);
+  }
+  for (std::size_t k = 3; k < sets.size(); ++k) {
+    TEST_ASSERT(sets[k] == sets[k - 3]);
+    TEST_ASSERT(sets[k] != sets[k - 1]);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Solver, theEnergyEndsTheCycleAndFallsWithEachStep) {
+  const Problem problem = cyclingProblem();
+  const Solution solution = solve(problem, {}, {});
+  TEST_ASSERT(solution.report.status == Status::Converged);
+  TEST_ASSERT(solution.report.globalised);
+  TEST_COMPARE(reference::violation(problem, solution.state), <, 1e-12);
+  const auto& energies = solution.report.merits;
+  TEST_COMPARE(energies.size(), >=, 2);
+  for (std::size_t k = 1; k < energies.size(); ++k)
+    TEST_COMPARE(energies[k], <, energies[k - 1]);
+}
+
+/// Started anywhere, the descent alone reaches the solution of every fixed-bound problem.
+TEUCHOS_UNIT_TEST(Solver, theDescentAloneSolvesRandomProblems) {
+  std::mt19937 random(14);
+  for (int k = 0; k < 60; ++k) {
+    Recipe recipe = recipeOf(k, random);
+    recipe.rigidMotions = 0;
+    const Problem problem = randomProblem(recipe, random);
+    const Equation equation(problem, contact::complementarity("Projection"),
+                            Equation::Bound::Differentiated, 1e-12);
+    Vector start(problem.offset.size());
+    for (double& value : start)
+      value = std::uniform_real_distribution<double>(-3, 3)(random);
+    const auto run =
+        runNewton(equation, start, contact::NewtonMethod::ProjectedDescent, 100);
+    TEST_ASSERT(run.end == contact::NewtonRun::End::Converged);
+    TEST_COMPARE(reference::violation(problem, unpack(problem, run.last)), <=,
+                 4 * run.tolerance);
+    for (std::size_t i = 1; i < run.merits.size(); ++i)
+      TEST_COMPARE(run.merits[i], <=,
+                   run.merits[i - 1] + 1e-13 * std::abs(run.merits[0]));
+  }
+}
+
+TEUCHOS_UNIT_TEST(Solver, theSolutionNeedsNoStepAndItsNeighboursFew) {
+  std::mt19937 random(15);
+  for (const char* law : {"None", "Tresca", "Coulomb"})
+    for (int k = 0; k < 20; ++k) {
+      Recipe recipe;
+      recipe.law = law;
+      recipe.strength = 0.3;
+      recipe.rigidMotions = k % 2;
+      Problem problem = randomProblem(recipe, random);
+      for (const auto coulomb :
+           {SolverOptions::Coulomb::Newton, SolverOptions::Coulomb::FixedPoint}) {
+        SolverOptions options;
+        options.coulomb = coulomb;
+        options.coulombTolerance = 1e-12;
+        const Solution cold = solve(problem, {}, options);
+        TEST_EQUALITY(solve(problem, cold.state, options).report.newtonIterations, 0);
+      }
+      const Solution cold = solve(problem, {}, {});
+      for (double& d : problem.offset)
+        d *= 1 + 1e-4;
+      const Solution warm = solve(problem, cold.state, {});
+      TEST_ASSERT(warm.report.status == Status::Converged);
+      TEST_COMPARE(warm.report.newtonIterations, <=, 3);
+    }
+}
+
+TEUCHOS_UNIT_TEST(Solver, aBoundOfZeroIsNoFriction) {
+  std::mt19937 random(16);
+  for (const char* law : {"Tresca", "Coulomb"})
+    for (const auto function : {projection, fischerBurmeister}) {
+      Recipe recipe;
+      recipe.law = law;
+      recipe.strength = 0;
+      const Problem problem = randomProblem(recipe, random);
+      const Solution solution = solve(problem, {}, with(function));
+      TEST_ASSERT(solution.report.status == Status::Converged);
+      for (Index i = problem.normals; i < problem.size(); ++i)
+        TEST_COMPARE(std::abs(solution.state.multiplier[static_cast<std::size_t>(i)]), <,
+                     1e-12);
+      for (const auto friction : classify(problem, solution.state).tangential)
+        TEST_ASSERT(friction == contact::FrictionState::None);
+    }
+}
+
+/// One point on a spring:  D λ = d₀ + α, λ = q.
+Problem floatingPoint(double gap, double load) {
+  Problem problem;
+  problem.normals = 1;
+  problem.flexibility = contact::Matrix(1, 1);
+  problem.flexibility(0, 0) = 2;
+  problem.offset = {-gap};
+  problem.rigid = contact::Matrix(1, 1);
+  problem.rigid(0, 0) = 1;
+  problem.rigidLoad = {load};
+  return problem;
+}
+
+TEUCHOS_UNIT_TEST(Solver, aFloatingBodyComesToRestHoweverLargeTheGap) {
+  for (double gap : {0.0, 1e-9, 1.0, 1e6, -1e3})
+    for (const auto function : {projection, fischerBurmeister}) {
+      const Solution solution = solve(floatingPoint(gap, 3), {}, with(function));
+      TEST_ASSERT(solution.report.status == Status::Converged);
+      TEST_COMPARE(std::abs(solution.state.multiplier[0] - 3), <, 1e-9);
+      TEST_COMPARE(std::abs(solution.state.rigid[0] - (6 + gap)), <,
+                   1e-9 * (1 + std::abs(gap)));
+    }
+}
+
+TEUCHOS_UNIT_TEST(Solver, aLoadThatNothingHoldsIsAnErrorThatSaysSo) {
+  try {
+    solve(floatingPoint(1, -3), {}, {});
+    TEST_ASSERT(false);
+  } catch (const bem::NumericalError& error) {
+    TEST_ASSERT(std::string(error.what()).find("rigid motion") != std::string::npos);
+  }
+}
+
+/// A floating block of two points: pressed down, pushed sideways below and above what
+/// Coulomb friction carries.
+TEUCHOS_UNIT_TEST(Solver, frictionAloneHoldsABodyUpToGlobalSliding) {
+  Problem problem;
+  problem.normals = 2;
+  problem.tangentials = {{0, &contact::frictionLaw("Coulomb"), 0.5},
+                         {1, &contact::frictionLaw("Coulomb"), 0.5}};
+  problem.flexibility = contact::Matrix(4, 4);
+  for (Index i = 0; i < 4; ++i)
+    problem.flexibility(i, i) = 1;
+  problem.offset = {0, 0, 0, 0};
+  problem.rigid = contact::Matrix(4, 2);
+  problem.rigid(0, 0) = problem.rigid(1, 0) = 1;
+  problem.rigid(2, 1) = problem.rigid(3, 1) = 1;
+  problem.rigidLoad = {2, 0.9};
+  for (const auto coulomb :
+       {SolverOptions::Coulomb::Newton, SolverOptions::Coulomb::InexactFixedPoint,
+        SolverOptions::Coulomb::FixedPoint}) {
+    SolverOptions options;
+    options.coulomb = coulomb;
+    problem.rigidLoad[1] = 0.9;
+    const Solution held = solve(problem, {}, options);
+    TEST_ASSERT(held.report.status == Status::Converged);
+    TEST_COMPARE(std::abs(held.state.multiplier[2] - 0.45), <, 1e-10);
+
+    problem.rigidLoad[1] = 1.1;
+    std::string reason;
+    try {
+      const Solution sliding = solve(problem, {}, options);
+      TEST_ASSERT(sliding.report.status == Status::NotConverged);
+      reason = sliding.report.reason;
+    } catch (const bem::NumericalError& error) {
+      reason = error.what();
+    }
+    TEST_ASSERT(!reason.empty());
+  }
+}
+
+/// Large friction may have several solutions or none: each run solves the problem or says
+/// why not, and nearly all solve it.
+TEUCHOS_UNIT_TEST(Solver, largeFrictionIsSolvedOrExplained) {
+  std::mt19937 random(17);
+  int solved = 0;
+  const int problems = 100;
+  for (int k = 0; k < problems; ++k) {
+    Recipe recipe;
+    recipe.law = "Coulomb";
+    recipe.strength = 10;
+    recipe.softness = 0.1;
+    recipe.normals = 4 + k % 20;
+    const Problem problem = randomProblem(recipe, random);
+    const Solution solution = solve(problem, {}, {});
+    if (solution.report.status == Status::Converged) {
+      ++solved;
+      TEST_COMPARE(reference::violation(problem, solution.state), <, 1e-9);
+    } else {
+      TEST_ASSERT(!solution.report.reason.empty());
+    }
+  }
+  TEST_COMPARE(solved, >=, 99);
+}
+
+TEUCHOS_UNIT_TEST(Solver, tooFewStepsAreReportedWithAdvice) {
+  std::mt19937 random(18);
+  const Problem problem = test::randomProblem({30, "Tresca"}, random);
+  SolverOptions options;
+  options.maximumIterations = 1;
+  const auto report = solve(problem, {}, options).report;
+  TEST_ASSERT(report.status == Status::NotConverged);
+  TEST_EQUALITY(report.newtonIterations, 1);
+  TEST_EQUALITY(report.setChanges.size(), 1);
+  TEST_ASSERT(report.reason.find("Maximum Iterations") != std::string::npos);
+  TEST_ASSERT(!report.restless.empty());
+}
+
+TEUCHOS_UNIT_TEST(Solver, brokenNumbersAreErrors) {
+  std::mt19937 random(19);
+  Problem problem = test::randomProblem({5, "Tresca"}, random);
+  problem.offset[2] = std::numeric_limits<double>::quiet_NaN();
+  TEST_THROW(solve(problem, {}, {}), bem::NumericalError);
+  problem = test::randomProblem({5, "None"}, random);
+  problem.flexibility(1, 3) = problem.flexibility(3, 1) =
+      std::numeric_limits<double>::infinity();
+  TEST_THROW(solve(problem, {}, {}), bem::NumericalError);
+  // Two coefficients that are one and the same.
+  problem = test::randomProblem({2, "None"}, random);
+  for (Index i = 0; i < 2; ++i)
+    for (Index j = 0; j < 2; ++j)
+      problem.flexibility(i, j) = 1;
+  problem.offset = {1, 1};
+  const auto solution = [&] { return solve(problem, {}, {}); };
+  TEST_THROW(solution(), bem::NumericalError);
+}
+
+TEUCHOS_UNIT_TEST(Solver, classifiesContactAndFriction) {
+  Problem problem;
+  problem.normals = 3;
+  for (Index i = 0; i < 3; ++i)
+    problem.tangentials.push_back({i, &contact::frictionLaw("Coulomb"), 0.5});
+  problem.flexibility = contact::Matrix(6, 6);
+  for (Index i = 0; i < 6; ++i)
+    problem.flexibility(i, i) = 1;
+  problem.offset = {2, 2, -1, 0.3, -4, 5};
+  problem.rigid = contact::Matrix(6, 0);
+  const Solution solution = solve(problem, {}, {});
+  const auto state = classify(problem, solution.state);
+  using contact::FrictionState;
+  using contact::NormalState;
+  TEST_ASSERT(
+      (state.normal == std::vector<NormalState>{NormalState::Closed, NormalState::Closed,
+                                                NormalState::Open}));
+  TEST_ASSERT((state.tangential == std::vector<FrictionState>{FrictionState::Stick,
+                                                              FrictionState::SlipBackward,
+                                                              FrictionState::None}));
+  TEST_COMPARE(std::abs(solution.state.multiplier[4] + 1), <, 1e-12);
+}
+
+}  // namespace
