@@ -158,19 +158,15 @@ QuadVec normalOf(const Segment& segment) {
   return {tau.y, -tau.x};
 }
 
-/// The double layer of a pair.  As nu -> 1/2 blocks of collinear elements vanish like
-/// 1-2nu, although the two parts they are the difference of do not: the norm is that of
-/// shear = 1.
+/// The double layer of a pair.
 Block doubleLayerBlock(const Constants& constants, int firstDegree,
                        const PairMoments& moments, const Segment& second,
                        int secondDegree) {
   const auto psi = legendreBasis(firstDegree - 1);
   const auto phi = displacementBasis(secondDegree);
   const QuadVec n = normalOf(second);
-  Block block =
-      tested(psi, DoubleLayerKernel{constants.c3, 1 - 2 * constants.nu, moments, n}, phi);
-  block.norm = tested(psi, DoubleLayerKernel{constants.c3, 1, moments, n}, phi).norm;
-  return block;
+  return tested(psi, DoubleLayerKernel{constants.c3, 1 - 2 * constants.nu, moments, n},
+                phi);
 }
 
 Meeting meeting(const bem::Mesh& mesh, int e, int f) {

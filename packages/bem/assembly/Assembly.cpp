@@ -41,6 +41,7 @@ class Scatter {
   void addPair(int e, int f, const PairMoments& m) const {
     const Element& x = space_.mesh()[e];
     const Element& y = space_.mesh()[f];
+    const bool sameEdge = x.piece.edge == y.piece.edge;
     for (int i = 0; i < x.degree; ++i)
       for (int j = 0; j < y.degree; ++j) {
         const double constant = i == 0 && j == 0 ? 4 : 0;
@@ -51,15 +52,23 @@ class Scatter {
         const double log = m.log(i, j);
         const Block kelvin = combine(lame_.a, log, lame_.b, radial);
         addSingleLayer(e, i, f, j, (x.half * y.half) * kelvin);
-        // X = 2μ V - V_Δ,  V_Δ = -log r / 2π
-        const Block rotated = combine(2 * lame_.mu * lame_.a - inverse2Pi, log,
-                                      2 * lame_.mu * lame_.b, radial);
+        // X = 2μ V - V_Δ without its constant part, which ∫ v' = 0 over a loop removes:
+        // 2μ A - 1/2π = μ (A - B) = 2 μ (1-2ν) B keeps its digits as ν -> 1/2
+        Block turning = {0.5 * m.phaseReal(i, j), 0.5 * m.phaseImag(i, j),
+                         -0.5 * m.phaseReal(i, j)};
+        if (sameEdge) {
+          if (i == 0 && j == 0)
+            addTurningAtEdgeEnds(e, f, 2 * lame_.mu * lame_.b * turning);
+          turning = {0, 0, 0};
+        }
+        const Block rotated = combine(2 * lame_.mu * (1 - 2 * lame_.nu) * lame_.b, log,
+                                      2 * lame_.mu * lame_.b, turning);
         addByParts(e, i, f, j, x.half * rotated);
         if (e != f)
           addByParts(f, j, e, i, y.half * rotated);
         addHypersingular(e, i, f, j, combine(lame_.d, log, lame_.d, radial));
       }
-    if (x.piece.edge == y.piece.edge)
+    if (sameEdge)
       return;  // the Laplace double layer vanishes on a line
     addLaplace(e, f, [&](int i, int j) { return m.direct(i, j); });
     addLaplace(f, e, [&](int j, int i) { return m.reverse(i, j); });
@@ -98,16 +107,35 @@ class Scatter {
 
   // -X M v: for v = φ e_x, M v = (0, -φ'); for v = φ e_y, M v = (φ', 0)
   void addByParts(int test, int i, int source, int j, const Block& x) const {
+    forDerivative(
+        j, [&](int k, double slope) { addRotated(test, i, source, k, slope * x); });
+  }
+
+  void addRotated(int test, int i, int source, int k, const Block& x) const {
     const Index row = space_.density(test, i, 0);
-    if (!densityRows_.contain(row) && !densityRows_.contain(row + 1))
-      return;
-    forDerivative(j, [&](int k, double slope) {
-      const Index column = space_.displacement(source, k, 0);
-      put(out_.doubleLayer, densityRows_, row, column, slope * x.xy);
-      put(out_.doubleLayer, densityRows_, row + 1, column, slope * x.yy);
-      put(out_.doubleLayer, densityRows_, row, column + 1, -slope * x.xx);
-      put(out_.doubleLayer, densityRows_, row + 1, column + 1, -slope * x.xy);
-    });
+    const Index column = space_.displacement(source, k, 0);
+    put(out_.doubleLayer, densityRows_, row, column, x.xy);
+    put(out_.doubleLayer, densityRows_, row + 1, column, x.yy);
+    put(out_.doubleLayer, densityRows_, row, column + 1, -x.xx);
+    put(out_.doubleLayer, densityRows_, row + 1, column + 1, -x.xy);
+  }
+
+  // On one line the phase is one constant, whose contributions of neighbours cancel at
+  // every node but the edge's ends.  Adding and subtracting it would leave rounding,
+  // which is large beside the rest as ν -> 1/2.
+  void addTurningAtEdgeEnds(int e, int f, const Block& x) const {
+    addTurningAtEnds(e, f, space_.mesh()[e].half * x);
+    if (e != f)
+      addTurningAtEnds(f, e, space_.mesh()[f].half * x);
+  }
+
+  void addTurningAtEnds(int test, int source, const Block& x) const {
+    const Mesh& mesh = space_.mesh();
+    const Element& y = mesh[source];
+    if (mesh[y.previous].piece.edge != y.piece.edge)
+      addRotated(test, 0, source, 0, -0.5 * x);
+    if (mesh[y.next].piece.edge != y.piece.edge)
+      addRotated(test, 0, source, 1, 0.5 * x);
   }
 
   template <class Moment>

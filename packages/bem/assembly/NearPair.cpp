@@ -13,14 +13,21 @@ namespace {
 // ∫ P_n Q_m dt over [-1,1] for n + m odd, principal value.            [DLMF 14.17.9]
 double integralPQ(int n, int m) { return 2.0 / ((n - m) * (n + m + 1.0)); }
 
+// The phase of two elements on one line, exactly: what cancels between neighbours shall
+// cancel.
+void constantPhase(Vec2 tangent, int rows, int columns, PairMoments& moments) {
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j)
+      moments.phaseReal(i, j) = moments.phaseImag(i, j) = 0;
+  moments.phaseReal(0, 0) = 4 * (tangent.x * tangent.x - tangent.y * tangent.y);
+  moments.phaseImag(0, 0) = 8 * tangent.x * tangent.y;
+}
+
 // An element with itself:  log|w| = log(h/2) + log|s-t|,  w/conj(w) = τ²,  w·n = 0.
 void selfMoments(const Element& element, PairMoments& moments) {
   const int p = element.degree;
   moments.clear(p, p);
-  const double tx = element.tangent.x;
-  const double ty = element.tangent.y;
-  moments.phaseReal(0, 0) = 4 * (tx * tx - ty * ty);
-  moments.phaseImag(0, 0) = 8 * tx * ty;
+  constantPhase(element.tangent, p, p, moments);
   for (int i = 0; i < p; ++i)
     for (int j = i % 2; j < p; j += 2)  // odd ones vanish
       moments.log(i, j) =
@@ -108,8 +115,10 @@ void nearPairMoments(const Mesh& mesh, int e, int f, PairMoments& moments) {
     logAndPhase(mesh, e, f, {moments, false});
   else
     logAndPhase(mesh, f, e, {moments, true});
-  if (mesh[e].piece.edge == mesh[f].piece.edge)
-    return;  // on one line w·n = 0
+  if (mesh[e].piece.edge == mesh[f].piece.edge) {  // on one line w·n = 0, w/conj(w) = τ²
+    constantPhase(mesh[e].tangent, rows, columns, moments);
+    return;
+  }
   sweep(mesh, e, f, Need::C,
         [&](double weight, int i, const LegendreMoments& at, double) {
           if (i < rows)
