@@ -1,0 +1,99 @@
+"""The program itself: exit codes, folders, options, signals."""
+import os
+import signal
+import subprocess
+import time
+
+from runs import EPAFI, WORK, claim, epafi, finish, fresh, levels, run, scene, table
+
+TRESCA = scene("tresca.xml")
+ONE = ["--set", "Adaptivity->Strategy=None"]
+
+
+def refused(sentence, words, *arguments, code=1):
+    """The program ends with a code and a message that has all these words."""
+    got, text = epafi(*arguments)
+    claim(got == code and all(word in text for word in words),
+          "%s (exit %d: %s)" % (sentence, got, text.strip().split("\n")[0][:150]))
+
+
+os.makedirs(WORK, exist_ok=True)
+refused("an unknown command names the nearest", ["'run'"], "runn")
+refused("an unknown option names the nearest", ["'--output'"], "run", TRESCA, "--outptu", "x")
+refused("no command shows the usage", ["epafi run"])
+refused("no scene", ["scene"], "run")
+refused("two scenes", ["one"], "run", TRESCA, TRESCA)
+refused("threads are whole numbers", ["--threads"], "run", TRESCA, "--threads", "2x")
+refused("a value is missing", ["--set"], "run", TRESCA, "--set")
+refused("a switch takes no value", ["--force"], "run", TRESCA, "--force=yes")
+refused("a missing file", ["nowhere.xml"], "run", os.path.join(WORK, "nowhere.xml"))
+refused("an unknown key names the nearest", ["'Strategy'"], "run", TRESCA, "--set",
+        "Adaptivity->Strateg=None")
+refused("a wrong type", ["Maximum Levels"], "run", TRESCA, "--set",
+        "Adaptivity->Maximum Levels=many")
+refused("a cap below the first level", ["Maximum Degrees of Freedom"], "run", TRESCA,
+        "--output", fresh("cap"), "--set", "Adaptivity->Maximum Degrees of Freedom=10")
+refused("help is no failure", ["epafi check"], "--help", code=0)
+refused("the version names the BLAS core", ["BLAS core"], "version", code=0)
+
+# folders
+folder = os.path.join(fresh("deep"), "er", "still")
+code, text = epafi("run", TRESCA, "--output", folder, *ONE)
+claim(code == 0 and os.path.exists(os.path.join(folder, "history.csv")), "parents are made")
+keep = os.path.join(folder, "notes.txt")
+open(keep, "w").close()
+refused("an earlier run is not overwritten", ["--force"], "run", TRESCA, "--output", folder,
+        *ONE)
+stale = os.path.join(folder, "solution.hdf")
+open(stale, "w").close()
+code, text = epafi("run", TRESCA, "--output=" + folder, "--force", *ONE)
+claim(code == 0 and os.path.exists(keep) and not os.path.exists(stale),
+      "--force deletes the program's own files only")
+claim(sorted(os.listdir(folder)) == ["boundary.csv", "contact.csv", "history.csv",
+                                     "interior.csv", "notes.txt", "timings.txt", "used.xml"],
+      "no temporary file is left: " + " ".join(sorted(os.listdir(folder))))
+refused("a file is no folder", ["is a file"], "run", TRESCA, "--output", keep, *ONE)
+if os.geteuid() != 0:
+    os.makedirs(fresh("locked"))
+    os.chmod(os.path.join(WORK, "locked"), 0o500)
+    refused("a folder that is not writable", ["cannot be"], "run", TRESCA, "--output",
+            os.path.join(WORK, "locked", "deeper"), *ONE)
+code, text = epafi("run", TRESCA, "--quiet", "--output", fresh("quiet"), *ONE)
+claim(code == 0 and text == "", "--quiet prints nothing")
+
+# caps
+history, contact = run(TRESCA, "capped", levels(6)[:2] +
+                       ["Adaptivity->Maximum Degrees of Freedom=200"])
+claim(history[-1]["dof"] <= 200 and len(history) == 3, "the cap on dof ends a run")
+claim(list(history[0])[:9] == ["level", "elements", "dof_displacement", "dof_multiplier",
+                               "dof", "dof_density", "degree_min", "degree_max",
+                               "size_min"], "history.csv begins as promised")
+claim(list(contact[0]) == ["boundary", "element", "x", "y", "lambda_n", "lambda_t", "u_n",
+                           "u_t", "gap", "bound", "contact", "friction"],
+      "contact.csv has its columns")
+
+# failures of the numerics
+history, contact = run(TRESCA, "unconverged", levels(3) + ["Solver->Maximum Iterations=1"],
+                       expect=3)
+claim(history[-1]["status"] == "not converged" and len(contact) > 0,
+      "what did not converge is written and said")
+refused("a stabilisation that is too strong", ["Gamma0"], "run", TRESCA, "--output",
+        fresh("indefinite"), "--set", "Discretization->Stabilization->Gamma0=10", "--set",
+        "Discretization->Stabilization->Scaling=Stiffness", *ONE, code=2)
+
+# signals
+folder = fresh("interrupted")
+process = subprocess.Popen([EPAFI, "run", TRESCA, "--output", folder, "--set",
+                            "Adaptivity->Maximum Levels=20", "--set",
+                            "Adaptivity->Maximum Degrees of Freedom=1000000", "--set",
+                            "Solver->Complementarity=Fischer-Burmeister"],
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+deadline = time.time() + 60
+while not os.path.exists(os.path.join(folder, "history.csv")) and time.time() < deadline:
+    time.sleep(0.02)
+process.send_signal(signal.SIGTERM)
+claim(process.wait() == 128 + signal.SIGTERM, "SIGTERM ends with 128 + its number")
+rows = table(os.path.join(folder, "history.csv"))
+claim(len(rows) >= 1 and all(row["memory_mb"] is not None for row in rows),
+      "rows are whole after a signal")
+finish()

@@ -1,0 +1,71 @@
+"""What must not matter: basis of the multiplier, form of the stabilisation, file format."""
+import os
+import xml.etree.ElementTree as xml
+
+from runs import ENERGIES, FORCES, WORK, claim, differ, finish, levels, run, scene
+
+
+def agree(file, count, key, values, tolerance):
+    """Energies of the last level, under each value of a key."""
+    rows = [run(file, "variant", levels(count) + [key + "=" + value])[0][-1]
+            for value in values]
+    for value, row in zip(values[1:], rows[1:]):
+        for energy in ENERGIES:
+            error = differ(row[energy], rows[0][energy])
+            claim(error < tolerance, "%s, %s and %s: the same %s (%.1e)" % (
+                os.path.basename(file), values[0], value, energy, error))
+
+
+bases = ["Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange", "Bernstein"]
+for name in ("tresca.xml", "coulomb.xml"):
+    agree(scene(name), 6, "Discretization->Multiplier", bases, 1e-4)
+agree(scene("tresca.xml"), 4, "Discretization->Stabilization->Form",
+      ["Projected", "Exact"], 1e-4)
+agree(scene("coulomb.xml"), 2, "Discretization->Stabilization->Form",
+      ["Projected", "Exact"], 1e-4)
+
+
+def yaml(node, depth=0):
+    """A Teuchos XML list as YAML."""
+    text = ""
+    for child in node:
+        name = "  " * depth + '"' + child.get("name") + '": '
+        if child.tag == "ParameterList":
+            content = yaml(child, depth + 1)
+            text += name + ("\n" + content if content else "{}\n")
+            continue
+        kind, value = child.get("type"), child.get("value")
+        if kind.startswith("TwoDArray"):
+            size, entries = value.split(":")
+            columns = int(size.split("x")[1])
+            entries = [entry.strip() for entry in entries.strip("{} \n").split(",")]
+            rows = [entries[i:i + columns] for i in range(0, len(entries), columns)]
+            value = "[" + ", ".join("[" + ", ".join(row) + "]" for row in rows) + "]"
+        elif kind == "Array(string)":
+            value = "[" + ", ".join(
+                '"' + entry.strip() + '"' for entry in value.strip("{}").split(",")) + "]"
+        elif kind.startswith("Array"):
+            value = "[" + value.strip("{}") + "]"
+        elif kind == "string":
+            value = '"' + value + '"'
+        text += name + value + "\n"
+    return text
+
+
+for name in ("tresca", "coulomb"):
+    root = xml.parse(scene(name + ".xml")).getroot()
+    os.makedirs(WORK, exist_ok=True)
+    file = os.path.join(WORK, name + ".yaml")
+    with open(file, "w") as stream:
+        stream.write('"' + root.get("name") + '":\n' + yaml(root, 1))
+    one = run(scene(name + ".xml"), "from_xml", levels(2))
+    other = run(file, "from_yaml", levels(2))
+    claim(one[1] == other[1], name + ": contact.csv is the same from XML and YAML")
+    claim(all(a[key] == b[key] for a, b in zip(one[0], other[0])
+              for key in ENERGIES + FORCES),
+          name + ": history.csv is the same from XML and YAML")
+
+history, contact = run(scene("tresca.xml"), "first", levels(2))
+again, points = run(os.path.join(WORK, "first", "used.xml"), "again")
+claim(contact == points, "used.xml repeats a run exactly")
+finish()
