@@ -12,7 +12,9 @@ def agree(file, count, key, values, tolerance):
     for value, row in zip(values[1:], rows[1:]):
         for energy in ENERGIES:
             error = differ(row[energy], rows[0][energy])
-            claim(error < tolerance, "%s, %s and %s: the same %s (%.1e)" % (
+            # |u_t| over what sticks adds up the error of u_t without cancellation
+            limit = 5 * tolerance if energy == "energy_friction" else tolerance
+            claim(error < limit, "%s, %s and %s: the same %s (%.1e)" % (
                 os.path.basename(file), values[0], value, energy, error))
 
 

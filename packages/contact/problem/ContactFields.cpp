@@ -33,6 +33,10 @@ double ContactFields::closing(const Element& element, double t) const {
   return problem_.multiplier().at(multiplier_, element, t).normal - tolerance_;
 }
 
+double ContactFields::discreteBound(const Element& element, double t) const {
+  return units_.stress * problem_.multiplier().at(bounds_, element, t).tangential;
+}
+
 double ContactFields::slipping(const Element& element, double t) const {
   if (element.tangential < 0)
     return -tolerance_;
