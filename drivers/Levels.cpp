@@ -30,7 +30,7 @@ LevelRow makeRow(int level, const Size& size, const contact::Solved& solved,
 }
 
 std::string capReached(int level, const Size& size, long cap) {
-  const std::string text =
+  std::string text =
       bem::message("level ", level, " would have ", size.dof(),
                    " degrees of freedom; Adaptivity->Maximum Degrees of Freedom = ", cap);
   if (level == 0)

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 namespace epafi::drivers {
 
@@ -49,7 +50,8 @@ void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(const std::string& path, EarlierRun earlier) : path_(path) {
+OutputFolder::OutputFolder(std::string path, EarlierRun earlier)
+    : path_(std::move(path)) {
   makeFolder(path_);
   deleteEarlierRun(path_, earlier);
   // Better now than after hours of computing.

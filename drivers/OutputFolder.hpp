@@ -15,7 +15,7 @@ class OutputFolder {
   /// \throws bem::InputError if an earlier run's files are there and must not be deleted,
   /// if
   ///   the path is a file, or if nothing can be written there.
-  OutputFolder(const std::string& path, EarlierRun earlier);
+  OutputFolder(std::string path, EarlierRun earlier);
 
   /// Replaces a file as a whole: written under a temporary name, then renamed.
   /// \throws bem::InputError if it cannot be written (disk full, permissions).

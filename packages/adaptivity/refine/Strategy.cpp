@@ -7,13 +7,14 @@ namespace epafi::adaptivity {
 
 namespace {
 
-Marks nothing(const LevelData& level) {
-  return Marks(static_cast<std::size_t>(level.mesh.size()), Mark::None);
+Marks all(const LevelData& level, Mark mark) {
+  Marks marks(static_cast<std::size_t>(level.mesh.size()), mark);
+  return marks;
 }
 
-Marks bisectAll(const LevelData& level) {
-  return Marks(static_cast<std::size_t>(level.mesh.size()), Mark::Bisect);
-}
+Marks nothing(const LevelData& level) { return all(level, Mark::None); }
+
+Marks bisectAll(const LevelData& level) { return all(level, Mark::Bisect); }
 
 Marks raiseAll(const LevelData& level) {
   Marks marks;
