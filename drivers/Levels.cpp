@@ -60,8 +60,11 @@ Outcome solveLevels(const Scene& scene, PhaseTimer& timer,
               capReached(level, size, scene.adaptivity.maximumDegreesOfFreedom)};
     timer.startLevel(level);
 
-    auto operators = timer.run(
-        Phase::Assembly, [&] { return bem::assembleOperators(space, lame, algebra); });
+    auto operators = timer.run(Phase::Assembly, [&] {
+      return bem::assembleOperators(
+          space, lame, algebra,
+          contact::tractionElements(multiplier, scene.stabilization));
+    });
     const auto stiffness = timer.run(Phase::Factorization, [&] {
       return bem::SteklovPoincare(std::move(operators), algebra);
     });

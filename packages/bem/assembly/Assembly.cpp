@@ -214,8 +214,8 @@ struct Scratch {
 /// All pairs (e, f) with f <= e.
 class RowOfPairs {
  public:
-  RowOfPairs(const Space& space, const Scatter& scatter)
-      : space_(space), scatter_(scatter) {}
+  RowOfPairs(const Space& space, const Scatter& scatter, ProjectedTractions& tractions)
+      : space_(space), scatter_(scatter), tractions_(tractions) {}
 
   void assemble(int e, Scratch& scratch) const {
     for (int first = 0; first <= e; first += lanes)
@@ -248,6 +248,7 @@ class RowOfPairs {
         extractLane(scratch.far, f - first, mesh[f].tangent, mesh[e].degree,
                     mesh[f].degree, scratch.pair);
       scatter_.add(e, f, scratch.pair);
+      tractions_.add(e, f, scratch.pair);
     }
   }
 
@@ -265,6 +266,7 @@ class RowOfPairs {
 
   const Space& space_;
   const Scatter& scatter_;
+  ProjectedTractions& tractions_;
 };
 
 /// Groups of elements that threads may treat at once: two groups of the same colour share
@@ -294,14 +296,17 @@ std::vector<std::vector<std::vector<int>>> colouredGroups(const Mesh& mesh) {
 }  // namespace
 
 Operators assembleOperators(const Space& space, const Lame& lame,
-                            const DenseAlgebra& algebra) {
+                            const DenseAlgebra& algebra,
+                            const std::vector<int>& tractionElements) {
   const Index densities = algebra.myRows(space.densities()).size();
   const Index displacements = algebra.myRows(space.displacements()).size();
   Operators out{Matrix(densities, space.densities()),
                 Matrix(densities, space.displacements()),
-                Matrix(displacements, space.displacements())};
+                Matrix(displacements, space.displacements()),
+                {}};
   const Scatter scatter(space, lame, algebra, out);
-  const RowOfPairs row(space, scatter);
+  ProjectedTractions tractions(space, lame, algebra, tractionElements);
+  const RowOfPairs row(space, scatter, tractions);
 #pragma omp parallel
   {
     const auto scratch = std::make_unique<Scratch>();
@@ -313,6 +318,7 @@ Operators assembleOperators(const Space& space, const Lame& lame,
           row.assemble(e, *scratch);
     }
   }
+  out.tractions = tractions.finish();
   return out;
 }
 

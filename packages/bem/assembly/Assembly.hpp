@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/assembly/ProjectedTractions.hpp"
 #include "bem/base/DenseAlgebra.hpp"
 #include "bem/base/Material.hpp"
 #include "bem/space/Space.hpp"
@@ -9,9 +10,10 @@ namespace epafi::bem {
 /// The boundary operators as Galerkin matrices, by this process's rows.  [P sec. 2], with
 /// the signs of design.md 3.2; dimensionless.
 struct Operators {
-  Matrix singleLayer;    ///< V, densities x densities, lower triangle
-  Matrix doubleLayer;    ///< K + 1/2, densities x displacements
-  Matrix hypersingular;  ///< W, displacements x displacements, lower triangle
+  Matrix singleLayer;         ///< V, densities x densities, lower triangle
+  Matrix doubleLayer;         ///< K + 1/2, densities x displacements
+  Matrix hypersingular;       ///< W, displacements x displacements, lower triangle
+  TractionKernels tractions;  ///< on the elements asked for
 };
 
 /// Assembles V, K + 1/2 and W from one set of double moments per pair of elements:
@@ -23,7 +25,11 @@ struct Operators {
 ///
 /// Every entry is accurate to 1e-12 of the norm of its element pair's block.
 /// Threads: OpenMP over blocks of elements.
+///
+/// Where `tractionElements` are given, the kernels of their projected tractions come from
+/// the same moments.
 Operators assembleOperators(const Space& space, const Lame& lame,
-                            const DenseAlgebra& algebra);
+                            const DenseAlgebra& algebra,
+                            const std::vector<int>& tractionElements = {});
 
 }  // namespace epafi::bem

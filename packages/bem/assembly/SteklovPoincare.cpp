@@ -3,7 +3,9 @@
 namespace epafi::bem {
 
 SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebra)
-    : algebra_(&algebra), densities_(operators.singleLayer.columns()) {
+    : algebra_(&algebra),
+      tractions_(std::move(operators.tractions)),
+      densities_(operators.singleLayer.columns()) {
   factor_ =
       algebra.cholesky(std::move(operators.singleLayer), "the single layer potential V");
   half_ = factor_->forward(std::move(operators.doubleLayer));

@@ -22,6 +22,8 @@ class SteklovPoincare {
   const Matrix& stiffness() const { return stiffness_; }
   /// Y, my rows of the densities.
   const Matrix& half() const { return half_; }
+  /// The kernels of the projected tractions that the assembly was asked for.
+  const TractionKernels& tractions() const { return tractions_; }
   const CholeskyFactor& singleLayer() const { return *factor_; }
   const DenseAlgebra& algebra() const { return *algebra_; }
 
@@ -35,6 +37,7 @@ class SteklovPoincare {
   std::unique_ptr<CholeskyFactor> factor_;
   Matrix half_;
   Matrix stiffness_;
+  TractionKernels tractions_;
   Index densities_ = 0;
 };
 

@@ -272,11 +272,27 @@ class ElementRows {
   Matrix extra_;
 };
 
+/// S φ = W φ + (K' + 1/2) V⁻¹ (K + 1/2) φ, transposed: Wᵀ + Yᵀ L⁻¹ (K' + 1/2)ᵀ.
+Matrix applyDensity(const SteklovPoincare& stiffness, const Matrix& hypersingular,
+                    Matrix adjoint) {
+  const Matrix transformed = stiffness.singleLayer().forward(std::move(adjoint));
+  Matrix rows = stiffness.algebra().transposeTimes(stiffness.half(), transformed);
+  for (Index j = 0; j < rows.columns(); ++j)
+    for (Index i = 0; i < rows.rows(); ++i)
+      rows(i, j) += hypersingular(i, j);
+  return rows;
+}
+
 }  // namespace
 
 TractionRows tractionRows(const Space& space, const Lame& lame,
                           const SteklovPoincare& stiffness,
                           const std::vector<int>& elements, TractionForm form) {
+  const TractionKernels& kernels = stiffness.tractions();
+  if (form == TractionForm::Projected && kernels.elements == elements)
+    return {applyDensity(stiffness, kernels.hypersingular, kernels.adjoint.copy()),
+            kernels.start};
+
   const auto count = static_cast<int>(elements.size());
   std::vector<std::unique_ptr<ElementRows>> parts(elements.size());
 #pragma omp parallel for schedule(dynamic, 1)
@@ -291,18 +307,13 @@ TractionRows tractionRows(const Space& space, const Lame& lame,
   const DenseAlgebra& algebra = stiffness.algebra();
   const Rows displacementRows = algebra.myRows(space.displacements());
   const Rows densityRows = algebra.myRows(space.densities());
-  Matrix hyper(displacementRows.size(), result.start.back());
+  Matrix hypersingular(displacementRows.size(), result.start.back());
   Matrix adjoint(densityRows.size(), result.start.back());
 #pragma omp parallel for schedule(dynamic, 1)
   for (int k = 0; k < count; ++k)
-    parts[k]->write(result.start[k], displacementRows, densityRows, hyper, adjoint);
-
-  // S φ = W φ + (K' + 1/2) V⁻¹ (K + 1/2) φ, transposed: Wᵀ + Yᵀ L⁻¹ (K' + 1/2)ᵀ
-  const Matrix transformed = stiffness.singleLayer().forward(std::move(adjoint));
-  result.rows = algebra.transposeTimes(stiffness.half(), transformed);
-  for (Index j = 0; j < result.rows.columns(); ++j)
-    for (Index i = 0; i < result.rows.rows(); ++i)
-      result.rows(i, j) += hyper(i, j);
+    parts[k]->write(result.start[k], displacementRows, densityRows, hypersingular,
+                    adjoint);
+  result.rows = applyDensity(stiffness, hypersingular, std::move(adjoint));
   return result;
 }
 

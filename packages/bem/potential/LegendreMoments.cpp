@@ -26,26 +26,19 @@ void forward(Complex z, Complex q0, int top, Complex* c) {
     c[j + 1] = ((2 * j + 1.0) * z * c[j] - static_cast<double>(j) * c[j - 1]) / (j + 1.0);
 }
 
-// 2 Q_j for j = 0 ... top by Miller's backward recurrence, scaled to 2 Q₀.
+// 2 Q_j for j = 0 ... top by Miller's backward recurrence, scaled to 2 Q₀.  Values grow
+// by R a step, from a start so small that even |z| = 1e10 with top = 25 ends below 1e150.
 void backward(Complex z, Complex q0, int top, double logR, Complex* c) {
   const int start = top + static_cast<int>(37 / (2 * logR)) + 2;
   Complex above = 0;
-  Complex here = 1e-280;
+  Complex here = 1e-150;
   for (int j = start; j > 0; --j) {
-    const Complex below =
-        ((2 * j + 1.0) * z * here - (j + 1.0) * above) / static_cast<double>(j);
+    const double inverse = 1.0 / j;
+    const Complex below = (2 + inverse) * (z * here) - (1 + inverse) * above;
     above = here;
     here = below;
     if (j - 1 <= top)
       c[j - 1] = here;
-    if (j <= top)
-      continue;
-    if (std::norm(here) > 1e200) {  // only ratios matter
-      here *= 1e-200;
-      above *= 1e-200;
-      if (j - 1 <= top)
-        c[j - 1] = here;
-    }
   }
   const Complex scale = 2.0 * q0 / c[0];
   for (int j = 0; j <= top; ++j)

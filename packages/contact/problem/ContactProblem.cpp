@@ -96,6 +96,7 @@ struct ContactProblem::Parts {
 
   Matrix clampMotions;  ///< the three rigid motions v at the clamped unknowns
   Matrix clampRows;     ///< A v, all unknowns
+  Vector gap;
 
   /// Bᵀ λ as a replicated vector.
   Vector push(const Vector& lambda) const {
@@ -229,7 +230,8 @@ ContactProblem::ContactProblem(const Input& input) {
                          std::move(load),
                          std::move(constant),
                          std::move(clampMotions),
-                         std::move(clampRows)});
+                         std::move(clampRows),
+                         std::move(obstacle.gap)});
   Parts& parts = *parts_;
   Problem& numbers = parts.numbers;
   const Index m = parts.multiplier.size();
@@ -248,8 +250,8 @@ ContactProblem::ContactProblem(const Input& input) {
   Vector u = parts.respond(parts.load);
   axpy(1, parts.constant, u);
   numbers.offset = parts.pull(u);
-  for (std::size_t i = 0; i < obstacle.gap.size(); ++i)
-    numbers.offset[i] -= obstacle.gap[i];
+  for (std::size_t i = 0; i < parts.gap.size(); ++i)
+    numbers.offset[i] -= parts.gap[i];
 
   const Index fixed = parts.rigid.fixed();
   numbers.rigid = Matrix(m, parts.rigid.free());
@@ -269,6 +271,7 @@ ContactProblem::ContactProblem(ContactProblem&&) noexcept = default;
 
 const Problem& ContactProblem::numbers() const { return parts_->numbers; }
 const MultiplierSpace& ContactProblem::multiplier() const { return parts_->multiplier; }
+const Vector& ContactProblem::gap() const { return parts_->gap; }
 const Vector& ContactProblem::load() const { return parts_->loads.load; }
 double ContactProblem::gamma(std::size_t contactElement) const {
   return parts_->gamma[contactElement];

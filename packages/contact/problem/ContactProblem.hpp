@@ -10,6 +10,11 @@
 
 namespace epafi::contact {
 
+/// The elements whose projected tractions the stabilisation takes from the assembly: give
+/// them to bem::assembleOperators.  Empty for the other forms.
+std::vector<int> tractionElements(const MultiplierSpace& multiplier,
+                                  const Stabilization& stabilization);
+
 /// The stabilised mixed problem [P (13)] on one mesh, condensed onto the multiplier:
 ///
 ///   A u + Bᵀ λ = f,   (μ - λ)ᵀ (B u - M λ - g) <= 0 for all admissible μ [design.md 4.1]
@@ -39,6 +44,10 @@ class ContactProblem {
 
   const Problem& numbers() const;
   const MultiplierSpace& multiplier() const;
+
+  /// g per normal coefficient, dimensionless: the part -g of numbers().offset that does
+  /// not come from loads.
+  const Vector& gap() const;
 
   /// u of a state, all unknowns of the space, dimensionless.
   Vector displacement(const State& state) const;

@@ -65,15 +65,20 @@ Matrix displacementCoefficients(const Element& element) {
   return coefficients;
 }
 
-bem::TractionRows tractions(const ContactProblem::Input& input,
-                            const MultiplierSpace& multiplier) {
+std::vector<int> contactElements(const MultiplierSpace& multiplier) {
   std::vector<int> elements;
   for (const ContactElement& element : multiplier.elements())
     elements.push_back(element.element);
+  return elements;
+}
+
+bem::TractionRows tractions(const ContactProblem::Input& input,
+                            const MultiplierSpace& multiplier) {
   const auto form = input.stabilization.form == Stabilization::Form::Exact
                         ? bem::TractionForm::Exact
                         : bem::TractionForm::Projected;
-  return bem::tractionRows(input.space, input.lame, input.stiffness, elements, form);
+  return bem::tractionRows(input.space, input.lame, input.stiffness,
+                           contactElements(multiplier), form);
 }
 
 /// Adds the normal or tangential coefficients of one element to Bᵀ and M.
@@ -141,6 +146,13 @@ class CouplingWriter {
 };
 
 }  // namespace
+
+std::vector<int> tractionElements(const MultiplierSpace& multiplier,
+                                  const Stabilization& stabilization) {
+  if (stabilization.form != Stabilization::Form::Projected)
+    return {};
+  return contactElements(multiplier);
+}
 
 Coupling makeCoupling(const ContactProblem::Input& input,
                       const MultiplierSpace& multiplier) {
