@@ -21,5 +21,5 @@ endfunction()
 add_trilinos(Teuchos trilinos_teuchosparameterlist trilinos_teuchosparser
   trilinos_teuchoscore trilinos_teuchosnumerics trilinos_teuchoscomm MPI::MPI_CXX)
 add_trilinos(Tpetra trilinos_tpetra trilinos_belostpetra trilinos_teuchosparameterlist MPI::MPI_CXX)
-add_trilinos(NOX trilinos_nox trilinos_thyratpetra trilinos_tpetra
+add_trilinos(NOX trilinos_locathyra trilinos_loca trilinos_nox trilinos_thyratpetra trilinos_tpetra
   trilinos_teuchosparameterlist MPI::MPI_CXX)

@@ -1,0 +1,110 @@
+#include "contact/nox/ContactJacobian.hpp"
+
+#include <Thyra_LinearOpSourceBase.hpp>
+#include <Thyra_MultiVectorBase.hpp>
+#include <Thyra_MultiVectorStdOps.hpp>
+
+#include <stdexcept>
+
+namespace epafi::contact {
+
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+// Jᵀ v, row by row of J; D is symmetric.
+Vector transposeTimes(const Linearisation& point, const Vector& v) {
+  const Equation& equation = point.equation();
+  const Evaluation& e = point.evaluation();
+  const Problem& problem = equation.problem();
+  const Index n = problem.size();
+  Vector result(v.size(), 0.0);
+  for (Index i = 0; i < n; ++i) {
+    const Complementarity::Value& row = e.rows[at(i)];
+    result[at(i)] += row.multiplier * v[at(i)];
+    if (i >= problem.normals) {
+      const std::size_t t = at(i - problem.normals);
+      result[at(problem.tangentials[t].normal)] +=
+          row.bound * e.boundSlopes[t] * v[at(i)];
+    }
+    const double factor = row.penetration * equation.weights()[at(i)] * v[at(i)];
+    const double* column = problem.flexibility.column(i);
+    for (Index j = 0; j < n && factor != 0; ++j)
+      result[at(j)] -= factor * column[j];
+    for (Index j = 0; j < problem.rigidMotions(); ++j)
+      result[at(n + j)] += factor * problem.rigid(i, j);
+  }
+  for (Index j = 0; j < problem.rigidMotions(); ++j) {
+    const double factor = v[at(n + j)] / equation.balanceScales()[at(j)];
+    for (Index i = 0; i < n; ++i)
+      result[at(i)] += factor * problem.rigid(i, j);
+  }
+  return result;
+}
+
+}  // namespace
+
+const NewtonSystem& Linearisation::system() const {
+  if (system_ == nullptr)
+    system_ = std::make_unique<NewtonSystem>(*equation_, evaluation_);
+  return *system_;
+}
+
+const Linearisation& ContactJacobian::at() const {
+  if (at_ == nullptr)
+    throw std::logic_error("the contact Jacobian is used before it was evaluated");
+  return *at_;
+}
+
+void ContactJacobian::applyImpl(Thyra::EOpTransp transpose, const MultiVector& x,
+                                const Teuchos::Ptr<MultiVector>& y, double alpha,
+                                double beta) const {
+  const bool forward = Thyra::real_trans(transpose) == Thyra::NOTRANS;
+  for (Teuchos::Ordinal j = 0; j < x.domain()->dim(); ++j) {
+    const Vector v = gathered(*space_, *x.col(j));
+    const Vector product = forward ? at().equation().jacobianTimes(at().evaluation(), v)
+                                   : transposeTimes(at(), v);
+    scatter(*space_, product, alpha, beta, *y->col(j));
+  }
+}
+
+Thyra::SolveStatus<double> ContactJacobian::solveImpl(
+    Thyra::EOpTransp, const MultiVector& b, const Teuchos::Ptr<MultiVector>& x,
+    const Teuchos::Ptr<const Thyra::SolveCriteria<double>>) const {
+  Thyra::SolveStatus<double> status;
+  status.solveStatus = Thyra::SOLVE_STATUS_CONVERGED;
+  status.achievedTol = status.unknownTolerance();
+  const auto fail = [&](const std::string& reason) {
+    status.solveStatus = Thyra::SOLVE_STATUS_UNCONVERGED;
+    status.message = reason;
+  };
+  try {
+    const NewtonSystem& system = at().system();
+    for (Teuchos::Ordinal j = 0; j < b.domain()->dim(); ++j) {
+      const Vector right = gathered(*space_, *b.col(j));
+      if (!system.unheld(right).empty())
+        fail(
+            "neither contact nor friction holds a rigid motion that the right-hand side "
+            "demands: begin nearer to the solution");
+      scatter(*space_, system.solve(right), 1, 0, *x->col(j));
+    }
+  } catch (const SingularJacobian& error) {
+    Thyra::assign(x, 0.0);
+    fail(error.what());
+  }
+  return status;
+}
+
+bool ContactJacobianFactory::isCompatible(
+    const Thyra::LinearOpSourceBase<double>& source) const {
+  return dynamic_cast<const ContactJacobian*>(source.getOp().get()) != nullptr;
+}
+
+void ContactJacobianFactory::initializeOp(
+    const Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>& source,
+    Thyra::LinearOpWithSolveBase<double>* op, Thyra::ESupportSolveUse) const {
+  Teuchos::dyn_cast<ContactJacobian>(*op).share(
+      Teuchos::dyn_cast<const ContactJacobian>(*source->getOp()));
+}
+
+}  // namespace epafi::contact

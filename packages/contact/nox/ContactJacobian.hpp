@@ -1,0 +1,113 @@
+#pragma once
+
+#include "contact/nox/SpmdVectors.hpp"
+#include "contact/solve/NewtonSystem.hpp"
+
+#include <Thyra_LinearOpWithSolveBase.hpp>
+#include <Thyra_LinearOpWithSolveFactoryBase.hpp>
+
+#include <memory>
+
+namespace epafi::contact {
+
+/// The contact equation at one point: what a generalised Jacobian is made from.
+class Linearisation {
+ public:
+  Linearisation(std::shared_ptr<const Equation> equation, Evaluation evaluation)
+      : equation_(std::move(equation)), evaluation_(std::move(evaluation)) {}
+
+  const Equation& equation() const { return *equation_; }
+  const Evaluation& evaluation() const { return evaluation_; }
+
+  /// Factorised by the first call.  \throws SingularJacobian
+  const NewtonSystem& system() const;
+
+ private:
+  std::shared_ptr<const Equation> equation_;
+  Evaluation evaluation_;
+  mutable std::unique_ptr<NewtonSystem> system_;
+};
+
+/// The generalised Jacobian J of the contact equation: applies itself and, dense and
+/// replicated, its inverse.
+///
+/// All calls are collective.  Jᵀ is applied, not solved with.
+class ContactJacobian final : public Thyra::LinearOpWithSolveBase<double> {
+ public:
+  explicit ContactJacobian(Teuchos::RCP<const SpmdSpace> space)
+      : space_(std::move(space)) {}
+
+  void set(std::shared_ptr<const Linearisation> at) { at_ = std::move(at); }
+  /// Becomes the Jacobian that the other one is now, whatever happens to that later.
+  void share(const ContactJacobian& other) { at_ = other.at_; }
+
+  Teuchos::RCP<const Thyra::VectorSpaceBase<double>> range() const override {
+    return space_;
+  }
+  Teuchos::RCP<const Thyra::VectorSpaceBase<double>> domain() const override {
+    return space_;
+  }
+
+ private:
+  using MultiVector = Thyra::MultiVectorBase<double>;
+
+  /// \throws std::logic_error before the first evaluation.
+  const Linearisation& at() const;
+
+  bool opSupportedImpl(Thyra::EOpTransp) const override { return true; }
+  void applyImpl(Thyra::EOpTransp transpose, const MultiVector& x,
+                 const Teuchos::Ptr<MultiVector>& y, double alpha,
+                 double beta) const override;
+  bool solveSupportsImpl(Thyra::EOpTransp transpose) const override {
+    return Thyra::real_trans(transpose) == Thyra::NOTRANS;
+  }
+  bool solveSupportsSolveMeasureTypeImpl(Thyra::EOpTransp transpose,
+                                         const Thyra::SolveMeasureType&) const override {
+    return solveSupportsImpl(transpose);
+  }
+  /// Unconverged, with the reason, where J is singular or where rigid motions that
+  /// nothing holds (no contact yet, everything slips) do not balance b.
+  Thyra::SolveStatus<double> solveImpl(
+      Thyra::EOpTransp transpose, const MultiVector& b,
+      const Teuchos::Ptr<MultiVector>& x,
+      Teuchos::Ptr<const Thyra::SolveCriteria<double>> criteria) const override;
+
+  Teuchos::RCP<const SpmdSpace> space_;
+  std::shared_ptr<const Linearisation> at_;
+};
+
+/// Makes a ContactJacobian solve: there is nothing to choose.
+class ContactJacobianFactory final : public Thyra::LinearOpWithSolveFactoryBase<double> {
+ public:
+  explicit ContactJacobianFactory(Teuchos::RCP<const SpmdSpace> space)
+      : space_(std::move(space)) {}
+
+  bool isCompatible(const Thyra::LinearOpSourceBase<double>& source) const override;
+  Teuchos::RCP<Thyra::LinearOpWithSolveBase<double>> createOp() const override {
+    return Teuchos::rcp(new ContactJacobian(space_));
+  }
+  void initializeOp(const Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>& source,
+                    Thyra::LinearOpWithSolveBase<double>* op,
+                    Thyra::ESupportSolveUse use) const override;
+  void uninitializeOp(Thyra::LinearOpWithSolveBase<double>*,
+                      Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>*,
+                      Teuchos::RCP<const Thyra::PreconditionerBase<double>>*,
+                      Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>*,
+                      Thyra::ESupportSolveUse*) const override {}
+
+  void setParameterList(const Teuchos::RCP<Teuchos::ParameterList>& list) override {
+    list_ = list;
+  }
+  Teuchos::RCP<Teuchos::ParameterList> getNonconstParameterList() override {
+    return list_;
+  }
+  Teuchos::RCP<Teuchos::ParameterList> unsetParameterList() override {
+    return std::exchange(list_, Teuchos::null);
+  }
+
+ private:
+  Teuchos::RCP<const SpmdSpace> space_;
+  Teuchos::RCP<Teuchos::ParameterList> list_;
+};
+
+}  // namespace epafi::contact

@@ -1,0 +1,158 @@
+#include "contact/nox/ContactModel.hpp"
+
+#include "bem/base/Error.hpp"
+#include "contact/nox/ContactJacobian.hpp"
+#include "contact/solve/Tresca.hpp"
+
+#include <Thyra_DefaultSpmdVectorSpace.hpp>
+#include <Thyra_MultiVectorBase.hpp>
+#include <Thyra_VectorStdOps.hpp>
+
+namespace epafi::contact {
+
+using Teuchos::RCP;
+using Base = Thyra::ModelEvaluatorBase;
+
+namespace {
+
+constexpr int parameters = 2;
+
+RCP<const SpmdSpace> spaceOf(const Problem& problem,
+                             const ContactModel::Options& options) {
+  const Index n = ContactModel::unknowns(problem);
+  if (options.space.is_null())
+    return Thyra::defaultSpmdVectorSpace<double>(n);
+  if (options.space->dim() != n)
+    throw bem::InputError(bem::message("the contact problem has ", n,
+                                       " unknowns, but the space for them has ",
+                                       options.space->dim()));
+  return options.space;
+}
+
+const Complementarity& functionOf(SolverOptions::Complementarity choice) {
+  SolverOptions options;
+  options.complementarity = choice;
+  return complementarityOf(options);
+}
+
+// The tolerance is the caller's business: the model only evaluates.
+constexpr double noTolerance = 0;
+
+}  // namespace
+
+struct ContactModel::Member {
+  Member(const ProblemFamily& family, const Factors& factors_, const Complementarity& f)
+      : factors(factors_),
+        problem(family.at(factors)),
+        equation(problem, f, Equation::Bound::Differentiated, noTolerance) {}
+
+  Factors factors;
+  Problem problem;
+  Equation equation;
+};
+
+ContactModel::ContactModel(const ContactProblem& problem, const Options& options)
+    : ContactModel(problem.numbers(), problem.gap(), options) {}
+
+ContactModel::ContactModel(const Problem& problem, const Vector& gap,
+                           const Options& options)
+    : family_(problem, gap),
+      stress_(problem.stress),
+      complementarity_(functionOf(options.complementarity)),
+      space_(spaceOf(problem, options)),
+      parameterSpace_(
+          Thyra::locallyReplicatedDefaultSpmdVectorSpace<double>(space_->getComm(), 1)) {}
+
+RCP<Thyra::VectorBase<double>> ContactModel::point(const State& state) const {
+  const RCP<Thyra::VectorBase<double>> x = Thyra::createMember(*get_x_space());
+  scatter(*space_, pack(family_.original(), state), 1 / stress_, 0, *x);
+  return x;
+}
+
+State ContactModel::state(const Thyra::VectorBase<double>& x) const {
+  Vector unknowns = gathered(*space_, x);
+  for (double& value : unknowns)
+    value *= stress_;
+  return unpack(family_.original(), unknowns);
+}
+
+RCP<const Thyra::VectorSpaceBase<double>> ContactModel::get_p_space(int) const {
+  return parameterSpace_;
+}
+
+RCP<const Teuchos::Array<std::string>> ContactModel::get_p_names(int l) const {
+  const std::string name = l == Load ? "Load Factor" : "Friction Factor";
+  return Teuchos::rcp(new Teuchos::Array<std::string>(1, name));
+}
+
+Base::InArgs<double> ContactModel::createInArgs() const {
+  Base::InArgsSetup<double> in;
+  in.setModelEvalDescription(description());
+  in.setSupports(Base::IN_ARG_x);
+  in.set_Np(parameters);
+  return std::move(in);
+}
+
+Base::InArgs<double> ContactModel::getNominalValues() const {
+  Base::InArgs<double> in = createInArgs();
+  in.set_x(point({}));
+  for (int l = 0; l < parameters; ++l) {
+    const RCP<Thyra::VectorBase<double>> one = Thyra::createMember(*parameterSpace_);
+    Thyra::assign(one.ptr(), 1.0);
+    in.set_p(l, one);
+  }
+  return in;
+}
+
+Base::OutArgs<double> ContactModel::createOutArgsImpl() const {
+  Base::OutArgsSetup<double> out;
+  out.setModelEvalDescription(description());
+  out.set_Np_Ng(parameters, 0);
+  out.setSupports(Base::OUT_ARG_f);
+  out.setSupports(Base::OUT_ARG_W_op);
+  for (int l = 0; l < parameters; ++l)
+    out.setSupports(Base::OUT_ARG_DfDp, l, Base::DERIV_MV_JACOBIAN_FORM);
+  return std::move(out);
+}
+
+RCP<Thyra::LinearOpBase<double>> ContactModel::create_W_op() const {
+  return Teuchos::rcp(new ContactJacobian(space_));
+}
+
+RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> ContactModel::get_W_factory()
+    const {
+  return Teuchos::rcp(new ContactJacobianFactory(space_));
+}
+
+std::shared_ptr<const Equation> ContactModel::equationAt(const Factors& factors) const {
+  if (latest_ == nullptr || latest_->factors.load != factors.load ||
+      latest_->factors.friction != factors.friction)
+    latest_ = std::make_shared<const Member>(family_, factors, complementarity_);
+  return {latest_, &latest_->equation};
+}
+
+void ContactModel::evalModelImpl(const Base::InArgs<double>& in,
+                                 const Base::OutArgs<double>& out) const {
+  const auto factor = [&](Parameter l) {
+    return in.get_p(l).is_null() ? 1.0 : Thyra::get_ele(*in.get_p(l), 0);
+  };
+  const std::shared_ptr<const Equation> equation =
+      equationAt({factor(Load), factor(Friction)});
+  Vector unknowns = gathered(*space_, *in.get_x());
+  for (double& value : unknowns)
+    value *= stress_;
+  const auto point =
+      std::make_shared<const Linearisation>(equation, equation->at(std::move(unknowns)));
+  const contact::Evaluation& e = point->evaluation();
+
+  if (const auto f = out.get_f(); !f.is_null())
+    scatter(*space_, e.residual, 1 / stress_, 0, *f);
+  if (const auto w = out.get_W_op(); !w.is_null())
+    Teuchos::dyn_cast<ContactJacobian>(*w).set(point);
+  if (const auto dfdp = out.get_DfDp(Load).getMultiVector(); !dfdp.is_null())
+    scatter(*space_, family_.loadDerivative(*equation, e), 1 / stress_, 0, *dfdp->col(0));
+  if (const auto dfdp = out.get_DfDp(Friction).getMultiVector(); !dfdp.is_null())
+    scatter(*space_, family_.frictionDerivative(e), 1 / stress_, 0, *dfdp->col(0));
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "contact/nox/SpmdVectors.hpp"
+#include "contact/problem/ContactProblem.hpp"
+#include "contact/solve/CoulombIteration.hpp"
+#include "contact/solve/ProblemFamily.hpp"
+
+#include <Thyra_StateFuncModelEvaluatorBase.hpp>
+
+#include <memory>
+
+namespace epafi::contact {
+
+/// The condensed contact problem as Thyra::ModelEvaluator, for NOX, LOCA and whatever
+/// else takes one:
+///
+///   x = (λ, α) / σ,   f(x) = F(σ x) / σ,   σ = Problem::stress, the size of the load;
+///
+/// F: see Equation; zero is where contact and friction hold.  A norm of f is relative to
+/// the load.
+///
+///   parameters   p₀ load factor, p₁ friction factor (see Factors), both 1 unless given
+///   f            the residual
+///   W_op, W      an element of the generalised Jacobian; W solves with it, dense
+///   DfDp(0, 1)   of the same element, by columns
+///
+/// F is semismooth: Newton's method with full steps converges locally, faster than
+/// linearly.  From far away let solve() find the point to begin with.
+class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
+ public:
+  enum Parameter { Load = 0, Friction = 1 };
+
+  struct Options {
+    SolverOptions::Complementarity complementarity =
+        SolverOptions::Complementarity::Projection;
+    /// How x and f are distributed, dimension unknowns(); null: one process, no MPI.
+    /// The equation itself is replicated, and evaluating it is collective.
+    Teuchos::RCP<const SpmdSpace> space;
+  };
+
+  /// Number of unknowns of a problem: λ and α.
+  static Index unknowns(const Problem& problem) {
+    return problem.size() + problem.rigidMotions();
+  }
+
+  /// \throws bem::InputError if the space's dimension is not the number of unknowns.
+  explicit ContactModel(const ContactProblem& problem)
+      : ContactModel(problem, Options()) {}
+  ContactModel(const ContactProblem& problem, const Options& options);
+  ContactModel(const Problem& problem, const Vector& gap, const Options& options);
+
+  /// x of a state (empty vectors are zero), and the state of an x.  Collective.
+  Teuchos::RCP<Thyra::VectorBase<double>> point(const State& state) const;
+  State state(const Thyra::VectorBase<double>& x) const;
+
+  const ProblemFamily& family() const { return family_; }
+
+  Teuchos::RCP<const Thyra::VectorSpaceBase<double>> get_x_space() const override {
+    return space_;
+  }
+  Teuchos::RCP<const Thyra::VectorSpaceBase<double>> get_f_space() const override {
+    return space_;
+  }
+  Teuchos::RCP<const Thyra::VectorSpaceBase<double>> get_p_space(int l) const override;
+  Teuchos::RCP<const Teuchos::Array<std::string>> get_p_names(int l) const override;
+  Thyra::ModelEvaluatorBase::InArgs<double> getNominalValues() const override;
+  Thyra::ModelEvaluatorBase::InArgs<double> createInArgs() const override;
+  Teuchos::RCP<Thyra::LinearOpBase<double>> create_W_op() const override;
+  Teuchos::RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> get_W_factory()
+      const override;
+
+ private:
+  struct Member;  // one problem of the family and its equation
+
+  Thyra::ModelEvaluatorBase::OutArgs<double> createOutArgsImpl() const override;
+  /// \throws bem::InputError as ProblemFamily::at.
+  void evalModelImpl(
+      const Thyra::ModelEvaluatorBase::InArgs<double>& in,
+      const Thyra::ModelEvaluatorBase::OutArgs<double>& out) const override;
+  std::shared_ptr<const Equation> equationAt(const Factors& factors) const;
+
+  ProblemFamily family_;
+  double stress_;
+  const Complementarity& complementarity_;
+  Teuchos::RCP<const SpmdSpace> space_;
+  Teuchos::RCP<const Thyra::VectorSpaceBase<double>> parameterSpace_;
+  mutable std::shared_ptr<const Member> latest_;  // parameters change seldom
+};
+
+}  // namespace epafi::contact

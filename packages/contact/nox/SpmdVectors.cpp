@@ -1,0 +1,41 @@
+#include "contact/nox/SpmdVectors.hpp"
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Thyra_DetachedSpmdVectorView.hpp>
+
+namespace epafi::contact {
+
+using bem::Vector;
+
+Vector gathered(const SpmdSpace& space, const Thyra::VectorBase<double>& x) {
+  const auto comm = space.getComm();
+  const bool whole =
+      comm.is_null() || comm->getSize() == 1 || space.isLocallyReplicated();
+  const auto begin = static_cast<std::size_t>(whole ? 0 : space.localOffset());
+  Vector mine(static_cast<std::size_t>(space.dim()), 0.0);
+  {
+    const Thyra::ConstDetachedSpmdVectorView<double> view(Teuchos::rcpFromRef(x));
+    for (Teuchos::Ordinal i = 0; i < view.subDim(); ++i)
+      mine[begin + static_cast<std::size_t>(i)] = view[i];
+  }
+  if (whole)
+    return mine;
+  // Each entry is one process's own plus zeros: exact, and the same everywhere.
+  Vector all(mine.size());
+  Teuchos::reduceAll(*comm, Teuchos::REDUCE_SUM,
+                     static_cast<Teuchos::Ordinal>(mine.size()), mine.data(), all.data());
+  return all;
+}
+
+void scatter(const SpmdSpace& space, const Vector& values, double scale, double shift,
+             Thyra::VectorBase<double>& x) {
+  const auto begin =
+      static_cast<std::size_t>(space.isLocallyReplicated() ? 0 : space.localOffset());
+  const Thyra::DetachedSpmdVectorView<double> view(Teuchos::rcpFromRef(x));
+  for (Teuchos::Ordinal i = 0; i < view.subDim(); ++i) {
+    const double value = scale * values[begin + static_cast<std::size_t>(i)];
+    view[i] = shift == 0 ? value : value + shift * view[i];
+  }
+}
+
+}  // namespace epafi::contact
