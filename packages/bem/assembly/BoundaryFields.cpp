@@ -1,0 +1,191 @@
+#include "bem/assembly/BoundaryFields.hpp"
+
+#include "bem/assembly/FarPairs.hpp"
+#include "bem/potential/PointSources.hpp"
+#include "bem/potential/RelativeTarget.hpp"
+#include "bem/potential/Traction.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace epafi::bem {
+
+namespace {
+
+/// Gauss points on a graded interval beyond the degree, and where grading ends: both give
+/// 1e-6 in the integrals of log².
+constexpr int smoothPoints = 4;
+constexpr double smallestInterval = 1e-7;
+
+Vec2 asVector(Complex z) { return {z.real(), z.imag()}; }
+
+}  // namespace
+
+struct BoundaryFields::Sources {
+  struct Far {
+    int element;
+    int inner;  ///< Gauss points on it
+  };
+  std::vector<int> near;
+  std::map<int, std::vector<Far>> far;  ///< by Gauss points on the target element
+};
+
+/// Fields of the far sources on the target element, Legendre coefficients.
+struct BoundaryFields::FarSeries {
+  std::vector<Complex> traction;
+  std::vector<Complex> mismatch;
+};
+
+BoundaryFields::BoundaryFields(const Space& space, const Lame& lame, const Vector& u,
+                               const Vector& psi)
+    : mesh_(space.mesh()), lame_(lame) {
+  for (int e = 0; e < mesh_.size(); ++e)
+    fields_.push_back(localField(space, u, psi, e));
+}
+
+BoundaryFields::Sources BoundaryFields::split(int element) const {
+  Sources sources;
+  for (int f = 0; f < mesh_.size(); ++f) {
+    PairOrder order;
+    if (isNear(mesh_, element, f, order)) {
+      sources.near.push_back(f);
+      continue;
+    }
+    // interpolation needs twice as many points as a product of two such fields
+    const int smooth = order.outer - degreeShare(mesh_[element].degree);
+    sources.far[2 * smooth].push_back({f, order.inner});
+  }
+  return sources;
+}
+
+BoundaryFields::FarSeries BoundaryFields::farSeries(int element,
+                                                    const Sources& sources) const {
+  const Element& target = mesh_[element];
+  const Complex normal = asComplex(target.normal);
+  const BoundaryPoint middle = mesh_.at(element, 0);
+  FarSeries series;
+  PointSources points;
+  for (const auto& [order, far] : sources.far) {
+    points.clear();
+    for (const Sources::Far& source : far) {
+      const Element& f = mesh_[source.element];
+      const LocalField& values = fields_[static_cast<std::size_t>(source.element)];
+      const Complex offset =
+          -asComplex(mesh_.difference(middle, mesh_.at(source.element, 0)));
+      const Complex tangent = asComplex(f.tangent);
+      const Rule& rule = gaussLegendre(source.inner);
+      std::array<double, largestDegree + 1> legendre{};
+      for (int q = 0; q < rule.size(); ++q) {
+        legendreValues(f.degree - 1, rule.points[q], legendre.data());
+        Complex density = 0;
+        Complex slope = 0;
+        for (int j = 0; j < f.degree; ++j) {
+          density += legendre[j] * values.density[j];
+          slope += legendre[j] * values.slope[j];
+        }
+        const double weight = f.half * rule.weights[q];
+        points.add(offset + f.half * rule.points[q] * tangent, weight * density,
+                   weight * slope);
+      }
+    }
+    const auto size = static_cast<std::size_t>(order);
+    series.traction.resize(std::max(series.traction.size(), size));
+    series.mismatch.resize(series.traction.size());
+    const Rule& rule = gaussLegendre(order);
+    std::vector<double> legendre(size);
+    for (int q = 0; q < order; ++q) {
+      legendreValues(order - 1, rule.points[q], legendre.data());
+      const FieldSums sums =
+          points.at(target.half * rule.points[q] * asComplex(target.tangent));
+      const Complex t = traction(lame_, normal, sums);
+      const Complex m = mismatchSlope(lame_, normal, sums);
+      for (std::size_t k = 0; k < size; ++k) {
+        const double factor =
+            rule.weights[q] * legendre[k] * (static_cast<double>(k) + 0.5);
+        series.traction[k] += factor * t;
+        series.mismatch[k] += factor * m;
+      }
+    }
+  }
+  return series;
+}
+
+void BoundaryFields::evaluate(int element, const Sources& sources,
+                              const FarSeries& series, BoundaryValue& value) const {
+  const Element& target = mesh_[element];
+  const Complex normal = asComplex(target.normal);
+  const BoundaryPoint x = mesh_.at(element, value.place.fromStart, value.place.toEnd);
+  FieldSums sums;
+  LegendreMoments moments;
+  for (const int f : sources.near) {
+    const Element& source = mesh_[f];
+    const LocalField& values = fields_[static_cast<std::size_t>(f)];
+    const RelativeTarget seen = seenFrom(mesh_, f, x);
+    evaluateMoments(seen, source.degree - 1, Need::CandD, moments);
+    const Complex tangent = asComplex(source.tangent);
+    for (int j = 0; j < source.degree; ++j) {
+      const ElementIntegrals in = elementIntegrals(tangent, seen, moments, j);
+      const Complex density = values.density[j];
+      const Complex slope = values.slope[j];
+      sums.density.add(
+          {density * in.overW, density * in.overConj, std::conj(density) * in.cubic});
+      sums.slope.add(
+          {slope * in.overW, slope * in.overConj, std::conj(slope) * in.cubic});
+    }
+  }
+  Complex t = traction(lame_, normal, sums);
+  Complex m = mismatchSlope(lame_, normal, sums);
+
+  const LocalField& own = fields_[static_cast<std::size_t>(element)];
+  const int degree = target.degree;
+  const int terms = std::max(degree, static_cast<int>(series.traction.size()));
+  std::vector<double> legendre(static_cast<std::size_t>(terms));
+  legendreValues(terms - 1, value.place.t, legendre.data());
+  for (int j = 0; j < degree; ++j) {
+    t += 0.5 * legendre[static_cast<std::size_t>(j)] * own.density[j];
+    m -= 0.5 * legendre[static_cast<std::size_t>(j)] * own.slope[j];
+  }
+  for (std::size_t k = 0; k < series.traction.size(); ++k) {
+    t += legendre[k] * series.traction[k];
+    m += legendre[k] * series.mismatch[k];
+  }
+  value.traction = asVector(t);
+  value.mismatch = asVector(m);
+}
+
+std::vector<BoundaryValue> BoundaryFields::at(int element,
+                                              const std::vector<EndPoint>& points) const {
+  const Sources sources = split(element);
+  const FarSeries series = farSeries(element, sources);
+  std::vector<BoundaryValue> values(points.size());
+  for (std::size_t q = 0; q < points.size(); ++q) {
+    values[q].place = points[q];
+    evaluate(element, sources, series, values[q]);
+  }
+  return values;
+}
+
+std::vector<BoundaryValue> BoundaryFields::on(int element) const {
+  const Sources sources = split(element);
+  std::vector<Feature> features;
+  int degree = mesh_[element].degree;
+  for (const int f : sources.near) {
+    const Piece& piece = mesh_[f].piece;
+    degree = std::max(degree, mesh_[f].degree);
+    for (const Position& end : {piece.start, piece.end}) {
+      const RelativeTarget seen = seenFrom(mesh_, element, {piece.edge, end, 0});
+      features.push_back({seen.z().real(), std::abs(seen.b())});
+    }
+  }
+  const GradedRule rule = gradedRule(features, degree + smoothPoints, smallestInterval);
+  const FarSeries series = farSeries(element, sources);
+  std::vector<BoundaryValue> values(rule.points.size());
+  for (std::size_t q = 0; q < values.size(); ++q) {
+    values[q].place = rule.points[q];
+    values[q].weight = mesh_[element].half * rule.weights[q];
+    evaluate(element, sources, series, values[q]);
+  }
+  return values;
+}
+
+}  // namespace epafi::bem

@@ -1,0 +1,196 @@
+// Pointwise residuals of the two integral equations: exact solutions, limits from inside,
+// and the Galerkin matrices, which are integrals of the same fields.
+#include "bem/assembly/BoundaryFields.hpp"
+
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/assembly/Assembly.hpp"
+#include "bem/assembly/Interior.hpp"
+#include "bem/basis/Legendre.hpp"
+#include "reference/ExactFields.hpp"
+#include "reference/SampleMeshes.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace {
+
+using namespace epafi::reference;
+namespace bem = epafi::bem;
+using bem::Vec2;
+using bem::Vector;
+
+const bem::LapackAlgebra algebra;
+
+bem::Lame lameOf(double nu) { return bem::Lame({1, nu, false}); }
+
+/// Numbers without any symmetry.
+Vector anyVector(bem::Index size, double seed) {
+  Vector v;
+  for (bem::Index i = 0; i < size; ++i)
+    v.push_back(std::sin(seed + 1.7 * static_cast<double>(i)));
+  return v;
+}
+
+bem::EndPoint inside(double t) { return {t, 1 + t, 1 - t}; }
+
+struct Errors {
+  double traction = 0;  ///< L² norms relative to the traction's
+  double mismatch = 0;
+};
+
+/// Of an exact field's Cauchy data on a mesh.
+Errors errorsOf(const bem::Mesh& mesh, const bem::Lame& lame, const ExactField& field) {
+  const bem::Space space(mesh);
+  const bem::BoundaryFields fields(space, lame, displacementOf(space, field),
+                                   tractionOf(space, field));
+  Errors errors;
+  double size = 0;
+  for (int e = 0; e < mesh.size(); ++e)
+    for (const bem::BoundaryValue& value : fields.on(e)) {
+      const Vec2 exact =
+          field.stress(mesh.scaledPoint(e, value.place.t)) * mesh[e].normal;
+      const Vec2 off = value.traction - exact;
+      errors.traction += value.weight * dot(off, off);
+      errors.mismatch += value.weight * dot(value.mismatch, value.mismatch);
+      size += value.weight * dot(exact, exact);
+    }
+  return {std::sqrt(errors.traction / size), std::sqrt(errors.mismatch / size)};
+}
+
+TEUCHOS_UNIT_TEST(BoundaryFields, ofConstantStressAreExactToRounding) {
+  for (const Sample& sample : hardSamples())
+    for (double nu : {0.3, 0.4999})
+      for (const PlaneStressTensor sigma :
+           {PlaneStressTensor{1, 0, 0}, PlaneStressTensor{0, 1, 0},
+            PlaneStressTensor{0, 0, 1}}) {
+        const Errors errors =
+            errorsOf(sample.mesh, lameOf(nu), constantStress(lameOf(nu), sigma, 0.3));
+        out << sample.name << ", nu = " << nu << ": ";
+        TEST_COMPARE(errors.traction, <, 1e-11);
+        TEST_COMPARE(errors.mismatch, <, 1e-11);
+      }
+}
+
+TEUCHOS_UNIT_TEST(BoundaryFields, ofAPointForceConvergeExponentiallyInP) {
+  for (const auto& shape :
+       {std::make_shared<const bem::Outline>(square()), squareWithHole()}) {
+    const std::vector<int> two(shape->edges().size(), 2);
+    const auto errors = [&](int p) {
+      return errorsOf(bem::makeMesh(shape, two, p), lameOf(0.3),
+                      pointForce(lameOf(0.3), {0.8, 0.5}, {0.6, -0.8}));
+    };
+    Errors before = errors(2);
+    for (int p = 6; p <= 18; p += 4) {
+      const Errors now = errors(p);
+      out << "p = " << p << ": ";
+      TEST_COMPARE(now.traction, <, std::max(0.05 * before.traction, 1e-10));
+      TEST_COMPARE(now.mismatch, <, std::max(0.05 * before.mismatch, 1e-10));
+      before = now;
+    }
+    TEST_COMPARE(before.traction + before.mismatch, <, 2e-10);
+  }
+}
+
+// U = V psi - K u inside has the trace  V psi - (K - 1/2) u  and the traction
+// W u + (K' + 1/2) psi, for whatever u and psi.
+TEUCHOS_UNIT_TEST(BoundaryFields, areLimitsOfTheFieldsInside) {
+  const bem::Lame lame = lameOf(0.3);
+  for (const Sample& sample : hardSamples()) {
+    const bem::Mesh& mesh = sample.mesh;
+    const bem::Space space(mesh);
+    const Vector u = anyVector(space.displacements(), 0.3);
+    const Vector psi = anyVector(space.densities(), 1.1);
+    const bem::BoundaryFields fields(space, lame, u, psi);
+    double tractionError = 0;
+    double mismatchError = 0;
+    double tractionSize = 0;
+    double mismatchSize = 0;
+    for (int e = 0; e < mesh.size(); ++e) {
+      const double depth = 1e-10 * mesh[e].half;
+      const double step = 2e-3;
+      const auto trace = [&](double t) {
+        const Vec2 x = mesh.scaledPoint(e, t) - depth * mesh[e].normal;
+        return evaluateInterior(space, lame, u, psi, x).displacement -
+               space.displacementAt(u, e, t);
+      };
+      for (const bem::BoundaryValue& value : fields.at(e, {inside(-0.6), inside(0.3)})) {
+        const double t = value.place.t;
+        const auto inner = evaluateInterior(
+            space, lame, u, psi, mesh.scaledPoint(e, t) - depth * mesh[e].normal);
+        const Vec2 traction =
+            PlaneStressTensor{inner.xx, inner.yy, inner.xy} * mesh[e].normal;
+        const Vec2 slope = (1 / (12 * step * mesh[e].half)) *
+                           (8.0 * (trace(t + step) - trace(t - step)) -
+                            (trace(t + 2 * step) - trace(t - 2 * step)));
+        tractionError = std::max(tractionError, norm(value.traction - traction));
+        mismatchError = std::max(mismatchError, norm(value.mismatch - slope));
+        tractionSize = std::max(tractionSize, norm(traction));
+        mismatchSize = std::max(mismatchSize, norm(slope));
+      }
+    }
+    out << sample.name << ": ";
+    TEST_COMPARE(tractionError, <, 1e-6 * tractionSize);
+    TEST_COMPARE(mismatchError, <, 1e-6 * mismatchSize);
+  }
+}
+
+// For bubbles phi on an element,  <W u + (K' + 1/2) psi, phi>  is a row of W and of
+// (K + 1/2)';  <d/ds (V psi - (K + 1/2) u), phi> = -<V psi - (K + 1/2) u, phi'>  is a row
+// of V and K + 1/2.
+TEUCHOS_UNIT_TEST(BoundaryFields, integrateToTheGalerkinMatrices) {
+  const bem::Lame lame = lameOf(0.3);
+  for (const Sample& sample : hardSamples()) {
+    const bem::Mesh& mesh = sample.mesh;
+    const bem::Space space(mesh);
+    const Vector u = anyVector(space.displacements(), 0.3);
+    const Vector psi = anyVector(space.densities(), 1.1);
+    const bem::BoundaryFields fields(space, lame, u, psi);
+    const bem::Operators operators = bem::assembleOperators(space, lame, algebra);
+    Vector force = algebra.multiplySymmetric(operators.hypersingular, u);
+    for (std::size_t j = 0; j < force.size(); ++j)
+      for (std::size_t i = 0; i < psi.size(); ++i)
+        force[j] += operators.doubleLayer(static_cast<bem::Index>(i),
+                                          static_cast<bem::Index>(j)) *
+                    psi[i];
+    Vector gap = algebra.multiplySymmetric(operators.singleLayer, psi);
+    const Vector ku =
+        algebra.multiply(operators.doubleLayer, operators.doubleLayer.rows(), u);
+    for (std::size_t i = 0; i < gap.size(); ++i)
+      gap[i] -= ku[i];
+
+    double error = 0;
+    double size = 0;
+    for (int e = 0; e < mesh.size(); ++e) {
+      const int p = mesh[e].degree;
+      if (p < 2)
+        continue;
+      std::array<Vec2, bem::largestDegree + 1> forces{};
+      std::array<Vec2, bem::largestDegree + 1> gaps{};
+      for (const bem::BoundaryValue& value : fields.on(e)) {
+        std::array<double, bem::largestDegree + 1> phi{};
+        bem::DisplacementBasis::values(p, value.place.t, phi.data());
+        for (int k = 2; k <= p; ++k) {
+          forces[k] = forces[k] + value.weight * phi[k] * value.traction;
+          gaps[k] = gaps[k] + value.weight * phi[k] * value.mismatch;
+        }
+      }
+      for (int k = 2; k <= p; ++k)
+        for (int c = 0; c < 2; ++c) {
+          const auto part = [c](Vec2 v) { return c == 0 ? v.x : v.y; };
+          const auto i = static_cast<std::size_t>(space.displacement(e, k, c));
+          const auto j = static_cast<std::size_t>(space.density(e, k - 1, c));
+          const double slope = bem::DisplacementBasis::slope(k) / mesh[e].half;
+          error = std::max({error, std::abs(part(forces[k]) - force[i]),
+                            std::abs(part(gaps[k]) + slope * gap[j])});
+          size = std::max({size, std::abs(force[i]), std::abs(slope * gap[j])});
+        }
+    }
+    out << sample.name << ": ";
+    TEST_COMPARE(error, <=, 1e-6 * size);
+  }
+}
+
+}  // namespace
