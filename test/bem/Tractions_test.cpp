@@ -1,0 +1,154 @@
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/assembly/Interior.hpp"
+#include "bem/assembly/TractionRows.hpp"
+#include "reference/ExactFields.hpp"
+#include "reference/SampleMeshes.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace {
+
+using namespace epafi;
+using bem::Index;
+using bem::Vec2;
+using bem::Vector;
+
+const bem::LapackAlgebra algebra;
+
+std::vector<int> allElements(const bem::Mesh& mesh) {
+  std::vector<int> elements(static_cast<std::size_t>(mesh.size()));
+  std::iota(elements.begin(), elements.end(), 0);
+  return elements;
+}
+
+double largest(const bem::Matrix& a) {
+  double result = 0;
+  for (Index j = 0; j < a.columns(); ++j)
+    for (Index i = 0; i < a.rows(); ++i)
+      result = std::max(result, std::abs(a(i, j)));
+  return result;
+}
+
+// The fast path shares the assembly's moments; its twin evaluates W φ and K' ψ at points.
+TEUCHOS_UNIT_TEST(ProjectedTractions, fromMomentsEqualThoseFromPointValues) {
+  for (const double nu : {0.3, -0.4})
+    for (const auto& sample : reference::hardSamples()) {
+      const bem::Space space(sample.mesh);
+      const bem::Lame lame(bem::Material{1, nu, false});
+      const std::vector<int> elements = allElements(sample.mesh);
+      const bem::SteklovPoincare plain(bem::assembleOperators(space, lame, algebra),
+                                       algebra);
+      const bem::SteklovPoincare shared(
+          bem::assembleOperators(space, lame, algebra, elements), algebra);
+      const auto form = bem::TractionForm::Projected;
+      const bem::TractionRows slow =
+          bem::tractionRows(space, lame, plain, elements, form);
+      const bem::TractionRows fast =
+          bem::tractionRows(space, lame, shared, elements, form);
+      TEST_ASSERT(slow.start == fast.start);
+      double error = 0;
+      for (Index j = 0; j < slow.rows.columns(); ++j)
+        for (Index i = 0; i < slow.rows.rows(); ++i)
+          error = std::max(error, std::abs(slow.rows(i, j) - fast.rows(i, j)));
+      out << sample.name << ": ";
+      TEST_COMPARE(error, <, 2e-12 * largest(slow.rows));
+    }
+}
+
+// ∫ S u · S u ds from the orthonormal columns against the square of the exact traction.
+TEUCHOS_UNIT_TEST(ExactTractions, ofAConstantStressHaveItsNorm) {
+  const bem::Lame lame(bem::Material{1, 0.3, false});
+  const auto field = reference::constantStress(lame, {0.4, -0.3, 0.2}, 0.7);
+  for (const auto& sample : reference::quickSamples()) {
+    const bem::Space space(sample.mesh);
+    const std::vector<int> elements = allElements(sample.mesh);
+    const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame, algebra),
+                                         algebra);
+    const Vector u = reference::displacementOf(space, field);
+    for (const auto form : {bem::TractionForm::Projected, bem::TractionForm::Exact}) {
+      const bem::TractionRows rows =
+          bem::tractionRows(space, lame, stiffness, elements, form);
+      for (std::size_t k = 0; k < elements.size(); ++k) {
+        double square = 0;
+        for (Index c = rows.start[k]; c < rows.start[k + 1]; ++c) {
+          const double value =
+              std::inner_product(u.begin(), u.end(), rows.rows.column(c), 0.0);
+          square += value * value;
+        }
+        const bem::Element& element = sample.mesh[elements[k]];
+        const Vec2 t = field.stress(element.middle) * element.normal;
+        TEST_COMPARE(std::abs(square - 2 * element.half * dot(t, t)), <,
+                     1e-11 * 2 * element.half);
+      }
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(ExactTractions, containTheProjectedOnes) {
+  const bem::Lame lame(bem::Material{1, 0.3, false});
+  const bem::Space space(reference::quickSamples().front().mesh);
+  const std::vector<int> elements = allElements(space.mesh());
+  const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame, algebra),
+                                       algebra);
+  const auto projected =
+      bem::tractionRows(space, lame, stiffness, elements, bem::TractionForm::Projected);
+  const auto exact =
+      bem::tractionRows(space, lame, stiffness, elements, bem::TractionForm::Exact);
+  double error = 0;
+  for (std::size_t k = 0; k < elements.size(); ++k)
+    for (Index c = 0; c < projected.start[k + 1] - projected.start[k]; ++c)
+      for (Index i = 0; i < projected.rows.rows(); ++i)
+        error = std::max(error, std::abs(projected.rows(i, projected.start[k] + c) -
+                                         exact.rows(i, exact.start[k] + c)));
+  TEST_COMPARE(error, <, 1e-12 * largest(projected.rows));
+}
+
+/// Points inside the unit square at 1e-1 to 1e-9 element lengths from its boundary,
+/// beside the middle of an element, a node and a corner.
+std::vector<Vec2> pointsNearTheBoundary() {
+  std::vector<Vec2> points = {{0, 0}, {0.3, -0.2}};
+  for (double distance = 0.1; distance > 1e-9; distance *= 0.01) {
+    const double d = 0.25 * distance;
+    for (const double x : {-0.5 + d, -0.37, -0.25, 0.1234})
+      points.push_back({x, -0.5 + d});
+  }
+  return points;
+}
+
+TEUCHOS_UNIT_TEST(Interior, fieldsAreExactUpToTheBoundary) {
+  const auto outline = std::make_shared<const bem::Outline>(
+      reference::polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}));
+  for (const double nu : {0.3, 0.45}) {
+    const bem::Lame lame(bem::Material{1, nu, false});
+    const bem::Space space(bem::makeMesh(outline, {4, 4, 4, 4}, 14));
+    const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame, algebra),
+                                         algebra);
+    for (const auto& field :
+         {reference::constantStress(lame, {0.4, -0.3, 0.2}, 0.7),
+          reference::pointForce(lame, outline->scaled({1.0, -1.2}), {0.6, -0.8})}) {
+      const Vector u = reference::displacementOf(space, field);
+      const Vector psi = stiffness.density(u);
+      double displacementError = 0;
+      double stressError = 0;
+      for (const Vec2 x : pointsNearTheBoundary()) {
+        const Vec2 scaled = outline->scaled(x);
+        const bem::InteriorValue value =
+            bem::evaluateInterior(space, lame, u, psi, scaled);
+        const Vec2 exact = field.displacement(scaled);
+        const auto stress = field.stress(scaled);
+        displacementError = std::max(displacementError, norm(value.displacement - exact));
+        stressError =
+            std::max({stressError, std::abs(value.xx - stress.xx),
+                      std::abs(value.yy - stress.yy), std::abs(value.xy - stress.xy)});
+      }
+      TEST_COMPARE(displacementError, <, 1e-11);
+      TEST_COMPARE(stressError, <, 1e-10);
+    }
+  }
+}
+
+}  // namespace
