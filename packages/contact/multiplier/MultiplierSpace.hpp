@@ -13,8 +13,9 @@ using bem::Index;
 using bem::Vector;
 
 /// The numbering of the multiplier: on each contact element of degree p, p+1 normal
-/// coefficients and, where there is friction, p+1 tangential ones.  No unknown exists that
-/// the scene does not need.                                              [P (12), (14), q = p]
+/// coefficients and, where there is friction, p+1 tangential ones.  No unknown exists
+/// that the scene does not need.                                              [P (12),
+/// (14), q = p]
 class MultiplierSpace {
  public:
   struct ContactElement {
