@@ -1,7 +1,7 @@
 # add_package(<name> SOURCES <file>... [USES <target>...] [HIDES <target>...])
 #
 # USES appears in the package's headers, HIDES only in its .cpp files: what is hidden
-# stays out of every other package's compile time.
+# stays out of every other package's compile time.  What stands below packages/ is installed.
 function(add_package name)
   cmake_parse_arguments(arg "" "" "SOURCES;USES;HIDES" ${ARGN})
   add_library(epafi_${name} ${arg_SOURCES})
@@ -10,6 +10,9 @@ function(add_package name)
   target_compile_options(epafi_${name} PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
   target_include_directories(epafi_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/packages>)
   target_link_libraries(epafi_${name} PUBLIC ${arg_USES} PRIVATE ${arg_HIDES})
+  if(CMAKE_CURRENT_SOURCE_DIR MATCHES "^${PROJECT_SOURCE_DIR}/packages/")
+    set_property(GLOBAL APPEND PROPERTY EPAFI_PACKAGES ${name})
+  endif()
 endfunction()
 
 # add_unit_tests(<suite> SOURCES <file>... [USES <target>...] [LABEL <label>]):
@@ -26,4 +29,32 @@ function(add_unit_tests suite)
   add_test(NAME ${arg_LABEL}.${suite} COMMAND ${suite}_${arg_LABEL}_tests)
   set_tests_properties(${arg_LABEL}.${suite} PROPERTIES LABELS ${arg_LABEL}
     ENVIRONMENT "${EPAFI_TEST_ENVIRONMENT}")
+endfunction()
+
+# add_border_test(<name> RANKS <n>... COMMAND <command>...): border.<name>.<n>, the command
+# under mpirun with n ranks each.  A test that hangs is a failure within the time allowed.
+function(add_border_test name)
+  cmake_parse_arguments(arg "" "TIMEOUT" "RANKS;COMMAND" ${ARGN})
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 60)
+  endif()
+  foreach(ranks IN LISTS arg_RANKS)
+    add_test(NAME border.${name}.${ranks}
+      COMMAND timeout ${arg_TIMEOUT} ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks}
+        ${arg_COMMAND})
+    set_tests_properties(border.${name}.${ranks} PROPERTIES LABELS border PROCESSORS ${ranks}
+      ENVIRONMENT "${EPAFI_TEST_ENVIRONMENT};OMP_NUM_THREADS=1")
+  endforeach()
+endfunction()
+
+# add_border_tests(<suite> SOURCES <file>... [USES <target>...]): a suite of unit tests that
+# starts MPI, with 1, 2 and 3 ranks.
+function(add_border_tests suite)
+  cmake_parse_arguments(arg "" "" "SOURCES;USES" ${ARGN})
+  set(program ${suite}_border_tests)
+  add_executable(${program} ${PROJECT_SOURCE_DIR}/test/BorderMain.cpp ${arg_SOURCES})
+  target_compile_options(${program} PRIVATE -Wall -Wextra -Wshadow)
+  target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/test)
+  target_link_libraries(${program} PRIVATE ${arg_USES} Epafi::bem_tpetra trilinos::Teuchos)
+  add_border_test(${suite} RANKS 1 2 3 COMMAND $<TARGET_FILE:${program}>)
 endfunction()
