@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cstdlib>
 #include <new>
+#include <sys/mman.h>
 
 namespace epafi::bem {
 
 namespace {
+
+constexpr std::size_t hugePage = std::size_t{1} << 21;
 
 // A column is a whole number of cache lines, and the stride never a multiple of 512
 // bytes.
@@ -23,9 +26,15 @@ Matrix::Matrix(Index rows, Index columns)
     : rows_(rows), columns_(columns), stride_(paddedStride(rows)) {
   const std::size_t count =
       static_cast<std::size_t>(stride_) * std::max<Index>(1, columns);
-  auto* memory = static_cast<double*>(std::aligned_alloc(64, count * sizeof(double)));
+  // large matrices on huge pages: assembly jumps from column to column, and faults cost
+  const std::size_t alignment = count * sizeof(double) < hugePage ? 64 : hugePage;
+  const std::size_t bytes =
+      (count * sizeof(double) + alignment - 1) / alignment * alignment;
+  auto* memory = static_cast<double*>(std::aligned_alloc(alignment, bytes));
   if (memory == nullptr)
     throw std::bad_alloc();
+  if (alignment == hugePage)
+    madvise(memory, bytes, MADV_HUGEPAGE);  // advice: nothing is lost where it is refused
   data_.reset(memory);
   std::fill_n(memory, count, 0.0);
 }
