@@ -211,15 +211,18 @@ struct Scratch {
   FarMoments far;
 };
 
-/// All pairs (e, f) with f <= e.
+/// All pairs (e, f) with f <= e, e in a group.
 class RowOfPairs {
  public:
   RowOfPairs(const Space& space, const Scatter& scatter, ProjectedTractions& tractions)
       : space_(space), scatter_(scatter), tractions_(tractions) {}
 
-  void assemble(int e, Scratch& scratch) const {
-    for (int first = 0; first <= e; first += lanes)
-      assembleBatch(e, first, std::min(first + lanes, e + 1), scratch);
+  /// Batch by batch for all e of a group: the columns that a batch writes stay in cache.
+  void assemble(const std::vector<int>& group, Scratch& scratch) const {
+    for (int first = 0; first <= group.back(); first += lanes)
+      for (const int e : group)
+        if (first <= e)
+          assembleBatch(e, first, std::min(first + lanes, e + 1), scratch);
   }
 
  private:
@@ -314,8 +317,7 @@ Operators assembleOperators(const Space& space, const Lame& lame,
       // the last groups have the most pairs: first come, first served, from the back
 #pragma omp for schedule(dynamic, 1)
       for (int g = static_cast<int>(groups.size()) - 1; g >= 0; --g)
-        for (const int e : groups[static_cast<std::size_t>(g)])
-          row.assemble(e, *scratch);
+        row.assemble(groups[static_cast<std::size_t>(g)], *scratch);
     }
   }
   out.tractions = tractions.finish();
