@@ -16,6 +16,7 @@ function(add_trilinos name)
   add_library(trilinos::${name} ALIAS trilinos_wrapper_${name})
   target_include_directories(trilinos_wrapper_${name} SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS})
   target_link_libraries(trilinos_wrapper_${name} INTERFACE ${ARGN})
+  set_property(GLOBAL APPEND PROPERTY EPAFI_WRAPPERS trilinos_wrapper_${name})
 endfunction()
 
 add_trilinos(Teuchos trilinos_teuchosparameterlist trilinos_teuchosparser

@@ -291,8 +291,7 @@ TEUCHOS_UNIT_TEST(ContactModel, refusesWrongSizesAndFactors) {
   TEST_THROW(ContactModel(s.problem, {0.0}, {}), bem::InputError);
   const ContactModel model(s.problem, s.gap, {});
   ContactModel::Options options;
-  options.space =
-      Teuchos::rcp_dynamic_cast<const contact::SpmdSpace>(model.get_p_space(0));
+  options.space = model.get_p_space(0);
   TEST_THROW(ContactModel(s.problem, s.gap, options), bem::InputError);
   TEST_THROW(residual(model, randomVector(model, random), {1, -0.1}), bem::InputError);
   TEST_THROW(residual(model, randomVector(model, random), {std::nan(""), 1}),

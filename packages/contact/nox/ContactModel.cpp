@@ -26,7 +26,12 @@ RCP<const SpmdSpace> spaceOf(const Problem& problem,
     throw bem::InputError(bem::message("the contact problem has ", n,
                                        " unknowns, but the space for them has ",
                                        options.space->dim()));
-  return options.space;
+  const auto space = Teuchos::rcp_dynamic_cast<const SpmdSpace>(options.space);
+  if (space.is_null())
+    throw bem::InputError(
+        "the space for the contact problem's unknowns must give each "
+        "process a contiguous piece (Thyra::SpmdVectorSpaceBase)");
+  return space;
 }
 
 const Complementarity& functionOf(SolverOptions::Complementarity choice) {

@@ -33,9 +33,10 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
   struct Options {
     SolverOptions::Complementarity complementarity =
         SolverOptions::Complementarity::Projection;
-    /// How x and f are distributed, dimension unknowns(); null: one process, no MPI.
-    /// The equation itself is replicated, and evaluating it is collective.
-    Teuchos::RCP<const SpmdSpace> space;
+    /// How x and f are distributed: unknowns() entries, each process a contiguous piece,
+    /// as Thyra::createVectorSpace<double>(map) has it for a Tpetra map.  Null: one
+    /// process, no MPI.  The equation is replicated, and evaluating it is collective.
+    Teuchos::RCP<const Thyra::VectorSpaceBase<double>> space;
   };
 
   /// Number of unknowns of a problem: λ and α.
@@ -43,7 +44,7 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
     return problem.size() + problem.rigidMotions();
   }
 
-  /// \throws bem::InputError if the space's dimension is not the number of unknowns.
+  /// \throws bem::InputError if the space is of another kind or dimension.
   explicit ContactModel(const ContactProblem& problem)
       : ContactModel(problem, Options()) {}
   ContactModel(const ContactProblem& problem, const Options& options);
