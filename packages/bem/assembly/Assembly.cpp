@@ -1,6 +1,7 @@
 #include "bem/assembly/Assembly.hpp"
 
 #include "bem/assembly/FarPairs.hpp"
+#include "bem/assembly/MyElements.hpp"
 #include "bem/assembly/NearPair.hpp"
 
 #include <algorithm>
@@ -211,11 +212,12 @@ struct Scratch {
   FarMoments far;
 };
 
-/// All pairs (e, f) with f <= e, e in a group.
+/// All pairs (e, f) with f <= e, e in a group, of which a row is mine.
 class RowOfPairs {
  public:
-  RowOfPairs(const Space& space, const Scatter& scatter, ProjectedTractions& tractions)
-      : space_(space), scatter_(scatter), tractions_(tractions) {}
+  RowOfPairs(const Space& space, const DenseAlgebra& algebra, const Scatter& scatter,
+             ProjectedTractions& tractions)
+      : space_(space), mine_(space, algebra), scatter_(scatter), tractions_(tractions) {}
 
   /// Batch by batch for all e of a group: the columns that a batch writes stay in cache.
   void assemble(const std::vector<int>& group, Scratch& scratch) const {
@@ -226,8 +228,12 @@ class RowOfPairs {
   }
 
  private:
+  // A batch is computed as a whole or not at all: what else is in it decides on the
+  // quadrature, and results shall not depend on the number of processes.
   void assembleBatch(int e, int first, int last, Scratch& scratch) const {
     const Mesh& mesh = space_.mesh();
+    if (!isMine(e, first, last))
+      return;
     FarBatch batch;
     PairOrder order;
     int columns = 0;
@@ -245,6 +251,8 @@ class RowOfPairs {
     if (columns > 0)
       farMoments(mesh[e], batch, mesh[e].degree, columns, order, scratch.far);
     for (int f = first; f < last; ++f) {
+      if (!isMine(e, f, f + 1))
+        continue;
       if (near[f - first])
         nearPairMoments(mesh, e, f, scratch.pair);
       else
@@ -253,6 +261,13 @@ class RowOfPairs {
       scatter_.add(e, f, scratch.pair);
       tractions_.add(e, f, scratch.pair);
     }
+  }
+
+  bool isMine(int e, int first, int last) const {
+    bool mine = mine_.contain(e);
+    for (int f = first; f < last; ++f)
+      mine = mine || mine_.contain(f);
+    return mine;
   }
 
   // f < 0: a lane to be thrown away, far off so that nothing overflows
@@ -268,6 +283,7 @@ class RowOfPairs {
   }
 
   const Space& space_;
+  MyElements mine_;
   const Scatter& scatter_;
   ProjectedTractions& tractions_;
 };
@@ -309,7 +325,7 @@ Operators assembleOperators(const Space& space, const Lame& lame,
                 {}};
   const Scatter scatter(space, lame, algebra, out);
   ProjectedTractions tractions(space, lame, algebra, tractionElements);
-  const RowOfPairs row(space, scatter, tractions);
+  const RowOfPairs row(space, algebra, scatter, tractions);
 #pragma omp parallel
   {
     const auto scratch = std::make_unique<Scratch>();

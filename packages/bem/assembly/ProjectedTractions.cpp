@@ -70,6 +70,7 @@ ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
       lame_(lame),
       densityRows_(algebra.myRows(space.densities())),
       displacementRows_(algebra.myRows(space.displacements())),
+      mine_(space, algebra),
       columnOf_(static_cast<std::size_t>(space.mesh().size()), -1) {
   kernels_.elements = elements;
   kernels_.start.assign(1, 0);
@@ -174,6 +175,8 @@ void ProjectedTractions::addEnds(std::size_t k) {
   const int test = kernels_.elements[k];
   const Element& x = mesh[test];
   for (int f = 0; f < mesh.size(); ++f) {
+    if (!mine_.contain(f))
+      continue;
     const PointMoments atStart = atPoint(mesh[f], seenFrom(mesh, f, mesh.at(test, -1.0)));
     const PointMoments atEnd = atPoint(mesh[f], seenFrom(mesh, f, mesh.at(test, 1.0)));
     for (int j = 0; j < mesh[f].degree; ++j) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/assembly/MyElements.hpp"
 #include "bem/assembly/PairMoments.hpp"
 #include "bem/base/DenseAlgebra.hpp"
 #include "bem/base/Material.hpp"
@@ -54,6 +55,7 @@ class ProjectedTractions {
   Lame lame_;
   Rows densityRows_;
   Rows displacementRows_;
+  MyElements mine_;
   std::vector<Index> columnOf_;  ///< first column of an element, -1: not asked for
   TractionKernels kernels_;
 };

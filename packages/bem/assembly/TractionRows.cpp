@@ -2,6 +2,8 @@
 
 #include "bem/algebra/Blas.hpp"
 #include "bem/assembly/FarPairs.hpp"
+#include "bem/assembly/MyElements.hpp"
+#include "bem/base/Error.hpp"
 #include "bem/potential/RelativeTarget.hpp"
 #include "bem/potential/Traction.hpp"
 #include "bem/quadrature/Graded.hpp"
@@ -64,14 +66,14 @@ class ElementRows {
   Index columns() const { return 2 * moments_ + extra_.rows(); }
 
   /// Adds the kernels' columns, from `first` on, to the transposed rows of W and K' +
-  /// 1/2.
-  void write(Index first, const Rows& displacementRows, const Rows& densityRows,
-             Matrix& hyper, Matrix& adjoint) const {
+  /// 1/2, where they are mine.
+  void write(Index first, const MyElements& mine, const Rows& displacementRows,
+             const Rows& densityRows, Matrix& hyper, Matrix& adjoint) const {
     const auto put = [&](Kind kind, Index unknown, Index column, double value) {
-      const Rows& mine = kind == Kind::Density ? densityRows : displacementRows;
+      const Rows& rows = kind == Kind::Density ? densityRows : displacementRows;
       Matrix& matrix = kind == Kind::Density ? adjoint : hyper;
-      if (mine.contain(unknown))
-        matrix(unknown - mine.begin, column) += value;
+      if (rows.contain(unknown))
+        matrix(unknown - rows.begin, column) += value;
     };
     const auto putMoments = [&](double weight, const double* legendre) {
       return [&, weight, legendre](Kind kind, Index unknown, Complex value) {
@@ -85,6 +87,8 @@ class ElementRows {
     SourceValues values;
     double legendre[largestOuter];
     for (const Far& far : far_) {
+      if (!mine.contain(far.source))
+        continue;
       const Rule& rule = gaussLegendre(far.smoothOrder + degreeShare(moments_));
       for (int q = 0; q < rule.size(); ++q) {
         legendreValues(moments_ - 1, rule.points[q], legendre);
@@ -95,6 +99,8 @@ class ElementRows {
     for (int q = 0; q < rule_.size(); ++q) {
       legendreValues(moments_ - 1, rule_.points[q].t, legendre);
       for (const int f : near_) {
+        if (!mine.contain(f))
+          continue;
         evaluate(f, place(rule_.points[q]), rule_.points[q].t, values);
         forEachSource(space_, f, values, putMoments(rule_.weights[q], legendre));
       }
@@ -283,6 +289,14 @@ Matrix applyDensity(const SteklovPoincare& stiffness, const Matrix& hypersingula
   return rows;
 }
 
+/// The exact form's columns are chosen by rounding errors: unlike processors could
+/// differ.
+void requireAgreement(const DenseAlgebra& algebra, const std::vector<Index>& start) {
+  const Vector mine(start.begin(), start.end());
+  if (algebra.broadcast(mine) != mine)
+    throw NumericalError("the processes disagree on the rank of the exact tractions");
+}
+
 }  // namespace
 
 TractionRows tractionRows(const Space& space, const Lame& lame,
@@ -305,13 +319,15 @@ TractionRows tractionRows(const Space& space, const Lame& lame,
     result.start.push_back(result.start.back() + part->columns());
 
   const DenseAlgebra& algebra = stiffness.algebra();
+  requireAgreement(algebra, result.start);
+  const MyElements mine(space, algebra);
   const Rows displacementRows = algebra.myRows(space.displacements());
   const Rows densityRows = algebra.myRows(space.densities());
   Matrix hypersingular(displacementRows.size(), result.start.back());
   Matrix adjoint(densityRows.size(), result.start.back());
 #pragma omp parallel for schedule(dynamic, 1)
   for (int k = 0; k < count; ++k)
-    parts[k]->write(result.start[k], displacementRows, densityRows, hypersingular,
+    parts[k]->write(result.start[k], mine, displacementRows, densityRows, hypersingular,
                     adjoint);
   result.rows = applyDensity(stiffness, hypersingular, std::move(adjoint));
   return result;

@@ -1,0 +1,136 @@
+// The condensed contact problem is the same on any number of ranks, in all its numbers
+// and in what is computed back from its solution.
+#include "bem/base/Error.hpp"
+#include "bem/tpetra/DistributedRows.hpp"
+#include "contact/problem/Summary.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+namespace {
+
+using namespace epafi;
+using bem::Index;
+using bem::Vector;
+using contact::Stabilization;
+using test::difference;
+
+const bem::LapackAlgebra lapack;
+const bem::Lame lame({1, 0.3, false});
+const bem::Units units{1, 1};
+
+/// A square block that is pressed onto a rough floor from above.
+contact::Conditions pressedBlock(const char* law) {
+  contact::Conditions conditions;
+  conditions.neumann["top"] = {[](bem::Vec2) { return 0.001; },
+                               [](bem::Vec2 x) { return -0.01 * (1 + x.x); }};
+  conditions.contact["bottom"] = {[](bem::Vec2 x) { return 0.001 * x.x * x.x; },
+                                  &contact::frictionLaw(law),
+                                  [](bem::Vec2) { return 0.3; }};
+  return conditions;
+}
+
+contact::Conditions clampedBlock(const char* law) {
+  contact::Conditions conditions = pressedBlock(law);
+  conditions.dirichlet["left"] = {[](bem::Vec2 x) { return 0.001 * x.y; },
+                                  [](bem::Vec2) { return 0.0; }};
+  return conditions;
+}
+
+contact::Conditions heldBlock(const char* law) {
+  contact::Conditions conditions = pressedBlock(law);
+  conditions.fix.x = conditions.fix.rotation = true;
+  return conditions;
+}
+
+bem::Mesh blockMesh(const std::vector<int>& elements, int degree) {
+  const bem::Loop square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                         {"bottom", "right", "top", "left"}};
+  return bem::makeMesh(
+      std::make_shared<const bem::Outline>(square, std::vector<bem::Loop>{}), elements,
+      degree);
+}
+
+/// Everything that somebody takes from a problem.
+struct Numbers {
+  contact::Problem problem;
+  Vector displacement;
+  Vector clampWork;
+  contact::Summary summary;
+};
+
+Numbers numbersOf(const bem::Mesh& mesh, const contact::Conditions& conditions,
+                  Stabilization::Form form, const bem::DenseAlgebra& algebra) {
+  const bem::Space space(mesh);
+  const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame, algebra, {}),
+                                       algebra);
+  Stabilization stabilization;
+  stabilization.form = form;
+  const contact::ContactProblem problem(
+      {space, stiffness, lame, units, conditions,
+       contact::multiplierBasis("Gauss-Legendre-Lagrange"), stabilization});
+  contact::State state;
+  for (Index i = 0; i < problem.numbers().size(); ++i)
+    state.multiplier.push_back(0.01 * std::sin(static_cast<double>(i)));
+  state.rigid.assign(problem.numbers().rigidLoad.size(), 0.02);
+  Numbers numbers;
+  numbers.displacement = problem.displacement(state);
+  numbers.clampWork = problem.clampWork(state);
+  numbers.summary = contact::summarize(
+      {space, stiffness, problem, conditions, units, state, numbers.displacement});
+  numbers.problem.flexibility = problem.numbers().flexibility.copy();
+  numbers.problem.offset = problem.numbers().offset;
+  numbers.problem.rigid = problem.numbers().rigid.copy();
+  numbers.problem.rigidLoad = problem.numbers().rigidLoad;
+  return numbers;
+}
+
+TEUCHOS_UNIT_TEST(DistributedProblem, isTheSameOnAnyNumberOfRanks) {
+  const bem::TpetraAlgebra algebra = test::allRanks();
+  struct Case {
+    std::vector<int> elements;
+    int degree;
+    contact::Conditions conditions;
+    Stabilization::Form form;
+  };
+  using Form = Stabilization::Form;
+  const Case cases[] = {
+      {{8, 3, 4, 5}, 1, pressedBlock("Coulomb"), Form::Projected},
+      {{8, 3, 4, 5}, 1, clampedBlock("Tresca"), Form::Exact},
+      {{6, 2, 3, 2}, 3, heldBlock("Coulomb"), Form::Projected},
+      {{2, 1, 1, 1}, 6, clampedBlock("None"), Form::None},
+      {{20, 20, 20, 20}, 1, heldBlock("Tresca"), Form::Exact},
+  };
+  for (const Case& c : cases) {
+    const bem::Mesh mesh = blockMesh(c.elements, c.degree);
+    const Numbers one = numbersOf(mesh, c.conditions, c.form, lapack);
+    const Numbers all = numbersOf(mesh, c.conditions, c.form, algebra);
+    TEST_COMPARE(difference(lapack, all.problem.flexibility, one.problem.flexibility), <,
+                 1e-12);
+    TEST_COMPARE(difference(lapack, all.problem.rigid, one.problem.rigid), <, 1e-12);
+    TEST_COMPARE(difference(all.problem.offset, one.problem.offset), <, 1e-12);
+    TEST_COMPARE(difference(all.problem.rigidLoad, one.problem.rigidLoad), <, 1e-12);
+    TEST_COMPARE(difference(all.displacement, one.displacement), <, 1e-12);
+    TEST_COMPARE(difference(all.clampWork, one.clampWork), <, 1e-12);
+    const auto scalars = [](const contact::Summary& s) {
+      return Vector{s.energyStrain, s.energyLoad,     s.energyFriction, s.reactionX,
+                    s.reactionY,    s.reactionMoment, s.contactLength,  s.slipLength};
+    };
+    TEST_COMPARE(difference(scalars(all.summary), scalars(one.summary)), <, 1e-12);
+  }
+}
+
+TEUCHOS_UNIT_TEST(DistributedProblem, isRefusedOnAllRanksWhereGammaIsTooLarge) {
+  const bem::TpetraAlgebra algebra = test::allRanks();
+  const bem::Space space(blockMesh({8, 8, 8, 8}, 1));
+  const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame, algebra, {}),
+                                       algebra);
+  const contact::Conditions conditions = clampedBlock("None");
+  Stabilization stabilization;
+  stabilization.gamma0 = 5;
+  TEST_THROW(contact::ContactProblem({space, stiffness, lame, units, conditions,
+                                      contact::multiplierBasis("Gauss-Legendre-Lagrange"),
+                                      stabilization}),
+             bem::NumericalError);
+}
+
+}  // namespace
