@@ -3,6 +3,7 @@
 #include "drivers/Csv.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace epafi::drivers {
 
@@ -11,6 +12,11 @@ namespace {
 std::string number(bem::Index value) { return std::to_string(value); }
 std::string number(int value) { return std::to_string(value); }
 std::string number(double value) { return exactly(value); }
+
+template <adaptivity::Source source>
+double contribution(const LevelRow& row) {
+  return std::sqrt(row.squares[static_cast<std::size_t>(source)]);
+}
 
 struct Column {
   const char* name;
@@ -29,6 +35,37 @@ constexpr Column columns[] = {
     {"degree_max", [](const LevelRow& r) { return number(r.size.degreeMax); }},
     {"size_min", [](const LevelRow& r) { return number(r.size.sizeMin); }},
     {"size_max", [](const LevelRow& r) { return number(r.size.sizeMax); }},
+    {"estimate", [](const LevelRow& r) { return number(r.estimate); }},
+    {"eta_neumann",
+     [](const LevelRow& r) {
+       return number(contribution<adaptivity::Source::Neumann>(r));
+     }},
+    {"eta_contact",
+     [](const LevelRow& r) {
+       return number(contribution<adaptivity::Source::Contact>(r));
+     }},
+    {"eta_density",
+     [](const LevelRow& r) {
+       return number(contribution<adaptivity::Source::Density>(r));
+     }},
+    {"eta_complementarity",
+     [](const LevelRow& r) {
+       return number(contribution<adaptivity::Source::Complementarity>(r));
+     }},
+    {"eta_penetration",
+     [](const LevelRow& r) {
+       return number(contribution<adaptivity::Source::Penetration>(r));
+     }},
+    {"eta_tension",
+     [](const LevelRow& r) {
+       return number(contribution<adaptivity::Source::Tension>(r));
+     }},
+    {"eta_bound",
+     [](const LevelRow& r) {
+       return number(contribution<adaptivity::Source::Bound>(r));
+     }},
+    {"eta_slip",
+     [](const LevelRow& r) { return number(contribution<adaptivity::Source::Slip>(r)); }},
     {"energy_strain", [](const LevelRow& r) { return number(r.summary.energyStrain); }},
     {"energy_load", [](const LevelRow& r) { return number(r.summary.energyLoad); }},
     {"energy_friction",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "adaptivity/estimate/Indicators.hpp"
 #include "contact/problem/Summary.hpp"
 #include "contact/solve/Report.hpp"
 
@@ -31,7 +32,7 @@ struct Seconds {
   double factorization = 0;  ///< V = L Lᵀ, S
   double stabilization = 0;  ///< traction rows, A and its factor, the condensed problem
   double newton = 0;
-  double estimate = 0;
+  double estimate = 0;  ///< indicators
 };
 
 /// A row of history.csv.
@@ -40,6 +41,8 @@ struct LevelRow {
   Size size;
   contact::Summary summary;
   contact::Report report;
+  double estimate = 0;                  ///< [(stress length²)^½] under Weights "Energy"
+  adaptivity::Contributions squares{};  ///< of which it is made
   Seconds seconds;
   double secondsTotal = 0;  ///< CPU since the program's start
   double secondsWall = 0;   ///< likewise by the clock on the wall

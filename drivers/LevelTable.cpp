@@ -44,6 +44,7 @@ constexpr Column columns[] = {
     {"dof", 7, [](const LevelRow& r) { return std::to_string(r.size.dof()); }},
     {"degree", 7, [](const LevelRow& r) { return degrees(r.size); }},
     {"steps", 7, [](const LevelRow& r) { return iterations(r.report); }},
+    {"estimate", 11, [](const LevelRow& r) { return significant(r.estimate, 4); }},
     {"strain energy", 16,
      [](const LevelRow& r) { return significant(r.summary.energyStrain, 9); }},
     {"load energy", 16,

@@ -1,5 +1,7 @@
 #include "drivers/Levels.hpp"
 
+#include "adaptivity/estimate/ResidualEstimator.hpp"
+#include "adaptivity/mark/Analyticity.hpp"
 #include "adaptivity/refine/Refine.hpp"
 #include "adaptivity/refine/Strategy.hpp"
 #include "bem/algebra/LapackAlgebra.hpp"
@@ -13,16 +15,20 @@ namespace epafi::drivers {
 namespace {
 
 LevelRow makeRow(int level, const Size& size, const contact::Solved& solved,
-                 const contact::Report& report, const PhaseTimer& timer) {
+                 const contact::Report& report, const adaptivity::Indicators& indicators,
+                 const PhaseTimer& timer) {
   LevelRow row;
   row.level = level;
   row.size = size;
   row.summary = contact::summarize(solved);
   row.report = report;
+  row.estimate = indicators.estimate();
+  row.squares = indicators.sums();
   row.seconds.assembly = timer.levelSeconds(Phase::Assembly);
   row.seconds.factorization = timer.levelSeconds(Phase::Factorization);
   row.seconds.stabilization = timer.levelSeconds(Phase::Stabilization);
   row.seconds.newton = timer.levelSeconds(Phase::Newton);
+  row.seconds.estimate = timer.levelSeconds(Phase::Estimate);
   row.secondsTotal = cpuSeconds();
   row.secondsWall = timer.wallSeconds();
   row.memory = peakMemory();
@@ -75,12 +81,17 @@ Outcome solveLevels(const Scene& scene, PhaseTimer& timer,
     const auto solution = timer.run(Phase::Newton, [&] {
       return contact::solve(problem.numbers(), start, scene.solver);
     });
+    const bem::Vector displacement = problem.displacement(solution.state);
+    const bem::Vector density = stiffness.density(displacement);
+    const contact::Solved solved{space, stiffness,      problem,     scene.conditions,
+                                 units, solution.state, displacement};
+    const auto indicators = timer.run(Phase::Estimate, [&] {
+      return adaptivity::estimateResidual(solved, density, lame,
+                                          scene.adaptivity.estimator);
+    });
     timer.run(Phase::Results, [&] {
-      const bem::Vector displacement = problem.displacement(solution.state);
-      const contact::Solved solved{space, stiffness,      problem,     scene.conditions,
-                                   units, solution.state, displacement};
-      handOut({solved, stiffness.density(displacement),
-               makeRow(level, size, solved, solution.report, timer)});
+      handOut({solved, density,
+               makeRow(level, size, solved, solution.report, indicators, timer)});
     });
     timer.endLevel();
 
@@ -88,10 +99,17 @@ Outcome solveLevels(const Scene& scene, PhaseTimer& timer,
       return {
           solution.report.status,
           bem::message("level ", level, " is not converged: ", solution.report.reason)};
+    if (indicators.estimate() < scene.adaptivity.targetEstimate)
+      return {contact::Status::Converged, "the estimate is below the target"};
     if (level + 1 == scene.adaptivity.maximumLevels)
       return {contact::Status::Converged,
               "all levels that the scene allows are computed"};
-    const adaptivity::Marks marks = strategy.marks({mesh});
+    const adaptivity::LevelData data{
+        mesh, indicators.elements(),
+        adaptivity::looksAnalytic(space, scene.conditions, displacement, density,
+                                  scene.adaptivity.analyticityThreshold),
+        scene.adaptivity.markingFraction};
+    const adaptivity::Marks marks = adaptivity::decide(strategy, data, algebra);
     if (!adaptivity::anyMarked(marks))
       return {contact::Status::Converged, "there is nothing to refine"};
     adaptivity::Refined refined = adaptivity::refine(mesh, marks, problem.multiplier(),

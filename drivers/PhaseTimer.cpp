@@ -12,7 +12,7 @@ namespace epafi::drivers {
 
 const char* nameOf(Phase phase) {
   constexpr const char* names[phaseCount] = {"assembly", "factorization", "stabilization",
-                                             "newton", "results"};
+                                             "newton",   "estimate",      "results"};
   return names[static_cast<std::size_t>(phase)];
 }
 

@@ -14,8 +14,8 @@ class StackedTimer;
 namespace epafi::drivers {
 
 /// The parts of a level that are timed.
-enum class Phase { Assembly, Factorization, Stabilization, Newton, Results };
-constexpr int phaseCount = 5;
+enum class Phase { Assembly, Factorization, Stabilization, Newton, Estimate, Results };
+constexpr int phaseCount = 6;
 const char* nameOf(Phase phase);
 
 /// Who wants to see what a run is doing.

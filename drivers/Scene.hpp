@@ -1,5 +1,6 @@
 #pragma once
 
+#include "adaptivity/estimate/ResidualEstimator.hpp"
 #include "bem/base/Material.hpp"
 #include "bem/geometry/Outline.hpp"
 #include "contact/problem/Conditions.hpp"
@@ -36,6 +37,10 @@ struct Scene {
     std::string strategy = "None";
     int maximumLevels = 1;
     long maximumDegreesOfFreedom = 4000;
+    double markingFraction = 0.3;
+    double analyticityThreshold = 0.5;
+    adaptivity::EstimatorOptions estimator;
+    double targetEstimate = 0;
   } adaptivity;
 
   struct Output {

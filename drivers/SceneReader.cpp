@@ -227,6 +227,11 @@ Scene::Adaptivity readAdaptivity(const ParameterList& list) {
   adaptivity.maximumLevels =
       adaptivity.strategy == "None" ? 1 : list.get<int>("Maximum Levels");
   adaptivity.maximumDegreesOfFreedom = list.get<int>("Maximum Degrees of Freedom");
+  adaptivity.markingFraction = list.get<double>("Marking Fraction");
+  adaptivity.analyticityThreshold = list.get<double>("Analyticity Threshold");
+  adaptivity.estimator.weights = list.get<std::string>("Weights");
+  adaptivity.estimator.residualFactor = list.get<double>("Residual Factor");
+  adaptivity.targetEstimate = list.get<double>("Target Estimate");
   return adaptivity;
 }
 

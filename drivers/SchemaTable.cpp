@@ -1,3 +1,4 @@
+#include "adaptivity/estimate/Weights.hpp"
 #include "adaptivity/refine/Strategy.hpp"
 #include "contact/law/FrictionLaw.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
@@ -263,6 +264,33 @@ void addRun(Table& table) {
           Row("Adaptivity->Strategy", Kind::Text, meanings(adaptivity::strategies()))
               .standard("None")
               .allowed(namesOf(adaptivity::strategies())),
+          Row("Adaptivity->Marking Fraction", Kind::Real,
+              "adaptive strategies refine the fewest elements that carry this part of "
+              "the "
+              "squared estimate")
+              .unit("1")
+              .standard("0.3")
+              .range({0, 1, true, false}),
+          Row("Adaptivity->Analyticity Threshold", Kind::Real,
+              "Adaptive hp raises the degree where Legendre coefficients decay at least "
+              "this fast from one degree to the next")
+              .unit("1")
+              .standard("0.5")
+              .range({0, 1, true, true}),
+          Row("Adaptivity->Weights", Kind::Text,
+              "how the estimate adds its terms up; " + meanings(adaptivity::weightings()))
+              .standard(adaptivity::weightings().front().name)
+              .allowed(namesOf(adaptivity::weightings())),
+          Row("Adaptivity->Residual Factor", Kind::Real,
+              "multiplies the squares of eta_neumann, eta_contact and eta_density")
+              .unit("1")
+              .standard("1")
+              .range(above(0)),
+          Row("Adaptivity->Target Estimate", Kind::Real,
+              "a run ends at the first level with a smaller estimate")
+              .unit("as the estimate: root of stress length^2 under Weights Energy")
+              .standard("0")
+              .range(from(0)),
           Row("Adaptivity->Maximum Levels", Kind::Whole,
               "levels computed, the first included")
               .unit("1")

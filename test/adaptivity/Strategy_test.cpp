@@ -1,28 +1,46 @@
 #include "adaptivity/refine/Strategy.hpp"
 
 #include "SquareMesh.hpp"
+#include "adaptivity/mark/Doerfler.hpp"
+#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include <algorithm>
+
 namespace epafi {
+
+namespace {
+
+/// A level whose indicators grow along the boundary; every second element looks analytic.
+adaptivity::LevelData levelOn(const bem::Mesh& mesh) {
+  adaptivity::LevelData level{mesh, {}, {}, 0.3};
+  for (int e = 0; e < mesh.size(); ++e) {
+    level.squares.push_back(1 + e);
+    level.analytic.push_back(e % 2 == 0);
+  }
+  return level;
+}
+
+}  // namespace
 
 /// Runs over the table, so a new strategy is tested from the day it is listed.
 TEUCHOS_UNIT_TEST(Strategy, everyStrategyMarksEveryElementAndIsFoundByItsName) {
   const bem::Mesh mesh = test::squareMesh(2);
   for (const adaptivity::Strategy& strategy : adaptivity::strategies()) {
     TEST_EQUALITY(adaptivity::strategy(strategy.name).marks, strategy.marks);
-    TEST_EQUALITY(static_cast<int>(strategy.marks({mesh}).size()), mesh.size());
+    TEST_EQUALITY(static_cast<int>(strategy.marks(levelOn(mesh)).size()), mesh.size());
   }
 }
 
 TEUCHOS_UNIT_TEST(Strategy, uniformStrategiesTreatAllElementsAlike) {
   const bem::Mesh mesh = test::squareMesh(2);
   const bem::Mesh finer =
-      adaptivity::refine(mesh, adaptivity::strategy("Uniform h").marks({mesh}));
+      adaptivity::refine(mesh, adaptivity::strategy("Uniform h").marks(levelOn(mesh)));
   const bem::Mesh richer =
-      adaptivity::refine(mesh, adaptivity::strategy("Uniform p").marks({mesh}));
+      adaptivity::refine(mesh, adaptivity::strategy("Uniform p").marks(levelOn(mesh)));
   TEST_EQUALITY(finer.size(), 2 * mesh.size());
   TEST_EQUALITY(richer.size(), mesh.size());
   for (int e = 0; e < mesh.size(); ++e) {
@@ -36,9 +54,42 @@ TEUCHOS_UNIT_TEST(Strategy, uniformStrategiesTreatAllElementsAlike) {
 
 TEUCHOS_UNIT_TEST(Strategy, uniformPEndsAtTheLargestDegree) {
   const bem::Mesh mesh = test::squareMesh(bem::largestDegree);
-  TEST_ASSERT(!adaptivity::anyMarked(adaptivity::strategy("Uniform p").marks({mesh})));
-  TEST_ASSERT(!adaptivity::anyMarked(adaptivity::strategy("None").marks({mesh})));
-  TEST_ASSERT(adaptivity::anyMarked(adaptivity::strategy("Uniform h").marks({mesh})));
+  TEST_ASSERT(
+      !adaptivity::anyMarked(adaptivity::strategy("Uniform p").marks(levelOn(mesh))));
+  TEST_ASSERT(!adaptivity::anyMarked(adaptivity::strategy("None").marks(levelOn(mesh))));
+  TEST_ASSERT(
+      adaptivity::anyMarked(adaptivity::strategy("Uniform h").marks(levelOn(mesh))));
+}
+
+TEUCHOS_UNIT_TEST(Strategy, adaptiveStrategiesTouchOnlyTheWorstElements) {
+  const bem::Mesh mesh = test::squareMesh(2);
+  const adaptivity::LevelData level = levelOn(mesh);
+  const std::vector<int> worst = adaptivity::doerfler(level.squares, 0.3);
+  const adaptivity::Marks h = adaptivity::strategy("Adaptive h").marks(level);
+  const adaptivity::Marks hp = adaptivity::strategy("Adaptive hp").marks(level);
+  using adaptivity::Mark;
+  for (int e = 0; e < mesh.size(); ++e) {
+    const auto k = static_cast<std::size_t>(e);
+    const bool marked = std::find(worst.begin(), worst.end(), e) != worst.end();
+    TEST_EQUALITY(h[k] == Mark::Bisect, marked);
+    TEST_EQUALITY(hp[k] == Mark::None, !marked);
+    if (marked)
+      TEST_EQUALITY(hp[k] == Mark::RaiseDegree, static_cast<bool>(level.analytic[k]));
+  }
+}
+
+TEUCHOS_UNIT_TEST(Strategy, adaptiveHpBisectsWhereTheDegreeIsTheLargest) {
+  const bem::Mesh mesh = test::squareMesh(bem::largestDegree);
+  const adaptivity::LevelData level = levelOn(mesh);
+  TEST_ASSERT(adaptivity::strategy("Adaptive hp").marks(level) ==
+              adaptivity::strategy("Adaptive h").marks(level));
+}
+
+TEUCHOS_UNIT_TEST(Strategy, decisionsAreTheStrategysMarks) {
+  const bem::Mesh mesh = test::squareMesh(2);
+  for (const adaptivity::Strategy& strategy : adaptivity::strategies())
+    TEST_ASSERT(adaptivity::decide(strategy, levelOn(mesh), bem::LapackAlgebra()) ==
+                strategy.marks(levelOn(mesh)));
 }
 
 TEUCHOS_UNIT_TEST(Strategy, anUnknownNameIsAnInputErrorThatListsTheKnownOnes) {

@@ -1,15 +1,19 @@
 #pragma once
 
 #include "adaptivity/refine/Refine.hpp"
+#include "bem/base/DenseAlgebra.hpp"
 
 #include <string>
 #include <vector>
 
 namespace epafi::adaptivity {
 
-/// What a strategy decides from: a solved level.
+/// What a strategy decides from: a solved level, as numbers.
 struct LevelData {
   const bem::Mesh& mesh;
+  bem::Vector squares;         ///< Ξ² of each element, see estimateResidual
+  std::vector<bool> analytic;  ///< of each element, see looksAnalytic
+  double markingFraction = 0.3;
 };
 
 /// Where the next level's iteration starts.
@@ -26,6 +30,10 @@ struct Strategy {
   /// No mark at all ends the run.
   Marks (*marks)(const LevelData& level);
 };
+
+/// The strategy's marks as rank 0 takes them; all processes must call.
+Marks decide(const Strategy& strategy, const LevelData& level,
+             const bem::DenseAlgebra& algebra);
 
 /// All strategies.  A new one is one line in Strategy.cpp.
 const std::vector<Strategy>& strategies();

@@ -1,0 +1,132 @@
+#include "adaptivity/estimate/ContactTerms.hpp"
+
+#include "bem/basis/Legendre.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::adaptivity {
+
+namespace {
+
+double positive(double x) { return std::max(x, 0.0); }
+
+/// Enough to separate the zeros of a polynomial of this degree in practice.
+int samples(int degree) { return 8 * (degree + 1); }
+
+Vector breaks(const ContactProfiles& c) {
+  Vector result = {-0.5, 0, 0.5};  // gap and bound are the user's and may bend anywhere
+  const auto add = [&](const bem::Profile& f) {
+    const Vector changes = bem::signChanges(f, samples(c.degree));
+    result.insert(result.end(), changes.begin(), changes.end());
+  };
+  add(c.pressure);
+  add(c.opening);
+  add(c.shear);
+  add(c.tangential);
+  add([&](double t) { return std::abs(c.shear(t)) - c.bound(t); });
+  return result;
+}
+
+}  // namespace
+
+Polynomial::Polynomial(const bem::Profile& values, int degree)
+    : coefficients_(static_cast<std::size_t>(degree + 1), 0.0) {
+  const bem::Rule& rule = bem::gaussLegendre(degree + 1);
+  Vector legendre(coefficients_.size());
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    bem::legendreValues(degree, rule.points[q], legendre.data());
+    const double value = values(rule.points[q]);
+    for (std::size_t k = 0; k < coefficients_.size(); ++k)
+      coefficients_[k] +=
+          (static_cast<double>(k) + 0.5) * rule.weights[q] * legendre[k] * value;
+  }
+}
+
+double Polynomial::operator()(double t) const {
+  double next = 0;  // Clenshaw's recurrence
+  double here = 0;
+  for (std::size_t k = coefficients_.size(); k-- > 0;) {
+    const auto j = static_cast<double>(k);
+    const double before =
+        coefficients_[k] + (2 * j + 1) / (j + 1) * t * here - (j + 1) / (j + 2) * next;
+    next = here;
+    here = before;
+  }
+  return here;
+}
+
+ContactProfiles contactProfiles(const contact::Solved& solved,
+                                const ContactElement& element) {
+  const bem::Mesh& mesh = solved.space.mesh();
+  const bem::Element& geometry = mesh[element.element];
+  const contact::MultiplierSpace& multiplier = solved.problem.multiplier();
+  const int p = element.degree;
+  const auto component = [&](bem::Vec2 direction) {
+    return Polynomial(
+        [&, direction](double t) {
+          return dot(solved.space.displacementAt(solved.displacement, element.element, t),
+                     direction);
+        },
+        p);
+  };
+  const auto stress = [&](auto part) {
+    return Polynomial(
+        [&, part](double t) {
+          return multiplier.at(solved.state.multiplier, element, t).*part;
+        },
+        p);
+  };
+  const Polynomial pressure = stress(&contact::MultiplierSpace::Value::normal);
+  const Polynomial normal = component(geometry.normal);
+  const contact::Conditions::Contact& condition = *element.condition;
+  const bem::Units units = solved.units;
+  const int e = element.element;
+  const auto opening = [&mesh, &condition, units, e, normal](double t) {
+    const double gap = condition.gap ? condition.gap(mesh.physicalPoint(e, t)) : 0.0;
+    return gap / units.length - normal(t);
+  };
+  const auto bound = [&mesh, &condition, units, e, pressure](double t) {
+    if (condition.law == nullptr || !condition.strength)
+      return 0.0;
+    return condition.law->slipBound(units.stress * positive(pressure(t)),
+                                    condition.strength(mesh.physicalPoint(e, t))) /
+           units.stress;
+  };
+  return {pressure,
+          stress(&contact::MultiplierSpace::Value::tangential),
+          component(turnLeft(geometry.normal)),
+          opening,
+          bound,
+          p,
+          geometry.half};
+}
+
+Contributions contactTerms(const ContactProfiles& c) {
+  const bem::Rule rule = bem::piecewiseRule(breaks(c), c.degree + 6);
+  const double size = 2 * c.half / c.degree;  // h/p
+  Contributions squares{};
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    const double t = rule.points[q];
+    const double weight = c.half * rule.weights[q];
+    const double pressure = c.pressure(t);
+    const double opening = c.opening(t);
+    const double shear = c.shear(t);
+    const double slip = c.tangential(t);
+    const double bound = c.bound(t);
+    const double tension = positive(-pressure);
+    const double penetration = positive(-opening);
+    const double excess = positive(std::abs(shear) - bound);
+    of(squares, Source::Complementarity) +=
+        weight * positive(pressure) * positive(opening);
+    of(squares, Source::Penetration) += weight / size * penetration * penetration;
+    of(squares, Source::Tension) += weight * size * tension * tension;
+    of(squares, Source::Bound) += weight * size * excess * excess;
+    of(squares, Source::Slip) +=
+        weight * (positive(bound - std::abs(shear)) * std::abs(slip) +
+                  2 * positive(-shear * slip));
+  }
+  return squares;
+}
+
+}  // namespace epafi::adaptivity

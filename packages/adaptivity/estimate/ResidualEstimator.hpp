@@ -1,0 +1,28 @@
+#pragma once
+
+#include "adaptivity/estimate/Indicators.hpp"
+#include "contact/problem/Summary.hpp"
+
+#include <string>
+
+namespace epafi::adaptivity {
+
+struct EstimatorOptions {
+  std::string weights = "Energy";  ///< a name of weightings()
+  double residualFactor = 1;  ///< > 0; multiplies the squares of the first three sources
+};
+
+/// The residual error estimator of [P] Theorem 22, Corollary 23 and, with bounds that
+/// follow the pressure, Theorem 24; norms by the scaled L² norms of [P sec. 8].
+///
+/// The Neumann residual is taken against the given traction itself, not its interpolant,
+/// and with the uniform tractions that hold fixed rigid motions.  Free components on a
+/// Dirichlet side count as Neumann.  Prescribed displacements are taken as met: what
+/// interpolation leaves of them is not seen.
+///
+/// Squares are energies [stress length²] under Weights "Energy".  Elements are shared out
+/// among the processes; every one gets all.  `density` is ψ = V⁻¹ (K + 1/2) u.
+Indicators estimateResidual(const contact::Solved& solved, const Vector& density,
+                            const bem::Lame& lame, const EstimatorOptions& options);
+
+}  // namespace epafi::adaptivity

@@ -1,0 +1,88 @@
+#include "adaptivity/mark/Analyticity.hpp"
+
+#include "bem/space/LocalField.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::adaptivity {
+
+namespace {
+
+using bem::Vector;
+
+struct Series {
+  Vector displacement;
+  Vector density;
+};
+
+Series seriesOf(const bem::LocalField& field, int degree, int component) {
+  const auto part = [component](bem::Complex z) {
+    return component == 0 ? z.real() : z.imag();
+  };
+  Series series;
+  for (std::size_t k = 0; k <= static_cast<std::size_t>(degree); ++k) {
+    series.displacement.push_back(part(field.value[k]));
+    if (k < static_cast<std::size_t>(degree))
+      series.density.push_back(part(field.density[k]));
+  }
+  return series;
+}
+
+double largest(const Vector& v) {
+  double size = 0;
+  for (const double x : v)
+    size = std::max(size, std::abs(x));
+  return size;
+}
+
+bool isPrescribed(const contact::Conditions& conditions, const std::string& boundary,
+                  int component) {
+  const auto clamp = conditions.dirichlet.find(boundary);
+  if (clamp == conditions.dirichlet.end())
+    return false;
+  return static_cast<bool>(component == 0 ? clamp->second.x : clamp->second.y);
+}
+
+}  // namespace
+
+bool decays(const Vector& coefficients, double floor, double threshold) {
+  const auto n = static_cast<double>(coefficients.size());
+  if (n < 2 || largest(coefficients) <= floor)
+    return true;
+  const double middle = 0.5 * (n - 1);
+  double product = 0;
+  double square = 0;
+  for (std::size_t k = 0; k < coefficients.size(); ++k) {
+    const double arm = static_cast<double>(k) - middle;
+    const double size = std::max({std::abs(coefficients[k]), floor, 1e-300});
+    product -= arm * std::log(size);
+    square += arm * arm;
+  }
+  return std::exp(-product / square) <= threshold;
+}
+
+std::vector<bool> looksAnalytic(const bem::Space& space,
+                                const contact::Conditions& conditions,
+                                const Vector& displacement, const Vector& density,
+                                double threshold) {
+  constexpr double rounding = 1e-13;
+  const double displacementFloor = rounding * largest(displacement);
+  const double densityFloor = rounding * largest(density);
+  const bem::Mesh& mesh = space.mesh();
+  std::vector<bool> result;
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bem::LocalField field = bem::localField(space, displacement, density, e);
+    bool all = true;
+    for (int component = 0; component < 2; ++component) {
+      const Series series = seriesOf(field, mesh[e].degree, component);
+      all = all && (isPrescribed(conditions, mesh.boundary(e), component)
+                        ? decays(series.density, densityFloor, threshold)
+                        : decays(series.displacement, displacementFloor, threshold));
+    }
+    result.push_back(all);
+  }
+  return result;
+}
+
+}  // namespace epafi::adaptivity

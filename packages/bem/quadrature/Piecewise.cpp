@@ -1,0 +1,49 @@
+#include "bem/quadrature/Piecewise.hpp"
+
+#include <algorithm>
+
+namespace epafi::bem {
+
+Vector signChanges(const Profile& f, int intervals) {
+  Vector changes;
+  double low = -1;
+  bool lowNegative = f(low) < 0;
+  for (int i = 0; i < intervals; ++i) {
+    const double next = i + 1 == intervals ? 1 : -1 + 2.0 * (i + 1) / intervals;
+    double high = next;
+    const bool highNegative = f(high) < 0;
+    if (highNegative != lowNegative) {
+      while (high - low > 1e-15) {
+        const double middle = 0.5 * (low + high);
+        if (middle <= low || middle >= high)
+          break;
+        ((f(middle) < 0) == lowNegative ? low : high) = middle;
+      }
+      changes.push_back(0.5 * (low + high));
+    }
+    low = next;
+    lowNegative = highNegative;
+  }
+  return changes;
+}
+
+Rule piecewiseRule(Vector breaks, int order) {
+  breaks.push_back(-1);
+  breaks.push_back(1);
+  std::sort(breaks.begin(), breaks.end());
+  const Rule& gauss = gaussLegendre(order);
+  Rule rule;
+  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
+    const double half = 0.5 * (breaks[k + 1] - breaks[k]);
+    const double middle = 0.5 * (breaks[k + 1] + breaks[k]);
+    if (!(half > 0))
+      continue;
+    for (std::size_t q = 0; q < gauss.points.size(); ++q) {
+      rule.points.push_back(middle + half * gauss.points[q]);
+      rule.weights.push_back(half * gauss.weights[q]);
+    }
+  }
+  return rule;
+}
+
+}  // namespace epafi::bem

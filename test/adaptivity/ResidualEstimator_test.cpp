@@ -1,0 +1,223 @@
+#include "adaptivity/estimate/ResidualEstimator.hpp"
+
+#include "SolvedScene.hpp"
+#include "adaptivity/estimate/Weights.hpp"
+#include "bem/base/Error.hpp"
+#include "reference/ExactFields.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+#include <numeric>
+
+namespace epafi {
+
+using adaptivity::Contributions;
+using adaptivity::Indicators;
+using adaptivity::Source;
+using bem::Vec2;
+using contact::Conditions;
+using test::SolvedScene;
+
+namespace {
+
+const bem::Material material{2, 0.3, false};
+
+/// [-1/2, 1/2]² times a length; the shortest side name comes first at the bottom.
+bem::Mesh squareMesh(int elements, int degree, double length = 1) {
+  const double a = 0.5 * length;
+  const bem::Loop loop{{{-a, -a}, {a, -a}, {a, a}, {-a, a}},
+                       {"bottom", "right", "top", "left"}};
+  return bem::makeMesh(std::make_shared<bem::Outline>(loop),
+                       {elements, elements + 1, elements, elements}, degree);
+}
+
+Indicators estimate(const SolvedScene& scene, const std::string& weights = "Energy",
+                    double residualFactor = 1) {
+  return adaptivity::estimateResidual(scene.solved(), scene.density(), scene.lame(),
+                                      {weights, residualFactor});
+}
+
+bem::Function component(const std::function<Vec2(Vec2)>& f, double Vec2::*part) {
+  return [=](Vec2 x) { return f(x).*part; };
+}
+
+/// Pressure 0.01 and Coulomb's shear at its bound, sliding to the right: constant stress,
+/// linear displacement, u_y = 0 at the bottom.
+struct Sliding {
+  static constexpr double pressure = 0.01;
+  double coefficient = 0.3;
+  reference::PlaneStressTensor stress{0, -pressure, coefficient* pressure};
+
+  Vec2 displacement(Vec2 x) const {
+    const double mu = material.youngsModulus / (2 * (1 + material.poissonsRatio));
+    const double trace = material.poissonsRatio * (stress.xx + stress.yy);
+    const double xx = (stress.xx - trace) / (2 * mu);
+    const double yy = (stress.yy - trace) / (2 * mu);
+    const double xy = stress.xy / (2 * mu);
+    return {xx * x.x + 2 * xy * (x.y + 0.5) + 0.1, yy * (x.y + 0.5)};
+  }
+
+  Conditions conditions() const {
+    const auto exact = [self = *this](Vec2 x) { return self.displacement(x); };
+    const auto constant = [](double value) { return [=](Vec2) { return value; }; };
+    Conditions conditions;
+    conditions.contact["bottom"] = {
+        {}, &contact::frictionLaw("Coulomb"), constant(coefficient)};
+    conditions.dirichlet["top"] = {component(exact, &Vec2::x),
+                                   component(exact, &Vec2::y)};
+    conditions.neumann["right"] = {{}, constant(stress.xy)};
+    if (coefficient == 0)  // a roller
+      conditions.dirichlet["left"] = {component(exact, &Vec2::x), {}};
+    else
+      conditions.neumann["left"] = {{}, constant(-stress.xy)};
+    return conditions;
+  }
+};
+
+/// [P] 8.1 in other units: lengths and stresses times a factor.
+SolvedScene::Input trescaScene(int elements, int degree, double length, double stress) {
+  const auto at = [=](auto f) { return [=](Vec2 x) { return f((1 / length) * x); }; };
+  Conditions conditions;
+  conditions.contact["bottom"] = {
+      at([=](Vec2 x) { return length * (1 - std::sqrt(1 - x.x * x.x / 100)); }),
+      &contact::frictionLaw("Tresca"),
+      at([=](Vec2 x) { return stress * (0.211 + 0.412 * x.x); })};
+  conditions.dirichlet["top"] = {[](Vec2) { return 0.0; }, [](Vec2) { return 0.0; }};
+  conditions.neumann["left"] = {
+      at([=](Vec2 x) { return stress * 4 * (0.25 - x.y * x.y); }), {}};
+  conditions.neumann["right"] = {{}, at([=](Vec2 x) { return -stress * (0.5 + x.y); })};
+  return {squareMesh(elements, degree, length),
+          {500 * stress, 0.3, false},
+          conditions,
+          "Gauss-Legendre-Lagrange",
+          {}};
+}
+
+double rounding(const Indicators& indicators, const contact::Solved& solved) {
+  // as energies: squares of stresses over E
+  const double size = Sliding::pressure * Sliding::pressure / solved.units.stress;
+  return indicators.estimate() / std::sqrt(size);
+}
+
+}  // namespace
+
+// Complementarity and slip are integrals of products, not squares: what rounding leaves
+// of them shows as its root.
+TEUCHOS_UNIT_TEST(ResidualEstimator, vanishesOnLinearSolutionsWithFrictionAndRollers) {
+  for (int degree : {1, 3})
+    for (double coefficient : {0.3, 0.0}) {
+      const SolvedScene scene({squareMesh(2, degree), material,
+                               Sliding{coefficient}.conditions(), "Bernstein",
+                               contact::Stabilization{}});
+      Indicators indicators = estimate(scene);
+      out << "degree " << degree << ", coefficient " << coefficient << ": ";
+      TEST_COMPARE(rounding(indicators, scene.solved()), <, 1e-6);
+      for (Contributions& squares : indicators.squares)
+        of(squares, Source::Complementarity) = of(squares, Source::Slip) = 0;
+      TEST_COMPARE(rounding(indicators, scene.solved()), <, 1e-10);
+    }
+}
+
+// The claim above would be empty if the estimator saw nothing.
+TEUCHOS_UNIT_TEST(ResidualEstimator, seesASmallChangeOfAnyCondition) {
+  const auto rises = [&](const Conditions& conditions) {
+    const SolvedScene scene(
+        {squareMesh(2, 1), material, conditions, "Bernstein", contact::Stabilization{}});
+    return rounding(estimate(scene), scene.solved()) > 1e-5;
+  };
+  Conditions other = Sliding().conditions();
+  other.neumann["right"].x = [](Vec2) { return 1e-3 * Sliding::pressure; };
+  TEST_ASSERT(rises(other));
+  other = Sliding().conditions();
+  other.contact["bottom"].strength = [](Vec2) { return 0.3003; };
+  TEST_ASSERT(rises(other));
+  other = Sliding().conditions();
+  other.contact["bottom"].gap = [](Vec2 x) { return 1e-5 * x.x; };
+  TEST_ASSERT(rises(other));
+}
+
+// Uniform traction on the whole boundary is taken by the fixed motions: u = 0.
+TEUCHOS_UNIT_TEST(ResidualEstimator, countsTheTractionsThatHoldFixedMotions) {
+  Conditions conditions;
+  for (const char* side : {"bottom", "right", "top", "left"})
+    conditions.neumann[side] = {[](Vec2 x) { return 0.01 - 0.02 * x.y; },
+                                [](Vec2 x) { return -0.03 + 0.02 * x.x; }};
+  conditions.fix = {true, true, true};
+  const SolvedScene scene(
+      {squareMesh(2, 2), material, conditions, "Bernstein", contact::Stabilization{}});
+  TEST_COMPARE(rounding(estimate(scene), scene.solved()), <, 1e-10);
+}
+
+TEUCHOS_UNIT_TEST(ResidualEstimator, isASumOfNonnegativeParts) {
+  for (int degree : {1, 4}) {
+    const SolvedScene scene(trescaScene(4, degree, 1, 1));
+    for (const char* weights : {"Energy", "Paper"}) {
+      const Indicators indicators = estimate(scene, weights);
+      double sum = 0;
+      for (const Contributions& squares : indicators.squares)
+        for (const double square : squares) {
+          TEST_COMPARE(square, >=, 0);
+          sum += square;
+        }
+      const Contributions sums = indicators.sums();
+      const bem::Vector elements = indicators.elements();
+      const double total = indicators.estimate() * indicators.estimate();
+      TEST_FLOATING_EQUALITY(sum, total, 1e-13);
+      TEST_FLOATING_EQUALITY(std::accumulate(sums.begin(), sums.end(), 0.0), total,
+                             1e-13);
+      TEST_FLOATING_EQUALITY(std::accumulate(elements.begin(), elements.end(), 0.0),
+                             total, 1e-13);
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(ResidualEstimator, onlyContactElementsHaveContactTerms) {
+  const SolvedScene scene(trescaScene(4, 1, 1, 1));
+  const Indicators indicators = estimate(scene);
+  const bem::Mesh& mesh = scene.solved().space.mesh();
+  for (int e = 0; e < mesh.size(); ++e) {
+    const Contributions& squares = indicators.squares[static_cast<std::size_t>(e)];
+    const bool touching = mesh.boundary(e) == "bottom";
+    const bool free = mesh.boundary(e) == "left" || mesh.boundary(e) == "right";
+    TEST_EQUALITY(squares[0] > 0, free);
+    TEST_EQUALITY(squares[1] > 0, touching);
+    TEST_COMPARE(squares[2], >, 0);
+    if (!touching)
+      TEST_EQUALITY(std::accumulate(squares.begin() + 3, squares.end(), 0.0), 0);
+  }
+}
+
+TEUCHOS_UNIT_TEST(ResidualEstimator, inEnergyWeightsKnowsNoUnits) {
+  const SolvedScene one(trescaScene(3, 2, 1, 1));
+  const Indicators expected = estimate(one);
+  for (const auto& [length, stress] : {std::pair(1e3, 1e-6), std::pair(1e-3, 1e6)}) {
+    const SolvedScene other(trescaScene(3, 2, length, stress));
+    const Indicators indicators = estimate(other);
+    const double energy = stress * length * length;
+    for (std::size_t e = 0; e < expected.squares.size(); ++e)
+      for (std::size_t k = 0; k < adaptivity::sourceCount; ++k)
+        TEST_COMPARE(std::abs(indicators.squares[e][k] / energy - expected.squares[e][k]),
+                     <, 1e-10 * std::pow(expected.estimate(), 2));
+  }
+}
+
+TEUCHOS_UNIT_TEST(ResidualEstimator, residualFactorScalesTheThreeResidualsOnly) {
+  const SolvedScene scene(trescaScene(3, 1, 1, 1));
+  const Contributions one = estimate(scene, "Paper").sums();
+  const Contributions tenth = estimate(scene, "Paper", 0.1).sums();
+  for (std::size_t k = 0; k < one.size(); ++k)
+    TEST_FLOATING_EQUALITY(tenth[k] + 1, (k < 3 ? 0.1 : 1.0) * one[k] + 1, 1e-14);
+}
+
+TEUCHOS_UNIT_TEST(Weights, anUnknownNameIsAnInputErrorThatListsTheKnownOnes) {
+  try {
+    adaptivity::weighting("Heavy");
+    TEST_ASSERT(false);
+  } catch (const bem::InputError& error) {
+    for (const adaptivity::Weights& known : adaptivity::weightings())
+      TEST_INEQUALITY(std::string(error.what()).find(known.name), std::string::npos);
+  }
+}
+
+}  // namespace epafi

@@ -1,0 +1,63 @@
+#pragma once
+
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "contact/problem/Summary.hpp"
+#include "contact/solve/CoulombIteration.hpp"
+
+namespace epafi::test {
+
+/// A contact problem on one mesh, solved, with everything that its results refer to.
+class SolvedScene {
+ public:
+  struct Input {
+    bem::Mesh mesh;
+    bem::Material material;
+    contact::Conditions conditions;
+    std::string multiplier = "Gauss-Lobatto-Lagrange";
+    contact::Stabilization stabilization;
+  };
+
+  explicit SolvedScene(const Input& input)
+      : lame_(input.material),
+        conditions_(input.conditions),
+        units_{input.mesh.outline().diameter(), input.material.youngsModulus},
+        space_(input.mesh),
+        stiffness_(bem::assembleOperators(
+                       space_, lame_, algebra_,
+                       contact::tractionElements(
+                           contact::MultiplierSpace(
+                               input.mesh, contact::multiplierBasis(input.multiplier),
+                               conditions_),
+                           input.stabilization)),
+                   algebra_),
+        problem_({space_, stiffness_, lame_, units_, conditions_,
+                  contact::multiplierBasis(input.multiplier), input.stabilization}),
+        solution_(contact::solve(problem_.numbers(), {}, {})),
+        displacement_(problem_.displacement(solution_.state)),
+        density_(stiffness_.density(displacement_)) {}
+
+  SolvedScene(const SolvedScene&) = delete;
+  SolvedScene& operator=(const SolvedScene&) = delete;
+
+  contact::Solved solved() const {
+    return {space_, stiffness_,      problem_,     conditions_,
+            units_, solution_.state, displacement_};
+  }
+  const bem::Lame& lame() const { return lame_; }
+  const bem::Vector& density() const { return density_; }
+  const contact::Report& report() const { return solution_.report; }
+
+ private:
+  bem::LapackAlgebra algebra_;
+  bem::Lame lame_;
+  contact::Conditions conditions_;
+  bem::Units units_;
+  bem::Space space_;
+  bem::SteklovPoincare stiffness_;
+  contact::ContactProblem problem_;
+  contact::Solution solution_;
+  bem::Vector displacement_;
+  bem::Vector density_;
+};
+
+}  // namespace epafi::test
