@@ -1,0 +1,132 @@
+#include "bem/space/CauchyData.hpp"
+
+#include "bem/base/Error.hpp"
+#include "bem/quadrature/Gauss.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::bem {
+
+namespace {
+
+bool same(Position a, Position b) {
+  constexpr double tolerance = 1e-12;
+  return std::abs(a.fromStart - b.fromStart) <= tolerance * a.fromStart ||
+         std::abs(a.toEnd - b.toEnd) <= tolerance * a.toEnd;
+}
+
+/// The elements of an edge, from its start to its end.
+std::vector<int> elementsOf(const Mesh& mesh, int edge) {
+  std::vector<int> result;
+  for (int e = 0; e < mesh.size(); ++e)
+    if (mesh[e].piece.edge == edge)
+      result.push_back(e);
+  return result;
+}
+
+Origin originIn(const Mesh& mesh, int e, const Piece& part) {
+  const Piece& whole = mesh[e].piece;
+  const double length = 2 * mesh[e].half;
+  const double start = 2 * distanceAlong(whole.start, part.start) / length - 1;
+  const double end = 1 - 2 * distanceAlong(part.end, whole.end) / length;
+  return {e, 0.5 * (start + end), 0.5 * (end - start)};
+}
+
+using Series = std::array<Complex, largestDegree + 1>;
+
+Complex valueAt(const Series& series, int degree, double t) {
+  std::array<double, largestDegree + 1> legendre{};
+  legendreValues(degree, t, legendre.data());
+  Complex value = 0;
+  for (int i = 0; i <= degree; ++i)
+    value += legendre[static_cast<std::size_t>(i)] * series[static_cast<std::size_t>(i)];
+  return value;
+}
+
+/// A series of this degree as a function on a part of its element: Gauss points make the
+/// projection exact.
+Series restricted(const Series& series, int degree, const Origin& origin) {
+  Series result{};
+  const Rule& rule = gaussLegendre(degree + 1);
+  for (int q = 0; q < rule.size(); ++q) {
+    const auto k = static_cast<std::size_t>(q);
+    const double t = rule.points[k];
+    const Complex value =
+        rule.weights[k] * valueAt(series, degree, origin.middle + origin.scale * t);
+    std::array<double, largestDegree + 1> legendre{};
+    legendreValues(degree, t, legendre.data());
+    for (int i = 0; i <= degree; ++i)
+      result[static_cast<std::size_t>(i)] +=
+          (i + 0.5) * legendre[static_cast<std::size_t>(i)] * value;
+  }
+  return result;
+}
+
+LocalField restricted(const CauchyData& data, const Origin& origin) {
+  const LocalField& field = data.fields[static_cast<std::size_t>(origin.element)];
+  const int p = data.mesh[origin.element].degree;
+  return {restricted(field.value, p, origin), restricted(field.slope, p - 1, origin),
+          restricted(field.density, p - 1, origin)};
+}
+
+void subtract(Series& a, const Series& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    a[i] -= b[i];
+}
+
+}  // namespace
+
+CauchyData makeCauchyData(const Space& space, const Vector& u, const Vector& psi) {
+  CauchyData data{space.mesh(), {}};
+  for (int e = 0; e < space.mesh().size(); ++e)
+    data.fields.push_back(localField(space, u, psi, e));
+  return data;
+}
+
+UnionMesh unite(const Mesh& first, const Mesh& second) {
+  const std::size_t edges = first.outline().edges().size();
+  if (second.outline().edges().size() != edges)
+    throw InputError(message("meshes of outlines with ", edges, " and ",
+                             second.outline().edges().size(),
+                             " edges cannot be compared"));
+  std::vector<Piece> pieces;
+  std::vector<Origin> inFirst;
+  std::vector<Origin> inSecond;
+  for (int edge = 0; edge < static_cast<int>(edges); ++edge) {
+    const std::vector<int> a = elementsOf(first, edge);
+    const std::vector<int> b = elementsOf(second, edge);
+    Position start = first[a.front()].piece.start;
+    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+      const Position endA = first[a[i]].piece.end;
+      const Position endB = second[b[j]].piece.end;
+      const bool together = same(endA, endB);
+      const bool aEnds = together || distanceAlong(endA, endB) > 0;
+      const Position end = aEnds ? endA : endB;
+      const int degree = std::max(first[a[i]].degree, second[b[j]].degree);
+      pieces.push_back({edge, start, end, degree});
+      inFirst.push_back(originIn(first, a[i], pieces.back()));
+      inSecond.push_back(originIn(second, b[j], pieces.back()));
+      start = end;
+      i += aEnds ? 1 : 0;
+      j += together || !aEnds ? 1 : 0;
+    }
+  }
+  return {Mesh(first.sharedOutline(), pieces), std::move(inFirst), std::move(inSecond)};
+}
+
+CauchyData difference(const CauchyData& a, const CauchyData& b) {
+  UnionMesh both = unite(a.mesh, b.mesh);
+  CauchyData result{std::move(both.mesh), {}};
+  for (std::size_t e = 0; e < both.first.size(); ++e) {
+    LocalField field = restricted(a, both.first[e]);
+    const LocalField other = restricted(b, both.second[e]);
+    subtract(field.value, other.value);
+    subtract(field.slope, other.slope);
+    subtract(field.density, other.density);
+    result.fields.push_back(field);
+  }
+  return result;
+}
+
+}  // namespace epafi::bem

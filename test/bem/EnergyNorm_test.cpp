@@ -1,0 +1,150 @@
+// The energy norm of a difference, on the union of two meshes.
+#include "bem/assembly/EnergyNorm.hpp"
+
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/assembly/Assembly.hpp"
+#include "reference/SampleMeshes.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+#include <numeric>
+#include <random>
+
+namespace {
+
+using namespace epafi::reference;
+namespace bem = epafi::bem;
+using bem::Index;
+using bem::Vec2;
+using bem::Vector;
+
+const bem::LapackAlgebra algebra;
+const bem::Lame lame({1, 0.3, false});
+
+Vector random(Index size, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Vector v(static_cast<std::size_t>(size));
+  for (double& x : v)
+    x = uniform(generator);
+  return v;
+}
+
+double quadratic(const bem::Matrix& lower, const Vector& v) {
+  const Vector product = algebra.multiplySymmetric(lower, v);
+  return std::inner_product(v.begin(), v.end(), product.begin(), 0.0);
+}
+
+/// By the Galerkin matrices.
+double normByMatrices(const bem::Space& space, const Vector& u, const Vector& psi) {
+  const bem::Operators operators = bem::assembleOperators(space, lame, algebra);
+  return std::sqrt(quadratic(operators.hypersingular, u) +
+                   quadratic(operators.singleLayer, psi));
+}
+
+/// A quadratic displacement and a linear density, which degree 2 holds on every mesh.
+bem::CauchyData smooth(const bem::Space& space) {
+  const auto displacement = [](Vec2 x) {
+    return Vec2{1 + x.x * x.y - 2 * x.y * x.y, 3 * x.x * x.x - x.y};
+  };
+  const auto density = [](Vec2 x) { return Vec2{x.x - 2 * x.y, 0.5 + x.y}; };
+  Vector psi(static_cast<std::size_t>(space.densities()));
+  for (int e = 0; e < space.mesh().size(); ++e) {
+    const Vec2 start = density(space.mesh().scaledPoint(e, -1));
+    const Vec2 end = density(space.mesh().scaledPoint(e, 1));
+    const Vec2 mean = 0.5 * (start + end);
+    const Vec2 slope = 0.5 * (end - start);
+    psi[static_cast<std::size_t>(space.density(e, 0, 0))] = mean.x;
+    psi[static_cast<std::size_t>(space.density(e, 0, 1))] = mean.y;
+    psi[static_cast<std::size_t>(space.density(e, 1, 0))] = slope.x;
+    psi[static_cast<std::size_t>(space.density(e, 1, 1))] = slope.y;
+  }
+  return bem::makeCauchyData(space, space.interpolate(displacement), psi);
+}
+
+std::shared_ptr<const bem::Outline> squareOutline() {
+  return std::make_shared<const bem::Outline>(square());
+}
+
+TEUCHOS_UNIT_TEST(EnergyNorm, isThatOfTheGalerkinMatrices) {
+  for (const Sample& sample : quickSamples()) {
+    const bem::Space space(sample.mesh);
+    const Vector u = random(space.displacements(), 1);
+    const Vector psi = random(space.densities(), 2);
+    out << sample.name << ": ";
+    TEST_FLOATING_EQUALITY(bem::energyNorm(bem::makeCauchyData(space, u, psi), lame),
+                           normByMatrices(space, u, psi), 1e-11);
+  }
+}
+
+TEUCHOS_UNIT_TEST(EnergyNorm, ofARigidMotionIsZeroAndOfAnotherMaterialDiffers) {
+  const bem::Space space(quickSamples().front().mesh);
+  const bem::Matrix motions = space.rigidMotions();
+  const Vector none(static_cast<std::size_t>(space.densities()));
+  for (Index k = 0; k < 3; ++k) {
+    const Vector motion(motions.column(k), motions.column(k) + motions.rows());
+    TEST_COMPARE(bem::energyNorm(bem::makeCauchyData(space, motion, none), lame), <,
+                 1e-7);  // a root: of 1e-14
+  }
+  const bem::CauchyData data = makeCauchyData(space, random(space.displacements(), 3),
+                                              random(space.densities(), 4));
+  const double norm = bem::energyNorm(data, lame);
+  const double other = bem::energyNorm(data, bem::Lame({1, 0.31, false}));
+  TEST_COMPARE(std::abs(other / norm - 1), >, 1e-4);
+}
+
+TEUCHOS_UNIT_TEST(EnergyNorm, doesNotSeeTheMeshThatAFunctionIsWrittenOn) {
+  const auto outline = squareOutline();
+  const bem::Mesh coarse = bem::makeMesh(outline, {1, 2, 1, 1}, 2);
+  const bem::Mesh meshes[] = {
+      bem::makeMesh(outline, {4, 2, 8, 1}, 3),  // nested
+      cutMesh(outline, {{0, {0.3}}, {1, {0.7}}, {2, {1e-9, 1e-6, 0.1}}}, {2, 5, 3})};
+  const bem::CauchyData data = smooth(bem::Space(coarse));
+  for (const bem::Mesh& mesh : meshes) {
+    const bem::CauchyData same = smooth(bem::Space(mesh));
+    const double norm = bem::energyNorm(data, lame);
+    TEST_COMPARE(norm, >, 0.1);
+    TEST_FLOATING_EQUALITY(bem::energyNorm(same, lame), norm, 1e-11);
+    TEST_COMPARE(bem::energyNorm(bem::difference(data, same), lame), <, 1e-13 * norm);
+    TEST_COMPARE(bem::energyNorm(bem::difference(same, data), lame), <, 1e-13 * norm);
+  }
+}
+
+TEUCHOS_UNIT_TEST(EnergyNorm, ofADifferenceIsWhatTheFinerSpaceSays) {
+  const auto outline = squareOutline();
+  const bem::Space coarse(bem::makeMesh(outline, {1, 2, 1, 1}, 2));
+  const bem::Space fine(bem::makeMesh(outline, {4, 2, 8, 1}, 3));
+  const Vector u = random(fine.displacements(), 5);
+  const Vector psi = random(fine.densities(), 6);
+  bem::CauchyData shifted = smooth(fine);
+  const bem::CauchyData extra = bem::makeCauchyData(fine, u, psi);
+  for (std::size_t e = 0; e < shifted.fields.size(); ++e)
+    for (std::size_t i = 0; i < extra.fields[e].slope.size(); ++i) {
+      shifted.fields[e].value[i] += extra.fields[e].value[i];
+      shifted.fields[e].slope[i] += extra.fields[e].slope[i];
+      shifted.fields[e].density[i] += extra.fields[e].density[i];
+    }
+  TEST_FLOATING_EQUALITY(bem::energyNorm(bem::difference(shifted, smooth(coarse)), lame),
+                         normByMatrices(fine, u, psi), 1e-10);
+}
+
+TEUCHOS_UNIT_TEST(UnionMesh, hasTheNodesOfBothOnceAndTheLargerDegrees) {
+  const auto outline = squareOutline();
+  const double third = 1.0 / 3;
+  const bem::Mesh a = cutMesh(outline, {{0, {third, 2 * third}}}, {2});
+  const bem::Mesh b = cutMesh(outline, {{0, {third * (1 + 1e-15), 0.5}}}, {1, 4, 1});
+  const bem::UnionMesh both = bem::unite(a, b);
+  TEST_EQUALITY(both.mesh.size(), 4 + 3);
+  const int degrees[] = {2, 4, 2, 2};
+  for (int e = 0; e < 4; ++e) {
+    TEST_EQUALITY(both.mesh[e].degree, degrees[e]);
+    TEST_COMPARE(both.mesh[e].half, >, 0.05);
+  }
+  TEST_EQUALITY(both.first[2].element, 1);  // [1/2, 2/3] in [1/3, 2/3]: t in [0, 1]
+  TEST_FLOATING_EQUALITY(both.first[2].middle, 0.5, 1e-13);
+  TEST_FLOATING_EQUALITY(both.first[2].scale, 0.5, 1e-13);
+  TEST_EQUALITY(both.second[3].element, 2);
+}
+
+}  // namespace
