@@ -22,7 +22,7 @@ namespace epafi::contact {
 ///   parameters   p₀ load factor, p₁ friction factor (see Factors), both 1 unless given
 ///   f            the residual
 ///   W_op, W      an element of the generalised Jacobian; W solves with it, dense
-///   DfDp(0, 1)   of the same element, by columns
+///   DfDp(0, 1)   of the same element, by columns; LOCA 13.2 prefers difference quotients
 ///
 /// F is semismooth: Newton's method with full steps converges locally, faster than
 /// linearly.  From far away let solve() find the point to begin with.
