@@ -4,11 +4,11 @@
 #include "adaptivity/mark/Analyticity.hpp"
 #include "adaptivity/refine/Refine.hpp"
 #include "adaptivity/refine/Strategy.hpp"
-#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/assembly/SteklovPoincare.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/problem/ContactProblem.hpp"
-#include "contact/solve/CoulombIteration.hpp"
+#include "drivers/Ranks.hpp"
+#include "drivers/SolveOnce.hpp"
 
 namespace epafi::drivers {
 
@@ -24,14 +24,20 @@ LevelRow makeRow(int level, const Size& size, const contact::Solved& solved,
   row.report = report;
   row.estimate = indicators.estimate();
   row.squares = indicators.sums();
-  row.seconds.assembly = timer.levelSeconds(Phase::Assembly);
-  row.seconds.factorization = timer.levelSeconds(Phase::Factorization);
-  row.seconds.stabilization = timer.levelSeconds(Phase::Stabilization);
-  row.seconds.newton = timer.levelSeconds(Phase::Newton);
-  row.seconds.estimate = timer.levelSeconds(Phase::Estimate);
-  row.secondsTotal = cpuSeconds();
-  row.secondsWall = timer.wallSeconds();
-  row.memory = peakMemory();
+  const bem::Vector cost = largestOverRanks(
+      solved.stiffness.algebra(),
+      {timer.levelSeconds(Phase::Assembly), timer.levelSeconds(Phase::Factorization),
+       timer.levelSeconds(Phase::Stabilization), timer.levelSeconds(Phase::Newton),
+       timer.levelSeconds(Phase::Estimate), cpuSeconds(), timer.wallSeconds(),
+       peakMemory()});
+  row.seconds.assembly = cost[0];
+  row.seconds.factorization = cost[1];
+  row.seconds.stabilization = cost[2];
+  row.seconds.newton = cost[3];
+  row.seconds.estimate = cost[4];
+  row.secondsTotal = cost[5];
+  row.secondsWall = cost[6];
+  row.memory = cost[7];
   return row;
 }
 
@@ -46,13 +52,13 @@ std::string capReached(int level, const Size& size, long cap) {
 
 }  // namespace
 
-Outcome solveLevels(const Scene& scene, PhaseTimer& timer,
+Outcome solveLevels(const Scene& scene, const bem::DenseAlgebra& algebra,
+                    PhaseTimer& timer,
                     const std::function<void(const SolvedLevel&)>& handOut) {
   const adaptivity::Strategy& strategy = adaptivity::strategy(scene.adaptivity.strategy);
   const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
   const bem::Units units{scene.outline->diameter(), scene.material.youngsModulus};
   const bem::Lame lame(scene.material);
-  const bem::LapackAlgebra algebra;
 
   bem::Mesh mesh = bem::makeMesh(scene.outline, scene.elementsPerEdge, scene.degree);
   contact::State start;  // empty: from zero
@@ -79,7 +85,7 @@ Outcome solveLevels(const Scene& scene, PhaseTimer& timer,
           {space, stiffness, lame, units, scene.conditions, basis, scene.stabilization});
     });
     const auto solution = timer.run(Phase::Newton, [&] {
-      return contact::solve(problem.numbers(), start, scene.solver);
+      return solveOnce(problem.numbers(), start, scene.solver, algebra);
     });
     const bem::Vector displacement = problem.displacement(solution.state);
     const bem::Vector density = stiffness.density(displacement);

@@ -25,10 +25,11 @@ struct Outcome {
 /// Frictional contact from level to level: the whole method on one page.
 ///
 /// `handOut` receives each level as soon as it is solved, converged or not; the first one
-/// that is not is the last.
+/// that is not is the last.  Collective; all ranks hand out the same.
 /// \throws bem::InputError, bem::NumericalError, Interrupted; levels handed out stay
 /// good.
-Outcome solveLevels(const Scene& scene, PhaseTimer& timer,
+Outcome solveLevels(const Scene& scene, const bem::DenseAlgebra& algebra,
+                    PhaseTimer& timer,
                     const std::function<void(const SolvedLevel&)>& handOut);
 
 }  // namespace epafi::drivers

@@ -8,10 +8,13 @@
 #include "drivers/LevelTable.hpp"
 #include "drivers/Levels.hpp"
 #include "drivers/OutputFolder.hpp"
+#include "drivers/Ranks.hpp"
 #include "drivers/SceneReader.hpp"
 #include "drivers/Versions.hpp"
 
+#include <algorithm>
 #include <iostream>
+#include <optional>
 #include <unistd.h>
 
 namespace epafi::drivers {
@@ -38,52 +41,68 @@ std::string filesWritten(const OutputFolder& folder) {
   return text + "\n";
 }
 
-/// A stream that swallows everything.
-std::ostream& silence() {
-  static std::ostream stream(nullptr);
-  return stream;
+/// "1 thread", "2 processes with 1 thread each"
+std::string processesAndThreads(int processes) {
+  const auto count = [](int n, const char* one, const char* many) {
+    return std::to_string(n) + " " + (n == 1 ? one : many);
+  };
+  const std::string text = count(threads(), "thread", "threads");
+  return processes == 1
+             ? text
+             : count(processes, "process", "processes") + " with " + text + " each";
 }
 
 }  // namespace
 
-int runCommand(const std::vector<std::string>& arguments, std::ostream& out) {
+int runCommand(const std::vector<std::string>& arguments, std::ostream& out,
+               const Ranks& ranks) {
   const RunOptions options = parseRunOptions(arguments);
   const Scene scene = readScene(options.scene, options.overrides);
-  if (options.threads > 0)
-    setThreads(options.threads);
-  OutputFolder folder(
-      options.output.empty() ? defaultOutputFolder(options.scene) : options.output,
-      options.force ? EarlierRun::Delete : EarlierRun::Refuse);
+  if (options.threads > 0 || ranks.underMpirun())
+    setThreads(std::max(options.threads, 1));
+  std::optional<OutputFolder> folder;  // the first rank's
+  if (ranks.isFirst())
+    folder.emplace(
+        options.output.empty() ? defaultOutputFolder(options.scene) : options.output,
+        options.force ? EarlierRun::Delete : EarlierRun::Refuse);
   catchSignals();
-  folder.write("used.xml", usedXml(scene));
+  if (folder)
+    folder->write("used.xml", usedXml(scene));
 
-  std::ostream& table = options.quiet ? silence() : out;
+  std::ostream silence(nullptr);
+  std::ostream& table = options.quiet ? silence : out;
   table << scene.title << " (" << scene.file << "), BLAS core " << versions().blasCore
-        << ", " << threads() << (threads() == 1 ? " thread\n" : " threads\n")
+        << ", " << processesAndThreads(ranks.algebra().processes()) << "\n"
         << tableHead() << std::flush;
 
-  PhaseTimer timer(options.quiet || isatty(STDERR_FILENO) == 0 ? Progress::Silent
-                                                               : Progress::Shown);
+  const bool shown = ranks.isFirst() && !options.quiet && isatty(STDERR_FILENO) != 0;
+  PhaseTimer timer(shown ? Progress::Shown : Progress::Silent);
   std::vector<LevelRow> rows;
   Outcome outcome;
   try {
-    outcome = solveLevels(scene, timer, [&](const SolvedLevel& level) {
+    outcome = solveLevels(scene, ranks.algebra(), timer, [&](const SolvedLevel& level) {
+      if (!folder)
+        return;
       rows.push_back(level.row);
-      writeLevel(scene, level, rows, folder);
+      writeLevel(scene, level, rows, *folder);
       timer.clearLine();
       table << tableLine(level.row) << std::flush;
     });
   } catch (...) {
-    folder.write("timings.txt", timer.report());
+    if (folder)
+      folder->write("timings.txt", timer.report());
     throw;
   }
-  folder.write("timings.txt", timer.report());
 
   const bool converged = outcome.status == contact::Status::Converged;
+  const int code = converged ? 0 : 3;
+  if (!folder)
+    return code;
+  folder->write("timings.txt", timer.report());
   (converged ? table : std::cerr)
       << (converged ? "ended   " : "epafi: ") << outcome.reason << "\n";
-  table << timeSummary(timer) << filesWritten(folder);
-  return converged ? 0 : 3;
+  table << timeSummary(timer) << filesWritten(*folder);
+  return code;
 }
 
 int versionCommand(const std::vector<std::string>& arguments, std::ostream& out) {

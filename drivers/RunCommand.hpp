@@ -6,13 +6,17 @@
 
 namespace epafi::drivers {
 
+class Ranks;
+
 /// `epafi run SCENE.xml [options]`: solves a scene level by level and writes its files.
 ///
 /// Returns 0, or 3 if a level is not converged.
 /// \throws bem::InputError, bem::NumericalError, Interrupted: files of the levels before
 /// are
 ///   written.
-int runCommand(const std::vector<std::string>& arguments, std::ostream& out);
+/// Collective; `out` and the files belong to the first rank.
+int runCommand(const std::vector<std::string>& arguments, std::ostream& out,
+               const Ranks& ranks);
 
 /// `epafi version`
 int versionCommand(const std::vector<std::string>& arguments, std::ostream& out);

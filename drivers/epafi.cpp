@@ -11,7 +11,7 @@
 #include "drivers/BlasCore.hpp"
 #include "drivers/CommandLine.hpp"
 #include "drivers/Commands.hpp"
-#include "drivers/Interrupt.hpp"
+#include "drivers/Ranks.hpp"
 #include "drivers/RunCommand.hpp"
 
 #include <iostream>
@@ -21,60 +21,59 @@ namespace {
 namespace bem = epafi::bem;
 namespace drivers = epafi::drivers;
 using Arguments = std::vector<std::string>;
+using drivers::Ranks;
 
-enum ExitCode { Solved = 0, BadInput = 1, Breakdown = 2 };
-
+/// Returns the exit code; throws what the code 1 and 2 stand for.
 struct Command {
   const char* name;
-  int (*run)(const Arguments& arguments, std::ostream& out);
+  int (*run)(const Arguments& arguments, std::ostream& out, const Ranks& ranks);
 };
+
+/// A command that needs one process only: each has it, the first one is heard.
+template <int (*Run)(const Arguments&, std::ostream&)>
+int alone(const Arguments& arguments, std::ostream& out, const Ranks&) {
+  return Run(arguments, out);
+}
 
 int help(const Arguments&, std::ostream& out) {
   out << drivers::usage();
-  return Solved;
+  return 0;
 }
 
 constexpr Command commands[] = {
     {"run", drivers::runCommand},
-    {"check", drivers::checkCommand},
-    {"parameters", drivers::parametersCommand},
-    {"version", drivers::versionCommand},
-    {"--version", drivers::versionCommand},
-    {"--help", help},
-    {"-h", help},
-    {"help", help},
+    {"check", alone<drivers::checkCommand>},
+    {"parameters", alone<drivers::parametersCommand>},
+    {"version", alone<drivers::versionCommand>},
+    {"--version", alone<drivers::versionCommand>},
+    {"--help", alone<help>},
+    {"-h", alone<help>},
+    {"help", alone<help>},
 };
 
-int dispatch(const Arguments& arguments) {
+int dispatch(const Arguments& arguments, const Ranks& ranks) {
   if (arguments.empty())
     throw bem::InputError("no command is given\n\n" + drivers::usage());
+  std::ostream silence(nullptr);
   for (const Command& command : commands)
     if (arguments.front() == command.name)
-      return command.run({arguments.begin() + 1, arguments.end()}, std::cout);
+      return command.run({arguments.begin() + 1, arguments.end()},
+                         ranks.isFirst() ? std::cout : silence, ranks);
   drivers::refuseCommand(arguments.front());
-}
-
-int fail(ExitCode code, const std::string& message) {
-  std::cerr << "epafi: " << message << std::endl;
-  return code;
 }
 
 }  // namespace
 
 int main(int argc, char* argv[]) {
   drivers::restartWithFastBlas(argv);
-  try {
-    return dispatch({argv + 1, argv + argc});
-  } catch (const bem::InputError& error) {
-    return fail(BadInput, error.what());
-  } catch (const drivers::Interrupted& interrupted) {
-    return fail(static_cast<ExitCode>(128 + interrupted.signal),
-                "interrupted; the levels that were solved are written");
-  } catch (const std::bad_alloc&) {
-    return fail(Breakdown, "the memory does not suffice for this level");
-  } catch (const std::exception& error) {
-    return fail(Breakdown, error.what());
-  } catch (const char* error) {  // NOX throws these
-    return fail(Breakdown, error);
-  }
+  const Ranks ranks(argc, argv);
+  int code = 0;
+  const auto failure = ranks.attempt([&] {
+    code = dispatch({argv + 1, argv + argc}, ranks);
+  });
+  if (!failure)
+    return code;
+  if (ranks.isFirst())
+    drivers::tell(*failure);
+  return failure->code;
 }

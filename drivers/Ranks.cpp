@@ -1,0 +1,91 @@
+#include "drivers/Ranks.hpp"
+
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/base/Error.hpp"
+#include "bem/tpetra/TpetraAlgebra.hpp"
+#include "drivers/Interrupt.hpp"
+
+#include <Tpetra_Core.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+
+namespace epafi::drivers {
+
+namespace {
+
+enum ExitCode { BadInput = 1, Breakdown = 2 };
+
+/// Open MPI, MPICH and its kin, and Slurm's srun tell their children.
+bool startedByLauncher() {
+  const char* variables[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK",
+                             "MPI_LOCALNRANKS"};
+  return std::any_of(std::begin(variables), std::end(variables),
+                     [](const char* name) { return std::getenv(name) != nullptr; });
+}
+
+}  // namespace
+
+Ranks::Ranks(int& argc, char**& argv) {
+  if (!startedByLauncher()) {
+    algebra_ = std::make_unique<const bem::LapackAlgebra>();
+    return;
+  }
+  scope_ = std::make_unique<Tpetra::ScopeGuard>(&argc, &argv);
+  auto algebra =
+      std::make_unique<const bem::TpetraAlgebra>(Tpetra::getDefaultComm(), tell);
+  consent_ = &algebra->consent();
+  algebra_ = std::move(algebra);
+}
+
+Ranks::~Ranks() = default;
+
+bem::Failure Ranks::currentFailure() {
+  try {
+    throw;
+  } catch (const bem::InputError& error) {
+    return {BadInput, error.what()};
+  } catch (const Interrupted& interrupted) {
+    return {128 + interrupted.signal,
+            "interrupted; the levels that were solved are written"};
+  } catch (const std::bad_alloc&) {
+    return {Breakdown, "the memory does not suffice for this level"};
+  } catch (const std::exception& error) {
+    return {Breakdown, error.what()};
+  } catch (const char* error) {  // NOX throws these
+    return {Breakdown, error};
+  } catch (...) {
+    return {Breakdown, "an unknown exception"};
+  }
+}
+
+void Ranks::confirm() const {
+  if (consent_ != nullptr)
+    consent_->confirm();
+}
+
+bem::Failure Ranks::agree(const bem::Failure& mine) const {
+  return consent_ == nullptr ? mine : consent_->report(mine);
+}
+
+void tell(const bem::Failure& failure) {
+  std::cerr << "epafi: " << failure.message << std::endl;
+}
+
+bem::Vector largestOverRanks(const bem::DenseAlgebra& algebra, const bem::Vector& mine) {
+  const std::size_t n = mine.size();
+  const auto ranks = static_cast<std::size_t>(algebra.processes());
+  bem::Vector all(ranks * n);
+  std::copy(mine.begin(), mine.end(),
+            all.begin() + algebra.rank() * static_cast<std::ptrdiff_t>(n));
+  all = algebra.sum(std::move(all));
+  bem::Vector largest = mine;
+  for (std::size_t r = 0; r < ranks; ++r)
+    for (std::size_t i = 0; i < n; ++i)
+      largest[i] = std::max(largest[i], all[r * n + i]);
+  return largest;
+}
+
+}  // namespace epafi::drivers
