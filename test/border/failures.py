@@ -1,0 +1,56 @@
+"""Whatever goes wrong, all ranks leave within 5 s with one message and the same code."""
+import os
+
+import ranks
+
+LIMIT = 5
+TRESCA = os.path.join(ranks.SCENES, "tresca.xml")
+FAULTY = ranks.sys.argv[5]
+
+
+def run(name, count, extra=(), scene=TRESCA, **options):
+    """A run into a fresh folder."""
+    return ranks.Run(count, ["run", scene, "--output", ranks.fresh(name), *extra], **options)
+
+
+def expect(done, code, words, sentence):
+    """All ranks: this code, one message with these words, in time."""
+    ranks.claim(done.codes and set(done.codes) == {code},
+                "%s: every rank leaves with %d, here %s" % (sentence, code, done.codes))
+    ranks.claim(len(done.messages) == 1 and words in done.messages[0],
+                "%s: one message, here %s" % (sentence, done.messages))
+    ranks.claim(done.seconds < LIMIT, "%s: %.1f s" % (sentence, done.seconds))
+
+
+for count in (1, 2, 3):
+    on = " on %d" % count
+    expect(run("missing", count, scene="nowhere.xml"), 1, "nowhere.xml", "a missing scene" + on)
+    expect(run("key", count, ["--set", "Solver->Tolerence=1"]), 1, "Tolerence",
+           "an unknown key" + on)
+    expect(run("unwritable", count, ["--output", "/proc/none"]), 1, "/proc/none",
+           "a folder that cannot be made" + on)
+    expect(run("gamma", count, ["--set", "Discretization->Stabilization->Gamma0=50"]), 2,
+           "Gamma0", "an indefinite matrix" + on)
+    expect(ranks.Run(count, ["rnu"]), 1, "rnu", "an unknown command" + on)
+    plain = run("plain", count, scene="nowhere.xml", plain=True)
+    ranks.claim(plain.code == 1, "mpirun itself returns the code" + on)
+
+ranks.EPAFI = FAULTY
+for count in (2, 3):
+    for victim in range(count):
+        for phase in range(8) if count == 2 else (0, 3, 5):
+            fault = {"EPAFI_FAULT": "%d %d error" % (phase, victim)}
+            expect(run("fault", count, environment=fault), 2, "injected fault",
+                   "rank %d of %d in phase %d" % (victim, count, phase))
+        fault = {"EPAFI_FAULT": "1 %d memory" % victim}
+        expect(run("fault", count, environment=fault), 2, "memory",
+               "rank %d of %d without memory" % (victim, count))
+        # The others do not listen: the last resort is MPI_Abort.
+        fault = {"EPAFI_FAULT": "2 %d busy" % victim}
+        done = run("busy", count, environment=fault, plain=True)
+        ranks.claim(done.code == 2, "rank %d of %d fails, the others are busy: mpirun returns 2, "
+                    "here %s" % (victim, count, done.code))
+        ranks.claim(len(done.messages) == 1 and "injected" in done.messages[0],
+                    "and there is one message, here %s" % done.messages)
+        ranks.claim(done.seconds < LIMIT, "and it takes %.1f s" % done.seconds)
+ranks.finish()
