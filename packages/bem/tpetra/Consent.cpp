@@ -8,7 +8,7 @@ namespace epafi::bem {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds patience(2500);
+constexpr std::chrono::milliseconds patience(1500);
 
 bool completed(MPI_Request& request) {
   int flag = 0;
