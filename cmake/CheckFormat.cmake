@@ -4,7 +4,8 @@
 cmake_minimum_required(VERSION 3.20)
 find_program(clang_format NAMES clang-format-14 REQUIRED)
 file(GLOB_RECURSE files
-  ${ROOT}/packages/*.[ch]pp ${ROOT}/drivers/*.[ch]pp ${ROOT}/test/*.[ch]pp)
+  ${ROOT}/packages/*.[ch]pp ${ROOT}/drivers/*.[ch]pp ${ROOT}/test/*.[ch]pp
+  ${ROOT}/doc/howto/*.[ch]pp)
 if(NOT files)
   message(FATAL_ERROR "no sources in ROOT=${ROOT}")
 endif()

@@ -1,0 +1,31 @@
+# Does a page quote the code that is there?  Each block of C++ or CMake on the page must stand,
+# word by word, in one of the sources.
+#
+#   cmake -DPAGE=<page>.md -DSOURCES=<folder> -P CheckQuotes.cmake
+cmake_minimum_required(VERSION 3.20)
+file(GLOB files ${SOURCES}/*.[ch]pp ${SOURCES}/CMakeLists.txt)
+set(code "")
+foreach(file IN LISTS files)
+  file(READ ${file} text)
+  string(APPEND code "\n${text}")
+endforeach()
+
+file(READ ${PAGE} rest)
+set(blocks 0)
+while(rest MATCHES "\n```(cpp|cmake)\n")
+  string(FIND "${rest}" "${CMAKE_MATCH_0}" begin)
+  string(LENGTH "${CMAKE_MATCH_0}" length)
+  math(EXPR begin "${begin} + ${length}")
+  string(SUBSTRING "${rest}" ${begin} -1 rest)
+  string(FIND "${rest}" "```" end)
+  string(SUBSTRING "${rest}" 0 ${end} block)
+  string(SUBSTRING "${rest}" ${end} -1 rest)
+  string(FIND "${code}" "\n${block}" found)
+  if(found EQUAL -1)
+    message(SEND_ERROR "${PAGE} quotes what is not in ${SOURCES}:\n${block}")
+  endif()
+  math(EXPR blocks "${blocks} + 1")
+endwhile()
+if(blocks EQUAL 0)
+  message(SEND_ERROR "${PAGE} has no block of code")
+endif()

@@ -1,0 +1,142 @@
+#include "Friction.hpp"
+
+#include "bem/quadrature/Gauss.hpp"
+#include "contact/nox/ContactModel.hpp"
+#include "contact/solve/ContactState.hpp"
+
+#include <NOX.H>
+#include <NOX_Thyra.H>
+#include <Thyra_TpetraThyraWrappers.hpp>
+
+#include <LOCA.H>
+#include <LOCA_Thyra.H>
+#include <algorithm>
+#include <cmath>
+
+namespace embed {
+
+using namespace epafi;
+using contact::ContactModel;
+using Teuchos::ParameterList;
+using Teuchos::RCP;
+using Teuchos::rcp;
+
+namespace {
+
+constexpr double first = 0.1;
+constexpr double last = 2;
+
+// Each coefficient stands for its Gauss point's share of the element.
+Point measure(const Block& block, const contact::ContactProblem& problem,
+              const ContactModel& model, double factor, const contact::State& state) {
+  const contact::Problem numbers = model.family().at({1, factor});
+  const contact::ContactState contact = classify(numbers, state);
+  const auto slips = [&](std::size_t t) {
+    return contact.tangential[t] == contact::FrictionState::SlipForward ||
+           contact.tangential[t] == contact::FrictionState::SlipBackward;
+  };
+  Point point{factor, 0, 0, 0};
+  for (const auto& element : problem.multiplier().elements()) {
+    const auto& weights = bem::gaussLegendre(element.degree + 1).weights;
+    const double half = block.units.length * block.space.mesh()[element.element].half;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      const auto k = static_cast<std::size_t>(element.tangential) + i;
+      if (slips(k - static_cast<std::size_t>(numbers.normals)))
+        point.slipLength += half * weights[i];
+      point.shear +=
+          half * weights[i] * block.units.stress * std::abs(state.multiplier[k]);
+    }
+  }
+  const contact::State direct = solve(numbers, {}, {}).state;
+  for (std::size_t i = 0; i < direct.multiplier.size(); ++i)
+    point.difference =
+        std::max(point.difference, std::abs(direct.multiplier[i] - state.multiplier[i]));
+  point.difference /= numbers.stress;
+  return point;
+}
+
+// LOCA hands each solution to this.
+class Recorder final : public LOCA::Thyra::SaveDataStrategy {
+ public:
+  explicit Recorder(RCP<const ContactModel> model) : model_(std::move(model)) {}
+
+  void saveSolution(const NOX::Abstract::Vector& x, double factor) override {
+    const auto& vector = Teuchos::dyn_cast<const NOX::Thyra::Vector>(x);
+    path.emplace_back(factor, model_->state(vector.getThyraVector()));
+  }
+
+  std::vector<std::pair<double, contact::State>> path;
+
+ private:
+  RCP<const ContactModel> model_;
+};
+
+RCP<ParameterList> parameters() {
+  const auto list = Teuchos::parameterList();
+  ParameterList& nox = list->sublist("NOX");
+  nox.sublist("Line Search").set("Method", "Full Step");
+  nox.sublist("Printing").set("Output Information", 0);
+  ParameterList& loca = list->sublist("LOCA");
+  loca.sublist("Stepper")
+      .set("Continuation Method", "Natural")
+      .set("Continuation Parameter", "Friction Factor")
+      .set("Initial Value", first)
+      .set("Min Value", first)
+      .set("Max Value", last)
+      .set("Max Steps", 100)
+      .set("Max Nonlinear Iterations", 20)
+      .set("Compute Eigenvalues", false);
+  loca.sublist("Predictor").set("Method", "Tangent");
+  loca.sublist("Step Size").set("Method", "Constant").set("Initial Step Size", 0.19);
+  return list;
+}
+
+}  // namespace
+
+std::vector<Point> followFriction(const Block& block, const bem::TpetraAlgebra& algebra) {
+  const contact::Conditions conditions = pressed();
+  const contact::ContactProblem problem(
+      {block.space,
+       block.stiffness,
+       block.lame,
+       block.units,
+       conditions,
+       contact::multiplierBasis("Gauss-Legendre-Lagrange"),
+       {}});
+
+  ContactModel::Options options;
+  options.space = Thyra::createVectorSpace<double>(
+      algebra.rowMap(ContactModel::unknowns(problem.numbers())));
+  const auto model = rcp(new ContactModel(problem, options));
+
+  const auto norm =
+      rcp(new NOX::StatusTest::NormF(1e-11, NOX::StatusTest::NormF::Unscaled));
+  const auto steps = rcp(new NOX::StatusTest::MaxIters(20));
+  const auto test =
+      rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR, norm, steps));
+
+  const auto start = model->point(solve(model->family().at({1, first}), {}, {}).state);
+  const RCP<ParameterList> list = parameters();
+  const RCP<LOCA::GlobalData> data = LOCA::createGlobalData(list);
+  const auto recorder = rcp(new Recorder(model));
+  LOCA::Abstract::Iterator::IteratorStatus status;
+  {
+    LOCA::ParameterVector factor;
+    factor.addParameter("Friction Factor", first);
+    const auto group = rcp(new LOCA::Thyra::Group(data, NOX::Thyra::Vector(start), model,
+                                                  factor, ContactModel::Friction));
+    group->setSaveDataStrategy(recorder);
+    LOCA::Stepper stepper(data, group, test, list);
+    status = stepper.run();
+  }
+  LOCA::destroyGlobalData(data);
+  if (status != LOCA::Abstract::Iterator::Finished)
+    throw std::runtime_error("LOCA has not reached the last friction factor");
+
+  std::vector<Point> points;
+  for (const auto& [factor, state] : recorder->path)
+    points.push_back(measure(block, problem, *model, factor, state));
+  return points;
+}
+
+}  // namespace embed

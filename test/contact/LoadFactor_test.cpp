@@ -1,0 +1,103 @@
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "contact/problem/ContactProblem.hpp"
+#include "contact/solve/CoulombIteration.hpp"
+#include "contact/solve/ProblemFamily.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+
+namespace {
+
+using namespace epafi;
+using bem::Vec2;
+using contact::Index;
+using contact::Vector;
+
+// A block over a curved foundation, its top pulled, pushed and displaced by `load`; with
+// or without a clamp.
+contact::Conditions conditionsFor(double load, bool clamped) {
+  contact::Conditions conditions;
+  conditions.contact["bottom"] = {[](Vec2 x) { return 0.01 + 0.05 * x.x * x.x; },
+                                  &contact::frictionLaw("Coulomb"),
+                                  [](Vec2) { return 0.4; }};
+  conditions.neumann["right"] = {[load](Vec2 x) { return load * 0.3 * x.y; },
+                                 [load](Vec2) { return -load * 0.1; }};
+  if (clamped) {
+    conditions.dirichlet["top"] = {[load](Vec2 x) { return load * 0.02 * x.x; },
+                                   [load](Vec2) { return -load * 0.04; }};
+  } else {
+    conditions.neumann["top"] = {{}, [load](Vec2) { return -load; }};
+    conditions.fix.x = true;
+    conditions.fix.rotation = true;
+  }
+  return conditions;
+}
+
+struct Scene {
+  explicit Scene(double load, bool clamped)
+      : conditions(conditionsFor(load, clamped)),
+        space(bem::makeMesh(outline(), {4, 2, 3, 2}, 2)),
+        stiffness(bem::assembleOperators(space, lame, algebra), algebra),
+        problem({space,
+                 stiffness,
+                 lame,
+                 bem::Units{space.mesh().outline().diameter(), 5},
+                 conditions,
+                 contact::multiplierBasis("Gauss-Legendre-Lagrange"),
+                 {}}) {}
+
+  static std::shared_ptr<const bem::Outline> outline() {
+    return std::make_shared<bem::Outline>(bem::Loop{{{-1, 0}, {1, 0}, {1, 1}, {-1, 1}},
+                                                    {"bottom", "right", "top", "left"}});
+  }
+
+  bem::LapackAlgebra algebra;
+  bem::Lame lame{bem::Material{5, 0.3, false}};
+  contact::Conditions conditions;
+  bem::Space space;
+  bem::SteklovPoincare stiffness;
+  contact::ContactProblem problem;
+};
+
+double difference(const Vector& a, const Vector& b) {
+  double largest = a.size() == b.size() ? 0 : 1;
+  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
+    largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+double largest(const Vector& a) { return difference(a, Vector(a.size(), 0.0)); }
+
+/// Twice the load factor is twice all tractions and prescribed displacements over the
+/// same gap.
+TEUCHOS_UNIT_TEST(LoadFactor, scalesTractionsAndPrescribedDisplacements) {
+  for (const bool clamped : {false, true}) {
+    const Scene one(1, clamped);
+    const Scene two(2, clamped);
+    const contact::ProblemFamily family(one.problem.numbers(), one.problem.gap());
+    const contact::Problem scaled = family.at({2, 1});
+    const contact::Problem& expected = two.problem.numbers();
+    TEST_COMPARE(difference(scaled.offset, expected.offset), <,
+                 1e-14 * largest(expected.offset) * 10);
+    TEST_COMPARE(difference(scaled.rigidLoad, expected.rigidLoad), <, 1e-14);
+    TEST_COMPARE(largest(one.problem.gap()), >, 1e-4);
+  }
+}
+
+/// What doc/howto/embed.md says of the displacement at another load factor.
+TEUCHOS_UNIT_TEST(LoadFactor, displacementAddsTheRestOfTheLoad) {
+  for (const bool clamped : {false, true}) {
+    const Scene one(1, clamped);
+    const Scene two(2, clamped);
+    const contact::State state = solve(two.problem.numbers(), {}, {}).state;
+    Vector u = one.problem.displacement(state);
+    const Vector rest = one.problem.displacement({});
+    for (std::size_t i = 0; i < u.size(); ++i)
+      u[i] += rest[i];
+    const Vector expected = two.problem.displacement(state);
+    TEST_COMPARE(difference(u, expected), <, 1e-12 * largest(expected));
+  }
+}
+
+}  // namespace

@@ -1,0 +1,12 @@
+// One function of each component.
+#include "adaptivity/refine/Strategy.hpp"
+#include "bem/quadrature/Gauss.hpp"
+#include "contact/law/FrictionLaw.hpp"
+
+#include <cstdio>
+
+int main() {
+  std::printf("%d\n", epafi::bem::gaussLegendre(3).size());
+  std::printf("%g\n", epafi::contact::frictionLaw("Coulomb").slipBound(2, 0.5));
+  return epafi::adaptivity::strategy("Uniform h").name == nullptr ? 1 : 0;
+}
