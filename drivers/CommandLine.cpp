@@ -102,6 +102,7 @@ std::string usage() {
                                     read and validate only
   epafi parameters [--format text|xml|markdown]
                                     every parameter of a scene
+  epafi plot DIR                    pictures of a finished run, .png and .svg
   epafi version                     what this program is made of
   epafi --help                      this page
 
@@ -113,7 +114,8 @@ Exit codes: 0 solved, 1 bad input or usage, 2 the arithmetic broke down, 3 not c
 void refuseCommand(const std::string& name) {
   throw bem::InputError(bem::message(
       "unknown command '", name, "'",
-      bem::suggestion(name, {"run", "check", "parameters", "version", "--help"})));
+      bem::suggestion(name,
+                      {"run", "check", "parameters", "plot", "version", "--help"})));
 }
 
 }  // namespace epafi::drivers

@@ -53,7 +53,7 @@ std::string contactCsv(const contact::Solved& solved, int samples) {
 
 std::string boundaryCsv(const contact::Solved& solved, const bem::Vector& density) {
   const bem::Mesh& mesh = solved.space.mesh();
-  Csv csv({"x", "y", "ux", "uy", "tx", "ty"});
+  Csv csv({"x", "y", "ux", "uy", "tx", "ty", "boundary", "element", "degree"});
   for (int e = 0; e < mesh.size(); ++e) {
     const int intervals = 2 * (mesh[e].degree + 1);
     for (int k = 0; k <= intervals; ++k) {
@@ -64,7 +64,8 @@ std::string boundaryCsv(const contact::Solved& solved, const bem::Vector& densit
       const bem::Vec2 traction =
           solved.units.stress * solved.space.densityAt(density, e, t);
       csv.row({exactly(x.x), exactly(x.y), exactly(u.x), exactly(u.y),
-               exactly(traction.x), exactly(traction.y)});
+               exactly(traction.x), exactly(traction.y), mesh.boundary(e),
+               std::to_string(e), std::to_string(mesh[e].degree)});
     }
   }
   return csv.text();

@@ -12,7 +12,8 @@ namespace epafi::drivers {
 std::string contactCsv(const contact::Solved& solved, int samples);
 
 /// boundary.csv: displacement and traction along the whole boundary, element by element,
-/// both ends included; the traction is the density ψ of Steklov-Poincaré's operator.
+/// both ends included, with the element's boundary, number and degree; the traction is
+/// the density ψ of Steklov-Poincaré's operator.
 std::string boundaryCsv(const contact::Solved& solved, const bem::Vector& density);
 
 /// interior.csv: displacement and stress at points inside the body, in the user's

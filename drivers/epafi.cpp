@@ -3,6 +3,7 @@
 ///   epafi run SCENE.xml           solve: a table row per level, files into a folder
 ///   epafi check SCENE.xml         read and validate only
 ///   epafi parameters              every parameter of a scene
+///   epafi plot DIR                pictures of a finished run
 ///   epafi version | --help
 ///
 /// Sample run:  epafi run drivers/scenes/tresca.xml --set 'Adaptivity->Maximum Levels=3'
@@ -11,6 +12,7 @@
 #include "drivers/BlasCore.hpp"
 #include "drivers/CommandLine.hpp"
 #include "drivers/Commands.hpp"
+#include "drivers/PlotCommand.hpp"
 #include "drivers/Ranks.hpp"
 #include "drivers/RunCommand.hpp"
 
@@ -44,6 +46,7 @@ constexpr Command commands[] = {
     {"run", drivers::runCommand},
     {"check", alone<drivers::checkCommand>},
     {"parameters", alone<drivers::parametersCommand>},
+    {"plot", drivers::plotCommand},
     {"version", alone<drivers::versionCommand>},
     {"--version", alone<drivers::versionCommand>},
     {"--help", alone<help>},

@@ -1,0 +1,64 @@
+#include "drivers/PlotCommand.hpp"
+
+#include "bem/base/Error.hpp"
+#include "drivers/Ranks.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace epafi::drivers {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Debian's own: matplotlib belongs to it, whatever else PATH may offer first.
+constexpr const char* python = "/usr/bin/python3";
+
+std::string plotProgram() {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  const fs::path program =
+      self.parent_path().parent_path() / "share" / "epafi" / "epafi_plot.py";
+  if (!fs::exists(program, error))
+    throw bem::InputError(bem::message("plot: '", program.string(),
+                                       "' is missing; it is built and installed along "
+                                       "with this program"));
+  return program.string();
+}
+
+}  // namespace
+
+int drawPictures(const std::string& folder) {
+  std::string interpreter = python;
+  std::string program = plotProgram();
+  std::string argument = folder;
+  char* arguments[] = {interpreter.data(), program.data(), argument.data(), nullptr};
+  std::cout << std::flush;
+  pid_t child = 0;
+  const int failed = posix_spawn(&child, python, nullptr, nullptr, arguments, environ);
+  if (failed != 0)
+    throw bem::InputError(bem::message("plot: ", python, " cannot be started: ",
+                                       std::strerror(failed), "; install python3"));
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : 1;
+}
+
+int plotCommand(const std::vector<std::string>& arguments, std::ostream&,
+                const Ranks& ranks) {
+  if (arguments.size() != 1 || arguments.front().empty())
+    throw bem::InputError("plot: one folder is needed; usage: epafi plot DIR");
+  if (arguments.front()[0] == '-')
+    throw bem::InputError(
+        bem::message("plot: unknown option '", arguments.front(), "'; it has none"));
+  return ranks.isFirst() ? drawPictures(arguments.front()) : 0;
+}
+
+}  // namespace epafi::drivers

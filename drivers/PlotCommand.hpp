@@ -1,0 +1,24 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace epafi::drivers {
+
+class Ranks;
+
+/// Draws the pictures of a run's or a study's folder by the Python program
+/// plot/epafi_plot.py, which lies in ../share/epafi seen from this program.
+///
+/// Its words go where this program's go.  Returns its exit code: 0, or 1 where matplotlib
+/// or the folder's files are missing.
+/// \throws bem::InputError if the program or Python is not there.
+int drawPictures(const std::string& folder);
+
+/// `epafi plot DIR`; the first rank draws.
+/// \throws bem::InputError for anything but one folder.
+int plotCommand(const std::vector<std::string>& arguments, std::ostream& out,
+                const Ranks& ranks);
+
+}  // namespace epafi::drivers

@@ -1,0 +1,56 @@
+"""Pictures of a run: all of them, in both formats, and clear words where there are none."""
+import os
+import xml.etree.ElementTree as xml
+
+from runs import WORK, claim, epafi, finish, fresh, levels, run, scene, table
+
+PICTURES = ["convergence", "time", "contributions", "mesh", "contact", "deformed"]
+
+
+def drawn(folder, names, sentence):
+    for name in names:
+        png, svg = (os.path.join(folder, name + ending) for ending in (".png", ".svg"))
+        there = os.path.isfile(png) and os.path.isfile(svg)
+        claim(there, "%s: %s.png and .svg" % (sentence, name))
+        if not there:
+            continue
+        with open(png, "rb") as stream:
+            claim(stream.read(8) == b"\x89PNG\r\n\x1a\n" and os.path.getsize(png) > 5000,
+                  "%s: %s.png is a picture" % (sentence, name))
+        claim(xml.parse(svg).getroot().tag.endswith("svg"),
+              "%s: %s.svg is a picture" % (sentence, name))
+
+
+for name in ("tresca", "coulomb", "hertz"):
+    run(scene(name + ".xml"), name, levels(3))
+    code, text = epafi("plot", os.path.join(WORK, name))
+    claim(code == 0, "%s is drawn: %s" % (name, text.strip()))
+    drawn(os.path.join(WORK, name), PICTURES, name)
+
+points = table(os.path.join(WORK, "tresca", "boundary.csv"))
+claim(points[-1]["element"] == 63 and {point["degree"] for point in points} == {1},
+      "boundary.csv names each point's element and degree")
+claim({point["boundary"] for point in points} ==
+      {"foundation", "right", "clamp", "top", "press", "left"}, "and its boundary")
+
+run(scene("patch.xml"), "one", ["Adaptivity->Strategy=None"])
+code, text = epafi("plot", os.path.join(WORK, "one"))
+claim(code == 0, "a single level can be drawn: " + text.strip())
+
+for arguments, words, sentence in [
+        ([], ["one folder"], "no folder"),
+        ([os.path.join(WORK, "nowhere")], ["no folder", "nowhere"], "a missing folder"),
+        (["--help-me"], ["unknown option"], "an option")]:
+    code, text = epafi("plot", *arguments)
+    claim(code == 1 and all(word in text for word in words), sentence + " is refused")
+empty = fresh("empty")
+os.makedirs(empty)
+code, text = epafi("plot", empty)
+claim(code == 1 and "history.csv" in text, "an empty folder is refused, with what was sought")
+damaged = fresh("damaged")
+os.makedirs(damaged)
+with open(os.path.join(damaged, "contact.csv"), "w") as stream:
+    stream.write("boundary,x\nfoundation,1\n")
+code, text = epafi("plot", damaged)
+claim(code == 1 and "Traceback" not in text, "a damaged file is named: " + text.strip())
+finish()
