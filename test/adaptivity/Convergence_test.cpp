@@ -1,0 +1,141 @@
+// The two scenes of [P] sec. 8: rates of the estimate, and the estimate beside true
+// errors.
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/assembly/EnergyNorm.hpp"
+#include "drivers/Levels.hpp"
+#include "drivers/SceneReader.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+#include <optional>
+
+namespace epafi {
+
+namespace {
+
+struct Level {
+  double dof = 0;
+  double estimate = 0;
+  bem::CauchyData solution;
+};
+
+std::vector<Level> solveScene(const std::string& name,
+                              const std::vector<std::string>& settings) {
+  const drivers::Scene scene =
+      drivers::readScene(std::string(EPAFI_SCENES) + "/" + name + ".xml", settings);
+  std::vector<Level> levels;
+  drivers::PhaseTimer timer(drivers::Progress::Silent);
+  const bem::LapackAlgebra algebra;
+  const auto keep = [&](const drivers::SolvedLevel& level) {
+    levels.push_back({static_cast<double>(level.row.size.dof()), level.row.estimate,
+                      bem::makeCauchyData(level.solved.space, level.solved.displacement,
+                                          level.density)});
+  };
+  solveLevels(scene, algebra, timer, keep);
+  return levels;
+}
+
+std::vector<std::string> with(std::vector<std::string> settings,
+                              const std::string& strategy, int levels, int dof) {
+  settings.push_back("Adaptivity->Strategy=" + strategy);
+  settings.push_back("Adaptivity->Maximum Levels=" + std::to_string(levels));
+  settings.push_back("Adaptivity->Maximum Degrees of Freedom=" + std::to_string(dof));
+  return settings;
+}
+
+const std::vector<std::string> paper = {
+    "Adaptivity->Weights=Paper", "Discretization->Multiplier=Gauss-Lobatto-Lagrange",
+    "Discretization->Stabilization->Gamma0=1e-3",
+    "Discretization->Stabilization->Scaling=Absolute"};
+
+/// Slope of -log(estimate) against log(dof), least squares over the last two thirds.
+double rateOf(const std::vector<Level>& levels) {
+  const std::size_t first = levels.size() / 3;
+  const auto count = static_cast<double>(levels.size() - first);
+  double mx = 0;
+  double my = 0;
+  for (std::size_t k = first; k < levels.size(); ++k) {
+    mx += std::log(levels[k].dof) / count;
+    my += std::log(levels[k].estimate) / count;
+  }
+  double product = 0;
+  double square = 0;
+  for (std::size_t k = first; k < levels.size(); ++k) {
+    const double x = std::log(levels[k].dof) - mx;
+    product += x * (std::log(levels[k].estimate) - my);
+    square += x * x;
+  }
+  return -product / square;
+}
+
+double smallestEstimate(const std::vector<Level>& levels, double dof) {
+  double smallest = levels.front().estimate;
+  for (const Level& level : levels)
+    if (level.dof <= dof)
+      smallest = std::min(smallest, level.estimate);
+  return smallest;
+}
+
+/// The root of an energy of 1, in the scene's units.
+double energyUnit(const drivers::Scene& scene) {
+  return std::sqrt(scene.material.youngsModulus) * scene.outline->diameter();
+}
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(Rates, ofTrescasBlockAreThePapers) {
+  const double uniform =
+      rateOf(solveScene("tresca", with(paper, "Uniform h", 6, 100000)));
+  TEST_COMPARE(uniform, >=, 0.45);
+  TEST_COMPARE(uniform, <=, 0.6);
+  TEST_COMPARE(rateOf(solveScene("tresca", with(paper, "Adaptive h", 60, 1600))), >=,
+               1.55);
+  const auto hp = solveScene("tresca", with(paper, "Adaptive hp", 60, 900));
+  TEST_COMPARE(rateOf(hp), >=, 2.2);
+  TEST_COMPARE(smallestEstimate(hp, 660), <=, 4e-4);
+}
+
+TEUCHOS_UNIT_TEST(Rates, ofCoulombsBlockAreThePapers) {
+  for (const auto& settings :
+       {with(paper, "Uniform h", 5, 100000), with(paper, "Adaptive h", 60, 1600)}) {
+    const double rate = rateOf(solveScene("coulomb", settings));
+    TEST_COMPARE(rate, >=, 1.35);
+    TEST_COMPARE(rate, <=, 1.6);
+  }
+  const auto hp = solveScene("coulomb", with(paper, "Adaptive hp", 60, 900));
+  TEST_COMPARE(rateOf(hp), >=, 2.5);
+  TEST_COMPARE(smallestEstimate(hp, 870), <=, 2e-4);
+}
+
+// The reference is a much finer level of the same strategy; levels less than ten times as
+// far from it as its own estimate says nothing certain.
+TEUCHOS_UNIT_TEST(Effectivity, inEnergyWeightsStaysBetweenOneAndAHalfAndFourAndAHalf) {
+  for (const char* name : {"tresca", "coulomb"}) {
+    const std::vector<Level> fine = solveScene(name, with({}, "Adaptive hp", 100, 2500));
+    const bem::CauchyData& reference = fine.back().solution;
+    const drivers::Scene scene =
+        drivers::readScene(std::string(EPAFI_SCENES) + "/" + name + ".xml");
+    const bem::Lame lame(scene.material);
+    out << name << ", reference: " << fine.back().dof << " unknowns, estimate "
+        << fine.back().estimate << "\n";
+    for (const auto& settings :
+         {with({}, "Uniform h", 5, 100000), with({}, "Adaptive h", 60, 900),
+          with({}, "Adaptive hp", 60, 900)}) {
+      int outside = 0;
+      for (const Level& level : solveScene(name, settings)) {
+        if (level.estimate < 10 * fine.back().estimate)
+          break;
+        const double error =
+            energyUnit(scene) * energyNorm(difference(level.solution, reference), lame);
+        const double index = level.estimate / error;
+        out << "  " << settings[settings.size() - 3] << " " << level.dof << " " << error
+            << " " << index << "\n";
+        outside += index < 1.5 || index > 4.5 ? 1 : 0;
+      }
+      TEST_COMPARE(outside, <=, 1);
+    }
+  }
+}
+
+}  // namespace epafi
