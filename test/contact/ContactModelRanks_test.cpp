@@ -12,12 +12,12 @@
 
 namespace {
 
-using namespace epafi;
+namespace contact = epafi::contact;
+namespace test = epafi::test;
 using contact::ContactModel;
 using contact::Problem;
 using contact::State;
 using contact::Vector;
-using Teuchos::RCP;
 using Teuchos::rcp;
 using Base = Thyra::ModelEvaluatorBase;
 

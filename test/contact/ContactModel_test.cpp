@@ -20,7 +20,9 @@
 
 namespace {
 
-using namespace epafi;
+namespace bem = epafi::bem;
+namespace contact = epafi::contact;
+namespace test = epafi::test;
 using contact::ContactModel;
 using contact::Factors;
 using contact::Index;

@@ -9,7 +9,8 @@
 
 namespace {
 
-using namespace epafi;
+namespace bem = epafi::bem;
+namespace contact = epafi::contact;
 using bem::Vec2;
 using contact::Index;
 using contact::Vector;

@@ -4,7 +4,8 @@
 
 namespace embed {
 
-using namespace epafi;
+namespace bem = epafi::bem;
+namespace contact = epafi::contact;
 using bem::Vec2;
 
 namespace {

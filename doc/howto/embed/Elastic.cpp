@@ -11,7 +11,8 @@
 
 namespace embed {
 
-using namespace epafi;
+namespace bem = epafi::bem;
+namespace contact = epafi::contact;
 using Teuchos::RCP;
 using Teuchos::rcp;
 using Map = Tpetra::Map<>;

@@ -15,7 +15,8 @@
 
 namespace embed {
 
-using namespace epafi;
+namespace bem = epafi::bem;
+namespace contact = epafi::contact;
 using contact::ContactModel;
 using Teuchos::ParameterList;
 using Teuchos::RCP;
