@@ -28,11 +28,16 @@ bool startedByLauncher() {
 
 }  // namespace
 
-Ranks::Ranks(int& argc, char**& argv) {
+Ranks::Ranks() {
   if (!startedByLauncher()) {
     algebra_ = std::make_unique<const bem::LapackAlgebra>();
     return;
   }
+  // not main's arguments: Kokkos would take --threads and --help for its own
+  std::string name = "epafi";
+  char* names[] = {name.data(), nullptr};
+  char** argv = names;
+  int argc = 1;
   scope_ = std::make_unique<Tpetra::ScopeGuard>(&argc, &argv);
   auto algebra =
       std::make_unique<const bem::TpetraAlgebra>(Tpetra::getDefaultComm(), tell);

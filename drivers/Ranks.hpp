@@ -16,8 +16,8 @@ namespace epafi::drivers {
 /// leaves MPI alone.
 class Ranks {
  public:
-  /// Starts MPI under mpirun; `argv` as main has it.
-  Ranks(int& argc, char**& argv);
+  /// Starts MPI under mpirun.
+  Ranks();
   ~Ranks();
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;

@@ -69,7 +69,7 @@ int dispatch(const Arguments& arguments, const Ranks& ranks) {
 
 int main(int argc, char* argv[]) {
   drivers::restartWithFastBlas(argv);
-  const Ranks ranks(argc, argv);
+  const Ranks ranks;
   int code = 0;
   const auto failure = ranks.attempt([&] {
     code = dispatch({argv + 1, argv + argc}, ranks);

@@ -32,6 +32,12 @@ for count in (1, 2, 3):
     expect(run("gamma", count, ["--set", "Discretization->Stabilization->Gamma0=50"]), 2,
            "Gamma0", "an indefinite matrix" + on)
     expect(ranks.Run(count, ["rnu"]), 1, "rnu", "an unknown command" + on)
+    done = run("threads", count, ["--threads", "2"])
+    ranks.claim(done.codes == [0] * count and "2 threads" in done.text,
+                "--threads is Epafi's own option" + on)
+    done = ranks.Run(count, ["--help"])
+    ranks.claim(done.codes == [0] * count and done.text.count("epafi check SCENE.xml") == 1,
+                "--help is Epafi's and comes once" + on)
     plain = run("plain", count, scene="nowhere.xml", plain=True)
     ranks.claim(plain.code == 1, "mpirun itself returns the code" + on)
 
