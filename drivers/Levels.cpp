@@ -85,7 +85,7 @@ Outcome solveLevels(const Scene& scene, const bem::DenseAlgebra& algebra,
           {space, stiffness, lame, units, scene.conditions, basis, scene.stabilization});
     });
     const auto solution = timer.run(Phase::Newton, [&] {
-      return solveOnce(problem.numbers(), start, scene.solver, algebra);
+      return solveOnce(problem, start, scene.solver, algebra);
     });
     const bem::Vector displacement = problem.displacement(solution.state);
     const bem::Vector density = stiffness.density(displacement);

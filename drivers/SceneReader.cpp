@@ -214,6 +214,7 @@ contact::SolverOptions readSolver(const ParameterList& list) {
                              {"Fischer-Burmeister", Complementarity::FischerBurmeister}});
   solver.tolerance = list.get<double>("Tolerance");
   solver.maximumIterations = list.get<int>("Maximum Iterations");
+  solver.loadSteps = list.get<int>("Load Steps");
   solver.coulombTolerance = list.get<double>("Coulomb Tolerance");
   solver.coulombMaximumIterations = list.get<int>("Coulomb Maximum Iterations");
   if (list.isSublist("NOX") && list.sublist("NOX").numParams() > 0)

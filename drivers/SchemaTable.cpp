@@ -239,6 +239,13 @@ void addSolver(Table& table) {
               .unit("1")
               .standard("50")
               .range(from(1)),
+          Row("Solver->Load Steps", Kind::Whole,
+              "equal steps in which the load is applied, each solution the start of the "
+              "next; a step that fails is halved, and one load that fails is tried in "
+              "steps")
+              .unit("1")
+              .standard("1")
+              .range({1, 1000}),
           Row("Solver->Coulomb Tolerance", Kind::Real,
               "change of the friction bound, relative to the load")
               .unit("1")

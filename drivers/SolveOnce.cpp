@@ -1,5 +1,7 @@
 #include "drivers/SolveOnce.hpp"
 
+#include "contact/solve/LoadContinuation.hpp"
+
 #include <algorithm>
 #include <iterator>
 
@@ -39,12 +41,14 @@ contact::Report unpacked(const Vector& numbers) {
 
 }  // namespace
 
-contact::Solution solveOnce(const contact::Problem& problem, const contact::State& start,
+contact::Solution solveOnce(const contact::ContactProblem& problem,
+                            const contact::State& start,
                             const contact::SolverOptions& options,
                             const bem::DenseAlgebra& algebra) {
   contact::Solution solution;
   if (algebra.rank() == 0)
-    solution = contact::solve(problem, start, options);
+    solution =
+        contact::solveInLoadSteps(problem.numbers(), problem.gap(), start, options);
   if (algebra.processes() == 1)
     return solution;
   solution.state.multiplier = algebra.broadcast(std::move(solution.state.multiplier));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/base/DenseAlgebra.hpp"
+#include "contact/problem/ContactProblem.hpp"
 #include "contact/solve/CoulombIteration.hpp"
 
 namespace epafi::drivers {
@@ -8,7 +9,8 @@ namespace epafi::drivers {
 /// contact::solve on rank 0; the others are told what came out of it, so that all go on
 /// with the same bits.  They get state, status, iterations, residual, tolerance and
 /// reason; the histories of the steps stay where they are.
-contact::Solution solveOnce(const contact::Problem& problem, const contact::State& start,
+contact::Solution solveOnce(const contact::ContactProblem& problem,
+                            const contact::State& start,
                             const contact::SolverOptions& options,
                             const bem::DenseAlgebra& algebra);
 

@@ -1,6 +1,7 @@
 #include "contact/solve/CoulombIteration.hpp"
 
 #include "bem/base/Error.hpp"
+#include "contact/solve/Equilibrium.hpp"
 #include "contact/solve/FrictionContinuation.hpp"
 #include "contact/solve/Tresca.hpp"
 
@@ -107,6 +108,46 @@ Solution fixedPoint(const Problem& problem, const State& start, Report report,
   return solution;
 }
 
+// What came first and what came next as one report; every step updates the bound.
+Report joined(Report later, const Report& earlier) {
+  later.coulombIterations = earlier.coulombIterations + later.newtonIterations;
+  later.newtonIterations += earlier.newtonIterations;
+  later.setChanges.insert(later.setChanges.begin(), earlier.setChanges.begin(),
+                          earlier.setChanges.end());
+  return later;
+}
+
+// A few updates of the bound bring the state near, Newton's method takes it from there;
+// where it does not, more updates follow.
+Solution alternate(const Problem& problem, State start, Report report,
+                   const SolverOptions& options) {
+  const Equation sharp(problem, complementarity("Projection"),
+                       Equation::Bound::Differentiated, options.tolerance);
+  SolverOptions few = options;
+  Solution solution{std::move(start), std::move(report)};
+  for (int updates = 0; updates < options.coulombMaximumIterations;
+       updates += few.coulombMaximumIterations) {
+    few.coulombMaximumIterations =
+        std::min(10, options.coulombMaximumIterations - updates);
+    solution = fixedPoint(problem, solution.state, std::move(solution.report), few);
+    if (solution.report.status == Status::Converged)
+      return solution;
+    const NewtonRun run = runNewton(sharp, pack(problem, solution.state),
+                                    NewtonMethod::Newton, options.maximumIterations);
+    solution.report = extended(std::move(solution.report), run, problem);
+    solution.report.coulombIterations += run.iterations;
+    if (run.end == NewtonRun::End::Converged)
+      return {unpack(problem, run.last), std::move(solution.report)};
+  }
+  solution.report.reason +=
+      bem::message(".  Newton's method, following friction from zero, a line search and ",
+                   options.coulombMaximumIterations,
+                   " updates of the slip bound were tried; with a large friction "
+                   "coefficient there may be several solutions, or none: try a smaller "
+                   "one, a finer mesh, or Solver->Load Steps");
+  return solution;
+}
+
 // Newton's method on the coupled problem, with or without the bound's derivative.
 Solution newton(const Problem& problem, const State& start, Equation::Bound bound,
                 const SolverOptions& options) {
@@ -122,23 +163,21 @@ Solution newton(const Problem& problem, const State& start, Equation::Bound boun
   if (run.end == NewtonRun::End::Converged || run.end == NewtonRun::End::Iterations)
     return {unpack(problem, run.last), std::move(report)};
 
+  // Following friction costs a few steps each; the descent, that costs many, is for
+  // bodies that only friction holds: their path has no beginning.
+  Solution followed = followFriction(problem, options);
+  followed.report = joined(std::move(followed.report), report);
+  if (followed.report.status == Status::Converged)
+    return followed;
   const Equation smooth(problem, complementarity("Fischer-Burmeister"),
                         Equation::Bound::Differentiated, options.tolerance);
   const NewtonRun descent = runNewton(smooth, run.best, NewtonMethod::MeritDescent,
                                       2 * options.maximumIterations);
-  report = extended(std::move(report), descent, problem);
+  report = extended(std::move(followed.report), descent, problem);
   report.coulombIterations += descent.iterations;
   if (descent.end == NewtonRun::End::Converged)
     return {unpack(problem, descent.best), std::move(report)};
-
-  Solution followed = followFriction(problem, options);
-  const int updates = report.coulombIterations + followed.report.newtonIterations;
-  followed.report.newtonIterations += report.newtonIterations;
-  followed.report.coulombIterations = updates;
-  if (followed.report.status == Status::Converged)
-    return followed;
-  return fixedPoint(problem, unpack(problem, run.best), std::move(followed.report),
-                    options);
+  return alternate(problem, unpack(problem, run.best), std::move(report), options);
 }
 
 }  // namespace
@@ -146,6 +185,7 @@ Solution newton(const Problem& problem, const State& start, Equation::Bound boun
 Solution solve(const Problem& problem, const State& start, const SolverOptions& options) {
   if (!(problem.stress > 0) || !std::isfinite(problem.stress))
     throw bem::NumericalError("the contact problem's load has no positive, finite size");
+  requireEquilibrium(problem);
   if (!problem.boundDependsOnPressure())
     return solveFixedBounds(problem, start, options);
   switch (options.coulomb) {

@@ -1,6 +1,7 @@
 #include "contact/solve/RigidPlacement.hpp"
 
 #include "bem/base/Error.hpp"
+#include "contact/solve/Equilibrium.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +11,6 @@ namespace epafi::contact {
 namespace {
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-constexpr const char* noBalance =
-    "the load moves the body along a rigid motion that nothing holds: neither contact "
-    "nor "
-    "friction can balance its resultant; hold the motion (Rigid Motions -> Fix, or a "
-    "Dirichlet "
-    "condition), or change the load";
 
 // The spring forces P(λ + y) for given penetrations y.  A bound that follows the pressure
 // is left out: what pressure the solution has is not known yet.
@@ -89,26 +83,6 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
   for (Index j = 0; j < problem.rigidMotions(); ++j)
     step[at(n + j)] = high * motion[at(j)];
   return step;
-}
-
-void requireBalance(const Problem& problem, const Vector& bounds, const Vector& motion) {
-  double demand = 0;
-  double size = 0;
-  for (Index j = 0; j < problem.rigidMotions(); ++j)
-    demand += motion[at(j)] * problem.rigidLoad[at(j)];
-  double supply = 0;
-  for (Index i = 0; i < problem.size(); ++i) {
-    double g = 0;
-    for (Index j = 0; j < problem.rigidMotions(); ++j)
-      g += problem.rigid(i, j) * motion[at(j)];
-    size = std::max(size, std::abs(g));
-    if (i >= problem.normals)
-      supply += std::abs(g) * bounds[at(i - problem.normals)];
-    else if (g > 0)
-      return;  // pressure there can grow as it needs to
-  }
-  if (supply < demand - 1e-10 * std::max(size * problem.stress, std::abs(demand)))
-    throw bem::NumericalError(noBalance);
 }
 
 }  // namespace epafi::contact

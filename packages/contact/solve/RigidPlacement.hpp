@@ -15,9 +15,4 @@ namespace epafi::contact {
 Vector rigidPlacement(const Equation& equation, const Evaluation& at,
                       const Vector& motion);
 
-/// Throws if no λ in the box does as much work along the motion as the load:
-/// max vᵀGᵀλ < vᵀq proves that Gᵀλ = q has no solution.
-/// \throws bem::NumericalError
-void requireBalance(const Problem& problem, const Vector& bounds, const Vector& motion);
-
 }  // namespace epafi::contact

@@ -1,7 +1,8 @@
 #include "contact/solve/Tresca.hpp"
 
 #include "bem/base/Error.hpp"
-#include "contact/solve/RigidPlacement.hpp"
+#include "contact/solve/Equilibrium.hpp"
+#include "contact/solve/InteriorPoint.hpp"
 
 #include <algorithm>
 
@@ -129,6 +130,21 @@ Solution descendWithBalance(const Equation& equation, const Vector& start, Repor
   return {std::move(state), std::move(report)};
 }
 
+/// The last resort: through the middle of the box, then Newton's last digits.
+Solution throughTheMiddle(const Problem& problem, Solution before,
+                          const SolverOptions& options) {
+  constexpr int polishing = 20;
+  const Equation sharp(problem, complementarity("Projection"),
+                       Equation::Bound::Differentiated, options.tolerance);
+  const InteriorPoint middle = interiorPoint(sharp);
+  const NewtonRun polished =
+      runNewton(sharp, middle.unknowns, NewtonMethod::Newton, polishing);
+  before.report.newtonIterations += middle.iterations;
+  before.report = extended(std::move(before.report), polished, problem);
+  before.report.globalised = true;
+  return {unpack(problem, polished.best), std::move(before.report)};
+}
+
 }  // namespace
 
 const Complementarity& complementarityOf(const SolverOptions& options) {
@@ -172,15 +188,20 @@ Solution solveFixedBounds(const Problem& problem, const State& start,
   Report report = extended({}, run, problem);
   if (run.end == NewtonRun::End::Converged || run.end == NewtonRun::End::Iterations)
     return {unpack(problem, run.last), std::move(report)};
-  if (problem.rigidMotions() > 0)
-    return descendWithBalance(equation, run.best, std::move(report), options);
-
-  const NewtonRun descent =
-      minimise(problem, run.best, options.tolerance, options.maximumIterations);
-  if (descent.end == NewtonRun::End::Singular)
-    throw bem::NumericalError(descent.message);
-  report = extended(std::move(report), descent, problem);
-  return {unpack(problem, descent.best), std::move(report)};
+  Solution descended;
+  if (problem.rigidMotions() > 0) {
+    descended = descendWithBalance(equation, run.best, std::move(report), options);
+  } else {
+    const NewtonRun descent =
+        minimise(problem, run.best, options.tolerance, options.maximumIterations);
+    if (descent.end == NewtonRun::End::Singular)
+      throw bem::NumericalError(descent.message);
+    descended = {unpack(problem, descent.best),
+                 extended(std::move(report), descent, problem)};
+  }
+  return descended.report.status == Status::Converged
+             ? descended
+             : throughTheMiddle(problem, std::move(descended), options);
 }
 
 }  // namespace epafi::contact

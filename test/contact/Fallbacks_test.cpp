@@ -1,0 +1,158 @@
+#include "bem/base/Error.hpp"
+#include "contact/RandomProblem.hpp"
+#include "contact/solve/CoulombIteration.hpp"
+#include "contact/solve/Equilibrium.hpp"
+#include "contact/solve/InteriorPoint.hpp"
+#include "contact/solve/LoadContinuation.hpp"
+#include "reference/ProjectedSor.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace {
+
+using namespace epafi;
+using contact::Equation;
+using contact::Index;
+using contact::Problem;
+using contact::State;
+
+/// A cantilever of length and stiffness one over a plane, under a uniform load that lays
+/// its end flat: Euler and Bernoulli's Green's function, a little local flexibility.
+/// Multiplier coefficients are point forces.
+Problem cantilever(Index n) {
+  Problem problem;
+  problem.normals = n;
+  problem.flexibility = contact::Matrix(n, n);
+  const auto place = [n](Index i) {
+    return static_cast<double>(i + 1) / static_cast<double>(n);
+  };
+  for (Index i = 0; i < n; ++i) {
+    for (Index j = 0; j < n; ++j) {
+      const double near = std::min(place(i), place(j));
+      const double far = std::max(place(i), place(j));
+      problem.flexibility(i, j) = near * near * (3 * far - near) / 6;
+    }
+    problem.flexibility(i, i) += 1e-7;
+    const double x = place(i);
+    problem.offset.push_back(x * x * (x * x - 4 * x + 6) / 24 - 1e-3);
+  }
+  return problem;
+}
+
+Equation equationOf(const Problem& problem) {
+  return {problem, contact::complementarity("Projection"),
+          Equation::Bound::Differentiated, 1e-12};
+}
+
+TEUCHOS_UNIT_TEST(Fallbacks, aCantileverIsSolvedHoweverFineItsMesh) {
+  for (const Index n : {20, 80, 320}) {
+    const Problem problem = cantilever(n);
+    const auto solution = solve(problem, {}, {});
+    TEST_ASSERT(solution.report.status == contact::Status::Converged);
+    TEST_COMPARE(reference::violation(problem, solution.state), <, 1e-9);
+    // Each takes about the same: the middle of the box knows no active set.
+    const Equation equation = equationOf(problem);
+    TEST_COMPARE(interiorPoint(equation).iterations, <, 40);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Fallbacks, theInteriorPointIsNearTheSolution) {
+  std::mt19937 random(41);
+  for (int k = 0; k < 100; ++k) {
+    test::Recipe recipe;
+    recipe.law = k % 2 == 0 ? "None" : "Tresca";
+    recipe.normals = 3 + k % 30;
+    recipe.rigidMotions = k % 3;
+    const Problem problem = randomProblem(recipe, random);
+    const Equation equation = equationOf(problem);
+    const contact::InteriorPoint point = interiorPoint(equation);
+    TEST_COMPARE(equation.at(point.unknowns).scaled, <, 1e-7);
+    TEST_COMPARE(point.iterations, <, 40);
+  }
+}
+
+/// Two points on a plane, pressed down by N = 2 and sideways by T, held by friction 0.5:
+/// balance needs T <= 1.
+Problem block(double tangentialLoad) {
+  Problem problem;
+  problem.normals = 2;
+  problem.tangentials = {{0, &contact::frictionLaw("Coulomb"), 0.5},
+                         {1, &contact::frictionLaw("Coulomb"), 0.5}};
+  problem.flexibility = contact::Matrix(4, 4);
+  for (Index i = 0; i < 4; ++i)
+    problem.flexibility(i, i) = 1;
+  problem.offset = {0, 0, 0, 0};
+  problem.rigid = contact::Matrix(4, 2);
+  problem.rigid(0, 0) = problem.rigid(1, 0) = 1;
+  problem.rigid(2, 1) = problem.rigid(3, 1) = 1;
+  problem.rigidLoad = {2, tangentialLoad};
+  return problem;
+}
+
+TEUCHOS_UNIT_TEST(Fallbacks, globalSlidingIsProvedFromTheFrictionCone) {
+  for (const double sign : {-1.0, 1.0}) {
+    TEST_NOTHROW(requireEquilibrium(block(sign * 0.3)));
+    TEST_NOTHROW(requireEquilibrium(block(sign * (1 - 1e-7))));
+    TEST_NOTHROW(requireEquilibrium(block(sign)));
+    TEST_THROW(requireEquilibrium(block(sign * (1 + 1e-7))), bem::NumericalError);
+    TEST_THROW(requireEquilibrium(block(sign * 10)), bem::NumericalError);
+  }
+  Problem lifted = block(0);
+  lifted.rigidLoad[0] = -2;
+  TEST_THROW(requireEquilibrium(lifted), bem::NumericalError);
+  Problem unloaded = block(0);
+  unloaded.rigidLoad = {0, 0};
+  TEST_NOTHROW(requireEquilibrium(unloaded));
+}
+
+TEUCHOS_UNIT_TEST(Fallbacks, balancedLoadsAreNeverRefused) {
+  std::mt19937 random(43);
+  for (int k = 0; k < 300; ++k) {
+    test::Recipe recipe;
+    const char* laws[] = {"None", "Tresca", "Coulomb"};
+    recipe.law = laws[k % 3];
+    recipe.normals = 2 + k % 30;
+    recipe.rigidMotions = 1 + k % 2;
+    recipe.ties = k % 4 == 0;
+    TEST_NOTHROW(requireEquilibrium(randomProblem(recipe, random)));
+  }
+}
+
+TEUCHOS_UNIT_TEST(Fallbacks, loadStepsLeadToTheSameSolution) {
+  std::mt19937 random(47);
+  for (int k = 0; k < 60; ++k) {
+    test::Recipe recipe;
+    const char* laws[] = {"None", "Tresca", "Coulomb"};
+    recipe.law = laws[k % 3];
+    recipe.strength = 0.3;
+    recipe.normals = 3 + k % 20;
+    const Problem problem = randomProblem(recipe, random);
+    const contact::Vector gap(static_cast<std::size_t>(problem.normals), 0.1);
+    contact::SolverOptions options;
+    const auto once = solveInLoadSteps(problem, gap, {}, options);
+    options.loadSteps = 1 + k % 7;
+    const auto stepwise = solveInLoadSteps(problem, gap, {}, options);
+    TEST_ASSERT(stepwise.report.status == contact::Status::Converged);
+    TEST_COMPARE(reference::violation(problem, stepwise.state), <, 1e-9);
+    for (std::size_t i = 0; i < once.state.multiplier.size(); ++i)
+      TEST_COMPARE(std::abs(once.state.multiplier[i] - stepwise.state.multiplier[i]), <,
+                   1e-8);
+  }
+}
+
+/// Two coefficients under Coulomb's law with a load that no step reaches: the report says
+/// how far the load could go.
+TEUCHOS_UNIT_TEST(Fallbacks, aLoadThatCannotBeReachedIsReportedWithItsFactor) {
+  contact::SolverOptions options;
+  options.loadSteps = 2;
+  const Problem sliding = block(1.1);
+  const auto solution = solveInLoadSteps(sliding, {0, 0}, {}, options);
+  TEST_ASSERT(solution.report.status == contact::Status::NotConverged);
+  TEST_ASSERT(solution.report.reason.find("raised to 0 of itself") != std::string::npos);
+}
+
+}  // namespace
