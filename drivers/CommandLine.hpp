@@ -5,9 +5,9 @@
 
 namespace epafi::drivers {
 
-/// The arguments of `epafi run`.
+/// The arguments of `epafi run` and `epafi study`.
 struct RunOptions {
-  std::string scene;
+  std::string scene;   ///< or the study
   std::string output;  ///< empty: defaultOutputFolder
   std::vector<std::string> overrides;
   int threads = 0;  ///< 0: all cores, or what the environment says
@@ -20,6 +20,8 @@ struct RunOptions {
 /// superfluous
 ///   value, and anything but one scene.
 RunOptions parseRunOptions(const std::vector<std::string>& arguments);
+/// The same without what changes the scene: a study's file says that.
+RunOptions parseStudyOptions(const std::vector<std::string>& arguments);
 
 /// What `epafi --help` prints.
 std::string usage();

@@ -125,17 +125,24 @@ Size sizeOf(const bem::Space& space, const contact::MultiplierSpace& multiplier,
   return size;
 }
 
-std::string historyCsv(const std::vector<LevelRow>& rows) {
+std::vector<std::string> historyColumns() {
   std::vector<std::string> names;
   for (const Column& column : columns)
     names.emplace_back(column.name);
-  Csv csv(names);
-  for (const LevelRow& row : rows) {
-    std::vector<std::string> cells;
-    for (const Column& column : columns)
-      cells.push_back(column.cell(row));
-    csv.row(cells);
-  }
+  return names;
+}
+
+std::vector<std::string> historyCells(const LevelRow& row) {
+  std::vector<std::string> cells;
+  for (const Column& column : columns)
+    cells.push_back(column.cell(row));
+  return cells;
+}
+
+std::string historyCsv(const std::vector<LevelRow>& rows) {
+  Csv csv(historyColumns());
+  for (const LevelRow& row : rows)
+    csv.row(historyCells(row));
   return csv.text();
 }
 

@@ -49,7 +49,11 @@ struct LevelRow {
   double memory = 0;        ///< peak so far [MiB]
 };
 
-/// history.csv with the columns of design.md 1.4.
+/// The columns of history.csv, and a row in their order.                 [design.md 1.4]
+std::vector<std::string> historyColumns();
+std::vector<std::string> historyCells(const LevelRow& row);
+
+/// history.csv
 std::string historyCsv(const std::vector<LevelRow>& rows);
 
 }  // namespace epafi::drivers

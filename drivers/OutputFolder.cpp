@@ -86,7 +86,7 @@ void OutputFolder::write(const std::string& name, const std::string& text) {
 const std::vector<std::string>& outputFiles() {
   static const std::vector<std::string> names = {
       "history.csv",  "contact.csv", "boundary.csv", "interior.csv",
-      "solution.hdf", "used.xml",    "timings.txt"};
+      "solution.hdf", "used.xml",    "timings.txt",  "study.csv"};
   return names;
 }
 

@@ -25,6 +25,9 @@ RawScene readRawScene(const std::string& file);
 /// \throws bem::InputError for an undeclared path or a value of another type.
 void applyOverride(Teuchos::ParameterList& list, const std::string& assignment);
 
+/// A piece of a scene as the "A->B->Key=value" that would set the same.
+std::vector<std::string> assignments(const Teuchos::ParameterList& list);
+
 /// The list as XML that reads back to the same list: numbers keep every bit.
 std::string toXml(const Teuchos::ParameterList& list, const std::string& title);
 

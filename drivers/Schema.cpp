@@ -51,9 +51,11 @@ std::string example(const std::string& pattern) {
                                 : pattern.substr(0, k) + "1" + pattern.substr(k + 3);
 }
 
-std::vector<const Parameter*> childrenOf(const std::string& pattern) {
+using Table = std::vector<Parameter>;
+
+std::vector<const Parameter*> childrenOf(const Table& table, const std::string& pattern) {
   std::vector<const Parameter*> rows;
-  for (const Parameter& row : parameters())
+  for (const Parameter& row : table)
     if (row.parent() == pattern)
       rows.push_back(&row);
   return rows;
@@ -203,8 +205,12 @@ ParameterEntry standardOf(const Parameter& row) {
 /// One level of the list against the rows under one pattern.
 class Level {
  public:
-  Level(const ParameterList& given, std::string pattern, std::string path)
-      : given_(given), path_(std::move(path)), rows_(childrenOf(pattern)) {}
+  Level(const Table& table, const ParameterList& given, const std::string& pattern,
+        std::string path)
+      : table_(table),
+        given_(given),
+        path_(std::move(path)),
+        rows_(childrenOf(table, pattern)) {}
 
   void complete(ParameterList& result) const {
     for (const auto& item : given_)
@@ -276,7 +282,7 @@ class Level {
     if (row.kind == Kind::Free)
       result.sublist(name).setParameters(sublist);
     else
-      Level(sublist, row.path, join(path_, name)).complete(result.sublist(name));
+      Level(table_, sublist, row.path, join(path_, name)).complete(result.sublist(name));
   }
 
   void fill(const Parameter& row, ParameterList& result) const {
@@ -284,12 +290,13 @@ class Level {
       throw InputError(message(join(path_, row.name()), ": missing; ", row.meaning,
                                row.range().empty() ? "" : ", " + row.range()));
     if (row.kind == Kind::List && !isAnyName(row.name()))
-      Level(ParameterList(), row.path, join(path_, row.name()))
+      Level(table_, ParameterList(), row.path, join(path_, row.name()))
           .complete(result.sublist(row.name()));
     else if (!row.standard.empty())
       result.setEntry(row.name(), standardOf(row));
   }
 
+  const Table& table_;
   const ParameterList& given_;
   std::string path_;
   std::vector<const Parameter*> rows_;
@@ -346,7 +353,7 @@ const Parameter& declared(const std::string& path) {
   for (std::size_t at = 0; at <= path.size();) {
     const std::size_t end = std::min(path.find(arrow, at), path.size());
     const std::string name = path.substr(at, end - at);
-    const auto rows = childrenOf(pattern);
+    const auto rows = childrenOf(parameters(), pattern);
     row = name.empty() ? nullptr : find(rows, name);
     if (row == nullptr) {
       std::vector<std::string> known;
@@ -362,10 +369,15 @@ const Parameter& declared(const std::string& path) {
   return *row;
 }
 
-ParameterList complete(const ParameterList& given, const std::string& title) {
+ParameterList complete(const std::vector<Parameter>& table, const ParameterList& given,
+                       const std::string& title) {
   ParameterList result(title);
-  Level(given, "", "").complete(result);
+  Level(table, given, "", "").complete(result);
   return result;
+}
+
+ParameterList complete(const ParameterList& given, const std::string& title) {
+  return complete(parameters(), given, title);
 }
 
 }  // namespace epafi::drivers

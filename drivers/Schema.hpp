@@ -48,7 +48,7 @@ struct Parameter {
   std::string range() const;
 };
 
-/// All parameters.  This table alone feeds validation, defaults, --set, `epafi
+/// All parameters of a scene.  This table alone feeds validation, defaults, --set, `epafi
 /// parameters` and the tests; a new parameter is one line here and its use in
 /// SceneReader.
 const std::vector<Parameter>& parameters();
@@ -61,6 +61,10 @@ const Parameter& declared(const std::string& path);
 /// every default filled in. \throws bem::InputError with the path for an unknown or
 /// missing key, a wrong type, a value
 ///   out of range.
+Teuchos::ParameterList complete(const std::vector<Parameter>& table,
+                                const Teuchos::ParameterList& given,
+                                const std::string& title);
+/// The same by the table of scenes.
 Teuchos::ParameterList complete(const Teuchos::ParameterList& given,
                                 const std::string& title);
 

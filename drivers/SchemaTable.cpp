@@ -2,47 +2,11 @@
 #include "adaptivity/refine/Strategy.hpp"
 #include "contact/law/FrictionLaw.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
-#include "drivers/Schema.hpp"
+#include "drivers/SchemaRow.hpp"
 
 namespace epafi::drivers {
 
 namespace {
-
-bem::Interval from(double low) {
-  bem::Interval interval;
-  interval.low = low;
-  return interval;
-}
-
-bem::Interval above(double low) {
-  bem::Interval interval = from(low);
-  interval.lowOpen = true;
-  return interval;
-}
-
-/// A row under construction: the constructor says what every parameter has, the rest is
-/// named.
-class Row {
- public:
-  Row(const std::string& path, Kind kind, const std::string& meaning) {
-    row_.path = path;
-    row_.kind = kind;
-    row_.meaning = meaning;
-  }
-  Row& unit(const std::string& unit) { return row_.unit = unit, *this; }
-  Row& standard(const std::string& text) { return row_.standard = text, *this; }
-  Row& required() { return row_.required = true, *this; }
-  Row& only(const std::string& selector) { return row_.only = selector, *this; }
-  Row& range(const bem::Interval& interval) { return row_.interval = interval, *this; }
-  Row& allowed(const std::vector<std::string>& names) {
-    return row_.allowed = names, *this;
-  }
-
-  Parameter done() const { return row_; }
-
- private:
-  Parameter row_;
-};
 
 using Table = std::vector<Parameter>;
 
@@ -63,11 +27,6 @@ std::string meanings(const Family& family) {
     text +=
         (text.empty() ? "" : "; ") + (std::string(member.name) + ": " + member.meaning);
   return text;
-}
-
-void add(Table& table, const std::vector<Row>& rows) {
-  for (const Row& row : rows)
-    table.push_back(row.done());
 }
 
 void addBody(Table& table) {

@@ -1,9 +1,10 @@
 /// Frictional contact of linear elastic bodies in the plane.
 ///
 ///   epafi run SCENE.xml           solve: a table row per level, files into a folder
+///   epafi study STUDY.xml         run variants of scenes and compare them
 ///   epafi check SCENE.xml         read and validate only
 ///   epafi parameters              every parameter of a scene
-///   epafi plot DIR                pictures of a finished run
+///   epafi plot DIR                pictures of a finished run or study
 ///   epafi version | --help
 ///
 /// Sample run:  epafi run drivers/scenes/tresca.xml --set 'Adaptivity->Maximum Levels=3'
@@ -15,6 +16,7 @@
 #include "drivers/PlotCommand.hpp"
 #include "drivers/Ranks.hpp"
 #include "drivers/RunCommand.hpp"
+#include "drivers/StudyCommand.hpp"
 
 #include <iostream>
 
@@ -44,6 +46,7 @@ int help(const Arguments&, std::ostream& out) {
 
 constexpr Command commands[] = {
     {"run", drivers::runCommand},
+    {"study", drivers::studyCommand},
     {"check", alone<drivers::checkCommand>},
     {"parameters", alone<drivers::parametersCommand>},
     {"plot", drivers::plotCommand},

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace epafi::contact {
@@ -130,7 +131,24 @@ struct ContactProblem::Parts {
 
 namespace {
 
-/// \throws NumericalError with the largest safe gamma0 if A = S - S^ is not definite.
+/// See limitGamma0.
+double limit(const ContactProblem::Input& input, const Matrix& stabilisationHalf,
+             const Loads& loads, const RigidConstraints& rigid) {
+  const DenseAlgebra& algebra = input.stiffness.algebra();
+  const Rows mine = algebra.myRows(input.space.displacements());
+  const auto stiffness = algebra.cholesky(
+      constrain(input.stiffness.stiffness().copy(), mine, loads, rigid), "S");
+  Matrix half = stabilisationHalf.copy();
+  clearClamped(half, mine, loads);
+  const Matrix reduced = stiffness->forward(std::move(half));
+  const Index columns = reduced.columns();
+  const Rows mineOfColumns = algebra.myRows(columns);
+  const Matrix gram = algebra.replicate(
+      algebra.addGram(Matrix(mineOfColumns.size(), columns), reduced), columns);
+  return input.stabilization.gamma0 / largestEigenvalue(gram.copy());
+}
+
+/// \throws IndefiniteStiffness
 std::unique_ptr<bem::CholeskyFactor> factorise(const ContactProblem::Input& input,
                                                Matrix a, const Matrix& stabilisationHalf,
                                                const Loads& loads,
@@ -144,21 +162,8 @@ std::unique_ptr<bem::CholeskyFactor> factorise(const ContactProblem::Input& inpu
     if (stabilisationHalf.columns() == 0)
       throw;
   }
-  const auto stiffness = algebra.cholesky(
-      constrain(input.stiffness.stiffness().copy(), mine, loads, rigid), "S");
-  Matrix half = stabilisationHalf.copy();
-  clearClamped(half, mine, loads);
-  const Matrix reduced = stiffness->forward(std::move(half));
-  const Index columns = reduced.columns();
-  const Rows mineOfColumns = algebra.myRows(columns);
-  const Matrix gram = algebra.replicate(
-      algebra.addGram(Matrix(mineOfColumns.size(), columns), reduced), columns);
-  const double safe = input.stabilization.gamma0 / largestEigenvalue(gram.copy());
-  throw bem::NumericalError(bem::message(
-      "the stabilised stiffness S - S^ is not positive definite: "
-      "Discretization->Stabilization->",
-      "Gamma0 = ", input.stabilization.gamma0, " is too large for this mesh; below ",
-      safe, " it is definite, and a quarter of that is safe"));
+  throw IndefiniteStiffness(input.stabilization.gamma0,
+                            limit(input, stabilisationHalf, loads, rigid));
 }
 
 /// D = B A⁻¹ Bᵀ + M - Σ (B r)(B r)ᵀ, full and on every process.
@@ -184,6 +189,26 @@ Matrix condense(const DenseAlgebra& algebra, const bem::CholeskyFactor& factor,
 }
 
 }  // namespace
+
+IndefiniteStiffness::IndefiniteStiffness(double used, double limit)
+    : bem::NumericalError(
+          bem::message("the stabilised stiffness S - S^ is not positive definite: "
+                       "Discretization->Stabilization->",
+                       "Gamma0 = ", used, " is too large for this mesh; below ", limit,
+                       " it is definite, and a quarter of that is safe")),
+      gamma0(used),
+      limitGamma0(limit) {}
+
+double limitGamma0(const ContactProblem::Input& input) {
+  const Loads loads = makeLoads(input.space, input.conditions, input.units);
+  const MultiplierSpace multiplier(input.space.mesh(), input.basis, input.conditions);
+  const Coupling coupling = makeCoupling(input, multiplier);
+  if (coupling.stabilisationHalf.columns() == 0)
+    return std::numeric_limits<double>::infinity();
+  return limit(
+      input, coupling.stabilisationHalf, loads,
+      makeRigidConstraints(makeRigidModes(input.space), loads, input.conditions.fix));
+}
 
 ContactProblem::ContactProblem(const Input& input) {
   const DenseAlgebra& algebra = input.stiffness.algebra();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/assembly/SteklovPoincare.hpp"
+#include "bem/base/Error.hpp"
 #include "bem/base/Units.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
 #include "contact/problem/Problem.hpp"
@@ -14,6 +15,13 @@ namespace epafi::contact {
 /// them to bem::assembleOperators.  Empty for the other forms.
 std::vector<int> tractionElements(const MultiplierSpace& multiplier,
                                   const Stabilization& stabilization);
+
+/// The stabilised stiffness A = S - S^ is not positive definite.
+struct IndefiniteStiffness : bem::NumericalError {
+  IndefiniteStiffness(double used, double limit);
+  double gamma0;       ///< what was asked for
+  double limitGamma0;  ///< A is definite below
+};
 
 /// The stabilised mixed problem [P (13)] on one mesh, condensed onto the multiplier:
 ///
@@ -36,8 +44,7 @@ class ContactProblem {
 
   /// \throws bem::InputError if the conditions contradict each other or leave a rigid
   /// motion
-  ///   that is both fixed and clamped; bem::NumericalError if A is not positive definite,
-  ///   with the largest safe gamma0.
+  ///   that is both fixed and clamped; IndefiniteStiffness.
   explicit ContactProblem(const Input& input);
   ~ContactProblem();
   ContactProblem(ContactProblem&&) noexcept;
@@ -71,5 +78,10 @@ class ContactProblem {
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
+
+/// Gamma0 at which A loses its definiteness: 1 / the largest eigenvalue of (S^/gamma0,
+/// S). Infinite without stabilisation.  Relative to S, the smallest eigenvalue of A is 1
+/// - gamma0 / limitGamma0.                                             [P Lemma 6]
+double limitGamma0(const ContactProblem::Input& input);
 
 }  // namespace epafi::contact

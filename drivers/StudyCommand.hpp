@@ -1,0 +1,23 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace epafi::drivers {
+
+class Ranks;
+
+/// `epafi study STUDY.xml [--output DIR] [--threads N] [--force] [--quiet]`: solves every
+/// variant of every scene of a study and compares them.
+///
+/// Writes study.csv after every level, a folder per variant with the files of a run (none
+/// for sweeps), reference-<scene>.txt, and pictures.  A variant that fails is listed with
+/// the reason and the study goes on; --force keeps references that still fit.  Returns 0,
+/// or 3 if no variant could be solved.
+/// \throws bem::InputError for wrong arguments, studies and scenes, before anything is
+/// solved; Interrupted.
+int studyCommand(const std::vector<std::string>& arguments, std::ostream& out,
+                 const Ranks& ranks);
+
+}  // namespace epafi::drivers
