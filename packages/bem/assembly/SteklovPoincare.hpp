@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/assembly/Assembly.hpp"
+#include "bem/assembly/SingleLayerSolver.hpp"
 
 #include <memory>
 
@@ -18,13 +19,14 @@ class SteklovPoincare {
   /// \throws NumericalError if V is not positive definite.
   SteklovPoincare(Operators operators, const DenseAlgebra& algebra);
 
+  /// The same with Z = V⁻¹ (K + 1/2) column by column:  S = W + (K + 1/2)ᵀ Z.
+  SteklovPoincare(Operators operators, const DenseAlgebra& algebra,
+                  const SingleLayerSolver& solver);
+
   /// S, the lower triangle, my rows.
   const Matrix& stiffness() const { return stiffness_; }
-  /// Y, my rows of the densities.
-  const Matrix& half() const { return half_; }
   /// The kernels of the projected tractions that the assembly was asked for.
   const TractionKernels& tractions() const { return tractions_; }
-  const CholeskyFactor& singleLayer() const { return *factor_; }
   const DenseAlgebra& algebra() const { return *algebra_; }
 
   Vector apply(const Vector& u) const;
@@ -32,13 +34,16 @@ class SteklovPoincare {
   /// ψ = V⁻¹ (K + 1/2) u: the traction that belongs to u, as a density.          [P (15)]
   Vector density(const Vector& u) const;
 
+  /// (K + 1/2)ᵀ V⁻¹ B, my rows of the displacements; B by my rows of the densities.
+  Matrix adjointDensity(Matrix b) const;
+
  private:
   const DenseAlgebra* algebra_;
-  std::unique_ptr<CholeskyFactor> factor_;
-  Matrix half_;
-  Matrix stiffness_;
-  TractionKernels tractions_;
   Index densities_ = 0;
+  TractionKernels tractions_;
+  std::unique_ptr<CholeskyFactor> factor_;  ///< null: with a solver
+  Matrix half_;                             ///< Y, or Z; my rows of the densities
+  Matrix stiffness_;
 };
 
 }  // namespace epafi::bem

@@ -281,8 +281,7 @@ class ElementRows {
 /// S φ = W φ + (K' + 1/2) V⁻¹ (K + 1/2) φ, transposed: Wᵀ + Yᵀ L⁻¹ (K' + 1/2)ᵀ.
 Matrix applyDensity(const SteklovPoincare& stiffness, const Matrix& hypersingular,
                     Matrix adjoint) {
-  const Matrix transformed = stiffness.singleLayer().forward(std::move(adjoint));
-  Matrix rows = stiffness.algebra().transposeTimes(stiffness.half(), transformed);
+  Matrix rows = stiffness.adjointDensity(std::move(adjoint));
   for (Index j = 0; j < rows.columns(); ++j)
     for (Index i = 0; i < rows.rows(); ++i)
       rows(i, j) += hypersingular(i, j);

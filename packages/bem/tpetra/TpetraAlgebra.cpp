@@ -247,6 +247,17 @@ Matrix TpetraAlgebra::byColumns(const Matrix& rows, Index n) const {
   return result;
 }
 
+Matrix TpetraAlgebra::bothTriangles(const Matrix& lower) const {
+  const Index n = lower.columns();
+  const Rows mine = myRows(n);
+  Matrix rows = lower.copy();
+  const Matrix mirrored = processes_ == 1 ? lower.copy() : byColumns(lower, n);
+  for (Index j = mine.begin + 1; j < n; ++j)
+    for (Index i = 0; i < std::min(mine.size(), j - mine.begin); ++i)
+      rows(i, j) = mirrored(j, i);
+  return rows;
+}
+
 Vector TpetraAlgebra::multiply(const Matrix& a, Index n, const Vector& x) const {
   Vector mine = alone_.multiply(a, a.rows(), x);
   if (processes_ == 1)

@@ -42,6 +42,9 @@ class TpetraAlgebra final : public DenseAlgebra {
   int rank() const override { return rank_; }
   int processes() const override { return processes_; }
 
+  /// My rows of a symmetric matrix, both triangles.
+  Matrix bothTriangles(const Matrix& lower) const;
+
   const Consent& consent() const { return *consent_; }
 
   /// The distribution of n rows, and n replicated entries.
