@@ -25,23 +25,6 @@ namespace {
 using bem::InputError;
 using bem::message;
 
-std::string readText(const std::string& file) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  if (!fs::exists(file, ignored))
-    throw InputError("there is no such file");
-  if (fs::is_directory(file, ignored))
-    throw InputError("is a folder, not a scene");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    throw InputError(message("cannot be read: ", std::strerror(errno)));
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (text.str().find_first_not_of(" \t\r\n") == std::string::npos)
-    throw InputError("the file is empty");
-  return text.str();
-}
-
 /// What Teuchos complains about, without where in its sources it did.
 std::string complaint(const std::exception& error) {
   std::istringstream lines(error.what());
@@ -189,6 +172,23 @@ void write(const Teuchos::ParameterList& list, const std::string& name,
 }
 
 }  // namespace
+
+std::string readText(const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (!fs::exists(file, ignored))
+    throw InputError("there is no such file");
+  if (fs::is_directory(file, ignored))
+    throw InputError("is a folder, not a file");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw InputError(message("cannot be read: ", std::strerror(errno)));
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (text.str().find_first_not_of(" \t\r\n") == std::string::npos)
+    throw InputError("the file is empty");
+  return text.str();
+}
 
 RawScene readRawScene(const std::string& file) {
   const std::string text = readText(file);

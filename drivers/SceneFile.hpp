@@ -14,6 +14,11 @@ struct RawScene {
   Teuchos::ParameterList list;
 };
 
+/// A whole file.
+/// \throws bem::InputError for a file that is missing, a folder, empty or not readable;
+///   without the file's name.
+std::string readText(const std::string& file);
+
 /// Reads XML, or YAML if the name ends in .yaml or .yml.  The title is the root list's
 /// name, or the file's name without extension if it has none. \throws bem::InputError for
 /// a file that is missing, a folder, empty, not readable or

@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Parameters.hpp"
 #include "drivers/ConditionsReader.hpp"
+#include "drivers/GeometryFile.hpp"
 #include "drivers/SceneFile.hpp"
 #include "drivers/Schema.hpp"
 #include "drivers/Versions.hpp"
@@ -256,13 +257,14 @@ Scene build(const std::string& file, const RawScene& raw) {
   scene.title = raw.title;
   scene.file = file;
   scene.used = Teuchos::rcp(new ParameterList(complete(raw.list, raw.title)));
-  const ParameterList& used = *scene.used;
+  ParameterList& used = *scene.used;
 
   scene.body = used.sublist("Bodies").begin()->first;
   const std::string path = "Bodies->" + scene.body;
-  const ParameterList& body = used.sublist("Bodies").sublist(scene.body);
+  ParameterList& body = used.sublist("Bodies").sublist(scene.body);
   scene.material = readMaterial(body.sublist("Material"));
 
+  expandGeometryFile(body.sublist("Geometry"), file, path + "->Geometry");
   const ParameterList& geometry = body.sublist("Geometry");
   const int holes = countHoles(geometry, path + "->Geometry");
   const bem::Loop outer = readLoop(geometry, "", path + "->Geometry");

@@ -53,16 +53,17 @@ void addBody(Table& table) {
           Row(geometry, Kind::List, "the outline: a polygon, with holes").required(),
           Row(geometry + "->Vertices", Kind::Points,
               "corners of the outer polygon, counter-clockwise; it closes by itself")
-              .unit("length")
-              .required(),
+              .unit("length"),
           Row(geometry + "->Edges", Kind::Names,
-              "the boundary's name for each edge; edge i leads from vertex i to i+1")
-              .required(),
+              "the boundary's name for each edge; edge i leads from vertex i to i+1"),
           Row(geometry + "->Hole <k> Vertices", Kind::Points,
               "corners of hole k = 1, 2, ..., counter-clockwise too")
               .unit("length"),
           Row(geometry + "->Hole <k> Edges", Kind::Names,
               "the boundary's name for each edge of hole k"),
+          Row(geometry + "->File", Kind::Text,
+              "instead of vertices and edges: a Gmsh mesh (.msh, ASCII 2.2 or 4.1), "
+              "relative to the scene; its physical curves name the boundaries"),
       });
 }
 

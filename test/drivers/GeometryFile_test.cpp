@@ -1,0 +1,85 @@
+#include "drivers/SceneFile.hpp"
+#include "test/drivers/SceneText.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace {
+
+using namespace epafi;
+using test::complaintOf;
+using test::contains;
+using test::SceneText;
+
+const std::string meshes = EPAFI_MESHES;
+
+SceneText withFile(const std::string& name) {
+  SceneText scene;
+  scene.geometry = "<Parameter name=\"File\" type=\"string\" value=\"" + name + "\"/>";
+  scene.discretization = R"(<Parameter name="Mesh Size" type="double" value="0.25"/>)";
+  return scene;
+}
+
+/// A plate [0,2]x[0,1] with a hole [0.8,1.2]x[0.4,0.6], as Gmsh writes it.
+TEUCHOS_UNIT_TEST(GeometryFile, bothFormatsGiveTheSameOutline) {
+  for (const char* name : {"/plate_2.2.msh", "/plate_4.1.msh"}) {
+    const drivers::Scene scene = test::read(withFile(meshes + name));
+    TEST_EQUALITY(scene.outline->loops(), 2);
+    TEST_EQUALITY(scene.outline->edges().size(), 8u);
+    const std::string expected[] = {"base", "right", "top", "left"};
+    for (int e = 0; e < 4; ++e)
+      TEST_EQUALITY(scene.outline->edge(e).boundary,
+                    expected[static_cast<std::size_t>(e)]);
+    TEST_ASSERT(scene.outline->contains({0.5, 0.5}));
+    TEST_ASSERT(!scene.outline->contains({1, 0.5}));
+    TEST_EQUALITY(scene.elementsPerEdge[0], 8);
+    TEST_EQUALITY(scene.elementsPerEdge[1], 4);
+    TEST_EQUALITY(scene.conditions.contact.count("base"), 1u);
+  }
+}
+
+TEUCHOS_UNIT_TEST(GeometryFile, theUsedSceneNeedsNoMeshAndHasTheSameOutline) {
+  const drivers::Scene scene = test::read(withFile(meshes + "/plate_4.1.msh"));
+  const std::string used = usedXml(scene);
+  TEST_ASSERT(!contains(used, ".msh"));
+  const test::TemporaryFile file("used.xml", used);
+  const drivers::Scene again = drivers::readScene(file.path());
+  TEST_EQUALITY(again.elementsPerEdge == scene.elementsPerEdge, true);
+  for (std::size_t e = 0; e < scene.outline->edges().size(); ++e) {
+    const bem::Edge& a = scene.outline->edges()[e];
+    const bem::Edge& b = again.outline->edges()[e];
+    TEST_EQUALITY(a.boundary, b.boundary);
+    TEST_EQUALITY(a.from.x, b.from.x);
+    TEST_EQUALITY(a.from.y, b.from.y);
+  }
+}
+
+TEUCHOS_UNIT_TEST(GeometryFile, namesAreRelativeToTheScene) {
+  const test::TemporaryFile mesh("plate.msh",
+                                 drivers::readText(meshes + "/plate_2.2.msh"));
+  const auto scene = std::filesystem::path(mesh.path()).parent_path() / "relative.xml";
+  std::ofstream(scene) << withFile("plate.msh").xml();
+  TEST_EQUALITY(drivers::readScene(scene.string()).outline->loops(), 2);
+}
+
+TEUCHOS_UNIT_TEST(GeometryFile, complaintsNameTheKeyAndTheFile) {
+  const auto complains = [&](const SceneText& scene, const std::string& part) {
+    const std::string complaint = complaintOf(scene.xml());
+    out << complaint << "\n";
+    TEST_ASSERT(contains(complaint, "Bodies->block->Geometry->"));
+    TEST_ASSERT(contains(complaint, part));
+  };
+  complains(withFile("nowhere.msh"), "File = 'nowhere.msh' (");
+  complains(withFile("nowhere.msh"), "there is no such file");
+  complains(withFile(""), "is a folder");
+  SceneText both = withFile("plate.msh");
+  both.geometry += R"(<Parameter name="Edges" type='Array(string)' value="{base}"/>)";
+  complains(both, "Edges: give this or File, not both");
+  SceneText neither;
+  neither.geometry = "";
+  complains(neither, "Vertices: missing; give Vertices and Edges, or File");
+}
+
+}  // namespace
