@@ -1,6 +1,6 @@
 #include "Elastic.hpp"
 
-#include "bem/tpetra/SteklovPoincareOperator.hpp"
+#include "bem/tpetra/SymmetricOperator.hpp"
 #include "contact/problem/Loads.hpp"
 
 #include <BelosLinearProblem.hpp>
