@@ -52,13 +52,16 @@ std::string capReached(int level, const Size& size, long cap) {
 
 }  // namespace
 
-Outcome solveLevels(const Scene& scene, const bem::DenseAlgebra& algebra,
-                    PhaseTimer& timer,
+Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                     const std::function<void(const SolvedLevel&)>& handOut) {
   const adaptivity::Strategy& strategy = adaptivity::strategy(scene.adaptivity.strategy);
   const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
   const bem::Units units{scene.outline->diameter(), scene.material.youngsModulus};
   const bem::Lame lame(scene.material);
+  const bem::DenseAlgebra& algebra = ranks.algebra();
+  const auto belos = scene.linear.method == Scene::Linear::Method::Belos
+                         ? ranks.belosSolver(scene.linear.belos)
+                         : nullptr;
 
   bem::Mesh mesh = bem::makeMesh(scene.outline, scene.elementsPerEdge, scene.degree);
   contact::State start;  // empty: from zero
@@ -78,15 +81,16 @@ Outcome solveLevels(const Scene& scene, const bem::DenseAlgebra& algebra,
           contact::tractionElements(multiplier, scene.stabilization));
     });
     const auto stiffness = timer.run(Phase::Factorization, [&] {
+      if (belos != nullptr)
+        return bem::SteklovPoincare(std::move(operators), algebra, *belos);
       return bem::SteklovPoincare(std::move(operators), algebra);
     });
     const auto problem = timer.run(Phase::Stabilization, [&] {
       return contact::ContactProblem(
           {space, stiffness, lame, units, scene.conditions, basis, scene.stabilization});
     });
-    const auto solution = timer.run(Phase::Newton, [&] {
-      return solveOnce(problem, start, scene.solver, algebra);
-    });
+    const auto solution = timer.run(
+        Phase::Newton, [&] { return solveOnce(problem, start, scene.solver, algebra); });
     const bem::Vector displacement = problem.displacement(solution.state);
     const bem::Vector density = stiffness.density(displacement);
     const contact::Solved solved{space, stiffness,      problem,     scene.conditions,
@@ -114,7 +118,9 @@ Outcome solveLevels(const Scene& scene, const bem::DenseAlgebra& algebra,
         mesh, indicators.elements(),
         adaptivity::looksAnalytic(space, scene.conditions, displacement, density,
                                   scene.adaptivity.analyticityThreshold),
-        scene.adaptivity.markingFraction};
+        scene.adaptivity.markingFraction,
+        adaptivity::findSingularPoints(mesh, scene.conditions, problem.multiplier(),
+                                       problem.numbers(), solution.state)};
     const adaptivity::Marks marks = adaptivity::decide(strategy, data, algebra);
     if (!adaptivity::anyMarked(marks))
       return {contact::Status::Converged, "there is nothing to refine"};

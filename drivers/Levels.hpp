@@ -9,6 +9,8 @@
 
 namespace epafi::drivers {
 
+class Ranks;
+
 /// A level as it is handed out: valid during the call only.
 struct SolvedLevel {
   const contact::Solved& solved;
@@ -28,8 +30,7 @@ struct Outcome {
 /// that is not is the last.  Collective; all ranks hand out the same.
 /// \throws bem::InputError, bem::NumericalError, Interrupted; levels handed out stay
 /// good.
-Outcome solveLevels(const Scene& scene, const bem::DenseAlgebra& algebra,
-                    PhaseTimer& timer,
+Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                     const std::function<void(const SolvedLevel&)>& handOut);
 
 }  // namespace epafi::drivers

@@ -1,7 +1,7 @@
 #include "drivers/Ranks.hpp"
 
-#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/base/Error.hpp"
+#include "bem/tpetra/BelosSolver.hpp"
 #include "bem/tpetra/TpetraAlgebra.hpp"
 #include "drivers/Interrupt.hpp"
 
@@ -28,24 +28,36 @@ bool startedByLauncher() {
 
 }  // namespace
 
-Ranks::Ranks() {
-  if (!startedByLauncher()) {
-    algebra_ = std::make_unique<const bem::LapackAlgebra>();
-    return;
-  }
-  // not main's arguments: Kokkos would take --threads and --help for its own
-  std::string name = "epafi";
-  char* names[] = {name.data(), nullptr};
-  char** argv = names;
-  int argc = 1;
-  scope_ = std::make_unique<Tpetra::ScopeGuard>(&argc, &argv);
-  auto algebra =
-      std::make_unique<const bem::TpetraAlgebra>(Tpetra::getDefaultComm(), tell);
-  consent_ = &algebra->consent();
-  algebra_ = std::move(algebra);
+Ranks::Ranks() : underMpirun_(startedByLauncher()) {
+  if (underMpirun_)
+    tpetra();
 }
 
 Ranks::~Ranks() = default;
+
+const bem::TpetraAlgebra& Ranks::tpetra() const {
+  if (tpetra_ == nullptr) {
+    // not main's arguments: Kokkos would take --threads and --help for its own
+    std::string name = "epafi";
+    char* names[] = {name.data(), nullptr};
+    char** argv = names;
+    int argc = 1;
+    scope_ = std::make_unique<Tpetra::ScopeGuard>(&argc, &argv);
+    tpetra_ = std::make_unique<const bem::TpetraAlgebra>(Tpetra::getDefaultComm(), tell);
+  }
+  return *tpetra_;
+}
+
+const bem::DenseAlgebra& Ranks::algebra() const {
+  if (underMpirun_)
+    return *tpetra_;
+  return alone_;
+}
+
+std::unique_ptr<const bem::SingleLayerSolver> Ranks::belosSolver(
+    const bem::BelosOptions& options) const {
+  return std::make_unique<const bem::BelosSolver>(tpetra(), options);
+}
 
 bem::Failure Ranks::currentFailure() {
   try {
@@ -67,12 +79,12 @@ bem::Failure Ranks::currentFailure() {
 }
 
 void Ranks::confirm() const {
-  if (consent_ != nullptr)
-    consent_->confirm();
+  if (underMpirun_)
+    tpetra_->consent().confirm();
 }
 
 bem::Failure Ranks::agree(const bem::Failure& mine) const {
-  return consent_ == nullptr ? mine : consent_->report(mine);
+  return underMpirun_ ? tpetra_->consent().report(mine) : mine;
 }
 
 void tell(const bem::Failure& failure) {

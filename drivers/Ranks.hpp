@@ -1,6 +1,8 @@
 #pragma once
 
-#include "bem/base/DenseAlgebra.hpp"
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/assembly/SingleLayerSolver.hpp"
+#include "bem/tpetra/BelosOptions.hpp"
 #include "bem/tpetra/Consent.hpp"
 
 #include <memory>
@@ -8,6 +10,10 @@
 
 namespace Tpetra {
 class ScopeGuard;
+}
+
+namespace epafi::bem {
+class TpetraAlgebra;
 }
 
 namespace epafi::drivers {
@@ -22,11 +28,15 @@ class Ranks {
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
 
-  const bem::DenseAlgebra& algebra() const { return *algebra_; }
+  const bem::DenseAlgebra& algebra() const;
+
+  /// Starts MPI, if that is still to be done: Belos does not work without.
+  std::unique_ptr<const bem::SingleLayerSolver> belosSolver(
+      const bem::BelosOptions& options) const;
 
   /// One rank writes files and speaks.
-  bool isFirst() const { return algebra_->rank() == 0; }
-  bool underMpirun() const { return scope_ != nullptr; }
+  bool isFirst() const { return algebra().rank() == 0; }
+  bool underMpirun() const { return underMpirun_; }
 
   /// Does work() and returns nothing, or what kept one of the ranks from doing it: the
   /// same on all of them.
@@ -48,9 +58,13 @@ class Ranks {
   void confirm() const;
   bem::Failure agree(const bem::Failure& mine) const;
 
-  std::unique_ptr<Tpetra::ScopeGuard> scope_;  // ends MPI last
-  std::unique_ptr<const bem::DenseAlgebra> algebra_;
-  const bem::Consent* consent_ = nullptr;
+  const bem::TpetraAlgebra& tpetra() const;
+
+  bool underMpirun_;
+  bem::LapackAlgebra alone_;
+  // made when they are needed; scope_ ends MPI, last of all
+  mutable std::unique_ptr<Tpetra::ScopeGuard> scope_;
+  mutable std::unique_ptr<const bem::TpetraAlgebra> tpetra_;
 };
 
 /// Prints the one message of a run that fails.

@@ -80,7 +80,7 @@ int runCommand(const std::vector<std::string>& arguments, std::ostream& out,
   std::vector<LevelRow> rows;
   Outcome outcome;
   try {
-    outcome = solveLevels(scene, ranks.algebra(), timer, [&](const SolvedLevel& level) {
+    outcome = solveLevels(scene, ranks, timer, [&](const SolvedLevel& level) {
       if (!folder)
         return;
       rows.push_back(level.row);

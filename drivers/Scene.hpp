@@ -3,6 +3,7 @@
 #include "adaptivity/estimate/ResidualEstimator.hpp"
 #include "bem/base/Material.hpp"
 #include "bem/geometry/Outline.hpp"
+#include "bem/tpetra/BelosOptions.hpp"
 #include "contact/problem/Conditions.hpp"
 #include "contact/problem/Stabilization.hpp"
 #include "contact/solve/CoulombIteration.hpp"
@@ -32,6 +33,13 @@ struct Scene {
   std::string multiplier;
   contact::Stabilization stabilization;
   contact::SolverOptions solver;
+
+  /// How V is inverted.
+  struct Linear {
+    enum class Method { Dense, Belos };
+    Method method = Method::Dense;
+    bem::BelosOptions belos;
+  } linear;
 
   struct Adaptivity {
     std::string strategy = "None";

@@ -1,10 +1,9 @@
-#include "drivers/SceneReader.hpp"
-
 #include "bem/base/Error.hpp"
 #include "bem/base/Parameters.hpp"
 #include "drivers/ConditionsReader.hpp"
 #include "drivers/GeometryFile.hpp"
 #include "drivers/SceneFile.hpp"
+#include "drivers/SceneReader.hpp"
 #include "drivers/Schema.hpp"
 #include "drivers/Versions.hpp"
 
@@ -223,6 +222,17 @@ contact::SolverOptions readSolver(const ParameterList& list) {
   return solver;
 }
 
+Scene::Linear readLinear(const ParameterList& list) {
+  using Method = Scene::Linear::Method;
+  Scene::Linear linear;
+  linear.method = pick<Method>(list.get<std::string>("Method"),
+                               {{"Dense", Method::Dense}, {"Belos", Method::Belos}});
+  linear.belos.tolerance = list.get<double>("Tolerance");
+  linear.belos.maximumIterations = list.get<int>("Maximum Iterations");
+  linear.belos.blockSize = list.get<int>("Block Size");
+  return linear;
+}
+
 Scene::Adaptivity readAdaptivity(const ParameterList& list) {
   Scene::Adaptivity adaptivity;
   adaptivity.strategy = list.get<std::string>("Strategy");
@@ -281,6 +291,7 @@ Scene build(const std::string& file, const RawScene& raw) {
   scene.multiplier = discretization.get<std::string>("Multiplier");
   scene.stabilization = readStabilization(discretization.sublist("Stabilization"));
   scene.solver = readSolver(used.sublist("Solver"));
+  scene.linear = readLinear(used.sublist("Solver").sublist("Linear"));
   scene.adaptivity = readAdaptivity(used.sublist("Adaptivity"));
   scene.output = readOutput(used.sublist("Output"), *scene.outline);
   return scene;

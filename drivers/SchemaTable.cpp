@@ -218,9 +218,25 @@ void addSolver(Table& table) {
               .range(from(1)),
           Row("Solver->NOX", Kind::Free, "handed to NOX; empty means Epafi's own choice"),
           Row("Solver->Linear", Kind::List, "how linear systems are solved"),
-          Row("Solver->Linear->Method", Kind::Text, "factorisation of the dense matrices")
+          Row("Solver->Linear->Method", Kind::Text,
+              "how the single layer potential is inverted; Dense: Cholesky's factors; "
+              "Belos: conjugate gradients, for each column")
               .standard("Dense")
-              .allowed({"Dense"}),
+              .allowed({"Dense", "Belos"}),
+          Row("Solver->Linear->Tolerance", Kind::Real,
+              "Belos: residual relative to the right hand side")
+              .unit("1")
+              .standard("1e-13")
+              .range({0, 1, true, true}),
+          Row("Solver->Linear->Maximum Iterations", Kind::Whole,
+              "Belos: steps for one column; beyond, the run ends with code 2")
+              .unit("1")
+              .standard("1000")
+              .range(from(1)),
+          Row("Solver->Linear->Block Size", Kind::Whole, "Belos: columns at once")
+              .unit("1")
+              .standard("64")
+              .range(from(1)),
       });
 }
 

@@ -53,7 +53,6 @@ class VariantClock {
   double excluded_ = 0;
 };
 
-
 /// Of the stabilised stiffness relative to the plain one, see contact::limitGamma0.
 double smallestEigenvalue(const Scene& scene, const contact::Solved& solved) {
   const bem::Lame lame(scene.material);
@@ -122,12 +121,11 @@ class StudyRun {
     PhaseTimer timer = makeTimer();
     std::optional<Reference> reference;
     try {
-      solveLevels(*scene.reference, ranks_.algebra(), timer,
-                  [&](const SolvedLevel& level) {
-                    if (level.row.report.status == contact::Status::Converged)
-                      reference.emplace(Reference{takeSnapshot(level), level.row.estimate,
-                                                  historyCells(level.row)});
-                  });
+      solveLevels(*scene.reference, ranks_, timer, [&](const SolvedLevel& level) {
+        if (level.row.report.status == contact::Status::Converged)
+          reference.emplace(Reference{takeSnapshot(level), level.row.estimate,
+                                      historyCells(level.row)});
+      });
     } catch (const bem::NumericalError& error) {
       out_ << scene.name << ": the reference failed: " << error.what() << "\n";
     }
@@ -147,7 +145,7 @@ class StudyRun {
     VariantClock clock;
     std::vector<LevelRow> rows;
     try {
-      solveLevels(variant.scene, ranks_.algebra(), timer, [&](const SolvedLevel& level) {
+      solveLevels(variant.scene, ranks_, timer, [&](const SolvedLevel& level) {
         LevelRow row = level.row;
         row.secondsTotal = clock.seconds();
         clock.exclude([&] {

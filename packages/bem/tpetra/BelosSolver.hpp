@@ -1,15 +1,10 @@
 #pragma once
 
 #include "bem/assembly/SingleLayerSolver.hpp"
+#include "bem/tpetra/BelosOptions.hpp"
 #include "bem/tpetra/TpetraAlgebra.hpp"
 
 namespace epafi::bem {
-
-struct BelosOptions {
-  double tolerance = 1e-13;      ///< residual relative to the right hand side, > 0
-  int maximumIterations = 1000;  ///< > 0
-  int blockSize = 64;            ///< right hand sides at once, > 0
-};
 
 /// V⁻¹ by Belos' conjugate gradients on the distributed rows, preconditioned by the
 /// inverse of every process's own diagonal block.  On one process that block is V, and
