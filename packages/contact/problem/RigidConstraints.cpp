@@ -4,6 +4,7 @@
 #include "bem/base/Error.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace epafi::contact {
 
@@ -164,6 +165,34 @@ Matrix dualTo(const Matrix& motions, Matrix functionals, Index fixed) {
   return functionals;
 }
 
+/// The columns from `first` on in reduced echelon form: one basis of their span, whatever
+/// signs and rotations the singular vectors came with.  The amplitudes of free motions
+/// then mean the same on every mesh, and can be carried from one to the next.
+Matrix reduced(Matrix columns, Index first) {
+  const Index rows = columns.rows();
+  Index pivot = first;
+  for (Index row = 0; row < rows && pivot < columns.columns(); ++row) {
+    Index best = pivot;
+    for (Index k = pivot; k < columns.columns(); ++k)
+      if (std::abs(columns(row, k)) > std::abs(columns(row, best)))
+        best = k;
+    if (std::abs(columns(row, best)) < 1e-9)
+      continue;
+    for (Index i = 0; i < rows; ++i)
+      std::swap(columns(i, pivot), columns(i, best));
+    const double scale = 1 / columns(row, pivot);
+    for (Index i = 0; i < rows; ++i)
+      columns(i, pivot) *= scale;
+    for (Index k = first; k < columns.columns(); ++k) {
+      const double factor = k == pivot ? 0 : columns(row, k);
+      for (Index i = 0; i < rows; ++i)
+        columns(i, k) -= factor * columns(i, pivot);
+    }
+    ++pivot;
+  }
+  return columns;
+}
+
 }  // namespace
 
 RigidConstraints makeRigidConstraints(const RigidModes& modes, const Loads& loads,
@@ -206,7 +235,7 @@ RigidConstraints makeRigidConstraints(const RigidModes& modes, const Loads& load
   for (Index k = fixed; k < allowed; ++k)
     for (Index a = 0; a < allowed; ++a)
       combinations(a, k) = held.vt(k, a);
-  const Matrix inModes = multiply(allowedCombinations, combinations);
+  const Matrix inModes = reduced(multiply(allowedCombinations, combinations), fixed);
   constraints.allowed = withoutClamped(multiply(modes.motions, inModes), loads);
 
   // functionals of the free motions: ∫ u · r ds, made dual to all allowed motions
