@@ -1,9 +1,10 @@
+#include "drivers/SceneReader.hpp"
+
 #include "bem/base/Error.hpp"
 #include "bem/base/Parameters.hpp"
 #include "drivers/ConditionsReader.hpp"
 #include "drivers/GeometryFile.hpp"
 #include "drivers/SceneFile.hpp"
-#include "drivers/SceneReader.hpp"
 #include "drivers/Schema.hpp"
 #include "drivers/Versions.hpp"
 
