@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Parameters.hpp"
+#include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/ConditionsReader.hpp"
 #include "drivers/GeometryFile.hpp"
 #include "drivers/SceneFile.hpp"
@@ -291,6 +292,8 @@ Scene build(const std::string& file, const RawScene& raw) {
   scene.degree = discretization.get<int>("Degree");
   scene.multiplier = discretization.get<std::string>("Multiplier");
   scene.stabilization = readStabilization(discretization.sublist("Stabilization"));
+  if (contact::multiplierBasis(scene.multiplier).sharesNodes)
+    scene.stabilization.form = contact::Stabilization::Form::None;
   scene.solver = readSolver(used.sublist("Solver"));
   scene.linear = readLinear(used.sublist("Solver").sublist("Linear"));
   scene.adaptivity = readAdaptivity(used.sublist("Adaptivity"));

@@ -97,10 +97,12 @@ TEUCHOS_UNIT_TEST(Refine, theBoundaryKeepsItsLengthAndItsNames) {
     TEST_FLOATING_EQUALITY(length(next, boundary), length(mesh, boundary), 1e-14);
 }
 
-TEUCHOS_UNIT_TEST(Refine, theMultiplierStaysTheSameFunctionInEveryBasis) {
+TEUCHOS_UNIT_TEST(Refine, theMultiplierStaysTheSameFunctionInEveryDiscontinuousBasis) {
   const contact::Conditions conditions = contactAtBottomAndTop();
   for (const contact::MultiplierBasis& basis : contact::multiplierBases())
     for (const int degree : {1, 2, 5, 9}) {
+      if (basis.sharesNodes)
+        continue;
       const bem::Mesh mesh = test::squareMesh(degree);
       const MultiplierSpace space(mesh, basis, conditions);
       const contact::State state = anyState(space);
@@ -122,6 +124,24 @@ TEUCHOS_UNIT_TEST(Refine, theMultiplierStaysTheSameFunctionInEveryBasis) {
           TEST_COMPARE(std::abs(value.tangential - old.tangential), <, 1e-11);
         }
     }
+}
+
+TEUCHOS_UNIT_TEST(Refine, constantsSurviveWhereNodesAreShared) {
+  const contact::Conditions conditions = contactAtBottomAndTop();
+  const contact::MultiplierBasis& basis = contact::multiplierBasis("Biorthogonal");
+  const bem::Mesh mesh = test::squareMesh(3);
+  const MultiplierSpace space(mesh, basis, conditions);
+  contact::State state;
+  state.multiplier.assign(static_cast<std::size_t>(space.size()), 0.7);
+  Marks marks(static_cast<std::size_t>(mesh.size()), Mark::None);
+  for (std::size_t e = 0; e < marks.size(); ++e)
+    marks[e] = static_cast<Mark>(e % 3);
+  const adaptivity::Refined next =
+      adaptivity::refine(mesh, marks, space, conditions, state);
+  TEST_EQUALITY(static_cast<bem::Index>(next.start.multiplier.size()),
+                MultiplierSpace(next.mesh, basis, conditions).size());
+  for (const double coefficient : next.start.multiplier)
+    TEST_FLOATING_EQUALITY(coefficient, 0.7, 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(Refine, anEmptyStateStaysEmpty) {

@@ -105,18 +105,30 @@ double rounding(const Indicators& indicators, const contact::Solved& solved) {
 // Complementarity and slip are integrals of products, not squares: what rounding leaves
 // of them shows as its root.
 TEUCHOS_UNIT_TEST(ResidualEstimator, vanishesOnLinearSolutionsWithFrictionAndRollers) {
+  using Form = contact::Stabilization::Form;
   for (int degree : {1, 3})
-    for (double coefficient : {0.3, 0.0}) {
-      const SolvedScene scene({squareMesh(2, degree), material,
-                               Sliding{coefficient}.conditions(), "Bernstein",
-                               contact::Stabilization{}});
-      Indicators indicators = estimate(scene);
-      out << "degree " << degree << ", coefficient " << coefficient << ": ";
-      TEST_COMPARE(rounding(indicators, scene.solved()), <, 1e-6);
-      for (Contributions& squares : indicators.squares)
-        of(squares, Source::Complementarity) = of(squares, Source::Slip) = 0;
-      TEST_COMPARE(rounding(indicators, scene.solved()), <, 1e-10);
-    }
+    for (double coefficient : {0.3, 0.0})
+      for (const char* multiplier : {"Bernstein", "Biorthogonal"}) {
+        contact::Stabilization stabilization;
+        if (contact::multiplierBasis(multiplier).sharesNodes)
+          stabilization.form = Form::None;
+        const SolvedScene scene({squareMesh(2, degree), material,
+                                 Sliding{coefficient}.conditions(), multiplier,
+                                 stabilization});
+        Indicators indicators = estimate(scene);
+        out << multiplier << ", degree " << degree << ", coefficient " << coefficient
+            << ": ";
+        TEST_COMPARE(rounding(indicators, scene.solved()), <, 1e-6);
+        for (Contributions& squares : indicators.squares)
+          of(squares, Source::Complementarity) = of(squares, Source::Slip) = 0;
+        TEST_COMPARE(rounding(indicators, scene.solved()), <, 1e-10);
+      }
+}
+
+TEUCHOS_UNIT_TEST(ContactProblem, refusesToStabiliseAMultiplierThatSharesNodes) {
+  TEST_THROW(SolvedScene({squareMesh(2, 1), material, Sliding().conditions(),
+                          "Biorthogonal", contact::Stabilization{}}),
+             bem::InputError);
 }
 
 // The claim above would be empty if the estimator saw nothing.

@@ -1,6 +1,7 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/quadrature/Gauss.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -94,6 +95,33 @@ TEUCHOS_UNIT_TEST(MultiplierBasis, bernsteinIsNonnegativeAndReproducesItsControl
       }
       TEST_COMPARE(std::abs(sum - t), <, 1e-14);
     }
+}
+
+/// Dual to Lagrange's functions of the displacement, with Gauss-Lobatto's weights, which
+/// are positive.
+TEUCHOS_UNIT_TEST(MultiplierBasis, biorthogonalIsDualToLagrangeAtLobattosPoints) {
+  const auto& dual = contact::multiplierBasis("Biorthogonal");
+  const auto& lobatto = contact::multiplierBasis("Gauss-Lobatto-Lagrange");
+  for (int q = 0; q <= highestDegree; ++q) {
+    const bem::Rule& rule = bem::gaussLegendre(q + 1);
+    const auto n = static_cast<std::size_t>(q + 1);
+    std::vector<bem::Vector> products(n, bem::Vector(n, 0.0));
+    bem::Vector integrals(n, 0.0);
+    for (std::size_t k = 0; k < rule.points.size(); ++k) {
+      const bem::Vector chi = dual.values(q, rule.points[k]);
+      const bem::Vector theta = lobatto.values(q, rule.points[k]);
+      for (std::size_t i = 0; i < n; ++i) {
+        integrals[i] += rule.weights[k] * theta[i];
+        for (std::size_t j = 0; j < n; ++j)
+          products[i][j] += rule.weights[k] * chi[i] * theta[j];
+      }
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+      TEST_COMPARE(integrals[i], >, 0);
+      for (std::size_t j = 0; j < n; ++j)
+        TEST_COMPARE(std::abs(products[i][j] - (i == j ? integrals[i] : 0.0)), <, 1e-13);
+    }
+  }
 }
 
 TEUCHOS_UNIT_TEST(MultiplierBasis, anUnknownNameIsAnErrorThatNamesTheKnown) {

@@ -18,7 +18,8 @@ def agree(file, count, key, values, tolerance):
                 os.path.basename(file), values[0], value, energy, error))
 
 
-bases = ["Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange", "Bernstein"]
+bases = ["Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange", "Bernstein",
+         "Biorthogonal"]
 for name in ("tresca.xml", "coulomb.xml"):
     agree(scene(name), 6, "Discretization->Multiplier", bases, 1e-4)
 agree(scene("tresca.xml"), 4, "Discretization->Stabilization->Form",

@@ -83,14 +83,41 @@ class Collocation {
   bem::Matrix matrix_;
 };
 
-void store(const Vector& coefficients, Index first, Vector& multiplier) {
-  std::copy(coefficients.begin(), coefficients.end(), multiplier.begin() + first);
-}
+/// Coefficients element by element; where two elements share one, it is their mean.
+class Collection {
+ public:
+  explicit Collection(Index size)
+      : sums_(static_cast<std::size_t>(size)), counts_(static_cast<std::size_t>(size)) {}
+
+  template <class Number>
+  void add(const Vector& coefficients, contact::EndCoefficients ends,
+           const Number& number) {
+    const int degree = static_cast<int>(coefficients.size()) - 1;
+    for (int i = 0; i <= degree; ++i) {
+      if (!MultiplierSpace::ContactElement::isOwn(ends, degree, i))
+        continue;
+      const auto k = static_cast<std::size_t>(number(i));
+      sums_[k] += coefficients[static_cast<std::size_t>(i)];
+      ++counts_[k];
+    }
+  }
+
+  Vector means() const {
+    Vector means = sums_;
+    for (std::size_t k = 0; k < means.size(); ++k)
+      means[k] /= counts_[k];
+    return means;
+  }
+
+ private:
+  Vector sums_;
+  std::vector<int> counts_;
+};
 
 /// The old multiplier as a function on the new elements, in the new coefficients.
 Vector carry(const MultiplierSpace& from, const Vector& old, const MultiplierSpace& to,
              const std::vector<Origin>& origins) {
-  Vector result(static_cast<std::size_t>(to.size()));
+  Collection result(to.size());
   for (const MultiplierSpace::ContactElement& element : to.elements()) {
     const Origin& origin = origins[static_cast<std::size_t>(element.element)];
     const auto source = std::find_if(
@@ -105,11 +132,13 @@ Vector carry(const MultiplierSpace& from, const Vector& old, const MultiplierSpa
       normal.push_back(value.normal);
       tangential.push_back(value.tangential);
     }
-    store(collocation.coefficients(normal), element.normal, result);
+    result.add(collocation.coefficients(normal), element.normalEnds,
+               [&](int i) { return element.normalOf(i); });
     if (element.tangential >= 0)
-      store(collocation.coefficients(tangential), element.tangential, result);
+      result.add(collocation.coefficients(tangential), element.tangentialEnds,
+                 [&](int i) { return element.tangentialOf(i); });
   }
-  return result;
+  return result.means();
 }
 
 }  // namespace

@@ -33,9 +33,9 @@ bem::Mesh refine(const bem::Mesh& mesh, const Marks& marks);
 /// The next mesh, and the state on the old one carried over to it.
 ///
 /// λ restricted to a new element is a polynomial of at most its degree: it is met
-/// exactly, whatever the basis.  Its coefficients need not be admissible any more
-/// (Newton's first step sees to that); the rigid motions stay.  An empty state stays
-/// empty.
+/// exactly in every basis but those that share nodes, where it is met nearly.  Its
+/// coefficients need not be admissible any more (Newton's first step sees to that); the
+/// rigid motions stay.  An empty state stays empty.
 Refined refine(const bem::Mesh& mesh, const Marks& marks,
                const contact::MultiplierSpace& multiplier,
                const contact::Conditions& conditions, const contact::State& state);

@@ -1,6 +1,7 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/basis/Legendre.hpp"
 #include "bem/quadrature/Gauss.hpp"
 
 #include <cmath>
@@ -75,6 +76,29 @@ Vector gaussValues(int degree, double t) { return lagrange(gaussPlaces(degree), 
 
 Vector lobattoValues(int degree, double t) { return lagrange(lobattoPlaces(degree), t); }
 
+// Dual to Lagrange's functions θ_j at the Gauss-Lobatto points x_i with weights w_i:
+//   ∫ χ_i θ_j dt = w_i δ_ij,   χ_i = w_i Σ_k (k + 1/2) P_k(x_i) P_k(t),  k = 0 ... q,
+// since the sum reproduces θ_j(x_i).  w_i = ∫ θ_i dt = 2 / (q (q+1) P_q(x_i)²).
+//                                                       [Banz & Stephan 2015;
+//                                                       DLMF 3.5(v)]
+Vector dualValues(int degree, double t) {
+  const Vector nodes = lobattoPlaces(degree);
+  Vector atNode(nodes.size());
+  Vector here(nodes.size());
+  bem::legendreValues(degree, t, here.data());
+  Vector values;
+  for (const double x : nodes) {
+    bem::legendreValues(degree, x, atNode.data());
+    const double last = atNode.back();
+    const double weight = degree == 0 ? 2 : 2 / (degree * (degree + 1.0) * last * last);
+    double sum = 0;
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      sum += (static_cast<double>(k) + 0.5) * atNode[k] * here[k];
+    values.push_back(weight * sum);
+  }
+  return values;
+}
+
 Vector controlPoints(int degree) {
   Vector points;
   for (int i = 0; i <= degree; ++i)
@@ -107,6 +131,11 @@ const std::vector<MultiplierBasis>& multiplierBases() {
       {"Bernstein",
        "Bernstein's polynomials: nonnegative coefficients mean a nonnegative pressure",
        controlPoints, bernsteinValues},
+      {"Biorthogonal",
+       "dual to the displacement at Gauss-Lobatto points, one coefficient for each of "
+       "its "
+       "free nodes; implies Form None",
+       lobattoPlaces, dualValues, true},
   };
   return bases;
 }

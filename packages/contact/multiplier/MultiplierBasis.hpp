@@ -10,8 +10,9 @@ namespace epafi::contact {
 /// A basis of the polynomials of degree q >= 0 on [-1, 1], for one element's multiplier.
 ///
 /// All sum to one.  The signs of the coefficients stand for the sign of the multiplier:
-/// of its values at the nodes (Lagrange) or everywhere (Bernstein's functions are
-/// nonnegative).                                                          [P (12), (14)]
+/// of its values at the nodes (Lagrange), everywhere (Bernstein's functions are
+/// nonnegative), or of its means weighted by the displacement's functions (dual basis).
+///                                                                        [P (12), (14)]
 struct MultiplierBasis {
   const char* name;
   const char* meaning;
@@ -19,6 +20,10 @@ struct MultiplierBasis {
   bem::Vector (*places)(int degree);
   /// The q+1 functions at t in [-1, 1].
   bem::Vector (*values)(int degree, double t);
+  /// Coefficients belong to the displacement's Gauss-Lobatto nodes: the two that
+  /// neighbours have at a common node are one.  Stable without stabilisation, and only
+  /// without.
+  bool sharesNodes = false;
 };
 
 /// All bases.  A new one is one line in MultiplierBasis.cpp.

@@ -1,6 +1,61 @@
 #include "contact/multiplier/MultiplierSpace.hpp"
 
+#include "bem/base/Error.hpp"
+
+#include <algorithm>
+#include <map>
+
 namespace epafi::contact {
+
+namespace {
+
+using bem::Vec2;
+using ContactElement = MultiplierSpace::ContactElement;
+
+/// Directions in which the displacement of a node is spoken for, orthonormal.
+class NodeDirections {
+ public:
+  NodeDirections(const bem::Mesh& mesh, const Conditions& conditions) {
+    for (int e = 0; e < mesh.size(); ++e) {
+      const auto clamp = conditions.dirichlet.find(mesh.boundary(e));
+      if (clamp == conditions.dirichlet.end())
+        continue;
+      for (const int node : {mesh[e].startNode, mesh[e].endNode}) {
+        if (clamp->second.x)
+          take(node, {1, 0});
+        if (clamp->second.y)
+          take(node, {0, 1});
+      }
+    }
+  }
+
+  /// True if the node could still move in this direction, which it now cannot.
+  bool take(int node, Vec2 direction) {
+    constexpr double parallel = 1e-2;
+    std::vector<Vec2>& taken = taken_[node];
+    for (const Vec2& other : taken)
+      direction = direction - dot(direction, other) * other;
+    const double rest = norm(direction);
+    if (rest < parallel)
+      return false;
+    taken.push_back((1 / rest) * direction);
+    return true;
+  }
+
+ private:
+  std::map<int, std::vector<Vec2>> taken_;
+};
+
+/// Do two contact elements follow each other on one straight side?
+bool continues(const bem::Mesh& mesh, const ContactElement& before,
+               const ContactElement& after) {
+  const bem::Element& a = mesh[before.element];
+  const bem::Element& b = mesh[after.element];
+  return b.previous == before.element && before.boundary == after.boundary &&
+         std::abs(cross(a.normal, b.normal)) < 1e-12 && dot(a.normal, b.normal) > 0;
+}
+
+}  // namespace
 
 MultiplierSpace::MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& basis,
                                  const Conditions& conditions)
@@ -14,18 +69,64 @@ MultiplierSpace::MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& b
     element.degree = mesh[e].degree;
     element.boundary = &condition->first;
     element.condition = &condition->second;
-    element.normal = normals_;
-    normals_ += element.degree + 1;
+    const FrictionLaw* law = element.condition->law;
+    if (law != nullptr && *law->parameter != '\0')
+      element.tangential = 0;
     elements_.push_back(element);
   }
-  size_ = normals_;
-  for (ContactElement& element : elements_) {
-    const FrictionLaw* law = element.condition->law;
-    if (law == nullptr || *law->parameter == '\0')
-      continue;
-    element.tangential = size_;
-    size_ += element.degree + 1;
-  }
+  joined_.assign(elements_.size(), false);
+  if (basis.sharesNodes)
+    shareNodes(mesh, conditions);
+  number();
+}
+
+void MultiplierSpace::shareNodes(const bem::Mesh& mesh, const Conditions& conditions) {
+  for (std::size_t k = 1; k < elements_.size(); ++k)
+    joined_[k] = continues(mesh, elements_[k - 1], elements_[k]);
+  NodeDirections nodes(mesh, conditions);
+  const auto decide = [&](std::size_t k, Vec2 direction) {
+    const bem::Element& element = mesh[elements_[k].element];
+    EndCoefficients ends;
+    if (!joined_[k])
+      ends.first = nodes.take(element.startNode, direction);
+    if (k + 1 == elements_.size() || !joined_[k + 1])
+      ends.last = nodes.take(element.endNode, direction);
+    if (elements_[k].degree == 1 && !ends.first && !ends.last)
+      throw bem::InputError(bem::message(
+          "boundary '", *elements_[k].boundary,
+          "': an element of degree 1 without a free "
+          "node cannot carry the multiplier '",
+          basis_->name, "'; use more elements, a higher degree or another multiplier"));
+    return ends;
+  };
+  for (std::size_t k = 0; k < elements_.size(); ++k)
+    elements_[k].normalEnds = decide(k, mesh[elements_[k].element].normal);
+  for (std::size_t k = 0; k < elements_.size(); ++k)
+    if (elements_[k].tangential >= 0)
+      elements_[k].tangentialEnds =
+          decide(k, turnLeft(mesh[elements_[k].element].normal));
+}
+
+void MultiplierSpace::number() {
+  const auto assign = [&](Index ContactElement::*first,
+                          EndCoefficients ContactElement::*ends) {
+    for (std::size_t k = 0; k < elements_.size(); ++k) {
+      ContactElement& element = elements_[k];
+      if (element.*first < 0)
+        continue;
+      element.*first = joined_[k] ? size_ - 1 : size_;
+      size_ = element.*first + element.offset(element.*ends, element.degree) + 1;
+    }
+  };
+  assign(&ContactElement::normal, &ContactElement::normalEnds);
+  normals_ = size_;
+  assign(&ContactElement::tangential, &ContactElement::tangentialEnds);
+}
+
+Index MultiplierSpace::ContactElement::offset(EndCoefficients ends, int i) const {
+  const int skipped = ends.first ? 0 : 1;
+  const int last = degree - skipped - (ends.last ? 0 : 1);
+  return std::clamp(i - skipped, 0, last);
 }
 
 MultiplierSpace::Value MultiplierSpace::at(const Vector& multiplier,
@@ -33,13 +134,12 @@ MultiplierSpace::Value MultiplierSpace::at(const Vector& multiplier,
                                            double t) const {
   const Vector chi = basis_->values(element.degree, t);
   Value value;
-  for (std::size_t i = 0; i < chi.size(); ++i) {
-    const auto offset = static_cast<Index>(i);
-    value.normal +=
-        chi[i] * multiplier[static_cast<std::size_t>(element.normal + offset)];
+  for (int i = 0; i <= element.degree; ++i) {
+    const double weight = chi[static_cast<std::size_t>(i)];
+    value.normal += weight * multiplier[static_cast<std::size_t>(element.normalOf(i))];
     if (element.tangential >= 0)
       value.tangential +=
-          chi[i] * multiplier[static_cast<std::size_t>(element.tangential + offset)];
+          weight * multiplier[static_cast<std::size_t>(element.tangentialOf(i))];
   }
   return value;
 }

@@ -12,10 +12,23 @@ namespace epafi::contact {
 using bem::Index;
 using bem::Vector;
 
+/// Which of an element's first and last coefficients are unknowns of their own.
+struct EndCoefficients {
+  bool first = true;
+  bool last = true;
+};
+
 /// The numbering of the multiplier: on each contact element of degree p, p+1 normal
 /// coefficients and, where there is friction, p+1 tangential ones.  No unknown exists
 /// that the scene does not need.                                              [P (12),
 /// (14), q = p]
+///
+/// Under a basis that shares nodes, neighbours on one straight side have their common
+/// node's coefficient in common.  At a side's end a coefficient exists only if the
+/// displacement can answer it there: clamps take one or both components, and where two
+/// contact sides meet at a corner their normals come first, friction gets what is left.
+/// A coefficient that does not exist takes its neighbour's value, so that constants stay
+/// in the space.
 class MultiplierSpace {
  public:
   struct ContactElement {
@@ -25,9 +38,25 @@ class MultiplierSpace {
     const Conditions::Contact* condition = nullptr;
     Index normal = 0;       ///< number of the first normal coefficient
     Index tangential = -1;  ///< number of the first tangential one; -1: frictionless
+    EndCoefficients normalEnds;
+    EndCoefficients tangentialEnds;
+
+    /// Numbers of the coefficients of the basis functions i = 0 ... degree.
+    Index normalOf(int i) const { return normal + offset(normalEnds, i); }
+    Index tangentialOf(int i) const { return tangential + offset(tangentialEnds, i); }
+
+    /// False where another coefficient stands in for this one.
+    static bool isOwn(EndCoefficients ends, int degree, int i) {
+      return (ends.first || i > 0) && (ends.last || i < degree);
+    }
+
+   private:
+    friend class MultiplierSpace;
+    Index offset(EndCoefficients ends, int i) const;
   };
 
   /// Contact elements in the order of the mesh.
+  /// \throws bem::InputError where a basis that shares nodes finds none for an element.
   MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& basis,
                   const Conditions& conditions);
 
@@ -44,8 +73,12 @@ class MultiplierSpace {
   Value at(const Vector& multiplier, const ContactElement& element, double t) const;
 
  private:
+  void shareNodes(const bem::Mesh& mesh, const Conditions& conditions);
+  void number();
+
   const MultiplierBasis* basis_;
   std::vector<ContactElement> elements_;
+  std::vector<bool> joined_;  ///< shares its first node with the element before
   Index normals_ = 0;
   Index size_ = 0;
 };

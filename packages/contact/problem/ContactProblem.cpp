@@ -211,6 +211,9 @@ double limitGamma0(const ContactProblem::Input& input) {
 }
 
 ContactProblem::ContactProblem(const Input& input) {
+  if (input.basis.sharesNodes && input.stabilization.form != Stabilization::Form::None)
+    throw bem::InputError(bem::message("the multiplier '", input.basis.name,
+                                       "' needs the stabilisation's form None"));
   const DenseAlgebra& algebra = input.stiffness.algebra();
   const Index n = input.space.displacements();
   const Rows mine = algebra.myRows(n);

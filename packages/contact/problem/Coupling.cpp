@@ -94,15 +94,17 @@ class CouplingWriter {
   void write(const ContactElement& contact, double gamma,
              const bem::TractionRows& tractions, Index firstTraction) const {
     const Element& element = space_.mesh()[contact.element];
-    writeDirection(contact, contact.normal, element.normal, gamma, tractions,
+    writeDirection(contact, &ContactElement::normalOf, element.normal, gamma, tractions,
                    firstTraction);
     if (contact.tangential >= 0)
-      writeDirection(contact, contact.tangential, turnLeft(element.normal), gamma,
-                     tractions, firstTraction);
+      writeDirection(contact, &ContactElement::tangentialOf, turnLeft(element.normal),
+                     gamma, tractions, firstTraction);
   }
 
  private:
-  void writeDirection(const ContactElement& contact, Index first, Vec2 direction,
+  using Numbering = Index (ContactElement::*)(int) const;
+
+  void writeDirection(const ContactElement& contact, Numbering number, Vec2 direction,
                       double gamma, const bem::TractionRows& tractions,
                       Index firstTraction) const {
     const Element& element = space_.mesh()[contact.element];
@@ -111,6 +113,7 @@ class CouplingWriter {
     const Matrix phi = displacementCoefficients(element);
     const double components[2] = {direction.x, direction.y};
     for (int i = 0; i <= p; ++i) {
+      const Index column = (contact.*number)(i);
       for (int k = 0; k <= p; ++k) {
         double product = 0;
         double mass = 0;
@@ -121,20 +124,20 @@ class CouplingWriter {
         for (int c = 0; c < 2; ++c) {
           const Index unknown = space_.displacement(contact.element, k, c);
           if (mine_.contain(unknown))
-            coupling_.couplingTransposed(unknown - mine_.begin, first + i) +=
+            coupling_.couplingTransposed(unknown - mine_.begin, column) +=
                 components[c] * product;
         }
-        coupling_.multiplierMass(first + i, first + k) += gamma * mass;
+        coupling_.multiplierMass(column, (contact.*number)(k)) += gamma * mass;
       }
       if (gamma == 0)
         continue;
-      double* column = coupling_.couplingTransposed.column(first + i);
+      double* entries = coupling_.couplingTransposed.column(column);
       for (int l = 0; l <= p; ++l)
         for (int c = 0; c < 2; ++c) {
           const double factor = gamma * chi(l, i) * components[c];
           const double* traction = tractions.rows.column(firstTraction + 2 * l + c);
           for (Index j = 0; j < mine_.size(); ++j)
-            column[j] -= factor * traction[j];
+            entries[j] -= factor * traction[j];
         }
     }
   }
@@ -195,26 +198,32 @@ Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
       obstacle.largestPenetration = std::max(obstacle.largestPenetration, -gap);
       const Vector chi = multiplier.basis().values(contact.degree, rule.points[q]);
       for (std::size_t i = 0; i < chi.size(); ++i)
-        obstacle.gap[static_cast<std::size_t>(contact.normal) + i] +=
+        obstacle.gap[static_cast<std::size_t>(contact.normalOf(static_cast<int>(i)))] +=
             rule.weights[q] * element.half * gap * chi[i];
     }
   }
+  obstacle.tangentials.resize(
+      static_cast<std::size_t>(multiplier.size() - multiplier.normals()));
   for (const ContactElement& contact : multiplier.elements()) {
     if (contact.tangential < 0)
       continue;
     const FrictionLaw& law = *contact.condition->law;
     const Vector places = multiplier.basis().places(contact.degree);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const Vec2 x = mesh.physicalPoint(contact.element, places[i]);
+    for (int i = 0; i <= contact.degree; ++i) {
+      if (!ContactElement::isOwn(contact.tangentialEnds, contact.degree, i))
+        continue;
+      const Vec2 x =
+          mesh.physicalPoint(contact.element, places[static_cast<std::size_t>(i)]);
       const double strength =
           contact.condition->strength ? contact.condition->strength(x) : 0.0;
       if (!(strength >= 0 && std::isfinite(strength)))
         throw bem::InputError(bem::message(
             "boundary '", *contact.boundary, "': ", law.parameter, " = ", strength,
             " at (", x.x, ", ", x.y, "); it must be finite and not negative"));
-      obstacle.tangentials.push_back(
-          {contact.normal + static_cast<Index>(i), &law,
-           law.strengthIsStress ? strength / units.stress : strength});
+      const Index k = contact.tangentialOf(i) - multiplier.normals();
+      obstacle.tangentials[static_cast<std::size_t>(k)] = {
+          contact.normalOf(i), &law,
+          law.strengthIsStress ? strength / units.stress : strength};
     }
   }
   return obstacle;
