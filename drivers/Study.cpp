@@ -123,19 +123,22 @@ std::optional<Scene> readReference(const std::string& scene, const ParameterList
   return reference;
 }
 
+/// A path that stands in a file, seen from here.
+std::string besides(const std::string& file, const std::string& path) {
+  return (std::filesystem::path(file).parent_path() / path).lexically_normal().string();
+}
+
 Study build(const std::string& file, const RawScene& raw) {
-  const ParameterList list = complete(studyParameters(), raw.list, raw.title);
+  ParameterList list = complete(studyParameters(), raw.list, raw.title);
   checkSceneNames(list);
   Study study;
   study.title = raw.title;
   study.smallestEigenvalue = list.get<bool>("Smallest Eigenvalue");
   for (const auto& item : list.sublist("Scenes")) {
     const std::string& name = item.first;
-    const ParameterList& given = list.sublist("Scenes").sublist(name);
-    const std::string sceneFile =
-        (std::filesystem::path(file).parent_path() / given.get<std::string>("File"))
-            .lexically_normal()
-            .string();
+    ParameterList& given = list.sublist("Scenes").sublist(name);
+    const auto sceneFile = besides(file, given.get<std::string>("File"));
+    given.set("File", std::filesystem::absolute(sceneFile).string());
     std::vector<std::string> common = settingsOf(list);
     append(common, settingsOf(given));
     StudiedScene scene{name, std::nullopt, {}};
@@ -153,6 +156,7 @@ Study build(const std::string& file, const RawScene& raw) {
     }
     study.scenes.push_back(std::move(scene));
   }
+  study.used = std::move(list);
   return study;
 }
 

@@ -29,6 +29,7 @@ struct Study {
   std::string title;
   bool smallestEigenvalue = false;  ///< of the stabilised stiffness, wanted as a column
   std::vector<StudiedScene> scenes;
+  Teuchos::ParameterList used;  ///< complete, scenes by absolute paths: repeats the study
 };
 
 /// All parameters of a study, as parameters() has those of a scene.

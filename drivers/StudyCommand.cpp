@@ -10,6 +10,7 @@
 #include "drivers/PlotCommand.hpp"
 #include "drivers/Ranks.hpp"
 #include "drivers/ReferenceFile.hpp"
+#include "drivers/SceneFile.hpp"
 #include "drivers/SceneReader.hpp"
 #include "drivers/StudyTable.hpp"
 
@@ -243,6 +244,7 @@ int studyCommand(const std::vector<std::string>& arguments, std::ostream& out,
       options.output.empty() ? defaultOutputFolder(options.scene) : options.output,
       options.force ? EarlierRun::Delete : EarlierRun::Refuse);
   catchSignals();
+  folder.write("used.xml", toXml(study.used, study.title));
 
   std::ostream silence(nullptr);
   std::ostream& text = options.quiet ? silence : out;

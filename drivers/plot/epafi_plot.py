@@ -2,8 +2,8 @@
 """Pictures of a finished run or study.
 
     epafi_plot.py DIR      convergence, time, contributions, mesh, contact, deformed of a run;
-                           convergence, time, exponential, effectivity, sweep of a study,
-                           and those of a run in each variant's folder
+                           convergence, time, contact_stress, exponential, effectivity, sweep of a
+                           study, and those of a run in each variant's folder
 
 Each picture is written as .png and .svg.  Reads history.csv, contact.csv, boundary.csv and
 study.csv; what a folder does not hold is left out.
@@ -452,13 +452,17 @@ def study_figure(scenes, columns):
     return figure, axes
 
 
-QUANTITIES = [("estimate", "estimate"), ("error", "true error in the energy norm, relative"),
-              ("error_multiplier", "true error of the contact stress, relative")]
+QUANTITIES = [("estimate", "estimate"), ("error", "true error in the energy norm, relative")]
+STRESS = [("error_multiplier", "true error of the contact stress, relative")]
 
 
-def plot_study_curves(study, scenes, abscissa, name, what, title, pictures):
-    shown = [(column, text) for column, text in QUANTITIES
-             if (study.numbers(column)[study["variant"].astype(str) != "reference"] > 0).any()]
+def plot_study_curves(study, scenes, abscissa, name, quantities, title, pictures):
+    what = "degrees of freedom" if abscissa == "dof" else "CPU seconds, all threads"
+    own = study["variant"].astype(str) != "reference"
+    shown = [(column, text) for column, text in quantities
+             if (study.numbers(column)[own] > 0).any()]
+    if not shown:
+        return
     figure, axes = study_figure(scenes, shown)
     for row, (scene, variants) in zip(axes, scenes.items()):
         for k, (variant, curve) in enumerate(variants.items()):
@@ -470,6 +474,7 @@ def plot_study_curves(study, scenes, abscissa, name, what, title, pictures):
                        marker=MARKERS[k % len(MARKERS)], color="C%d" % (k % 10),
                        ls="-" if k < 10 else "--")
         for cell, (column, text) in zip(row, shown):
+            plain_ticks(cell.xaxis)
             cell.set_xlabel(what)
             cell.set_ylabel(text)
             cell.set_title(scene)
@@ -512,7 +517,8 @@ def plot_effectivity(study, scenes, title, pictures):
             cell.semilogx(curve["dof"][good], curve["effectivity"][good], ms=4,
                           label=variant, marker=MARKERS[k % len(MARKERS)],
                           color="C%d" % (k % 10), ls="-" if k < 10 else "--")
-        cell.set_ylim(bottom=0)
+        cell.set_ylim(0, 1.1 * cell.dataLim.y1)
+        plain_ticks(cell.xaxis)
         cell.set_xlabel("degrees of freedom")
         cell.set_ylabel("estimate / true error")
         cell.set_title(scene)
@@ -575,10 +581,9 @@ def plot_study(folder):
     if np.isfinite(study.numbers("sweep_value")).all():
         plot_sweep(study, title, pictures)
     elif scenes:
-        plot_study_curves(study, scenes, "dof", "convergence", "degrees of freedom", title,
-                          pictures)
-        plot_study_curves(study, scenes, "seconds_total", "time",
-                          "CPU seconds, all threads", title, pictures)
+        plot_study_curves(study, scenes, "dof", "convergence", QUANTITIES, title, pictures)
+        plot_study_curves(study, scenes, "seconds_total", "time", QUANTITIES, title, pictures)
+        plot_study_curves(study, scenes, "dof", "contact_stress", STRESS, title, pictures)
         plot_exponential(study, scenes, title, pictures)
         plot_effectivity(study, scenes, title, pictures)
         plot_sweep(study, title, pictures)

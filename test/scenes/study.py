@@ -1,0 +1,137 @@
+"""Studies: true errors against a reference, failures that are listed, what is refused."""
+import math
+import os
+
+from runs import SCENES, WORK, claim, epafi, finish, fresh, table
+
+os.makedirs(WORK, exist_ok=True)
+STUDY = """<ParameterList name="Small study">
+  <ParameterList name="Scenes">
+    <ParameterList name="coulomb">
+      <Parameter name="File" type="string" value="%s"/>
+      <ParameterList name="Reference">
+        <Parameter name="Set" type="Array(string)" value="{
+          Adaptivity->Strategy=Adaptive hp, Adaptivity->Marking Fraction=0.5,
+          Adaptivity->Maximum Levels=100, Adaptivity->Maximum Degrees of Freedom=700}"/>
+      </ParameterList>
+    </ParameterList>
+  </ParameterList>
+  <ParameterList name="Variants">%s</ParameterList>
+</ParameterList>
+"""
+UNIFORM = """
+    <ParameterList name="uniform h">
+      <Parameter name="Set" type="Array(string)" value="{
+        Adaptivity->Strategy=Uniform h, Adaptivity->Maximum Levels=5}"/>
+    </ParameterList>"""
+HOPELESS = """
+    <ParameterList name="too strong">
+      <ParameterList name="Override">
+        <ParameterList name="Discretization">
+          <ParameterList name="Stabilization">
+            <Parameter name="Gamma0" type="double" value="10"/>
+          </ParameterList>
+        </ParameterList>
+      </ParameterList>
+    </ParameterList>
+    <ParameterList name="unconverged">
+      <Parameter name="Set" type="Array(string)" value="{
+        Adaptivity->Strategy=None, Solver->Maximum Iterations=1}"/>
+    </ParameterList>
+    <ParameterList name="sweep">
+      <Parameter name="Set" type="Array(string)" value="{Adaptivity->Strategy=None}"/>
+      <ParameterList name="Sweep">
+        <Parameter name="Key" type="string"
+          value="Discretization->Stabilization->Gamma0"/>
+        <Parameter name="Values" type="Array(string)" value="{1e-6, 1e-3, 1}"/>
+      </ParameterList>
+    </ParameterList>"""
+
+
+def study(name, variants):
+    file = os.path.join(WORK, name + ".xml")
+    with open(file, "w") as stream:
+        stream.write(STUDY % (os.path.join(SCENES, "coulomb.xml"), variants))
+    return file
+
+
+file = study("small", UNIFORM + HOPELESS)
+folder = fresh("small")
+code, text = epafi("study", file, "--output", folder)
+claim(code == 0, "a study with failing variants ends well (exit %d)" % code)
+rows = table(os.path.join(folder, "study.csv"))
+
+
+def of(name):
+    return [row for row in rows if row["variant"] == name]
+
+
+reference = of("reference")[0]
+uniform = of("uniform h")
+claim(len(uniform) == 5, "five levels")
+claim(reference["estimate"] < 0.2 * uniform[-1]["estimate"],
+      "the reference's estimate is quoted, and small: %g" % reference["estimate"])
+for coarse, fine in zip(uniform, uniform[1:]):
+    claim(fine["error"] < coarse["error"], "the true error falls: %g" % fine["error"])
+# The kink at x = 0 is a node: rate 3/2 of the energy norm against dof.
+first, last = uniform[-3], uniform[-1]
+rate = -math.log(last["error"] / first["error"]) / math.log(last["dof"] / first["dof"])
+claim(1.3 < rate < 1.7, "at rate %.2f" % rate)
+claim(all(1 < row["effectivity"] < 6 for row in uniform),
+      "the estimate is an upper bound within a factor 6")
+claim(all((row["counted"] == 1) == (row["estimate"] / row["effectivity"] >=
+                                    10 * reference["estimate"]) for row in uniform) and
+      {row["counted"] for row in uniform} == {0, 1},
+      "levels too near to the reference are not counted")
+claim(uniform[-1]["error_multiplier"] < 0.3 * uniform[0]["error_multiplier"],
+      "the contact stress converges")
+claim(uniform[-1]["error_energy"] < 0.02 * uniform[0]["error_energy"],
+      "the energy converges")
+claim(all(a["seconds_total"] < b["seconds_total"] for a, b in zip(uniform, uniform[1:])),
+      "CPU seconds of a variant add up")
+for row in uniform:
+    phases = sum(row["seconds_" + phase] for phase in
+                 ("assembly", "factorization", "stabilization", "newton", "estimate"))
+    claim(row["seconds_total"] >= phases, "and hold every phase")
+
+failed = of("too strong")
+claim(len(failed) == 1 and failed[0]["status"] == "failed" and "Gamma0" in
+      failed[0]["reason"] and failed[0]["estimate"] == "",
+      "an indefinite stiffness is listed with the reason")
+claim(of("unconverged")[0]["status"] == "not converged" and of("unconverged")[0]["reason"],
+      "what did not converge is listed with the reason")
+claim([row["status"] for row in rows if row["variant"].startswith("sweep")] ==
+      ["converged", "converged", "failed"], "a sweep has a row per value")
+for name in ("convergence", "time", "exponential", "effectivity", "sweep"):
+    for ending in (".png", ".svg"):
+        picture = os.path.join(folder, name + ending)
+        claim(os.path.isfile(picture) and os.path.getsize(picture) > 5000,
+              name + ending + " is drawn")
+claim(os.path.isfile(os.path.join(folder, "uniform_h", "mesh.png")),
+      "and a variant's own pictures")
+
+# the reference is kept and met again to the last bit
+code, text = epafi("study", file, "--output", folder)
+claim(code == 1 and "--force" in text, "an earlier study is not overwritten")
+again = study("again", UNIFORM)
+code, text = epafi("study", again, "--output", folder, "--force")
+claim(code == 0 and "kept from before" in text, "the reference is kept")
+claim([row["error"] for row in table(os.path.join(folder, "study.csv"))[1:]] ==
+      [row["error"] for row in uniform], "and gives the same errors")
+
+for name, variants, words in [
+        ("key", UNIFORM.replace("Maximum Levels", "Maximum Level"),
+         ["Variants->uniform h", "'Maximum Levels'"]),
+        ("name", UNIFORM.replace('"Set"', '"Sets"'), ["Variants->uniform h->Sets", "'Set'"]),
+        ("scenes", UNIFORM.replace('<Parameter name="Set"', """
+      <Parameter name="Scenes" type="Array(string)" value="{coulmb}"/>
+      <Parameter name="Set\""""), ["Variants->uniform h->Scenes", "'coulomb'"]),
+        ("none", "", ["Variants"])]:
+    code, text = epafi("study", study(name, variants), "--output", fresh(name))
+    claim(code == 1 and all(word in text for word in words),
+          "wrong %s: %s" % (name, text.strip()[:200]))
+code, text = epafi("study", study("weights", UNIFORM).replace("weights.xml", "nowhere.xml"))
+claim(code == 1 and "nowhere.xml" in text, "a missing study is refused")
+code, text = epafi("study", file, "--set", "Solver->Tolerance=1")
+claim(code == 1 and "unknown option" in text, "a study takes no --set")
+finish()
