@@ -7,6 +7,11 @@ find_package(LAPACK REQUIRED)
 find_package(muparser REQUIRED CONFIG)
 find_package(Boost 1.74 REQUIRED)
 find_package(MPI REQUIRED COMPONENTS C CXX)
+set(HDF5_PREFER_PARALLEL ON)
+find_package(HDF5 REQUIRED COMPONENTS C)
+if(NOT HDF5_IS_PARALLEL)
+  message(FATAL_ERROR "HDF5 with MPI is needed: libhdf5-openmpi-dev; found ${HDF5_C_LIBRARIES}")
+endif()
 find_package(Trilinos 13.2 REQUIRED CONFIG
   COMPONENTS Teuchos Kokkos Tpetra Belos Thyra ThyraTpetraAdapters Stratimikos NOX)
 

@@ -43,6 +43,12 @@ constexpr Option options[] = {
      [](RunOptions& o, const std::string& value) {
        o.threads = positiveNumber("--threads", value);
      }},
+    {"--restart", "DIR", For::Run,
+     [](RunOptions& o, const std::string& value) {
+       if (value.empty())
+         throw bem::InputError("--restart: the folder's name is empty");
+       o.restart = value;
+     }},
     {"--force", "", For::RunAndStudy,
      [](RunOptions& o, const std::string&) { o.force = true; }},
     {"--quiet", "", For::RunAndStudy,
@@ -116,6 +122,9 @@ std::string usage() {
       --output DIR                  default: ./<scene name>.out
       --set 'A->B->Key=value'       replace a value of the scene; repeatable
       --threads N                   OpenMP and BLAS together; default: all cores
+      --restart DIR                 go on from the last level in DIR, in DIR itself or
+                                    in --output; what the scene may change: caps,
+                                    strategy, solver, output
       --force                       replace the files of an earlier run
       --quiet                       print nothing but errors
   epafi study STUDY.xml [options]   run variants of scenes; error against dof and time

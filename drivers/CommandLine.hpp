@@ -7,8 +7,9 @@ namespace epafi::drivers {
 
 /// The arguments of `epafi run` and `epafi study`.
 struct RunOptions {
-  std::string scene;   ///< or the study
-  std::string output;  ///< empty: defaultOutputFolder
+  std::string scene;    ///< or the study
+  std::string output;   ///< empty: defaultOutputFolder
+  std::string restart;  ///< folder of the run to go on from; empty: begin anew
   std::vector<std::string> overrides;
   int threads = 0;  ///< 0: all cores, or what the environment says
   bool force = false;

@@ -25,19 +25,19 @@ std::string exactly(double value) {
   return text;
 }
 
-Csv::Csv(const std::vector<std::string>& columns) : columns_(columns.size()) {
-  line(columns);
+std::string csvLine(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    line += (i == 0 ? "" : ",") + quoted(cells[i]);
+  return line + '\n';
 }
+
+Csv::Csv(const std::vector<std::string>& columns)
+    : columns_(columns.size()), text_(csvLine(columns)) {}
 
 void Csv::row(const std::vector<std::string>& cells) {
   assert(cells.size() == columns_);
-  line(cells);
-}
-
-void Csv::line(const std::vector<std::string>& cells) {
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    text_ += (i == 0 ? "" : ",") + quoted(cells[i]);
-  text_ += '\n';
+  text_ += csvLine(cells);
 }
 
 }  // namespace epafi::drivers

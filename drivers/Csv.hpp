@@ -8,6 +8,9 @@ namespace epafi::drivers {
 /// A number with all its digits: 17 significant ones.
 std::string exactly(double value);
 
+/// One line of comma-separated values.
+std::string csvLine(const std::vector<std::string>& cells);
+
 /// Comma-separated values: a header, then rows.
 class Csv {
  public:
@@ -19,8 +22,6 @@ class Csv {
   const std::string& text() const { return text_; }
 
  private:
-  void line(const std::vector<std::string>& cells);
-
   std::size_t columns_;
   std::string text_;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace epafi::drivers {
 
@@ -138,6 +139,10 @@ std::vector<std::string> historyCells(const LevelRow& row) {
     cells.push_back(column.cell(row));
   return cells;
 }
+
+std::string historyHead() { return csvLine(historyColumns()); }
+
+std::string historyLine(const LevelRow& row) { return csvLine(historyCells(row)); }
 
 std::string historyCsv(const std::vector<LevelRow>& rows) {
   Csv csv(historyColumns());

@@ -5,7 +5,6 @@
 #include "contact/solve/Report.hpp"
 
 #include <string>
-#include <vector>
 
 namespace epafi::drivers {
 
@@ -53,7 +52,9 @@ struct LevelRow {
 std::vector<std::string> historyColumns();
 std::vector<std::string> historyCells(const LevelRow& row);
 
-/// history.csv
+/// history.csv: its head, one line per level, or all of it.
+std::string historyHead();
+std::string historyLine(const LevelRow& row);
 std::string historyCsv(const std::vector<LevelRow>& rows);
 
 }  // namespace epafi::drivers

@@ -24,6 +24,8 @@ void catchSignals() {
   action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  // A file above the user's limit (ulimit -f) shall be an error like a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void throwIfInterrupted() {

@@ -8,7 +8,7 @@ struct Interrupted {
 };
 
 /// From now on the first SIGINT or SIGTERM is only noted, the second ends the program at
-/// once with exit code 128 + signal.
+/// once with exit code 128 + signal; a file that is too large no longer does.
 void catchSignals();
 
 /// \throws Interrupted if a signal has come.

@@ -1,12 +1,10 @@
 #include "drivers/Levels.hpp"
 
 #include "adaptivity/estimate/ResidualEstimator.hpp"
-#include "adaptivity/mark/Analyticity.hpp"
-#include "adaptivity/refine/Refine.hpp"
-#include "adaptivity/refine/Strategy.hpp"
 #include "bem/assembly/SteklovPoincare.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/problem/ContactProblem.hpp"
+#include "contact/solve/ContactState.hpp"
 #include "drivers/Ranks.hpp"
 #include "drivers/SolveOnce.hpp"
 
@@ -50,11 +48,18 @@ std::string capReached(int level, const Size& size, long cap) {
   return text;
 }
 
+std::vector<bem::Piece> piecesOf(const bem::Mesh& mesh) {
+  std::vector<bem::Piece> pieces;
+  for (const bem::Element& element : mesh.elements())
+    pieces.push_back(element.piece);
+  return pieces;
+}
+
 }  // namespace
 
 Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
-                    const std::function<void(const SolvedLevel&)>& handOut) {
-  const adaptivity::Strategy& strategy = adaptivity::strategy(scene.adaptivity.strategy);
+                    const std::function<void(const SolvedLevel&)>& handOut,
+                    const std::optional<LevelResult>& earlier) {
   const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
   const bem::Units units{scene.outline->diameter(), scene.material.youngsModulus};
   const bem::Lame lame(scene.material);
@@ -63,12 +68,14 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                          ? ranks.belosSolver(scene.linear.belos)
                          : nullptr;
 
-  bem::Mesh mesh = bem::makeMesh(scene.outline, scene.elementsPerEdge, scene.degree);
-  contact::State start;  // empty: from zero
+  std::variant<LevelStart, Outcome> next = firstLevel(scene);
+  if (earlier)
+    next = levelAfterRestart(scene, *earlier, algebra);
 
-  for (int level = 0;; ++level) {
-    const bem::Space space(mesh);
-    const contact::MultiplierSpace multiplier(mesh, basis, scene.conditions);
+  while (const auto* from = std::get_if<LevelStart>(&next)) {
+    const int level = from->level;
+    const bem::Space space(from->mesh);
+    const contact::MultiplierSpace multiplier(space.mesh(), basis, scene.conditions);
     const Size size = sizeOf(space, multiplier, scene.conditions);
     if (size.dof() > scene.adaptivity.maximumDegreesOfFreedom)
       return {contact::Status::Converged,
@@ -89,47 +96,34 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
       return contact::ContactProblem(
           {space, stiffness, lame, units, scene.conditions, basis, scene.stabilization});
     });
-    const auto solution = timer.run(
-        Phase::Newton, [&] { return solveOnce(problem, start, scene.solver, algebra); });
+    const auto solution = timer.run(Phase::Newton, [&] {
+      return solveOnce(problem, from->start, scene.solver, algebra);
+    });
     const bem::Vector displacement = problem.displacement(solution.state);
     const bem::Vector density = stiffness.density(displacement);
     const contact::Solved solved{space, stiffness,      problem,     scene.conditions,
                                  units, solution.state, displacement};
-    const auto indicators = timer.run(Phase::Estimate, [&] {
+    auto indicators = timer.run(Phase::Estimate, [&] {
       return adaptivity::estimateResidual(solved, density, lame,
                                           scene.adaptivity.estimator);
     });
+    const LevelResult result{level,
+                             solution.report.status,
+                             solution.report.reason,
+                             piecesOf(space.mesh()),
+                             solution.state,
+                             contact::classify(problem.numbers(), solution.state),
+                             displacement,
+                             density,
+                             std::move(indicators)};
     timer.run(Phase::Results, [&] {
-      handOut({solved, density,
-               makeRow(level, size, solved, solution.report, indicators, timer)});
+      handOut({solved, result, algebra,
+               makeRow(level, size, solved, solution.report, result.indicators, timer)});
     });
     timer.endLevel();
-
-    if (solution.report.status != contact::Status::Converged)
-      return {
-          solution.report.status,
-          bem::message("level ", level, " is not converged: ", solution.report.reason)};
-    if (indicators.estimate() < scene.adaptivity.targetEstimate)
-      return {contact::Status::Converged, "the estimate is below the target"};
-    if (level + 1 == scene.adaptivity.maximumLevels)
-      return {contact::Status::Converged,
-              "all levels that the scene allows are computed"};
-    const adaptivity::LevelData data{
-        mesh, indicators.elements(),
-        adaptivity::looksAnalytic(space, scene.conditions, displacement, density,
-                                  scene.adaptivity.analyticityThreshold),
-        scene.adaptivity.markingFraction,
-        adaptivity::findSingularPoints(mesh, scene.conditions, problem.multiplier(),
-                                       problem.numbers(), solution.state)};
-    const adaptivity::Marks marks = adaptivity::decide(strategy, data, algebra);
-    if (!adaptivity::anyMarked(marks))
-      return {contact::Status::Converged, "there is nothing to refine"};
-    adaptivity::Refined refined = adaptivity::refine(mesh, marks, problem.multiplier(),
-                                                     scene.conditions, solution.state);
-    mesh = std::move(refined.mesh);
-    if (strategy.start == adaptivity::Start::Carried)
-      start = std::move(refined.start);
+    next = nextLevel(scene, result, algebra);
   }
+  return std::get<Outcome>(next);
 }
 
 }  // namespace epafi::drivers

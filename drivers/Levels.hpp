@@ -1,11 +1,12 @@
 #pragma once
 
 #include "drivers/History.hpp"
+#include "drivers/NextLevel.hpp"
 #include "drivers/PhaseTimer.hpp"
 #include "drivers/Scene.hpp"
 
 #include <functional>
-#include <string>
+#include <optional>
 
 namespace epafi::drivers {
 
@@ -14,23 +15,21 @@ class Ranks;
 /// A level as it is handed out: valid during the call only.
 struct SolvedLevel {
   const contact::Solved& solved;
-  const bem::Vector& density;  ///< traction on the whole boundary, dimensionless
+  const LevelResult& result;
+  const bem::DenseAlgebra& algebra;
   LevelRow row;
-};
-
-/// How a run ended.
-struct Outcome {
-  contact::Status status = contact::Status::Converged;
-  std::string reason;
 };
 
 /// Frictional contact from level to level: the whole method on one page.
 ///
 /// `handOut` receives each level as soon as it is solved, converged or not; the first one
-/// that is not is the last.  Collective; all ranks hand out the same.
+/// that is not is the last.  With `earlier`, the result of a level of an earlier run, the
+/// run goes on behind that level as if it had never stopped, see levelAfterRestart.
+/// Collective; all ranks hand out the same.
 /// \throws bem::InputError, bem::NumericalError, Interrupted; levels handed out stay
 /// good.
 Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
-                    const std::function<void(const SolvedLevel&)>& handOut);
+                    const std::function<void(const SolvedLevel&)>& handOut,
+                    const std::optional<LevelResult>& earlier = {});
 
 }  // namespace epafi::drivers

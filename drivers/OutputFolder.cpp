@@ -28,6 +28,12 @@ void makeFolder(const fs::path& path) {
 
 void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
   for (const std::string& name : outputFiles()) {
+    std::error_code ignored;
+    fs::remove(temporaryFile(path.string(), name), ignored);
+  }
+  if (earlier == EarlierRun::Continue)
+    return;
+  for (const std::string& name : outputFiles()) {
     const fs::path file = path / name;
     std::error_code error;
     if (!fs::exists(fs::symlink_status(file, error)))
@@ -35,7 +41,8 @@ void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
     if (earlier == EarlierRun::Refuse)
       throw bem::InputError(bem::message(
           "--output: the folder '", path.string(), "' holds an earlier run (", name,
-          "); --force replaces it, --output DIR goes elsewhere"));
+          "); --restart DIR goes on from it, --force replaces it, --output DIR goes "
+          "elsewhere"));
     if (fs::is_directory(file, error) || !fs::remove(file, error))
       throw bem::InputError(bem::message("--output: '", file.string(),
                                          "' of an earlier run cannot be deleted: ",
@@ -43,9 +50,9 @@ void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
   }
 }
 
-[[noreturn]] void refuse(const fs::path& file, int cause) {
-  throw bem::InputError(bem::message("--output: '", file.string(),
-                                     "' cannot be written: ", std::strerror(cause)));
+[[noreturn]] void refuse(const fs::path& file, const std::string& cause) {
+  throw bem::InputError(
+      bem::message("--output: '", file.string(), "' cannot be written: ", cause));
 }
 
 }  // namespace
@@ -58,29 +65,69 @@ OutputFolder::OutputFolder(std::string path, EarlierRun earlier)
   const fs::path probe = fs::path(path_) / ".epafi.probe";
   errno = 0;
   if (!std::ofstream(probe))
-    refuse(probe.parent_path(), errno);
+    refuse(probe.parent_path(), std::strerror(errno));
   fs::remove(probe);
 }
 
-void OutputFolder::write(const std::string& name, const std::string& text) {
-  const fs::path file = fs::path(path_) / name;
-  const fs::path temporary = fs::path(path_) / ("." + name + ".part");
-  errno = 0;
-  std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
-  stream << text;
-  stream.close();
-  if (!stream) {
-    const int cause = errno;
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    refuse(file, cause);
+OutputFolder::~OutputFolder() { discard(); }
+
+void OutputFolder::stage(const std::string& name, const std::string& text) {
+  stage(name, [&](const std::string& path) {
+    errno = 0;
+    std::ofstream stream(path, std::ios::binary | std::ios::trunc);
+    stream << text;
+    stream.close();
+    if (!stream)
+      throw bem::InputError(std::strerror(errno));
+  });
+}
+
+void OutputFolder::stage(const std::string& name,
+                         const std::function<void(const std::string& path)>& writer) {
+  staged_.push_back(name);
+  try {
+    writer(temporaryFile(path_, name));
+  } catch (const bem::InputError& error) {
+    discard();
+    refuse(fs::path(path_) / name, error.what());
   }
-  std::error_code error;
-  fs::rename(temporary, file, error);
-  if (error)
-    refuse(file, error.value());
-  if (std::find(written_.begin(), written_.end(), name) == written_.end())
-    written_.push_back(name);
+}
+
+void OutputFolder::commit() {
+  for (const std::string& name : staged_) {
+    const fs::path file = fs::path(path_) / name;
+    std::error_code error;
+    fs::rename(temporaryFile(path_, name), file, error);
+    if (error) {
+      discard();
+      refuse(file, error.message());
+    }
+    if (std::find(written_.begin(), written_.end(), name) == written_.end())
+      written_.push_back(name);
+  }
+  staged_.clear();
+}
+
+void OutputFolder::write(const std::string& name, const std::string& text) {
+  stage(name, text);
+  commit();
+}
+
+void OutputFolder::drop(const std::string& name) const {
+  std::error_code ignored;
+  fs::remove(fs::path(path_) / name, ignored);
+}
+
+void OutputFolder::discard() {
+  for (const std::string& name : staged_) {
+    std::error_code ignored;
+    fs::remove(temporaryFile(path_, name), ignored);
+  }
+  staged_.clear();
+}
+
+std::string temporaryFile(const std::string& folder, const std::string& name) {
+  return (fs::path(folder) / ("." + name + ".part")).string();
 }
 
 const std::vector<std::string>& outputFiles() {

@@ -1,34 +1,62 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace epafi::drivers {
 
 /// What to do with the files of an earlier run in the same folder.
-enum class EarlierRun { Refuse, Delete };
+enum class EarlierRun { Refuse, Delete, Continue };
 
 /// The folder that a run writes into.
+///
+/// Files appear as a whole: they are written under temporary names, stage(), and renamed
+/// together, commit(), so that what goes wrong while writing leaves the earlier files as
+/// they are.
 class OutputFolder {
  public:
-  /// Makes the folder and its parents.
-  /// \throws bem::InputError if an earlier run's files are there and must not be deleted,
-  /// if
-  ///   the path is a file, or if nothing can be written there.
+  /// Makes the folder and its parents; removes what an interrupted run has left staged.
+  /// \throws bem::InputError if an earlier run's files are there and must not be touched,
+  /// if the path is a file, or if nothing can be written there.
   OutputFolder(std::string path, EarlierRun earlier);
+  /// Removes what is staged.
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Replaces a file as a whole: written under a temporary name, then renamed.
-  /// \throws bem::InputError if it cannot be written (disk full, permissions).
+  /// \throws bem::InputError if the file cannot be written (disk full, permissions); then
+  /// nothing is staged any more.
+  void stage(const std::string& name, const std::string& text);
+  /// The same for a file that `writer` writes, given its temporary path; it throws
+  /// bem::InputError with the cause only.
+  void stage(const std::string& name,
+             const std::function<void(const std::string& path)>& writer);
+
+  /// The staged files take the places of the earlier ones, in the order of staging.
+  /// \throws bem::InputError if a file cannot be renamed.
+  void commit();
+
+  /// Both for one file.
   void write(const std::string& name, const std::string& text);
+
+  /// Deletes an earlier run's file that this run does not write.
+  void drop(const std::string& name) const;
 
   const std::string& path() const { return path_; }
   /// Names of the files written so far.
   const std::vector<std::string>& written() const { return written_; }
 
  private:
+  void discard();
+
   std::string path_;
+  std::vector<std::string> staged_;
   std::vector<std::string> written_;
 };
+
+/// Where a file stands in a folder while it is staged.
+std::string temporaryFile(const std::string& folder, const std::string& name);
 
 /// All files that a run may write; only these are ever deleted.  [design.md 1.4]
 const std::vector<std::string>& outputFiles();

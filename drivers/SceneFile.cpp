@@ -199,6 +199,8 @@ RawScene readRawScene(const std::string& file) {
               : readXml(text, path.stem().string());
 }
 
+RawScene readSceneText(const std::string& xml) { return readXml(xml, ""); }
+
 void applyOverride(Teuchos::ParameterList& list, const std::string& assignment) {
   const auto equal = assignment.find('=');
   if (equal == std::string::npos)

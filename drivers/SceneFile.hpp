@@ -25,6 +25,9 @@ std::string readText(const std::string& file);
 ///   malformed, and for values that do not spell their type; without the file's name.
 RawScene readRawScene(const std::string& file);
 
+/// The same of the text of an XML file.  \throws bem::InputError likewise.
+RawScene readSceneText(const std::string& xml);
+
 /// Applies one "A->B->Key=value" of --set: the first '=' splits, the type that the schema
 /// declares for the path decides how the value is read.
 /// \throws bem::InputError for an undeclared path or a value of another type.

@@ -69,11 +69,12 @@ double multiplierDistance(const Snapshot& level, const Snapshot& reference) {
 Snapshot takeSnapshot(const SolvedLevel& level) {
   const contact::Solved& solved = level.solved;
   const bem::Mesh& mesh = solved.space.mesh();
-  Snapshot snapshot{bem::makeCauchyData(solved.space, solved.displacement, level.density),
-                    std::vector<Series>(static_cast<std::size_t>(mesh.size())),
-                    std::vector<bool>(static_cast<std::size_t>(mesh.size())),
-                    level.row.summary.energyStrain - level.row.summary.energyLoad +
-                        level.row.summary.energyFriction};
+  Snapshot snapshot{
+      bem::makeCauchyData(solved.space, solved.displacement, level.result.density),
+      std::vector<Series>(static_cast<std::size_t>(mesh.size())),
+      std::vector<bool>(static_cast<std::size_t>(mesh.size())),
+      level.row.summary.energyStrain - level.row.summary.energyLoad +
+          level.row.summary.energyFriction};
   const contact::MultiplierSpace& multiplier = solved.problem.multiplier();
   for (const auto& element : multiplier.elements()) {
     const auto k = static_cast<std::size_t>(element.element);

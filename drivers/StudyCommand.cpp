@@ -207,7 +207,7 @@ class StudyRun {
     if (!scene.conditions.contact.empty())
       folder.write("contact.csv", contactCsv(level.solved, scene.output.contactSamples));
     if (scene.output.fields)
-      folder.write("boundary.csv", boundaryCsv(level.solved, level.density));
+      folder.write("boundary.csv", boundaryCsv(level.solved, level.result.density));
   }
 
   /// Different variants get different folders, even if their names differ in signs only.

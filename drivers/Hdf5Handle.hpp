@@ -1,0 +1,92 @@
+#pragma once
+
+#include "bem/base/Error.hpp"
+
+#include <hdf5.h>
+#include <string>
+#include <utility>
+
+namespace epafi::drivers {
+
+/// Keeps HDF5 from printing its errors for as long as it lives: they are asked for.
+class QuietHdf5 {
+ public:
+  QuietHdf5() {
+    H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  ~QuietHdf5() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
+  QuietHdf5(const QuietHdf5&) = delete;
+  QuietHdf5& operator=(const QuietHdf5&) = delete;
+
+ private:
+  H5E_auto2_t print_ = nullptr;
+  void* data_ = nullptr;
+};
+
+/// What HDF5 says about its last error, from where it happened.
+inline std::string hdf5Cause() {
+  std::string cause = "HDF5 gives no cause";
+  const auto innermost = [](unsigned, const H5E_error2_t* error, void* text) -> herr_t {
+    if (error->desc != nullptr && *error->desc != '\0')
+      *static_cast<std::string*>(text) = error->desc;
+    return 1;  // the first one is enough
+  };
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, innermost, &cause);
+  return cause;
+}
+
+/// An open object of HDF5, closed at the end of its scope.  May be empty.
+class Hdf5Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Hdf5Handle() = default;
+  Hdf5Handle(hid_t id, Close how) : id_(id), close_(how) {}
+  Hdf5Handle(Hdf5Handle&& other) noexcept
+      : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+  Hdf5Handle& operator=(Hdf5Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
+  ~Hdf5Handle() { close(); }
+
+  bool open() const { return id_ >= 0; }
+  hid_t id() const { return id_; }
+
+  /// Negative if closing has failed.
+  herr_t close() {
+    const hid_t id = std::exchange(id_, H5I_INVALID_HID);
+    return id >= 0 ? close_(id) : 0;
+  }
+
+ private:
+  hid_t id_ = H5I_INVALID_HID;
+  Close close_ = nullptr;
+};
+
+/// HDF5's type of a number, as it is in memory.
+template <class T>
+hid_t hdf5Type();
+template <>
+inline hid_t hdf5Type<double>() {
+  return H5T_NATIVE_DOUBLE;
+}
+template <>
+inline hid_t hdf5Type<int>() {
+  return H5T_NATIVE_INT;
+}
+template <>
+inline hid_t hdf5Type<long long>() {
+  return H5T_NATIVE_LLONG;
+}
+template <>
+inline hid_t hdf5Type<unsigned long long>() {
+  return H5T_NATIVE_ULLONG;
+}
+template <>
+inline hid_t hdf5Type<unsigned char>() {
+  return H5T_NATIVE_UCHAR;
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,208 @@
+"""A run that goes on from solution.hdf is the run that never stopped; what is wrong with the
+file, the folder or the disk is one sentence."""
+import os
+import random
+import resource
+import shutil
+import signal
+import subprocess
+
+from runs import EPAFI, WORK, claim, epafi, finish, fresh, scene, table
+
+HISTORY, CONTACT, SOLUTION = "history.csv", "contact.csv", "solution.hdf"
+COEFFICIENT = "Bodies->block->Boundary Conditions->foundation->Friction->Coefficient=%g"
+MEASURED = ("seconds", "memory")  # columns that no two runs share
+FILES = (HISTORY, CONTACT, "boundary.csv", SOLUTION)
+
+
+def options(settings):
+    return [word for setting in settings for word in ("--set", setting)]
+
+
+def solve(file, folder, count, settings, *more):
+    """Runs up to a number of levels; exit code and output."""
+    return epafi("run", scene(file), *options(settings),
+                 "--set", "Adaptivity->Maximum Levels=%d" % count, *more, *(
+                     ["--output", folder] if folder else []))
+
+
+def same(a, b):
+    """Do two tables agree to 1e-10 of each column's size, counts and words exactly?"""
+    if len(a) != len(b):
+        return False
+    for key in a[0]:
+        if key.startswith(MEASURED):
+            continue
+        size = max([abs(row[key]) for row in a if not isinstance(row[key], str)] or [0])
+        for x, y in zip(a, b):
+            whole = isinstance(x[key], str) or key.endswith("iterations")
+            if x[key] != y[key] if whole else abs(x[key] - y[key]) > 1e-10 * size:
+                return False
+    return True
+
+
+def rows(folder, name=HISTORY):
+    return table(os.path.join(folder, name))
+
+
+def content(folder):
+    result = {}
+    for name in FILES:
+        with open(os.path.join(folder, name), "rb") as stream:
+            result[name] = stream.read()
+    return result
+
+
+def copy(folder, name):
+    target = fresh(name)
+    shutil.copytree(folder, target)
+    return target
+
+
+def refused(sentence, words, *arguments):
+    code, text = epafi(*arguments)
+    claim(code == 1 and all(word in text for word in words) and
+          len(text.strip().split("\n")) == 1,
+          "%s (exit %d: %s)" % (sentence, code, text.strip()[:200]))
+
+
+os.makedirs(WORK, exist_ok=True)
+
+# the same rows, iterations and points as without the stop
+cases = [("tresca.xml", "tresca", [])]
+cases += [("coulomb.xml", "coulomb %g" % f, [COEFFICIENT % f]) for f in (0.05, 1.5)]
+for file, name, settings in cases:
+    for strategy in ("Uniform h", "Uniform p", "Adaptive hp"):
+        label = name + ", " + strategy
+        settings_here = settings + ["Adaptivity->Strategy=" + strategy]
+        whole, part = fresh(label + " whole"), fresh(label)
+        claim(solve(file, whole, 6, settings_here)[0] == 0, label + ": all at once")
+        claim(solve(file, part, 3, settings_here)[0] == 0, label + ": the first half")
+        code, text = solve(file, None, 6, settings_here, "--restart", part)
+        claim(code == 0 and len(rows(part)) == 6 and same(rows(whole), rows(part)),
+              label + ": the second half has the same rows and iterations")
+        claim(same(rows(whole, CONTACT), rows(part, CONTACT)), label + ": the same points")
+        times = [row["seconds_total"] for row in rows(part)]
+        claim(times == sorted(times), label + ": CPU seconds count on")
+
+# elsewhere; what may differ; nothing left to do
+HP = ["Adaptivity->Strategy=Adaptive hp"]
+base = fresh("base")
+solve("tresca.xml", base, 3, HP)
+before = content(base)
+other = fresh("other")
+code, text = solve("tresca.xml", other, 6, HP, "--restart", base)
+claim(code == 0 and content(base) == before, "--output leaves the earlier run as it is")
+claim(same(rows(os.path.join(WORK, "tresca, Adaptive hp")), rows(other)),
+      "and has all rows, the earlier ones too")
+code, text = solve("tresca.xml", fresh("strategy"), 4, ["Adaptivity->Strategy=Uniform p"],
+                   "--restart", base)
+claim(code == 0 and rows(os.path.join(WORK, "strategy"))[-1]["degree_min"] == 2,
+      "another strategy may go on")
+done = copy(base, "done")
+code, text = solve("tresca.xml", None, 3, HP, "--restart", done)
+claim(code == 0 and content(done) == before, "nothing to do changes nothing")
+with open(os.path.join(done, HISTORY), "a") as stream:
+    stream.write("99,a torn row")
+code, text = solve("tresca.xml", None, 3, HP, "--restart", done)
+claim(code == 0 and content(done) == before, "rows after the file's level are dropped")
+stuck = fresh("stuck")
+code, text = solve("tresca.xml", stuck, 6, ["Solver->Maximum Iterations=1"])
+claim(code == 3, "a level is not converged")
+code, text = solve("tresca.xml", None, 6, [], "--restart", stuck)
+claim(code == 0 and same(rows(stuck, CONTACT),
+                         rows(os.path.join(WORK, "tresca, Uniform h whole"), CONTACT)),
+      "and is solved again with more iterations")
+
+# what must agree
+RESTART = ["run", scene("tresca.xml"), "--restart", base]
+refused("another material", ["Poisson's Ratio", SOLUTION], *RESTART, "--set",
+        "Bodies->block->Material->Poisson's Ratio=0.1")
+refused("another first mesh", ["Discretization", SOLUTION], *RESTART, "--set",
+        "Discretization->Degree=2")
+refused("other weights", ["Adaptivity->Weights", SOLUTION], *RESTART, "--set",
+        "Adaptivity->Weights=Paper")
+refused("another scene", ["Bodies", SOLUTION], "run", scene("hertz.xml"), "--restart", base)
+refused("--force and --restart", ["--force"], *RESTART, "--force")
+refused("no new solution.hdf", ["Output->Fields"], *RESTART, "--set", "Output->Fields=false")
+claim(content(base) == before, "a refused restart touches nothing")
+
+# a file that is not what it should be
+refused("no folder", ["no such file", SOLUTION], "run", scene("tresca.xml"), "--restart",
+        os.path.join(WORK, "nowhere"))
+damaged = copy(base, "damaged")
+file = os.path.join(damaged, SOLUTION)
+whole = before[SOLUTION]
+
+
+def damage(data, sentence):
+    with open(file, "wb") as stream:
+        stream.write(data)
+    refused(sentence, [file], "run", scene("tresca.xml"), "--restart", damaged)
+
+
+os.remove(file)
+refused("no solution.hdf", ["no such file", file], "run", scene("tresca.xml"), "--restart",
+        damaged)
+for length in (0, 7, 100, len(whole) // 3, len(whole) - 1):
+    damage(whole[:length], "cut to %d of %d bytes" % (length, len(whole)))
+noise = random.Random(1)
+damage(bytes(noise.randrange(256) for _ in range(5000)), "garbage")
+damage(whole[:600] + bytes(noise.randrange(256) for _ in range(len(whole) - 600)),
+       "garbage behind the head")
+place = whole.index(b"Poisson's Ratio")
+damage(whole[:place] + b"q" + whole[place + 1:], "one letter of the scene")
+os.remove(file)
+os.makedirs(file)
+refused("a folder instead", ["is a folder", file], "run", scene("tresca.xml"), "--restart",
+        damaged)
+h5 = fresh("h5") + ".py"
+with open(h5, "w") as stream:
+    stream.write("import h5py, sys\nwith h5py.File(sys.argv[1], 'w') as f:\n    f['x'] = 1\n")
+foreign = copy(base, "foreign")
+subprocess.run(["/usr/bin/python3", h5, os.path.join(foreign, SOLUTION)], check=True)
+refused("somebody else's HDF5 file", ["/Epafi"], "run", scene("tresca.xml"), "--restart",
+        foreign)
+
+# a folder or disk that takes nothing
+refused("a folder that cannot be made", ["cannot be made"], "run", scene("tresca.xml"),
+        "--output", "/proc/epafi")
+
+
+def limited(kilobytes):
+    def limit():
+        signal.signal(signal.SIGXFSZ, signal.SIG_DFL)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (1024 * kilobytes, 1024 * kilobytes))
+    return limit
+
+
+def run_limited(arguments, kilobytes):
+    got = subprocess.run([EPAFI, *arguments], stdout=subprocess.DEVNULL,
+                         stderr=subprocess.PIPE, universal_newlines=True,
+                         preexec_fn=limited(kilobytes))
+    return got.returncode, got.stderr.strip()
+
+
+for name in (SOLUTION, "boundary.csv"):
+    kilobytes = len(before[name]) // 1024
+    full = copy(base, "full")
+    code, text = run_limited(RESTART[:-1] + [full] + options(
+        HP + ["Adaptivity->Maximum Levels=6"]), kilobytes)
+    claim(code == 1 and name in text and "\n" not in text,
+          "files of %d KiB at most (exit %d: %s)" % (kilobytes, code, text))
+    claim(content(full) == before and not any(".part" in n for n in os.listdir(full)),
+          "leave the earlier level as it was")
+    code, text = solve("tresca.xml", None, 6, HP, "--restart", full)
+    claim(code == 0 and same(rows(other), rows(full)), "from which the run goes on")
+
+tiny = fresh("tiny")
+os.makedirs(tiny)
+if os.geteuid() == 0 and subprocess.run(
+        ["mount", "-t", "tmpfs", "-o", "size=80k", "epafi", tiny],
+        stderr=subprocess.DEVNULL).returncode == 0:
+    try:
+        code, text = solve("tresca.xml", os.path.join(tiny, "out"), 6, HP)
+        claim(code == 1 and "No space left" in text, "a full disk: " + text.split("\n")[-2])
+    finally:
+        subprocess.run(["umount", tiny], check=True)
+finish()
