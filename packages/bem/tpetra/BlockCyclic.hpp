@@ -45,10 +45,10 @@ class Layouts {
   ProcessGrid cyclic_;  ///< as square as P allows
 };
 
-/// This process's part of an n x m matrix in blocks of 64 x 64, dealt out cyclically.
+/// This process's part of an n x m matrix in blocks of 128 x 128, dealt out cyclically.
 class BlockCyclic {
  public:
-  static constexpr int block = 64;
+  static constexpr int block = 128;
 
   /// All entries zero.
   /// \throws NumericalError if a part would have more entries than ScaLAPACK can count.

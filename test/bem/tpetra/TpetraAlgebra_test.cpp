@@ -21,7 +21,7 @@ const bem::LapackAlgebra lapack;
 constexpr double rounding = 1e-12;
 
 // fewer rows than ranks, about one block of ScaLAPACK's, several, no multiples
-constexpr Index sizes[] = {1, 2, 7, 64, 65, 131, 300};
+constexpr Index sizes[] = {1, 2, 7, 65, 128, 129, 300};
 
 Matrix randomMatrix(Index n, Index m, unsigned seed) {
   std::mt19937 random(seed);

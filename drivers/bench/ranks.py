@@ -1,0 +1,71 @@
+#!/usr/bin/python3
+"""How much faster are two ranks than one?
+
+    drivers/bench/ranks.py EPAFI OUTPUT.csv [REPETITIONS [ELEMENTS...]]
+
+One level of the Tresca scene, p = 1, one thread a rank, 1 and 2 ranks by turns, so that what
+else the machine does meets both.  Prints medians of the seconds by the clock on the wall, of
+the largest memory of a rank, and the ratios; all runs go into the csv with the machine's load.
+Standard library only.
+"""
+import csv
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+
+SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "scenes", "tresca.xml")
+EDGES = (4, 4, 1, 2, 1, 4)  # of the coarse mesh: 16 elements
+PHASES = ("assembly", "factorization", "stabilization", "newton", "estimate")
+
+
+def environment():
+    script = os.path.join(os.path.dirname(SCENE), "..", "..", "cmake", "environment.sh")
+    lines = subprocess.run(["bash", script], stdout=subprocess.PIPE, check=True,
+                           universal_newlines=True).stdout.split()
+    return {**os.environ, **dict(line.split("=", 1) for line in lines),
+            "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1"}
+
+
+def solve(epafi, ranks, elements, folder):
+    """A row: what the level cost."""
+    counts = "{%s}" % ", ".join(str(n * elements // 16) for n in EDGES)
+    subprocess.run(
+        ["mpirun", "-n", str(ranks), "--bind-to", "none", epafi, "run", SCENE, "--force", "--quiet",
+         "--output", folder, "--threads", "1", "--set", "Adaptivity->Strategy=None",
+         "--set", "Discretization->Elements per Edge=" + counts,
+         "--set", "Adaptivity->Maximum Degrees of Freedom=100000", "--set", "Output->Fields=false"],
+        check=True, env=environment())
+    with open(os.path.join(folder, "history.csv"), newline="") as stream:
+        level = next(csv.DictReader(stream))
+    row = {"elements": elements, "ranks": ranks, "load": "%.1f" % os.getloadavg()[0],
+           "seconds_wall": level["seconds_wall"], "memory_mb": level["memory_mb"]}
+    row.update({"cpu_" + phase: level["seconds_" + phase] for phase in PHASES})
+    return row
+
+
+def main(epafi, output, repetitions=3, *sizes):
+    rows = []
+    with tempfile.TemporaryDirectory() as folder:
+        for elements in map(int, sizes or (1024, 4096)):
+            for _ in range(int(repetitions)):
+                rows += [solve(epafi, ranks, elements, folder) for ranks in (1, 2)]
+                with open(output, "w", newline="") as stream:
+                    writer = csv.DictWriter(stream, rows[0])
+                    writer.writeheader()
+                    writer.writerows(rows)
+
+            def median(ranks, name):
+                return statistics.median(float(row[name]) for row in rows
+                                         if row["elements"] == elements and row["ranks"] == ranks)
+            for name in ("seconds_wall", "memory_mb"):
+                one, two = median(1, name), median(2, name)
+                print("%5d elements, %-12s 1 rank %8.2f, 2 ranks %8.2f, ratio %.2f"
+                      % (elements, name, one, two, one / two), flush=True)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    main(*sys.argv[1:])
