@@ -157,7 +157,8 @@ void ContactModel::evalModelImpl(const Base::InArgs<double>& in,
   if (const auto dfdp = out.get_DfDp(Load).getMultiVector(); !dfdp.is_null())
     scatter(*space_, family_.loadDerivative(*equation, e), 1 / stress_, 0, *dfdp->col(0));
   if (const auto dfdp = out.get_DfDp(Friction).getMultiVector(); !dfdp.is_null())
-    scatter(*space_, family_.frictionDerivative(e), 1 / stress_, 0, *dfdp->col(0));
+    scatter(*space_, family_.frictionDerivative(*equation, e), 1 / stress_, 0,
+            *dfdp->col(0));
 }
 
 }  // namespace epafi::contact

@@ -26,7 +26,7 @@ struct SolverOptions {
   Complementarity complementarity = Complementarity::Projection;
   double tolerance = 1e-12;  ///< scaled residual, relative to the load
   int maximumIterations = 50;
-  int loadSteps = 1;  ///< see solveInLoadSteps()
+  int loadSteps = 1;                ///< see solveInLoadSteps()
   double coulombTolerance = 1e-10;  ///< change of the bound relative to the load
   int coulombMaximumIterations = 100;
   /// Handed to NOX; empty means Epafi's own choice.  Shared, not copied: NOX fills it in.

@@ -99,14 +99,43 @@ Evaluation Equation::at(Vector unknowns) const {
     magnitude[i] *= weights_[i];
   }
   e.bounds = problem_.slipBounds(e.unknowns);
-  for (const Tangential& t : problem_.tangentials)
-    e.boundSlopes.push_back(
-        bound_ == Bound::Lagged
-            ? 0.0
-            : t.law->slipBoundSlope(entry(e.unknowns, t.normal), t.strength));
+  for (const Tangential& t : problem_.tangentials) {
+    const StepBound bound = stepBound(e, t);
+    e.stepBounds.push_back(bound.value);
+    e.boundSlopes.push_back(bound.slope);
+  }
   evaluateRows(e);
   measure(e, magnitude);
   return e;
+}
+
+// With active sets the bound follows the set of the normal coefficient, not its sign: a
+// point that the step closes carries s(λₙ + δλₙ) after it, one that it opens nothing.
+// With p = λₙ + c rₙ and the row rₙ + δrₙ = 0 of a closed point, s(p) + s'(p) (δλₙ + c
+// δrₙ) says so. A bound that only looks at λₙ⁺ pins points to zero shear that are about
+// to close, and the sets wander: 36 steps instead of 5 on meshes graded to the ends of
+// contact.
+Complementarity::Value Equation::tangentialRow(const Evaluation& e, Index t) const {
+  const double multiplier = entry(e.unknowns, problem_.normals + t);
+  const double y = entry(e.penetration, problem_.normals + t);
+  const double bound = entry(e.stepBounds, t);
+  if (bound >= 0)
+    return function_.tangential(multiplier, y, bound);
+  // a negative pressure about to become positive: which way it slips shows already
+  const double side = multiplier + y >= 0 ? 1 : -1;
+  return {multiplier - side * bound, 1, 0, -side};
+}
+
+Equation::StepBound Equation::stepBound(const Evaluation& e, const Tangential& t) const {
+  const double pressure = entry(e.unknowns, t.normal);
+  if (bound_ == Bound::Lagged)
+    return {t.law->slipBound(std::max(pressure, 0.0), t.strength), 0};
+  if (&function_ == &fischerBurmeister_)
+    return {t.law->slipBound(std::max(pressure, 0.0), t.strength),
+            t.law->slipBoundSlope(pressure, t.strength)};
+  const double y = entry(e.penetration, t.normal);
+  const double slope = t.law->slipBoundSlope(pressure + y, t.strength);
+  return {t.law->slipBound(std::max(pressure + y, 0.0), t.strength) - slope * y, slope};
 }
 
 void Equation::evaluateRows(Evaluation& e) const {
@@ -115,10 +144,8 @@ void Equation::evaluateRows(Evaluation& e) const {
   for (Index i = 0; i < n; ++i) {
     const double multiplier = entry(e.unknowns, i);
     const double y = entry(e.penetration, i);
-    e.rows.push_back(
-        i < problem_.normals
-            ? function_.normal(multiplier, y)
-            : function_.tangential(multiplier, y, entry(e.bounds, i - problem_.normals)));
+    e.rows.push_back(i < problem_.normals ? function_.normal(multiplier, y)
+                                          : tangentialRow(e, i - problem_.normals));
     e.residual.push_back(e.rows.back().value);
   }
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {

@@ -12,10 +12,11 @@ using ActiveSet = std::vector<signed char>;
 
 /// The nonsmooth equation at one point x = (λ, α), with all that Newton's method needs.
 struct Evaluation {
-  Vector unknowns;                           ///< x
-  Vector penetration;                        ///< y = c r
-  Vector bounds;                             ///< s, one per tangential
-  Vector boundSlopes;                        ///< ds/dλₙ as the Jacobian is to see it
+  Vector unknowns;     ///< x
+  Vector penetration;  ///< y = c r
+  Vector bounds;       ///< s, one per tangential
+  Vector stepBounds;   ///< what the rows hold the shear to, see Equation::stepBound
+  Vector boundSlopes;  ///< ds/dλₙ as the Jacobian is to see it
   std::vector<Complementarity::Value> rows;  ///< one per coefficient
   Vector residual;                           ///< F: the rows' values, then the balance
   ActiveSet set;
@@ -57,6 +58,15 @@ class Equation {
 
   Evaluation at(Vector unknowns) const;
 
+  /// A slip bound as a row sees it, and its derivative by λₙ.
+  struct StepBound {
+    double value;
+    double slope;
+  };
+  /// With active sets the bound follows the set of the normal coefficient: s(λₙ) where
+  /// λₙ + c rₙ > 0, whatever λₙ's sign, nothing where it is not.  Else s(λₙ⁺).
+  StepBound stepBound(const Evaluation& e, const Tangential& t) const;
+
   /// J d, J the generalised Jacobian at e.
   Vector jacobianTimes(const Evaluation& e, const Vector& direction) const;
 
@@ -72,6 +82,7 @@ class Equation {
   Vector meritGradient(const Evaluation& e) const;
 
  private:
+  Complementarity::Value tangentialRow(const Evaluation& e, Index t) const;
   void evaluateRows(Evaluation& e) const;
   void measure(Evaluation& e, const Vector& magnitude) const;
 

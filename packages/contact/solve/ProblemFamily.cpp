@@ -55,15 +55,14 @@ Vector ProblemFamily::loadDerivative(const Equation& equation,
   return result;
 }
 
-Vector ProblemFamily::frictionDerivative(const Evaluation& e) const {
+Vector ProblemFamily::frictionDerivative(const Equation& equation,
+                                         const Evaluation& e) const {
   Vector result(e.residual.size(), 0.0);
   const auto normals = static_cast<std::size_t>(original_.normals);
   for (std::size_t k = 0; k < original_.tangentials.size(); ++k) {
     const Tangential& t = original_.tangentials[k];
-    const double pressure = std::max(e.unknowns[static_cast<std::size_t>(t.normal)], 0.0);
     // Every law's bound is proportional to its strength.
-    result[normals + k] =
-        e.rows[normals + k].bound * t.law->slipBound(pressure, t.strength);
+    result[normals + k] = e.rows[normals + k].bound * equation.stepBound(e, t).value;
   }
   return result;
 }

@@ -34,7 +34,7 @@ class ProblemFamily {
   Vector loadDerivative(const Equation& equation, const Evaluation& e) const;
 
   /// ∂F/∂m likewise.
-  Vector frictionDerivative(const Evaluation& e) const;
+  Vector frictionDerivative(const Equation& equation, const Evaluation& e) const;
 
  private:
   Problem original_;
