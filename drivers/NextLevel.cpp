@@ -28,17 +28,18 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const LevelResul
   const bem::Space space({scene.outline, result.pieces});
   const bem::Mesh& mesh = space.mesh();
   const adaptivity::Strategy& strategy = adaptivity::strategy(scene.adaptivity.strategy);
+  const contact::MultiplierSpace multiplier(
+      mesh, contact::multiplierBasis(scene.multiplier), scene.conditions);
   const adaptivity::LevelData data{
       mesh, result.indicators.elements(),
       adaptivity::looksAnalytic(space, scene.conditions, result.displacement,
                                 result.density, scene.adaptivity.analyticityThreshold),
-      scene.adaptivity.markingFraction};
+      scene.adaptivity.markingFraction,
+      adaptivity::findSingularPoints(mesh, scene.conditions, multiplier, result.states)};
   const adaptivity::Marks marks = adaptivity::decide(strategy, data, algebra);
   if (!adaptivity::anyMarked(marks))
     return converged("there is nothing to refine");
 
-  const contact::MultiplierSpace multiplier(
-      mesh, contact::multiplierBasis(scene.multiplier), scene.conditions);
   adaptivity::Refined refined =
       adaptivity::refine(mesh, marks, multiplier, scene.conditions, result.state);
   LevelStart next{result.level + 1, std::move(refined.mesh), {}};

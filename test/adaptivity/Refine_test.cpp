@@ -91,7 +91,7 @@ TEUCHOS_UNIT_TEST(Refine, theBoundaryKeepsItsLengthAndItsNames) {
   };
   Marks marks(static_cast<std::size_t>(mesh.size()), Mark::None);
   for (std::size_t e = 0; e < marks.size(); ++e)
-    marks[e] = static_cast<Mark>(e % 3);
+    marks[e] = static_cast<Mark::Kind>(e % 3);
   const bem::Mesh next = adaptivity::refine(mesh, marks);
   for (const char* boundary : {"bottom", "right", "top", "left"})
     TEST_FLOATING_EQUALITY(length(next, boundary), length(mesh, boundary), 1e-14);
@@ -108,7 +108,7 @@ TEUCHOS_UNIT_TEST(Refine, theMultiplierStaysTheSameFunctionInEveryDiscontinuousB
       const contact::State state = anyState(space);
       Marks marks(static_cast<std::size_t>(mesh.size()), Mark::None);
       for (std::size_t e = 0; e < marks.size(); ++e)
-        marks[e] = static_cast<Mark>(e % 3);
+        marks[e] = static_cast<Mark::Kind>(e % 3);
 
       const adaptivity::Refined next =
           adaptivity::refine(mesh, marks, space, conditions, state);
@@ -135,7 +135,7 @@ TEUCHOS_UNIT_TEST(Refine, constantsSurviveWhereNodesAreShared) {
   state.multiplier.assign(static_cast<std::size_t>(space.size()), 0.7);
   Marks marks(static_cast<std::size_t>(mesh.size()), Mark::None);
   for (std::size_t e = 0; e < marks.size(); ++e)
-    marks[e] = static_cast<Mark>(e % 3);
+    marks[e] = static_cast<Mark::Kind>(e % 3);
   const adaptivity::Refined next =
       adaptivity::refine(mesh, marks, space, conditions, state);
   TEST_EQUALITY(static_cast<bem::Index>(next.start.multiplier.size()),

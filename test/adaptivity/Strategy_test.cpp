@@ -16,11 +16,22 @@ namespace {
 
 /// A level whose indicators grow along the boundary; every second element looks analytic.
 adaptivity::LevelData levelOn(const bem::Mesh& mesh) {
-  adaptivity::LevelData level{mesh, {}, {}, 0.3};
+  adaptivity::LevelData level{mesh, {}, {}, 0.3, {}};
+  level.singular.nodes.resize(static_cast<std::size_t>(mesh.size()));
+  level.singular.inside.resize(static_cast<std::size_t>(mesh.size()));
   for (int e = 0; e < mesh.size(); ++e) {
     level.squares.push_back(1 + e);
     level.analytic.push_back(e % 2 == 0);
   }
+  return level;
+}
+
+/// All elements of equal weight, marked and smooth.
+adaptivity::LevelData allMarkedOn(const bem::Mesh& mesh) {
+  adaptivity::LevelData level = levelOn(mesh);
+  level.squares.assign(static_cast<std::size_t>(mesh.size()), 1.0);
+  level.analytic.assign(static_cast<std::size_t>(mesh.size()), true);
+  level.markingFraction = 1;
   return level;
 }
 
@@ -99,6 +110,39 @@ TEUCHOS_UNIT_TEST(Strategy, anUnknownNameIsAnInputErrorThatListsTheKnownOnes) {
   } catch (const bem::InputError& error) {
     for (const adaptivity::Strategy& known : adaptivity::strategies())
       TEST_INEQUALITY(std::string(error.what()).find(known.name), std::string::npos);
+  }
+}
+
+TEUCHOS_UNIT_TEST(GradedHp, cutsTowardSingularPointsAndRaisesDegreesElsewhere) {
+  using adaptivity::Mark;
+  const bem::Mesh mesh = test::squareMesh(2);
+  adaptivity::LevelData level = allMarkedOn(mesh);
+  level.singular.nodes[1] = adaptivity::Singularity::Strong;
+  level.singular.inside[3] = {0.1};
+  const adaptivity::Marks marks = adaptivity::strategy("Graded hp").marks(level);
+  const int p = mesh[0].degree;
+
+  TEST_ASSERT(marks[0] == Mark::Cut);  // its end is singular
+  TEST_FLOATING_EQUALITY(marks[0].places().front(), 0.7, 1e-14);
+  TEST_ASSERT(marks[0].degrees() == std::vector<int>({p + 1, p}));
+  TEST_ASSERT(marks[1] == Mark::Cut);
+  TEST_FLOATING_EQUALITY(marks[1].places().front(), -0.7, 1e-14);
+  TEST_ASSERT(marks[1].degrees() == std::vector<int>({p, p + 1}));
+  TEST_EQUALITY(static_cast<int>(marks[3].places().size()), 2);
+  TEST_COMPARE(marks[3].places().front(), <, 0.1);
+  TEST_COMPARE(marks[3].places().back(), >, 0.1);
+  TEST_ASSERT(marks[3].degrees() == std::vector<int>({p + 1, p, p + 1}));
+  TEST_ASSERT(marks[2] == Mark::RaiseDegree);
+}
+
+TEUCHOS_UNIT_TEST(GradedHp, leavesWeakPointsToTheDegreeAtFirst) {
+  using adaptivity::Mark;
+  for (const int degree : {1, 6}) {
+    const bem::Mesh mesh = test::squareMesh(degree);
+    adaptivity::LevelData level = allMarkedOn(mesh);
+    level.singular.nodes[0] = adaptivity::Singularity::Weak;
+    const adaptivity::Marks marks = adaptivity::strategy("Graded hp").marks(level);
+    TEST_ASSERT(marks[0] == (degree == 1 ? Mark::RaiseDegree : Mark::Cut));
   }
 }
 

@@ -28,22 +28,52 @@ struct Pieces {
   std::vector<Origin> origins;
 };
 
+/// The place t of an element, as accurate from both ends of its edge as the element's
+/// own.
+bem::Position positionAt(const bem::Piece& piece, double t) {
+  const double f = 0.5 * (1 + t);
+  const bem::Position& a = piece.start;
+  const bem::Position& b = piece.end;
+  return {a.fromStart + f * (b.fromStart - a.fromStart),
+          b.toEnd + (1 - f) * (a.toEnd - b.toEnd)};
+}
+
+void cutAt(const bem::Piece& piece, int element, const std::vector<double>& places,
+           const std::vector<int>& degrees, Pieces& result) {
+  assert(degrees.size() == places.size() + 1);
+  bem::Position start = piece.start;
+  double from = -1;
+  for (std::size_t k = 0; k < degrees.size(); ++k) {
+    const bool last = k == places.size();
+    const double to = last ? 1 : places[k];
+    const bem::Position end = last ? piece.end : positionAt(piece, to);
+    result.pieces.push_back({piece.edge, start, end, degrees[k]});
+    result.origins.push_back({element, 0.5 * (from + to), 0.5 * (to - from)});
+    start = end;
+    from = to;
+  }
+}
+
 Pieces cut(const bem::Mesh& mesh, const Marks& marks) {
   assert(static_cast<int>(marks.size()) == mesh.size());
   Pieces result;
   for (int e = 0; e < mesh.size(); ++e) {
     const bem::Piece piece = mesh[e].piece;
-    const Mark mark = marks[static_cast<std::size_t>(e)];
-    if (mark == Mark::Bisect) {
-      const bem::Position middle = bem::midpoint(piece.start, piece.end);
-      result.pieces.push_back({piece.edge, piece.start, middle, piece.degree});
-      result.pieces.push_back({piece.edge, middle, piece.end, piece.degree});
-      result.origins.push_back({e, -0.5, 0.5});
-      result.origins.push_back({e, 0.5, 0.5});
-    } else {
-      const int raise = mark == Mark::RaiseDegree ? 1 : 0;
-      result.pieces.push_back({piece.edge, piece.start, piece.end, piece.degree + raise});
-      result.origins.push_back({e, 0, 1});
+    const Mark& mark = marks[static_cast<std::size_t>(e)];
+    const int p = piece.degree;
+    switch (mark.kind()) {
+      case Mark::None:
+        cutAt(piece, e, {}, {p}, result);
+        break;
+      case Mark::RaiseDegree:
+        cutAt(piece, e, {}, {p + 1}, result);
+        break;
+      case Mark::Bisect:
+        cutAt(piece, e, {0}, {p, p}, result);
+        break;
+      case Mark::Cut:
+        cutAt(piece, e, mark.places(), mark.degrees(), result);
+        break;
     }
   }
   return result;
@@ -143,9 +173,16 @@ Vector carry(const MultiplierSpace& from, const Vector& old, const MultiplierSpa
 
 }  // namespace
 
+Mark Mark::cut(std::vector<double> places, std::vector<int> degrees) {
+  Mark mark(Cut);
+  mark.places_ = std::move(places);
+  mark.degrees_ = std::move(degrees);
+  return mark;
+}
+
 bool anyMarked(const Marks& marks) {
   return std::any_of(marks.begin(), marks.end(),
-                     [](Mark mark) { return mark != Mark::None; });
+                     [](const Mark& mark) { return mark != Mark::None; });
 }
 
 bem::Mesh refine(const bem::Mesh& mesh, const Marks& marks) {

@@ -9,7 +9,33 @@
 namespace epafi::adaptivity {
 
 /// What happens to an element on the way to the next level.
-enum class Mark { None, Bisect, RaiseDegree };
+class Mark {
+ public:
+  enum Kind { None, Bisect, RaiseDegree, Cut };
+
+  /// Implicit: a kind other than Cut says everything.
+  // NOLINTNEXTLINE(google-explicit-constructor)
+  Mark(Kind kind = None) : kind_(kind) {}
+
+  /// Cut at places of (-1, 1), in increasing order; piece k gets degree degrees[k], one
+  /// more of them than places.
+  static Mark cut(std::vector<double> places, std::vector<int> degrees);
+
+  Kind kind() const { return kind_; }
+  const std::vector<double>& places() const { return places_; }
+  const std::vector<int>& degrees() const { return degrees_; }
+
+  friend bool operator==(const Mark& mark, Kind kind) { return mark.kind_ == kind; }
+  friend bool operator==(const Mark& a, const Mark& b) {
+    return a.kind_ == b.kind_ && a.places_ == b.places_ && a.degrees_ == b.degrees_;
+  }
+  friend bool operator!=(const Mark& mark, Kind kind) { return mark.kind_ != kind; }
+
+ private:
+  Kind kind_;
+  std::vector<double> places_;
+  std::vector<int> degrees_;
+};
 
 /// One mark per element.
 using Marks = std::vector<Mark>;
@@ -23,7 +49,8 @@ struct Refined {
   contact::State start;
 };
 
-/// The next mesh: bisected elements become two equal ones of the same degree.
+/// The next mesh: bisected elements become two equal ones of the same degree, cut ones
+/// what their mark says.
 ///
 /// Positions are halved from both ends of their edge, so that a node next to either
 /// vertex keeps its digits through any number of bisections. \throws bem::InputError

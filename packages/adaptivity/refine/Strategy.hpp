@@ -1,5 +1,6 @@
 #pragma once
 
+#include "adaptivity/mark/SingularPoints.hpp"
 #include "adaptivity/refine/Refine.hpp"
 #include "bem/base/DenseAlgebra.hpp"
 
@@ -14,6 +15,7 @@ struct LevelData {
   bem::Vector squares;         ///< Ξ² of each element, see estimateResidual
   std::vector<bool> analytic;  ///< of each element, see looksAnalytic
   double markingFraction = 0.3;
+  SingularPoints singular;
 };
 
 /// Where the next level's iteration starts.

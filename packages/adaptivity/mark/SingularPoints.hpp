@@ -1,0 +1,37 @@
+#pragma once
+
+#include "bem/mesh/Mesh.hpp"
+#include "contact/multiplier/MultiplierSpace.hpp"
+#include "contact/solve/ContactState.hpp"
+
+#include <vector>
+
+namespace epafi::adaptivity {
+
+/// How badly the solution behaves at a node.
+enum class Singularity {
+  None,
+  Weak,   ///< a corner, or where two boundaries or two kinds of condition meet
+  Strong  ///< where a clamp ends, or where contact or friction changes its state
+};
+
+/// The finitely many points between which the solution is analytic, as far as they show.
+struct SingularPoints {
+  /// Of each element's start node.
+  std::vector<Singularity> nodes;
+  /// Places in (-1, 1) of each element where a contact or friction state changes: between
+  /// two coefficients of the multiplier in different states, in the middle.
+  std::vector<std::vector<double>> inside;
+
+  Singularity at(const bem::Mesh& mesh, int element, bool end) const {
+    const bem::Element& e = mesh[element];
+    return nodes[static_cast<std::size_t>(end ? e.endNode : e.startNode)];
+  }
+};
+
+SingularPoints findSingularPoints(const bem::Mesh& mesh,
+                                  const contact::Conditions& conditions,
+                                  const contact::MultiplierSpace& multiplier,
+                                  const contact::ContactState& states);
+
+}  // namespace epafi::adaptivity
