@@ -1,0 +1,230 @@
+"""The hard cases: scene, settings, and what each must give.
+
+A claim is a function of the run's result and of all results so far; it returns a sentence
+about what is wrong, or None.  Its docstring is what the table in doc/benchmarks says.
+"""
+BASE = "Bodies->block->Boundary Conditions->base->"
+TOP = "Bodies->block->Boundary Conditions->top->"
+ONCE = ["Adaptivity->Strategy=None"]
+NO_BALANCE = ["rigid motion that nothing holds"]
+CASES = []
+
+
+class Case:
+    def __init__(self, name, meaning, scene, settings=(), code=0, words=(), claims=(),
+                 group="quick", ranks=1, patience=600):
+        self.name, self.meaning, self.scene = name, meaning, scene
+        self.settings, self.code, self.words = list(settings), code, list(words)
+        self.claims, self.group, self.ranks = list(claims), group, ranks
+        self.patience = patience
+
+
+def case(*arguments, **options):
+    CASES.append(Case(*arguments, **options))
+
+
+def documented(sentence, claim):
+    claim.__doc__ = sentence
+    return claim
+
+
+def value(column, wanted, tolerance, scale=1):
+    """The last row's column is `wanted` up to tolerance * scale."""
+    def claim(result, results):
+        got = result.last(column)
+        if not abs(got - wanted) <= tolerance * scale:
+            return "%s = %r, not %r" % (column, got, wanted)
+    return documented("%s = %.6g to %.0e" % (column, wanted, tolerance * scale), claim)
+
+
+def between(column, low, high):
+    def claim(result, results):
+        if not low <= result.last(column) <= high:
+            return "%s = %r" % (column, result.last(column))
+    return documented("%s from %g to %g" % (column, low, high), claim)
+
+
+def balance(x, y, tolerance=1e-10):
+    """Loads, contact forces and reactions of a body with one contact side, at the bottom."""
+    def claim(result, results):
+        scale = max(abs(x), abs(y), abs(result.last("force_normal")), 1e-300)
+        for rest in (x - result.last("force_tangential") + result.last("reaction_x"),
+                     y + result.last("force_normal") + result.last("reaction_y")):
+            if not abs(rest) <= tolerance * scale:
+                return "out of balance by %.1e of the load" % (rest / scale)
+    return documented("forces balance to %.0e" % tolerance, claim)
+
+
+def like(other, columns, tolerance, factor=1, text=None):
+    """The same numbers as another case."""
+    def claim(result, results):
+        if other not in results:
+            return None
+        for column in columns:
+            mine, theirs = result.last(column) / factor, results[other].last(column)
+            if not abs(mine - theirs) <= tolerance * max(abs(theirs), 1e-300):
+                return "%s = %r, %r in %s" % (column, mine, theirs, other)
+    return documented(text or "the same as '%s' to %.0e" % (other.replace("_", " "),
+                                                          tolerance), claim)
+
+
+def steps(most):
+    def claim(result, results):
+        if result.last("newton_iterations") > most:
+            return "%d Newton steps" % result.last("newton_iterations")
+    return documented("at most %d Newton steps" % most, claim)
+
+
+def dissipates(result, results):
+    """friction feeds no energy in"""
+    largest = {key: max(abs(point[key]) for point in result.contact)
+               for key in ("lambda_t", "u_t", "u_n")}
+    # The conditions hold for coefficients: not for the polynomial where the state changes.
+    works, states = {}, {}
+    for point in result.contact:
+        works.setdefault(point["element"], []).append(point["lambda_t"] * point["u_t"])
+        states.setdefault(point["element"], set()).add(point["friction"])
+    least = min([sum(works[e]) / len(works[e]) for e in works if states[e] == {2}] + [0])
+    if least < -1e-3 * largest["lambda_t"] * max(largest["u_t"], largest["u_n"]):
+        return "lambda_t u_t = %.2e on an element that slips" % least
+
+
+def coulombs(f):
+    def claim(result, results):
+        most = max(point["lambda_n"] for point in result.contact)
+        for point in result.contact:
+            if abs(point["lambda_t"]) > f * max(point["lambda_n"], 0) + 0.05 * f * most:
+                return "|lambda_t| = %g at x = %g" % (abs(point["lambda_t"]), point["x"])
+    return documented("|lambda_t| below the bound", claim)
+
+
+# ---- contact or not
+zero = [value("force_normal", 0, 0), value("energy_strain", 0, 0), value("contact_length", 0, 0)]
+case("grazing", "grazing: gap 0, no load", "clamped_block", claims=zero)
+case("grazing_friction", "grazing, Coulomb friction", "clamped_block",
+     [BASE + "Friction->Law=Coulomb", BASE + "Friction->Coefficient=0.3"], claims=zero)
+case("no_contact", "no contact at all", "pressed_block", [BASE + "Gap=1"],
+     claims=[value("force_normal", 0, 0), value("contact_length", 0, 0), value("reaction_y", 0, 1e-12)])
+case("full_contact", "full contact: the patch test", "patch",
+     claims=[value("force_normal", 2, 1e-12), value("contact_length", 2, 1e-12),
+             balance(0, -2)])
+case("point_contact", "contact on a part of one element", "point_contact",
+     claims=[between("contact_length", 1e-3, 2 / 17), balance(0, 0)])
+case("hanging", "no load, nothing near, vertical motion free", "hanging_block", claims=zero)
+case("load_removed", "load removed from a block that only stands", "standing_block",
+     [TOP + "Traction Y=0"], claims=zero)
+case("lifted", "load away from the only support", "standing_block", [TOP + "Traction Y=1"],
+     code=2, words=NO_BALANCE)
+
+# ---- friction holds the body
+case("standing", "held by friction only", "standing_block",
+     claims=[balance(0, -2), value("force_normal", 2, 1e-10), steps(12)])
+for share in ("0.3", "0.49", "0.4999999", "0.5"):
+    case("slide_" + share, "onset of global sliding, f = 0.5, T = %s N" % share,
+         "standing_block", [TOP + "Traction X=" + share],
+         claims=[balance(2 * float(share), -2), value("force_normal", 2, 1e-10), steps(20),
+                 dissipates])
+for share in ("0.5000001", "0.6"):
+    case("slide_" + share, "beyond global sliding, f = 0.5, T = %s N" % share,
+         "standing_block", [TOP + "Traction X=" + share], code=2, words=NO_BALANCE)
+case("push_stick", "shear on all sides, f just above its ratio", "pushed_block",
+     [BASE + "Friction->Coefficient=0.300001"], claims=[balance(0.6, -2), steps(30)])
+case("push_slip", "shear on all sides, f just below its ratio", "pushed_block",
+     [BASE + "Friction->Coefficient=0.299999"], code=2, words=NO_BALANCE)
+case("opposite_slip", "all slips, to both sides", "opposite_slip",
+     claims=[value("slip_length", 2, 1e-12), value("force_tangential", 0, 1e-12),
+             balance(0, -2), dissipates])
+case("tiny_friction", "f = 1e-6", "opposite_slip", [BASE + "Friction->Coefficient=1e-6"],
+     claims=[value("slip_length", 2, 1e-12), balance(0, -2)])
+case("jumping_bound", "bound zero on a part, jumping elsewhere", "jumping_bound",
+     claims=[balance(0, 0), dissipates,
+             # what slips carries its bound: 0.2 and 0.01 on a third of the side each
+             value("force_tangential", (0.2 + 0.01) * 2 / 3, 1e-10)])
+for f in ("0.3", "1", "3", "10", "100"):
+    case("shear_f" + f, "f = %s, pressed and sheared; several solutions may exist" % f,
+         "pressed_block",
+         [BASE + "Friction->Coefficient=" + f, TOP + "Displacement X=0.05"],
+         claims=[balance(0, 0), steps(40), dissipates, coulombs(float(f))])
+for f in ("1", "3", "10"):
+    case("l_shape_f" + f, "L-shape in a corner, no clamp, f = " + f, "l_shape",
+         [BASE + "Friction->Coefficient=" + f,
+          "Bodies->block->Boundary Conditions->back->Friction->Coefficient=" + f],
+         claims=[dissipates, steps(200)])
+
+# ---- material and units
+for nu in ("0.49", "0.4999", "0.4999999"):
+    case("nu_" + nu, "nu = " + nu, "pressed_block",
+         ["Bodies->block->Material->Poisson's Ratio=" + nu],
+         claims=[between("force_normal", 5, 6.5), steps(40)])
+pressed = ["force_normal", "energy_strain", "contact_length", "slip_length", "energy_friction"]
+case("pressed", "pressed onto a parabola: the reference of the following", "pressed_block",
+     claims=[balance(0, 0), steps(10), dissipates])
+for E in ("2.1e11", "2.1e5", "1e-3"):
+    case("units_" + E, "E = " + E, "pressed_block",
+         ["Bodies->block->Material->Young's Modulus=" + E],
+         claims=[like("pressed", ["force_normal", "energy_strain", "energy_friction"], 1e-8,
+                      float(E) / 100, "the same digits as with E = 100 (1e-8)"),
+                 like("pressed", ["contact_length", "newton_iterations"], 1e-12)])
+for L in ("1000", "0.001"):
+    vertices = "4x2:{-%s,0, %s,0, %s,%s, -%s,%s}" % ((L,) * 6)
+    case("size_" + L, "outline of size " + L, "pressed_block",
+         ["Bodies->block->Geometry->Vertices=" + vertices,
+          BASE + "Gap=0.02*(x/%s)^2*%s" % (L, L), TOP + "Displacement Y=-0.02*" + L],
+         claims=[like("pressed", ["force_normal", "contact_length"], 1e-8, float(L),
+                      "the same digits as of size 1 (1e-8)")])
+
+# ---- shapes and meshes
+# E u / L of the beam is 5000 times its load per area: so many digits go in the reaction.
+case("thin_beam", "beam of 1:100 laid down on a plane by its load, p = 3", "thin_beam",
+     claims=[balance(0, -0.1, 1e-9), between("contact_length", 40, 70)], group="long")
+case("thin_beam_frictionless", "the same beam without friction, p = 2", "thin_beam",
+     [BASE + "Friction->Coefficient=0", "Discretization->Degree=2"],
+     claims=[balance(0, -0.1, 1e-9), between("contact_length", 40, 70)])
+case("wedge", "acute corner of 5 degrees, contact ends in it", "wedge",
+     ["Discretization->Stabilization->Gamma0=0.008"], claims=[dissipates, steps(10)])
+case("wedge_refused", "the same with the default gamma0: too large here", "wedge", code=2,
+     words=["Gamma0", "a quarter of that is safe"])
+case("l_shape", "L-shape, two contact sides, friction alone holds it", "l_shape",
+     claims=[dissipates, steps(20)])
+case("mesh_ratio", "mesh ratio 1e-10 on the contact side", "graded_mesh",
+     claims=[like("pressed", ["force_normal"], 0.05), balance(0, 0), steps(20)])
+case("degree_20", "p = 20", "high_degree",
+     claims=[like("pressed", ["force_normal"], 0.01), balance(0, 0), steps(20)])
+case("many_sides", "several contact sides and clamps, Dirichlet beside Neumann, contact to "
+     "the corners, a hole", "many_sides", claims=[dissipates, steps(20)])
+case("holes_refined", "the same on 4 times the elements", "many_sides",
+     ["Adaptivity->Strategy=Uniform h", "Adaptivity->Maximum Levels=3"],
+     claims=[like("many_sides", ["force_normal"], 0.05), steps(50)])
+
+# ---- gamma0, [P] sec. 8.3: 256 elements, p = 1
+MESH = ONCE + ["Discretization->Elements per Edge={64, 64, 64, 64}"]
+GAMMA = "Discretization->Stabilization->Gamma0="
+FORM = "Discretization->Stabilization->Form="
+for gamma in ("1e-3", "1e-13", "1e-12", "1e-10", "1e-8", "1e-6", "1e-4", "1e-2", "6.6e-2"):
+    plateau = [] if gamma in ("1e-13", "1e-3") else [
+        like("gamma_1e-3", ["energy_strain", "energy_load"], 2e-3,
+             text="on the plateau (2e-3)")]
+    case("gamma_" + gamma, "gamma0 = %s, 256 elements" % gamma, "coulomb",
+         MESH + [GAMMA + gamma],
+         claims=plateau + [value("force_normal", 0.125, 1e-10), steps(50)])
+for form in ("Projected", "Exact"):
+    case("gamma_0.11_" + form, "gamma0 = 0.11, " + form.lower(), "coulomb",
+         MESH + [GAMMA + "0.11", FORM + form],
+         claims=[like("gamma_1e-3", ["energy_load"], 2e-2, text="near the plateau (2e-2)")])
+    for gamma in ("0.16", "1"):
+        case("gamma_%s_%s" % (gamma, form), "gamma0 = %s, %s: not definite" % (
+            gamma, form.lower()), "coulomb", MESH + [GAMMA + gamma, FORM + form], code=2,
+             words=["not positive definite", "below 0.1", "a quarter of that is safe"])
+for gamma in ("5e-4", "1e-3", "0.1"):
+    case("stiffness_" + gamma, "gamma0 = %s scaled by stiffness, 256 elements" % gamma,
+         "coulomb", MESH + [GAMMA + gamma, "Discretization->Stabilization->Scaling=Stiffness"],
+         claims=[value("force_normal", 0.125, 1e-10), steps(50)])
+
+# ---- size and processes
+case("elements_4096", "4096 elements", "coulomb",
+     ONCE + ["Discretization->Elements per Edge={1024, 1024, 1024, 1024}",
+             "Adaptivity->Maximum Degrees of Freedom=100000", "Output->Fields=false"],
+     claims=[value("force_normal", 0.125, 1e-9)], group="long", patience=3600)
+for ranks in (2, 3):
+    case("ranks_%d" % ranks, "%d MPI ranks" % ranks, "pressed_block", ranks=ranks,
+         claims=[like("pressed", pressed, 1e-9)])

@@ -1,0 +1,114 @@
+"""Contact with known solutions: patch test, shear block, Hertz, flat punch."""
+import math
+
+from runs import claim, finish, run
+
+BASES = ("Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange", "Bernstein")
+MULTIPLIER = "Discretization->Multiplier="
+FORM = "Discretization->Stabilization->Form="
+BLOCK = "Bodies->block->"
+
+
+def discretizations():
+    """Every basis, form and some degrees, meshes and gamma0, and what rounding makes of it:
+    without much stabilisation the multiplier's oscillations cost digits, about 1/gamma."""
+    for basis in BASES:
+        for form in ("Projected", "Exact"):
+            for degree, mesh, gamma, rounding in (
+                    (1, "{5, 2, 3, 1}", "0.1", 1e-11), (2, "{7, 1, 2, 3}", "0.01", 1e-10),
+                    (5, "{2, 1, 3, 1}", "1e-6", 1e-6)):
+                yield [MULTIPLIER + basis, FORM + form, "Discretization->Degree=%d" % degree,
+                       "Discretization->Elements per Edge=" + mesh,
+                       "Discretization->Stabilization->Gamma0=" + gamma], rounding
+
+
+def largest(points, column, wanted):
+    return max(abs(point[column] - wanted) for point in points)
+
+
+def uniform(sentence, scene, settings, pressure, shear):
+    """lambda is constant to rounding, whatever the discretisation."""
+    worst = count = 0
+    for choice, rounding in discretizations():
+        contact = run(scene, choice + settings).contact
+        worst = max(worst, max(largest(contact, "lambda_n", pressure),
+                               largest(contact, "lambda_t", shear)) / rounding)
+        count += 1
+    claim(worst < 1, "%s: exact in %d discretisations (%.1e of what rounding allows)" % (
+        sentence, count, worst))
+
+
+uniform("patch test", "patch", [], 1, 0)
+uniform("shear block, all sticks", "shear_block", [], 1, 0.3)
+SLIP = [BLOCK + "Boundary Conditions->base->Friction->Coefficient=0.3",
+        BLOCK + "Boundary Conditions->top->Displacement X=0.3*2.6/100 + 0.002"]
+uniform("shear block, all slips", "shear_block", SLIP, 1, 0.3)
+sliding = run("shear_block", SLIP).contact
+claim(largest(sliding, "u_t", 0.002) < 1e-12, "it slips by what the top moves too far")
+claim({point["friction"] for point in sliding} == {2}, "and is said to slip")
+sticking = run("shear_block").contact
+claim(largest(sticking, "u_t", 0) < 1e-12 and {point["friction"] for point in sticking} == {1},
+      "it sticks where the bound is above the shear")
+
+# Hertz: a = 1, p0 = E* / (2 R)
+P0 = 1000 / (1 - 0.3**2) / 200
+LEVEL = ["Adaptivity->Maximum Levels=2", "Output->Fields=false"]
+
+
+def hertz(size, elements):
+    """A block `size` wide and high: errors of a, p0, the pressure and the shear stress."""
+    half = size / 2
+    vertices = "8x2:{%g,0, -4,0, -2,0, 2,0, 4,0, %g,0, %g,%g, %g,%g}" % (
+        -half, half, half, size, -half, size)
+    result = run("hertz", LEVEL + [
+        BLOCK + "Geometry->Vertices=" + vertices,
+        BLOCK + "Boundary Conditions->top->Traction Y=-pi/4*1000/(1 - 0.3^2)/100/%g" % size,
+        "Discretization->Elements per Edge=" + elements])
+    # sqrt(1 - x^2) fitted in the inner half, away from where contact ends
+    inner = [point for point in result.contact if abs(point["x"]) < 0.7]
+    weights = [math.sqrt(1 - point["x"]**2) for point in inner]
+    p0 = sum(w * point["lambda_n"] for w, point in zip(weights, inner)) / sum(
+        w * w for w in weights)
+    load = math.pi / 4 * 1000 / (1 - 0.3**2) / 100
+    a = 2 * load / (math.pi * p0)  # p0 a = 2 P / pi
+    ends = max(abs(point["x"]) for point in result.contact if point["contact"] == 1)
+    shape = max(abs(point["lambda_n"] / p0 - w) for w, point in zip(weights, inner))
+    stress = result.interior[0]
+    shear = math.hypot((stress["sxx"] - stress["syy"]) / 2, stress["sxy"]) / P0
+    return abs(p0 / P0 - 1), abs(a - 1), abs(ends - 1), shape, shear / 0.30028 - 1
+
+
+small = hertz(20, "{6, 8, 32, 8, 6, 10, 10, 10}")
+large = hertz(40, "{9, 8, 32, 8, 9, 10, 10, 10}")
+claim(small[0] < 0.01 and small[1] < 0.01, "Hertz: p0 and a within 1 %% (%.2f %%, %.2f %%)" % (
+    100 * small[0], 100 * small[1]))
+claim(small[2] < 0.07, "contact ends at a, up to an element (%.3f)" % small[2])
+claim(small[3] < 0.02, "the pressure is an ellipse (%.1e)" % small[3])
+claim(large[0] < 0.5 * small[0],
+      "the error of p0 falls with the block's size (%.1e to %.1e)" % (small[0], large[0]))
+# The mean stress P / size of the block adds to Hertz' field.
+claim(0.4 < large[4] / small[4] < 0.6 and abs(2 * large[4] - small[4]) < 0.003,
+      "the shear stress at depth 0.7862 a tends to 0.30028 p0 like 1 / size (%.2f %%, %.2f %%, "
+      "extrapolated %.2f %%)" % tuple(100 * e for e in (small[4], large[4],
+                                                        2 * large[4] - small[4])))
+
+
+# Flat punch: lambda_n = P / (pi sqrt(1 - x^2)), P = 1
+def punch(settings):
+    contact = run("punch", settings + ["Output->Fields=false"]).contact
+    claim({point["contact"] for point in contact} == {1}, "all of the punch is in contact")
+    means = {}  # over elements
+    for point in contact:
+        means.setdefault(point["element"], []).append(point)
+    error = 0
+    for points in means.values():
+        if max(abs(point["x"]) for point in points) < 0.8:
+            exact = sum(1 / (math.pi * math.sqrt(1 - point["x"]**2)) for point in points)
+            error = max(error, abs(sum(point["lambda_n"] for point in points) / exact - 1))
+    return error
+
+
+errors = [punch(["Adaptivity->Maximum Levels=%d" % level]) for level in (1, 2, 3)]
+claim(errors[2] < 0.01, "flat punch: the pressure's means within 1 %% in |x| < 0.8 "
+      "(%.2f %%, %.2f %%, %.2f %%)" % tuple(100 * e for e in errors))
+finish()

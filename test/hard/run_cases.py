@@ -1,0 +1,151 @@
+"""Runs the hard cases of cases.py and says what became of each.
+
+    run_cases.py EPAFI WORK [--group GROUP]... [--case NAME]... [--markdown FILE]
+
+GROUP is quick (default), long or all.  With --markdown the table of doc/benchmarks is
+written too:  test/hard/run_cases.py build/bin/epafi build/hard --group all
+--markdown doc/benchmarks/hard-cases.md
+"""
+import argparse
+import csv
+import os
+import resource
+import shutil
+import subprocess
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from cases import CASES  # noqa: E402
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+FOLDERS = [os.path.join(HERE, "scenes"), os.path.join(HERE, "..", "..", "drivers", "scenes")]
+for variable in ("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
+                 "OMPI_MCA_rmaps_base_oversubscribe", "OMPI_MCA_mpi_yield_when_idle",
+                 "OPENBLAS_NUM_THREADS"):
+    os.environ.setdefault(variable, "1")
+
+
+class Result:
+    """What a run left behind: exit code, text, rows of its tables, CPU seconds."""
+
+    def __init__(self, code, text, folder, seconds):
+        self.code, self.text, self.seconds = code, text, seconds
+        self.history, self.contact, self.interior = (
+            table(os.path.join(folder, name + ".csv"))
+            for name in ("history", "contact", "interior"))
+
+    def last(self, column):
+        return self.history[-1][column]
+
+
+def table(file):
+    """Rows as dictionaries, numbers as floats; none if there is no such file."""
+    def value(text):
+        try:
+            return float(text)
+        except ValueError:
+            return text
+    if not os.path.exists(file):
+        return []
+    with open(file, newline="") as stream:
+        return [{key: value(cell) for key, cell in row.items()}
+                for row in csv.DictReader(stream)]
+
+
+def scene(name):
+    for folder in FOLDERS:
+        file = os.path.join(folder, name + ".xml")
+        if os.path.exists(file):
+            return file
+    raise SystemExit("no scene " + name)
+
+
+def run(case, epafi, work):
+    folder = os.path.join(work, case.name)
+    shutil.rmtree(folder, ignore_errors=True)
+    command = [epafi, "run", scene(case.scene), "--quiet", "--output", folder]
+    if case.ranks > 1:
+        command = ["mpirun", "-n", str(case.ranks)] + command
+    for setting in case.settings:
+        command += ["--set", setting]
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    try:
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                              universal_newlines=True, timeout=case.patience)
+        code, text = done.returncode, done.stdout
+    except subprocess.TimeoutExpired as error:
+        code, text = "no end within %d s" % case.patience, str(error.stdout or "")
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return Result(code, text.strip(), folder, seconds)
+
+
+def faults(case, result, results):
+    """Sentences about what is not as the table says; empty if all is well."""
+    found = []
+    if result.code != case.code:
+        return ["exit code %s instead of %d: %s" % (result.code, case.code, result.text)]
+    for word in case.words:
+        if word not in result.text:
+            found.append("the message does not say '%s': %s" % (word, result.text))
+    if case.code == 0:
+        for claim in case.claims:
+            fault = claim(result, results)
+            if fault:
+                found.append(fault)
+    return found
+
+
+def outcome(case, result):
+    if case.code != 0:
+        return "exit %s: %s" % (result.code, result.text.split("\n")[-1].replace("|", "/"))
+    return "solved; " + "; ".join(claim.__doc__ for claim in case.claims)
+
+
+def markdown(file, rows):
+    with open(file, "w") as out:
+        out.write("# Hard cases\n\nEach is solved, or ends with the exit code and the "
+                  "sentence that it should.  Scenes: `test/hard/scenes` and "
+                  "`drivers/scenes`; what each must give: `test/hard/cases.py`.  Made by\n\n"
+                  "    test/hard/run_cases.py build/bin/epafi build/hard --group all "
+                  "--markdown doc/benchmarks/hard-cases.md\n\n"
+                  "Newton: steps of the last level.  CPU: seconds of the whole program.\n\n"
+                  "| case | outcome and what was checked | dof | Newton | CPU [s] |\n"
+                  "|---|---|---:|---:|---:|\n")
+        for case, result in rows:
+            last = result.history[-1] if result.history else {}
+            out.write("| %s | %s | %s | %s | %.1f |\n" % (
+                case.meaning, outcome(case, result),
+                "%d" % last["dof"] if last else "",
+                "%d" % last["newton_iterations"] if last else "", result.seconds))
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("epafi")
+    parser.add_argument("work")
+    parser.add_argument("--group", default="quick", choices=("quick", "long", "all"))
+    parser.add_argument("--case", action="append", default=[])
+    parser.add_argument("--markdown")
+    options = parser.parse_args()
+    chosen = [case for case in CASES
+              if case.name in options.case or not options.case and (
+                  options.group == "all" or case.group == options.group)]
+    os.makedirs(options.work, exist_ok=True)
+    results, rows, failed = {}, [], 0
+    for case in chosen:
+        result = results[case.name] = run(case, options.epafi, options.work)
+        rows.append((case, result))
+        wrong = faults(case, result, results)
+        print("%-6s %-28s %5.1f s" % ("FAILED" if wrong else "ok", case.name, result.seconds))
+        for sentence in wrong:
+            print("       " + sentence)
+        failed += bool(wrong)
+    if options.markdown and not failed:
+        markdown(options.markdown, rows)
+    print("%d cases, %d failed" % (len(rows), failed))
+    sys.exit(1 if failed or not rows else 0)
+
+
+if __name__ == "__main__":
+    main()
