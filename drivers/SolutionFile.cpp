@@ -41,6 +41,7 @@ Arrays arraysOf(const LevelResult& result, const std::vector<EdgeEnds>& outline)
 template <class State>
 std::vector<int> numbers(const std::vector<State>& states) {
   std::vector<int> result;
+  result.reserve(states.size());
   for (const State state : states)
     result.push_back(static_cast<int>(state));
   return result;
@@ -50,6 +51,7 @@ std::vector<int> numbers(const std::vector<State>& states) {
 template <class State>
 std::vector<State> states(const std::vector<int>& numbers, State last) {
   std::vector<State> result;
+  result.reserve(numbers.size());
   for (const int number : numbers) {
     if (number < 0 || number > static_cast<int>(last))
       throw bem::InputError(bem::message("/Epafi: ", number, " is no state"));

@@ -72,7 +72,7 @@ os.makedirs(WORK, exist_ok=True)
 cases = [("tresca.xml", "tresca", [])]
 cases += [("coulomb.xml", "coulomb %g" % f, [COEFFICIENT % f]) for f in (0.05, 1.5)]
 for file, name, settings in cases:
-    for strategy in ("Uniform h", "Uniform p", "Adaptive hp"):
+    for strategy in ("Uniform h", "Uniform p", "Adaptive hp", "Graded hp"):
         label = name + ", " + strategy
         settings_here = settings + ["Adaptivity->Strategy=" + strategy]
         whole, part = fresh(label + " whole"), fresh(label)
