@@ -16,7 +16,7 @@ packagesOf() {
       echo libtrilinos-{zoltan,zoltan2,trilinosss}-dev
       ;;
     check) echo clang-format-14 python3 python3-h5py python3-matplotlib ;;
-    all) echo clang-tidy-14 ;;
+    all) echo clang-tidy-14 clang-14 libclang-rt-14-dev libomp-14-dev valgrind ;;
   esac
 }
 

@@ -185,13 +185,12 @@ std::string readText(const std::string& file) {
     throw InputError(message("cannot be read: ", std::strerror(errno)));
   std::ostringstream text;
   text << stream.rdbuf();
-  if (text.str().find_first_not_of(" \t\r\n") == std::string::npos)
-    throw InputError("the file is empty");
   return text.str();
 }
 
-RawScene readRawScene(const std::string& file) {
-  const std::string text = readText(file);
+RawScene rawScene(const std::string& text, const std::string& file) {
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    throw InputError("the file is empty");
   const std::filesystem::path path(file);
   const std::string extension = path.extension().string();
   const bool yaml = extension == ".yaml" || extension == ".yml";
@@ -200,6 +199,8 @@ RawScene readRawScene(const std::string& file) {
 }
 
 RawScene readSceneText(const std::string& xml) { return readXml(xml, ""); }
+
+RawScene readRawScene(const std::string& file) { return rawScene(readText(file), file); }
 
 void applyOverride(Teuchos::ParameterList& list, const std::string& assignment) {
   const auto equal = assignment.find('=');

@@ -15,14 +15,17 @@ struct RawScene {
 };
 
 /// A whole file.
-/// \throws bem::InputError for a file that is missing, a folder, empty or not readable;
-///   without the file's name.
+/// \throws bem::InputError for a file that is missing, a folder or not readable; without
+///   the file's name.
 std::string readText(const std::string& file);
 
-/// Reads XML, or YAML if the name ends in .yaml or .yml.  The title is the root list's
-/// name, or the file's name without extension if it has none. \throws bem::InputError for
-/// a file that is missing, a folder, empty, not readable or
-///   malformed, and for values that do not spell their type; without the file's name.
+/// Reads XML, or YAML if the file's name ends in .yaml or .yml.  The title is the root
+/// list's name, or the file's name without extension if it has none.
+/// \throws bem::InputError for a text that is empty or malformed, and for values that do
+///   not spell their type; without the file's name.
+RawScene rawScene(const std::string& text, const std::string& file);
+
+/// rawScene() of readText(): throws what both throw.
 RawScene readRawScene(const std::string& file);
 
 /// The same of the text of an XML file.  \throws bem::InputError likewise.

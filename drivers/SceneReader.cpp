@@ -303,18 +303,35 @@ Scene build(const std::string& file, const RawScene& raw) {
 
 }  // namespace
 
-Scene readScene(const std::string& file, const std::vector<std::string>& overrides) {
+namespace {
+
+/// Every message names the file first.
+template <class Read>
+auto naming(const std::string& file, const Read& read) {
   try {
-    RawScene raw = readRawScene(file);
-    for (const std::string& assignment : overrides)
-      applyOverride(raw.list, assignment);
-    return build(file, raw);
+    return read();
   } catch (const InputError& error) {
     const std::string what = error.what();
     if (what.rfind(file + ": ", 0) == 0)
       throw;
     throw InputError(file + ": " + what);
   }
+}
+
+}  // namespace
+
+Scene readScene(const std::string& file, const std::vector<std::string>& overrides) {
+  return sceneOf(naming(file, [&] { return readText(file); }), file, overrides);
+}
+
+Scene sceneOf(const std::string& text, const std::string& file,
+              const std::vector<std::string>& overrides) {
+  return naming(file, [&] {
+    RawScene raw = rawScene(text, file);
+    for (const std::string& assignment : overrides)
+      applyOverride(raw.list, assignment);
+    return build(file, raw);
+  });
 }
 
 std::string usedXml(const Scene& scene) {

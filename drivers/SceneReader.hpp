@@ -14,6 +14,10 @@ namespace epafi::drivers {
 /// what is allowed.
 Scene readScene(const std::string& file, const std::vector<std::string>& overrides = {});
 
+/// The same for the text of a file.
+Scene sceneOf(const std::string& text, const std::string& file,
+              const std::vector<std::string>& overrides = {});
+
 /// What used.xml says: the scene with overrides and defaults, and the versions of what
 /// runs it.  Read again, it gives the same scene, bit by bit.
 std::string usedXml(const Scene& scene);

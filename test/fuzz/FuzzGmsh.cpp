@@ -1,0 +1,19 @@
+// The Gmsh reader on any text: it reads loops that Outline judges, or throws.
+#include "bem/base/Error.hpp"
+#include "bem/geometry/GmshOutline.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace epafi;
+  try {
+    const bem::Loops loops =
+        bem::readGmsh(std::string(reinterpret_cast<const char*>(data), size));
+    bem::Outline(loops.outer, loops.holes);
+  } catch (const bem::InputError&) {
+    // what a bad mesh gets
+  }
+  return 0;
+}
