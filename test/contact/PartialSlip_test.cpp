@@ -1,0 +1,228 @@
+// Manufactured partial slip: a smooth exact field, two contact sides, one that sticks and
+// one that slips; rates in displacement and contact stress for every basis.
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/quadrature/Gauss.hpp"
+#include "contact/multiplier/MultiplierBasis.hpp"
+#include "contact/problem/ContactFields.hpp"
+#include "contact/problem/ContactProblem.hpp"
+#include "contact/solve/CoulombIteration.hpp"
+#include "reference/ExactFields.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+namespace {
+
+using namespace epafi;
+using bem::Vec2;
+using contact::Stabilization;
+using reference::ExactField;
+using reference::PlaneStressTensor;
+
+const bem::Lame lame({1, 0.3, false});
+
+std::shared_ptr<const bem::Outline> square() {
+  return std::make_shared<const bem::Outline>(
+      bem::Loop{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {"stick", "slip", "top", "left"}},
+      std::vector<bem::Loop>{});
+}
+
+/// Forces at x0 and at its mirror image in y = floor, opposite along x: u_x = 0 there.
+ExactField mirrored(Vec2 x0, Vec2 e, double floor) {
+  const ExactField one = reference::pointForce(lame, x0, e);
+  const ExactField two =
+      reference::pointForce(lame, {x0.x, 2 * floor - x0.y}, {-e.x, e.y});
+  return {[one, two](Vec2 x) { return one.displacement(x) + two.displacement(x); },
+          [one, two](Vec2 x) {
+            const PlaneStressTensor a = one.stress(x);
+            const PlaneStressTensor b = two.stress(x);
+            return PlaneStressTensor{a.xx + b.xx, a.yy + b.yy, a.xy + b.xy};
+          }};
+}
+
+/// Pressure one with shear, no strain along x, a varying field on top of it, and a
+/// translation downwards.  On the bottom u_t = u_x = 0; on the right u_t = u_y < 0 and
+/// sigma_t = sigma_xy > 0, so that friction -sigma_t works against the slip.
+ExactField exactField(const bem::Outline& outline) {
+  const double floor = outline.scaled({0, 0}).y;
+  const double lateral = 0.3 / (1 - 0.3);
+  // Shear leaves u_x = 0 on y = 0 whatever its rotation, not on y = floor.
+  const ExactField even = reference::constantStress(lame, {-lateral, -1, 0.25});
+  const double shift = even.displacement({0, floor}).x;
+  const ExactField wavy = mirrored({0.8, 0.25}, {0.15, -0.1}, floor);
+  const ExactField other = mirrored({-0.75, 0.1}, {0.1, 0.2}, floor);
+  return {[=](Vec2 x) {
+            return even.displacement(x) + wavy.displacement(x) + other.displacement(x) -
+                   Vec2{shift, 2};
+          },
+          [=](Vec2 x) {
+            const PlaneStressTensor a = even.stress(x);
+            const PlaneStressTensor b = wavy.stress(x);
+            const PlaneStressTensor c = other.stress(x);
+            return PlaneStressTensor{a.xx + b.xx + c.xx, a.yy + b.yy + c.yy,
+                                     a.xy + b.xy + c.xy};
+          }};
+}
+
+enum class Law { Tresca, Coulomb };
+
+/// Data of the field: dimensionless, E = 1, lengths in the square's side.
+struct Manufactured {
+  std::shared_ptr<const bem::Outline> outline = square();
+  ExactField field = exactField(*outline);
+
+  Vec2 displacement(Vec2 x) const {
+    return outline->diameter() * field.displacement(outline->scaled(x));
+  }
+  PlaneStressTensor stress(Vec2 x) const { return field.stress(outline->scaled(x)); }
+
+  bem::Function shearOn(Vec2 normal, double factor, Law law) const {
+    return [=, *this](Vec2 x) {
+      const Vec2 traction = stress(x) * normal;
+      const double bound = factor * std::abs(dot(traction, {-normal.y, normal.x}));
+      return law == Law::Tresca ? bound : bound / -dot(traction, normal);
+    };
+  }
+
+  contact::Conditions conditions(Law law) const {
+    const contact::FrictionLaw& friction =
+        contact::frictionLaw(law == Law::Tresca ? "Tresca" : "Coulomb");
+    contact::Conditions result;
+    const auto gap = [=, *this](Vec2 normal) {
+      return [=, *this](Vec2 x) { return dot(displacement(x), normal); };
+    };
+    result.contact["stick"] = {gap({0, -1}), &friction, shearOn({0, -1}, 2, law)};
+    result.contact["slip"] = {gap({1, 0}), &friction, shearOn({1, 0}, 1, law)};
+    result.neumann["top"] = {[*this](Vec2 x) { return stress(x).xy; },
+                             [*this](Vec2 x) { return stress(x).yy; }};
+    result.dirichlet["left"] = {[*this](Vec2 x) { return displacement(x).x; },
+                                [*this](Vec2 x) { return displacement(x).y; }};
+    return result;
+  }
+};
+
+struct Errors {
+  double displacement = 0;  ///< L2 on the contact sides
+  double multiplier = 0;    ///< L2
+  bool states = true;       ///< the one sticks, the other slips, all is closed
+};
+
+struct Choice {
+  const char* basis;
+  Stabilization::Form form;
+  Law law;
+};
+
+Errors errorsOn(const Manufactured& exact, int elements, int degree,
+                const Choice& choice) {
+  const bem::LapackAlgebra algebra;
+  const bem::Mesh mesh =
+      bem::makeMesh(exact.outline, {elements, elements, elements, elements}, degree);
+  const bem::Space space(mesh);
+  const contact::Conditions conditions = exact.conditions(choice.law);
+  const contact::MultiplierBasis& basis = contact::multiplierBasis(choice.basis);
+  Stabilization stabilization;
+  stabilization.form = choice.form;
+  const contact::MultiplierSpace multiplier(mesh, basis, conditions);
+  const bem::SteklovPoincare stiffness(
+      bem::assembleOperators(space, lame, algebra,
+                             contact::tractionElements(multiplier, stabilization)),
+      algebra);
+  const bem::Units units{exact.outline->diameter(), 1};
+  const contact::ContactProblem problem(
+      {space, stiffness, lame, units, conditions, basis, stabilization});
+  const auto solution = solve(problem.numbers(), {}, {});
+  if (solution.report.status != contact::Status::Converged)
+    throw std::runtime_error(solution.report.reason);
+  const bem::Vector u = problem.displacement(solution.state);
+  const contact::ContactFields fields(problem, space, units, solution.state, u);
+  const auto rule = bem::gaussLegendre(degree + 6);
+  Errors errors;
+  for (const auto& element : fields.elements()) {
+    const Vec2 normal = mesh[element.element].normal;
+    const Vec2 tangent{-normal.y, normal.x};
+    for (std::size_t q = 0; q < rule.points.size(); ++q) {
+      const contact::ContactPoint point = fields.at(element, rule.points[q]);
+      const Vec2 traction = exact.stress(point.place) * normal;
+      const Vec2 displacement = exact.displacement(point.place);
+      const double weight = rule.weights[q] * mesh[element.element].half;
+      errors.displacement +=
+          weight * (std::pow(point.normal - dot(displacement, normal), 2) +
+                    std::pow(point.tangential - dot(displacement, tangent), 2));
+      errors.multiplier += weight * (std::pow(point.pressure + dot(traction, normal), 2) +
+                                     std::pow(point.shear + dot(traction, tangent), 2));
+      const bool sticks = *element.boundary == "stick";
+      errors.states = errors.states && point.closed &&
+                      point.friction == (sticks ? contact::FrictionKind::Stick
+                                                : contact::FrictionKind::Slip);
+    }
+  }
+  errors.displacement = std::sqrt(errors.displacement);
+  errors.multiplier = std::sqrt(errors.multiplier);
+  return errors;
+}
+
+/// What is to be expected of a basis: p + 1 in the displacement, p in the contact stress,
+/// except
+///   Bernstein: coefficients of the bound are its values at control points, which is a
+///     polynomial only second order near it, whatever the degree;
+///   bases that share nodes: at corners and clamps a coefficient is missing and takes its
+///     neighbour's value, an error of h on an element of length h.
+struct Rates {
+  double displacement;
+  double multiplier;
+};
+
+Rates ratesOf(const contact::MultiplierBasis& basis, int degree) {
+  if (basis.name == std::string("Bernstein"))
+    return {std::min(degree + 1.0, 2.0), std::min(1.0 * degree, 2.0)};
+  if (basis.sharesNodes)
+    return {degree + 1.0, std::min(1.0 * degree, 1.5)};
+  return {degree + 1.0, 1.0 * degree};
+}
+
+TEUCHOS_UNIT_TEST(PartialSlip, theFieldIsASolutionOfContactWithFriction) {
+  const Manufactured exact;
+  for (double s = 0; s <= 1; s += 1.0 / 64) {
+    const PlaneStressTensor bottom = exact.stress({s, 0});
+    const PlaneStressTensor right = exact.stress({1, s});
+    TEST_COMPARE(bottom.yy, <, -0.1);
+    TEST_COMPARE(right.xx, <, -0.1);
+    TEST_COMPARE(std::abs(exact.displacement({s, 0}).x), <, 1e-14);
+    TEST_COMPARE(right.xy, >, 0.01);
+    TEST_COMPARE(exact.displacement({1, s}).y, <, -0.1);
+  }
+}
+
+TEUCHOS_UNIT_TEST(PartialSlip, convergesAtFullOrderForEveryBasis) {
+  const Manufactured exact;
+  for (const Law law : {Law::Tresca, Law::Coulomb})
+    for (const contact::MultiplierBasis& basis : contact::multiplierBases())
+      for (const auto form : {Stabilization::Form::Projected, Stabilization::Form::Exact})
+        for (const int degree : {1, 2, 3}) {
+          const bool stabilised = !basis.sharesNodes;
+          if (!stabilised && form == Stabilization::Form::Exact)
+            continue;  // has no stabilisation of any form
+          const Choice choice{basis.name, stabilised ? form : Stabilization::Form::None,
+                              law};
+          const int finest = degree == 1 ? 64 : 32;
+          const Errors coarse = errorsOn(exact, finest / 2, degree, choice);
+          const Errors fine = errorsOn(exact, finest, degree, choice);
+          const double rate = std::log2(coarse.displacement / fine.displacement);
+          const double stressRate = std::log2(coarse.multiplier / fine.multiplier);
+          out << (law == Law::Tresca ? "Tresca " : "Coulomb ") << basis.name
+              << (form == Stabilization::Form::Exact ? " exact" : " projected")
+              << " p = " << degree << ": u " << fine.displacement << " rate " << rate
+              << ", lambda " << fine.multiplier << " rate " << stressRate << "\n";
+          const Rates expected = ratesOf(basis, degree);
+          TEST_COMPARE(rate, >, expected.displacement - 0.15);
+          TEST_COMPARE(stressRate, >, expected.multiplier - 0.1);
+          TEST_ASSERT(fine.states);
+        }
+}
+
+}  // namespace
