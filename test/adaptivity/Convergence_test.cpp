@@ -1,13 +1,14 @@
 // The two scenes of [P] sec. 8: rates of the estimate, and the estimate beside true
 // errors.
-#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/assembly/EnergyNorm.hpp"
 #include "drivers/Levels.hpp"
+#include "drivers/Ranks.hpp"
 #include "drivers/SceneReader.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace epafi {
@@ -26,19 +27,21 @@ std::vector<Level> solveScene(const std::string& name,
       drivers::readScene(std::string(EPAFI_SCENES) + "/" + name + ".xml", settings);
   std::vector<Level> levels;
   drivers::PhaseTimer timer(drivers::Progress::Silent);
-  const bem::LapackAlgebra algebra;
+  const drivers::Ranks ranks;
   const auto keep = [&](const drivers::SolvedLevel& level) {
     levels.push_back({static_cast<double>(level.row.size.dof()), level.row.estimate,
                       bem::makeCauchyData(level.solved.space, level.solved.displacement,
-                                          level.density)});
+                                          level.result.density)});
   };
-  solveLevels(scene, algebra, timer, keep);
+  solveLevels(scene, ranks, timer, keep);
   return levels;
 }
 
 std::vector<std::string> with(std::vector<std::string> settings,
                               const std::string& strategy, int levels, int dof) {
   settings.push_back("Adaptivity->Strategy=" + strategy);
+  settings.push_back(std::string("Adaptivity->Marking Fraction=") +
+                     (strategy == "Graded hp" ? "0.6" : "0.3"));
   settings.push_back("Adaptivity->Maximum Levels=" + std::to_string(levels));
   settings.push_back("Adaptivity->Maximum Degrees of Freedom=" + std::to_string(dof));
   return settings;
@@ -112,7 +115,7 @@ TEUCHOS_UNIT_TEST(Rates, ofCoulombsBlockAreThePapers) {
 // far from it as its own estimate says nothing certain.
 TEUCHOS_UNIT_TEST(Effectivity, inEnergyWeightsStaysBetweenOneAndAHalfAndFourAndAHalf) {
   for (const char* name : {"tresca", "coulomb"}) {
-    const std::vector<Level> fine = solveScene(name, with({}, "Adaptive hp", 100, 2500));
+    const std::vector<Level> fine = solveScene(name, with({}, "Graded hp", 100, 1600));
     const bem::CauchyData& reference = fine.back().solution;
     const drivers::Scene scene =
         drivers::readScene(std::string(EPAFI_SCENES) + "/" + name + ".xml");
@@ -129,11 +132,50 @@ TEUCHOS_UNIT_TEST(Effectivity, inEnergyWeightsStaysBetweenOneAndAHalfAndFourAndA
         const double error =
             energyUnit(scene) * energyNorm(difference(level.solution, reference), lame);
         const double index = level.estimate / error;
-        out << "  " << settings[settings.size() - 3] << " " << level.dof << " " << error
+        out << "  " << settings[settings.size() - 4] << " " << level.dof << " " << error
             << " " << index << "\n";
         outside += index < 1.5 || index > 4.5 ? 1 : 0;
       }
       TEST_COMPARE(outside, <=, 1);
+    }
+  }
+}
+
+/// dof of the first level from which on the relative error in the energy norm stays below
+/// a bound.
+double dofFor(double bound, const std::vector<Level>& levels,
+              const bem::CauchyData& reference, const bem::Lame& lame) {
+  const double scale = energyNorm(reference, lame);
+  double dof = std::numeric_limits<double>::infinity();
+  for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
+    if (energyNorm(difference(level->solution, reference), lame) > bound * scale)
+      break;
+    dof = level->dof;
+  }
+  return dof;
+}
+
+TEUCHOS_UNIT_TEST(GradedHp, convergesExponentiallyInTheRootOfDof) {
+  struct Goal {
+    const char* scene;
+    double dof[3];  // for 1e-3, 1e-4, 1e-5
+  };
+  for (const Goal& goal :
+       {Goal{"tresca", {600, 1300, 1700}}, Goal{"coulomb", {450, 1300, 1500}}}) {
+    const auto levels = solveScene(goal.scene, with({}, "Graded hp", 100, 1700));
+    const auto fine = solveScene(goal.scene, with({}, "Graded hp", 100, 2300));
+    const drivers::Scene scene =
+        drivers::readScene(std::string(EPAFI_SCENES) + "/" + goal.scene + ".xml");
+    const bem::Lame lame(scene.material);
+    const bem::CauchyData& reference = fine.back().solution;
+    out << goal.scene << ", reference: " << fine.back().dof << " unknowns, estimate "
+        << fine.back().estimate << "\n";
+    double bound = 1e-3;
+    for (const double dof : goal.dof) {
+      out << "  " << bound << " at " << dofFor(bound, levels, reference, lame)
+          << " dof\n";
+      TEST_COMPARE(dofFor(bound, levels, reference, lame), <=, dof);
+      bound *= 0.1;
     }
   }
 }
