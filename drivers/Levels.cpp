@@ -97,7 +97,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
           {space, stiffness, lame, units, scene.conditions, basis, scene.stabilization});
     });
     const auto solution = timer.run(Phase::Newton, [&] {
-      return solveOnce(problem, from->start, scene.solver, algebra);
+      return solveOnce(problem, space.mesh(), from->start, scene.solver, algebra);
     });
     const bem::Vector displacement = problem.displacement(solution.state);
     const bem::Vector density = stiffness.density(displacement);

@@ -1,6 +1,7 @@
 #include "drivers/SolveOnce.hpp"
 
 #include "contact/solve/LoadContinuation.hpp"
+#include "drivers/Restless.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -41,14 +42,16 @@ contact::Report unpacked(const Vector& numbers) {
 
 }  // namespace
 
-contact::Solution solveOnce(const contact::ContactProblem& problem,
+contact::Solution solveOnce(const contact::ContactProblem& problem, const bem::Mesh& mesh,
                             const contact::State& start,
                             const contact::SolverOptions& options,
                             const bem::DenseAlgebra& algebra) {
   contact::Solution solution;
-  if (algebra.rank() == 0)
+  if (algebra.rank() == 0) {
     solution =
         contact::solveInLoadSteps(problem.numbers(), problem.gap(), start, options);
+    solution.report.reason += restlessPlaces(solution.report, problem.multiplier(), mesh);
+  }
   if (algebra.processes() == 1)
     return solution;
   solution.state.multiplier = algebra.broadcast(std::move(solution.state.multiplier));

@@ -116,6 +116,11 @@ case("load_removed", "load removed from a block that only stands", "standing_blo
 case("lifted", "load away from the only support", "standing_block", [TOP + "Traction Y=1"],
      code=2, words=NO_BALANCE)
 
+case("too_few_steps", "one Newton step allowed", "pressed_block",
+     ["Solver->Maximum Iterations=1"], code=3,
+     words=["raise Solver->Maximum Iterations", "contact points that still change state: (",
+            "on base"])
+
 # ---- friction holds the body
 case("standing", "held by friction only", "standing_block",
      claims=[balance(0, -2), value("force_normal", 2, 1e-10), steps(12)])
