@@ -147,4 +147,15 @@ TEUCHOS_UNIT_TEST(UnionMesh, hasTheNodesOfBothOnceAndTheLargerDegrees) {
   TEST_EQUALITY(both.second[3].element, 2);
 }
 
+// Grading leads to such elements: what is rounding in the middle of an edge is not at its
+// ends.
+TEUCHOS_UNIT_TEST(UnionMesh, tellsNodesNextToAVertexApart) {
+  const auto outline = squareOutline();
+  const bem::Mesh a = cutMesh(outline, {{0, {1e-13, 1e-10}}}, {1});
+  const bem::Mesh b = cutMesh(outline, {{0, {3e-13, 0.5}}}, {1});
+  const bem::UnionMesh both = bem::unite(a, b);
+  TEST_EQUALITY(both.mesh.size(), 5 + 3);
+  TEST_FLOATING_EQUALITY(both.mesh[1].half / both.mesh[0].half, 2.0, 1e-12);
+}
+
 }  // namespace

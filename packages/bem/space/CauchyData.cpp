@@ -12,8 +12,7 @@ namespace {
 
 bool same(Position a, Position b) {
   constexpr double tolerance = 1e-12;
-  return std::abs(a.fromStart - b.fromStart) <= tolerance * a.fromStart ||
-         std::abs(a.toEnd - b.toEnd) <= tolerance * a.toEnd;
+  return std::abs(distanceAlong(a, b)) <= tolerance * std::min(a.fromStart, a.toEnd);
 }
 
 /// The elements of an edge, from its start to its end.

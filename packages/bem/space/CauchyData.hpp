@@ -30,9 +30,9 @@ struct UnionMesh {
   std::vector<Origin> second;  ///< one per element
 };
 
-/// Nodes are the same if their distances to a common vertex agree to 1e-12 of either:
-/// bisection from different starts leaves rounding between them.
-/// \throws InputError if the outlines have different edges.
+/// Nodes are the same if they are closer than 1e-12 of their distance to the nearer
+/// vertex: bisection from different starts leaves rounding between them. \throws
+/// InputError if the outlines have different edges.
 UnionMesh unite(const Mesh& first, const Mesh& second);
 
 /// a - b on the union of their meshes, without any error but rounding.
