@@ -22,7 +22,8 @@ def options(settings):
 def solve(file, folder, count, settings, *more):
     """Runs up to a number of levels; exit code and output."""
     return epafi("run", scene(file), *options(settings),
-                 "--set", "Adaptivity->Maximum Levels=%d" % count, *more, *(
+                 "--set", "Adaptivity->Maximum Levels=%d" % count,
+                 "--set", "Adaptivity->Maximum Degrees of Freedom=1600", *more, *(
                      ["--output", folder] if folder else []))
 
 
