@@ -14,8 +14,9 @@ packagesOf() {
       echo libtrilinos-{rtop,epetra,epetraext,triutils,xpetra,aztecoo,amesos,amesos2}-dev
       echo libtrilinos-{anasazi,galeri,ifpack,ifpack2,isorropia,ml,shylu,teko}-dev
       echo libtrilinos-{zoltan,zoltan2,trilinosss}-dev
+      echo python3 python3-h5py python3-matplotlib  # epafi plot
       ;;
-    check) echo clang-format-14 python3 python3-h5py python3-matplotlib ;;
+    check) echo clang-format-14 ;;
     all) echo clang-tidy-14 clang-14 libclang-rt-14-dev libomp-14-dev valgrind ;;
   esac
 }
