@@ -2,8 +2,8 @@
 """Pictures of a finished run or study.
 
     epafi_plot.py DIR      convergence, time, contributions, mesh, contact, deformed of a run;
-                           convergence, time, contact_stress, exponential, effectivity, sweep of a
-                           study, and those of a run in each variant's folder
+                           convergence, time, contact_stress, work-precision, exponential,
+                           effectivity, sweep of a study, and those of a run in each variant's folder
 
 Each picture is written as .png and .svg.  Reads history.csv, contact.csv, boundary.csv and
 study.csv; what a folder does not hold is left out.
@@ -88,7 +88,8 @@ class Pictures:
 
     def save(self, figure, name):
         for ending in ("png", "svg"):
-            figure.savefig(os.path.join(self.folder, "%s.%s" % (name, ending)))
+            figure.savefig(os.path.join(self.folder, "%s.%s" % (name, ending)),
+                           dpi=figure.dpi)
         plt.close(figure)
         self.names.append(name)
 
@@ -484,6 +485,30 @@ def plot_study_curves(study, scenes, abscissa, name, quantities, title, pictures
     pictures.save(figure, name)
 
 
+def plot_work_precision(study, scenes, title, pictures):
+    """The true error against CPU time, a column per scene, one legend for all."""
+    if not (study.numbers("error") > 0).any():
+        return
+    figure, axes = plt.subplots(1, len(scenes), squeeze=False, dpi=80,
+                                figsize=(4.6 * len(scenes) + 2.6, 4.4))
+    names = list(dict.fromkeys(name for variants in scenes.values() for name in variants))
+    for cell, (scene, variants) in zip(axes[0], scenes.items()):
+        for variant, curve in variants.items():
+            k = names.index(variant)
+            good = (curve["error"] > 0) & (curve["counted"] > 0)
+            cell.loglog(curve["seconds_total"][good], curve["error"][good], ms=4,
+                        label=variant, marker=MARKERS[k % len(MARKERS)],
+                        color="C%d" % (k % 10), ls="-" if k < 10 else "--")
+        plain_ticks(cell.xaxis)
+        cell.set_xlabel("CPU seconds, all threads")
+        cell.set_title(scene)
+    axes[0, 0].set_ylabel(QUANTITIES[1][1])
+    axes[0, -1].legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    figure.suptitle(title)
+    figure.tight_layout()
+    pictures.save(figure, "work-precision")
+
+
 def plot_exponential(study, scenes, title, pictures):
     """Straight here: error ~ exp(-b sqrt(dof))."""
     column, text = ("error", QUANTITIES[1][1]) if (study.numbers("error") > 0).any() else (
@@ -584,6 +609,7 @@ def plot_study(folder):
         plot_study_curves(study, scenes, "dof", "convergence", QUANTITIES, title, pictures)
         plot_study_curves(study, scenes, "seconds_total", "time", QUANTITIES, title, pictures)
         plot_study_curves(study, scenes, "dof", "contact_stress", STRESS, title, pictures)
+        plot_work_precision(study, scenes, title, pictures)
         plot_exponential(study, scenes, title, pictures)
         plot_effectivity(study, scenes, title, pictures)
         plot_sweep(study, title, pictures)

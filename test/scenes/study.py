@@ -102,7 +102,8 @@ claim(of("unconverged")[0]["status"] == "not converged" and of("unconverged")[0]
       "what did not converge is listed with the reason")
 claim([row["status"] for row in rows if row["variant"].startswith("sweep")] ==
       ["converged", "converged", "failed"], "a sweep has a row per value")
-for name in ("convergence", "time", "exponential", "effectivity", "sweep"):
+for name in ("convergence", "time", "contact_stress", "work-precision", "exponential",
+             "effectivity", "sweep"):
     for ending in (".png", ".svg"):
         picture = os.path.join(folder, name + ending)
         claim(os.path.isfile(picture) and os.path.getsize(picture) > 5000,
