@@ -51,7 +51,7 @@ HOPELESS = """
 def study(name, variants):
     file = os.path.join(WORK, name + ".xml")
     with open(file, "w") as stream:
-        stream.write(STUDY % (os.path.join(SCENES, "coulomb.xml"), variants))
+        stream.write(STUDY % (os.path.abspath(os.path.join(SCENES, "coulomb.xml")), variants))
     return file
 
 
