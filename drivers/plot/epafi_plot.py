@@ -585,12 +585,12 @@ def plot_sweep(study, title, pictures):
             axes[1, 0].semilogx(value[here], eigen[here], color="C%d" % k,
                                 marker=MARKERS[k], ms=4, label=family)
     estimate.set_ylabel("estimate")
-    estimate.legend()
+    estimate.legend(loc="center left", bbox_to_anchor=(1, 0.5))
     if has_eigen:
         axes[1, 0].axhline(0, color="black", lw=0.8)
         axes[1, 0].set_yscale("symlog", linthresh=1)
         axes[1, 0].set_ylabel("smallest eigenvalue of the\nstabilised stiffness, relative to S")
-        axes[1, 0].legend()
+        axes[1, 0].legend(loc="center left", bbox_to_anchor=(1, 0.5))
     axes[-1, 0].set_xlabel(key)
     estimate.set_title("%s: dependence on %s" % (title, key))
     pictures.save(figure, "sweep")
