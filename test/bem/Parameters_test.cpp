@@ -51,6 +51,11 @@ TEUCHOS_UNIT_TEST(Parameters, editDistanceCountsTheFewestChanges) {
   TEST_EQUALITY(bem::editDistance("kitten", "sitting"), 3.0);
   TEST_EQUALITY(bem::editDistance("", "abc"), 3.0);
   TEST_EQUALITY(bem::nearest("Gama0", {"Beta", "Gamma0", "Eta"}), "Gamma0");
+  // Candidates that are too long to be the nearest do not hide those that are not.
+  TEST_EQUALITY(bem::nearest("Gam", {"Gamma0 of the stabilisation", "Beta", "Gamma0"}),
+                "Gamma0");
+  TEST_EQUALITY(bem::nearest("Tolerance of the solver", {"x", "Tolerance", "Solver"}),
+                "Tolerance");
   TEST_EQUALITY(bem::nearest("x", {}), "");
 }
 
