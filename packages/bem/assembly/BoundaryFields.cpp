@@ -14,7 +14,7 @@ namespace {
 
 /// Gauss points on a graded interval beyond the degree, and where grading ends: both give
 /// 1e-6 in the integrals of log².
-constexpr int smoothPoints = 4;
+constexpr int smoothPoints = 6;
 constexpr double smallestInterval = 1e-7;
 
 Vec2 asVector(Complex z) { return {z.real(), z.imag()}; }

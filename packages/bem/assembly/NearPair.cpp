@@ -48,15 +48,60 @@ std::vector<Feature> feetOf(const Mesh& mesh, int inner, int outer) {
   return features;
 }
 
+/// Where the moments of (outer i, inner j) belong: transposed if outer is F.
+struct TableWriter {
+  PairMoments& moments;
+  bool transposed;
+  double& log(int i, int j) const {
+    return transposed ? moments.log(j, i) : moments.log(i, j);
+  }
+};
+
+/// Gauss points on an interval, and the last interval's length: 1e-13 of the moments'
+/// norm with polynomials of both degrees.
+GradedRule outerRule(const std::vector<Feature>& features, const Element& outer,
+                     const Element& inner) {
+  return gradedRule(features, 17 + (outer.degree + inner.degree) / 2,
+                    1e-6 * std::min(1.0, inner.half / outer.half));
+}
+
+/// Two elements of one edge: logarithms of a real distance.
+void lineMoments(const Mesh& mesh, int outer, int inner, const TableWriter& writer) {
+  const Element& x = mesh[outer];
+  const Element& y = mesh[inner];
+  const bool ahead = distanceAlong(y.piece.start, x.piece.start) > 0;
+  const double gap = ahead ? distanceAlong(y.piece.end, x.piece.start)
+                           : distanceAlong(x.piece.end, y.piece.start);
+  const double sign = ahead ? -1 : 1;
+  const std::vector<Feature> features = {{sign * (1 + gap / x.half), 0},
+                                         {sign * (1 + (gap + 2 * y.half) / x.half), 0}};
+  const GradedRule rule = outerRule(features, x, y);
+  const double logHalf = std::log(y.half);
+  std::array<double, largestDegree + 1> legendre{};
+  for (int q = 0; q < rule.size(); ++q) {
+    const EndPoint& point = rule.points[q];
+    const double beyond =
+        (gap + x.half * (ahead ? point.fromStart : point.toEnd)) / y.half;
+    LogMoments l = logMomentsAhead(beyond, y.degree - 1);
+    l[0] += 2 * logHalf;
+    if (!ahead)
+      for (int j = 1; j < y.degree; j += 2)
+        l[j] = -l[j];
+    legendreValues(x.degree - 1, point.t, legendre.data());
+    for (int i = 0; i < x.degree; ++i)
+      for (int j = 0; j < y.degree; ++j)
+        writer.log(i, j) += rule.weights[q] * legendre[i] * l[j];
+  }
+  constantPhase(x.tangent, x.degree, y.degree, writer.moments);
+}
+
 /// One pass: outer quadrature on `outer`, closed form on `inner`; calls
 /// visit(weighted P_i(x), i, moments of inner at x, b).
 template <class Visit>
 void sweep(const Mesh& mesh, int outer, int inner, Need need, const Visit& visit) {
   const Element& x = mesh[outer];
   const Element& y = mesh[inner];
-  const int order = 14 + (x.degree + y.degree) / 2;
-  const double smallest = 1e-8 * std::min(1.0, y.half / x.half);
-  const GradedRule rule = gradedRule(feetOf(mesh, inner, outer), order, smallest);
+  const GradedRule rule = outerRule(feetOf(mesh, inner, outer), x, y);
   std::array<double, largestDegree + 1> legendre{};
   LegendreMoments moments;
   for (int q = 0; q < rule.size(); ++q) {
@@ -70,12 +115,7 @@ void sweep(const Mesh& mesh, int outer, int inner, Need need, const Visit& visit
   }
 }
 
-struct TableWriter {
-  PairMoments& moments;
-  bool transposed;
-};
-
-// log and phase by outer quadrature on `outer`; written transposed if outer is F.
+// log and phase by outer quadrature on `outer`.
 void logAndPhase(const Mesh& mesh, int outer, int inner, const TableWriter& writer) {
   const Element& y = mesh[inner];
   const Complex square =
@@ -93,7 +133,7 @@ void logAndPhase(const Mesh& mesh, int outer, int inner, const TableWriter& writ
             const Complex phase = weight * square * (delta - Complex(0, 2 * b) * at.c[j]);
             const int row = writer.transposed ? j : i;
             const int column = writer.transposed ? i : j;
-            m.log(row, column) += logarithm;
+            writer.log(i, j) += logarithm;
             m.phaseReal(row, column) += phase.real();
             m.phaseImag(row, column) += phase.imag();
           }
@@ -111,14 +151,15 @@ void nearPairMoments(const Mesh& mesh, int e, int f, PairMoments& moments) {
   const int columns = mesh[f].degree;
   moments.clear(rows, columns);
   // the smaller element outside: the potential of the larger one is smoother on it
-  if (mesh[e].half <= mesh[f].half)
-    logAndPhase(mesh, e, f, {moments, false});
-  else
-    logAndPhase(mesh, f, e, {moments, true});
-  if (mesh[e].piece.edge == mesh[f].piece.edge) {  // on one line w·n = 0, w/conj(w) = τ²
-    constantPhase(mesh[e].tangent, rows, columns, moments);
+  const bool transposed = mesh[e].half > mesh[f].half;
+  const int outer = transposed ? f : e;
+  const int inner = transposed ? e : f;
+  const TableWriter writer{moments, transposed};
+  if (mesh[e].piece.edge == mesh[f].piece.edge) {  // w·n = 0: no more
+    lineMoments(mesh, outer, inner, writer);
     return;
   }
+  logAndPhase(mesh, outer, inner, writer);
   sweep(mesh, e, f, Need::C,
         [&](double weight, int i, const LegendreMoments& at, double) {
           if (i < rows)

@@ -155,7 +155,7 @@ class ElementRows {
         features.push_back({seen.z().real(), std::abs(seen.b())});
       }
     }
-    rule_ = gradedRule(features, 14 + (degree + moments_) / 2, smallest);
+    rule_ = gradedRule(features, 17 + (degree + moments_) / 2, smallest);
   }
 
   BoundaryPoint place(const EndPoint& point) const {

@@ -18,7 +18,8 @@ Complex legendreQ0(const RelativeTarget& x, bool onElement) {
 }
 
 // 2 Q_j for j = 0 ... top by the forward recurrence, stable near [-1, 1].
-void forward(Complex z, Complex q0, int top, Complex* c) {
+template <class Number>
+void forward(Number z, Number q0, int top, Number* c) {
   c[0] = 2.0 * q0;
   if (top > 0)
     c[1] = z * c[0] - 2.0;
@@ -28,24 +29,46 @@ void forward(Complex z, Complex q0, int top, Complex* c) {
 
 // 2 Q_j for j = 0 ... top by Miller's backward recurrence, scaled to 2 Q₀.  Values grow
 // by R a step, from a start so small that even |z| = 1e10 with top = 25 ends below 1e150.
-void backward(Complex z, Complex q0, int top, double logR, Complex* c) {
+template <class Number>
+void backward(Number z, Number q0, int top, double logR, Number* c) {
   const int start = top + static_cast<int>(37 / (2 * logR)) + 2;
-  Complex above = 0;
-  Complex here = 1e-150;
+  Number above = 0;
+  Number here = 1e-150;
   for (int j = start; j > 0; --j) {
     const double inverse = 1.0 / j;
-    const Complex below = (2 + inverse) * (z * here) - (1 + inverse) * above;
+    const Number below = (2 + inverse) * (z * here) - (1 + inverse) * above;
     above = here;
     here = below;
     if (j - 1 <= top)
       c[j - 1] = here;
   }
-  const Complex scale = 2.0 * q0 / c[0];
+  const Number scale = 2.0 * q0 / c[0];
   for (int j = 0; j <= top; ++j)
     c[j] *= scale;
 }
 
+// The forward recurrence loses R² a step.
+bool isForwardStable(int top, double logR) { return 2 * top * logR < 2.3; }
+
 }  // namespace
+
+LogMoments logMomentsAhead(double gap, int degree) {
+  LogMoments l{};
+  std::array<double, largestDegree + 3> c;
+  const double z = 1 + gap;
+  const double product = gap * (gap + 2);
+  const double q0 = 0.5 * std::log1p(2 / gap);
+  const int top = degree == 0 ? 0 : degree + 1;
+  const double logR = top == 0 ? 0 : std::log(z + std::sqrt(product));
+  if (isForwardStable(top, logR))
+    forward(z, q0, top, c.data());
+  else
+    backward(z, q0, top, logR, c.data());
+  l[0] = std::log(product) + z * c[0] - 2;
+  for (int j = 1; j <= degree; ++j)
+    l[j] = (c[j + 1] - c[j - 1]) / (2 * j + 1);
+  return l;
+}
 
 void evaluateMoments(const RelativeTarget& x, int degree, Need need, LegendreMoments& m) {
   const bool onElement = x.onElement();
@@ -57,7 +80,7 @@ void evaluateMoments(const RelativeTarget& x, int degree, Need need, LegendreMom
 
   const double radius = std::abs(z + std::sqrt(x.zMinus1) * std::sqrt(x.zPlus1));
   const double logR = std::log(radius);
-  const bool runForward = 2 * top * logR < 2.3;
+  const bool runForward = isForwardStable(top, logR);
   if (runForward)
     forward(z, q0, top, m.c.data());
   else

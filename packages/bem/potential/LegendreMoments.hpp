@@ -46,4 +46,10 @@ enum class Need { C, CandL, CandD, All };
 void evaluateMoments(const RelativeTarget& target, int degree, Need need,
                      LegendreMoments& moments);
 
+using LogMoments = std::array<double, largestDegree + 1>;
+
+/// l[j] alone, j <= degree, for a target on the element's line, `gap` > 0 half lengths
+/// beyond its end t = 1.  Behind its start they are (-1)^j as much.
+LogMoments logMomentsAhead(double gap, int degree);
+
 }  // namespace epafi::bem

@@ -25,10 +25,11 @@ struct Feature {
 };
 
 /// Composite Gauss rule with `order` points on intervals that shrink geometrically
-/// (factor 0.15) toward every feature, until an interval is no longer than its distance
-/// from the feature, or than `smallest` where the feature lies on the line.
+/// (factor 0.2) toward every feature, until an interval is no longer than four times its
+/// distance from the feature, or than `smallest` where the feature lies on the line.
 ///
-/// Integrands like log|t - f| are met to rounding with order 16, smallest 1e-16.
+/// Integrands like (t - f) log|t - f| are met to 1e-14 with order 17, smallest 1e-6: a
+/// rule of n points loses ε² / n⁴ on the last interval ε.
 GradedRule gradedRule(const std::vector<Feature>& features, int order, double smallest);
 
 }  // namespace epafi::bem

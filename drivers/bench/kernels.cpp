@@ -1,0 +1,211 @@
+// What one thread takes for the kernels of packages/bem, by Google Benchmark: nanoseconds
+// per pair of elements, per point and element, and seconds per operation of the dense
+// algebra.
+//
+//   build/bin/bench_kernels [--benchmark_filter=REGEX] [--benchmark_repetitions=5]
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/assembly/Assembly.hpp"
+#include "bem/assembly/BoundaryFields.hpp"
+#include "bem/assembly/FarPairs.hpp"
+#include "bem/assembly/NearPair.hpp"
+#include "bem/assembly/SteklovPoincare.hpp"
+#include "bem/assembly/TractionRows.hpp"
+
+#include <benchmark/benchmark.h>
+#include <cmath>
+#include <memory>
+#include <random>
+
+namespace {
+
+using namespace epafi::bem;
+
+const Lame lame({100, 0.3, true});
+const LapackAlgebra algebra;
+
+std::shared_ptr<const Outline> square() {
+  return std::make_shared<const Outline>(
+      Loop{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, {"contact", "right", "top", "left"}});
+}
+
+Mesh uniform(int elements, int degree) {
+  return makeMesh(square(), std::vector<int>(4, elements / 4), degree);
+}
+
+/// Elements graded by 0.15 toward every corner, degrees growing by 1 from there: what
+/// "Graded hp" ends with.
+Mesh graded(int layers, int largest) {
+  const std::shared_ptr<const Outline> outline = square();
+  std::vector<Piece> pieces;
+  for (int edge = 0; edge < 4; ++edge) {
+    const double length = outline->edge(edge).length;
+    std::vector<Position> nodes;
+    const auto node = [&](double fromStart, double toEnd) {
+      nodes.push_back({length * fromStart, length * toEnd});
+    };
+    node(0, 1);
+    for (int k = layers; k >= 1; --k)
+      node(0.5 * std::pow(0.6, k), 1 - 0.5 * std::pow(0.6, k));
+    node(0.5, 0.5);
+    for (int k = 1; k <= layers; ++k)
+      node(1 - 0.5 * std::pow(0.6, k), 0.5 * std::pow(0.6, k));
+    node(1, 0);
+    const int count = static_cast<int>(nodes.size()) - 1;
+    for (int k = 0; k < count; ++k)
+      pieces.push_back({edge, nodes[static_cast<std::size_t>(k)],
+                        nodes[static_cast<std::size_t>(k) + 1],
+                        std::min(largest, 1 + std::min(k, count - 1 - k) / 4)});
+  }
+  return Mesh(outline, pieces);
+}
+
+FarBatch farBatch() {
+  FarBatch batch{};
+  for (int lane = 0; lane < lanes; ++lane) {
+    batch.wx[lane] = 2 + 0.25 * lane;
+    batch.wy[lane] = 1 + 0.125 * lane;
+    batch.tx[lane] = std::cos(0.3 * lane);
+    batch.ty[lane] = std::sin(0.3 * lane);
+    batch.half[lane] = 0.1;
+  }
+  return batch;
+}
+
+void perItem(benchmark::State& state, const char* name, double items) {
+  state.counters[name] = benchmark::Counter(
+      items, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+/// range: degree, Gauss points in each direction.
+void farPair(benchmark::State& state) {
+  const int degree = static_cast<int>(state.range(0));
+  const int order = static_cast<int>(state.range(1));
+  const Mesh mesh = uniform(4, degree);
+  const FarBatch batch = farBatch();
+  const auto moments = std::make_unique<FarMoments>();
+  for (auto _ : state) {
+    farMoments(mesh[0], batch, degree, degree, {order, order}, *moments);
+    benchmark::DoNotOptimize(moments->log[0][0]);
+  }
+  perItem(state, "seconds_per_pair", lanes);
+}
+BENCHMARK(farPair)->Args({1, 4})->Args({1, 8})->Args({2, 6})->Args({4, 8})->Args({8, 12});
+
+/// range: degree, distance of the two elements' numbers (0 self, 1 neighbours, 2 next).
+void nearPair(benchmark::State& state) {
+  const Mesh mesh = uniform(64, static_cast<int>(state.range(0)));
+  const int distance = static_cast<int>(state.range(1));
+  const auto moments = std::make_unique<PairMoments>();
+  for (auto _ : state) {
+    nearPairMoments(mesh, 4 + distance, 4, *moments);
+    benchmark::DoNotOptimize(moments->log(0, 0));
+  }
+  perItem(state, "seconds_per_pair", 1);
+}
+BENCHMARK(nearPair)->ArgsProduct({{1, 2, 4, 8}, {0, 1}})->Args({1, 16});
+
+void assembleOn(benchmark::State& state, const Mesh& mesh,
+                const std::vector<int>& tractionElements) {
+  const Space space(mesh);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(
+        assembleOperators(space, lame, algebra, tractionElements).singleLayer.data());
+  perItem(state, "seconds_per_ordered_pair",
+          static_cast<double>(mesh.size()) * mesh.size());
+}
+
+/// V, K and W; range: elements, degree.
+void assembly(benchmark::State& state) {
+  assembleOn(state,
+             uniform(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))),
+             {});
+}
+BENCHMARK(assembly)
+    ->Args({256, 1})
+    ->Args({1024, 1})
+    ->Args({256, 2})
+    ->Args({256, 4})
+    ->Args({128, 8})
+    ->Unit(benchmark::kMillisecond);
+
+/// The same with the kernels of the projected tractions on one side of the square.
+void assemblyWithTractions(benchmark::State& state) {
+  const Mesh mesh =
+      uniform(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  assembleOn(state, mesh, mesh.elementsOf("contact"));
+}
+BENCHMARK(assemblyWithTractions)
+    ->Args({256, 1})
+    ->Args({1024, 1})
+    ->Args({256, 4})
+    ->Unit(benchmark::kMillisecond);
+
+void assemblyGraded(benchmark::State& state) {
+  const Mesh mesh = graded(37, 8);
+  assembleOn(state, mesh, mesh.elementsOf("contact"));
+  double degrees = 0;
+  for (const Element& element : mesh.elements())
+    degrees += element.degree;
+  state.counters["elements"] = mesh.size();
+  state.counters["mean_degree"] = degrees / mesh.size();
+}
+BENCHMARK(assemblyGraded)->Unit(benchmark::kMillisecond);
+
+/// S from V, K and W; range: elements, degree.
+void steklovPoincare(benchmark::State& state) {
+  const Space space(
+      uniform(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))));
+  for (auto _ : state) {
+    state.PauseTiming();
+    Operators operators = assembleOperators(space, lame, algebra);
+    state.ResumeTiming();
+    const SteklovPoincare s(std::move(operators), algebra);
+    benchmark::DoNotOptimize(s.stiffness().data());
+  }
+}
+BENCHMARK(steklovPoincare)->Args({1024, 1})->Unit(benchmark::kMillisecond);
+
+/// The projected tractions, once their kernels are there; range: elements, degree.
+void projectedTractions(benchmark::State& state) {
+  const Space space(
+      uniform(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))));
+  const std::vector<int> contact = space.mesh().elementsOf("contact");
+  for (auto _ : state) {
+    state.PauseTiming();
+    SteklovPoincare s(assembleOperators(space, lame, algebra, contact), algebra);
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(
+        tractionRows(space, lame, s, contact, TractionForm::Projected).rows.data());
+  }
+}
+BENCHMARK(projectedTractions)->Args({1024, 1})->Unit(benchmark::kMillisecond);
+
+/// The estimator's fields on all elements; range: elements, degree.
+void boundaryFields(benchmark::State& state) {
+  const Space space(
+      uniform(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))));
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> between(-1, 1);
+  Vector u(static_cast<std::size_t>(space.displacements()));
+  Vector psi(static_cast<std::size_t>(space.densities()));
+  for (double& value : u)
+    value = between(random);
+  for (double& value : psi)
+    value = between(random);
+  for (auto _ : state) {
+    const BoundaryFields fields(space, lame, u, psi);
+    for (int e = 0; e < space.mesh().size(); ++e)
+      benchmark::DoNotOptimize(fields.on(e).data());
+  }
+  perItem(state, "seconds_per_ordered_pair",
+          static_cast<double>(space.mesh().size()) * space.mesh().size());
+}
+BENCHMARK(boundaryFields)
+    ->Args({256, 1})
+    ->Args({1024, 1})
+    ->Args({256, 4})
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
