@@ -1,78 +1,32 @@
 #include "bem/assembly/EnergyNorm.hpp"
 
-#include "bem/assembly/FarPairs.hpp"
-#include "bem/assembly/NearPair.hpp"
+#include "bem/assembly/PairBatch.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <numeric>
 
 namespace epafi::bem {
 
 namespace {
 
-/// Scratch of one thread.
-struct Moments {
-  PairMoments pair;
-  FarMoments far;
-};
-
 /// Σ over all pairs (e, f) with f <= e of what they add to the two forms.
 class PairSum {
  public:
   PairSum(const CauchyData& data, const Lame& lame) : data_(data), lame_(lame) {}
 
-  double row(int e, Moments& moments) const {
+  double row(int e, PairBatch& batch) const {
     double sum = 0;
-    for (int first = 0; first <= e; first += lanes)
-      sum += batch(e, first, std::min(first + lanes, e + 1), moments);
+    for (int first = 0; first <= e; first += lanes) {
+      const int last = std::min(first + lanes, e + 1);
+      batch.choose(e, first, last);
+      for (int f = first; f < last; ++f)
+        sum += (e == f ? 1 : 2) * pair(e, f, batch.at(f));
+    }
     return sum;
   }
 
  private:
-  double batch(int e, int first, int last, Moments& moments) const {
-    const Mesh& mesh = data_.mesh;
-    FarBatch batch;
-    PairOrder order;
-    int columns = 0;
-    bool near[lanes];
-    for (int lane = 0; lane < lanes; ++lane) {
-      const int f = first + lane;
-      PairOrder own;
-      near[lane] = f >= last || isNear(mesh, e, f, own);
-      setLane(batch, lane, e, near[lane] ? -1 : f);
-      if (near[lane])
-        continue;
-      order = {std::max(order.outer, own.outer), std::max(order.inner, own.inner)};
-      columns = std::max(columns, mesh[f].degree);
-    }
-    if (columns > 0)
-      farMoments(mesh[e], batch, mesh[e].degree, columns, order, moments.far);
-    double sum = 0;
-    for (int f = first; f < last; ++f) {
-      if (near[f - first])
-        nearPairMoments(mesh, e, f, moments.pair);
-      else
-        extractLane(moments.far, f - first, mesh[f].tangent, mesh[e].degree,
-                    mesh[f].degree, moments.pair);
-      sum += (e == f ? 1 : 2) * pair(e, f, moments.pair);
-    }
-    return sum;
-  }
-
-  // f < 0: a lane to be thrown away, far off so that nothing overflows
-  void setLane(FarBatch& batch, int lane, int e, int f) const {
-    const Mesh& mesh = data_.mesh;
-    const Vec2 w = f < 0 ? Vec2{10, 10} : mesh.difference(mesh.at(e, 0), mesh.at(f, 0));
-    const Vec2 tangent = f < 0 ? Vec2{1, 0} : mesh[f].tangent;
-    batch.wx[lane] = w.x;
-    batch.wy[lane] = w.y;
-    batch.tx[lane] = tangent.x;
-    batch.ty[lane] = tangent.y;
-    batch.half[lane] = f < 0 ? 1 : mesh[f].half;
-  }
-
   /// ∫∫ a·(-log r I + c d d'/r²) b over both elements, for slopes (V*) and densities (V);
   /// in complex numbers  a·(d d'/r²) b = ½ Re(conj(a) b + conj(a) conj(b) w/conj(w)).
   double pair(int e, int f, const PairMoments& m) const {
@@ -110,10 +64,10 @@ double energyNorm(const CauchyData& data, const Lame& lame) {
   Vector rows(data.fields.size());
 #pragma omp parallel
   {
-    const auto moments = std::make_unique<Moments>();
+    PairBatch batch(data.mesh);
 #pragma omp for schedule(dynamic, 1)
     for (int e = data.mesh.size() - 1; e >= 0; --e)
-      rows[static_cast<std::size_t>(e)] = pairs.row(e, *moments);
+      rows[static_cast<std::size_t>(e)] = pairs.row(e, batch);
   }
   return std::sqrt(std::max(0.0, std::accumulate(rows.begin(), rows.end(), 0.0)));
 }

@@ -40,6 +40,9 @@ int orderFor(double z, int degree) {
   return base + degreeShare(degree);
 }
 
+// in outline diameters nothing overflows, and hypot costs as much as a whole far pair
+double length(Vec2 a) { return std::sqrt(dot(a, a)); }
+
 /// min over y in `source` of (|y-e0| + |y-e1|) / h, e0 and e1 the ends of E.
 /// [design.md 3.4]
 double focalRatio(const Element& e, const Element& source, Vec2 middle) {
@@ -57,13 +60,13 @@ double focalRatio(const Element& e, const Element& source, Vec2 middle) {
     t = foot({0, 0});
   t = std::clamp(t, -source.half, source.half);
   const Vec2 y = middle + t * source.tangent;
-  return (norm(y - e0) + norm(y - e1)) / (2 * e.half);
+  return (length(y - e0) + length(y - e1)) / (2 * e.half);
 }
 
 double distanceToSegment(Vec2 x, Vec2 middle, const Element& segment) {
   const double t =
       std::clamp(dot(x - middle, segment.tangent), -segment.half, segment.half);
-  return norm(x - middle - t * segment.tangent);
+  return length(x - middle - t * segment.tangent);
 }
 
 /// Distance of two elements that do not cross; `w` from F's middle to E's.
@@ -78,12 +81,15 @@ double gap(const Element& e, const Element& f, Vec2 w) {
 }  // namespace
 
 bool isNear(const Mesh& mesh, int ie, int jf, PairOrder& order) {
+  return isNear(mesh, ie, jf, mesh.difference(mesh.at(ie, 0), mesh.at(jf, 0)), order);
+}
+
+bool isNear(const Mesh& mesh, int ie, int jf, Vec2 w, PairOrder& order) {
   const Element& e = mesh[ie];
   const Element& f = mesh[jf];
   if (ie == jf || e.next == jf || f.next == ie)
     return true;
-  const Vec2 w = mesh.difference(mesh.at(ie, 0), mesh.at(jf, 0));
-  const double distance = norm(w);
+  const double distance = length(w);
   const double larger = std::max(e.half, f.half);
   if (distance - e.half - f.half < larger && gap(e, f, w) < larger)
     return true;

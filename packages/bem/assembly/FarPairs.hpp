@@ -31,6 +31,8 @@ constexpr int degreeShare(int degree) { return (degree + 2) / 2 + 1; }
 /// which grow with the degree and shrink with the distance, separately for the two
 /// elements.
 bool isNear(const Mesh& mesh, int e, int f, PairOrder& order);
+/// The same with `w`, the middle of E minus that of F.
+bool isNear(const Mesh& mesh, int e, int f, Vec2 w, PairOrder& order);
 
 /// Moments of a far pair, one lane of the batch.
 class FarMoments {
