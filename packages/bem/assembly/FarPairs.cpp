@@ -104,6 +104,14 @@ bool isNear(const Mesh& mesh, int ie, int jf, Vec2 w, PairOrder& order) {
   return false;
 }
 
+bool isNear(Vec2 w, const Element& f, int& order) {
+  if (distanceToSegment(w, {0, 0}, f) < f.half)
+    return true;
+  const Vec2 half = f.half * f.tangent;
+  order = orderFor((length(w - half) + length(w + half)) / (2 * f.half), f.degree);
+  return false;
+}
+
 namespace {
 
 struct Tables {

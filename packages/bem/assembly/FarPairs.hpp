@@ -15,6 +15,21 @@ struct alignas(64) FarBatch {
   double tx[lanes];  ///< tangent of F
   double ty[lanes];
   double half[lanes];
+
+  /// `w`: middle of E minus middle of F.
+  void set(int lane, Vec2 w, const Element& f) {
+    wx[lane] = w.x;
+    wy[lane] = w.y;
+    tx[lane] = f.tangent.x;
+    ty[lane] = f.tangent.y;
+    half[lane] = f.half;
+  }
+  /// A lane that is not wanted: far off, so that nothing overflows.
+  void drop(int lane) {
+    wx[lane] = wy[lane] = 10;
+    tx[lane] = half[lane] = 1;
+    ty[lane] = 0;
+  }
 };
 
 /// Gauss orders of a pair: on E and on F.
@@ -33,6 +48,10 @@ constexpr int degreeShare(int degree) { return (degree + 2) / 2 + 1; }
 bool isNear(const Mesh& mesh, int e, int f, PairOrder& order);
 /// The same with `w`, the middle of E minus that of F.
 bool isNear(const Mesh& mesh, int e, int f, Vec2 w, PairOrder& order);
+
+/// The same for a point x instead of E, w = x - middle of F; otherwise sets the order on
+/// F.
+bool isNear(Vec2 w, const Element& f, int& order);
 
 /// Moments of a far pair, one lane of the batch.
 class FarMoments {

@@ -20,7 +20,7 @@ void PairBatch::choose(int e, int first, int last) {
   for (int lane = 0; lane < lanes; ++lane) {
     const int f = first + lane;
     near_[lane] = true;
-    dropLane(lane);
+    far_.drop(lane);
     if (f >= last)
       continue;
     const Vec2 w = mesh_.difference(middle, mesh_.at(f, 0));
@@ -28,28 +28,12 @@ void PairBatch::choose(int e, int first, int last) {
     near_[lane] = isNear(mesh_, e, f, w, own);
     if (near_[lane])
       continue;
-    setLane(lane, w, f);
+    far_.set(lane, w, mesh_[f]);
     order = {std::max(order.outer, own.outer), std::max(order.inner, own.inner)};
     columns = std::max(columns, mesh_[f].degree);
   }
   if (columns > 0)
     farMoments(mesh_[e], far_, mesh_[e].degree, columns, order, *farMoments_);
-}
-
-void PairBatch::setLane(int lane, Vec2 w, int f) {
-  const Element& source = mesh_[f];
-  far_.wx[lane] = w.x;
-  far_.wy[lane] = w.y;
-  far_.tx[lane] = source.tangent.x;
-  far_.ty[lane] = source.tangent.y;
-  far_.half[lane] = source.half;
-}
-
-// far off, so that nothing overflows
-void PairBatch::dropLane(int lane) {
-  far_.wx[lane] = far_.wy[lane] = 10;
-  far_.tx[lane] = far_.half[lane] = 1;
-  far_.ty[lane] = 0;
 }
 
 const PairMoments& PairBatch::at(int f) {

@@ -21,9 +21,6 @@ class PairBatch {
   const PairMoments& at(int f);
 
  private:
-  void setLane(int lane, Vec2 w, int f);
-  void dropLane(int lane);
-
   const Mesh& mesh_;
   int e_ = 0;
   int first_ = 0;

@@ -50,4 +50,24 @@ class PairMoments {
   Table reverse_;
 };
 
+/// The moments of (E, F) for what is written for either order of the two.
+struct MomentsAsTheyAre {
+  const PairMoments& m;
+  double log(int i, int j) const { return m.log(i, j); }
+  double phaseReal(int i, int j) const { return m.phaseReal(i, j); }
+  double phaseImag(int i, int j) const { return m.phaseImag(i, j); }
+  double direct(int i, int j) const { return m.direct(i, j); }
+  double reverse(int i, int j) const { return m.reverse(i, j); }
+};
+
+/// Those of (F, E).
+struct MomentsSwapped {
+  const PairMoments& m;
+  double log(int i, int j) const { return m.log(j, i); }
+  double phaseReal(int i, int j) const { return m.phaseReal(j, i); }
+  double phaseImag(int i, int j) const { return m.phaseImag(j, i); }
+  double direct(int i, int j) const { return m.reverse(j, i); }
+  double reverse(int i, int j) const { return m.direct(j, i); }
+};
+
 }  // namespace epafi::bem

@@ -1,8 +1,11 @@
 #include "bem/assembly/ProjectedTractions.hpp"
 
-#include "bem/potential/RelativeTarget.hpp"
+#include "bem/assembly/Block.hpp"
+#include "bem/assembly/MyElements.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace epafi::bem {
 
@@ -10,58 +13,7 @@ namespace {
 
 constexpr double inverse2Pi = 0.15915494309189533577;
 
-/// ∫ P_j log|w| dt and ∫ P_j w/conj(w) dt over an element, at one point.
-struct PointMoments {
-  std::array<double, largestDegree> log{};
-  std::array<Complex, largestDegree> phase{};
-};
-
-PointMoments atPoint(const Element& source, const RelativeTarget& target) {
-  PointMoments result;
-  const Complex tangent(source.tangent.x, source.tangent.y);
-  const Complex square = tangent * tangent;
-  const bool atStart = target.zPlus1 == 0.0;
-  const bool atEnd = target.zMinus1 == 0.0;
-  LegendreMoments m;
-  if (!atStart && !atEnd)
-    evaluateMoments(target, source.degree - 1, Need::CandL, m);
-  for (int j = 0; j < source.degree; ++j) {
-    const double constant = j == 0 ? 2 : 0;
-    double l = 0;
-    Complex bc = 0;          // b C_j -> 0 at the ends
-    if (atStart || atEnd) {  // limits of the closed form
-      const double limit = j == 0 ? 2 * std::log(2.0) - 2 : -2.0 / (j * (j + 1.0));
-      l = atStart && j % 2 == 1 ? -limit : limit;
-    } else {
-      l = m.l[j];
-      bc = target.b() * m.c[j];
-    }
-    result.log[j] = l + constant * std::log(source.half);
-    result.phase[j] = square * (constant - Complex(0, 2) * bc);
-  }
-  return result;
-}
-
 }  // namespace
-
-/// Symmetric 2 x 2 blocks of V* and of X (its constant part left out) and the Laplace
-/// term.
-struct ProjectedTractions::Blocks {
-  double vStar[3];  // xx, xy, yy
-  double x[3];
-  double laplace = 0;
-
-  Blocks(const Lame& lame, double log, Complex phase, double constant)
-      : vStar{lame.d * (0.5 * (constant + phase.real()) - log),
-              lame.d * 0.5 * phase.imag(),
-              lame.d * (0.5 * (constant - phase.real()) - log)} {
-    const double a = 2 * lame.mu * (1 - 2 * lame.nu) * lame.b;
-    const double b = lame.mu * lame.b;
-    x[0] = b * phase.real() - a * log;
-    x[1] = b * phase.imag();
-    x[2] = -b * phase.real() - a * log;
-  }
-};
 
 ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
                                        const DenseAlgebra& algebra,
@@ -70,138 +22,117 @@ ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
       lame_(lame),
       densityRows_(algebra.myRows(space.densities())),
       displacementRows_(algebra.myRows(space.displacements())),
-      mine_(space, algebra),
-      columnOf_(static_cast<std::size_t>(space.mesh().size()), -1) {
+      sourceAt_(static_cast<std::size_t>(space.mesh().size()), notMine),
+      tests_(static_cast<std::size_t>(space.mesh().size())) {
+  const Mesh& mesh = space.mesh();
   kernels_.elements = elements;
   kernels_.start.assign(1, 0);
   for (const int e : elements) {
-    columnOf_[e] = kernels_.start.back();
-    kernels_.start.push_back(kernels_.start.back() + 2 * (space.mesh()[e].degree + 1));
+    tests_[static_cast<std::size_t>(e)].column = kernels_.start.back();
+    kernels_.start.push_back(kernels_.start.back() + 2 * (mesh[e].degree + 1));
   }
   kernels_.hypersingular = Matrix(displacementRows_.size(), kernels_.start.back());
   kernels_.adjoint = Matrix(densityRows_.size(), kernels_.start.back());
+  for (int k = 0; k <= largestDegree; ++k)
+    slopes_[static_cast<std::size_t>(k)] = DisplacementBasis::slope(k);
+  // whole batches, so that results do not depend on the number of processes
+  const MyElements mine(space, algebra);
+  std::size_t at = 0;
+  for (int first = 0; first < mesh.size(); first += lanes) {
+    const int last = std::min(first + lanes, mesh.size());
+    bool isMine = false;
+    for (int f = first; f < last; ++f)
+      isMine = isMine || mine.contain(f);
+    for (int f = first; isMine && f < last; ++f) {
+      sources_.push_back(f);
+      sourceAt_[static_cast<std::size_t>(f)] = at;
+      at += static_cast<std::size_t>(mesh[f].degree);
+    }
+  }
+  chooseNodes();
 }
 
-// W and K' of the source's Legendre component j tested with P_i, times factor; the test's
-// normalisation is put in here.
-void ProjectedTractions::put(int test, int i, int source, int j, const Blocks& blocks,
-                             double factor) {
-  const Element& x = space_.mesh()[test];
-  const Element& y = space_.mesh()[source];
-  const double scale = factor * std::sqrt((2 * i + 1) / (2 * x.half));
-  const Index column = columnOf_[test] + 2 * i;
-
-  const auto addHyper = [&](int l, double slope) {
-    const Index row = space_.displacement(source, l, 0);
-    const double s = scale * slope;
-    const auto add = [&](int c, int a, double value) {
-      if (displacementRows_.contain(row + c))
-        kernels_.hypersingular(row + c - displacementRows_.begin, column + a) +=
-            s * value;
-    };
-    add(0, 0, blocks.vStar[0]);
-    add(0, 1, blocks.vStar[1]);
-    add(1, 0, blocks.vStar[1]);
-    add(1, 1, blocks.vStar[2]);
+// Neighbours share a node, but not across a vertex: there each sees the point on its own
+// edge, where the phase is exact.
+void ProjectedTractions::chooseNodes() {
+  const Mesh& mesh = space_.mesh();
+  std::map<std::pair<int, int>, std::size_t> numbers;
+  std::vector<BoundaryPoint> places;
+  const auto number = [&](int e, int node, double t) {
+    const auto [entry, isNew] =
+        numbers.emplace(std::pair{mesh[e].piece.edge, node}, places.size());
+    if (isNew)
+      places.push_back(mesh.at(e, t));
+    return entry->second;
   };
-  if (j == 0) {
-    addHyper(0, -0.5);
-    addHyper(1, 0.5);
-  } else {
-    addHyper(j + 1, DisplacementBasis::slope(j + 1));
+  for (const int e : kernels_.elements) {
+    Test& test = tests_[static_cast<std::size_t>(e)];
+    test.startNode = number(e, mesh[e].startNode, -1);
+    test.endNode = number(e, mesh[e].endNode, 1);
   }
-
-  const Index row = space_.density(source, j, 0);
-  const double s = scale * y.half;
-  const auto add = [&](int b, int a, double value) {
-    if (densityRows_.contain(row + b))
-      kernels_.adjoint(row + b - densityRows_.begin, column + a) += s * value;
-  };
-  // -X J e_x = (X_xy, X_yy),  -X J e_y = (-X_xx, -X_xy)
-  add(0, 0, blocks.x[1] + blocks.laplace);
-  add(1, 0, blocks.x[2]);
-  add(0, 1, -blocks.x[0]);
-  add(1, 1, -blocks.x[1] + blocks.laplace);
+  nodes_.resize(places.size());
+  const auto count = static_cast<int>(places.size());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int k = 0; k < count; ++k)
+    nodes_[static_cast<std::size_t>(k)] =
+        nodeMoments(mesh, places[static_cast<std::size_t>(k)], sources_);
 }
 
 template <class Moments>
 void ProjectedTractions::addTest(int test, int source, const Moments& m) {
-  const int p = space_.mesh()[test].degree;
-  const int q = space_.mesh()[source].degree;
-  for (int k = 0; k < p; ++k)
-    for (int j = 0; j < q; ++j) {
-      const Blocks blocks(lame_, m.log(k, j), m.phase(k, j), k == 0 && j == 0 ? 4 : 0);
-      for (int i = k + 1; i <= p; i += 2)  // P_i' = Σ (2k+1) P_k
-        put(test, i, source, j, blocks, 2 * k + 1);
+  const Element& x = space_.mesh()[test];
+  const Element& y = space_.mesh()[source];
+  const Test& place = tests_[static_cast<std::size_t>(test)];
+  const NodeMoments& start = nodes_[place.startNode];
+  const NodeMoments& end = nodes_[place.endNode];
+  const bool sameEdge = x.piece.edge == y.piece.edge;
+  const double ofLog = 2 * lame_.mu * (1 - 2 * lame_.nu) * lame_.b;
+  const double ofPhase = lame_.mu * lame_.b;
+  for (int j = 0; j < y.degree; ++j) {
+    const std::size_t at =
+        sourceAt_[static_cast<std::size_t>(source)] + static_cast<std::size_t>(j);
+    const Index density = space_.density(source, j, 0);
+    // P_i' = (2i-1) P_{i-1} + (2i-5) P_{i-3} + ...: sums for odd and even i.  The
+    // constant part of d d'/r² cancels between these sums and the ends.
+    double log[2] = {start.log[at] - end.log[at], -start.log[at] - end.log[at]};
+    Complex phase[2] = {start.phase[at] - end.phase[at],
+                        -start.phase[at] - end.phase[at]};
+    for (int i = 0; i <= x.degree; ++i) {
+      double& l = log[i % 2];
+      Complex& c = phase[i % 2];
+      if (i > 0) {
+        l += (2 * i - 1) * m.log(i - 1, j);
+        c += (2 * i - 1.0) * Complex(m.phaseReal(i - 1, j), m.phaseImag(i - 1, j));
+      }
+      const double scale = std::sqrt((2 * i + 1) / (2 * x.half));
+      const Index column = place.column + 2 * i;
+
+      const double re = 0.5 * c.real();
+      const double im = 0.5 * c.imag();
+      const Block hyper = scale * lame_.d * Block{re - l, im, im, -re - l};
+      for (int k = j == 0 ? 0 : j + 1; k <= (j == 0 ? 1 : j + 1); ++k)
+        addBlock(kernels_.hypersingular, displacementRows_,
+                 space_.displacement(source, k, 0), column,
+                 slopes_[static_cast<std::size_t>(k)] * hyper);
+
+      double laplace = sameEdge ? 0 : inverse2Pi * m.reverse(i, j);
+      if (test == source && i == j)
+        laplace = 1.0 / (2 * i + 1);  // 1/2 <P_i, P_i>; the double layer is zero
+      // -X J e_x = (X_xy, X_yy),  -X J e_y = (-X_xx, -X_xy)
+      const double xx = ofPhase * c.real() - ofLog * l;
+      const double xy = ofPhase * c.imag();
+      const double yy = -ofPhase * c.real() - ofLog * l;
+      addBlock(kernels_.adjoint, densityRows_, density, column,
+               scale * y.half * Block{xy + laplace, yy, -xx, laplace - xy});
     }
-  if (space_.mesh()[test].piece.edge == space_.mesh()[source].piece.edge)
-    return;  // the Laplace double layer vanishes on a line
-  Blocks onlyLaplace(lame_, 0, 0, 0);
-  for (int i = 0; i <= p; ++i)
-    for (int j = 0; j < q; ++j) {
-      onlyLaplace.laplace = inverse2Pi * m.laplace(i, j);
-      put(test, i, source, j, onlyLaplace, 1);
-    }
+  }
 }
-
-namespace {
-
-struct AsIs {
-  const PairMoments& m;
-  double log(int k, int j) const { return m.log(k, j); }
-  Complex phase(int k, int j) const { return {m.phaseReal(k, j), m.phaseImag(k, j)}; }
-  double laplace(int i, int j) const { return m.reverse(i, j); }
-};
-
-struct Swapped {
-  const PairMoments& m;
-  double log(int k, int j) const { return m.log(j, k); }
-  Complex phase(int k, int j) const { return {m.phaseReal(j, k), m.phaseImag(j, k)}; }
-  double laplace(int i, int j) const { return m.direct(j, i); }
-};
-
-}  // namespace
 
 void ProjectedTractions::add(int e, int f, const PairMoments& moments) {
-  if (columnOf_[e] >= 0)
-    addTest(e, f, AsIs{moments});
-  if (e != f && columnOf_[f] >= 0)
-    addTest(f, e, Swapped{moments});
-}
-
-// -[P_i V*φ'] and [X J v]: both are minus what put() adds
-void ProjectedTractions::addEnds(std::size_t k) {
-  const Mesh& mesh = space_.mesh();
-  const int test = kernels_.elements[k];
-  const Element& x = mesh[test];
-  for (int f = 0; f < mesh.size(); ++f) {
-    if (!mine_.contain(f))
-      continue;
-    const PointMoments atStart = atPoint(mesh[f], seenFrom(mesh, f, mesh.at(test, -1.0)));
-    const PointMoments atEnd = atPoint(mesh[f], seenFrom(mesh, f, mesh.at(test, 1.0)));
-    for (int j = 0; j < mesh[f].degree; ++j) {
-      const double constant = j == 0 ? 2 : 0;
-      const Blocks start(lame_, atStart.log[j], atStart.phase[j], constant);
-      const Blocks end(lame_, atEnd.log[j], atEnd.phase[j], constant);
-      for (int i = 0; i <= x.degree; ++i) {
-        put(test, i, f, j, end, -1);
-        put(test, i, f, j, start, i % 2 == 0 ? 1 : -1);
-      }
-    }
-  }
-  for (int i = 0; i < x.degree; ++i) {  // 1/2 <P_i, P̂_i>
-    Blocks half(lame_, 0, 0, 0);
-    half.laplace = 1.0 / (2 * i + 1);
-    put(test, i, test, i, half, 1);
-  }
-}
-
-TractionKernels ProjectedTractions::finish() {
-  const auto count = static_cast<int>(kernels_.elements.size());
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int k = 0; k < count; ++k)
-    addEnds(static_cast<std::size_t>(k));
-  return std::move(kernels_);
+  if (tests_[static_cast<std::size_t>(e)].column >= 0 && isMine(f))
+    addTest(e, f, MomentsAsTheyAre{moments});
+  if (e != f && tests_[static_cast<std::size_t>(f)].column >= 0 && isMine(e))
+    addTest(f, e, MomentsSwapped{moments});
 }
 
 }  // namespace epafi::bem

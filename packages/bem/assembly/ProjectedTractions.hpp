@@ -1,11 +1,12 @@
 #pragma once
 
-#include "bem/assembly/MyElements.hpp"
+#include "bem/assembly/NodeMoments.hpp"
 #include "bem/assembly/PairMoments.hpp"
 #include "bem/base/DenseAlgebra.hpp"
 #include "bem/base/Material.hpp"
 #include "bem/space/Space.hpp"
 
+#include <array>
 #include <vector>
 
 namespace epafi::bem {
@@ -34,29 +35,40 @@ class ProjectedTractions {
   ProjectedTractions(const Space& space, const Lame& lame, const DenseAlgebra& algebra,
                      const std::vector<int>& elements);
 
-  /// Adds what the moments of the pair (e, f) give: tests on e if it is one of the
-  /// elements, and tests on f.  Calls with different e that share no node may run at the
-  /// same time.
+  /// Adds all that the pair (e, f) gives: tests on e if it is one of the elements, and
+  /// tests on f.  Every pair must come once.  Calls with different e that share no node
+  /// may run at the same time.
   void add(int e, int f, const PairMoments& moments);
 
-  /// Adds the terms at the elements' ends and the half, and gives the result away.
-  TractionKernels finish();
+  /// Gives the result away.
+  TractionKernels finish() { return std::move(kernels_); }
 
  private:
-  struct Blocks;
+  /// A test element's place among the columns and at the nodes.
+  struct Test {
+    Index column = -1;  ///< first column; -1: not asked for
+    std::size_t startNode = 0;
+    std::size_t endNode = 0;
+  };
+
+  static constexpr std::size_t notMine = static_cast<std::size_t>(-1);
+  bool isMine(int f) const { return sourceAt_[static_cast<std::size_t>(f)] != notMine; }
+
+  void chooseNodes();
 
   /// moment(i, j): test degree i on `test`, source degree j.
   template <class Moments>
   void addTest(int test, int source, const Moments& moments);
-  void addEnds(std::size_t k);
-  void put(int test, int i, int source, int j, const Blocks& blocks, double factor);
 
   const Space& space_;
   Lame lame_;
   Rows densityRows_;
   Rows displacementRows_;
-  MyElements mine_;
-  std::vector<Index> columnOf_;  ///< first column of an element, -1: not asked for
+  std::vector<int> sources_;           ///< batches with an element of which a row is mine
+  std::vector<std::size_t> sourceAt_;  ///< by element: its first place in NodeMoments
+  std::vector<Test> tests_;            ///< by element
+  std::vector<NodeMoments> nodes_;     ///< at the tests' ends
+  std::array<double, largestDegree + 1> slopes_;
   TractionKernels kernels_;
 };
 

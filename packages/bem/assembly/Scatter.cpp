@@ -1,5 +1,7 @@
 #include "bem/assembly/Scatter.hpp"
 
+#include "bem/assembly/Block.hpp"
+
 #include <algorithm>
 
 namespace epafi::bem {
@@ -7,43 +9,6 @@ namespace epafi::bem {
 namespace {
 
 constexpr double inverse2Pi = 0.15915494309189533577;
-
-using Pair = double __attribute__((vector_size(16), aligned(8), may_alias));
-
-void addColumn(double* entries, double x, double y) {
-  *reinterpret_cast<Pair*>(entries) += Pair{x, y};
-}
-
-void addBlock(Matrix& matrix, const Rows& mine, Index row, Index column, const Block& b) {
-  const Index local = row - mine.begin;
-  if (mine.contain(row) && mine.contain(row + 1)) {
-    addColumn(matrix.column(column) + local, b.xx, b.yx);
-    addColumn(matrix.column(column + 1) + local, b.xy, b.yy);
-  } else if (mine.contain(row)) {
-    matrix(local, column) += b.xx;
-    matrix(local, column + 1) += b.xy;
-  } else if (mine.contain(row + 1)) {
-    matrix(local + 1, column) += b.yx;
-    matrix(local + 1, column + 1) += b.yy;
-  }
-}
-
-/// Moments as they are, or those of the pair the other way round.
-struct AsIs {
-  const PairMoments& m;
-  double log(int i, int j) const { return m.log(i, j); }
-  double phaseReal(int i, int j) const { return m.phaseReal(i, j); }
-  double phaseImag(int i, int j) const { return m.phaseImag(i, j); }
-  double laplace(int i, int j) const { return m.direct(i, j); }
-};
-
-struct Swapped {
-  const PairMoments& m;
-  double log(int i, int j) const { return m.log(j, i); }
-  double phaseReal(int i, int j) const { return m.phaseReal(j, i); }
-  double phaseImag(int i, int j) const { return m.phaseImag(j, i); }
-  double laplace(int i, int j) const { return m.reverse(j, i); }
-};
 
 }  // namespace
 
@@ -84,9 +49,9 @@ void Scatter::add(int e, int f, const PairMoments& m) const {
         e, f,
         {lame_.mu * lame_.b * m.phaseReal(0, 0), lame_.mu * lame_.b * m.phaseImag(0, 0),
          -lame_.mu * lame_.b * m.phaseReal(0, 0)});
-  addDoubleLayer(e, f, AsIs{m});
+  addDoubleLayer(e, f, MomentsAsTheyAre{m});
   if (e != f)
-    addDoubleLayer(f, e, Swapped{m});
+    addDoubleLayer(f, e, MomentsSwapped{m});
   else
     addHalfMass(e);
 }
@@ -112,9 +77,9 @@ void Scatter::addDoubleLayer(int test, int source, const Moments& m) const {
       if (sameEdge)
         ;
       else if (k < 2)
-        laplace = 0.5 * (m.laplace(i, 0) + (k == 0 ? -1 : 1) * m.laplace(i, 1));
+        laplace = 0.5 * (m.direct(i, 0) + (k == 0 ? -1 : 1) * m.direct(i, 1));
       else
-        laplace = slope / (2 * k - 1) * (m.laplace(i, k) - m.laplace(i, k - 2));
+        laplace = slope / (2 * k - 1) * (m.direct(i, k) - m.direct(i, k - 2));
       laplace *= ofLaplace;
       const double re = ofPhase * m.phaseReal(i, j);
       const double im = slope * ofPhase * m.phaseImag(i, j);

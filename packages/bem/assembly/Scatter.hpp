@@ -7,15 +7,6 @@
 
 namespace epafi::bem {
 
-/// A 2 x 2 block of a Galerkin matrix by columns: both components of a test function,
-/// then of a trial function.
-struct Block {
-  double xx;
-  double yx;
-  double xy;
-  double yy;
-};
-
 /// Turns moments into entries of V, K + 1/2 and W and adds them to the rows that are
 /// mine. Calls with pairs whose second elements share no node with each other's first may
 /// run at the same time.

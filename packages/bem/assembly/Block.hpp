@@ -1,0 +1,37 @@
+#pragma once
+
+#include "bem/base/DenseAlgebra.hpp"
+
+namespace epafi::bem {
+
+/// A 2 x 2 block of a Galerkin matrix by columns: both components of a test function,
+/// then of a trial function.
+struct Block {
+  double xx;
+  double yx;
+  double xy;
+  double yy;
+};
+
+inline Block operator*(double s, const Block& b) {
+  return {s * b.xx, s * b.yx, s * b.xy, s * b.yy};
+}
+
+/// Adds a block to the rows that are mine.  Both entries of a column lie side by side.
+inline void addBlock(Matrix& matrix, const Rows& mine, Index row, Index column,
+                     const Block& b) {
+  using Pair = double __attribute__((vector_size(16), aligned(8), may_alias));
+  const Index local = row - mine.begin;
+  if (mine.contain(row) && mine.contain(row + 1)) {
+    *reinterpret_cast<Pair*>(matrix.column(column) + local) += Pair{b.xx, b.yx};
+    *reinterpret_cast<Pair*>(matrix.column(column + 1) + local) += Pair{b.xy, b.yy};
+  } else if (mine.contain(row)) {
+    matrix(local, column) += b.xx;
+    matrix(local, column + 1) += b.xy;
+  } else if (mine.contain(row + 1)) {
+    matrix(local + 1, column) += b.yx;
+    matrix(local + 1, column + 1) += b.yy;
+  }
+}
+
+}  // namespace epafi::bem
