@@ -16,8 +16,8 @@ struct NodeMoments {
   std::vector<Complex> phase;
 };
 
-/// Far elements by the far kernel, eight of `sources` at a time; near ones in closed form.
-/// Errors are 1e-12 of an integral of size 1.
+/// Far elements by the far kernel, eight of `sources` at a time; near ones in closed
+/// form. Errors are 1e-12 of an integral of size 1.
 NodeMoments nodeMoments(const Mesh& mesh, const BoundaryPoint& x,
                         const std::vector<int>& sources);
 
