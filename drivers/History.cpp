@@ -74,10 +74,10 @@ constexpr Column columns[] = {
     {"force_normal", [](const LevelRow& r) { return number(r.summary.forceNormal); }},
     {"force_tangential",
      [](const LevelRow& r) { return number(r.summary.forceTangential); }},
-    {"reaction_x", [](const LevelRow& r) { return number(r.summary.reactionX); }},
-    {"reaction_y", [](const LevelRow& r) { return number(r.summary.reactionY); }},
+    {"reaction_x", [](const LevelRow& r) { return number(r.summary.reaction.x); }},
+    {"reaction_y", [](const LevelRow& r) { return number(r.summary.reaction.y); }},
     {"reaction_moment",
-     [](const LevelRow& r) { return number(r.summary.reactionMoment); }},
+     [](const LevelRow& r) { return number(r.summary.reaction.moment); }},
     {"contact_length", [](const LevelRow& r) { return number(r.summary.contactLength); }},
     {"slip_length", [](const LevelRow& r) { return number(r.summary.slipLength); }},
     {"newton_iterations",
@@ -99,6 +99,13 @@ constexpr Column columns[] = {
     {"seconds_total", [](const LevelRow& r) { return number(r.secondsTotal); }},
     {"seconds_wall", [](const LevelRow& r) { return number(r.secondsWall); }},
     {"memory_mb", [](const LevelRow& r) { return number(r.memory); }},
+    {"load_x", [](const LevelRow& r) { return number(r.summary.load.x); }},
+    {"load_y", [](const LevelRow& r) { return number(r.summary.load.y); }},
+    {"load_moment", [](const LevelRow& r) { return number(r.summary.load.moment); }},
+    {"contact_x", [](const LevelRow& r) { return number(r.summary.contact.x); }},
+    {"contact_y", [](const LevelRow& r) { return number(r.summary.contact.y); }},
+    {"contact_moment",
+     [](const LevelRow& r) { return number(r.summary.contact.moment); }},
 };
 
 }  // namespace

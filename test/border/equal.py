@@ -10,7 +10,7 @@ import sys
 import ranks
 
 ASIDE = ("seconds_", "memory_")
-FAMILIES = ("energy_", "force_", "reaction_", "_length", "eta_")
+FAMILIES = ("energy_", "_length", "eta_")
 STRATEGIES = {"h": ["Adaptivity->Strategy=Uniform h", "Adaptivity->Maximum Levels=4"],
               "p": ["Adaptivity->Strategy=Uniform p", "Adaptivity->Maximum Levels=5"]}
 
@@ -26,8 +26,9 @@ def numbers(table, name):
 
 def family(table, name):
     """The columns that share a scale."""
-    if name.startswith(("force_", "reaction_")):
-        return [other for other in table if other.startswith(("force_", "reaction_"))]
+    forces = ("force_", "reaction_", "load_", "contact_x", "contact_y", "contact_moment")
+    if name.startswith(forces):
+        return [other for other in table if other.startswith(forces)]
     for part in FAMILIES:
         if part in name:
             return [other for other in table if part in other]

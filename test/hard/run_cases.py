@@ -3,8 +3,8 @@
     run_cases.py EPAFI WORK [--group GROUP]... [--case NAME]... [--markdown FILE]
 
 GROUP is quick (default), long or all.  With --markdown the table of doc/benchmarks is
-written too:  test/hard/run_cases.py build/bin/epafi build/hard --group all
---markdown doc/benchmarks/hard-cases.md
+written too, below the text of hard-cases.md here:  python3 test/hard/run_cases.py
+build/bin/epafi build/hard --group all --markdown doc/benchmarks/hard-cases.md
 """
 import argparse
 import csv
@@ -81,41 +81,41 @@ def run(case, epafi, work):
 
 
 def faults(case, result, results):
-    """Sentences about what is not as the table says; empty if all is well."""
-    found = []
+    """Measures of the claims, and sentences about what is not as the table says."""
     if result.code != case.code:
-        return ["exit code %s instead of %d: %s" % (result.code, case.code, result.text)]
-    for word in case.words:
-        if word not in result.text:
-            found.append("the message does not say '%s': %s" % (word, result.text))
-    if case.code == 0:
-        for claim in case.claims:
-            fault = claim(result, results)
-            if fault:
-                found.append(fault)
-    return found
+        return [], ["exit code %s instead of %d: %s" % (result.code, case.code, result.text)]
+    found = ["the message does not say '%s': %s" % (word, result.text)
+             for word in case.words if word not in result.text]
+    if case.code != 0:
+        return [], found
+    measures = [claim.measure(result, results) for claim in case.claims]
+    found += ["%s: %.2e" % (claim.sentence, measure)
+              for claim, measure in zip(case.claims, measures) if not measure <= claim.most]
+    return measures, found
 
 
 def outcome(case, result):
     if case.code != 0:
-        return "exit %s: %s" % (result.code, result.text.split("\n")[-1].replace("|", "/"))
-    return "solved; " + "; ".join(claim.__doc__ for claim in case.claims)
+        return result.text.split("\n")[-1].replace(HERE + os.sep, "").replace("|", "/")
+    return "solved; " + "; ".join(claim.sentence.replace("|", "\\|") for claim in case.claims)
+
+
+def error(case, measures):
+    """Largest difference to a known value, or the exit code."""
+    if case.code != 0:
+        return "exit %d" % case.code
+    return "%.0e" % max(measure for claim, measure in zip(case.claims, measures)
+                        if claim.is_error)
 
 
 def markdown(file, rows):
     with open(file, "w") as out:
-        out.write("# Hard cases\n\nEach is solved, or ends with the exit code and the "
-                  "sentence that it should.  Scenes: `test/hard/scenes` and "
-                  "`drivers/scenes`; what each must give: `test/hard/cases.py`.  Made by\n\n"
-                  "    test/hard/run_cases.py build/bin/epafi build/hard --group all "
-                  "--markdown doc/benchmarks/hard-cases.md\n\n"
-                  "Newton: steps of the last level.  CPU: seconds of the whole program.\n\n"
-                  "| case | outcome and what was checked | dof | Newton | CPU [s] |\n"
-                  "|---|---|---:|---:|---:|\n")
-        for case, result in rows:
+        out.write(open(os.path.join(HERE, "hard-cases.md")).read())
+        for case, result, measures in rows:
             last = result.history[-1] if result.history else {}
-            out.write("| %s | %s | %s | %s | %.1f |\n" % (
-                case.meaning, outcome(case, result),
+            out.write("| %s | %s | %s | %s | %s | %s | %.1f |\n" % (
+                "`%s`" % case.name, case.meaning.replace("|", "\\|"), outcome(case, result),
+                error(case, measures),
                 "%d" % last["dof"] if last else "",
                 "%d" % last["newton_iterations"] if last else "", result.seconds))
 
@@ -135,8 +135,8 @@ def main():
     results, rows, failed = {}, [], 0
     for case in chosen:
         result = results[case.name] = run(case, options.epafi, options.work)
-        rows.append((case, result))
-        wrong = faults(case, result, results)
+        measures, wrong = faults(case, result, results)
+        rows.append((case, result, measures))
         print("%-6s %-28s %5.1f s" % ("FAILED" if wrong else "ok", case.name, result.seconds))
         for sentence in wrong:
             print("       " + sentence)

@@ -88,5 +88,6 @@ def differ(a, b, scale=None):
 
 
 ENERGIES = ["energy_strain", "energy_load", "energy_friction"]
-FORCES = ["force_normal", "force_tangential", "reaction_x", "reaction_y",
-          "reaction_moment"]
+FORCES = ["force_normal", "force_tangential", "reaction_x", "reaction_y", "load_x", "load_y",
+          "contact_x", "contact_y"]
+MOMENTS = ["reaction_moment", "load_moment", "contact_moment"]

@@ -1,7 +1,7 @@
 """A steel block in (Pa, m) and in (MPa, mm): the same digits after conversion."""
 import os
 
-from runs import ENERGIES, FORCES, WORK, claim, differ, finish, levels, run
+from runs import ENERGIES, FORCES, MOMENTS, WORK, claim, differ, finish, levels, run
 
 SCENE = """<ParameterList name="Steel">
 <ParameterList name="Bodies"><ParameterList name="block">
@@ -54,7 +54,8 @@ for law in ("Coulomb", "Tresca"):
         energy, force = 1e-6 * 1e6, 1e-6 * 1e3
         units = {key: energy for key in ENERGIES}
         units.update({key: force for key in FORCES})
-        units.update(reaction_moment=energy, contact_length=1e3, slip_length=1e3,
+        units.update({key: energy for key in MOMENTS})
+        units.update(contact_length=1e3, slip_length=1e3,
                      size_min=1e3, size_max=1e3)
         size = {1.0: a["energy_load"], force: a["force_normal"], 1e3: 1.0}
         for key, unit in units.items():

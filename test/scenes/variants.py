@@ -2,7 +2,7 @@
 import os
 import xml.etree.ElementTree as xml
 
-from runs import ENERGIES, FORCES, WORK, claim, differ, finish, levels, run, scene
+from runs import ENERGIES, FORCES, MOMENTS, WORK, claim, differ, finish, levels, run, scene
 
 
 def agree(file, count, key, values, tolerance):
@@ -65,7 +65,7 @@ for name in ("tresca", "coulomb"):
     other = run(file, "from_yaml", levels(2))
     claim(one[1] == other[1], name + ": contact.csv is the same from XML and YAML")
     claim(all(a[key] == b[key] for a, b in zip(one[0], other[0])
-              for key in ENERGIES + FORCES),
+              for key in ENERGIES + FORCES + MOMENTS),
           name + ": history.csv is the same from XML and YAML")
 
 history, contact = run(scene("tresca.xml"), "first", levels(2))

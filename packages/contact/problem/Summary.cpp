@@ -88,6 +88,23 @@ double frictionWork(const ContactFields& fields, const Element& element) {
   return integrate(work, breaks, element.degree + 4);
 }
 
+/// Adds the force on the body, -λₙ n - λₜ t, of one contact element, and its moment.
+void addForce(const Solved& solved, const ContactFields& fields, const Element& element,
+              Resultant& contact) {
+  const bem::Element& side = solved.space.mesh()[element.element];
+  const bem::Rule& rule = bem::gaussLegendre(element.degree + 2);
+  for (int i = 0; i < rule.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const ContactPoint point = fields.at(element, rule.points[k]);
+    const double weight = solved.units.length * side.half * rule.weights[k];
+    const Vec2 force =
+        -weight * (point.pressure * side.normal + point.shear * side.tangent);
+    contact.x += force.x;
+    contact.y += force.y;
+    contact.moment += cross(point.place, force);
+  }
+}
+
 void addContact(const Solved& solved, Summary& summary) {
   const ContactFields fields(solved.problem, solved.space, solved.units, solved.state,
                              solved.displacement);
@@ -99,6 +116,7 @@ void addContact(const Solved& solved, Summary& summary) {
     summary.forceNormal += half * integrate(normal, {-1, 1}, p + 1);
     summary.contactLength +=
         half * positivePart([&](double t) { return fields.closing(element, t); }, p);
+    addForce(solved, fields, element, summary.contact);
     if (element.tangential < 0)
       continue;
     summary.forceTangential += half * integrate(tangential, {-1, 1}, p + 1);
@@ -136,16 +154,25 @@ std::array<double, 3> reactionWork(const Solved& solved) {
   return work;
 }
 
-void addReactions(const Solved& solved, Summary& summary) {
-  const std::array<double, 3> work = reactionWork(solved);
-
-  // From the scaled outline's origin to the user's: M = M_scaled d + origin x force.
+/// From work on the rigid motions of the scaled outline to forces and their moment about
+/// the user's origin: M = M_scaled d + origin x force.
+Resultant resultantOf(const std::array<double, 3>& work, const Solved& solved) {
   const Vec2 origin = solved.space.mesh().outline().physical({0, 0});
   const double force = solved.units.stress * solved.units.length;
-  summary.reactionX = force * work[0];
-  summary.reactionY = force * work[1];
-  summary.reactionMoment =
-      force * (solved.units.length * work[2] + cross(origin, {work[0], work[1]}));
+  return {force * work[0], force * work[1],
+          force * (solved.units.length * work[2] + cross(origin, {work[0], work[1]}))};
+}
+
+/// Work of the loads on the rigid motions, fᵀ v.
+std::array<double, 3> loadWork(const Solved& solved) {
+  const bem::Matrix motions = solved.space.rigidMotions();
+  const Vector& load = solved.problem.load();
+  std::array<double, 3> work{};
+  for (Index v = 0; v < 3; ++v)
+    for (Index i = 0; i < motions.rows(); ++i)
+      work[static_cast<std::size_t>(v)] +=
+          load[static_cast<std::size_t>(i)] * motions(i, v);
+  return work;
 }
 
 }  // namespace
@@ -157,7 +184,8 @@ Summary summarize(const Solved& solved) {
   summary.energyStrain = energy * 0.5 * dotProduct(u, solved.stiffness.apply(u));
   summary.energyLoad = energy * dotProduct(solved.problem.load(), u);
   addContact(solved, summary);
-  addReactions(solved, summary);
+  summary.load = resultantOf(loadWork(solved), solved);
+  summary.reaction = resultantOf(reactionWork(solved), solved);
   return summary;
 }
 

@@ -4,6 +4,13 @@
 
 namespace epafi::contact {
 
+/// Forces on the body and their moment about the origin of the user's coordinates.
+struct Resultant {
+  double x = 0;
+  double y = 0;
+  double moment = 0;
+};
+
 /// The scalar results of a solved problem, per unit thickness, in the user's units:
 /// energies [stress length²], forces [stress length], moment [stress length²], lengths.
 struct Summary {
@@ -12,11 +19,11 @@ struct Summary {
   double energyFriction = 0;   ///< ∫ bound |uₜ| over all contact sides
   double forceNormal = 0;      ///< ∫ λₙ over all contact sides
   double forceTangential = 0;  ///< ∫ λₜ
-  double reactionX = 0;        ///< of clamps and fixed rigid motions, on the body
-  double reactionY = 0;
-  double reactionMoment = 0;  ///< about the origin of the user's coordinates
-  double contactLength = 0;   ///< where λₙ > 0
-  double slipLength = 0;      ///< where |λₜ| reaches its bound
+  Resultant load;              ///< of the Neumann data
+  Resultant contact;           ///< of all contact sides: ∫ -λₙ n - λₜ t
+  Resultant reaction;          ///< of clamps and fixed rigid motions
+  double contactLength = 0;    ///< where λₙ > 0
+  double slipLength = 0;       ///< where |λₜ| reaches its bound
 };
 
 /// Everything that the results of a level are computed from.
@@ -31,8 +38,12 @@ struct Solved {
 };
 
 /// Reactions come from the residual of the discrete equations at the constrained
-/// unknowns, paired with rigid motions, and so do not know of the loads elsewhere: that
-/// everything together is in balance tests the whole solution.
+/// unknowns, paired with rigid motions, contact forces from the multiplier as a function,
+/// loads from the data: none knows of the others, so that
+///
+///   load + contact + reaction = 0    in x, y and moment
+///
+/// tests the whole solution.
 Summary summarize(const Solved& solved);
 
 /// Which displacements a Dirichlet condition prescribes.
