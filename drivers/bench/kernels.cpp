@@ -175,7 +175,7 @@ void projectedTractions(benchmark::State& state) {
     SteklovPoincare s(assembleOperators(space, lame, algebra, contact), algebra);
     state.ResumeTiming();
     benchmark::DoNotOptimize(
-        tractionRows(space, lame, s, contact, TractionForm::Projected).rows.data());
+        tractionRows(space, lame, s, contact, TractionForm::Projected)->rows.data());
   }
 }
 BENCHMARK(projectedTractions)->Args({1024, 1})->Unit(benchmark::kMillisecond);

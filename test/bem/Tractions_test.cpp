@@ -45,17 +45,15 @@ TEUCHOS_UNIT_TEST(ProjectedTractions, fromMomentsEqualThoseFromPointValues) {
       const bem::SteklovPoincare shared(
           bem::assembleOperators(space, lame, algebra, elements), algebra);
       const auto form = bem::TractionForm::Projected;
-      const bem::TractionRows slow =
-          bem::tractionRows(space, lame, plain, elements, form);
-      const bem::TractionRows fast =
-          bem::tractionRows(space, lame, shared, elements, form);
-      TEST_ASSERT(slow.start == fast.start);
+      const auto slow = bem::tractionRows(space, lame, plain, elements, form);
+      const auto fast = bem::tractionRows(space, lame, shared, elements, form);
+      TEST_ASSERT(slow->start == fast->start);
       double error = 0;
-      for (Index j = 0; j < slow.rows.columns(); ++j)
-        for (Index i = 0; i < slow.rows.rows(); ++i)
-          error = std::max(error, std::abs(slow.rows(i, j) - fast.rows(i, j)));
+      for (Index j = 0; j < slow->rows.columns(); ++j)
+        for (Index i = 0; i < slow->rows.rows(); ++i)
+          error = std::max(error, std::abs(slow->rows(i, j) - fast->rows(i, j)));
       out << sample.name << ": ";
-      TEST_COMPARE(error, <, 2e-12 * largest(slow.rows));
+      TEST_COMPARE(error, <, 2e-12 * largest(slow->rows));
     }
 }
 
@@ -70,13 +68,12 @@ TEUCHOS_UNIT_TEST(ExactTractions, ofAConstantStressHaveItsNorm) {
                                          algebra);
     const Vector u = reference::displacementOf(space, field);
     for (const auto form : {bem::TractionForm::Projected, bem::TractionForm::Exact}) {
-      const bem::TractionRows rows =
-          bem::tractionRows(space, lame, stiffness, elements, form);
+      const auto rows = bem::tractionRows(space, lame, stiffness, elements, form);
       for (std::size_t k = 0; k < elements.size(); ++k) {
         double square = 0;
-        for (Index c = rows.start[k]; c < rows.start[k + 1]; ++c) {
+        for (Index c = rows->start[k]; c < rows->start[k + 1]; ++c) {
           const double value =
-              std::inner_product(u.begin(), u.end(), rows.rows.column(c), 0.0);
+              std::inner_product(u.begin(), u.end(), rows->rows.column(c), 0.0);
           square += value * value;
         }
         const bem::Element& element = sample.mesh[elements[k]];
@@ -100,11 +97,11 @@ TEUCHOS_UNIT_TEST(ExactTractions, containTheProjectedOnes) {
       bem::tractionRows(space, lame, stiffness, elements, bem::TractionForm::Exact);
   double error = 0;
   for (std::size_t k = 0; k < elements.size(); ++k)
-    for (Index c = 0; c < projected.start[k + 1] - projected.start[k]; ++c)
-      for (Index i = 0; i < projected.rows.rows(); ++i)
-        error = std::max(error, std::abs(projected.rows(i, projected.start[k] + c) -
-                                         exact.rows(i, exact.start[k] + c)));
-  TEST_COMPARE(error, <, 1e-12 * largest(projected.rows));
+    for (Index c = 0; c < projected->start[k + 1] - projected->start[k]; ++c)
+      for (Index i = 0; i < projected->rows.rows(); ++i)
+        error = std::max(error, std::abs(projected->rows(i, projected->start[k] + c) -
+                                         exact->rows(i, exact->start[k] + c)));
+  TEST_COMPARE(error, <, 1e-12 * largest(projected->rows));
 }
 
 /// Points inside the unit square at 1e-1 to 1e-9 element lengths from its boundary,

@@ -88,19 +88,22 @@ Matrix LapackAlgebra::addOuter(Matrix c, const Matrix& x, double scale) const {
 }
 
 Matrix LapackAlgebra::transposeTimes(const Matrix& x, const Matrix& y) const {
-  Matrix product(x.columns(), y.columns());
+  return addTransposeTimes(Matrix(x.columns(), y.columns()), x, y);
+}
+
+Matrix LapackAlgebra::addTransposeTimes(Matrix c, const Matrix& x,
+                                        const Matrix& y) const {
   const int m = asInt(x.columns());
   const int n = asInt(y.columns());
   const int k = asInt(x.rows());
   const int ldx = asInt(x.stride());
   const int ldy = asInt(y.stride());
-  const int ldp = asInt(product.stride());
+  const int ldc = asInt(c.stride());
   const double one = 1;
-  const double zero = 0;
   if (m > 0 && n > 0 && k > 0)
-    dgemm_("T", "N", &m, &n, &k, &one, x.data(), &ldx, y.data(), &ldy, &zero,
-           product.data(), &ldp);
-  return product;
+    dgemm_("T", "N", &m, &n, &k, &one, x.data(), &ldx, y.data(), &ldy, &one, c.data(),
+           &ldc);
+  return c;
 }
 
 Vector LapackAlgebra::multiply(const Matrix& a, Index n, const Vector& x) const {

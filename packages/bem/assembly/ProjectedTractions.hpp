@@ -22,6 +22,21 @@ struct TractionKernels {
   Matrix adjoint;        ///< densities x columns
 };
 
+/// The discrete traction S_hp φ = W φ + (K' + 1/2) V⁻¹ (K + 1/2) φ on some elements, as
+/// coefficients in an orthonormal basis of L²(E)² for every basis function φ.
+///
+/// Column `start[k] + 2 i + a` of `rows` is  ∫_E (S φ)_a P̂_i ds  for the k-th element E,
+/// i from 0 to its degree p, P̂_i the orthonormal Legendre polynomials on E.  Where asked
+/// for, more columns follow, up to start[k+1]: components of S φ beyond degree p, so that
+///
+///   ∫_E S φ · S ψ ds = Σ over all columns of E.
+///
+/// Rows are displacements, mine; this is the transpose of what one would draw.
+struct TractionRows {
+  Matrix rows;
+  std::vector<Index> start;
+};
+
 /// Fills TractionKernels from the pair moments of V, K and W, which the assembly has
 /// anyway, and potentials at the ends of E:
 ///

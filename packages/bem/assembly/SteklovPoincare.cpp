@@ -1,11 +1,23 @@
 #include "bem/assembly/SteklovPoincare.hpp"
 
+#include <mutex>
+
 namespace epafi::bem {
+
+struct SteklovPoincare::Tractions {
+  explicit Tractions(TractionKernels given)
+      : elements(given.elements), kernels(std::move(given)) {}
+
+  std::vector<int> elements;
+  std::once_flag made;
+  TractionKernels kernels;  ///< until they are made into rows
+  std::shared_ptr<const TractionRows> rows;
+};
 
 SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebra)
     : algebra_(&algebra),
       densities_(operators.singleLayer.columns()),
-      tractions_(std::move(operators.tractions)) {
+      tractions_(std::make_unique<Tractions>(std::move(operators.tractions))) {
   factor_ =
       algebra.cholesky(std::move(operators.singleLayer), "the single layer potential V");
   half_ = factor_->forward(std::move(operators.doubleLayer));
@@ -16,12 +28,28 @@ SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebr
                                  const SingleLayerSolver& solver)
     : algebra_(&algebra),
       densities_(operators.singleLayer.columns()),
-      tractions_(std::move(operators.tractions)),
       half_(solver.solve(std::move(operators.singleLayer), operators.doubleLayer)),
-      stiffness_(algebra.transposeTimes(operators.doubleLayer, half_)) {
-  for (Index j = 0; j < stiffness_.columns(); ++j)
-    for (Index i = 0; i < stiffness_.rows(); ++i)
-      stiffness_(i, j) += operators.hypersingular(i, j);
+      stiffness_(algebra.addTransposeTimes(std::move(operators.hypersingular),
+                                           operators.doubleLayer, half_)),
+      tractions_(std::make_unique<Tractions>(std::move(operators.tractions))) {}
+
+SteklovPoincare::SteklovPoincare(SteklovPoincare&&) noexcept = default;
+SteklovPoincare::~SteklovPoincare() = default;
+
+const std::vector<int>& SteklovPoincare::tractionElements() const {
+  return tractions_->elements;
+}
+
+// S φ = W φ + (K' + 1/2) V⁻¹ (K + 1/2) φ, transposed
+std::shared_ptr<const TractionRows> SteklovPoincare::tractions() const {
+  Tractions& tractions = *tractions_;
+  std::call_once(tractions.made, [&] {
+    TractionKernels kernels = std::move(tractions.kernels);
+    tractions.rows = std::make_shared<const TractionRows>(TractionRows{
+        addAdjointDensity(std::move(kernels.hypersingular), std::move(kernels.adjoint)),
+        std::move(kernels.start)});
+  });
+  return tractions.rows;
 }
 
 Vector SteklovPoincare::apply(const Vector& u) const {
@@ -33,10 +61,10 @@ Vector SteklovPoincare::density(const Vector& u) const {
   return factor_ == nullptr ? psi : factor_->backward(psi);
 }
 
-Matrix SteklovPoincare::adjointDensity(Matrix b) const {
+Matrix SteklovPoincare::addAdjointDensity(Matrix c, Matrix b) const {
   if (factor_ != nullptr)
     b = factor_->forward(std::move(b));
-  return algebra_->transposeTimes(half_, b);
+  return algebra_->addTransposeTimes(std::move(c), half_, b);
 }
 
 }  // namespace epafi::bem

@@ -25,25 +25,32 @@ class SteklovPoincare {
 
   /// S, the lower triangle, my rows.
   const Matrix& stiffness() const { return stiffness_; }
-  /// The kernels of the projected tractions that the assembly was asked for.
-  const TractionKernels& tractions() const { return tractions_; }
+  /// The elements for whose projected tractions the assembly was asked.
+  const std::vector<int>& tractionElements() const;
+  /// The projected tractions on them; made at the first call, which is collective.
+  std::shared_ptr<const TractionRows> tractions() const;
   const DenseAlgebra& algebra() const { return *algebra_; }
+
+  SteklovPoincare(SteklovPoincare&&) noexcept;
+  ~SteklovPoincare();
 
   Vector apply(const Vector& u) const;
 
   /// ψ = V⁻¹ (K + 1/2) u: the traction that belongs to u, as a density.          [P (15)]
   Vector density(const Vector& u) const;
 
-  /// (K + 1/2)ᵀ V⁻¹ B, my rows of the displacements; B by my rows of the densities.
-  Matrix adjointDensity(Matrix b) const;
+  /// C + (K + 1/2)ᵀ V⁻¹ B, my rows of the displacements; B by my rows of the densities.
+  Matrix addAdjointDensity(Matrix c, Matrix b) const;
 
  private:
+  struct Tractions;
+
   const DenseAlgebra* algebra_;
   Index densities_ = 0;
-  TractionKernels tractions_;
   std::unique_ptr<CholeskyFactor> factor_;  ///< null: with a solver
   Matrix half_;                             ///< Y, or Z; my rows of the densities
   Matrix stiffness_;
+  std::unique_ptr<Tractions> tractions_;
 };
 
 }  // namespace epafi::bem

@@ -278,16 +278,6 @@ class ElementRows {
   Matrix extra_;
 };
 
-/// S φ = W φ + (K' + 1/2) V⁻¹ (K + 1/2) φ, transposed: Wᵀ + Yᵀ L⁻¹ (K' + 1/2)ᵀ.
-Matrix applyDensity(const SteklovPoincare& stiffness, const Matrix& hypersingular,
-                    Matrix adjoint) {
-  Matrix rows = stiffness.adjointDensity(std::move(adjoint));
-  for (Index j = 0; j < rows.columns(); ++j)
-    for (Index i = 0; i < rows.rows(); ++i)
-      rows(i, j) += hypersingular(i, j);
-  return rows;
-}
-
 /// The exact form's columns are chosen by rounding errors: unlike processors could
 /// differ.
 void requireAgreement(const DenseAlgebra& algebra, const std::vector<Index>& start) {
@@ -298,13 +288,12 @@ void requireAgreement(const DenseAlgebra& algebra, const std::vector<Index>& sta
 
 }  // namespace
 
-TractionRows tractionRows(const Space& space, const Lame& lame,
-                          const SteklovPoincare& stiffness,
-                          const std::vector<int>& elements, TractionForm form) {
-  const TractionKernels& kernels = stiffness.tractions();
-  if (form == TractionForm::Projected && kernels.elements == elements)
-    return {applyDensity(stiffness, kernels.hypersingular, kernels.adjoint.copy()),
-            kernels.start};
+std::shared_ptr<const TractionRows> tractionRows(const Space& space, const Lame& lame,
+                                                 const SteklovPoincare& stiffness,
+                                                 const std::vector<int>& elements,
+                                                 TractionForm form) {
+  if (form == TractionForm::Projected && stiffness.tractionElements() == elements)
+    return stiffness.tractions();
 
   const auto count = static_cast<int>(elements.size());
   std::vector<std::unique_ptr<ElementRows>> parts(elements.size());
@@ -328,8 +317,8 @@ TractionRows tractionRows(const Space& space, const Lame& lame,
   for (int k = 0; k < count; ++k)
     parts[k]->write(result.start[k], mine, displacementRows, densityRows, hypersingular,
                     adjoint);
-  result.rows = applyDensity(stiffness, hypersingular, std::move(adjoint));
-  return result;
+  result.rows = stiffness.addAdjointDensity(std::move(hypersingular), std::move(adjoint));
+  return std::make_shared<const TractionRows>(std::move(result));
 }
 
 }  // namespace epafi::bem

@@ -57,6 +57,9 @@ class DenseAlgebra {
   /// Xᵀ Y, by my rows of the result; X (n x k) and Y (n x m) by my rows of n.
   virtual Matrix transposeTimes(const Matrix& x, const Matrix& y) const = 0;
 
+  /// C + Xᵀ Y in place of C, by my rows.
+  virtual Matrix addTransposeTimes(Matrix c, const Matrix& x, const Matrix& y) const;
+
   /// A x for a replicated vector; A is n x m by my rows of n, the result is replicated.
   virtual Vector multiply(const Matrix& a, Index n, const Vector& x) const = 0;
 

@@ -166,20 +166,23 @@ std::unique_ptr<bem::CholeskyFactor> factorise(const ContactProblem::Input& inpu
                             limit(input, stabilisationHalf, loads, rigid));
 }
 
+Matrix rowsOf(const Matrix& a, const Rows& mine) {
+  Matrix rows(mine.size(), a.columns());
+  for (Index j = 0; j < a.columns(); ++j)
+    std::copy_n(a.column(j) + mine.begin, mine.size(), rows.column(j));
+  return rows;
+}
+
 /// D = B A⁻¹ Bᵀ + M - Σ (B r)(B r)ᵀ, full and on every process.
 Matrix condense(const DenseAlgebra& algebra, const bem::CholeskyFactor& factor,
-                Matrix couplingTransposed, const Matrix& mass,
-                const Matrix& coupledRigid) {
+                Matrix couplingTransposed, Matrix mass, const Matrix& coupledRigid) {
   const Index m = couplingTransposed.columns();
   const Rows mine = algebra.myRows(m);
-  Matrix lower(mine.size(), m);
-  for (Index j = 0; j < m; ++j)
-    for (Index i = 0; i < mine.size(); ++i) {
-      const Index row = i + mine.begin;
-      lower(i, j) = mass(row, j);
-      for (Index k = 0; k < coupledRigid.columns(); ++k)
-        lower(i, j) -= coupledRigid(row, k) * coupledRigid(j, k);
-    }
+  Matrix lower = mine.size() == m ? std::move(mass) : rowsOf(mass, mine);
+  for (Index k = 0; k < coupledRigid.columns(); ++k)
+    for (Index j = 0; j < m; ++j)
+      for (Index i = 0; i < mine.size(); ++i)
+        lower(i, j) -= coupledRigid(i + mine.begin, k) * coupledRigid(j, k);
   const Matrix half = factor.forward(std::move(couplingTransposed));
   Matrix d = algebra.replicate(algebra.addGram(std::move(lower), half), m);
   for (Index j = 0; j < m; ++j)
@@ -236,6 +239,7 @@ ContactProblem::ContactProblem(const Input& input) {
     std::copy(row.begin(), row.end(), clampRows.column(k));
   }
   auto factor = factorise(input, std::move(a), coupling.stabilisationHalf, loads, rigid);
+  coupling.stabilisationHalf = Matrix();
 
   // what Fix makes of the prescribed displacement: the whole of u has no mean motion
   Vector constant = loads.prescribed;
@@ -272,7 +276,7 @@ ContactProblem::ContactProblem(const Input& input) {
   Matrix unclamped = parts.couplingTransposed.copy();
   clearClamped(unclamped, mine, parts.loads);
   numbers.flexibility = condense(algebra, *parts.factor, std::move(unclamped),
-                                 coupling.multiplierMass, coupledRigid);
+                                 std::move(coupling.multiplierMass), coupledRigid);
   numbers.normals = parts.multiplier.normals();
   numbers.tangentials = std::move(obstacle.tangentials);
   Vector u = parts.respond(parts.load);

@@ -72,13 +72,18 @@ std::vector<int> contactElements(const MultiplierSpace& multiplier) {
   return elements;
 }
 
-bem::TractionRows tractions(const ContactProblem::Input& input,
-                            const MultiplierSpace& multiplier) {
+std::shared_ptr<const bem::TractionRows> tractions(const ContactProblem::Input& input,
+                                                   const MultiplierSpace& multiplier) {
   const auto form = input.stabilization.form == Stabilization::Form::Exact
                         ? bem::TractionForm::Exact
                         : bem::TractionForm::Projected;
   return bem::tractionRows(input.space, input.lame, input.stiffness,
                            contactElements(multiplier), form);
+}
+
+std::shared_ptr<const bem::TractionRows> noTractions(const MultiplierSpace& multiplier) {
+  return std::make_shared<const bem::TractionRows>(
+      bem::TractionRows{{}, std::vector<Index>(multiplier.elements().size() + 1, 0)});
 }
 
 /// Adds the normal or tangential coefficients of one element to Bᵀ and M.
@@ -163,24 +168,22 @@ Coupling makeCoupling(const ContactProblem::Input& input,
   Coupling coupling;
   coupling.couplingTransposed = Matrix(mine, multiplier.size());
   coupling.multiplierMass = Matrix(multiplier.size(), multiplier.size());
-  bem::TractionRows traction;
-  traction.start.assign(multiplier.elements().size() + 1, 0);
   const bool stabilised = input.stabilization.form != Stabilization::Form::None;
-  if (stabilised)
-    traction = tractions(input, multiplier);
+  const std::shared_ptr<const bem::TractionRows> traction =
+      stabilised ? tractions(input, multiplier) : noTractions(multiplier);
+  coupling.stabilisationHalf = Matrix(mine, traction->start.back());
 
   const CouplingWriter writer(input, multiplier, coupling);
   for (std::size_t k = 0; k < multiplier.elements().size(); ++k) {
     const ContactElement& contact = multiplier.elements()[k];
     const double gamma = gammaOn(input.space.mesh(), contact.element, input);
     coupling.gamma.push_back(gamma);
-    writer.write(contact, gamma, traction, traction.start[k]);
+    writer.write(contact, gamma, *traction, traction->start[k]);
     const double root = std::sqrt(gamma);
-    for (Index c = traction.start[k]; c < traction.start[k + 1]; ++c)
+    for (Index c = traction->start[k]; c < traction->start[k + 1]; ++c)
       for (Index j = 0; j < mine; ++j)
-        traction.rows(j, c) *= root;
+        coupling.stabilisationHalf(j, c) = root * traction->rows(j, c);
   }
-  coupling.stabilisationHalf = stabilised ? std::move(traction.rows) : Matrix(mine, 0);
   return coupling;
 }
 

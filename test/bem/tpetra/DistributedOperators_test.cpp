@@ -77,8 +77,8 @@ TEUCHOS_UNIT_TEST(DistributedOperators, giveTheSameTractions) {
       const auto rows = bem::tractionRows(space, lame, mine, elements, form);
       const auto all = bem::tractionRows(space, lame, whole, elements, form);
       out << sample.name << ": ";
-      TEST_COMPARE_ARRAYS(rows.start, all.start);
-      TEST_COMPARE(difference(algebra, rows.rows, all.rows), <, 1e-12);
+      TEST_COMPARE_ARRAYS(rows->start, all->start);
+      TEST_COMPARE(difference(algebra, rows->rows, all->rows), <, 1e-12);
     }
   }
 }

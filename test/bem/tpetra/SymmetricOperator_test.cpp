@@ -74,8 +74,8 @@ TEUCHOS_UNIT_TEST(BelosSolver, givesTheOperatorThatCholeskyGives) {
     const auto projected = bem::TractionForm::Projected;
     const auto rows = bem::tractionRows(space, lame, krylov, elements, projected);
     const auto all = bem::tractionRows(space, lame, direct, elements, projected);
-    TEST_COMPARE(difference(algebra, rows.rows,
-                            algebra.replicate(all.rows.copy(), space.displacements())),
+    TEST_COMPARE(difference(algebra, rows->rows,
+                            algebra.replicate(all->rows.copy(), space.displacements())),
                  <, 1e-10);
   }
 }
