@@ -8,7 +8,7 @@ packagesOf() {
       # Debian's Trilinos configurations include those of everything they were built on, but
       # their -dev packages do not depend on each other: hence the long list of trilinos.
       echo g++ cmake ninja-build
-      echo libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libopenblas-dev libscalapack-openmpi-dev
+      echo libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libopenblas-dev
       echo libboost-dev libboost-math-dev libmuparser-dev libptscotch-dev libscotch-dev
       echo libtrilinos-{teuchos,kokkos,kokkos-kernels,tpetra,belos,thyra,stratimikos,nox}-dev
       echo libtrilinos-{rtop,epetra,epetraext,triutils,xpetra,aztecoo,amesos,amesos2}-dev

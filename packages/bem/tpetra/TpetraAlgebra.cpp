@@ -1,9 +1,9 @@
 #include "bem/tpetra/TpetraAlgebra.hpp"
 
 #include "bem/algebra/Blas.hpp"
-#include "bem/base/Error.hpp"
-#include "bem/tpetra/BlockCyclic.hpp"
-#include "bem/tpetra/Scalapack.hpp"
+#include "bem/tpetra/PanelFactor.hpp"
+#include "bem/tpetra/Redeal.hpp"
+#include "bem/tpetra/Shares.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 
@@ -16,8 +16,6 @@ namespace {
 using Teuchos::RCP;
 using Teuchos::rcp;
 
-constexpr int first = 1;  // ScaLAPACK counts from 1
-
 int asInt(Index n) { return static_cast<int>(n); }
 
 /// The communicator inside, or that of this process alone for a serial one.
@@ -28,55 +26,6 @@ MPI_Comm mpiOf(const Teuchos::Comm<int>& comm) {
   return *mpi->getRawMpiComm();
 }
 
-class CyclicFactor final : public CholeskyFactor {
- public:
-  CyclicFactor(BlockCyclic factor, const Layouts& layouts, const TpetraAlgebra& algebra)
-      : factor_(std::move(factor)), layouts_(layouts), algebra_(algebra) {}
-
-  Vector solve(const Vector& b) const override {
-    BlockCyclic x(layouts_, factor_.rows(), 1);
-    algebra_.consent().confirm();
-    x.takeColumn(b);
-    const int n = factor_.rows();
-    int info = 0;
-    if (n > 0)
-      pdpotrs_("L", &n, &first, factor_.data(), &first, &first, factor_.descriptor(),
-               x.data(), &first, &first, x.descriptor(), &info);
-    return algebra_.sum(x.giveColumn());
-  }
-
-  Matrix forward(Matrix rows) const override {
-    BlockCyclic x(layouts_, factor_.rows(), rows.columns());
-    algebra_.consent().confirm();
-    x.takeRows(rows);
-    triangularSolve("N", x);
-    x.giveRows(rows);
-    return rows;
-  }
-
-  Vector backward(const Vector& b) const override {
-    BlockCyclic x(layouts_, factor_.rows(), 1);
-    algebra_.consent().confirm();
-    x.takeColumn(b);
-    triangularSolve("T", x);
-    return algebra_.sum(x.giveColumn());
-  }
-
- private:
-  void triangularSolve(const char* transposed, BlockCyclic& x) const {
-    const int n = x.rows();
-    const int m = x.columns();
-    const double one = 1;
-    if (n > 0 && m > 0)
-      pdtrsm_("L", "L", transposed, "N", &n, &m, &one, factor_.data(), &first, &first,
-              factor_.descriptor(), x.data(), &first, &first, x.descriptor());
-  }
-
-  BlockCyclic factor_;
-  const Layouts& layouts_;
-  const TpetraAlgebra& algebra_;
-};
-
 }  // namespace
 
 TpetraAlgebra::TpetraAlgebra(RCP<const Teuchos::Comm<int>> comm,
@@ -85,16 +34,10 @@ TpetraAlgebra::TpetraAlgebra(RCP<const Teuchos::Comm<int>> comm,
       mpi_(mpiOf(*comm_)),
       rank_(comm_->getRank()),
       processes_(comm_->getSize()),
-      consent_(std::make_unique<Consent>(mpi_, std::move(lastResort))) {
-  if (processes_ > 1)
-    layouts_ = std::make_unique<Layouts>(mpi_);
-}
-
-TpetraAlgebra::~TpetraAlgebra() = default;
+      consent_(std::make_unique<Consent>(mpi_, std::move(lastResort))) {}
 
 Rows TpetraAlgebra::rowsOf(int rank, Index n) const {
-  const Index height = (n + processes_ - 1) / processes_;
-  return {std::min(n, rank * height), std::min(n, (rank + 1) * height)};
+  return shareOf(rank, processes_, n);
 }
 
 Rows TpetraAlgebra::myRows(Index n) const { return rowsOf(rank_, n); }
@@ -111,34 +54,22 @@ std::unique_ptr<CholeskyFactor> TpetraAlgebra::cholesky(Matrix lower,
                                                         const char* name) const {
   if (processes_ == 1)
     return alone_.cholesky(std::move(lower), name);
-  const int n = asInt(lower.columns());
-  BlockCyclic factor(*layouts_, n, n);
+  ColumnPanels panels(mpi_, lower.columns());
   consent_->confirm();
-  factor.takeRows(lower);
+  panels.take(lower);
   lower = Matrix();
-  int mine = 0;
-  if (n > 0)
-    pdpotrf_("L", &n, factor.data(), &first, &first, factor.descriptor(), &mine);
-  int info = 0;
-  MPI_Allreduce(&mine, &info, 1, MPI_INT, MPI_MAX, mpi_);
-  if (info != 0)
-    throw NumericalError(message(name,
-                                 " is not positive definite: Cholesky's factorisation ",
-                                 "breaks down in row ", info, " of ", n));
-  return std::make_unique<CyclicFactor>(std::move(factor), *layouts_, *this);
+  return std::make_unique<PanelFactor>(std::move(panels), *this, name);
 }
 
-/// rows + my rows of Σ T_r over the processes r, where product(panel, columns, t) puts
-/// the panel's rows of this process's T, up to `columns`, into t.
+/// rows + my rows of Σ T_r over the processes r, where product(panel, t) puts the panel's
+/// rows of this process's T into t: all columns, or those up to the panel's last one.
 template <class Product>
 Matrix TpetraAlgebra::collect(Matrix rows, Index n, Part part,
                               const Product& product) const {
-  constexpr Index width = 256;
-  const Index panelSize = std::min(width, n) * rows.columns();
-  Vector partial(static_cast<std::size_t>(panelSize));
-  Vector total(static_cast<std::size_t>(panelSize));
-  consent_->confirm();
+  constexpr Index width = 1024;  // BLAS copies the other factor once for each panel
   const Index height = rowsOf(0, n).size();
+  Vector sums(static_cast<std::size_t>(std::min(width, height) * rows.columns()));
+  consent_->confirm();
   for (Index offset = 0; offset < height; offset += width)
     for (int owner = 0; owner < processes_; ++owner) {
       const Rows all = rowsOf(owner, n);
@@ -147,14 +78,16 @@ Matrix TpetraAlgebra::collect(Matrix rows, Index n, Part part,
       const Index columns = part == Part::Lower ? panel.end : rows.columns();
       if (panel.size() == 0 || columns == 0)
         continue;
-      product(panel, columns, partial.data());
-      MPI_Reduce(partial.data(), total.data(), asInt(panel.size() * columns), MPI_DOUBLE,
-                 MPI_SUM, owner, mpi_);
-      if (owner != rank_)
+      product(panel, sums.data());
+      const bool mine = owner == rank_;
+      MPI_Reduce(mine ? MPI_IN_PLACE : sums.data(), mine ? sums.data() : nullptr,
+                 asInt(panel.size() * columns), MPI_DOUBLE, MPI_SUM, owner, mpi_);
+      if (!mine)
         continue;
+      const double* sum = sums.data();
       for (Index j = 0; j < columns; ++j)
         for (Index i = 0; i < panel.size(); ++i)
-          rows(offset + i, j) += total[static_cast<std::size_t>(i + j * panel.size())];
+          rows(offset + i, j) += *sum++;
     }
   return rows;
 }
@@ -163,17 +96,18 @@ Matrix TpetraAlgebra::addGram(Matrix lower, const Matrix& y) const {
   if (processes_ == 1)
     return alone_.addGram(std::move(lower), y);
   const Index n = lower.columns();
-  return collect(std::move(lower), n, Part::Lower,
-                 [&](const Rows& panel, Index columns, double* t) {
-                   const int height = asInt(panel.size());
-                   const int width = asInt(columns);
-                   const int depth = asInt(y.rows());
-                   const int ld = asInt(y.stride());
-                   const double one = 1;
-                   const double zero = 0;
-                   dgemm_("T", "N", &height, &width, &depth, &one, y.column(panel.begin),
-                          &ld, y.data(), &ld, &zero, t, &height);
-                 });
+  return collect(std::move(lower), n, Part::Lower, [&](const Rows& panel, double* t) {
+    const int height = asInt(panel.size());
+    const int left = asInt(panel.begin);
+    const int depth = asInt(y.rows());
+    const int ld = asInt(y.stride());
+    const double one = 1;
+    const double zero = 0;
+    dgemm_("T", "N", &height, &left, &depth, &one, y.column(panel.begin), &ld, y.data(),
+           &ld, &zero, t, &height);
+    dsyrk_("L", "T", &height, &depth, &one, y.column(panel.begin), &ld, &zero,
+           t + height * panel.begin, &height);
+  });
 }
 
 Matrix TpetraAlgebra::addOuter(Matrix lower, const Matrix& x, double scale) const {
@@ -181,16 +115,17 @@ Matrix TpetraAlgebra::addOuter(Matrix lower, const Matrix& x, double scale) cons
     return alone_.addOuter(std::move(lower), x, scale);
   const Index n = lower.columns();
   const Matrix mine = byColumns(x, n);
-  return collect(
-      std::move(lower), n, Part::Lower, [&](const Rows& panel, Index columns, double* t) {
-        const int height = asInt(panel.size());
-        const int width = asInt(columns);
-        const int depth = asInt(mine.columns());
-        const int ld = asInt(mine.stride());
-        const double zero = 0;
-        dgemm_("N", "T", &height, &width, &depth, &scale, mine.data() + panel.begin, &ld,
-               mine.data(), &ld, &zero, t, &height);
-      });
+  return collect(std::move(lower), n, Part::Lower, [&](const Rows& panel, double* t) {
+    const int height = asInt(panel.size());
+    const int left = asInt(panel.begin);
+    const int depth = asInt(mine.columns());
+    const int ld = asInt(mine.stride());
+    const double zero = 0;
+    dgemm_("N", "T", &height, &left, &depth, &scale, mine.data() + panel.begin, &ld,
+           mine.data(), &ld, &zero, t, &height);
+    dsyrk_("L", "N", &height, &depth, &scale, mine.data() + panel.begin, &ld, &zero,
+           t + height * panel.begin, &height);
+  });
 }
 
 Matrix TpetraAlgebra::transposeTimes(const Matrix& x, const Matrix& y) const {
@@ -198,9 +133,9 @@ Matrix TpetraAlgebra::transposeTimes(const Matrix& x, const Matrix& y) const {
     return alone_.transposeTimes(x, y);
   const Index n = x.columns();
   return collect(Matrix(myRows(n).size(), y.columns()), n, Part::Whole,
-                 [&](const Rows& panel, Index columns, double* t) {
+                 [&](const Rows& panel, double* t) {
                    const int height = asInt(panel.size());
-                   const int width = asInt(columns);
+                   const int width = asInt(y.columns());
                    const int depth = asInt(x.rows());
                    const int ldx = asInt(x.stride());
                    const int ldy = asInt(y.stride());
@@ -213,38 +148,10 @@ Matrix TpetraAlgebra::transposeTimes(const Matrix& x, const Matrix& y) const {
 
 /// From my rows of all columns to all rows of my columns.
 Matrix TpetraAlgebra::byColumns(const Matrix& rows, Index n) const {
-  const Index m = rows.columns();
-  const Rows mine = myRows(n);
-  const Rows myColumns = rowsOf(rank_, m);
-  Vector sent(static_cast<std::size_t>(mine.size() * m));
-  Vector received(static_cast<std::size_t>(n * myColumns.size()));
-  Matrix result(n, myColumns.size());
+  Redeal redeal(mpi_, n, rows.columns());
+  Matrix columns(n, redeal.columns());
   consent_->confirm();
-  for (Index j = 0; j < m; ++j)
-    std::copy_n(rows.column(j), mine.size(), sent.data() + j * mine.size());
-  std::vector<int> sendCounts;
-  std::vector<int> sendStarts;
-  std::vector<int> receiveCounts;
-  std::vector<int> receiveStarts;
-  for (int r = 0; r < processes_; ++r) {
-    const Rows theirColumns = rowsOf(r, m);
-    const Rows theirRows = rowsOf(r, n);
-    sendCounts.push_back(asInt(theirColumns.size() * mine.size()));
-    sendStarts.push_back(asInt(theirColumns.begin * mine.size()));
-    receiveCounts.push_back(asInt(theirRows.size() * myColumns.size()));
-    receiveStarts.push_back(asInt(theirRows.begin * myColumns.size()));
-  }
-  MPI_Alltoallv(sent.data(), sendCounts.data(), sendStarts.data(), MPI_DOUBLE,
-                received.data(), receiveCounts.data(), receiveStarts.data(), MPI_DOUBLE,
-                mpi_);
-  for (int r = 0; r < processes_; ++r) {
-    const Rows theirs = rowsOf(r, n);
-    const double* block = received.data() + theirs.begin * myColumns.size();
-    for (Index j = 0; j < myColumns.size(); ++j)
-      std::copy_n(block + j * theirs.size(), theirs.size(),
-                  result.column(j) + theirs.begin);
-  }
-  return result;
+  return redeal.toColumns(rows, std::move(columns));
 }
 
 Matrix TpetraAlgebra::bothTriangles(const Matrix& lower) const {

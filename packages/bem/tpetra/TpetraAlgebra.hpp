@@ -11,14 +11,13 @@
 
 namespace epafi::bem {
 
-class Layouts;
-
 /// DenseAlgebra on the processes of a communicator.
 ///
 /// Rows are dealt out in blocks of ceil(n/P), the last processes may have none.
-/// Factorisations and triangular solves are ScaLAPACK's, on a block-cyclic copy; products
-/// are sums of each process's own, collected panel by panel by the process that has the
-/// rows.  One process uses LAPACK only.
+/// Factorisations are made in panels of columns dealt out cyclically, triangular solves
+/// on columns of the right-hand side, see PanelFactor; products are sums of each
+/// process's own, collected panel by panel by the process that has the rows.  One process
+/// uses LAPACK only.
 ///
 /// Every call begins by asking for the others' consent, so a process that fails on its
 /// own ends all of them: see Consent.
@@ -27,7 +26,6 @@ class TpetraAlgebra final : public DenseAlgebra {
   /// Collective.
   explicit TpetraAlgebra(Teuchos::RCP<const Teuchos::Comm<int>> comm,
                          Consent::LastResort lastResort = nullptr);
-  ~TpetraAlgebra() override;
 
   Rows myRows(Index n) const override;
   std::unique_ptr<CholeskyFactor> cholesky(Matrix lower, const char* name) const override;
@@ -65,7 +63,6 @@ class TpetraAlgebra final : public DenseAlgebra {
   int processes_ = 1;
   LapackAlgebra alone_;
   std::unique_ptr<Consent> consent_;
-  std::unique_ptr<Layouts> layouts_;
 };
 
 }  // namespace epafi::bem

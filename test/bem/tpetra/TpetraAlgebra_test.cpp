@@ -6,6 +6,7 @@
 
 #include <limits>
 #include <random>
+#include <string>
 
 namespace {
 
@@ -20,8 +21,8 @@ using test::mine;
 const bem::LapackAlgebra lapack;
 constexpr double rounding = 1e-12;
 
-// fewer rows than ranks, about one block of ScaLAPACK's, several, no multiples
-constexpr Index sizes[] = {1, 2, 7, 65, 128, 129, 300};
+// fewer rows than ranks, about one panel, several, no multiples
+constexpr Index sizes[] = {1, 2, 7, 65, 256, 257, 700};
 
 Matrix randomMatrix(Index n, Index m, unsigned seed) {
   std::mt19937 random(seed);
@@ -99,6 +100,24 @@ TEUCHOS_UNIT_TEST(TpetraAlgebra, refusesAnIndefiniteMatrixOnAllRanks) {
       const Vector b = randomVector(n, 2);
       TEST_COMPARE(difference(algebra.sum(b), b), <=, algebra.processes());
     }
+}
+
+TEUCHOS_UNIT_TEST(TpetraAlgebra, namesTheRowThatLapackNames) {
+  const bem::TpetraAlgebra algebra = test::allRanks();
+  const auto complaint = [](const auto& factorise) -> std::string {
+    try {
+      factorise();
+    } catch (const bem::NumericalError& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  for (const Index row : {Index(0), Index(255), Index(256), Index(500), Index(699)}) {
+    Matrix a = positiveDefinite(700);
+    a(row, row) = -1;
+    const std::string alone = complaint([&] { lapack.cholesky(a.copy(), "A"); });
+    TEST_EQUALITY(complaint([&] { algebra.cholesky(mine(algebra, a), "A"); }), alone);
+  }
 }
 
 TEUCHOS_UNIT_TEST(TpetraAlgebra, multipliesAsLapackDoes) {
