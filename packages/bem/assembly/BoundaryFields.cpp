@@ -53,7 +53,10 @@ BoundaryFields::Sources BoundaryFields::split(int element) const {
     }
     // interpolation needs twice as many points as a product of two such fields
     const int smooth = order.outer - degreeShare(mesh_[element].degree);
-    sources.far[2 * smooth].push_back({f, order.inner});
+    // the orders are for moments up to degree p + 1; here densities have p - 1
+    const int degree = mesh_[f].degree;
+    sources.far[2 * smooth].push_back(
+        {f, order.inner - degreeShare(degree) + degree / 2});
   }
   return sources;
 }
