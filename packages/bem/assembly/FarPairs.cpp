@@ -264,24 +264,19 @@ void farBaseline(const Element& e, const FarBatch& batch, int rows, int columns,
   farKernelOfDegree(e, batch, rows, columns, work, m);
 }
 
-using FarFunction = void (*)(const Element&, const FarBatch&, int, int, const Work&,
-                             FarMoments&);
-
-FarFunction chooseKernel() {
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
-    return farAvx512;
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    return farAvx2;
-  return farBaseline;
-}
-
 }  // namespace
 
 void farMoments(const Element& e, const FarBatch& batch, int rows, int columns,
-                PairOrder order, FarMoments& moments) {
-  static const FarFunction kernel = chooseKernel();
+                PairOrder order, FarMoments& moments, InstructionSet set) {
   const Work work(order, rows, columns);
-  kernel(e, batch, rows, columns, work, moments);
+  switch (set) {
+    case InstructionSet::Avx512:
+      return farAvx512(e, batch, rows, columns, work, moments);
+    case InstructionSet::Avx2:
+      return farAvx2(e, batch, rows, columns, work, moments);
+    case InstructionSet::Baseline:
+      return farBaseline(e, batch, rows, columns, work, moments);
+  }
 }
 
 void extractLane(const FarMoments& far, int lane, Vec2 tangent, int rows, int columns,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/assembly/PairMoments.hpp"
+#include "bem/base/InstructionSet.hpp"
 #include "bem/mesh/Mesh.hpp"
 
 namespace epafi::bem {
@@ -68,9 +69,9 @@ class FarMoments {
 /// Far moments of E against a batch: `rows` = p_E, `columns` = the batch's largest
 /// degree, orders the batch's largest.  Tensor Gauss with one reciprocal per point pair
 /// and one logarithm per outer point: ∫ P_j log|w| comes from ∫ P_j w·τ/|w|² by parts.
-/// The instruction set (AVX-512, AVX2, baseline) is chosen at run time.
 void farMoments(const Element& e, const FarBatch& batch, int rows, int columns,
-                PairOrder order, FarMoments& moments);
+                PairOrder order, FarMoments& moments,
+                InstructionSet set = largestInstructionSet());
 
 /// Copies one lane out.
 void extractLane(const FarMoments& far, int lane, Vec2 tangent, int rows, int columns,

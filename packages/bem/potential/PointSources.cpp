@@ -66,16 +66,6 @@ __attribute__((target("avx2,fma"))) FieldSums sumAvx2(const Columns& c, double x
 
 FieldSums sumBaseline(const Columns& c, double x, double y) { return sum(c, x, y); }
 
-using SumFunction = FieldSums (*)(const Columns&, double, double);
-
-SumFunction chooseSum() {
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
-    return sumAvx512;
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    return sumAvx2;
-  return sumBaseline;
-}
-
 /// ∫ Re(τ/w) g ds
 Complex alongTangent(Complex tangent, const SourceSums& g) {
   return 0.5 * (tangent * g.overW + std::conj(tangent) * g.overConj);
@@ -123,12 +113,20 @@ void PointSources::add(Complex place, Complex density, Complex slope) {
   data_[SlopeY].push_back(slope.imag());
 }
 
-FieldSums PointSources::at(Complex x) const {
-  static const SumFunction kernel = chooseSum();
-  return kernel(
-      {data_[X].data(), data_[Y].data(), data_[DensityX].data(), data_[DensityY].data(),
-       data_[SlopeX].data(), data_[SlopeY].data(), data_[X].size()},
-      x.real(), x.imag());
+FieldSums PointSources::at(Complex x, InstructionSet set) const {
+  const Columns columns = {data_[X].data(),        data_[Y].data(),
+                           data_[DensityX].data(), data_[DensityY].data(),
+                           data_[SlopeX].data(),   data_[SlopeY].data(),
+                           data_[X].size()};
+  switch (set) {
+    case InstructionSet::Avx512:
+      return sumAvx512(columns, x.real(), x.imag());
+    case InstructionSet::Avx2:
+      return sumAvx2(columns, x.real(), x.imag());
+    case InstructionSet::Baseline:
+      break;
+  }
+  return sumBaseline(columns, x.real(), x.imag());
 }
 
 }  // namespace epafi::bem

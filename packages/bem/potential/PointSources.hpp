@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/base/InstructionSet.hpp"
 #include "bem/base/Material.hpp"
 #include "bem/potential/LegendreMoments.hpp"
 
@@ -46,9 +47,8 @@ class PointSources {
   void clear();
   void add(Complex place, Complex density, Complex slope);
 
-  /// Their sums at x, in about 1 ns a point; the instruction set (AVX-512, AVX2,
-  /// baseline) is chosen at run time.
-  FieldSums at(Complex x) const;
+  /// Their sums at x, in about 1 ns a point.
+  FieldSums at(Complex x, InstructionSet set = largestInstructionSet()) const;
 
  private:
   enum { X, Y, DensityX, DensityY, SlopeX, SlopeY, Arrays };

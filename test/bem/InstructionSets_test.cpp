@@ -1,0 +1,86 @@
+// Every instruction set that this processor has gives the same moments and sums.
+#include "bem/assembly/FarPairs.hpp"
+#include "bem/potential/PointSources.hpp"
+#include "reference/SampleMeshes.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+#include <memory>
+
+namespace {
+
+namespace bem = epafi::bem;
+using epafi::reference::polygon;
+
+TEUCHOS_UNIT_TEST(InstructionSets, startWithTheBaselineAndEndWithTheLargest) {
+  TEST_ASSERT(bem::instructionSets().front() == bem::InstructionSet::Baseline);
+  TEST_ASSERT(bem::instructionSets().back() == bem::largestInstructionSet());
+}
+
+bem::FarBatch anyBatch() {
+  bem::FarBatch batch{};
+  for (int lane = 0; lane < bem::lanes; ++lane) {
+    bem::Element f;
+    f.half = 0.1 + 0.02 * lane;
+    f.tangent = {std::cos(0.7 * lane), std::sin(0.7 * lane)};
+    batch.set(lane, {1.5 + 0.3 * lane, 0.2 * lane - 1}, f);
+  }
+  return batch;
+}
+
+double difference(const bem::FarMoments& a, const bem::FarMoments& b, int degree) {
+  double largest = 0;
+  for (int i = 0; i <= degree; ++i)
+    for (int j = 0; j <= degree; ++j)
+      for (int lane = 0; lane < bem::lanes; ++lane) {
+        const int at = i * bem::FarMoments::stride + j;
+        if (i < degree)
+          largest = std::max(largest, std::abs(a.direct[at][lane] - b.direct[at][lane]));
+        if (j < degree)
+          largest =
+              std::max(largest, std::abs(a.reverse[at][lane] - b.reverse[at][lane]));
+        if (i == degree || j == degree)
+          continue;
+        for (const double error :
+             {a.log[at][lane] - b.log[at][lane], a.along[at][lane] - b.along[at][lane],
+              a.across[at][lane] - b.across[at][lane]})
+          largest = std::max(largest, std::abs(error));
+      }
+  return largest;
+}
+
+TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameFarMoments) {
+  const auto outline = std::make_shared<const bem::Outline>(
+      polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}));
+  const auto baseline = std::make_unique<bem::FarMoments>();
+  const auto other = std::make_unique<bem::FarMoments>();
+  for (const int degree : {1, 2, 3, 8, 20}) {
+    const bem::Mesh mesh = bem::makeMesh(outline, {2, 2, 2, 2}, degree);
+    const bem::PairOrder order = {degree + 5, degree + 7};
+    bem::farMoments(mesh[1], anyBatch(), degree, degree, order, *baseline,
+                    bem::InstructionSet::Baseline);
+    for (const bem::InstructionSet set : bem::instructionSets()) {
+      bem::farMoments(mesh[1], anyBatch(), degree, degree, order, *other, set);
+      TEST_COMPARE(difference(*baseline, *other, degree), <, 1e-13);
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameSumsOfSources) {
+  bem::PointSources sources;
+  for (int k = 0; k < 1001; ++k)
+    sources.add({std::cos(0.1 * k), std::sin(0.1 * k)},
+                {std::sin(1.3 * k), std::cos(0.4 * k)}, {std::cos(2.1 * k), 0.3});
+  const bem::Complex x(0.2, -0.1);
+  const bem::FieldSums baseline = sources.at(x, bem::InstructionSet::Baseline);
+  for (const bem::InstructionSet set : bem::instructionSets()) {
+    const bem::FieldSums sums = sources.at(x, set);
+    for (const auto part : {&bem::FieldSums::density, &bem::FieldSums::slope})
+      for (const auto kernel :
+           {&bem::SourceSums::overW, &bem::SourceSums::overConj, &bem::SourceSums::cubic})
+        TEST_COMPARE(std::abs(sums.*part.*kernel - baseline.*part.*kernel), <, 1e-10);
+  }
+}
+
+}  // namespace
