@@ -4,6 +4,7 @@
 #include "contact/nox/ArmijoSearch.hpp"
 #include "contact/nox/Group.hpp"
 #include "contact/nox/Merit.hpp"
+#include "contact/nox/PivotingDirection.hpp"
 #include "contact/nox/StatusTests.hpp"
 #include "contact/solve/Descent.hpp"
 #include "contact/solve/NewtonSystem.hpp"
@@ -87,7 +88,14 @@ class RunList {
           .set("Output Information", 0)
           .set("Output Stream", errors);  // some of it comes whatever the information
     list_->sublist("Printing").set("Error Stream", errors);
-    if (method != NewtonMethod::Newton) {
+    if (method == NewtonMethod::Pivoting) {
+      ParameterList& direction = list_->sublist("Direction");
+      direction.set("Method", "User Defined");
+      direction.set<RCP<NOX::Direction::UserDefinedFactory>>(
+          "User Defined Direction Factory", rcp(new PivotingFactory));
+    }
+    if (method == NewtonMethod::ProjectedDescent ||
+        method == NewtonMethod::MeritDescent) {
       ParameterList& search = list_->sublist("Line Search");
       search = ParameterList("Line Search");
       search.set("Method", "User Defined");
@@ -162,6 +170,16 @@ auto withNoxErrors(const std::ostringstream& log, const Action& action) {
 
 }  // namespace
 
+bool hasOwnEntries(const ParameterList& list) {
+  for (auto it = list.begin(); it != list.end(); ++it) {
+    const std::string& key = list.name(it);
+    if (list.isSublist(key) ? hasOwnEntries(list.sublist(key))
+                            : !list.entry(it).isDefault())
+      return true;
+  }
+  return false;
+}
+
 NewtonRun runNewton(const Equation& equation, const Vector& start, NewtonMethod method,
                     int maximumIterations, const std::shared_ptr<ParameterList>& list) {
   const auto log = rcp(new std::ostringstream);
@@ -177,12 +195,14 @@ NewtonRun runNewton(const Equation& equation, const Vector& start, NewtonMethod 
       *log, [&] { return build(group, test, maximumIterations, run.list()); });
 
   const RCP<const Merit> merit = makeMerit(equation, method);
+  const bool descends =
+      method == NewtonMethod::ProjectedDescent || method == NewtonMethod::MeritDescent;
   std::vector<double> merits;
   NewtonRun result;
   const auto status = withNoxErrors(*log, [&] {
     auto now = solver->getStatus();
     while (now == NOX::StatusTest::Unconverged || now == NOX::StatusTest::Unevaluated) {
-      if (method != NewtonMethod::Newton)
+      if (descends)
         merits.push_back(merit->computef(solver->getSolutionGroup()));
       try {
         now = solver->step();
@@ -191,7 +211,7 @@ NewtonRun runNewton(const Equation& equation, const Vector& start, NewtonMethod 
         return NOX::StatusTest::Failed;
       }
     }
-    if (method != NewtonMethod::Newton)
+    if (descends)
       merits.push_back(merit->computef(solver->getSolutionGroup()));
     return now;
   });

@@ -16,6 +16,9 @@ namespace epafi::contact {
 enum class NewtonMethod {
   /// Newton's steps, full ones unless NOX's list asks for a line search.
   Newton,
+  /// The same from a start that knows the active sets but for a few coefficients, such as
+  /// the state of a coarser mesh: see Pivoting.  Only with active sets.
+  Pivoting,
   /// Projected Newton on the energy ½ λᵀDλ - d₀ᵀλ over the box, Armijo's rule along the
   /// projected arc.  Only without rigid motions and with fixed bounds.   [Bertsekas 1982]
   ProjectedDescent,
@@ -46,6 +49,9 @@ struct NewtonRun {
   std::vector<double> merits;  ///< of the start and after each step, descent methods only
   std::string message;         ///< of a singular Jacobian
 };
+
+/// Does the list, or one of its sublists, hold an entry that is not a default?
+bool hasOwnEntries(const Teuchos::ParameterList& list);
 
 /// Runs NOX on F(x) = 0 from `start`.
 ///

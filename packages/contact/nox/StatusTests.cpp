@@ -14,7 +14,8 @@ namespace {
 constexpr double growthLimit = 1e6;
 constexpr double hasFallen = 0.999;       // a cycle repeats its residual up to rounding
 constexpr std::size_t patientSteps = 12;  // without progress
-constexpr std::size_t memory = 4;         // steps looked at for restless coefficients
+constexpr std::size_t pivotingSteps = 20;
+constexpr std::size_t memory = 4;  // steps looked at for restless coefficients
 
 int differences(const ActiveSet& a, const ActiveSet& b) {
   int count = 0;
@@ -75,6 +76,12 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
   } else if (e.converged) {
     run_.end = NewtonRun::End::Converged;
     status_ = NOX::StatusTest::Converged;
+  } else if (method_ == NewtonMethod::Pivoting) {
+    // Its sets do not come back; the residual says nothing on the way.
+    if (sets_.size() > progress_ + pivotingSteps)
+      fail(NewtonRun::End::Restless);
+    else if (e.scaled > growthLimit * std::max(first_, 1.0))
+      fail(NewtonRun::End::Growth);
   } else if (method_ == NewtonMethod::Newton) {
     const auto before = seen_.find(e.set);
     if (before != seen_.end() && e.scaled >= hasFallen * before->second &&

@@ -153,13 +153,12 @@ Solution newton(const Problem& problem, const State& start, Equation::Bound boun
                 const SolverOptions& options) {
   const bool lagged = bound == Equation::Bound::Lagged;
   const Equation equation(problem, complementarityOf(options), bound, options.tolerance);
-  const NewtonRun run = runNewton(
-      equation, pack(problem, start), NewtonMethod::Newton,
+  auto [run, report] = fullSteps(
+      equation, start,
       lagged ? std::max(options.maximumIterations, options.coulombMaximumIterations)
              : options.maximumIterations,
-      options.nox);
-  Report report = extended({}, run, problem);
-  report.coulombIterations = run.iterations;
+      options);
+  report.coulombIterations = report.newtonIterations;
   if (run.end == NewtonRun::End::Converged || run.end == NewtonRun::End::Iterations)
     return {unpack(problem, run.last), std::move(report)};
 

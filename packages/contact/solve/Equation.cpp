@@ -183,6 +183,7 @@ void Equation::measure(Evaluation& e, const Vector& magnitude) const {
     e.set.push_back(static_cast<signed char>(above ? 1 : (below ? -1 : 0)));
     const double natural =
         projection == trial ? -entry(e.penetration, i) : multiplier - projection;
+    e.natural.push_back(natural);
     count(natural, rounding * (entry(magnitude, i) + std::abs(multiplier) + bound));
   }
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {

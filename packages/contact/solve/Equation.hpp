@@ -19,6 +19,7 @@ struct Evaluation {
   Vector boundSlopes;  ///< ds/dλₙ as the Jacobian is to see it
   std::vector<Complementarity::Value> rows;  ///< one per coefficient
   Vector residual;                           ///< F: the rows' values, then the balance
+  Vector natural;                            ///< λ - P(λ + c r), one per coefficient
   ActiveSet set;
   double scaled = 0;     ///< largest natural residual / Problem::stress
   double tolerance = 0;  ///< what `scaled` is compared with: rounding floor included
@@ -50,6 +51,10 @@ class Equation {
 
   const Problem& problem() const { return problem_; }
   Bound bound() const { return bound_; }
+  /// Are the rows linearised by active sets, the slip bound's included?
+  bool hasActiveSets() const {
+    return &function_ != &fischerBurmeister_ && bound_ == Bound::Differentiated;
+  }
   /// c, one per coefficient.
   const Vector& weights() const { return weights_; }
   /// Σ_i |G_ij|, one per rigid motion; 1 for an empty column.

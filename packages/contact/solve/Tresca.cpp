@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "contact/solve/Equilibrium.hpp"
 #include "contact/solve/InteriorPoint.hpp"
+#include "contact/solve/Smoothing.hpp"
 
 #include <algorithm>
 
@@ -145,6 +146,16 @@ Solution throughTheMiddle(const Problem& problem, Solution before,
   return {unpack(problem, polished.best), std::move(before.report)};
 }
 
+bool isKnown(const State& start) {
+  return std::any_of(start.multiplier.begin(), start.multiplier.end(),
+                     [](double x) { return x != 0; });
+}
+
+NewtonRun pivot(const Equation& equation, const Vector& start, int maximumIterations) {
+  return runNewton(equation, smoothed(equation, start), NewtonMethod::Pivoting,
+                   maximumIterations);
+}
+
 }  // namespace
 
 const Complementarity& complementarityOf(const SolverOptions& options) {
@@ -179,13 +190,28 @@ Report extended(Report report, const NewtonRun& run, const Problem& problem) {
   return report;
 }
 
+Attempt fullSteps(const Equation& equation, const State& start, int maximumIterations,
+                  const SolverOptions& options) {
+  const Problem& problem = equation.problem();
+  const bool plain = !equation.hasActiveSets() || !isKnown(start) ||
+                     (options.nox != nullptr && hasOwnEntries(*options.nox));
+  Attempt attempt;
+  attempt.run = plain ? runNewton(equation, pack(problem, start), NewtonMethod::Newton,
+                                  maximumIterations, options.nox)
+                      : pivot(equation, pack(problem, start), maximumIterations);
+  attempt.report = extended({}, attempt.run, problem);
+  if (plain && equation.hasActiveSets() && attempt.run.end == NewtonRun::End::Restless) {
+    attempt.run = pivot(equation, attempt.run.best, maximumIterations);
+    attempt.report = extended(std::move(attempt.report), attempt.run, problem);
+  }
+  return attempt;
+}
+
 Solution solveFixedBounds(const Problem& problem, const State& start,
                           const SolverOptions& options) {
   const Equation equation(problem, complementarityOf(options),
                           Equation::Bound::Differentiated, options.tolerance);
-  const NewtonRun run = runNewton(equation, pack(problem, start), NewtonMethod::Newton,
-                                  options.maximumIterations, options.nox);
-  Report report = extended({}, run, problem);
+  auto [run, report] = fullSteps(equation, start, options.maximumIterations, options);
   if (run.end == NewtonRun::End::Converged || run.end == NewtonRun::End::Iterations)
     return {unpack(problem, run.last), std::move(report)};
   Solution descended;

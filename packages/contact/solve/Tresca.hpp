@@ -5,10 +5,22 @@
 
 namespace epafi::contact {
 
+/// Newton's method with full steps, and what it did.
+struct Attempt {
+  NewtonRun run;
+  Report report;
+};
+
+/// From a start that knows something of the solution, with active sets and without a list
+/// of NOX's of the user's own: sweeps first, then Pivoting.  Else plain full steps and,
+/// where their sets come back, the same from the best iterate.
+Attempt fullSteps(const Equation& equation, const State& start, int maximumIterations,
+                  const SolverOptions& options);
+
 /// Solves a problem whose slip bounds do not depend on the pressure: none, or
 /// Tresca's.
 ///
-/// Newton's method with full steps; where these cycle, grow or meet a singular Jacobian,
+/// fullSteps(); where these wander, grow or meet a singular Jacobian,
 /// the energy of the quadratic programme  min ½ λᵀDλ - d₀ᵀλ  over the box, Gᵀλ = q  takes
 /// over. It falls with each step and so cannot cycle.  Gᵀλ = q is reached by an augmented
 /// Lagrangian, whose last digits come from Newton's steps again.

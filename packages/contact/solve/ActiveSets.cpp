@@ -1,0 +1,125 @@
+#include "contact/solve/ActiveSets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace epafi::contact {
+
+namespace {
+
+constexpr double shareOfLargest = 0.2;
+constexpr double solved = 1e-6;  // of the load: what a step leaves of its own problem
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+// s(λₙ) and its slope as the set of the normal coefficient has it: linear beyond λₙ = 0
+// where that is closed, nothing where it is open.
+Equation::StepBound boundHeld(const Evaluation& e, const Tangential& t, bool closed) {
+  if (!t.law->dependsOnPressure)
+    return {t.law->slipBound(0, t.strength), 0};
+  if (!closed)
+    return {0, 0};
+  const double pressure = e.unknowns[at(t.normal)];
+  const double positive = std::max(pressure, std::numeric_limits<double>::min());
+  const double slope = t.law->slipBoundSlope(positive, t.strength);
+  return {t.law->slipBound(positive, t.strength) + slope * (pressure - positive), slope};
+}
+
+std::vector<std::size_t> differences(const ActiveSet& a, const ActiveSet& b) {
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (a[i] != b[i])
+      result.push_back(i);
+  return result;
+}
+
+bool solvesItsProblem(const Equation& equation, const Evaluation& e,
+                      const ActiveSet& set) {
+  const Vector left = holding(equation, e, set).residual;
+  return std::all_of(left.begin(), left.end(), [&](double f) {
+    return std::abs(f) <= solved * equation.problem().stress;
+  });
+}
+
+}  // namespace
+
+ActiveSet rowSet(const Evaluation& e) {
+  const std::size_t normals = e.rows.size() - e.bounds.size();
+  ActiveSet set;
+  for (std::size_t i = 0; i < e.rows.size(); ++i) {
+    const Complementarity::Value& row = e.rows[i];
+    const bool open = row.penetration == 0;
+    if (i < normals)
+      set.push_back(open ? 0 : 1);
+    else
+      set.push_back(static_cast<signed char>(!open ? 0 : row.bound < 0 ? 1 : -1));
+  }
+  return set;
+}
+
+Evaluation holding(const Equation& equation, Evaluation e, const ActiveSet& set) {
+  const Problem& problem = equation.problem();
+  for (Index i = 0; i < problem.size(); ++i) {
+    const double multiplier = e.unknowns[at(i)];
+    Complementarity::Value& row = e.rows[at(i)];
+    const bool tangential = i >= problem.normals;
+    if (tangential) {
+      const auto t = at(i - problem.normals);
+      const Tangential& point = problem.tangentials[t];
+      const auto bound = boundHeld(e, point, set[at(point.normal)] != 0);
+      e.stepBounds[t] = bound.value;
+      e.boundSlopes[t] = bound.slope;
+      const double side = set[at(i)];
+      row = {multiplier - side * bound.value, 1, 0, -side};
+    } else {
+      row = {multiplier, 1, 0, 0};
+    }
+    if (tangential == (set[at(i)] == 0))
+      row = {-e.penetration[at(i)], 0, -1, 0};
+    e.residual[at(i)] = row.value;
+  }
+  return e;
+}
+
+ActiveSet Pivoting::next(const Equation& equation, const Evaluation& e) {
+  const ActiveSet wanted = rowSet(e);
+  if (set_.empty() || !solvesItsProblem(equation, e, set_))
+    begin(wanted);
+  else
+    choose(e, wanted);
+  return set_;
+}
+
+void Pivoting::begin(ActiveSet set) {
+  set_ = std::move(set);
+  fewest_ = std::numeric_limits<std::size_t>::max();
+  seen_.clear();
+  single_ = false;
+}
+
+void Pivoting::choose(const Evaluation& e, const ActiveSet& wanted) {
+  const std::vector<std::size_t> violated = differences(set_, wanted);
+  if (violated.size() < fewest_) {
+    begin(wanted);
+    fewest_ = violated.size();
+    seen_.insert(set_);
+    return;
+  }
+  ActiveSet some = set_;
+  double largest = 0;
+  for (const std::size_t i : violated)
+    largest = std::max(largest, std::abs(e.natural[i]));
+  for (const std::size_t i : violated)
+    if (std::abs(e.natural[i]) >= shareOfLargest * largest)
+      some[i] = wanted[i];
+  single_ = single_ || seen_.count(some) > 0;
+  if (single_) {
+    set_[violated.back()] = wanted[violated.back()];
+  } else {
+    set_ = std::move(some);
+    seen_.insert(set_);
+  }
+}
+
+}  // namespace epafi::contact
