@@ -31,11 +31,16 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const LevelResul
   const contact::MultiplierSpace multiplier(
       mesh, contact::multiplierBasis(scene.multiplier), scene.conditions);
   const adaptivity::LevelData data{
-      mesh, result.indicators.elements(),
+      mesh,
+      result.indicators.elements(),
       adaptivity::looksAnalytic(space, scene.conditions, result.displacement,
                                 result.density, scene.adaptivity.analyticityThreshold),
       scene.adaptivity.markingFraction,
-      adaptivity::findSingularPoints(mesh, scene.conditions, multiplier, result.states)};
+      scene.adaptivity.grading.transitions == "Ignore"
+          ? adaptivity::findSingularPoints(mesh, scene.conditions)
+          : adaptivity::findSingularPoints(mesh, scene.conditions, multiplier,
+                                           result.states),
+      scene.adaptivity.grading};
   const adaptivity::Marks marks = adaptivity::decide(strategy, data, algebra);
   if (!adaptivity::anyMarked(marks))
     return converged("there is nothing to refine");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adaptivity/estimate/ResidualEstimator.hpp"
+#include "adaptivity/refine/Grading.hpp"
 #include "bem/base/Material.hpp"
 #include "bem/geometry/Outline.hpp"
 #include "bem/tpetra/BelosOptions.hpp"
@@ -48,6 +49,7 @@ struct Scene {
     double markingFraction = 0.3;
     double analyticityThreshold = 0.5;
     adaptivity::EstimatorOptions estimator;
+    adaptivity::GradingOptions grading;
     double targetEstimate = 0;
   } adaptivity;
 

@@ -245,6 +245,12 @@ Scene::Adaptivity readAdaptivity(const ParameterList& list) {
   adaptivity.analyticityThreshold = list.get<double>("Analyticity Threshold");
   adaptivity.estimator.weights = list.get<std::string>("Weights");
   adaptivity.estimator.residualFactor = list.get<double>("Residual Factor");
+  const ParameterList& grading = list.sublist("Grading");
+  adaptivity.grading.ratio = grading.get<double>("Ratio");
+  adaptivity.grading.degreeStep = grading.get<int>("Degree Step");
+  adaptivity.grading.weakDegree = grading.get<int>("Weak Point Degree");
+  adaptivity.grading.transitions = grading.get<std::string>("Transitions");
+  adaptivity.grading.smooth = grading.get<std::string>("Smooth Elements");
   adaptivity.targetEstimate = list.get<double>("Target Estimate");
   return adaptivity;
 }

@@ -1,4 +1,5 @@
 #include "adaptivity/estimate/Weights.hpp"
+#include "adaptivity/refine/Grading.hpp"
 #include "adaptivity/refine/Strategy.hpp"
 #include "contact/law/FrictionLaw.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
@@ -260,6 +261,35 @@ void addRun(Table& table) {
               .unit("1")
               .standard("0.5")
               .range({0, 1, true, true}),
+          Row("Adaptivity->Grading", Kind::List, "what Graded hp does"),
+          Row("Adaptivity->Grading->Ratio", Kind::Real,
+              "length of the piece that is cut off next to a singular point, relative to "
+              "the element's")
+              .unit("1")
+              .standard("0.15")
+              .range({0, 0.5, true, false}),
+          Row("Adaptivity->Grading->Degree Step", Kind::Whole,
+              "by how much the piece away from the singular point raises its degree")
+              .unit("1")
+              .standard("1")
+              .range({0, 4}),
+          Row("Adaptivity->Grading->Weak Point Degree", Kind::Whole,
+              "next to corners and changes of boundary the degree is raised as long as "
+              "it "
+              "is lower and coefficients decay")
+              .unit("1")
+              .standard("4")
+              .range(from(1)),
+          Row("Adaptivity->Grading->Transitions", Kind::Text,
+              "where contact or friction changes its state inside an element; " +
+                  meanings(adaptivity::transitions()))
+              .standard(adaptivity::transitions().front().name)
+              .allowed(namesOf(adaptivity::transitions())),
+          Row("Adaptivity->Grading->Smooth Elements", Kind::Text,
+              "raise the degree away from singular points; " +
+                  meanings(adaptivity::smoothElements()))
+              .standard(adaptivity::smoothElements().front().name)
+              .allowed(namesOf(adaptivity::smoothElements())),
           Row("Adaptivity->Weights", Kind::Text,
               "how the estimate adds its terms up; " + meanings(adaptivity::weightings()))
               .standard(adaptivity::weightings().front().name)

@@ -50,13 +50,19 @@ PointState stateOf(const contact::MultiplierSpace::ContactElement& element, int 
 }  // namespace
 
 SingularPoints findSingularPoints(const bem::Mesh& mesh,
-                                  const contact::Conditions& conditions,
-                                  const contact::MultiplierSpace& multiplier,
-                                  const contact::ContactState& states) {
+                                  const contact::Conditions& conditions) {
   SingularPoints points;
   points.inside.resize(static_cast<std::size_t>(mesh.size()));
   for (int e = 0; e < mesh.size(); ++e)
     points.nodes.push_back(fromConditions(mesh, e, conditions));
+  return points;
+}
+
+SingularPoints findSingularPoints(const bem::Mesh& mesh,
+                                  const contact::Conditions& conditions,
+                                  const contact::MultiplierSpace& multiplier,
+                                  const contact::ContactState& states) {
+  SingularPoints points = findSingularPoints(mesh, conditions);
 
   const contact::MultiplierSpace::ContactElement* before = nullptr;
   for (const auto& element : multiplier.elements()) {

@@ -29,6 +29,11 @@ struct SingularPoints {
   }
 };
 
+/// Those that the conditions alone tell.
+SingularPoints findSingularPoints(const bem::Mesh& mesh,
+                                  const contact::Conditions& conditions);
+
+/// And those of the solution.
 SingularPoints findSingularPoints(const bem::Mesh& mesh,
                                   const contact::Conditions& conditions,
                                   const contact::MultiplierSpace& multiplier,

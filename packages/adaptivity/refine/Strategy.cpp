@@ -44,60 +44,12 @@ Marks refineWorst(const LevelData& level) {
   return marks;
 }
 
-// The solution is analytic between singular points, so that geometric meshes toward them
-// with degrees that grow away from them converge exponentially: near a singular point
-// cut, far from it raise the degree.  0.15 is close to the best ratio for r^a with any a.
-constexpr double gradingRatio = 0.15;
-// A weak singularity is left to the degree up to here, or as long as coefficients decay.
-constexpr int degreeAtWeakPoints = 4;
-
-Mark raiseOrBisect(int degree) {
-  return degree < bem::largestDegree ? Mark::RaiseDegree : Mark::Bisect;
-}
-
-/// Cuts around the states' changes inside an element, so that they lie in a small piece.
-Mark cutAround(const std::vector<double>& changes, int degree) {
-  const double reach = 2 * gradingRatio;
-  std::vector<double> places;
-  if (changes.front() - reach > -1 + 0.5 * reach)
-    places.push_back(changes.front() - reach);
-  if (changes.back() + reach < 1 - 0.5 * reach)
-    places.push_back(changes.back() + reach);
-  if (places.empty())
-    return Mark::Bisect;
-  const int raised = std::min(degree + 1, bem::largestDegree);
-  std::vector<int> degrees = {changes.front() < places.front() ? degree : raised};
-  for (std::size_t k = 0; k < places.size(); ++k)
-    degrees.push_back(changes.front() < places[k] ? raised : degree);
-  return Mark::cut(std::move(places), std::move(degrees));
-}
-
-Mark gradedMark(const LevelData& level, int e) {
-  const auto k = static_cast<std::size_t>(e);
-  const int degree = level.mesh[e].degree;
-  if (!level.singular.inside[k].empty())
-    return cutAround(level.singular.inside[k], degree);
-  const bool patient = level.analytic[k] && degree < degreeAtWeakPoints;
-  const auto isSingular = [&](bool end) {
-    const Singularity s = level.singular.at(level.mesh, e, end);
-    return s == Singularity::Strong || (s == Singularity::Weak && !patient);
-  };
-  const bool start = isSingular(false);
-  const bool end = isSingular(true);
-  if (start && end)
-    return Mark::Bisect;
-  const int raised = std::min(degree + 1, bem::largestDegree);
-  if (start)
-    return Mark::cut({-1 + 2 * gradingRatio}, {degree, raised});
-  if (end)
-    return Mark::cut({1 - 2 * gradingRatio}, {raised, degree});
-  return raiseOrBisect(degree);
-}
-
 Marks gradeWorst(const LevelData& level) {
   Marks marks = nothing(level);
   for (const int e : doerfler(level.squares, level.markingFraction))
-    marks[static_cast<std::size_t>(e)] = gradedMark(level, e);
+    marks[static_cast<std::size_t>(e)] =
+        gradedMark(level.mesh, e, level.singular,
+                   level.analytic[static_cast<std::size_t>(e)], level.grading);
   return marks;
 }
 
@@ -149,9 +101,9 @@ const std::vector<Strategy>& strategies() {
        "of these, raise the degree where the solution looks analytic, halve the others",
        Start::Carried, refineWorst},
       {"Graded hp",
-       "of these, cut next to singular points toward them, in the ratio 0.15, and raise "
-       "the "
-       "degree elsewhere",
+       "of these, cut next to singular points toward them and raise the degree "
+       "elsewhere, "
+       "see Grading",
        Start::Carried, gradeWorst},
   };
   return table;

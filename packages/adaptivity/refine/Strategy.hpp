@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adaptivity/mark/SingularPoints.hpp"
+#include "adaptivity/refine/Grading.hpp"
 #include "adaptivity/refine/Refine.hpp"
 #include "bem/base/DenseAlgebra.hpp"
 
@@ -16,6 +17,7 @@ struct LevelData {
   std::vector<bool> analytic;  ///< of each element, see looksAnalytic
   double markingFraction = 0.3;
   SingularPoints singular;
+  GradingOptions grading{};
 };
 
 /// Where the next level's iteration starts.
