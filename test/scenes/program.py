@@ -56,11 +56,30 @@ claim(code == 0 and sorted(os.listdir(folder)) == ["contact.csv", "history.csv",
       "--force deletes the program's own files only; Fields = false leaves fields out: " +
       " ".join(sorted(os.listdir(folder))))
 refused("a file is no folder", ["is a file"], "run", TRESCA, "--output", keep, *ONE)
-if os.geteuid() != 0:
-    os.makedirs(fresh("locked"))
-    os.chmod(os.path.join(WORK, "locked"), 0o500)
-    refused("a folder that is not writable", ["cannot be"], "run", TRESCA, "--output",
-            os.path.join(WORK, "locked", "deeper"), *ONE)
+
+
+def content(folder):
+    return {name: open(os.path.join(folder, name), "rb").read() for name in os.listdir(folder)}
+
+
+# Root may write anywhere unless it gives that right away.
+HUMBLE = ["setpriv", "--bounding-set=-dac_override"] if os.geteuid() == 0 else []
+locked = fresh("locked")
+code, text = epafi("run", TRESCA, "--output", locked, *ONE)
+before = content(locked)
+os.chmod(locked, 0o500)
+for sentence, arguments in (
+        ("a new run", ["--output", locked]), ("a run that would replace it", ["--output", locked,
+                                                                              "--force"]),
+        ("a restart", ["--restart", locked, "--set", "Adaptivity->Maximum Levels=3"]),
+        ("a folder in it", ["--output", os.path.join(locked, "deeper")])):
+    done = subprocess.run([*HUMBLE, EPAFI, "run", TRESCA, *arguments], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, universal_newlines=True)
+    claim(done.returncode == 1 and len(done.stderr.splitlines()) == 1 and locked in done.stderr,
+          "a folder that is not writable, %s (exit %d: %s)" % (sentence, done.returncode,
+                                                               done.stderr.strip()))
+    claim(content(locked) == before, "leaves its files as they were")
+os.chmod(locked, 0o700)
 code, text = epafi("run", TRESCA, "--quiet", "--output", fresh("quiet"), *ONE)
 claim(code == 0 and text == "", "--quiet prints nothing")
 
