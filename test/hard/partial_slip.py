@@ -1,0 +1,163 @@
+"""Manufactured partial slip (scenes/partial_slip.xml): the true errors in the energy norm and
+in the contact stress fall at the rates of the theory, for every multiplier basis, strategy and
+law; the stress inside is right up to 1e-6 element lengths from the boundary.
+
+    partial_slip.py EPAFI WORK [TABLE.md]     writes what it measured as a page, too
+"""
+import csv
+import math
+import os
+import subprocess
+import sys
+
+from run_cases import HERE
+from runs import EPAFI, WORK, claim, failures, finish, run
+
+with open(os.path.join(HERE, "scenes", "partial_slip.xml")) as stream:
+    TRESCA = stream.read()
+COULOMB = TRESCA.replace('"Tresca"', '"Coulomb"').replace("Threshold", "Coefficient").replace(
+    '0.1*exp(1)*cos(y) + 0.25"', '(0.1*exp(1)*cos(y) + 0.25)/(3/7 - 0.1*exp(1)*sin(y))"')
+STABILISED = ("Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange", "Bernstein")
+BASES = {basis: ["Discretization->Multiplier=" + basis] for basis in STABILISED}
+BASES["Biorthogonal"] = ["Discretization->Multiplier=Biorthogonal",
+                         "Discretization->Stabilization->Form=None"]
+LEVELS = "Adaptivity->Maximum Levels=%d"
+STRATEGIES = {
+    **{"uniform h, p = %d" % p: ["Adaptivity->Strategy=Uniform h", LEVELS % 5,
+                                 "Discretization->Degree=%d" % p] for p in (1, 2, 3)},
+    "uniform p": ["Adaptivity->Strategy=Uniform p", LEVELS % 8],
+    **{"adaptive h, p = %d" % p: ["Adaptivity->Strategy=Adaptive h", LEVELS % 40,
+                                  "Adaptivity->Maximum Degrees of Freedom=900",
+                                  "Discretization->Degree=%d" % p] for p in (1, 2)},
+    "adaptive hp": ["Adaptivity->Strategy=Adaptive hp", LEVELS % 60,
+                    "Adaptivity->Maximum Degrees of Freedom=600"],
+    "graded hp": ["Adaptivity->Strategy=Graded hp", LEVELS % 60,
+                  "Adaptivity->Marking Fraction=0.5",
+                  "Adaptivity->Maximum Degrees of Freedom=600"]}
+# Exact to rounding: the field is analytic.
+REFERENCE = ["Adaptivity->Strategy=None", "Discretization->Degree=14"]
+
+
+def sublist(name, inner):
+    return '<ParameterList name="%s">%s</ParameterList>\n' % (name, inner)
+
+
+def settings(values):
+    return ('<Parameter name="Set" type="Array(string)" value="{%s}"/>' % ", ".join(values)
+            ).replace("->", "-&gt;")
+
+
+def variants(law):
+    """Basis and strategy; under Coulomb friction adaptive strategies with the default only."""
+    return [(basis, strategy) for basis in BASES for strategy in STRATEGIES
+            if law == "Tresca" or basis == STABILISED[0] or strategy.startswith("uniform")]
+
+
+def study(law, scene):
+    """The rows of study.csv, by variant."""
+    os.makedirs(WORK, exist_ok=True)
+    files = {kind: os.path.join(WORK, law + kind) for kind in (".xml", ".study.xml", ".out")}
+    with open(files[".xml"], "w") as stream:
+        stream.write(scene)
+    compared = "".join(sublist("%s / %s" % (basis, strategy.replace(",", "")),
+                               settings(BASES[basis] + STRATEGIES[strategy]))
+                       for basis, strategy in variants(law))
+    with open(files[".study.xml"], "w") as stream:
+        stream.write(sublist("Partial slip", sublist("Scenes", sublist(
+            "block", '<Parameter name="File" type="string" value="%s"/>' % os.path.abspath(
+                files[".xml"]) + sublist("Reference", settings(REFERENCE)))) +
+            sublist("Variants", compared)))
+    done = subprocess.run([EPAFI, "study", files[".study.xml"], "--quiet", "--force",
+                           "--output", files[".out"]], stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, universal_newlines=True)
+    if done.returncode != 0:
+        sys.exit(done.stdout)
+    rows = {}
+    with open(os.path.join(files[".out"], "study.csv"), newline="") as stream:
+        for row in csv.DictReader(stream):
+            rows.setdefault(row["variant"], []).append(row)
+    return rows
+
+
+def rate(rows, column):
+    """Decay against degrees of freedom, by least squares over the last half."""
+    points = [(math.log(float(row["dof"])), math.log(float(row[column])))
+              for row in rows[len(rows) // 2:]]
+    x, y = (sum(axis) / len(points) for axis in zip(*points))
+    return -sum((a - x) * (b - y) for a, b in points) / sum((a - x)**2 for a, b in points)
+
+
+def expected(basis, strategy):
+    """Least rates of the energy norm and of the contact stress, both against dof: p + 1/2.
+
+    Bernstein: the bound's coefficients are its values at control points, second order only.
+    Biorthogonal: where a node is shared with a clamp, its neighbour's value stands for the
+    missing coefficient."""
+    p = int(strategy[-1])
+    if basis == "Bernstein":
+        return min(p + 0.5, 2), min(p + 0.5, 2.5)
+    return p + 0.5, min(p + 0.5, 1.5) if basis == "Biorthogonal" else p + 0.5
+
+
+def judge(what, basis, strategy, levels):
+    first, last = (tuple(float(levels[i][column]) for column in ("error", "error_multiplier"))
+                   for i in (0, -1))
+    rates = rate(levels, "error"), rate(levels, "error_multiplier")
+    if strategy.startswith("uniform h"):
+        wanted = expected(basis, strategy)
+        claim(all(got > want - 0.15 for got, want in zip(rates, wanted)),
+              "%s: rates %.2f and %.2f, wanted %g and %g" % (what, *rates, *wanted))
+    elif basis == "Bernstein":  # the bound's second order is all there is
+        claim(last[0] < first[0], "%s: the error falls to %.1e" % (what, last[0]))
+    elif strategy == "uniform p":
+        claim(last[0] < 1e-12 and (last[1] < 1e-11 or basis == "Biorthogonal"),
+              "%s: exponentially to %.1e and %.1e" % (what, *last))
+    elif strategy == "graded hp" and what.startswith("Tresca"):
+        claim(max(last) < 1e-6, "%s: exponentially to %.1e and %.1e" % (what, *last))
+    else:
+        claim(last[0] < 0.4 * first[0] and last[1] < 0.4 * first[1],
+              "%s: from %.1e to %.1e, in contact stress from %.1e to %.1e" % (
+                  what, first[0], last[0], first[1], last[1]))
+    return rates
+
+
+def stress(x, y):
+    wave = 0.1 * math.exp(x)
+    return {"sxx": wave * math.sin(y) - 3 / 7, "syy": -wave * math.sin(y) - 1,
+            "sxy": wave * math.cos(y) + 0.25}
+
+
+def stressInside(distance):
+    """Largest error of the stress at points so many element lengths from each side."""
+    near, places = 0.25 * distance, (0.01, 0.13, 0.25, 0.37, 0.5, 0.77, 0.99)
+    points = [point for s in places for point in ((s, near), (1 - near, s), (s, 1 - near),
+                                                  (near, s))]
+    table = "%dx2:{%s}" % (len(points), ", ".join("%.17g,%.17g" % point for point in points))
+    result = run("partial_slip", REFERENCE + ["Output->Interior Points=" + table])
+    claim(len(result.interior) == len(points), "%d points" % len(points))
+    return max(abs(point[key] - exact) for point in result.interior
+               for key, exact in stress(point["x"], point["y"]).items())
+
+
+table = []
+for law, scene in (("Tresca", TRESCA), ("Coulomb", COULOMB)):
+    for variant, rows in study(law, scene).items():
+        levels = [row for row in rows if row["error"]]
+        if variant == "reference":
+            continue
+        basis, strategy = variant.split(" / ")
+        rates = judge(law + ", " + variant, basis, strategy, levels)
+        last = levels[-1]
+        table.append("| %s | %s | %s | %s | %.1e | %.1e | %.1f | %.1f |\n" % (
+            law, basis, strategy, last["dof"], float(last["error"]),
+            float(last["error_multiplier"]), *rates))
+inside = {distance: stressInside(distance) for distance in (0.5, 1e-2, 1e-4, 1e-6)}
+for distance, error in inside.items():
+    claim(error < 1e-8, "the stress %g element lengths inside errs by %.1e" % (distance, error))
+if len(sys.argv) > 3 and not failures:
+    with open(os.path.join(HERE, "partial-slip.md")) as stream:
+        text = stream.read()
+    with open(sys.argv[3], "w") as out:
+        out.write(text.replace("STRESS\n", "".join(
+            "| %g | %.1e |\n" % pair for pair in inside.items())) + "".join(table))
+finish()
