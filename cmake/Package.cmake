@@ -38,6 +38,7 @@ function(add_border_test name)
   if(NOT arg_TIMEOUT)
     set(arg_TIMEOUT 60)
   endif()
+  math(EXPR arg_TIMEOUT "${arg_TIMEOUT} * ${EPAFI_TEST_PATIENCE}")
   foreach(ranks IN LISTS arg_RANKS)
     add_test(NAME border.${name}.${ranks}
       COMMAND timeout ${arg_TIMEOUT} ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks}

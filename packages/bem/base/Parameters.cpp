@@ -81,6 +81,7 @@ class WithinValidator final : public Teuchos::ParameterEntryValidator {
                                  "; allowed: ", interval_.text()));
   }
   ValidStringsList validStringValues() const override { return Teuchos::null; }
+  // NOLINTNEXTLINE(readability-const-return-type): Teuchos has it so
   const std::string getXMLTypeName() const override { return "epafi::Within"; }
   void printDoc(const std::string& doc, std::ostream& out) const override {
     out << doc << " [" << interval_.text() << "]\n";
@@ -105,6 +106,7 @@ class OneOfValidator final : public Teuchos::ParameterEntryValidator {
   ValidStringsList validStringValues() const override {
     return Teuchos::rcp(new Teuchos::Array<std::string>(names_));
   }
+  // NOLINTNEXTLINE(readability-const-return-type): Teuchos has it so
   const std::string getXMLTypeName() const override { return "epafi::OneOf"; }
   void printDoc(const std::string& doc, std::ostream& out) const override {
     out << doc << " [" << quotedList(names_) << "]\n";
