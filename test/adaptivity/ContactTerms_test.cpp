@@ -2,6 +2,7 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace epafi {
@@ -9,6 +10,7 @@ namespace epafi {
 using adaptivity::ContactProfiles;
 using adaptivity::Contributions;
 using adaptivity::Polynomial;
+using adaptivity::SlipTerm;
 using adaptivity::Source;
 
 namespace {
@@ -25,8 +27,9 @@ ContactProfiles resting() {
 
 Polynomial polynomial(const bem::Profile& f) { return {f, degree}; }
 
-double term(const ContactProfiles& profiles, Source source) {
-  Contributions terms = contactTerms(profiles);
+double term(const ContactProfiles& profiles, Source source,
+            SlipTerm slipTerm = SlipTerm::Printed) {
+  Contributions terms = contactTerms(profiles, slipTerm);
   return of(terms, source);
 }
 
@@ -43,8 +46,9 @@ TEUCHOS_UNIT_TEST(ContactTerms, vanishWhereNothingIsViolated) {
   slipping.shear = polynomial([](double) { return -0.5; });
   slipping.tangential = polynomial([](double t) { return -2 + t; });
   for (const ContactProfiles& profiles : {open, stuck, slipping})
-    for (const double square : contactTerms(profiles))
-      TEST_COMPARE(std::abs(square), <, 1e-30);
+    for (const auto slipTerm : {SlipTerm::Printed, SlipTerm::Admissible})
+      for (const double square : contactTerms(profiles, slipTerm))
+        TEST_COMPARE(std::abs(square), <, 1e-30);
 }
 
 // The zero of the pressure lies inside: a rule across it would err by percents.
@@ -77,6 +81,26 @@ TEUCHOS_UNIT_TEST(ContactTerms, measureShearBeyondTheBoundAndSlipBelowIt) {
   TEST_FLOATING_EQUALITY(term(profiles, Source::Slip), half * (2 * 0.36 + 2), 1e-14);
 }
 
+/// Where the pressure dips below zero, Coulomb's shear has the wrong sign.
+TEUCHOS_UNIT_TEST(ContactTerms, ofTheAdmissibleShearLeaveItsExcessToTheBound) {
+  ContactProfiles profiles = resting();
+  profiles.pressure = polynomial([](double t) { return t; });
+  profiles.shear = polynomial([](double t) { return 0.3 * t; });
+  profiles.bound = [](double t) { return 0.3 * std::max(t, 0.0); };
+  profiles.tangential = polynomial([](double) { return 2.0; });
+  TEST_FLOATING_EQUALITY(term(profiles, Source::Slip, SlipTerm::Printed),
+                         half * 2 * 0.3 * 0.5 * 2.0, 1e-13);
+  TEST_COMPARE(std::abs(term(profiles, Source::Slip, SlipTerm::Admissible)), <, 1e-15);
+  for (const auto slipTerm : {SlipTerm::Printed, SlipTerm::Admissible})
+    TEST_FLOATING_EQUALITY(term(profiles, Source::Bound, slipTerm),
+                           half * size * 0.09 / 3, 1e-13);
+  // within the bound they are the same
+  profiles.shear = polynomial([](double t) { return 0.2 * t * t; });
+  profiles.bound = [](double) { return 0.5; };
+  TEST_FLOATING_EQUALITY(term(profiles, Source::Slip, SlipTerm::Admissible),
+                         term(profiles, Source::Slip, SlipTerm::Printed), 1e-13);
+}
+
 TEUCHOS_UNIT_TEST(ContactTerms, areNeverNegative) {
   for (int trial = 0; trial < 40; ++trial) {
     ContactProfiles profiles = resting();
@@ -88,7 +112,7 @@ TEUCHOS_UNIT_TEST(ContactTerms, areNeverNegative) {
     profiles.tangential = polynomial(any(2));
     profiles.opening = any(3);
     profiles.bound = [](double t) { return 0.3 + 0.2 * t; };
-    for (const double square : contactTerms(profiles))
+    for (const double square : contactTerms(profiles, SlipTerm::Admissible))
       TEST_COMPARE(square, >=, 0);
   }
 }

@@ -52,6 +52,12 @@ const std::vector<std::string> paper = {
     "Discretization->Stabilization->Gamma0=1e-3",
     "Discretization->Stabilization->Scaling=Absolute"};
 
+// With less stabilisation λ oscillates next to the end of contact, and that part of the
+// estimate has no counterpart in an error of u and ψ.
+const std::vector<std::string> quadratic = {
+    "Discretization->Degree=2", "Discretization->Stabilization->Scaling=Stiffness",
+    "Discretization->Stabilization->Gamma0=0.1"};
+
 /// Slope of -log(estimate) against log(dof), least squares over the last two thirds.
 double rateOf(const std::vector<Level>& levels) {
   const std::size_t first = levels.size() / 3;
@@ -123,17 +129,19 @@ TEUCHOS_UNIT_TEST(Effectivity, inEnergyWeightsStaysBetweenOneAndAHalfAndFourAndA
     out << name << ", reference: " << fine.back().dof << " unknowns, estimate "
         << fine.back().estimate << "\n";
     for (const auto& settings :
-         {with({}, "Uniform h", 5, 100000), with({}, "Adaptive h", 60, 900),
-          with({}, "Adaptive hp", 60, 900)}) {
+         {with({}, "Uniform h", 5, 100000), with(quadratic, "Uniform h", 6, 100000),
+          with({}, "Adaptive h", 60, 900), with(quadratic, "Adaptive h", 60, 1500),
+          with({}, "Adaptive hp", 60, 900), with({}, "Graded hp", 60, 900)}) {
       int outside = 0;
+      out << "  " << (settings.size() > 4 ? "degree 2, " : "")
+          << settings[settings.size() - 4] << "\n";
       for (const Level& level : solveScene(name, settings)) {
         if (level.estimate < 10 * fine.back().estimate)
           break;
         const double error =
             energyUnit(scene) * energyNorm(difference(level.solution, reference), lame);
         const double index = level.estimate / error;
-        out << "  " << settings[settings.size() - 4] << " " << level.dof << " " << error
-            << " " << index << "\n";
+        out << "    " << level.dof << " " << error << " " << index << "\n";
         outside += index < 1.5 || index > 4.5 ? 1 : 0;
       }
       TEST_COMPARE(outside, <=, 1);

@@ -102,7 +102,7 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
           geometry.half};
 }
 
-Contributions contactTerms(const ContactProfiles& c) {
+Contributions contactTerms(const ContactProfiles& c, SlipTerm slipTerm) {
   const bem::Rule rule = bem::piecewiseRule(breaks(c), c.degree + 6);
   const double size = 2 * c.half / c.degree;  // h/p
   Contributions squares{};
@@ -111,12 +111,14 @@ Contributions contactTerms(const ContactProfiles& c) {
     const double weight = c.half * rule.weights[q];
     const double pressure = c.pressure(t);
     const double opening = c.opening(t);
-    const double shear = c.shear(t);
+    const double whole = c.shear(t);
     const double slip = c.tangential(t);
     const double bound = c.bound(t);
     const double tension = positive(-pressure);
     const double penetration = positive(-opening);
-    const double excess = positive(std::abs(shear) - bound);
+    const double excess = positive(std::abs(whole) - bound);
+    const double shear =
+        slipTerm == SlipTerm::Printed ? whole : std::clamp(whole, -bound, bound);
     of(squares, Source::Complementarity) +=
         weight * positive(pressure) * positive(opening);
     of(squares, Source::Penetration) += weight / size * penetration * penetration;

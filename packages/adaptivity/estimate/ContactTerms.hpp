@@ -33,12 +33,23 @@ struct ContactProfiles {
 ContactProfiles contactProfiles(const contact::Solved& solved,
                                 const ContactElement& element);
 
+/// Which shear the slip term sees.
+enum class SlipTerm {
+  Printed,  ///< λₜ itself:  ∫ (s-|λₜ|)⁺ |uₜ| + |λₜ||uₜ| - λₜuₜ             [P sec. 8]
+  Admissible  ///< its part λ̃ within the bound:  ∫ s |uₜ| - λ̃ uₜ
+};
+
 /// Squares of the last five sources on one contact element, dimensionless:
 ///
 ///   ∫ λₙ⁺ (g-uₙ)⁺,  p/h |(g-uₙ)⁻|²,  h/p |λₙ⁻|²,  h/p |(|λₜ|-s)⁺|²,
-///   ∫ (s-|λₜ|)⁺ |uₜ| + |λₜ||uₜ| - λₜuₜ                                    [P sec. 8]
+///   and one of SlipTerm's                                                [P sec. 8]
 ///
+/// Both slip terms bound the error: of  <λₜ - λₜʰ, uₜʰ - uₜ>  the part of λₜʰ beyond s is
+/// paired with uₜʰ - uₜ and so belongs to the fourth term, squared.  As printed it is
+/// paired with uₜʰ as well, where it has the wrong sign: an excess of first order,
+/// ∫ 2 |λₜ| |uₜ|, which hides all others where pressure dips below zero next to the end
+/// of contact.
 /// The rule breaks wherever one of the signs changes.
-Contributions contactTerms(const ContactProfiles& profiles);
+Contributions contactTerms(const ContactProfiles& profiles, SlipTerm slipTerm);
 
 }  // namespace epafi::adaptivity

@@ -42,8 +42,10 @@ Vec2 givenComponents(const contact::Conditions& conditions, const std::string& b
 
 class Residuals {
  public:
-  Residuals(const contact::Solved& solved, const Vector& density, const bem::Lame& lame)
+  Residuals(const contact::Solved& solved, const Vector& density, const bem::Lame& lame,
+            SlipTerm slipTerm)
       : solved_(solved),
+        slipTerm_(slipTerm),
         mesh_(solved.space.mesh()),
         fields_(solved.space, lame, solved.displacement, density),
         fixed_(solved) {
@@ -63,7 +65,7 @@ class Residuals {
         of(squares, contact_.count(e) > 0 ? Source::Contact : Source::Neumann);
     if (contact != contact_.end()) {
       const ContactProfiles profiles = contactProfiles(solved_, *contact->second);
-      squares = contactTerms(profiles);
+      squares = contactTerms(profiles, slipTerm_);
       for (const bem::BoundaryValue& value : values) {
         const double t = value.place.t;
         const Vec2 stress = profiles.pressure(t) * element.normal +
@@ -97,6 +99,7 @@ class Residuals {
   }
 
   const contact::Solved& solved_;
+  SlipTerm slipTerm_;
   const bem::Mesh& mesh_;
   bem::BoundaryFields fields_;
   FixedTraction fixed_;
@@ -117,7 +120,7 @@ Indicators estimateResidual(const contact::Solved& solved, const Vector& density
                             const bem::Lame& lame, const EstimatorOptions& options) {
   const bem::DenseAlgebra& algebra = solved.stiffness.algebra();
   const Contributions factors = factorsOf(solved, lame, options);
-  const Residuals residuals(solved, density, lame);
+  const Residuals residuals(solved, density, lame, weighting(options.weights).slipTerm);
   const int size = solved.space.mesh().size();
 
   std::vector<std::vector<bem::BoundaryValue>> fields(static_cast<std::size_t>(size));

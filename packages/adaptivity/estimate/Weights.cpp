@@ -42,9 +42,10 @@ const std::vector<Weights>& weightings() {
   static const std::vector<Weights> table = {
       {"Energy",
        "all terms as energies: residual, tension and bound divided by the shear modulus, "
-       "density and penetration multiplied by it",
-       energy},
-      {"Paper", "as printed, in the scene's units, which then matter", paper},
+       "density and penetration multiplied by it; slip of the admissible shear",
+       energy, SlipTerm::Admissible},
+      {"Paper", "as printed, in the scene's units, which then matter", paper,
+       SlipTerm::Printed},
   };
   return table;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "adaptivity/estimate/ContactTerms.hpp"
 #include "adaptivity/estimate/Indicators.hpp"
 #include "bem/base/Material.hpp"
 #include "bem/base/Units.hpp"
@@ -15,6 +16,7 @@ struct Weights {
   const char* meaning;
   /// Factors that the dimensionless squares are multiplied by.
   Contributions (*factors)(const bem::Lame& lame, bem::Units units);
+  SlipTerm slipTerm;
 };
 
 /// All weights.  A new one is one line in Weights.cpp.
