@@ -15,20 +15,35 @@ function(add_package name)
   endif()
 endfunction()
 
-# add_unit_tests(<suite> SOURCES <file>... [USES <target>...] [LABEL <label>]):
+# add_unit_tests(<suite> SOURCES <file>... [USES <target>...] [LABEL <label>] [ALGEBRA]):
 # one executable, one ctest entry <label>.<suite>; the label defaults to "unit".
+#
+# Unit tests run under mpirun, too: as border.unit.<suite>.2 and .3, every rank the whole
+# suite by itself; with ALGEBRA (test/Algebra.hpp) all ranks together.
 function(add_unit_tests suite)
-  cmake_parse_arguments(arg "" "LABEL" "SOURCES;USES" ${ARGN})
+  cmake_parse_arguments(arg "ALGEBRA" "LABEL" "SOURCES;USES" ${ARGN})
   if(NOT arg_LABEL)
     set(arg_LABEL unit)
   endif()
-  add_executable(${suite}_${arg_LABEL}_tests ${PROJECT_SOURCE_DIR}/test/TestMain.cpp ${arg_SOURCES})
-  target_compile_options(${suite}_${arg_LABEL}_tests PRIVATE -Wall -Wextra -Wshadow)
-  target_include_directories(${suite}_${arg_LABEL}_tests PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/test)
-  target_link_libraries(${suite}_${arg_LABEL}_tests PRIVATE ${arg_USES} trilinos::Teuchos)
-  add_test(NAME ${arg_LABEL}.${suite} COMMAND ${suite}_${arg_LABEL}_tests)
+  set(program ${suite}_${arg_LABEL}_tests)
+  if(arg_ALGEBRA)
+    add_border_program(${suite}_ranks_tests
+      SOURCES ${arg_SOURCES} ${PROJECT_SOURCE_DIR}/test/RankAlgebra.cpp USES ${arg_USES})
+    list(APPEND arg_SOURCES ${PROJECT_SOURCE_DIR}/test/SerialAlgebra.cpp)
+  endif()
+  add_executable(${program} ${PROJECT_SOURCE_DIR}/test/TestMain.cpp ${arg_SOURCES})
+  target_compile_options(${program} PRIVATE -Wall -Wextra -Wshadow)
+  target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/test)
+  target_link_libraries(${program} PRIVATE ${arg_USES} trilinos::Teuchos)
+  add_test(NAME ${arg_LABEL}.${suite} COMMAND ${program})
   set_tests_properties(${arg_LABEL}.${suite} PROPERTIES LABELS ${arg_LABEL}
     ENVIRONMENT "${EPAFI_TEST_ENVIRONMENT}")
+  if(arg_ALGEBRA)
+    set(program ${suite}_ranks_tests)
+  endif()
+  if(arg_LABEL STREQUAL unit)
+    add_border_test(unit.${suite} RANKS 2 3 TIMEOUT 240 COMMAND $<TARGET_FILE:${program}>)
+  endif()
 endfunction()
 
 # add_border_test(<name> RANKS <n>... COMMAND <command>...): border.<name>.<n>, the command
@@ -48,14 +63,18 @@ function(add_border_test name)
   endforeach()
 endfunction()
 
+# add_border_program(<name> SOURCES <file>... [USES <target>...]): unit tests that start MPI.
+function(add_border_program name)
+  cmake_parse_arguments(arg "" "" "SOURCES;USES" ${ARGN})
+  add_executable(${name} ${PROJECT_SOURCE_DIR}/test/BorderMain.cpp ${arg_SOURCES})
+  target_compile_options(${name} PRIVATE -Wall -Wextra -Wshadow)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/test)
+  target_link_libraries(${name} PRIVATE ${arg_USES} Epafi::bem_tpetra trilinos::Teuchos)
+endfunction()
+
 # add_border_tests(<suite> SOURCES <file>... [USES <target>...]): a suite of unit tests that
 # starts MPI, with 1, 2 and 3 ranks.
 function(add_border_tests suite)
-  cmake_parse_arguments(arg "" "" "SOURCES;USES" ${ARGN})
-  set(program ${suite}_border_tests)
-  add_executable(${program} ${PROJECT_SOURCE_DIR}/test/BorderMain.cpp ${arg_SOURCES})
-  target_compile_options(${program} PRIVATE -Wall -Wextra -Wshadow)
-  target_include_directories(${program} PRIVATE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/test)
-  target_link_libraries(${program} PRIVATE ${arg_USES} Epafi::bem_tpetra trilinos::Teuchos)
-  add_border_test(${suite} RANKS 1 2 3 COMMAND $<TARGET_FILE:${program}>)
+  add_border_program(${suite}_border_tests ${ARGN})
+  add_border_test(${suite} RANKS 1 2 3 COMMAND $<TARGET_FILE:${suite}_border_tests>)
 endfunction()

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/algebra/LapackAlgebra.hpp"
+#include "Algebra.hpp"
 #include "contact/problem/Summary.hpp"
 #include "contact/solve/CoulombIteration.hpp"
 
@@ -23,13 +23,13 @@ class SolvedScene {
         units_{input.mesh.outline().diameter(), input.material.youngsModulus},
         space_(input.mesh),
         stiffness_(bem::assembleOperators(
-                       space_, lame_, algebra_,
+                       space_, lame_, algebra(),
                        contact::tractionElements(
                            contact::MultiplierSpace(
                                input.mesh, contact::multiplierBasis(input.multiplier),
                                conditions_),
                            input.stabilization)),
-                   algebra_),
+                   algebra()),
         problem_({space_, stiffness_, lame_, units_, conditions_,
                   contact::multiplierBasis(input.multiplier), input.stabilization}),
         solution_(contact::solve(problem_.numbers(), {}, {})),
@@ -48,7 +48,6 @@ class SolvedScene {
   const contact::Report& report() const { return solution_.report; }
 
  private:
-  bem::LapackAlgebra algebra_;
   bem::Lame lame_;
   contact::Conditions conditions_;
   bem::Units units_;

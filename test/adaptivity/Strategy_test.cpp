@@ -1,8 +1,8 @@
 #include "adaptivity/refine/Strategy.hpp"
 
+#include "Algebra.hpp"
 #include "SquareMesh.hpp"
 #include "adaptivity/mark/Doerfler.hpp"
-#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
 
@@ -99,7 +99,7 @@ TEUCHOS_UNIT_TEST(Strategy, adaptiveHpBisectsWhereTheDegreeIsTheLargest) {
 TEUCHOS_UNIT_TEST(Strategy, decisionsAreTheStrategysMarks) {
   const bem::Mesh mesh = test::squareMesh(2);
   for (const adaptivity::Strategy& strategy : adaptivity::strategies())
-    TEST_ASSERT(adaptivity::decide(strategy, levelOn(mesh), bem::LapackAlgebra()) ==
+    TEST_ASSERT(adaptivity::decide(strategy, levelOn(mesh), test::algebra()) ==
                 strategy.marks(levelOn(mesh)));
 }
 

@@ -1,4 +1,4 @@
-#include "bem/algebra/LapackAlgebra.hpp"
+#include "Algebra.hpp"
 #include "contact/problem/ContactProblem.hpp"
 #include "contact/solve/CoulombIteration.hpp"
 #include "contact/solve/ProblemFamily.hpp"
@@ -53,7 +53,7 @@ struct Scene {
                                                     {"bottom", "right", "top", "left"}});
   }
 
-  bem::LapackAlgebra algebra;
+  const bem::DenseAlgebra& algebra = epafi::test::algebra();
   bem::Lame lame{bem::Material{5, 0.3, false}};
   contact::Conditions conditions;
   bem::Space space;

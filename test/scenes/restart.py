@@ -185,7 +185,9 @@ def run_limited(arguments, kilobytes):
     return got.returncode, got.stderr.strip()
 
 
-for name in (SOLUTION, "boundary.csv"):
+# mpirun has files of its own, which the limit would meet first
+alone = os.environ.get("EPAFI_TEST_RANKS", "1") == "1"
+for name in (SOLUTION, "boundary.csv") if alone else ():
     kilobytes = len(before[name]) // 1024
     full = copy(base, "full")
     code, text = run_limited(RESTART[:-1] + [full] + options(
