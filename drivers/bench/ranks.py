@@ -4,8 +4,9 @@
     drivers/bench/ranks.py EPAFI OUTPUT.csv [REPETITIONS [ELEMENTS...]]
 
 One level of the Tresca scene, p = 1, one thread a rank, 1 and 2 ranks by turns, so that what
-else the machine does meets both.  Prints medians of the seconds by the clock on the wall, of
-the largest memory of a rank, and the ratios; all runs go into the csv with the machine's load.
+else the machine does meets both.  Prints medians and minima of the seconds by the clock on the
+wall and of the largest memory of a rank, as rows of doc/benchmarks/mpi.md's table; all runs go
+into the csv with the machine's load.
 Standard library only.
 """
 import csv
@@ -47,8 +48,9 @@ def solve(epafi, ranks, elements, folder):
 
 def main(epafi, output, repetitions=3, *sizes):
     rows = []
+    print("| elements | | 1 rank | 2 ranks | ratio |\n|---|---|---|---|---|")
     with tempfile.TemporaryDirectory() as folder:
-        for elements in map(int, sizes or (1024, 4096)):
+        for elements in map(int, sizes or (1024, 2048, 4096)):
             for _ in range(int(repetitions)):
                 rows += [solve(epafi, ranks, elements, folder) for ranks in (1, 2)]
                 with open(output, "w", newline="") as stream:
@@ -56,13 +58,13 @@ def main(epafi, output, repetitions=3, *sizes):
                     writer.writeheader()
                     writer.writerows(rows)
 
-            def median(ranks, name):
-                return statistics.median(float(row[name]) for row in rows
-                                         if row["elements"] == elements and row["ranks"] == ranks)
             for name in ("seconds_wall", "memory_mb"):
-                one, two = median(1, name), median(2, name)
-                print("%5d elements, %-12s 1 rank %8.2f, 2 ranks %8.2f, ratio %.2f"
-                      % (elements, name, one, two, one / two), flush=True)
+                for title, pick in (("median", statistics.median), ("least", min)):
+                    one, two = (pick([float(row[name]) for row in rows
+                                      if row["elements"] == elements and row["ranks"] == ranks])
+                                for ranks in (1, 2))
+                    print("| %d | %s, %s | %.2f | %.2f | %.2f |"
+                          % (elements, name, title, one, two, one / two), flush=True)
 
 
 if __name__ == "__main__":
