@@ -21,7 +21,12 @@ Index paddedStride(Index rows) {
 
 }  // namespace
 
-void Matrix::Free::operator()(double* p) const { std::free(p); }
+void FreeMatrix::operator()(double* p) const {
+  if (mapped > 0)
+    munmap(p, mapped);
+  else
+    std::free(p);
+}
 
 Matrix::Matrix(Index rows, Index columns)
     : rows_(rows), columns_(columns), stride_(paddedStride(rows)) {
@@ -44,6 +49,29 @@ Matrix::Matrix(Index rows, Index columns)
     const std::size_t begin = static_cast<std::size_t>(page) * pageSize;
     std::fill_n(memory + begin, std::min(pageSize, count - begin), 0.0);
   }
+}
+
+// Fresh pages of the system are zero.  They are small ones here: a huge page would span
+// many columns, and with them the upper triangle.
+Matrix Matrix::lowerTriangle(Index rows, Index columns) {
+  Matrix result(rows, columns, paddedStride(rows));
+  const std::size_t bytes = sizeof(double) * static_cast<std::size_t>(result.stride_) *
+                            static_cast<std::size_t>(std::max<Index>(1, columns));
+  void* memory =
+      mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED)
+    throw std::bad_alloc();
+  result.data_ = {static_cast<double*>(memory), FreeMatrix{bytes}};
+  return result;
+}
+
+Matrix Matrix::copyLower(Index firstRow) const {
+  Matrix result = lowerTriangle(rows_, columns_);
+  for (Index j = 0; j < columns_; ++j) {
+    const Index first = std::clamp<Index>(j - firstRow, 0, rows_);
+    std::copy(column(j) + first, column(j) + rows_, result.column(j) + first);
+  }
+  return result;
 }
 
 Matrix Matrix::copy() const {

@@ -9,6 +9,12 @@ namespace epafi::bem {
 /// Index of an unknown or a row: wide enough that n² never overflows.
 using Index = std::ptrdiff_t;
 
+/// Gives a matrix's memory back.
+struct FreeMatrix {
+  std::size_t mapped = 0;  ///< bytes, if they come from the system; 0: from the heap
+  void operator()(double* p) const;
+};
+
 /// A dense matrix of doubles, stored by columns.
 ///
 /// The distance of two columns, stride(), is padded so that it is no multiple of a page:
@@ -19,9 +25,16 @@ class Matrix {
   Matrix() = default;
   Matrix(Index rows, Index columns);  ///< all entries zero
 
+  /// The same for a symmetric matrix of which only (rows of) the lower triangle will be
+  /// used.  Memory comes page by page where entries are written, so that
+  /// what stands above the diagonal takes none.
+  static Matrix lowerTriangle(Index rows, Index columns);
+
   Matrix(Matrix&&) noexcept = default;
   Matrix& operator=(Matrix&&) noexcept = default;
   Matrix copy() const;
+  /// A lowerTriangle() with the entries (i, j) of i + firstRow >= j.
+  Matrix copyLower(Index firstRow) const;
 
   Index rows() const { return rows_; }
   Index columns() const { return columns_; }
@@ -37,14 +50,13 @@ class Matrix {
   double operator()(Index i, Index j) const { return data_[i + j * stride_]; }
 
  private:
-  struct Free {
-    void operator()(double* p) const;
-  };
+  Matrix(Index rows, Index columns, Index stride)
+      : rows_(rows), columns_(columns), stride_(stride) {}
 
   Index rows_ = 0;
   Index columns_ = 0;
   Index stride_ = 1;
-  std::unique_ptr<double[], Free> data_;
+  std::unique_ptr<double[], FreeMatrix> data_;
 };
 
 using Vector = std::vector<double>;

@@ -35,8 +35,9 @@ Vector columnOf(const Matrix& a, Index j) {
 /// gets the stiffness of its functional, which makes A positive definite:  A + Σ c cᵀ.
 Matrix constrain(Matrix lower, const Rows& mine, const Loads& loads,
                  const RigidConstraints& rigid) {
+  const auto diagonal = [&](Index j) { return std::max<Index>(0, j - mine.begin); };
   for (Index j = 0; j < lower.columns(); ++j)
-    for (Index i = 0; i < lower.rows(); ++i) {
+    for (Index i = diagonal(j); i < lower.rows(); ++i) {
       const Index row = i + mine.begin;
       if (loads.clamped[static_cast<std::size_t>(row)] != 0 ||
           loads.clamped[static_cast<std::size_t>(j)] != 0)
@@ -45,7 +46,7 @@ Matrix constrain(Matrix lower, const Rows& mine, const Loads& loads,
   for (Index k = 0; k < rigid.functionals.columns(); ++k) {
     const double* c = rigid.functionals.column(k);
     for (Index j = 0; j < lower.columns(); ++j)
-      for (Index i = 0; i < lower.rows(); ++i)
+      for (Index i = diagonal(j); i < lower.rows(); ++i)
         lower(i, j) += c[i + mine.begin] * c[j];
   }
   return lower;
@@ -84,11 +85,9 @@ double largestEigenvalue(Matrix symmetric) {
 struct ContactProblem::Parts {
   Problem numbers;
   MultiplierSpace multiplier;
-  Vector gamma;
   Loads loads;
   RigidConstraints rigid;
-  std::unique_ptr<bem::CholeskyFactor> factor;  ///< of A, constrained
-  Matrix couplingTransposed;                    ///< Bᵀ, clamped rows kept
+  std::unique_ptr<bem::CholeskyFactor> factor;  ///< of A, constrained: L Lᵀ
   const DenseAlgebra* algebra;
   Index unknowns = 0;
 
@@ -99,10 +98,7 @@ struct ContactProblem::Parts {
   Matrix clampRows;     ///< A v, all unknowns
   Vector gap;
 
-  /// Bᵀ λ as a replicated vector.
-  Vector push(const Vector& lambda) const {
-    return algebra->multiply(couplingTransposed, unknowns, lambda);
-  }
+  Coupling coupling;
 
   /// The unclamped, non-rigid displacement under a force: A⁺ of design.md 4.1.
   Vector respond(Vector force) const {
@@ -117,28 +113,61 @@ struct ContactProblem::Parts {
     return u;
   }
 
-  /// B u for a replicated displacement.
-  Vector pull(const Vector& u) const {
-    const Rows mine = algebra->myRows(unknowns);
-    Vector result(static_cast<std::size_t>(couplingTransposed.columns()));
-    for (Index i = 0; i < couplingTransposed.columns(); ++i)
-      for (Index j = 0; j < mine.size(); ++j)
-        result[static_cast<std::size_t>(i)] +=
-            couplingTransposed(j, i) * u[static_cast<std::size_t>(j + mine.begin)];
-    return algebra->sum(std::move(result));
+  /// f - Bᵀ λ.
+  Vector force(const Vector& f, const State& state) const {
+    Vector force = f;
+    if (!state.multiplier.empty())
+      axpy(-1, coupling.push(*algebra, state.multiplier), force);
+    return force;
   }
 };
 
 namespace {
 
+/// B u for a replicated displacement.
+Vector pull(const DenseAlgebra& algebra, const Matrix& couplingTransposed,
+            const Vector& u) {
+  const Rows mine = algebra.myRows(static_cast<Index>(u.size()));
+  Vector result(static_cast<std::size_t>(couplingTransposed.columns()));
+  for (Index i = 0; i < couplingTransposed.columns(); ++i)
+    for (Index j = 0; j < mine.size(); ++j)
+      result[static_cast<std::size_t>(i)] +=
+          couplingTransposed(j, i) * u[static_cast<std::size_t>(j + mine.begin)];
+  return algebra.sum(std::move(result));
+}
+
+/// The same for the columns of a matrix.
+Matrix pullColumns(const DenseAlgebra& algebra, const Matrix& couplingTransposed,
+                   const Matrix& u) {
+  Matrix result(couplingTransposed.columns(), u.columns());
+  for (Index k = 0; k < u.columns(); ++k) {
+    const Vector b = pull(algebra, couplingTransposed, columnOf(u, k));
+    std::copy(b.begin(), b.end(), result.column(k));
+  }
+  return result;
+}
+
+/// S - S^ = S - X Xᵀ; a panel of X at a time, which saves its memory.
+Matrix subtractStabilisation(const DenseAlgebra& algebra, Matrix a,
+                             const Coupling& coupling) {
+  constexpr Index width = 256;
+  const Index columns = coupling.stabilisationColumns();
+  for (Index first = 0; first < columns; first += width)
+    a = algebra.addOuter(
+        std::move(a), coupling.stabilisationHalf(first, std::min(first + width, columns)),
+        -1);
+  return a;
+}
+
 /// See limitGamma0.
-double limit(const ContactProblem::Input& input, const Matrix& stabilisationHalf,
+double limit(const ContactProblem::Input& input, const Coupling& coupling,
              const Loads& loads, const RigidConstraints& rigid) {
   const DenseAlgebra& algebra = input.stiffness.algebra();
   const Rows mine = algebra.myRows(input.space.displacements());
   const auto stiffness = algebra.cholesky(
-      constrain(input.stiffness.stiffness().copy(), mine, loads, rigid), "S");
-  Matrix half = stabilisationHalf.copy();
+      constrain(input.stiffness.stiffness().copyLower(mine.begin), mine, loads, rigid),
+      "S");
+  Matrix half = coupling.stabilisationHalf(0, coupling.stabilisationColumns());
   clearClamped(half, mine, loads);
   const Matrix reduced = stiffness->forward(std::move(half));
   const Index columns = reduced.columns();
@@ -150,7 +179,7 @@ double limit(const ContactProblem::Input& input, const Matrix& stabilisationHalf
 
 /// \throws IndefiniteStiffness
 std::unique_ptr<bem::CholeskyFactor> factorise(const ContactProblem::Input& input,
-                                               Matrix a, const Matrix& stabilisationHalf,
+                                               Matrix a, const Coupling& coupling,
                                                const Loads& loads,
                                                const RigidConstraints& rigid) {
   const DenseAlgebra& algebra = input.stiffness.algebra();
@@ -159,11 +188,11 @@ std::unique_ptr<bem::CholeskyFactor> factorise(const ContactProblem::Input& inpu
     return algebra.cholesky(constrain(std::move(a), mine, loads, rigid),
                             "the stiffness matrix");
   } catch (const bem::NumericalError&) {
-    if (stabilisationHalf.columns() == 0)
+    if (coupling.stabilisationColumns() == 0)
       throw;
   }
   throw IndefiniteStiffness(input.stabilization.gamma0,
-                            limit(input, stabilisationHalf, loads, rigid));
+                            limit(input, coupling, loads, rigid));
 }
 
 Matrix rowsOf(const Matrix& a, const Rows& mine) {
@@ -173,17 +202,16 @@ Matrix rowsOf(const Matrix& a, const Rows& mine) {
   return rows;
 }
 
-/// D = B A⁻¹ Bᵀ + M - Σ (B r)(B r)ᵀ, full and on every process.
-Matrix condense(const DenseAlgebra& algebra, const bem::CholeskyFactor& factor,
-                Matrix couplingTransposed, Matrix mass, const Matrix& coupledRigid) {
-  const Index m = couplingTransposed.columns();
+/// D = B A⁻¹ Bᵀ + M - Σ (B r)(B r)ᵀ, full and on every process; half = L⁻¹ Bᵀ.
+Matrix condense(const DenseAlgebra& algebra, const Matrix& half, Matrix mass,
+                const Matrix& coupledRigid) {
+  const Index m = half.columns();
   const Rows mine = algebra.myRows(m);
   Matrix lower = mine.size() == m ? std::move(mass) : rowsOf(mass, mine);
   for (Index k = 0; k < coupledRigid.columns(); ++k)
     for (Index j = 0; j < m; ++j)
       for (Index i = 0; i < mine.size(); ++i)
         lower(i, j) -= coupledRigid(i + mine.begin, k) * coupledRigid(j, k);
-  const Matrix half = factor.forward(std::move(couplingTransposed));
   Matrix d = algebra.replicate(algebra.addGram(std::move(lower), half), m);
   for (Index j = 0; j < m; ++j)
     for (Index i = j + 1; i < m; ++i)
@@ -206,10 +234,10 @@ double limitGamma0(const ContactProblem::Input& input) {
   const Loads loads = makeLoads(input.space, input.conditions, input.units);
   const MultiplierSpace multiplier(input.space.mesh(), input.basis, input.conditions);
   const Coupling coupling = makeCoupling(input, multiplier);
-  if (coupling.stabilisationHalf.columns() == 0)
+  if (coupling.stabilisationColumns() == 0)
     return std::numeric_limits<double>::infinity();
   return limit(
-      input, coupling.stabilisationHalf, loads,
+      input, coupling, loads,
       makeRigidConstraints(makeRigidModes(input.space), loads, input.conditions.fix));
 }
 
@@ -228,8 +256,8 @@ ContactProblem::ContactProblem(const Input& input) {
   Coupling coupling = makeCoupling(input, multiplier);
   Obstacle obstacle = makeObstacle(input.space.mesh(), multiplier, input.units);
 
-  Matrix a = algebra.addOuter(input.stiffness.stiffness().copy(),
-                              coupling.stabilisationHalf, -1);
+  Matrix a = subtractStabilisation(
+      algebra, input.stiffness.stiffness().copyLower(mine.begin), coupling);
   Vector load = loads.load;
   axpy(-1, algebra.multiplySymmetric(a, loads.prescribed), load);
   Matrix clampMotions = onClamped(input.space.rigidMotions(), loads);
@@ -238,8 +266,7 @@ ContactProblem::ContactProblem(const Input& input) {
     const Vector row = algebra.multiplySymmetric(a, columnOf(clampMotions, k));
     std::copy(row.begin(), row.end(), clampRows.column(k));
   }
-  auto factor = factorise(input, std::move(a), coupling.stabilisationHalf, loads, rigid);
-  coupling.stabilisationHalf = Matrix();
+  auto factor = factorise(input, std::move(a), coupling, loads, rigid);
 
   // what Fix makes of the prescribed displacement: the whole of u has no mean motion
   Vector constant = loads.prescribed;
@@ -252,38 +279,33 @@ ContactProblem::ContactProblem(const Input& input) {
 
   parts_.reset(new Parts{{},
                          std::move(multiplier),
-                         std::move(coupling.gamma),
                          std::move(loads),
                          std::move(rigid),
                          std::move(factor),
-                         std::move(coupling.couplingTransposed),
                          &algebra,
                          n,
                          std::move(load),
                          std::move(constant),
                          std::move(clampMotions),
                          std::move(clampRows),
-                         std::move(obstacle.gap)});
+                         std::move(obstacle.gap),
+                         std::move(coupling)});
   Parts& parts = *parts_;
   Problem& numbers = parts.numbers;
   const Index m = parts.multiplier.size();
 
-  Matrix coupledRigid(m, parts.rigid.allowed.columns());
-  for (Index k = 0; k < coupledRigid.columns(); ++k) {
-    const Vector b = parts.pull(columnOf(parts.rigid.allowed, k));
-    std::copy(b.begin(), b.end(), coupledRigid.column(k));
-  }
-  Matrix unclamped = parts.couplingTransposed.copy();
-  clearClamped(unclamped, mine, parts.loads);
-  numbers.flexibility = condense(algebra, *parts.factor, std::move(unclamped),
-                                 std::move(coupling.multiplierMass), coupledRigid);
-  numbers.normals = parts.multiplier.normals();
-  numbers.tangentials = std::move(obstacle.tangentials);
+  Matrix transposed = parts.coupling.transposed(algebra);
+  const Matrix coupledRigid = pullColumns(algebra, transposed, parts.rigid.allowed);
   Vector u = parts.respond(parts.load);
   axpy(1, parts.constant, u);
-  numbers.offset = parts.pull(u);
+  numbers.offset = pull(algebra, transposed, u);
   for (std::size_t i = 0; i < parts.gap.size(); ++i)
     numbers.offset[i] -= parts.gap[i];
+  clearClamped(transposed, mine, parts.loads);
+  numbers.flexibility = condense(algebra, parts.factor->forward(std::move(transposed)),
+                                 std::move(parts.coupling.multiplierMass), coupledRigid);
+  numbers.normals = parts.multiplier.normals();
+  numbers.tangentials = std::move(obstacle.tangentials);
 
   const Index fixed = parts.rigid.fixed();
   numbers.rigid = Matrix(m, parts.rigid.free());
@@ -306,15 +328,12 @@ const MultiplierSpace& ContactProblem::multiplier() const { return parts_->multi
 const Vector& ContactProblem::gap() const { return parts_->gap; }
 const Vector& ContactProblem::load() const { return parts_->loads.load; }
 double ContactProblem::gamma(std::size_t contactElement) const {
-  return parts_->gamma[contactElement];
+  return parts_->coupling.gamma[contactElement];
 }
 
 Vector ContactProblem::displacement(const State& state) const {
   const Parts& parts = *parts_;
-  Vector force = parts.load;
-  if (!state.multiplier.empty())
-    axpy(-1, parts.push(state.multiplier), force);
-  Vector u = parts.respond(std::move(force));
+  Vector u = parts.respond(parts.force(parts.load, state));
   axpy(1, parts.constant, u);
   for (Index k = 0; k < static_cast<Index>(state.rigid.size()); ++k)
     axpy(state.rigid[static_cast<std::size_t>(k)],
@@ -325,9 +344,7 @@ Vector ContactProblem::displacement(const State& state) const {
 Vector ContactProblem::clampWork(const State& state) const {
   const Parts& parts = *parts_;
   const Vector u = displacement(state);
-  Vector force = parts.loads.load;
-  if (!state.multiplier.empty())
-    axpy(-1, parts.push(state.multiplier), force);
+  const Vector force = parts.force(parts.loads.load, state);
   Vector work;
   for (Index k = 0; k < parts.clampRows.columns(); ++k)
     work.push_back(inner(columnOf(parts.clampRows, k), u) -
@@ -337,9 +354,7 @@ Vector ContactProblem::clampWork(const State& state) const {
 
 Vector ContactProblem::fixedReactions(const State& state) const {
   const Parts& parts = *parts_;
-  Vector force = parts.load;
-  if (!state.multiplier.empty())
-    axpy(-1, parts.push(state.multiplier), force);
+  const Vector force = parts.force(parts.load, state);
   Vector reactions(3, 0.0);
   for (Index k = 0; k < parts.rigid.fixed(); ++k)
     reactions[static_cast<std::size_t>(

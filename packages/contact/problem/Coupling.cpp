@@ -86,32 +86,27 @@ std::shared_ptr<const bem::TractionRows> noTractions(const MultiplierSpace& mult
       bem::TractionRows{{}, std::vector<Index>(multiplier.elements().size() + 1, 0)});
 }
 
-/// Adds the normal or tangential coefficients of one element to Bᵀ and M.
+/// Adds the normal or tangential coefficients of one element.
 class CouplingWriter {
  public:
-  CouplingWriter(const ContactProblem::Input& input, const MultiplierSpace& multiplier,
+  CouplingWriter(const bem::Space& space, const MultiplierBasis& basis,
                  Coupling& coupling)
-      : space_(input.space),
-        basis_(multiplier.basis()),
-        mine_(input.stiffness.algebra().myRows(input.space.displacements())),
-        coupling_(coupling) {}
+      : space_(space), basis_(basis), coupling_(coupling) {}
 
-  void write(const ContactElement& contact, double gamma,
-             const bem::TractionRows& tractions, Index firstTraction) const {
+  void write(const ContactElement& contact, double gamma, Index firstTraction) const {
     const Element& element = space_.mesh()[contact.element];
-    writeDirection(contact, &ContactElement::normalOf, element.normal, gamma, tractions,
+    writeDirection(contact, &ContactElement::normalOf, element.normal, gamma,
                    firstTraction);
     if (contact.tangential >= 0)
       writeDirection(contact, &ContactElement::tangentialOf, turnLeft(element.normal),
-                     gamma, tractions, firstTraction);
+                     gamma, firstTraction);
   }
 
  private:
   using Numbering = Index (ContactElement::*)(int) const;
 
   void writeDirection(const ContactElement& contact, Numbering number, Vec2 direction,
-                      double gamma, const bem::TractionRows& tractions,
-                      Index firstTraction) const {
+                      double gamma, Index firstTraction) const {
     const Element& element = space_.mesh()[contact.element];
     const int p = element.degree;
     const Matrix chi = orthonormalCoefficients(basis_, element);
@@ -126,30 +121,22 @@ class CouplingWriter {
           product += chi(l, i) * phi(l, k);
           mass += chi(l, i) * chi(l, k);
         }
-        for (int c = 0; c < 2; ++c) {
-          const Index unknown = space_.displacement(contact.element, k, c);
-          if (mine_.contain(unknown))
-            coupling_.couplingTransposed(unknown - mine_.begin, column) +=
-                components[c] * product;
-        }
+        for (int c = 0; c < 2; ++c)
+          coupling_.trace.push_back({space_.displacement(contact.element, k, c), column,
+                                     components[c] * product});
         coupling_.multiplierMass(column, (contact.*number)(k)) += gamma * mass;
       }
       if (gamma == 0)
         continue;
-      double* entries = coupling_.couplingTransposed.column(column);
       for (int l = 0; l <= p; ++l)
-        for (int c = 0; c < 2; ++c) {
-          const double factor = gamma * chi(l, i) * components[c];
-          const double* traction = tractions.rows.column(firstTraction + 2 * l + c);
-          for (Index j = 0; j < mine_.size(); ++j)
-            entries[j] -= factor * traction[j];
-        }
+        for (int c = 0; c < 2; ++c)
+          coupling_.weights.push_back(
+              {firstTraction + 2 * l + c, column, gamma * chi(l, i) * components[c]});
     }
   }
 
   const bem::Space& space_;
   const MultiplierBasis& basis_;
-  Rows mine_;
   Coupling& coupling_;
 };
 
@@ -164,27 +151,61 @@ std::vector<int> tractionElements(const MultiplierSpace& multiplier,
 
 Coupling makeCoupling(const ContactProblem::Input& input,
                       const MultiplierSpace& multiplier) {
-  const Index mine = input.stiffness.algebra().myRows(input.space.displacements()).size();
   Coupling coupling;
-  coupling.couplingTransposed = Matrix(mine, multiplier.size());
-  coupling.multiplierMass = Matrix(multiplier.size(), multiplier.size());
+  coupling.unknowns = input.space.displacements();
+  coupling.multipliers = multiplier.size();
+  coupling.multiplierMass = Matrix::lowerTriangle(multiplier.size(), multiplier.size());
   const bool stabilised = input.stabilization.form != Stabilization::Form::None;
-  const std::shared_ptr<const bem::TractionRows> traction =
+  coupling.tractions =
       stabilised ? tractions(input, multiplier) : noTractions(multiplier);
-  coupling.stabilisationHalf = Matrix(mine, traction->start.back());
-
-  const CouplingWriter writer(input, multiplier, coupling);
+  const CouplingWriter writer(input.space, multiplier.basis(), coupling);
   for (std::size_t k = 0; k < multiplier.elements().size(); ++k) {
     const ContactElement& contact = multiplier.elements()[k];
-    const double gamma = gammaOn(input.space.mesh(), contact.element, input);
-    coupling.gamma.push_back(gamma);
-    writer.write(contact, gamma, *traction, traction->start[k]);
-    const double root = std::sqrt(gamma);
-    for (Index c = traction->start[k]; c < traction->start[k + 1]; ++c)
-      for (Index j = 0; j < mine; ++j)
-        coupling.stabilisationHalf(j, c) = root * traction->rows(j, c);
+    coupling.gamma.push_back(gammaOn(input.space.mesh(), contact.element, input));
+    writer.write(contact, coupling.gamma.back(), coupling.tractions->start[k]);
   }
   return coupling;
+}
+
+Matrix Coupling::transposed(const bem::DenseAlgebra& algebra) const {
+  const Rows mine = algebra.myRows(unknowns);
+  Matrix result(mine.size(), multipliers);
+  for (const Entry& entry : trace)
+    if (mine.contain(entry.row))
+      result(entry.row - mine.begin, entry.column) += entry.value;
+  for (const Entry& entry : weights) {
+    const double* traction = tractions->rows.column(entry.row);
+    double* column = result.column(entry.column);
+    for (Index j = 0; j < mine.size(); ++j)
+      column[j] -= entry.value * traction[j];
+  }
+  return result;
+}
+
+Vector Coupling::push(const bem::DenseAlgebra& algebra, const Vector& lambda) const {
+  Vector weighted(static_cast<std::size_t>(stabilisationColumns()));
+  for (const Entry& entry : weights)
+    weighted[static_cast<std::size_t>(entry.row)] -=
+        entry.value * lambda[static_cast<std::size_t>(entry.column)];
+  Vector result = weights.empty() ? Vector(static_cast<std::size_t>(unknowns))
+                                  : algebra.multiply(tractions->rows, unknowns, weighted);
+  for (const Entry& entry : trace)
+    result[static_cast<std::size_t>(entry.row)] +=
+        entry.value * lambda[static_cast<std::size_t>(entry.column)];
+  return result;
+}
+
+Matrix Coupling::stabilisationHalf(Index first, Index last) const {
+  const Index rows = tractions->rows.rows();
+  Matrix half(rows, last - first);
+  for (std::size_t k = 0; k < gamma.size(); ++k) {
+    const double root = std::sqrt(gamma[k]);
+    const Index end = std::min(last, tractions->start[k + 1]);
+    for (Index c = std::max(first, tractions->start[k]); c < end; ++c)
+      for (Index j = 0; j < rows; ++j)
+        half(j, c - first) = root * tractions->rows(j, c);
+  }
+  return half;
 }
 
 Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,

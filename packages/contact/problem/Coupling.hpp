@@ -10,12 +10,33 @@ namespace epafi::contact {
 ///
 ///   B_ij = <χ_i, φ_j> - <γ χ_i, S φ_j>,  M_ij = <γ χ_j, χ_i>,  S^_ij = <γ S φ_j, S φ_i>
 ///                                                                        [design.md 4.1]
+///
+/// With the tractions' columns R,  Bᵀ = C - R G,  S^ = R diag(γ) Rᵀ;  C and G are sparse,
+/// so that B need not be kept beside R.
 struct Coupling {
-  Matrix couplingTransposed;  ///< Bᵀ: displacements (mine) x multiplier
-  Matrix multiplierMass;      ///< M: multiplier x multiplier, lower triangle, whole
-  Matrix
-      stabilisationHalf;  ///< X with S^ = X Xᵀ: displacements (mine) x traction columns
-  Vector gamma;           ///< per contact element, dimensionless; 0 without stabilisation
+  struct Entry {
+    Index row;
+    Index column;
+    double value;
+  };
+
+  Index unknowns = 0;  ///< displacements
+  Index multipliers = 0;
+  std::vector<Entry> trace;    ///< C: displacements x multiplier, <χ_i, φ_j>
+  std::vector<Entry> weights;  ///< G: traction columns x multiplier
+  Matrix multiplierMass;       ///< M: multiplier x multiplier, lower triangle, whole
+  Vector gamma;                ///< γ per contact element, dimensionless
+  std::shared_ptr<const bem::TractionRows> tractions;  ///< S φ; empty: no stabilisation
+
+  /// Bᵀ, my rows.
+  Matrix transposed(const bem::DenseAlgebra& algebra) const;
+  /// Bᵀ λ, replicated.
+  Vector push(const bem::DenseAlgebra& algebra, const Vector& lambda) const;
+
+  /// X with S^ = X Xᵀ has so many columns, and by rows the displacements (mine).
+  Index stabilisationColumns() const { return tractions->start.back(); }
+  /// Its columns from `first` to before `last`.
+  Matrix stabilisationHalf(Index first, Index last) const;
 };
 
 Coupling makeCoupling(const ContactProblem::Input& input,
