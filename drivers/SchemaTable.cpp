@@ -266,7 +266,7 @@ void addRun(Table& table) {
               "length of the piece that is cut off next to a singular point, relative to "
               "the element's")
               .unit("1")
-              .standard("0.15")
+              .standard("0.1")
               .range({0, 0.5, true, false}),
           Row("Adaptivity->Grading->Degree Step", Kind::Whole,
               "by how much the piece away from the singular point raises its degree")

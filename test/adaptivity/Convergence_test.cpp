@@ -169,7 +169,7 @@ TEUCHOS_UNIT_TEST(GradedHp, convergesExponentiallyInTheRootOfDof) {
     double dof[3];  // for 1e-3, 1e-4, 1e-5
   };
   for (const Goal& goal :
-       {Goal{"tresca", {600, 1300, 1700}}, Goal{"coulomb", {450, 1300, 1500}}}) {
+       {Goal{"tresca", {550, 900, 1400}}, Goal{"coulomb", {400, 650, 950}}}) {
     const auto levels = solveScene(goal.scene, with({}, "Graded hp", 100, 1700));
     const auto fine = solveScene(goal.scene, with({}, "Graded hp", 100, 2300));
     const drivers::Scene scene =

@@ -123,16 +123,45 @@ TEUCHOS_UNIT_TEST(GradedHp, cutsTowardSingularPointsAndRaisesDegreesElsewhere) {
   const int p = mesh[0].degree;
 
   TEST_ASSERT(marks[0] == Mark::Cut);  // its end is singular
-  TEST_FLOATING_EQUALITY(marks[0].places().front(), 0.7, 1e-14);
+  TEST_FLOATING_EQUALITY(marks[0].places().front(), 0.8, 1e-14);
   TEST_ASSERT(marks[0].degrees() == std::vector<int>({p + 1, p}));
   TEST_ASSERT(marks[1] == Mark::Cut);
-  TEST_FLOATING_EQUALITY(marks[1].places().front(), -0.7, 1e-14);
+  TEST_FLOATING_EQUALITY(marks[1].places().front(), -0.8, 1e-14);
   TEST_ASSERT(marks[1].degrees() == std::vector<int>({p, p + 1}));
-  TEST_EQUALITY(static_cast<int>(marks[3].places().size()), 2);
-  TEST_COMPARE(marks[3].places().front(), <, 0.1);
-  TEST_COMPARE(marks[3].places().back(), >, 0.1);
-  TEST_ASSERT(marks[3].degrees() == std::vector<int>({p + 1, p, p + 1}));
+  TEST_ASSERT(marks[3] == Mark::cut({0.1}, {p, p}));
   TEST_ASSERT(marks[2] == Mark::RaiseDegree);
+}
+
+TEUCHOS_UNIT_TEST(GradedHp, doesWithTransitionsWhatItsOptionSays) {
+  using adaptivity::Mark;
+  const bem::Mesh mesh = test::squareMesh(2);
+  adaptivity::LevelData level = allMarkedOn(mesh);
+  level.singular.inside[3] = {0.1};
+  const int p = mesh[3].degree;
+  level.grading.transitions = "Surround";
+  const Mark surround = adaptivity::strategy("Graded hp").marks(level)[3];
+  TEST_EQUALITY(static_cast<int>(surround.places().size()), 2);
+  TEST_FLOATING_EQUALITY(surround.places().front(), -0.1, 1e-14);
+  TEST_FLOATING_EQUALITY(surround.places().back(), 0.3, 1e-14);
+  TEST_ASSERT(surround.degrees() == std::vector<int>({p + 1, p, p + 1}));
+  level.grading.transitions = "Bisect";
+  TEST_ASSERT(adaptivity::strategy("Graded hp").marks(level)[3] == Mark::Bisect);
+}
+
+TEUCHOS_UNIT_TEST(GradedHp, takesRatioStepAndDecayFromItsOptions) {
+  using adaptivity::Mark;
+  const bem::Mesh mesh = test::squareMesh(2);
+  adaptivity::LevelData level = allMarkedOn(mesh);
+  level.singular.nodes[1] = adaptivity::Singularity::Strong;
+  level.analytic[2] = false;
+  level.grading.ratio = 0.25;
+  level.grading.degreeStep = 2;
+  level.grading.smooth = "Legendre Decay";
+  const adaptivity::Marks marks = adaptivity::strategy("Graded hp").marks(level);
+  const int p = mesh[0].degree;
+  TEST_ASSERT(marks[0] == Mark::cut({0.5}, {p + 2, p}));
+  TEST_ASSERT(marks[2] == Mark::Bisect);
+  TEST_ASSERT(marks[3] == Mark::RaiseDegree);
 }
 
 TEUCHOS_UNIT_TEST(GradedHp, leavesWeakPointsToTheDegreeAtFirst) {

@@ -8,7 +8,7 @@ namespace epafi::contact {
 
 namespace {
 
-constexpr double shareOfLargest = 0.2;
+constexpr double shareOfLargest = 0.5;
 constexpr double solved = 1e-6;  // of the load: what a step leaves of its own problem
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
@@ -32,6 +32,16 @@ std::vector<std::size_t> differences(const ActiveSet& a, const ActiveSet& b) {
     if (a[i] != b[i])
       result.push_back(i);
   return result;
+}
+
+// How much stress a coefficient asks for: what it is beyond its bound, or r_i / D_ii,
+// what closes its gap alone.
+double violation(const Equation& equation, const Evaluation& e, std::size_t i) {
+  const double natural = std::abs(e.natural[i]);
+  const auto k = static_cast<Index>(i);
+  const double flexibility = equation.problem().flexibility(k, k);
+  const bool byGap = natural == std::abs(e.penetration[i]) && flexibility > 0;
+  return byGap ? natural / (equation.weights()[i] * flexibility) : natural;
 }
 
 bool solvesItsProblem(const Equation& equation, const Evaluation& e,
@@ -87,7 +97,7 @@ ActiveSet Pivoting::next(const Equation& equation, const Evaluation& e) {
   if (set_.empty() || !solvesItsProblem(equation, e, set_))
     begin(wanted);
   else
-    choose(e, wanted);
+    choose(equation, e, wanted);
   return set_;
 }
 
@@ -98,7 +108,8 @@ void Pivoting::begin(ActiveSet set) {
   single_ = false;
 }
 
-void Pivoting::choose(const Evaluation& e, const ActiveSet& wanted) {
+void Pivoting::choose(const Equation& equation, const Evaluation& e,
+                      const ActiveSet& wanted) {
   const std::vector<std::size_t> violated = differences(set_, wanted);
   if (violated.size() < fewest_) {
     begin(wanted);
@@ -109,9 +120,9 @@ void Pivoting::choose(const Evaluation& e, const ActiveSet& wanted) {
   ActiveSet some = set_;
   double largest = 0;
   for (const std::size_t i : violated)
-    largest = std::max(largest, std::abs(e.natural[i]));
+    largest = std::max(largest, violation(equation, e, i));
   for (const std::size_t i : violated)
-    if (std::abs(e.natural[i]) >= shareOfLargest * largest)
+    if (violation(equation, e, i) >= shareOfLargest * largest)
       some[i] = wanted[i];
   single_ = single_ || seen_.count(some) > 0;
   if (single_) {

@@ -31,7 +31,7 @@ class Pivoting {
   ActiveSet next(const Equation& equation, const Evaluation& e);
 
  private:
-  void choose(const Evaluation& e, const ActiveSet& wanted);
+  void choose(const Equation& equation, const Evaluation& e, const ActiveSet& wanted);
   void begin(ActiveSet set);
 
   ActiveSet set_;             // of the last step; empty before the first
