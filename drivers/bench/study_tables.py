@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+"""Runs the studies behind doc/benchmarks and writes their tables and the picture.
+
+    study_tables.py EPAFI [--study work-precision] [--study ablation] [--output DIR]
+                    [--threads N] [--tables-only]
+
+Without --study both.  A study goes to DIR/<name>; with --tables-only that of an earlier run is
+read.  Between the lines "<!-- table NAME -->" and "<!-- end -->" of README.md and
+doc/benchmarks/*.md the tables are replaced, doc/benchmarks/work-precision.png is copied.
+
+A cell says what the first level took whose relative error in the energy norm is at most the
+column's: degrees of freedom (displacement and contact stress) and CPU seconds of all threads,
+all levels before it and the estimates included.
+"""
+import argparse
+import csv
+import os
+import re
+import shutil
+import subprocess
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+BENCHMARKS = os.path.join(ROOT, "doc", "benchmarks")
+
+
+class Study:
+    """study.csv: its scenes, its variants in the order of the file, their counted levels."""
+
+    def __init__(self, folder):
+        with open(os.path.join(folder, "study.csv"), newline="") as file:
+            self.rows = list(csv.DictReader(file))
+        self.scenes = unique(row["scene"] for row in self.rows)
+        self.variants = unique(row["variant"] for row in self.rows
+                               if row["variant"] != "reference")
+
+    def levels(self, scene, variant):
+        return [row for row in self.rows if row["scene"] == scene
+                and row["variant"] == variant and row["counted"] == "1"]
+
+    def first(self, scene, variant, bound):
+        """The first level with an error at most `bound`, or None."""
+        return next((row for row in self.levels(scene, variant)
+                     if float(row["error"]) <= bound), None)
+
+    def failures(self):
+        return [row for row in self.rows if row["status"] in ("failed", "not converged")]
+
+
+def unique(names):
+    return list(dict.fromkeys(names))
+
+
+def markdown(head, rows):
+    lines = [head, ["---"] * len(head)] + rows
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def work(level):
+    if level is None:
+        return "-"
+    return "%s, %.2f s" % (level["dof"], float(level["seconds_total"]))
+
+
+def work_table(study, bounds):
+    tables = []
+    for scene in study.scenes:
+        rows = [[variant] + [work(study.first(scene, variant, bound)) for bound in bounds]
+                for variant in study.variants if study.levels(scene, variant)]
+        tables.append(markdown([scene] + ["%.0e" % bound for bound in bounds], rows))
+    return "\n\n".join(tables).replace("e-0", "e-")
+
+
+def effectivity_table(study):
+    def band(scene, variant):
+        values = [float(row["effectivity"]) for row in study.levels(scene, variant)]
+        if not values:
+            return "-"
+        outside = sum(value < 1.5 or value > 4.5 for value in values)
+        return "%.3g .. %.3g (%d of %d)" % (min(values), max(values), outside, len(values))
+
+    return markdown(["estimate over true error, levels outside 1.5 .. 4.5"] + study.scenes,
+                    [[variant] + [band(scene, variant) for scene in study.scenes]
+                     for variant in study.variants])
+
+
+def dof_table(study, variant, bounds):
+    def dof(scene, bound):
+        level = study.first(scene, variant, bound)
+        return "-" if level is None else level["dof"]
+
+    return markdown(["relative error"] + ["%s, unknowns" % scene.split()[0]
+                                          for scene in study.scenes],
+                    [["%.0e" % bound] + [dof(scene, bound) for scene in study.scenes]
+                     for bound in bounds]).replace("e-0", "e-")
+
+
+def reference_lines(study):
+    return "\n".join(
+        "* %s: reference with %s degrees of freedom, estimate %.1e (absolute); errors below ten "
+        "times that do not count" % (row["scene"], row["dof"], float(row["estimate"]))
+        for row in study.rows if row["variant"] == "reference")
+
+
+def failure_lines(study):
+    return "\n".join("* %s, %s, level %s: %s" % (row["scene"], row["variant"], row["level"],
+                                                 row["reason"])
+                     for row in study.failures()) or "No level failed."
+
+
+def replace(path, tables):
+    with open(path) as file:
+        text = file.read()
+    for name, table in tables.items():
+        pattern = r"(<!-- table %s -->\n).*?(<!-- end -->)" % re.escape(name)
+        text, count = re.subn(pattern, lambda m: m[1] + table + "\n" + m[2], text, flags=re.S)
+        if count != 1:
+            raise SystemExit("%s: %d tables named '%s' instead of one" % (path, count, name))
+    with open(path, "w") as file:
+        file.write(text)
+
+
+def write_work_precision(folder):
+    study = Study(folder)
+    replace(os.path.join(BENCHMARKS, "work-precision.md"), {
+        "work": work_table(study, [1e-1, 1e-2, 1e-3, 1e-4, 1e-5]),
+        "effectivity": effectivity_table(study),
+        "references": reference_lines(study),
+        "failures": failure_lines(study)})
+    replace(os.path.join(ROOT, "README.md"),
+            {"unknowns": dof_table(study, "graded hp", [1e-3, 1e-4, 1e-5])})
+    shutil.copy(os.path.join(folder, "work-precision.png"), BENCHMARKS)
+
+
+def write_ablation(folder):
+    study = Study(folder)
+    replace(os.path.join(BENCHMARKS, "ablation.md"), {
+        "work": work_table(study, [1e-3, 1e-4, 1e-5]),
+        "references": reference_lines(study),
+        "failures": failure_lines(study)})
+
+
+WRITERS = {"work-precision": write_work_precision, "ablation": write_ablation}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("epafi")
+    parser.add_argument("--study", action="append", choices=sorted(WRITERS))
+    parser.add_argument("--output", default="studies.out")
+    parser.add_argument("--threads", default="")
+    parser.add_argument("--tables-only", action="store_true")
+    arguments = parser.parse_args()
+    environment = dict(os.environ)
+    if arguments.threads:
+        environment.update(OMP_NUM_THREADS=arguments.threads,
+                           OPENBLAS_NUM_THREADS=arguments.threads)
+    for name in arguments.study or sorted(WRITERS):
+        folder = os.path.join(arguments.output, name)
+        if not arguments.tables_only:
+            study = os.path.join(ROOT, "drivers", "studies", name + ".xml")
+            subprocess.run([arguments.epafi, "study", study, "--output", folder, "--force"],
+                           check=True, env=environment)
+        WRITERS[name](folder)
+
+
+if __name__ == "__main__":
+    main()
