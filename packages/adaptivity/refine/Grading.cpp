@@ -25,8 +25,8 @@ Mark cutAround(const std::vector<double>& changes, int degree,
     return Mark::Bisect;
   const int outer = raised(degree, options);
   std::vector<int> degrees = {changes.front() < places.front() ? degree : outer};
-  for (std::size_t k = 0; k < places.size(); ++k)
-    degrees.push_back(changes.front() < places[k] ? outer : degree);
+  for (const double place : places)
+    degrees.push_back(changes.front() < place ? outer : degree);
   return Mark::cut(std::move(places), std::move(degrees));
 }
 
