@@ -200,7 +200,9 @@ Attempt fullSteps(const Equation& equation, const State& start, int maximumItera
                                   maximumIterations, options.nox)
                       : pivot(equation, pack(problem, start), maximumIterations);
   attempt.report = extended({}, attempt.run, problem);
-  if (plain && equation.hasActiveSets() && attempt.run.end == NewtonRun::End::Restless) {
+  // From far off, following friction from zero costs less under a law of the pressure.
+  if (plain && equation.hasActiveSets() && !problem.boundDependsOnPressure() &&
+      attempt.run.end == NewtonRun::End::Restless) {
     attempt.run = pivot(equation, attempt.run.best, maximumIterations);
     attempt.report = extended(std::move(attempt.report), attempt.run, problem);
   }

@@ -13,7 +13,7 @@ struct Attempt {
 
 /// From a start that knows something of the solution, with active sets and without a list
 /// of NOX's of the user's own: sweeps first, then Pivoting.  Else plain full steps and,
-/// where their sets come back, the same from the best iterate.
+/// where their sets come back under fixed bounds, the same from the best iterate.
 Attempt fullSteps(const Equation& equation, const State& start, int maximumIterations,
                   const SolverOptions& options);
 
