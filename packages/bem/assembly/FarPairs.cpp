@@ -3,6 +3,7 @@
 #include "bem/quadrature/Gauss.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -114,29 +115,39 @@ bool isNear(Vec2 w, const Element& f, int& order) {
 
 namespace {
 
-struct Tables {
-  // weights times P_k at Gauss points, k <= largestDegree + 1
-  double weighted[largestOrder + 32][largestDegree + 2];
-};
+/// Weight times P_k at every point of a Gauss rule, k <= largestDegree + 1.
+using WeightedLegendre = std::vector<std::array<double, largestDegree + 2>>;
 
-void fillTables(const Rule& rule, int degree, Tables& tables) {
-  for (int q = 0; q < rule.size(); ++q) {
-    legendreValues(degree, rule.points[q], tables.weighted[q]);
-    for (int k = 0; k <= degree; ++k)
-      tables.weighted[q][k] *= rule.weights[q];
+std::vector<WeightedLegendre> makeWeightedLegendre() {
+  std::vector<WeightedLegendre> tables;
+  for (int order = 1; order <= largestOrder + degreeShare(largestDegree); ++order) {
+    const Rule& rule = gaussLegendre(order);
+    WeightedLegendre table(rule.points.size());
+    for (std::size_t q = 0; q < table.size(); ++q) {
+      legendreValues(largestDegree + 1, rule.points[q], table[q].data());
+      for (double& value : table[q])
+        value *= rule.weights[q];
+    }
+    tables.push_back(std::move(table));
   }
+  return tables;
+}
+
+const WeightedLegendre& weightedLegendre(int order) {
+  static const std::vector<WeightedLegendre> tables = makeWeightedLegendre();
+  return tables[static_cast<std::size_t>(order - 1)];
 }
 
 struct Work {
   const Rule& outer;
   const Rule& inner;
-  Tables outerTables;
-  Tables innerTables;
-  Work(PairOrder order, int rows, int columns)
-      : outer(gaussLegendre(order.outer)), inner(gaussLegendre(order.inner)) {
-    fillTables(outer, rows, outerTables);
-    fillTables(inner, columns + 1, innerTables);
-  }
+  const WeightedLegendre& outerTable;
+  const WeightedLegendre& innerTable;
+  explicit Work(PairOrder order)
+      : outer(gaussLegendre(order.outer)),
+        inner(gaussLegendre(order.inner)),
+        outerTable(weightedLegendre(order.outer)),
+        innerTable(weightedLegendre(order.inner)) {}
 };
 
 // by reference, not by value: packs wider than the baseline's registers have no fixed ABI
@@ -146,6 +157,29 @@ EPAFI_INLINE const Pack& load(const double* p) {
 
 EPAFI_INLINE void add(double* p, const Pack& v) { *reinterpret_cast<Pack*>(p) += v; }
 EPAFI_INLINE void store(double* p, const Pack& v) { *reinterpret_cast<Pack*>(p) = v; }
+
+/// log x of positive normal numbers, to 4e-16 of max(1, |log x|): x = 2^e m with m in
+/// [1/√2, √2], log m = 2 artanh s, s = (m-1)/(m+1), |s| <= 0.172, by its series.
+EPAFI_INLINE void logarithm(const Pack& x, Pack& result) {
+  using Bits = unsigned long long __attribute__((vector_size(8 * lanes), may_alias));
+  constexpr unsigned long long rootHalf = 0x3fe6a09e667f3bcd;
+  constexpr unsigned long long bias = 1023;
+  const Bits bits = reinterpret_cast<const Bits&>(x);
+  const Bits biased = (bits - rootHalf + (bias << 52)) >> 52;
+  const Bits scaled = bits - ((biased - bias) << 52);
+  // an integer below 2^52 in the last bits of 2^52 is a double plus 2^52
+  const Bits shifted = biased | 0x4330000000000000ull;
+  const Pack exponent =
+      reinterpret_cast<const Pack&>(shifted) - (4503599627370496.0 + 1023.0);
+  const Pack f = reinterpret_cast<const Pack&>(scaled) - 1.0;
+  const Pack s = f / (f + 2.0);
+  const Pack z = s * s;
+  Pack series = z * (1.0 / 21) + 1.0 / 19;
+#pragma GCC unroll 8
+  for (int k = 17; k >= 3; k -= 2)
+    series = series * z + 1.0 / k;
+  result = exponent * 0.69314718055994530942 + 2.0 * s * (1.0 + z * series);
+}
 
 /// The inner integrals at one outer point.
 struct Inner {
@@ -161,10 +195,11 @@ EPAFI_INLINE void innerIntegrals(const Work& work, int degree, const Pack& eta0,
   for (int k = 0; k <= p + 1; ++k)
     in.i[k] = Pack{};
   for (int q = 0; q < work.inner.size(); ++q) {
+    const double* weights = work.innerTable[static_cast<std::size_t>(q)].data();
     const Pack eta = eta0 - a * work.inner.points[q];
     const Pack inverse = 1.0 / (eta * eta + off2);
     for (int k = 0; k <= p + 1; ++k)
-      in.i[k] += inverse * work.innerTables.weighted[q][k];
+      in.i[k] += inverse * weights[k];
   }
   for (int k = 0; k <= p; ++k) {
     Pack t = in.i[k + 1] * ((k + 1.0) / (2 * k + 1));
@@ -177,9 +212,8 @@ EPAFI_INLINE void innerIntegrals(const Work& work, int degree, const Pack& eta0,
   const Pack left = eta0 + a;
   const Pack product = (right * right + off2) * (left * left + off2);
   Pack ends;
-  for (int lane = 0; lane < lanes; ++lane)
-    ends[lane] = 0.5 * std::log(product[lane]);
-  in.l[0] = ends + a * in.j[1];
+  logarithm(product, ends);
+  in.l[0] = 0.5 * ends + a * in.j[1];
   for (int k = 1; k < p; ++k)
     in.l[k] = a * (in.j[k + 1] - in.j[k - 1]) * (1.0 / (2 * k + 1));
 }
@@ -214,7 +248,7 @@ EPAFI_INLINE void farKernel(const Element& e, const FarBatch& batch, int rows,
     const Pack off = wx * ty - wy * tx;
     const Pack off2 = off * off;
     innerIntegrals<Degree>(work, pF, eta0, off2, a, in);
-    const double* weight = work.outerTables.weighted[q];
+    const double* weight = work.outerTable[static_cast<std::size_t>(q)].data();
     for (int j = 0; j <= pF; ++j) {
       const Pack offI = off * in.i[j];
       const Pack direct = a * offI;
@@ -268,7 +302,7 @@ void farBaseline(const Element& e, const FarBatch& batch, int rows, int columns,
 
 void farMoments(const Element& e, const FarBatch& batch, int rows, int columns,
                 PairOrder order, FarMoments& moments, InstructionSet set) {
-  const Work work(order, rows, columns);
+  const Work work(order);
   switch (set) {
     case InstructionSet::Avx512:
       return farAvx512(e, batch, rows, columns, work, moments);
