@@ -20,11 +20,14 @@ inline Block operator*(double s, const Block& b) {
 /// Adds a block to the rows that are mine.  Both entries of a column lie side by side.
 inline void addBlock(Matrix& matrix, const Rows& mine, Index row, Index column,
                      const Block& b) {
-  using Pair = double __attribute__((vector_size(16), aligned(8), may_alias));
   const Index local = row - mine.begin;
   if (mine.contain(row) && mine.contain(row + 1)) {
-    *reinterpret_cast<Pair*>(matrix.column(column) + local) += Pair{b.xx, b.yx};
-    *reinterpret_cast<Pair*>(matrix.column(column + 1) + local) += Pair{b.xy, b.yy};
+    double* left = matrix.column(column) + local;
+    double* right = left + matrix.stride();
+    left[0] += b.xx;
+    left[1] += b.yx;
+    right[0] += b.xy;
+    right[1] += b.yy;
   } else if (mine.contain(row)) {
     matrix(local, column) += b.xx;
     matrix(local, column + 1) += b.xy;
