@@ -17,7 +17,7 @@ constexpr int largestOrder = 48;
 // out-of-line copy compiled for AVX-512 could be picked by the linker for an older CPU.
 #define EPAFI_INLINE inline __attribute__((always_inline))
 
-using Pack = double __attribute__((vector_size(8 * lanes), may_alias));
+using Pack = double __attribute__((vector_size(8 * lanes)));
 
 /// Smallest z (sum of the focal distances over the length) for which `base` points give
 /// 1e-12, without the part that pays for the polynomials.
@@ -161,17 +161,16 @@ EPAFI_INLINE void store(double* p, const Pack& v) { *reinterpret_cast<Pack*>(p) 
 /// log x of positive normal numbers, to 4e-16 of max(1, |log x|): x = 2^e m with m in
 /// [1/√2, √2], log m = 2 artanh s, s = (m-1)/(m+1), |s| <= 0.172, by its series.
 EPAFI_INLINE void logarithm(const Pack& x, Pack& result) {
-  using Bits = unsigned long long __attribute__((vector_size(8 * lanes), may_alias));
+  using Bits = unsigned long long __attribute__((vector_size(8 * lanes)));
   constexpr unsigned long long rootHalf = 0x3fe6a09e667f3bcd;
   constexpr unsigned long long bias = 1023;
-  const Bits bits = reinterpret_cast<const Bits&>(x);
+  const Bits bits = reinterpret_cast<Bits>(x);
   const Bits biased = (bits - rootHalf + (bias << 52)) >> 52;
   const Bits scaled = bits - ((biased - bias) << 52);
   // an integer below 2^52 in the last bits of 2^52 is a double plus 2^52
   const Bits shifted = biased | 0x4330000000000000ull;
-  const Pack exponent =
-      reinterpret_cast<const Pack&>(shifted) - (4503599627370496.0 + 1023.0);
-  const Pack f = reinterpret_cast<const Pack&>(scaled) - 1.0;
+  const Pack exponent = reinterpret_cast<Pack>(shifted) - (4503599627370496.0 + 1023.0);
+  const Pack f = reinterpret_cast<Pack>(scaled) - 1.0;
   const Pack s = f / (f + 2.0);
   const Pack z = s * s;
   Pack series = z * (1.0 / 21) + 1.0 / 19;
