@@ -5,6 +5,12 @@ extern "C" {
 void dpotrf_(const char* uplo, const int* n, double* a, const int* lda, int* info);
 void dpotrs_(const char* uplo, const int* n, const int* nrhs, const double* a,
              const int* lda, double* b, const int* ldb, int* info);
+// rectangular full packed triangles
+void dpftrs_(const char* transr, const char* uplo, const int* n, const int* nrhs,
+             const double* packed, double* b, const int* ldb, int* info);
+void dtfsm_(const char* transr, const char* side, const char* uplo, const char* trans,
+            const char* diag, const int* m, const int* n, const double* alpha,
+            const double* packed, double* b, const int* ldb);
 void dgesv_(const int* n, const int* nrhs, double* a, const int* lda, int* pivots,
             double* b, const int* ldb, int* info);
 void dtrsm_(const char* side, const char* uplo, const char* trans, const char* diag,

@@ -83,9 +83,9 @@ Operators assembleOperators(const Space& space, const Lame& lame,
                             const std::vector<int>& tractionElements) {
   const Index densities = algebra.myRows(space.densities()).size();
   const Index displacements = algebra.myRows(space.displacements()).size();
-  Operators out{Matrix::lowerTriangle(densities, space.densities()),
+  Operators out{Matrix(densities, space.densities()),
                 Matrix(densities, space.displacements()),
-                Matrix::lowerTriangle(displacements, space.displacements()),
+                Matrix(displacements, space.displacements()),
                 {}};
   const Scatter scatter(space, lame, algebra, out);
   ProjectedTractions tractions(space, lame, algebra, tractionElements);

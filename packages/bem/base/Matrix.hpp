@@ -25,16 +25,12 @@ class Matrix {
   Matrix() = default;
   Matrix(Index rows, Index columns);  ///< all entries zero
 
-  /// The same for a symmetric matrix of which only (rows of) the lower triangle will be
-  /// used.  Memory comes page by page where entries are written, so that
-  /// what stands above the diagonal takes none.
-  static Matrix lowerTriangle(Index rows, Index columns);
-
   Matrix(Matrix&&) noexcept = default;
   Matrix& operator=(Matrix&&) noexcept = default;
   Matrix copy() const;
-  /// A lowerTriangle() with the entries (i, j) of i + firstRow >= j.
-  Matrix copyLower(Index firstRow) const;
+
+  /// Keeps the first columns and gives the memory of the others back.
+  void shrink(Index columns);
 
   Index rows() const { return rows_; }
   Index columns() const { return columns_; }
@@ -50,9 +46,6 @@ class Matrix {
   double operator()(Index i, Index j) const { return data_[i + j * stride_]; }
 
  private:
-  Matrix(Index rows, Index columns, Index stride)
-      : rows_(rows), columns_(columns), stride_(stride) {}
-
   Index rows_ = 0;
   Index columns_ = 0;
   Index stride_ = 1;

@@ -165,8 +165,7 @@ double limit(const ContactProblem::Input& input, const Coupling& coupling,
   const DenseAlgebra& algebra = input.stiffness.algebra();
   const Rows mine = algebra.myRows(input.space.displacements());
   const auto stiffness = algebra.cholesky(
-      constrain(input.stiffness.stiffness().copyLower(mine.begin), mine, loads, rigid),
-      "S");
+      constrain(input.stiffness.stiffness().copy(), mine, loads, rigid), "S");
   Matrix half = coupling.stabilisationHalf(0, coupling.stabilisationColumns());
   clearClamped(half, mine, loads);
   const Matrix reduced = stiffness->forward(std::move(half));
@@ -256,8 +255,7 @@ ContactProblem::ContactProblem(const Input& input) {
   Coupling coupling = makeCoupling(input, multiplier);
   Obstacle obstacle = makeObstacle(input.space.mesh(), multiplier, input.units);
 
-  Matrix a = subtractStabilisation(
-      algebra, input.stiffness.stiffness().copyLower(mine.begin), coupling);
+  Matrix a = subtractStabilisation(algebra, input.stiffness.stiffness().copy(), coupling);
   Vector load = loads.load;
   axpy(-1, algebra.multiplySymmetric(a, loads.prescribed), load);
   Matrix clampMotions = onClamped(input.space.rigidMotions(), loads);
@@ -303,7 +301,7 @@ ContactProblem::ContactProblem(const Input& input) {
     numbers.offset[i] -= parts.gap[i];
   clearClamped(transposed, mine, parts.loads);
   numbers.flexibility = condense(algebra, parts.factor->forward(std::move(transposed)),
-                                 std::move(parts.coupling.multiplierMass), coupledRigid);
+                                 parts.coupling.multiplierMass(), coupledRigid);
   numbers.normals = parts.multiplier.normals();
   numbers.tangentials = std::move(obstacle.tangentials);
 

@@ -124,7 +124,8 @@ class CouplingWriter {
         for (int c = 0; c < 2; ++c)
           coupling_.trace.push_back({space_.displacement(contact.element, k, c), column,
                                      components[c] * product});
-        coupling_.multiplierMass(column, (contact.*number)(k)) += gamma * mass;
+        if (gamma > 0)
+          coupling_.mass.push_back({column, (contact.*number)(k), gamma * mass});
       }
       if (gamma == 0)
         continue;
@@ -154,7 +155,6 @@ Coupling makeCoupling(const ContactProblem::Input& input,
   Coupling coupling;
   coupling.unknowns = input.space.displacements();
   coupling.multipliers = multiplier.size();
-  coupling.multiplierMass = Matrix::lowerTriangle(multiplier.size(), multiplier.size());
   const bool stabilised = input.stabilization.form != Stabilization::Form::None;
   coupling.tractions =
       stabilised ? tractions(input, multiplier) : noTractions(multiplier);
@@ -165,6 +165,13 @@ Coupling makeCoupling(const ContactProblem::Input& input,
     writer.write(contact, coupling.gamma.back(), coupling.tractions->start[k]);
   }
   return coupling;
+}
+
+Matrix Coupling::multiplierMass() const {
+  Matrix result(multipliers, multipliers);
+  for (const Entry& entry : mass)
+    result(entry.row, entry.column) += entry.value;
+  return result;
 }
 
 Matrix Coupling::transposed(const bem::DenseAlgebra& algebra) const {

@@ -24,10 +24,12 @@ struct Coupling {
   Index multipliers = 0;
   std::vector<Entry> trace;    ///< C: displacements x multiplier, <χ_i, φ_j>
   std::vector<Entry> weights;  ///< G: traction columns x multiplier
-  Matrix multiplierMass;       ///< M: multiplier x multiplier, lower triangle, whole
+  std::vector<Entry> mass;     ///< M: multiplier x multiplier
   Vector gamma;                ///< γ per contact element, dimensionless
   std::shared_ptr<const bem::TractionRows> tractions;  ///< S φ; empty: no stabilisation
 
+  /// M, whole.
+  Matrix multiplierMass() const;
   /// Bᵀ, my rows.
   Matrix transposed(const bem::DenseAlgebra& algebra) const;
   /// Bᵀ λ, replicated.
