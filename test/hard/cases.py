@@ -177,10 +177,12 @@ for f in ("1", "3", "10"):
          claims=[dissipates, steps(200)])
 
 # ---- material and units
+# Rounding of u comes back as a force times 1 / (1 - 2 nu), here 5e6.
 for nu in ("0.49", "0.4999", "0.4999999"):
     case("nu_" + nu, "nu = " + nu, "pressed_block",
          ["Bodies->block->Material->Poisson's Ratio=" + nu],
-         claims=[between("force_normal", 5, 6.5), steps(40)])
+         claims=[between("force_normal", 5, 6.5), steps(40)],
+         balance=1e-9 if nu == "0.4999999" else 1e-10)
 case("nu_0.5", "nu = 1/2, which needs the volume as a constraint", "pressed_block",
      ["Bodies->block->Material->Poisson's Ratio=0.5"], code=1,
      words=["Poisson's Ratio = 0.5", "allowed"])

@@ -26,10 +26,10 @@ const std::vector<SmoothElements>& smoothElements();
 /// The ingredients of Graded hp, each of which can be changed alone.
 struct GradingOptions {
   double ratio = 0.1;  ///< in (0, 1/2]: size of a piece next to a singular point
-  int degreeStep = 1;   ///< >= 0: what the piece away from it gains
-  int weakDegree = 4;   ///< a weak point is left to the degree below this one
-  std::string transitions = "Node";  ///< a name of transitions()
-  std::string smooth = "Raise Degree";   ///< a name of smoothElements()
+  int degreeStep = 1;  ///< >= 0: what the piece away from it gains
+  int weakDegree = 4;  ///< a weak point is left to the degree below this one
+  std::string transitions = "Node";     ///< a name of transitions()
+  std::string smooth = "Raise Degree";  ///< a name of smoothElements()
 };
 
 /// The mark of a refined element: cut toward singular points, a higher degree elsewhere.
