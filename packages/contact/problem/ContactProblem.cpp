@@ -147,11 +147,12 @@ Matrix pullColumns(const DenseAlgebra& algebra, const Matrix& couplingTransposed
   return result;
 }
 
-/// S - S^ = S - X Xᵀ; a panel of X at a time, which saves its memory.
+/// S - S^ = S - X Xᵀ.  One process takes a panel of X at a time, which saves its memory;
+/// several would exchange the whole sum for every panel.
 Matrix subtractStabilisation(const DenseAlgebra& algebra, Matrix a,
                              const Coupling& coupling) {
-  constexpr Index width = 256;
   const Index columns = coupling.stabilisationColumns();
+  const Index width = algebra.processes() == 1 ? 256 : std::max<Index>(1, columns);
   for (Index first = 0; first < columns; first += width)
     a = algebra.addOuter(
         std::move(a), coupling.stabilisationHalf(first, std::min(first + width, columns)),
