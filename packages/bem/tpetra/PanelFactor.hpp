@@ -8,7 +8,7 @@ namespace epafi::bem {
 /// Cholesky's factor in panels of columns on all processes.
 ///
 /// LAPACK's and BLAS' operations on the process's own panels and columns; what passes
-/// between processes is one panel of L after the other.  [doc/decisions/0014]
+/// between processes is one panel of L after the other.  [doc/decisions/0015]
 class PanelFactor final : public CholeskyFactor {
  public:
   /// \throws NumericalError on all processes if the matrix is not positive definite.
