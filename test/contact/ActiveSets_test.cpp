@@ -110,6 +110,21 @@ TEUCHOS_UNIT_TEST(ActiveSets, theClassicalCycleEndsInFewSteps) {
   TEST_COMPARE(stepsOfPivoting(equation, {0, 0, 0}, 100), <=, 6);
 }
 
+// A tolerance below rounding asks for steps after the set is right.
+TEUCHOS_UNIT_TEST(ActiveSets, pivotingKeepsASetThatIsRight) {
+  const Problem problem = cycling();
+  const Equation equation = equationOf(problem);
+  contact::Pivoting pivoting;
+  Vector x = {0, 0, 0};
+  for (int step = 0; step < 10; ++step) {
+    const Evaluation e = equation.at(std::move(x));
+    x = afterStep(equation, holding(equation, e, pivoting.next(equation, e)));
+  }
+  const Evaluation last = equation.at(x);
+  TEST_ASSERT(last.converged);
+  TEST_ASSERT(pivoting.next(equation, last) == contact::rowSet(last));
+}
+
 TEUCHOS_UNIT_TEST(ActiveSets, holdingTheOwnSetChangesNothing) {
   std::mt19937 random(61);
   for (int k = 0; k < 60; ++k) {

@@ -3,7 +3,7 @@
 #include "bem/algebra/Blas.hpp"
 #include "bem/base/Error.hpp"
 
-#include <algorithm>
+#include <cstring>
 
 namespace epafi::bem {
 
@@ -21,11 +21,12 @@ Matrix pack(Matrix lower) {
   const Index shift = n % 2 == 0 ? 1 : 0;
   const Index height = n + shift;
   const Index k = (n + 1) / 2;
-  double* packed =
-      lower.data();  // never ahead of what is still to be read: height <= stride
+  // column by column never ahead of what is still to be read: height <= stride + 1
+  double* packed = lower.data();
   for (Index j = 0; j < k; ++j) {
     double* column = packed + j * height;
-    std::copy(lower.column(j) + j, lower.column(j) + n, column + j + shift);
+    std::memmove(column + j + shift, lower.column(j) + j,
+                 static_cast<std::size_t>(n - j) * sizeof(double));
     const Index row = k + j - (1 - shift);
     for (Index i = 0; i < j + shift; ++i)
       column[i] = lower(row, k + i);

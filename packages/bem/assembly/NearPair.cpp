@@ -57,12 +57,17 @@ struct TableWriter {
   }
 };
 
-/// Gauss points on an interval, and the last interval's length: 1e-13 of the moments'
-/// norm with polynomials of both degrees.
+/// 1e-13 of the moments' norm with polynomials of both degrees.  At a touching end the
+/// integrands are like s log s, and a last interval of 1e-6 will do; beside an end that
+/// is off the line by less they turn by pi over that distance.
 GradedRule outerRule(const std::vector<Feature>& features, const Element& outer,
                      const Element& inner) {
-  return gradedRule(features, 17 + (outer.degree + inner.degree) / 2,
-                    1e-6 * std::min(1.0, inner.half / outer.half));
+  constexpr double closest = 1e-12;  // nearer ones are the end itself and rounding
+  double smallest = 1e-6 * std::min(1.0, inner.half / outer.half);
+  for (const Feature& feature : features)
+    if (feature.distance > closest)
+      smallest = std::min(smallest, feature.distance);
+  return gradedRule(features, 17 + (outer.degree + inner.degree) / 2, smallest);
 }
 
 /// Two elements of one edge: logarithms of a real distance.

@@ -1,5 +1,7 @@
 #include "bem/assembly/SteklovPoincare.hpp"
 
+#include "bem/base/Error.hpp"
+
 #include <mutex>
 
 namespace epafi::bem {
@@ -44,7 +46,10 @@ const std::vector<int>& SteklovPoincare::tractionElements() const {
 std::shared_ptr<const TractionRows> SteklovPoincare::tractions() const {
   Tractions& tractions = *tractions_;
   std::call_once(tractions.made, [&] {
+    if (tractions.kernels.start.empty())
+      throw NumericalError("the tractions could not be formed before");
     TractionKernels kernels = std::move(tractions.kernels);
+    tractions.kernels.start.clear();
     tractions.rows = std::make_shared<const TractionRows>(TractionRows{
         addAdjointDensity(std::move(kernels.hypersingular), std::move(kernels.adjoint)),
         std::move(kernels.start)});

@@ -111,6 +111,8 @@ void Pivoting::begin(ActiveSet set) {
 void Pivoting::choose(const Equation& equation, const Evaluation& e,
                       const ActiveSet& wanted) {
   const std::vector<std::size_t> violated = differences(set_, wanted);
+  if (violated.empty() && fewest_ == 0)
+    return;  // the right set, and only rounding is left to reduce
   if (violated.size() < fewest_) {
     begin(wanted);
     fewest_ = violated.size();
