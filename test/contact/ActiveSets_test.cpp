@@ -1,5 +1,6 @@
 #include "contact/solve/ActiveSets.hpp"
 
+#include "contact/CyclingProblem.hpp"
 #include "contact/RandomProblem.hpp"
 #include "contact/nox/Newton.hpp"
 #include "contact/solve/CoulombIteration.hpp"
@@ -26,25 +27,11 @@ Equation equationOf(const Problem& problem) {
           Equation::Bound::Differentiated, 1e-12};
 }
 
-/// Full steps from zero visit three sets for ever.
-Problem cycling() {
-  const double d[3][3] = {{9, -4, -5}, {-4, 5, 7}, {-5, 7, 10}};
-  Problem problem;
-  problem.normals = 3;
-  problem.flexibility = contact::Matrix(3, 3);
-  for (Index i = 0; i < 3; ++i)
-    for (Index j = 0; j < 3; ++j)
-      problem.flexibility(i, j) = d[i][j];
-  problem.offset = {8, -3, -2};
-  problem.rigid = contact::Matrix(3, 0);
-  return problem;
-}
-
 /// Copies of the cycling problem for the normal coefficients, random tangential ones, and
 /// a little random flexibility that couples them all.
 Problem stronglyCoupled(Index copies, const char* law, std::mt19937& random) {
   std::normal_distribution<double> normal;
-  const Problem block = cycling();
+  const Problem block = test::cyclingProblem();
   Problem problem;
   problem.normals = 3 * copies;
   const Index tangentials = law == std::string("None") ? 0 : problem.normals;
@@ -104,7 +91,7 @@ int stepsOfNewton(const Equation& equation, const Vector& start, int limit) {
 }
 
 TEUCHOS_UNIT_TEST(ActiveSets, theClassicalCycleEndsInFewSteps) {
-  const Problem problem = cycling();
+  const Problem problem = test::cyclingProblem();
   const Equation equation = equationOf(problem);
   TEST_EQUALITY(stepsOfNewton(equation, {0, 0, 0}, 100), 100);
   TEST_COMPARE(stepsOfPivoting(equation, {0, 0, 0}, 100), <=, 6);
@@ -112,7 +99,7 @@ TEUCHOS_UNIT_TEST(ActiveSets, theClassicalCycleEndsInFewSteps) {
 
 // A tolerance below rounding asks for steps after the set is right.
 TEUCHOS_UNIT_TEST(ActiveSets, pivotingKeepsASetThatIsRight) {
-  const Problem problem = cycling();
+  const Problem problem = test::cyclingProblem();
   const Equation equation = equationOf(problem);
   contact::Pivoting pivoting;
   Vector x = {0, 0, 0};

@@ -1,4 +1,5 @@
 #include "bem/base/Error.hpp"
+#include "contact/CyclingProblem.hpp"
 #include "contact/RandomProblem.hpp"
 #include "contact/nox/Newton.hpp"
 #include "contact/solve/ContactState.hpp"
@@ -116,22 +117,8 @@ TEUCHOS_UNIT_TEST(Solver, coulombsThreeIterationsAgree) {
   }
 }
 
-/// Full steps on this one visit three active sets for ever.
-Problem cyclingProblem() {
-  const double d[3][3] = {{9, -4, -5}, {-4, 5, 7}, {-5, 7, 10}};
-  Problem problem;
-  problem.normals = 3;
-  problem.flexibility = contact::Matrix(3, 3);
-  for (Index i = 0; i < 3; ++i)
-    for (Index j = 0; j < 3; ++j)
-      problem.flexibility(i, j) = d[i][j];
-  problem.offset = {8, -3, -2};
-  problem.rigid = contact::Matrix(3, 0);
-  return problem;
-}
-
 TEUCHOS_UNIT_TEST(Solver, fullStepsCycleWithPeriodThreeOnTheClassicalExample) {
-  const Problem problem = cyclingProblem();
+  const Problem problem = test::cyclingProblem();
   const Equation equation(problem, contact::complementarity("Projection"),
                           Equation::Bound::Differentiated, 1e-12);
   auto e = equation.at({0, 0, 0});
@@ -152,14 +139,14 @@ TEUCHOS_UNIT_TEST(Solver, fullStepsCycleWithPeriodThreeOnTheClassicalExample) {
 }
 
 TEUCHOS_UNIT_TEST(Solver, aCycleIsNoReasonToFail) {
-  const Problem problem = cyclingProblem();
+  const Problem problem = test::cyclingProblem();
   const Solution solution = solve(problem, {}, {});
   TEST_ASSERT(solution.report.status == Status::Converged);
   TEST_COMPARE(reference::violation(problem, solution.state), <, 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(Solver, theEnergyEndsTheCycleAndFallsWithEachStep) {
-  const Problem problem = cyclingProblem();
+  const Problem problem = test::cyclingProblem();
   const Equation equation(problem, contact::complementarity("Projection"),
                           Equation::Bound::Differentiated, 1e-12);
   const auto run =
