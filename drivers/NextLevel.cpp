@@ -1,12 +1,47 @@
 #include "drivers/NextLevel.hpp"
 
 #include "adaptivity/mark/Analyticity.hpp"
+#include "adaptivity/refine/MovingNodes.hpp"
 #include "adaptivity/refine/Refine.hpp"
 #include "adaptivity/refine/Strategy.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
 
 namespace epafi::drivers {
+
+namespace {
+
+/// The mesh that is refined, and where its singular points are.
+struct Prepared {
+  bem::Mesh mesh;
+  adaptivity::SingularPoints singular;
+};
+
+/// The level's own mesh, or with nodes moved to where contact and friction change.
+Prepared prepare(const Scene& scene, const adaptivity::Strategy& strategy,
+                 const LevelResult& result, const bem::Space& space,
+                 const contact::MultiplierSpace& multiplier,
+                 const bem::DenseAlgebra& algebra) {
+  const bem::Mesh& mesh = space.mesh();
+  const std::string& transitions = scene.adaptivity.grading.transitions;
+  if (transitions == "Ignore" || strategy.grading == adaptivity::Grading::Ignored)
+    return {mesh, adaptivity::findSingularPoints(mesh, scene.conditions)};
+  if (transitions != "Follow")
+    return {mesh, adaptivity::findSingularPoints(mesh, scene.conditions, multiplier,
+                                                 result.states)};
+  const auto located = adaptivity::locateTransitions(
+      space, result.displacement, scene.conditions, multiplier, result.states);
+  const std::vector<bool> held = adaptivity::heldNodes(mesh, firstLevel(scene).mesh);
+  const auto moves =
+      adaptivity::agree(adaptivity::chooseMoves(mesh, held, located.transitions,
+                                                scene.adaptivity.grading.reach),
+                        algebra);
+  bem::Mesh moved = adaptivity::moveNodes(mesh, held, moves);
+  adaptivity::SingularPoints singular = adaptivity::placeOn(moved, located);
+  return {std::move(moved), std::move(singular)};
+}
+
+}  // namespace
 
 LevelStart firstLevel(const Scene& scene) {
   return {0, bem::makeMesh(scene.outline, scene.elementsPerEdge, scene.degree), {}};
@@ -30,26 +65,23 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const LevelResul
   const adaptivity::Strategy& strategy = adaptivity::strategy(scene.adaptivity.strategy);
   const contact::MultiplierSpace multiplier(
       mesh, contact::multiplierBasis(scene.multiplier), scene.conditions);
+  const Prepared prepared = prepare(scene, strategy, result, space, multiplier, algebra);
   const adaptivity::LevelData data{
-      mesh,
+      prepared.mesh,
       result.indicators.elements(),
       adaptivity::looksAnalytic(space, scene.conditions, result.displacement,
                                 result.density, scene.adaptivity.analyticityThreshold),
       scene.adaptivity.markingFraction,
-      scene.adaptivity.grading.transitions == "Ignore"
-          ? adaptivity::findSingularPoints(mesh, scene.conditions)
-          : adaptivity::findSingularPoints(mesh, scene.conditions, multiplier,
-                                           result.states),
+      prepared.singular,
       scene.adaptivity.grading};
   const adaptivity::Marks marks = adaptivity::decide(strategy, data, algebra);
   if (!adaptivity::anyMarked(marks))
     return converged("there is nothing to refine");
 
-  adaptivity::Refined refined =
-      adaptivity::refine(mesh, marks, multiplier, scene.conditions, result.state);
-  LevelStart next{result.level + 1, std::move(refined.mesh), {}};
+  LevelStart next{result.level + 1, adaptivity::refine(prepared.mesh, marks), {}};
   if (strategy.start == adaptivity::Start::Carried)
-    next.start = std::move(refined.start);
+    next.start =
+        adaptivity::carry(mesh, multiplier, result.state, next.mesh, scene.conditions);
   return next;
 }
 

@@ -250,6 +250,7 @@ Scene::Adaptivity readAdaptivity(const ParameterList& list) {
   adaptivity.grading.degreeStep = grading.get<int>("Degree Step");
   adaptivity.grading.weakDegree = grading.get<int>("Weak Point Degree");
   adaptivity.grading.transitions = grading.get<std::string>("Transitions");
+  adaptivity.grading.reach = grading.get<double>("Reach");
   adaptivity.grading.smooth = grading.get<std::string>("Smooth Elements");
   adaptivity.targetEstimate = list.get<double>("Target Estimate");
   return adaptivity;

@@ -285,6 +285,12 @@ void addRun(Table& table) {
                   meanings(adaptivity::transitions()))
               .standard(adaptivity::transitions().front().name)
               .allowed(namesOf(adaptivity::transitions())),
+          Row("Adaptivity->Grading->Reach", Kind::Real,
+              "Follow moves a node to a transition that lies off it by at most this part "
+              "of the length of the element the transition is in; 0: no node moves")
+              .unit("1")
+              .standard("1")
+              .range({0, 1, false, false}),
           Row("Adaptivity->Grading->Smooth Elements", Kind::Text,
               "raise the degree away from singular points; " +
                   meanings(adaptivity::smoothElements()))

@@ -1,10 +1,10 @@
 #include "adaptivity/mark/SingularPoints.hpp"
 
+#include "adaptivity/mark/PointState.hpp"
+
 #include <cmath>
 
 namespace epafi::adaptivity {
-
-using contact::Index;
 
 namespace {
 
@@ -22,29 +22,6 @@ Singularity fromConditions(const bem::Mesh& mesh, int e,
   const bool corner = std::abs(cross(mesh[before].tangent, mesh[e].tangent)) > 1e-12 ||
                       dot(mesh[before].tangent, mesh[e].tangent) < 0;
   return corner ? Singularity::Weak : Singularity::None;
-}
-
-/// What a coefficient's place does.  Under a law that follows the pressure an open point
-/// has no friction state of its own.
-struct PointState {
-  contact::NormalState normal;
-  contact::FrictionState friction;
-  bool operator!=(const PointState& other) const {
-    return normal != other.normal || friction != other.friction;
-  }
-};
-
-PointState stateOf(const contact::MultiplierSpace::ContactElement& element, int i,
-                   const contact::ContactState& states, Index normals) {
-  PointState state{states.normal[static_cast<std::size_t>(element.normalOf(i))],
-                   contact::FrictionState::None};
-  const bool idle = state.normal == contact::NormalState::Open &&
-                    element.condition->law != nullptr &&
-                    element.condition->law->dependsOnPressure;
-  if (element.tangential >= 0 && !idle)
-    state.friction =
-        states.tangential[static_cast<std::size_t>(element.tangentialOf(i) - normals)];
-  return state;
 }
 
 }  // namespace
@@ -69,7 +46,7 @@ SingularPoints findSingularPoints(const bem::Mesh& mesh,
     const auto e = static_cast<std::size_t>(element.element);
     const auto places = multiplier.basis().places(element.degree);
     const auto stateAt = [&](const auto& where, int i) {
-      return stateOf(where, i, states, multiplier.normals());
+      return pointState(multiplier, where, i, states);
     };
     if (before != nullptr && mesh[before->element].next == element.element &&
         stateAt(*before, before->degree) != stateAt(element, 0))

@@ -45,6 +45,7 @@ Mark smoothMark(int degree, bool analytic, const GradingOptions& options) {
 const std::vector<Transitions>& transitions() {
   static const std::vector<Transitions> table = {
       {"Node", "cut at it"},
+      {"Follow", "cut at it, and move that node when it moves"},
       {"Surround", "cut on both sides of it, so that it lies in a small piece"},
       {"Bisect", "halve the element"},
       {"Ignore", "treat the element and its nodes as if nothing changed there"},
@@ -67,7 +68,7 @@ Mark gradedMark(const bem::Mesh& mesh, int element, const SingularPoints& singul
   if (!changes.empty()) {
     if (options.transitions == "Surround")
       return cutAround(changes, degree, options);
-    return options.transitions == "Node" ? cutAt(changes, degree) : Mark(Mark::Bisect);
+    return options.transitions == "Bisect" ? Mark(Mark::Bisect) : cutAt(changes, degree);
   }
   const bool patient = analytic && degree < options.weakDegree;
   const auto isSingular = [&](bool end) {

@@ -67,4 +67,9 @@ Refined refine(const bem::Mesh& mesh, const Marks& marks,
                const contact::MultiplierSpace& multiplier,
                const contact::Conditions& conditions, const contact::State& state);
 
+/// The state on one mesh carried over to another one of the same outline.
+contact::State carry(const bem::Mesh& from, const contact::MultiplierSpace& multiplier,
+                     const contact::State& state, const bem::Mesh& to,
+                     const contact::Conditions& conditions);
+
 }  // namespace epafi::adaptivity

@@ -92,19 +92,19 @@ Marks decide(const Strategy& strategy, const LevelData& level,
 
 const std::vector<Strategy>& strategies() {
   static const std::vector<Strategy> table = {
-      {"None", "one level", Start::Zero, nothing},
-      {"Uniform h", "halve all elements", Start::Zero, bisectAll},
-      {"Uniform p", "raise all degrees", Start::Zero, raiseAll},
+      {"None", "one level", Start::Zero, Grading::Ignored, nothing},
+      {"Uniform h", "halve all elements", Start::Zero, Grading::Ignored, bisectAll},
+      {"Uniform p", "raise all degrees", Start::Zero, Grading::Ignored, raiseAll},
       {"Adaptive h", "halve the elements that carry most of the estimated error",
-       Start::Carried, bisectWorst},
+       Start::Carried, Grading::Ignored, bisectWorst},
       {"Adaptive hp",
        "of these, raise the degree where the solution looks analytic, halve the others",
-       Start::Carried, refineWorst},
+       Start::Carried, Grading::Ignored, refineWorst},
       {"Graded hp",
        "of these, cut next to singular points toward them and raise the degree "
        "elsewhere, "
        "see Grading",
-       Start::Carried, gradeWorst},
+       Start::Carried, Grading::Obeyed, gradeWorst},
   };
   return table;
 }

@@ -26,11 +26,15 @@ enum class Start {
   Carried  ///< from this level's state, see refine
 };
 
+/// Whether it obeys GradingOptions: what it does, and where nodes are moved.
+enum class Grading { Ignored, Obeyed };
+
 /// A way from one level to the next.
 struct Strategy {
   const char* name;
   const char* meaning;
   Start start;
+  Grading grading;
   /// No mark at all ends the run.
   Marks (*marks)(const LevelData& level);
 };

@@ -1,0 +1,148 @@
+#include "adaptivity/refine/Carry.hpp"
+
+#include "bem/algebra/Blas.hpp"
+#include "bem/base/Error.hpp"
+#include "bem/quadrature/Gauss.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace epafi::adaptivity {
+
+namespace {
+
+using contact::Index;
+using contact::MultiplierBasis;
+using contact::MultiplierSpace;
+using contact::Vector;
+using ContactElement = MultiplierSpace::ContactElement;
+
+/// Coefficients of polynomials of one degree from their values at the Gauss points.
+class Collocation {
+ public:
+  Collocation(const MultiplierBasis& basis, int degree)
+      : points_(bem::gaussLegendre(degree + 1).points), matrix_(size(), size()) {
+    for (Index i = 0; i < size(); ++i) {
+      const Vector row = basis.values(degree, points_[static_cast<std::size_t>(i)]);
+      for (Index k = 0; k < size(); ++k)
+        matrix_(i, k) = row[static_cast<std::size_t>(k)];
+    }
+  }
+
+  const Vector& points() const { return points_; }
+
+  Vector coefficients(Vector values) const {
+    bem::Matrix factor = matrix_.copy();
+    const int n = static_cast<int>(size());
+    const int stride = static_cast<int>(factor.stride());
+    const int one = 1;
+    std::vector<int> pivots(points_.size());
+    int info = 0;
+    dgesv_(&n, &one, factor.data(), &stride, pivots.data(), values.data(), &n, &info);
+    if (info != 0)
+      throw bem::NumericalError("the multiplier's basis is linearly dependent");
+    return values;
+  }
+
+ private:
+  Index size() const { return static_cast<Index>(points_.size()); }
+
+  Vector points_;
+  bem::Matrix matrix_;
+};
+
+/// Coefficients element by element; where two elements share one, it is their mean.
+class Collection {
+ public:
+  explicit Collection(Index size)
+      : sums_(static_cast<std::size_t>(size)), counts_(static_cast<std::size_t>(size)) {}
+
+  template <class Number>
+  void add(const Vector& coefficients, contact::EndCoefficients ends,
+           const Number& number) {
+    const int degree = static_cast<int>(coefficients.size()) - 1;
+    for (int i = 0; i <= degree; ++i) {
+      if (!ContactElement::isOwn(ends, degree, i))
+        continue;
+      const auto k = static_cast<std::size_t>(number(i));
+      sums_[k] += coefficients[static_cast<std::size_t>(i)];
+      ++counts_[k];
+    }
+  }
+
+  Vector means() const {
+    Vector means = sums_;
+    for (std::size_t k = 0; k < means.size(); ++k)
+      means[k] /= counts_[k];
+    return means;
+  }
+
+ private:
+  Vector sums_;
+  std::vector<int> counts_;
+};
+
+/// A multiplier at places of an edge, asked for in increasing order.
+class Walk {
+ public:
+  Walk(const bem::Mesh& mesh, const MultiplierSpace& space, const Vector& multiplier)
+      : mesh_(mesh), space_(space), multiplier_(multiplier) {}
+
+  MultiplierSpace::Value at(int edge, bem::Position position) {
+    while (!holds(edge, position))
+      ++next_;
+    const ContactElement& element = space_.elements()[next_];
+    const bem::Element& geometry = mesh_[element.element];
+    const double half = geometry.half;
+    const double before = distanceAlong(geometry.piece.start, position) / half;
+    const double behind = distanceAlong(position, geometry.piece.end) / half;
+    return space_.at(multiplier_, element, before < behind ? before - 1 : 1 - behind);
+  }
+
+ private:
+  bool holds(int edge, bem::Position position) const {
+    assert(next_ < space_.elements().size());
+    const bem::Piece& piece = mesh_[space_.elements()[next_].element].piece;
+    const bool last = next_ + 1 == space_.elements().size();
+    return last || (piece.edge == edge && distanceAlong(position, piece.end) >= 0);
+  }
+
+  const bem::Mesh& mesh_;
+  const MultiplierSpace& space_;
+  const Vector& multiplier_;
+  std::size_t next_ = 0;
+};
+
+bem::Position positionAt(const bem::Piece& piece, double t) {
+  const double f = 0.5 * (1 + t);
+  return {piece.start.fromStart + f * (piece.end.fromStart - piece.start.fromStart),
+          piece.end.toEnd + (1 - f) * (piece.start.toEnd - piece.end.toEnd)};
+}
+
+}  // namespace
+
+Vector carryMultiplier(const bem::Mesh& fromMesh, const MultiplierSpace& from,
+                       const Vector& multiplier, const bem::Mesh& toMesh,
+                       const MultiplierSpace& to) {
+  Collection result(to.size());
+  Walk walk(fromMesh, from, multiplier);
+  for (const ContactElement& element : to.elements()) {
+    const bem::Piece& piece = toMesh[element.element].piece;
+    const Collocation collocation(to.basis(), element.degree);
+    Vector normal;
+    Vector tangential;
+    for (const double t : collocation.points()) {
+      const auto value = walk.at(piece.edge, positionAt(piece, t));
+      normal.push_back(value.normal);
+      tangential.push_back(value.tangential);
+    }
+    result.add(collocation.coefficients(normal), element.normalEnds,
+               [&](int i) { return element.normalOf(i); });
+    if (element.tangential >= 0)
+      result.add(collocation.coefficients(tangential), element.tangentialEnds,
+                 [&](int i) { return element.tangentialOf(i); });
+  }
+  return result.means();
+}
+
+}  // namespace epafi::adaptivity
