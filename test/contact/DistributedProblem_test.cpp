@@ -74,7 +74,7 @@ Numbers numbersOf(const bem::Mesh& mesh, const contact::Conditions& conditions,
   state.rigid.assign(problem.numbers().rigidLoad.size(), 0.02);
   Numbers numbers;
   numbers.displacement = problem.displacement(state);
-  numbers.clampWork = problem.clampWork(state);
+  numbers.clampWork = problem.clampWork(state, numbers.displacement);
   numbers.summary = contact::summarize(
       {space, stiffness, problem, conditions, units, state, numbers.displacement});
   numbers.problem.flexibility = problem.numbers().flexibility.copy();

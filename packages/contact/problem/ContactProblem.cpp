@@ -2,6 +2,7 @@
 
 #include "bem/algebra/Blas.hpp"
 #include "bem/base/Error.hpp"
+#include "contact/problem/BalancedStiffness.hpp"
 #include "contact/problem/Coupling.hpp"
 #include "contact/problem/Loads.hpp"
 #include "contact/problem/RigidConstraints.hpp"
@@ -52,21 +53,32 @@ Matrix constrain(Matrix lower, const Rows& mine, const Loads& loads,
   return lower;
 }
 
-/// All but the clamped unknowns set to zero.
-Matrix onClamped(Matrix columns, const Loads& loads) {
-  for (Index j = 0; j < columns.columns(); ++j)
-    for (Index i = 0; i < columns.rows(); ++i)
-      if (loads.clamped[static_cast<std::size_t>(i)] == 0)
-        columns(i, j) = 0;
-  return columns;
-}
-
 /// Rows of clamped unknowns set to zero.
 void clearClamped(Matrix& rows, const Rows& mine, const Loads& loads) {
   for (Index j = 0; j < rows.columns(); ++j)
     for (Index i = 0; i < rows.rows(); ++i)
       if (loads.clamped[static_cast<std::size_t>(i + mine.begin)] != 0)
         rows(i, j) = 0;
+}
+
+double largest(const Vector& x) {
+  double size = 0;
+  for (const double entry : x)
+    size = std::max(size, std::abs(entry));
+  return size;
+}
+
+/// A correction that large, relative to u, is rounding: of u itself, or of the residual's
+/// long doubles times the body's compliance.
+constexpr double rounding = 1e-12;
+
+/// What rounding has left of a correction; it is a force where |A| is large.  Not more,
+/// or reactions would no longer say what u is worth.
+Vector onlyRounding(Vector correction, const Vector& u) {
+  const double limit = rounding * largest(u);
+  for (double& x : correction)
+    x = std::clamp(x, -limit, limit);
+  return correction;
 }
 
 double largestEigenvalue(Matrix symmetric) {
@@ -94,11 +106,9 @@ struct ContactProblem::Parts {
   Vector load;      ///< f - A u_D on the unclamped unknowns
   Vector constant;  ///< u_D and what Fix makes of it
 
-  Matrix clampMotions;  ///< the three rigid motions v at the clamped unknowns
-  Matrix clampRows;     ///< A v, all unknowns
   Vector gap;
-
   Coupling coupling;
+  BalancedStiffness stiffness;
 
   /// The unclamped, non-rigid displacement under a force: A⁺ of design.md 4.1.
   Vector respond(Vector force) const {
@@ -250,8 +260,8 @@ ContactProblem::ContactProblem(const Input& input) {
   const Rows mine = algebra.myRows(n);
 
   Loads loads = makeLoads(input.space, input.conditions, input.units);
-  RigidConstraints rigid =
-      makeRigidConstraints(makeRigidModes(input.space), loads, input.conditions.fix);
+  RigidModes modes = makeRigidModes(input.space);
+  RigidConstraints rigid = makeRigidConstraints(modes, loads, input.conditions.fix);
   MultiplierSpace multiplier(input.space.mesh(), input.basis, input.conditions);
   Coupling coupling = makeCoupling(input, multiplier);
   Obstacle obstacle = makeObstacle(input.space.mesh(), multiplier, input.units);
@@ -259,23 +269,17 @@ ContactProblem::ContactProblem(const Input& input) {
   Matrix a = subtractStabilisation(algebra, input.stiffness.stiffness().copy(), coupling);
   Vector load = loads.load;
   axpy(-1, algebra.multiplySymmetric(a, loads.prescribed), load);
-  Matrix clampMotions = onClamped(input.space.rigidMotions(), loads);
-  Matrix clampRows(n, clampMotions.columns());
-  for (Index k = 0; k < clampRows.columns(); ++k) {
-    const Vector row = algebra.multiplySymmetric(a, columnOf(clampMotions, k));
-    std::copy(row.begin(), row.end(), clampRows.column(k));
-  }
   auto factor = factorise(input, std::move(a), coupling, loads, rigid);
 
   // what Fix makes of the prescribed displacement: the whole of u has no mean motion
   Vector constant = loads.prescribed;
-  const RigidModes modes = makeRigidModes(input.space);
   for (Index k = 0; k < rigid.fixed(); ++k) {
     const Vector functional =
         columnOf(modes.functionals, rigid.fixedModes[static_cast<std::size_t>(k)]);
     axpy(-inner(functional, loads.prescribed), columnOf(rigid.allowed, k), constant);
   }
 
+  BalancedStiffness stiffness(input.stiffness, std::move(modes), coupling);
   parts_.reset(new Parts{{},
                          std::move(multiplier),
                          std::move(loads),
@@ -285,10 +289,9 @@ ContactProblem::ContactProblem(const Input& input) {
                          n,
                          std::move(load),
                          std::move(constant),
-                         std::move(clampMotions),
-                         std::move(clampRows),
                          std::move(obstacle.gap),
-                         std::move(coupling)});
+                         std::move(coupling),
+                         std::move(stiffness)});
   Parts& parts = *parts_;
   Problem& numbers = parts.numbers;
   const Index m = parts.multiplier.size();
@@ -337,17 +340,34 @@ Vector ContactProblem::displacement(const State& state) const {
   for (Index k = 0; k < static_cast<Index>(state.rigid.size()); ++k)
     axpy(state.rigid[static_cast<std::size_t>(k)],
          columnOf(parts.rigid.allowed, parts.rigid.fixed() + k), u);
+  // Iterative refinement: what the factor leaves is ε |A| |u|.  One step does where the
+  // correction is no more than rounding.
+  constexpr int mostSteps = 4;
+  const Vector force = parts.force(parts.loads.load, state);
+  for (int step = 0; step < mostSteps; ++step) {
+    const Vector correction = parts.respond(parts.stiffness.residual(force, u));
+    axpy(1, correction, u);
+    if (!(largest(correction) > rounding * largest(u)))
+      break;
+  }
   return u;
 }
 
-Vector ContactProblem::clampWork(const State& state) const {
+Vector ContactProblem::clampWork(const State& state, const Vector& displacement) const {
   const Parts& parts = *parts_;
-  const Vector u = displacement(state);
-  const Vector force = parts.force(parts.loads.load, state);
-  Vector work;
-  for (Index k = 0; k < parts.clampRows.columns(); ++k)
-    work.push_back(inner(columnOf(parts.clampRows, k), u) -
-                   inner(columnOf(parts.clampMotions, k), force));
+  const RigidModes& modes = parts.stiffness.modes();
+  Vector work(3, 0.0);
+  if (std::none_of(parts.loads.clamped.begin(), parts.loads.clamped.end(),
+                   [](char clamped) { return clamped != 0; }))
+    return work;
+  Vector rest =
+      parts.stiffness.residual(parts.force(parts.loads.load, state), displacement);
+  rest = parts.stiffness.residual(rest, onlyRounding(parts.respond(rest), displacement));
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    for (Index k = 0; k < 3 && parts.loads.clamped[i] != 0; ++k)
+      work[static_cast<std::size_t>(k)] -=
+          rest[i] * modes.motions(static_cast<Index>(i), k);
+  work[2] += modes.centroid.x * work[1] - modes.centroid.y * work[0];
   return work;
 }
 

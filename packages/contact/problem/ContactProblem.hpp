@@ -28,13 +28,13 @@ struct IndefiniteStiffness : bem::NumericalError {
 ///   A u + Bᵀ λ = f,   (μ - λ)ᵀ (B u - M λ - g) <= 0 for all admissible μ [design.md 4.1]
 ///
 /// Eliminates all displacements once; numbers() is what the nonlinear solver sees,
-/// displacement() leads back.  Holds nothing of the mesh's operators beyond construction
-/// except the factor of A.
+/// displacement() leads back.  Of the mesh's operators it holds the factor of A and
+/// refers to S.
 class ContactProblem {
  public:
   struct Input {
     const bem::Space& space;
-    const bem::SteklovPoincare& stiffness;
+    const bem::SteklovPoincare& stiffness;  ///< must outlive the problem
     const bem::Lame& lame;
     bem::Units units;
     const Conditions& conditions;  ///< must outlive the problem
@@ -56,16 +56,18 @@ class ContactProblem {
   /// not come from loads.
   const Vector& gap() const;
 
-  /// u of a state, all unknowns of the space, dimensionless.
+  /// u of a state, all unknowns of the space, dimensionless; refined, so that the
+  /// equations hold to the rounding of u (see BalancedStiffness).
   Vector displacement(const State& state) const;
 
   /// Consistent load f of the Neumann data, all unknowns.
   const Vector& load() const;
 
   /// (A u + Bᵀ λ - f) · v: work of the clamps' forces on the body on the rigid motions v
-  /// of Space::rigidMotions, all but the prescribed unknowns of v set to zero.
+  /// of Space::rigidMotions, all but the prescribed unknowns of v set to zero; u is the
+  /// state's displacement, freed from rounding.
   /// Stabilisation included; what holds fixed rigid motions is not.
-  Vector clampWork(const State& state) const;
+  Vector clampWork(const State& state, const Vector& displacement) const;
 
   /// γ on a contact element (index into multiplier().elements()), dimensionless.
   double gamma(std::size_t contactElement) const;

@@ -140,7 +140,7 @@ std::array<double, 3> reactionWork(const Solved& solved) {
   const std::vector<bool> isPrescribed = prescribed(solved.space, solved.conditions);
   const bem::Matrix motions = solved.space.rigidMotions();
   const bem::Matrix modes = makeRigidModes(solved.space).functionals;
-  const Vector clamps = solved.problem.clampWork(solved.state);
+  const Vector clamps = solved.problem.clampWork(solved.state, solved.displacement);
   const Vector amplitudes = solved.problem.fixedReactions(solved.state);
   std::array<double, 3> work{};
   for (Index v = 0; v < 3; ++v) {

@@ -1,0 +1,134 @@
+#include "contact/problem/BalancedStiffness.hpp"
+
+#include <algorithm>
+
+namespace epafi::contact {
+
+namespace {
+
+constexpr Index motions = 3;
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+BalancedStiffness::BalancedStiffness(const bem::SteklovPoincare& stiffness,
+                                     RigidModes modes, const Coupling& coupling)
+    : stiffness_(&stiffness),
+      modes_(std::move(modes)),
+      tractions_(coupling.tractions),
+      gamma_(coupling.gamma) {
+  for (Index k = 0; k < motions; ++k) {
+    long double square = 0;
+    for (Index i = 0; i < modes_.motions.rows(); ++i)
+      square += static_cast<long double>(modes_.functionals(i, k)) * modes_.motions(i, k);
+    squares_.push_back(static_cast<double>(square));
+  }
+}
+
+Vector BalancedStiffness::residual(const Vector& force, const Vector& u) const {
+  const Extended inner = withoutMotions(u);
+  Extended forces = stiffnessTimes(inner);
+  subtractStabilisation(inner, forces);
+  forces = balanced(std::move(forces));
+  Vector rest(u.size());
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    rest[i] = static_cast<double>(force[i] - forces[i]);
+  return rest;
+}
+
+// P u
+BalancedStiffness::Extended BalancedStiffness::withoutMotions(const Vector& u) const {
+  Extended result(u.begin(), u.end());
+  for (Index k = 0; k < motions; ++k) {
+    const double* functional = modes_.functionals.column(k);
+    const double* motion = modes_.motions.column(k);
+    long double mean = 0;
+    for (std::size_t i = 0; i < u.size(); ++i)
+      mean += functional[i] * result[i];
+    mean /= squares_[at(k)];
+    for (std::size_t i = 0; i < u.size(); ++i)
+      result[i] -= mean * motion[i];
+  }
+  return result;
+}
+
+// Pᵀ f
+BalancedStiffness::Extended BalancedStiffness::balanced(Extended forces) const {
+  for (Index k = motions; k-- > 0;) {
+    const double* functional = modes_.functionals.column(k);
+    const double* motion = modes_.motions.column(k);
+    long double work = 0;
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      work += motion[i] * forces[i];
+    work /= squares_[at(k)];
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      forces[i] -= work * functional[i];
+  }
+  return forces;
+}
+
+// S u from the lower triangle's rows that are mine.
+BalancedStiffness::Extended BalancedStiffness::stiffnessTimes(const Extended& u) const {
+  const bem::Matrix& lower = stiffness_->stiffness();
+  const bem::Rows mine = stiffness_->algebra().myRows(static_cast<Index>(u.size()));
+  Extended result(u.size());
+  for (Index j = 0; j < mine.end; ++j) {
+    const double* column = lower.column(j);
+    Index i = std::max<Index>(0, j - mine.begin);
+    long double sum = 0;
+    if (mine.contain(j))
+      sum = column[i++] * u[at(j)];
+    const long double uj = u[at(j)];
+    for (; i < mine.size(); ++i) {
+      sum += column[i] * u[at(i + mine.begin)];
+      result[at(i + mine.begin)] += column[i] * uj;
+    }
+    result[at(j)] += sum;
+  }
+  return this->sum(result);
+}
+
+// S^ u = R γ Rᵀ u with the tractions R.
+void BalancedStiffness::subtractStabilisation(const Extended& u, Extended& forces) const {
+  const bem::Matrix& rows = tractions_->rows;
+  const bem::Rows mine = stiffness_->algebra().myRows(static_cast<Index>(u.size()));
+  const Index columns = tractions_->start.back();
+  if (columns == 0)
+    return;
+  Extended tractions(at(columns));
+  for (Index c = 0; c < columns; ++c)
+    for (Index i = 0; i < mine.size(); ++i)
+      tractions[at(c)] += rows(i, c) * u[at(i + mine.begin)];
+  tractions = sum(tractions);
+  Extended stabilisation(u.size());
+  for (std::size_t k = 0; k < gamma_.size(); ++k)
+    for (Index c = tractions_->start[k]; c < tractions_->start[k + 1]; ++c) {
+      const long double weighted = gamma_[k] * tractions[at(c)];
+      for (Index i = 0; i < mine.size(); ++i)
+        stabilisation[at(i + mine.begin)] += weighted * rows(i, c);
+    }
+  stabilisation = sum(stabilisation);
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    forces[i] -= stabilisation[i];
+}
+
+/// Over all processes, each number as a double and what that leaves.
+BalancedStiffness::Extended BalancedStiffness::sum(const Extended& mine) const {
+  const bem::DenseAlgebra& algebra = stiffness_->algebra();
+  if (algebra.processes() == 1)
+    return mine;
+  const std::size_t n = mine.size();
+  Vector parts(2 * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    parts[i] = static_cast<double>(mine[i]);
+    parts[n + i] = static_cast<double>(mine[i] - parts[i]);
+  }
+  parts = algebra.sum(std::move(parts));
+  Extended result(n);
+  for (std::size_t i = 0; i < n; ++i)
+    result[i] = static_cast<long double>(parts[i]) + parts[n + i];
+  return result;
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,133 @@
+// Forces and moments balance where rounding of the stiffness is far larger than the load.
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "contact/problem/BalancedStiffness.hpp"
+#include "contact/problem/Summary.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+#include <numeric>
+
+namespace {
+
+using namespace epafi;
+using bem::Index;
+using bem::Vector;
+
+const bem::LapackAlgebra algebra;
+
+struct Body {
+  bem::Lame lame;
+  bem::Space space;
+  bem::SteklovPoincare stiffness;
+
+  Body(double length, double nu, const std::vector<int>& elements)
+      : lame({1, nu, false}),
+        space(bem::makeMesh(std::make_shared<const bem::Outline>(
+                                bem::Loop{{{0, 0}, {length, 0}, {length, 1}, {0, 1}},
+                                          {"bottom", "right", "top", "left"}},
+                                std::vector<bem::Loop>{}),
+                            elements, 2)),
+        stiffness(bem::assembleOperators(space, lame, algebra, {}), algebra) {}
+};
+
+double zero(bem::Vec2) { return 0; }
+
+/// Held at the left, sheared at the right, bent and pressed from above, far from a floor.
+contact::Conditions cantilever(double load) {
+  contact::Conditions conditions;
+  conditions.dirichlet["left"] = {zero, zero};
+  conditions.neumann["top"] = {zero, [=](bem::Vec2) { return -load; }};
+  conditions.neumann["right"] = {[=](bem::Vec2) { return -load; }, zero};
+  conditions.contact["bottom"] = {[](bem::Vec2) { return 1e3; }, nullptr, {}};
+  return conditions;
+}
+
+contact::ContactProblem problemOf(const Body& body,
+                                  const contact::Conditions& conditions) {
+  return contact::ContactProblem(
+      {body.space, body.stiffness, body.lame,
+       bem::Units{body.space.mesh().outline().diameter(), 1}, conditions,
+       contact::multiplierBasis("Gauss-Legendre-Lagrange"), contact::Stabilization{}});
+}
+
+double worstImbalance(const Body& body, double load) {
+  const contact::Conditions conditions = cantilever(load);
+  const contact::ContactProblem problem = problemOf(body, conditions);
+  contact::State state;
+  state.multiplier.assign(static_cast<std::size_t>(problem.numbers().size()), 0.0);
+  const Vector u = problem.displacement(state);
+  const double length = body.space.mesh().outline().diameter();
+  const contact::Summary summary = contact::summarize(
+      {body.space, body.stiffness, problem, conditions, {length, 1}, state, u});
+  const double force = std::hypot(summary.load.x, summary.load.y);
+  return std::max(
+      {std::abs(summary.load.x + summary.reaction.x) / force,
+       std::abs(summary.load.y + summary.reaction.y) / force,
+       std::abs(summary.load.moment + summary.reaction.moment) / (force * length)});
+}
+
+TEUCHOS_UNIT_TEST(Balance, slenderAndNearlyIncompressibleBodiesAreInEquilibrium) {
+  TEST_COMPARE(worstImbalance(Body(100, 0.3, {100, 2, 100, 2}), 1e-6), <, 1e-13);
+  TEST_COMPARE(worstImbalance(Body(2, 0.4999999, {8, 4, 8, 4}), 1e-3), <, 1e-13);
+}
+
+TEUCHOS_UNIT_TEST(Balance, rigidMotionsFeelNoForceOfAnyDisplacement) {
+  const Body body(100, 0.3, {50, 2, 50, 2});
+  const contact::Conditions conditions = cantilever(1);
+  const contact::MultiplierSpace multiplier(
+      body.space.mesh(), contact::multiplierBasis("Gauss-Legendre-Lagrange"), conditions);
+  const contact::BalancedStiffness balanced(
+      body.stiffness, contact::makeRigidModes(body.space),
+      contact::makeCoupling({body.space,
+                             body.stiffness,
+                             body.lame,
+                             {100, 1},
+                             conditions,
+                             multiplier.basis(),
+                             contact::Stabilization{}},
+                            multiplier));
+  const bem::Matrix motions = body.space.rigidMotions();
+  Vector u(static_cast<std::size_t>(body.space.displacements()));
+  for (std::size_t i = 0; i < u.size(); ++i)
+    u[i] = std::sin(1.0 + static_cast<double>(i * i % 101));
+  const Vector forces = balanced.residual(Vector(u.size(), 0.0), u);
+  const double size =
+      std::sqrt(std::inner_product(forces.begin(), forces.end(), forces.begin(), 0.0));
+  TEST_COMPARE(size, >, 0.1);
+  for (Index k = 0; k < 3; ++k) {
+    const double* motion = motions.column(k);
+    TEST_COMPARE(std::abs(std::inner_product(forces.begin(), forces.end(), motion, 0.0)),
+                 <, 1e-15 * size);
+    const Vector none =
+        balanced.residual(Vector(u.size(), 0.0), Vector(motion, motion + motions.rows()));
+    TEST_COMPARE(std::abs(*std::max_element(none.begin(), none.end())), <, 1e-16);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Balance, withoutStabilisationTheOperatorIsTheStiffness) {
+  const Body body(2, 0.3, {8, 4, 8, 4});
+  const contact::Conditions conditions = cantilever(1);
+  const contact::MultiplierSpace multiplier(
+      body.space.mesh(), contact::multiplierBasis("Gauss-Legendre-Lagrange"), conditions);
+  contact::Stabilization none;
+  none.form = contact::Stabilization::Form::None;
+  const contact::BalancedStiffness balanced(body.stiffness,
+                                            contact::makeRigidModes(body.space),
+                                            contact::makeCoupling({body.space,
+                                                                   body.stiffness,
+                                                                   body.lame,
+                                                                   {2, 1},
+                                                                   conditions,
+                                                                   multiplier.basis(),
+                                                                   none},
+                                                                  multiplier));
+  Vector u(static_cast<std::size_t>(body.space.displacements()));
+  for (std::size_t i = 0; i < u.size(); ++i)
+    u[i] = std::cos(static_cast<double>(i * i % 37));
+  const Vector left = balanced.residual(body.stiffness.apply(u), u);
+  for (const double rest : left)
+    TEST_COMPARE(std::abs(rest), <, 1e-13);
+}
+
+}  // namespace
