@@ -23,9 +23,8 @@ constexpr const char* python = "/usr/bin/python3";
 std::string plotProgram() {
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  const fs::path program =
-      self.parent_path().parent_path() / "share" / "epafi" / "epafi_plot.py";
-  if (!fs::exists(program, error))
+  const fs::path program = self.parent_path().parent_path() / "share" / "epafi" / "plot";
+  if (!fs::exists(program / "__main__.py", error))
     throw bem::InputError(bem::message("plot: '", program.string(),
                                        "' is missing; it is built and installed along "
                                        "with this program"));

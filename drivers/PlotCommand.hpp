@@ -9,7 +9,7 @@ namespace epafi::drivers {
 class Ranks;
 
 /// Draws the pictures of a run's or a study's folder by the Python program
-/// plot/epafi_plot.py, which lies in ../share/epafi seen from this program.
+/// drivers/plot, which lies in ../share/epafi/plot seen from this program.
 ///
 /// Its words go where this program's go.  Returns its exit code: 0, or 1 where matplotlib
 /// or the folder's files are missing.

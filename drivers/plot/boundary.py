@@ -1,0 +1,32 @@
+"""boundary.csv element by element."""
+import math
+
+import numpy as np
+
+
+class Boundary:
+    """The elements in their order along the outline: points x, displacements u, tractions t."""
+
+    def __init__(self, table):
+        self.elements = []
+        number = table.numbers("element")
+        starts = np.flatnonzero(np.diff(number, prepend=number[0] - 1))
+        for first, last in zip(starts, [*starts[1:], table.size]):
+            piece = slice(first, last)
+            self.elements.append({
+                "x": np.column_stack([table["x"][piece], table["y"][piece]]),
+                "u": np.column_stack([table["ux"][piece], table["uy"][piece]]),
+                "t": np.column_stack([table["tx"][piece], table["ty"][piece]]),
+                "degree": int(table["degree"][first])})
+        corners = np.concatenate([element["x"] for element in self.elements])
+        self.diameter = math.hypot(*np.ptp(corners, axis=0))
+
+    def loops(self):
+        """Lists of elements that follow each other; a hole starts a new one."""
+        loops, end = [], None
+        for element in self.elements:
+            if end is None or np.hypot(*(element["x"][0] - end)) > 1e-9 * self.diameter:
+                loops.append([])
+            loops[-1].append(element)
+            end = element["x"][-1]
+        return loops
