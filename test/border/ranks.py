@@ -2,41 +2,28 @@
 
 Every test is called as  <test>.py MPIEXEC EPAFI SCENES WORK.
 """
-import csv
 import os
-import shutil
 import subprocess
 import sys
 import time
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from claims import absent, claim, finish, table  # noqa: E402, F401
+
 MPIEXEC, EPAFI, SCENES, WORK = sys.argv[1:5]
-failures = []
-
-
-def claim(true, sentence):
-    """Notes a claim that does not hold; finish() reports all of them."""
-    print(("ok      " if true else "FAILED  ") + sentence)
-    if not true:
-        failures.append(sentence)
-
-
-def finish():
-    sys.exit(1 if failures else 0)
 
 
 def fresh(name):
     """A folder that does not exist yet."""
-    folder = os.path.join(WORK, name)
-    shutil.rmtree(folder, ignore_errors=True)
-    os.makedirs(WORK, exist_ok=True)
-    return folder
+    return absent(os.path.join(WORK, name))
 
 
 class Run:
     """mpirun -n ranks epafi arguments: exit code of each rank, messages, seconds.
 
-    code is None where mpirun had to be killed.  A shell around each rank notes its exit code and hides it from mpirun, which
-    would otherwise kill the others; plain=True leaves it out and gives mpirun's own.
+    code is None where mpirun had to be killed.  A shell around each rank notes its exit code
+    and hides it from mpirun, which would otherwise kill the others; plain=True leaves it out
+    and gives mpirun's own.
     """
 
     def __init__(self, ranks, arguments, plain=False, environment=None, limit=60):
@@ -56,10 +43,3 @@ class Run:
         self.seconds = time.monotonic() - start
         self.codes = [int(open(os.path.join(codes, name)).read()) for name in os.listdir(codes)]
         self.messages = [line for line in self.text.splitlines() if line.startswith("epafi:")]
-
-
-def table(file):
-    """Columns by name, as text."""
-    with open(file, newline="") as stream:
-        rows = list(csv.DictReader(stream))
-    return {name: [row[name] for row in rows] for name in rows[0]}

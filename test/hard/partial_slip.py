@@ -4,14 +4,13 @@ law; the stress inside is right up to 1e-6 element lengths from the boundary.
 
     partial_slip.py EPAFI WORK [TABLE.md]     writes what it measured as a page, too
 """
-import csv
 import math
 import os
 import subprocess
 import sys
 
 from run_cases import HERE
-from runs import EPAFI, WORK, claim, failures, finish, run
+from runs import EPAFI, WORK, claim, failures, finish, run, table
 
 with open(os.path.join(HERE, "scenes", "partial_slip.xml")) as stream:
     TRESCA = stream.read()
@@ -73,15 +72,14 @@ def study(law, scene):
     if done.returncode != 0:
         sys.exit(done.stdout)
     rows = {}
-    with open(os.path.join(files[".out"], "study.csv"), newline="") as stream:
-        for row in csv.DictReader(stream):
-            rows.setdefault(row["variant"], []).append(row)
+    for row in table(os.path.join(files[".out"], "study.csv")):
+        rows.setdefault(row["variant"], []).append(row)
     return rows
 
 
 def rate(rows, column):
     """Decay against degrees of freedom, by least squares over the last half."""
-    points = [(math.log(float(row["dof"])), math.log(float(row[column])))
+    points = [(math.log(row["dof"]), math.log(row[column]))
               for row in rows[len(rows) // 2:]]
     x, y = (sum(axis) / len(points) for axis in zip(*points))
     return -sum((a - x) * (b - y) for a, b in points) / sum((a - x)**2 for a, b in points)
@@ -100,7 +98,7 @@ def expected(basis, strategy):
 
 
 def judge(what, basis, strategy, levels):
-    first, last = (tuple(float(levels[i][column]) for column in ("error", "error_multiplier"))
+    first, last = (tuple(levels[i][column] for column in ("error", "error_multiplier"))
                    for i in (0, -1))
     rates = rate(levels, "error"), rate(levels, "error_multiplier")
     if strategy.startswith("uniform h"):
@@ -132,25 +130,25 @@ def stressInside(distance):
     near, places = 0.25 * distance, (0.01, 0.13, 0.25, 0.37, 0.5, 0.77, 0.99)
     points = [point for s in places for point in ((s, near), (1 - near, s), (s, 1 - near),
                                                   (near, s))]
-    table = "%dx2:{%s}" % (len(points), ", ".join("%.17g,%.17g" % point for point in points))
-    result = run("partial_slip", REFERENCE + ["Output->Interior Points=" + table])
+    array = "%dx2:{%s}" % (len(points), ", ".join("%.17g,%.17g" % point for point in points))
+    result = run("partial_slip", REFERENCE + ["Output->Interior Points=" + array])
     claim(len(result.interior) == len(points), "%d points" % len(points))
     return max(abs(point[key] - exact) for point in result.interior
                for key, exact in stress(point["x"], point["y"]).items())
 
 
-table = []
+lines = []
 for law, scene in (("Tresca", TRESCA), ("Coulomb", COULOMB)):
     for variant, rows in study(law, scene).items():
-        levels = [row for row in rows if row["error"]]
+        levels = [row for row in rows if row["error"] != ""]
         if variant == "reference":
             continue
         basis, strategy = variant.split(" / ")
         rates = judge(law + ", " + variant, basis, strategy, levels)
         last = levels[-1]
-        table.append("| %s | %s | %s | %s | %.1e | %.1e | %.1f | %.1f |\n" % (
-            law, basis, strategy, last["dof"], float(last["error"]),
-            float(last["error_multiplier"]), *rates))
+        lines.append("| %s | %s | %s | %d | %.1e | %.1e | %.1f | %.1f |\n" % (
+            law, basis, strategy, last["dof"], last["error"],
+            last["error_multiplier"], *rates))
 inside = {distance: stressInside(distance) for distance in (0.5, 1e-2, 1e-4, 1e-6)}
 for distance, error in inside.items():
     claim(error < 1e-8, "the stress %g element lengths inside errs by %.1e" % (distance, error))
@@ -159,5 +157,5 @@ if len(sys.argv) > 3 and not failures:
         text = stream.read()
     with open(sys.argv[3], "w") as out:
         out.write(text.replace("STRESS\n", "".join(
-            "| %g | %.1e |\n" % pair for pair in inside.items())) + "".join(table))
+            "| %g | %.1e |\n" % pair for pair in inside.items())) + "".join(lines))
 finish()

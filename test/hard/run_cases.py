@@ -7,15 +7,14 @@ written too, below the text of hard-cases.md here:  python3 test/hard/run_cases.
 build/bin/epafi build/hard --group all --markdown doc/benchmarks/hard-cases.md
 """
 import argparse
-import csv
 import os
 import resource
-import shutil
 import subprocess
 import sys
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from cases import CASES  # noqa: E402
+from claims import absent, table  # noqa: E402
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 FOLDERS = [os.path.join(HERE, "scenes"), os.path.join(HERE, "..", "..", "drivers", "scenes")]
@@ -31,25 +30,12 @@ class Result:
     def __init__(self, code, text, folder, seconds):
         self.code, self.text, self.seconds = code, text, seconds
         self.history, self.contact, self.interior = (
-            table(os.path.join(folder, name + ".csv"))
-            for name in ("history", "contact", "interior"))
+            table(file) if os.path.exists(file) else []
+            for file in (os.path.join(folder, name + ".csv")
+                         for name in ("history", "contact", "interior")))
 
     def last(self, column):
         return self.history[-1][column]
-
-
-def table(file):
-    """Rows as dictionaries, numbers as floats; none if there is no such file."""
-    def value(text):
-        try:
-            return float(text)
-        except ValueError:
-            return text
-    if not os.path.exists(file):
-        return []
-    with open(file, newline="") as stream:
-        return [{key: value(cell) for key, cell in row.items()}
-                for row in csv.DictReader(stream)]
 
 
 def scene(name):
@@ -61,8 +47,7 @@ def scene(name):
 
 
 def run(case, epafi, work):
-    folder = os.path.join(work, case.name)
-    shutil.rmtree(folder, ignore_errors=True)
+    folder = absent(os.path.join(work, case.name))
     command = [epafi, "run", scene(case.scene), "--quiet", "--output", folder]
     if case.ranks > 1:
         command = ["mpirun", "-n", str(case.ranks)] + command
@@ -131,7 +116,6 @@ def main():
     chosen = [case for case in CASES
               if case.name in options.case or not options.case and (
                   options.group == "all" or case.group == options.group)]
-    os.makedirs(options.work, exist_ok=True)
     results, rows, failed = {}, [], 0
     for case in chosen:
         result = results[case.name] = run(case, options.epafi, options.work)

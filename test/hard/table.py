@@ -6,9 +6,8 @@ and what it says was checked are those of today.
 import os
 import sys
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from cases import CASES  # noqa: E402
-from run_cases import HERE, outcome  # noqa: E402
+from cases import CASES
+from run_cases import HERE, outcome
 
 with open(sys.argv[1]) as stream:
     text = stream.read()

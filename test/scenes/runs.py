@@ -3,25 +3,14 @@
 Every test is called as  <test>.py EPAFI SCENES WORK:  the program, the folder of the shipped
 scenes, a folder to write into.
 """
-import csv
 import os
-import shutil
 import subprocess
 import sys
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from claims import absent, claim, finish, table  # noqa: E402, F401
+
 EPAFI, SCENES, WORK = sys.argv[1:4]
-failures = []
-
-
-def claim(true, sentence):
-    """Notes a claim that does not hold; finish() reports all of them."""
-    print(("ok      " if true else "FAILED  ") + sentence)
-    if not true:
-        failures.append(sentence)
-
-
-def finish():
-    sys.exit(1 if failures else 0)
 
 
 def epafi(*arguments):
@@ -37,9 +26,7 @@ def scene(name):
 
 def fresh(name):
     """A folder that does not exist yet."""
-    folder = os.path.join(WORK, name)
-    shutil.rmtree(folder, ignore_errors=True)
-    return folder
+    return absent(os.path.join(WORK, name))
 
 
 def run(file, name, settings=(), expect=0):
@@ -54,18 +41,6 @@ def run(file, name, settings=(), expect=0):
     contact = os.path.join(folder, "contact.csv")
     return table(os.path.join(folder, "history.csv")), (
         table(contact) if os.path.exists(contact) else [])
-
-
-def table(file):
-    """Rows as dictionaries, numbers as floats."""
-    def value(text):
-        try:
-            return float(text)
-        except ValueError:
-            return text
-    with open(file, newline="") as stream:
-        return [{key: value(cell) for key, cell in row.items()}
-                for row in csv.DictReader(stream)]
 
 
 def whole(contact):

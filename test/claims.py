@@ -1,0 +1,38 @@
+"""What the tests in Python share: claims, and the tables that epafi writes.  Standard library
+only."""
+import csv
+import os
+import shutil
+import sys
+
+failures = []
+
+
+def claim(true, sentence):
+    """Notes a claim that does not hold; finish() reports all of them."""
+    print(("ok      " if true else "FAILED  ") + sentence)
+    if not true:
+        failures.append(sentence)
+
+
+def finish():
+    sys.exit(1 if failures else 0)
+
+
+def absent(folder):
+    """A folder that does not exist any more, in one that does."""
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(os.path.dirname(folder), exist_ok=True)
+    return folder
+
+
+def table(file):
+    """Rows as dictionaries, numbers as floats."""
+    def value(text):
+        try:
+            return float(text)
+        except ValueError:
+            return text
+    with open(file, newline="") as stream:
+        return [{key: value(cell) for key, cell in row.items()}
+                for row in csv.DictReader(stream)]
