@@ -30,13 +30,14 @@ class RowOfPairs {
   void assembleBatch(int e, int first, int last, PairBatch& batch) const {
     if (!isMine(e, first, last))
       return;
-    batch.choose(e, first, last);
+    batch.choose(e, first / lanes, last);
     for (int f = first; f < last; ++f) {
       if (!isMine(e, f, f + 1))
         continue;
       const PairMoments& moments = batch.at(f);
       scatter_.add(e, f, moments);
-      tractions_.add(e, f, moments);
+      if (!batch.isFar(f))
+        tractions_.addNear(e, f, moments);
     }
   }
 
@@ -89,10 +90,11 @@ Operators assembleOperators(const Space& space, const Lame& lame,
                 {}};
   const Scatter scatter(space, lame, algebra, out);
   ProjectedTractions tractions(space, lame, algebra, tractionElements);
+  const ElementRuns runs(space.mesh());
   const RowOfPairs row(space, algebra, scatter, tractions);
 #pragma omp parallel
   {
-    PairBatch batch(space.mesh());
+    PairBatch batch(runs);
     for (const auto& groups : colouredGroups(space.mesh())) {
       // the last groups have the most pairs: first come, first served, from the back
 #pragma omp for schedule(dynamic, 1)

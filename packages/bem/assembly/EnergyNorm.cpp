@@ -19,7 +19,7 @@ class PairSum {
     double sum = 0;
     for (int first = 0; first <= e; first += lanes) {
       const int last = std::min(first + lanes, e + 1);
-      batch.choose(e, first, last);
+      batch.choose(e, first / lanes, last);
       for (int f = first; f < last; ++f)
         sum += (e == f ? 1 : 2) * pair(e, f, batch.at(f));
     }
@@ -61,10 +61,11 @@ class PairSum {
 
 double energyNorm(const CauchyData& data, const Lame& lame) {
   const PairSum pairs(data, lame);
+  const ElementRuns runs(data.mesh);
   Vector rows(data.fields.size());
 #pragma omp parallel
   {
-    PairBatch batch(data.mesh);
+    PairBatch batch(runs);
 #pragma omp for schedule(dynamic, 1)
     for (int e = data.mesh.size() - 1; e >= 0; --e)
       rows[static_cast<std::size_t>(e)] = pairs.row(e, batch);

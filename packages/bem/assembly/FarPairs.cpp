@@ -1,9 +1,9 @@
 #include "bem/assembly/FarPairs.hpp"
 
 #include "bem/quadrature/Gauss.hpp"
+#include "bem/quadrature/WeightedLegendre.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,35 +11,19 @@ namespace epafi::bem {
 
 namespace {
 
-constexpr int largestOrder = 48;
-
-// Everything in this file that the vector variants share must be inlined into them: an
-// out-of-line copy compiled for AVX-512 could be picked by the linker for an older CPU.
-#define EPAFI_INLINE inline __attribute__((always_inline))
-
-using Pack = double __attribute__((vector_size(8 * lanes)));
-
 /// Smallest z (sum of the focal distances over the length) for which `base` points give
 /// 1e-12, without the part that pays for the polynomials.
 struct OrderTable {
-  double smallestZ[largestOrder + 1];
+  double smallestZ[largestSmoothOrder + 1];
   OrderTable() {
     const double digits = std::log(1e12);
     smallestZ[0] = std::numeric_limits<double>::infinity();
-    for (int base = 1; base <= largestOrder; ++base) {
+    for (int base = 1; base <= largestSmoothOrder; ++base) {
       const double r = std::exp(digits / (2 * base));
       smallestZ[base] = 0.5 * (r + 1 / r);
     }
   }
 };
-
-int orderFor(double z, int degree) {
-  static const OrderTable table;
-  int base = 1;
-  while (base < largestOrder && table.smallestZ[base] > z)
-    ++base;
-  return base + degreeShare(degree);
-}
 
 // in outline diameters nothing overflows, and hypot costs as much as a whole far pair
 double length(Vec2 a) { return std::sqrt(dot(a, a)); }
@@ -81,6 +65,14 @@ double gap(const Element& e, const Element& f, Vec2 w) {
 
 }  // namespace
 
+int smoothOrder(double z) {
+  static const OrderTable table;
+  int base = 1;
+  while (base < largestSmoothOrder && table.smallestZ[base] > z)
+    ++base;
+  return base;
+}
+
 bool isNear(const Mesh& mesh, int ie, int jf, PairOrder& order) {
   return isNear(mesh, ie, jf, mesh.difference(mesh.at(ie, 0), mesh.at(jf, 0)), order);
 }
@@ -101,7 +93,8 @@ bool isNear(const Mesh& mesh, int ie, int jf, Vec2 w, PairOrder& order) {
     zE = std::max(zE, focalRatio(e, f, -w));
   if (zF < 4)
     zF = std::max(zF, focalRatio(f, e, w));
-  order = {orderFor(zE, e.degree), orderFor(zF, f.degree)};
+  order = {smoothOrder(zE) + degreeShare(e.degree),
+           smoothOrder(zF) + degreeShare(f.degree)};
   return false;
 }
 
@@ -109,34 +102,12 @@ bool isNear(Vec2 w, const Element& f, int& order) {
   if (distanceToSegment(w, {0, 0}, f) < f.half)
     return true;
   const Vec2 half = f.half * f.tangent;
-  order = orderFor((length(w - half) + length(w + half)) / (2 * f.half), f.degree);
+  order = smoothOrder((length(w - half) + length(w + half)) / (2 * f.half)) +
+          degreeShare(f.degree);
   return false;
 }
 
 namespace {
-
-/// Weight times P_k at every point of a Gauss rule, k <= largestDegree + 1.
-using WeightedLegendre = std::vector<std::array<double, largestDegree + 2>>;
-
-std::vector<WeightedLegendre> makeWeightedLegendre() {
-  std::vector<WeightedLegendre> tables;
-  for (int order = 1; order <= largestOrder + degreeShare(largestDegree); ++order) {
-    const Rule& rule = gaussLegendre(order);
-    WeightedLegendre table(rule.points.size());
-    for (std::size_t q = 0; q < table.size(); ++q) {
-      legendreValues(largestDegree + 1, rule.points[q], table[q].data());
-      for (double& value : table[q])
-        value *= rule.weights[q];
-    }
-    tables.push_back(std::move(table));
-  }
-  return tables;
-}
-
-const WeightedLegendre& weightedLegendre(int order) {
-  static const std::vector<WeightedLegendre> tables = makeWeightedLegendre();
-  return tables[static_cast<std::size_t>(order - 1)];
-}
 
 struct Work {
   const Rule& outer;
@@ -150,36 +121,6 @@ struct Work {
         innerTable(weightedLegendre(order.inner)) {}
 };
 
-// by reference, not by value: packs wider than the baseline's registers have no fixed ABI
-EPAFI_INLINE const Pack& load(const double* p) {
-  return *reinterpret_cast<const Pack*>(p);
-}
-
-EPAFI_INLINE void add(double* p, const Pack& v) { *reinterpret_cast<Pack*>(p) += v; }
-EPAFI_INLINE void store(double* p, const Pack& v) { *reinterpret_cast<Pack*>(p) = v; }
-
-/// log x of positive normal numbers, to 4e-16 of max(1, |log x|): x = 2^e m with m in
-/// [1/√2, √2], log m = 2 artanh s, s = (m-1)/(m+1), |s| <= 0.172, by its series.
-EPAFI_INLINE void logarithm(const Pack& x, Pack& result) {
-  using Bits = unsigned long long __attribute__((vector_size(8 * lanes)));
-  constexpr unsigned long long rootHalf = 0x3fe6a09e667f3bcd;
-  constexpr unsigned long long bias = 1023;
-  const Bits bits = reinterpret_cast<Bits>(x);
-  const Bits biased = (bits - rootHalf + (bias << 52)) >> 52;
-  const Bits scaled = bits - ((biased - bias) << 52);
-  // an integer below 2^52 in the last bits of 2^52 is a double plus 2^52
-  const Bits shifted = biased | 0x4330000000000000ull;
-  const Pack exponent = reinterpret_cast<Pack>(shifted) - (4503599627370496.0 + 1023.0);
-  const Pack f = reinterpret_cast<Pack>(scaled) - 1.0;
-  const Pack s = f / (f + 2.0);
-  const Pack z = s * s;
-  Pack series = z * (1.0 / 21) + 1.0 / 19;
-#pragma GCC unroll 8
-  for (int k = 17; k >= 3; k -= 2)
-    series = series * z + 1.0 / k;
-  result = exponent * 0.69314718055994530942 + 2.0 * s * (1.0 + z * series);
-}
-
 /// The inner integrals at one outer point.
 struct Inner {
   Pack i[largestDegree + 2];  // ∫ P_k / r²
@@ -187,7 +128,7 @@ struct Inner {
   Pack l[largestDegree + 1];  // ∫ P_k log r
 };
 
-template <int Degree>
+template <int Degree, Division How>
 EPAFI_INLINE void innerIntegrals(const Work& work, int degree, const Pack& eta0,
                                  const Pack& off2, const Pack& a, Inner& in) {
   const int p = Degree > 0 ? Degree : degree;
@@ -196,7 +137,8 @@ EPAFI_INLINE void innerIntegrals(const Work& work, int degree, const Pack& eta0,
   for (int q = 0; q < work.inner.size(); ++q) {
     const double* weights = work.innerTable[static_cast<std::size_t>(q)].data();
     const Pack eta = eta0 - a * work.inner.points[q];
-    const Pack inverse = 1.0 / (eta * eta + off2);
+    Pack inverse;
+    reciprocal<How>(eta * eta + off2, inverse);
     for (int k = 0; k <= p + 1; ++k)
       in.i[k] += inverse * weights[k];
   }
@@ -217,7 +159,7 @@ EPAFI_INLINE void innerIntegrals(const Work& work, int degree, const Pack& eta0,
     in.l[k] = a * (in.j[k + 1] - in.j[k - 1]) * (1.0 / (2 * k + 1));
 }
 
-template <int Degree>
+template <int Degree, Division How>
 EPAFI_INLINE void farKernel(const Element& e, const FarBatch& batch, int rows,
                             int columns, const Work& work, FarMoments& m) {
   const int pE = Degree > 0 ? Degree : rows;
@@ -246,7 +188,7 @@ EPAFI_INLINE void farKernel(const Element& e, const FarBatch& batch, int rows,
     const Pack eta0 = wx * tx + wy * ty;
     const Pack off = wx * ty - wy * tx;
     const Pack off2 = off * off;
-    innerIntegrals<Degree>(work, pF, eta0, off2, a, in);
+    innerIntegrals<Degree, How>(work, pF, eta0, off2, a, in);
     const double* weight = work.outerTable[static_cast<std::size_t>(q)].data();
     for (int j = 0; j <= pF; ++j) {
       const Pack offI = off * in.i[j];
@@ -270,31 +212,30 @@ EPAFI_INLINE void farKernel(const Element& e, const FarBatch& batch, int rows,
   }
 }
 
+template <Division How>
 EPAFI_INLINE void farKernelOfDegree(const Element& e, const FarBatch& batch, int rows,
                                     int columns, const Work& work, FarMoments& m) {
   if (rows == 1 && columns == 1)
-    farKernel<1>(e, batch, rows, columns, work, m);
+    farKernel<1, How>(e, batch, rows, columns, work, m);
   else if (rows == 2 && columns == 2)
-    farKernel<2>(e, batch, rows, columns, work, m);
+    farKernel<2, How>(e, batch, rows, columns, work, m);
   else
-    farKernel<0>(e, batch, rows, columns, work, m);
+    farKernel<0, How>(e, batch, rows, columns, work, m);
 }
 
-__attribute__((target("avx512f,avx512dq,avx512vl,fma"))) void farAvx512(
-    const Element& e, const FarBatch& batch, int rows, int columns, const Work& work,
-    FarMoments& m) {
-  farKernelOfDegree(e, batch, rows, columns, work, m);
+EPAFI_AVX512 void farAvx512(const Element& e, const FarBatch& batch, int rows,
+                            int columns, const Work& work, FarMoments& m) {
+  farKernelOfDegree<Division::Fused>(e, batch, rows, columns, work, m);
 }
 
-__attribute__((target("avx2,fma"))) void farAvx2(const Element& e, const FarBatch& batch,
-                                                 int rows, int columns, const Work& work,
-                                                 FarMoments& m) {
-  farKernelOfDegree(e, batch, rows, columns, work, m);
+EPAFI_AVX2 void farAvx2(const Element& e, const FarBatch& batch, int rows, int columns,
+                        const Work& work, FarMoments& m) {
+  farKernelOfDegree<Division::Fused>(e, batch, rows, columns, work, m);
 }
 
 void farBaseline(const Element& e, const FarBatch& batch, int rows, int columns,
                  const Work& work, FarMoments& m) {
-  farKernelOfDegree(e, batch, rows, columns, work, m);
+  farKernelOfDegree<Division::Exact>(e, batch, rows, columns, work, m);
 }
 
 }  // namespace

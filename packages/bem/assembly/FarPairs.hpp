@@ -2,12 +2,10 @@
 
 #include "bem/assembly/PairMoments.hpp"
 #include "bem/base/InstructionSet.hpp"
+#include "bem/base/Pack.hpp"
 #include "bem/mesh/Mesh.hpp"
 
 namespace epafi::bem {
-
-/// Number of element pairs that the far kernel treats at once.
-constexpr int lanes = 8;
 
 /// Eight elements F = first ... first+7 seen from one element E, structure of arrays.
 struct alignas(64) FarBatch {
@@ -33,6 +31,9 @@ struct alignas(64) FarBatch {
   }
 };
 
+/// The largest smoothOrder.
+constexpr int largestSmoothOrder = 48;
+
 /// Gauss orders of a pair: on E and on F.
 struct PairOrder {
   int outer = 0;
@@ -41,6 +42,11 @@ struct PairOrder {
 
 /// Gauss points that polynomials of a degree cost on top of what the kernel needs.
 constexpr int degreeShare(int degree) { return (degree + 2) / 2 + 1; }
+
+/// Gauss points on an element for 1e-12, without what polynomials cost on top, the other
+/// one outside the ellipse about the element whose sum of focal distances is z lengths.
+/// [design.md 3.4]
+int smoothOrder(double z);
 
 /// True when the pair must go to nearPairMoments: the gap is below half the larger
 /// length. Otherwise sets the orders that give eps = 1e-12 (tensor Gauss, design.md 3.4),

@@ -1,31 +1,33 @@
 #pragma once
 
-#include "bem/assembly/FarPairs.hpp"
+#include "bem/assembly/ElementRuns.hpp"
 
 #include <memory>
 
 namespace epafi::bem {
 
-/// The moments of one element with up to eight others in a row, far ones all at once.
+/// The moments of one element with a run of up to eight others, far ones all at once.
 /// One for each thread: it holds what is being worked on.
 class PairBatch {
  public:
-  explicit PairBatch(const Mesh& mesh);
+  explicit PairBatch(const ElementRuns& runs);
 
-  /// Prepares the pairs (e, first) ... (e, last - 1), at most `lanes`.  A batch is
+  /// Prepares the pairs of e and the elements of run r before `last`.  A batch is
   /// computed as a whole: what else is in it decides on the quadrature, so callers that
   /// want equal results must form equal batches.
-  void choose(int e, int first, int last);
+  void choose(int e, int r, int last);
+
+  /// True when f, one of the chosen, is far.
+  bool isFar(int f) const { return chosen_.far[f % lanes]; }
 
   /// The moments of (e, f), f one of the chosen; valid until the next call.
   const PairMoments& at(int f);
 
  private:
-  const Mesh& mesh_;
+  const ElementRuns& runs_;
   int e_ = 0;
-  int first_ = 0;
-  bool near_[lanes] = {};
-  FarBatch far_{};
+  FarLanes chosen_;
+  FarBatch batch_{};
   std::unique_ptr<FarMoments> farMoments_;
   std::unique_ptr<PairMoments> pair_;
 };

@@ -1,11 +1,10 @@
 #include "bem/assembly/ProjectedTractions.hpp"
 
 #include "bem/assembly/Block.hpp"
-#include "bem/assembly/MyElements.hpp"
+#include "bem/assembly/EndMoments.hpp"
+#include "bem/assembly/FarTractionRows.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace epafi::bem {
 
@@ -22,75 +21,41 @@ ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
       lame_(lame),
       densityRows_(algebra.myRows(space.densities())),
       displacementRows_(algebra.myRows(space.displacements())),
-      sourceAt_(static_cast<std::size_t>(space.mesh().size()), notMine),
-      tests_(static_cast<std::size_t>(space.mesh().size())) {
+      columns_(static_cast<std::size_t>(space.mesh().size()), -1) {
   const Mesh& mesh = space.mesh();
   kernels_.elements = elements;
   kernels_.start.assign(1, 0);
   for (const int e : elements) {
-    tests_[static_cast<std::size_t>(e)].column = kernels_.start.back();
+    columns_[static_cast<std::size_t>(e)] = kernels_.start.back();
     kernels_.start.push_back(kernels_.start.back() + 2 * (mesh[e].degree + 1));
   }
   kernels_.hypersingular = Matrix(displacementRows_.size(), kernels_.start.back());
   kernels_.adjoint = Matrix(densityRows_.size(), kernels_.start.back());
   for (int k = 0; k <= largestDegree; ++k)
     slopes_[static_cast<std::size_t>(k)] = DisplacementBasis::slope(k);
-  // whole batches, so that results do not depend on the number of processes
-  const MyElements mine(space, algebra);
-  std::size_t at = 0;
-  for (int first = 0; first < mesh.size(); first += lanes) {
-    const int last = std::min(first + lanes, mesh.size());
-    bool isMine = false;
-    for (int f = first; f < last; ++f)
-      isMine = isMine || mine.contain(f);
-    for (int f = first; isMine && f < last; ++f) {
-      sources_.push_back(f);
-      sourceAt_[static_cast<std::size_t>(f)] = at;
-      at += static_cast<std::size_t>(mesh[f].degree);
-    }
+  if (elements.empty())
+    return;
+  const FarTractionRows far(space, lame, algebra);
+  const auto count = static_cast<int>(elements.size());
+#pragma omp parallel for schedule(dynamic, 4)
+  for (int k = 0; k < count; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    far.write(elements[at], mesh[elements[at]].degree + 1, largestSmoothOrder,
+              kernels_.start[at], kernels_.hypersingular, kernels_.adjoint);
   }
-  chooseNodes();
-}
-
-// Neighbours share a node, but not across a vertex: there each sees the point on its own
-// edge, where the phase is exact.
-void ProjectedTractions::chooseNodes() {
-  const Mesh& mesh = space_.mesh();
-  std::map<std::pair<int, int>, std::size_t> numbers;
-  std::vector<BoundaryPoint> places;
-  const auto number = [&](int e, int node, double t) {
-    const auto [entry, isNew] =
-        numbers.emplace(std::pair{mesh[e].piece.edge, node}, places.size());
-    if (isNew)
-      places.push_back(mesh.at(e, t));
-    return entry->second;
-  };
-  for (const int e : kernels_.elements) {
-    Test& test = tests_[static_cast<std::size_t>(e)];
-    test.startNode = number(e, mesh[e].startNode, -1);
-    test.endNode = number(e, mesh[e].endNode, 1);
-  }
-  nodes_.resize(places.size());
-  const auto count = static_cast<int>(places.size());
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int k = 0; k < count; ++k)
-    nodes_[static_cast<std::size_t>(k)] =
-        nodeMoments(mesh, places[static_cast<std::size_t>(k)], sources_);
 }
 
 template <class Moments>
 void ProjectedTractions::addTest(int test, int source, const Moments& m) {
   const Element& x = space_.mesh()[test];
   const Element& y = space_.mesh()[source];
-  const Test& place = tests_[static_cast<std::size_t>(test)];
-  const NodeMoments& start = nodes_[place.startNode];
-  const NodeMoments& end = nodes_[place.endNode];
+  const EndMoments start = endMoments(space_.mesh(), source, space_.mesh().at(test, -1));
+  const EndMoments end = endMoments(space_.mesh(), source, space_.mesh().at(test, 1));
   const bool sameEdge = x.piece.edge == y.piece.edge;
   const double ofLog = 2 * lame_.mu * (1 - 2 * lame_.nu) * lame_.b;
   const double ofPhase = lame_.mu * lame_.b;
   for (int j = 0; j < y.degree; ++j) {
-    const std::size_t at =
-        sourceAt_[static_cast<std::size_t>(source)] + static_cast<std::size_t>(j);
+    const auto at = static_cast<std::size_t>(j);
     const Index density = space_.density(source, j, 0);
     // P_i' = (2i-1) P_{i-1} + (2i-5) P_{i-3} + ...: sums for odd and even i.  The
     // constant part of d d'/r² cancels between these sums and the ends.
@@ -105,7 +70,7 @@ void ProjectedTractions::addTest(int test, int source, const Moments& m) {
         c += (2 * i - 1.0) * Complex(m.phaseReal(i - 1, j), m.phaseImag(i - 1, j));
       }
       const double scale = std::sqrt((2 * i + 1) / (2 * x.half));
-      const Index column = place.column + 2 * i;
+      const Index column = columns_[static_cast<std::size_t>(test)] + 2 * i;
 
       const double re = 0.5 * c.real();
       const double im = 0.5 * c.imag();
@@ -128,10 +93,10 @@ void ProjectedTractions::addTest(int test, int source, const Moments& m) {
   }
 }
 
-void ProjectedTractions::add(int e, int f, const PairMoments& moments) {
-  if (tests_[static_cast<std::size_t>(e)].column >= 0 && isMine(f))
+void ProjectedTractions::addNear(int e, int f, const PairMoments& moments) {
+  if (columns_[static_cast<std::size_t>(e)] >= 0)
     addTest(e, f, MomentsAsTheyAre{moments});
-  if (e != f && tests_[static_cast<std::size_t>(f)].column >= 0 && isMine(e))
+  if (e != f && columns_[static_cast<std::size_t>(f)] >= 0)
     addTest(f, e, MomentsSwapped{moments});
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "bem/assembly/NodeMoments.hpp"
 #include "bem/assembly/PairMoments.hpp"
 #include "bem/base/DenseAlgebra.hpp"
 #include "bem/base/Material.hpp"
@@ -37,40 +36,29 @@ struct TractionRows {
   std::vector<Index> start;
 };
 
-/// Fills TractionKernels from the pair moments of V, K and W, which the assembly has
-/// anyway, and potentials at the ends of E:
+/// Fills TractionKernels: far pairs at points (FarTractionRows), near ones from the pair
+/// moments of V, K and W, which the assembly has anyway, and potentials at the ends of E:
 ///
 ///   <W φ, P_i>_E = ∫ V*φ' P_i' dt - [P_i V*φ'],
 ///   <K'ψ, P_i e>_E = <ψ, K(P_i e)>,  K v = K_Δ v - ∫ X J v' ds + [X J v],  J v = (v₂,
 ///   -v₁),
 ///
-/// X as in Assembly.  Errors are absolute, 1e-16 of a potential of size 1.
+/// X as in Assembly.  Errors of near pairs are absolute, 1e-16 of a potential of size 1.
 class ProjectedTractions {
  public:
+  /// Does the far pairs.
   ProjectedTractions(const Space& space, const Lame& lame, const DenseAlgebra& algebra,
                      const std::vector<int>& elements);
 
-  /// Adds all that the pair (e, f) gives: tests on e if it is one of the elements, and
-  /// tests on f.  Every pair must come once.  Calls with different e that share no node
-  /// may run at the same time.
-  void add(int e, int f, const PairMoments& moments);
+  /// Adds all that the near pair (e, f) gives: tests on e if it is one of the elements,
+  /// and tests on f.  Every pair must come once.  Calls with different e that share no
+  /// node may run at the same time.
+  void addNear(int e, int f, const PairMoments& moments);
 
   /// Gives the result away.
   TractionKernels finish() { return std::move(kernels_); }
 
  private:
-  /// A test element's place among the columns and at the nodes.
-  struct Test {
-    Index column = -1;  ///< first column; -1: not asked for
-    std::size_t startNode = 0;
-    std::size_t endNode = 0;
-  };
-
-  static constexpr std::size_t notMine = static_cast<std::size_t>(-1);
-  bool isMine(int f) const { return sourceAt_[static_cast<std::size_t>(f)] != notMine; }
-
-  void chooseNodes();
-
   /// moment(i, j): test degree i on `test`, source degree j.
   template <class Moments>
   void addTest(int test, int source, const Moments& moments);
@@ -79,10 +67,7 @@ class ProjectedTractions {
   Lame lame_;
   Rows densityRows_;
   Rows displacementRows_;
-  std::vector<int> sources_;           ///< batches with an element of which a row is mine
-  std::vector<std::size_t> sourceAt_;  ///< by element: its first place in NodeMoments
-  std::vector<Test> tests_;            ///< by element
-  std::vector<NodeMoments> nodes_;     ///< at the tests' ends
+  std::vector<Index> columns_;  ///< by element: its first column; -1: not asked for
   std::array<double, largestDegree + 1> slopes_;
   TractionKernels kernels_;
 };

@@ -1,7 +1,7 @@
 #include "bem/assembly/TractionRows.hpp"
 
 #include "bem/algebra/Blas.hpp"
-#include "bem/assembly/FarPairs.hpp"
+#include "bem/assembly/FarTractionRows.hpp"
 #include "bem/assembly/MyElements.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/potential/RelativeTarget.hpp"
@@ -15,7 +15,11 @@ namespace epafi::bem {
 
 namespace {
 
-constexpr int largestOuter = 48;
+constexpr int largestMoments = 48;
+
+/// Gauss points, beside those of polynomials, beyond which a source's field on an element
+/// would need too many Legendre moments.
+constexpr int smoothOrderOfMoments = 7;
 
 /// Values at one outer point of all sources on one element: K' of P_j e_c and W of the
 /// derivative P_j e_c, j below the source's degree.
@@ -49,15 +53,19 @@ void forEachSource(const Space& space, int f, const SourceValues& values,
 
 class ElementRows {
  public:
-  ElementRows(const Space& space, const Lame& lame, int element, TractionForm form)
-      : space_(space),
+  ElementRows(const FarTractionRows& far, const Space& space, const Lame& lame,
+              int element, TractionForm form)
+      : far_(far),
+        space_(space),
         mesh_(space.mesh()),
         kernel_(lame, asComplex(mesh_[element].normal)),
         element_(element) {
-    split(form);
     moments_ = mesh_[element].degree + 1;
-    if (form == TractionForm::Exact)  // what far sources have beyond these is rounding
-      moments_ = std::max(moments_, 2 * farOrder_);
+    if (form == TractionForm::Exact) {  // what far sources have beyond these is rounding
+      largestOuter_ = smoothOrderOfMoments;
+      moments_ = std::max(moments_, 2 * largestOuter_);
+    }
+    chooseNear();
     makeRule();
     if (form == TractionForm::Exact)
       compress();
@@ -85,17 +93,8 @@ class ElementRows {
       };
     };
     SourceValues values;
-    double legendre[largestOuter];
-    for (const Far& far : far_) {
-      if (!mine.contain(far.source))
-        continue;
-      const Rule& rule = gaussLegendre(far.smoothOrder + degreeShare(moments_));
-      for (int q = 0; q < rule.size(); ++q) {
-        legendreValues(moments_ - 1, rule.points[q], legendre);
-        evaluate(far.source, mesh_.at(element_, rule.points[q]), rule.points[q], values);
-        forEachSource(space_, far.source, values, putMoments(rule.weights[q], legendre));
-      }
-    }
+    double legendre[largestMoments];
+    far_.write(element_, moments_, largestOuter_, first, hyper, adjoint);
     for (int q = 0; q < rule_.size(); ++q) {
       legendreValues(moments_ - 1, rule_.points[q].t, legendre);
       for (const int f : near_) {
@@ -112,10 +111,6 @@ class ElementRows {
   }
 
  private:
-  struct Far {
-    int source;
-    int smoothOrder;  ///< Gauss points for 1e-12 without any polynomial
-  };
   struct Source {
     Kind kind;
     Index unknown;
@@ -128,17 +123,15 @@ class ElementRows {
 
   /// Near sources get graded points.  In the exact form these are also the ones whose
   /// field on the element would need many Legendre moments.
-  void split(TractionForm form) {
-    for (int f = 0; f < mesh_.size(); ++f) {
-      PairOrder order;
-      const bool near = isNear(mesh_, element_, f, order);
-      const int smooth = order.outer - degreeShare(mesh_[element_].degree);
-      if (near || (form == TractionForm::Exact && smooth > 7)) {
-        near_.push_back(f);
-      } else {
-        far_.push_back({f, smooth});
-        farOrder_ = std::max(farOrder_, smooth);
-      }
+  void chooseNear() {
+    const ElementRuns& runs = far_.runs();
+    FarBatch batch{};
+    for (int r = 0; r < runs.size(); ++r) {
+      const FarLanes chosen =
+          runs.choose(element_, r, runs[r].last, batch, largestOuter_);
+      for (int f = runs[r].first; f < runs[r].last; ++f)
+        if (!chosen.far[f - runs[r].first])
+          near_.push_back(f);
     }
   }
 
@@ -224,7 +217,7 @@ class ElementRows {
 
   void removeMoments(Matrix& samples, Index points) const {
     Matrix basis(points, moments_);
-    std::array<double, largestOuter> legendre{};
+    std::array<double, largestMoments> legendre{};
     for (Index q = 0; q < points; ++q) {
       legendreValues(moments_ - 1, rule_.points[q].t, legendre.data());
       for (int i = 0; i < moments_; ++i)
@@ -265,13 +258,13 @@ class ElementRows {
     return factor;
   }
 
+  const FarTractionRows& far_;
   const Space& space_;
   const Mesh& mesh_;
   TractionKernel kernel_;
   int element_;
   int moments_ = 0;
-  int farOrder_ = 0;
-  std::vector<Far> far_;
+  int largestOuter_ = largestSmoothOrder;
   std::vector<int> near_;
   GradedRule rule_;
   std::vector<Source> nearSources_;
@@ -295,18 +288,19 @@ std::shared_ptr<const TractionRows> tractionRows(const Space& space, const Lame&
   if (form == TractionForm::Projected && stiffness.tractionElements() == elements)
     return stiffness.tractions();
 
+  const DenseAlgebra& algebra = stiffness.algebra();
+  const FarTractionRows far(space, lame, algebra);
   const auto count = static_cast<int>(elements.size());
   std::vector<std::unique_ptr<ElementRows>> parts(elements.size());
 #pragma omp parallel for schedule(dynamic, 1)
   for (int k = 0; k < count; ++k)
-    parts[k] = std::make_unique<ElementRows>(space, lame, elements[k], form);
+    parts[k] = std::make_unique<ElementRows>(far, space, lame, elements[k], form);
 
   TractionRows result;
   result.start.assign(1, 0);
   for (const auto& part : parts)
     result.start.push_back(result.start.back() + part->columns());
 
-  const DenseAlgebra& algebra = stiffness.algebra();
   requireAgreement(algebra, result.start);
   const MyElements mine(space, algebra);
   const Rows displacementRows = algebra.myRows(space.displacements());

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "bem/assembly/FarPairs.hpp"
+
+#include <vector>
+
+namespace epafi::bem {
+
+/// Up to eight elements in a row, first ... last - 1, with a circle around them.
+struct ElementRun {
+  int first = 0;
+  int last = 0;
+  FarBatch elements;  ///< wx and wy: their middles, scaled; lanes beyond the last dropped
+  Vec2 centre;
+  double radius = 0;
+  double largestHalf = 0;
+  int degree = 0;  ///< the largest
+};
+
+/// Which pairs of an element and a run are far, and the Gauss orders that serve them all.
+struct FarLanes {
+  bool far[lanes] = {};
+  int count = 0;
+  int columns = 0;   ///< largest degree among the far ones
+  PairOrder smooth;  ///< without what polynomials cost on top
+};
+
+/// A mesh in runs of eight, the first of them at 0, the next at 8, ...
+class ElementRuns {
+ public:
+  explicit ElementRuns(const Mesh& mesh);
+
+  const Mesh& mesh() const { return *mesh_; }
+  int size() const { return static_cast<int>(runs_.size()); }
+  const ElementRun& operator[](int r) const { return runs_[static_cast<std::size_t>(r)]; }
+
+  /// The far pairs of e and the elements of run r before `last`; fills the batch.  One
+  /// look suffices when the circle is far.  Whether a pair is far does not depend on
+  /// which of the two is e, unless pairs that need more than `largestOuter` Gauss points
+  /// on e (beside the degree's share) are asked to count as near; 7 are always enough for
+  /// circles.
+  FarLanes choose(int e, int r, int last, FarBatch& batch,
+                  int largestOuter = largestSmoothOrder) const;
+
+ private:
+  bool chooseAtOnce(int e, const ElementRun& run, FarLanes& pairs, FarBatch& batch) const;
+
+  const Mesh* mesh_;
+  std::vector<ElementRun> runs_;
+};
+
+}  // namespace epafi::bem
