@@ -2,6 +2,10 @@
 #include "contact/multiplier/MultiplierSpace.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/basis/Legendre.hpp"
+#include "bem/quadrature/Gauss.hpp"
+#include "contact/multiplier/SharedNodes.hpp"
+#include "contact/problem/Obstacle.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -99,6 +103,188 @@ TEUCHOS_UNIT_TEST(MultiplierSpace, withSharedNodesStillHoldsConstants) {
         TEST_COMPARE(std::abs(space.at(ones, element, t).tangential - 1), <, 1e-13);
       }
   }
+}
+
+/// ∫ f θ_i dt of the displacement's Lagrange functions at the Gauss-Lobatto points.
+template <class Function>
+bem::Vector momentsOf(int degree, const Function& f) {
+  const auto& theta = contact::multiplierBasis("Gauss-Lobatto-Lagrange");
+  const bem::Rule& rule = bem::gaussLegendre(2 * degree + 2);
+  bem::Vector moments(static_cast<std::size_t>(degree + 1), 0.0);
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    const bem::Vector values = theta.values(degree, rule.points[q]);
+    for (std::size_t i = 0; i < moments.size(); ++i)
+      moments[i] += rule.weights[q] * f(rule.points[q]) * values[i];
+  }
+  return moments;
+}
+
+bem::Vector lobattoWeights(int degree) {
+  return momentsOf(degree, [](double) { return 1.0; });
+}
+
+double legendre(int degree, double t) {
+  bem::Vector values(static_cast<std::size_t>(degree + 1));
+  bem::legendreValues(degree, t, values.data());
+  return values.back();
+}
+
+struct MissingEnds {
+  contact::EndCoefficients ends;
+  bool last;
+  int lost;  ///< degrees
+};
+
+constexpr MissingEnds missingEnds[] = {{{false, true}, false, 1},
+                                       {{true, false}, true, 1},
+                                       {{false, false}, false, 2},
+                                       {{false, false}, true, 2}};
+
+TEUCHOS_UNIT_TEST(SharedNodes, endWeightsReproduceOneDegreeLessForEachMissingEnd) {
+  for (int p = 1; p <= 12; ++p)
+    for (const MissingEnds& missing : missingEnds)
+      for (int k = 0; k <= p - missing.lost; ++k) {
+        const bem::Vector a = contact::endWeights(p, missing.ends, missing.last);
+        const bem::Vector w = lobattoWeights(p);
+        const bem::Vector moments =
+            momentsOf(p, [k](double t) { return legendre(k, t); });
+        double sum = 0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+          sum += a[i] * moments[i] / w[i];
+        const std::size_t end = missing.last ? a.size() - 1 : 0;
+        TEST_COMPARE(std::abs(sum - moments[end] / w[end]), <, 1e-12);
+      }
+}
+
+TEUCHOS_UNIT_TEST(SharedNodes, extendedFunctionsStayDualToAllFreeDisplacements) {
+  for (int p = 2; p <= 9; ++p)
+    for (const MissingEnds& missing : missingEnds) {
+      const bem::Vector a = contact::endWeights(p, missing.ends, missing.last);
+      const bem::Vector w = lobattoWeights(p);
+      const std::size_t end = missing.last ? a.size() - 1 : 0;
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        if (!MultiplierSpace::ContactElement::isOwn(missing.ends, p, static_cast<int>(i)))
+          continue;
+        const bem::Vector products = momentsOf(p, [&](double t) {
+          const bem::Vector chi = dual().values(p, t);
+          return chi[i] + a[i] * chi[end];
+        });
+        for (std::size_t j = 0; j < a.size(); ++j)
+          if (j != end)
+            TEST_COMPARE(std::abs(products[j] - (i == j ? w[i] : 0.0)), <, 1e-12);
+      }
+    }
+}
+
+/// Coefficients of a function on the side x in [0, 1], node by node.
+bem::Vector coefficientsOf(const MultiplierSpace& space, const bem::Mesh& mesh,
+                           double (*f)(double)) {
+  bem::Vector result(static_cast<std::size_t>(space.size()), 0.0);
+  for (const auto& element : space.elements()) {
+    const bem::Vector w = lobattoWeights(element.degree);
+    const bem::Vector moments = momentsOf(element.degree, [&](double t) {
+      return f(mesh.physicalPoint(element.element, t).x);
+    });
+    for (int i = 0; i <= element.degree; ++i) {
+      const double value =
+          moments[static_cast<std::size_t>(i)] / w[static_cast<std::size_t>(i)];
+      if (MultiplierSpace::ContactElement::isOwn(element.normalEnds, element.degree, i))
+        result[static_cast<std::size_t>(element.normalOf(i))] = value;
+      if (MultiplierSpace::ContactElement::isOwn(element.tangentialEnds, element.degree,
+                                                 i))
+        result[static_cast<std::size_t>(element.tangentialOf(i))] = value;
+    }
+  }
+  return result;
+}
+
+TEUCHOS_UNIT_TEST(SharedNodes, besideAClampPolynomialsOfOneDegreeLessAreInTheSpace) {
+  Conditions conditions;
+  conditions.contact["bottom"] = frictional();
+  conditions.dirichlet["left"] = {zero, zero};
+  const auto cubic = [](double x) { return 1 + x * (2 - x * (3 - 5 * x)); };
+  const bem::Mesh mesh = squareMesh(4);
+  const MultiplierSpace space(mesh, dual(), conditions);
+  const bem::Vector multiplier = coefficientsOf(space, mesh, cubic);
+  for (const auto& element : space.elements())
+    for (const double t : {-1.0, -0.4, 0.3, 1.0}) {
+      const double exact = cubic(mesh.physicalPoint(element.element, t).x);
+      const auto value = space.at(multiplier, element, t);
+      TEST_COMPARE(std::abs(value.normal - exact), <, 1e-12);
+      TEST_COMPARE(std::abs(value.tangential - exact), <, 1e-12);
+    }
+}
+
+TEUCHOS_UNIT_TEST(SharedNodes, eachFreeNodeKeepsItsOwnGapBesideAClamp) {
+  Conditions conditions;
+  conditions.contact["bottom"] = {[](bem::Vec2) { return 0.7; }, nullptr, {}};
+  conditions.dirichlet["left"] = {zero, zero};
+  for (const int p : {1, 2, 5}) {
+    const bem::Mesh mesh = squareMesh(p);
+    const MultiplierSpace space(mesh, dual(), conditions);
+    const double length = mesh.outline().diameter();
+    bem::Vector weights(static_cast<std::size_t>(space.size()), 0.0);
+    for (const auto& element : space.elements())
+      for (int i = 0; i <= p; ++i)
+        if (MultiplierSpace::ContactElement::isOwn(element.normalEnds, p, i))
+          weights[static_cast<std::size_t>(element.normalOf(i))] +=
+              mesh[element.element].half * lobattoWeights(p)[static_cast<std::size_t>(i)];
+    const bem::Vector gap = contact::makeObstacle(mesh, space, {length, 1}).gap;
+    for (std::size_t i = 0; i < gap.size(); ++i)
+      TEST_COMPARE(std::abs(gap[i] - weights[i] * 0.7 / length), <, 1e-14);
+  }
+}
+
+/// Force of the multiplier on a node: as a function, and by what is numbered there.
+struct NodeForces {
+  bem::Vec2 ofFunction{0, 0};
+  bem::Vec2 ofCoefficients{0, 0};
+};
+
+NodeForces forcesOn(int node, const bem::Mesh& mesh, const MultiplierSpace& space,
+                    const bem::Vector& multiplier) {
+  NodeForces forces;
+  for (const auto& element : space.elements()) {
+    const bem::Element& geometry = mesh[element.element];
+    for (const int i : {0, element.degree}) {
+      if ((i == 0 ? geometry.startNode : geometry.endNode) != node)
+        continue;
+      const auto k = static_cast<std::size_t>(i);
+      const double w = geometry.half * lobattoWeights(element.degree)[k];
+      const bem::Vec2 n = geometry.normal;
+      const bem::Vec2 t = bem::turnLeft(n);
+      const auto part = [&](double MultiplierSpace::Value::*component) {
+        return geometry.half * momentsOf(element.degree, [&](double s) {
+                 return space.at(multiplier, element, s).*component;
+               })[k];
+      };
+      forces.ofFunction = forces.ofFunction + part(&MultiplierSpace::Value::normal) * n +
+                          part(&MultiplierSpace::Value::tangential) * t;
+      forces.ofCoefficients =
+          forces.ofCoefficients +
+          w * multiplier[static_cast<std::size_t>(element.normalOf(i))] * n +
+          w * multiplier[static_cast<std::size_t>(element.tangentialOf(i))] * t;
+    }
+  }
+  return forces;
+}
+
+TEUCHOS_UNIT_TEST(SharedNodes, atACornerTheFunctionKeepsTheForceOfTheInequalities) {
+  Conditions conditions;
+  conditions.contact["bottom"] = frictional();
+  conditions.contact["right"] = frictional();
+  const bem::Loop slanted{{{0, 0}, {1, 0}, {1.4, 1.1}, {0, 1}},
+                          {"bottom", "right", "top", "left"}};
+  const bem::Mesh mesh =
+      bem::makeMesh(std::make_shared<bem::Outline>(slanted), {2, 5, 3, 3}, 3);
+  const MultiplierSpace space(mesh, dual(), conditions);
+  bem::Vector multiplier;
+  for (Index i = 0; i < space.size(); ++i)
+    multiplier.push_back(std::sin(1 + 3.7 * static_cast<double>(i)));
+  const int corner = mesh[mesh.elementsOf("right").front()].startNode;
+  const NodeForces forces = forcesOn(corner, mesh, space, multiplier);
+  TEST_COMPARE(norm(forces.ofFunction), >, 1e-3);
+  TEST_COMPARE(norm(forces.ofFunction - forces.ofCoefficients), <, 1e-14);
 }
 
 TEUCHOS_UNIT_TEST(MultiplierSpace, anElementWithoutFreeNodesIsRefused) {

@@ -24,6 +24,9 @@ struct MultiplierBasis {
   /// neighbours have at a common node are one.  Stable without stabilisation, and only
   /// without.
   bool sharesNodes = false;
+  /// Coefficients are control points, no values: what is to be met is met otherwise, see
+  /// boundCoefficients.
+  bool controlPoints = false;
 };
 
 /// All bases.  A new one is one line in MultiplierBasis.cpp.

@@ -1,9 +1,9 @@
 #include "contact/multiplier/MultiplierSpace.hpp"
 
 #include "bem/base/Error.hpp"
+#include "contact/multiplier/SharedNodes.hpp"
 
 #include <algorithm>
-#include <map>
 
 namespace epafi::contact {
 
@@ -11,40 +11,6 @@ namespace {
 
 using bem::Vec2;
 using ContactElement = MultiplierSpace::ContactElement;
-
-/// Directions in which the displacement of a node is spoken for, orthonormal.
-class NodeDirections {
- public:
-  NodeDirections(const bem::Mesh& mesh, const Conditions& conditions) {
-    for (int e = 0; e < mesh.size(); ++e) {
-      const auto clamp = conditions.dirichlet.find(mesh.boundary(e));
-      if (clamp == conditions.dirichlet.end())
-        continue;
-      for (const int node : {mesh[e].startNode, mesh[e].endNode}) {
-        if (clamp->second.x)
-          take(node, {1, 0});
-        if (clamp->second.y)
-          take(node, {0, 1});
-      }
-    }
-  }
-
-  /// True if the node could still move in this direction, which it now cannot.
-  bool take(int node, Vec2 direction) {
-    constexpr double parallel = 1e-2;
-    std::vector<Vec2>& taken = taken_[node];
-    for (const Vec2& other : taken)
-      direction = direction - dot(direction, other) * other;
-    const double rest = norm(direction);
-    if (rest < parallel)
-      return false;
-    taken.push_back((1 / rest) * direction);
-    return true;
-  }
-
- private:
-  std::map<int, std::vector<Vec2>> taken_;
-};
 
 /// Do two contact elements follow each other on one straight side?
 bool continues(const bem::Mesh& mesh, const ContactElement& before,
@@ -78,12 +44,14 @@ MultiplierSpace::MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& b
   if (basis.sharesNodes)
     shareNodes(mesh, conditions);
   number();
+  if (basis.sharesNodes)
+    completeEnds(mesh, conditions, elements_);
 }
 
 void MultiplierSpace::shareNodes(const bem::Mesh& mesh, const Conditions& conditions) {
   for (std::size_t k = 1; k < elements_.size(); ++k)
     joined_[k] = continues(mesh, elements_[k - 1], elements_[k]);
-  NodeDirections nodes(mesh, conditions);
+  NodeDirections nodes = clampedDirections(mesh, conditions);
   const auto decide = [&](std::size_t k, Vec2 direction) {
     const bem::Element& element = mesh[elements_[k].element];
     EndCoefficients ends;
@@ -133,13 +101,22 @@ MultiplierSpace::Value MultiplierSpace::at(const Vector& multiplier,
                                            const ContactElement& element,
                                            double t) const {
   const Vector chi = basis_->values(element.degree, t);
+  const auto coefficient = [&](Index k) {
+    return multiplier[static_cast<std::size_t>(k)];
+  };
   Value value;
   for (int i = 0; i <= element.degree; ++i) {
     const double weight = chi[static_cast<std::size_t>(i)];
-    value.normal += weight * multiplier[static_cast<std::size_t>(element.normalOf(i))];
+    value.normal += weight * coefficient(element.normalOf(i));
     if (element.tangential >= 0)
-      value.tangential +=
-          weight * multiplier[static_cast<std::size_t>(element.tangentialOf(i))];
+      value.tangential += weight * coefficient(element.tangentialOf(i));
+  }
+  for (const std::size_t end : {0, 1}) {
+    const double weight = end == 0 ? chi.front() : chi.back();
+    for (const auto& [k, factor] : element.normalCompletions[end].added)
+      value.normal += weight * factor * coefficient(k);
+    for (const auto& [k, factor] : element.tangentialCompletions[end].added)
+      value.tangential += weight * factor * coefficient(k);
   }
   return value;
 }

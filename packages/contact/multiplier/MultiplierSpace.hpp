@@ -4,7 +4,9 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/problem/Conditions.hpp"
 
+#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace epafi::contact {
@@ -18,6 +20,14 @@ struct EndCoefficients {
   bool last = true;
 };
 
+/// What an element's polynomial has at an end beyond the coefficient numbered there.
+struct EndCompletion {
+  /// The displacement is prescribed there: it cannot be held to anything.
+  bool clamped = false;
+  /// Numbers of coefficients and their weights.
+  std::vector<std::pair<Index, double>> added;
+};
+
 /// The numbering of the multiplier: on each contact element of degree p, p+1 normal
 /// coefficients and, where there is friction, p+1 tangential ones.  No unknown exists
 /// that the scene does not need.                                              [P (12),
@@ -27,8 +37,9 @@ struct EndCoefficients {
 /// node's coefficient in common.  At a side's end a coefficient exists only if the
 /// displacement can answer it there: clamps take one or both components, and where two
 /// contact sides meet at a corner their normals come first, friction gets what is left.
-/// A coefficient that does not exist takes its neighbour's value, so that constants stay
-/// in the space.
+/// In the inequalities a coefficient that does not exist takes its neighbour's value, or
+/// has no part in them under a clamp.  As a function, and in what clamps feel of it, the
+/// multiplier has there what polynomials of degree p - 1 have, see completeEnds.
 class MultiplierSpace {
  public:
   struct ContactElement {
@@ -40,6 +51,8 @@ class MultiplierSpace {
     Index tangential = -1;  ///< number of the first tangential one; -1: frictionless
     EndCoefficients normalEnds;
     EndCoefficients tangentialEnds;
+    std::array<EndCompletion, 2> normalCompletions;  ///< at the first end, at the last
+    std::array<EndCompletion, 2> tangentialCompletions;
 
     /// Numbers of the coefficients of the basis functions i = 0 ... degree.
     Index normalOf(int i) const { return normal + offset(normalEnds, i); }

@@ -5,6 +5,7 @@
 #include "contact/problem/BalancedStiffness.hpp"
 #include "contact/problem/Coupling.hpp"
 #include "contact/problem/Loads.hpp"
+#include "contact/problem/Obstacle.hpp"
 #include "contact/problem/RigidConstraints.hpp"
 
 #include <algorithm>

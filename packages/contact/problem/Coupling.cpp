@@ -95,18 +95,21 @@ class CouplingWriter {
 
   void write(const ContactElement& contact, double gamma, Index firstTraction) const {
     const Element& element = space_.mesh()[contact.element];
-    writeDirection(contact, &ContactElement::normalOf, element.normal, gamma,
-                   firstTraction);
+    writeDirection(contact, &ContactElement::normalOf, contact.normalCompletions,
+                   element.normal, gamma, firstTraction);
     if (contact.tangential >= 0)
-      writeDirection(contact, &ContactElement::tangentialOf, turnLeft(element.normal),
-                     gamma, firstTraction);
+      writeDirection(contact, &ContactElement::tangentialOf,
+                     contact.tangentialCompletions, turnLeft(element.normal), gamma,
+                     firstTraction);
   }
 
  private:
   using Numbering = Index (ContactElement::*)(int) const;
+  using Completions = std::array<EndCompletion, 2>;
 
-  void writeDirection(const ContactElement& contact, Numbering number, Vec2 direction,
-                      double gamma, Index firstTraction) const {
+  void writeDirection(const ContactElement& contact, Numbering number,
+                      const Completions& completions, Vec2 direction, double gamma,
+                      Index firstTraction) const {
     const Element& element = space_.mesh()[contact.element];
     const int p = element.degree;
     const Matrix chi = orthonormalCoefficients(basis_, element);
@@ -122,8 +125,8 @@ class CouplingWriter {
           mass += chi(l, i) * chi(l, k);
         }
         for (int c = 0; c < 2; ++c)
-          coupling_.trace.push_back({space_.displacement(contact.element, k, c), column,
-                                     components[c] * product});
+          writeTrace(space_.displacement(contact.element, k, c), column,
+                     components[c] * product, completionOf(completions, i, p));
         if (gamma > 0)
           coupling_.mass.push_back({column, (contact.*number)(k), gamma * mass});
       }
@@ -134,6 +137,19 @@ class CouplingWriter {
           coupling_.weights.push_back(
               {firstTraction + 2 * l + c, column, gamma * chi(l, i) * components[c]});
     }
+  }
+
+  static const EndCompletion* completionOf(const Completions& completions, int i, int p) {
+    return i == 0 ? &completions[0] : i == p ? &completions[1] : nullptr;
+  }
+
+  void writeTrace(Index row, Index column, double value,
+                  const EndCompletion* completion) const {
+    const bool clamped = completion != nullptr && completion->clamped;
+    (clamped ? coupling_.completion : coupling_.trace).push_back({row, column, value});
+    if (completion != nullptr)
+      for (const auto& [k, factor] : completion->added)
+        coupling_.completion.push_back({row, k, factor * value});
   }
 
   const bem::Space& space_;
@@ -196,9 +212,10 @@ Vector Coupling::push(const bem::DenseAlgebra& algebra, const Vector& lambda) co
         entry.value * lambda[static_cast<std::size_t>(entry.column)];
   Vector result = weights.empty() ? Vector(static_cast<std::size_t>(unknowns))
                                   : algebra.multiply(tractions->rows, unknowns, weighted);
-  for (const Entry& entry : trace)
-    result[static_cast<std::size_t>(entry.row)] +=
-        entry.value * lambda[static_cast<std::size_t>(entry.column)];
+  for (const auto* entries : {&trace, &completion})
+    for (const Entry& entry : *entries)
+      result[static_cast<std::size_t>(entry.row)] +=
+          entry.value * lambda[static_cast<std::size_t>(entry.column)];
   return result;
 }
 
@@ -213,51 +230,6 @@ Matrix Coupling::stabilisationHalf(Index first, Index last) const {
         half(j, c - first) = root * tractions->rows(j, c);
   }
   return half;
-}
-
-Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
-                      bem::Units units) {
-  Obstacle obstacle;
-  obstacle.gap.assign(static_cast<std::size_t>(multiplier.normals()), 0.0);
-  for (const ContactElement& contact : multiplier.elements()) {
-    const Element& element = mesh[contact.element];
-    const Rule& rule = bem::gaussLegendre(contact.degree + 12);
-    for (int q = 0; q < rule.size(); ++q) {
-      const Vec2 x = mesh.physicalPoint(contact.element, rule.points[q]);
-      const double gap =
-          contact.condition->gap ? contact.condition->gap(x) / units.length : 0.0;
-      obstacle.largestPenetration = std::max(obstacle.largestPenetration, -gap);
-      const Vector chi = multiplier.basis().values(contact.degree, rule.points[q]);
-      for (std::size_t i = 0; i < chi.size(); ++i)
-        obstacle.gap[static_cast<std::size_t>(contact.normalOf(static_cast<int>(i)))] +=
-            rule.weights[q] * element.half * gap * chi[i];
-    }
-  }
-  obstacle.tangentials.resize(
-      static_cast<std::size_t>(multiplier.size() - multiplier.normals()));
-  for (const ContactElement& contact : multiplier.elements()) {
-    if (contact.tangential < 0)
-      continue;
-    const FrictionLaw& law = *contact.condition->law;
-    const Vector places = multiplier.basis().places(contact.degree);
-    for (int i = 0; i <= contact.degree; ++i) {
-      if (!ContactElement::isOwn(contact.tangentialEnds, contact.degree, i))
-        continue;
-      const Vec2 x =
-          mesh.physicalPoint(contact.element, places[static_cast<std::size_t>(i)]);
-      const double strength =
-          contact.condition->strength ? contact.condition->strength(x) : 0.0;
-      if (!(strength >= 0 && std::isfinite(strength)))
-        throw bem::InputError(bem::message(
-            "boundary '", *contact.boundary, "': ", law.parameter, " = ", strength,
-            " at (", x.x, ", ", x.y, "); it must be finite and not negative"));
-      const Index k = contact.tangentialOf(i) - multiplier.normals();
-      obstacle.tangentials[static_cast<std::size_t>(k)] = {
-          contact.normalOf(i), &law,
-          law.strengthIsStress ? strength / units.stress : strength};
-    }
-  }
-  return obstacle;
 }
 
 }  // namespace epafi::contact

@@ -22,7 +22,10 @@ struct Coupling {
 
   Index unknowns = 0;  ///< displacements
   Index multipliers = 0;
-  std::vector<Entry> trace;    ///< C: displacements x multiplier, <χ_i, φ_j>
+  std::vector<Entry> trace;  ///< C: displacements x multiplier, <χ_i, φ_j>
+  /// What completed ends add to C in Bᵀ λ, see completeEnds; nothing on free
+  /// displacements.
+  std::vector<Entry> completion;
   std::vector<Entry> weights;  ///< G: traction columns x multiplier
   std::vector<Entry> mass;     ///< M: multiplier x multiplier
   Vector gamma;                ///< γ per contact element, dimensionless
@@ -32,7 +35,7 @@ struct Coupling {
   Matrix multiplierMass() const;
   /// Bᵀ, my rows.
   Matrix transposed(const bem::DenseAlgebra& algebra) const;
-  /// Bᵀ λ, replicated.
+  /// Bᵀ λ, completed ends included; replicated.
   Vector push(const bem::DenseAlgebra& algebra, const Vector& lambda) const;
 
   /// X with S^ = X Xᵀ has so many columns, and by rows the displacements (mine).
@@ -43,17 +46,5 @@ struct Coupling {
 
 Coupling makeCoupling(const ContactProblem::Input& input,
                       const MultiplierSpace& multiplier);
-
-/// g_i = <g, χ_i>, dimensionless, and the strengths of the tangential coefficients.
-struct Obstacle {
-  Vector gap;  ///< per normal coefficient
-  std::vector<Tangential> tangentials;
-  double largestPenetration = 0;  ///< max of -g
-};
-
-/// \throws bem::InputError if a friction strength is negative or not finite, naming
-/// boundary and point.
-Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
-                      bem::Units units);
 
 }  // namespace epafi::contact

@@ -1,0 +1,193 @@
+#include "contact/multiplier/SharedNodes.hpp"
+
+#include "bem/basis/Legendre.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::contact {
+
+namespace {
+
+using bem::Vec2;
+using ContactElement = MultiplierSpace::ContactElement;
+using Combination = std::vector<std::pair<Index, double>>;
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+constexpr double parallel = 1e-12;
+
+/// A coefficient of an element at one of its ends, in one direction.
+struct EndOf {
+  ContactElement* element;
+  bool tangential;
+  bool last;
+  int node;
+  Vec2 direction;
+  double weight;  ///< of the node's force: ∫ χ ds
+
+  bool isOwn() const {
+    const EndCoefficients ends =
+        tangential ? element->tangentialEnds : element->normalEnds;
+    return last ? ends.last : ends.first;
+  }
+  Index number(int i) const {
+    return tangential ? element->tangentialOf(i) : element->normalOf(i);
+  }
+  EndCompletion& completion() const {
+    return (tangential ? element->tangentialCompletions
+                       : element->normalCompletions)[last ? 1 : 0];
+  }
+};
+
+Vector legendreAt(int degree, double t) {
+  Vector values(at(degree + 1));
+  bem::legendreValues(degree, t, values.data());
+  return values;
+}
+
+std::vector<EndOf> endsOf(const bem::Mesh& mesh, ContactElement& element) {
+  const bem::Element& geometry = mesh[element.element];
+  // of Gauss-Lobatto's rule at its ends
+  const double weight = geometry.half * 2 / (element.degree * (element.degree + 1.0));
+  std::vector<EndOf> ends;
+  for (const bool last : {false, true}) {
+    const int node = last ? geometry.endNode : geometry.startNode;
+    ends.push_back({&element, false, last, node, geometry.normal, weight});
+    if (element.tangential >= 0)
+      ends.push_back({&element, true, last, node, turnLeft(geometry.normal), weight});
+  }
+  return ends;
+}
+
+/// What the function's coefficient is beyond its neighbour's.
+Combination beyondNeighbour(const EndOf& end) {
+  const ContactElement& element = *end.element;
+  const Vector weights =
+      endWeights(element.degree,
+                 end.tangential ? element.tangentialEnds : element.normalEnds, end.last);
+  Combination result;
+  for (int i = 0; i <= element.degree; ++i)
+    if (weights[at(i)] != 0)
+      result.emplace_back(end.number(i), weights[at(i)]);
+  result.emplace_back(end.number(end.last ? element.degree : 0), -1);
+  return result;
+}
+
+void add(const Combination& terms, double factor, Combination& to) {
+  for (const auto& [k, weight] : terms)
+    if (factor * weight != 0)
+      to.emplace_back(k, factor * weight);
+}
+
+/// Coefficients α of the owners with  Σ α_k weight_k direction_k = - force;  empty if
+/// they cannot.
+Vector answer(const std::vector<EndOf>& owners, Vec2 force) {
+  if (owners.size() == 2) {
+    const Vec2 a = owners[0].weight * owners[0].direction;
+    const Vec2 b = owners[1].weight * owners[1].direction;
+    const double determinant = cross(a, b);
+    if (determinant == 0)
+      return {};
+    return {-cross(force, b) / determinant, -cross(a, force) / determinant};
+  }
+  if (owners.size() == 1 &&
+      std::abs(cross(owners[0].direction, force)) <= parallel * norm(force))
+    return {-dot(owners[0].direction, force) / owners[0].weight};
+  return {};
+}
+
+/// One node that belongs to several contact sides.
+void completeNode(const std::vector<EndOf>& ends) {
+  std::vector<EndOf> owners;
+  std::copy_if(ends.begin(), ends.end(), std::back_inserter(owners),
+               [](const EndOf& end) { return end.isOwn(); });
+  for (const EndOf& end : ends) {
+    if (end.isOwn())
+      continue;
+    const Vector factors = answer(owners, end.weight * end.direction);
+    if (factors.empty())
+      continue;  // as in the inequalities
+    const Combination change = beyondNeighbour(end);
+    add(change, 1, end.completion().added);
+    for (std::size_t k = 0; k < owners.size(); ++k)
+      add(change, factors[k], owners[k].completion().added);
+  }
+}
+
+}  // namespace
+
+Vec2 NodeDirections::rest(int node, Vec2 direction) const {
+  const auto taken = taken_.find(node);
+  if (taken != taken_.end())
+    for (const Vec2& other : taken->second)
+      direction = direction - dot(direction, other) * other;
+  return direction;
+}
+
+bool NodeDirections::take(int node, Vec2 direction) {
+  constexpr double parallel = 1e-2;
+  const Vec2 left = rest(node, direction);
+  const double length = norm(left);
+  if (length < parallel)
+    return false;
+  taken_[node].push_back((1 / length) * left);
+  return true;
+}
+
+NodeDirections clampedDirections(const bem::Mesh& mesh, const Conditions& conditions) {
+  NodeDirections nodes;
+  for (int e = 0; e < mesh.size(); ++e) {
+    const auto clamp = conditions.dirichlet.find(mesh.boundary(e));
+    if (clamp == conditions.dirichlet.end())
+      continue;
+    for (const int node : {mesh[e].startNode, mesh[e].endNode}) {
+      if (clamp->second.x)
+        nodes.take(node, {1, 0});
+      if (clamp->second.y)
+        nodes.take(node, {0, 1});
+    }
+  }
+  return nodes;
+}
+
+Vector endWeights(int degree, EndCoefficients ends, bool last) {
+  const Vector places = multiplierBasis("Biorthogonal").places(degree);
+  const bool alone = !ends.first && !ends.last;
+  const double sign = last ? 1 : -1;
+  Vector products;  // w_i Q(x_i) up to a common factor
+  for (const double x : places) {
+    const Vector legendre = legendreAt(degree, x);
+    const double q =
+        legendre[at(degree)] + (alone ? sign * legendre[at(degree - 1)] : 0.0);
+    products.push_back(q / (legendre[at(degree)] * legendre[at(degree)]));
+  }
+  const int end = last ? degree : 0;
+  const double product = products[at(end)];
+  for (int i = 0; i <= degree; ++i) {
+    const bool exists = ContactElement::isOwn(ends, degree, i);
+    products[at(i)] = exists ? -products[at(i)] / product : 0;
+  }
+  return products;
+}
+
+void completeEnds(const bem::Mesh& mesh, const Conditions& conditions,
+                  std::vector<ContactElement>& elements) {
+  const NodeDirections clamped = clampedDirections(mesh, conditions);
+  std::map<int, std::vector<EndOf>> nodes;
+  for (ContactElement& element : elements)
+    for (const EndOf& end : endsOf(mesh, element)) {
+      if (!clamped.anyAt(end.node)) {
+        nodes[end.node].push_back(end);
+      } else if (!end.isOwn() && norm(clamped.rest(end.node, end.direction)) < parallel) {
+        end.completion().clamped = true;
+        add(beyondNeighbour(end), 1, end.completion().added);
+      }
+    }
+  for (const auto& [node, ends] : nodes)
+    if (std::any_of(ends.begin(), ends.end(),
+                    [](const EndOf& end) { return !end.isOwn(); }))
+      completeNode(ends);
+}
+
+}  // namespace epafi::contact

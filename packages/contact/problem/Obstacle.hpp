@@ -1,0 +1,21 @@
+#pragma once
+
+#include "bem/base/Units.hpp"
+#include "contact/multiplier/MultiplierSpace.hpp"
+#include "contact/problem/Problem.hpp"
+
+namespace epafi::contact {
+
+/// g_i = <g, χ_i>, dimensionless, and the strengths of the tangential coefficients.
+struct Obstacle {
+  Vector gap;  ///< per normal coefficient
+  std::vector<Tangential> tangentials;
+  double largestPenetration = 0;  ///< max of -g
+};
+
+/// \throws bem::InputError if a friction strength is negative or not finite, naming
+/// boundary and point.
+Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
+                      bem::Units units);
+
+}  // namespace epafi::contact
