@@ -23,7 +23,9 @@ SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebr
   factor_ =
       algebra.cholesky(std::move(operators.singleLayer), "the single layer potential V");
   half_ = factor_->forward(std::move(operators.doubleLayer));
-  stiffness_ = algebra.addGram(std::move(operators.hypersingular), half_);
+  const Rows mine = algebra.myRows(operators.hypersingular.columns());
+  stiffness_ =
+      LowerTriangle(algebra.addGram(std::move(operators.hypersingular), half_), mine);
 }
 
 SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebra,
@@ -32,7 +34,8 @@ SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebr
       densities_(operators.singleLayer.columns()),
       half_(solver.solve(std::move(operators.singleLayer), operators.doubleLayer)),
       stiffness_(algebra.addTransposeTimes(std::move(operators.hypersingular),
-                                           operators.doubleLayer, half_)),
+                                           operators.doubleLayer, half_),
+                 algebra.myRows(operators.doubleLayer.columns())),
       tractions_(std::make_unique<Tractions>(std::move(operators.tractions))) {}
 
 SteklovPoincare::SteklovPoincare(SteklovPoincare&&) noexcept = default;
@@ -58,7 +61,7 @@ std::shared_ptr<const TractionRows> SteklovPoincare::tractions() const {
 }
 
 Vector SteklovPoincare::apply(const Vector& u) const {
-  return algebra_->multiplySymmetric(stiffness_, u);
+  return algebra_->sum(stiffness_.times(u));
 }
 
 Vector SteklovPoincare::density(const Vector& u) const {

@@ -2,6 +2,7 @@
 
 #include "bem/assembly/Assembly.hpp"
 #include "bem/assembly/SingleLayerSolver.hpp"
+#include "bem/base/LowerTriangle.hpp"
 
 #include <memory>
 
@@ -23,8 +24,8 @@ class SteklovPoincare {
   SteklovPoincare(Operators operators, const DenseAlgebra& algebra,
                   const SingleLayerSolver& solver);
 
-  /// S, the lower triangle, my rows.
-  const Matrix& stiffness() const { return stiffness_; }
+  /// S, my rows.
+  const LowerTriangle& stiffness() const { return stiffness_; }
   /// The elements for whose projected tractions the assembly was asked.
   const std::vector<int>& tractionElements() const;
   /// The projected tractions on them; made at the first call, which is collective.
@@ -49,7 +50,7 @@ class SteklovPoincare {
   Index densities_ = 0;
   std::unique_ptr<CholeskyFactor> factor_;  ///< null: with a solver
   Matrix half_;                             ///< Y, or Z; my rows of the densities
-  Matrix stiffness_;
+  LowerTriangle stiffness_;
   std::unique_ptr<Tractions> tractions_;
 };
 

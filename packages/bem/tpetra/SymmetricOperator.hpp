@@ -43,7 +43,7 @@ class SymmetricOperator : public Tpetra::Operator<> {
 class SteklovPoincareOperator final : public SymmetricOperator {
  public:
   SteklovPoincareOperator(const SteklovPoincare& operators, const TpetraAlgebra& algebra)
-      : SymmetricOperator(operators.stiffness(), algebra) {}
+      : SymmetricOperator(operators.stiffness().unpacked(), algebra) {}
 };
 
 }  // namespace epafi::bem

@@ -70,19 +70,16 @@ BalancedStiffness::Extended BalancedStiffness::balanced(Extended forces) const {
 
 // S u from the lower triangle's rows that are mine.
 BalancedStiffness::Extended BalancedStiffness::stiffnessTimes(const Extended& u) const {
-  const bem::Matrix& lower = stiffness_->stiffness();
-  const bem::Rows mine = stiffness_->algebra().myRows(static_cast<Index>(u.size()));
+  const bem::LowerTriangle& lower = stiffness_->stiffness();
   Extended result(u.size());
-  for (Index j = 0; j < mine.end; ++j) {
-    const double* column = lower.column(j);
-    Index i = std::max<Index>(0, j - mine.begin);
-    long double sum = 0;
-    if (mine.contain(j))
-      sum = column[i++] * u[at(j)];
+  for (Index j = 0; j < lower.rows().end; ++j) {
+    const double* entry = lower.column(j);
     const long double uj = u[at(j)];
-    for (; i < mine.size(); ++i) {
-      sum += column[i] * u[at(i + mine.begin)];
-      result[at(i + mine.begin)] += column[i] * uj;
+    long double sum = 0;
+    for (Index i = lower.firstRow(j); i < lower.rows().end; ++i, ++entry) {
+      sum += *entry * u[at(i)];
+      if (i != j)
+        result[at(i)] += *entry * uj;
     }
     result[at(j)] += sum;
   }

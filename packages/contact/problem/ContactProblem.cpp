@@ -177,7 +177,7 @@ double limit(const ContactProblem::Input& input, const Coupling& coupling,
   const DenseAlgebra& algebra = input.stiffness.algebra();
   const Rows mine = algebra.myRows(input.space.displacements());
   const auto stiffness = algebra.cholesky(
-      constrain(input.stiffness.stiffness().copy(), mine, loads, rigid), "S");
+      constrain(input.stiffness.stiffness().unpacked(), mine, loads, rigid), "S");
   Matrix half = coupling.stabilisationHalf(0, coupling.stabilisationColumns());
   clearClamped(half, mine, loads);
   const Matrix reduced = stiffness->forward(std::move(half));
@@ -267,7 +267,8 @@ ContactProblem::ContactProblem(const Input& input) {
   Coupling coupling = makeCoupling(input, multiplier);
   Obstacle obstacle = makeObstacle(input.space.mesh(), multiplier, input.units);
 
-  Matrix a = subtractStabilisation(algebra, input.stiffness.stiffness().copy(), coupling);
+  Matrix a =
+      subtractStabilisation(algebra, input.stiffness.stiffness().unpacked(), coupling);
   Vector load = loads.load;
   axpy(-1, algebra.multiplySymmetric(a, loads.prescribed), load);
   auto factor = factorise(input, std::move(a), coupling, loads, rigid);
