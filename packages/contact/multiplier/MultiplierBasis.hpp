@@ -14,12 +14,12 @@ namespace epafi::contact {
 /// nonnegative), or of its means weighted by the displacement's functions (dual basis).
 ///                                                                        [P (12), (14)]
 struct MultiplierBasis {
-  const char* name;
-  const char* meaning;
+  const char* name = "";
+  const char* meaning = "";
   /// The q+1 places in [-1, 1] where gap and bound of coefficient i are sampled.
-  bem::Vector (*places)(int degree);
+  bem::Vector (*places)(int degree) = nullptr;
   /// The q+1 functions at t in [-1, 1].
-  bem::Vector (*values)(int degree, double t);
+  bem::Vector (*values)(int degree, double t) = nullptr;
   /// Coefficients belong to the displacement's Gauss-Lobatto nodes: the two that
   /// neighbours have at a common node are one.  Stable without stabilisation, and only
   /// without.

@@ -54,7 +54,7 @@ Teuchos::RCP<NOX::Abstract::Group> Group::clone(NOX::CopyType type) const {
   return Teuchos::rcp(new Group(*this, type));
 }
 
-NOX::Abstract::Group& Group::operator=(const NOX::Abstract::Group& source) {
+Group& Group::operator=(const NOX::Abstract::Group& source) {
   return *this = dynamic_cast<const Group&>(source);
 }
 

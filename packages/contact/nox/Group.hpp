@@ -20,7 +20,7 @@ class Group final : public NOX::Abstract::Group {
   Group(const Group& other, NOX::CopyType type);
 
   Group& operator=(const Group& other);
-  NOX::Abstract::Group& operator=(const NOX::Abstract::Group& source) override;
+  Group& operator=(const NOX::Abstract::Group& source) override;
   ~Group() override = default;
   void setX(const NOX::Abstract::Vector& x) override;
   void computeX(const NOX::Abstract::Group& from, const NOX::Abstract::Vector& direction,

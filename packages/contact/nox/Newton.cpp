@@ -31,13 +31,13 @@ std::string firstUnused(const ParameterList& user, const ParameterList& run,
   for (auto it = user.begin(); it != user.end(); ++it) {
     const std::string& key = user.name(it);
     if (user.isSublist(key) && run.isSublist(key)) {
-      const std::string inner =
-          firstUnused(user.sublist(key), run.sublist(key), path + "->" + key);
+      std::string inner =
+          firstUnused(user.sublist(key), run.sublist(key), bem::message(path, "->", key));
       if (!inner.empty())
         return inner;
     } else if (!user.entry(it).isDefault() &&
                (!run.isParameter(key) || !run.getEntry(key).isUsed())) {
-      return path + "->" + key;
+      return bem::message(path, "->", key);
     }
   }
   return "";

@@ -84,10 +84,9 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
       fail(NewtonRun::End::Growth);
   } else if (method_ == NewtonMethod::Newton) {
     const auto before = seen_.find(e.set);
-    if (before != seen_.end() && e.scaled >= hasFallen * before->second &&
-        --patience_ <= 0)
-      fail(NewtonRun::End::Restless);
-    else if (sets_.size() > progress_ + patientSteps)
+    const bool cycles = before != seen_.end() && e.scaled >= hasFallen * before->second &&
+                        --patience_ <= 0;
+    if (cycles || sets_.size() > progress_ + patientSteps)
       fail(NewtonRun::End::Restless);
     else if (e.scaled > growthLimit * std::max(first_, 1.0))
       fail(NewtonRun::End::Growth);

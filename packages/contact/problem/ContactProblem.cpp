@@ -7,11 +7,11 @@
 #include "contact/problem/Loads.hpp"
 #include "contact/problem/Obstacle.hpp"
 #include "contact/problem/RigidConstraints.hpp"
+#include "contact/problem/SmallAlgebra.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace epafi::contact {
 
@@ -19,19 +19,6 @@ using bem::DenseAlgebra;
 using bem::Rows;
 
 namespace {
-
-double inner(const Vector& a, const Vector& b) {
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
-void axpy(double s, const Vector& x, Vector& y) {
-  for (std::size_t i = 0; i < y.size(); ++i)
-    y[i] += s * x[i];
-}
-
-Vector columnOf(const Matrix& a, Index j) {
-  return {a.column(j), a.column(j) + a.rows()};
-}
 
 /// Clamped rows and columns become those of the identity, and every allowed rigid motion
 /// gets the stiffness of its functional, which makes A positive definite:  A + Σ c cᵀ.
@@ -119,10 +106,13 @@ struct ContactProblem::Parts {
     Vector u = factor->solve(force);
     for (Index k = 0; k < rigid.allowed.columns(); ++k) {
       const Vector r = columnOf(rigid.allowed, k);
-      axpy(-inner(r, force), r, u);
+      axpy(-dot(r, force), r, u);
     }
     return u;
   }
+
+  /// The contact problem in numbers: u = S⁻¹ (f - Bᵀ λ) put into the contact conditions.
+  Problem condensed(Obstacle obstacle) const;
 
   /// f - Bᵀ λ.
   Vector force(const Vector& f, const State& state) const {
@@ -230,6 +220,17 @@ Matrix condense(const DenseAlgebra& algebra, const Matrix& half, Matrix mass,
   return d;
 }
 
+/// What Fix makes of the prescribed displacement: the whole of u has no mean motion.
+Vector withoutFixedMotions(const RigidModes& modes, const RigidConstraints& rigid,
+                           const Vector& prescribed) {
+  Vector result = prescribed;
+  for (Index k = 0; k < rigid.fixed(); ++k) {
+    const Vector functional = columnOf(modes.functionals, rigid.fixedModes[at(k)]);
+    axpy(-dot(functional, prescribed), columnOf(rigid.allowed, k), result);
+  }
+  return result;
+}
+
 }  // namespace
 
 IndefiniteStiffness::IndefiniteStiffness(double used, double limit)
@@ -257,8 +258,6 @@ ContactProblem::ContactProblem(const Input& input) {
     throw bem::InputError(bem::message("the multiplier '", input.basis.name,
                                        "' needs the stabilisation's form None"));
   const DenseAlgebra& algebra = input.stiffness.algebra();
-  const Index n = input.space.displacements();
-  const Rows mine = algebra.myRows(n);
 
   Loads loads = makeLoads(input.space, input.conditions, input.units);
   RigidModes modes = makeRigidModes(input.space);
@@ -273,55 +272,51 @@ ContactProblem::ContactProblem(const Input& input) {
   axpy(-1, algebra.multiplySymmetric(a, loads.prescribed), load);
   auto factor = factorise(input, std::move(a), coupling, loads, rigid);
 
-  // what Fix makes of the prescribed displacement: the whole of u has no mean motion
-  Vector constant = loads.prescribed;
-  for (Index k = 0; k < rigid.fixed(); ++k) {
-    const Vector functional =
-        columnOf(modes.functionals, rigid.fixedModes[static_cast<std::size_t>(k)]);
-    axpy(-inner(functional, loads.prescribed), columnOf(rigid.allowed, k), constant);
-  }
-
+  Vector constant = withoutFixedMotions(modes, rigid, loads.prescribed);
   BalancedStiffness stiffness(input.stiffness, std::move(modes), coupling);
-  parts_.reset(new Parts{{},
-                         std::move(multiplier),
-                         std::move(loads),
-                         std::move(rigid),
-                         std::move(factor),
-                         &algebra,
-                         n,
-                         std::move(load),
-                         std::move(constant),
-                         std::move(obstacle.gap),
-                         std::move(coupling),
-                         std::move(stiffness)});
-  Parts& parts = *parts_;
-  Problem& numbers = parts.numbers;
-  const Index m = parts.multiplier.size();
 
-  Matrix transposed = parts.coupling.transposed(algebra);
-  const Matrix coupledRigid = pullColumns(algebra, transposed, parts.rigid.allowed);
-  Vector u = parts.respond(parts.load);
-  axpy(1, parts.constant, u);
-  numbers.offset = pull(algebra, transposed, u);
-  for (std::size_t i = 0; i < parts.gap.size(); ++i)
-    numbers.offset[i] -= parts.gap[i];
-  clearClamped(transposed, mine, parts.loads);
-  numbers.flexibility = condense(algebra, parts.factor->forward(std::move(transposed)),
-                                 parts.coupling.multiplierMass(), coupledRigid);
-  numbers.normals = parts.multiplier.normals();
-  numbers.tangentials = std::move(obstacle.tangentials);
+  parts_ = std::make_unique<Parts>(Parts{{},
+                                         std::move(multiplier),
+                                         std::move(loads),
+                                         std::move(rigid),
+                                         std::move(factor),
+                                         &algebra,
+                                         input.space.displacements(),
+                                         std::move(load),
+                                         std::move(constant),
+                                         std::move(obstacle.gap),
+                                         std::move(coupling),
+                                         std::move(stiffness)});
+  parts_->numbers = parts_->condensed(std::move(obstacle));
+}
 
-  const Index fixed = parts.rigid.fixed();
-  numbers.rigid = Matrix(m, parts.rigid.free());
-  for (Index k = 0; k < parts.rigid.free(); ++k) {
-    std::copy_n(coupledRigid.column(fixed + k), m, numbers.rigid.column(k));
-    numbers.rigidLoad.push_back(
-        inner(columnOf(parts.rigid.allowed, fixed + k), parts.load));
+Problem ContactProblem::Parts::condensed(Obstacle obstacle) const {
+  Problem problem;
+  const Index m = multiplier.size();
+  Matrix transposed = coupling.transposed(*algebra);
+  const Matrix coupledRigid = pullColumns(*algebra, transposed, rigid.allowed);
+  Vector u = respond(load);
+  axpy(1, constant, u);
+  problem.offset = pull(*algebra, transposed, u);
+  for (std::size_t i = 0; i < gap.size(); ++i)
+    problem.offset[i] -= gap[i];
+  clearClamped(transposed, algebra->myRows(unknowns), loads);
+  problem.flexibility = condense(*algebra, factor->forward(std::move(transposed)),
+                                 coupling.multiplierMass(), coupledRigid);
+  problem.normals = multiplier.normals();
+  problem.tangentials = std::move(obstacle.tangentials);
+
+  const Index fixed = rigid.fixed();
+  problem.rigid = Matrix(m, rigid.free());
+  for (Index k = 0; k < rigid.free(); ++k) {
+    std::copy_n(coupledRigid.column(fixed + k), m, problem.rigid.column(k));
+    problem.rigidLoad.push_back(dot(columnOf(rigid.allowed, fixed + k), load));
   }
   // dimensionless: strains and stresses are of one size
-  const double size = parts.loads.largestTraction + parts.loads.largestDisplacement +
-                      obstacle.largestPenetration;
-  numbers.stress = size > 0 ? size : 1;
+  const double size =
+      loads.largestTraction + loads.largestDisplacement + obstacle.largestPenetration;
+  problem.stress = size > 0 ? size : 1;
+  return problem;
 }
 
 ContactProblem::~ContactProblem() = default;
@@ -380,7 +375,7 @@ Vector ContactProblem::fixedReactions(const State& state) const {
   for (Index k = 0; k < parts.rigid.fixed(); ++k)
     reactions[static_cast<std::size_t>(
         parts.rigid.fixedModes[static_cast<std::size_t>(k)])] =
-        -inner(columnOf(parts.rigid.allowed, k), force);
+        -dot(columnOf(parts.rigid.allowed, k), force);
   return reactions;
 }
 

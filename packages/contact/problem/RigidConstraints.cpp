@@ -2,6 +2,7 @@
 
 #include "bem/algebra/Blas.hpp"
 #include "bem/base/Error.hpp"
+#include "contact/problem/SmallAlgebra.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ Svd singularValues(Matrix a) {
   const int m = static_cast<int>(a.rows());
   const int n = static_cast<int>(a.columns());
   const int k = std::min(m, n);
-  Svd svd{Matrix(m, std::max(1, k)), Vector(static_cast<std::size_t>(k)), Matrix(n, n)};
+  Svd svd{Matrix(m, std::max(1, k)), Vector(at(k)), Matrix(n, n)};
   if (k == 0) {
     for (Index i = 0; i < n; ++i)
       svd.vt(i, i) = 1;
@@ -48,23 +49,6 @@ int rank(const Svd& svd, double threshold) {
       std::count_if(svd.s.begin(), svd.s.end(), [&](double s) { return s > threshold; }));
 }
 
-Matrix multiply(const Matrix& a, const Matrix& b) {
-  Matrix product(a.rows(), b.columns());
-  for (Index j = 0; j < b.columns(); ++j)
-    for (Index k = 0; k < a.columns(); ++k)
-      for (Index i = 0; i < a.rows(); ++i)
-        product(i, j) += a(i, k) * b(k, j);
-  return product;
-}
-
-Matrix transpose(const Matrix& a) {
-  Matrix result(a.columns(), a.rows());
-  for (Index j = 0; j < a.columns(); ++j)
-    for (Index i = 0; i < a.rows(); ++i)
-      result(j, i) = a(i, j);
-  return result;
-}
-
 /// Columns first ... last-1 of Vᵀ's transpose.
 Matrix rightVectors(const Svd& svd, Index first, Index last) {
   Matrix result(svd.vt.columns(), last - first);
@@ -74,39 +58,35 @@ Matrix rightVectors(const Svd& svd, Index first, Index last) {
   return result;
 }
 
+/// R of Q R by Gram-Schmidt, done twice.
+Matrix triangle(std::vector<Vector> columns) {
+  const auto size = static_cast<Index>(columns.size());
+  Matrix r(size, size);
+  for (Index c = 0; c < size; ++c) {
+    Vector& column = columns[at(c)];
+    for (Index k = 0; k < c; ++k)
+      for (int twice = 0; twice < 2; ++twice) {
+        const double projection = dot(columns[at(k)], column);
+        axpy(-projection, columns[at(k)], column);
+        r(k, c) += projection;
+      }
+    const double length = std::sqrt(dot(column, column));
+    r(c, c) = length;
+    for (double& value : column)
+      value = length > 0 ? value / length : 0;
+  }
+  return r;
+}
+
 /// What the motions do at the clamped unknowns, reduced to 3 x 3 by Gram-Schmidt so that
 /// its singular values are accurate.
 Matrix clampedMotions(const RigidModes& modes, const Loads& loads) {
-  std::vector<Index> rows;
+  std::vector<Vector> columns(3);
   for (Index j = 0; j < modes.motions.rows(); ++j)
-    if (loads.clamped[static_cast<std::size_t>(j)] != 0 &&
-        (modes.motions(j, 0) != 0 || modes.motions(j, 1) != 0 ||
-         modes.motions(j, 2) != 0))
-      rows.push_back(j);
-  Matrix q(static_cast<Index>(rows.size()), 3);
-  for (Index c = 0; c < 3; ++c)
-    for (std::size_t r = 0; r < rows.size(); ++r)
-      q(static_cast<Index>(r), c) = modes.motions(rows[r], c);
-  Matrix reduced(3, 3);
-  for (Index c = 0; c < 3; ++c) {
-    for (Index k = 0; k < c; ++k)
-      for (int twice = 0; twice < 2; ++twice) {
-        double projection = 0;
-        for (Index r = 0; r < q.rows(); ++r)
-          projection += q(r, k) * q(r, c);
-        for (Index r = 0; r < q.rows(); ++r)
-          q(r, c) -= projection * q(r, k);
-        reduced(k, c) += projection;
-      }
-    double square = 0;
-    for (Index r = 0; r < q.rows(); ++r)
-      square += q(r, c) * q(r, c);
-    const double length = std::sqrt(square);
-    reduced(c, c) = length;
-    for (Index r = 0; r < q.rows(); ++r)
-      q(r, c) = length > 0 ? q(r, c) / length : 0;
-  }
-  return reduced;
+    if (loads.clamped[at(j)] != 0)
+      for (Index c = 0; c < 3; ++c)
+        columns[at(c)].push_back(modes.motions(j, c));
+  return triangle(std::move(columns));
 }
 
 std::vector<int> namedModes(const Conditions::Fix& fix) {
@@ -124,7 +104,7 @@ std::vector<int> namedModes(const Conditions::Fix& fix) {
 Matrix withoutClamped(Matrix columns, const Loads& loads) {
   for (Index c = 0; c < columns.columns(); ++c)
     for (Index j = 0; j < columns.rows(); ++j)
-      if (loads.clamped[static_cast<std::size_t>(j)] != 0)
+      if (loads.clamped[at(j)] != 0)
         columns(j, c) = 0;
   return columns;
 }
@@ -132,7 +112,7 @@ Matrix withoutClamped(Matrix columns, const Loads& loads) {
 /// Keeps the first `fixed` functionals, which are dual to the first motions already, and
 /// changes the others so that all are dual to all.
 Matrix dualTo(const Matrix& motions, Matrix functionals, Index fixed) {
-  const Matrix pairing = multiply(transpose(functionals), motions);
+  const Matrix pairing = transposedTimes(functionals, motions);
   const Index free = motions.columns() - fixed;
   const Index n = functionals.rows();
   for (Index k = fixed; k < motions.columns(); ++k)
@@ -153,7 +133,7 @@ Matrix dualTo(const Matrix& motions, Matrix functionals, Index fixed) {
   const int columns = static_cast<int>(n);
   const int lda = static_cast<int>(gram.stride());
   const int ldb = static_cast<int>(right.stride());
-  std::vector<int> pivots(static_cast<std::size_t>(free));
+  std::vector<int> pivots(at(free));
   int info = 0;
   dgesv_(&size, &columns, gram.data(), &lda, pivots.data(), right.data(), &ldb, &info);
   if (info != 0)
@@ -165,6 +145,14 @@ Matrix dualTo(const Matrix& motions, Matrix functionals, Index fixed) {
   return functionals;
 }
 
+Index largestInRow(const Matrix& columns, Index row, Index first) {
+  Index best = first;
+  for (Index k = first; k < columns.columns(); ++k)
+    if (std::abs(columns(row, k)) > std::abs(columns(row, best)))
+      best = k;
+  return best;
+}
+
 /// The columns from `first` on in reduced echelon form: one basis of their span, whatever
 /// signs and rotations the singular vectors came with.  The amplitudes of free motions
 /// then mean the same on every mesh, and can be carried from one to the next.
@@ -172,10 +160,7 @@ Matrix reduced(Matrix columns, Index first) {
   const Index rows = columns.rows();
   Index pivot = first;
   for (Index row = 0; row < rows && pivot < columns.columns(); ++row) {
-    Index best = pivot;
-    for (Index k = pivot; k < columns.columns(); ++k)
-      if (std::abs(columns(row, k)) > std::abs(columns(row, best)))
-        best = k;
+    const Index best = largestInRow(columns, row, pivot);
     if (std::abs(columns(row, best)) < 1e-9)
       continue;
     for (Index i = 0; i < rows; ++i)
@@ -193,6 +178,43 @@ Matrix reduced(Matrix columns, Index first) {
   return columns;
 }
 
+/// The values of the named functionals on the allowed motions.
+/// \throws bem::InputError if clamps hold one of them already.
+Svd heldByFix(const RigidModes& modes, const Matrix& allowedCombinations,
+              const std::vector<int>& fixedModes) {
+  const Matrix onAllowed =
+      multiply(transposedTimes(modes.functionals, modes.motions), allowedCombinations);
+  const auto fixed = static_cast<Index>(fixedModes.size());
+  Matrix named(fixed, onAllowed.columns());
+  for (Index k = 0; k < fixed; ++k)
+    for (Index a = 0; a < onAllowed.columns(); ++a)
+      named(k, a) = onAllowed(fixedModes[at(k)], a);
+  Svd held = singularValues(std::move(named));
+  if (rank(held, 1e-10) == fixed)
+    return held;
+  constexpr const char* names[] = {"X", "Y", "Rotation"};
+  std::string list;
+  for (const int mode : fixedModes)
+    list += (list.empty() ? "" : ", ") + std::string(names[mode]);
+  throw bem::InputError("Rigid Motions->Fix = {" + list +
+                        "}: the clamps already hold at least one of these motions; name "
+                        "only those that no Dirichlet condition stops");
+}
+
+/// Combinations of the allowed motions: pseudo-inverse for the fixed, kernel for the
+/// free.
+Matrix dualCombinations(const Svd& held, Index fixed, Index allowed) {
+  Matrix combinations(allowed, allowed);
+  for (Index k = 0; k < fixed; ++k)
+    for (Index a = 0; a < allowed; ++a)
+      for (Index s = 0; s < fixed; ++s)
+        combinations(a, k) += held.vt(s, a) / held.s[at(s)] * held.u(k, s);
+  for (Index k = fixed; k < allowed; ++k)
+    for (Index a = 0; a < allowed; ++a)
+      combinations(a, k) = held.vt(k, a);
+  return combinations;
+}
+
 }  // namespace
 
 RigidConstraints makeRigidConstraints(const RigidModes& modes, const Loads& loads,
@@ -206,44 +228,16 @@ RigidConstraints makeRigidConstraints(const RigidModes& modes, const Loads& load
   constraints.fixedModes = namedModes(fix);
   const Index fixed = constraints.fixed();
 
-  // values of the named functionals on the allowed motions, and of all three
-  const Matrix pairing = multiply(transpose(modes.functionals), modes.motions);
-  const Matrix onAllowed = multiply(pairing, allowedCombinations);
-  Matrix named(fixed, allowed);
-  for (Index k = 0; k < fixed; ++k)
-    for (Index a = 0; a < allowed; ++a)
-      named(k, a) = onAllowed(constraints.fixedModes[static_cast<std::size_t>(k)], a);
-  const Svd held = singularValues(named.copy());
-  if (rank(held, 1e-10) < fixed) {
-    constexpr const char* names[] = {"X", "Y", "Rotation"};
-    std::string list;
-    for (const int mode : constraints.fixedModes)
-      list += (list.empty() ? "" : ", ") + std::string(names[mode]);
-    throw bem::InputError(
-        "Rigid Motions->Fix = {" + list +
-        "}: the clamps already hold at least one of these motions; name "
-        "only those that no Dirichlet condition stops");
-  }
-  // combinations of the allowed motions: pseudo-inverse for the fixed, kernel for the
-  // free
-  Matrix combinations(allowed, allowed);
-  for (Index k = 0; k < fixed; ++k)
-    for (Index a = 0; a < allowed; ++a)
-      for (Index s = 0; s < fixed; ++s)
-        combinations(a, k) +=
-            held.vt(s, a) / held.s[static_cast<std::size_t>(s)] * held.u(k, s);
-  for (Index k = fixed; k < allowed; ++k)
-    for (Index a = 0; a < allowed; ++a)
-      combinations(a, k) = held.vt(k, a);
-  const Matrix inModes = reduced(multiply(allowedCombinations, combinations), fixed);
+  const Svd held = heldByFix(modes, allowedCombinations, constraints.fixedModes);
+  const Matrix inModes = reduced(
+      multiply(allowedCombinations, dualCombinations(held, fixed, allowed)), fixed);
   constraints.allowed = withoutClamped(multiply(modes.motions, inModes), loads);
 
   // functionals of the free motions: ∫ u · r ds, made dual to all allowed motions
   Matrix functionals(modes.functionals.rows(), allowed);
   for (Index k = 0; k < fixed; ++k)
-    std::copy_n(
-        modes.functionals.column(constraints.fixedModes[static_cast<std::size_t>(k)]),
-        functionals.rows(), functionals.column(k));
+    std::copy_n(modes.functionals.column(constraints.fixedModes[at(k)]),
+                functionals.rows(), functionals.column(k));
   for (Index k = fixed; k < allowed; ++k)
     for (Index m = 0; m < 3; ++m)
       for (Index j = 0; j < functionals.rows(); ++j)

@@ -1,5 +1,6 @@
 #include "contact/solve/Descent.hpp"
 
+#include "contact/problem/SmallAlgebra.hpp"
 #include "contact/solve/NewtonSystem.hpp"
 
 #include <algorithm>
@@ -9,15 +10,6 @@
 namespace epafi::contact {
 
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-double dot(const Vector& a, const Vector& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    sum += a[i] * b[i];
-  return sum;
-}
 
 // α is a displacement and λ a stress: the gradient by α is divided by its curvature.
 Vector steepestDescent(const Equation& equation, const Vector& gradient) {

@@ -1,6 +1,7 @@
 #include "contact/solve/Equilibrium.hpp"
 
 #include "bem/base/Error.hpp"
+#include "contact/problem/SmallAlgebra.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +10,6 @@
 namespace epafi::contact {
 
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-double dot(const Vector& a, const Vector& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    sum += a[i] * b[i];
-  return sum;
-}
 
 Vector plus(Vector a, double factor, const Vector& b) {
   for (std::size_t i = 0; i < a.size(); ++i)

@@ -1,6 +1,6 @@
 #include "contact/solve/InteriorPoint.hpp"
 
-#include <Teuchos_LAPACK.hpp>
+#include "contact/problem/SmallAlgebra.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -16,15 +16,6 @@ constexpr int maximumSteps = 100;
 constexpr double enough = 1e-18;
 /// Share of the way to the boundary of the box.
 constexpr double interior = 0.995;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-double dot(const double* a, const Vector& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < b.size(); ++i)
-    sum += a[i] * b[i];
-  return sum;
-}
 
 /// One side of the box: slack s > 0 and dual force z > 0 of every coefficient it limits.
 struct Side {
@@ -135,6 +126,18 @@ class Method {
   /// D + z/s of both sides, with the balance's own stiffness: Cholesky and the Schur
   /// complement of G.
   bool factorise() {
+    stiffen(fillFactor());
+    if (cholesky(factor_) != 0)
+      return false;
+    solvedBalance_ = balance_.copy();
+    for (Index j = 0; j < balance_.columns(); ++j)
+      choleskySolve(factor_, solvedBalance_.column(j));
+    schur_ = transposedTimes(balance_, solvedBalance_);
+    return cholesky(schur_) == 0;
+  }
+
+  /// D + z/s on what is free; returns the trace of D.
+  double fillFactor() {
     const auto size = static_cast<Index>(free_.size());
     factor_ = Matrix(size, size);
     double trace = 0;
@@ -147,6 +150,12 @@ class Method {
           factor_(q, q) += side->dual[at(free_[at(q)])] / side->slack[at(free_[at(q)])];
       trace += column[free_[at(q)]];
     }
+    return trace;
+  }
+
+  /// Adds each motion's G Gᵀ, of the size of D.
+  void stiffen(double trace) {
+    const auto size = static_cast<Index>(free_.size());
     balance_ = Matrix(size, problem_.rigidMotions());
     penalty_.clear();
     for (Index j = 0; j < balance_.columns(); ++j) {
@@ -160,27 +169,36 @@ class Method {
         for (Index p = 0; p < size; ++p)
           factor_(p, q) += penalty_[at(j)] * balance_(p, j) * balance_(q, j);
     }
-    if (!cholesky(factor_))
-      return false;
-    solvedBalance_ = balance_.copy();
-    schur_ = Matrix(balance_.columns(), balance_.columns());
-    for (Index b = 0; b < balance_.columns(); ++b) {
-      choleskySolve(factor_, solvedBalance_.column(b));
-      for (Index a = 0; a < balance_.columns(); ++a)
-        for (Index p = 0; p < size; ++p)
-          schur_(a, b) += balance_(p, a) * solvedBalance_(p, b);
-    }
-    return cholesky(schur_);
   }
 
   /// Newton's direction towards  slack x dual = target - correction.
   void direction(double target) {
     const Evaluation e = equation_.at(unknowns_);
-    const Index size = factor_.rows();
     const Index motions = balance_.columns();
     Vector rest;  // q - Gᵀλ
     for (Index j = 0; j < motions; ++j)
       rest.push_back(-e.residual[at(n_ + j)] * equation_.balanceScales()[at(j)]);
+    Vector right = penetrationGoal(e, target);
+    for (Index j = 0; j < motions; ++j)
+      axpy(penalty_[at(j)] * rest[at(j)], columnOf(balance_, j), right);
+    choleskySolve(factor_, right.data());
+    Vector rigid = rest;
+    for (Index j = 0; j < motions; ++j)
+      rigid[at(j)] -= dot(columnOf(balance_, j), right);
+    choleskySolve(schur_, rigid.data());
+    for (Index j = 0; j < motions; ++j)
+      axpy(rigid[at(j)], columnOf(solvedBalance_, j), right);
+
+    change_ = Vector(unknowns_.size(), 0.0);
+    for (std::size_t p = 0; p < right.size(); ++p)
+      change_[at(free_[p])] = right[p];
+    for (Index j = 0; j < motions; ++j)
+      change_[at(n_ + j)] = rigid[at(j)];
+    changeSides(target);
+  }
+
+  /// What the free rows of Newton's system are to give.
+  Vector penetrationGoal(const Evaluation& e, double target) const {
     Vector right;
     for (const Index i : free_) {
       double value = e.penetration[at(i)] / equation_.weights()[at(i)];
@@ -189,23 +207,11 @@ class Method {
           value += side->sign * goal(*side, at(i), target) / side->slack[at(i)];
       right.push_back(value);
     }
-    for (Index j = 0; j < motions; ++j)
-      for (Index p = 0; p < size; ++p)
-        right[at(p)] += balance_(p, j) * penalty_[at(j)] * rest[at(j)];
-    choleskySolve(factor_, right.data());
-    Vector rigid = rest;
-    for (Index j = 0; j < motions; ++j)
-      rigid[at(j)] -= dot(balance_.column(j), right);
-    choleskySolve(schur_, rigid.data());
-    for (Index j = 0; j < motions; ++j)
-      for (Index p = 0; p < size; ++p)
-        right[at(p)] += solvedBalance_(p, j) * rigid[at(j)];
+    return right;
+  }
 
-    change_ = Vector(unknowns_.size(), 0.0);
-    for (Index p = 0; p < size; ++p)
-      change_[at(free_[at(p)])] = right[at(p)];
-    for (Index j = 0; j < motions; ++j)
-      change_[at(n_ + j)] = rigid[at(j)];
+  /// What a change of the unknowns does to slacks and dual forces.
+  void changeSides(double target) {
     for (Side* side : {&lower_, &upper_})
       for (const Index index : free_) {
         const std::size_t i = at(index);
@@ -239,21 +245,6 @@ class Method {
   void forgetCorrection() {
     lowerCorrection_.clear();
     upperCorrection_.clear();
-  }
-
-  static bool cholesky(Matrix& a) {
-    int info = 0;
-    if (a.rows() > 0)
-      Teuchos::LAPACK<int, double>().POTRF('L', static_cast<int>(a.rows()), a.data(),
-                                           static_cast<int>(a.stride()), &info);
-    return info == 0;
-  }
-  static void choleskySolve(const Matrix& a, double* b) {
-    int info = 0;
-    if (a.rows() > 0)
-      Teuchos::LAPACK<int, double>().POTRS('L', static_cast<int>(a.rows()), 1, a.data(),
-                                           static_cast<int>(a.stride()), b,
-                                           static_cast<int>(a.rows()), &info);
   }
 
   const Equation& equation_;

@@ -1,6 +1,7 @@
 #include "contact/solve/NewtonSystem.hpp"
 
 #include "bem/base/Error.hpp"
+#include "contact/problem/SmallAlgebra.hpp"
 #include "contact/solve/RigidPlacement.hpp"
 
 #include <Teuchos_BLAS.hpp>
@@ -17,15 +18,6 @@ namespace {
 // A rigid motion counts as held when its part in the inactive rows, measured in units in
 // which the whole of it has size one, is larger than this.
 constexpr double heldThreshold = 1e-12;
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
-double dot(const Vector& a, const Vector& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    sum += a[i] * b[i];
-  return sum;
-}
 
 }  // namespace
 
@@ -112,14 +104,8 @@ struct NewtonSystem::Impl {
         sum += problem.rigid(i, j) * problem.rigid(i, j) * weight(i);
       motionScale[at(j)] = sum > 0 ? 1 / std::sqrt(sum) : 1;
     }
-    Matrix gram(k, k);
-    for (Index a = 0; a < k; ++a)
-      for (Index b = 0; b < k; ++b)
-        for (Index p = 0; p < count(); ++p) {
-          const Index i = inactive[at(p)];
-          gram(a, b) += problem.rigid(i, a) * problem.rigid(i, b) * scale[at(p)] *
-                        scale[at(p)] * motionScale[at(a)] * motionScale[at(b)];
-        }
+    const Matrix motions = scaledMotions();
+    Matrix gram = transposedTimes(motions, motions);
     Vector eigenvalues(at(k));
     Vector work(at(8 * k + 8));
     int info = 0;
@@ -134,13 +120,17 @@ struct NewtonSystem::Impl {
     for (Index j = 0; j < k; ++j)
       std::copy_n(gram.column(j), k,
                   j < looseCount ? loose.column(j) : held.column(j - looseCount));
+    border = multiply(motions, held);
+  }
 
-    border = Matrix(count(), held.columns());
-    for (Index j = 0; j < held.columns(); ++j)
+  // scale G_I motionScale
+  Matrix scaledMotions() const {
+    Matrix motions(count(), k);
+    for (Index m = 0; m < k; ++m)
       for (Index p = 0; p < count(); ++p)
-        for (Index m = 0; m < k; ++m)
-          border(p, j) += scale[at(p)] * problem.rigid(inactive[at(p)], m) *
-                          motionScale[at(m)] * held(m, j);
+        motions(p, m) =
+            scale[at(p)] * problem.rigid(inactive[at(p)], m) * motionScale[at(m)];
+    return motions;
   }
 
   Matrix reducedMatrix(Index size) const {
@@ -160,37 +150,22 @@ struct NewtonSystem::Impl {
       for (Index q = 0; q < count(); ++q)
         for (Index p = 0; p < count(); ++p)
           factor(p, q) += border(p, j) * border(q, j);
-    cholesky(factor, "the contact flexibility of the active coefficients");
+    factorPositive(factor, "the contact flexibility of the active coefficients");
 
     solvedBorder = border.copy();
     for (Index j = 0; j < border.columns(); ++j)
       choleskySolve(factor, solvedBorder.column(j));
-    schur = Matrix(border.columns(), border.columns());
-    for (Index a = 0; a < border.columns(); ++a)
-      for (Index b = 0; b < border.columns(); ++b)
-        for (Index p = 0; p < count(); ++p)
-          schur(a, b) += border(p, a) * solvedBorder(p, b);
-    cholesky(schur, "the balance of the free rigid motions");
+    schur = transposedTimes(border, solvedBorder);
+    factorPositive(schur, "the balance of the free rigid motions");
   }
 
-  static void cholesky(Matrix& a, const char* name) {
-    int info = 0;
-    if (a.rows() > 0)
-      Teuchos::LAPACK<int, double>().POTRF('L', static_cast<int>(a.rows()), a.data(),
-                                           static_cast<int>(a.stride()), &info);
+  static void factorPositive(Matrix& a, const char* name) {
+    const int info = cholesky(a);
     if (info != 0)
       throw SingularJacobian(bem::message(
           "singular Newton matrix: ", name, " is not positive definite (pivot ", info,
           " of ", a.rows(),
           "); two multiplier coefficients may act on the same displacement"));
-  }
-
-  static void choleskySolve(const Matrix& a, double* b) {
-    int info = 0;
-    if (a.rows() > 0)
-      Teuchos::LAPACK<int, double>().POTRS('L', static_cast<int>(a.rows()), 1, a.data(),
-                                           static_cast<int>(a.stride()), b,
-                                           static_cast<int>(a.rows()), &info);
   }
 
   void factorGeneral() {
@@ -284,11 +259,9 @@ struct NewtonSystem::Impl {
     return rest;
   }
 
-  Vector solveOnce(const Vector& b) const {
-    Vector d = knownChanges(b);
-    const Vector rest = balance(b, d);
-    const Index size = count() + border.columns();
-    Vector x(at(size), 0.0);
+  // The inactive rows after the known changes d, scaled, and then the held balances.
+  Vector rightSide(const Vector& b, const Vector& d) const {
+    Vector x(at(count()), 0.0);
     for (Index p = 0; p < count(); ++p) {
       const Index i = inactive[at(p)];
       const double m = -row(i).penetration * weight(i);
@@ -303,9 +276,15 @@ struct NewtonSystem::Impl {
     }
     for (Index p = 0; p < count(); ++p)
       x[at(p)] *= scale[at(p)];
+    const Vector rest = balance(b, d);
     for (Index j = 0; j < border.columns(); ++j)
-      for (Index m = 0; m < k; ++m)
-        x[at(count() + j)] += held(m, j) * rest[at(m)];
+      x.push_back(dot(columnOf(held, j), rest));
+    return x;
+  }
+
+  Vector solveOnce(const Vector& b) const {
+    Vector d = knownChanges(b);
+    Vector x = rightSide(b, d);
     if (symmetric)
       solveSymmetric(x);
     else
