@@ -57,7 +57,7 @@ double Polynomial::operator()(double t) const {
 }
 
 ContactProfiles contactProfiles(const contact::Solved& solved,
-                                const ContactElement& element) {
+                                const ContactElement& element, const AtEnds& correction) {
   const bem::Mesh& mesh = solved.space.mesh();
   const bem::Element& geometry = mesh[element.element];
   const contact::MultiplierSpace& multiplier = solved.problem.multiplier();
@@ -70,14 +70,19 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
         },
         p);
   };
-  const auto stress = [&](auto part) {
+  const auto stress = [&](auto part, bem::Vec2 direction) {
+    const double start = dot(correction.start, direction) / geometry.half;
+    const double end = dot(correction.end, direction) / geometry.half;
     return Polynomial(
         [&, part](double t) {
-          return multiplier.at(solved.state.multiplier, element, t).*part;
+          return multiplier.at(solved.state.multiplier, element, t).*part +
+                 start * endValue(p, -t) + end * endValue(p, t);
         },
         p);
   };
-  const Polynomial pressure = stress(&contact::MultiplierSpace::Value::normal);
+  using Value = contact::MultiplierSpace::Value;
+  const bem::Vec2 along = turnLeft(geometry.normal);
+  const Polynomial pressure = stress(&Value::normal, geometry.normal);
   const Polynomial normal = component(geometry.normal);
   const contact::Conditions::Contact& condition = *element.condition;
   const bem::Units units = solved.units;
@@ -94,8 +99,8 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
            units.stress;
   };
   return {pressure,
-          stress(&contact::MultiplierSpace::Value::tangential),
-          component(turnLeft(geometry.normal)),
+          stress(&Value::tangential, along),
+          component(along),
           opening,
           bound,
           p,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "adaptivity/estimate/EndValues.hpp"
 #include "adaptivity/estimate/Indicators.hpp"
 #include "bem/quadrature/Piecewise.hpp"
 #include "contact/problem/Summary.hpp"
@@ -30,8 +31,9 @@ struct ContactProfiles {
   double half;  ///< of the element's length
 };
 
+/// Of λʰ + valueAt(correction); s is that of its pressure.
 ContactProfiles contactProfiles(const contact::Solved& solved,
-                                const ContactElement& element);
+                                const ContactElement& element, const AtEnds& correction);
 
 /// Which shear the slip term sees.
 enum class SlipTerm {

@@ -1,11 +1,11 @@
 #include "adaptivity/estimate/ResidualEstimator.hpp"
 
-#include "adaptivity/estimate/ContactTerms.hpp"
+#include "adaptivity/estimate/EquivalentMultiplier.hpp"
 #include "adaptivity/estimate/Weights.hpp"
 #include "bem/assembly/BoundaryFields.hpp"
 #include "contact/problem/Loads.hpp"
 
-#include <map>
+#include <algorithm>
 
 namespace epafi::adaptivity {
 
@@ -43,52 +43,97 @@ Vec2 givenComponents(const contact::Conditions& conditions, const std::string& b
 class Residuals {
  public:
   Residuals(const contact::Solved& solved, const Vector& density, const bem::Lame& lame,
-            SlipTerm slipTerm)
+            const Weights& weights)
       : solved_(solved),
-        slipTerm_(slipTerm),
+        weights_(weights),
+        mu_(lame.mu),
         mesh_(solved.space.mesh()),
         fields_(solved.space, lame, solved.displacement, density),
-        fixed_(solved) {
-    for (const ContactElement& element : solved.problem.multiplier().elements())
-      contact_.emplace(element.element, &element);
-  }
+        fixed_(solved) {}
 
   std::vector<bem::BoundaryValue> fields(int e) const { return fields_.on(e); }
 
-  /// Evaluates functions of the user's, which are not safe to call from several threads.
-  Contributions squares(int e, const std::vector<bem::BoundaryValue>& values) const {
-    const bem::Element& element = mesh_[e];
-    const double h = 2 * element.half;
-    const auto contact = contact_.find(e);
+  // From here on functions of the user's are evaluated, which are not safe to call from
+  // several threads.
+
+  /// h |mismatch|² of any element, and h/p |f - S u|² if it is no contact element.
+  Contributions squares(int e, const std::vector<bem::BoundaryValue>& values,
+                        bool touching) const {
+    const double h = 2 * mesh_[e].half;
     Contributions squares{};
-    double& residual =
-        of(squares, contact_.count(e) > 0 ? Source::Contact : Source::Neumann);
-    if (contact != contact_.end()) {
-      const ContactProfiles profiles = contactProfiles(solved_, *contact->second);
-      squares = contactTerms(profiles, slipTerm_);
-      for (const bem::BoundaryValue& value : values) {
-        const double t = value.place.t;
-        const Vec2 stress = profiles.pressure(t) * element.normal +
-                            profiles.shear(t) * turnLeft(element.normal);
-        const Vec2 r = stress + value.traction - fixed_.at(e, t);
-        residual += value.weight * h / element.degree * dot(r, r);
-      }
-    } else {
-      const Vec2 given = givenComponents(solved_.conditions, mesh_.boundary(e));
-      const auto neumann = solved_.conditions.neumann.find(mesh_.boundary(e));
-      const bool loaded = neumann != solved_.conditions.neumann.end();
-      for (const bem::BoundaryValue& value : values) {
-        const double t = value.place.t;
-        const Vec2 load = loaded ? loadAt(neumann->second, e, t) : Vec2{};
-        const Vec2 r = load + fixed_.at(e, t) - value.traction;
-        residual += value.weight * h / element.degree *
-                    (given.x * r.x * r.x + given.y * r.y * r.y);
-      }
-    }
     for (const bem::BoundaryValue& value : values)
       of(squares, Source::Density) +=
           value.weight * h * dot(value.mismatch, value.mismatch);
+    if (touching)
+      return squares;
+    const Vec2 given = givenComponents(solved_.conditions, mesh_.boundary(e));
+    const auto neumann = solved_.conditions.neumann.find(mesh_.boundary(e));
+    const bool loaded = neumann != solved_.conditions.neumann.end();
+    for (const bem::BoundaryValue& value : values) {
+      const double t = value.place.t;
+      const Vec2 load = loaded ? loadAt(neumann->second, e, t) : Vec2{};
+      const Vec2 r = load + fixed_.at(e, t) - value.traction;
+      of(squares, Source::Neumann) += value.weight * h / mesh_[e].degree *
+                                      (given.x * r.x * r.x + given.y * r.y * r.y);
+    }
     return squares;
+  }
+
+  /// λʰ + S u, less what holds fixed motions, at the points of a contact element.
+  std::vector<Vec2> residual(const ContactElement& contact,
+                             const std::vector<bem::BoundaryValue>& values) const {
+    const int e = contact.element;
+    const contact::MultiplierSpace& multiplier = solved_.problem.multiplier();
+    std::vector<Vec2> result;
+    for (const bem::BoundaryValue& value : values) {
+      const double t = value.place.t;
+      const auto stress = multiplier.at(solved_.state.multiplier, contact, t);
+      result.push_back(stress.normal * mesh_[e].normal +
+                       stress.tangential * turnLeft(mesh_[e].normal) + value.traction -
+                       fixed_.at(e, t));
+    }
+    return result;
+  }
+
+  /// ∫ r e(-t) ds and ∫ r e(t) ds of such a residual.
+  static AtEnds moments(const ContactElement& contact,
+                        const std::vector<bem::BoundaryValue>& values,
+                        const std::vector<Vec2>& residual) {
+    AtEnds moments;
+    for (std::size_t q = 0; q < values.size(); ++q) {
+      const double t = values[q].place.t;
+      const Vec2 r = values[q].weight * residual[q];
+      moments.start = moments.start + endValue(contact.degree, -t) * r;
+      moments.end = moments.end + endValue(contact.degree, t) * r;
+    }
+    return moments;
+  }
+
+  /// What a contact element has in addition, with λ̃ in λʰ's place; `residual` belongs to
+  /// λʰ.
+  Contributions contactSquares(const ContactElement& contact,
+                               const std::vector<bem::BoundaryValue>& values,
+                               const std::vector<Vec2>& residual,
+                               const AtEnds& correction) const {
+    const bem::Element& element = mesh_[contact.element];
+    const double size = 2 * element.half / element.degree;
+    Contributions squares =
+        contactTerms(contactProfiles(solved_, contact, correction), weights_.slipTerm);
+    double& square = of(squares, Source::Contact);
+    for (std::size_t q = 0; q < values.size(); ++q) {
+      const Vec2 r = residual[q] + valueAt(correction, element, values[q].place.t);
+      square += values[q].weight * size * dot(r, r);
+    }
+    return squares;
+  }
+
+  /// γ |λʰ + S u|²: what the stabilisation does to a test function.  As an energy.
+  double stabilisation(std::size_t contact, const std::vector<bem::BoundaryValue>& values,
+                       const std::vector<Vec2>& residual) const {
+    double square = 0;
+    for (std::size_t q = 0; q < values.size(); ++q)
+      square += values[q].weight * dot(residual[q], residual[q]);
+    return solved_.problem.gamma(contact) * mu_ * square;
   }
 
  private:
@@ -99,11 +144,11 @@ class Residuals {
   }
 
   const contact::Solved& solved_;
-  SlipTerm slipTerm_;
+  const Weights& weights_;
+  double mu_;
   const bem::Mesh& mesh_;
   bem::BoundaryFields fields_;
   FixedTraction fixed_;
-  std::map<int, const ContactElement*> contact_;
 };
 
 Contributions factorsOf(const contact::Solved& solved, const bem::Lame& lame,
@@ -114,37 +159,103 @@ Contributions factorsOf(const contact::Solved& solved, const bem::Lame& lame,
   return factors;
 }
 
+using Fields = std::vector<std::vector<bem::BoundaryValue>>;
+
+/// Of the elements that are mine; what a contact element has in addition is not in it.
+std::vector<Contributions> squaresOf(const Residuals& residuals, const Fields& fields,
+                                     const std::vector<bool>& isTouching) {
+  std::vector<Contributions> squares(fields.size());
+  for (std::size_t e = 0; e < fields.size(); ++e)
+    if (!fields[e].empty())
+      squares[e] = residuals.squares(static_cast<int>(e), fields[e], isTouching[e]);
+  return squares;
+}
+
+/// λ̃ - λʰ on all contact elements, from the moments of mine.
+std::vector<AtEnds> corrections(const contact::Solved& solved,
+                                const Contributions& factors,
+                                const std::vector<AtEnds>& moments) {
+  const auto& elements = solved.problem.multiplier().elements();
+  Vector numbers;
+  for (const AtEnds& m : moments)
+    numbers.insert(numbers.end(), {m.start.x, m.start.y, m.end.x, m.end.y});
+  numbers = solved.stiffness.algebra().sum(std::move(numbers));
+  std::vector<ContactCost> costs;
+  const double* next = numbers.data();
+  for (const ContactElement& element : elements) {
+    costs.emplace_back(solved, element, AtEnds{{next[0], next[1]}, {next[2], next[3]}},
+                       factors);
+    next += 4;
+  }
+  return equivalentMultiplier(solved.space.mesh(), solved.conditions, elements, costs);
+}
+
+/// Sums over the processes.
+Indicators gathered(const std::vector<Contributions>& mine,
+                    const bem::DenseAlgebra& algebra) {
+  Vector all;
+  for (const Contributions& squares : mine)
+    all.insert(all.end(), squares.begin(), squares.end());
+  all = algebra.sum(std::move(all));
+  Indicators indicators;
+  for (auto next = all.begin(); next != all.end(); next += sourceCount) {
+    Contributions squares{};
+    std::copy_n(next, sourceCount, squares.begin());
+    indicators.squares.push_back(squares);
+  }
+  return indicators;
+}
+
 }  // namespace
 
 Indicators estimateResidual(const contact::Solved& solved, const Vector& density,
                             const bem::Lame& lame, const EstimatorOptions& options) {
   const bem::DenseAlgebra& algebra = solved.stiffness.algebra();
+  const Weights& weights = weighting(options.weights);
   const Contributions factors = factorsOf(solved, lame, options);
-  const Residuals residuals(solved, density, lame, weighting(options.weights).slipTerm);
+  const Residuals residuals(solved, density, lame, weights);
+  const auto& touching = solved.problem.multiplier().elements();
   const int size = solved.space.mesh().size();
 
-  std::vector<std::vector<bem::BoundaryValue>> fields(static_cast<std::size_t>(size));
+  Fields fields(static_cast<std::size_t>(size));  // of my elements
 #pragma omp parallel for schedule(dynamic, 1)
   for (int e = algebra.rank(); e < size; e += algebra.processes())
     fields[static_cast<std::size_t>(e)] = residuals.fields(e);
+  const auto fieldsOf = [&](const ContactElement& element) -> const auto& {
+    return fields[static_cast<std::size_t>(element.element)];
+  };
 
-  Vector all(static_cast<std::size_t>(size) * sourceCount, 0.0);
-  for (int e = algebra.rank(); e < size; e += algebra.processes()) {
-    const Contributions squares =
-        residuals.squares(e, fields[static_cast<std::size_t>(e)]);
-    for (std::size_t k = 0; k < sourceCount; ++k)
-      all[static_cast<std::size_t>(e) * sourceCount + k] = factors[k] * squares[k];
+  std::vector<bool> isTouching(fields.size());
+  std::vector<std::vector<Vec2>> contactResiduals;
+  std::vector<AtEnds> moments;
+  for (const ContactElement& element : touching) {
+    const auto& values = fieldsOf(element);
+    isTouching[static_cast<std::size_t>(element.element)] = true;
+    contactResiduals.push_back(residuals.residual(element, values));
+    moments.push_back(Residuals::moments(element, values, contactResiduals.back()));
   }
-  all = algebra.sum(std::move(all));
+  const bool equivalent = weights.multiplier == MultiplierChoice::Equivalent;
+  const std::vector<AtEnds> correction = equivalent
+                                             ? corrections(solved, factors, moments)
+                                             : std::vector<AtEnds>(touching.size());
 
-  Indicators indicators;
-  for (std::size_t e = 0; e < static_cast<std::size_t>(size); ++e) {
-    Contributions squares{};
-    std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(e * sourceCount), sourceCount,
-                squares.begin());
-    indicators.squares.push_back(squares);
+  std::vector<Contributions> squares = squaresOf(residuals, fields, isTouching);
+  for (std::size_t k = 0; k < touching.size(); ++k) {
+    const auto& values = fieldsOf(touching[k]);
+    if (values.empty())
+      continue;
+    Contributions& all = squares[static_cast<std::size_t>(touching[k].element)];
+    const Contributions contact =
+        residuals.contactSquares(touching[k], values, contactResiduals[k], correction[k]);
+    for (std::size_t i = 0; i < sourceCount; ++i)
+      all[i] += contact[i];
+    if (equivalent)
+      of(all, Source::Contact) += residuals.stabilisation(k, values, contactResiduals[k]);
   }
-  return indicators;
+  for (Contributions& square : squares)
+    for (std::size_t i = 0; i < sourceCount; ++i)
+      square[i] *= factors[i];
+  return gathered(squares, algebra);
 }
 
 }  // namespace epafi::adaptivity

@@ -15,6 +15,9 @@ struct EstimatorOptions {
 /// The residual error estimator of [P] Theorem 22, Corollary 23 and, with bounds that
 /// follow the pressure, Theorem 24; norms by the scaled L² norms of [P sec. 8].
 ///
+/// Under Weights "Energy" the multiplier in it is not λʰ but one that does the same work,
+/// see equivalentMultiplier, and γ |λʰ + S u|² is added to the contact residual.
+///
 /// The Neumann residual is taken against the given traction itself, not its interpolant,
 /// and with the uniform tractions that hold fixed rigid motions.  Free components on a
 /// Dirichlet side count as Neumann.  Prescribed displacements are taken as met: what

@@ -42,10 +42,11 @@ const std::vector<Weights>& weightings() {
   static const std::vector<Weights> table = {
       {"Energy",
        "all terms as energies: residual, tension and bound divided by the shear modulus, "
-       "density and penetration multiplied by it; slip of the admissible shear",
-       energy, SlipTerm::Admissible},
+       "density and penetration multiplied by it; of the multipliers that do the same "
+       "work the best, slip of its admissible shear",
+       energy, SlipTerm::Admissible, MultiplierChoice::Equivalent},
       {"Paper", "as printed, in the scene's units, which then matter", paper,
-       SlipTerm::Printed},
+       SlipTerm::Printed, MultiplierChoice::Discrete},
   };
   return table;
 }

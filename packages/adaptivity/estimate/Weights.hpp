@@ -10,6 +10,12 @@
 
 namespace epafi::adaptivity {
 
+/// Which multiplier stands in the estimate.
+enum class MultiplierChoice {
+  Discrete,   ///< λʰ
+  Equivalent  ///< one that does the same work, see EquivalentMultiplier
+};
+
 /// How contributions of different units are added up.
 struct Weights {
   const char* name;
@@ -17,6 +23,7 @@ struct Weights {
   /// Factors that the dimensionless squares are multiplied by.
   Contributions (*factors)(const bem::Lame& lame, bem::Units units);
   SlipTerm slipTerm;
+  MultiplierChoice multiplier;
 };
 
 /// All weights.  A new one is one line in Weights.cpp.

@@ -1,0 +1,96 @@
+#include "adaptivity/estimate/ContactCost.hpp"
+
+#include "bem/quadrature/Gauss.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::adaptivity {
+
+using bem::Vec2;
+
+namespace {
+
+double positive(double x) { return std::max(x, 0.0); }
+double square(double x) { return x * x; }
+
+}  // namespace
+
+ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& element,
+                         const AtEnds& moments, const Contributions& factors)
+    : law_(element.condition->strength ? element.condition->law : nullptr),
+      stress_(solved.units.stress),
+      moments_(moments),
+      factors_(factors) {
+  const bem::Mesh& mesh = solved.space.mesh();
+  const bem::Element& geometry = mesh[element.element];
+  const int p = element.degree;
+  normal_ = geometry.normal;
+  size_ = 2 * geometry.half / p;
+  weight_ = 2.0 / p * of(factors_, Source::Contact);
+  self_ = endValue(p, 1);
+  other_ = endValue(p, -1);
+
+  const ContactProfiles profiles = contactProfiles(solved, element, {});
+  const bem::Rule& rule = bem::gaussLegendre(p + 6);
+  double steepest = 0;
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    const double t = rule.points[q];
+    const double strength =
+        law_ == nullptr
+            ? 0
+            : element.condition->strength(mesh.physicalPoint(element.element, t));
+    points_.push_back({rule.weights[q] * geometry.half, endValue(p, -t) / geometry.half,
+                       endValue(p, t) / geometry.half, profiles.pressure(t),
+                       profiles.shear(t), profiles.opening(t), profiles.tangential(t),
+                       strength});
+    if (law_ != nullptr)
+      steepest = std::max(
+          steepest,
+          law_->slipBoundSlope(stress_ * positive(points_.back().pressure), strength));
+  }
+  const Vec2 along = turnLeft(normal_);
+  directions_ = {normal_, along};
+  if (steepest > 0) {
+    directions_.push_back(normal_ + steepest * along);
+    directions_.push_back(normal_ - steepest * along);
+  }
+}
+
+double ContactCost::bound(const Point& point, double pressure) const {
+  return law_ == nullptr
+             ? 0
+             : law_->slipBound(stress_ * positive(pressure), point.strength) / stress_;
+}
+
+AtEnds ContactCost::slope(const AtEnds& c) const {
+  return {weight_ * (moments_.start + self_ * c.start + other_ * c.end),
+          weight_ * (moments_.end + self_ * c.end + other_ * c.start)};
+}
+
+double ContactCost::operator()(const AtEnds& c) const {
+  double sum =
+      weight_ * (2 * dot(moments_.start, c.start) + 2 * dot(moments_.end, c.end) +
+                 self_ * (dot(c.start, c.start) + dot(c.end, c.end)) +
+                 2 * other_ * dot(c.start, c.end));
+  const Vec2 along = turnLeft(normal_);
+  const auto factor = [&](Source source) {
+    return factors_[static_cast<std::size_t>(source)];
+  };
+  for (const Point& point : points_) {
+    const Vec2 change = point.start * c.start + point.end * c.end;
+    const double pressure = point.pressure + dot(change, normal_);
+    const double shear = point.shear + dot(change, along);
+    const double s = bound(point, pressure);
+    sum +=
+        point.weight *
+        (factor(Source::Complementarity) * positive(pressure) * positive(point.opening) +
+         factor(Source::Tension) * size_ * square(positive(-pressure)) +
+         factor(Source::Bound) * size_ * square(positive(std::abs(shear) - s)) +
+         factor(Source::Slip) *
+             (s * std::abs(point.slip) - std::clamp(shear, -s, s) * point.slip));
+  }
+  return sum;
+}
+
+}  // namespace epafi::adaptivity

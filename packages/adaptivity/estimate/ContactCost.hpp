@@ -1,0 +1,53 @@
+#pragma once
+
+#include "adaptivity/estimate/ContactTerms.hpp"
+
+namespace epafi::adaptivity {
+
+/// What a contact element adds to the squared estimate as a function of the correction of
+/// its multiplier, up to a constant: h/p |λ̃ + S u|² exactly, the other terms by one Gauss
+/// rule.  For choosing a correction, of which any will do, not for the estimate itself.
+class ContactCost {
+ public:
+  /// `moments`: ∫ r e(-t) ds and ∫ r e(t) ds of r = λʰ + S u, see endValue.
+  ContactCost(const contact::Solved& solved, const ContactElement& element,
+              const AtEnds& moments, const Contributions& factors);
+
+  double operator()(const AtEnds& correction) const;
+
+  /// Of h/p |λ̃ + S u|²: half its derivative, and the half of its second one by the start
+  /// or by the end.
+  AtEnds slope(const AtEnds& correction) const;
+  double curvature() const { return weight_ * self_; }
+
+  /// Along these a correction leaves some term as it is: pressure, shear, and the two in
+  /// the ratio of friction.
+  const std::vector<bem::Vec2>& directions() const { return directions_; }
+
+ private:
+  struct Point {
+    double weight;
+    double start;  ///< e(-t)/half
+    double end;    ///< e(t)/half
+    double pressure;
+    double shear;
+    double opening;
+    double slip;
+    double strength;
+  };
+  double bound(const Point& point, double pressure) const;
+
+  const contact::FrictionLaw* law_;
+  double stress_;  ///< unit of the law's numbers
+  bem::Vec2 normal_;
+  double size_;  ///< h/p
+  double weight_;
+  double self_;
+  double other_;
+  AtEnds moments_;
+  Contributions factors_;
+  std::vector<Point> points_;
+  std::vector<bem::Vec2> directions_;
+};
+
+}  // namespace epafi::adaptivity

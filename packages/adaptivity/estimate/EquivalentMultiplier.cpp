@@ -1,0 +1,214 @@
+#include "adaptivity/estimate/EquivalentMultiplier.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::adaptivity {
+
+using bem::Vec2;
+
+namespace {
+
+constexpr int none = -1;
+
+/// A node that has a w.
+struct Joint {
+  int before = none;  ///< contact element that ends there
+  int after = none;   ///< contact element that starts there
+  Vec2 free;          ///< 1 for each component that has one, else 0
+  double reach = 0;   ///< of steps that are tried both ways
+};
+
+/// Which components of the displacement conditions prescribe on an element: 1 or 0 each.
+Vec2 clamped(const bem::Mesh& mesh, int e, const contact::Conditions& conditions) {
+  const auto clamp = conditions.dirichlet.find(mesh.boundary(e));
+  if (clamp == conditions.dirichlet.end())
+    return {};
+  return {clamp->second.x ? 1.0 : 0.0, clamp->second.y ? 1.0 : 0.0};
+}
+
+std::vector<Joint> findJoints(const bem::Mesh& mesh,
+                              const contact::Conditions& conditions,
+                              const std::vector<ContactElement>& elements) {
+  std::vector<int> contactOf(static_cast<std::size_t>(mesh.size()), none);
+  for (std::size_t k = 0; k < elements.size(); ++k)
+    contactOf[static_cast<std::size_t>(elements[k].element)] = static_cast<int>(k);
+  std::vector<Joint> joints;
+  for (int e = 0; e < mesh.size(); ++e) {
+    const int previous = mesh[e].previous;
+    const int after = contactOf[static_cast<std::size_t>(e)];
+    const int before = contactOf[static_cast<std::size_t>(previous)];
+    Vec2 free{1, 1};
+    if (after == none)
+      free = clamped(mesh, e, conditions);
+    else if (before == none)
+      free = clamped(mesh, previous, conditions);
+    if ((before != none || after != none) && free != Vec2{})
+      joints.push_back({before, after, free});
+  }
+  return joints;
+}
+
+void move(const Joint& joint, Vec2 change, std::vector<AtEnds>& factors) {
+  if (joint.before != none) {
+    Vec2& end = factors[static_cast<std::size_t>(joint.before)].end;
+    end = end + change;
+  }
+  if (joint.after != none) {
+    Vec2& start = factors[static_cast<std::size_t>(joint.after)].start;
+    start = start - change;
+  }
+}
+
+/// Changes of one joint, all others as they are.
+class Neighbourhood {
+ public:
+  Neighbourhood(const Joint& joint, const std::vector<ContactCost>& costs,
+                const std::vector<AtEnds>& factors)
+      : joint_(joint), costs_(costs), factors_(factors) {
+    if (joint.before != none) {
+      const ContactCost& cost = costAt(joint.before);
+      slope_ = slope_ + cost.slope(factorsAt(joint.before)).end;
+      curvature_ += cost.curvature();
+      add(cost.directions());
+    }
+    if (joint.after != none) {
+      const ContactCost& cost = costAt(joint.after);
+      slope_ = slope_ - cost.slope(factorsAt(joint.after)).start;
+      curvature_ += cost.curvature();
+      add(cost.directions());
+    }
+  }
+
+  double cost(Vec2 change) const {
+    double sum = 0;
+    if (joint_.before != none) {
+      AtEnds c = factorsAt(joint_.before);
+      c.end = c.end + change;
+      sum += costAt(joint_.before)(c);
+    }
+    if (joint_.after != none) {
+      AtEnds c = factorsAt(joint_.after);
+      c.start = c.start - change;
+      sum += costAt(joint_.after)(c);
+    }
+    return sum;
+  }
+
+  const std::vector<Vec2>& directions() const { return directions_; }
+
+  /// How far along a direction h/p |λ̃ + S u|² is least.
+  double distance(Vec2 direction) const {
+    return -dot(slope_, direction) / (curvature_ * dot(direction, direction));
+  }
+
+ private:
+  const ContactCost& costAt(int k) const { return costs_[static_cast<std::size_t>(k)]; }
+  const AtEnds& factorsAt(int k) const { return factors_[static_cast<std::size_t>(k)]; }
+
+  void add(const std::vector<Vec2>& directions) {
+    for (const Vec2 d : directions) {
+      const Vec2 possible{joint_.free.x * d.x, joint_.free.y * d.y};
+      if (possible != Vec2{})
+        directions_.push_back(possible);
+    }
+  }
+
+  const Joint& joint_;
+  const std::vector<ContactCost>& costs_;
+  const std::vector<AtEnds>& factors_;
+  std::vector<Vec2> directions_;
+  Vec2 slope_;
+  double curvature_ = 0;
+};
+
+/// The best of some changes; the mean of those that are equally good, since a mirrored
+/// scene has them in another order.
+class Best {
+ public:
+  explicit Best(double cost) : start_(cost), least_(cost) {}
+
+  void consider(double cost, Vec2 change) {
+    const double tie = 1e-9 * (start_ - std::min(cost, least_));
+    if (!(cost < start_) || cost > least_ + tie)
+      return;
+    if (cost < least_ - tie) {
+      least_ = cost;
+      sum_ = {};
+      count_ = 0;
+    }
+    sum_ = sum_ + change;
+    ++count_;
+  }
+
+  bool found() const { return count_ > 0; }
+  Vec2 change() const { return found() ? (1.0 / count_) * sum_ : Vec2{}; }
+
+ private:
+  double start_;
+  double least_;
+  Vec2 sum_;
+  int count_ = 0;
+};
+
+struct Step {
+  Vec2 change;
+  double reach;  ///< for the next one
+};
+
+Step bestStep(double reach, const Neighbourhood& around) {
+  Best best(around.cost({}));
+  double largest = 0;
+  for (const Vec2 d : around.directions()) {
+    const double whole = around.distance(d);
+    largest = std::max(largest, std::abs(whole));
+    for (const double step : {whole, 0.5 * whole, reach, -reach})
+      if (step != 0)
+        best.consider(around.cost(step * d), step * d);
+  }
+  if (reach == 0)
+    return {best.change(), 0.5 * largest};
+  return {best.change(), best.found() ? reach : 0.5 * reach};
+}
+
+double total(const std::vector<ContactCost>& costs, const std::vector<AtEnds>& factors) {
+  double sum = 0;
+  for (std::size_t k = 0; k < costs.size(); ++k)
+    sum += costs[k](factors[k]);
+  return sum;
+}
+
+}  // namespace
+
+std::vector<AtEnds> equivalentMultiplier(const bem::Mesh& mesh,
+                                         const contact::Conditions& conditions,
+                                         const std::vector<ContactElement>& elements,
+                                         const std::vector<ContactCost>& costs) {
+  constexpr int sweeps = 40;
+  constexpr double enough = 1e-3;  // of what has been gained; any result is as valid
+  std::vector<Joint> joints = findJoints(mesh, conditions, elements);
+  std::vector<AtEnds> factors(elements.size());
+  const double start = total(costs, factors);
+  double least = start;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    // All joints at once, so that their order does not show, and half the way: each cost
+    // depends on two joints and is convex where pressure and shear keep their signs.
+    std::vector<AtEnds> next = factors;
+    for (Joint& joint : joints) {
+      const Step step = bestStep(joint.reach, {joint, costs, factors});
+      joint.reach = step.reach;
+      move(joint, 0.5 * step.change, next);
+    }
+    const double sum = total(costs, next);
+    if (!(sum < least))
+      break;
+    const double gain = least - sum;
+    least = sum;
+    factors = std::move(next);
+    if (gain < enough * (start - least))
+      break;
+  }
+  return factors;
+}
+
+}  // namespace epafi::adaptivity
