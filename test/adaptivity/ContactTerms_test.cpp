@@ -10,7 +10,6 @@ namespace epafi {
 using adaptivity::ContactProfiles;
 using adaptivity::Contributions;
 using adaptivity::Polynomial;
-using adaptivity::SlipTerm;
 using adaptivity::Source;
 
 namespace {
@@ -27,9 +26,15 @@ ContactProfiles resting() {
 
 Polynomial polynomial(const bem::Profile& f) { return {f, degree}; }
 
-double term(const ContactProfiles& profiles, Source source,
-            SlipTerm slipTerm = SlipTerm::Printed) {
-  Contributions terms = contactTerms(profiles, slipTerm);
+constexpr double shearModulus = 0.4;
+
+double term(const ContactProfiles& profiles, Source source) {
+  Contributions terms = contactTerms(profiles);
+  return of(terms, source);
+}
+
+double sharpTerm(const ContactProfiles& profiles, Source source) {
+  Contributions terms = sharpContactTerms(profiles, shearModulus);
   return of(terms, source);
 }
 
@@ -46,8 +51,9 @@ TEUCHOS_UNIT_TEST(ContactTerms, vanishWhereNothingIsViolated) {
   slipping.shear = polynomial([](double) { return -0.5; });
   slipping.tangential = polynomial([](double t) { return -2 + t; });
   for (const ContactProfiles& profiles : {open, stuck, slipping})
-    for (const auto slipTerm : {SlipTerm::Printed, SlipTerm::Admissible})
-      for (const double square : contactTerms(profiles, slipTerm))
+    for (const Contributions& squares :
+         {contactTerms(profiles), sharpContactTerms(profiles, shearModulus)})
+      for (const double square : squares)
         TEST_COMPARE(std::abs(square), <, 1e-30);
 }
 
@@ -82,26 +88,63 @@ TEUCHOS_UNIT_TEST(ContactTerms, measureShearBeyondTheBoundAndSlipBelowIt) {
 }
 
 /// Where the pressure dips below zero, Coulomb's shear has the wrong sign.
-TEUCHOS_UNIT_TEST(ContactTerms, ofTheAdmissibleShearLeaveItsExcessToTheBound) {
+TEUCHOS_UNIT_TEST(SharpContactTerms, leaveShearBeyondTheBoundToTheBound) {
   ContactProfiles profiles = resting();
   profiles.pressure = polynomial([](double t) { return t; });
   profiles.shear = polynomial([](double t) { return 0.3 * t; });
   profiles.bound = [](double t) { return 0.3 * std::max(t, 0.0); };
   profiles.tangential = polynomial([](double) { return 2.0; });
-  TEST_FLOATING_EQUALITY(term(profiles, Source::Slip, SlipTerm::Printed),
-                         half * 2 * 0.3 * 0.5 * 2.0, 1e-13);
-  TEST_COMPARE(std::abs(term(profiles, Source::Slip, SlipTerm::Admissible)), <, 1e-15);
-  for (const auto slipTerm : {SlipTerm::Printed, SlipTerm::Admissible})
-    TEST_FLOATING_EQUALITY(term(profiles, Source::Bound, slipTerm),
-                           half * size * 0.09 / 3, 1e-13);
-  // within the bound they are the same
-  profiles.shear = polynomial([](double t) { return 0.2 * t * t; });
-  profiles.bound = [](double) { return 0.5; };
-  TEST_FLOATING_EQUALITY(term(profiles, Source::Slip, SlipTerm::Admissible),
-                         term(profiles, Source::Slip, SlipTerm::Printed), 1e-13);
+  TEST_FLOATING_EQUALITY(term(profiles, Source::Slip), half * 2 * 0.3 * 0.5 * 2.0, 1e-13);
+  TEST_COMPARE(std::abs(sharpTerm(profiles, Source::Slip)), <, 1e-15);
+  TEST_FLOATING_EQUALITY(term(profiles, Source::Bound), half * size * 0.09 / 3, 1e-13);
+  TEST_FLOATING_EQUALITY(sharpTerm(profiles, Source::Bound), half * size * 0.09 / 3,
+                         1e-13);
 }
 
-TEUCHOS_UNIT_TEST(ContactTerms, areNeverNegative) {
+// A small gap under pressure and a small slip below the bound are errors of the
+// displacement, a small pressure at a gap and a bound nearly reached are errors of the
+// multiplier: all count squared.
+TEUCHOS_UNIT_TEST(SharpContactTerms, areQuadraticInSmallViolations) {
+  const double stiffness = shearModulus / size;
+  ContactProfiles profiles = resting();
+  const auto violate = [&](double force, double length) {
+    profiles.pressure = polynomial([=](double t) { return force * (2 + t); });
+    profiles.opening = [=](double t) { return length * (2 + t); };
+    profiles.bound = [=](double) { return 0.5; };
+    profiles.shear = polynomial([=](double t) { return force * (2 + t) - 0.5; });
+    profiles.tangential = polynomial([=](double t) { return -length * (2 + t); });
+  };
+  const double integral = half * (8 + 2.0 / 3);
+  violate(0.1, 1e-4);
+  for (const Source source : {Source::Complementarity, Source::Slip})
+    TEST_FLOATING_EQUALITY(sharpTerm(profiles, source), stiffness * 1e-8 * integral,
+                           1e-12);
+  violate(1e-4, 0.1);
+  for (const Source source : {Source::Complementarity, Source::Slip})
+    TEST_FLOATING_EQUALITY(sharpTerm(profiles, source), 1e-8 / stiffness * integral,
+                           1e-12);
+}
+
+TEUCHOS_UNIT_TEST(LostWork, isTheLeastOverAllSplits) {
+  constexpr double stiffness = 1.7;
+  constexpr int steps = 400;
+  for (const double force : {0.0, 0.3, 1.0, 4.0})
+    for (const double length : {0.0, 0.1, 0.6, 2.0}) {
+      double least = force * length;
+      for (int i = 0; i <= steps; ++i)
+        for (int k = 0; k <= steps; ++k) {
+          const double f = force * i / steps;
+          const double v = length * k / steps;
+          least = std::min(least, f * v + (force - f) * (force - f) / stiffness +
+                                      stiffness * (length - v) * (length - v));
+        }
+      const double work = adaptivity::lostWork(force, length, stiffness);
+      TEST_COMPARE(work, <=, least + 1e-15);
+      TEST_COMPARE(work, >=, least - 1e-4);
+    }
+}
+
+TEUCHOS_UNIT_TEST(ContactTerms, areNeverNegativeAndTheSharpOnesNotLarger) {
   for (int trial = 0; trial < 40; ++trial) {
     ContactProfiles profiles = resting();
     const auto any = [trial](int k) {
@@ -112,8 +155,12 @@ TEUCHOS_UNIT_TEST(ContactTerms, areNeverNegative) {
     profiles.tangential = polynomial(any(2));
     profiles.opening = any(3);
     profiles.bound = [](double t) { return 0.3 + 0.2 * t; };
-    for (const double square : contactTerms(profiles, SlipTerm::Admissible))
-      TEST_COMPARE(square, >=, 0);
+    const Contributions printed = contactTerms(profiles);
+    const Contributions sharp = sharpContactTerms(profiles, shearModulus);
+    for (std::size_t k = 0; k < printed.size(); ++k) {
+      TEST_COMPARE(sharp[k], >=, 0);
+      TEST_COMPARE(sharp[k], <=, printed[k] + 1e-15);
+    }
   }
 }
 

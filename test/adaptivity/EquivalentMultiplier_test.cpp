@@ -18,6 +18,8 @@ using test::SolvedScene;
 
 namespace {
 
+constexpr double shearModulus = 0.4;
+
 double any(int k) { return std::sin(1.7 + 3.1 * k + 0.2 * k * k); }
 
 /// Contact below and to the right, so that they meet at a corner, a clamp above and, on
@@ -53,7 +55,7 @@ std::vector<ContactCost> costsOf(const contact::Solved& solved) {
     const double size = 1e-4;
     const AtEnds moments{{size * any(k), size * any(k + 1)},
                          {size * any(k + 2), size * any(k + 3)}};
-    costs.emplace_back(solved, element, moments, factors);
+    costs.emplace_back(solved, element, moments, factors, shearModulus);
     k += 4;
   }
   return costs;
@@ -140,10 +142,10 @@ TEUCHOS_UNIT_TEST(ContactCost, differsFromTheTermsByAConstant) {
   factors.fill(1);
   factors[static_cast<std::size_t>(adaptivity::Source::Contact)] = 0;
   for (const auto& element : solved.problem.multiplier().elements()) {
-    const ContactCost cost(solved, element, {}, factors);
+    const ContactCost cost(solved, element, {}, factors, shearModulus);
     const auto terms = [&](const AtEnds& correction) {
-      Contributions squares = contactTerms(contactProfiles(solved, element, correction),
-                                           adaptivity::SlipTerm::Admissible);
+      Contributions squares =
+          sharpContactTerms(contactProfiles(solved, element, correction), shearModulus);
       double sum = -of(squares, adaptivity::Source::Penetration);
       for (const double square : squares)
         sum += square;

@@ -17,7 +17,8 @@ double square(double x) { return x * x; }
 }  // namespace
 
 ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& element,
-                         const AtEnds& moments, const Contributions& factors)
+                         const AtEnds& moments, const Contributions& factors,
+                         double shearModulus)
     : law_(element.condition->strength ? element.condition->law : nullptr),
       stress_(solved.units.stress),
       moments_(moments),
@@ -27,12 +28,13 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
   const int p = element.degree;
   normal_ = geometry.normal;
   size_ = 2 * geometry.half / p;
+  stiffness_ = shearModulus / size_;
   weight_ = 2.0 / p * of(factors_, Source::Contact);
   self_ = endValue(p, 1);
   other_ = endValue(p, -1);
 
   const ContactProfiles profiles = contactProfiles(solved, element, {});
-  const bem::Rule& rule = bem::gaussLegendre(p + 6);
+  const bem::Rule& rule = bem::gaussLegendre(p + 10);
   double steepest = 0;
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     const double t = rule.points[q];
@@ -73,22 +75,22 @@ double ContactCost::operator()(const AtEnds& c) const {
       weight_ * (2 * dot(moments_.start, c.start) + 2 * dot(moments_.end, c.end) +
                  self_ * (dot(c.start, c.start) + dot(c.end, c.end)) +
                  2 * other_ * dot(c.start, c.end));
-  const Vec2 along = turnLeft(normal_);
+  const Vec2 tangent = turnLeft(normal_);
   const auto factor = [&](Source source) {
     return factors_[static_cast<std::size_t>(source)];
   };
   for (const Point& point : points_) {
     const Vec2 change = point.start * c.start + point.end * c.end;
     const double pressure = point.pressure + dot(change, normal_);
-    const double shear = point.shear + dot(change, along);
+    const double shear = point.shear + dot(change, tangent);
     const double s = bound(point, pressure);
-    sum +=
-        point.weight *
-        (factor(Source::Complementarity) * positive(pressure) * positive(point.opening) +
-         factor(Source::Tension) * size_ * square(positive(-pressure)) +
-         factor(Source::Bound) * size_ * square(positive(std::abs(shear) - s)) +
-         factor(Source::Slip) *
-             (s * std::abs(point.slip) - std::clamp(shear, -s, s) * point.slip));
+    const double along = std::clamp(point.slip < 0 ? -shear : shear, -s, s);
+    const double gap = lostWork(positive(pressure), positive(point.opening), stiffness_);
+    const double slip = lostWork(s - along, std::abs(point.slip), stiffness_);
+    sum += point.weight *
+           (factor(Source::Complementarity) * gap + factor(Source::Slip) * slip +
+            factor(Source::Tension) * size_ * square(positive(-pressure)) +
+            factor(Source::Bound) * size_ * square(positive(std::abs(shear) - s)));
   }
   return sum;
 }

@@ -11,7 +11,7 @@ class ContactCost {
  public:
   /// `moments`: ∫ r e(-t) ds and ∫ r e(t) ds of r = λʰ + S u, see endValue.
   ContactCost(const contact::Solved& solved, const ContactElement& element,
-              const AtEnds& moments, const Contributions& factors);
+              const AtEnds& moments, const Contributions& factors, double shearModulus);
 
   double operator()(const AtEnds& correction) const;
 
@@ -40,7 +40,8 @@ class ContactCost {
   const contact::FrictionLaw* law_;
   double stress_;  ///< unit of the law's numbers
   bem::Vec2 normal_;
-  double size_;  ///< h/p
+  double size_;       ///< h/p
+  double stiffness_;  ///< μ p/h
   double weight_;
   double self_;
   double other_;

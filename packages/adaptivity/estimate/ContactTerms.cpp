@@ -107,7 +107,13 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
           geometry.half};
 }
 
-Contributions contactTerms(const ContactProfiles& c, SlipTerm slipTerm) {
+namespace {
+
+/// Both kinds of terms; `complementarity` and `slip` are the densities of the first and
+/// the last: of pressure and opening, of bound, shear and slip.
+template <class Complementarity, class Slip>
+Contributions terms(const ContactProfiles& c, const Complementarity& complementarity,
+                    const Slip& slip) {
   const bem::Rule rule = bem::piecewiseRule(breaks(c), c.degree + 6);
   const double size = 2 * c.half / c.degree;  // h/p
   Contributions squares{};
@@ -116,24 +122,57 @@ Contributions contactTerms(const ContactProfiles& c, SlipTerm slipTerm) {
     const double weight = c.half * rule.weights[q];
     const double pressure = c.pressure(t);
     const double opening = c.opening(t);
-    const double whole = c.shear(t);
-    const double slip = c.tangential(t);
+    const double shear = c.shear(t);
     const double bound = c.bound(t);
     const double tension = positive(-pressure);
     const double penetration = positive(-opening);
-    const double excess = positive(std::abs(whole) - bound);
-    const double shear =
-        slipTerm == SlipTerm::Printed ? whole : std::clamp(whole, -bound, bound);
+    const double excess = positive(std::abs(shear) - bound);
     of(squares, Source::Complementarity) +=
-        weight * positive(pressure) * positive(opening);
+        weight * complementarity(positive(pressure), positive(opening));
     of(squares, Source::Penetration) += weight / size * penetration * penetration;
     of(squares, Source::Tension) += weight * size * tension * tension;
     of(squares, Source::Bound) += weight * size * excess * excess;
-    of(squares, Source::Slip) +=
-        weight * (positive(bound - std::abs(shear)) * std::abs(slip) +
-                  2 * positive(-shear * slip));
+    of(squares, Source::Slip) += weight * slip(bound, shear, c.tangential(t));
   }
   return squares;
+}
+
+}  // namespace
+
+Contributions contactTerms(const ContactProfiles& profiles) {
+  return terms(
+      profiles, [](double pressure, double opening) { return pressure * opening; },
+      [](double bound, double shear, double slip) {
+        return positive(bound - std::abs(shear)) * std::abs(slip) +
+               2 * positive(-shear * slip);
+      });
+}
+
+Contributions sharpContactTerms(const ContactProfiles& profiles, double shearModulus) {
+  const double stiffness = shearModulus * profiles.degree / (2 * profiles.half);
+  return terms(
+      profiles,
+      [stiffness](double pressure, double opening) {
+        return lostWork(pressure, opening, stiffness);
+      },
+      [stiffness](double bound, double shear, double slip) {
+        const double along = std::clamp(slip < 0 ? -shear : shear, -bound, bound);
+        return lostWork(bound - along, std::abs(slip), stiffness);
+      });
+}
+
+double lostWork(double force, double length, double stiffness) {
+  // in units in which both squares have the factor one
+  const double f = force / std::sqrt(stiffness);
+  const double v = length * std::sqrt(stiffness);
+  if (2 * v <= f)
+    return v * v;
+  if (2 * f <= v)
+    return f * f;
+  const double workingForce = (4 * f - 2 * v) / 3;
+  const double workingLength = (4 * v - 2 * f) / 3;
+  return workingForce * workingLength +
+         0.25 * (workingForce * workingForce + workingLength * workingLength);
 }
 
 }  // namespace epafi::adaptivity

@@ -35,23 +35,28 @@ struct ContactProfiles {
 ContactProfiles contactProfiles(const contact::Solved& solved,
                                 const ContactElement& element, const AtEnds& correction);
 
-/// Which shear the slip term sees.
-enum class SlipTerm {
-  Printed,  ///< λₜ itself:  ∫ (s-|λₜ|)⁺ |uₜ| + |λₜ||uₜ| - λₜuₜ             [P sec. 8]
-  Admissible  ///< its part λ̃ within the bound:  ∫ s |uₜ| - λ̃ uₜ
-};
-
-/// Squares of the last five sources on one contact element, dimensionless:
+/// Squares of the last five sources on one contact element, dimensionless, as printed:
 ///
 ///   ∫ λₙ⁺ (g-uₙ)⁺,  p/h |(g-uₙ)⁻|²,  h/p |λₙ⁻|²,  h/p |(|λₜ|-s)⁺|²,
-///   and one of SlipTerm's                                                [P sec. 8]
+///   ∫ (s-|λₜ|)⁺ |uₜ| + |λₜ||uₜ| - λₜuₜ                                   [P sec. 8]
 ///
-/// Both slip terms bound the error: of  <λₜ - λₜʰ, uₜʰ - uₜ>  the part of λₜʰ beyond s is
-/// paired with uₜʰ - uₜ and so belongs to the fourth term, squared.  As printed it is
-/// paired with uₜʰ as well, where it has the wrong sign: an excess of first order,
-/// ∫ 2 |λₜ| |uₜ|, which hides all others where pressure dips below zero next to the end
-/// of contact.
 /// The rule breaks wherever one of the signs changes.
-Contributions contactTerms(const ContactProfiles& profiles, SlipTerm slipTerm);
+Contributions contactTerms(const ContactProfiles& profiles);
+
+/// The same with sharper bounds in the first and the last (doc/theory/estimators.md):
+///
+///   ∫ H(λₙ⁺, (g-uₙ)⁺),   ∫ H(s - λ̃ sign uₜ, |uₜ|),   λ̃ = max(-s, min(s, λₜ)),
+///
+/// H = lostWork for the stiffness μ p/h.
+Contributions sharpContactTerms(const ContactProfiles& profiles, double shearModulus);
+
+/// What a force along a length, neither of which should be, adds to the squared error at
+/// most:
+///
+///   min  f₁ v₁ + (force - f₁)² / stiffness + stiffness (length - v₁)²,  f₁, v₁ >= 0.
+///
+/// What is taken from the force is an error of the multiplier, what is taken from the
+/// length one of the displacement; both count squared.
+double lostWork(double force, double length, double stiffness);
 
 }  // namespace epafi::adaptivity

@@ -117,8 +117,10 @@ class Residuals {
                                const AtEnds& correction) const {
     const bem::Element& element = mesh_[contact.element];
     const double size = 2 * element.half / element.degree;
-    Contributions squares =
-        contactTerms(contactProfiles(solved_, contact, correction), weights_.slipTerm);
+    const ContactProfiles profiles = contactProfiles(solved_, contact, correction);
+    Contributions squares = weights_.bounds == Bounds::Sharp
+                                ? sharpContactTerms(profiles, mu_)
+                                : contactTerms(profiles);
     double& square = of(squares, Source::Contact);
     for (std::size_t q = 0; q < values.size(); ++q) {
       const Vec2 r = residual[q] + valueAt(correction, element, values[q].place.t);
@@ -172,7 +174,7 @@ std::vector<Contributions> squaresOf(const Residuals& residuals, const Fields& f
 }
 
 /// λ̃ - λʰ on all contact elements, from the moments of mine.
-std::vector<AtEnds> corrections(const contact::Solved& solved,
+std::vector<AtEnds> corrections(const contact::Solved& solved, const bem::Lame& lame,
                                 const Contributions& factors,
                                 const std::vector<AtEnds>& moments) {
   const auto& elements = solved.problem.multiplier().elements();
@@ -184,7 +186,7 @@ std::vector<AtEnds> corrections(const contact::Solved& solved,
   const double* next = numbers.data();
   for (const ContactElement& element : elements) {
     costs.emplace_back(solved, element, AtEnds{{next[0], next[1]}, {next[2], next[3]}},
-                       factors);
+                       factors, lame.mu);
     next += 4;
   }
   return equivalentMultiplier(solved.space.mesh(), solved.conditions, elements, costs);
@@ -234,9 +236,9 @@ Indicators estimateResidual(const contact::Solved& solved, const Vector& density
     contactResiduals.push_back(residuals.residual(element, values));
     moments.push_back(Residuals::moments(element, values, contactResiduals.back()));
   }
-  const bool equivalent = weights.multiplier == MultiplierChoice::Equivalent;
-  const std::vector<AtEnds> correction = equivalent
-                                             ? corrections(solved, factors, moments)
+  const bool sharp = weights.bounds == Bounds::Sharp;
+  const std::vector<AtEnds> correction = sharp
+                                             ? corrections(solved, lame, factors, moments)
                                              : std::vector<AtEnds>(touching.size());
 
   std::vector<Contributions> squares = squaresOf(residuals, fields, isTouching);
@@ -249,7 +251,7 @@ Indicators estimateResidual(const contact::Solved& solved, const Vector& density
         residuals.contactSquares(touching[k], values, contactResiduals[k], correction[k]);
     for (std::size_t i = 0; i < sourceCount; ++i)
       all[i] += contact[i];
-    if (equivalent)
+    if (sharp)
       of(all, Source::Contact) += residuals.stabilisation(k, values, contactResiduals[k]);
   }
   for (Contributions& square : squares)

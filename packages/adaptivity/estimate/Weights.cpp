@@ -44,9 +44,9 @@ const std::vector<Weights>& weightings() {
        "all terms as energies: residual, tension and bound divided by the shear modulus, "
        "density and penetration multiplied by it; of the multipliers that do the same "
        "work the best, slip of its admissible shear",
-       energy, SlipTerm::Admissible, MultiplierChoice::Equivalent},
+       energy, Bounds::Sharp},
       {"Paper", "as printed, in the scene's units, which then matter", paper,
-       SlipTerm::Printed, MultiplierChoice::Discrete},
+       Bounds::Printed},
   };
   return table;
 }

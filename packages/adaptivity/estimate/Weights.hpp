@@ -10,10 +10,10 @@
 
 namespace epafi::adaptivity {
 
-/// Which multiplier stands in the estimate.
-enum class MultiplierChoice {
-  Discrete,   ///< λʰ
-  Equivalent  ///< one that does the same work, see EquivalentMultiplier
+/// How violations of the contact conditions are bounded.
+enum class Bounds {
+  Printed,  ///< as in [P sec. 8], by λʰ
+  Sharp     ///< by sharpContactTerms of an equivalentMultiplier
 };
 
 /// How contributions of different units are added up.
@@ -22,8 +22,7 @@ struct Weights {
   const char* meaning;
   /// Factors that the dimensionless squares are multiplied by.
   Contributions (*factors)(const bem::Lame& lame, bem::Units units);
-  SlipTerm slipTerm;
-  MultiplierChoice multiplier;
+  Bounds bounds;
 };
 
 /// All weights.  A new one is one line in Weights.cpp.

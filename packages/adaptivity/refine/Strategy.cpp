@@ -44,13 +44,32 @@ Marks refineWorst(const LevelData& level) {
   return marks;
 }
 
+/// Degrees that run away from a neighbour's gain nothing: the neighbour's coarse density
+/// jumps at the common node, and its field there is what the larger element is marked
+/// for.
+Marks withNeighbours(const bem::Mesh& mesh, Marks marks) {
+  constexpr int mostApart = 2;
+  const auto follow = [&](int from, int e) {
+    Mark& mark = marks[static_cast<std::size_t>(e)];
+    if (mark == Mark::None && mesh[from].degree + 1 - mesh[e].degree > mostApart)
+      mark = Mark::RaiseDegree;
+  };
+  const Marks chosen = marks;
+  for (int e = 0; e < mesh.size(); ++e)
+    if (chosen[static_cast<std::size_t>(e)] == Mark::RaiseDegree) {
+      follow(e, mesh[e].previous);
+      follow(e, mesh[e].next);
+    }
+  return marks;
+}
+
 Marks gradeWorst(const LevelData& level) {
   Marks marks = nothing(level);
   for (const int e : doerfler(level.squares, level.markingFraction))
     marks[static_cast<std::size_t>(e)] =
         gradedMark(level.mesh, e, level.singular,
                    level.analytic[static_cast<std::size_t>(e)], level.grading);
-  return marks;
+  return withNeighbours(level.mesh, std::move(marks));
 }
 
 /// A mark as numbers, and back.
