@@ -19,9 +19,9 @@
 #include <random>
 #include <string>
 
-namespace {
+namespace epafi::bem {
 
-using namespace epafi::bem;
+namespace {
 
 const Lame lame({100, 0.3, true});
 const LapackAlgebra algebra;
@@ -87,7 +87,7 @@ void farPair(benchmark::State& state) {
   const FarBatch batch = farBatch();
   const auto moments = std::make_unique<FarMoments>();
   for (auto _ : state) {
-    farMoments(mesh[0], batch, degree, degree, {order, order}, *moments);
+    farMoments(mesh[0], batch, {degree, degree}, {order, order}, *moments);
     benchmark::DoNotOptimize(moments->log[0][0]);
   }
   perItem(state, "seconds_per_pair", lanes);
@@ -257,5 +257,7 @@ BENCHMARK(boundaryFields)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace
+
+}  // namespace epafi::bem
 
 BENCHMARK_MAIN();

@@ -8,9 +8,10 @@
 #include <cmath>
 #include <memory>
 
+namespace epafi {
+
 namespace {
 
-namespace bem = epafi::bem;
 using epafi::reference::polygon;
 
 TEUCHOS_UNIT_TEST(InstructionSets, startWithTheBaselineAndEndWithTheLargest) {
@@ -58,10 +59,10 @@ TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameFarMoments) {
   for (const int degree : {1, 2, 3, 8, 20}) {
     const bem::Mesh mesh = bem::makeMesh(outline, {2, 2, 2, 2}, degree);
     const bem::PairOrder order = {degree + 5, degree + 7};
-    bem::farMoments(mesh[1], anyBatch(), degree, degree, order, *baseline,
+    bem::farMoments(mesh[1], anyBatch(), {degree, degree}, order, *baseline,
                     bem::InstructionSet::Baseline);
     for (const bem::InstructionSet set : bem::instructionSets()) {
-      bem::farMoments(mesh[1], anyBatch(), degree, degree, order, *other, set);
+      bem::farMoments(mesh[1], anyBatch(), {degree, degree}, order, *other, set);
       TEST_COMPARE(difference(*baseline, *other, degree), <, 1e-13);
     }
   }
@@ -84,3 +85,5 @@ TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameSumsOfSources) {
 }
 
 }  // namespace
+
+}  // namespace epafi

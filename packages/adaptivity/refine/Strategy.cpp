@@ -10,9 +10,8 @@ namespace epafi::adaptivity {
 
 namespace {
 
-Marks all(const LevelData& level, Mark mark) {
-  Marks marks(static_cast<std::size_t>(level.mesh.size()), mark);
-  return marks;
+Marks all(const LevelData& level, const Mark& mark) {
+  return Marks(static_cast<std::size_t>(level.mesh.size()), mark);
 }
 
 Marks nothing(const LevelData& level) { return all(level, Mark::None); }

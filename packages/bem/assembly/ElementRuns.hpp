@@ -8,9 +8,9 @@ namespace epafi::bem {
 
 /// Up to eight elements in a row, first ... last - 1, with a circle around them.
 struct ElementRun {
+  FarBatch elements{};  ///< wx, wy: their middles, scaled; lanes beyond the last dropped
   int first = 0;
   int last = 0;
-  FarBatch elements;  ///< wx and wy: their middles, scaled; lanes beyond the last dropped
   Vec2 centre;
   double radius = 0;
   double largestHalf = 0;

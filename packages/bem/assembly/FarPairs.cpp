@@ -14,7 +14,7 @@ namespace {
 /// Smallest z (sum of the focal distances over the length) for which `base` points give
 /// 1e-12, without the part that pays for the polynomials.
 struct OrderTable {
-  double smallestZ[largestSmoothOrder + 1];
+  double smallestZ[largestSmoothOrder + 1] = {};
   OrderTable() {
     const double digits = std::log(1e12);
     smallestZ[0] = std::numeric_limits<double>::infinity();
@@ -121,16 +121,18 @@ struct Work {
         innerTable(weightedLegendre(order.inner)) {}
 };
 
-/// The inner integrals at one outer point.
+/// The inner integrals at one outer point; Degree 0 for any.
+template <int Degree>
 struct Inner {
-  Pack i[largestDegree + 2];  // ∫ P_k / r²
-  Pack j[largestDegree + 1];  // ∫ P_k η / r²,  η = w·τ_F
-  Pack l[largestDegree + 1];  // ∫ P_k log r
+  static constexpr int size = (Degree > 0 ? Degree : largestDegree) + 2;
+  Pack i[size];  // ∫ P_k / r²
+  Pack j[size];  // ∫ P_k η / r²,  η = w·τ_F
+  Pack l[size];  // ∫ P_k log r
 };
 
 template <int Degree, Division How>
 EPAFI_INLINE void innerIntegrals(const Work& work, int degree, const Pack& eta0,
-                                 const Pack& off2, const Pack& a, Inner& in) {
+                                 const Pack& off2, const Pack& a, Inner<Degree>& in) {
   const int p = Degree > 0 ? Degree : degree;
   for (int k = 0; k <= p + 1; ++k)
     in.i[k] = Pack{};
@@ -180,7 +182,7 @@ EPAFI_INLINE void farKernel(const Element& e, const FarBatch& batch, int rows,
       store(m.direct[at], zero);
       store(m.reverse[at], zero);
     }
-  Inner in;
+  Inner<Degree> in{};
   for (int q = 0; q < work.outer.size(); ++q) {
     const double s = e.half * work.outer.points[q];
     const Pack wx = load(batch.wx) + s * e.tangent.x;
@@ -240,9 +242,10 @@ void farBaseline(const Element& e, const FarBatch& batch, int rows, int columns,
 
 }  // namespace
 
-void farMoments(const Element& e, const FarBatch& batch, int rows, int columns,
+void farMoments(const Element& e, const FarBatch& batch, PairDegrees degrees,
                 PairOrder order, FarMoments& moments, InstructionSet set) {
   const Work work(order);
+  const auto [rows, columns] = degrees;
   switch (set) {
     case InstructionSet::Avx512:
       return farAvx512(e, batch, rows, columns, work, moments);

@@ -72,10 +72,16 @@ class FarMoments {
   alignas(64) Lane reverse[stride * stride];
 };
 
-/// Far moments of E against a batch: `rows` = p_E, `columns` = the batch's largest
-/// degree, orders the batch's largest.  Tensor Gauss with one reciprocal per point pair
+/// Largest degrees of the polynomials on E and on F.
+struct PairDegrees {
+  int rows = 0;
+  int columns = 0;
+};
+
+/// Far moments of E against a batch: degrees p_E and the batch's largest, orders the
+/// batch's largest.  Tensor Gauss with one reciprocal per point pair
 /// and one logarithm per outer point: ∫ P_j log|w| comes from ∫ P_j w·τ/|w|² by parts.
-void farMoments(const Element& e, const FarBatch& batch, int rows, int columns,
+void farMoments(const Element& e, const FarBatch& batch, PairDegrees degrees,
                 PairOrder order, FarMoments& moments,
                 InstructionSet set = largestInstructionSet());
 

@@ -15,7 +15,7 @@ void PairBatch::choose(int e, int r, int last) {
   if (chosen_.count == 0)
     return;
   const Element& element = runs_.mesh()[e];
-  farMoments(element, batch_, element.degree, chosen_.columns,
+  farMoments(element, batch_, {element.degree, chosen_.columns},
              {chosen_.smooth.outer + degreeShare(element.degree),
               chosen_.smooth.inner + degreeShare(chosen_.columns)},
              *farMoments_);

@@ -24,10 +24,10 @@ class PairBatch {
   const PairMoments& at(int f);
 
  private:
+  FarBatch batch_{};  // first, as it is aligned
   const ElementRuns& runs_;
   int e_ = 0;
   FarLanes chosen_;
-  FarBatch batch_{};
   std::unique_ptr<FarMoments> farMoments_;
   std::unique_ptr<PairMoments> pair_;
 };

@@ -1,6 +1,5 @@
 #include "bem/assembly/ProjectedTractions.hpp"
 
-#include "bem/assembly/Block.hpp"
 #include "bem/assembly/EndMoments.hpp"
 #include "bem/assembly/FarTractionRows.hpp"
 
@@ -45,6 +44,15 @@ ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
   }
 }
 
+void ProjectedTractions::addHypersingular(int source, int j, Index column,
+                                          const Block& block) {
+  const int first = j == 0 ? 0 : j + 1;
+  const int last = j == 0 ? 1 : j + 1;
+  for (int k = first; k <= last; ++k)
+    addBlock(kernels_.hypersingular, displacementRows_, space_.displacement(source, k, 0),
+             column, slopes_[static_cast<std::size_t>(k)] * block);
+}
+
 template <class Moments>
 void ProjectedTractions::addTest(int test, int source, const Moments& m) {
   const Element& x = space_.mesh()[test];
@@ -74,11 +82,8 @@ void ProjectedTractions::addTest(int test, int source, const Moments& m) {
 
       const double re = 0.5 * c.real();
       const double im = 0.5 * c.imag();
-      const Block hyper = scale * lame_.d * Block{re - l, im, im, -re - l};
-      for (int k = j == 0 ? 0 : j + 1; k <= (j == 0 ? 1 : j + 1); ++k)
-        addBlock(kernels_.hypersingular, displacementRows_,
-                 space_.displacement(source, k, 0), column,
-                 slopes_[static_cast<std::size_t>(k)] * hyper);
+      addHypersingular(source, j, column,
+                       scale * lame_.d * Block{re - l, im, im, -re - l});
 
       double laplace = sameEdge ? 0 : inverse2Pi * m.reverse(i, j);
       if (test == source && i == j)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/assembly/Block.hpp"
 #include "bem/assembly/PairMoments.hpp"
 #include "bem/base/DenseAlgebra.hpp"
 #include "bem/base/Material.hpp"
@@ -59,6 +60,9 @@ class ProjectedTractions {
   TractionKernels finish() { return std::move(kernels_); }
 
  private:
+  /// Adds a block to the rows of the source's functions φ_k with φ_k' = slope P_j.
+  void addHypersingular(int source, int j, Index column, const Block& block);
+
   /// moment(i, j): test degree i on `test`, source degree j.
   template <class Moments>
   void addTest(int test, int source, const Moments& moments);
@@ -68,7 +72,7 @@ class ProjectedTractions {
   Rows densityRows_;
   Rows displacementRows_;
   std::vector<Index> columns_;  ///< by element: its first column; -1: not asked for
-  std::array<double, largestDegree + 1> slopes_;
+  std::array<double, largestDegree + 1> slopes_{};
   TractionKernels kernels_;
 };
 

@@ -36,7 +36,7 @@ class Scatter {
   Lame lame_;
   Rows densityRows_;
   Rows displacementRows_;
-  std::array<double, largestDegree + 1> slopes_;
+  std::array<double, largestDegree + 1> slopes_{};
   Operators& out_;
 };
 

@@ -51,6 +51,17 @@ void forEachSource(const Space& space, int f, const SourceValues& values,
     }
 }
 
+/// The rows of a matrix that are mine.
+struct MyRows {
+  const Rows& rows;
+  Matrix& matrix;
+
+  void add(Index row, Index column, double value) const {
+    if (rows.contain(row))
+      matrix(row - rows.begin, column) += value;
+  }
+};
+
 class ElementRows {
  public:
   ElementRows(const FarTractionRows& far, const Space& space, const Lame& lame,
@@ -77,11 +88,10 @@ class ElementRows {
   /// 1/2, where they are mine.
   void write(Index first, const MyElements& mine, const Rows& displacementRows,
              const Rows& densityRows, Matrix& hyper, Matrix& adjoint) const {
+    const MyRows density{densityRows, adjoint};
+    const MyRows displacement{displacementRows, hyper};
     const auto put = [&](Kind kind, Index unknown, Index column, double value) {
-      const Rows& rows = kind == Kind::Density ? densityRows : displacementRows;
-      Matrix& matrix = kind == Kind::Density ? adjoint : hyper;
-      if (rows.contain(unknown))
-        matrix(unknown - rows.begin, column) += value;
+      (kind == Kind::Density ? density : displacement).add(unknown, column, value);
     };
     const auto putMoments = [&](double weight, const double* legendre) {
       return [&, weight, legendre](Kind kind, Index unknown, Complex value) {

@@ -204,6 +204,25 @@ std::string suggestion(const std::string& name,
                  "'? known here: ", quotedList(candidates));
 }
 
+namespace {
+
+std::string typeOf(const Teuchos::ParameterEntry& entry) {
+  return entry.isList() ? "ParameterList" : entry.getAny(false).typeName();
+}
+
+void validateEntry(const Teuchos::ParameterEntry& given,
+                   const Teuchos::ParameterEntry& expected, const std::string& name,
+                   const std::string& path) {
+  if (given.isList() != expected.isList() ||
+      (!given.isList() && given.getAny(false).type() != expected.getAny(false).type()))
+    throw InputError(message(where(name, path), ": is of type ", typeOf(given),
+                             ", wanted: ", typeOf(expected)));
+  if (!given.isList() && expected.validator() != Teuchos::null)
+    expected.validator()->validate(given, name, path);
+}
+
+}  // namespace
+
 void validate(Teuchos::ParameterList& list, const Teuchos::ParameterList& valid,
               const std::string& path) {
   std::vector<std::string> known;
@@ -215,15 +234,7 @@ void validate(Teuchos::ParameterList& list, const Teuchos::ParameterList& valid,
     const Teuchos::ParameterEntry* expected = valid.getEntryPtr(name);
     if (expected == nullptr)
       throw InputError(message(where(name, path), ": unknown", suggestion(name, known)));
-    const Teuchos::ParameterEntry& given = item.second;
-    if (given.isList() != expected->isList() ||
-        (!given.isList() && given.getAny(false).type() != expected->getAny(false).type()))
-      throw InputError(message(
-          where(name, path), ": is of type ",
-          given.isList() ? "ParameterList" : given.getAny(false).typeName(), ", wanted: ",
-          expected->isList() ? "ParameterList" : expected->getAny(false).typeName()));
-    if (!given.isList() && expected->validator() != Teuchos::null)
-      expected->validator()->validate(given, name, path);
+    validateEntry(item.second, *expected, name, path);
   }
   for (const auto& item : valid)
     if (item.second.isList())

@@ -54,7 +54,7 @@ bool isForwardStable(int top, double logR) { return 2 * top * logR < 2.3; }
 
 LogMoments logMomentsAhead(double gap, int degree) {
   LogMoments l{};
-  std::array<double, largestDegree + 3> c;
+  std::array<double, largestDegree + 3> c{};
   const double z = 1 + gap;
   const double product = gap * (gap + 2);
   const double q0 = 0.5 * std::log1p(2 / gap);

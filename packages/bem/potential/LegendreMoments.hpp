@@ -34,9 +34,9 @@ struct RelativeTarget {
 /// Relative error about 1e-15 for j <= 2 and 1e-13 for j <= 25, from 1e-12 off the
 /// element or its ends to |z| = 1e6.
 struct LegendreMoments {
-  std::array<Complex, largestDegree + 3> c;
-  std::array<Complex, largestDegree + 2> d;
-  std::array<double, largestDegree + 2> l;
+  std::array<Complex, largestDegree + 3> c{};
+  std::array<Complex, largestDegree + 2> d{};
+  std::array<double, largestDegree + 2> l{};
 };
 
 enum class Need { C, CandL, CandD, All };
