@@ -15,9 +15,10 @@
 #include <map>
 #include <string>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using bem::Index;
 using bem::Matrix;
 
@@ -70,13 +71,7 @@ class Stopwatch {
   std::map<std::string, Cost> least_;
 };
 
-}  // namespace
-
-int main(int argc, char* argv[]) {
-  const Tpetra::ScopeGuard scope(&argc, &argv);
-  const bem::TpetraAlgebra algebra(Tpetra::getDefaultComm());
-  const Index n = argc > 1 ? std::atoi(argv[1]) : 2048;
-  const int repetitions = argc > 2 ? std::atoi(argv[2]) : 3;
+void measure(const bem::TpetraAlgebra& algebra, Index n, int repetitions) {
   const Index few = n / 4;
   const auto size = static_cast<double>(n);
   const double cube = size * size * size;
@@ -104,4 +99,14 @@ int main(int argc, char* argv[]) {
     });
   }
   stopwatch.print();
+}
+
+}  // namespace
+
+}  // namespace epafi
+
+int main(int argc, char* argv[]) {
+  const Tpetra::ScopeGuard scope(&argc, &argv);
+  epafi::measure(epafi::bem::TpetraAlgebra(Tpetra::getDefaultComm()),
+                 argc > 1 ? std::atoi(argv[1]) : 2048, argc > 2 ? std::atoi(argv[2]) : 3);
 }

@@ -16,7 +16,7 @@ using contact::MultiplierSpace;
 
 namespace {
 
-Marks only(const bem::Mesh& mesh, int element, Mark mark) {
+Marks only(const bem::Mesh& mesh, int element, const Mark& mark) {
   Marks marks(static_cast<std::size_t>(mesh.size()), Mark::None);
   marks[static_cast<std::size_t>(element)] = mark;
   return marks;

@@ -15,10 +15,10 @@
 #include <array>
 #include <cmath>
 
+namespace epafi::reference {
+
 namespace {
 
-using namespace epafi::reference;
-namespace bem = epafi::bem;
 using bem::Vec2;
 using bem::Vector;
 
@@ -194,3 +194,5 @@ TEUCHOS_UNIT_TEST(BoundaryFields, integrateToTheGalerkinMatrices) {
 }
 
 }  // namespace
+
+}  // namespace epafi::reference

@@ -11,10 +11,10 @@
 #include <numeric>
 #include <random>
 
+namespace epafi::reference {
+
 namespace {
 
-using namespace epafi::reference;
-namespace bem = epafi::bem;
 using bem::Index;
 using bem::Vec2;
 using bem::Vector;
@@ -159,3 +159,5 @@ TEUCHOS_UNIT_TEST(UnionMesh, tellsNodesNextToAVertexApart) {
 }
 
 }  // namespace
+
+}  // namespace epafi::reference

@@ -6,9 +6,10 @@
 
 #include <string>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using bem::Loops;
 
 const std::string header = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
@@ -107,3 +108,5 @@ TEUCHOS_UNIT_TEST(GmshOutline, saysWhyAMeshIsNoOutline) {
 }
 
 }  // namespace
+
+}  // namespace epafi

@@ -9,10 +9,9 @@
 
 #include <algorithm>
 
-namespace {
+namespace epafi::reference {
 
-using namespace epafi::reference;
-namespace bem = epafi::bem;
+namespace {
 
 TEUCHOS_UNIT_TEST(OperatorsConvergence, everyEntryIsExactTo12DigitsOfItsBlock) {
   const bem::LapackAlgebra algebra;
@@ -79,3 +78,5 @@ TEUCHOS_UNIT_TEST(OperatorsConvergence, theReferenceHas18Digits) {
 }
 
 }  // namespace
+
+}  // namespace epafi::reference

@@ -11,10 +11,10 @@
 #include <algorithm>
 #include <cmath>
 
+namespace epafi::reference {
+
 namespace {
 
-using namespace epafi::reference;
-namespace bem = epafi::bem;
 using bem::Vec2;
 using bem::Vector;
 
@@ -252,3 +252,5 @@ TEUCHOS_UNIT_TEST(Operators, doNotDependOnUnitsOrOnTheOrigin) {
 }
 
 }  // namespace
+
+}  // namespace epafi::reference

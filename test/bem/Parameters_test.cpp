@@ -7,9 +7,10 @@
 
 #include <cmath>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using Teuchos::ParameterList;
 
 ParameterList valid() {
@@ -84,3 +85,5 @@ TEUCHOS_UNIT_TEST(Parameters, intervalsIncludeTheirClosedEndsOnly) {
   TEST_ASSERT(!halfOpen.contains(0) && halfOpen.contains(1) && !halfOpen.contains(2));
   TEST_ASSERT(!halfOpen.contains(std::nan("")));
 }
+
+}  // namespace epafi

@@ -13,9 +13,10 @@
 #include <cmath>
 #include <random>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using contact::Equation;
 using contact::Evaluation;
 using contact::Index;
@@ -200,3 +201,5 @@ TEUCHOS_UNIT_TEST(Smoothing, leavesASolutionAlone) {
 }
 
 }  // namespace
+
+}  // namespace epafi

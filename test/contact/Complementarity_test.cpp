@@ -6,9 +6,9 @@
 #include <cmath>
 #include <random>
 
-namespace {
+namespace epafi::contact {
 
-using namespace epafi::contact;
+namespace {
 
 double projectedTo(double x, double low, double high) { return std::clamp(x, low, high); }
 
@@ -108,14 +108,15 @@ TEUCHOS_UNIT_TEST(Complementarity, theMeritIsSmoothExactlyWhereTheTableSaysSo) {
         jump = std::max(
             {jump, std::abs(up.value * up.multiplier - down.value * down.multiplier),
              std::abs(up.value * up.penetration - down.value * down.penetration)});
-        const auto in = f.normal(multiplier + a, y + b);
-        const auto out = f.normal(multiplier - a, y - b);
-        jump = std::max(jump,
-                        std::abs(in.value * in.multiplier - out.value * out.multiplier));
+        const auto right = f.normal(multiplier + a, y + b);
+        const auto left = f.normal(multiplier - a, y - b);
+        jump = std::max(jump, std::abs(right.value * right.multiplier -
+                                       left.value * left.multiplier));
       }
     };
     for (double s : {0.0, 1.0})
-      for (double x = -2; x <= 2; x += 0.25) {
+      for (int k = -8; k <= 8; ++k) {
+        const double x = 0.25 * k;
         look(x, s - x, s);
         look(x, -s - x, s);
         look(s, x, s);
@@ -150,8 +151,10 @@ TEUCHOS_UNIT_TEST(Complementarity, slopesHaveTheirSignsAndNeverVanishTogether) {
 
 TEUCHOS_UNIT_TEST(Complementarity, projectionIsTheProjection) {
   const auto& f = complementarity("Projection");
-  for (double multiplier = -2; multiplier <= 2; multiplier += 0.3)
-    for (double y = -2; y <= 2; y += 0.3) {
+  for (int i = 0; i <= 13; ++i)
+    for (int k = 0; k <= 13; ++k) {
+      const double multiplier = -2 + 0.3 * i;
+      const double y = -2 + 0.3 * k;
       TEST_COMPARE(std::abs(f.normal(multiplier, y).value -
                             (multiplier - std::max(0.0, multiplier + y))),
                    <, 1e-15);
@@ -162,3 +165,5 @@ TEUCHOS_UNIT_TEST(Complementarity, projectionIsTheProjection) {
 }
 
 }  // namespace
+
+}  // namespace epafi::contact

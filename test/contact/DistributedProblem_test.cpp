@@ -6,9 +6,10 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using bem::Index;
 using bem::Vector;
 using contact::Stabilization;
@@ -136,3 +137,5 @@ TEUCHOS_UNIT_TEST(DistributedProblem, isRefusedOnAllRanksWhereGammaIsTooLarge) {
 }
 
 }  // namespace
+
+}  // namespace epafi

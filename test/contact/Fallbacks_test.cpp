@@ -12,13 +12,13 @@
 #include <cmath>
 #include <random>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using contact::Equation;
 using contact::Index;
 using contact::Problem;
-using contact::State;
 
 /// A cantilever of length and stiffness one over a plane, under a uniform load that lays
 /// its end flat: Euler and Bernoulli's Green's function, a little local flexibility.
@@ -156,3 +156,5 @@ TEUCHOS_UNIT_TEST(Fallbacks, aLoadThatCannotBeReachedIsReportedWithItsFactor) {
 }
 
 }  // namespace
+
+}  // namespace epafi

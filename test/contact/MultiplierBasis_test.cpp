@@ -8,16 +8,17 @@
 #include <cmath>
 #include <numeric>
 
-namespace {
+namespace epafi {
 
-using namespace epafi;
+namespace {
 
 constexpr int highestDegree = 25;
 
 TEUCHOS_UNIT_TEST(MultiplierBasis, valuesOfEveryBasisSumToOne) {
   for (const auto& basis : contact::multiplierBases())
     for (int q = 0; q <= highestDegree; ++q)
-      for (double t = -1; t <= 1; t += 0.0625) {
+      for (int k = -16; k <= 16; ++k) {
+        const double t = k / 16.0;
         const bem::Vector values = basis.values(q, t);
         TEST_EQUALITY(values.size(), static_cast<std::size_t>(q + 1));
         TEST_COMPARE(std::abs(std::accumulate(values.begin(), values.end(), -1.0)), <,
@@ -85,7 +86,8 @@ TEUCHOS_UNIT_TEST(MultiplierBasis, placesIncreaseAndLieInTheElement) {
 TEUCHOS_UNIT_TEST(MultiplierBasis, bernsteinIsNonnegativeAndReproducesItsControlPoints) {
   const auto& bernstein = contact::multiplierBasis("Bernstein");
   for (int q = 1; q <= highestDegree; ++q)
-    for (double t = -1; t <= 1; t += 0.125) {
+    for (int k = -8; k <= 8; ++k) {
+      const double t = k / 8.0;
       const bem::Vector values = bernstein.values(q, t);
       const bem::Vector places = bernstein.places(q);
       double sum = 0;
@@ -134,3 +136,5 @@ TEUCHOS_UNIT_TEST(MultiplierBasis, anUnknownNameIsAnErrorThatNamesTheKnown) {
 }
 
 }  // namespace
+
+}  // namespace epafi

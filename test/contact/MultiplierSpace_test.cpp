@@ -12,9 +12,10 @@
 #include <cmath>
 #include <set>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using contact::Conditions;
 using contact::Index;
 using contact::MultiplierSpace;
@@ -302,3 +303,5 @@ TEUCHOS_UNIT_TEST(MultiplierSpace, anElementWithoutFreeNodesIsRefused) {
 }
 
 }  // namespace
+
+}  // namespace epafi

@@ -14,9 +14,10 @@
 #include <random>
 #include <sstream>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using contact::Equation;
 using contact::Problem;
 using contact::SolverOptions;
@@ -169,3 +170,5 @@ TEUCHOS_UNIT_TEST(NewtonOptions, whatNoxRefusesIsAnInputError) {
 }
 
 }  // namespace
+
+}  // namespace epafi

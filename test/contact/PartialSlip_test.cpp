@@ -15,9 +15,10 @@
 #include <memory>
 #include <string>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using bem::Vec2;
 using contact::Stabilization;
 using reference::ExactField;
@@ -182,7 +183,8 @@ Rates ratesOf(const contact::MultiplierBasis& basis, int degree, Law law) {
 
 TEUCHOS_UNIT_TEST(PartialSlip, theFieldIsASolutionOfContactWithFriction) {
   const Manufactured exact;
-  for (double s = 0; s <= 1; s += 1.0 / 64) {
+  for (int k = 0; k <= 64; ++k) {
+    const double s = k / 64.0;
     const PlaneStressTensor bottom = exact.stress({s, 0});
     const PlaneStressTensor right = exact.stress({1, s});
     TEST_COMPARE(bottom.yy, <, -0.1);
@@ -221,3 +223,5 @@ TEUCHOS_UNIT_TEST(PartialSlip, convergesAtFullOrderForEveryBasis) {
 }
 
 }  // namespace
+
+}  // namespace epafi

@@ -10,9 +10,10 @@
 #include <random>
 #include <vector>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using contact::SolverOptions;
 using contact::Status;
 
@@ -92,3 +93,5 @@ TEUCHOS_UNIT_TEST(SolverStatistics,
 }
 
 }  // namespace
+
+}  // namespace epafi

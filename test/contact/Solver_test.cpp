@@ -14,15 +14,15 @@
 #include <limits>
 #include <random>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using contact::Equation;
 using contact::Index;
 using contact::Problem;
 using contact::Solution;
 using contact::SolverOptions;
-using contact::State;
 using contact::Status;
 using contact::Vector;
 using test::Recipe;
@@ -375,3 +375,5 @@ TEUCHOS_UNIT_TEST(Solver, classifiesContactAndFriction) {
 }
 
 }  // namespace
+
+}  // namespace epafi

@@ -6,9 +6,10 @@
 // Every kind of bad input ends with an InputError that names the file, the path A->B->Key
 // and what is allowed; complaintOf() checks the file, the tests the rest.
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using test::complaintOf;
 using test::contains;
 using test::SceneText;
@@ -380,3 +381,5 @@ TEUCHOS_UNIT_TEST(BadInput, commandsRefuseArgumentsTheyDoNotKnow) {
   TEST_THROW(drivers::parametersCommand({"--format"}, sink), bem::InputError);
   TEST_THROW(drivers::parametersCommand({"--format", "json"}, sink), bem::InputError);
 }
+
+}  // namespace epafi

@@ -6,9 +6,10 @@
 #include <filesystem>
 #include <string>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using test::complaintOf;
 using test::contains;
 using test::SceneText;
@@ -83,3 +84,5 @@ TEUCHOS_UNIT_TEST(GeometryFile, complaintsNameTheKeyAndTheFile) {
 }
 
 }  // namespace
+
+}  // namespace epafi

@@ -8,9 +8,10 @@
 
 #include <thread>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using test::read;
 using test::SceneText;
 
@@ -259,3 +260,5 @@ TEUCHOS_UNIT_TEST(Schema, itsXmlCanBeReadByTeuchos) {
   TEST_EQUALITY(list->sublist("Discretization").get<int>("Degree"), 1);
   TEST_EQUALITY(list->sublist("Solver").get<double>("Tolerance"), 1e-12);
 }
+
+}  // namespace epafi

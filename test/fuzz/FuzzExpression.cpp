@@ -8,8 +8,9 @@
 #include <cstdlib>
 #include <string>
 
+namespace epafi {
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace epafi;
   const std::string text(reinterpret_cast<const char*>(data), size);
   try {
     const bem::Function function = drivers::makeExpression(text, {"f.xml", "A->B"});
@@ -21,3 +22,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   return 0;
 }
+
+}  // namespace epafi

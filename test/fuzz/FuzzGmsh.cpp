@@ -6,8 +6,9 @@
 #include <cstdint>
 #include <string>
 
+namespace epafi {
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace epafi;
   try {
     const bem::Loops loops =
         bem::readGmsh(std::string(reinterpret_cast<const char*>(data), size));
@@ -17,3 +18,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   return 0;
 }
+
+}  // namespace epafi

@@ -7,8 +7,9 @@
 #include <cstdlib>
 #include <string>
 
+namespace epafi {
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace epafi;
   const std::string text(reinterpret_cast<const char*>(data), size);
   const bool xml = text.find('<') != std::string::npos;
   try {
@@ -23,3 +24,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   return 0;
 }
+
+}  // namespace epafi

@@ -9,8 +9,9 @@
 #include <cstdlib>
 #include <string>
 
+namespace epafi {
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace epafi;
   static const char* const types[] = {
       "int",          "double",           "bool",          "string",
       "long long",    "Array(int)",       "Array(double)", "Array(string)",
@@ -37,3 +38,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   return 0;
 }
+
+}  // namespace epafi

@@ -81,7 +81,7 @@ PairMoments PairMoments::transposed() const {
   PairMoments result(secondDegree_, firstDegree_);
   for (int f = 0; f < fields; ++f) {
     const auto field = static_cast<Field>(f);
-    const int sign = field >= Field::xxx ? -1 : 1;
+    const int sign = field >= Field::Xxx ? -1 : 1;
     for (int i = 0; i <= firstDegree_; ++i)
       for (int j = 0; j <= secondDegree_; ++j)
         result(field, j, i) = sign * (*this)(field, i, j);
@@ -207,9 +207,9 @@ PairMoments PairIntegrator::operator()(const Segment& first, int firstDegree,
                                        const Segment& second, int secondDegree,
                                        Meeting meeting) const {
   assert(firstDegree <= degree_ && secondDegree <= degree_);
-  if (meeting == Meeting::same)
+  if (meeting == Meeting::Same)
     return same(first, firstDegree, secondDegree);
-  if (meeting != Meeting::apart)
+  if (meeting != Meeting::Apart)
     return touching(first, firstDegree, second, secondDegree, meeting);
   PairMoments sum(firstDegree, secondDegree);
   addApart(sum, first, {-1, 1}, second, {-1, 1});
@@ -225,13 +225,13 @@ PairMoments PairIntegrator::same(const Segment& segment, int firstDegree,
     for (int j = 0; j <= secondDegree; ++j) {
       const Quad one = i == 0 && j == 0 ? Quad(4) : Quad(0);
       const Quad pole = half * selfPole_[at(i, j)];
-      result(Field::logR, i, j) = half * half * (selfLog_[at(i, j)] + one * log(half));
-      result(Field::xx, i, j) = half * half * one * tau.x * tau.x;
-      result(Field::xy, i, j) = half * half * one * tau.x * tau.y;
-      result(Field::xxx, i, j) = pole * tau.x * tau.x * tau.x;
-      result(Field::xxy, i, j) = pole * tau.x * tau.x * tau.y;
-      result(Field::xyy, i, j) = pole * tau.x * tau.y * tau.y;
-      result(Field::yyy, i, j) = pole * tau.y * tau.y * tau.y;
+      result(Field::LogR, i, j) = half * half * (selfLog_[at(i, j)] + one * log(half));
+      result(Field::Xx, i, j) = half * half * one * tau.x * tau.x;
+      result(Field::Xy, i, j) = half * half * one * tau.x * tau.y;
+      result(Field::Xxx, i, j) = pole * tau.x * tau.x * tau.x;
+      result(Field::Xxy, i, j) = pole * tau.x * tau.x * tau.y;
+      result(Field::Xyy, i, j) = pole * tau.x * tau.y * tau.y;
+      result(Field::Yyy, i, j) = pole * tau.y * tau.y * tau.y;
     }
   return result;
 }
@@ -239,18 +239,18 @@ PairMoments PairIntegrator::same(const Segment& segment, int firstDegree,
 PairMoments PairIntegrator::touching(const Segment& first, int firstDegree,
                                      const Segment& second, int secondDegree,
                                      Meeting meeting) const {
-  const bool firstAtStart = meeting == Meeting::fromFrom || meeting == Meeting::fromTo;
-  const bool secondAtStart = meeting == Meeting::fromFrom || meeting == Meeting::toFrom;
+  const bool firstAtStart = meeting == Meeting::FromFrom || meeting == Meeting::FromTo;
+  const bool secondAtStart = meeting == Meeting::FromFrom || meeting == Meeting::ToFrom;
   const QuadVec a = (firstAtStart ? 1 : -1) * (first.to - first.from);
   const QuadVec b = (secondAtStart ? 1 : -1) * (second.to - second.from);
 
   PairMoments sum(firstDegree, secondDegree);
-  addTriangle(sum, a, b, Leader::first);
-  addTriangle(sum, a, b, Leader::second);
+  addTriangle(sum, a, b, Leader::First);
+  addTriangle(sum, a, b, Leader::Second);
   const Quad area = norm(a) * norm(b);
   for (int i = 0; i <= firstDegree; ++i)
     for (int j = 0; j <= secondDegree; ++j) {
-      sum(Field::logR, i, j) += logMaximum_[at(i, j)];
+      sum(Field::LogR, i, j) += logMaximum_[at(i, j)];
       // so far from the common point on: P_i(2s-1); where that is an end, t = 1-2s
       const bool odd = ((firstAtStart ? 0 : i) + (secondAtStart ? 0 : j)) % 2 == 1;
       for (int f = 0; f < fields; ++f)
@@ -263,8 +263,8 @@ PairMoments PairIntegrator::touching(const Segment& first, int firstDegree,
 // a field is rho⁰ or rho⁻¹ times its value at D(eta), and ds dt = rho drho deta.
 void PairIntegrator::addTriangle(PairMoments& sum, const QuadVec& first,
                                  const QuadVec& second, Leader leader) const {
-  const QuadVec& lead = leader == Leader::first ? first : second;
-  const QuadVec& follow = leader == Leader::first ? second : first;
+  const QuadVec& lead = leader == Leader::First ? first : second;
+  const QuadVec& follow = leader == Leader::First ? second : first;
   const int m = sum.firstDegree();
   const int n = sum.secondDegree();
 
@@ -280,20 +280,20 @@ void PairIntegrator::addTriangle(PairMoments& sum, const QuadVec& first,
     for (std::size_t q = 0; q < angular.points.size(); ++q) {
       const Quad eta = from + (to - from) * (1 + angular.points[q]) / 2;
       const QuadVec d =
-          leader == Leader::first ? first - eta * second : eta * first - second;
+          leader == Leader::First ? first - eta * second : eta * first - second;
       auto value = fieldsAt(d);
       for (Quad& v : value)
         v *= angular.weights[q] * (to - from) / 2;
       for (std::size_t r = 0; r < radial.points.size(); ++r) {
         const Quad rho = (1 + radial.points[r]) / 2;
-        const Quad s = leader == Leader::first ? rho : rho * eta;
-        const Quad t = leader == Leader::first ? rho * eta : rho;
+        const Quad s = leader == Leader::First ? rho : rho * eta;
+        const Quad t = leader == Leader::First ? rho * eta : rho;
         const std::vector<Quad> pi = legendre(m, 2 * s - 1);
         const std::vector<Quad> pj = legendre(n, 2 * t - 1);
         std::array<Quad, fields> weighted = value;
         for (int f = 0; f < fields; ++f)
           weighted[f] *= radial.weights[r] / 2 *
-                         (static_cast<Field>(f) >= Field::xxx ? Quad(1) : rho);
+                         (static_cast<Field>(f) >= Field::Xxx ? Quad(1) : rho);
         for (int i = 0; i <= m; ++i)
           for (int j = 0; j <= n; ++j) {
             const Quad product = pi[i] * pj[j];

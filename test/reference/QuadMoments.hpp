@@ -24,11 +24,11 @@ struct Segment {
 };
 
 /// How the second of two segments meets the first, which is known from the mesh and need
-/// not be guessed from coordinates.  `fromFrom`: the starts of both are one point.
-enum class Meeting { apart, same, fromFrom, fromTo, toFrom, toTo };
+/// not be guessed from coordinates.  `FromFrom`: the starts of both are one point.
+enum class Meeting { Apart, Same, FromFrom, FromTo, ToFrom, ToTo };
 
 /// Seven fields of d = x - y, r = |d|, of which all kernels of plane elasticity are made.
-enum class Field { logR, xx, xy, xxx, xxy, xyy, yyy };
+enum class Field { LogR, Xx, Xy, Xxx, Xxy, Xyy, Yyy };
 constexpr int fields = 7;
 
 /// The double integrals  ∫∫ P_i(x) P_j(y) field(x - y) ds_y ds_x  over two segments:
@@ -92,7 +92,7 @@ class PairIntegrator {
   PairMoments same(const Segment& segment, int firstDegree, int secondDegree) const;
   PairMoments touching(const Segment& first, int firstDegree, const Segment& second,
                        int secondDegree, Meeting meeting) const;
-  enum class Leader { first, second };  // the one whose parameter is rho
+  enum class Leader { First, Second };  // the one whose parameter is rho
   void addTriangle(PairMoments& sum, const QuadVec& first, const QuadVec& second,
                    Leader leader) const;
   void addApart(PairMoments& sum, const Segment& first, std::array<Quad, 2> s,

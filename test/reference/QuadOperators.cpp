@@ -121,9 +121,9 @@ struct LogKernel {
   Quad area;  // ∫∫ ds ds
 
   Components operator()(int i, int j) const {
-    const Quad log = -alpha * moments(Field::logR, i, j);
-    const Quad xx = beta * moments(Field::xx, i, j);
-    const Quad xy = beta * moments(Field::xy, i, j);
+    const Quad log = -alpha * moments(Field::LogR, i, j);
+    const Quad xx = beta * moments(Field::Xx, i, j);
+    const Quad xy = beta * moments(Field::Xy, i, j);
     const Quad both = i == 0 && j == 0 ? beta * area : Quad(0);  // xx + yy
     return {{{log + xx, xy}, {xy, log + both - xx}}};
   }
@@ -137,10 +137,10 @@ struct DoubleLayerKernel {
   QuadVec n;
 
   Components operator()(int i, int j) const {
-    const Quad xxx = moments(Field::xxx, i, j);
-    const Quad xxy = moments(Field::xxy, i, j);
-    const Quad xyy = moments(Field::xyy, i, j);
-    const Quad yyy = moments(Field::yyy, i, j);
+    const Quad xxx = moments(Field::Xxx, i, j);
+    const Quad xxy = moments(Field::Xxy, i, j);
+    const Quad xyy = moments(Field::Xyy, i, j);
+    const Quad yyy = moments(Field::Yyy, i, j);
     const Quad dx = xxx + xyy;  // d/r²
     const Quad dy = xxy + yyy;
     const Quad diagonal = shear * (dx * n.x + dy * n.y);
@@ -171,12 +171,12 @@ Block doubleLayerBlock(const Constants& constants, int firstDegree,
 
 Meeting meeting(const bem::Mesh& mesh, int e, int f) {
   if (e == f)
-    return Meeting::same;
+    return Meeting::Same;
   if (mesh[e].next == f)
-    return Meeting::toFrom;
+    return Meeting::ToFrom;
   if (mesh[f].next == e)
-    return Meeting::fromTo;
-  return Meeting::apart;
+    return Meeting::FromTo;
+  return Meeting::Apart;
 }
 
 /// What one pair of elements adds to the three matrices.

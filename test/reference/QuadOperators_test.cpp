@@ -6,10 +6,9 @@
 
 #include <cmath>
 
-namespace {
+namespace epafi::reference {
 
-using namespace epafi::reference;
-namespace bem = epafi::bem;
+namespace {
 
 constexpr int degree = 10;
 
@@ -69,11 +68,11 @@ TEUCHOS_UNIT_TEST(QuadMoments, gaussRuleIntegratesMonomialsTo30Digits) {
 // ∫∫ log|s-t| = 4 log 2 - 6,  ∫∫ s t log|s-t| = -1,  ∫∫ t / (s-t) = -2 (principal value).
 TEUCHOS_UNIT_TEST(QuadMoments, selfLogarithmHasItsClosedForm) {
   const Segment unit = {{-1, 0}, {1, 0}};
-  const PairMoments m = integrator()(unit, degree, unit, degree, Meeting::same);
-  TEST_COMPARE(static_cast<double>(abs(m(Field::logR, 0, 0) - (4 * log(Quad(2)) - 6))), <,
+  const PairMoments m = integrator()(unit, degree, unit, degree, Meeting::Same);
+  TEST_COMPARE(static_cast<double>(abs(m(Field::LogR, 0, 0) - (4 * log(Quad(2)) - 6))), <,
                1e-30);
-  TEST_COMPARE(static_cast<double>(abs(m(Field::logR, 1, 1) + 1)), <, 1e-30);
-  TEST_COMPARE(static_cast<double>(abs(m(Field::xxx, 0, 1) + 2)), <, 1e-30);
+  TEST_COMPARE(static_cast<double>(abs(m(Field::LogR, 1, 1) + 1)), <, 1e-30);
+  TEST_COMPARE(static_cast<double>(abs(m(Field::Xxx, 0, 1) + 2)), <, 1e-30);
 }
 
 // With P_0 on the part that is cut, self, touching and separated pairs must add up.
@@ -81,12 +80,12 @@ TEUCHOS_UNIT_TEST(QuadMoments, halvesAddUpToTheWholeElement) {
   const Segment whole = fromVertex(17, 0.7);
   const Segment left = {whole.from, between(whole, 0.25)};
   const Segment right = {left.to, whole.to};
-  const PairMoments one = integrator()(whole, 0, whole, 0, Meeting::same);
-  const PairMoments inner = integrator()(left, 0, left, 0, Meeting::same);
-  const PairMoments outer = integrator()(right, 0, right, 0, Meeting::same);
-  const PairMoments mixed = integrator()(left, 0, right, 0, Meeting::toFrom);
+  const PairMoments one = integrator()(whole, 0, whole, 0, Meeting::Same);
+  const PairMoments inner = integrator()(left, 0, left, 0, Meeting::Same);
+  const PairMoments outer = integrator()(right, 0, right, 0, Meeting::Same);
+  const PairMoments mixed = integrator()(left, 0, right, 0, Meeting::ToFrom);
   const PairMoments sum = plus(plus(inner, outer), plus(mixed, mixed.transposed()));
-  for (Field f : {Field::logR, Field::xx, Field::xy})
+  for (Field f : {Field::LogR, Field::Xx, Field::Xy})
     TEST_COMPARE(static_cast<double>(abs(sum(f, 0, 0) - one(f, 0, 0))), <, 1e-25);
 }
 
@@ -97,10 +96,10 @@ TEUCHOS_UNIT_TEST(QuadMoments, touchingPairIsATouchingAndASeparatedPair) {
       const Segment second = fromVertex(angle, ratio);
       const Segment nearPart = {second.from, between(second, 0.375)};
       const Segment farPart = {nearPart.to, second.to};
-      const PairMoments one = integrator()(first, degree, second, 0, Meeting::fromFrom);
+      const PairMoments one = integrator()(first, degree, second, 0, Meeting::FromFrom);
       const PairMoments sum =
-          plus(integrator()(first, degree, nearPart, 0, Meeting::fromFrom),
-               integrator()(first, degree, farPart, 0, Meeting::apart));
+          plus(integrator()(first, degree, nearPart, 0, Meeting::FromFrom),
+               integrator()(first, degree, farPart, 0, Meeting::Apart));
       TEST_COMPARE(difference(sum, one), <, 1e-22);
     }
 }
@@ -110,13 +109,13 @@ TEUCHOS_UNIT_TEST(QuadMoments, orientationOfTouchingSegmentsOnlyChangesSigns) {
   const Segment b = fromVertex(50, 0.4);
   const Segment c = {a.to, a.from};
   const Segment d = {b.to, b.from};
-  PairMoments turned = integrator()(c, 3, d, 4, Meeting::toTo);
+  PairMoments turned = integrator()(c, 3, d, 4, Meeting::ToTo);
   for (int f = 0; f < fields; ++f)
     for (int i = 0; i <= 3; ++i)
       for (int j = 0; j <= 4; ++j)
         if ((i + j) % 2 == 1)
           turned(static_cast<Field>(f), i, j) *= -1;
-  TEST_COMPARE(difference(turned, integrator()(a, 3, b, 4, Meeting::fromFrom)), <, 1e-28);
+  TEST_COMPARE(difference(turned, integrator()(a, 3, b, 4, Meeting::FromFrom)), <, 1e-28);
 }
 
 // Choosing every rule for 1e-28 instead of 1e-22 (a third more points) changes nothing.
@@ -127,14 +126,14 @@ TEUCHOS_UNIT_TEST(QuadMoments, moreQuadraturePointsChangeNothing) {
     for (double ratio : {1.0, 1e-3}) {
       const Segment other = fromVertex(angle, ratio);
       TEST_COMPARE(
-          difference(integrator()(unit, degree, other, degree, Meeting::fromFrom),
-                     finer(unit, degree, other, degree, Meeting::fromFrom)),
+          difference(integrator()(unit, degree, other, degree, Meeting::FromFrom),
+                     finer(unit, degree, other, degree, Meeting::FromFrom)),
           <, 1e-22);
     }
   for (const Segment& other : {Segment{{1.2, 0.1}, {0.2, 0.1}},
                                Segment{{1.001, 0}, {1.002, 0}}, Segment{{5, 4}, {5, 5}}})
-    TEST_COMPARE(difference(integrator()(unit, degree, other, degree, Meeting::apart),
-                            finer(unit, degree, other, degree, Meeting::apart)),
+    TEST_COMPARE(difference(integrator()(unit, degree, other, degree, Meeting::Apart),
+                            finer(unit, degree, other, degree, Meeting::Apart)),
                  <, 1e-22);
 }
 
@@ -153,3 +152,5 @@ TEUCHOS_UNIT_TEST(QuadOperators, annihilateRigidMotionsTo20Digits) {
 }
 
 }  // namespace
+
+}  // namespace epafi::reference

@@ -6,7 +6,7 @@ import os
 import h5py
 import numpy
 
-from runs import claim, fresh, run, scene, table, WORK, finish
+from runs import WORK, claim, finish, run, scene, table
 
 os.makedirs(WORK, exist_ok=True)
 

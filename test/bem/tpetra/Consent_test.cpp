@@ -6,9 +6,9 @@
 
 #include <optional>
 
-namespace {
+namespace epafi {
 
-using namespace epafi;
+namespace {
 
 /// As a program's outermost block does it.
 template <class Work>
@@ -33,7 +33,8 @@ void compute(const bem::TpetraAlgebra& algebra, const Fault& fault) {
   for (bem::Index i = 0; i < rows.size(); ++i)
     a(i, rows.begin + i) = 4;
   fault(0);
-  a = algebra.addGram(std::move(a), a.copy());
+  const bem::Matrix copy = a.copy();
+  a = algebra.addGram(std::move(a), copy);
   fault(1);
   const bem::Vector x = algebra.multiplySymmetric(a, bem::Vector(100, 1.0));
   fault(2);
@@ -76,3 +77,5 @@ TEUCHOS_UNIT_TEST(Consent, agreesOnTheLowestOfSeveralFailures) {
 }
 
 }  // namespace
+
+}  // namespace epafi

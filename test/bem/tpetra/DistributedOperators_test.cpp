@@ -5,9 +5,10 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using bem::Index;
 using bem::Vector;
 using test::difference;
@@ -86,3 +87,5 @@ TEUCHOS_UNIT_TEST(DistributedOperators, giveTheSameTractions) {
 }
 
 }  // namespace
+
+}  // namespace epafi

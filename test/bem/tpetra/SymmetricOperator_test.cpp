@@ -9,9 +9,10 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using bem::Index;
 using bem::Matrix;
 using bem::Vector;
@@ -114,3 +115,5 @@ TEUCHOS_UNIT_TEST(BelosSolver, saysThatItTakesTooLong) {
 }
 
 }  // namespace
+
+}  // namespace epafi

@@ -8,9 +8,10 @@
 #include <random>
 #include <string>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using bem::Index;
 using bem::Matrix;
 using bem::Vector;
@@ -172,3 +173,5 @@ TEUCHOS_UNIT_TEST(TpetraAlgebra, sumsAndBroadcasts) {
 }
 
 }  // namespace
+
+}  // namespace epafi
