@@ -1,6 +1,7 @@
 #include "contact/solve/FrictionContinuation.hpp"
 
 #include "bem/base/Error.hpp"
+#include "contact/solve/Smoothing.hpp"
 #include "contact/solve/Tresca.hpp"
 
 #include <algorithm>
@@ -33,14 +34,22 @@ class ScaledFriction {
   Problem scaled_;
 };
 
-// Full steps only: where they fail, a shorter step in θ costs less than a line search.
+// Active sets that do not return, from the state as it is or, if that fails, from one
+// that sweeps have settled; where both fail, a shorter step in θ costs less than a line
+// search.
 Solution correct(const Problem& problem, const State& start,
                  const SolverOptions& options) {
   const Equation sharp(problem, complementarity("Projection"),
                        Equation::Bound::Differentiated, options.tolerance);
-  const NewtonRun newton = runNewton(sharp, pack(problem, start), NewtonMethod::Newton,
-                                     options.maximumIterations);
-  return {unpack(problem, newton.last), extended({}, newton, problem)};
+  const auto from = [&](const Vector& unknowns) {
+    return runNewton(sharp, unknowns, NewtonMethod::Pivoting, options.maximumIterations);
+  };
+  const NewtonRun near = from(pack(problem, start));
+  Report report = extended({}, near, problem);
+  if (near.end == NewtonRun::End::Converged)
+    return {unpack(problem, near.last), std::move(report)};
+  const NewtonRun smooth = from(smoothed(sharp, pack(problem, start)));
+  return {unpack(problem, smooth.last), extended(std::move(report), smooth, problem)};
 }
 
 Report joined(Report later, const Report& earlier) {

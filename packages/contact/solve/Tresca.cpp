@@ -131,7 +131,7 @@ Solution descendWithBalance(const Equation& equation, const Vector& start, Repor
   return {std::move(state), std::move(report)};
 }
 
-/// The last resort: through the middle of the box, then Newton's last digits.
+/// Through the middle of the box, which knows no active sets, then Newton's last digits.
 Solution throughTheMiddle(const Problem& problem, Solution before,
                           const SolverOptions& options) {
   constexpr int polishing = 20;
@@ -216,6 +216,16 @@ Solution solveFixedBounds(const Problem& problem, const State& start,
   auto [run, report] = fullSteps(equation, start, options.maximumIterations, options);
   if (run.end == NewtonRun::End::Converged || run.end == NewtonRun::End::Iterations)
     return {unpack(problem, run.last), std::move(report)};
+  // Sets that come back move by a coefficient a step; the descent's would, too.
+  const bool middleFirst = run.end == NewtonRun::End::Restless &&
+                           equation.hasActiveSets() && problem.rigidMotions() == 0;
+  if (middleFirst) {
+    Solution middle =
+        throughTheMiddle(problem, {unpack(problem, run.best), report}, options);
+    if (middle.report.status == Status::Converged)
+      return middle;
+    report = std::move(middle.report);
+  }
   Solution descended;
   if (problem.rigidMotions() > 0) {
     descended = descendWithBalance(equation, run.best, std::move(report), options);
@@ -227,7 +237,7 @@ Solution solveFixedBounds(const Problem& problem, const State& start,
     descended = {unpack(problem, descent.best),
                  extended(std::move(report), descent, problem)};
   }
-  return descended.report.status == Status::Converged
+  return middleFirst || descended.report.status == Status::Converged
              ? descended
              : throughTheMiddle(problem, std::move(descended), options);
 }
