@@ -175,4 +175,25 @@ TEUCHOS_UNIT_TEST(GradedHp, leavesWeakPointsToTheDegreeAtFirst) {
   }
 }
 
+TEUCHOS_UNIT_TEST(GradedHp, takesNeighboursAlongThatStayBehindByMoreThanTwo) {
+  using adaptivity::Mark;
+  for (const int degree : {2, 3}) {
+    const bem::Mesh square = test::squareMesh(1);
+    std::vector<bem::Piece> pieces;
+    for (const bem::Element& element : square.elements())
+      pieces.push_back(element.piece);
+    pieces[2].degree = degree;
+    const bem::Mesh mesh(square.sharedOutline(), pieces);
+    adaptivity::LevelData level = allMarkedOn(mesh);
+    level.squares = {1e-9, 1e-9, 1, 1e-9};
+    level.markingFraction = 0.5;
+    const adaptivity::Marks marks = adaptivity::strategy("Graded hp").marks(level);
+    const Mark neighbour = degree == 3 ? Mark::RaiseDegree : Mark::None;
+    TEST_ASSERT(marks[2] == Mark::RaiseDegree);
+    TEST_ASSERT(marks[1] == neighbour);
+    TEST_ASSERT(marks[3] == neighbour);
+    TEST_ASSERT(marks[0] == Mark::None);
+  }
+}
+
 }  // namespace epafi

@@ -114,8 +114,11 @@ def judge(law, basis, strategy, levels):
         most = (1e-11, 1e-10) if basis == "Bernstein" else (1e-12, 1e-11)
         claim(last[0] < most[0] and last[1] < most[1],
               "%s: exponentially to %.1e and %.1e" % (what, *last))
-    elif strategy == "graded hp" and law == "Tresca":
-        claim(max(last) < 1e-6, "%s: exponentially to %.1e and %.1e" % (what, *last))
+    elif strategy == "graded hp":
+        claim(max(last) < 1e-8, "%s: exponentially to %.1e and %.1e" % (what, *last))
+    elif strategy.startswith("adaptive h,"):
+        wanted = int(strategy[-1]) + 0.5
+        claim(rates[0] > wanted - 0.3, "%s: rate %.2f, wanted %g" % (what, rates[0], wanted))
     else:
         claim(last[0] < 0.4 * first[0] and last[1] < 0.4 * first[1],
               "%s: from %.1e to %.1e, in contact stress from %.1e to %.1e" % (
