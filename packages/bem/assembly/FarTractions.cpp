@@ -79,11 +79,8 @@ EPAFI_INLINE void multiply(Pack& re, Pack& im, const Pack& x, const Pack& y) {
 
 /// Writes x and y in turn.
 EPAFI_INLINE void interleave(const Pack& x, const Pack& y, double* to) {
-  using Order = long long __attribute__((vector_size(8 * lanes)));
-  const Order low = {0, 8, 1, 9, 2, 10, 3, 11};
-  const Order high = {4, 12, 5, 13, 6, 14, 7, 15};
-  const Pack first = __builtin_shuffle(x, y, low);
-  const Pack second = __builtin_shuffle(x, y, high);
+  const Pack first = __builtin_shufflevector(x, y, 0, 8, 1, 9, 2, 10, 3, 11);
+  const Pack second = __builtin_shufflevector(x, y, 4, 12, 5, 13, 6, 14, 7, 15);
   __builtin_memcpy(to, &first, sizeof first);
   __builtin_memcpy(to + lanes, &second, sizeof second);
 }

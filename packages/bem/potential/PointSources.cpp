@@ -56,12 +56,12 @@ EPAFI_INLINE FieldSums sum(const Columns& c, double x, double y) {
 
 // GCC would take vectors of four on processors that clock down for those of eight.
 #ifdef __clang__
-#define EPAFI_AVX512 "avx512f,avx512dq,avx512vl,fma"
+#define EPAFI_WIDE_AVX512 "avx512f,avx512dq,avx512vl,fma"
 #else
-#define EPAFI_AVX512 "avx512f,avx512dq,avx512vl,fma,prefer-vector-width=512"
+#define EPAFI_WIDE_AVX512 "avx512f,avx512dq,avx512vl,fma,prefer-vector-width=512"
 #endif
-__attribute__((target(EPAFI_AVX512))) FieldSums sumAvx512(const Columns& c, double x,
-                                                          double y) {
+__attribute__((target(EPAFI_WIDE_AVX512))) FieldSums sumAvx512(const Columns& c, double x,
+                                                               double y) {
   return sum(c, x, y);
 }
 
