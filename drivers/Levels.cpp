@@ -48,6 +48,14 @@ std::string capReached(int level, const Size& size, long cap) {
   return text;
 }
 
+bem::SteklovPoincare stiffnessOf(bem::Operators operators,
+                                 const bem::DenseAlgebra& algebra,
+                                 const bem::SingleLayerSolver* krylov) {
+  if (krylov != nullptr)
+    return bem::SteklovPoincare(std::move(operators), algebra, *krylov);
+  return bem::SteklovPoincare(std::move(operators), algebra);
+}
+
 std::vector<bem::Piece> piecesOf(const bem::Mesh& mesh) {
   std::vector<bem::Piece> pieces;
   for (const bem::Element& element : mesh.elements())
@@ -68,10 +76,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                          ? ranks.belosSolver(scene.linear.belos)
                          : nullptr;
 
-  std::variant<LevelStart, Outcome> next = firstLevel(scene);
-  if (earlier)
-    next = levelAfterRestart(scene, *earlier, algebra);
-
+  auto next = earlier ? levelAfterRestart(scene, *earlier, algebra) : firstLevel(scene);
   while (const auto* from = std::get_if<LevelStart>(&next)) {
     const int level = from->level;
     const bem::Space space(from->mesh);
@@ -88,9 +93,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
           contact::tractionElements(multiplier, scene.stabilization));
     });
     const auto stiffness = timer.run(Phase::Factorization, [&] {
-      if (belos != nullptr)
-        return bem::SteklovPoincare(std::move(operators), algebra, *belos);
-      return bem::SteklovPoincare(std::move(operators), algebra);
+      return stiffnessOf(std::move(operators), algebra, belos.get());
     });
     const auto problem = timer.run(Phase::Stabilization, [&] {
       return contact::ContactProblem(

@@ -205,12 +205,12 @@ void checkList(const Teuchos::XMLObject& list, const std::string& path) {
   std::set<std::string> names;
   for (int i = 0; i < list.numChildren(); ++i) {
     const Teuchos::XMLObject& child = list.getChild(i);
-    const std::string tag = child.getTag();
+    const std::string& tag = child.getTag();
     if (tag != "Parameter" && tag != "ParameterList")
       throw InputError(message(start, "unknown tag <", tag, ">",
                                bem::suggestion(tag, {"Parameter", "ParameterList"})));
     const std::string name = nameOf(child, path);
-    const std::string inner = path.empty() ? name : path + "->" + name;
+    const std::string inner = path.empty() ? name : message(path, "->", name);
     if (!names.insert(name).second)
       throw InputError(inner + ": given twice; keep one");
     if (tag == "ParameterList") {

@@ -52,6 +52,7 @@ Enum pick(const std::string& word,
 std::vector<bem::Vec2> pointsOf(const ParameterList& list, const std::string& key) {
   const auto& table = list.get<Teuchos::TwoDArray<double>>(key);
   std::vector<bem::Vec2> points;
+  points.reserve(static_cast<std::size_t>(table.getNumRows()));
   for (int i = 0; i < table.getNumRows(); ++i)
     points.push_back({table(i, 0), table(i, 1)});
   return points;

@@ -122,37 +122,51 @@ ParameterEntry points(const ParameterEntry& entry) {
   return ParameterEntry(table);
 }
 
+template <class T>
+Teuchos::RCP<ParameterEntry> kept(const T& v) {
+  return Teuchos::rcp(new ParameterEntry(v));
+}
+
+template <class T>
+Teuchos::RCP<ParameterEntry> keptIf(const ParameterEntry& entry) {
+  return holds<T>(entry) ? kept(value<T>(entry)) : Teuchos::null;
+}
+
+Teuchos::RCP<ParameterEntry> asReal(const ParameterEntry& entry) {
+  if (holds<int>(entry))
+    return kept(static_cast<double>(value<int>(entry)));
+  if (holds<long long>(entry))
+    return kept(static_cast<double>(value<long long>(entry)));
+  return keptIf<double>(entry);
+}
+
+Teuchos::RCP<ParameterEntry> asExpression(const ParameterEntry& entry) {
+  if (holds<int>(entry))
+    return kept(std::to_string(value<int>(entry)));
+  if (holds<long long>(entry))
+    return kept(std::to_string(value<long long>(entry)));
+  if (holds<double>(entry))
+    return kept(shortest(value<double>(entry)));
+  return keptIf<std::string>(entry);
+}
+
 /// The same value in the type that the kind is kept as; null if that is not possible.
 Teuchos::RCP<ParameterEntry> converted(const ParameterEntry& entry, Kind kind) {
-  const auto keep = [](const auto& v) { return Teuchos::rcp(new ParameterEntry(v)); };
   switch (kind) {
     case Kind::Real:
-      if (holds<int>(entry))
-        return keep(static_cast<double>(value<int>(entry)));
-      if (holds<long long>(entry))
-        return keep(static_cast<double>(value<long long>(entry)));
-      return holds<double>(entry) ? keep(value<double>(entry)) : Teuchos::null;
+      return asReal(entry);
     case Kind::Whole:
-      return holds<int>(entry) ? keep(value<int>(entry)) : Teuchos::null;
+      return keptIf<int>(entry);
     case Kind::Flag:
-      return holds<bool>(entry) ? keep(value<bool>(entry)) : Teuchos::null;
+      return keptIf<bool>(entry);
     case Kind::Expression:
-      if (holds<int>(entry))
-        return keep(std::to_string(value<int>(entry)));
-      if (holds<long long>(entry))
-        return keep(std::to_string(value<long long>(entry)));
-      if (holds<double>(entry))
-        return keep(shortest(value<double>(entry)));
-      [[fallthrough]];
+      return asExpression(entry);
     case Kind::Text:
-      return holds<std::string>(entry) ? keep(value<std::string>(entry)) : Teuchos::null;
+      return keptIf<std::string>(entry);
     case Kind::Names:
-      return holds<Teuchos::Array<std::string>>(entry)
-                 ? keep(value<Teuchos::Array<std::string>>(entry))
-                 : Teuchos::null;
+      return keptIf<Teuchos::Array<std::string>>(entry);
     case Kind::Counts:
-      return holds<Teuchos::Array<int>>(entry) ? keep(value<Teuchos::Array<int>>(entry))
-                                               : Teuchos::null;
+      return keptIf<Teuchos::Array<int>>(entry);
     case Kind::Points:
       return holds<Teuchos::TwoDArray<double>>(entry) ||
                      holds<Teuchos::TwoDArray<int>>(entry)
@@ -278,7 +292,7 @@ class Level {
     if (!entry.isList())
       throw InputError(message(join(path_, name), ": is ", describe(entry),
                                ", wanted: a sublist (ParameterList)"));
-    const ParameterList& sublist = value<ParameterList>(entry);
+    const auto& sublist = value<ParameterList>(entry);
     if (row.kind == Kind::Free)
       result.sublist(name).setParameters(sublist);
     else
@@ -357,6 +371,7 @@ const Parameter& declared(const std::string& path) {
     row = name.empty() ? nullptr : find(rows, name);
     if (row == nullptr) {
       std::vector<std::string> known;
+      known.reserve(rows.size());
       for (const Parameter* other : rows)
         known.push_back(example(other->name()));
       throw InputError(

@@ -15,6 +15,7 @@ using Table = std::vector<Parameter>;
 template <class Family>
 std::vector<std::string> namesOf(const Family& family) {
   std::vector<std::string> names;
+  names.reserve(family.size());
   for (const auto& member : family)
     names.push_back(member.name);
   return names;
@@ -241,7 +242,7 @@ void addSolver(Table& table) {
       });
 }
 
-void addRun(Table& table) {
+void addStrategy(Table& table) {
   add(table,
       {
           Row("Adaptivity", Kind::List, "from one level to the next"),
@@ -261,6 +262,12 @@ void addRun(Table& table) {
               .unit("1")
               .standard("0.5")
               .range({0, 1, true, true}),
+      });
+}
+
+void addGrading(Table& table) {
+  add(table,
+      {
           Row("Adaptivity->Grading", Kind::List, "what Graded hp does"),
           Row("Adaptivity->Grading->Ratio", Kind::Real,
               "length of the piece that is cut off next to a singular point, relative to "
@@ -296,6 +303,12 @@ void addRun(Table& table) {
                   meanings(adaptivity::smoothElements()))
               .standard(adaptivity::smoothElements().front().name)
               .allowed(namesOf(adaptivity::smoothElements())),
+      });
+}
+
+void addEstimate(Table& table) {
+  add(table,
+      {
           Row("Adaptivity->Weights", Kind::Text,
               "how the estimate adds its terms up; " + meanings(adaptivity::weightings()))
               .standard(adaptivity::weightings().front().name)
@@ -321,6 +334,12 @@ void addRun(Table& table) {
               .unit("1")
               .standard("4000")
               .range(from(1)),
+      });
+}
+
+void addOutput(Table& table) {
+  add(table,
+      {
           Row("Output", Kind::List, "what is written"),
           Row("Output->Fields", Kind::Flag, "write boundary.csv and the pictures' data")
               .standard("true"),
@@ -345,7 +364,10 @@ const std::vector<Parameter>& parameters() {
     addConditions(all);
     addDiscretization(all);
     addSolver(all);
-    addRun(all);
+    addStrategy(all);
+    addGrading(all);
+    addEstimate(all);
+    addOutput(all);
     return all;
   }();
   return table;

@@ -80,8 +80,8 @@ std::vector<Variant> variantsOf(const std::string& name, const ParameterList& li
   const auto key = sweep.get<std::string>("Key");
   for (const std::string& value : values) {
     std::vector<std::string> with = overrides;
-    with.push_back(key + "=" + value);
-    variants.push_back({name + ", " + keyOf(key) + " = " + value,
+    with.push_back(bem::message(key, "=", value));
+    variants.push_back({bem::message(name, ", ", keyOf(key), " = ", value),
                         sceneAt(path + "->Sweep", file, with), numberOf(value), true});
   }
   return variants;
@@ -156,7 +156,7 @@ Study build(const std::string& file, const RawScene& raw) {
     }
     study.scenes.push_back(std::move(scene));
   }
-  study.used = std::move(list);
+  study.used = list;
   return study;
 }
 
