@@ -153,7 +153,7 @@ class Best {
 
 struct Step {
   Vec2 change;
-  double reach;  ///< for the next one
+  double reach = 0;  ///< for the next one
 };
 
 Step bestStep(double reach, const Neighbourhood& around) {
