@@ -135,6 +135,24 @@ TEUCHOS_UNIT_TEST(Transitions, ofAShortZoneStayWhereTheStatesChange) {
   TEST_EQUALITY(located.others.inside[1].size(), std::size_t(2));
 }
 
+// As where slip turns round: the mesh makes a zone of stick of it, whose size is its own.
+TEUCHOS_UNIT_TEST(Transitions, ofAHeldZoneOnTwoElementsStayWhereTheStatesChange) {
+  const bem::Mesh mesh =
+      bem::makeMesh(test::squareMesh(1).sharedOutline(), {8, 1, 1, 1}, 3);
+  const MultiplierSpace multiplier(mesh,
+                                   contact::multiplierBasis("Gauss-Legendre-Lagrange"),
+                                   contactAtBottom("Tresca"));
+  const double h = 2 * mesh[0].half;
+  for (const int elements : {2, 3}) {
+    contact::ContactState states = Opening{2, 3.5 * h}.states(mesh, multiplier);
+    const std::size_t first = elements == 2 ? 8 : 4;  // stick begins here
+    for (std::size_t k = 0; k < first; ++k)
+      states.tangential[k] = FrictionState::SlipBackward;
+    const auto located = locate(mesh, "Tresca", {2, 3.5 * h}, &states);
+    TEST_EQUALITY(located.transitions.size(), std::size_t(elements == 2 ? 0 : 1));
+  }
+}
+
 TEUCHOS_UNIT_TEST(Transitions, betweenTwoDirectionsOfSlipAreNotExtrapolated) {
   const bem::Mesh mesh = test::squareMesh(3);
   const MultiplierSpace multiplier(mesh,

@@ -125,6 +125,23 @@ std::vector<Changes> groups(const Places& places, const Respect& respect) {
   return result;
 }
 
+bool movesBefore(const Places& places, const Changes& group, const Respect& respect) {
+  return respect.freedom(places[group.front()].state) == Freedom::Moving;
+}
+
+/// Is group g the end of a held zone that reaches to another group, on few elements?
+bool endsShortZone(const Places& places, const std::vector<Changes>& all, std::size_t g,
+                   const Respect& respect) {
+  constexpr int few = 2;
+  const bool behind = movesBefore(places, all[g], respect);
+  if (behind ? g + 1 == all.size() : g == 0)
+    return false;
+  const std::size_t first = (behind ? all[g] : all[g - 1]).back() + 1;
+  const std::size_t last = (behind ? all[g + 1] : all[g]).front();
+  return places.element(first).piece.edge == places.element(last).piece.edge &&
+         places.number(last) - places.number(first) < few;
+}
+
 /// What the side that moves tells about a group's place.
 class Locator {
  public:
@@ -134,7 +151,7 @@ class Locator {
   std::optional<double> locate(const Changes& group, const Respect& respect) const {
     const std::size_t first = group.front();
     const std::size_t last = group.back() + 1;
-    const bool before = respect.freedom(places_[first].state) == Freedom::Moving;
+    const bool before = movesBefore(places_, group, respect);
     const double bound = places_.middle(before ? group.front() : group.back());
     const auto zero = beginOfGrowth(
         samples(before ? first : last, before ? -1 : 1, bound, respect), bound);
@@ -210,16 +227,18 @@ LocatedTransitions locateTransitions(const bem::Space& space,
   LocatedTransitions result{{}, findSingularPoints(mesh, conditions)};
 
   std::vector<int> explained(places.size());  // changes of a respect after each place
-  for (const Respect& respect : respects)
-    for (const Changes& group : groups(places, respect)) {
-      const bool one = group.size() % 2 == 1;
-      const auto place = one ? locator.locate(group, respect) : std::nullopt;
+  for (const Respect& respect : respects) {
+    const std::vector<Changes> all = groups(places, respect);
+    for (std::size_t g = 0; g < all.size(); ++g) {
+      const bool one = all[g].size() % 2 == 1 && !endsShortZone(places, all, g, respect);
+      const auto place = one ? locator.locate(all[g], respect) : std::nullopt;
       if (!place)
         continue;
-      result.transitions.push_back({places.element(group.front()).piece.edge, *place});
-      for (const std::size_t k : group)
+      result.transitions.push_back({places.element(all[g].front()).piece.edge, *place});
+      for (const std::size_t k : all[g])
         ++explained[k];
     }
+  }
 
   for (std::size_t k = 0; k + 1 < places.size(); ++k) {
     if (!places.adjacent(k) || places[k].state == places[k + 1].state)

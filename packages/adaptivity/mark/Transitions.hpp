@@ -29,8 +29,10 @@ struct LocatedTransitions {
 ///
 /// Changes of one kind that follow each other within three elements, with runs of a
 /// state shorter than a quarter of those around them, are one transition if their number
-/// is odd.  A place outside the elements in which the states change is not believed: then
-/// they stay with `others`, as do changes between the two directions of slip.
+/// is odd.  The ends of a held zone on one or two elements are not looked for: such a
+/// zone may be what the mesh makes of a jump.  A place outside the elements in which the
+/// states change is not believed: then they stay with `others`, as do changes between the
+/// two directions of slip.
 LocatedTransitions locateTransitions(const bem::Space& space,
                                      const bem::Vector& displacement,
                                      const contact::Conditions& conditions,
