@@ -53,9 +53,8 @@ void choleskySolve(const Matrix& factor, double* b) {
   int info = 0;
   const int size = static_cast<int>(factor.rows());
   if (size > 0)
-    Teuchos::LAPACK<int, double>().POTRS('L', size, 1, factor.data(),
-                                         static_cast<int>(factor.stride()), b, size,
-                                         &info);
+    Teuchos::LAPACK<int, double>().POTRS(
+        'L', size, 1, factor.data(), static_cast<int>(factor.stride()), b, size, &info);
 }
 
 }  // namespace epafi::contact
