@@ -65,6 +65,8 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const LevelResul
   const adaptivity::Strategy& strategy = adaptivity::strategy(scene.adaptivity.strategy);
   const contact::MultiplierSpace multiplier(
       mesh, contact::multiplierBasis(scene.multiplier), scene.conditions);
+  adaptivity::GradingOptions grading = scene.adaptivity.grading;
+  grading.largestDegree = multiplier.basis().largestDegree;
   const Prepared prepared = prepare(scene, strategy, result, space, multiplier, algebra);
   const adaptivity::LevelData data{
       prepared.mesh,
@@ -73,7 +75,7 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const LevelResul
                                 result.density, scene.adaptivity.analyticityThreshold),
       scene.adaptivity.markingFraction,
       prepared.singular,
-      scene.adaptivity.grading};
+      grading};
   const adaptivity::Marks marks = adaptivity::decide(strategy, data, algebra);
   if (!adaptivity::anyMarked(marks))
     return converged("there is nothing to refine");

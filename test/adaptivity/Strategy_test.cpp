@@ -164,6 +164,19 @@ TEUCHOS_UNIT_TEST(GradedHp, takesRatioStepAndDecayFromItsOptions) {
   TEST_ASSERT(marks[3] == Mark::RaiseDegree);
 }
 
+TEUCHOS_UNIT_TEST(GradedHp, halvesSmoothElementsAtTheLargestDegreeOfTheMultiplier) {
+  using adaptivity::Mark;
+  const bem::Mesh mesh = test::squareMesh(6);
+  adaptivity::LevelData level = allMarkedOn(mesh);
+  level.singular.nodes[1] = adaptivity::Singularity::Strong;
+  level.grading.largestDegree = 6;
+  const adaptivity::Marks marks = adaptivity::strategy("Graded hp").marks(level);
+  TEST_ASSERT(marks[1] == Mark::cut({-0.8}, {6, 6}));
+  TEST_ASSERT(marks[3] == Mark::Bisect);
+  level.grading.largestDegree = 7;
+  TEST_ASSERT(adaptivity::strategy("Graded hp").marks(level)[3] == Mark::RaiseDegree);
+}
+
 TEUCHOS_UNIT_TEST(GradedHp, leavesWeakPointsToTheDegreeAtFirst) {
   using adaptivity::Mark;
   for (const int degree : {1, 6}) {

@@ -9,7 +9,7 @@ namespace epafi::adaptivity {
 namespace {
 
 int raised(int degree, const GradingOptions& options) {
-  return std::min(degree + options.degreeStep, bem::largestDegree);
+  return std::max(degree, std::min(degree + options.degreeStep, options.largestDegree));
 }
 
 /// Cuts around the states' changes inside an element, so that they lie in a small piece.
@@ -37,7 +37,7 @@ Mark cutAt(const std::vector<double>& changes, int degree) {
 
 Mark smoothMark(int degree, bool analytic, const GradingOptions& options) {
   const bool raise = options.smooth == "Raise Degree" || analytic;
-  return raise && degree < bem::largestDegree ? Mark::RaiseDegree : Mark::Bisect;
+  return raise && degree < options.largestDegree ? Mark::RaiseDegree : Mark::Bisect;
 }
 
 }  // namespace

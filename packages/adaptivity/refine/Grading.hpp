@@ -2,6 +2,7 @@
 
 #include "adaptivity/mark/SingularPoints.hpp"
 #include "adaptivity/refine/Refine.hpp"
+#include "bem/basis/Legendre.hpp"
 
 #include <string>
 #include <vector>
@@ -28,9 +29,10 @@ struct GradingOptions {
   double ratio = 0.1;  ///< in (0, 1/2]: size of a piece next to a singular point
   int degreeStep = 1;  ///< >= 0: what the piece away from it gains
   int weakDegree = 4;  ///< a weak point is left to the degree below this one
-  std::string transitions = "Follow";   ///< a name of transitions()
-  double reach = 1;                     ///< in [0, 1]: see chooseMoves
-  std::string smooth = "Raise Degree";  ///< a name of smoothElements()
+  std::string transitions = "Follow";      ///< a name of transitions()
+  int largestDegree = bem::largestDegree;  ///< that is used: the multiplier's basis'
+  double reach = 1;                        ///< in [0, 1]: see chooseMoves
+  std::string smooth = "Raise Degree";     ///< a name of smoothElements()
 };
 
 /// The mark of a refined element: cut toward singular points, a higher degree elsewhere.

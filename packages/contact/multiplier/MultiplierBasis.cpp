@@ -130,7 +130,7 @@ const std::vector<MultiplierBasis>& multiplierBases() {
        lobattoPlaces, lobattoValues},
       {"Bernstein",
        "Bernstein's polynomials: nonnegative coefficients mean a nonnegative pressure",
-       controlPoints, bernsteinValues, false, true},
+       controlPoints, bernsteinValues, false, true, 14},
       {"Biorthogonal",
        "dual to the displacement at Gauss-Lobatto points, one coefficient for each of "
        "its "

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/base/Matrix.hpp"
+#include "bem/basis/Legendre.hpp"
 
 #include <string>
 #include <vector>
@@ -27,6 +28,9 @@ struct MultiplierBasis {
   /// Coefficients are control points, no values: what is to be met is met otherwise, see
   /// boundCoefficients.
   bool controlPoints = false;
+  /// Above this degree rounding spoils the coefficients; Graded hp halves elements
+  /// instead of raising it.
+  int largestDegree = bem::largestDegree;
 };
 
 /// All bases.  A new one is one line in MultiplierBasis.cpp.
