@@ -44,8 +44,8 @@ Mark smoothMark(int degree, bool analytic, const GradingOptions& options) {
 
 const std::vector<Transitions>& transitions() {
   static const std::vector<Transitions> table = {
-      {"Follow", "cut at it, and move that node when it moves"},
       {"Node", "cut at it"},
+      {"Follow", "cut at it, and move that node when it moves"},
       {"Surround", "cut on both sides of it, so that it lies in a small piece"},
       {"Bisect", "halve the element"},
       {"Ignore", "treat the element and its nodes as if nothing changed there"},

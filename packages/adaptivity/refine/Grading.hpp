@@ -29,7 +29,7 @@ struct GradingOptions {
   double ratio = 0.1;  ///< in (0, 1/2]: size of a piece next to a singular point
   int degreeStep = 1;  ///< >= 0: what the piece away from it gains
   int weakDegree = 4;  ///< a weak point is left to the degree below this one
-  std::string transitions = "Follow";      ///< a name of transitions()
+  std::string transitions = "Node";        ///< a name of transitions()
   int largestDegree = bem::largestDegree;  ///< that is used: the multiplier's basis'
   double reach = 1;                        ///< in [0, 1]: see chooseMoves
   std::string smooth = "Raise Degree";     ///< a name of smoothElements()
