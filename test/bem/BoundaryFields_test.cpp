@@ -6,6 +6,7 @@
 #include "bem/assembly/Assembly.hpp"
 #include "bem/assembly/Interior.hpp"
 #include "bem/basis/Legendre.hpp"
+#include "bem/potential/RelativeTarget.hpp"
 #include "reference/ExactFields.hpp"
 #include "reference/SampleMeshes.hpp"
 
@@ -134,6 +135,46 @@ TEUCHOS_UNIT_TEST(BoundaryFields, areLimitsOfTheFieldsInside) {
     out << sample.name << ": ";
     TEST_COMPARE(tractionError, <, 1e-6 * tractionSize);
     TEST_COMPARE(mismatchError, <, 1e-6 * mismatchSize);
+  }
+}
+
+double squareOf(const std::vector<bem::BoundaryValue>& values) {
+  double square = 0;
+  for (const bem::BoundaryValue& value : values)
+    square += value.weight *
+              (dot(value.traction, value.traction) + dot(value.mismatch, value.mismatch));
+  return square;
+}
+
+// The fields have logarithms at nodes.
+TEUCHOS_UNIT_TEST(BoundaryFields, haveTheirSquaresIntegratedByAFewPoints) {
+  const bem::Lame lame = lameOf(0.3);
+  for (const Sample& sample : hardSamples()) {
+    const bem::Mesh& mesh = sample.mesh;
+    const bem::Space space(mesh);
+    const bem::BoundaryFields fields(space, lame, anyVector(space.displacements(), 0.3),
+                                     anyVector(space.densities(), 1.1));
+    double worst = 0;
+    std::size_t count = 0;
+    for (int e = 0; e < mesh.size(); ++e) {
+      const auto coarse = fields.on(e);
+      std::vector<bem::Feature> nodes;
+      for (const bem::Element& other : mesh.elements()) {
+        const bem::Complex z =
+            bem::seenFrom(mesh, e, {other.piece.edge, other.piece.start, 0}).z();
+        nodes.push_back({z.real(), std::abs(z.imag())});
+      }
+      const bem::GradedRule rule = bem::gradedRule(nodes, 20, 1e-12);
+      auto fine = fields.at(e, rule.points);
+      for (std::size_t q = 0; q < fine.size(); ++q)
+        fine[q].weight = mesh[e].half * rule.weights[q];
+      const double exact = squareOf(fine);
+      worst = std::max(worst, std::abs(squareOf(coarse) - exact) / exact);
+      count += coarse.size();
+    }
+    out << sample.name << ", " << count / static_cast<std::size_t>(mesh.size())
+        << " points: ";
+    TEST_COMPARE(worst, <, 1e-5);
   }
 }
 

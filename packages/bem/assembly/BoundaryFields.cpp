@@ -1,7 +1,5 @@
 #include "bem/assembly/BoundaryFields.hpp"
 
-#include "bem/assembly/FarPairs.hpp"
-#include "bem/potential/PointSources.hpp"
 #include "bem/potential/RelativeTarget.hpp"
 #include "bem/potential/Traction.hpp"
 
@@ -12,22 +10,29 @@ namespace epafi::bem {
 
 namespace {
 
-/// Gauss points on a graded interval beyond the degree, and where grading ends: both give
-/// 1e-6 in the integrals of log².
+/// Gauss points on an interval beyond the degree, for 2e-6 in the integrals of squares.
 constexpr int smoothPoints = 6;
-constexpr double smallestInterval = 1e-7;
+
+/// Gauss points on a source of a degree: its density has one less.
+int pointsOn(int smoothOrder, int degree) { return smoothOrder + degree / 2; }
 
 Vec2 asVector(Complex z) { return {z.real(), z.imag()}; }
 
 }  // namespace
 
 struct BoundaryFields::Sources {
+  /// Points from `first` to `last` of everything with `order` points an element.
+  struct Stretch {
+    int order;
+    std::size_t first;
+    std::size_t last;
+  };
   struct Far {
-    int element;
-    int inner;  ///< Gauss points on it
+    std::vector<Stretch> stretches;
+    PointSources points;  ///< places relative to the middle of the target
   };
   std::vector<int> near;
-  std::map<int, std::vector<Far>> far;  ///< by Gauss points on the target element
+  std::map<int, Far> far;  ///< by Gauss points on the target element
 };
 
 /// Fields of the far sources on the target element, Legendre coefficients.
@@ -38,25 +43,72 @@ struct BoundaryFields::FarSeries {
 
 BoundaryFields::BoundaryFields(const Space& space, const Lame& lame, const Vector& u,
                                const Vector& psi)
-    : mesh_(space.mesh()), lame_(lame) {
-  for (int e = 0; e < mesh_.size(); ++e)
+    : mesh_(space.mesh()), runs_(mesh_), lame_(lame) {
+  int largest = 0;
+  for (int e = 0; e < mesh_.size(); ++e) {
     fields_.push_back(localField(space, u, psi, e));
+    largest = std::max(largest, mesh_[e].degree);
+  }
+  everything_.resize(static_cast<std::size_t>(pointsOn(smoothOrderOfCircles, largest)) +
+                     1);
+  for (std::size_t order = 1; order < everything_.size(); ++order)
+    for (int f = 0; f < mesh_.size(); ++f)
+      addPoints(f, static_cast<int>(order), mesh_[f].middle, everything_[order]);
+}
+
+/// Element f through Gauss points, `middle` its place.
+void BoundaryFields::addPoints(int f, int order, Vec2 middle,
+                               PointSources& points) const {
+  const Element& source = mesh_[f];
+  const LocalField& values = fields_[static_cast<std::size_t>(f)];
+  const Complex tangent = asComplex(source.tangent);
+  const Rule& rule = gaussLegendre(order);
+  std::array<double, largestDegree + 1> legendre{};
+  for (int q = 0; q < rule.size(); ++q) {
+    legendreValues(source.degree - 1, rule.points[q], legendre.data());
+    Complex density = 0;
+    Complex slope = 0;
+    for (int j = 0; j < source.degree; ++j) {
+      density += legendre[j] * values.density[j];
+      slope += legendre[j] * values.slope[j];
+    }
+    const double weight = source.half * rule.weights[q];
+    points.add(asComplex(middle) + source.half * rule.points[q] * tangent,
+               weight * density, weight * slope);
+  }
 }
 
 BoundaryFields::Sources BoundaryFields::split(int element) const {
   Sources sources;
-  for (int f = 0; f < mesh_.size(); ++f) {
-    PairOrder order;
-    if (isNear(mesh_, element, f, order)) {
-      sources.near.push_back(f);
+  FarBatch batch{};
+  const BoundaryPoint middle = mesh_.at(element, 0);
+  for (int r = 0; r < runs_.size(); ++r) {
+    const ElementRun& run = runs_[r];
+    const FarLanes chosen = runs_.choose(element, r, run.last, batch);
+    if (chosen.atOnce) {
+      const int order = pointsOn(chosen.smooth.inner, chosen.columns);
+      const auto first = static_cast<std::size_t>(run.first * order);
+      const auto last = static_cast<std::size_t>(run.last * order);
+      // interpolation needs twice as many points as a product of two such fields
+      auto& stretches = sources.far[2 * chosen.smooth.outer].stretches;
+      if (!stretches.empty() && stretches.back().order == order &&
+          stretches.back().last == first)
+        stretches.back().last = last;
+      else
+        stretches.push_back({order, first, last});
       continue;
     }
-    // interpolation needs twice as many points as a product of two such fields
-    const int smooth = order.outer - degreeShare(mesh_[element].degree);
-    // the orders are for moments up to degree p + 1; here densities have p - 1
-    const int degree = mesh_[f].degree;
-    sources.far[2 * smooth].push_back(
-        {f, order.inner - degreeShare(degree) + degree / 2});
+    for (int f = run.first; f < run.last; ++f) {
+      const int lane = f - run.first;
+      if (!chosen.far[lane]) {
+        sources.near.push_back(f);
+        continue;
+      }
+      const PairOrder& smooth = chosen.own[lane];
+      addPoints(f, pointsOn(smooth.inner, mesh_[f].degree),
+                -mesh_.difference(middle, mesh_.at(f, 0)),
+                sources.far[2 * smooth.outer].points);
+    }
   }
   return sources;
 }
@@ -65,32 +117,9 @@ BoundaryFields::FarSeries BoundaryFields::farSeries(int element,
                                                     const Sources& sources) const {
   const Element& target = mesh_[element];
   const Complex normal = asComplex(target.normal);
-  const BoundaryPoint middle = mesh_.at(element, 0);
+  const Complex middle = asComplex(target.middle);
   FarSeries series;
-  PointSources points;
   for (const auto& [order, far] : sources.far) {
-    points.clear();
-    for (const Sources::Far& source : far) {
-      const Element& f = mesh_[source.element];
-      const LocalField& values = fields_[static_cast<std::size_t>(source.element)];
-      const Complex offset =
-          -asComplex(mesh_.difference(middle, mesh_.at(source.element, 0)));
-      const Complex tangent = asComplex(f.tangent);
-      const Rule& rule = gaussLegendre(source.inner);
-      std::array<double, largestDegree + 1> legendre{};
-      for (int q = 0; q < rule.size(); ++q) {
-        legendreValues(f.degree - 1, rule.points[q], legendre.data());
-        Complex density = 0;
-        Complex slope = 0;
-        for (int j = 0; j < f.degree; ++j) {
-          density += legendre[j] * values.density[j];
-          slope += legendre[j] * values.slope[j];
-        }
-        const double weight = f.half * rule.weights[q];
-        points.add(offset + f.half * rule.points[q] * tangent, weight * density,
-                   weight * slope);
-      }
-    }
     const auto size = static_cast<std::size_t>(order);
     series.traction.resize(std::max(series.traction.size(), size));
     series.mismatch.resize(series.traction.size());
@@ -98,8 +127,11 @@ BoundaryFields::FarSeries BoundaryFields::farSeries(int element,
     std::vector<double> legendre(size);
     for (int q = 0; q < order; ++q) {
       legendreValues(order - 1, rule.points[q], legendre.data());
-      const FieldSums sums =
-          points.at(target.half * rule.points[q] * asComplex(target.tangent));
+      const Complex offset = target.half * rule.points[q] * asComplex(target.tangent);
+      FieldSums sums = far.points.at(offset);
+      for (const Sources::Stretch& stretch : far.stretches)
+        sums.add(everything_[static_cast<std::size_t>(stretch.order)].at(
+            middle + offset, stretch.first, stretch.last));
       const Complex t = traction(lame_, normal, sums);
       const Complex m = mismatchSlope(lame_, normal, sums);
       for (std::size_t k = 0; k < size; ++k) {
@@ -180,7 +212,7 @@ std::vector<BoundaryValue> BoundaryFields::on(int element) const {
       features.push_back({seen.z().real(), std::abs(seen.b())});
     }
   }
-  const GradedRule rule = gradedRule(features, degree + smoothPoints, smallestInterval);
+  const GradedRule rule = softenedRule(features, degree + smoothPoints);
   const FarSeries series = farSeries(element, sources);
   std::vector<BoundaryValue> values(rule.points.size());
   for (std::size_t q = 0; q < values.size(); ++q) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "bem/assembly/ElementRuns.hpp"
 #include "bem/base/Material.hpp"
+#include "bem/potential/PointSources.hpp"
 #include "bem/quadrature/Graded.hpp"
 #include "bem/space/LocalField.hpp"
 
@@ -21,7 +23,7 @@ struct BoundaryValue {
 /// Elements nearby are integrated exactly at points graded toward the ends of the element
 /// and of its neighbours, where both fields have logarithms; far ones act through Gauss
 /// points (error 1e-12 of their field) and are interpolated.  Squares of the fields are
-/// integrated to about 1e-6 of their size by the weights.
+/// integrated to 2e-6 of their size by the weights.
 class BoundaryFields {
  public:
   BoundaryFields(const Space& space, const Lame& lame, const Vector& u,
@@ -37,14 +39,18 @@ class BoundaryFields {
   struct Sources;
   struct FarSeries;
 
+  void addPoints(int f, int order, Vec2 middle, PointSources& points) const;
   Sources split(int element) const;
   FarSeries farSeries(int element, const Sources& sources) const;
   void evaluate(int element, const Sources& sources, const FarSeries& series,
                 BoundaryValue& value) const;
 
   Mesh mesh_;
+  ElementRuns runs_;  ///< of mesh_
   Lame lame_;
   std::vector<LocalField> fields_;
+  /// By order: all elements through that many Gauss points each, as far circles need.
+  std::vector<PointSources> everything_;
 };
 
 }  // namespace epafi::bem

@@ -80,6 +80,7 @@ FarLanes ElementRuns::choose(int e, int r, int last, FarBatch& batch,
     if (!result.far[lane])
       continue;
     batch.set(lane, w, source);
+    result.own[lane] = smooth;
     ++result.count;
     result.columns = std::max(result.columns, source.degree);
     result.smooth = {std::max(result.smooth.outer, smooth.outer),
@@ -102,6 +103,7 @@ bool ElementRuns::chooseAtOnce(int e, const ElementRun& run, FarLanes& result,
   if (!isFar || std::min(zE, zF) < zOfCircles)
     return false;
   result.smooth = {smoothOrder(zE), smoothOrder(zF)};
+  result.atOnce = true;
   result.columns = run.degree;
   result.count = run.last - run.first;
   std::fill_n(result.far, result.count, true);

@@ -21,9 +21,14 @@ struct ElementRun {
 struct FarLanes {
   bool far[lanes] = {};
   int count = 0;
-  int columns = 0;   ///< largest degree among the far ones
-  PairOrder smooth;  ///< without what polynomials cost on top
+  bool atOnce = false;   ///< by their circle, which is far enough for plain coordinates
+  int columns = 0;       ///< largest degree among the far ones
+  PairOrder smooth;      ///< without what polynomials cost on top
+  PairOrder own[lanes];  ///< of each pair, unless at once
 };
+
+/// The largest smooth order of a far circle.
+constexpr int smoothOrderOfCircles = 7;
 
 /// A mesh in runs of eight, the first of them at 0, the next at 8, ...
 class ElementRuns {

@@ -6,15 +6,16 @@ namespace epafi::bem {
 
 namespace {
 
-// Q₀(z) = log((z+1)/(z-1)) / 2 without the cancellation of the quotient far away.
-Complex legendreQ0(const RelativeTarget& x, bool onElement) {
+// Re Q₀(z) = log |(z+1)/(z-1)| / 2 without the cancellation of the quotient far away.
+double realQ0(const RelativeTarget& x) {
   const double a = x.z().real();
-  const double real = a >= 0 ? 0.25 * std::log1p(4 * a / std::norm(x.zMinus1))
-                             : -0.25 * std::log1p(-4 * a / std::norm(x.zPlus1));
-  if (onElement)
-    return real;
+  return a >= 0 ? 0.25 * std::log1p(4 * a / std::norm(x.zMinus1))
+                : -0.25 * std::log1p(-4 * a / std::norm(x.zPlus1));
+}
+
+Complex legendreQ0(const RelativeTarget& x) {
   const double product = x.zMinus1.real() * x.zPlus1.real() + x.b() * x.b();
-  return {real, -0.5 * std::atan2(2 * x.b(), product)};
+  return {realQ0(x), -0.5 * std::atan2(2 * x.b(), product)};
 }
 
 // 2 Q_j for j = 0 ... top by the forward recurrence, stable near [-1, 1].
@@ -70,44 +71,76 @@ LogMoments logMomentsAhead(double gap, int degree) {
   return l;
 }
 
-void evaluateMoments(const RelativeTarget& x, int degree, Need need, LegendreMoments& m) {
-  const bool onElement = x.onElement();
+namespace {
+
+/// log |z + √(z-1) √(z+1)|.
+double logRadius(Complex z, Complex zMinus1, Complex zPlus1) {
+  return std::log(std::abs(z + std::sqrt(zMinus1) * std::sqrt(zPlus1)));
+}
+double logRadius(double z, double zMinus1, double zPlus1) {
+  const double product = zMinus1 * zPlus1;
+  return product > 0 ? std::log(std::abs(z) + std::sqrt(product)) : 0;
+}
+
+/// d[0] ... d[degree], unless the target lies on the element.
+template <class Number>
+void derivatives(Number z, Number zMinus1, Number zPlus1, const Number* c, int degree,
+                 bool ranForward, LegendreMoments& m) {
+  if (!ranForward) {
+    const Number scale = -1.0 / (zMinus1 * zPlus1);
+    for (int j = 0; j <= degree; ++j)
+      m.d[j] = scale * (j + 1.0) * (c[j + 1] - z * c[j]);
+    return;
+  }
+  const Number left = 1.0 / zPlus1;
+  const Number right = 1.0 / zMinus1;
+  // D_j = 1/(z-1) - (-1)^j/(z+1) - Σ (2k+1) C_k over k = j-1, j-3, ...
+  Number sum[2] = {0, 0};
+  for (int j = 0; j <= degree; ++j) {
+    m.d[j] = right - (j % 2 == 0 ? left : -left) - sum[j % 2];
+    sum[(j + 1) % 2] += (2 * j + 1.0) * c[j];
+  }
+}
+
+/// In real numbers for targets on the element's line, else in complex ones.
+template <class Number>
+void evaluate(Number z, Number zMinus1, Number zPlus1, Number q0, bool onElement,
+              int degree, Need need, LegendreMoments& m) {
   const bool wantL = need == Need::CandL || need == Need::All;
   const bool wantD = (need == Need::CandD || need == Need::All) && !onElement;
-  const int top = need == Need::C ? degree : degree + 1;
-  const Complex z = x.z();
-  const Complex q0 = legendreQ0(x, onElement);
-
-  const double radius = std::abs(z + std::sqrt(x.zMinus1) * std::sqrt(x.zPlus1));
-  const double logR = std::log(radius);
-  const bool runForward = isForwardStable(top, logR);
-  if (runForward)
-    forward(z, q0, top, m.c.data());
-  else
-    backward(z, q0, top, logR, m.c.data());
-
-  if (wantL) {
-    m.l[0] = 0.5 * std::log(std::norm(x.zMinus1) * std::norm(x.zPlus1)) +
-             (z * m.c[0]).real() - 2;
-    for (int j = 1; j <= degree; ++j)
-      m.l[j] = (m.c[j + 1].real() - m.c[j - 1].real()) / (2 * j + 1);
-  }
-  if (!wantD)
-    return;
-  const Complex product = x.zMinus1 * x.zPlus1;
-  if (runForward) {
-    const Complex left = 1.0 / x.zPlus1;
-    const Complex right = 1.0 / x.zMinus1;
-    // D_j = 1/(z-1) - (-1)^j/(z+1) - Σ (2k+1) C_k over k = j-1, j-3, ...
-    Complex sum[2] = {0, 0};
-    for (int j = 0; j <= degree; ++j) {
-      m.d[j] = right - (j % 2 == 0 ? left : -left) - sum[j % 2];
-      sum[(j + 1) % 2] += (2 * j + 1.0) * m.c[j];
-    }
+  Number c[largestDegree + 3];
+  if (degree == 0) {
+    c[0] = 2.0 * q0;
+    if (wantD)
+      m.d[0] = 2.0 / (zMinus1 * zPlus1);
   } else {
-    for (int j = 0; j <= degree; ++j)
-      m.d[j] = -(j + 1.0) * (m.c[j + 1] - z * m.c[j]) / product;
+    const int top = need == Need::C ? degree : degree + 1;
+    const double logR = logRadius(z, zMinus1, zPlus1);
+    const bool runForward = isForwardStable(top, logR);
+    if (runForward)
+      forward(z, q0, top, c);
+    else
+      backward(z, q0, top, logR, c);
+    if (wantD)
+      derivatives(z, zMinus1, zPlus1, c, degree, runForward, m);
   }
+  for (int j = 0; j <= degree; ++j)
+    m.c[j] = c[j];
+  if (!wantL)
+    return;
+  m.l[0] = std::log(std::abs(zMinus1 * zPlus1)) + std::real(z * c[0]) - 2;
+  for (int j = 1; j <= degree; ++j)
+    m.l[j] = std::real(c[j + 1] - c[j - 1]) / (2 * j + 1);
+}
+
+}  // namespace
+
+void evaluateMoments(const RelativeTarget& x, int degree, Need need, LegendreMoments& m) {
+  if (x.b() == 0)
+    evaluate(x.z().real(), x.zMinus1.real(), x.zPlus1.real(), realQ0(x), x.onElement(),
+             degree, need, m);
+  else
+    evaluate(x.z(), x.zMinus1, x.zPlus1, legendreQ0(x), false, degree, need, m);
 }
 
 }  // namespace epafi::bem

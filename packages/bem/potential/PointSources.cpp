@@ -1,76 +1,105 @@
 #include "bem/potential/PointSources.hpp"
 
+#include "bem/base/Pack.hpp"
+
 namespace epafi::bem {
 
 namespace {
 
 constexpr Complex i(0, 1);
 
-#define EPAFI_INLINE inline __attribute__((always_inline))
-
 struct Columns {
-  const double* x;
-  const double* y;
-  const double* fx;
-  const double* fy;
-  const double* sx;
-  const double* sy;
+  const double* array[6];
   std::size_t size;
 };
 
+/// Sums over lanes:  Re g a, Im g b, Im g a, Re g b, and cubic's parts.
+struct LaneSums {
+  Pack sum[6] = {};
+};
+
+EPAFI_INLINE void load(const double* from, Pack& to) {
+  __builtin_memcpy(&to, from, sizeof to);
+}
+
 /// 1/w = a - ib,  1/conj(w) = a + ib,  w/conj(w)² = gx + i gy.
-EPAFI_INLINE FieldSums sum(const Columns& c, double x, double y) {
-  double f[6] = {0, 0, 0, 0, 0, 0};
-  double s[6] = {0, 0, 0, 0, 0, 0};
-#pragma omp simd reduction(+ : f[:6], s[:6])
-  for (std::size_t k = 0; k < c.size; ++k) {
-    const double wx = x - c.x[k];
-    const double wy = y - c.y[k];
-    const double inverse = 1 / (wx * wx + wy * wy);
-    const double a = wx * inverse;
-    const double b = wy * inverse;
-    const double ex = a * wx - b * wy;
-    const double ey = a * wy + b * wx;
-    const double gx = ex * a - ey * b;
-    const double gy = ex * b + ey * a;
-    const double fx = c.fx[k];
-    const double fy = c.fy[k];
-    f[0] += fx * a + fy * b;
-    f[1] += fy * a - fx * b;
-    f[2] += fx * a - fy * b;
-    f[3] += fy * a + fx * b;
-    f[4] += gx * fx + gy * fy;
-    f[5] += gy * fx - gx * fy;
-    const double sx = c.sx[k];
-    const double sy = c.sy[k];
-    s[0] += sx * a + sy * b;
-    s[1] += sy * a - sx * b;
-    s[2] += sx * a - sy * b;
-    s[3] += sy * a + sx * b;
-    s[4] += gx * sx + gy * sy;
-    s[5] += gy * sx - gx * sy;
+template <Division How>
+EPAFI_INLINE void addEight(const Columns& c, std::size_t k, double x, double y,
+                           LaneSums (&fields)[2]) {
+  Pack px;
+  Pack py;
+  load(c.array[0] + k, px);
+  load(c.array[1] + k, py);
+  const Pack wx = x - px;
+  const Pack wy = y - py;
+  Pack inverse;
+  reciprocal<How>(wx * wx + wy * wy, inverse);
+  const Pack a = wx * inverse;
+  const Pack b = wy * inverse;
+  const Pack ex = a * wx - b * wy;
+  const Pack ey = a * wy + b * wx;
+  const Pack gx = ex * a - ey * b;
+  const Pack gy = ex * b + ey * a;
+  for (int field = 0; field < 2; ++field) {
+    Pack fx;
+    Pack fy;
+    load(c.array[2 + 2 * field] + k, fx);
+    load(c.array[3 + 2 * field] + k, fy);
+    Pack(&s)[6] = fields[field].sum;
+    s[0] += fx * a;
+    s[1] += fy * b;
+    s[2] += fy * a;
+    s[3] += fx * b;
+    s[4] += gx * fx + gy * fy;
+    s[5] += gy * fx - gx * fy;
   }
-  return {{{f[0], f[1]}, {f[2], f[3]}, {f[4], f[5]}},
-          {{s[0], s[1]}, {s[2], s[3]}, {s[4], s[5]}}};
 }
 
-// GCC would take vectors of four on processors that clock down for those of eight.
-#ifdef __clang__
-#define EPAFI_WIDE_AVX512 "avx512f,avx512dq,avx512vl,fma"
-#else
-#define EPAFI_WIDE_AVX512 "avx512f,avx512dq,avx512vl,fma,prefer-vector-width=512"
-#endif
-__attribute__((target(EPAFI_WIDE_AVX512))) FieldSums sumAvx512(const Columns& c, double x,
-                                                               double y) {
-  return sum(c, x, y);
+EPAFI_INLINE double total(const Pack& p) {
+  double sum = 0;
+  for (int lane = 0; lane < lanes; ++lane)
+    sum += p[lane];
+  return sum;
 }
 
-__attribute__((target("avx2,fma"))) FieldSums sumAvx2(const Columns& c, double x,
-                                                      double y) {
-  return sum(c, x, y);
+template <Division How>
+EPAFI_INLINE void sum(const Columns& c, double x, double y, double (&result)[2][6]) {
+  LaneSums fields[2];
+  std::size_t k = 0;
+  for (; k + lanes <= c.size; k += lanes)
+    addEight<How>(c, k, x, y, fields);
+  if (k < c.size) {  // the rest among points that carry nothing, away from x
+    double rest[6][lanes] = {};
+    for (int lane = 0; lane < lanes; ++lane)
+      rest[0][lane] = x + 1;
+    for (int array = 0; array < 6; ++array)
+      for (std::size_t at = k; at < c.size; ++at)
+        rest[array][at - k] = c.array[array][at];
+    addEight<How>({{rest[0], rest[1], rest[2], rest[3], rest[4], rest[5]}, lanes}, 0, x,
+                  y, fields);
+  }
+  for (int field = 0; field < 2; ++field)
+    for (int part = 0; part < 6; ++part)
+      result[field][part] = total(fields[field].sum[part]);
 }
 
-FieldSums sumBaseline(const Columns& c, double x, double y) { return sum(c, x, y); }
+EPAFI_AVX512 void sumAvx512(const Columns& c, double x, double y,
+                            double (&result)[2][6]) {
+  sum<Division::Fused>(c, x, y, result);
+}
+
+EPAFI_AVX2 void sumAvx2(const Columns& c, double x, double y, double (&result)[2][6]) {
+  sum<Division::Fused>(c, x, y, result);
+}
+
+void sumBaseline(const Columns& c, double x, double y, double (&result)[2][6]) {
+  sum<Division::Exact>(c, x, y, result);
+}
+
+/// ∫ g/w, ∫ g/conj(w) and the cubic part from the products' sums.
+SourceSums sourceSums(const double (&s)[6]) {
+  return {{s[0] + s[1], s[2] - s[3]}, {s[0] - s[1], s[2] + s[3]}, {s[4], s[5]}};
+}
 
 /// ∫ Re(τ/w) g ds
 Complex alongTangent(Complex tangent, const SourceSums& g) {
@@ -119,20 +148,24 @@ void PointSources::add(Complex place, Complex density, Complex slope) {
   data_[SlopeY].push_back(slope.imag());
 }
 
-FieldSums PointSources::at(Complex x, InstructionSet set) const {
-  const Columns columns = {data_[X].data(),        data_[Y].data(),
-                           data_[DensityX].data(), data_[DensityY].data(),
-                           data_[SlopeX].data(),   data_[SlopeY].data(),
-                           data_[X].size()};
+FieldSums PointSources::at(Complex x, std::size_t first, std::size_t last,
+                           InstructionSet set) const {
+  Columns columns{{}, last - first};
+  for (int array = 0; array < Arrays; ++array)
+    columns.array[array] = data_[array].data() + first;
+  double sums[2][6];
   switch (set) {
     case InstructionSet::Avx512:
-      return sumAvx512(columns, x.real(), x.imag());
+      sumAvx512(columns, x.real(), x.imag(), sums);
+      break;
     case InstructionSet::Avx2:
-      return sumAvx2(columns, x.real(), x.imag());
+      sumAvx2(columns, x.real(), x.imag(), sums);
+      break;
     case InstructionSet::Baseline:
+      sumBaseline(columns, x.real(), x.imag(), sums);
       break;
   }
-  return sumBaseline(columns, x.real(), x.imag());
+  return {sourceSums(sums[0]), sourceSums(sums[1])};
 }
 
 }  // namespace epafi::bem

@@ -27,6 +27,11 @@ struct SourceSums {
 struct FieldSums {
   SourceSums density;
   SourceSums slope;
+
+  void add(const FieldSums& other) {
+    density.add(other.density);
+    slope.add(other.slope);
+  }
 };
 
 /// K' ψ + W u on a line with unit normal N.                      [design.md 4.3, last
@@ -46,9 +51,15 @@ class PointSources {
  public:
   void clear();
   void add(Complex place, Complex density, Complex slope);
+  std::size_t size() const { return data_[X].size(); }
 
   /// Their sums at x, in about 1 ns a point.
-  FieldSums at(Complex x, InstructionSet set = largestInstructionSet()) const;
+  FieldSums at(Complex x, InstructionSet set = largestInstructionSet()) const {
+    return at(x, 0, size(), set);
+  }
+  /// Of the points first ... last - 1 only.
+  FieldSums at(Complex x, std::size_t first, std::size_t last,
+               InstructionSet set = largestInstructionSet()) const;
 
  private:
   enum { X, Y, DensityX, DensityY, SlopeX, SlopeY, Arrays };

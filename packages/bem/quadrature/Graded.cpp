@@ -63,7 +63,46 @@ void refine(const Interval& interval, const std::vector<Feature>& features,
   leaves.push_back(interval);
 }
 
+/// The end of an interval that a feature lies at, within a hundredth of its length.
+enum class Touches { Nothing, From, To };
+
+Touches touches(const Interval& interval, const std::vector<Feature>& features) {
+  const double near = 0.01 * interval.length();
+  for (const Feature& feature : features) {
+    if (std::hypot(feature.t - interval.from.t, feature.distance) <= near)
+      return Touches::From;
+    if (std::hypot(feature.t - interval.to.t, feature.distance) <= near)
+      return Touches::To;
+  }
+  return Touches::Nothing;
+}
+
 }  // namespace
+
+GradedRule softenedRule(const std::vector<Feature>& features, int order) {
+  constexpr double smallest = 0.02;
+  std::vector<Interval> leaves;
+  refine({fromStart(0), toEnd(0)}, features, smallest, leaves);
+  const Rule& gauss = gaussLegendre(order);
+  GradedRule rule;
+  for (const Interval& leaf : leaves) {
+    const Touches end = touches(leaf, features);
+    for (int i = 0; i < order; ++i) {
+      const double s = 0.5 * (1 + gauss.points[static_cast<std::size_t>(i)]);
+      double weight = 0.5 * leaf.length() * gauss.weights[static_cast<std::size_t>(i)];
+      if (end == Touches::Nothing) {
+        rule.points.push_back(between(leaf.from, leaf.to, s));
+      } else {
+        const double power = s * s * s * s;
+        rule.points.push_back(end == Touches::From ? between(leaf.from, leaf.to, power)
+                                                   : between(leaf.to, leaf.from, power));
+        weight *= 4 * s * s * s;
+      }
+      rule.weights.push_back(weight);
+    }
+  }
+  return rule;
+}
 
 GradedRule gradedRule(const std::vector<Feature>& features, int order, double smallest) {
   std::vector<Interval> leaves;
