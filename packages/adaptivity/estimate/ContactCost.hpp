@@ -20,6 +20,14 @@ class ContactCost {
   AtEnds slope(const AtEnds& correction) const;
   double curvature() const { return weight_ * self_; }
 
+  /// What of the cost corrections can change: the other terms without any, and the most
+  /// that one at an end takes from h/p |λ̃ + S u|².
+  double scale() const {
+    return (*this)({}) +
+           weight_ / self_ *
+               (dot(moments_.start, moments_.start) + dot(moments_.end, moments_.end));
+  }
+
   /// Along these a correction leaves some term as it is: pressure, shear, and the two in
   /// the ratio of friction.
   const std::vector<bem::Vec2>& directions() const { return directions_; }

@@ -14,17 +14,42 @@ double positive(double x) { return std::max(x, 0.0); }
 /// Enough to separate the zeros of a polynomial of this degree in practice.
 int samples(int degree) { return 8 * (degree + 1); }
 
+void addChanges(const bem::Profile& f, int degree, Vector& breaks) {
+  const Vector changes = bem::signChanges(f, samples(degree));
+  breaks.insert(breaks.end(), changes.begin(), changes.end());
+}
+
 Vector breaks(const ContactProfiles& c) {
   Vector result = {-0.5, 0, 0.5};  // gap and bound are the user's and may bend anywhere
-  const auto add = [&](const bem::Profile& f) {
-    const Vector changes = bem::signChanges(f, samples(c.degree));
-    result.insert(result.end(), changes.begin(), changes.end());
-  };
-  add(c.pressure);
-  add(c.opening);
-  add(c.shear);
-  add(c.tangential);
-  add([&](double t) { return std::abs(c.shear(t)) - c.bound(t); });
+  addChanges(c.pressure, c.degree, result);
+  addChanges(c.opening, c.degree, result);
+  addChanges(c.shear, c.degree, result);
+  addChanges(c.tangential, c.degree, result);
+  addChanges([&](double t) { return std::abs(c.shear(t)) - c.bound(t); }, c.degree,
+             result);
+  return result;
+}
+
+/// The part of the bound that the shear along a slip leaves.
+double unusedBound(double bound, double shear, double slip) {
+  return bound - std::clamp(slip < 0 ? -shear : shear, -bound, bound);
+}
+
+/// Where lostWork bends: where one of its arguments is twice the other, in its units.
+void addBends(const bem::Profile& force, const bem::Profile& length, double stiffness,
+              int degree, Vector& breaks) {
+  addChanges([&](double t) { return force(t) - 2 * stiffness * length(t); }, degree,
+             breaks);
+  addChanges([&](double t) { return 2 * force(t) - stiffness * length(t); }, degree,
+             breaks);
+}
+
+Vector sharpBreaks(const ContactProfiles& c, double stiffness) {
+  Vector result = breaks(c);
+  addBends(c.pressure, c.opening, stiffness, c.degree, result);
+  addBends([&](double t) { return unusedBound(c.bound(t), c.shear(t), c.tangential(t)); },
+           [&](double t) { return std::abs(c.tangential(t)); }, stiffness, c.degree,
+           result);
   return result;
 }
 
@@ -112,9 +137,9 @@ namespace {
 /// Both kinds of terms; `complementarity` and `slip` are the densities of the first and
 /// the last: of pressure and opening, of bound, shear and slip.
 template <class Complementarity, class Slip>
-Contributions terms(const ContactProfiles& c, const Complementarity& complementarity,
-                    const Slip& slip) {
-  const bem::Rule rule = bem::piecewiseRule(breaks(c), c.degree + 6);
+Contributions terms(const ContactProfiles& c, const Vector& breaks,
+                    const Complementarity& complementarity, const Slip& slip) {
+  const bem::Rule rule = bem::piecewiseRule(breaks, c.degree + 6);
   const double size = 2 * c.half / c.degree;  // h/p
   Contributions squares{};
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
@@ -141,7 +166,8 @@ Contributions terms(const ContactProfiles& c, const Complementarity& complementa
 
 Contributions contactTerms(const ContactProfiles& profiles) {
   return terms(
-      profiles, [](double pressure, double opening) { return pressure * opening; },
+      profiles, breaks(profiles),
+      [](double pressure, double opening) { return pressure * opening; },
       [](double bound, double shear, double slip) {
         return positive(bound - std::abs(shear)) * std::abs(slip) +
                2 * positive(-shear * slip);
@@ -151,13 +177,12 @@ Contributions contactTerms(const ContactProfiles& profiles) {
 Contributions sharpContactTerms(const ContactProfiles& profiles, double shearModulus) {
   const double stiffness = shearModulus * profiles.degree / (2 * profiles.half);
   return terms(
-      profiles,
+      profiles, sharpBreaks(profiles, stiffness),
       [stiffness](double pressure, double opening) {
         return lostWork(pressure, opening, stiffness);
       },
       [stiffness](double bound, double shear, double slip) {
-        const double along = std::clamp(slip < 0 ? -shear : shear, -bound, bound);
-        return lostWork(bound - along, std::abs(slip), stiffness);
+        return lostWork(unusedBound(bound, shear, slip), std::abs(slip), stiffness);
       });
 }
 

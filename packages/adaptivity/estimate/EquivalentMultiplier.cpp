@@ -70,12 +70,14 @@ class Neighbourhood {
       const ContactCost& cost = costAt(joint.before);
       slope_ = slope_ + cost.slope(factorsAt(joint.before)).end;
       curvature_ += cost.curvature();
+      scale_ += cost.scale();
       add(cost.directions());
     }
     if (joint.after != none) {
       const ContactCost& cost = costAt(joint.after);
       slope_ = slope_ - cost.slope(factorsAt(joint.after)).start;
       curvature_ += cost.curvature();
+      scale_ += cost.scale();
       add(cost.directions());
     }
   }
@@ -96,6 +98,8 @@ class Neighbourhood {
   }
 
   const std::vector<Vec2>& directions() const { return directions_; }
+  /// The size of the costs that changes can do something about.
+  double scale() const { return scale_; }
 
   /// How far along a direction h/p |λ̃ + S u|² is least.
   double distance(Vec2 direction) const {
@@ -120,19 +124,21 @@ class Neighbourhood {
   std::vector<Vec2> directions_;
   Vec2 slope_;
   double curvature_ = 0;
+  double scale_ = 0;
 };
 
 /// The best of some changes; the mean of those that are equally good, since a mirrored
-/// scene has them in another order.
+/// scene has them in another order.  What gains less than a part of the scale that
+/// rounding cannot reach does not count: choices must not hang on it.
 class Best {
  public:
-  explicit Best(double cost) : start_(cost), least_(cost) {}
+  Best(double cost, double scale)
+      : start_(cost - 1e-4 * scale), least_(cost), tie_(1e-6 * scale) {}
 
   void consider(double cost, Vec2 change) {
-    const double tie = 1e-9 * (start_ - std::min(cost, least_));
-    if (!(cost < start_) || cost > least_ + tie)
+    if (!(cost < start_) || cost > least_ + tie_)
       return;
-    if (cost < least_ - tie) {
+    if (cost < least_ - tie_) {
       least_ = cost;
       sum_ = {};
       count_ = 0;
@@ -147,6 +153,7 @@ class Best {
  private:
   double start_;
   double least_;
+  double tie_;
   Vec2 sum_;
   int count_ = 0;
 };
@@ -157,7 +164,7 @@ struct Step {
 };
 
 Step bestStep(double reach, const Neighbourhood& around) {
-  Best best(around.cost({}));
+  Best best(around.cost({}), around.scale());
   double largest = 0;
   for (const Vec2 d : around.directions()) {
     const double whole = around.distance(d);
