@@ -159,7 +159,8 @@ TEUCHOS_UNIT_TEST(ContactTerms, areNeverNegativeAndTheSharpOnesNotLarger) {
     const Contributions sharp = sharpContactTerms(profiles, shearModulus);
     for (std::size_t k = 0; k < printed.size(); ++k) {
       TEST_COMPARE(sharp[k], >=, 0);
-      TEST_COMPARE(sharp[k], <=, printed[k] + 1e-15);
+      TEST_COMPARE(sharp[k], <=,
+                   printed[k] * (1 + 1e-13));  // other rules, other rounding
     }
   }
 }
