@@ -221,6 +221,10 @@ EPAFI_INLINE void farKernelOfDegree(const Element& e, const FarBatch& batch, int
     farKernel<1, How>(e, batch, rows, columns, work, m);
   else if (rows == 2 && columns == 2)
     farKernel<2, How>(e, batch, rows, columns, work, m);
+  else if (rows == 3 && columns == 3)
+    farKernel<3, How>(e, batch, rows, columns, work, m);
+  else if (rows == 4 && columns == 4)
+    farKernel<4, How>(e, batch, rows, columns, work, m);
   else
     farKernel<0, How>(e, batch, rows, columns, work, m);
 }
