@@ -85,6 +85,46 @@ EPAFI_INLINE void interleave(const Pack& x, const Pack& y, double* to) {
   __builtin_memcpy(to + lanes, &second, sizeof second);
 }
 
+/// Adds a point's integrals to the moments i of one source function.
+EPAFI_INLINE void addMoments(const Parts& at, const double* weights, int moments,
+                             int stride, Parts* sums) {
+  for (int i = 0; i < moments; ++i) {
+    Parts& sum = sums[i * stride];
+    sum.conjReal += at.conjReal * weights[i];
+    sum.conjImag += at.conjImag * weights[i];
+    sum.cubicReal += at.cubicReal * weights[i];
+    sum.cubicImag += at.cubicImag * weights[i];
+  }
+}
+
+/// What turns a source's frame into ours: a τ, a τ³, and 1/(2a) for slopes.
+struct Turning {
+  Pack x;
+  Pack y;
+  Pack cubeX;
+  Pack cubeY;
+  Pack perLength;
+};
+
+/// One moment of one source function: both operators, components of test and source.
+EPAFI_INLINE void writeBlock(Parts p, const Turning& turning, const double* map,
+                             double* to) {
+  multiply(p.conjReal, p.conjImag, turning.x, turning.y);
+  multiply(p.cubicReal, p.cubicImag, turning.cubeX, turning.cubeY);
+  for (int kind = 0; kind < 2; ++kind)
+    for (int component = 0; component < 2; ++component) {
+      Pack result[2];
+      for (int c = 0; c < 2; ++c) {
+        const double* row = map + ((kind * 2 + c) * 2 + component) * 4;
+        result[c] = p.conjReal * row[0] + p.conjImag * row[1] + p.cubicReal * row[2] +
+                    p.cubicImag * row[3];
+        if (kind == 1)
+          result[c] *= turning.perLength;
+      }
+      interleave(result[0], result[1], to + (kind * 2 + component) * 2 * lanes);
+    }
+}
+
 template <int Moments, int Columns, Division How>
 EPAFI_INLINE void kernel(const Work& work, const std::array<double, 32>* map,
                          double* values) {
@@ -105,43 +145,15 @@ EPAFI_INLINE void kernel(const Work& work, const std::array<double, 32>* map,
     Parts at[stride];
     sourceIntegrals<Columns, How>(work, wx * tx + wy * ty, wx * ty - wy * tx, a, at);
     const double* weights = work.outerTable[static_cast<std::size_t>(q)].data();
-    for (int i = 0; i < moments; ++i)
-      for (int j = 0; j < columns; ++j) {
-        Parts& sum = sums[i * stride + j];
-        sum.conjReal += at[j].conjReal * weights[i];
-        sum.conjImag += at[j].conjImag * weights[i];
-        sum.cubicReal += at[j].cubicReal * weights[i];
-        sum.cubicImag += at[j].cubicImag * weights[i];
-      }
+    for (int j = 0; j < columns; ++j)
+      addMoments(at[j], weights, moments, stride, sums + j);
   }
-  const Pack turnX = a * tx;
-  const Pack turnY = a * ty;
-  const Pack twiceX = tx * tx - ty * ty;
-  const Pack twiceY = 2.0 * tx * ty;
-  const Pack perLength = 0.5 / a;
-  const Pack cubeX = turnX * twiceX - turnY * twiceY;
-  const Pack cubeY = turnX * twiceY + turnY * twiceX;
-  for (int i = 0; i < moments; ++i) {
-    const double* m = map[i].data();
-    for (int j = 0; j < columns; ++j) {
-      Parts p = sums[i * stride + j];
-      multiply(p.conjReal, p.conjImag, turnX, turnY);
-      multiply(p.cubicReal, p.cubicImag, cubeX, cubeY);
-      double* to = values + (i * largestDegree + j) * 8 * lanes;
-      for (int kind = 0; kind < 2; ++kind)
-        for (int component = 0; component < 2; ++component) {
-          Pack result[2];
-          for (int c = 0; c < 2; ++c) {
-            const double* row = m + ((kind * 2 + c) * 2 + component) * 4;
-            result[c] = p.conjReal * row[0] + p.conjImag * row[1] + p.cubicReal * row[2] +
-                        p.cubicImag * row[3];
-            if (kind == 1)
-              result[c] *= perLength;
-          }
-          interleave(result[0], result[1], to + (kind * 2 + component) * 2 * lanes);
-        }
-    }
-  }
+  Turning turning = {a * tx, a * ty, tx * tx - ty * ty, 2.0 * tx * ty, 0.5 / a};
+  multiply(turning.cubeX, turning.cubeY, turning.x, turning.y);
+  for (int i = 0; i < moments; ++i)
+    for (int j = 0; j < columns; ++j)
+      writeBlock(sums[i * stride + j], turning, map[i].data(),
+                 values + (i * largestDegree + j) * 8 * lanes);
 }
 
 template <Division How>
