@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace epafi::reference {
 
@@ -135,6 +136,38 @@ TEUCHOS_UNIT_TEST(BoundaryFields, areLimitsOfTheFieldsInside) {
     out << sample.name << ": ";
     TEST_COMPARE(tractionError, <, 1e-6 * tractionSize);
     TEST_COMPARE(mismatchError, <, 1e-6 * mismatchSize);
+  }
+}
+
+// Nodes of neighbours, tiny ones too, and of a side that lies opposite.
+TEUCHOS_UNIT_TEST(SoftenedRule, integratesSquaresOfLogarithms) {
+  using Profile = std::function<double(const bem::EndPoint&)>;
+  const auto distance = [](double t, bem::Feature f) {
+    return std::hypot(t - f.t, f.distance);
+  };
+  const auto claim = [&](const std::vector<bem::Feature>& features, const Profile& f) {
+    const auto integral = [&](const bem::GradedRule& rule) {
+      double sum = 0;
+      for (std::size_t q = 0; q < rule.points.size(); ++q)
+        sum += rule.weights[q] * f(rule.points[q]) * f(rule.points[q]);
+      return sum;
+    };
+    const double exact = integral(bem::gradedRule(features, 24, 1e-13));
+    TEST_COMPARE(std::abs(integral(bem::softenedRule(features, 7)) - exact), <,
+                 1e-5 * std::max(exact, 0.1));
+  };
+  claim({{-1, 0}, {1, 0}},
+        [](const bem::EndPoint& x) { return std::log(x.fromStart * x.toEnd); });
+  for (const double size : {0.3, 1e-2, 1e-3, 1e-5}) {
+    const bem::Feature next{1 + size, 0};
+    claim({{1, 0}, next}, [&](const bem::EndPoint& x) {
+      return std::log(x.toEnd) - std::log(x.toEnd + size);
+    });
+    const bem::Feature left{0.1, 0.1 * size};
+    const bem::Feature right{0.1 + size, 0.1 * size};
+    claim({left, right}, [&](const bem::EndPoint& x) {
+      return std::log(distance(x.t, left)) - std::log(distance(x.t, right));
+    });
   }
 }
 

@@ -18,7 +18,7 @@ using namespace epafi;
 using bem::Complex;
 using Operator = bem::FarTractions::Operator;
 
-/// ∫ K' (P_j e_c) · P̂_i e_a ds, or with W, by 60 points on E and the closed form on F.
+/// ∫ K' (P_j e_c) · P̂_i e_a ds, or with W, by 40 points on E and the closed form on F.
 class Slow {
  public:
   Slow(const bem::Mesh& mesh, const bem::Lame& lame, int e, int f)

@@ -9,8 +9,8 @@
 namespace epafi::bem {
 
 /// ∫ W v · P̂_i e_a ds and ∫ K' f · P̂_i e_a ds on one element E for sources on elements
-/// far from it: f = P_j e_c, and v with the derivative P_j e_c by arc length.  P̂_i are
-/// the orthonormal Legendre polynomials on E.
+/// far from it: f = P_j e_c, and v with the derivative P_j e_c / h by arc length, h the
+/// source's length.  P̂_i are the orthonormal Legendre polynomials on E.
 ///
 /// Tensor Gauss with one reciprocal and no logarithm a point pair: W and K' at a point
 /// are, see TractionKernel, linear in

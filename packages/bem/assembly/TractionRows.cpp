@@ -72,7 +72,7 @@ class ElementRows {
         kernel_(lame, asComplex(mesh_[element].normal)),
         element_(element) {
     moments_ = mesh_[element].degree + 1;
-    if (form == TractionForm::Exact) {  // what far sources have beyond these is rounding
+    if (form == TractionForm::Exact) {  // what far sources have beyond these is 1e-12
       largestOuter_ = smoothOrderOfMoments;
       moments_ = std::max(moments_, 2 * largestOuter_);
     }

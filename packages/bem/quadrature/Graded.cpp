@@ -40,11 +40,13 @@ double separation(const Interval& interval, const Feature& feature) {
   return std::hypot(along, feature.distance);
 }
 
+/// `smallest`: for each feature, how far intervals are cut for its sake.
 void refine(const Interval& interval, const std::vector<Feature>& features,
-            double smallest, std::vector<Interval>& leaves) {
+            const std::vector<double>& smallest, std::vector<Interval>& leaves) {
   const double length = interval.length();
-  for (const Feature& feature : features) {
-    if (length <= smallest ||
+  for (std::size_t k = 0; k < features.size(); ++k) {
+    const Feature& feature = features[k];
+    if (length <= smallest[k] ||
         length <= (1 + 1e-12) * largestRatio * separation(interval, feature))
       continue;
     // Split at the feature's foot if it lies inside, else next to the end that is nearer.
@@ -80,7 +82,11 @@ Touches touches(const Interval& interval, const std::vector<Feature>& features) 
 }  // namespace
 
 GradedRule softenedRule(const std::vector<Feature>& features, int order) {
-  constexpr double smallest = 0.02;
+  std::vector<double> smallest;
+  for (const Feature& feature : features) {
+    const bool atEnd = std::hypot(1 - std::abs(feature.t), feature.distance) < 1e-9;
+    smallest.push_back(atEnd ? 0.02 : 1e-6);
+  }
   std::vector<Interval> leaves;
   refine({fromStart(0), toEnd(0)}, features, smallest, leaves);
   const Rule& gauss = gaussLegendre(order);
@@ -106,7 +112,8 @@ GradedRule softenedRule(const std::vector<Feature>& features, int order) {
 
 GradedRule gradedRule(const std::vector<Feature>& features, int order, double smallest) {
   std::vector<Interval> leaves;
-  refine({fromStart(0), toEnd(0)}, features, smallest, leaves);
+  refine({fromStart(0), toEnd(0)}, features,
+         std::vector<double>(features.size(), smallest), leaves);
   const Rule& gauss = gaussLegendre(order);
   GradedRule rule;
   rule.points.reserve(leaves.size() * static_cast<std::size_t>(order));

@@ -32,10 +32,10 @@ struct Feature {
 /// rule of n points loses ε² / n⁴ on the last interval ε.
 GradedRule gradedRule(const std::vector<Feature>& features, int order, double smallest);
 
-/// The same for moderate accuracy with far fewer points: grading ends at intervals of
-/// 1 % of [-1, 1], and on those that touch a feature t runs with the fourth power of the
-/// distance from it, which makes powers of logarithms smooth.  Integrals of log² are met
-/// to 1e-6 with order 7.
+/// The same for moderate accuracy with far fewer points: at features that lie at -1 or 1
+/// grading ends at intervals of 1 % of [-1, 1], on which t runs with the fourth power of
+/// the distance, which makes powers of logarithms smooth.  With order 7 integrals of log²
+/// are met to 1e-5, those of differences of two logarithms close together to 1e-6.
 GradedRule softenedRule(const std::vector<Feature>& features, int order);
 
 }  // namespace epafi::bem

@@ -110,21 +110,24 @@ void BalancedStiffness::subtractStabilisation(const Extended& u, Extended& force
     forces[i] -= stabilisation[i];
 }
 
-/// Over all processes, each number as a double and what that leaves.
+/// Over all processes, each number as a double and what that leaves, brought together
+/// before they are added: a sum in doubles would round at the size of what cancels.
 BalancedStiffness::Extended BalancedStiffness::sum(const Extended& mine) const {
   const bem::DenseAlgebra& algebra = stiffness_->algebra();
   if (algebra.processes() == 1)
     return mine;
   const std::size_t n = mine.size();
-  Vector parts(2 * n);
+  const auto processes = at(algebra.processes());
+  Vector parts(2 * n * processes);
+  const std::size_t own = 2 * n * at(algebra.rank());
   for (std::size_t i = 0; i < n; ++i) {
-    parts[i] = static_cast<double>(mine[i]);
-    parts[n + i] = static_cast<double>(mine[i] - parts[i]);
+    parts[own + i] = static_cast<double>(mine[i]);
+    parts[own + n + i] = static_cast<double>(mine[i] - parts[own + i]);
   }
   parts = algebra.sum(std::move(parts));
   Extended result(n);
-  for (std::size_t i = 0; i < n; ++i)
-    result[i] = static_cast<long double>(parts[i]) + parts[n + i];
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    result[k % n] += parts[k];
   return result;
 }
 

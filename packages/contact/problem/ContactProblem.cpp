@@ -338,13 +338,19 @@ Vector ContactProblem::displacement(const State& state) const {
     axpy(state.rigid[static_cast<std::size_t>(k)],
          columnOf(parts.rigid.allowed, parts.rigid.fixed() + k), u);
   // Iterative refinement: what the factor leaves is ε |A| |u|.  One step does where the
-  // correction is no more than rounding.
+  // correction is no more than rounding, and none where corrections do not shrink: the
+  // factor then knows too little of A.
   constexpr int mostSteps = 4;
+  double last = std::numeric_limits<double>::infinity();
   const Vector force = parts.force(parts.loads.load, state);
   for (int step = 0; step < mostSteps; ++step) {
     const Vector correction = parts.respond(parts.stiffness.residual(force, u));
+    const double size = largest(correction);
+    if (!(size < 0.5 * last))
+      break;
     axpy(1, correction, u);
-    if (!(largest(correction) > rounding * largest(u)))
+    last = size;
+    if (!(size > rounding * largest(u)))
       break;
   }
   return u;
