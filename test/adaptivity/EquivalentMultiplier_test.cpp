@@ -134,6 +134,46 @@ TEUCHOS_UNIT_TEST(EquivalentMultiplier, costsLess) {
                sum(costs, std::vector<AtEnds>(elements.size())) - 1e-9);
 }
 
+// h/p (|r + w|² - |r|²), w = valueAt(c), for polynomials r of the element's degree.
+TEUCHOS_UNIT_TEST(ContactCost, hasTheResidualsSquareExactly) {
+  const SolvedScene solvedScene(scene("Gauss-Legendre-Lagrange", false));
+  const contact::Solved solved = solvedScene.solved();
+  Contributions factors{};
+  factors[static_cast<std::size_t>(adaptivity::Source::Contact)] = 3;
+  int trial = 0;
+  for (const auto& contact : solved.problem.multiplier().elements()) {
+    const bem::Element& element = solved.space.mesh()[contact.element];
+    const int k = 20 * ++trial;
+    const auto r = [&](double t) {
+      Vec2 sum;
+      for (int i = 0; i <= contact.degree; ++i)
+        sum = sum + std::pow(t, i) * Vec2{any(k + i), any(k + i + 5)};
+      return sum;
+    };
+    const AtEnds c{{any(k + 10), any(k + 11)}, {any(k + 12), any(k + 13)}};
+    const bem::Rule& rule = bem::gaussLegendre(contact.degree + 1);
+    AtEnds moments;
+    double change = 0;
+    for (std::size_t q = 0; q < rule.points.size(); ++q) {
+      const double t = rule.points[q];
+      const double weight = rule.weights[q] * element.half;
+      moments.start =
+          moments.start + weight * adaptivity::endValue(contact.degree, -t) * r(t);
+      moments.end = moments.end + weight * adaptivity::endValue(contact.degree, t) * r(t);
+      const Vec2 w = valueAt(c, element, t);
+      change += weight * (dot(r(t) + w, r(t) + w) - dot(r(t), r(t)));
+    }
+    const ContactCost cost(solved, contact, moments, factors, shearModulus);
+    const double size = 2 * element.half / contact.degree;
+    TEST_FLOATING_EQUALITY(cost(c) - cost({}), 3 * size * change, 1e-12);
+    // exact for quadratics: the derivative along c by a central difference
+    const auto along = [&](double s) { return cost({s * c.start, s * c.end}); };
+    const AtEnds slope = cost.slope({});
+    TEST_FLOATING_EQUALITY(2 * (dot(slope.start, c.start) + dot(slope.end, c.end)),
+                           0.5 * (along(1) - along(-1)), 1e-12);
+  }
+}
+
 // As a function of the correction it is the squared estimate's share, up to a constant.
 TEUCHOS_UNIT_TEST(ContactCost, differsFromTheTermsByAConstant) {
   const SolvedScene solvedScene(scene("Gauss-Legendre-Lagrange", false));
