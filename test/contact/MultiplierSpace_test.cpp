@@ -9,6 +9,7 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -177,14 +178,14 @@ TEUCHOS_UNIT_TEST(SharedNodes, extendedFunctionsStayDualToAllFreeDisplacements) 
     }
 }
 
-/// Coefficients of a function on the side x in [0, 1], node by node.
+/// Coefficients of a function of the place, node by node.
 bem::Vector coefficientsOf(const MultiplierSpace& space, const bem::Mesh& mesh,
-                           double (*f)(double)) {
+                           double (*f)(bem::Vec2)) {
   bem::Vector result(static_cast<std::size_t>(space.size()), 0.0);
   for (const auto& element : space.elements()) {
     const bem::Vector w = lobattoWeights(element.degree);
     const bem::Vector moments = momentsOf(element.degree, [&](double t) {
-      return f(mesh.physicalPoint(element.element, t).x);
+      return f(mesh.physicalPoint(element.element, t));
     });
     for (int i = 0; i <= element.degree; ++i) {
       const double value =
@@ -199,21 +200,46 @@ bem::Vector coefficientsOf(const MultiplierSpace& space, const bem::Mesh& mesh,
   return result;
 }
 
+double cubic(bem::Vec2 x) {
+  const double s = x.x - 0.5 * x.y;
+  return 1 + s * (2 - s * (3 - 5 * s));
+}
+
+/// By how much the multiplier with the cubic's coefficients misses it.
+double worstOfCubic(const bem::Mesh& mesh, const MultiplierSpace& space) {
+  const bem::Vector multiplier = coefficientsOf(space, mesh, cubic);
+  double worst = 0;
+  for (const auto& element : space.elements())
+    for (const double t : {-1.0, -0.4, 0.3, 1.0}) {
+      const double exact = cubic(mesh.physicalPoint(element.element, t));
+      const auto value = space.at(multiplier, element, t);
+      worst = std::max(
+          {worst, std::abs(value.normal - exact), std::abs(value.tangential - exact)});
+    }
+  return worst;
+}
+
 TEUCHOS_UNIT_TEST(SharedNodes, besideAClampPolynomialsOfOneDegreeLessAreInTheSpace) {
   Conditions conditions;
   conditions.contact["bottom"] = frictional();
   conditions.dirichlet["left"] = {zero, zero};
-  const auto cubic = [](double x) { return 1 + x * (2 - x * (3 - 5 * x)); };
   const bem::Mesh mesh = squareMesh(4);
+  TEST_COMPARE(worstOfCubic(mesh, MultiplierSpace(mesh, dual(), conditions)), <, 1e-12);
+}
+
+// The clamp takes the horizontal; the contact normal is (cos 0.005, sin 0.005).
+TEUCHOS_UNIT_TEST(SharedNodes, besideANearlyParallelClampPolynomialsAreInTheSpace) {
+  Conditions conditions;
+  conditions.contact["right"] = frictional();
+  conditions.dirichlet["top"] = {zero, {}};
+  const bem::Loop leaning{{{0, 0}, {1, 0}, {1 - std::tan(0.005), 1}, {0, 1}},
+                          {"bottom", "right", "top", "left"}};
+  const bem::Mesh mesh =
+      bem::makeMesh(std::make_shared<bem::Outline>(leaning), {3, 3, 3, 3}, 4);
   const MultiplierSpace space(mesh, dual(), conditions);
-  const bem::Vector multiplier = coefficientsOf(space, mesh, cubic);
-  for (const auto& element : space.elements())
-    for (const double t : {-1.0, -0.4, 0.3, 1.0}) {
-      const double exact = cubic(mesh.physicalPoint(element.element, t).x);
-      const auto value = space.at(multiplier, element, t);
-      TEST_COMPARE(std::abs(value.normal - exact), <, 1e-12);
-      TEST_COMPARE(std::abs(value.tangential - exact), <, 1e-12);
-    }
+  TEST_ASSERT(!space.elements().back().normalEnds.last);
+  TEST_ASSERT(space.elements().back().normalCompletions[1].clamped);
+  TEST_COMPARE(worstOfCubic(mesh, space), <, 1e-12);
 }
 
 TEUCHOS_UNIT_TEST(SharedNodes, eachFreeNodeKeepsItsOwnGapBesideAClamp) {

@@ -15,7 +15,9 @@ using Combination = std::vector<std::pair<Index, double>>;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-constexpr double parallel = 1e-12;
+/// Of a unit direction that less than this is left of, a node has nothing left to give:
+/// it has no coefficient of its own there, and is completed by what took the rest.
+constexpr double spent = 1e-2;
 
 /// A coefficient of an element at one of its ends, in one direction.
 struct EndOf {
@@ -91,8 +93,9 @@ Vector answer(const std::vector<EndOf>& owners, Vec2 force) {
       return {};
     return {-cross(force, b) / determinant, -cross(a, force) / determinant};
   }
+  constexpr double rounding = 1e-12;
   if (owners.size() == 1 &&
-      std::abs(cross(owners[0].direction, force)) <= parallel * norm(force))
+      std::abs(cross(owners[0].direction, force)) <= rounding * norm(force))
     return {-dot(owners[0].direction, force) / owners[0].weight};
   return {};
 }
@@ -126,10 +129,9 @@ Vec2 NodeDirections::rest(int node, Vec2 direction) const {
 }
 
 bool NodeDirections::take(int node, Vec2 direction) {
-  constexpr double parallel = 1e-2;
   const Vec2 left = rest(node, direction);
   const double length = norm(left);
-  if (length < parallel)
+  if (length < spent)
     return false;
   taken_[node].push_back((1 / length) * left);
   return true;
@@ -179,7 +181,7 @@ void completeEnds(const bem::Mesh& mesh, const Conditions& conditions,
     for (const EndOf& end : endsOf(mesh, element)) {
       if (!clamped.anyAt(end.node)) {
         nodes[end.node].push_back(end);
-      } else if (!end.isOwn() && norm(clamped.rest(end.node, end.direction)) < parallel) {
+      } else if (!end.isOwn() && norm(clamped.rest(end.node, end.direction)) < spent) {
         end.completion().clamped = true;
         add(beyondNeighbour(end), 1, end.completion().added);
       }
