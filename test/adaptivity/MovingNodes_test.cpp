@@ -3,6 +3,7 @@
 
 #include "Algebra.hpp"
 #include "adaptivity/refine/Carry.hpp"
+#include "bem/base/Error.hpp"
 #include "bem/space/CauchyData.hpp"
 #include "reference/SampleMeshes.hpp"
 
@@ -155,6 +156,31 @@ TEUCHOS_UNIT_TEST(MovingNodes, leaveAMultiplierThatIsOnePolynomialUnchanged) {
     for (std::size_t k = 0; k < expected.size(); ++k)
       TEST_COMPARE(std::abs(carried[k] - expected[k]), <, 1e-11);
   }
+}
+
+TEUCHOS_UNIT_TEST(MovingNodes, nothingIsCarriedToWhereNoContactWas) {
+  const bem::Loop loop{{{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                       {"bottom", "right", "top", "left"}};
+  const bem::Mesh mesh =
+      bem::makeMesh(std::make_shared<bem::Outline>(loop), {2, 2, 2, 2}, 1);
+  const contact::MultiplierBasis& basis =
+      contact::multiplierBasis("Gauss-Legendre-Lagrange");
+  contact::Conditions one;
+  one.contact["bottom"] = {};
+  contact::Conditions two = one;
+  two.contact["right"] = {};
+  const MultiplierSpace oneSide(mesh, basis, one);
+  const MultiplierSpace twoSides(mesh, basis, two);
+  contact::Conditions other;
+  other.contact["right"] = {};
+  const MultiplierSpace otherSide(mesh, basis, other);
+  const auto carry = [&](const MultiplierSpace& from, const MultiplierSpace& to) {
+    const bem::Vector ones(static_cast<std::size_t>(from.size()), 1.0);
+    return adaptivity::carryMultiplier(mesh, from, ones, mesh, to);
+  };
+  TEST_THROW(carry(oneSide, twoSides), bem::NumericalError);
+  TEST_THROW(carry(oneSide, otherSide), bem::NumericalError);
+  TEST_EQUALITY(carry(oneSide, oneSide).size(), static_cast<std::size_t>(oneSide.size()));
 }
 
 // Errors against a reference with other nodes rest on this.

@@ -5,7 +5,6 @@
 #include "bem/quadrature/Gauss.hpp"
 
 #include <algorithm>
-#include <cassert>
 
 namespace epafi::adaptivity {
 
@@ -96,15 +95,24 @@ class Walk {
     const double half = geometry.half;
     const double before = distanceAlong(geometry.piece.start, position) / half;
     const double behind = distanceAlong(position, geometry.piece.end) / half;
+    if (before < -tolerance)
+      throwMismatch();
     return space_.at(multiplier_, element, before < behind ? before - 1 : 1 - behind);
   }
 
  private:
+  // of half an element; rounding of places may be a part of tiny ones
+  static constexpr double tolerance = 1e-3;
+
   bool holds(int edge, bem::Position position) const {
-    assert(next_ < space_.elements().size());
+    if (next_ == space_.elements().size())
+      throwMismatch();
     const bem::Piece& piece = mesh_[space_.elements()[next_].element].piece;
-    const bool last = next_ + 1 == space_.elements().size();
-    return last || (piece.edge == edge && distanceAlong(position, piece.end) >= 0);
+    return piece.edge == edge && distanceAlong(position, piece.end) >= 0;
+  }
+
+  [[noreturn]] static void throwMismatch() {
+    throw bem::NumericalError("the multiplier's two meshes differ in where contact is");
   }
 
   const bem::Mesh& mesh_;

@@ -10,6 +10,7 @@ namespace epafi::adaptivity {
 ///
 /// Exact where a new element lies in one old one and has at least its degree, in every
 /// basis but those that share nodes, where a common coefficient is the mean of two.
+/// \throws bem::NumericalError where the other mesh has contact and this one has none.
 contact::Vector carryMultiplier(const bem::Mesh& fromMesh,
                                 const contact::MultiplierSpace& from,
                                 const contact::Vector& multiplier,
