@@ -27,12 +27,12 @@ struct LocatedTransitions {
 /// The displacement is used because the multiplier, which falls like d^(1/2) on the other
 /// side, oscillates there.
 ///
-/// Changes of one kind that follow each other within three elements, with runs of a
-/// state shorter than a quarter of those around them, are one transition if their number
-/// is odd.  The ends of a held zone on one or two elements are not looked for: such a
-/// zone may be what the mesh makes of a jump.  A place outside the elements in which the
-/// states change is not believed: then they stay with `others`, as do changes between the
-/// two directions of slip.
+/// A run of a state on at most three coefficients' places of one edge, within one element
+/// or two neighbours, is taken for a flicker: the changes around it belong together, and
+/// are one transition if their number is odd, none if it is even.  The ends of a held
+/// zone on one or two elements are not looked for: such a zone may be what the mesh makes
+/// of a jump.  A place outside the elements in which the states change is not believed:
+/// then they stay with `others`, as do changes between the two directions of slip.
 LocatedTransitions locateTransitions(const bem::Space& space,
                                      const bem::Vector& displacement,
                                      const contact::Conditions& conditions,
