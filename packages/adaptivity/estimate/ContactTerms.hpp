@@ -43,20 +43,24 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
 /// The rule breaks wherever one of the signs changes.
 Contributions contactTerms(const ContactProfiles& profiles);
 
-/// The same with sharper bounds in the first and the last (doc/theory/estimators.md):
+/// The same with smaller terms for the first and the last, in the scaled norms of
+/// [P] sec. 8 and for converged states (doc/theory/estimators.md):
 ///
 ///   ∫ H(λₙ⁺, (g-uₙ)⁺),   ∫ H(s - λ̃ sign uₜ, |uₜ|),   λ̃ = max(-s, min(s, λₜ)),
 ///
 /// H = lostWork for the stiffness μ p/h.
 Contributions sharpContactTerms(const ContactProfiles& profiles, double shearModulus);
 
-/// What a force along a length, neither of which should be, adds to the squared error at
-/// most:
+/// What a force along a length that excludes it adds to the squared error, split between
+/// the two:
 ///
 ///   min  f₁ v₁ + (force - f₁)² / stiffness + stiffness (length - v₁)²,  f₁, v₁ >= 0.
 ///
 /// What is taken from the force is an error of the multiplier, what is taken from the
-/// length one of the displacement; both count squared.
+/// length one of the displacement; both count squared, in the scaled L² norms of
+/// [P] sec. 8 and with Young's constants 1.  No proven bound: it stands for norms of
+/// order -1/2 and 1/2 only where force and length overlap on the scale h/p, as they do in
+/// converged states, whose coefficients exclude each other.
 double lostWork(double force, double length, double stiffness);
 
 }  // namespace epafi::adaptivity

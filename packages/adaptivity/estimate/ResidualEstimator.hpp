@@ -9,7 +9,9 @@ namespace epafi::adaptivity {
 
 struct EstimatorOptions {
   std::string weights = "Energy";  ///< a name of weightings()
-  double residualFactor = 1;  ///< > 0; multiplies the squares of the first three sources
+  /// > 0; multiplies the squares of the first three sources, that of the contact residual
+  /// with what the stabilisation adds to it.
+  double residualFactor = 1;
 };
 
 /// The residual error estimator of [P] Theorem 22, Corollary 23 and, with bounds that
