@@ -123,6 +123,16 @@ TEUCHOS_UNIT_TEST(EquivalentMultiplier, doesTheSameWorkOnEveryDisplacement) {
     }
 }
 
+TEUCHOS_UNIT_TEST(EquivalentMultiplier, allRanksTakeThatOfTheFirst) {
+  const double rank = test::algebra().rank();
+  const std::vector<AtEnds> agreed = adaptivity::agree(
+      {{{rank + 1, 2}, {3, 4 - rank}}, {{5 + rank, 6}, {7, rank + 8}}}, test::algebra());
+  TEST_EQUALITY(agreed.size(), 2u);
+  TEST_ASSERT(agreed[0].start == (Vec2{1, 2}) && agreed[0].end == (Vec2{3, 4}));
+  TEST_ASSERT(agreed[1].start == (Vec2{5, 6}) && agreed[1].end == (Vec2{7, 8}));
+  TEST_ASSERT(adaptivity::agree({}, test::algebra()).empty());
+}
+
 TEUCHOS_UNIT_TEST(EquivalentMultiplier, costsLess) {
   const SolvedScene solvedScene(scene("Gauss-Legendre-Lagrange", true));
   const contact::Solved solved = solvedScene.solved();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adaptivity/estimate/ContactCost.hpp"
+#include "bem/base/DenseAlgebra.hpp"
 
 namespace epafi::adaptivity {
 
@@ -21,5 +22,10 @@ std::vector<AtEnds> equivalentMultiplier(const bem::Mesh& mesh,
                                          const contact::Conditions& conditions,
                                          const std::vector<ContactElement>& elements,
                                          const std::vector<ContactCost>& costs);
+
+/// The factors of rank 0; all processes must call.  Processes of unlike rounding could
+/// choose differently, and the two halves of one w would get different c.
+std::vector<AtEnds> agree(const std::vector<AtEnds>& factors,
+                          const bem::DenseAlgebra& algebra);
 
 }  // namespace epafi::adaptivity

@@ -181,7 +181,8 @@ std::vector<AtEnds> corrections(const contact::Solved& solved, const bem::Lame& 
   Vector numbers;
   for (const AtEnds& m : moments)
     numbers.insert(numbers.end(), {m.start.x, m.start.y, m.end.x, m.end.y});
-  numbers = solved.stiffness.algebra().sum(std::move(numbers));
+  const bem::DenseAlgebra& algebra = solved.stiffness.algebra();
+  numbers = algebra.sum(std::move(numbers));
   std::vector<ContactCost> costs;
   const double* next = numbers.data();
   for (const ContactElement& element : elements) {
@@ -189,7 +190,9 @@ std::vector<AtEnds> corrections(const contact::Solved& solved, const bem::Lame& 
                        factors, lame.mu);
     next += 4;
   }
-  return equivalentMultiplier(solved.space.mesh(), solved.conditions, elements, costs);
+  return agree(
+      equivalentMultiplier(solved.space.mesh(), solved.conditions, elements, costs),
+      algebra);
 }
 
 /// Sums over the processes.
