@@ -12,8 +12,8 @@ class NodeDirections {
   /// What of the direction is left at the node.
   bem::Vec2 rest(int node, bem::Vec2 direction) const;
 
-  /// Takes it.  True if the node could still move that way, which it now cannot: if the
-  /// rest is not too short to be told from rounding.
+  /// Takes it.  True if the node could still move that way, which it now cannot: if at
+  /// least 1e-2 of the unit direction is left.
   bool take(int node, bem::Vec2 direction);
 
   bool anyAt(int node) const { return taken_.count(node) > 0; }
