@@ -108,7 +108,7 @@ void evaluate(Number z, Number zMinus1, Number zPlus1, Number q0, bool onElement
               int degree, Need need, LegendreMoments& m) {
   const bool wantL = need == Need::CandL || need == Need::All;
   const bool wantD = (need == Need::CandD || need == Need::All) && !onElement;
-  Number c[largestDegree + 3];
+  Number c[largestDegree + 3] = {};
   if (degree == 0) {
     c[0] = 2.0 * q0;
     if (wantD)

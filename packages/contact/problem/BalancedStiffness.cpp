@@ -114,7 +114,7 @@ void BalancedStiffness::subtractStabilisation(const Extended& u, Extended& force
 /// before they are added: a sum in doubles would round at the size of what cancels.
 BalancedStiffness::Extended BalancedStiffness::sum(const Extended& mine) const {
   const bem::DenseAlgebra& algebra = stiffness_->algebra();
-  if (algebra.processes() == 1)
+  if (algebra.processes() == 1 || mine.empty())
     return mine;
   const std::size_t n = mine.size();
   const auto processes = at(algebra.processes());
@@ -126,8 +126,9 @@ BalancedStiffness::Extended BalancedStiffness::sum(const Extended& mine) const {
   }
   parts = algebra.sum(std::move(parts));
   Extended result(n);
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    result[k % n] += parts[k];
+  for (std::size_t part = 0; part < parts.size(); part += n)
+    for (std::size_t i = 0; i < n; ++i)
+      result[i] += parts[part + i];
   return result;
 }
 
