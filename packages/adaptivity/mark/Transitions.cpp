@@ -94,6 +94,17 @@ class Places {
     return a != b && a != Freedom::Undefined && b != Freedom::Undefined;
   }
 
+  /// Does the place behind (direction 1) or before (-1) place k go on like it on its
+  /// edge?
+  bool goOn(std::size_t k, int direction, const Respect& respect) const {
+    if (direction < 0 && k == 0)
+      return false;
+    const std::size_t first = direction > 0 ? k : k - 1;
+    return adjacent(first) &&
+           element(first).piece.edge == element(first + 1).piece.edge &&
+           !changes(first, respect);
+  }
+
   double middle(std::size_t k) const {
     return 0.5 * (points_[k].place + points_[k + 1].place);
   }
@@ -166,37 +177,34 @@ class Locator {
   /// Of the motion behind `bound`, where place k lies, on up to three elements.
   Samples samples(std::size_t k, int direction, double bound,
                   const Respect& respect) const {
-    constexpr int elements = 3;
     constexpr int perElement = 8;
-    const bem::Mesh& mesh = space_.mesh();
     Samples result;
-    int count = 0;
-    int done = -1;
-    const auto step = [direction](std::size_t at) {
-      return direction > 0 ? at + 1 : at - 1;
-    };
-    for (;; k = step(k)) {
-      if (places_.number(k) != done) {
-        if (++count > elements)
-          break;
-        done = places_.number(k);
-        for (int i = 0; i < perElement; ++i) {
-          const double t = (2 * i + 1.0) / perElement - 1;
-          const double place = placeAt(mesh, done, t);
-          if (direction * (place - bound) > 0) {
-            result.places.push_back(place);
-            result.values.push_back(motion(*places_[k].element, t, respect));
-          }
-        }
+    for (const ContactElement* element : elementsFrom(k, direction, respect))
+      for (int i = 0; i < perElement; ++i) {
+        const double t = (2 * i + 1.0) / perElement - 1;
+        const double place = placeAt(space_.mesh(), element->element, t);
+        if (direction * (place - bound) <= 0)
+          continue;
+        result.places.push_back(place);
+        result.values.push_back(motion(*element, t, respect));
       }
-      const bool ends =
-          direction > 0
-              ? !places_.adjacent(k) || places_.changes(k, respect)
-              : k == 0 || !places_.adjacent(k - 1) || places_.changes(k - 1, respect);
-      if (ends || places_.element(step(k)).piece.edge != mesh[done].piece.edge)
-        break;
-    }
     return result;
+  }
+
+  /// That of place k and the next ones with places that go on like it.
+  std::vector<const ContactElement*> elementsFrom(std::size_t k, int direction,
+                                                  const Respect& respect) const {
+    constexpr std::size_t most = 3;
+    std::vector<const ContactElement*> elements{places_[k].element};
+    while (places_.goOn(k, direction, respect)) {
+      k = direction > 0 ? k + 1 : k - 1;
+      if (places_[k].element == elements.back())
+        continue;
+      if (elements.size() == most)
+        break;
+      elements.push_back(places_[k].element);
+    }
+    return elements;
   }
 
   double motion(const ContactElement& element, double t, const Respect& respect) const {
@@ -214,6 +222,29 @@ class Locator {
   const Places& places_;
 };
 
+/// The singular points of the conditions, and the changes of state of which not every
+/// respect is among the `explained`, so many after each place.
+SingularPoints unexplained(const bem::Mesh& mesh, const contact::Conditions& conditions,
+                           const Places& places, const std::vector<int>& explained) {
+  SingularPoints points = findSingularPoints(mesh, conditions);
+  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+    if (!places.adjacent(k) || places[k].state == places[k + 1].state)
+      continue;
+    int changed = 0;
+    for (const Respect& respect : respects)
+      changed += places.changes(k, respect) ? 1 : 0;
+    if (changed > 0 && changed == explained[k])
+      continue;
+    const auto e = static_cast<std::size_t>(places.number(k));
+    if (places.number(k) == places.number(k + 1))
+      points.inside[e].push_back(0.5 * (places[k].t + places[k + 1].t));
+    else
+      points.nodes[static_cast<std::size_t>(mesh[places.number(k)].endNode)] =
+          Singularity::Strong;
+  }
+  return points;
+}
+
 }  // namespace
 
 LocatedTransitions locateTransitions(const bem::Space& space,
@@ -224,8 +255,7 @@ LocatedTransitions locateTransitions(const bem::Space& space,
   const bem::Mesh& mesh = space.mesh();
   const Places places(mesh, multiplier, states);
   const Locator locator(space, displacement, places);
-  LocatedTransitions result{{}, findSingularPoints(mesh, conditions)};
-
+  LocatedTransitions result;
   std::vector<int> explained(places.size());  // changes of a respect after each place
   for (const Respect& respect : respects) {
     const std::vector<Changes> all = groups(places, respect);
@@ -239,22 +269,7 @@ LocatedTransitions locateTransitions(const bem::Space& space,
         ++explained[k];
     }
   }
-
-  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
-    if (!places.adjacent(k) || places[k].state == places[k + 1].state)
-      continue;
-    int changed = 0;
-    for (const Respect& respect : respects)
-      changed += places.changes(k, respect) ? 1 : 0;
-    if (changed > 0 && changed == explained[k])
-      continue;
-    const auto e = static_cast<std::size_t>(places.number(k));
-    if (places.number(k) == places.number(k + 1))
-      result.others.inside[e].push_back(0.5 * (places[k].t + places[k + 1].t));
-    else
-      result.others.nodes[static_cast<std::size_t>(mesh[places.number(k)].endNode)] =
-          Singularity::Strong;
-  }
+  result.others = unexplained(mesh, conditions, places, explained);
   return result;
 }
 
