@@ -83,7 +83,7 @@ TEUCHOS_UNIT_TEST(FarTractions, equalThoseOfClosedForms) {
         bem::FarTractions fast(mesh[e], lame, moments);
         for (int r = 0; r < runs.size(); ++r) {
           bem::FarBatch batch{};
-          const auto chosen = runs.choose(e, r, runs[r].last, batch, 7);
+          const auto chosen = runs.choose(e, r, {runs[r].first, runs[r].last}, batch, 7);
           if (chosen.count == 0)
             continue;
           for (const auto set : bem::instructionSets()) {

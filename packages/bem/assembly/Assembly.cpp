@@ -1,80 +1,146 @@
 #include "bem/assembly/Assembly.hpp"
 
+#include "bem/assembly/FarScatter.hpp"
 #include "bem/assembly/MyElements.hpp"
+#include "bem/assembly/NearPair.hpp"
 #include "bem/assembly/PairBatch.hpp"
 #include "bem/assembly/Scatter.hpp"
 
 #include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
 
 namespace epafi::bem {
 
 namespace {
 
-/// All pairs (e, f) with f <= e, e in a group, of which a row is mine.
-class RowOfPairs {
- public:
-  RowOfPairs(const Space& space, const DenseAlgebra& algebra, const Scatter& scatter,
-             ProjectedTractions& tractions)
-      : mine_(space, algebra), scatter_(scatter), tractions_(tractions) {}
+/// Does this element end where its loop begins?  The node behind it is numbered apart.
+bool closesItsLoop(const Mesh& mesh, int e) { return mesh[e].next != e + 1; }
 
-  /// Batch by batch for all e of a group: the columns that a batch writes stay in cache.
-  void assemble(const std::vector<int>& group, PairBatch& batch) const {
-    for (int first = 0; first <= group.back(); first += lanes)
-      for (const int e : group)
-        if (first <= e)
-          assembleBatch(e, first, std::min(first + lanes, e + 1), batch);
+/// What all threads share.
+struct Shared {
+  const Space& space;
+  const ElementRuns& runs;
+  const MyElements& mine;
+  const Scatter& scatter;
+  ProjectedTractions& tractions;
+
+  void addNear(int e, int f, const PairMoments& moments) const {
+    scatter.add(e, f, moments);
+    tractions.addNear(e, f, moments);
+  }
+};
+
+/// The pairs (e, f) with f <= e and f in a group, one thread's.
+class ColumnsOfPairs {
+ public:
+  ColumnsOfPairs(const Shared& shared, FarScatter farScatter)
+      : shared_(shared),
+        far_(std::move(farScatter)),
+        near_(std::make_unique<PairMoments>()) {}
+
+  /// Run by run for all f of the group: the rows that they write stay in cache.
+  void assemble(const ElementRange& group) {
+    for (int r = group.first / lanes; r < shared_.runs.size(); ++r) {
+      far_.begin(group, shared_.runs[r]);
+      for (int f = group.first; f < group.last; ++f)
+        if (f < shared_.runs[r].last)
+          assembleRun(f, r);
+      far_.finish();
+    }
   }
 
  private:
   // The whole batch or nothing: results shall not depend on the number of processes.
-  void assembleBatch(int e, int first, int last, PairBatch& batch) const {
-    if (!isMine(e, first, last))
+  void assembleRun(int f, int r) {
+    const ElementRun& run = shared_.runs[r];
+    const ElementRange wanted = {std::max(f, run.first), run.last};
+    if (!isMine(f, wanted))
       return;
-    batch.choose(e, first / lanes, last);
-    for (int f = first; f < last; ++f) {
-      if (!isMine(e, f, f + 1))
-        continue;
-      const PairMoments& moments = batch.at(f);
-      scatter_.add(e, f, moments);
-      if (!batch.isFar(f))
-        tractions_.addNear(e, f, moments);
+    const Mesh& mesh = shared_.space.mesh();
+    FarLanes chosen = shared_.runs.choose(f, r, wanted, batch_);
+    for (int e = wanted.first; e < wanted.last; ++e) {
+      bool& isFar = chosen.far[e - run.first];
+      if (e != f && closesItsLoop(mesh, e)) {
+        chosen.count -= isFar ? 1 : 0;
+        isFar = false;  // comes with assembleClosingRow
+      } else if (!isFar && isMine(f, {e, e + 1})) {
+        nearPairMoments(mesh, e, f, *near_);
+        shared_.addNear(e, f, *near_);
+      }
     }
+    if (chosen.count == 0)
+      return;
+    const FarBlocks& blocks = far_.add(f, chosen, batch_);
+    for (int e = wanted.first; e < wanted.last; ++e)
+      if (chosen.far[e - run.first] && mesh[e].piece.edge == mesh[f].piece.edge) {
+        const FarBlocks::Phase phase = blocks.phase(e - run.first);
+        shared_.scatter.addTurning(e, f, phase.real, phase.imag);
+      }
   }
 
-  bool isMine(int e, int first, int last) const {
-    bool mine = mine_.contain(e);
-    for (int f = first; f < last; ++f)
-      mine = mine || mine_.contain(f);
+  bool isMine(int f, const ElementRange& others) const {
+    bool mine = shared_.mine.contain(f);
+    for (int e = others.first; e < others.last; ++e)
+      mine = mine || shared_.mine.contain(e);
     return mine;
   }
 
-  MyElements mine_;
-  const Scatter& scatter_;
-  ProjectedTractions& tractions_;
+  FarBatch batch_{};
+  const Shared& shared_;
+  FarScatter far_;
+  std::unique_ptr<PairMoments> near_;
 };
 
-/// Groups of elements that threads may treat at once: two groups of the same colour share
-/// no node, so their columns of K and rows of W are different.
-std::vector<std::vector<std::vector<int>>> colouredGroups(const Mesh& mesh) {
-  constexpr int groupSize = 8;
-  std::vector<std::vector<std::vector<int>>> colours(2);
-  std::vector<int> current;
-  int colour = 0;
-  for (int e = 0; e < mesh.size(); ++e) {
-    if (mesh[e].next != e + 1) {  // closes its loop: on its own
-      colours.push_back({{e}});
-      continue;
-    }
-    current.push_back(e);
-    if (static_cast<int>(current.size()) == groupSize) {
-      colours[colour].push_back(current);
-      current.clear();
-      colour = 1 - colour;
+/// The pairs (e, f) with f < e of an element e that closes its loop, one by one.
+void assembleClosingRow(int e, const Shared& shared) {
+  PairBatch batch(shared.runs);
+  for (int r = 0; r * lanes < e; ++r) {
+    const ElementRun& run = shared.runs[r];
+    const ElementRange wanted = {run.first, std::min(run.last, e)};
+    batch.choose(e, r, wanted);
+    for (int f = wanted.first; f < wanted.last; ++f) {
+      if (!shared.mine.contain(e) && !shared.mine.contain(f))
+        continue;
+      const PairMoments& moments = batch.at(f);
+      shared.scatter.add(e, f, moments);
+      if (!batch.isFar(f))
+        shared.tractions.addNear(e, f, moments);
     }
   }
-  if (!current.empty())
-    colours[colour].push_back(current);
-  return colours;
+}
+
+/// The elements f in groups: two groups of one colour share no node, so that the columns
+/// and the transposed rows that they write are different.  Elements that close their loop
+/// share nodes with what is far from them in the numbering: each is on its own.
+struct Groups {
+  std::array<std::vector<ElementRange>, 2> colours;
+  std::vector<int> closing;
+};
+
+Groups groupsOf(const Mesh& mesh) {
+  constexpr int largest = 8;
+  Groups groups;
+  std::size_t colour = 0;
+  ElementRange group;
+  const auto end = [&](int last) {
+    group.last = last;
+    if (group.first < last)
+      groups.colours[colour].push_back(group);
+    group.first = last;
+    colour = 1 - colour;
+  };
+  for (int e = 0; e < mesh.size(); ++e)
+    if (closesItsLoop(mesh, e)) {
+      end(e);
+      groups.closing.push_back(e);
+      group.first = e + 1;
+    } else if (e + 1 - group.first == largest) {
+      end(e + 1);
+    }
+  return groups;
 }
 
 }  // namespace
@@ -91,15 +157,22 @@ Operators assembleOperators(const Space& space, const Lame& lame,
   const Scatter scatter(space, lame, algebra, out);
   ProjectedTractions tractions(space, lame, algebra, tractionElements);
   const ElementRuns runs(space.mesh());
-  const RowOfPairs row(space, algebra, scatter, tractions);
+  const MyElements mine(space, algebra);
+  const Shared shared = {space, runs, mine, scatter, tractions};
+  const Groups groups = groupsOf(space.mesh());
 #pragma omp parallel
   {
-    PairBatch batch(runs);
-    for (const auto& groups : colouredGroups(space.mesh())) {
-      // the last groups have the most pairs: first come, first served, from the back
+    ColumnsOfPairs columns(shared, FarScatter(space, lame, algebra, out));
+    for (const auto& colour : groups.colours) {
+      // the first groups have the most pairs: first come, first served, from the front
 #pragma omp for schedule(dynamic, 1)
-      for (int g = static_cast<int>(groups.size()) - 1; g >= 0; --g)
-        row.assemble(groups[static_cast<std::size_t>(g)], batch);
+      for (std::size_t g = 0; g < colour.size(); ++g)
+        columns.assemble(colour[g]);
+    }
+#pragma omp single
+    for (const int e : groups.closing) {
+      columns.assemble({e, e + 1});
+      assembleClosingRow(e, shared);
     }
   }
   out.tractions = tractions.finish();

@@ -84,7 +84,7 @@ BoundaryFields::Sources BoundaryFields::split(int element) const {
   const BoundaryPoint middle = mesh_.at(element, 0);
   for (int r = 0; r < runs_.size(); ++r) {
     const ElementRun& run = runs_[r];
-    const FarLanes chosen = runs_.choose(element, r, run.last, batch);
+    const FarLanes chosen = runs_.choose(element, r, {run.first, run.last}, batch);
     if (chosen.atOnce) {
       const int order = pointsOn(chosen.smooth.inner, chosen.columns);
       const auto first = static_cast<std::size_t>(run.first * order);

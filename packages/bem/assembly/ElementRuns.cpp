@@ -48,17 +48,18 @@ ElementRuns::ElementRuns(const Mesh& mesh) : mesh_(&mesh) {
     runs_.push_back(makeRun(mesh, first));
 }
 
-FarLanes ElementRuns::choose(int e, int r, int last, FarBatch& batch,
+FarLanes ElementRuns::choose(int e, int r, const ElementRange& wanted, FarBatch& batch,
                              int largestOuter) const {
   const ElementRun& run = (*this)[r];
   FarLanes result;
-  if (last >= run.last && chooseAtOnce(e, run, result, batch))
+  const bool all = wanted.first <= run.first && run.last <= wanted.last;
+  if (all && chooseAtOnce(e, run, result, batch))
     return result;
   const BoundaryPoint middle = mesh_->at(e, 0);
   for (int lane = 0; lane < lanes; ++lane) {
     const int f = run.first + lane;
     batch.drop(lane);
-    if (f >= std::min(last, run.last))
+    if (f >= run.last || !wanted.contain(f))
       continue;
     // in one order, so that rounding cannot call a pair near once and far once
     const BoundaryPoint other = mesh_->at(f, 0);

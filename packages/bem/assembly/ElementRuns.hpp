@@ -6,6 +6,13 @@
 
 namespace epafi::bem {
 
+/// The elements first ... last - 1.
+struct ElementRange {
+  int first = 0;
+  int last = 0;
+  bool contain(int e) const { return first <= e && e < last; }
+};
+
 /// Up to eight elements in a row, first ... last - 1, with a circle around them.
 struct ElementRun {
   FarBatch elements{};  ///< wx, wy: their middles, scaled; lanes beyond the last dropped
@@ -39,12 +46,12 @@ class ElementRuns {
   int size() const { return static_cast<int>(runs_.size()); }
   const ElementRun& operator[](int r) const { return runs_[static_cast<std::size_t>(r)]; }
 
-  /// The far pairs of e and the elements of run r before `last`; fills the batch.  One
-  /// look suffices when the circle is far.  Whether a pair is far does not depend on
-  /// which of the two is e, unless pairs that need more than `largestOuter` Gauss points
-  /// on e (beside the degree's share) are asked to count as near; 7 are always enough for
-  /// circles.
-  FarLanes choose(int e, int r, int last, FarBatch& batch,
+  /// The far pairs of e and the wanted elements of run r; fills the batch.  One look
+  /// suffices when all are wanted and the circle is far.  Whether a pair is far does not
+  /// depend on which of the two is e, unless pairs that need more than `largestOuter`
+  /// Gauss points on e (beside the degree's share) are asked to count as near; 7 are
+  /// always enough for circles.
+  FarLanes choose(int e, int r, const ElementRange& wanted, FarBatch& batch,
                   int largestOuter = largestSmoothOrder) const;
 
  private:

@@ -19,7 +19,7 @@ class PairSum {
     double sum = 0;
     for (int first = 0; first <= e; first += lanes) {
       const int last = std::min(first + lanes, e + 1);
-      batch.choose(e, first / lanes, last);
+      batch.choose(e, first / lanes, {first, last});
       for (int f = first; f < last; ++f)
         sum += (e == f ? 1 : 2) * pair(e, f, batch.at(f));
     }

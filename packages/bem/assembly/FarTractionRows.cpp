@@ -86,7 +86,8 @@ void FarTractionRows::write(int element, int moments, int largestOuter, Index fi
   FarBatch batch{};
   for (const int r : myRuns_) {
     const ElementRun& run = runs_[r];
-    const FarLanes chosen = runs_.choose(element, r, run.last, batch, largestOuter);
+    const FarLanes chosen =
+        runs_.choose(element, r, {run.first, run.last}, batch, largestOuter);
     if (chosen.count == 0)
       continue;
     values.evaluate(batch, chosen);

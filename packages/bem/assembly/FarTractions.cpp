@@ -77,14 +77,6 @@ EPAFI_INLINE void multiply(Pack& re, Pack& im, const Pack& x, const Pack& y) {
   re = real;
 }
 
-/// Writes x and y in turn.
-EPAFI_INLINE void interleave(const Pack& x, const Pack& y, double* to) {
-  const Pack first = __builtin_shufflevector(x, y, 0, 8, 1, 9, 2, 10, 3, 11);
-  const Pack second = __builtin_shufflevector(x, y, 4, 12, 5, 13, 6, 14, 7, 15);
-  __builtin_memcpy(to, &first, sizeof first);
-  __builtin_memcpy(to + lanes, &second, sizeof second);
-}
-
 /// Adds a point's integrals to the moments i of one source function.
 EPAFI_INLINE void addMoments(const Parts& at, const double* weights, int moments,
                              int stride, Parts* sums) {

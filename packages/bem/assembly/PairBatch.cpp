@@ -9,9 +9,9 @@ PairBatch::PairBatch(const ElementRuns& runs)
       farMoments_(std::make_unique<FarMoments>()),
       pair_(std::make_unique<PairMoments>()) {}
 
-void PairBatch::choose(int e, int r, int last) {
+void PairBatch::choose(int e, int r, const ElementRange& wanted) {
   e_ = e;
-  chosen_ = runs_.choose(e, r, last, batch_);
+  chosen_ = runs_.choose(e, r, wanted, batch_);
   if (chosen_.count == 0)
     return;
   const Element& element = runs_.mesh()[e];

@@ -12,10 +12,10 @@ class PairBatch {
  public:
   explicit PairBatch(const ElementRuns& runs);
 
-  /// Prepares the pairs of e and the elements of run r before `last`.  A batch is
+  /// Prepares the pairs of e and the wanted elements of run r.  A batch is
   /// computed as a whole: what else is in it decides on the quadrature, so callers that
   /// want equal results must form equal batches.
-  void choose(int e, int r, int last);
+  void choose(int e, int r, const ElementRange& wanted);
 
   /// True when f, one of the chosen, is far.
   bool isFar(int f) const { return chosen_.far[f % lanes]; }

@@ -52,8 +52,8 @@ class ProjectedTractions {
                      const std::vector<int>& elements);
 
   /// Adds all that the near pair (e, f) gives: tests on e if it is one of the elements,
-  /// and tests on f.  Every pair must come once.  Calls with different e that share no
-  /// node may run at the same time, unless one of them closes its loop.
+  /// and tests on f.  Every pair must come once.  Calls whose f share no node may run at
+  /// the same time, unless an e closes its loop.
   void addNear(int e, int f, const PairMoments& moments);
 
   /// Gives the result away.

@@ -45,10 +45,7 @@ void Scatter::add(int e, int f, const PairMoments& m) const {
                         lame_.d * (radial.yy - log)});
     }
   if (x.piece.edge == y.piece.edge)
-    addTurningAtEdgeEnds(
-        e, f,
-        {lame_.mu * lame_.b * m.phaseReal(0, 0), lame_.mu * lame_.b * m.phaseImag(0, 0),
-         -lame_.mu * lame_.b * m.phaseReal(0, 0)});
+    addTurning(e, f, m.phaseReal(0, 0), m.phaseImag(0, 0));
   addDoubleLayer(e, f, MomentsAsTheyAre{m});
   if (e != f)
     addDoubleLayer(f, e, MomentsSwapped{m});
@@ -64,7 +61,7 @@ void Scatter::addDoubleLayer(int test, int source, const Moments& m) const {
   const Element& x = space_.mesh()[test];
   const int p = space_.mesh()[source].degree;
   const double ofLog = x.half * 2 * lame_.mu * (1 - 2 * lame_.nu) * lame_.b;
-  // on one line: the phase is in addTurningAtEdgeEnds, the Laplace double layer vanishes
+  // on one line: the phase is in addTurning, the Laplace double layer vanishes
   const bool sameEdge = x.piece.edge == space_.mesh()[source].piece.edge;
   const double ofPhase = sameEdge ? 0 : x.half * lame_.mu * lame_.b;
   const double ofLaplace = sameEdge ? 0 : x.half * inverse2Pi;
@@ -93,7 +90,9 @@ void Scatter::addDoubleLayer(int test, int source, const Moments& m) const {
 // On one line the phase is one constant, whose contributions of neighbours cancel at
 // every node but the edge's ends.  Adding and subtracting it would leave rounding, which
 // is large beside the rest as ν -> 1/2.
-void Scatter::addTurningAtEdgeEnds(int e, int f, const Kernel& turning) const {
+void Scatter::addTurning(int e, int f, double phaseReal, double phaseImag) const {
+  const double scale = lame_.mu * lame_.b;
+  const Kernel turning = {scale * phaseReal, scale * phaseImag, -scale * phaseReal};
   addTurningAtEnds(e, f, turning);
   if (e != f)
     addTurningAtEnds(f, e, turning);

@@ -138,7 +138,7 @@ class ElementRows {
     FarBatch batch{};
     for (int r = 0; r < runs.size(); ++r) {
       const FarLanes chosen =
-          runs.choose(element_, r, runs[r].last, batch, largestOuter_);
+          runs.choose(element_, r, {runs[r].first, runs[r].last}, batch, largestOuter_);
       for (int f = runs[r].first; f < runs[r].last; ++f)
         if (!chosen.far[f - runs[r].first])
           near_.push_back(f);

@@ -25,6 +25,20 @@ EPAFI_INLINE const Pack& load(const double* p) {
 EPAFI_INLINE void store(double* p, const Pack& v) { *reinterpret_cast<Pack*>(p) = v; }
 EPAFI_INLINE void add(double* p, const Pack& v) { *reinterpret_cast<Pack*>(p) += v; }
 
+/// Writes x and y in turn.
+EPAFI_INLINE void interleave(const Pack& x, const Pack& y, double* to) {
+  const Pack first = __builtin_shufflevector(x, y, 0, 8, 1, 9, 2, 10, 3, 11);
+  const Pack second = __builtin_shufflevector(x, y, 4, 12, 5, 13, 6, 14, 7, 15);
+  __builtin_memcpy(to, &first, sizeof first);
+  __builtin_memcpy(to + lanes, &second, sizeof second);
+}
+
+/// Every lane's number to the lane behind it, zero to the first.
+EPAFI_INLINE void shiftUp(const Pack& x, Pack& result) {
+  const Pack zero{};
+  result = __builtin_shufflevector(x, zero, 8, 0, 1, 2, 3, 4, 5, 6);
+}
+
 /// How a kernel divides: by multiplications and additions where they are fused.
 enum class Division { Exact, Fused };
 

@@ -1,0 +1,129 @@
+// Far pairs tile by tile are far pairs one by one.
+#include "bem/assembly/FarBlocks.hpp"
+
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "reference/PairwiseOperators.hpp"
+#include "reference/SampleMeshes.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace epafi::reference {
+
+namespace {
+
+using bem::Index;
+
+const bem::LapackAlgebra algebra;
+const bem::Lame lame({1, 0.3, false});
+
+enum class Part { All, Lower };
+
+double largest(const bem::Matrix& m, Part part) {
+  double size = 0;
+  for (Index j = 0; j < m.columns(); ++j)
+    for (Index i = part == Part::Lower ? j : 0; i < m.rows(); ++i)
+      size = std::max(size, std::abs(m(i, j)));
+  return size;
+}
+
+/// The largest difference over the largest entry.
+double difference(const bem::Matrix& a, const bem::Matrix& b, Part part) {
+  double size = 0;
+  for (Index j = 0; j < a.columns(); ++j)
+    for (Index i = part == Part::Lower ? j : 0; i < a.rows(); ++i)
+      size = std::max(size, std::abs(a(i, j) - b(i, j)));
+  return size / largest(b, part);
+}
+
+/// Two loops; elements and degrees such that runs are full, mixed and short, and groups
+/// begin within runs.
+std::vector<Sample> samples() {
+  const auto outline = squareWithHole();
+  const auto edges = outline->edges().size();
+  const auto mesh = [&](int elementsPerEdge, const std::vector<int>& degrees) {
+    std::vector<Cuts> cuts;
+    for (std::size_t edge = 0; edge < edges; ++edge) {
+      cuts.push_back({static_cast<int>(edge), {}});
+      const int count = elementsPerEdge + static_cast<int>(edge) % 3;
+      for (int k = 1; k < count; ++k)
+        cuts.back().fractions.push_back(std::pow(static_cast<double>(k) / count, 1.3));
+    }
+    return cutMesh(outline, cuts, degrees);
+  };
+  return {{"degree 1", mesh(7, {1})},
+          {"degree 3", mesh(5, {3})},
+          {"mixed degrees", mesh(6, {1, 1, 4, 2, 1, 7})},
+          {"1 beside high degrees", mesh(6, {1, 1, 1, 1, 1, 1, 1, 1, 1, 6, 5, 6})}};
+}
+
+TEUCHOS_UNIT_TEST(FarBlocks, giveTheMatricesThatPairsGiveOneByOne) {
+  for (const Sample& sample : samples()) {
+    const bem::Space space(sample.mesh);
+    const bem::Operators tiles = bem::assembleOperators(space, lame, algebra);
+    const bem::Operators pairs = pairwiseOperators(space, lame, algebra);
+    out << sample.name << ", " << sample.mesh.size() << " elements: ";
+    TEST_COMPARE(difference(tiles.singleLayer, pairs.singleLayer, Part::Lower), <, 1e-13);
+    TEST_COMPARE(difference(tiles.doubleLayer, pairs.doubleLayer, Part::All), <, 1e-13);
+    TEST_COMPARE(difference(tiles.hypersingular, pairs.hypersingular, Part::Lower), <,
+                 1e-13);
+  }
+}
+
+/// All that blocks hold, column after column.
+bem::Vector entries(const bem::FarBlocks& blocks, int degree) {
+  bem::Vector all;
+  const auto append = [&](const double* column, int size) {
+    all.insert(all.end(), column, column + size);
+  };
+  for (int c = 0; c < 2; ++c)
+    for (int k = 0; k <= degree; ++k) {
+      append(blocks.doubleLayer(k, c), blocks.densities());
+      if (k == degree)
+        continue;
+      append(blocks.singleLayer(k, c), blocks.densities());
+      append(blocks.slopeLayer(k, c), blocks.displacements());
+      append(blocks.transposed(k, c), blocks.displacements());
+    }
+  return all;
+}
+
+TEUCHOS_UNIT_TEST(FarBlocks, areTheSameForEveryInstructionSet) {
+  for (const Sample& sample : samples()) {
+    const bem::Space space(sample.mesh);
+    const bem::ElementRuns runs(space.mesh());
+    bem::FarBlocks blocks(space, lame);
+    int evaluated = 0;
+    // the last run holds an element that closes its loop
+    for (int r = 1; r < runs.size() - 1; ++r) {
+      bem::FarBatch batch{};
+      const bem::FarLanes chosen =
+          runs.choose(0, r, {runs[r].first, runs[r].last}, batch);
+      bool closes = chosen.count == 0;
+      for (int e = runs[r].first; e < runs[r].last; ++e)
+        closes = closes || space.mesh()[e].next != e + 1;
+      if (closes)
+        continue;
+      ++evaluated;
+      const int degree = space.mesh()[0].degree;
+      blocks.evaluate(0, runs[r], chosen, batch, bem::InstructionSet::Baseline);
+      const bem::Vector baseline = entries(blocks, degree);
+      for (const bem::InstructionSet set : bem::instructionSets()) {
+        blocks.evaluate(0, runs[r], chosen, batch, set);
+        const bem::Vector other = entries(blocks, degree);
+        double worst = 0;
+        for (std::size_t k = 0; k < other.size(); ++k)
+          worst = std::max(worst, std::abs(other[k] - baseline[k]));
+        TEST_COMPARE(worst, <, 1e-14);
+      }
+    }
+    TEST_COMPARE(evaluated, >, 1);
+  }
+}
+
+}  // namespace
+
+}  // namespace epafi::reference
