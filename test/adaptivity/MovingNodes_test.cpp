@@ -41,6 +41,7 @@ Transition at(double fraction) { return {0, fraction * unit}; }
 
 std::vector<Move> movesTo(const std::vector<double>& fractions, double reach) {
   std::vector<Transition> transitions;
+  transitions.reserve(fractions.size());
   for (const double fraction : fractions)
     transitions.push_back(at(fraction));
   return adaptivity::chooseMoves(layered(), adaptivity::heldNodes(layered(), coarse()),

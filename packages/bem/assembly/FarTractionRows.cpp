@@ -13,11 +13,11 @@ using Operator = FarTractions::Operator;
 
 /// The values of a run of sources, to the rows of their densities.
 void copyRun(const FarTractions& values, const Space& space, const ElementRun& run,
-             const FarLanes& chosen, int moments, Operator op, Matrix& columns) {
+             const FarLanes& chosen, Operator op, Matrix& columns) {
   const Mesh& mesh = space.mesh();
   const Index start = space.density(run.first, 0, 0);
   const bool inARow = chosen.count == lanes && run.degree == 1;
-  for (int i = 0; i < moments; ++i)
+  for (int i = 0; i < values.moments(); ++i)
     for (int a = 0; a < 2; ++a) {
       double* column = columns.column(2 * i + a);
       if (inARow) {
@@ -91,8 +91,8 @@ void FarTractionRows::write(int element, int moments, int largestOuter, Index fi
     if (chosen.count == 0)
       continue;
     values.evaluate(batch, chosen);
-    copyRun(values, space_, run, chosen, moments, Operator::Adjoint, densities);
-    copyRun(values, space_, run, chosen, moments, Operator::Hypersingular, slopes);
+    copyRun(values, space_, run, chosen, Operator::Adjoint, densities);
+    copyRun(values, space_, run, chosen, Operator::Hypersingular, slopes);
   }
   for (int k = 0; k < 2 * moments; ++k) {
     std::copy_n(densities.column(k) + densityRows_.begin, densityRows_.size(),

@@ -26,6 +26,8 @@ class FarTractions {
   /// For i < moments <= largestDegree + 1.
   FarTractions(const Element& e, const Lame& lame, int moments);
 
+  int moments() const { return moments_; }
+
   /// Treats a batch that ElementRuns chose, j < chosen.columns; lanes of lower degree
   /// than that hold nothing of use beyond it.
   void evaluate(const FarBatch& batch, const FarLanes& chosen,

@@ -73,27 +73,35 @@ LogMoments logMomentsAhead(double gap, int degree) {
 
 namespace {
 
+/// A target in real numbers on the element's line, else in complex ones.
+template <class Number>
+struct Target {
+  Number z;
+  Number zMinus1;
+  Number zPlus1;
+};
+
 /// log |z + √(z-1) √(z+1)|.
-double logRadius(Complex z, Complex zMinus1, Complex zPlus1) {
-  return std::log(std::abs(z + std::sqrt(zMinus1) * std::sqrt(zPlus1)));
+double logRadius(const Target<Complex>& x) {
+  return std::log(std::abs(x.z + std::sqrt(x.zMinus1) * std::sqrt(x.zPlus1)));
 }
-double logRadius(double z, double zMinus1, double zPlus1) {
-  const double product = zMinus1 * zPlus1;
-  return product > 0 ? std::log(std::abs(z) + std::sqrt(product)) : 0;
+double logRadius(const Target<double>& x) {
+  const double product = x.zMinus1 * x.zPlus1;
+  return product > 0 ? std::log(std::abs(x.z) + std::sqrt(product)) : 0;
 }
 
 /// d[0] ... d[degree], unless the target lies on the element.
 template <class Number>
-void derivatives(Number z, Number zMinus1, Number zPlus1, const Number* c, int degree,
-                 bool ranForward, LegendreMoments& m) {
+void derivatives(const Target<Number>& x, const Number* c, int degree, bool ranForward,
+                 LegendreMoments& m) {
   if (!ranForward) {
-    const Number scale = -1.0 / (zMinus1 * zPlus1);
+    const Number scale = -1.0 / (x.zMinus1 * x.zPlus1);
     for (int j = 0; j <= degree; ++j)
-      m.d[j] = scale * (j + 1.0) * (c[j + 1] - z * c[j]);
+      m.d[j] = scale * (j + 1.0) * (c[j + 1] - x.z * c[j]);
     return;
   }
-  const Number left = 1.0 / zPlus1;
-  const Number right = 1.0 / zMinus1;
+  const Number left = 1.0 / x.zPlus1;
+  const Number right = 1.0 / x.zMinus1;
   // D_j = 1/(z-1) - (-1)^j/(z+1) - Σ (2k+1) C_k over k = j-1, j-3, ...
   Number sum[2] = {0, 0};
   for (int j = 0; j <= degree; ++j) {
@@ -102,33 +110,32 @@ void derivatives(Number z, Number zMinus1, Number zPlus1, const Number* c, int d
   }
 }
 
-/// In real numbers for targets on the element's line, else in complex ones.
 template <class Number>
-void evaluate(Number z, Number zMinus1, Number zPlus1, Number q0, bool onElement,
-              int degree, Need need, LegendreMoments& m) {
+void evaluate(const Target<Number>& x, Number q0, bool onElement, int degree, Need need,
+              LegendreMoments& m) {
   const bool wantL = need == Need::CandL || need == Need::All;
   const bool wantD = (need == Need::CandD || need == Need::All) && !onElement;
   Number c[largestDegree + 3] = {};
   if (degree == 0) {
     c[0] = 2.0 * q0;
     if (wantD)
-      m.d[0] = 2.0 / (zMinus1 * zPlus1);
+      m.d[0] = 2.0 / (x.zMinus1 * x.zPlus1);
   } else {
     const int top = need == Need::C ? degree : degree + 1;
-    const double logR = logRadius(z, zMinus1, zPlus1);
+    const double logR = logRadius(x);
     const bool runForward = isForwardStable(top, logR);
     if (runForward)
-      forward(z, q0, top, c);
+      forward(x.z, q0, top, c);
     else
-      backward(z, q0, top, logR, c);
+      backward(x.z, q0, top, logR, c);
     if (wantD)
-      derivatives(z, zMinus1, zPlus1, c, degree, runForward, m);
+      derivatives(x, c, degree, runForward, m);
   }
   for (int j = 0; j <= degree; ++j)
     m.c[j] = c[j];
   if (!wantL)
     return;
-  m.l[0] = std::log(std::abs(zMinus1 * zPlus1)) + std::real(z * c[0]) - 2;
+  m.l[0] = std::log(std::abs(x.zMinus1 * x.zPlus1)) + std::real(x.z * c[0]) - 2;
   for (int j = 1; j <= degree; ++j)
     m.l[j] = std::real(c[j + 1] - c[j - 1]) / (2 * j + 1);
 }
@@ -137,10 +144,11 @@ void evaluate(Number z, Number zMinus1, Number zPlus1, Number q0, bool onElement
 
 void evaluateMoments(const RelativeTarget& x, int degree, Need need, LegendreMoments& m) {
   if (x.b() == 0)
-    evaluate(x.z().real(), x.zMinus1.real(), x.zPlus1.real(), realQ0(x), x.onElement(),
-             degree, need, m);
+    evaluate(Target<double>{x.z().real(), x.zMinus1.real(), x.zPlus1.real()}, realQ0(x),
+             x.onElement(), degree, need, m);
   else
-    evaluate(x.z(), x.zMinus1, x.zPlus1, legendreQ0(x), false, degree, need, m);
+    evaluate(Target<Complex>{x.z(), x.zMinus1, x.zPlus1}, legendreQ0(x), false, degree,
+             need, m);
 }
 
 }  // namespace epafi::bem

@@ -8,6 +8,7 @@
 #include <Teuchos_DefaultMpiComm.hpp>
 
 #include <algorithm>
+#include <vector>
 
 namespace epafi::bem {
 
@@ -24,6 +25,28 @@ MPI_Comm mpiOf(const Teuchos::Comm<int>& comm) {
   if (mpi == nullptr)
     return MPI_COMM_SELF;
   return *mpi->getRawMpiComm();
+}
+
+/// Rows of one process, from `offset` on among its own.
+struct Panel {
+  int owner;
+  Index offset;
+  Rows rows;
+};
+
+/// All n rows in panels of at most `width`, the processes taking turns.
+std::vector<Panel> panelsOf(int processes, Index n, Index width) {
+  std::vector<Panel> panels;
+  const Index height = shareOf(0, processes, n).size();
+  for (Index offset = 0; offset < height; offset += width)
+    for (int owner = 0; owner < processes; ++owner) {
+      const Rows all = shareOf(owner, processes, n);
+      const Rows rows{std::min(all.begin + offset, all.end),
+                      std::min(all.begin + offset + width, all.end)};
+      if (rows.size() > 0)
+        panels.push_back({owner, offset, rows});
+    }
+  return panels;
 }
 
 }  // namespace
@@ -67,28 +90,24 @@ template <class Product>
 Matrix TpetraAlgebra::collect(Matrix rows, Index n, Part part,
                               const Product& product) const {
   constexpr Index width = 1024;  // BLAS copies the other factor once for each panel
-  const Index height = rowsOf(0, n).size();
-  Vector sums(static_cast<std::size_t>(std::min(width, height) * rows.columns()));
+  const Index height = std::min(width, rowsOf(0, n).size());
+  Vector sums(static_cast<std::size_t>(height * rows.columns()));
   consent_->confirm();
-  for (Index offset = 0; offset < height; offset += width)
-    for (int owner = 0; owner < processes_; ++owner) {
-      const Rows all = rowsOf(owner, n);
-      const Rows panel{std::min(all.begin + offset, all.end),
-                       std::min(all.begin + offset + width, all.end)};
-      const Index columns = part == Part::Lower ? panel.end : rows.columns();
-      if (panel.size() == 0 || columns == 0)
-        continue;
-      product(panel, sums.data());
-      const bool mine = owner == rank_;
-      MPI_Reduce(mine ? MPI_IN_PLACE : sums.data(), mine ? sums.data() : nullptr,
-                 asInt(panel.size() * columns), MPI_DOUBLE, MPI_SUM, owner, mpi_);
-      if (!mine)
-        continue;
-      const double* sum = sums.data();
-      for (Index j = 0; j < columns; ++j)
-        for (Index i = 0; i < panel.size(); ++i)
-          rows(offset + i, j) += *sum++;
-    }
+  for (const auto& [owner, offset, panel] : panelsOf(processes_, n, width)) {
+    const Index columns = part == Part::Lower ? panel.end : rows.columns();
+    if (columns == 0)
+      continue;
+    product(panel, sums.data());
+    const bool mine = owner == rank_;
+    MPI_Reduce(mine ? MPI_IN_PLACE : sums.data(), mine ? sums.data() : nullptr,
+               asInt(panel.size() * columns), MPI_DOUBLE, MPI_SUM, owner, mpi_);
+    if (!mine)
+      continue;
+    const double* sum = sums.data();
+    for (Index j = 0; j < columns; ++j)
+      for (Index i = 0; i < panel.size(); ++i)
+        rows(offset + i, j) += *sum++;
+  }
   return rows;
 }
 
