@@ -12,9 +12,10 @@
 #include <algorithm>
 #include <cmath>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using bem::Complex;
 using Operator = bem::FarTractions::Operator;
 
@@ -102,3 +103,5 @@ TEUCHOS_UNIT_TEST(FarTractions, equalThoseOfClosedForms) {
 }
 
 }  // namespace
+
+}  // namespace epafi

@@ -9,9 +9,10 @@
 #include <cmath>
 #include <numeric>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using bem::Index;
 using bem::Vector;
 
@@ -139,3 +140,5 @@ TEUCHOS_UNIT_TEST(Balance, withoutStabilisationTheOperatorIsTheStiffness) {
 }
 
 }  // namespace
+
+}  // namespace epafi

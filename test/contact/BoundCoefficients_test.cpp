@@ -8,9 +8,10 @@
 #include <cmath>
 #include <numeric>
 
+namespace epafi {
+
 namespace {
 
-using namespace epafi;
 using bem::Vector;
 
 const contact::MultiplierBasis& bernstein() {
@@ -29,8 +30,10 @@ double errorOn(int degree, double h) {
   const auto bound = [h](double t) { return smooth(0.3 + h * t); };
   const Vector coefficients = contact::boundCoefficients(bernstein(), degree, bound);
   double largest = 0;
-  for (double t = -1; t <= 1; t += 1.0 / 64)
+  for (int k = -64; k <= 64; ++k) {
+    const double t = k / 64.0;
     largest = std::max(largest, std::abs(valueAt(coefficients, t) - bound(t)));
+  }
   return largest;
 }
 
@@ -44,14 +47,17 @@ TEUCHOS_UNIT_TEST(BoundCoefficients, polynomialsOfTheDegreeAreTheirOwnBound) {
   for (const int q : {2, 3, 7}) {
     const auto bound = [q](double t) { return 3 + 0.01 * std::cos(q * std::acos(t)); };
     const Vector coefficients = contact::boundCoefficients(bernstein(), q, bound);
-    for (double t = -1; t <= 1; t += 0.125)
+    for (int k = -8; k <= 8; ++k) {
+      const double t = k / 8.0;
       TEST_COMPARE(std::abs(valueAt(coefficients, t) - bound(t)), <, 1e-12);
+    }
   }
 }
 
 TEUCHOS_UNIT_TEST(BoundCoefficients, jumpsAreNeitherOvershotNorUndershot) {
   for (int q = 1; q <= 12; ++q)
-    for (double place = -0.99; place < 1; place += 0.045) {
+    for (int k = 0; k < 45; ++k) {
+      const double place = -0.99 + 0.045 * k;
       const auto bound = [place](double t) { return t < place ? 0.5 : 2.0; };
       const Vector coefficients = contact::boundCoefficients(bernstein(), q, bound);
       for (const double coefficient : coefficients) {
@@ -63,7 +69,8 @@ TEUCHOS_UNIT_TEST(BoundCoefficients, jumpsAreNeitherOvershotNorUndershot) {
 
 TEUCHOS_UNIT_TEST(BoundCoefficients, areNeverNegative) {
   for (int q = 1; q <= 12; ++q)
-    for (double zero = -1; zero <= 1; zero += 0.25) {
+    for (int k = -4; k <= 4; ++k) {
+      const double zero = k / 4.0;
       const auto touching = [zero](double t) { return (t - zero) * (t - zero); };
       const auto beyond = [zero](double t) { return std::max(0.0, t - zero); };
       for (const double c : contact::boundCoefficients(bernstein(), q, touching))
@@ -85,3 +92,5 @@ TEUCHOS_UNIT_TEST(BoundCoefficients, valuesStayValuesWhereCoefficientsAreValues)
 }
 
 }  // namespace
+
+}  // namespace epafi

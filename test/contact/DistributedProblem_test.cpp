@@ -89,17 +89,17 @@ TEUCHOS_UNIT_TEST(DistributedProblem, isTheSameOnAnyNumberOfRanks) {
   const bem::TpetraAlgebra algebra = test::allRanks();
   struct Case {
     std::vector<int> elements;
-    int degree;
     contact::Conditions conditions;
+    int degree;
     Stabilization::Form form;
   };
   using Form = Stabilization::Form;
   const Case cases[] = {
-      {{8, 3, 4, 5}, 1, pressedBlock("Coulomb"), Form::Projected},
-      {{8, 3, 4, 5}, 1, clampedBlock("Tresca"), Form::Exact},
-      {{6, 2, 3, 2}, 3, heldBlock("Coulomb"), Form::Projected},
-      {{2, 1, 1, 1}, 6, clampedBlock("None"), Form::None},
-      {{20, 20, 20, 20}, 1, heldBlock("Tresca"), Form::Exact},
+      {{8, 3, 4, 5}, pressedBlock("Coulomb"), 1, Form::Projected},
+      {{8, 3, 4, 5}, clampedBlock("Tresca"), 1, Form::Exact},
+      {{6, 2, 3, 2}, heldBlock("Coulomb"), 3, Form::Projected},
+      {{2, 1, 1, 1}, clampedBlock("None"), 6, Form::None},
+      {{20, 20, 20, 20}, heldBlock("Tresca"), 1, Form::Exact},
   };
   for (const Case& c : cases) {
     const bem::Mesh mesh = blockMesh(c.elements, c.degree);

@@ -133,8 +133,8 @@ double legendre(int degree, double t) {
 
 struct MissingEnds {
   contact::EndCoefficients ends;
-  bool last;
-  int lost;  ///< degrees
+  bool last = false;
+  int lost = 0;  ///< degrees
 };
 
 constexpr MissingEnds missingEnds[] = {{{false, true}, false, 1},

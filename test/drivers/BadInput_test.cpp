@@ -26,7 +26,7 @@ const std::string base = body + "Boundary Conditions->base->";
   }
 
 std::string real(const std::string& key, const std::string& value) {
-  return "<Parameter name=\"" + key + "\" type=\"double\" value=\"" + value + "\"/>";
+  return "<Parameter name=\"" + key + R"(" type="double" value=")" + value + "\"/>";
 }
 
 SceneText withYoung(const std::string& value) {
@@ -221,7 +221,7 @@ TEUCHOS_UNIT_TEST(BadInput, aFileThatIsNoSceneSaysSo) {
 
 TEUCHOS_UNIT_TEST(BadInput, aSceneCutAtAnyByteIsRefused) {
   const std::string whole = SceneText().xml();
-  const std::size_t end = whole.find_last_not_of("\n");
+  const std::size_t end = whole.find_last_not_of('\n');
   for (std::size_t length = 0; length <= end; ++length)
     TEST_ASSERT(!complaintOf(whole.substr(0, length)).empty());
 }

@@ -18,7 +18,7 @@ const std::string meshes = EPAFI_MESHES;
 
 SceneText withFile(const std::string& name) {
   SceneText scene;
-  scene.geometry = "<Parameter name=\"File\" type=\"string\" value=\"" + name + "\"/>";
+  scene.geometry = R"(<Parameter name="File" type="string" value=")" + name + "\"/>";
   scene.discretization = R"(<Parameter name="Mesh Size" type="double" value="0.25"/>)";
   return scene;
 }

@@ -168,7 +168,7 @@ TEUCHOS_UNIT_TEST(Scene, meshSizeGivesTheFewestElementsThatAreNotLarger) {
                                                         {0.1, {20, 10, 20, 10}},
                                                         {9, {1, 1, 1, 1}}}) {
     SceneText text;
-    text.discretization = "<Parameter name=\"Mesh Size\" type=\"double\" value=\"" +
+    text.discretization = R"(<Parameter name="Mesh Size" type="double" value=")" +
                           std::to_string(size) + "\"/>";
     TEST_ASSERT(read(text).elementsPerEdge == wanted);
   }
@@ -206,6 +206,7 @@ TEUCHOS_UNIT_TEST(Scene, expressionsMayBeEvaluatedByManyThreads) {
   const bem::Function f = drivers::makeExpression("x + 1000*y", {"f", "p"});
   std::vector<int> wrong(4, 0);
   std::vector<std::thread> threads;
+  threads.reserve(wrong.size());
   for (int k = 0; k < 4; ++k)
     threads.emplace_back([&, k] {
       for (int i = 0; i < 20000; ++i) {

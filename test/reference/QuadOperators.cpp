@@ -273,6 +273,7 @@ std::vector<Quad> QuadMatrix::operator*(const std::vector<Quad>& x) const {
 
 std::vector<Segment> segments(const bem::Mesh& mesh) {
   std::vector<Segment> result;
+  result.reserve(static_cast<std::size_t>(mesh.size()));
   for (int e = 0; e < mesh.size(); ++e)
     result.push_back({nodeOf(mesh, e), nodeOf(mesh, mesh[e].next)});
   return result;
