@@ -109,10 +109,11 @@ TEUCHOS_UNIT_TEST(FarBlocks, areTheSameForEveryInstructionSet) {
         continue;
       ++evaluated;
       const int degree = space.mesh()[0].degree;
-      blocks.evaluate(0, runs[r], chosen, batch, bem::InstructionSet::Baseline);
+      blocks.setRun(runs[r]);
+      blocks.evaluate(0, chosen, batch, bem::InstructionSet::Baseline);
       const bem::Vector baseline = entries(blocks, degree);
       for (const bem::InstructionSet set : bem::instructionSets()) {
-        blocks.evaluate(0, runs[r], chosen, batch, set);
+        blocks.evaluate(0, chosen, batch, set);
         const bem::Vector other = entries(blocks, degree);
         double worst = 0;
         for (std::size_t k = 0; k < other.size(); ++k)

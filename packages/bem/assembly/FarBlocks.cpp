@@ -233,36 +233,43 @@ FarBlocks::FarBlocks(const Space& space, const Lame& lame)
     *columns = std::make_unique<double[]>(mostColumns * longest);
 }
 
-void FarBlocks::evaluate(int f, const ElementRun& run, const FarLanes& chosen,
-                         const FarBatch& batch, InstructionSet set) {
+void FarBlocks::setRun(const ElementRun& run) {
   const Mesh& mesh = space_.mesh();
-  const Element& element = mesh[f];
-  // all of the run's functions, since those of near lanes are zeros to write, too
-  farMoments(element, batch, {element.degree, run.degree},
-             {chosen.smooth.outer + degreeShare(element.degree),
-              chosen.smooth.inner + degreeShare(run.degree)},
-             *moments_, set);
-  alignas(64) double far[lanes] = {};
-  alignas(64) double bent[lanes] = {};
+  runDegree_ = run.degree;
   starts_[0] = 0;
-  for (int lane = 0; lane < lanes; ++lane) {
-    const int e = run.first + lane;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const int e = run.first + static_cast<int>(lane);
     const bool isThere = e < run.last;
     degrees_[lane] = isThere ? mesh[e].degree : 0;
+    edges_[lane] = isThere ? mesh[e].piece.edge : -1;
     starts_[lane + 1] = starts_[lane] + 2 * degrees_[lane];
+  }
+}
+
+void FarBlocks::evaluate(int f, const FarLanes& chosen, const FarBatch& batch,
+                         InstructionSet set) {
+  const Element& element = space_.mesh()[f];
+  // all of the run's functions, since those of near lanes are zeros to write, too
+  farMoments(element, batch, {element.degree, runDegree_},
+             {chosen.smooth.outer + degreeShare(element.degree),
+              chosen.smooth.inner + degreeShare(runDegree_)},
+             *moments_, set);
+  alignas(64) double far[lanes];
+  alignas(64) double bent[lanes];
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
     far[lane] = chosen.far[lane] ? 1 : 0;
-    bent[lane] = chosen.far[lane] && mesh[e].piece.edge != element.piece.edge ? 1 : 0;
+    bent[lane] = edges_[lane] != element.piece.edge ? far[lane] : 0;
   }
   const Work work = {*moments_,      batch,
                      lame_,          functionSlopes_.data(),
                      starts_.data(), degrees_.data(),
-                     element.degree, run.degree,
+                     element.degree, runDegree_,
                      element.half,   far,
                      bent,           longest,
                      single_.get(),  double_.get(),
                      slopes_.get(),  transposed_.get(),
                      phaseReal_,     phaseImag_};
-  const bool linear = run.degree == 1;
+  const bool linear = runDegree_ == 1;
   switch (set) {
     case InstructionSet::Avx512:
       return fillAvx512(work, linear);

@@ -25,10 +25,13 @@ class FarBlocks {
  public:
   FarBlocks(const Space& space, const Lame& lame);
 
-  /// Treats a batch that ElementRuns chose.  No far element of it may close its loop,
-  /// since the node behind that one is numbered elsewhere.
-  void evaluate(int f, const ElementRun& run, const FarLanes& chosen,
-                const FarBatch& batch, InstructionSet set = largestInstructionSet());
+  /// What evaluate() is to treat from now on.
+  void setRun(const ElementRun& run);
+
+  /// Treats a batch that ElementRuns chose from the run.  No far element of it may close
+  /// its loop, since the node behind that one is numbered elsewhere.
+  void evaluate(int f, const FarLanes& chosen, const FarBatch& batch,
+                InstructionSet set = largestInstructionSet());
 
   int densities() const { return starts_[lanes]; }
   int displacements() const { return densities() + 2; }
@@ -60,6 +63,8 @@ class FarBlocks {
   std::array<double, largestDegree + 1> functionSlopes_{};
   std::array<int, lanes + 1> starts_{};
   std::array<int, lanes> degrees_{};
+  std::array<int, lanes> edges_{};
+  int runDegree_ = 0;
   alignas(64) double phaseReal_[lanes] = {};
   alignas(64) double phaseImag_[lanes] = {};
   std::unique_ptr<FarMoments> moments_;

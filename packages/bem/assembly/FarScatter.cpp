@@ -8,9 +8,15 @@ namespace {
 
 using Stretch = FarScatter::Stretch;
 
+constexpr Index cacheLine = 8;  // doubles
+constexpr int forWriting = 1;
+
 EPAFI_INLINE void addAll(const Stretch* stretches, std::size_t count) {
   for (std::size_t s = 0; s < count; ++s) {
     const auto [to, from, size, scale] = stretches[s];
+    // the next run's rows: this column comes again when the group is through
+    for (Index k = 0; k < size; k += cacheLine)
+      __builtin_prefetch(to + size + k, forWriting);
     for (Index k = 0; k < size; ++k)
       to[k] += scale * from[k];
   }
@@ -59,6 +65,7 @@ void FarScatter::begin(const ElementRange& group, const ElementRun& run) {
   const int last = group.last - 1;
   groupSize_ = space_.density(last, space_.mesh()[last].degree, 0) - groupStart_;
   isEmpty_ = true;
+  blocks_.setRun(run);
 }
 
 void FarScatter::append(const Target& target, Index first, Index column,
@@ -71,7 +78,7 @@ void FarScatter::append(const Target& target, Index first, Index column,
 }
 
 const FarBlocks& FarScatter::add(int f, const FarLanes& chosen, const FarBatch& batch) {
-  blocks_.evaluate(f, *run_, chosen, batch);
+  blocks_.evaluate(f, chosen, batch);
   const int degree = space_.mesh()[f].degree;
   const Index densities = space_.density(run_->first, 0, 0);
   const Index displacements = space_.displacement(run_->first, 0, 0);
