@@ -180,6 +180,8 @@ std::string readText(const std::string& file) {
     throw InputError("there is no such file");
   if (fs::is_directory(file, ignored))
     throw InputError("is a folder, not a file");
+  if (fs::is_character_file(file, ignored) || fs::is_block_file(file, ignored))
+    throw InputError("is a device, not a file");  // /dev/zero never ends
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
     throw InputError(message("cannot be read: ", std::strerror(errno)));

@@ -15,8 +15,9 @@ struct RawScene {
 };
 
 /// A whole file.
-/// \throws bem::InputError for a file that is missing, a folder or not readable; without
-///   the file's name.
+/// \throws bem::InputError for a file that is missing, a folder, a device or not
+/// readable;
+///   without the file's name.
 std::string readText(const std::string& file);
 
 /// Reads XML, or YAML if the file's name ends in .yaml or .yml.  The title is the root

@@ -75,6 +75,7 @@ TEUCHOS_UNIT_TEST(GeometryFile, complaintsNameTheKeyAndTheFile) {
   complains(withFile("nowhere.msh"), "File = 'nowhere.msh' (");
   complains(withFile("nowhere.msh"), "there is no such file");
   complains(withFile(""), "is a folder");
+  complains(withFile("/dev/zero"), "is a device");
   SceneText both = withFile("plate.msh");
   both.geometry += R"(<Parameter name="Edges" type='Array(string)' value="{base}"/>)";
   complains(both, "Edges: give this or File, not both");
