@@ -164,10 +164,14 @@ Operators assembleOperators(const Space& space, const Lame& lame,
   {
     ColumnsOfPairs columns(shared, FarScatter(space, lame, algebra, out));
     for (const auto& colour : groups.colours) {
-      // the first groups have the most pairs: first come, first served, from the front
-#pragma omp for schedule(dynamic, 1)
-      for (std::size_t g = 0; g < colour.size(); ++g)
-        columns.assemble(colour[g]);
+      // The first groups have the most pairs: first come, first served, from the front;
+      // a few at once, since a huge page has the columns of several, and two threads that
+      // meet in a new one both clear it.
+      const int count = static_cast<int>(colour.size());
+      const int atOnce = std::clamp(count / 8, 1, 4);
+#pragma omp for schedule(dynamic, atOnce)
+      for (int g = 0; g < count; ++g)
+        columns.assemble(colour[static_cast<std::size_t>(g)]);
     }
 #pragma omp single
     for (const int e : groups.closing) {

@@ -1,5 +1,7 @@
 #include "bem/assembly/FarBlocks.hpp"
 
+#include <algorithm>
+
 namespace epafi::bem {
 
 namespace {
@@ -53,7 +55,7 @@ struct Work {
   double half;         ///< of f
   const double* far;   ///< 1 in lanes that are, else 0
   const double* bent;  ///< 1 in far lanes that are not on one line with f, else 0
-  int length;          ///< from column to column
+  Index length;        ///< from column to column
   double* singleLayer;
   double* doubleLayer;
   double* slopeLayer;
@@ -229,8 +231,12 @@ FarBlocks::FarBlocks(const Space& space, const Lame& lame)
     : space_(space), lame_(lame), moments_(std::make_unique<FarMoments>()) {
   for (int k = 0; k <= largestDegree; ++k)
     functionSlopes_[static_cast<std::size_t>(k)] = DisplacementBasis::slope(k);
-  for (Columns* columns : {&single_, &double_, &slopes_, &transposed_})
-    *columns = std::make_unique<double[]>(mostColumns * longest);
+  int degree = 1;
+  for (const Element& element : space.mesh().elements())
+    degree = std::max(degree, element.degree);
+  longest_ = 2 * lanes * degree + 2;
+  for (Vector* columns : {&single_, &double_, &slopes_, &transposed_})
+    columns->resize(static_cast<std::size_t>(2 * (degree + 1) * longest_));
 }
 
 void FarBlocks::setRun(const ElementRun& run) {
@@ -265,9 +271,9 @@ void FarBlocks::evaluate(int f, const FarLanes& chosen, const FarBatch& batch,
                      starts_.data(), degrees_.data(),
                      element.degree, runDegree_,
                      element.half,   far,
-                     bent,           longest,
-                     single_.get(),  double_.get(),
-                     slopes_.get(),  transposed_.get(),
+                     bent,           longest_,
+                     single_.data(), double_.data(),
+                     slopes_.data(), transposed_.data(),
                      phaseReal_,     phaseImag_};
   const bool linear = runDegree_ == 1;
   switch (set) {

@@ -50,12 +50,8 @@ class FarBlocks {
   Phase phase(int lane) const { return {phaseReal_[lane], phaseImag_[lane]}; }
 
  private:
-  static constexpr int longest = 2 * lanes * (largestDegree + 1);
-  static constexpr int mostColumns = 2 * (largestDegree + 1);
-  using Columns = std::unique_ptr<double[]>;
-
-  static const double* column(const Columns& columns, int k) {
-    return columns.get() + k * longest;
+  const double* column(const Vector& columns, int k) const {
+    return columns.data() + k * longest_;
   }
 
   const Space& space_;
@@ -65,13 +61,14 @@ class FarBlocks {
   std::array<int, lanes> degrees_{};
   std::array<int, lanes> edges_{};
   int runDegree_ = 0;
+  Index longest_;  ///< from column to column
   alignas(64) double phaseReal_[lanes] = {};
   alignas(64) double phaseImag_[lanes] = {};
   std::unique_ptr<FarMoments> moments_;
-  Columns single_;
-  Columns double_;
-  Columns slopes_;
-  Columns transposed_;
+  Vector single_;
+  Vector double_;
+  Vector slopes_;
+  Vector transposed_;
 };
 
 }  // namespace epafi::bem
