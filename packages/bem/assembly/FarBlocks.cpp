@@ -173,7 +173,7 @@ class Filling {
     for (int k = i == 0 ? 0 : i + 1; k <= (i == 0 ? 1 : i + 1); ++k) {
       Pack laplace;
       laplaceOf(k, w_.m.reverse + j, FarMoments::stride, laplace);
-      PackBlock b;
+      PackBlock b{};
       doubleBlock(half, w_.slopes[k], kernels, laplace, b);
       double* to = w_.doubleLayer + 2 * k * w_.length;
       numbering_.put(b.xx, b.yx, j, to);
@@ -187,7 +187,7 @@ class Filling {
     const Pack half = far_ * w_.half;
     double* to = w_.transposed + 2 * i * w_.length;
     Pack laplace;
-    PackBlock b;
+    PackBlock b{};
     laplaceOf(j + 1, direct, 1, laplace);
     doubleBlock(half, w_.slopes[j + 1], kernels, laplace, b);
     if (j > 0) {
@@ -195,7 +195,7 @@ class Filling {
       numbering_.put(b.yx, b.yy, j, to + w_.length);
       return;
     }
-    PackBlock before;
+    PackBlock before{};
     laplaceOf(0, direct, 1, laplace);
     doubleBlock(half, w_.slopes[0], kernels, laplace, before);
     numbering_.putNodes(before.xx, before.xy, b.xx, b.xy, to);
