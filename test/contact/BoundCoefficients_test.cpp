@@ -1,12 +1,15 @@
-// Slip bounds as coefficients: of full order where they are smooth, within their hull
-// where they jump.
+// Slip bounds as coefficients, alone and as products with a pressure: of full order where
+// they are smooth, within their hull where they jump.
 #include "contact/multiplier/BoundCoefficients.hpp"
+
+#include "contact/multiplier/Collocation.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <random>
 
 namespace epafi {
 
@@ -89,6 +92,114 @@ TEUCHOS_UNIT_TEST(BoundCoefficients, valuesStayValuesWhereCoefficientsAreValues)
       for (std::size_t i = 0; i < places.size(); ++i)
         TEST_EQUALITY(coefficients[i], smooth(places[i]));
     }
+}
+
+/// s_i of an element's pressure.
+Vector limited(const contact::PressureBound& bound, const Vector& pressure) {
+  Vector result;
+  for (std::size_t i = 0; i < pressure.size(); ++i) {
+    double sum = 0;
+    for (std::size_t j = 0; j < pressure.size(); ++j)
+      sum += bound.strengths(static_cast<bem::Index>(i), static_cast<bem::Index>(j)) *
+             pressure[j];
+    if (bound.coupled)
+      sum = std::clamp(sum, bound.least * pressure[i], bound.most * pressure[i]);
+    result.push_back(sum);
+  }
+  return result;
+}
+
+/// Largest error of the bound f λ on an element of length 2 h around x, for a smooth
+/// pressure that the element has as exactly as its degree allows.
+double productErrorOn(double x, int degree, double h) {
+  const auto pressure = [&](double t) { return 2 + std::cos(2 * (x + h * t)); };
+  const auto factor = [&](double t) { return smooth(x + h * t); };
+  const contact::Collocation nodes(
+      bernstein(), contact::multiplierBasis("Gauss-Lobatto-Lagrange").places(degree));
+  Vector values;
+  for (const double t : nodes.places())
+    values.push_back(pressure(t));
+  const Vector coefficients = limited(contact::pressureBound(bernstein(), degree, factor),
+                                      nodes.coefficients(values));
+  double largest = 0;
+  for (double t = -1; t <= 1; t += 1.0 / 64)
+    largest =
+        std::max(largest, std::abs(valueAt(coefficients, t) - factor(t) * pressure(t)));
+  return largest;
+}
+
+/// Near 0.52 the factor has its maximum: its own control points are outside its hull.
+TEUCHOS_UNIT_TEST(PressureBound, productsAreMetToFullOrder) {
+  for (const double x : {0.1, 0.3, 0.5, 0.52, 0.6})
+    for (const int q : {1, 2, 3, 4, 5})
+      TEST_COMPARE(std::log2(productErrorOn(x, q, 0.1) / productErrorOn(x, q, 0.05)), >,
+                   q + 0.8);
+  TEST_COMPARE(productErrorOn(0.3, 14, 0.3), <, 1e-12);
+  TEST_COMPARE(productErrorOn(0.5, 14, 0.3), <, 1e-12);
+}
+
+Vector somePressure(int degree, std::mt19937& random) {
+  Vector pressure;
+  for (int i = 0; i <= degree; ++i)
+    pressure.push_back(
+        std::max(0.0, std::uniform_real_distribution<double>(-0.5, 1)(random)));
+  return pressure;
+}
+
+TEUCHOS_UNIT_TEST(PressureBound, jumpsAreNeitherOvershotNorUndershot) {
+  std::mt19937 random(45);
+  for (int q = 1; q <= 12; ++q)
+    for (double place = -0.99; place < 1; place += 0.045) {
+      const auto factor = [place](double t) { return t < place ? 0.5 : 2.0; };
+      const auto bound = contact::pressureBound(bernstein(), q, factor);
+      for (int k = 0; k < 10; ++k) {
+        const Vector pressure = somePressure(q, random);
+        const Vector s = limited(bound, pressure);
+        for (std::size_t i = 0; i < s.size(); ++i) {
+          TEST_COMPARE(s[i], >=, 0.5 * pressure[i]);
+          TEST_COMPARE(s[i], <=, 2 * pressure[i]);
+        }
+      }
+    }
+}
+
+TEUCHOS_UNIT_TEST(PressureBound, isNeverNegativeAndZeroWithoutPressure) {
+  std::mt19937 random(46);
+  for (int q = 1; q <= 12; ++q)
+    for (double zero = -1; zero <= 1; zero += 0.25)
+      for (int power = 1; power <= 2; ++power) {
+        const auto bound = contact::pressureBound(bernstein(), q, [&](double t) {
+          return std::pow(std::max(0.0, power == 1 ? t - zero : std::abs(t - zero)),
+                          power);
+        });
+        for (int k = 0; k < 10; ++k) {
+          const Vector pressure = somePressure(q, random);
+          const Vector s = limited(bound, pressure);
+          for (std::size_t i = 0; i < s.size(); ++i) {
+            TEST_COMPARE(s[i], >=, 0.0);
+            TEST_ASSERT(pressure[i] > 0 || s[i] == 0);
+          }
+        }
+      }
+}
+
+using Factor = std::function<double(double)>;
+
+TEUCHOS_UNIT_TEST(PressureBound, couplesNothingWithoutNeed) {
+  const Factor constant = [](double) { return 0.3; };
+  const Factor varying = [](double t) { return 0.3 + 0.1 * std::sin(t); };
+  for (const contact::MultiplierBasis& basis : contact::multiplierBases())
+    for (const int q : {1, 2, 3, 7})
+      for (const Factor& factor : {constant, varying}) {
+        const auto bound = contact::pressureBound(basis, q, factor);
+        const bool coupled = basis.controlPoints && q > 1 && factor(-1) != factor(1);
+        TEST_EQUALITY(bound.coupled, coupled);
+        const Vector alone = contact::boundCoefficients(basis, q, factor);
+        for (bem::Index i = 0; i <= q && !coupled; ++i)
+          for (bem::Index j = 0; j <= q; ++j)
+            TEST_EQUALITY(bound.strengths(i, j),
+                          i == j ? alone[static_cast<std::size_t>(i)] : 0.0);
+      }
 }
 
 }  // namespace

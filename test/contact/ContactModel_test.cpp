@@ -43,13 +43,15 @@ struct Sample {
 };
 
 // A problem of a load of the given size, with gaps.
-Sample sample(const char* law, Index rigidMotions, double stress, std::mt19937& random) {
+Sample sample(const char* law, Index rigidMotions, double stress, std::mt19937& random,
+              int coupling = 0) {
   test::Recipe recipe;
   recipe.law = law;
   recipe.normals = 12;
   recipe.softness = 1;
   recipe.strength = 0.4;
   recipe.rigidMotions = rigidMotions;
+  recipe.coupling = coupling;
   Sample result{randomProblem(recipe, random), {}};
   Problem& problem = result.problem;
   for (Index i = 0; i < problem.normals; ++i)
@@ -144,6 +146,7 @@ RCP<ThyraVector> times(const Thyra::LinearOpBase<double>& a, Thyra::EOpTransp tr
 }
 
 // Every law, function and number of rigid motions; load and friction factor off one.
+// Under Coulomb's with bounds that follow one pressure, and several.
 template <class Claim>
 void forAll(const Claim& claim) {
   std::mt19937 random(71);
@@ -151,11 +154,14 @@ void forAll(const Claim& claim) {
     for (const auto function : {projection, fischerBurmeister})
       for (const Index rigidMotions : {0, 1, 2})
         for (const double stress : {1.0, 2e-7}) {
-          const Sample s = sample(law.name, rigidMotions, stress, random);
-          ContactModel::Options options;
-          options.complementarity = function;
-          const ContactModel model(s.problem, s.gap, options);
-          claim(s, model, Factors{1.3, 0.7}, random);
+          const int largest = law.dependsOnPressure ? 3 : 0;
+          for (const int coupling : {0, largest}) {
+            const Sample s = sample(law.name, rigidMotions, stress, random, coupling);
+            ContactModel::Options options;
+            options.complementarity = function;
+            const ContactModel model(s.problem, s.gap, options);
+            claim(s, model, Factors{1.3, 0.7}, random);
+          }
         }
 }
 
@@ -163,7 +169,8 @@ TEUCHOS_UNIT_TEST(ContactModel, residualVanishesAtTheSolutionOfTheScaledProblem)
   std::mt19937 random(72);
   for (const char* law : {"None", "Tresca", "Coulomb"})
     for (const Index rigidMotions : {0, 1}) {
-      const Sample s = sample(law, rigidMotions, 3e-6, random);
+      const bool coupled = law == std::string("Coulomb") && rigidMotions == 0;
+      const Sample s = sample(law, rigidMotions, 3e-6, random, coupled ? 2 : 0);
       const ContactModel model(s.problem, s.gap, {});
       for (const Factors factors : {Factors{1, 1}, Factors{1.5, 0.5}, Factors{0.5, 0}}) {
         const Problem scaled = model.family().at(factors);

@@ -1,5 +1,7 @@
 #include "contact/RandomProblem.hpp"
 
+#include "contact/multiplier/BoundCoefficients.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +16,28 @@ namespace {
 
 double draw(std::mt19937& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+// Strengths of whole elements, of a coefficient that waves between zero and the largest.
+void couple(Problem& problem, const Recipe& recipe, std::mt19937& random) {
+  const int q = recipe.coupling;
+  for (Index first = 0; first + q < problem.normals; first += q + 1) {
+    const double wave = draw(random, 0, 3);
+    const double phase = draw(random, -3, 3);
+    const double mean = draw(random, 0, 0.5 * recipe.strength);
+    const auto bound = contact::pressureBound(
+        contact::multiplierBasis("Bernstein"), q,
+        [&](double t) { return mean * (1 + std::sin(wave * t + phase)); });
+    for (Index i = 0; i <= q; ++i) {
+      contact::Tangential& t = problem.tangentials[static_cast<std::size_t>(first + i)];
+      t.strength = bound.strengths(i, i);
+      t.least = bound.least;
+      t.most = bound.most;
+      for (Index j = 0; j <= q; ++j)
+        if (j != i && bound.strengths(i, j) != 0)
+          t.others.push_back({first + j, bound.strengths(i, j)});
+    }
+  }
 }
 
 // A kernel of the boundary element method's kind, plus a Gram matrix of random vectors
@@ -87,6 +111,8 @@ Problem randomProblem(const Recipe& recipe, std::mt19937& random) {
     for (Index i = 0; i < recipe.normals; ++i)
       problem.tangentials.push_back(
           {i, &law, draw(random, 0, 1) < 0.2 ? 0.0 : draw(random, 0, recipe.strength)});
+  if (recipe.coupling > 0)
+    couple(problem, recipe, random);
   problem.flexibility = randomFlexibility(problem, recipe, random);
   for (Index i = 0; i < problem.size(); ++i) {
     const double value =

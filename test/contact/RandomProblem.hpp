@@ -14,6 +14,8 @@ struct Recipe {
   double softness = 1e-2;  ///< smallest eigenvalue of D over its diagonal, about
   double grading = 1;      ///< ratio of the largest to the smallest coefficient's size
   contact::Index rigidMotions = 0;
+  /// Degree of the Bernstein polynomials whose elements couple Coulomb's bounds; 0: none.
+  int coupling = 0;
   bool ties = false;  ///< loads and gaps from a few values, many of them zero
 };
 

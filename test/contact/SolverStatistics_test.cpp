@@ -77,19 +77,21 @@ TEUCHOS_UNIT_TEST(SolverStatistics, everyProblemWithFixedBoundsIsSolved) {
 
 TEUCHOS_UNIT_TEST(SolverStatistics,
                   coulombIsSolvedForSmallFrictionAndNearlyAlwaysForLarge) {
-  for (const double strength : {0.3, 1.0, 3.0, 10.0})
-    for (const auto& [name, function] : functions) {
-      SolverOptions options;
-      options.complementarity = function;
-      test::Recipe recipe;
-      recipe.law = "Coulomb";
-      recipe.strength = strength;
-      const Statistics s = statistics(out, recipe, options);
-      out << "f up to " << strength << ": ";
-      print(out, recipe.law, name, s);
-      TEST_COMPARE(s.unsolved, <=, strength <= 3 ? 0 : 5);
-      TEST_COMPARE(s.violation, <, 1e-9);
-    }
+  for (const int coupling : {0, 2, 5})
+    for (const double strength : {0.3, 1.0, 3.0, 10.0})
+      for (const auto& [name, function] : functions) {
+        SolverOptions options;
+        options.complementarity = function;
+        test::Recipe recipe;
+        recipe.law = "Coulomb";
+        recipe.coupling = coupling;
+        recipe.strength = strength;
+        const Statistics s = statistics(out, recipe, options);
+        out << "f up to " << strength << ", bounds of degree " << coupling << ": ";
+        print(out, recipe.law, name, s);
+        TEST_COMPARE(s.unsolved, <=, strength <= 3 ? 0 : 5);
+        TEST_COMPARE(s.violation, <, 1e-9);
+      }
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ double& at(Vector& v, Index i) { return v[static_cast<std::size_t>(i)]; }
 double at(const Vector& v, Index i) { return v[static_cast<std::size_t>(i)]; }
 
 double boundOf(const Problem& problem, const Vector& multiplier, Index i) {
-  const auto& t = problem.tangentials[static_cast<std::size_t>(i - problem.normals)];
-  return t.law->slipBound(std::max(at(multiplier, t.normal), 0.0), t.strength);
+  return problem.tangentials[static_cast<std::size_t>(i - problem.normals)].bound(
+      multiplier);
 }
 
 // The penetration or slip that a uniform multiplier of size one makes at i.

@@ -8,7 +8,8 @@ namespace epafi::contact {
 /// How much shear a contact point carries:  |λₜ| ≤ s(λₙ).
 ///
 /// `strength` is the value at the point of the expression that the scene gives for the
-/// law: a threshold [stress] under Tresca, a coefficient [-] under Coulomb.
+/// law: a threshold [stress] under Tresca, a coefficient [-] under Coulomb.  Bounds are
+/// proportional to it and, where they depend on it, to the pressure's positive part.
 struct FrictionLaw {
   const char* name;
   const char* parameter;  ///< the scene's key of the strength; empty if the law has none

@@ -1,12 +1,11 @@
 #include "contact/multiplier/BoundCoefficients.hpp"
 
-#include "bem/algebra/Blas.hpp"
-#include "bem/base/Error.hpp"
-#include "bem/base/Matrix.hpp"
 #include "bem/quadrature/Gauss.hpp"
+#include "contact/multiplier/Collocation.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace epafi::contact {
@@ -22,25 +21,6 @@ Vector valuesAt(const Vector& places, const Bound& bound) {
   Vector values;
   for (const double t : places)
     values.push_back(bound(t));
-  return values;
-}
-
-// The polynomial through the values at the nodes, in the basis.
-Vector interpolant(const MultiplierBasis& basis, const Vector& nodes, Vector values) {
-  const int n = static_cast<int>(nodes.size());
-  bem::Matrix collocation(n, n);
-  for (int i = 0; i < n; ++i) {
-    const Vector row = basis.values(n - 1, nodes[static_cast<std::size_t>(i)]);
-    for (int j = 0; j < n; ++j)
-      collocation(i, j) = row[static_cast<std::size_t>(j)];
-  }
-  const int stride = static_cast<int>(collocation.stride());
-  const int one = 1;
-  std::vector<int> pivots(nodes.size());
-  int info = 0;
-  dgesv_(&n, &one, collocation.data(), &stride, pivots.data(), values.data(), &n, &info);
-  if (info != 0)
-    throw bem::NumericalError("the multiplier's basis is linearly dependent");
   return values;
 }
 
@@ -62,33 +42,92 @@ double largestError(const MultiplierBasis& basis, const Vector& coefficients,
   return largest;
 }
 
-bool withinHull(const Vector& coefficients, const Vector& first, const Vector& second) {
-  const auto [low, high] = std::minmax_element(first.begin(), first.end());
-  const auto [lower, higher] = std::minmax_element(second.begin(), second.end());
-  const double least = std::min(*low, *lower);
-  const double most = std::max(*high, *higher);
-  return std::all_of(coefficients.begin(), coefficients.end(),
-                     [&](double c) { return least <= c && c <= most; });
+struct Range {
+  double least;
+  double most;
+};
+
+Range join(Range range, const Vector& values) {
+  for (const double value : values)
+    range = {std::min(range.least, value), std::max(range.most, value)};
+  return range;
+}
+
+// A bound as control points: in one way or the other.
+struct Choice {
+  Vector values;          // at the control points' places
+  Vector closer;          // of the polynomial through `atNodes`, none < 0
+  Vector nodes;           // Gauss and Lobatto's
+  Vector atNodes;         // the bound there
+  Range hull;             // of what is known of the bound
+  bool isWithin = false;  // is `closer` within the hull?
+  bool isCloser = false;  // is it to be taken?
+};
+
+Choice choose(const MultiplierBasis& basis, int degree, const Bound& bound) {
+  Choice choice;
+  choice.values = valuesAt(basis.places(degree), bound);
+  choice.nodes = multiplierBasis("Gauss-Lobatto-Lagrange").places(degree);
+  choice.atNodes = valuesAt(choice.nodes, bound);
+  choice.closer = Collocation(basis, choice.nodes).coefficients(choice.atNodes);
+  for (double& coefficient : choice.closer)
+    coefficient = std::max(coefficient, 0.0);
+
+  const Vector& places = bem::gaussLegendre(degree + 12).points;
+  const Samples samples{places, valuesAt(places, bound)};
+  const double first = choice.atNodes.front();
+  choice.hull = join(join({first, first}, choice.atNodes), samples.values);
+  const Range both = join(choice.hull, choice.closer);
+  choice.isWithin = both.least == choice.hull.least && both.most == choice.hull.most;
+  const double share = choice.isWithin ? 1 : clearlyCloser;
+  choice.isCloser = largestError(basis, choice.closer, samples) <=
+                    share * largestError(basis, choice.values, samples);
+  return choice;
+}
+
+bem::Matrix diagonal(const Vector& entries) {
+  const auto n = static_cast<bem::Index>(entries.size());
+  bem::Matrix result(n, n);
+  for (bem::Index i = 0; i < n; ++i)
+    result(i, i) = entries[static_cast<std::size_t>(i)];
+  return result;
+}
+
+// The ends' control points are values there: what else their rows have is rounding.
+void clearRounding(bem::Matrix& a, double size) {
+  const double rounding = 64 * std::numeric_limits<double>::epsilon() * size;
+  for (bem::Index j = 0; j < a.columns(); ++j)
+    for (bem::Index i = 0; i < a.rows(); ++i)
+      if (i != j && std::abs(a(i, j)) <= rounding)
+        a(i, j) = 0;
 }
 
 }  // namespace
 
 Vector boundCoefficients(const MultiplierBasis& basis, int degree, const Bound& bound) {
-  Vector values = valuesAt(basis.places(degree), bound);
   if (!basis.controlPoints || degree < 2)
-    return values;
-  const Vector nodes = multiplierBasis("Gauss-Lobatto-Lagrange").places(degree);
-  const Vector atNodes = valuesAt(nodes, bound);
-  Vector closer = interpolant(basis, nodes, atNodes);
-  for (double& coefficient : closer)
-    coefficient = std::max(coefficient, 0.0);
+    return valuesAt(basis.places(degree), bound);
+  const Choice choice = choose(basis, degree, bound);
+  return choice.isCloser ? choice.closer : choice.values;
+}
 
-  const Vector& places = bem::gaussLegendre(degree + 12).points;
-  const Samples samples{places, valuesAt(places, bound)};
-  const double share = withinHull(closer, atNodes, samples.values) ? 1 : clearlyCloser;
-  const bool isCloser = largestError(basis, closer, samples) <=
-                        share * largestError(basis, values, samples);
-  return isCloser ? closer : values;
+PressureBound pressureBound(const MultiplierBasis& basis, int degree,
+                            const Bound& factor) {
+  if (!basis.controlPoints || degree < 2)
+    return {diagonal(boundCoefficients(basis, degree, factor))};
+  const Choice choice = choose(basis, degree, factor);
+  const Range known = join(choice.hull, choice.values);
+  if (!choice.isCloser || known.least == known.most)
+    return {diagonal(choice.isCloser ? choice.closer : choice.values)};
+  PressureBound bound;
+  bound.strengths = Collocation(basis, choice.nodes).product(choice.atNodes);
+  bound.coupled = true;
+  const Range range = join(choice.hull, choice.closer);
+  const double more = choice.isWithin ? 0 : range.most - range.least;
+  bound.least = std::max(range.least - more, 0.0);
+  bound.most = range.most + more;
+  clearRounding(bound.strengths, bound.most);
+  return bound;
 }
 
 }  // namespace epafi::contact

@@ -24,8 +24,8 @@ Vector transposeTimes(const Linearisation& point, const Vector& v) {
     result[at(i)] += row.multiplier * v[at(i)];
     if (i >= problem.normals) {
       const std::size_t t = at(i - problem.normals);
-      result[at(problem.tangentials[t].normal)] +=
-          row.bound * e.boundSlopes[t] * v[at(i)];
+      for (const NormalShare& slope : e.stepBounds[t].slopes)
+        result[at(slope.normal)] += row.bound * slope.value * v[at(i)];
     }
     const double factor = row.penetration * equation.weights()[at(i)] * v[at(i)];
     const double* column = problem.flexibility.column(i);

@@ -24,6 +24,14 @@ int differences(const ActiveSet& a, const ActiveSet& b) {
   return count;
 }
 
+// The set, and which bounds follow several pressures: what a step's linear problem is.
+ActiveSet linearProblem(const Evaluation& e) {
+  ActiveSet result = e.set;
+  for (const StepBound& bound : e.stepBounds)
+    result.push_back(bound.slopes.size() > 1 ? 1 : 0);
+  return result;
+}
+
 std::vector<Index> changing(const std::vector<ActiveSet>& sets) {
   std::vector<Index> result;
   const std::size_t begin = sets.size() > memory ? sets.size() - memory : 0;
@@ -83,14 +91,15 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
     else if (e.scaled > growthLimit * std::max(first_, 1.0))
       fail(NewtonRun::End::Growth);
   } else if (method_ == NewtonMethod::Newton) {
-    const auto before = seen_.find(e.set);
+    const ActiveSet linear = linearProblem(e);
+    const auto before = seen_.find(linear);
     const bool cycles = before != seen_.end() && e.scaled >= hasFallen * before->second &&
                         --patience_ <= 0;
     if (cycles || sets_.size() > progress_ + patientSteps)
       fail(NewtonRun::End::Restless);
     else if (e.scaled > growthLimit * std::max(first_, 1.0))
       fail(NewtonRun::End::Growth);
-    seen_[e.set] = e.scaled;
+    seen_[linear] = e.scaled;
   }
   return status_;
 }

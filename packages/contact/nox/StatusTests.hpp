@@ -35,7 +35,8 @@ class StepTest final : public NOX::StatusTest::Generic {
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
   NewtonRun run_;
   std::vector<ActiveSet> sets_;
-  std::map<ActiveSet, double> seen_;  // a set, and the residual when it was last seen
+  std::map<ActiveSet, double>
+      seen_;  // a linear problem, and the residual when it was last seen
   double first_ = 0;
   double least_ = 0;
   double improved_ = 0;       // the residual at the last real progress

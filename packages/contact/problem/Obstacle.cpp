@@ -46,21 +46,40 @@ double strengthAt(const ContactElement& contact, Vec2 x) {
   return strength;
 }
 
+Tangential tangentialOf(const PressureBound& bound, const ContactElement& contact,
+                        int i) {
+  Tangential result{contact.normalOf(i), contact.condition->law, bound.strengths(i, i)};
+  for (int j = 0; j <= contact.degree; ++j)
+    if (j != i && bound.strengths(i, j) != 0)
+      result.others.push_back({contact.normalOf(j), bound.strengths(i, j)});
+  result.least = bound.least;
+  result.most = bound.most;
+  return result;
+}
+
 void setStrengths(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
                   const ContactElement& contact, bem::Units units, Obstacle& obstacle) {
   const FrictionLaw& law = *contact.condition->law;
   const auto strength = [&](double t) {
     return strengthAt(contact, mesh.physicalPoint(contact.element, t));
   };
+  const auto set = [&](int i, const Tangential& tangential) {
+    const Index k = contact.tangentialOf(i) - multiplier.normals();
+    if (ContactElement::isOwn(contact.tangentialEnds, contact.degree, i))
+      obstacle.tangentials[static_cast<std::size_t>(k)] = tangential;
+  };
+  if (law.dependsOnPressure) {
+    const PressureBound bound =
+        pressureBound(multiplier.basis(), contact.degree, strength);
+    for (int i = 0; i <= contact.degree; ++i)
+      set(i, tangentialOf(bound, contact, i));
+    return;
+  }
   const Vector strengths =
       boundCoefficients(multiplier.basis(), contact.degree, strength);
   for (int i = 0; i <= contact.degree; ++i) {
-    if (!ContactElement::isOwn(contact.tangentialEnds, contact.degree, i))
-      continue;
     const double own = strengths[static_cast<std::size_t>(i)];
-    const Index k = contact.tangentialOf(i) - multiplier.normals();
-    obstacle.tangentials[static_cast<std::size_t>(k)] = {
-        contact.normalOf(i), &law, law.strengthIsStress ? own / units.stress : own};
+    set(i, {contact.normalOf(i), &law, law.strengthIsStress ? own / units.stress : own});
   }
 }
 

@@ -7,32 +7,39 @@ namespace epafi::contact {
 
 bool Problem::boundDependsOnPressure() const {
   return std::any_of(tangentials.begin(), tangentials.end(), [](const Tangential& t) {
-    return t.law->dependsOnPressure && t.strength > 0;
+    return t.law->dependsOnPressure && t.largestStrength() > 0;
   });
+}
+
+bool Problem::boundsAreCoupled() const {
+  return std::any_of(tangentials.begin(), tangentials.end(),
+                     [](const Tangential& t) { return !t.others.empty(); });
 }
 
 Vector Problem::slipBounds(const Vector& multiplier) const {
   Vector bounds;
   bounds.reserve(tangentials.size());
-  for (const Tangential& t : tangentials) {
-    const double pressure =
-        multiplier.empty()
-            ? 0.0
-            : std::max(multiplier[static_cast<std::size_t>(t.normal)], 0.0);
-    bounds.push_back(t.law->slipBound(pressure, t.strength));
-  }
+  const Vector zero(multiplier.empty() ? static_cast<std::size_t>(normals) : 0, 0.0);
+  for (const Tangential& t : tangentials)
+    bounds.push_back(t.bound(multiplier.empty() ? zero : multiplier));
   return bounds;
+}
+
+Problem withUncoupledBounds(const Problem& problem) {
+  Problem result = withSlipBounds(problem, problem.slipBounds({}));
+  std::transform(problem.tangentials.begin(), problem.tangentials.end(),
+                 result.tangentials.begin(),
+                 [](const Tangential& t) { return t.uncoupled(); });
+  return result;
 }
 
 Problem withSlipBounds(const Problem& problem, const Vector& bounds) {
   assert(bounds.size() == problem.tangentials.size());
   Problem fixed;
   fixed.normals = problem.normals;
-  fixed.tangentials = problem.tangentials;
-  for (std::size_t t = 0; t < bounds.size(); ++t) {
-    fixed.tangentials[t].law = &frictionLaw("Tresca");
-    fixed.tangentials[t].strength = bounds[t];
-  }
+  for (std::size_t t = 0; t < bounds.size(); ++t)
+    fixed.tangentials.push_back(
+        {problem.tangentials[t].normal, &frictionLaw("Tresca"), bounds[t]});
   fixed.flexibility = problem.flexibility.copy();
   fixed.offset = problem.offset;
   fixed.rigid = problem.rigid.copy();

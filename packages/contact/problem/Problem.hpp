@@ -1,22 +1,12 @@
 #pragma once
 
-#include "bem/base/Matrix.hpp"
-#include "contact/law/FrictionLaw.hpp"
+#include "contact/problem/Tangential.hpp"
 
 #include <vector>
 
 namespace epafi::contact {
 
-using bem::Index;
 using bem::Matrix;
-using bem::Vector;
-
-/// A tangential coefficient of the multiplier and what limits it.
-struct Tangential {
-  Index normal = 0;  ///< the normal coefficient at the same place
-  const FrictionLaw* law = nullptr;
-  double strength = 0;  ///< threshold or coefficient, dimensionless, >= 0
-};
 
 /// The discrete contact problem condensed onto the multiplier: only numbers,
 /// dimensionless.
@@ -26,7 +16,8 @@ struct Tangential {
 ///
 ///   r = d₀ - D λ + G α            weighted penetration and slip [design.md 4.1] Gᵀ λ = q
 ///   balance of the free rigid motions λₙ ≥ 0,  rₙ ≤ 0,  λₙ rₙ = 0 |λₜ| ≤ s,  |λₜ| < s ⇒
-///   rₜ = 0,  λₜ = ± s ⇒ ± rₜ ≥ 0,   s = law.slipBound(λₙ, strength)
+///   rₜ = 0,  λₜ = ± s ⇒ ± rₜ ≥ 0,   s = s(λₙ) >= 0, see
+///   Tangential
 ///
 /// D is symmetric and positive semidefinite, positive definite on {Gᵀ λ = 0} at least.
 struct Problem {
@@ -41,10 +32,14 @@ struct Problem {
   Index size() const { return normals + static_cast<Index>(tangentials.size()); }
   Index rigidMotions() const { return static_cast<Index>(rigidLoad.size()); }
   bool boundDependsOnPressure() const;
+  bool boundsAreCoupled() const;  ///< does one follow several pressures?
 
   /// Slip bounds of all tangentials at a multiplier; λₙ enters through its positive part.
   Vector slipBounds(const Vector& multiplier) const;
 };
+
+/// The same problem with each slip bound following its own pressure alone.
+Problem withUncoupledBounds(const Problem& problem);
 
 /// The same problem with slip bounds given by value: a Tresca problem.
 Problem withSlipBounds(const Problem& problem, const Vector& bounds);

@@ -13,17 +13,24 @@ constexpr double solved = 1e-6;  // of the load: what a step leaves of its own p
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-// s(λₙ) and its slope as the set of the normal coefficient has it: linear beyond λₙ = 0
-// where that is closed, nothing where it is open.
-Equation::StepBound boundHeld(const Evaluation& e, const Tangential& t, bool closed) {
-  if (!t.law->dependsOnPressure)
-    return {t.law->slipBound(0, t.strength), 0};
-  if (!closed)
-    return {0, 0};
-  const double pressure = e.unknowns[at(t.normal)];
-  const double positive = std::max(pressure, std::numeric_limits<double>::min());
-  const double slope = t.law->slipBoundSlope(positive, t.strength);
-  return {t.law->slipBound(positive, t.strength) + slope * (pressure - positive), slope};
+// s(λₙ) and its slopes as the sets of normal coefficients have them: linear beyond λₙ = 0
+// where one is closed, nothing where it is open.
+std::vector<StepBound> boundsHeld(const Problem& problem, const Evaluation& e,
+                                  const ActiveSet& set) {
+  constexpr double least = std::numeric_limits<double>::min();
+  Vector pressures;
+  Vector beyond;
+  for (Index i = 0; i < problem.normals; ++i) {
+    const double pressure = e.unknowns[at(i)];
+    const bool closed = set[at(i)] != 0;
+    pressures.push_back(closed ? std::max(pressure, least) : 0.0);
+    beyond.push_back(closed ? pressure - pressures.back() : 0.0);
+  }
+  std::vector<StepBound> bounds;
+  bounds.reserve(problem.tangentials.size());
+  for (const Tangential& t : problem.tangentials)
+    bounds.push_back(extrapolated(t, pressures, beyond));
+  return bounds;
 }
 
 std::vector<std::size_t> differences(const ActiveSet& a, const ActiveSet& b) {
@@ -70,18 +77,15 @@ ActiveSet rowSet(const Evaluation& e) {
 
 Evaluation holding(const Equation& equation, Evaluation e, const ActiveSet& set) {
   const Problem& problem = equation.problem();
+  e.stepBounds = boundsHeld(problem, e, set);
   for (Index i = 0; i < problem.size(); ++i) {
     const double multiplier = e.unknowns[at(i)];
     Complementarity::Value& row = e.rows[at(i)];
     const bool tangential = i >= problem.normals;
     if (tangential) {
-      const auto t = at(i - problem.normals);
-      const Tangential& point = problem.tangentials[t];
-      const auto bound = boundHeld(e, point, set[at(point.normal)] != 0);
-      e.stepBounds[t] = bound.value;
-      e.boundSlopes[t] = bound.slope;
       const double side = set[at(i)];
-      row = {multiplier - side * bound.value, 1, 0, -side};
+      row = {multiplier - side * e.stepBounds[at(i - problem.normals)].value, 1, 0,
+             -side};
     } else {
       row = {multiplier, 1, 0, 0};
     }

@@ -179,6 +179,41 @@ Solution newton(const Problem& problem, const State& start, Equation::Bound boun
   return alternate(problem, unpack(problem, run.best), std::move(report), options);
 }
 
+// Newton's method where bounds follow all pressures of an element.  From afar these make
+// active sets wander; bounds that follow their own pressure alone do not, and bring near.
+Solution coupledNewton(const Problem& problem, const State& start,
+                       const SolverOptions& options) {
+  const Equation equation(problem, complementarityOf(options),
+                          Equation::Bound::Differentiated, options.tolerance);
+  Solution near{start, {}};
+  if (isKnown(start)) {
+    Attempt attempt = fullSteps(equation, start, options.maximumIterations, options);
+    attempt.report.coulombIterations = attempt.report.newtonIterations;
+    if (attempt.report.status == Status::Converged)
+      return {unpack(problem, attempt.run.last), std::move(attempt.report)};
+    near.report = std::move(attempt.report);
+  }
+  try {
+    Solution uncoupled = newton(withUncoupledBounds(problem), start,
+                                Equation::Bound::Differentiated, options);
+    near = {std::move(uncoupled.state), joined(std::move(uncoupled.report), near.report)};
+    // Sweeps would lead away again.
+    const NewtonRun run =
+        runNewton(equation, pack(problem, near.state), NewtonMethod::Newton,
+                  options.maximumIterations, options.nox);
+    near.report = extended(std::move(near.report), run, problem);
+    near.report.coulombIterations = near.report.newtonIterations;
+    if (run.end == NewtonRun::End::Converged)
+      return {unpack(problem, run.last), std::move(near.report)};
+  } catch (const bem::NumericalError&) {
+    // These bounds may not hold the body where the others do.
+  }
+  Solution solution =
+      newton(problem, near.state, Equation::Bound::Differentiated, options);
+  solution.report = joined(std::move(solution.report), near.report);
+  return solution;
+}
+
 }  // namespace
 
 Solution solve(const Problem& problem, const State& start, const SolverOptions& options) {
@@ -193,7 +228,9 @@ Solution solve(const Problem& problem, const State& start, const SolverOptions& 
     case SolverOptions::Coulomb::InexactFixedPoint:
       return newton(problem, start, Equation::Bound::Lagged, options);
     default:
-      return newton(problem, start, Equation::Bound::Differentiated, options);
+      return problem.boundsAreCoupled()
+                 ? coupledNewton(problem, start, options)
+                 : newton(problem, start, Equation::Bound::Differentiated, options);
   }
 }
 

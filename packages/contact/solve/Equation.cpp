@@ -99,17 +99,21 @@ Evaluation Equation::at(Vector unknowns) const {
     magnitude[i] *= weights_[i];
   }
   e.bounds = problem_.slipBounds(e.unknowns);
-  for (const Tangential& t : problem_.tangentials) {
-    const StepBound bound = stepBound(e, t);
-    e.stepBounds.push_back(bound.value);
-    e.boundSlopes.push_back(bound.slope);
-  }
+  e.stepBounds = stepBounds(e, problem_.tangentials);
   evaluateRows(e);
   measure(e, magnitude);
   return e;
 }
 
-// With active sets the bound follows the set of the normal coefficient, not its sign: a
+StepBound extrapolated(const Tangential& tangential, const Vector& pressures,
+                       const Vector& change) {
+  StepBound bound{tangential.bound(pressures), tangential.slopes(pressures)};
+  for (const NormalShare& slope : bound.slopes)
+    bound.value += slope.value * entry(change, slope.normal);
+  return bound;
+}
+
+// With active sets the bound follows the sets of normal coefficients, not their signs: a
 // point that the step closes carries s(λₙ + δλₙ) after it, one that it opens nothing.
 // With p = λₙ + c rₙ and the row rₙ + δrₙ = 0 of a closed point, s(p) + s'(p) (δλₙ + c
 // δrₙ) says so. A bound that only looks at λₙ⁺ pins points to zero shear that are about
@@ -118,7 +122,7 @@ Evaluation Equation::at(Vector unknowns) const {
 Complementarity::Value Equation::tangentialRow(const Evaluation& e, Index t) const {
   const double multiplier = entry(e.unknowns, problem_.normals + t);
   const double y = entry(e.penetration, problem_.normals + t);
-  const double bound = entry(e.stepBounds, t);
+  const double bound = e.stepBounds[static_cast<std::size_t>(t)].value;
   if (bound >= 0)
     return function_.tangential(multiplier, y, bound);
   // a negative pressure about to become positive: which way it slips shows already
@@ -126,16 +130,24 @@ Complementarity::Value Equation::tangentialRow(const Evaluation& e, Index t) con
   return {multiplier - side * bound, 1, 0, -side};
 }
 
-Equation::StepBound Equation::stepBound(const Evaluation& e, const Tangential& t) const {
-  const double pressure = entry(e.unknowns, t.normal);
-  if (bound_ == Bound::Lagged)
-    return {t.law->slipBound(std::max(pressure, 0.0), t.strength), 0};
-  if (&function_ == &fischerBurmeister_)
-    return {t.law->slipBound(std::max(pressure, 0.0), t.strength),
-            t.law->slipBoundSlope(pressure, t.strength)};
-  const double y = entry(e.penetration, t.normal);
-  const double slope = t.law->slipBoundSlope(pressure + y, t.strength);
-  return {t.law->slipBound(std::max(pressure + y, 0.0), t.strength) - slope * y, slope};
+std::vector<StepBound> Equation::stepBounds(
+    const Evaluation& e, const std::vector<Tangential>& tangentials) const {
+  std::vector<StepBound> result;
+  result.reserve(tangentials.size());
+  Vector trial;
+  Vector back;
+  for (Index i = 0; i < problem_.normals; ++i) {
+    trial.push_back(entry(e.unknowns, i) + entry(e.penetration, i));
+    back.push_back(-entry(e.penetration, i));
+  }
+  for (const Tangential& t : tangentials)
+    if (bound_ == Bound::Lagged)
+      result.push_back({t.bound(e.unknowns)});
+    else if (&function_ == &fischerBurmeister_)
+      result.push_back({t.bound(e.unknowns), t.slopes(e.unknowns)});
+    else
+      result.push_back(extrapolated(t, trial, back));
+  return result;
 }
 
 void Equation::evaluateRows(Evaluation& e) const {
@@ -216,9 +228,9 @@ Vector Equation::jacobianTimes(const Evaluation& e, const Vector& direction) con
     double value = row.multiplier * entry(direction, i) +
                    row.penetration * entry(weights_, i) * entry(r, i);
     if (i >= problem_.normals) {
-      const Index t = i - problem_.normals;
-      const Index normal = problem_.tangentials[static_cast<std::size_t>(t)].normal;
-      value += row.bound * entry(e.boundSlopes, t) * entry(direction, normal);
+      const auto t = static_cast<std::size_t>(i - problem_.normals);
+      for (const NormalShare& slope : e.stepBounds[t].slopes)
+        value += row.bound * slope.value * entry(direction, slope.normal);
     }
     result.push_back(value);
   }
@@ -287,10 +299,8 @@ Vector Equation::meritGradient(const Evaluation& e) const {
       const Index t = i - problem_.normals;
       const Tangential& tangential = problem_.tangentials[static_cast<std::size_t>(t)];
       row = fischerBurmeister_.tangential(multiplier, y, entry(e.bounds, t));
-      entry(gradient, tangential.normal) +=
-          row.value * row.bound *
-          tangential.law->slipBoundSlope(entry(e.unknowns, tangential.normal),
-                                         tangential.strength);
+      for (const NormalShare& slope : tangential.slopes(e.unknowns))
+        entry(gradient, slope.normal) += row.value * row.bound * slope.value;
     }
     entry(gradient, i) += row.value * row.multiplier;
     // The row's part through r_i: D is symmetric, its column i is its row i.

@@ -10,13 +10,22 @@ namespace epafi::contact {
 /// What a coefficient does: 0 open or stick, +1 closed or slip at +s, -1 slip at -s.
 using ActiveSet = std::vector<signed char>;
 
+/// A slip bound as a row sees it, and its derivative by λₙ as the Jacobian is to see it.
+struct StepBound {
+  double value = 0;
+  std::vector<NormalShare> slopes{};
+};
+
+/// s at some pressures, and from there along its derivative by a change of them.
+StepBound extrapolated(const Tangential& tangential, const Vector& pressures,
+                       const Vector& change);
+
 /// The nonsmooth equation at one point x = (λ, α), with all that Newton's method needs.
 struct Evaluation {
-  Vector unknowns;     ///< x
-  Vector penetration;  ///< y = c r
-  Vector bounds;       ///< s, one per tangential
-  Vector stepBounds;   ///< what the rows hold the shear to, see Equation::stepBound
-  Vector boundSlopes;  ///< ds/dλₙ as the Jacobian is to see it
+  Vector unknowns;                           ///< x
+  Vector penetration;                        ///< y = c r
+  Vector bounds;                             ///< s, one per tangential
+  std::vector<StepBound> stepBounds;         ///< what the rows hold the shear to
   std::vector<Complementarity::Value> rows;  ///< one per coefficient
   Vector residual;                           ///< F: the rows' values, then the balance
   Vector natural;                            ///< λ - P(λ + c r), one per coefficient
@@ -63,14 +72,12 @@ class Equation {
 
   Evaluation at(Vector unknowns) const;
 
-  /// A slip bound as a row sees it, and its derivative by λₙ.
-  struct StepBound {
-    double value;
-    double slope;
-  };
-  /// With active sets the bound follows the set of the normal coefficient: s(λₙ) where
-  /// λₙ + c rₙ > 0, whatever λₙ's sign, nothing where it is not.  Else s(λₙ⁺).
-  StepBound stepBound(const Evaluation& e, const Tangential& t) const;
+  /// The rows' bounds at a point; `tangentials` are the problem's, or of other strengths.
+  /// With active sets a bound follows the sets of normal coefficients: s(λₙ) of those
+  /// where λₙ + c rₙ > 0, whatever λₙ has for a sign, nothing of the others.  Else
+  /// s(λₙ⁺).
+  std::vector<StepBound> stepBounds(const Evaluation& e,
+                                    const std::vector<Tangential>& tangentials) const;
 
   /// J d, J the generalised Jacobian at e.
   Vector jacobianTimes(const Evaluation& e, const Vector& direction) const;

@@ -39,11 +39,11 @@ std::vector<Vector> cone(const Problem& problem, const Vector& scales) {
     const Index i = problem.normals + static_cast<Index>(t);
     const bool grows = tangential.law->dependsOnPressure;
     const double slope = tangential.law->slipBoundSlope(
-        std::numeric_limits<double>::min(), tangential.strength);
+        std::numeric_limits<double>::min(), tangential.largestStrength());
     for (const double sign : {-1.0, 1.0})
       if (grows)
         add(tangential.normal, i, sign * slope);
-      else if (tangential.strength > 0)
+      else if (tangential.largestStrength() > 0)
         add(-1, i, sign);
   }
   return columns;

@@ -22,10 +22,8 @@ class ScaledFriction {
         scaled_(withSlipBounds(problem, problem.slipBounds({}))) {}
 
   const Problem& at(double theta) {
-    for (std::size_t t = 0; t < original_.size(); ++t) {
-      scaled_.tangentials[t] = original_[t];
-      scaled_.tangentials[t].strength *= theta;
-    }
+    for (std::size_t t = 0; t < original_.size(); ++t)
+      scaled_.tangentials[t] = original_[t].scaled(theta);
     return scaled_;
   }
 

@@ -28,9 +28,9 @@ struct NewtonSystem::Impl {
   Index n;
   Index k;
 
-  std::vector<Index> inactive;   // the coefficients that are solved for
-  std::vector<Index> position;   // where a coefficient stands in `inactive`, or -1
-  std::vector<double> coupling;  // known: dλ = b/a + coupling dλ_normal
+  std::vector<Index> inactive;  // the coefficients that are solved for
+  std::vector<Index> position;  // where a coefficient stands in `inactive`, or -1
+  std::vector<std::vector<NormalShare>> boundParts;  // ∂F_i/∂λₙ through the bound
   bool symmetric = true;
 
   Vector scale;        // 1/sqrt of the reduced diagonal
@@ -60,29 +60,28 @@ struct NewtonSystem::Impl {
 
   const Complementarity::Value& row(Index i) const { return e.rows[at(i)]; }
   double weight(Index i) const { return equation.weights()[at(i)]; }
-  Index normalOf(Index i) const {
-    return problem.tangentials[at(i - problem.normals)].normal;
-  }
-  double boundPart(Index i) const {
-    return i < problem.normals ? 0.0
-                               : row(i).bound * e.boundSlopes[at(i - problem.normals)];
+  bool isKnown(Index i) const { return position[at(i)] < 0; }
+  // Known: dλ_i = b_i/a_i + this dλ_j over the bound's parts.
+  double following(Index i, double boundPart) const {
+    return -boundPart / row(i).multiplier;
   }
   Index count() const { return static_cast<Index>(inactive.size()); }
 
   void chooseInactive() {
     position.assign(at(n), -1);
-    coupling.assign(at(n), 0.0);
+    boundParts.resize(at(n));
     for (Index i = 0; i < n; ++i) {
       const bool known = -row(i).penetration <= 1e-15 * row(i).multiplier;
       if (!known) {
         position[at(i)] = count();
         inactive.push_back(i);
       }
-      if (boundPart(i) != 0) {
-        if (known)
-          coupling[at(i)] = -boundPart(i) / row(i).multiplier;
+      if (i < problem.normals || row(i).bound == 0)
+        continue;
+      for (const NormalShare& slope : e.stepBounds[at(i - problem.normals)].slopes) {
+        boundParts[at(i)].push_back({slope.normal, row(i).bound * slope.value});
         // A bound that follows an open contact is known, too.
-        symmetric = symmetric && position[at(normalOf(i))] < 0;
+        symmetric = symmetric && isKnown(slope.normal);
       }
     }
     for (const Index i : inactive) {
@@ -176,24 +175,29 @@ struct NewtonSystem::Impl {
         factor(p, count() + j) = -border(p, j);
         factor(count() + j, p) = border(p, j);
       }
-    for (Index i = problem.normals; i < n; ++i) {
-      const Index q = position[at(normalOf(i))];
-      if (boundPart(i) == 0 || q < 0)
-        continue;
-      if (position[at(i)] >= 0) {
-        const Index p = position[at(i)];
-        factor(p, q) += scale[at(p)] * scale[at(q)] * boundPart(i) /
-                        (-row(i).penetration * weight(i));
-      } else {
-        const double* column = problem.flexibility.column(i);
-        for (Index p = 0; p < count(); ++p)
-          factor(p, q) +=
-              scale[at(p)] * scale[at(q)] * coupling[at(i)] * column[inactive[at(p)]];
-        for (Index j = 0; j < border.columns(); ++j)
-          factor(count() + j, q) += scale[at(q)] * coupling[at(i)] * heldEntry(i, j);
-      }
-    }
+    for (Index i = problem.normals; i < n; ++i)
+      for (const NormalShare& part : boundParts[at(i)])
+        if (!isKnown(part.normal))
+          addBound(i, part);
     luFactor(size);
+  }
+
+  // What a bound that follows a pressure adds to the matrix: to its own row or, where its
+  // coefficient is known, to all others.
+  void addBound(Index i, const NormalShare& part) {
+    const Index q = position[at(part.normal)];
+    if (!isKnown(i)) {
+      const Index p = position[at(i)];
+      factor(p, q) +=
+          scale[at(p)] * scale[at(q)] * part.value / (-row(i).penetration * weight(i));
+      return;
+    }
+    const double coupling = following(i, part.value);
+    const double* column = problem.flexibility.column(i);
+    for (Index p = 0; p < count(); ++p)
+      factor(p, q) += scale[at(p)] * scale[at(q)] * coupling * column[inactive[at(p)]];
+    for (Index j = 0; j < border.columns(); ++j)
+      factor(count() + j, q) += scale[at(q)] * coupling * heldEntry(i, j);
   }
 
   // G_i in the scaled held combination j, without the row's own scale.
@@ -239,10 +243,11 @@ struct NewtonSystem::Impl {
   Vector knownChanges(const Vector& b) const {
     Vector d(at(n), 0.0);
     for (Index i = 0; i < n; ++i)
-      if (position[at(i)] < 0) {
+      if (isKnown(i)) {
         d[at(i)] = b[at(i)] / row(i).multiplier;
-        if (coupling[at(i)] != 0 && position[at(normalOf(i))] < 0)
-          d[at(i)] += coupling[at(i)] * d[at(normalOf(i))];
+        for (const NormalShare& part : boundParts[at(i)])
+          if (isKnown(part.normal))
+            d[at(i)] += following(i, part.value) * d[at(part.normal)];
       }
     return d;
   }
@@ -266,8 +271,9 @@ struct NewtonSystem::Impl {
       const Index i = inactive[at(p)];
       const double m = -row(i).penetration * weight(i);
       x[at(p)] = b[at(i)] / m;
-      if (boundPart(i) != 0 && position[at(normalOf(i))] < 0)
-        x[at(p)] -= boundPart(i) / m * d[at(normalOf(i))];
+      for (const NormalShare& part : boundParts[at(i)])
+        if (isKnown(part.normal))
+          x[at(p)] -= part.value / m * d[at(part.normal)];
     }
     for (Index j = 0; j < n; ++j) {
       const double* column = problem.flexibility.column(j);
@@ -293,8 +299,9 @@ struct NewtonSystem::Impl {
     for (Index p = 0; p < count(); ++p)
       d[at(inactive[at(p)])] = scale[at(p)] * x[at(p)];
     for (Index i = problem.normals; i < n; ++i)
-      if (coupling[at(i)] != 0 && position[at(normalOf(i))] >= 0)
-        d[at(i)] += coupling[at(i)] * d[at(normalOf(i))];
+      for (const NormalShare& part : boundParts[at(i)])
+        if (isKnown(i) && !isKnown(part.normal))
+          d[at(i)] += following(i, part.value) * d[at(part.normal)];
     for (Index m = 0; m < k; ++m) {
       double sum = 0;
       for (Index j = 0; j < held.columns(); ++j)
@@ -388,7 +395,8 @@ Evaluation bonded(const Problem& problem, Evaluation e) {
     const std::size_t i = at(problem.normals) + t;
     const bool closed =
         e.unknowns[at(tangential.normal)] + e.penetration[at(tangential.normal)] > 0;
-    if (!closed || !tangential.law->dependsOnPressure || tangential.strength <= 0)
+    if (!closed || !tangential.law->dependsOnPressure ||
+        tangential.largestStrength() <= 0)
       continue;
     e.rows[i] = {-e.penetration[i], 0, -1, 0};
     e.residual[i] = -e.penetration[i];

@@ -40,7 +40,7 @@ Problem ProblemFamily::at(const Factors& factors) const {
   for (double& q : problem.rigidLoad)
     q *= factors.load;
   for (Tangential& t : problem.tangentials)
-    t.strength *= factors.friction;
+    t = t.scaled(factors.friction);
   return problem;
 }
 
@@ -59,11 +59,10 @@ Vector ProblemFamily::frictionDerivative(const Equation& equation,
                                          const Evaluation& e) const {
   Vector result(e.residual.size(), 0.0);
   const auto normals = static_cast<std::size_t>(original_.normals);
-  for (std::size_t k = 0; k < original_.tangentials.size(); ++k) {
-    const Tangential& t = original_.tangentials[k];
-    // Every law's bound is proportional to its strength.
-    result[normals + k] = e.rows[normals + k].bound * equation.stepBound(e, t).value;
-  }
+  // Every law's bound is proportional to its strength.
+  const std::vector<StepBound> bounds = equation.stepBounds(e, original_.tangentials);
+  for (std::size_t k = 0; k < bounds.size(); ++k)
+    result[normals + k] = e.rows[normals + k].bound * bounds[k].value;
   return result;
 }
 

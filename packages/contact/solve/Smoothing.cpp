@@ -40,10 +40,8 @@ class Sweeper {
  private:
   void relaxPoint(Index i) {
     relax(i, [](double trial) { return std::max(trial, 0.0); });
-    const double pressure = std::max(x_[at(i)], 0.0);
     for (const Index t : tangentials_[at(i)]) {
-      const Tangential& tangential = problem_.tangentials[at(t)];
-      const double bound = tangential.law->slipBound(pressure, tangential.strength);
+      const double bound = problem_.tangentials[at(t)].bound(x_);
       relax(problem_.normals + t,
             [bound](double trial) { return std::clamp(trial, -bound, bound); });
     }

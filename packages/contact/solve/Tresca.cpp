@@ -146,17 +146,17 @@ Solution throughTheMiddle(const Problem& problem, Solution before,
   return {unpack(problem, polished.best), std::move(before.report)};
 }
 
-bool isKnown(const State& start) {
-  return std::any_of(start.multiplier.begin(), start.multiplier.end(),
-                     [](double x) { return x != 0; });
-}
-
 NewtonRun pivot(const Equation& equation, const Vector& start, int maximumIterations) {
   return runNewton(equation, smoothed(equation, start), NewtonMethod::Pivoting,
                    maximumIterations);
 }
 
 }  // namespace
+
+bool isKnown(const State& start) {
+  return std::any_of(start.multiplier.begin(), start.multiplier.end(),
+                     [](double x) { return x != 0; });
+}
 
 const Complementarity& complementarityOf(const SolverOptions& options) {
   return complementarity(options.complementarity ==

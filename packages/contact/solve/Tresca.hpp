@@ -11,6 +11,9 @@ struct Attempt {
   Report report;
 };
 
+/// Does a start know something of the multiplier?
+bool isKnown(const State& start);
+
 /// From a start that knows something of the solution, with active sets and without a list
 /// of NOX's of the user's own: sweeps first, then Pivoting.  Else plain full steps and,
 /// where their sets come back under fixed bounds, the same from the best iterate.
