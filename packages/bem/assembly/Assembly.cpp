@@ -37,8 +37,8 @@ struct Shared {
 class ColumnsOfPairs {
  public:
   ColumnsOfPairs(const Shared& shared, FarScatter farScatter)
-      : shared_(shared),
-        far_(std::move(farScatter)),
+      : far_(std::move(farScatter)),
+        shared_(shared),
         near_(std::make_unique<PairMoments>()) {}
 
   /// Run by run for all f of the group: the rows that they write stay in cache.
@@ -89,8 +89,8 @@ class ColumnsOfPairs {
   }
 
   FarBatch batch_{};
-  const Shared& shared_;
   FarScatter far_;
+  const Shared& shared_;
   std::unique_ptr<PairMoments> near_;
 };
 
@@ -143,6 +143,10 @@ Groups groupsOf(const Mesh& mesh) {
   return groups;
 }
 
+/// Groups that a thread takes at once: a few, since a huge page has the columns of
+/// several, and two threads that meet in a new one both clear it.
+int groupsAtOnce(int count) { return std::clamp(count / 8, 1, 4); }
+
 }  // namespace
 
 Operators assembleOperators(const Space& space, const Lame& lame,
@@ -164,12 +168,9 @@ Operators assembleOperators(const Space& space, const Lame& lame,
   {
     ColumnsOfPairs columns(shared, FarScatter(space, lame, algebra, out));
     for (const auto& colour : groups.colours) {
-      // The first groups have the most pairs: first come, first served, from the front;
-      // a few at once, since a huge page has the columns of several, and two threads that
-      // meet in a new one both clear it.
+      // The first groups have the most pairs: first come, first served, from the front.
       const int count = static_cast<int>(colour.size());
-      const int atOnce = std::clamp(count / 8, 1, 4);
-#pragma omp for schedule(dynamic, atOnce)
+#pragma omp for schedule(dynamic, groupsAtOnce(count))
       for (int g = 0; g < count; ++g)
         columns.assemble(colour[static_cast<std::size_t>(g)]);
     }
