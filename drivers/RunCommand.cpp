@@ -19,6 +19,7 @@
 #include <iostream>
 #include <optional>
 #include <unistd.h>
+#include <utility>
 
 namespace epafi::drivers {
 
@@ -111,15 +112,22 @@ std::string agreed(const std::string& text, const bem::DenseAlgebra& algebra) {
   return {same.begin(), same.end()};
 }
 
+struct Ending {
+  Outcome outcome;
+  int levels = 0;  ///< solved by this run
+};
+
 /// Writes the levels' files as they are solved, and timings.txt if that fails.
-Outcome solveAndWrite(const Scene& scene, const Beginning& beginning, const Ranks& ranks,
-                      PhaseTimer& timer, std::optional<OutputFolder>& folder,
-                      std::ostream& table) {
+Ending solveAndWrite(const Scene& scene, const Beginning& beginning, const Ranks& ranks,
+                     PhaseTimer& timer, std::optional<OutputFolder>& folder,
+                     std::ostream& table) {
   const auto& earlier = beginning.earlier;
   const RunRecord before = earlier ? earlier->run : RunRecord{"", historyHead(), 0, 0};
   RunRecord run = before;
   run.used = agreed(usedXml(scene), ranks.algebra());
+  int levels = 0;
   const auto handOut = [&](const SolvedLevel& level) {
+    ++levels;
     LevelRow row = level.row;
     row.secondsTotal += before.secondsTotal;
     row.secondsWall += before.secondsWall;
@@ -133,8 +141,10 @@ Outcome solveAndWrite(const Scene& scene, const Beginning& beginning, const Rank
     table << tableLine(row) << std::flush;
   };
   try {
-    return solveLevels(scene, ranks, timer, handOut,
-                       earlier ? std::optional(earlier->result) : std::nullopt);
+    Outcome outcome =
+        solveLevels(scene, ranks, timer, handOut,
+                    earlier ? std::optional(earlier->result) : std::nullopt);
+    return {std::move(outcome), levels};
   } catch (...) {
     try {
       if (folder)
@@ -174,7 +184,8 @@ int runCommand(const std::vector<std::string>& arguments, std::ostream& out,
 
   const bool shown = ranks.isFirst() && !options.quiet && isatty(STDERR_FILENO) != 0;
   PhaseTimer timer(shown ? Progress::Shown : Progress::Silent);
-  const Outcome outcome = solveAndWrite(scene, beginning, ranks, timer, folder, table);
+  const auto [outcome, levels] =
+      solveAndWrite(scene, beginning, ranks, timer, folder, table);
 
   const bool converged = outcome.status == contact::Status::Converged;
   const int code = converged ? 0 : 3;
@@ -184,6 +195,11 @@ int runCommand(const std::vector<std::string>& arguments, std::ostream& out,
   (converged ? table : std::cerr)
       << (converged ? "ended   " : "epafi: ") << outcome.reason << "\n";
   table << timeSummary(timer) << filesWritten(*folder);
+  const bool elsewhere =
+      beginning.earlier && beginning.earlierRun != EarlierRun::Continue;
+  if (levels == 0 && elsewhere)
+    table << "        nothing was left to solve: the fields of level "
+          << beginning.earlier->result.level << " are in " << options.restart << "\n";
   return code;
 }
 

@@ -103,6 +103,9 @@ claim(code == 0 and rows(os.path.join(WORK, "strategy"))[-1]["degree_min"] == 2,
 done = copy(base, "done")
 code, text = solve("tresca.xml", None, 3, HP, "--restart", done)
 claim(code == 0 and content(done) == before, "nothing to do changes nothing")
+code, text = solve("tresca.xml", fresh("idle"), 3, HP, "--restart", done)
+claim(code == 0 and "level 2 are in " + done in text,
+      "nothing to do elsewhere names the folder that has the fields")
 with open(os.path.join(done, HISTORY), "a") as stream:
     stream.write("99,a torn row")
 code, text = solve("tresca.xml", None, 3, HP, "--restart", done)
