@@ -33,7 +33,9 @@ class Pictures:
 
 def style_of(k):
     """How the k-th variant of a study is drawn."""
-    return {"marker": MARKERS[k % len(MARKERS)], "color": "C%d" % (k % 10),
+    strong, light = 2 * (k % 10), 2 * (k % 10) + 1
+    return {"marker": MARKERS[k % len(MARKERS)],
+            "color": plt.get_cmap("tab20")(strong if k < 10 else light),
             "ls": "-" if k < 10 else "--"}
 
 
@@ -72,7 +74,8 @@ def loglog(axes, x, y, label, counted=None, gaps=False, **style):
 
 
 def plain_ticks(axis):
-    """1, 2, 5, 10 ... in plain digits on a logarithmic axis."""
-    axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    """1, 2, 5, 10 ... in plain digits on a logarithmic axis, 1, 10 ... on a long one."""
+    low, high = axis.get_view_interval()
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 300 * low else (1,)))
     axis.set_major_formatter(FuncFormatter(lambda value, _: "%g" % value))
     axis.set_minor_formatter(NullFormatter())

@@ -5,6 +5,7 @@ from variants import ERROR, study_figure
 DOF, SECONDS = ("dof", "degrees of freedom"), ("seconds_total", "CPU seconds, all threads")
 ERRORS = [("estimate", "estimate"), ("error", ERROR)]
 STRESS = [("error_multiplier", "true error of the contact stress, relative")]
+HOLLOW = "Hollow: below ten times the estimate of the reference, does not count."
 # What is drawn against what: columns of study.csv and their labels.
 PICTURES = {"convergence": (DOF, ERRORS), "time": (SECONDS, ERRORS),
             "contact_stress": (DOF, STRESS)}
@@ -32,6 +33,9 @@ def draw(study, scenes, name, title, pictures):
             cell.set_ylabel(text)
             cell.set_title(scene)
             cell.legend(fontsize=7)
-    figure.suptitle("%s: %s" % (title, name), y=0.99)
+    figure.suptitle("%s: %s" % (title, name.replace("_", " ")), y=0.99)
     figure.tight_layout()
+    if any((curve["error"] > 0).any() and not (curve["counted"] > 0).all()
+           for variants in scenes.values() for curve in variants.values()):
+        figure.text(0.5, 0, HOLLOW, ha="center", va="top", fontsize=8)
     pictures.save(figure, name)
