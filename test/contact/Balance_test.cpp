@@ -1,12 +1,15 @@
-// Forces and moments balance where rounding of the stiffness is far larger than the load.
-#include "bem/algebra/LapackAlgebra.hpp"
+// Forces and moments balance where rounding of the stiffness is far larger than the load,
+// on any number of ranks.
+#include "Algebra.hpp"
 #include "contact/problem/BalancedStiffness.hpp"
+#include "contact/problem/Refinement.hpp"
 #include "contact/problem/Summary.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace epafi {
@@ -15,8 +18,6 @@ namespace {
 
 using bem::Index;
 using bem::Vector;
-
-const bem::LapackAlgebra algebra;
 
 struct Body {
   bem::Lame lame;
@@ -30,7 +31,8 @@ struct Body {
                                           {"bottom", "right", "top", "left"}},
                                 std::vector<bem::Loop>{}),
                             elements, 2)),
-        stiffness(bem::assembleOperators(space, lame, algebra, {}), algebra) {}
+        stiffness(bem::assembleOperators(space, lame, test::algebra(), {}),
+                  test::algebra()) {}
 };
 
 double zero(bem::Vec2) { return 0; }
@@ -137,6 +139,45 @@ TEUCHOS_UNIT_TEST(Balance, withoutStabilisationTheOperatorIsTheStiffness) {
   const Vector left = balanced.residual(body.stiffness.apply(u), u);
   for (const double rest : left)
     TEST_COMPARE(std::abs(rest), <, 1e-13);
+}
+
+/// A factor of 0.999 A for A: what is left falls by a thousand a step.
+TEUCHOS_UNIT_TEST(Refinement, endsAtRounding) {
+  int steps = 0;
+  const Vector u = contact::refined({1e-3, 2}, [&](const Vector& now) {
+    steps += 1;
+    return Vector{(1 - now[0]) / 0.999, (2 - now[1]) / 0.999};
+  });
+  TEST_COMPARE(std::abs(u[0] - 1), <, 1e-11);
+  TEST_EQUALITY(u[1], 2.0);
+  TEST_COMPARE(steps, <=, 4);
+  TEST_COMPARE(steps, >=, 3);
+}
+
+TEUCHOS_UNIT_TEST(Refinement, leavesACorrectionOfRoundingAsTheLast) {
+  int steps = 0;
+  const Vector u = contact::refined({1, 2}, [&](const Vector&) {
+    steps += 1;
+    return Vector{1e-14, -1e-14};
+  });
+  TEST_EQUALITY(steps, 1);
+  TEST_COMPARE(std::abs(u[0] - 1 - 1e-14), <, 1e-15);
+}
+
+/// A factor that knows too little of A: corrections grow, or go back and forth.
+TEUCHOS_UNIT_TEST(Refinement, endsWhereCorrectionsDoNotShrink) {
+  for (const double growth : {-3.0, -1.0, -0.6, 0.6, 1.0, 3.0}) {
+    double next = 0.1;
+    const Vector u = contact::refined({1}, [&](const Vector&) {
+      const double now = next;
+      next *= growth;
+      return Vector{now};
+    });
+    TEST_EQUALITY(u[0], 1.1);  // the first alone
+  }
+  const Vector u = contact::refined(
+      {1}, [](const Vector&) { return Vector{std::numeric_limits<double>::infinity()}; });
+  TEST_EQUALITY(u[0], 1.0);
 }
 
 }  // namespace

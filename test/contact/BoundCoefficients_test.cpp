@@ -122,9 +122,11 @@ double productErrorOn(double x, int degree, double h) {
   const Vector coefficients = limited(contact::pressureBound(bernstein(), degree, factor),
                                       nodes.coefficients(values));
   double largest = 0;
-  for (double t = -1; t <= 1; t += 1.0 / 64)
+  for (int k = -64; k <= 64; ++k) {
+    const double t = k / 64.0;
     largest =
         std::max(largest, std::abs(valueAt(coefficients, t) - factor(t) * pressure(t)));
+  }
   return largest;
 }
 
@@ -149,7 +151,8 @@ Vector somePressure(int degree, std::mt19937& random) {
 TEUCHOS_UNIT_TEST(PressureBound, jumpsAreNeitherOvershotNorUndershot) {
   std::mt19937 random(45);
   for (int q = 1; q <= 12; ++q)
-    for (double place = -0.99; place < 1; place += 0.045) {
+    for (int n = 0; n < 45; ++n) {
+      const double place = -0.99 + 0.045 * n;
       const auto factor = [place](double t) { return t < place ? 0.5 : 2.0; };
       const auto bound = contact::pressureBound(bernstein(), q, factor);
       for (int k = 0; k < 10; ++k) {
@@ -166,8 +169,9 @@ TEUCHOS_UNIT_TEST(PressureBound, jumpsAreNeitherOvershotNorUndershot) {
 TEUCHOS_UNIT_TEST(PressureBound, isNeverNegativeAndZeroWithoutPressure) {
   std::mt19937 random(46);
   for (int q = 1; q <= 12; ++q)
-    for (double zero = -1; zero <= 1; zero += 0.25)
+    for (int n = -4; n <= 4; ++n)
       for (int power = 1; power <= 2; ++power) {
+        const double zero = n / 4.0;
         const auto bound = contact::pressureBound(bernstein(), q, [&](double t) {
           return std::pow(std::max(0.0, power == 1 ? t - zero : std::abs(t - zero)),
                           power);

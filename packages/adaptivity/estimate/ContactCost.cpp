@@ -11,7 +11,6 @@ using bem::Vec2;
 
 namespace {
 
-double positive(double x) { return std::max(x, 0.0); }
 double square(double x) { return x * x; }
 
 }  // namespace

@@ -9,8 +9,6 @@ namespace epafi::adaptivity {
 
 namespace {
 
-double positive(double x) { return std::max(x, 0.0); }
-
 /// Enough to separate the zeros of a polynomial of this degree in practice.
 int samples(int degree) { return 8 * (degree + 1); }
 

@@ -5,9 +5,14 @@
 #include "bem/quadrature/Piecewise.hpp"
 #include "contact/problem/Summary.hpp"
 
+#include <algorithm>
+
 namespace epafi::adaptivity {
 
 using ContactElement = contact::MultiplierSpace::ContactElement;
+
+/// x⁺
+inline double positive(double x) { return std::max(x, 0.0); }
 
 /// A polynomial on [-1, 1] as a Legendre series.
 class Polynomial {

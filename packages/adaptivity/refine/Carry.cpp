@@ -1,8 +1,8 @@
 #include "adaptivity/refine/Carry.hpp"
 
-#include "bem/algebra/Blas.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/quadrature/Gauss.hpp"
+#include "contact/multiplier/Collocation.hpp"
 
 #include <algorithm>
 
@@ -11,44 +11,9 @@ namespace epafi::adaptivity {
 namespace {
 
 using contact::Index;
-using contact::MultiplierBasis;
 using contact::MultiplierSpace;
 using contact::Vector;
 using ContactElement = MultiplierSpace::ContactElement;
-
-/// Coefficients of polynomials of one degree from their values at the Gauss points.
-class Collocation {
- public:
-  Collocation(const MultiplierBasis& basis, int degree)
-      : points_(bem::gaussLegendre(degree + 1).points), matrix_(size(), size()) {
-    for (Index i = 0; i < size(); ++i) {
-      const Vector row = basis.values(degree, points_[static_cast<std::size_t>(i)]);
-      for (Index k = 0; k < size(); ++k)
-        matrix_(i, k) = row[static_cast<std::size_t>(k)];
-    }
-  }
-
-  const Vector& points() const { return points_; }
-
-  Vector coefficients(Vector values) const {
-    bem::Matrix factor = matrix_.copy();
-    const int n = static_cast<int>(size());
-    const int stride = static_cast<int>(factor.stride());
-    const int one = 1;
-    std::vector<int> pivots(points_.size());
-    int info = 0;
-    dgesv_(&n, &one, factor.data(), &stride, pivots.data(), values.data(), &n, &info);
-    if (info != 0)
-      throw bem::NumericalError("the multiplier's basis is linearly dependent");
-    return values;
-  }
-
- private:
-  Index size() const { return static_cast<Index>(points_.size()); }
-
-  Vector points_;
-  bem::Matrix matrix_;
-};
 
 /// Coefficients element by element; where two elements share one, it is their mean.
 class Collection {
@@ -121,12 +86,6 @@ class Walk {
   std::size_t next_ = 0;
 };
 
-bem::Position positionAt(const bem::Piece& piece, double t) {
-  const double f = 0.5 * (1 + t);
-  return {piece.start.fromStart + f * (piece.end.fromStart - piece.start.fromStart),
-          piece.end.toEnd + (1 - f) * (piece.start.toEnd - piece.end.toEnd)};
-}
-
 }  // namespace
 
 Vector carryMultiplier(const bem::Mesh& fromMesh, const MultiplierSpace& from,
@@ -136,10 +95,11 @@ Vector carryMultiplier(const bem::Mesh& fromMesh, const MultiplierSpace& from,
   Walk walk(fromMesh, from, multiplier);
   for (const ContactElement& element : to.elements()) {
     const bem::Piece& piece = toMesh[element.element].piece;
-    const Collocation collocation(to.basis(), element.degree);
+    const contact::Collocation collocation(to.basis(),
+                                           bem::gaussLegendre(element.degree + 1).points);
     Vector normal;
     Vector tangential;
-    for (const double t : collocation.points()) {
+    for (const double t : collocation.places()) {
       const auto value = walk.at(piece.edge, positionAt(piece, t));
       normal.push_back(value.normal);
       tangential.push_back(value.tangential);

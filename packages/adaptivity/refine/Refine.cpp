@@ -12,16 +12,6 @@ namespace {
 using contact::MultiplierSpace;
 using Pieces = std::vector<bem::Piece>;
 
-/// The place t of an element, as accurate from both ends of its edge as the element's
-/// own.
-bem::Position positionAt(const bem::Piece& piece, double t) {
-  const double f = 0.5 * (1 + t);
-  const bem::Position& a = piece.start;
-  const bem::Position& b = piece.end;
-  return {a.fromStart + f * (b.fromStart - a.fromStart),
-          b.toEnd + (1 - f) * (a.toEnd - b.toEnd)};
-}
-
 void cutAt(const bem::Piece& piece, const std::vector<double>& places,
            const std::vector<int>& degrees, Pieces& result) {
   assert(degrees.size() == places.size() + 1);

@@ -11,6 +11,14 @@ Position midpoint(Position a, Position b) {
   return {0.5 * (a.fromStart + b.fromStart), 0.5 * (a.toEnd + b.toEnd)};
 }
 
+Position positionAt(const Piece& piece, double t) {
+  const double f = 0.5 * (1 + t);
+  const Position& a = piece.start;
+  const Position& b = piece.end;
+  return {a.fromStart + f * (b.fromStart - a.fromStart),
+          b.toEnd + (1 - f) * (a.toEnd - b.toEnd)};
+}
+
 double distanceAlong(Position a, Position b) {
   return a.fromStart + b.fromStart < a.toEnd + b.toEnd ? b.fromStart - a.fromStart
                                                        : a.toEnd - b.toEnd;

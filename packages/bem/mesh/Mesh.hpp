@@ -25,6 +25,9 @@ struct Piece {
   int degree = 1;
 };
 
+/// The place t of [-1, 1] on a piece, as accurate from both ends of its edge as its own.
+Position positionAt(const Piece& piece, double t);
+
 /// A boundary element: y(t) = middle + half t tangent, -1 <= t <= 1.
 struct Element {
   Piece piece;

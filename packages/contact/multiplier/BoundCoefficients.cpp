@@ -43,8 +43,8 @@ double largestError(const MultiplierBasis& basis, const Vector& coefficients,
 }
 
 struct Range {
-  double least;
-  double most;
+  double least = 0;
+  double most = 0;
 };
 
 Range join(Range range, const Vector& values) {

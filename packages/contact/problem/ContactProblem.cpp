@@ -6,6 +6,7 @@
 #include "contact/problem/Coupling.hpp"
 #include "contact/problem/Loads.hpp"
 #include "contact/problem/Obstacle.hpp"
+#include "contact/problem/Refinement.hpp"
 #include "contact/problem/RigidConstraints.hpp"
 #include "contact/problem/SmallAlgebra.hpp"
 
@@ -49,21 +50,10 @@ void clearClamped(Matrix& rows, const Rows& mine, const Loads& loads) {
         rows(i, j) = 0;
 }
 
-double largest(const Vector& x) {
-  double size = 0;
-  for (const double entry : x)
-    size = std::max(size, std::abs(entry));
-  return size;
-}
-
-/// A correction that large, relative to u, is rounding: of u itself, or of the residual's
-/// long doubles times the body's compliance.
-constexpr double rounding = 1e-12;
-
 /// What rounding has left of a correction; it is a force where |A| is large.  Not more,
 /// or reactions would no longer say what u is worth.
 Vector onlyRounding(Vector correction, const Vector& u) {
-  const double limit = rounding * largest(u);
+  const double limit = roundingOfCorrections * largestEntry(u);
   for (double& x : correction)
     x = std::clamp(x, -limit, limit);
   return correction;
@@ -337,23 +327,11 @@ Vector ContactProblem::displacement(const State& state) const {
   for (Index k = 0; k < static_cast<Index>(state.rigid.size()); ++k)
     axpy(state.rigid[static_cast<std::size_t>(k)],
          columnOf(parts.rigid.allowed, parts.rigid.fixed() + k), u);
-  // Iterative refinement: what the factor leaves is ε |A| |u|.  One step does where the
-  // correction is no more than rounding, and none where corrections do not shrink: the
-  // factor then knows too little of A.
-  constexpr int mostSteps = 4;
-  double last = std::numeric_limits<double>::infinity();
+  // What the factor leaves is ε |A| |u|.
   const Vector force = parts.force(parts.loads.load, state);
-  for (int step = 0; step < mostSteps; ++step) {
-    const Vector correction = parts.respond(parts.stiffness.residual(force, u));
-    const double size = largest(correction);
-    if (!(size < 0.5 * last))
-      break;
-    axpy(1, correction, u);
-    last = size;
-    if (!(size > rounding * largest(u)))
-      break;
-  }
-  return u;
+  return refined(std::move(u), [&](const Vector& now) {
+    return parts.respond(parts.stiffness.residual(force, now));
+  });
 }
 
 Vector ContactProblem::clampWork(const State& state, const Vector& displacement) const {
