@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <spawn.h>
@@ -57,7 +58,20 @@ int plotCommand(const std::vector<std::string>& arguments, std::ostream&,
   if (arguments.front()[0] == '-')
     throw bem::InputError(
         bem::message("plot: unknown option '", arguments.front(), "'; it has none"));
-  return ranks.isFirst() ? drawPictures(arguments.front()) : 0;
+  int code = 0;
+  std::exception_ptr problem;
+  if (ranks.isFirst()) {
+    try {
+      code = drawPictures(arguments.front());
+    } catch (...) {
+      problem = std::current_exception();
+    }
+  }
+  // the others end as the first does
+  code = static_cast<int>(ranks.algebra().broadcast({static_cast<double>(code)}).front());
+  if (problem)
+    std::rethrow_exception(problem);
+  return code;
 }
 
 }  // namespace epafi::drivers
