@@ -74,7 +74,8 @@ Vector smoothed(const Equation& equation, Vector unknowns) {
   Evaluation e = equation.at(unknowns);
   if (e.converged)
     return unknowns;
-  Sweeper sweeper(equation.problem(), std::move(unknowns));
+  const double first = e.scaled;
+  Sweeper sweeper(equation.problem(), unknowns);
   for (int pair = 0; pair < largestNumberOfPairs; ++pair) {
     const ActiveSet before = rowSet(e);
     sweeper.pairOfSweeps();
@@ -86,7 +87,8 @@ Vector smoothed(const Equation& equation, Vector unknowns) {
     if (changes <= std::max<std::size_t>(1, after.size() / quiet))
       break;
   }
-  return sweeper.unknowns();
+  const bool worse = equation.problem().boundsAreCoupled() && e.scaled > first;
+  return worse ? unknowns : sweeper.unknowns();
 }
 
 }  // namespace epafi::contact
