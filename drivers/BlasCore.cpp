@@ -7,13 +7,20 @@
 #include <omp.h>
 #include <string>
 #include <unistd.h>
+#include <vector>
 
 namespace epafi::drivers {
 
 namespace {
 
 constexpr const char* coreVariable = "OPENBLAS_CORETYPE";
+constexpr const char* waitVariable = "OPENBLAS_THREAD_TIMEOUT";
 constexpr const char* guardVariable = "EPAFI_BLAS_RESTARTED";
+
+/// log2 of the cycles that a thread of OpenBLAS without work keeps asking for some: 20
+/// microseconds.  OpenBLAS' own 20 milliseconds take the processor from OpenMP's threads
+/// in between: two threads then took longer than one on small levels.
+constexpr const char* shortWait = "16";
 
 /// A function of the BLAS that is loaded, null if that is not OpenBLAS.
 template <class Function>
@@ -48,16 +55,26 @@ bool isAsGood(const std::string& chosen, const std::string& fitting) {
 }  // namespace
 
 void restartWithFastBlas(char* const argv[]) {
-  if (std::getenv(coreVariable) != nullptr || std::getenv(guardVariable) != nullptr)
+  if (std::getenv(guardVariable) != nullptr)
     return;
+  std::vector<const char*> set;
+  const auto propose = [&](const char* variable, const char* value) {
+    if (std::getenv(variable) == nullptr && setenv(variable, value, 1) == 0)
+      set.push_back(variable);
+  };
   const auto coreName = blasFunction<char*()>("openblas_get_corename");
   const char* fitting = fittingCore();
-  if (coreName == nullptr || fitting == nullptr || isAsGood(coreName(), fitting))
+  if (coreName != nullptr && fitting != nullptr && !isAsGood(coreName(), fitting))
+    propose(coreVariable, fitting);
+  const auto threadsOfBlas = blasFunction<int()>("openblas_get_num_threads");
+  if (threadsOfBlas != nullptr && threadsOfBlas() > 1)
+    propose(waitVariable, shortWait);
+  if (set.empty())
     return;
-  setenv(coreVariable, fitting, 1);
   setenv(guardVariable, "1", 1);
   execv("/proc/self/exe", argv);
-  unsetenv(coreVariable);  // no /proc: go on as we are
+  for (const char* variable : set)  // no /proc: go on as we are
+    unsetenv(variable);
 }
 
 void setThreads(int threads) {

@@ -103,19 +103,39 @@ refused("a stabilisation that is too strong", ["Gamma0"], "run", TRESCA, "--outp
         fresh("indefinite"), "--set", "Discretization->Stabilization->Gamma0=10", "--set",
         "Discretization->Stabilization->Scaling=Stiffness", *ONE, code=2)
 
-# signals
+# threads of OpenBLAS do not wait long for work, unless the user says so; signals
+WAIT = "OPENBLAS_THREAD_TIMEOUT"
+
+
+def environment_of(process):
+    with open("/proc/%d/environ" % process.pid) as stream:
+        return dict(entry.split("=", 1) for entry in stream.read().split("\0") if entry)
+
+
+threads = {key: value for key, value in os.environ.items() if key != WAIT}
+threads["OPENBLAS_NUM_THREADS"] = "2"
 folder = fresh("interrupted")
 process = subprocess.Popen([EPAFI, "run", TRESCA, "--output", folder, "--set",
                             "Adaptivity->Maximum Levels=20", "--set",
                             "Adaptivity->Maximum Degrees of Freedom=1000000", "--set",
                             "Solver->Complementarity=Fischer-Burmeister"],
-                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                           env=threads)
 deadline = time.time() + 60
 while not os.path.exists(os.path.join(folder, "history.csv")) and time.time() < deadline:
     time.sleep(0.02)
+claim(os.cpu_count() == 1 or environment_of(process).get(WAIT) == "16",
+      "with two threads OpenBLAS is told to wait 2^16 cycles")
 process.send_signal(signal.SIGTERM)
 claim(process.wait() == 128 + signal.SIGTERM, "SIGTERM ends with 128 + its number")
 rows = table(os.path.join(folder, "history.csv"))
 claim(len(rows) >= 1 and all(row["memory_mb"] is not None for row in rows),
       "rows are whole after a signal")
+process = subprocess.Popen([EPAFI, "run", TRESCA, "--output", fresh("patient")],
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                           env={**threads, WAIT: "20"})
+time.sleep(0.5)
+claim(environment_of(process).get(WAIT) == "20", "the user's own value is kept")
+process.kill()
+process.wait()
 finish()
