@@ -8,7 +8,17 @@ namespace {
 
 constexpr Index motions = 3;
 
+// Rows that a thread sums up: each in one order, whatever the number of threads.
+constexpr Index rowsAtOnce = 128;
+
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+/// Adds `factor` times entries to sums.
+void addMultiple(long double factor, const double* entries, Index size,
+                 long double* sums) {
+  for (Index i = 0; i < size; ++i)
+    sums[i] += entries[i] * factor;
+}
 
 }  // namespace
 
@@ -68,22 +78,31 @@ BalancedStiffness::Extended BalancedStiffness::balanced(Extended forces) const {
   return forces;
 }
 
-// S u from the lower triangle's rows that are mine.
+// S u from the lower triangle's rows that are mine: what stands below the diagonal in a
+// column, then what stands before it in a row.
 BalancedStiffness::Extended BalancedStiffness::stiffnessTimes(const Extended& u) const {
   const bem::LowerTriangle& lower = stiffness_->stiffness();
+  const bem::Rows mine = lower.rows();
   Extended result(u.size());
-  for (Index j = 0; j < lower.rows().end; ++j) {
+#pragma omp parallel for schedule(dynamic, 16)
+  for (Index j = 0; j < mine.end; ++j) {
     const double* entry = lower.column(j);
-    const long double uj = u[at(j)];
     long double sum = 0;
-    for (Index i = lower.firstRow(j); i < lower.rows().end; ++i, ++entry) {
+    for (Index i = lower.firstRow(j); i < mine.end; ++i, ++entry)
       sum += *entry * u[at(i)];
-      if (i != j)
-        result[at(i)] += *entry * uj;
-    }
-    result[at(j)] += sum;
+    result[at(j)] = sum;
   }
-  return this->sum(result);
+#pragma omp parallel for schedule(dynamic, 1)
+  for (Index first = mine.begin; first < mine.end; first += rowsAtOnce) {
+    const Index last = std::min(first + rowsAtOnce, mine.end);
+    for (Index j = 0; j < last; ++j) {
+      const Index from = std::max(j + 1, first);
+      if (from < last)
+        addMultiple(u[at(j)], lower.column(j) + (from - lower.firstRow(j)), last - from,
+                    result.data() + from);
+    }
+  }
+  return sum(result);
 }
 
 // S^ u = R γ Rᵀ u with the tractions R.
@@ -94,17 +113,22 @@ void BalancedStiffness::subtractStabilisation(const Extended& u, Extended& force
   if (columns == 0)
     return;
   Extended tractions(at(columns));
+#pragma omp parallel for
   for (Index c = 0; c < columns; ++c)
     for (Index i = 0; i < mine.size(); ++i)
       tractions[at(c)] += rows(i, c) * u[at(i + mine.begin)];
   tractions = sum(tractions);
-  Extended stabilisation(u.size());
   for (std::size_t k = 0; k < gamma_.size(); ++k)
-    for (Index c = tractions_->start[k]; c < tractions_->start[k + 1]; ++c) {
-      const long double weighted = gamma_[k] * tractions[at(c)];
-      for (Index i = 0; i < mine.size(); ++i)
-        stabilisation[at(i + mine.begin)] += weighted * rows(i, c);
-    }
+    for (Index c = tractions_->start[k]; c < tractions_->start[k + 1]; ++c)
+      tractions[at(c)] *= gamma_[k];
+  Extended stabilisation(u.size());
+#pragma omp parallel for
+  for (Index first = 0; first < mine.size(); first += rowsAtOnce) {
+    const Index last = std::min(first + rowsAtOnce, mine.size());
+    for (Index c = 0; c < columns; ++c)
+      addMultiple(tractions[at(c)], rows.column(c) + first, last - first,
+                  stabilisation.data() + mine.begin + first);
+  }
   stabilisation = sum(stabilisation);
   for (std::size_t i = 0; i < forces.size(); ++i)
     forces[i] -= stabilisation[i];
