@@ -11,6 +11,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from claims import absent, claim, finish, table  # noqa: E402, F401
 
 MPIEXEC, EPAFI, SCENES, WORK = sys.argv[1:5]
+PATIENCE = int(os.environ.get("EPAFI_TEST_PATIENCE", "1"))  # with sanitizers all takes longer
 
 
 def fresh(name):
@@ -36,7 +37,8 @@ class Run:
         try:
             done = subprocess.run([MPIEXEC, "-n", str(ranks), *command], stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT, universal_newlines=True,
-                                  timeout=limit, env={**os.environ, **(environment or {})})
+                                  timeout=limit * PATIENCE,
+                                  env={**os.environ, **(environment or {})})
             self.code, self.text = done.returncode, done.stdout
         except subprocess.TimeoutExpired as expired:
             self.code, self.text = None, str(expired.output)
