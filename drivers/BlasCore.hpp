@@ -10,8 +10,9 @@ namespace epafi::drivers {
 ///   OPENBLAS_THREAD_TIMEOUT  if it has threads: they shall not wait at OpenMP's expense
 ///
 /// Call it first in main, before MPI_Init and threads.  Happens once at most; a user's
-/// own variables and another BLAS are left alone.  Returns if there is nothing to do, or
-/// if the restart fails.
+/// own variables and another BLAS are left alone, and so is everything where
+/// EPAFI_BLAS_RESTARTED is set (for emulators, whose /proc/self/exe is not the program).
+/// Returns if there is nothing to do, or if the restart fails.
 void restartWithFastBlas(char* const argv[]);
 
 /// Threads of OpenMP and BLAS together.

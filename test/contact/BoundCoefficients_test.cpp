@@ -111,9 +111,10 @@ Vector limited(const contact::PressureBound& bound, const Vector& pressure) {
 
 /// Largest error of the bound f λ on an element of length 2 h around x, for a smooth
 /// pressure that the element has as exactly as its degree allows.
-double productErrorOn(double x, int degree, double h) {
+double productErrorOn(double x, int degree, double h,
+                      const std::function<double(double)>& f) {
   const auto pressure = [&](double t) { return 2 + std::cos(2 * (x + h * t)); };
-  const auto factor = [&](double t) { return smooth(x + h * t); };
+  const auto factor = [&](double t) { return f(x + h * t); };
   const contact::Collocation nodes(
       bernstein(), contact::multiplierBasis("Gauss-Lobatto-Lagrange").places(degree));
   Vector values;
@@ -134,10 +135,23 @@ double productErrorOn(double x, int degree, double h) {
 TEUCHOS_UNIT_TEST(PressureBound, productsAreMetToFullOrder) {
   for (const double x : {0.1, 0.3, 0.5, 0.52, 0.6})
     for (const int q : {1, 2, 3, 4, 5})
-      TEST_COMPARE(std::log2(productErrorOn(x, q, 0.1) / productErrorOn(x, q, 0.05)), >,
-                   q + 0.8);
-  TEST_COMPARE(productErrorOn(0.3, 14, 0.3), <, 1e-12);
-  TEST_COMPARE(productErrorOn(0.5, 14, 0.3), <, 1e-12);
+      TEST_COMPARE(std::log2(productErrorOn(x, q, 0.1, smooth) /
+                             productErrorOn(x, q, 0.05, smooth)),
+                   >, q + 0.8);
+  TEST_COMPARE(productErrorOn(0.3, 14, 0.3, smooth), <, 1e-12);
+  TEST_COMPARE(productErrorOn(0.5, 14, 0.3, smooth), <, 1e-12);
+}
+
+/// Both ways meet a linear factor exactly, but only one of them its products.
+TEUCHOS_UNIT_TEST(PressureBound, productsWithLinearFactorsAreMetToFullOrder) {
+  for (int k = 0; k < 200; ++k) {
+    const double slope = 0.001 * (k + 1);
+    const double x = 0.3 + 0.007 * k;
+    const auto linear = [slope](double t) { return 0.4 + slope * t; };
+    for (int q = 2; q <= 8; ++q)
+      TEST_COMPARE(productErrorOn(x, q, 0.05, linear), <,
+                   4 * std::pow(0.1, q + 1) / std::tgamma(q + 2) + 1e-14);
+  }
 }
 
 Vector somePressure(int degree, std::mt19937& random) {
@@ -192,11 +206,14 @@ using Factor = std::function<double(double)>;
 TEUCHOS_UNIT_TEST(PressureBound, couplesNothingWithoutNeed) {
   const Factor constant = [](double) { return 0.3; };
   const Factor varying = [](double t) { return 0.3 + 0.1 * std::sin(t); };
+  const Factor linear = [](double t) { return 0.3 + 0.007 * t; };
+  const Factor rounded = [](double t) { return 0.3 + 1e-17 * t + 0.1 * t - 0.1 * t; };
   for (const contact::MultiplierBasis& basis : contact::multiplierBases())
     for (const int q : {1, 2, 3, 7})
-      for (const Factor& factor : {constant, varying}) {
+      for (const Factor& factor : {constant, varying, linear, rounded}) {
         const auto bound = contact::pressureBound(basis, q, factor);
-        const bool coupled = basis.controlPoints && q > 1 && factor(-1) != factor(1);
+        const bool varies = std::abs(factor(-1) - factor(1)) > 1e-15;
+        const bool coupled = basis.controlPoints && q > 1 && varies;
         TEST_EQUALITY(bound.coupled, coupled);
         const Vector alone = contact::boundCoefficients(basis, q, factor);
         for (bem::Index i = 0; i <= q && !coupled; ++i)

@@ -112,6 +112,12 @@ def environment_of(process):
         return dict(entry.split("=", 1) for entry in stream.read().split("\0") if entry)
 
 
+def wait_for_a_level(folder):
+    deadline = time.time() + 60
+    while not os.path.exists(os.path.join(folder, "history.csv")) and time.time() < deadline:
+        time.sleep(0.02)
+
+
 threads = {key: value for key, value in os.environ.items() if key != WAIT}
 threads["OPENBLAS_NUM_THREADS"] = "2"
 folder = fresh("interrupted")
@@ -121,9 +127,7 @@ process = subprocess.Popen([EPAFI, "run", TRESCA, "--output", folder, "--set",
                             "Solver->Complementarity=Fischer-Burmeister"],
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                            env=threads)
-deadline = time.time() + 60
-while not os.path.exists(os.path.join(folder, "history.csv")) and time.time() < deadline:
-    time.sleep(0.02)
+wait_for_a_level(folder)
 claim(os.cpu_count() == 1 or environment_of(process).get(WAIT) == "16",
       "with two threads OpenBLAS is told to wait 2^16 cycles")
 process.send_signal(signal.SIGTERM)
@@ -131,10 +135,11 @@ claim(process.wait() == 128 + signal.SIGTERM, "SIGTERM ends with 128 + its numbe
 rows = table(os.path.join(folder, "history.csv"))
 claim(len(rows) >= 1 and all(row["memory_mb"] is not None for row in rows),
       "rows are whole after a signal")
-process = subprocess.Popen([EPAFI, "run", TRESCA, "--output", fresh("patient")],
+folder = fresh("patient")
+process = subprocess.Popen([EPAFI, "run", TRESCA, "--output", folder],
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
                            env={**threads, WAIT: "20"})
-time.sleep(0.5)
+wait_for_a_level(folder)
 claim(environment_of(process).get(WAIT) == "20", "the user's own value is kept")
 process.kill()
 process.wait()

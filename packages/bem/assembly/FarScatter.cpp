@@ -64,6 +64,7 @@ void FarScatter::begin(const ElementRange& group, const ElementRun& run) {
   groupStart_ = space_.density(group.first, 0, 0);
   const int last = group.last - 1;
   groupSize_ = space_.density(last, space_.mesh()[last].degree, 0) - groupStart_;
+  front_ = std::max(run.first, group.first);
   isEmpty_ = true;
   blocks_.setRun(run);
 }
@@ -80,21 +81,23 @@ void FarScatter::append(const Target& target, Index first, Index column,
 const FarBlocks& FarScatter::add(int f, const FarLanes& chosen, const FarBatch& batch) {
   blocks_.evaluate(f, chosen, batch);
   const int degree = space_.mesh()[f].degree;
-  const Index densities = space_.density(run_->first, 0, 0);
-  const Index displacements = space_.displacement(run_->first, 0, 0);
+  const Index densities = space_.density(front_, 0, 0);
+  const Index displacements = space_.displacement(front_, 0, 0);
+  const Index skip = densities - space_.density(run_->first, 0, 0);
+  const Index rows = blocks_.densities() - skip;
   const Target single = {out_.singleLayer, densityRows_};
   const Target twice = {out_.doubleLayer, densityRows_};
   const Target hypersingular = {out_.hypersingular, displacementRows_};
   stretches_.clear();
   for (int c = 0; c < 2; ++c) {
     for (int i = 0; i < degree; ++i)
-      append(single, densities, space_.density(f, i, c), blocks_.singleLayer(i, c),
-             blocks_.densities(), 1);
+      append(single, densities, space_.density(f, i, c), blocks_.singleLayer(i, c) + skip,
+             rows, 1);
     for (int k = 0; k <= degree; ++k) {
       const Index column = space_.displacement(f, k, c);
-      append(twice, densities, column, blocks_.doubleLayer(k, c), blocks_.densities(), 1);
+      append(twice, densities, column, blocks_.doubleLayer(k, c) + skip, rows, 1);
       append(hypersingular, displacements, column,
-             blocks_.slopeLayer(std::max(k - 1, 0), c), blocks_.displacements(),
+             blocks_.slopeLayer(std::max(k - 1, 0), c) + skip, rows + 2,
              slopes_[static_cast<std::size_t>(k)]);
     }
   }
@@ -128,7 +131,7 @@ void FarScatter::finish() {
   const Index last =
       std::min<Index>(first + blocks_.displacements(), space_.displacements());
   stretches_.clear();
-  for (Index column = first; column < last; ++column)
+  for (Index column = space_.displacement(front_, 0, 0); column < last; ++column)
     append(target, groupStart_, column, collected_.data() + (column - first) * groupSize_,
            groupSize_, 1);
   addStretches(stretches_);

@@ -9,8 +9,12 @@ namespace epafi::bem {
 /// consecutive elements f against a run of elements e behind them.
 ///
 /// Entries by columns of f are long stretches of rows and are added at once; those of K
-/// by columns of e are short, and are collected until the tile is full.  One for each
-/// thread; groups that share no node may be added at the same time.
+/// by columns of e are short, and are collected until the tile is full.
+///
+/// One for each thread.  A group writes columns of its own f by rows of elements from its
+/// first one on, and rows of its own f by columns of these: zeros, too, are read and
+/// written, so nothing before the group is touched, and groups that share no node may be
+/// added at the same time.
 class FarScatter {
  public:
   FarScatter(const Space& space, const Lame& lame, const DenseAlgebra& algebra,
@@ -54,6 +58,7 @@ class FarScatter {
 
   ElementRange group_;
   const ElementRun* run_ = nullptr;
+  int front_ = 0;         ///< the first element of the run that is not before the group
   Index groupStart_ = 0;  ///< of the group's densities
   Index groupSize_ = 0;
   bool isEmpty_ = true;

@@ -53,15 +53,22 @@ Range join(Range range, const Vector& values) {
   return range;
 }
 
+// By how much the outer range is beyond the inner.
+double excess(const Range& inner, const Range& outer) {
+  return std::max(inner.least - outer.least, outer.most - inner.most);
+}
+
 // A bound as control points: in one way or the other.
 struct Choice {
-  Vector values;          // at the control points' places
-  Vector closer;          // of the polynomial through `atNodes`, none < 0
-  Vector nodes;           // Gauss and Lobatto's
-  Vector atNodes;         // the bound there
-  Range hull;             // of what is known of the bound
-  bool isWithin = false;  // is `closer` within the hull?
-  bool isCloser = false;  // is it to be taken?
+  Vector values;           // at the control points' places
+  Vector closer;           // of the polynomial through `atNodes`, none < 0
+  Vector nodes;            // Gauss and Lobatto's
+  Vector atNodes;          // the bound there
+  Range hull;              // of what is known of the bound
+  double rounding = 0;     // what makes no difference
+  bool isWithin = false;   // is `closer` within the hull, but for rounding?
+  bool isCloser = false;   // is it to be taken?
+  bool isAsClose = false;  // would it be but for rounding?  Both ways may be exact.
 };
 
 Choice choose(const MultiplierBasis& basis, int degree, const Bound& bound) {
@@ -77,11 +84,14 @@ Choice choose(const MultiplierBasis& basis, int degree, const Bound& bound) {
   const Samples samples{places, valuesAt(places, bound)};
   const double first = choice.atNodes.front();
   choice.hull = join(join({first, first}, choice.atNodes), samples.values);
-  const Range both = join(choice.hull, choice.closer);
-  choice.isWithin = both.least == choice.hull.least && both.most == choice.hull.most;
-  const double share = choice.isWithin ? 1 : clearlyCloser;
-  choice.isCloser = largestError(basis, choice.closer, samples) <=
-                    share * largestError(basis, choice.values, samples);
+  choice.rounding = 64 * std::numeric_limits<double>::epsilon() * choice.hull.most;
+  const double beyond = excess(choice.hull, join(choice.hull, choice.closer));
+  choice.isWithin = beyond <= choice.rounding;
+  const double error = largestError(basis, choice.closer, samples);
+  const double other = largestError(basis, choice.values, samples);
+  choice.isCloser = error <= (beyond == 0 ? 1 : clearlyCloser) * other;
+  choice.isAsClose =
+      error <= (choice.isWithin ? 1 : clearlyCloser) * other + choice.rounding;
   return choice;
 }
 
@@ -94,8 +104,7 @@ bem::Matrix diagonal(const Vector& entries) {
 }
 
 // The ends' control points are values there: what else their rows have is rounding.
-void clearRounding(bem::Matrix& a, double size) {
-  const double rounding = 64 * std::numeric_limits<double>::epsilon() * size;
+void clearRounding(bem::Matrix& a, double rounding) {
   for (bem::Index j = 0; j < a.columns(); ++j)
     for (bem::Index i = 0; i < a.rows(); ++i)
       if (i != j && std::abs(a(i, j)) <= rounding)
@@ -117,16 +126,16 @@ PressureBound pressureBound(const MultiplierBasis& basis, int degree,
     return {diagonal(boundCoefficients(basis, degree, factor))};
   const Choice choice = choose(basis, degree, factor);
   const Range known = join(choice.hull, choice.values);
-  if (!choice.isCloser || known.least == known.most)
+  if (!choice.isAsClose || known.most - known.least <= choice.rounding)
     return {diagonal(choice.isCloser ? choice.closer : choice.values)};
   PressureBound bound;
   bound.strengths = Collocation(basis, choice.nodes).product(choice.atNodes);
   bound.coupled = true;
-  const Range range = join(choice.hull, choice.closer);
+  const Range range = choice.isWithin ? choice.hull : join(choice.hull, choice.closer);
   const double more = choice.isWithin ? 0 : range.most - range.least;
   bound.least = std::max(range.least - more, 0.0);
   bound.most = range.most + more;
-  clearRounding(bound.strengths, bound.most);
+  clearRounding(bound.strengths, choice.rounding);
   return bound;
 }
 
