@@ -72,6 +72,13 @@ TEUCHOS_UNIT_TEST(Solver, findsTheContactStateOfRandomFixedBoundProblems) {
   }
 }
 
+double differenceFromProjectedSor(const Recipe& recipe, std::mt19937& random) {
+  const Problem problem = randomProblem(recipe, random);
+  const Vector slow = reference::projectedSor(problem).multiplier;
+  const Vector fast = solve(problem, {}, {}).state.multiplier;
+  return difference(slow, fast);
+}
+
 TEUCHOS_UNIT_TEST(Solver, agreesWithProjectedSor) {
   std::mt19937 random(12);
   for (const char* law : {"None", "Tresca", "Coulomb"})
@@ -82,10 +89,7 @@ TEUCHOS_UNIT_TEST(Solver, agreesWithProjectedSor) {
       recipe.softness = 1;
       recipe.normals = 3 + k;
       recipe.rigidMotions = k % 2;
-      const Problem problem = randomProblem(recipe, random);
-      const Vector slow = reference::projectedSor(problem).multiplier;
-      const Vector fast = solve(problem, {}, {}).state.multiplier;
-      TEST_COMPARE(difference(slow, fast), <, 1e-10);
+      TEST_COMPARE(differenceFromProjectedSor(recipe, random), <, 1e-10);
     }
 }
 
@@ -99,10 +103,7 @@ TEUCHOS_UNIT_TEST(Solver, agreesWithProjectedSorWhereBoundsAreCoupled) {
     recipe.softness = 1;
     recipe.normals = 4 + k;
     recipe.rigidMotions = k % 2;
-    const Problem problem = randomProblem(recipe, random);
-    const Vector slow = reference::projectedSor(problem).multiplier;
-    const Vector fast = solve(problem, {}, {}).state.multiplier;
-    TEST_COMPARE(difference(slow, fast), <, 1e-10);
+    TEST_COMPARE(differenceFromProjectedSor(recipe, random), <, 1e-10);
   }
 }
 
