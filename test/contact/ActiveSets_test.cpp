@@ -4,7 +4,7 @@
 #include "contact/RandomProblem.hpp"
 #include "contact/nox/Newton.hpp"
 #include "contact/solve/CoulombIteration.hpp"
-#include "contact/solve/NewtonSystem.hpp"
+#include "contact/solve/NewtonStep.hpp"
 #include "contact/solve/Smoothing.hpp"
 #include "reference/ProjectedSor.hpp"
 

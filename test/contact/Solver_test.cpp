@@ -4,7 +4,7 @@
 #include "contact/nox/Newton.hpp"
 #include "contact/solve/ContactState.hpp"
 #include "contact/solve/CoulombIteration.hpp"
-#include "contact/solve/NewtonSystem.hpp"
+#include "contact/solve/NewtonStep.hpp"
 #include "reference/ProjectedSor.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

@@ -1,12 +1,12 @@
 #include "bem/assembly/FarBlocks.hpp"
 
+#include "bem/base/Constants.hpp"
+
 #include <algorithm>
 
 namespace epafi::bem {
 
 namespace {
-
-constexpr double inverse2Pi = 0.15915494309189533577;
 
 /// Where the functions of the lanes stand in a column of the run; Degree 1: all lanes
 /// have that degree, and every start is 2 lane.

@@ -59,7 +59,6 @@ FarScatter::FarScatter(const Space& space, const Lame& lame, const DenseAlgebra&
 }
 
 void FarScatter::begin(const ElementRange& group, const ElementRun& run) {
-  group_ = group;
   run_ = &run;
   groupStart_ = space_.density(group.first, 0, 0);
   const int last = group.last - 1;

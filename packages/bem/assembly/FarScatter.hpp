@@ -56,7 +56,6 @@ class FarScatter {
   FarBlocks blocks_;
   std::array<double, largestDegree + 1> slopes_{};
 
-  ElementRange group_;
   const ElementRun* run_ = nullptr;
   int front_ = 0;         ///< the first element of the run that is not before the group
   Index groupStart_ = 0;  ///< of the group's densities

@@ -2,16 +2,11 @@
 
 #include "bem/assembly/EndMoments.hpp"
 #include "bem/assembly/FarTractionRows.hpp"
+#include "bem/base/Constants.hpp"
 
 #include <cmath>
 
 namespace epafi::bem {
-
-namespace {
-
-constexpr double inverse2Pi = 0.15915494309189533577;
-
-}  // namespace
 
 ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
                                        const DenseAlgebra& algebra,

@@ -1,16 +1,11 @@
 #include "bem/assembly/Scatter.hpp"
 
 #include "bem/assembly/Block.hpp"
+#include "bem/base/Constants.hpp"
 
 #include <algorithm>
 
 namespace epafi::bem {
-
-namespace {
-
-constexpr double inverse2Pi = 0.15915494309189533577;
-
-}  // namespace
 
 Scatter::Scatter(const Space& space, const Lame& lame, const DenseAlgebra& algebra,
                  Operators& out)

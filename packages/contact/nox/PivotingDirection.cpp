@@ -1,7 +1,7 @@
 #include "contact/nox/PivotingDirection.hpp"
 
 #include "contact/nox/Group.hpp"
-#include "contact/solve/NewtonSystem.hpp"
+#include "contact/solve/NewtonStep.hpp"
 
 namespace epafi::contact {
 

@@ -1,6 +1,7 @@
 #include "contact/solve/Descent.hpp"
 
 #include "contact/problem/SmallAlgebra.hpp"
+#include "contact/solve/NewtonStep.hpp"
 #include "contact/solve/NewtonSystem.hpp"
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 
 #include "bem/base/Error.hpp"
 #include "contact/problem/SmallAlgebra.hpp"
-#include "contact/solve/RigidPlacement.hpp"
 
 #include <Teuchos_BLAS.hpp>
 #include <Teuchos_LAPACK.hpp>
@@ -377,49 +376,6 @@ Vector NewtonSystem::unheld(const Vector& b) const {
         std::max(demand, std::abs(direction[at(m)]) / s.motionScale[at(m)] /
                              (s.motionScale[at(m)] * s.equation.balanceScales()[at(m)]));
   return demand > 1e-10 * s.problem.stress ? direction : Vector{};
-}
-
-namespace {
-
-Vector negative(Vector v) {
-  for (double& value : v)
-    value = -value;
-  return v;
-}
-
-// The same point with every closed place of Coulomb friction taken to stick: from there
-// the pressure, and with it the bound, can be found although everything slips now.
-Evaluation bonded(const Problem& problem, Evaluation e) {
-  for (std::size_t t = 0; t < problem.tangentials.size(); ++t) {
-    const Tangential& tangential = problem.tangentials[t];
-    const std::size_t i = at(problem.normals) + t;
-    const bool closed =
-        e.unknowns[at(tangential.normal)] + e.penetration[at(tangential.normal)] > 0;
-    if (!closed || !tangential.law->dependsOnPressure ||
-        tangential.largestStrength() <= 0)
-      continue;
-    e.rows[i] = {-e.penetration[i], 0, -1, 0};
-    e.residual[i] = -e.penetration[i];
-  }
-  return e;
-}
-
-}  // namespace
-
-Vector newtonStep(const Equation& equation, const Evaluation& e) {
-  const NewtonSystem system(equation, e);
-  const Vector right = negative(e.residual);
-  const Vector motion = system.unheld(right);
-  if (motion.empty())
-    return system.solve(right);
-  if (equation.problem().boundDependsOnPressure()) {
-    const Evaluation sticking = bonded(equation.problem(), e);
-    const NewtonSystem bondedSystem(equation, sticking);
-    const Vector bondedRight = negative(sticking.residual);
-    if (bondedSystem.unheld(bondedRight).empty())
-      return bondedSystem.solve(bondedRight);
-  }
-  return rigidPlacement(equation, e, motion);
 }
 
 }  // namespace epafi::contact
