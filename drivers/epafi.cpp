@@ -10,13 +10,13 @@
 /// Sample run:  epafi run drivers/scenes/tresca.xml --set 'Adaptivity->Maximum Levels=3'
 
 #include "bem/base/Error.hpp"
-#include "drivers/BlasCore.hpp"
-#include "drivers/CommandLine.hpp"
-#include "drivers/Commands.hpp"
-#include "drivers/PlotCommand.hpp"
-#include "drivers/Ranks.hpp"
-#include "drivers/RunCommand.hpp"
-#include "drivers/StudyCommand.hpp"
+#include "drivers/commands/CommandLine.hpp"
+#include "drivers/commands/Commands.hpp"
+#include "drivers/commands/PlotCommand.hpp"
+#include "drivers/commands/RunCommand.hpp"
+#include "drivers/commands/StudyCommand.hpp"
+#include "drivers/process/BlasCore.hpp"
+#include "drivers/process/Ranks.hpp"
 
 #include <iostream>
 

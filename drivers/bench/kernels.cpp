@@ -4,14 +4,14 @@
 //
 //   build/bin/bench_kernels [--benchmark_filter=REGEX] [--benchmark_repetitions=5]
 #include "bem/algebra/LapackAlgebra.hpp"
-#include "bem/assembly/Assembly.hpp"
-#include "bem/assembly/BoundaryFields.hpp"
-#include "bem/assembly/FarPairs.hpp"
-#include "bem/assembly/FarTractionRows.hpp"
-#include "bem/assembly/FarTractions.hpp"
-#include "bem/assembly/NearPair.hpp"
-#include "bem/assembly/SteklovPoincare.hpp"
-#include "bem/assembly/TractionRows.hpp"
+#include "bem/fields/BoundaryFields.hpp"
+#include "bem/moments/FarPairs.hpp"
+#include "bem/moments/NearPair.hpp"
+#include "bem/operators/Assembly.hpp"
+#include "bem/operators/SteklovPoincare.hpp"
+#include "bem/tractions/FarTractionRows.hpp"
+#include "bem/tractions/FarTractions.hpp"
+#include "bem/tractions/TractionRows.hpp"
 
 #include <benchmark/benchmark.h>
 #include <cmath>

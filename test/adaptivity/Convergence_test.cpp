@@ -1,9 +1,9 @@
 // The two scenes of [P] sec. 8: rates of the estimate, and the estimate beside true
 // errors.
-#include "bem/assembly/EnergyNorm.hpp"
-#include "drivers/Levels.hpp"
-#include "drivers/Ranks.hpp"
-#include "drivers/SceneReader.hpp"
+#include "bem/operators/EnergyNorm.hpp"
+#include "drivers/process/Ranks.hpp"
+#include "drivers/run/Levels.hpp"
+#include "drivers/scene/SceneReader.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

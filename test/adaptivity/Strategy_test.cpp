@@ -1,4 +1,4 @@
-#include "adaptivity/refine/Strategy.hpp"
+#include "adaptivity/mark/Strategy.hpp"
 
 #include "Algebra.hpp"
 #include "SquareMesh.hpp"

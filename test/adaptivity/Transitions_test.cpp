@@ -1,8 +1,8 @@
 // Where contact ends, told from a displacement that opens like d^(3/2).
-#include "adaptivity/mark/Transitions.hpp"
+#include "adaptivity/singular/Transitions.hpp"
 
 #include "SquareMesh.hpp"
-#include "adaptivity/mark/Extrapolation.hpp"
+#include "adaptivity/singular/Extrapolation.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

@@ -1,8 +1,8 @@
 // Newton's steps on the levels of adaptive runs, each started from the state carried
 // over.
-#include "drivers/Levels.hpp"
-#include "drivers/Ranks.hpp"
-#include "drivers/SceneReader.hpp"
+#include "drivers/process/Ranks.hpp"
+#include "drivers/run/Levels.hpp"
+#include "drivers/scene/SceneReader.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

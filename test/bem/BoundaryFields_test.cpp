@@ -1,12 +1,12 @@
 // Pointwise residuals of the two integral equations: exact solutions, limits from inside,
 // and the Galerkin matrices, which are integrals of the same fields.
-#include "bem/assembly/BoundaryFields.hpp"
+#include "bem/fields/BoundaryFields.hpp"
 
 #include "bem/algebra/LapackAlgebra.hpp"
-#include "bem/assembly/Assembly.hpp"
-#include "bem/assembly/Interior.hpp"
 #include "bem/basis/Legendre.hpp"
-#include "bem/potential/RelativeTarget.hpp"
+#include "bem/fields/Interior.hpp"
+#include "bem/moments/RelativeTarget.hpp"
+#include "bem/operators/Assembly.hpp"
 #include "reference/ExactFields.hpp"
 #include "reference/SampleMeshes.hpp"
 

@@ -1,8 +1,8 @@
 // The energy norm of a difference, on the union of two meshes.
-#include "bem/assembly/EnergyNorm.hpp"
+#include "bem/operators/EnergyNorm.hpp"
 
 #include "bem/algebra/LapackAlgebra.hpp"
-#include "bem/assembly/Assembly.hpp"
+#include "bem/operators/Assembly.hpp"
 #include "reference/SampleMeshes.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

@@ -1,6 +1,6 @@
 // Far pairs tile by tile are far pairs one by one.
 #include "bem/algebra/LapackAlgebra.hpp"
-#include "bem/assembly/FarScatter.hpp"
+#include "bem/operators/FarScatter.hpp"
 #include "reference/PairwiseOperators.hpp"
 #include "reference/SampleMeshes.hpp"
 

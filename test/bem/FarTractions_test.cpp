@@ -1,10 +1,10 @@
 // The far kernel of tractions against closed forms of the inner integrals.
-#include "bem/assembly/FarTractions.hpp"
+#include "bem/tractions/FarTractions.hpp"
 
-#include "bem/assembly/ElementRuns.hpp"
-#include "bem/potential/RelativeTarget.hpp"
-#include "bem/potential/Traction.hpp"
+#include "bem/moments/ElementRuns.hpp"
+#include "bem/moments/RelativeTarget.hpp"
 #include "bem/quadrature/Gauss.hpp"
+#include "bem/tractions/Traction.hpp"
 #include "reference/SampleMeshes.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

@@ -1,6 +1,6 @@
 // Every instruction set that this processor has gives the same moments and sums.
-#include "bem/assembly/FarPairs.hpp"
-#include "bem/potential/PointSources.hpp"
+#include "bem/fields/PointSources.hpp"
+#include "bem/moments/FarPairs.hpp"
 #include "reference/SampleMeshes.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

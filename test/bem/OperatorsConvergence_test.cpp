@@ -1,7 +1,7 @@
 // Every entry of V, K + 1/2 and W on all hard meshes against 33 digits.  [benchmarks.md
 // 1]
 #include "bem/algebra/LapackAlgebra.hpp"
-#include "bem/assembly/Assembly.hpp"
+#include "bem/operators/Assembly.hpp"
 #include "reference/OperatorErrors.hpp"
 #include "reference/SampleMeshes.hpp"
 

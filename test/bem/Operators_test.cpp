@@ -1,7 +1,7 @@
 // The Galerkin matrices against 33 digits (a sample; all of it in
 // OperatorsConvergence_test) and against identities that hold for whole problems.
 #include "bem/algebra/LapackAlgebra.hpp"
-#include "bem/assembly/Assembly.hpp"
+#include "bem/operators/Assembly.hpp"
 #include "reference/ExactFields.hpp"
 #include "reference/OperatorErrors.hpp"
 #include "reference/SampleMeshes.hpp"

@@ -1,6 +1,6 @@
 #include "bem/algebra/LapackAlgebra.hpp"
-#include "bem/assembly/Interior.hpp"
-#include "bem/assembly/TractionRows.hpp"
+#include "bem/fields/Interior.hpp"
+#include "bem/tractions/TractionRows.hpp"
 #include "reference/ExactFields.hpp"
 #include "reference/SampleMeshes.hpp"
 

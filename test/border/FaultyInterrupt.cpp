@@ -1,8 +1,8 @@
-// Takes the place of drivers/Interrupt.cpp in a program for tests: at the n-th phase of a
+// Takes the place of drivers/process/Interrupt.cpp in a program for tests: at the n-th phase of a
 // run, rank r fails.  EPAFI_FAULT = "n r error", "n r memory", or "n r busy": then the
 // other ranks are in the midst of a long computation.
 #include "bem/base/Error.hpp"
-#include "drivers/Interrupt.hpp"
+#include "drivers/process/Interrupt.hpp"
 
 #include <chrono>
 #include <cstdlib>

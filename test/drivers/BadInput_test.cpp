@@ -1,4 +1,4 @@
-#include "drivers/Commands.hpp"
+#include "drivers/commands/Commands.hpp"
 #include "test/drivers/SceneText.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

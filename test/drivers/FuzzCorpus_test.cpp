@@ -1,7 +1,7 @@
 // What the scenes start from that fuzzing changes.
-#include "drivers/SceneFile.hpp"
-#include "drivers/SceneReader.hpp"
-#include "drivers/Schema.hpp"
+#include "drivers/scene/SceneFile.hpp"
+#include "drivers/scene/SceneReader.hpp"
+#include "drivers/scene/Schema.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

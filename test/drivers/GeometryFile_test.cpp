@@ -1,4 +1,4 @@
-#include "drivers/SceneFile.hpp"
+#include "drivers/scene/SceneFile.hpp"
 #include "test/drivers/SceneText.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

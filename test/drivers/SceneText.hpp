@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/base/Error.hpp"
-#include "drivers/SceneReader.hpp"
+#include "drivers/scene/SceneReader.hpp"
 
 #include <filesystem>
 #include <fstream>

@@ -1,6 +1,6 @@
-#include "drivers/Commands.hpp"
-#include "drivers/Expression.hpp"
-#include "drivers/Schema.hpp"
+#include "drivers/commands/Commands.hpp"
+#include "drivers/scene/Expression.hpp"
+#include "drivers/scene/Schema.hpp"
 #include "test/drivers/SceneText.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

@@ -1,6 +1,6 @@
 // Expressions of any text: a finite number at every point, or an InputError.
 #include "bem/base/Error.hpp"
-#include "drivers/Expression.hpp"
+#include "drivers/scene/Expression.hpp"
 
 #include <cmath>
 #include <cstddef>

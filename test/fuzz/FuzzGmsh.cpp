@@ -1,6 +1,6 @@
 // The Gmsh reader on any text: it reads loops that Outline judges, or throws.
 #include "bem/base/Error.hpp"
-#include "bem/geometry/GmshOutline.hpp"
+#include "drivers/scene/GmshOutline.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -10,8 +10,8 @@ namespace epafi {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    const bem::Loops loops =
-        bem::readGmsh(std::string(reinterpret_cast<const char*>(data), size));
+    const drivers::Loops loops =
+        drivers::readGmsh(std::string(reinterpret_cast<const char*>(data), size));
     bem::Outline(loops.outer, loops.holes);
   } catch (const bem::InputError&) {
     // what a bad mesh gets

@@ -1,6 +1,6 @@
 // The scene reader on any text, XML or YAML: it reads it or throws an InputError.
 #include "bem/base/Error.hpp"
-#include "drivers/SceneReader.hpp"
+#include "drivers/scene/SceneReader.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // The lexical check of values.  The first byte chooses a type.  What passes as a number
 // is the number that the C library reads, all of it and finite.
 #include "bem/base/Error.hpp"
-#include "drivers/LexicalCheck.hpp"
+#include "drivers/scene/LexicalCheck.hpp"
 
 #include <cmath>
 #include <cstddef>

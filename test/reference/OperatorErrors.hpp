@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/assembly/Assembly.hpp"
+#include "bem/operators/Assembly.hpp"
 #include "reference/QuadOperators.hpp"
 
 namespace epafi::reference {

@@ -1,7 +1,7 @@
 #include "reference/PairwiseOperators.hpp"
 
-#include "bem/assembly/PairBatch.hpp"
-#include "bem/assembly/Scatter.hpp"
+#include "bem/moments/PairBatch.hpp"
+#include "bem/operators/Scatter.hpp"
 
 #include <algorithm>
 

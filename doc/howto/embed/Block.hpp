@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bem/assembly/SteklovPoincare.hpp"
 #include "bem/base/Units.hpp"
+#include "bem/operators/SteklovPoincare.hpp"
 #include "bem/space/Space.hpp"
 #include "contact/problem/ContactProblem.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "adaptivity/estimate/EquivalentMultiplier.hpp"
 #include "adaptivity/estimate/Weights.hpp"
-#include "bem/assembly/BoundaryFields.hpp"
+#include "bem/fields/BoundaryFields.hpp"
 #include "contact/problem/Loads.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "adaptivity/mark/Transitions.hpp"
+#include "adaptivity/singular/Transitions.hpp"
 #include "bem/base/DenseAlgebra.hpp"
 
 namespace epafi::adaptivity {

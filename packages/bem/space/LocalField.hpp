@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/potential/LegendreMoments.hpp"
+#include "bem/moments/LegendreMoments.hpp"
 #include "bem/space/Space.hpp"
 
 namespace epafi::bem {

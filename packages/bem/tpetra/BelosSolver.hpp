@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/assembly/SingleLayerSolver.hpp"
+#include "bem/operators/SingleLayerSolver.hpp"
 #include "bem/tpetra/BelosOptions.hpp"
 #include "bem/tpetra/TpetraAlgebra.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/assembly/SteklovPoincare.hpp"
+#include "bem/operators/SteklovPoincare.hpp"
 #include "bem/tpetra/TpetraAlgebra.hpp"
 
 #include <Tpetra_Import.hpp>

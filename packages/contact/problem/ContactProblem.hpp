@@ -1,8 +1,8 @@
 #pragma once
 
-#include "bem/assembly/SteklovPoincare.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/base/Units.hpp"
+#include "bem/operators/SteklovPoincare.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
 #include "contact/problem/Problem.hpp"
 #include "contact/problem/Stabilization.hpp"

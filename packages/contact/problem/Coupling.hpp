@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/assembly/TractionRows.hpp"
+#include "bem/tractions/TractionRows.hpp"
 #include "contact/problem/ContactProblem.hpp"
 #include "contact/problem/Loads.hpp"
 

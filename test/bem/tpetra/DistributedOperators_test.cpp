@@ -1,6 +1,6 @@
 // The rows that several ranks assemble are those of one process.
-#include "bem/assembly/TractionRows.hpp"
 #include "bem/tpetra/DistributedRows.hpp"
+#include "bem/tractions/TractionRows.hpp"
 #include "reference/SampleMeshes.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

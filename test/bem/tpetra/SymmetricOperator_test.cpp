@@ -1,10 +1,10 @@
 // Operators for Tpetra and Belos do what the dense algebra does.
 #include "bem/tpetra/SymmetricOperator.hpp"
 
-#include "bem/assembly/TractionRows.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/tpetra/BelosSolver.hpp"
 #include "bem/tpetra/DistributedRows.hpp"
+#include "bem/tractions/TractionRows.hpp"
 #include "reference/SampleMeshes.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

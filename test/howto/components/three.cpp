@@ -1,5 +1,5 @@
 // One function of each component.
-#include "adaptivity/refine/Strategy.hpp"
+#include "adaptivity/mark/Strategy.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "contact/law/FrictionLaw.hpp"
 

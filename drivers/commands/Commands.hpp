@@ -1,0 +1,27 @@
+#pragma once
+
+#include "drivers/scene/Scene.hpp"
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace epafi::drivers {
+
+/// `epafi check`: reads nothing and solves nothing, but evaluates every expression of the
+/// scene at the quadrature and contact points of the first mesh, and tells what the scene
+/// is. \throws bem::InputError where an expression is not one finite number, or for a
+/// mesh that
+///   cannot be made.
+std::string checkScene(const Scene& scene);
+
+/// `epafi parameters --format text|xml|markdown`: the whole schema.
+/// \throws bem::InputError for another format.
+std::string parametersText(const std::string& format);
+
+/// The commands with the arguments that follow their name; they return the exit code.
+/// \throws bem::InputError for wrong arguments and wrong scenes.
+int checkCommand(const std::vector<std::string>& arguments, std::ostream& out);
+int parametersCommand(const std::vector<std::string>& arguments, std::ostream& out);
+
+}  // namespace epafi::drivers

@@ -1,0 +1,197 @@
+#include "bem/base/Error.hpp"
+#include "bem/base/Parameters.hpp"
+#include "drivers/commands/Commands.hpp"
+#include "drivers/scene/Schema.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <ostream>
+#include <sstream>
+
+namespace epafi::drivers {
+
+namespace {
+
+using Replacements = std::vector<std::pair<char, const char*>>;
+
+std::string replaced(const std::string& text, const Replacements& replacements) {
+  std::string result;
+  for (char c : text) {
+    const auto found = std::find_if(replacements.begin(), replacements.end(),
+                                    [c](const auto& pair) { return pair.first == c; });
+    if (found == replacements.end())
+      result += c;
+    else
+      result += found->second;
+  }
+  return result;
+}
+
+std::string xmlText(const std::string& text) {
+  return replaced(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
+}
+
+std::string markdownText(const std::string& text) {
+  return replaced(text, {{'|', "\\|"}, {'<', "&lt;"}, {'>', "&gt;"}, {'*', "\\*"}});
+}
+
+bool isList(const Parameter& row) {
+  return row.kind == Kind::List || row.kind == Kind::Free;
+}
+
+/// A list that is not required may be left out: its keys then have their defaults.
+std::string standardOf(const Parameter& row) {
+  if (row.required)
+    return "required";
+  if (isList(row))
+    return "may be left out";
+  return row.standard.empty() ? "none" : row.standard;
+}
+
+std::string typeOf(const Parameter& row) {
+  return row.kind == Kind::Expression ? "string: expression in x, y" : typeName(row.kind);
+}
+
+/// "only with Law 'Tresca'"
+std::string restriction(const Parameter& row) {
+  if (row.only.empty())
+    return "";
+  const std::string parent = row.parent();
+  const bool friction =
+      parent.substr(parent.size() - std::min<std::size_t>(parent.size(), 8)) ==
+      "Friction";
+  return bem::message("only with ", friction ? "Law" : "Type", " '", row.only, "'");
+}
+
+std::string remarks(const Parameter& row) {
+  std::string text = row.meaning;
+  if (!row.unit.empty())
+    text += " [" + row.unit + "]";
+  if (!restriction(row).empty())
+    text += "; " + restriction(row);
+  return text;
+}
+
+std::string plainText() {
+  std::ostringstream out;
+  for (const Parameter& row : parameters()) {
+    out << row.path << "\n    " << typeOf(row) << (isList(row) ? ", " : ", default: ")
+        << standardOf(row);
+    if (!row.range().empty())
+      out << ", range: " << row.range();
+    out << "\n    " << remarks(row) << "\n";
+  }
+  return out.str();
+}
+
+/// One table per list.
+std::string markdown() {
+  std::ostringstream out;
+  out << "# Parameters of a scene\n\n"
+      << "Written by `epafi parameters --format markdown`.  `<body>`, `<boundary>` stand "
+         "for "
+         "names of your choice,\n`<k>` for 1, 2, ...\n";
+  const auto table = [&out](const std::string& parent) {
+    out << "\n| key | type | default | range | meaning | unit "
+           "|\n|---|---|---|---|---|---|\n";
+    for (const Parameter& row : parameters())
+      if (row.parent() == parent) {
+        const std::string only = restriction(row);
+        out << "| " << markdownText(row.name()) << " | " << typeOf(row) << " | "
+            << markdownText(standardOf(row)) << " | " << markdownText(row.range())
+            << " | " << markdownText(row.meaning + (only.empty() ? "" : "; " + only))
+            << " | " << row.unit << " |\n";
+      }
+  };
+  out << "\n## The scene\n";
+  table("");
+  for (const Parameter& list : parameters())
+    if (list.kind == Kind::List) {
+      out << "\n## " << markdownText(list.path) << "\n\n"
+          << markdownText(remarks(list)) << "\n";
+      table(list.path);
+    }
+  return out.str();
+}
+
+/// A value that the type accepts, for a key without a default.
+std::string sample(const Parameter& row) {
+  if (!row.standard.empty())
+    return row.standard;
+  if (!row.allowed.empty())
+    return row.kind == Kind::Names ? "{" + row.allowed.front() + "}"
+                                   : row.allowed.front();
+  switch (row.kind) {
+    case Kind::Real:
+      return "0.25";
+    case Kind::Names:
+      return "{bottom, right, left}";
+    case Kind::Counts:
+      return "{1, 1, 1}";
+    case Kind::Points:
+      return "3x2:{0, 0, 1, 0, 0, 1}";
+    default:
+      return "0";
+  }
+}
+
+/// A list that Teuchos can read: every key, with its default or a sample value.
+std::string xml() {
+  std::ostringstream out;
+  const std::function<void(const std::string&, const std::string&)> write =
+      [&](const std::string& parent, const std::string& indent) {
+        for (const Parameter& row : parameters()) {
+          if (row.parent() != parent)
+            continue;
+          // Two hyphens in a row would end the comment.
+          out << indent << "<!-- " << remarks(row)
+              << (row.range().empty() ? "" : "; " + row.range());
+          if (!isList(row))
+            out << "; default: " << standardOf(row);
+          out << " -->\n";
+          const std::string name = xmlText(row.name());
+          if (isList(row)) {
+            out << indent << "<ParameterList name=\"" << name << "\">\n";
+            write(row.path, indent + "  ");
+            out << indent << "</ParameterList>\n";
+          } else {
+            out << indent << "<Parameter name=\"" << name << "\" type=\""
+                << typeName(row.kind) << "\" value=\"" << xmlText(sample(row))
+                << "\"/>\n";
+          }
+        }
+      };
+  out << "<ParameterList name=\"Parameters\">\n";
+  write("", "  ");
+  out << "</ParameterList>\n";
+  return out.str();
+}
+
+}  // namespace
+
+std::string parametersText(const std::string& format) {
+  if (format == "text")
+    return plainText();
+  if (format == "xml")
+    return xml();
+  if (format == "markdown")
+    return markdown();
+  throw bem::InputError(
+      bem::message("parameters: unknown format '", format, "'",
+                   bem::suggestion(format, {"text", "xml", "markdown"})));
+}
+
+int parametersCommand(const std::vector<std::string>& arguments, std::ostream& out) {
+  if (arguments.empty()) {
+    out << parametersText("text");
+    return 0;
+  }
+  if (arguments.size() != 2 || arguments[0] != "--format")
+    throw bem::InputError(bem::message("parameters: argument '", arguments[0],
+                                       "' is not understood; usage: epafi parameters "
+                                       "[--format text|xml|markdown]"));
+  out << parametersText(arguments[1]);
+  return 0;
+}
+
+}  // namespace epafi::drivers

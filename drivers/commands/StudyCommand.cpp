@@ -1,0 +1,259 @@
+#include "drivers/commands/StudyCommand.hpp"
+
+#include "bem/base/Error.hpp"
+#include "contact/multiplier/MultiplierBasis.hpp"
+#include "drivers/commands/CommandLine.hpp"
+#include "drivers/commands/PlotCommand.hpp"
+#include "drivers/output/FieldFiles.hpp"
+#include "drivers/output/OutputFolder.hpp"
+#include "drivers/process/BlasCore.hpp"
+#include "drivers/process/Interrupt.hpp"
+#include "drivers/process/Ranks.hpp"
+#include "drivers/scene/SceneFile.hpp"
+#include "drivers/scene/SceneReader.hpp"
+#include "drivers/study/ReferenceFile.hpp"
+#include "drivers/study/StudyTable.hpp"
+
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <set>
+#include <sstream>
+#include <unistd.h>
+
+namespace epafi::drivers {
+
+namespace {
+
+/// A name as a file name.
+std::string fileName(const std::string& name) {
+  std::string result;
+  for (const char c : name) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' ||
+                       c == '-' || c == '+' || c == '=';
+    result += plain ? c : '_';
+  }
+  return result;
+}
+
+/// CPU seconds since construction without those spent in excluded work.
+class VariantClock {
+ public:
+  double seconds() const { return cpuSeconds() - start_ - excluded_; }
+
+  template <class Work>
+  void exclude(const Work& work) {
+    const double before = cpuSeconds();
+    work();
+    excluded_ += cpuSeconds() - before;
+  }
+
+ private:
+  double start_ = cpuSeconds();
+  double excluded_ = 0;
+};
+
+/// Of the stabilised stiffness relative to the plain one, see contact::limitGamma0.
+double smallestEigenvalue(const Scene& scene, const contact::Solved& solved) {
+  const bem::Lame lame(scene.material);
+  return 1 - scene.stabilization.gamma0 /
+                 contact::limitGamma0({solved.space, solved.stiffness, lame, solved.units,
+                                       scene.conditions,
+                                       contact::multiplierBasis(scene.multiplier),
+                                       scene.stabilization});
+}
+
+class StudyRun {
+ public:
+  StudyRun(const Study& study, OutputFolder& folder, const Ranks& ranks,
+           std::ostream& out)
+      : study_(study), folder_(folder), ranks_(ranks), out_(out) {}
+
+  /// Whether any variant could be solved.
+  bool run() {
+    for (const StudiedScene& scene : study_.scenes) {
+      const std::optional<Reference> reference = referenceOf(scene);
+      for (const Variant& variant : scene.variants)
+        solve(scene, variant, reference);
+    }
+    return solvedAny_;
+  }
+
+ private:
+  PhaseTimer makeTimer() const {
+    const bool shown = out_.rdbuf() != nullptr && isatty(STDERR_FILENO) != 0;
+    return PhaseTimer(shown ? Progress::Shown : Progress::Silent);
+  }
+
+  /// Kept, or computed now; nothing if there is none or it could not be solved.
+  std::optional<Reference> referenceOf(const StudiedScene& scene) {
+    if (!scene.reference)
+      return std::nullopt;
+    const std::string name = "reference-" + fileName(scene.name) + ".txt";
+    std::optional<Reference> reference = kept(name, *scene.reference);
+    const bool fresh = !reference;
+    if (fresh)
+      reference = compute(scene);
+    if (!reference)
+      return std::nullopt;
+    if (fresh)
+      folder_.write(name, referenceText(*reference, *scene.reference));
+    out_ << scene.name << ": reference " << (fresh ? "computed" : "kept from before")
+         << ", " << reference->solution.data.mesh.size() << " elements, estimate "
+         << reference->estimate << "\n"
+         << std::flush;
+    table_.reference(scene.name, reference->cells);
+    folder_.write("study.csv", table_.text());
+    return reference;
+  }
+
+  std::optional<Reference> kept(const std::string& name, const Scene& scene) const {
+    std::ifstream stream(std::filesystem::path(folder_.path()) / name);
+    if (!stream)
+      return std::nullopt;
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return parseReference(text.str(), scene);
+  }
+
+  /// The last converged level.
+  std::optional<Reference> compute(const StudiedScene& scene) {
+    PhaseTimer timer = makeTimer();
+    std::optional<Reference> reference;
+    try {
+      solveLevels(*scene.reference, ranks_, timer, [&](const SolvedLevel& level) {
+        if (level.row.report.status == contact::Status::Converged)
+          reference.emplace(Reference{takeSnapshot(level), level.row.estimate,
+                                      historyCells(level.row)});
+      });
+    } catch (const bem::NumericalError& error) {
+      out_ << scene.name << ": the reference failed: " << error.what() << "\n";
+    }
+    return reference;
+  }
+
+  void solve(const StudiedScene& scene, const Variant& variant,
+             const std::optional<Reference>& reference) {
+    out_ << scene.name << ": " << variant.name << "\n"
+         << (variant.swept ? "" : studyHead()) << std::flush;
+    std::optional<OutputFolder> own;  // none for sweeps: they may have hundreds
+    if (!variant.swept) {
+      own.emplace(folder_.path() + "/" + folderOf(scene, variant), EarlierRun::Delete);
+      own->write("used.xml", usedXml(variant.scene));
+    }
+    PhaseTimer timer = makeTimer();
+    VariantClock clock;
+    std::vector<LevelRow> rows;
+    try {
+      solveLevels(variant.scene, ranks_, timer, [&](const SolvedLevel& level) {
+        LevelRow row = level.row;
+        row.secondsTotal = clock.seconds();
+        clock.exclude([&] {
+          rows.push_back(row);
+          note(scene, variant, reference, level, row);
+          if (own)
+            writeFiles(variant.scene, level, rows, *own);
+          timer.clearLine();
+        });
+        solvedAny_ = solvedAny_ || row.report.status == contact::Status::Converged;
+      });
+    } catch (const contact::IndefiniteStiffness& error) {
+      fail(scene, variant, static_cast<int>(rows.size()), error.what(),
+           1 - error.gamma0 / error.limitGamma0);
+    } catch (const Interrupted&) {
+      throw;
+    } catch (const bem::NumericalError& error) {
+      fail(scene, variant, static_cast<int>(rows.size()), error.what(),
+           std::numeric_limits<double>::quiet_NaN());
+    } catch (const bem::InputError& error) {  // known only once there is a mesh
+      fail(scene, variant, static_cast<int>(rows.size()), error.what(),
+           std::numeric_limits<double>::quiet_NaN());
+    } catch (const std::bad_alloc&) {
+      fail(scene, variant, static_cast<int>(rows.size()), "the memory does not suffice",
+           std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+
+  void note(const StudiedScene& scene, const Variant& variant,
+            const std::optional<Reference>& reference, const SolvedLevel& level,
+            const LevelRow& row) {
+    StudiedLevel studied;
+    if (study_.smallestEigenvalue)
+      studied.smallestEigenvalue = smallestEigenvalue(variant.scene, level.solved);
+    if (reference) {
+      studied.error = trueError(takeSnapshot(level), reference->solution,
+                                bem::Lame(variant.scene.material), level.solved.units);
+      studied.counted = studied.error->energyNorm >= 10 * reference->estimate;
+    }
+    table_.level(scene.name, variant, row, studied);
+    folder_.write("study.csv", table_.text());
+    out_ << studyLine(row, studied);
+    if (row.report.status != contact::Status::Converged)
+      out_ << "  not converged: " << row.report.reason << "\n";
+    out_ << std::flush;
+  }
+
+  void fail(const StudiedScene& scene, const Variant& variant, int level,
+            const std::string& reason, double eigenvalue) {
+    table_.failure(scene.name, variant, level, reason, eigenvalue);
+    folder_.write("study.csv", table_.text());
+    out_ << "  failed on level " << level << ": " << reason << "\n" << std::flush;
+  }
+
+  static void writeFiles(const Scene& scene, const SolvedLevel& level,
+                         const std::vector<LevelRow>& rows, OutputFolder& folder) {
+    folder.write("history.csv", historyCsv(rows));
+    if (!scene.conditions.contact.empty())
+      folder.write("contact.csv", contactCsv(level.solved, scene.output.contactSamples));
+    if (scene.output.fields)
+      folder.write("boundary.csv", boundaryCsv(level.solved, level.result.density));
+  }
+
+  /// Different variants get different folders, even if their names differ in signs only.
+  std::string folderOf(const StudiedScene& scene, const Variant& variant) {
+    std::string name = (study_.scenes.size() > 1 ? fileName(scene.name) + "-" : "") +
+                       fileName(variant.name);
+    while (!folders_.insert(name).second)
+      name += "_";
+    return name;
+  }
+
+  const Study& study_;
+  OutputFolder& folder_;
+  const Ranks& ranks_;
+  std::ostream& out_;
+  StudyTable table_;
+  std::set<std::string> folders_;
+  bool solvedAny_ = false;
+};
+
+}  // namespace
+
+int studyCommand(const std::vector<std::string>& arguments, std::ostream& out,
+                 const Ranks& ranks) {
+  const RunOptions options = parseStudyOptions(arguments);
+  if (ranks.algebra().processes() > 1)
+    throw bem::InputError(
+        "study: runs on one process, so that its times mean something; --threads N "
+        "uses more cores");
+  const Study study = readStudy(options.scene);
+  if (options.threads > 0)
+    setThreads(options.threads);
+  OutputFolder folder(
+      options.output.empty() ? defaultOutputFolder(options.scene) : options.output,
+      options.force ? EarlierRun::Delete : EarlierRun::Refuse);
+  catchSignals();
+  folder.write("used.xml", toXml(study.used, study.title));
+
+  std::ostream silence(nullptr);
+  std::ostream& text = options.quiet ? silence : out;
+  text << study.title << ", " << threads()
+       << (threads() == 1 ? " thread\n" : " threads\n");
+  const bool solved = StudyRun(study, folder, ranks, text).run();
+  if (!options.quiet)
+    drawPictures(folder.path());
+  return solved ? 0 : 3;
+}
+
+}  // namespace epafi::drivers

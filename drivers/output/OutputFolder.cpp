@@ -1,0 +1,144 @@
+#include "drivers/output/OutputFolder.hpp"
+
+#include "bem/base/Error.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+namespace epafi::drivers {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void makeFolder(const fs::path& path) {
+  std::error_code error;
+  if (fs::exists(path, error) && !fs::is_directory(path, error))
+    throw bem::InputError(bem::message("--output: '", path.string(),
+                                       "' is a file; the results need a folder"));
+  fs::create_directories(path, error);
+  if (error)
+    throw bem::InputError(bem::message("--output: the folder '", path.string(),
+                                       "' cannot be made: ", error.message()));
+}
+
+void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
+  for (const std::string& name : outputFiles()) {
+    std::error_code ignored;
+    fs::remove(temporaryFile(path.string(), name), ignored);
+  }
+  if (earlier == EarlierRun::Continue)
+    return;
+  for (const std::string& name : outputFiles()) {
+    const fs::path file = path / name;
+    std::error_code error;
+    if (!fs::exists(fs::symlink_status(file, error)))
+      continue;
+    if (earlier == EarlierRun::Refuse)
+      throw bem::InputError(bem::message(
+          "--output: the folder '", path.string(), "' holds an earlier run (", name,
+          "); --restart DIR goes on from it, --force replaces it, --output DIR goes "
+          "elsewhere"));
+    if (fs::is_directory(file, error) || !fs::remove(file, error))
+      throw bem::InputError(bem::message("--output: '", file.string(),
+                                         "' of an earlier run cannot be deleted: ",
+                                         error ? error.message() : "it is a folder"));
+  }
+}
+
+[[noreturn]] void refuse(const fs::path& file, const std::string& cause) {
+  throw bem::InputError(
+      bem::message("--output: '", file.string(), "' cannot be written: ", cause));
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(std::string path, EarlierRun earlier)
+    : path_(std::move(path)) {
+  makeFolder(path_);
+  deleteEarlierRun(path_, earlier);
+  // Better now than after hours of computing.
+  const fs::path probe = fs::path(path_) / ".epafi.probe";
+  errno = 0;
+  if (!std::ofstream(probe))
+    refuse(probe.parent_path(), std::strerror(errno));
+  fs::remove(probe);
+}
+
+OutputFolder::~OutputFolder() { discard(); }
+
+void OutputFolder::stage(const std::string& name, const std::string& text) {
+  stage(name, [&](const std::string& path) {
+    errno = 0;
+    std::ofstream stream(path, std::ios::binary | std::ios::trunc);
+    stream << text;
+    stream.close();
+    if (!stream)
+      throw bem::InputError(std::strerror(errno));
+  });
+}
+
+void OutputFolder::stage(const std::string& name,
+                         const std::function<void(const std::string& path)>& writer) {
+  staged_.push_back(name);
+  try {
+    writer(temporaryFile(path_, name));
+  } catch (const bem::InputError& error) {
+    discard();
+    refuse(fs::path(path_) / name, error.what());
+  }
+}
+
+void OutputFolder::commit() {
+  for (const std::string& name : staged_) {
+    const fs::path file = fs::path(path_) / name;
+    std::error_code error;
+    fs::rename(temporaryFile(path_, name), file, error);
+    if (error) {
+      discard();
+      refuse(file, error.message());
+    }
+    if (std::find(written_.begin(), written_.end(), name) == written_.end())
+      written_.push_back(name);
+  }
+  staged_.clear();
+}
+
+void OutputFolder::write(const std::string& name, const std::string& text) {
+  stage(name, text);
+  commit();
+}
+
+void OutputFolder::drop(const std::string& name) const {
+  std::error_code ignored;
+  fs::remove(fs::path(path_) / name, ignored);
+}
+
+void OutputFolder::discard() {
+  for (const std::string& name : staged_) {
+    std::error_code ignored;
+    fs::remove(temporaryFile(path_, name), ignored);
+  }
+  staged_.clear();
+}
+
+std::string temporaryFile(const std::string& folder, const std::string& name) {
+  return (fs::path(folder) / ("." + name + ".part")).string();
+}
+
+const std::vector<std::string>& outputFiles() {
+  static const std::vector<std::string> names = {
+      "history.csv",  "contact.csv", "boundary.csv", "interior.csv",
+      "solution.hdf", "used.xml",    "timings.txt",  "study.csv"};
+  return names;
+}
+
+std::string defaultOutputFolder(const std::string& sceneFile) {
+  return "./" + fs::path(sceneFile).stem().string() + ".out";
+}
+
+}  // namespace epafi::drivers

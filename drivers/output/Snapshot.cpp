@@ -1,0 +1,105 @@
+#include "drivers/output/Snapshot.hpp"
+
+#include "bem/operators/EnergyNorm.hpp"
+#include "bem/quadrature/Gauss.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::drivers {
+
+namespace {
+
+using Series = std::array<bem::Complex, bem::largestDegree + 1>;
+using Legendre = std::array<double, bem::largestDegree + 1>;
+
+bem::Complex valueAt(const Series& series, int degree, double t) {
+  Legendre legendre{};
+  bem::legendreValues(degree, t, legendre.data());
+  bem::Complex value = 0;
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(degree); ++i)
+    value += legendre[i] * series[i];
+  return value;
+}
+
+/// A polynomial's coefficients from its values, exactly.
+template <class Function>
+Series seriesOf(const Function& function, int degree) {
+  Series series{};
+  const bem::Rule& rule = bem::gaussLegendre(degree + 1);
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    Legendre legendre{};
+    bem::legendreValues(degree, rule.points[q], legendre.data());
+    const bem::Complex value = rule.weights[q] * function(rule.points[q]);
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(degree); ++i)
+      series[i] += (static_cast<double>(i) + 0.5) * legendre[i] * value;
+  }
+  return series;
+}
+
+/// Σ h/p ‖λ - λ_ref‖² over the level's contact elements; h: lengths over the diameter.
+double multiplierDistance(const Snapshot& level, const Snapshot& reference) {
+  const bem::UnionMesh both = bem::unite(level.data.mesh, reference.data.mesh);
+  double sum = 0;
+  for (int e = 0; e < both.mesh.size(); ++e) {
+    const bem::Origin& a = both.first[static_cast<std::size_t>(e)];
+    const bem::Origin& b = both.second[static_cast<std::size_t>(e)];
+    const auto k = static_cast<std::size_t>(a.element);
+    if (!level.contact[k])
+      continue;
+    const bem::Element& own = level.data.mesh[a.element];
+    const int p = reference.data.mesh[b.element].degree;
+    const bem::Rule& rule = bem::gaussLegendre(std::max(own.degree, p) + 1);
+    double square = 0;
+    for (std::size_t q = 0; q < rule.points.size(); ++q) {
+      const double t = rule.points[q];
+      square +=
+          rule.weights[q] *
+          std::norm(valueAt(level.multiplier[k], own.degree, a.middle + a.scale * t) -
+                    valueAt(reference.multiplier[static_cast<std::size_t>(b.element)], p,
+                            b.middle + b.scale * t));
+    }
+    sum += 2 * own.half / own.degree * both.mesh[e].half * square;
+  }
+  return sum;
+}
+
+}  // namespace
+
+Snapshot takeSnapshot(const SolvedLevel& level) {
+  const contact::Solved& solved = level.solved;
+  const bem::Mesh& mesh = solved.space.mesh();
+  Snapshot snapshot{
+      bem::makeCauchyData(solved.space, solved.displacement, level.result.density),
+      std::vector<Series>(static_cast<std::size_t>(mesh.size())),
+      std::vector<bool>(static_cast<std::size_t>(mesh.size())),
+      level.row.summary.energyStrain - level.row.summary.energyLoad +
+          level.row.summary.energyFriction};
+  const contact::MultiplierSpace& multiplier = solved.problem.multiplier();
+  for (const auto& element : multiplier.elements()) {
+    const auto k = static_cast<std::size_t>(element.element);
+    snapshot.contact[k] = true;
+    snapshot.multiplier[k] = seriesOf(
+        [&](double t) {
+          const auto value = multiplier.at(solved.state.multiplier, element, t);
+          return bem::Complex(value.normal, value.tangential);
+        },
+        element.degree);
+  }
+  return snapshot;
+}
+
+TrueError trueError(const Snapshot& level, const Snapshot& reference,
+                    const bem::Lame& lame, const bem::Units& units) {
+  const double size = bem::energyNorm(reference.data, lame);
+  const double distance =
+      bem::energyNorm(bem::difference(level.data, reference.data), lame);
+  TrueError error;
+  error.energyNorm = distance * std::sqrt(units.stress) * units.length;
+  error.relative = distance / size;
+  error.multiplier = std::sqrt(multiplierDistance(level, reference) / lame.mu) / size;
+  error.energy = std::abs(level.energy / reference.energy - 1);
+  return error;
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "bem/geometry/Outline.hpp"
+#include "drivers/run/Levels.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace epafi::drivers {
+
+/// What stands around a level in its run.
+struct RunRecord {
+  std::string used;     ///< used.xml
+  std::string history;  ///< history.csv up to the level
+  double secondsTotal = 0;
+  double secondsWall = 0;
+};
+
+/// The ends of the outline's edges, in the user's coordinates.
+using EdgeEnds = std::array<double, 4>;
+std::vector<EdgeEnds> edgeEnds(const bem::Outline& outline);
+
+/// What solution.hdf keeps for a run that goes on later.
+struct Checkpoint {
+  LevelResult result;
+  RunRecord run;
+  std::vector<EdgeEnds> outline;
+};
+
+/// solution.hdf: a level to look at and to go on from.             [doc/solution-file.md]
+///
+///   /VTKHDF  the boundary as lines with the fields on them, which ParaView opens
+///   /Epafi   all numbers that the next level is made from, with a checksum
+///
+/// Collective: each process writes the part of its elements.
+/// \throws bem::InputError on all processes with the cause only, if it cannot be written.
+void writeSolution(const std::string& path, const SolvedLevel& level,
+                   const RunRecord& run);
+
+/// \throws bem::InputError naming the file, if it is not there, not complete, damaged, or
+///   of a format that this version does not know.
+Checkpoint readSolution(const std::string& path);
+
+}  // namespace epafi::drivers

@@ -1,0 +1,75 @@
+#include "drivers/process/PhaseTimer.hpp"
+
+#include "drivers/process/Interrupt.hpp"
+
+#include <Teuchos_DefaultSerialComm.hpp>
+#include <Teuchos_StackedTimer.hpp>
+
+#include <cstdio>
+#include <sstream>
+
+namespace epafi::drivers {
+
+const char* nameOf(Phase phase) {
+  constexpr const char* names[phaseCount] = {"assembly", "factorization", "stabilization",
+                                             "newton",   "estimate",      "results"};
+  return names[static_cast<std::size_t>(phase)];
+}
+
+PhaseTimer::PhaseTimer(Progress progress)
+    : progress_(progress), stack_(Teuchos::rcp(new Teuchos::StackedTimer("epafi run"))) {}
+
+PhaseTimer::~PhaseTimer() { show(""); }
+
+void PhaseTimer::startLevel(int level) {
+  endLevel();
+  levelName_ = "level " + std::to_string(level);
+  level_.fill(0);
+  stack_->start(levelName_);
+}
+
+void PhaseTimer::endLevel() {
+  if (!levelName_.empty())
+    stack_->stop(levelName_);
+  levelName_.clear();
+  show("");
+}
+
+std::string PhaseTimer::report() {
+  endLevel();
+  stack_->stopBaseTimer();
+  Teuchos::StackedTimer::OutputOptions options;
+  options.output_fraction = true;
+  options.print_warnings = false;
+  std::ostringstream text;
+  stack_->report(text, Teuchos::rcp(new Teuchos::SerialComm<int>), options);
+  return text.str();
+}
+
+/// One line on the terminal, which the next one replaces.
+void PhaseTimer::show(const std::string& what) const {
+  if (progress_ == Progress::Silent)
+    return;
+  std::fprintf(stderr, "\r\033[K%s", what.c_str());
+  std::fflush(stderr);
+}
+
+PhaseTimer::Scope::Scope(PhaseTimer& timer, Phase phase)
+    : timer_(timer), phase_(phase), start_(cpuSeconds()) {
+  throwIfInterrupted();
+  std::ostringstream line;
+  line.precision(1);
+  line << std::fixed << timer.levelName_ << ": " << nameOf(phase) << " ("
+       << timer.wall_.seconds() << " s so far)";
+  timer.show(line.str());
+  timer.stack_->start(nameOf(phase));
+}
+
+PhaseTimer::Scope::~Scope() {
+  const double seconds = cpuSeconds() - start_;
+  timer_.level_[at(phase_)] += seconds;
+  timer_.total_[at(phase_)] += seconds;
+  timer_.stack_->stop(nameOf(phase_));
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "drivers/process/Clock.hpp"
+
+#include <Teuchos_RCP.hpp>
+
+#include <array>
+#include <string>
+
+namespace Teuchos {
+class StackedTimer;
+}
+
+namespace epafi::drivers {
+
+/// The parts of a level that are timed.
+enum class Phase { Assembly, Factorization, Stabilization, Newton, Estimate, Results };
+constexpr int phaseCount = 6;
+const char* nameOf(Phase phase);
+
+/// Who wants to see what a run is doing.
+enum class Progress { Shown, Silent };
+
+/// Times the phases of a run, shows on a terminal what is going on, and lets a signal end
+/// the run between two phases.
+class PhaseTimer {
+ public:
+  explicit PhaseTimer(Progress progress);
+  ~PhaseTimer();
+
+  void startLevel(int level);
+  void endLevel();
+
+  /// work(), timed.  \throws Interrupted instead if a signal has come.
+  template <class Work>
+  auto run(Phase phase, const Work& work) {
+    const Scope scope(*this, phase);
+    return work();
+  }
+
+  /// Makes room on the terminal for other output.
+  void clearLine() const { show(""); }
+
+  /// CPU seconds of a phase, all threads.
+  double levelSeconds(Phase phase) const { return level_[at(phase)]; }
+  double totalSeconds(Phase phase) const { return total_[at(phase)]; }
+  double wallSeconds() const { return wall_.seconds(); }
+
+  /// What timings.txt says; ends the timing.
+  std::string report();
+
+ private:
+  class Scope {
+   public:
+    Scope(PhaseTimer& timer, Phase phase);
+    ~Scope();
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+   private:
+    PhaseTimer& timer_;
+    Phase phase_;
+    double start_;
+  };
+
+  static std::size_t at(Phase phase) { return static_cast<std::size_t>(phase); }
+  void show(const std::string& what) const;
+
+  Progress progress_;
+  WallClock wall_;
+  Teuchos::RCP<Teuchos::StackedTimer> stack_;
+  std::string levelName_;
+  std::array<double, phaseCount> level_{};
+  std::array<double, phaseCount> total_{};
+};
+
+}  // namespace epafi::drivers

@@ -1,0 +1,108 @@
+#include "drivers/process/Ranks.hpp"
+
+#include "bem/base/Error.hpp"
+#include "bem/tpetra/BelosSolver.hpp"
+#include "bem/tpetra/TpetraAlgebra.hpp"
+#include "drivers/process/Interrupt.hpp"
+
+#include <Tpetra_Core.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <iterator>
+
+namespace epafi::drivers {
+
+namespace {
+
+enum ExitCode { BadInput = 1, Breakdown = 2 };
+
+/// Open MPI, MPICH and its kin, and Slurm's srun tell their children.
+bool startedByLauncher() {
+  const char* variables[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK",
+                             "MPI_LOCALNRANKS"};
+  return std::any_of(std::begin(variables), std::end(variables),
+                     [](const char* name) { return std::getenv(name) != nullptr; });
+}
+
+}  // namespace
+
+Ranks::Ranks() : underMpirun_(startedByLauncher()) {
+  if (underMpirun_)
+    tpetra();
+}
+
+Ranks::~Ranks() = default;
+
+const bem::TpetraAlgebra& Ranks::tpetra() const {
+  if (tpetra_ == nullptr) {
+    // not main's arguments: Kokkos would take --threads and --help for its own
+    std::string name = "epafi";
+    char* names[] = {name.data(), nullptr};
+    char** argv = names;
+    int argc = 1;
+    scope_ = std::make_unique<Tpetra::ScopeGuard>(&argc, &argv);
+    tpetra_ = std::make_unique<const bem::TpetraAlgebra>(Tpetra::getDefaultComm(), tell);
+  }
+  return *tpetra_;
+}
+
+const bem::DenseAlgebra& Ranks::algebra() const {
+  if (underMpirun_)
+    return *tpetra_;
+  return alone_;
+}
+
+std::unique_ptr<const bem::SingleLayerSolver> Ranks::belosSolver(
+    const bem::BelosOptions& options) const {
+  return std::make_unique<const bem::BelosSolver>(tpetra(), options);
+}
+
+bem::Failure Ranks::currentFailure() {
+  try {
+    throw;
+  } catch (const bem::InputError& error) {
+    return {BadInput, error.what()};
+  } catch (const Interrupted& interrupted) {
+    return {128 + interrupted.signal,
+            "interrupted; the levels that were solved are written"};
+  } catch (const std::bad_alloc&) {
+    return {Breakdown, "the memory does not suffice for this level"};
+  } catch (const std::exception& error) {
+    return {Breakdown, error.what()};
+  } catch (const char* error) {  // NOX throws these
+    return {Breakdown, error};
+  } catch (...) {
+    return {Breakdown, "an unknown exception"};
+  }
+}
+
+void Ranks::confirm() const {
+  if (underMpirun_)
+    tpetra_->consent().confirm();
+}
+
+bem::Failure Ranks::agree(const bem::Failure& mine) const {
+  return underMpirun_ ? tpetra_->consent().report(mine) : mine;
+}
+
+void tell(const bem::Failure& failure) {
+  std::cerr << "epafi: " << failure.message << std::endl;
+}
+
+bem::Vector largestOverRanks(const bem::DenseAlgebra& algebra, const bem::Vector& mine) {
+  const std::size_t n = mine.size();
+  const auto ranks = static_cast<std::size_t>(algebra.processes());
+  bem::Vector all(ranks * n);
+  std::copy(mine.begin(), mine.end(),
+            all.begin() + algebra.rank() * static_cast<std::ptrdiff_t>(n));
+  all = algebra.sum(std::move(all));
+  bem::Vector largest = mine;
+  for (std::size_t r = 0; r < ranks; ++r)
+    for (std::size_t i = 0; i < n; ++i)
+      largest[i] = std::max(largest[i], all[r * n + i]);
+  return largest;
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,98 @@
+#include "drivers/run/NextLevel.hpp"
+
+#include "adaptivity/mark/Analyticity.hpp"
+#include "adaptivity/mark/Strategy.hpp"
+#include "adaptivity/refine/MovingNodes.hpp"
+#include "adaptivity/refine/Refine.hpp"
+#include "bem/base/Error.hpp"
+#include "contact/multiplier/MultiplierSpace.hpp"
+
+namespace epafi::drivers {
+
+namespace {
+
+/// The mesh that is refined, and where its singular points are.
+struct Prepared {
+  bem::Mesh mesh;
+  adaptivity::SingularPoints singular;
+};
+
+/// The level's own mesh, or with nodes moved to where contact and friction change.
+Prepared prepare(const Scene& scene, const adaptivity::Strategy& strategy,
+                 const LevelResult& result, const bem::Space& space,
+                 const contact::MultiplierSpace& multiplier,
+                 const bem::DenseAlgebra& algebra) {
+  const bem::Mesh& mesh = space.mesh();
+  const std::string& transitions = scene.adaptivity.grading.transitions;
+  if (transitions == "Ignore" || strategy.grading == adaptivity::Grading::Ignored)
+    return {mesh, adaptivity::findSingularPoints(mesh, scene.conditions)};
+  if (transitions != "Follow")
+    return {mesh, adaptivity::findSingularPoints(mesh, scene.conditions, multiplier,
+                                                 result.states)};
+  const auto located = adaptivity::locateTransitions(
+      space, result.displacement, scene.conditions, multiplier, result.states);
+  const std::vector<bool> held = adaptivity::heldNodes(mesh, firstLevel(scene).mesh);
+  const auto moves =
+      adaptivity::agree(adaptivity::chooseMoves(mesh, held, located.transitions,
+                                                scene.adaptivity.grading.reach),
+                        algebra);
+  bem::Mesh moved = adaptivity::moveNodes(mesh, held, moves);
+  adaptivity::SingularPoints singular = adaptivity::placeOn(moved, located);
+  return {std::move(moved), std::move(singular)};
+}
+
+}  // namespace
+
+LevelStart firstLevel(const Scene& scene) {
+  return {0, bem::makeMesh(scene.outline, scene.elementsPerEdge, scene.degree), {}};
+}
+
+std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const LevelResult& result,
+                                            const bem::DenseAlgebra& algebra) {
+  const auto converged = [](const char* reason) {
+    return Outcome{contact::Status::Converged, reason};
+  };
+  if (result.status != contact::Status::Converged)
+    return Outcome{result.status, bem::message("level ", result.level,
+                                               " is not converged: ", result.reason)};
+  if (result.indicators.estimate() < scene.adaptivity.targetEstimate)
+    return converged("the estimate is below the target");
+  if (result.level + 1 >= scene.adaptivity.maximumLevels)
+    return converged("all levels that the scene allows are computed");
+
+  const bem::Space space({scene.outline, result.pieces});
+  const bem::Mesh& mesh = space.mesh();
+  const adaptivity::Strategy& strategy = adaptivity::strategy(scene.adaptivity.strategy);
+  const contact::MultiplierSpace multiplier(
+      mesh, contact::multiplierBasis(scene.multiplier), scene.conditions);
+  adaptivity::GradingOptions grading = scene.adaptivity.grading;
+  grading.largestDegree = multiplier.basis().largestDegree;
+  const Prepared prepared = prepare(scene, strategy, result, space, multiplier, algebra);
+  const adaptivity::LevelData data{
+      prepared.mesh,
+      result.indicators.elements(),
+      adaptivity::looksAnalytic(space, scene.conditions, result.displacement,
+                                result.density, scene.adaptivity.analyticityThreshold),
+      scene.adaptivity.markingFraction,
+      prepared.singular,
+      grading};
+  const adaptivity::Marks marks = adaptivity::decide(strategy, data, algebra);
+  if (!adaptivity::anyMarked(marks))
+    return converged("there is nothing to refine");
+
+  LevelStart next{result.level + 1, adaptivity::refine(prepared.mesh, marks), {}};
+  if (strategy.start == adaptivity::Start::Carried)
+    next.start =
+        adaptivity::carry(mesh, multiplier, result.state, next.mesh, scene.conditions);
+  return next;
+}
+
+std::variant<LevelStart, Outcome> levelAfterRestart(const Scene& scene,
+                                                    const LevelResult& result,
+                                                    const bem::DenseAlgebra& algebra) {
+  if (result.status != contact::Status::Converged)
+    return LevelStart{result.level, {scene.outline, result.pieces}, result.state};
+  return nextLevel(scene, result, algebra);
+}
+
+}  // namespace epafi::drivers

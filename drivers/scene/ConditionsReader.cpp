@@ -1,0 +1,109 @@
+#include "drivers/scene/ConditionsReader.hpp"
+
+#include "bem/base/Error.hpp"
+#include "bem/base/Parameters.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::InputError;
+using bem::message;
+using Teuchos::ParameterList;
+
+/// The expression under a key; an empty function if it is not given.
+bem::Function readFunction(const ParameterList& list, const std::string& key,
+                           const Place& place) {
+  if (!list.isParameter(key))
+    return {};
+  return makeExpression(list.get<std::string>(key),
+                        {place.file, place.path + "->" + key});
+}
+
+/// A bound on the shear cannot be negative.
+bem::Function nonNegative(const bem::Function& function, const Place& place) {
+  return [function, place](bem::Vec2 point) {
+    const double value = function(point);
+    if (value < 0)
+      throw InputError(message(place.file, ": ", place.path, " is ", value,
+                               " at (x, y) = (", point.x, ", ", point.y,
+                               "); it must be >= 0 there"));
+    return value;
+  };
+}
+
+contact::Conditions::Contact readContact(const ParameterList& list, const Place& place) {
+  contact::Conditions::Contact condition;
+  condition.gap = readFunction(list, "Gap", place);
+  const ParameterList& friction = list.sublist("Friction");
+  const contact::FrictionLaw& law =
+      contact::frictionLaw(friction.get<std::string>("Law"));
+  const std::string parameter = law.parameter;
+  if (parameter.empty())
+    return condition;
+  const Place inner{place.file, place.path + "->Friction"};
+  condition.law = &law;
+  condition.strength = nonNegative(readFunction(friction, parameter, inner),
+                                   {place.file, inner.path + "->" + parameter});
+  return condition;
+}
+
+void checkNamed(const std::string& boundary, const std::string& path,
+                const bem::Outline& outline) {
+  std::vector<std::string> names;
+  for (const bem::Edge& edge : outline.edges())
+    if (std::find(names.begin(), names.end(), edge.boundary) == names.end())
+      names.push_back(edge.boundary);
+  if (std::find(names.begin(), names.end(), boundary) == names.end())
+    throw InputError(message(path, ": no edge has this name; did you mean '",
+                             bem::nearest(boundary, names),
+                             "'? named edges: ", bem::quotedList(names)));
+}
+
+void readBoundary(const ParameterList& list, const std::string& boundary,
+                  const Place& place, contact::Conditions& conditions) {
+  const std::string type = list.get<std::string>("Type");
+  if (type == "Dirichlet") {
+    const bem::Function x = readFunction(list, "Displacement X", place);
+    const bem::Function y = readFunction(list, "Displacement Y", place);
+    if (!x && !y)
+      throw InputError(place.path +
+                       ": a Dirichlet condition needs Displacement X, "
+                       "Displacement Y or both");
+    conditions.dirichlet[boundary] = {x, y};
+  } else if (type == "Neumann") {
+    conditions.neumann[boundary] = {readFunction(list, "Traction X", place),
+                                    readFunction(list, "Traction Y", place)};
+  } else {
+    conditions.contact[boundary] = readContact(list, place);
+  }
+}
+
+}  // namespace
+
+contact::Conditions readConditions(const ParameterList& body, const Place& place,
+                                   const bem::Outline& outline) {
+  contact::Conditions conditions;
+  const std::string path = place.path + "->Boundary Conditions";
+  const ParameterList& list = body.sublist("Boundary Conditions");
+  for (const auto& item : list) {
+    const Place inner{place.file, path + "->" + item.first};
+    checkNamed(item.first, inner.path, outline);
+    readBoundary(list.sublist(item.first), item.first, inner, conditions);
+  }
+  const ParameterList& rigid = body.sublist("Rigid Motions");
+  if (rigid.isParameter("Fix"))
+    for (const std::string& motion : rigid.get<Teuchos::Array<std::string>>("Fix")) {
+      conditions.fix.x |= motion == "X";
+      conditions.fix.y |= motion == "Y";
+      conditions.fix.rotation |= motion == "Rotation";
+    }
+  return conditions;
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "adaptivity/estimate/ResidualEstimator.hpp"
+#include "adaptivity/mark/Grading.hpp"
+#include "bem/base/Material.hpp"
+#include "bem/geometry/Outline.hpp"
+#include "bem/tpetra/BelosOptions.hpp"
+#include "contact/problem/Conditions.hpp"
+#include "contact/problem/Stabilization.hpp"
+#include "contact/solve/CoulombIteration.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+#include <Teuchos_RCP.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace epafi::drivers {
+
+/// A scene, read and validated: everything that a run needs, in the user's units.
+struct Scene {
+  std::string title;
+  std::string file;
+
+  std::string body;
+  bem::Material material;
+  std::shared_ptr<const bem::Outline> outline;
+  contact::Conditions conditions;
+
+  std::vector<int>
+      elementsPerEdge;  ///< one per edge of the outline, holes after the outer loop
+  int degree = 1;
+  std::string multiplier;
+  contact::Stabilization stabilization;
+  contact::SolverOptions solver;
+
+  /// How V is inverted.
+  struct Linear {
+    enum class Method { Dense, Belos };
+    Method method = Method::Dense;
+    bem::BelosOptions belos;
+  } linear;
+
+  struct Adaptivity {
+    std::string strategy = "None";
+    int maximumLevels = 1;
+    long maximumDegreesOfFreedom = 4000;
+    double markingFraction = 0.3;
+    double analyticityThreshold = 0.5;
+    adaptivity::EstimatorOptions estimator;
+    adaptivity::GradingOptions grading;
+    double targetEstimate = 0;
+  } adaptivity;
+
+  struct Output {
+    int contactSamples = 8;  ///< per element
+    std::vector<bem::Vec2> interiorPoints;
+    bool fields = true;  ///< write boundary.csv and what shows fields
+  } output;
+
+  /// The complete list with every default filled in: what used.xml says.
+  Teuchos::RCP<Teuchos::ParameterList> used;
+};
+
+}  // namespace epafi::drivers

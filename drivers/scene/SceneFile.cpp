@@ -1,0 +1,251 @@
+#include "drivers/scene/SceneFile.hpp"
+
+#include "bem/base/Error.hpp"
+#include "drivers/scene/LexicalCheck.hpp"
+#include "drivers/scene/Schema.hpp"
+
+#include <Teuchos_ParameterEntryXMLConverterDB.hpp>
+#include <Teuchos_StringInputSource.hpp>
+#include <Teuchos_TwoDArray.hpp>
+#include <Teuchos_XMLObject.hpp>
+#include <Teuchos_XMLParameterListReader.hpp>
+#include <Teuchos_YamlParameterListCoreHelpers.hpp>
+
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::InputError;
+using bem::message;
+
+/// What Teuchos complains about, without where in its sources it did.
+std::string complaint(const std::exception& error) {
+  std::istringstream lines(error.what());
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    const bool noise =
+        line.empty() || line.find("packages/teuchos") != std::string::npos ||
+        line.rfind("Throw ", 0) == 0 || line == "Error!" || line == "\"" ||
+        line.rfind("Lexer text", 0) == 0 || line.rfind("Parser was in state", 0) == 0;
+    if (!noise)
+      text += (text.empty() ? "" : " ") + line;
+  }
+  return text;
+}
+
+RawScene readXml(const std::string& text, const std::string& standardTitle) {
+  Teuchos::XMLObject root;
+  try {
+    root = Teuchos::StringInputSource(text).getObject();
+  } catch (const std::exception& error) {
+    throw InputError("malformed XML: " + complaint(error));
+  }
+  if (root.isEmpty())
+    throw InputError("malformed XML: no root element");
+  checkLexically(root);
+  try {
+    RawScene scene{standardTitle,
+                   Teuchos::XMLParameterListReader().toParameterList(root)};
+    if (root.hasAttribute("name") && !root.getRequired("name").empty())
+      scene.title = root.getRequired("name");
+    return scene;
+  } catch (const std::exception& error) {
+    throw InputError("cannot be read as a list of parameters: " + complaint(error));
+  }
+}
+
+RawScene readYaml(const std::string& text, const std::string& standardTitle) {
+  try {
+    const auto list = Teuchos::getParametersFromYamlString(text);
+    const std::string name = list->name();
+    return {name.empty() || name == "ANONYMOUS" ? standardTitle : name, *list};
+  } catch (const std::exception& error) {
+    // Two keys at the root end in an assertion about the parser's stack.
+    if (std::string(error.what()).find("rhs.at") != std::string::npos)
+      throw InputError(
+          "malformed YAML: everything must stand under one title, 'My scene:'");
+    throw InputError("malformed YAML: " + complaint(error));
+  }
+}
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\n':
+        result += "&#10;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+/// An entry through Teuchos' own reader, so that --set reads what a file would.
+Teuchos::ParameterEntry entryOf(const std::string& type, const std::string& value) {
+  if (type == "string")
+    return Teuchos::ParameterEntry(value);
+  Teuchos::XMLObject parameter("Parameter");
+  parameter.addAttribute("name", std::string("value"));
+  parameter.addAttribute("type", type);
+  parameter.addAttribute("value", value);
+  Teuchos::XMLObject root("ParameterList");
+  root.addChild(parameter);
+  return Teuchos::XMLParameterListReader().toParameterList(root).getEntry("value");
+}
+
+/// The type and value that an entry has in XML.  Teuchos writes doubles with 18
+/// significant digits, alone and in arrays, which is enough to give back every bit.
+struct Spelling {
+  std::string type;
+  std::string value;
+};
+
+std::string shortest(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value);
+  return {text, end.ptr};
+}
+
+Spelling spell(const Teuchos::ParameterEntry& entry, const std::string& name) {
+  if (entry.isType<double>())
+    return {"double", shortest(Teuchos::getValue<double>(entry))};
+  if (entry.isType<Teuchos::TwoDArray<double>>()) {
+    const auto& table = Teuchos::getValue<Teuchos::TwoDArray<double>>(entry);
+    std::string text = message(table.getNumRows(), "x", table.getNumCols(), ":{");
+    for (int i = 0; i < table.getNumRows(); ++i)
+      for (int j = 0; j < table.getNumCols(); ++j)
+        text += (i + j == 0 ? "" : ", ") + shortest(table(i, j));
+    return {"TwoDArray(double)", text + "}"};
+  }
+  const auto whole = Teuchos::rcp(new Teuchos::ParameterEntry(entry));
+  const Teuchos::XMLObject xml = Teuchos::ParameterEntryXMLConverterDB::convertEntry(
+      whole, name, 0, Teuchos::ValidatortoIDMap());
+  return {xml.getRequired("type"), xml.getRequired("value")};
+}
+
+void collect(const Teuchos::ParameterList& list, const std::string& prefix,
+             std::vector<std::string>& result) {
+  for (const auto& item : list)
+    if (item.second.isList())
+      collect(Teuchos::getValue<Teuchos::ParameterList>(item.second),
+              prefix + item.first + "->", result);
+    else
+      result.push_back(prefix + item.first + "=" + spell(item.second, item.first).value);
+}
+
+void write(const Teuchos::ParameterList& list, const std::string& name,
+           const std::string& indent, std::ostream& out) {
+  out << indent << "<ParameterList name=\"" << escaped(name) << "\">\n";
+  const std::string inner = indent + "  ";
+  for (const auto& item : list) {
+    if (item.second.isList()) {
+      write(Teuchos::getValue<Teuchos::ParameterList>(item.second), item.first, inner,
+            out);
+      continue;
+    }
+    const Spelling spelling = spell(item.second, item.first);
+    out << inner << "<Parameter name=\"" << escaped(item.first) << "\" type=\""
+        << spelling.type << "\" value=\"" << escaped(spelling.value) << "\"/>\n";
+  }
+  out << indent << "</ParameterList>\n";
+}
+
+}  // namespace
+
+std::string readText(const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (!fs::exists(file, ignored))
+    throw InputError("there is no such file");
+  if (fs::is_directory(file, ignored))
+    throw InputError("is a folder, not a file");
+  if (fs::is_character_file(file, ignored) || fs::is_block_file(file, ignored))
+    throw InputError("is a device, not a file");  // /dev/zero never ends
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw InputError(message("cannot be read: ", std::strerror(errno)));
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+RawScene rawScene(const std::string& text, const std::string& file) {
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    throw InputError("the file is empty");
+  const std::filesystem::path path(file);
+  const std::string extension = path.extension().string();
+  const bool yaml = extension == ".yaml" || extension == ".yml";
+  return yaml ? readYaml(text, path.stem().string())
+              : readXml(text, path.stem().string());
+}
+
+RawScene readSceneText(const std::string& xml) { return readXml(xml, ""); }
+
+RawScene readRawScene(const std::string& file) { return rawScene(readText(file), file); }
+
+void applyOverride(Teuchos::ParameterList& list, const std::string& assignment) {
+  const auto equal = assignment.find('=');
+  if (equal == std::string::npos)
+    throw InputError(message("--set '", assignment, "': write 'A->B->Key=value'"));
+  const std::string path = assignment.substr(0, equal);
+  const std::string value = assignment.substr(equal + 1);
+  try {
+    const Parameter& row = declared(path);
+    if (row.kind == Kind::List || row.kind == Kind::Free)
+      throw InputError(path + ": is a sublist; name a key in it");
+    const std::string type = typeName(row.kind);
+    try {
+      checkValue(type, value);
+    } catch (const InputError& error) {
+      throw InputError(path + ": " + error.what());
+    }
+    Teuchos::ParameterList* target = &list;
+    std::size_t at = 0;
+    for (auto end = path.find("->"); end != std::string::npos;
+         end = path.find("->", at)) {
+      const std::string name = path.substr(at, end - at);
+      if (target->isParameter(name) && !target->isSublist(name))
+        throw InputError(path.substr(0, end) + ": is no sublist in the scene");
+      target = &target->sublist(name);
+      at = end + 2;
+    }
+    target->setEntry(path.substr(at), entryOf(type, value));
+  } catch (const InputError& error) {
+    throw InputError(message("--set ", error.what()));
+  }
+}
+
+std::vector<std::string> assignments(const Teuchos::ParameterList& list) {
+  std::vector<std::string> result;
+  collect(list, "", result);
+  return result;
+}
+
+std::string toXml(const Teuchos::ParameterList& list, const std::string& title) {
+  std::ostringstream out;
+  write(list, title, "", out);
+  return out.str();
+}
+
+}  // namespace epafi::drivers

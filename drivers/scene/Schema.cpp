@@ -1,0 +1,398 @@
+#include "drivers/scene/Schema.hpp"
+
+#include "bem/base/Error.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <Teuchos_TwoDArray.hpp>
+
+#include <algorithm>
+#include <charconv>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::InputError;
+using bem::message;
+using Teuchos::ParameterEntry;
+using Teuchos::ParameterList;
+
+const std::string arrow = "->";
+
+std::string join(const std::string& path, const std::string& name) {
+  return path.empty() ? name : path + arrow + name;
+}
+
+bool isAnyName(const std::string& pattern) { return pattern.front() == '<'; }
+
+bool isCount(const std::string& text) {
+  return !text.empty() && text.size() < 7 && text.front() != '0' &&
+         text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+bool matches(const std::string& pattern, const std::string& name) {
+  if (isAnyName(pattern))
+    return true;
+  const auto k = pattern.find("<k>");
+  if (k == std::string::npos)
+    return pattern == name;
+  const std::string before = pattern.substr(0, k);
+  const std::string after = pattern.substr(k + 3);
+  return name.size() > before.size() + after.size() &&
+         name.compare(0, before.size(), before) == 0 &&
+         name.compare(name.size() - after.size(), after.size(), after) == 0 &&
+         isCount(name.substr(before.size(), name.size() - before.size() - after.size()));
+}
+
+/// A pattern as a name that one could write.
+std::string example(const std::string& pattern) {
+  const auto k = pattern.find("<k>");
+  return k == std::string::npos ? pattern
+                                : pattern.substr(0, k) + "1" + pattern.substr(k + 3);
+}
+
+using Table = std::vector<Parameter>;
+
+std::vector<const Parameter*> childrenOf(const Table& table, const std::string& pattern) {
+  std::vector<const Parameter*> rows;
+  for (const Parameter& row : table)
+    if (row.parent() == pattern)
+      rows.push_back(&row);
+  return rows;
+}
+
+const Parameter* find(const std::vector<const Parameter*>& rows,
+                      const std::string& name) {
+  for (const Parameter* row : rows)
+    if (matches(row->name(), name))
+      return row;
+  return nullptr;
+}
+
+std::string shortest(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value);
+  return {text, end.ptr};
+}
+
+std::string describe(const ParameterEntry& entry) {
+  if (entry.isList())
+    return "a sublist";
+  const std::string type = entry.getAny(false).typeName();
+  return entry.isType<std::string>()
+             ? "the string '" + Teuchos::getValue<std::string>(entry) + "'"
+             : "of type " + type;
+}
+
+std::string wanted(Kind kind) {
+  switch (kind) {
+    case Kind::Real:
+      return "a number (double)";
+    case Kind::Whole:
+      return "a whole number (int)";
+    case Kind::Flag:
+      return "true or false (bool)";
+    case Kind::Expression:
+      return "an expression (string)";
+    case Kind::Points:
+      return "a table n x 2 of numbers (TwoDArray(double))";
+    default:
+      return typeName(kind);
+  }
+}
+
+template <class T>
+bool holds(const ParameterEntry& entry) {
+  return !entry.isList() && entry.isType<T>();
+}
+
+template <class T>
+const T& value(const ParameterEntry& entry) {
+  return Teuchos::getValue<T>(entry);
+}
+
+ParameterEntry points(const ParameterEntry& entry) {
+  if (holds<Teuchos::TwoDArray<double>>(entry))
+    return entry;
+  const auto& whole = value<Teuchos::TwoDArray<int>>(entry);
+  Teuchos::TwoDArray<double> table(whole.getNumRows(), whole.getNumCols());
+  for (int i = 0; i < whole.getNumRows(); ++i)
+    for (int j = 0; j < whole.getNumCols(); ++j)
+      table(i, j) = whole(i, j);
+  return ParameterEntry(table);
+}
+
+template <class T>
+Teuchos::RCP<ParameterEntry> kept(const T& v) {
+  return Teuchos::rcp(new ParameterEntry(v));
+}
+
+template <class T>
+Teuchos::RCP<ParameterEntry> keptIf(const ParameterEntry& entry) {
+  return holds<T>(entry) ? kept(value<T>(entry)) : Teuchos::null;
+}
+
+Teuchos::RCP<ParameterEntry> asReal(const ParameterEntry& entry) {
+  if (holds<int>(entry))
+    return kept(static_cast<double>(value<int>(entry)));
+  if (holds<long long>(entry))
+    return kept(static_cast<double>(value<long long>(entry)));
+  return keptIf<double>(entry);
+}
+
+Teuchos::RCP<ParameterEntry> asExpression(const ParameterEntry& entry) {
+  if (holds<int>(entry))
+    return kept(std::to_string(value<int>(entry)));
+  if (holds<long long>(entry))
+    return kept(std::to_string(value<long long>(entry)));
+  if (holds<double>(entry))
+    return kept(shortest(value<double>(entry)));
+  return keptIf<std::string>(entry);
+}
+
+/// The same value in the type that the kind is kept as; null if that is not possible.
+Teuchos::RCP<ParameterEntry> converted(const ParameterEntry& entry, Kind kind) {
+  switch (kind) {
+    case Kind::Real:
+      return asReal(entry);
+    case Kind::Whole:
+      return keptIf<int>(entry);
+    case Kind::Flag:
+      return keptIf<bool>(entry);
+    case Kind::Expression:
+      return asExpression(entry);
+    case Kind::Text:
+      return keptIf<std::string>(entry);
+    case Kind::Names:
+      return keptIf<Teuchos::Array<std::string>>(entry);
+    case Kind::Counts:
+      return keptIf<Teuchos::Array<int>>(entry);
+    case Kind::Points:
+      return holds<Teuchos::TwoDArray<double>>(entry) ||
+                     holds<Teuchos::TwoDArray<int>>(entry)
+                 ? Teuchos::rcp(new ParameterEntry(points(entry)))
+                 : Teuchos::null;
+    case Kind::List:
+    case Kind::Free:
+      break;
+  }
+  return Teuchos::null;
+}
+
+void checkRange(const ParameterEntry& entry, const Parameter& row,
+                const std::string& name, const std::string& path) {
+  if (!row.allowed.empty())
+    bem::oneOf(row.allowed)->validate(entry, name, path);
+  else
+    bem::within(row.interval)->validate(entry, name, path);
+  if (row.kind == Kind::Points &&
+      value<Teuchos::TwoDArray<double>>(entry).getNumCols() != 2)
+    throw InputError(
+        message(join(path, name), ": a point has 2 coordinates, the table has ",
+                value<Teuchos::TwoDArray<double>>(entry).getNumCols(), " columns"));
+}
+
+ParameterEntry checked(const ParameterEntry& entry, const Parameter& row,
+                       const std::string& name, const std::string& path) {
+  const Teuchos::RCP<ParameterEntry> result = converted(entry, row.kind);
+  if (result.is_null())
+    throw InputError(message(join(path, name), ": is ", describe(entry),
+                             ", wanted: ", wanted(row.kind)));
+  checkRange(*result, row, name, path);
+  return *result;
+}
+
+/// A row's default; the row must have one.
+ParameterEntry standardOf(const Parameter& row) {
+  switch (row.kind) {
+    case Kind::Real:
+      return ParameterEntry(std::stod(row.standard));
+    case Kind::Whole:
+      return ParameterEntry(std::stoi(row.standard));
+    case Kind::Flag:
+      return ParameterEntry(row.standard == "true");
+    default:
+      return ParameterEntry(row.standard);
+  }
+}
+
+/// One level of the list against the rows under one pattern.
+class Level {
+ public:
+  Level(const Table& table, const ParameterList& given, const std::string& pattern,
+        std::string path)
+      : table_(table),
+        given_(given),
+        path_(std::move(path)),
+        rows_(childrenOf(table, pattern)) {}
+
+  void complete(ParameterList& result) const {
+    for (const auto& item : given_)
+      checkKnown(item.first);
+    for (const Parameter* row : rows_) {
+      if (!active(*row, result))
+        continue;
+      bool found = false;
+      for (const auto& item : given_)
+        if (find(rows_, item.first) == row) {
+          found = true;
+          take(*row, item.first, item.second, result);
+        }
+      if (!found)
+        fill(*row, result);
+    }
+    for (const auto& item : given_)
+      checkActive(item.first, result);
+  }
+
+ private:
+  void checkKnown(const std::string& name) const {
+    if (find(rows_, name) != nullptr)
+      return;
+    std::vector<std::string> known;
+    for (const Parameter* row : rows_)
+      known.push_back(example(row->name()));
+    throw InputError(
+        message(join(path_, name), ": unknown", bem::suggestion(name, known)));
+  }
+
+  /// The sibling whose value decides which keys exist.
+  const Parameter* selector() const {
+    for (const char* name : {"Type", "Law"})
+      for (const Parameter* row : rows_)
+        if (row->name() == name)
+          return row;
+    return nullptr;
+  }
+
+  bool active(const Parameter& row, const ParameterList& result) const {
+    return row.only.empty() || result.get<std::string>(selector()->name()) == row.only;
+  }
+
+  void checkActive(const std::string& name, const ParameterList& result) const {
+    const Parameter& row = *find(rows_, name);
+    if (active(row, result))
+      return;
+    std::vector<std::string> known;
+    for (const Parameter* other : rows_)
+      if (active(*other, result))
+        known.push_back(example(other->name()));
+    const std::string key = selector()->name();
+    throw InputError(message(join(path_, name), ": belongs to ", key, " '", row.only,
+                             "', but ", key, " is '", result.get<std::string>(key),
+                             "'; known here: ", bem::quotedList(known)));
+  }
+
+  void take(const Parameter& row, const std::string& name, const ParameterEntry& entry,
+            ParameterList& result) const {
+    if (row.kind != Kind::List && row.kind != Kind::Free) {
+      result.setEntry(name, checked(entry, row, name, path_));
+      return;
+    }
+    if (!entry.isList())
+      throw InputError(message(join(path_, name), ": is ", describe(entry),
+                               ", wanted: a sublist (ParameterList)"));
+    const auto& sublist = value<ParameterList>(entry);
+    if (row.kind == Kind::Free)
+      result.sublist(name).setParameters(sublist);
+    else
+      Level(table_, sublist, row.path, join(path_, name)).complete(result.sublist(name));
+  }
+
+  void fill(const Parameter& row, ParameterList& result) const {
+    if (row.required)
+      throw InputError(message(join(path_, row.name()), ": missing; ", row.meaning,
+                               row.range().empty() ? "" : ", " + row.range()));
+    if (row.kind == Kind::List && !isAnyName(row.name()))
+      Level(table_, ParameterList(), row.path, join(path_, row.name()))
+          .complete(result.sublist(row.name()));
+    else if (!row.standard.empty())
+      result.setEntry(row.name(), standardOf(row));
+  }
+
+  const Table& table_;
+  const ParameterList& given_;
+  std::string path_;
+  std::vector<const Parameter*> rows_;
+};
+
+}  // namespace
+
+std::string typeName(Kind kind) {
+  switch (kind) {
+    case Kind::Real:
+      return "double";
+    case Kind::Whole:
+      return "int";
+    case Kind::Flag:
+      return "bool";
+    case Kind::Text:
+    case Kind::Expression:
+      return "string";
+    case Kind::Names:
+      return "Array(string)";
+    case Kind::Counts:
+      return "Array(int)";
+    case Kind::Points:
+      return "TwoDArray(double)";
+    case Kind::List:
+    case Kind::Free:
+      break;
+  }
+  return "ParameterList";
+}
+
+std::string Parameter::parent() const {
+  const auto at = path.rfind(arrow);
+  return at == std::string::npos ? "" : path.substr(0, at);
+}
+
+std::string Parameter::name() const {
+  const auto at = path.rfind(arrow);
+  return at == std::string::npos ? path : path.substr(at + arrow.size());
+}
+
+std::string Parameter::range() const {
+  if (!allowed.empty())
+    return bem::quotedList(allowed);
+  if (kind == Kind::Real || kind == Kind::Whole || kind == Kind::Counts)
+    return interval.text();
+  return "";
+}
+
+const Parameter& declared(const std::string& path) {
+  std::string pattern;
+  std::string walked;
+  const Parameter* row = nullptr;
+  for (std::size_t at = 0; at <= path.size();) {
+    const std::size_t end = std::min(path.find(arrow, at), path.size());
+    const std::string name = path.substr(at, end - at);
+    const auto rows = childrenOf(parameters(), pattern);
+    row = name.empty() ? nullptr : find(rows, name);
+    if (row == nullptr) {
+      std::vector<std::string> known;
+      known.reserve(rows.size());
+      for (const Parameter* other : rows)
+        known.push_back(example(other->name()));
+      throw InputError(
+          message(join(walked, name), ": unknown", bem::suggestion(name, known)));
+    }
+    pattern = row->path;
+    walked = join(walked, name);
+    at = end + arrow.size();
+  }
+  return *row;
+}
+
+ParameterList complete(const std::vector<Parameter>& table, const ParameterList& given,
+                       const std::string& title) {
+  ParameterList result(title);
+  Level(table, given, "", "").complete(result);
+  return result;
+}
+
+ParameterList complete(const ParameterList& given, const std::string& title) {
+  return complete(parameters(), given, title);
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,376 @@
+#include "adaptivity/estimate/Weights.hpp"
+#include "adaptivity/mark/Grading.hpp"
+#include "adaptivity/mark/Strategy.hpp"
+#include "contact/law/FrictionLaw.hpp"
+#include "contact/multiplier/MultiplierBasis.hpp"
+#include "drivers/scene/SchemaRow.hpp"
+
+namespace epafi::drivers {
+
+namespace {
+
+using Table = std::vector<Parameter>;
+
+/// The names of a family: friction laws, multiplier bases, strategies.
+template <class Family>
+std::vector<std::string> namesOf(const Family& family) {
+  std::vector<std::string> names;
+  names.reserve(family.size());
+  for (const auto& member : family)
+    names.push_back(member.name);
+  return names;
+}
+
+/// "A: what A does; B: what B does"
+template <class Family>
+std::string meanings(const Family& family) {
+  std::string text;
+  for (const auto& member : family)
+    text +=
+        (text.empty() ? "" : "; ") + (std::string(member.name) + ": " + member.meaning);
+  return text;
+}
+
+void addBody(Table& table) {
+  const std::string body = "Bodies-><body>";
+  const std::string material = body + "->Material";
+  const std::string geometry = body + "->Geometry";
+  add(table,
+      {
+          Row("Bodies", Kind::List, "the elastic bodies; exactly one for now").required(),
+          Row(body, Kind::List, "a body, under a name of your choice"),
+          Row(material, Kind::List, "linear elastic, isotropic, homogeneous").required(),
+          Row(material + "->Young's Modulus", Kind::Real, "Young's modulus E")
+              .unit("stress")
+              .range(above(0))
+              .required(),
+          Row(material + "->Poisson's Ratio", Kind::Real, "Poisson's ratio nu")
+              .unit("1")
+              .range({-1, 0.5, true, true})
+              .required(),
+          Row(material + "->Plane State", Kind::Text,
+              "no strain or no stress across the plane")
+              .standard("Plane Strain")
+              .allowed({"Plane Strain", "Plane Stress"}),
+          Row(geometry, Kind::List, "the outline: a polygon, with holes").required(),
+          Row(geometry + "->Vertices", Kind::Points,
+              "corners of the outer polygon, counter-clockwise; it closes by itself")
+              .unit("length"),
+          Row(geometry + "->Edges", Kind::Names,
+              "the boundary's name for each edge; edge i leads from vertex i to i+1"),
+          Row(geometry + "->Hole <k> Vertices", Kind::Points,
+              "corners of hole k = 1, 2, ..., counter-clockwise too")
+              .unit("length"),
+          Row(geometry + "->Hole <k> Edges", Kind::Names,
+              "the boundary's name for each edge of hole k"),
+          Row(geometry + "->File", Kind::Text,
+              "instead of vertices and edges: a Gmsh mesh (.msh, ASCII 2.2 or 4.1), "
+              "relative to the scene; its physical curves name the boundaries"),
+      });
+}
+
+void addConditions(Table& table) {
+  const std::string conditions = "Bodies-><body>->Boundary Conditions";
+  const std::string boundary = conditions + "-><boundary>";
+  add(table,
+      {
+          Row(conditions, Kind::List,
+              "one sublist per boundary; an edge without one is free"),
+          Row(boundary, Kind::List, "what happens on the edges of this name"),
+          Row(boundary + "->Type", Kind::Text, "kind of condition")
+              .allowed({"Dirichlet", "Neumann", "Contact"})
+              .required(),
+          Row(boundary + "->Displacement X", Kind::Expression,
+              "prescribed displacement; without it the component is free (a roller)")
+              .unit("length")
+              .only("Dirichlet"),
+          Row(boundary + "->Displacement Y", Kind::Expression,
+              "prescribed displacement; without it the component is free (a roller)")
+              .unit("length")
+              .only("Dirichlet"),
+          Row(boundary + "->Traction X", Kind::Expression,
+              "traction on the body; without it zero")
+              .unit("stress")
+              .only("Neumann"),
+          Row(boundary + "->Traction Y", Kind::Expression,
+              "traction on the body; without it zero")
+              .unit("stress")
+              .only("Neumann"),
+          Row(boundary + "->Gap", Kind::Expression,
+              "distance to the rigid obstacle along the outward normal")
+              .unit("length")
+              .standard("0")
+              .only("Contact"),
+          Row(boundary + "->Friction", Kind::List, "how much shear the contact carries")
+              .only("Contact"),
+      });
+  table.push_back(Row(boundary + "->Friction->Law", Kind::Text, "friction law")
+                      .standard(contact::frictionLaws().front().name)
+                      .allowed(namesOf(contact::frictionLaws()))
+                      .done());
+  for (const contact::FrictionLaw& law : contact::frictionLaws())
+    if (*law.parameter != '\0')
+      table.push_back(
+          Row(boundary + "->Friction->" + law.parameter, Kind::Expression, law.meaning)
+              .unit(law.strengthIsStress ? "stress" : "1")
+              .only(law.name)
+              .required()
+              .done());
+  add(table,
+      {
+          Row("Bodies-><body>->Rigid Motions", Kind::List,
+              "how a body without a clamp is held"),
+          Row("Bodies-><body>->Rigid Motions->Fix", Kind::Names,
+              "motions whose mean over the boundary is zero; their reaction acts as a "
+              "uniform traction of that mode")
+              .allowed({"X", "Y", "Rotation"}),
+      });
+}
+
+void addDiscretization(Table& table) {
+  const std::string stabilization = "Discretization->Stabilization";
+  add(table,
+      {
+          Row("Discretization", Kind::List, "the first mesh and the spaces on it")
+              .required(),
+          Row("Discretization->Elements per Edge", Kind::Counts,
+              "equal elements on each edge of the outer polygon; or give Mesh Size")
+              .unit("1")
+              .range(from(1)),
+          Row("Discretization->Hole <k> Elements per Edge", Kind::Counts,
+              "equal elements on each edge of hole k")
+              .unit("1")
+              .range(from(1)),
+          Row("Discretization->Mesh Size", Kind::Real,
+              "largest element; each edge gets the smallest number of equal ones")
+              .unit("length")
+              .range(above(0)),
+          Row("Discretization->Degree", Kind::Whole,
+              "polynomial degree of the displacement")
+              .unit("1")
+              .standard("1")
+              .range({1, 25}),
+          Row("Discretization->Multiplier", Kind::Text,
+              "basis of the contact stress; " + meanings(contact::multiplierBases()))
+              .standard("Gauss-Legendre-Lagrange")
+              .allowed(namesOf(contact::multiplierBases())),
+          Row(stabilization, Kind::List, "stabilisation of the mixed method"),
+          Row(stabilization + "->Form", Kind::Text,
+              "the boundary stress S u: projected onto polynomials, exact, or no "
+              "stabilisation")
+              .standard("Projected")
+              .allowed({"Projected", "Exact", "None"}),
+          Row(stabilization + "->Gamma0", Kind::Real,
+              "strength gamma0; definiteness is lost near 0.6 under Scaling Stiffness")
+              .unit("1, or as Scaling says")
+              .standard("0.1")
+              .range(above(0)),
+          Row(stabilization + "->Beta", Kind::Real, "extra power of the element size")
+              .unit("1")
+              .standard("0")
+              .range(from(0)),
+          Row(stabilization + "->Eta", Kind::Real, "extra power of 1 / degree")
+              .unit("1")
+              .standard("0")
+              .range(from(0)),
+          Row(stabilization + "->Scaling", Kind::Text,
+              "Stiffness: gamma = Gamma0 min(1, 50(1-2nu)) (h/d)^Beta h p^(-2-Eta) / E; "
+              "Absolute: gamma = Gamma0 h^(1+Beta) p^(-2-Eta) in the scene's units")
+              .standard("Stiffness")
+              .allowed({"Stiffness", "Absolute"}),
+      });
+}
+
+void addSolver(Table& table) {
+  add(table,
+      {
+          Row("Solver", Kind::List, "how the nonlinear problem is solved"),
+          Row("Solver->Coulomb Iteration", Kind::Text,
+              "Newton differentiates the friction bound too, the others lag it")
+              .standard("Newton")
+              .allowed({"Newton", "Inexact Fixed Point", "Fixed Point"}),
+          Row("Solver->Complementarity", Kind::Text,
+              "the equation that says contact or gap")
+              .standard("Projection")
+              .allowed({"Projection", "Fischer-Burmeister"}),
+          Row("Solver->Tolerance", Kind::Real, "residual, relative to the load")
+              .unit("1")
+              .standard("1e-12")
+              .range({0, 1, true, true}),
+          Row("Solver->Maximum Iterations", Kind::Whole, "Newton steps of one solve")
+              .unit("1")
+              .standard("50")
+              .range(from(1)),
+          Row("Solver->Load Steps", Kind::Whole,
+              "equal steps in which the load is applied, each solution the start of the "
+              "next; a step that fails is halved, and one load that fails is tried in "
+              "steps")
+              .unit("1")
+              .standard("1")
+              .range({1, 1000}),
+          Row("Solver->Coulomb Tolerance", Kind::Real,
+              "change of the friction bound, relative to the load")
+              .unit("1")
+              .standard("1e-10")
+              .range({0, 1, true, true}),
+          Row("Solver->Coulomb Maximum Iterations", Kind::Whole,
+              "updates of the friction bound")
+              .unit("1")
+              .standard("100")
+              .range(from(1)),
+          Row("Solver->NOX", Kind::Free, "handed to NOX; empty means Epafi's own choice"),
+          Row("Solver->Linear", Kind::List, "how linear systems are solved"),
+          Row("Solver->Linear->Method", Kind::Text,
+              "how the single layer potential is inverted; Dense: Cholesky's factors; "
+              "Belos: conjugate gradients, for each column")
+              .standard("Dense")
+              .allowed({"Dense", "Belos"}),
+          Row("Solver->Linear->Tolerance", Kind::Real,
+              "Belos: residual relative to the right hand side")
+              .unit("1")
+              .standard("1e-13")
+              .range({0, 1, true, true}),
+          Row("Solver->Linear->Maximum Iterations", Kind::Whole,
+              "Belos: steps for one column; beyond, the run ends with code 2")
+              .unit("1")
+              .standard("1000")
+              .range(from(1)),
+          Row("Solver->Linear->Block Size", Kind::Whole, "Belos: columns at once")
+              .unit("1")
+              .standard("64")
+              .range(from(1)),
+      });
+}
+
+void addStrategy(Table& table) {
+  add(table,
+      {
+          Row("Adaptivity", Kind::List, "from one level to the next"),
+          Row("Adaptivity->Strategy", Kind::Text, meanings(adaptivity::strategies()))
+              .standard("None")
+              .allowed(namesOf(adaptivity::strategies())),
+          Row("Adaptivity->Marking Fraction", Kind::Real,
+              "adaptive strategies refine the fewest elements that carry this part of "
+              "the "
+              "squared estimate")
+              .unit("1")
+              .standard("0.3")
+              .range({0, 1, true, false}),
+          Row("Adaptivity->Analyticity Threshold", Kind::Real,
+              "Adaptive hp raises the degree where Legendre coefficients decay at least "
+              "this fast from one degree to the next")
+              .unit("1")
+              .standard("0.5")
+              .range({0, 1, true, true}),
+      });
+}
+
+void addGrading(Table& table) {
+  add(table,
+      {
+          Row("Adaptivity->Grading", Kind::List, "what Graded hp does"),
+          Row("Adaptivity->Grading->Ratio", Kind::Real,
+              "length of the piece that is cut off next to a singular point, relative to "
+              "the element's")
+              .unit("1")
+              .standard("0.1")
+              .range({0, 0.5, true, false}),
+          Row("Adaptivity->Grading->Degree Step", Kind::Whole,
+              "by how much the piece away from the singular point raises its degree")
+              .unit("1")
+              .standard("1")
+              .range({0, 4}),
+          Row("Adaptivity->Grading->Weak Point Degree", Kind::Whole,
+              "next to corners and changes of boundary the degree is raised as long as "
+              "it "
+              "is lower and coefficients decay")
+              .unit("1")
+              .standard("4")
+              .range(from(1)),
+          Row("Adaptivity->Grading->Transitions", Kind::Text,
+              "where contact or friction changes its state inside an element; " +
+                  meanings(adaptivity::transitions()))
+              .standard(adaptivity::transitions().front().name)
+              .allowed(namesOf(adaptivity::transitions())),
+          Row("Adaptivity->Grading->Reach", Kind::Real,
+              "Follow moves a node to a transition that lies off it by at most this part "
+              "of the length of the element the transition is in; 0: no node moves")
+              .unit("1")
+              .standard("1")
+              .range({0, 1, false, false}),
+          Row("Adaptivity->Grading->Smooth Elements", Kind::Text,
+              "raise the degree away from singular points; " +
+                  meanings(adaptivity::smoothElements()))
+              .standard(adaptivity::smoothElements().front().name)
+              .allowed(namesOf(adaptivity::smoothElements())),
+      });
+}
+
+void addEstimate(Table& table) {
+  add(table,
+      {
+          Row("Adaptivity->Weights", Kind::Text,
+              "how the estimate adds its terms up; " + meanings(adaptivity::weightings()))
+              .standard(adaptivity::weightings().front().name)
+              .allowed(namesOf(adaptivity::weightings())),
+          Row("Adaptivity->Residual Factor", Kind::Real,
+              "multiplies the squares of eta_neumann, eta_contact and eta_density")
+              .unit("1")
+              .standard("1")
+              .range(above(0)),
+          Row("Adaptivity->Target Estimate", Kind::Real,
+              "a run ends at the first level with a smaller estimate")
+              .unit("as the estimate: root of stress length^2 under Weights Energy")
+              .standard("0")
+              .range(from(0)),
+          Row("Adaptivity->Maximum Levels", Kind::Whole,
+              "levels computed, the first included")
+              .unit("1")
+              .standard("6")
+              .range(from(1)),
+          Row("Adaptivity->Maximum Degrees of Freedom", Kind::Whole,
+              "a level with more, displacement and contact stress together, is not "
+              "computed")
+              .unit("1")
+              .standard("4000")
+              .range(from(1)),
+      });
+}
+
+void addOutput(Table& table) {
+  add(table,
+      {
+          Row("Output", Kind::List, "what is written"),
+          Row("Output->Fields", Kind::Flag, "write boundary.csv and the pictures' data")
+              .standard("true"),
+          Row("Output->Contact Samples per Element", Kind::Whole, "points in contact.csv")
+              .unit("1")
+              .standard("8")
+              .range({1, 1000}),
+          Row("Output->Interior Points", Kind::Points,
+              "points inside the body for interior.csv")
+              .unit("length"),
+          Row("Versions", Kind::Free,
+              "written into used.xml, ignored when it is read again"),
+      });
+}
+
+}  // namespace
+
+const std::vector<Parameter>& parameters() {
+  static const Table table = [] {
+    Table all;
+    addBody(all);
+    addConditions(all);
+    addDiscretization(all);
+    addSolver(all);
+    addStrategy(all);
+    addGrading(all);
+    addEstimate(all);
+    addOutput(all);
+    return all;
+  }();
+  return table;
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,95 @@
+#include "drivers/study/StudyTable.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace epafi::drivers {
+
+namespace {
+
+std::vector<std::string> columns() {
+  std::vector<std::string> names = {"scene", "variant"};
+  const std::vector<std::string> history = historyColumns();
+  names.insert(names.end(), history.begin(), history.end());
+  for (const char* name : {"error", "error_multiplier", "error_energy", "counted",
+                           "effectivity", "sweep_value", "smallest_eigenvalue", "reason"})
+    names.emplace_back(name);
+  return names;
+}
+
+std::string known(double value) { return std::isnan(value) ? "" : exactly(value); }
+
+void set(std::vector<std::string>& cells, const std::string& column,
+         const std::string& value) {
+  const std::vector<std::string> names = historyColumns();
+  const auto at = std::find(names.begin(), names.end(), column);
+  cells[static_cast<std::size_t>(at - names.begin())] = value;
+}
+
+std::string short4(double value) {
+  std::ostringstream text;
+  text << std::setprecision(4) << value;
+  return text.str();
+}
+
+}  // namespace
+
+StudyTable::StudyTable() : csv_(columns()) {}
+
+void StudyTable::row(const std::string& scene, const std::string& variant,
+                     std::vector<std::string> cells,
+                     const std::vector<std::string>& more) {
+  cells.insert(cells.begin(), {scene, variant});
+  cells.insert(cells.end(), more.begin(), more.end());
+  csv_.row(cells);
+}
+
+void StudyTable::level(const std::string& scene, const Variant& variant,
+                       const LevelRow& levelRow, const StudiedLevel& studied) {
+  std::vector<std::string> more(5);
+  if (studied.error)
+    more = {exactly(studied.error->relative), exactly(studied.error->multiplier),
+            exactly(studied.error->energy), studied.counted ? "1" : "0",
+            exactly(levelRow.estimate / studied.error->energyNorm)};
+  more.push_back(known(variant.sweepValue));
+  more.push_back(known(studied.smallestEigenvalue));
+  more.push_back(levelRow.report.reason);
+  row(scene, variant.name, historyCells(levelRow), more);
+}
+
+void StudyTable::failure(const std::string& scene, const Variant& variant, int level,
+                         const std::string& reason, double smallestEigenvalue) {
+  std::vector<std::string> cells(historyColumns().size());
+  set(cells, "level", std::to_string(level));
+  set(cells, "status", "failed");
+  std::vector<std::string> more(5);
+  more.push_back(known(variant.sweepValue));
+  more.push_back(known(smallestEigenvalue));
+  more.push_back(reason);
+  row(scene, variant.name, std::move(cells), more);
+}
+
+void StudyTable::reference(const std::string& scene,
+                           const std::vector<std::string>& cells) {
+  row(scene, "reference", cells, std::vector<std::string>(8));
+}
+
+std::string studyHead() {
+  return "  level    dof  density   estimate      error  effectivity  steps   CPU s\n";
+}
+
+std::string studyLine(const LevelRow& row, const StudiedLevel& studied) {
+  std::ostringstream line;
+  line << std::setw(7) << row.level << std::setw(7) << row.size.dof() << std::setw(9)
+       << row.size.densities << std::setw(11) << short4(row.estimate) << std::setw(11)
+       << (studied.error ? short4(studied.error->relative) : "") << std::setw(13)
+       << (studied.error ? short4(row.estimate / studied.error->energyNorm) : "")
+       << std::setw(7) << row.report.newtonIterations << std::setw(8)
+       << std::setprecision(2) << std::fixed << row.secondsTotal
+       << (studied.error && !studied.counted ? "  not counted" : "") << '\n';
+  return line.str();
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "drivers/output/Csv.hpp"
+#include "drivers/output/Snapshot.hpp"
+#include "drivers/study/Study.hpp"
+
+#include <optional>
+
+namespace epafi::drivers {
+
+/// What a study knows of a level beyond its row of history.csv.
+struct StudiedLevel {
+  std::optional<TrueError> error;
+  bool counted = false;  ///< the error is at least ten times the reference's estimate
+  double smallestEigenvalue = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// study.csv: scene, variant, the columns of history.csv, then
+///
+///   error, error_multiplier, error_energy   relative, see TrueError
+///   counted                                 1 if `error` is far above the reference's
+///   own effectivity                             estimate over the absolute energy-norm
+///   error sweep_value, smallest_eigenvalue, reason
+///
+/// seconds_total is CPU time of the variant alone, without the computation of errors.
+/// What is not known is empty; `status` of a variant that failed is "failed", with the
+/// reason.
+class StudyTable {
+ public:
+  StudyTable();
+
+  void level(const std::string& scene, const Variant& variant, const LevelRow& row,
+             const StudiedLevel& studied);
+  void failure(const std::string& scene, const Variant& variant, int level,
+               const std::string& reason, double smallestEigenvalue);
+  /// The last level of the reference, from its cells.
+  void reference(const std::string& scene, const std::vector<std::string>& cells);
+
+  const std::string& text() const { return csv_.text(); }
+
+ private:
+  void row(const std::string& scene, const std::string& variant,
+           std::vector<std::string> cells, const std::vector<std::string>& more);
+
+  Csv csv_;
+};
+
+/// What the study prints of a level.
+std::string studyHead();
+std::string studyLine(const LevelRow& row, const StudiedLevel& studied);
+
+}  // namespace epafi::drivers

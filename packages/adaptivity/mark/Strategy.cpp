@@ -1,0 +1,140 @@
+#include "adaptivity/mark/Strategy.hpp"
+
+#include "adaptivity/mark/Doerfler.hpp"
+#include "bem/base/Error.hpp"
+#include "bem/basis/Legendre.hpp"
+
+#include <algorithm>
+
+namespace epafi::adaptivity {
+
+namespace {
+
+Marks all(const LevelData& level, const Mark& mark) {
+  return Marks(static_cast<std::size_t>(level.mesh.size()), mark);
+}
+
+Marks nothing(const LevelData& level) { return all(level, Mark::None); }
+
+Marks bisectAll(const LevelData& level) { return all(level, Mark::Bisect); }
+
+Marks raiseAll(const LevelData& level) {
+  Marks marks;
+  for (const bem::Element& element : level.mesh.elements())
+    marks.push_back(element.degree < bem::largestDegree ? Mark::RaiseDegree : Mark::None);
+  return marks;
+}
+
+Marks bisectWorst(const LevelData& level) {
+  Marks marks = nothing(level);
+  for (const int e : doerfler(level.squares, level.markingFraction))
+    marks[static_cast<std::size_t>(e)] = Mark::Bisect;
+  return marks;
+}
+
+// [P Alg. 25]
+Marks refineWorst(const LevelData& level) {
+  Marks marks = nothing(level);
+  for (const int e : doerfler(level.squares, level.markingFraction)) {
+    const auto k = static_cast<std::size_t>(e);
+    const bool raise = level.analytic[k] && level.mesh[e].degree < bem::largestDegree;
+    marks[k] = raise ? Mark::RaiseDegree : Mark::Bisect;
+  }
+  return marks;
+}
+
+/// Degrees that run away from a neighbour's gain nothing: the neighbour's coarse density
+/// jumps at the common node, and its field there is what the larger element is marked
+/// for.
+Marks withNeighbours(const bem::Mesh& mesh, Marks marks) {
+  constexpr int mostApart = 2;
+  const auto follow = [&](int from, int e) {
+    Mark& mark = marks[static_cast<std::size_t>(e)];
+    if (mark == Mark::None && mesh[from].degree + 1 - mesh[e].degree > mostApart)
+      mark = Mark::RaiseDegree;
+  };
+  const Marks chosen = marks;
+  for (int e = 0; e < mesh.size(); ++e)
+    if (chosen[static_cast<std::size_t>(e)] == Mark::RaiseDegree) {
+      follow(e, mesh[e].previous);
+      follow(e, mesh[e].next);
+    }
+  return marks;
+}
+
+Marks gradeWorst(const LevelData& level) {
+  Marks marks = nothing(level);
+  for (const int e : doerfler(level.squares, level.markingFraction))
+    marks[static_cast<std::size_t>(e)] =
+        gradedMark(level.mesh, e, level.singular,
+                   level.analytic[static_cast<std::size_t>(e)], level.grading);
+  return withNeighbours(level.mesh, std::move(marks));
+}
+
+/// A mark as numbers, and back.
+void write(const Mark& mark, bem::Vector& numbers) {
+  numbers.push_back(mark.kind());
+  numbers.push_back(static_cast<double>(mark.places().size()));
+  numbers.insert(numbers.end(), mark.places().begin(), mark.places().end());
+  numbers.insert(numbers.end(), mark.degrees().begin(), mark.degrees().end());
+}
+
+Mark read(const double*& numbers) {
+  const auto kind = static_cast<Mark::Kind>(static_cast<int>(*numbers++));
+  const auto count = static_cast<int>(*numbers++);
+  if (kind != Mark::Cut)
+    return kind;
+  std::vector<double> places(numbers, numbers + count);
+  numbers += count;
+  std::vector<int> degrees(numbers, numbers + count + 1);
+  numbers += count + 1;
+  return Mark::cut(std::move(places), std::move(degrees));
+}
+
+}  // namespace
+
+Marks decide(const Strategy& strategy, const LevelData& level,
+             const bem::DenseAlgebra& algebra) {
+  bem::Vector numbers;
+  for (const Mark& mark : strategy.marks(level))
+    write(mark, numbers);
+  // the counts first: other ranks may have made other marks
+  const bem::Vector size = algebra.broadcast({static_cast<double>(numbers.size())});
+  numbers.resize(static_cast<std::size_t>(size.front()));
+  const bem::Vector agreed = algebra.broadcast(std::move(numbers));
+  Marks marks;
+  for (const double* next = agreed.data(); next != agreed.data() + agreed.size();)
+    marks.push_back(read(next));
+  return marks;
+}
+
+const std::vector<Strategy>& strategies() {
+  static const std::vector<Strategy> table = {
+      {"None", "one level", Start::Zero, Grading::Ignored, nothing},
+      {"Uniform h", "halve all elements", Start::Zero, Grading::Ignored, bisectAll},
+      {"Uniform p", "raise all degrees", Start::Zero, Grading::Ignored, raiseAll},
+      {"Adaptive h", "halve the elements that carry most of the estimated error",
+       Start::Carried, Grading::Ignored, bisectWorst},
+      {"Adaptive hp",
+       "of these, raise the degree where the solution looks analytic, halve the others",
+       Start::Carried, Grading::Ignored, refineWorst},
+      {"Graded hp",
+       "of these, cut next to singular points toward them and raise the degree "
+       "elsewhere, "
+       "see Grading",
+       Start::Carried, Grading::Obeyed, gradeWorst},
+  };
+  return table;
+}
+
+const Strategy& strategy(const std::string& name) {
+  std::string known;
+  for (const Strategy& strategy : strategies()) {
+    if (strategy.name == name)
+      return strategy;
+    known += (known.empty() ? "'" : ", '") + std::string(strategy.name) + "'";
+  }
+  throw bem::InputError(bem::message("strategy '", name, "'; known strategies: ", known));
+}
+
+}  // namespace epafi::adaptivity

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "adaptivity/mark/Grading.hpp"
+#include "adaptivity/refine/Refine.hpp"
+#include "adaptivity/singular/SingularPoints.hpp"
+#include "bem/base/DenseAlgebra.hpp"
+
+#include <string>
+#include <vector>
+
+namespace epafi::adaptivity {
+
+/// What a strategy decides from: a solved level, as numbers.
+struct LevelData {
+  const bem::Mesh& mesh;
+  bem::Vector squares;         ///< Ξ² of each element, see estimateResidual
+  std::vector<bool> analytic;  ///< of each element, see looksAnalytic
+  double markingFraction = 0.3;
+  SingularPoints singular;
+  GradingOptions grading{};
+};
+
+/// Where the next level's iteration starts.
+enum class Start {
+  Zero,    ///< as if it were the first level, so that levels can be compared
+  Carried  ///< from this level's state, see refine
+};
+
+/// Whether it obeys GradingOptions: what it does, and where nodes are moved.
+enum class Grading { Ignored, Obeyed };
+
+/// A way from one level to the next.
+struct Strategy {
+  const char* name;
+  const char* meaning;
+  Start start;
+  Grading grading;
+  /// No mark at all ends the run.
+  Marks (*marks)(const LevelData& level);
+};
+
+/// The strategy's marks as rank 0 takes them; all processes must call.
+Marks decide(const Strategy& strategy, const LevelData& level,
+             const bem::DenseAlgebra& algebra);
+
+/// All strategies.  A new one is one line in Strategy.cpp.
+const std::vector<Strategy>& strategies();
+
+/// \throws bem::InputError naming the known strategies.
+const Strategy& strategy(const std::string& name);
+
+}  // namespace epafi::adaptivity

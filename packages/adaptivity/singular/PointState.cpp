@@ -1,0 +1,19 @@
+#include "adaptivity/singular/PointState.hpp"
+
+namespace epafi::adaptivity {
+
+PointState pointState(const contact::MultiplierSpace& multiplier,
+                      const contact::MultiplierSpace::ContactElement& element, int i,
+                      const contact::ContactState& states) {
+  PointState state{states.normal[static_cast<std::size_t>(element.normalOf(i))],
+                   contact::FrictionState::None};
+  const bool idle = state.normal == contact::NormalState::Open &&
+                    element.condition->law != nullptr &&
+                    element.condition->law->dependsOnPressure;
+  if (element.tangential >= 0 && !idle)
+    state.friction = states.tangential[static_cast<std::size_t>(element.tangentialOf(i) -
+                                                                multiplier.normals())];
+  return state;
+}
+
+}  // namespace epafi::adaptivity

@@ -1,0 +1,64 @@
+#include "adaptivity/singular/SingularPoints.hpp"
+
+#include "adaptivity/singular/PointState.hpp"
+
+#include <cmath>
+
+namespace epafi::adaptivity {
+
+namespace {
+
+bool isClamped(const bem::Mesh& mesh, int e, const contact::Conditions& conditions) {
+  return conditions.dirichlet.count(mesh.boundary(e)) > 0;
+}
+
+Singularity fromConditions(const bem::Mesh& mesh, int e,
+                           const contact::Conditions& conditions) {
+  const int before = mesh[e].previous;
+  if (mesh.boundary(e) != mesh.boundary(before))
+    return isClamped(mesh, e, conditions) != isClamped(mesh, before, conditions)
+               ? Singularity::Strong
+               : Singularity::Weak;
+  const bool corner = std::abs(cross(mesh[before].tangent, mesh[e].tangent)) > 1e-12 ||
+                      dot(mesh[before].tangent, mesh[e].tangent) < 0;
+  return corner ? Singularity::Weak : Singularity::None;
+}
+
+}  // namespace
+
+SingularPoints findSingularPoints(const bem::Mesh& mesh,
+                                  const contact::Conditions& conditions) {
+  SingularPoints points;
+  points.inside.resize(static_cast<std::size_t>(mesh.size()));
+  for (int e = 0; e < mesh.size(); ++e)
+    points.nodes.push_back(fromConditions(mesh, e, conditions));
+  return points;
+}
+
+SingularPoints findSingularPoints(const bem::Mesh& mesh,
+                                  const contact::Conditions& conditions,
+                                  const contact::MultiplierSpace& multiplier,
+                                  const contact::ContactState& states) {
+  SingularPoints points = findSingularPoints(mesh, conditions);
+
+  const contact::MultiplierSpace::ContactElement* before = nullptr;
+  for (const auto& element : multiplier.elements()) {
+    const auto e = static_cast<std::size_t>(element.element);
+    const auto places = multiplier.basis().places(element.degree);
+    const auto stateAt = [&](const auto& where, int i) {
+      return pointState(multiplier, where, i, states);
+    };
+    if (before != nullptr && mesh[before->element].next == element.element &&
+        stateAt(*before, before->degree) != stateAt(element, 0))
+      points.nodes[static_cast<std::size_t>(mesh[element.element].startNode)] =
+          Singularity::Strong;
+    for (int i = 0; i < element.degree; ++i)
+      if (stateAt(element, i) != stateAt(element, i + 1))
+        points.inside[e].push_back(0.5 * (places[static_cast<std::size_t>(i)] +
+                                          places[static_cast<std::size_t>(i + 1)]));
+    before = &element;
+  }
+  return points;
+}
+
+}  // namespace epafi::adaptivity

@@ -1,0 +1,226 @@
+#include "bem/fields/BoundaryFields.hpp"
+
+#include "bem/moments/RelativeTarget.hpp"
+#include "bem/tractions/Traction.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace epafi::bem {
+
+namespace {
+
+/// Gauss points on an interval beyond the degree, for 2e-6 in the integrals of squares.
+constexpr int smoothPoints = 6;
+
+/// Gauss points on a source of a degree: its density has one less.
+int pointsOn(int smoothOrder, int degree) { return smoothOrder + degree / 2; }
+
+Vec2 asVector(Complex z) { return {z.real(), z.imag()}; }
+
+}  // namespace
+
+struct BoundaryFields::Sources {
+  /// Points from `first` to `last` of everything with `order` points an element.
+  struct Stretch {
+    int order;
+    std::size_t first;
+    std::size_t last;
+  };
+  struct Far {
+    std::vector<Stretch> stretches;
+    PointSources points;  ///< places relative to the middle of the target
+  };
+  std::vector<int> near;
+  std::map<int, Far> far;  ///< by Gauss points on the target element
+};
+
+/// Fields of the far sources on the target element, Legendre coefficients.
+struct BoundaryFields::FarSeries {
+  std::vector<Complex> traction;
+  std::vector<Complex> mismatch;
+};
+
+BoundaryFields::BoundaryFields(const Space& space, const Lame& lame, const Vector& u,
+                               const Vector& psi)
+    : mesh_(space.mesh()), runs_(mesh_), lame_(lame) {
+  int largest = 0;
+  for (int e = 0; e < mesh_.size(); ++e) {
+    fields_.push_back(localField(space, u, psi, e));
+    largest = std::max(largest, mesh_[e].degree);
+  }
+  everything_.resize(static_cast<std::size_t>(pointsOn(smoothOrderOfCircles, largest)) +
+                     1);
+  for (std::size_t order = 1; order < everything_.size(); ++order)
+    for (int f = 0; f < mesh_.size(); ++f)
+      addPoints(f, static_cast<int>(order), mesh_[f].middle, everything_[order]);
+}
+
+/// Element f through Gauss points, `middle` its place.
+void BoundaryFields::addPoints(int f, int order, Vec2 middle,
+                               PointSources& points) const {
+  const Element& source = mesh_[f];
+  const LocalField& values = fields_[static_cast<std::size_t>(f)];
+  const Complex tangent = asComplex(source.tangent);
+  const Rule& rule = gaussLegendre(order);
+  std::array<double, largestDegree + 1> legendre{};
+  for (int q = 0; q < rule.size(); ++q) {
+    legendreValues(source.degree - 1, rule.points[q], legendre.data());
+    Complex density = 0;
+    Complex slope = 0;
+    for (int j = 0; j < source.degree; ++j) {
+      density += legendre[j] * values.density[j];
+      slope += legendre[j] * values.slope[j];
+    }
+    const double weight = source.half * rule.weights[q];
+    points.add(asComplex(middle) + source.half * rule.points[q] * tangent,
+               weight * density, weight * slope);
+  }
+}
+
+BoundaryFields::Sources BoundaryFields::split(int element) const {
+  Sources sources;
+  FarBatch batch{};
+  const BoundaryPoint middle = mesh_.at(element, 0);
+  for (int r = 0; r < runs_.size(); ++r) {
+    const ElementRun& run = runs_[r];
+    const FarLanes chosen = runs_.choose(element, r, {run.first, run.last}, batch);
+    if (chosen.atOnce) {
+      const int order = pointsOn(chosen.smooth.inner, chosen.columns);
+      const auto first = static_cast<std::size_t>(run.first * order);
+      const auto last = static_cast<std::size_t>(run.last * order);
+      // interpolation needs twice as many points as a product of two such fields
+      auto& stretches = sources.far[2 * chosen.smooth.outer].stretches;
+      if (!stretches.empty() && stretches.back().order == order &&
+          stretches.back().last == first)
+        stretches.back().last = last;
+      else
+        stretches.push_back({order, first, last});
+      continue;
+    }
+    for (int f = run.first; f < run.last; ++f) {
+      const int lane = f - run.first;
+      if (!chosen.far[lane]) {
+        sources.near.push_back(f);
+        continue;
+      }
+      const PairOrder& smooth = chosen.own[lane];
+      addPoints(f, pointsOn(smooth.inner, mesh_[f].degree),
+                -mesh_.difference(middle, mesh_.at(f, 0)),
+                sources.far[2 * smooth.outer].points);
+    }
+  }
+  return sources;
+}
+
+BoundaryFields::FarSeries BoundaryFields::farSeries(int element,
+                                                    const Sources& sources) const {
+  const Element& target = mesh_[element];
+  const Complex normal = asComplex(target.normal);
+  const Complex middle = asComplex(target.middle);
+  FarSeries series;
+  for (const auto& [order, far] : sources.far) {
+    const auto size = static_cast<std::size_t>(order);
+    series.traction.resize(std::max(series.traction.size(), size));
+    series.mismatch.resize(series.traction.size());
+    const Rule& rule = gaussLegendre(order);
+    std::vector<double> legendre(size);
+    for (int q = 0; q < order; ++q) {
+      legendreValues(order - 1, rule.points[q], legendre.data());
+      const Complex offset = target.half * rule.points[q] * asComplex(target.tangent);
+      FieldSums sums = far.points.at(offset);
+      for (const Sources::Stretch& stretch : far.stretches)
+        sums.add(everything_[static_cast<std::size_t>(stretch.order)].at(
+            middle + offset, stretch.first, stretch.last));
+      const Complex t = traction(lame_, normal, sums);
+      const Complex m = mismatchSlope(lame_, normal, sums);
+      for (std::size_t k = 0; k < size; ++k) {
+        const double factor =
+            rule.weights[q] * legendre[k] * (static_cast<double>(k) + 0.5);
+        series.traction[k] += factor * t;
+        series.mismatch[k] += factor * m;
+      }
+    }
+  }
+  return series;
+}
+
+void BoundaryFields::evaluate(int element, const Sources& sources,
+                              const FarSeries& series, BoundaryValue& value) const {
+  const Element& target = mesh_[element];
+  const Complex normal = asComplex(target.normal);
+  const BoundaryPoint x = mesh_.at(element, value.place.fromStart, value.place.toEnd);
+  FieldSums sums;
+  LegendreMoments moments;
+  for (const int f : sources.near) {
+    const Element& source = mesh_[f];
+    const LocalField& values = fields_[static_cast<std::size_t>(f)];
+    const RelativeTarget seen = seenFrom(mesh_, f, x);
+    evaluateMoments(seen, source.degree - 1, Need::CandD, moments);
+    const Complex tangent = asComplex(source.tangent);
+    for (int j = 0; j < source.degree; ++j) {
+      const ElementIntegrals in = elementIntegrals(tangent, seen, moments, j);
+      const Complex density = values.density[j];
+      const Complex slope = values.slope[j];
+      sums.density.add(
+          {density * in.overW, density * in.overConj, std::conj(density) * in.cubic});
+      sums.slope.add(
+          {slope * in.overW, slope * in.overConj, std::conj(slope) * in.cubic});
+    }
+  }
+  Complex t = traction(lame_, normal, sums);
+  Complex m = mismatchSlope(lame_, normal, sums);
+
+  const LocalField& own = fields_[static_cast<std::size_t>(element)];
+  const int degree = target.degree;
+  const int terms = std::max(degree, static_cast<int>(series.traction.size()));
+  std::vector<double> legendre(static_cast<std::size_t>(terms));
+  legendreValues(terms - 1, value.place.t, legendre.data());
+  for (int j = 0; j < degree; ++j) {
+    t += 0.5 * legendre[static_cast<std::size_t>(j)] * own.density[j];
+    m -= 0.5 * legendre[static_cast<std::size_t>(j)] * own.slope[j];
+  }
+  for (std::size_t k = 0; k < series.traction.size(); ++k) {
+    t += legendre[k] * series.traction[k];
+    m += legendre[k] * series.mismatch[k];
+  }
+  value.traction = asVector(t);
+  value.mismatch = asVector(m);
+}
+
+std::vector<BoundaryValue> BoundaryFields::at(int element,
+                                              const std::vector<EndPoint>& points) const {
+  const Sources sources = split(element);
+  const FarSeries series = farSeries(element, sources);
+  std::vector<BoundaryValue> values(points.size());
+  for (std::size_t q = 0; q < points.size(); ++q) {
+    values[q].place = points[q];
+    evaluate(element, sources, series, values[q]);
+  }
+  return values;
+}
+
+std::vector<BoundaryValue> BoundaryFields::on(int element) const {
+  const Sources sources = split(element);
+  std::vector<Feature> features;
+  int degree = mesh_[element].degree;
+  for (const int f : sources.near) {
+    const Piece& piece = mesh_[f].piece;
+    degree = std::max(degree, mesh_[f].degree);
+    for (const Position& end : {piece.start, piece.end}) {
+      const RelativeTarget seen = seenFrom(mesh_, element, {piece.edge, end, 0});
+      features.push_back({seen.z().real(), std::abs(seen.b())});
+    }
+  }
+  const GradedRule rule = softenedRule(features, degree + smoothPoints);
+  const FarSeries series = farSeries(element, sources);
+  std::vector<BoundaryValue> values(rule.points.size());
+  for (std::size_t q = 0; q < values.size(); ++q) {
+    values[q].place = rule.points[q];
+    values[q].weight = mesh_[element].half * rule.weights[q];
+    evaluate(element, sources, series, values[q]);
+  }
+  return values;
+}
+
+}  // namespace epafi::bem

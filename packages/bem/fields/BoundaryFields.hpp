@@ -1,0 +1,56 @@
+#pragma once
+
+#include "bem/base/Material.hpp"
+#include "bem/fields/PointSources.hpp"
+#include "bem/moments/ElementRuns.hpp"
+#include "bem/quadrature/Graded.hpp"
+#include "bem/space/LocalField.hpp"
+
+#include <vector>
+
+namespace epafi::bem {
+
+/// The residuals' ingredients at a point of an element, dimensionless.
+struct BoundaryValue {
+  EndPoint place;
+  double weight = 0;  ///< of a quadrature rule over the element, by arc length
+  Vec2 traction;      ///< W u + (K' + 1/2) ψ
+  Vec2 mismatch;      ///< d/ds (V ψ - (K + 1/2) u)
+};
+
+/// The two integral equations of (u, ψ) at points of the boundary, all in closed form.
+///
+/// Elements nearby are integrated exactly at points graded toward the ends of the element
+/// and of its neighbours, where both fields have logarithms; far ones act through Gauss
+/// points (error 1e-12 of their field) and are interpolated.  Squares of the fields are
+/// integrated to 2e-6 of their size by the weights.
+class BoundaryFields {
+ public:
+  BoundaryFields(const Space& space, const Lame& lame, const Vector& u,
+                 const Vector& psi);
+
+  /// Values on one element; calls are independent of each other.
+  std::vector<BoundaryValue> on(int element) const;
+
+  /// Values at chosen points, weights zero.
+  std::vector<BoundaryValue> at(int element, const std::vector<EndPoint>& points) const;
+
+ private:
+  struct Sources;
+  struct FarSeries;
+
+  void addPoints(int f, int order, Vec2 middle, PointSources& points) const;
+  Sources split(int element) const;
+  FarSeries farSeries(int element, const Sources& sources) const;
+  void evaluate(int element, const Sources& sources, const FarSeries& series,
+                BoundaryValue& value) const;
+
+  Mesh mesh_;
+  ElementRuns runs_;  ///< of mesh_
+  Lame lame_;
+  std::vector<LocalField> fields_;
+  /// By order: all elements through that many Gauss points each, as far circles need.
+  std::vector<PointSources> everything_;
+};
+
+}  // namespace epafi::bem

@@ -1,0 +1,119 @@
+#include "bem/moments/ElementRuns.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::bem {
+
+namespace {
+
+/// From this distance on (in outline diameters) subtracting coordinates costs no digits
+/// that matter: 2e-15 of the difference.
+constexpr double plainDistance = 0.1;
+
+/// Circles closer than this (in half lengths) are looked at element by element.
+constexpr double zOfCircles = 4;
+
+ElementRun makeRun(const Mesh& mesh, int first) {
+  ElementRun run;
+  run.first = first;
+  run.last = std::min(first + lanes, mesh.size());
+  Vec2 low = mesh[first].middle;
+  Vec2 high = low;
+  for (int lane = 0; lane < lanes; ++lane) {
+    const int f = first + lane;
+    if (f >= run.last) {
+      run.elements.drop(lane);
+      continue;
+    }
+    const Element& element = mesh[f];
+    run.elements.set(lane, element.middle, element);
+    run.largestHalf = std::max(run.largestHalf, element.half);
+    run.degree = std::max(run.degree, element.degree);
+    low = {std::min(low.x, element.middle.x), std::min(low.y, element.middle.y)};
+    high = {std::max(high.x, element.middle.x), std::max(high.y, element.middle.y)};
+  }
+  run.centre = 0.5 * (low + high);
+  for (int f = first; f < run.last; ++f) {
+    const Vec2 offset = mesh[f].middle - run.centre;
+    run.radius = std::max(run.radius, std::sqrt(dot(offset, offset)) + mesh[f].half);
+  }
+  return run;
+}
+
+}  // namespace
+
+ElementRuns::ElementRuns(const Mesh& mesh) : mesh_(&mesh) {
+  for (int first = 0; first < mesh.size(); first += lanes)
+    runs_.push_back(makeRun(mesh, first));
+}
+
+FarLanes ElementRuns::choose(int e, int r, const ElementRange& wanted, FarBatch& batch,
+                             int largestOuter) const {
+  const ElementRun& run = (*this)[r];
+  FarLanes result;
+  const bool all = wanted.first <= run.first && run.last <= wanted.last;
+  if (all && chooseAtOnce(e, run, result, batch))
+    return result;
+  const BoundaryPoint middle = mesh_->at(e, 0);
+  for (int lane = 0; lane < lanes; ++lane) {
+    const int f = run.first + lane;
+    batch.drop(lane);
+    if (f >= run.last || !wanted.contain(f))
+      continue;
+    // in one order, so that rounding cannot call a pair near once and far once
+    const BoundaryPoint other = mesh_->at(f, 0);
+    PairOrder order;
+    Vec2 w;
+    if (e >= f) {
+      w = mesh_->difference(middle, other);
+      result.far[lane] = !isNear(*mesh_, e, f, w, order);
+    } else {
+      w = mesh_->difference(other, middle);
+      result.far[lane] = !isNear(*mesh_, f, e, w, order);
+      w = -w;
+      std::swap(order.outer, order.inner);
+    }
+    const Element& source = (*mesh_)[f];
+    const PairOrder smooth = {order.outer - degreeShare((*mesh_)[e].degree),
+                              order.inner - degreeShare(source.degree)};
+    result.far[lane] = result.far[lane] && smooth.outer <= largestOuter;
+    if (!result.far[lane])
+      continue;
+    batch.set(lane, w, source);
+    result.own[lane] = smooth;
+    ++result.count;
+    result.columns = std::max(result.columns, source.degree);
+    result.smooth = {std::max(result.smooth.outer, smooth.outer),
+                     std::max(result.smooth.inner, smooth.inner)};
+  }
+  return result;
+}
+
+// |w| between middles is at least the distance to the circle plus half of the element,
+// and a bound for the sums of focal distances, see isNear.
+bool ElementRuns::chooseAtOnce(int e, const ElementRun& run, FarLanes& result,
+                               FarBatch& batch) const {
+  const Element& x = (*mesh_)[e];
+  const Vec2 toCentre = x.middle - run.centre;
+  const double gap = std::sqrt(dot(toCentre, toCentre)) - run.radius;
+  const double zE = gap / x.half;
+  const double zF = (gap - x.half) / run.largestHalf;
+  const bool isFar =
+      gap > plainDistance && gap - x.half > std::max(x.half, run.largestHalf);
+  if (!isFar || std::min(zE, zF) < zOfCircles)
+    return false;
+  result.smooth = {smoothOrder(zE), smoothOrder(zF)};
+  result.atOnce = true;
+  result.columns = run.degree;
+  result.count = run.last - run.first;
+  std::fill_n(result.far, result.count, true);
+  batch = run.elements;
+  for (int lane = 0; lane < result.count; ++lane) {
+    batch.wx[lane] = x.middle.x - run.elements.wx[lane];
+    batch.wy[lane] = x.middle.y - run.elements.wy[lane];
+  }
+  return true;
+}
+
+}  // namespace epafi::bem

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "bem/base/DenseAlgebra.hpp"
+#include "bem/base/Material.hpp"
+#include "bem/space/Space.hpp"
+#include "bem/tractions/ProjectedTractions.hpp"
+
+namespace epafi::bem {
+
+/// The boundary operators as Galerkin matrices, by this process's rows.  [P sec. 2], with
+/// the signs of design.md 3.2; dimensionless.
+struct Operators {
+  Matrix singleLayer;         ///< V, densities x densities, lower triangle
+  Matrix doubleLayer;         ///< K + 1/2, densities x displacements
+  Matrix hypersingular;       ///< W, displacements x displacements, lower triangle
+  TractionKernels tractions;  ///< on the elements asked for
+};
+
+/// Assembles V, K + 1/2 and W from one set of double moments per pair of elements:
+///
+///   V f = A (-log r) f + B (d d'/r²) f,
+///   K v = K_Δ v - (2μ V - V_Δ) M v,  M v = (v₂', -v₁'),  V_Δ, K_Δ: Laplace's potentials,
+///   <W u, v> = <V* u', v'>                                            [design.md 3.2
+///   to 3.4]
+///
+/// Every entry is accurate to 1e-12 of the norm of its element pair's block.
+/// Threads: OpenMP over blocks of elements.
+///
+/// Where `tractionElements` are given, the kernels of their projected tractions come from
+/// the same moments.
+Operators assembleOperators(const Space& space, const Lame& lame,
+                            const DenseAlgebra& algebra,
+                            const std::vector<int>& tractionElements = {});
+
+}  // namespace epafi::bem

@@ -1,0 +1,76 @@
+#include "bem/operators/EnergyNorm.hpp"
+
+#include "bem/moments/PairBatch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace epafi::bem {
+
+namespace {
+
+/// Σ over all pairs (e, f) with f <= e of what they add to the two forms.
+class PairSum {
+ public:
+  PairSum(const CauchyData& data, const Lame& lame) : data_(data), lame_(lame) {}
+
+  double row(int e, PairBatch& batch) const {
+    double sum = 0;
+    for (int first = 0; first <= e; first += lanes) {
+      const int last = std::min(first + lanes, e + 1);
+      batch.choose(e, first / lanes, {first, last});
+      for (int f = first; f < last; ++f)
+        sum += (e == f ? 1 : 2) * pair(e, f, batch.at(f));
+    }
+    return sum;
+  }
+
+ private:
+  /// ∫∫ a·(-log r I + c d d'/r²) b over both elements, for slopes (V*) and densities (V);
+  /// in complex numbers  a·(d d'/r²) b = ½ Re(conj(a) b + conj(a) conj(b) w/conj(w)).
+  double pair(int e, int f, const PairMoments& m) const {
+    const Element& x = data_.mesh[e];
+    const Element& y = data_.mesh[f];
+    const LocalField& a = data_.fields[static_cast<std::size_t>(e)];
+    const LocalField& b = data_.fields[static_cast<std::size_t>(f)];
+    double sum = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(x.degree); ++i)
+      for (std::size_t j = 0; j < static_cast<std::size_t>(y.degree); ++j) {
+        const int row = static_cast<int>(i);
+        const int column = static_cast<int>(j);
+        const double whole = i == 0 && j == 0 ? 4 : 0;
+        const double log = m.log(row, column);
+        const Complex phase(m.phaseReal(row, column), m.phaseImag(row, column));
+        const auto form = [&](Complex p, Complex q, double isotropic, double radial) {
+          const double product = std::real(std::conj(p) * q);
+          const double turned = std::real(std::conj(p) * std::conj(q) * phase);
+          return -isotropic * log * product + 0.5 * radial * (whole * product + turned);
+        };
+        sum += form(a.density[i], b.density[j], lame_.a, lame_.b) +
+               form(a.slope[i], b.slope[j], lame_.d, lame_.d);
+      }
+    return x.half * y.half * sum;
+  }
+
+  const CauchyData& data_;
+  const Lame& lame_;
+};
+
+}  // namespace
+
+double energyNorm(const CauchyData& data, const Lame& lame) {
+  const PairSum pairs(data, lame);
+  const ElementRuns runs(data.mesh);
+  Vector rows(data.fields.size());
+#pragma omp parallel
+  {
+    PairBatch batch(runs);
+#pragma omp for schedule(dynamic, 1)
+    for (int e = data.mesh.size() - 1; e >= 0; --e)
+      rows[static_cast<std::size_t>(e)] = pairs.row(e, batch);
+  }
+  return std::sqrt(std::max(0.0, std::accumulate(rows.begin(), rows.end(), 0.0)));
+}
+
+}  // namespace epafi::bem

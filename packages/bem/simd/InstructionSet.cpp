@@ -1,0 +1,21 @@
+#include "bem/simd/InstructionSet.hpp"
+
+namespace epafi::bem {
+
+std::vector<InstructionSet> instructionSets() {
+  std::vector<InstructionSet> sets = {InstructionSet::Baseline};
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+    sets.push_back(InstructionSet::Avx2);
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl"))
+      sets.push_back(InstructionSet::Avx512);
+  }
+  return sets;
+}
+
+InstructionSet largestInstructionSet() {
+  static const InstructionSet largest = instructionSets().back();
+  return largest;
+}
+
+}  // namespace epafi::bem

@@ -1,0 +1,103 @@
+#include "bem/tractions/ProjectedTractions.hpp"
+
+#include "bem/base/Constants.hpp"
+#include "bem/moments/EndMoments.hpp"
+#include "bem/tractions/FarTractionRows.hpp"
+
+#include <cmath>
+
+namespace epafi::bem {
+
+ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
+                                       const DenseAlgebra& algebra,
+                                       const std::vector<int>& elements)
+    : space_(space),
+      lame_(lame),
+      densityRows_(algebra.myRows(space.densities())),
+      displacementRows_(algebra.myRows(space.displacements())),
+      columns_(static_cast<std::size_t>(space.mesh().size()), -1) {
+  const Mesh& mesh = space.mesh();
+  kernels_.elements = elements;
+  kernels_.start.assign(1, 0);
+  for (const int e : elements) {
+    columns_[static_cast<std::size_t>(e)] = kernels_.start.back();
+    kernels_.start.push_back(kernels_.start.back() + 2 * (mesh[e].degree + 1));
+  }
+  kernels_.hypersingular = Matrix(displacementRows_.size(), kernels_.start.back());
+  kernels_.adjoint = Matrix(densityRows_.size(), kernels_.start.back());
+  for (int k = 0; k <= largestDegree; ++k)
+    slopes_[static_cast<std::size_t>(k)] = DisplacementBasis::slope(k);
+  if (elements.empty())
+    return;
+  const FarTractionRows far(space, lame, algebra);
+  const auto count = static_cast<int>(elements.size());
+#pragma omp parallel for schedule(dynamic, 4)
+  for (int k = 0; k < count; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    far.write(elements[at], mesh[elements[at]].degree + 1, largestSmoothOrder,
+              kernels_.start[at], kernels_.hypersingular, kernels_.adjoint);
+  }
+}
+
+void ProjectedTractions::addHypersingular(int source, int j, Index column,
+                                          const Block& block) {
+  const int first = j == 0 ? 0 : j + 1;
+  const int last = j == 0 ? 1 : j + 1;
+  for (int k = first; k <= last; ++k)
+    addBlock(kernels_.hypersingular, displacementRows_, space_.displacement(source, k, 0),
+             column, slopes_[static_cast<std::size_t>(k)] * block);
+}
+
+template <class Moments>
+void ProjectedTractions::addTest(int test, int source, const Moments& m) {
+  const Element& x = space_.mesh()[test];
+  const Element& y = space_.mesh()[source];
+  const EndMoments start = endMoments(space_.mesh(), source, space_.mesh().at(test, -1));
+  const EndMoments end = endMoments(space_.mesh(), source, space_.mesh().at(test, 1));
+  const bool sameEdge = x.piece.edge == y.piece.edge;
+  const double ofLog = 2 * lame_.mu * (1 - 2 * lame_.nu) * lame_.b;
+  const double ofPhase = lame_.mu * lame_.b;
+  for (int j = 0; j < y.degree; ++j) {
+    const auto at = static_cast<std::size_t>(j);
+    const Index density = space_.density(source, j, 0);
+    // P_i' = (2i-1) P_{i-1} + (2i-5) P_{i-3} + ...: sums for odd and even i.  The
+    // constant part of d d'/r² cancels between these sums and the ends.
+    double log[2] = {start.log[at] - end.log[at], -start.log[at] - end.log[at]};
+    Complex phase[2] = {start.phase[at] - end.phase[at],
+                        -start.phase[at] - end.phase[at]};
+    for (int i = 0; i <= x.degree; ++i) {
+      double& l = log[i % 2];
+      Complex& c = phase[i % 2];
+      if (i > 0) {
+        l += (2 * i - 1) * m.log(i - 1, j);
+        c += (2 * i - 1.0) * Complex(m.phaseReal(i - 1, j), m.phaseImag(i - 1, j));
+      }
+      const double scale = std::sqrt((2 * i + 1) / (2 * x.half));
+      const Index column = columns_[static_cast<std::size_t>(test)] + 2 * i;
+
+      const double re = 0.5 * c.real();
+      const double im = 0.5 * c.imag();
+      addHypersingular(source, j, column,
+                       scale * lame_.d * Block{re - l, im, im, -re - l});
+
+      double laplace = sameEdge ? 0 : inverse2Pi * m.reverse(i, j);
+      if (test == source && i == j)
+        laplace = 1.0 / (2 * i + 1);  // 1/2 <P_i, P_i>; the double layer is zero
+      // -X J e_x = (X_xy, X_yy),  -X J e_y = (-X_xx, -X_xy)
+      const double xx = ofPhase * c.real() - ofLog * l;
+      const double xy = ofPhase * c.imag();
+      const double yy = -ofPhase * c.real() - ofLog * l;
+      addBlock(kernels_.adjoint, densityRows_, density, column,
+               scale * y.half * Block{xy + laplace, yy, -xx, laplace - xy});
+    }
+  }
+}
+
+void ProjectedTractions::addNear(int e, int f, const PairMoments& moments) {
+  if (columns_[static_cast<std::size_t>(e)] >= 0)
+    addTest(e, f, MomentsAsTheyAre{moments});
+  if (e != f && columns_[static_cast<std::size_t>(f)] >= 0)
+    addTest(f, e, MomentsSwapped{moments});
+}
+
+}  // namespace epafi::bem

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "bem/base/DenseAlgebra.hpp"
+#include "bem/base/Material.hpp"
+#include "bem/moments/PairMoments.hpp"
+#include "bem/operators/Block.hpp"
+#include "bem/space/Space.hpp"
+
+#include <array>
+#include <vector>
+
+namespace epafi::bem {
+
+/// <W φ, P̂_i e_a>_E and <(K' + 1/2) ψ, P̂_i e_a>_E on some elements E, P̂_i orthonormal on
+/// E, i <= p_E: the kernels' part of the projected tractions of [P (42)], transposed.
+///
+/// Column start[k] + 2 i + a belongs to the k-th element; rows are mine.
+struct TractionKernels {
+  std::vector<int> elements;
+  std::vector<Index> start;
+  Matrix hypersingular;  ///< displacements x columns
+  Matrix adjoint;        ///< densities x columns
+};
+
+/// The discrete traction S_hp φ = W φ + (K' + 1/2) V⁻¹ (K + 1/2) φ on some elements, as
+/// coefficients in an orthonormal basis of L²(E)² for every basis function φ.
+///
+/// Column `start[k] + 2 i + a` of `rows` is  ∫_E (S φ)_a P̂_i ds  for the k-th element E,
+/// i from 0 to its degree p, P̂_i the orthonormal Legendre polynomials on E.  Where asked
+/// for, more columns follow, up to start[k+1]: components of S φ beyond degree p, so that
+///
+///   ∫_E S φ · S ψ ds = Σ over all columns of E.
+///
+/// Rows are displacements, mine; this is the transpose of what one would draw.
+struct TractionRows {
+  Matrix rows;
+  std::vector<Index> start;
+};
+
+/// Fills TractionKernels: far pairs at points (FarTractionRows), near ones from the pair
+/// moments of V, K and W, which the assembly has anyway, and potentials at the ends of E:
+///
+///   <W φ, P_i>_E = ∫ V*φ' P_i' dt - [P_i V*φ'],
+///   <K'ψ, P_i e>_E = <ψ, K(P_i e)>,  K v = K_Δ v - ∫ X J v' ds + [X J v],  J v = (v₂,
+///   -v₁),
+///
+/// X as in Assembly.  Errors of near pairs are absolute, 1e-16 of a potential of size 1.
+class ProjectedTractions {
+ public:
+  /// Does the far pairs.
+  ProjectedTractions(const Space& space, const Lame& lame, const DenseAlgebra& algebra,
+                     const std::vector<int>& elements);
+
+  /// Adds all that the near pair (e, f) gives: tests on e if it is one of the elements,
+  /// and tests on f.  Every pair must come once.  Calls whose f share no node may run at
+  /// the same time, unless an e closes its loop.
+  void addNear(int e, int f, const PairMoments& moments);
+
+  /// Gives the result away.
+  TractionKernels finish() { return std::move(kernels_); }
+
+ private:
+  /// Adds a block to the rows of the source's functions φ_k with φ_k' = slope P_j.
+  void addHypersingular(int source, int j, Index column, const Block& block);
+
+  /// moment(i, j): test degree i on `test`, source degree j.
+  template <class Moments>
+  void addTest(int test, int source, const Moments& moments);
+
+  const Space& space_;
+  Lame lame_;
+  Rows densityRows_;
+  Rows displacementRows_;
+  std::vector<Index> columns_;  ///< by element: its first column; -1: not asked for
+  std::array<double, largestDegree + 1> slopes_{};
+  TractionKernels kernels_;
+};
+
+}  // namespace epafi::bem

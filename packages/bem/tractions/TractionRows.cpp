@@ -1,0 +1,328 @@
+#include "bem/tractions/TractionRows.hpp"
+
+#include "bem/algebra/Blas.hpp"
+#include "bem/base/Error.hpp"
+#include "bem/moments/RelativeTarget.hpp"
+#include "bem/operators/MyElements.hpp"
+#include "bem/quadrature/Graded.hpp"
+#include "bem/tractions/FarTractionRows.hpp"
+#include "bem/tractions/Traction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::bem {
+
+namespace {
+
+constexpr int largestMoments = 48;
+
+/// Gauss points, beside those of polynomials, beyond which a source's field on an element
+/// would need too many Legendre moments.
+constexpr int smoothOrderOfMoments = 7;
+
+/// Values at one outer point of all sources on one element: K' of P_j e_c and W of the
+/// derivative P_j e_c, j below the source's degree.
+struct SourceValues {
+  Complex adjoint[largestDegree][2];
+  Complex hyper[largestDegree][2];
+};
+
+/// Which numbers a source function has: density or displacement, global index, weight.
+enum class Kind { Density, Displacement };
+
+/// Calls visit(kind, unknown, value) for every basis function on element f, given the
+/// values of its Legendre components.
+template <class Visit>
+void forEachSource(const Space& space, int f, const SourceValues& values,
+                   const Visit& visit) {
+  const Element& source = space.mesh()[f];
+  for (int j = 0; j < source.degree; ++j)
+    for (int c = 0; c < 2; ++c) {
+      visit(Kind::Density, space.density(f, j, c), values.adjoint[j][c]);
+      const Complex hyper = values.hyper[j][c] / source.half;
+      if (j == 0) {
+        visit(Kind::Displacement, space.displacement(f, 0, c), -0.5 * hyper);
+        visit(Kind::Displacement, space.displacement(f, 1, c), 0.5 * hyper);
+      } else {
+        visit(Kind::Displacement, space.displacement(f, j + 1, c),
+              DisplacementBasis::slope(j + 1) * hyper);
+      }
+    }
+}
+
+/// The rows of a matrix that are mine.
+struct MyRows {
+  const Rows& rows;
+  Matrix& matrix;
+
+  void add(Index row, Index column, double value) const {
+    if (rows.contain(row))
+      matrix(row - rows.begin, column) += value;
+  }
+};
+
+class ElementRows {
+ public:
+  ElementRows(const FarTractionRows& far, const Space& space, const Lame& lame,
+              int element, TractionForm form)
+      : far_(far),
+        space_(space),
+        mesh_(space.mesh()),
+        kernel_(lame, asComplex(mesh_[element].normal)),
+        element_(element) {
+    moments_ = mesh_[element].degree + 1;
+    if (form == TractionForm::Exact) {  // what far sources have beyond these is 1e-12
+      largestOuter_ = smoothOrderOfMoments;
+      moments_ = std::max(moments_, 2 * largestOuter_);
+    }
+    chooseNear();
+    makeRule();
+    if (form == TractionForm::Exact)
+      compress();
+  }
+
+  Index columns() const { return 2 * moments_ + extra_.rows(); }
+
+  /// Adds the kernels' columns, from `first` on, to the transposed rows of W and K' +
+  /// 1/2, where they are mine.
+  void write(Index first, const MyElements& mine, const Rows& displacementRows,
+             const Rows& densityRows, Matrix& hyper, Matrix& adjoint) const {
+    const MyRows density{densityRows, adjoint};
+    const MyRows displacement{displacementRows, hyper};
+    const auto put = [&](Kind kind, Index unknown, Index column, double value) {
+      (kind == Kind::Density ? density : displacement).add(unknown, column, value);
+    };
+    const auto putMoments = [&](double weight, const double* legendre) {
+      return [&, weight, legendre](Kind kind, Index unknown, Complex value) {
+        for (int i = 0; i < moments_; ++i) {
+          const double factor = weight * legendre[i] * normalisation(i);
+          put(kind, unknown, first + 2 * i, factor * value.real());
+          put(kind, unknown, first + 2 * i + 1, factor * value.imag());
+        }
+      };
+    };
+    SourceValues values;
+    double legendre[largestMoments];
+    far_.write(element_, moments_, largestOuter_, first, hyper, adjoint);
+    for (int q = 0; q < rule_.size(); ++q) {
+      legendreValues(moments_ - 1, rule_.points[q].t, legendre);
+      for (const int f : near_) {
+        if (!mine.contain(f))
+          continue;
+        evaluate(f, place(rule_.points[q]), rule_.points[q].t, values);
+        forEachSource(space_, f, values, putMoments(rule_.weights[q], legendre));
+      }
+    }
+    for (std::size_t s = 0; s < nearSources_.size(); ++s)
+      for (Index r = 0; r < extra_.rows(); ++r)
+        put(nearSources_[s].kind, nearSources_[s].unknown, first + 2 * moments_ + r,
+            extra_(r, static_cast<Index>(s)));
+  }
+
+ private:
+  struct Source {
+    Kind kind;
+    Index unknown;
+  };
+
+  // √(h/2) √((2i+1)/2) turns ∫ f P_i dt into ∫ f P̂_i ds
+  double normalisation(int i) const {
+    return std::sqrt(mesh_[element_].half * (2 * i + 1) / 2);
+  }
+
+  /// Near sources get graded points.  In the exact form these are also the ones whose
+  /// field on the element would need many Legendre moments.
+  void chooseNear() {
+    const ElementRuns& runs = far_.runs();
+    FarBatch batch{};
+    for (int r = 0; r < runs.size(); ++r) {
+      const FarLanes chosen =
+          runs.choose(element_, r, {runs[r].first, runs[r].last}, batch, largestOuter_);
+      for (int f = runs[r].first; f < runs[r].last; ++f)
+        if (!chosen.far[f - runs[r].first])
+          near_.push_back(f);
+    }
+  }
+
+  void makeRule() {
+    std::vector<Feature> features;
+    int degree = mesh_[element_].degree;
+    double smallest = 1e-16;
+    for (const int f : near_) {
+      const Piece& piece = mesh_[f].piece;
+      degree = std::max(degree, mesh_[f].degree);
+      smallest = std::min(smallest, 1e-16 * mesh_[f].half / mesh_[element_].half);
+      for (const Position& end : {piece.start, piece.end}) {
+        const RelativeTarget seen = seenFrom(mesh_, element_, {piece.edge, end, 0});
+        features.push_back({seen.z().real(), std::abs(seen.b())});
+      }
+    }
+    rule_ = gradedRule(features, 17 + (degree + moments_) / 2, smallest);
+  }
+
+  BoundaryPoint place(const EndPoint& point) const {
+    return mesh_.at(element_, point.fromStart, point.toEnd);
+  }
+
+  void evaluate(int f, const BoundaryPoint& x, double t, SourceValues& values) const {
+    const Element& source = mesh_[f];
+    const RelativeTarget target = seenFrom(mesh_, f, x);
+    LegendreMoments moments;
+    evaluateMoments(target, source.degree - 1, Need::CandD, moments);
+    const Complex tangent = asComplex(source.tangent);
+    for (int j = 0; j < source.degree; ++j) {
+      const ElementIntegrals in = elementIntegrals(tangent, target, moments, j);
+      const Complex units[2] = {1, Complex(0, 1)};
+      for (int c = 0; c < 2; ++c) {
+        values.adjoint[j][c] = kernel_.adjointDoubleLayer(in, units[c]);
+        values.hyper[j][c] = kernel_.hypersingular(in, units[c]);
+      }
+    }
+    if (f != element_)
+      return;
+    double legendre[largestDegree];
+    legendreValues(source.degree - 1, t, legendre);
+    for (int j = 0; j < source.degree; ++j) {  // the 1/2 of K' + 1/2
+      values.adjoint[j][0] += 0.5 * legendre[j];
+      values.adjoint[j][1] += Complex(0, 0.5 * legendre[j]);
+    }
+  }
+
+  /// What the near sources have beyond the Legendre moments: their values at the graded
+  /// points minus the projection, compressed by a pivoted QR factorisation.
+  void compress() {
+    const Index points = rule_.size();
+    Matrix samples = nearSamples(points);
+    removeMoments(samples, points);
+    extra_ = triangularFactor(std::move(samples));
+  }
+
+  Matrix nearSamples(Index points) {
+    std::vector<std::vector<double>> columns;
+    SourceValues values;
+    for (const int f : near_) {
+      const std::size_t first = columns.size();
+      for (Index q = 0; q < points; ++q) {
+        const double weight = std::sqrt(rule_.weights[q] * mesh_[element_].half);
+        evaluate(f, place(rule_.points[q]), rule_.points[q].t, values);
+        std::size_t column = first;
+        forEachSource(space_, f, values, [&](Kind kind, Index unknown, Complex value) {
+          if (q == 0) {
+            nearSources_.push_back({kind, unknown});
+            columns.emplace_back(static_cast<std::size_t>(2 * points));
+          }
+          columns[column][static_cast<std::size_t>(q)] = weight * value.real();
+          columns[column][static_cast<std::size_t>(q + points)] = weight * value.imag();
+          ++column;
+        });
+      }
+    }
+    Matrix samples(2 * points, static_cast<Index>(columns.size()));
+    for (Index c = 0; c < samples.columns(); ++c)
+      std::copy(columns[static_cast<std::size_t>(c)].begin(),
+                columns[static_cast<std::size_t>(c)].end(), samples.column(c));
+    return samples;
+  }
+
+  void removeMoments(Matrix& samples, Index points) const {
+    Matrix basis(points, moments_);
+    std::array<double, largestMoments> legendre{};
+    for (Index q = 0; q < points; ++q) {
+      legendreValues(moments_ - 1, rule_.points[q].t, legendre.data());
+      for (int i = 0; i < moments_; ++i)
+        basis(q, i) = std::sqrt(rule_.weights[q] * (2 * i + 1) / 2) * legendre[i];
+    }
+    for (Index c = 0; c < samples.columns(); ++c)
+      for (int part = 0; part < 2; ++part)
+        for (int i = 0; i < moments_; ++i) {
+          double* value = samples.column(c) + part * points;
+          double projection = 0;
+          for (Index q = 0; q < points; ++q)
+            projection += basis(q, i) * value[q];
+          for (Index q = 0; q < points; ++q)
+            value[q] -= projection * basis(q, i);
+        }
+  }
+
+  // R of samples P = Q R, in the order of the sources, without rows that do not matter
+  static Matrix triangularFactor(Matrix samples) {
+    const int m = static_cast<int>(samples.rows());
+    const int n = static_cast<int>(samples.columns());
+    const int ld = static_cast<int>(samples.stride());
+    std::vector<int> pivots(static_cast<std::size_t>(n), 0);
+    Vector tau(static_cast<std::size_t>(std::min(m, n)));
+    Vector work(static_cast<std::size_t>(64 * (n + 1)));
+    const int size = static_cast<int>(work.size());
+    int info = 0;
+    dgeqp3_(&m, &n, samples.data(), &ld, pivots.data(), tau.data(), work.data(), &size,
+            &info);
+    int rank = 0;
+    const double largest = std::abs(samples(0, 0));
+    while (rank < std::min(m, n) && std::abs(samples(rank, rank)) > 1e-13 * largest)
+      ++rank;
+    Matrix factor(rank, n);
+    for (int c = 0; c < n; ++c)
+      for (int r = 0; r < std::min(rank, c + 1); ++r)
+        factor(r, pivots[static_cast<std::size_t>(c)] - 1) = samples(r, c);
+    return factor;
+  }
+
+  const FarTractionRows& far_;
+  const Space& space_;
+  const Mesh& mesh_;
+  TractionKernel kernel_;
+  int element_;
+  int moments_ = 0;
+  int largestOuter_ = largestSmoothOrder;
+  std::vector<int> near_;
+  GradedRule rule_;
+  std::vector<Source> nearSources_;
+  Matrix extra_;
+};
+
+/// The exact form's columns are chosen by rounding errors: unlike processors could
+/// differ.
+void requireAgreement(const DenseAlgebra& algebra, const std::vector<Index>& start) {
+  const Vector mine(start.begin(), start.end());
+  if (algebra.broadcast(mine) != mine)
+    throw NumericalError("the processes disagree on the rank of the exact tractions");
+}
+
+}  // namespace
+
+std::shared_ptr<const TractionRows> tractionRows(const Space& space, const Lame& lame,
+                                                 const SteklovPoincare& stiffness,
+                                                 const std::vector<int>& elements,
+                                                 TractionForm form) {
+  if (form == TractionForm::Projected && stiffness.tractionElements() == elements)
+    return stiffness.tractions();
+
+  const DenseAlgebra& algebra = stiffness.algebra();
+  const FarTractionRows far(space, lame, algebra);
+  const auto count = static_cast<int>(elements.size());
+  std::vector<std::unique_ptr<ElementRows>> parts(elements.size());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int k = 0; k < count; ++k)
+    parts[k] = std::make_unique<ElementRows>(far, space, lame, elements[k], form);
+
+  TractionRows result;
+  result.start.assign(1, 0);
+  for (const auto& part : parts)
+    result.start.push_back(result.start.back() + part->columns());
+
+  requireAgreement(algebra, result.start);
+  const MyElements mine(space, algebra);
+  const Rows displacementRows = algebra.myRows(space.displacements());
+  const Rows densityRows = algebra.myRows(space.densities());
+  Matrix hypersingular(displacementRows.size(), result.start.back());
+  Matrix adjoint(densityRows.size(), result.start.back());
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int k = 0; k < count; ++k)
+    parts[k]->write(result.start[k], mine, displacementRows, densityRows, hypersingular,
+                    adjoint);
+  result.rows = stiffness.addAdjointDensity(std::move(hypersingular), std::move(adjoint));
+  return std::make_shared<const TractionRows>(std::move(result));
+}
+
+}  // namespace epafi::bem
