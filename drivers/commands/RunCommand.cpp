@@ -120,7 +120,7 @@ struct Ending {
 /// Writes the levels' files as they are solved, and timings.txt if that fails.
 Ending solveAndWrite(const Scene& scene, const Beginning& beginning, const Ranks& ranks,
                      PhaseTimer& timer, std::optional<OutputFolder>& folder,
-                     std::ostream& table) {
+                     std::ostream& table, std::string& stages) {
   const auto& earlier = beginning.earlier;
   const RunRecord before = earlier ? earlier->run : RunRecord{"", historyHead(), 0, 0};
   RunRecord run = before;
@@ -137,6 +137,8 @@ Ending solveAndWrite(const Scene& scene, const Beginning& beginning, const Ranks
     writeLevel(scene, level, run, beginning.folder, folder);
     if (!folder)
       return;
+    stages +=
+        bem::message("level ", row.level, ": ", contact::told(row.report.stages), "\n");
     timer.clearLine();
     table << tableLine(row) << std::flush;
   };
@@ -148,7 +150,7 @@ Ending solveAndWrite(const Scene& scene, const Beginning& beginning, const Ranks
   } catch (...) {
     try {
       if (folder)
-        folder->write("timings.txt", timer.report());
+        folder->write("timings.txt", timer.report() + stages);
     } catch (const bem::InputError&) {  // what went wrong first is what is told
     }
     throw;
@@ -183,15 +185,16 @@ int runCommand(const std::vector<std::string>& arguments, std::ostream& out,
   table << tableHead() << std::flush;
 
   const bool shown = ranks.isFirst() && !options.quiet && isatty(STDERR_FILENO) != 0;
+  std::string stages = "\nSolver stages, steps, how they ended\n";
   PhaseTimer timer(shown ? Progress::Shown : Progress::Silent);
   const auto [outcome, levels] =
-      solveAndWrite(scene, beginning, ranks, timer, folder, table);
+      solveAndWrite(scene, beginning, ranks, timer, folder, table, stages);
 
   const bool converged = outcome.status == contact::Status::Converged;
   const int code = converged ? 0 : 3;
   if (!folder)
     return code;
-  folder->write("timings.txt", timer.report());
+  folder->write("timings.txt", timer.report() + stages);
   (converged ? table : std::cerr)
       << (converged ? "ended   " : "epafi: ") << outcome.reason << "\n";
   table << timeSummary(timer) << filesWritten(*folder);

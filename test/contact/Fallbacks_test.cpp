@@ -144,6 +144,34 @@ TEUCHOS_UNIT_TEST(Fallbacks, loadStepsLeadToTheSameSolution) {
   }
 }
 
+TEUCHOS_UNIT_TEST(Fallbacks, stagesAccountForEveryStep) {
+  std::mt19937 random(53);
+  for (int k = 0; k < 300; ++k) {
+    test::Recipe recipe;
+    const char* laws[] = {"None", "Tresca", "Coulomb"};
+    recipe.law = laws[k % 3];
+    recipe.normals = 4 + k % 30;
+    recipe.strength = 10;
+    recipe.coupling = k % 3 == 2 && k % 5 == 0 ? 2 : 0;
+    contact::SolverOptions options;
+    options.complementarity = contact::SolverOptions::Complementarity::FischerBurmeister;
+    options.coulomb = k % 2 == 0 ? contact::SolverOptions::Coulomb::Newton
+                                 : contact::SolverOptions::Coulomb::FixedPoint;
+    const auto report = solve(randomProblem(recipe, random), {}, options).report;
+    int steps = 0;
+    for (const contact::StageRun& run : report.stages) {
+      steps += run.steps;
+      int parts = 0;
+      for (const contact::StageRun& part : run.parts)
+        parts += part.steps;
+      TEST_ASSERT(run.parts.empty() || parts == run.steps);
+    }
+    TEST_EQUALITY(steps, report.newtonIterations);
+    TEST_EQUALITY(report.status == contact::Status::Converged,
+                  report.stages.back().end == contact::End::Converged);
+  }
+}
+
 /// Two coefficients under Coulomb's law with a load that no step reaches: the report says
 /// how far the load could go.
 TEUCHOS_UNIT_TEST(Fallbacks, aLoadThatCannotBeReachedIsReportedWithItsFactor) {

@@ -7,7 +7,10 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include <algorithm>
+#include <cctype>
+#include <map>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace epafi {
@@ -22,7 +25,19 @@ struct Statistics {
   int globalised = 0;
   int unsolved = 0;
   double violation = 0;
+  std::map<std::string, int> paths;  ///< what was tried, and how often
 };
+
+/// The stages of a solve without their parts and numbers of steps.
+std::string path(std::vector<contact::StageRun> stages) {
+  for (contact::StageRun& stage : stages)
+    stage.parts.clear();
+  std::string text = contact::told(stages);
+  text.erase(std::remove_if(text.begin(), text.end(),
+                            [](unsigned char c) { return std::isdigit(c) != 0; }),
+             text.end());
+  return text;
+}
 
 Statistics statistics(std::ostream& out, test::Recipe recipe,
                       const SolverOptions& options) {
@@ -35,6 +50,7 @@ Statistics statistics(std::ostream& out, test::Recipe recipe,
     const auto problem = randomProblem(recipe, random);
     const auto solution = solve(problem, {}, options);
     result.steps.push_back(solution.report.newtonIterations);
+    result.paths[path(solution.report.stages)] += 1;
     result.globalised += solution.report.globalised ? 1 : 0;
     if (solution.report.status != Status::Converged) {
       result.unsolved += 1;
@@ -53,6 +69,8 @@ void print(std::ostream& out, const char* what, const char* how, const Statistic
       << ", 99 % " << s.steps[s.steps.size() * 99 / 100] << ", worst " << s.steps.back()
       << "; globalised " << s.globalised << ", unsolved " << s.unsolved << ", violation "
       << s.violation << "\n";
+  for (const auto& [stages, count] : s.paths)
+    out << "  " << count << "  " << stages << "\n";
 }
 
 constexpr std::pair<const char*, SolverOptions::Complementarity> functions[] = {

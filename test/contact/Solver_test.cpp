@@ -170,7 +170,7 @@ TEUCHOS_UNIT_TEST(Solver, theEnergyEndsTheCycleAndFallsWithEachStep) {
                           Equation::Bound::Differentiated, 1e-12);
   const auto run =
       runNewton(equation, {0, 0, 0}, contact::NewtonMethod::ProjectedDescent, 100);
-  TEST_ASSERT(run.end == contact::NewtonRun::End::Converged);
+  TEST_ASSERT(run.end == contact::End::Converged);
   TEST_COMPARE(run.merits.size(), >=, 2);
   for (std::size_t k = 1; k < run.merits.size(); ++k)
     TEST_COMPARE(run.merits[k], <, run.merits[k - 1]);
@@ -190,7 +190,7 @@ TEUCHOS_UNIT_TEST(Solver, theDescentAloneSolvesRandomProblems) {
       value = std::uniform_real_distribution<double>(-3, 3)(random);
     const auto run =
         runNewton(equation, start, contact::NewtonMethod::ProjectedDescent, 100);
-    TEST_ASSERT(run.end == contact::NewtonRun::End::Converged);
+    TEST_ASSERT(run.end == contact::End::Converged);
     TEST_COMPARE(reference::violation(problem, unpack(problem, run.last)), <=,
                  4 * run.tolerance);
     for (std::size_t i = 1; i < run.merits.size(); ++i)

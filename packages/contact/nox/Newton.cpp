@@ -222,11 +222,10 @@ NewtonRun runNewton(const Equation& equation, const Vector& start, NewtonMethod 
   result.iterations = solver->getNumIterations();
   result.merits = std::move(merits);
   if (!message.empty())
-    result.end = NewtonRun::End::Singular;
-  else if (status == NOX::StatusTest::Failed &&
-           result.end == NewtonRun::End::Iterations &&
+    result.end = End::Singular;
+  else if (status == NOX::StatusTest::Failed && result.end == End::Iterations &&
            result.iterations < maximumIterations)
-    result.end = NewtonRun::End::Stalled;
+    result.end = End::Stalled;
   run.finish(method);
   return result;
 }

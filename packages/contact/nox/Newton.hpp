@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/solve/Equation.hpp"
+#include "contact/solve/Report.hpp"
 
 #include <memory>
 #include <string>
@@ -28,16 +29,6 @@ enum class NewtonMethod {
 
 /// What one run of Newton's method did.
 struct NewtonRun {
-  enum class End {
-    Converged,
-    Iterations,  ///< no convergence within the allowed steps
-    Restless,    ///< a set of states came back and the residual had not fallen
-    Growth,      ///< the residual grew beyond all measure
-    NotFinite,
-    Stalled,  ///< no step length decreases the merit function
-    Singular
-  };
-
   End end = End::Iterations;
   int iterations = 0;  ///< linear systems solved
   Vector last;

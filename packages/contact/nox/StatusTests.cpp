@@ -75,30 +75,30 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
   record(e);
 
   status_ = NOX::StatusTest::Unconverged;
-  const auto fail = [&](NewtonRun::End end) {
+  const auto fail = [&](End end) {
     run_.end = end;
     status_ = NOX::StatusTest::Failed;
   };
   if (!std::isfinite(e.scaled)) {
-    fail(NewtonRun::End::NotFinite);
+    fail(End::NotFinite);
   } else if (e.converged) {
-    run_.end = NewtonRun::End::Converged;
+    run_.end = End::Converged;
     status_ = NOX::StatusTest::Converged;
   } else if (method_ == NewtonMethod::Pivoting) {
     // Its sets do not come back; the residual says nothing on the way.
     if (sets_.size() > progress_ + pivotingSteps)
-      fail(NewtonRun::End::Restless);
+      fail(End::Restless);
     else if (e.scaled > growthLimit * std::max(first_, 1.0))
-      fail(NewtonRun::End::Growth);
+      fail(End::Growth);
   } else if (method_ == NewtonMethod::Newton) {
     const ActiveSet linear = linearProblem(e);
     const auto before = seen_.find(linear);
     const bool cycles = before != seen_.end() && e.scaled >= hasFallen * before->second &&
                         --patience_ <= 0;
     if (cycles || sets_.size() > progress_ + patientSteps)
-      fail(NewtonRun::End::Restless);
+      fail(End::Restless);
     else if (e.scaled > growthLimit * std::max(first_, 1.0))
-      fail(NewtonRun::End::Growth);
+      fail(End::Growth);
     seen_[linear] = e.scaled;
   }
   return status_;

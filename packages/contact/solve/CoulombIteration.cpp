@@ -36,7 +36,8 @@ Solution firstBound(const Problem& problem, const State& start, Report report,
                           options.tolerance);
   const NewtonRun run =
       runNewton(equation, pack(problem, start), NewtonMethod::Newton, steps);
-  return {unpack(problem, run.last), extended(std::move(report), run, problem)};
+  return {unpack(problem, run.last),
+          extended(std::move(report), Stage::NearStart, run, problem)};
 }
 
 // One update of the bound: Tresca's problem, its report added to what came before.
@@ -45,28 +46,25 @@ Solution update(const Problem& tresca, Solution before, const SolverOptions& opt
   report.coulombIterations += 1;
   try {
     Solution next = solveFixedBounds(tresca, before.state, options);
-    next.report.newtonIterations += report.newtonIterations;
-    next.report.coulombIterations = report.coulombIterations;
-    next.report.globalised = next.report.globalised || report.globalised;
-    next.report.setChanges.insert(next.report.setChanges.begin(),
-                                  report.setChanges.begin(), report.setChanges.end());
+    next.report = joined(std::move(next.report), report);
     return next;
   } catch (const bem::NumericalError& error) {
     // With this bound there is no equilibrium; with the right one there may be.
     report.status = Status::NotConverged;
     report.reason = error.what();
+    report.stages.push_back({Stage::FullSteps, 0, 0, End::NoBalance});
     return before;
   }
 }
 
 // A whole Tresca problem per update of the bound; the update is shortened when the
 // bound's change does not fall.
-Solution fixedPoint(const Problem& problem, const State& start, Report report,
-                    const SolverOptions& options) {
+Solution updates(const Problem& problem, const State& start,
+                 const SolverOptions& options) {
   const double tolerance = std::max(options.tolerance, options.coulombTolerance);
   const Equation coulomb(problem, complementarityOf(options), Equation::Bound::Lagged,
                          tolerance);
-  Solution solution = firstBound(problem, start, std::move(report), options);
+  Solution solution = firstBound(problem, start, {}, options);
   Vector bounds = problem.slipBounds(solution.state.multiplier);
   Problem tresca = withSlipBounds(problem, bounds);
   double damping = 1;
@@ -98,6 +96,7 @@ Solution fixedPoint(const Problem& problem, const State& start, Report report,
       bounds[t] += damping * (e.bounds[t] - bounds[t]);
   }
   solution.report.status = Status::NotConverged;
+  solution.report.stages.push_back({Stage::FixedPoint, 0, change, End::Iterations});
   solution.report.reason =
       bem::message("the slip bound still changes by ", change, " of the load after ",
                    options.coulombMaximumIterations,
@@ -108,13 +107,17 @@ Solution fixedPoint(const Problem& problem, const State& start, Report report,
   return solution;
 }
 
+Solution fixedPoint(const Problem& problem, const State& start, const Report& before,
+                    const SolverOptions& options) {
+  Solution solution = updates(problem, start, options);
+  solution.report = joined(asOne(std::move(solution.report), Stage::FixedPoint), before);
+  return solution;
+}
+
 // What came first and what came next as one report; every step updates the bound.
-Report joined(Report later, const Report& earlier) {
-  later.coulombIterations = earlier.coulombIterations + later.newtonIterations;
-  later.newtonIterations += earlier.newtonIterations;
-  later.setChanges.insert(later.setChanges.begin(), earlier.setChanges.begin(),
-                          earlier.setChanges.end());
-  return later;
+Report joinedSteps(Report later, const Report& earlier) {
+  later.coulombIterations = later.newtonIterations;
+  return joined(std::move(later), earlier);
 }
 
 // A few updates of the bound bring the state near, Newton's method takes it from there;
@@ -129,14 +132,15 @@ Solution alternate(const Problem& problem, State start, Report report,
        updates += few.coulombMaximumIterations) {
     few.coulombMaximumIterations =
         std::min(10, options.coulombMaximumIterations - updates);
-    solution = fixedPoint(problem, solution.state, std::move(solution.report), few);
+    solution = fixedPoint(problem, solution.state, solution.report, few);
     if (solution.report.status == Status::Converged)
       return solution;
     const NewtonRun run = runNewton(sharp, pack(problem, solution.state),
                                     NewtonMethod::Newton, options.maximumIterations);
-    solution.report = extended(std::move(solution.report), run, problem);
+    solution.report =
+        extended(std::move(solution.report), Stage::FullSteps, run, problem);
     solution.report.coulombIterations += run.iterations;
-    if (run.end == NewtonRun::End::Converged)
+    if (run.end == End::Converged)
       return {unpack(problem, run.last), std::move(solution.report)};
   }
   solution.report.reason +=
@@ -159,22 +163,22 @@ Solution newton(const Problem& problem, const State& start, Equation::Bound boun
              : options.maximumIterations,
       options);
   report.coulombIterations = report.newtonIterations;
-  if (run.end == NewtonRun::End::Converged || run.end == NewtonRun::End::Iterations)
+  if (run.end == End::Converged || run.end == End::Iterations)
     return {unpack(problem, run.last), std::move(report)};
 
   // Following friction costs a few steps each; the descent, that costs many, is for
   // bodies that only friction holds: their path has no beginning.
   Solution followed = followFriction(problem, options);
-  followed.report = joined(std::move(followed.report), report);
+  followed.report = joinedSteps(std::move(followed.report), report);
   if (followed.report.status == Status::Converged)
     return followed;
   const Equation smooth(problem, complementarity("Fischer-Burmeister"),
                         Equation::Bound::Differentiated, options.tolerance);
   const NewtonRun descent = runNewton(smooth, run.best, NewtonMethod::MeritDescent,
                                       2 * options.maximumIterations);
-  report = extended(std::move(followed.report), descent, problem);
+  report = extended(std::move(followed.report), Stage::MeritDescent, descent, problem);
   report.coulombIterations += descent.iterations;
-  if (descent.end == NewtonRun::End::Converged)
+  if (descent.end == End::Converged)
     return {unpack(problem, descent.best), std::move(report)};
   return alternate(problem, unpack(problem, run.best), std::move(report), options);
 }
@@ -196,21 +200,23 @@ Solution coupledNewton(const Problem& problem, const State& start,
   try {
     Solution uncoupled = newton(withUncoupledBounds(problem), start,
                                 Equation::Bound::Differentiated, options);
-    near = {std::move(uncoupled.state), joined(std::move(uncoupled.report), near.report)};
+    near = {
+        std::move(uncoupled.state),
+        joinedSteps(asOne(std::move(uncoupled.report), Stage::Uncoupled), near.report)};
     // Sweeps would lead away again.
     const NewtonRun run =
         runNewton(equation, pack(problem, near.state), NewtonMethod::Newton,
                   options.maximumIterations, options.nox);
-    near.report = extended(std::move(near.report), run, problem);
+    near.report = extended(std::move(near.report), Stage::FullSteps, run, problem);
     near.report.coulombIterations = near.report.newtonIterations;
-    if (run.end == NewtonRun::End::Converged)
+    if (run.end == End::Converged)
       return {unpack(problem, run.last), std::move(near.report)};
   } catch (const bem::NumericalError&) {
     // These bounds may not hold the body where the others do.
   }
   Solution solution =
       newton(problem, near.state, Equation::Bound::Differentiated, options);
-  solution.report = joined(std::move(solution.report), near.report);
+  solution.report = joinedSteps(std::move(solution.report), near.report);
   return solution;
 }
 

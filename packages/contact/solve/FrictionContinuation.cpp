@@ -43,19 +43,12 @@ Solution correct(const Problem& problem, const State& start,
     return runNewton(sharp, unknowns, NewtonMethod::Pivoting, options.maximumIterations);
   };
   const NewtonRun near = from(pack(problem, start));
-  Report report = extended({}, near, problem);
-  if (near.end == NewtonRun::End::Converged)
+  Report report = extended({}, Stage::Pivoting, near, problem);
+  if (near.end == End::Converged)
     return {unpack(problem, near.last), std::move(report)};
   const NewtonRun smooth = from(smoothed(sharp, pack(problem, start)));
-  return {unpack(problem, smooth.last), extended(std::move(report), smooth, problem)};
-}
-
-Report joined(Report later, const Report& earlier) {
-  later.newtonIterations += earlier.newtonIterations;
-  later.setChanges.insert(later.setChanges.begin(), earlier.setChanges.begin(),
-                          earlier.setChanges.end());
-  later.globalised = true;
-  return later;
+  return {unpack(problem, smooth.last),
+          extended(std::move(report), Stage::Pivoting, smooth, problem)};
 }
 
 }  // namespace
@@ -81,10 +74,13 @@ Solution followFriction(const Problem& problem, const SolverOptions& options) {
     } else {
       step *= 0.5;
       now.report.newtonIterations = trial.report.newtonIterations;
+      now.report.stages = trial.report.stages;
       if (step < smallestStep)
         now.report = std::move(trial.report);
     }
   }
+  now.report = asOne(std::move(now.report), Stage::FollowFriction);
+  now.report.globalised = true;
   return now;
 }
 

@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "contact/solve/ProblemFamily.hpp"
+#include "contact/solve/Tresca.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -13,24 +14,17 @@ namespace {
 constexpr double smallestStep = 1.0 / 1024;
 constexpr int fallbackSteps = 8;
 
-/// What came first and what came next as one report; the later one decides.
-Report joined(Report later, const Report& earlier) {
-  later.newtonIterations += earlier.newtonIterations;
-  later.coulombIterations += earlier.coulombIterations;
-  later.setChanges.insert(later.setChanges.begin(), earlier.setChanges.begin(),
-                          earlier.setChanges.end());
-  later.globalised = later.globalised || earlier.globalised;
-  return later;
-}
-
 /// One load: a failure of any kind is a report.
 Solution attempt(const Problem& problem, const State& start,
                  const SolverOptions& options) {
   try {
-    return solve(problem, start, options);
+    Solution solution = solve(problem, start, options);
+    solution.report = asOne(std::move(solution.report), Stage::Load);
+    return solution;
   } catch (const bem::NumericalError& error) {
     Solution failed;
     failed.report.reason = error.what();
+    failed.report = asOne(std::move(failed.report), Stage::Load);
     return failed;
   }
 }

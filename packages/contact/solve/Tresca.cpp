@@ -18,21 +18,21 @@ std::string reasonOf(const NewtonRun& run) {
       bem::message("scaled residual ", run.residual, ", tolerance ", run.tolerance,
                    " after ", run.iterations, " steps");
   switch (run.end) {
-    case NewtonRun::End::Converged:
+    case End::Converged:
       return "";
-    case NewtonRun::End::Iterations:
+    case End::Iterations:
       return residual + ": raise Solver->Maximum Iterations";
-    case NewtonRun::End::Restless:
+    case End::Restless:
       return residual +
              ": the active sets repeat; use the other Solver->Complementarity, "
              "another Multiplier, or a finer mesh where the contact ends";
-    case NewtonRun::End::Growth:
+    case End::Growth:
       return residual + ": the residual grows; check load and units, or load in steps";
-    case NewtonRun::End::Stalled:
+    case End::Stalled:
       return residual +
              ": no step length decreases the merit function; the problem may be too "
              "ill-conditioned for this Solver->Tolerance, or have no solution";
-    case NewtonRun::End::Singular:
+    case End::Singular:
       return residual + ": " + run.message;
     default:
       return residual + ": not a number";
@@ -114,9 +114,9 @@ Solution descendWithBalance(const Equation& equation, const Vector& start, Repor
   for (int update = 0; update < maximumUpdates; ++update) {
     const NewtonRun inner = minimise(lagrangian.boxProblem(state.rigid), state.multiplier,
                                      options.tolerance, options.maximumIterations);
-    if (inner.end == NewtonRun::End::Singular)
+    if (inner.end == End::Singular)
       throw bem::NumericalError(inner.message);
-    report = extended(std::move(report), inner, problem);
+    report = extended(std::move(report), Stage::Descent, inner, problem);
     state.multiplier = inner.best;
     const Vector change = lagrangian.update(state.multiplier);
     requireBalance(problem, bounds, change);
@@ -124,8 +124,8 @@ Solution descendWithBalance(const Equation& equation, const Vector& start, Repor
       state.rigid[j] += change[j];
     const NewtonRun polished =
         runNewton(sharp, pack(problem, state), NewtonMethod::Newton, polishing);
-    report = extended(std::move(report), polished, problem);
-    if (polished.end == NewtonRun::End::Converged)
+    report = extended(std::move(report), Stage::Balance, polished, problem);
+    if (polished.end == End::Converged)
       return {unpack(problem, polished.last), std::move(report)};
   }
   return {std::move(state), std::move(report)};
@@ -141,7 +141,9 @@ Solution throughTheMiddle(const Problem& problem, Solution before,
   const NewtonRun polished =
       runNewton(sharp, middle.unknowns, NewtonMethod::Newton, polishing);
   before.report.newtonIterations += middle.iterations;
-  before.report = extended(std::move(before.report), polished, problem);
+  before.report =
+      extended(std::move(before.report), Stage::InteriorPoint, polished, problem);
+  before.report.stages.back().steps += middle.iterations;
   before.report.globalised = true;
   return {unpack(problem, polished.best), std::move(before.report)};
 }
@@ -165,28 +167,48 @@ const Complementarity& complementarityOf(const SolverOptions& options) {
                              : "Fischer-Burmeister");
 }
 
-Report extended(Report report, const NewtonRun& run, const Problem& problem) {
-  if (run.end == NewtonRun::End::NotFinite)
+Report extended(Report report, Stage stage, const NewtonRun& run,
+                const Problem& problem) {
+  if (run.end == End::NotFinite)
     throw bem::NumericalError(
         bem::message("Newton's method met a number that is not finite after ",
                      run.iterations, " steps; the problem of ", problem.size(),
                      " coefficients is too badly "
                      "scaled or its flexibility is not positive definite"));
-  report.status =
-      run.end == NewtonRun::End::Converged ? Status::Converged : Status::NotConverged;
+  report.status = run.end == End::Converged ? Status::Converged : Status::NotConverged;
   report.newtonIterations += run.iterations;
   report.residual = run.residual;
   report.tolerance = run.tolerance;
   report.setChanges.insert(report.setChanges.end(), run.setChanges.begin(),
                            run.setChanges.end());
   report.reason = reasonOf(run);
+  report.stages.push_back({stage, run.iterations, run.residual, run.end});
   report.restless.clear();
-  if (run.end != NewtonRun::End::Converged)
+  if (run.end != End::Converged)
     report.restless = run.restless;
   if (!run.merits.empty()) {
     report.globalised = true;
     report.merits = run.merits;
   }
+  return report;
+}
+
+Report joined(Report later, const Report& earlier) {
+  later.newtonIterations += earlier.newtonIterations;
+  later.coulombIterations += earlier.coulombIterations;
+  later.globalised = later.globalised || earlier.globalised;
+  later.setChanges.insert(later.setChanges.begin(), earlier.setChanges.begin(),
+                          earlier.setChanges.end());
+  later.stages.insert(later.stages.begin(), earlier.stages.begin(), earlier.stages.end());
+  return later;
+}
+
+Report asOne(Report report, Stage stage) {
+  const End end = report.status == Status::Converged ? End::Converged
+                  : report.stages.empty()            ? End::NoBalance
+                                                     : report.stages.back().end;
+  report.stages = {
+      {stage, report.newtonIterations, report.residual, end, std::move(report.stages)}};
   return report;
 }
 
@@ -199,12 +221,14 @@ Attempt fullSteps(const Equation& equation, const State& start, int maximumItera
   attempt.run = plain ? runNewton(equation, pack(problem, start), NewtonMethod::Newton,
                                   maximumIterations, options.nox)
                       : pivot(equation, pack(problem, start), maximumIterations);
-  attempt.report = extended({}, attempt.run, problem);
+  attempt.report =
+      extended({}, plain ? Stage::FullSteps : Stage::Pivoting, attempt.run, problem);
   // From far off, following friction from zero costs less under a law of the pressure.
   if (plain && equation.hasActiveSets() && !problem.boundDependsOnPressure() &&
-      attempt.run.end == NewtonRun::End::Restless) {
+      attempt.run.end == End::Restless) {
     attempt.run = pivot(equation, attempt.run.best, maximumIterations);
-    attempt.report = extended(std::move(attempt.report), attempt.run, problem);
+    attempt.report =
+        extended(std::move(attempt.report), Stage::Pivoting, attempt.run, problem);
   }
   return attempt;
 }
@@ -214,11 +238,11 @@ Solution solveFixedBounds(const Problem& problem, const State& start,
   const Equation equation(problem, complementarityOf(options),
                           Equation::Bound::Differentiated, options.tolerance);
   auto [run, report] = fullSteps(equation, start, options.maximumIterations, options);
-  if (run.end == NewtonRun::End::Converged || run.end == NewtonRun::End::Iterations)
+  if (run.end == End::Converged || run.end == End::Iterations)
     return {unpack(problem, run.last), std::move(report)};
   // Sets that come back move by a coefficient a step; the descent's would, too.
-  const bool middleFirst = run.end == NewtonRun::End::Restless &&
-                           equation.hasActiveSets() && problem.rigidMotions() == 0;
+  const bool middleFirst =
+      run.end == End::Restless && equation.hasActiveSets() && problem.rigidMotions() == 0;
   if (middleFirst) {
     Solution middle =
         throughTheMiddle(problem, {unpack(problem, run.best), report}, options);
@@ -232,10 +256,10 @@ Solution solveFixedBounds(const Problem& problem, const State& start,
   } else {
     const NewtonRun descent =
         minimise(problem, run.best, options.tolerance, options.maximumIterations);
-    if (descent.end == NewtonRun::End::Singular)
+    if (descent.end == End::Singular)
       throw bem::NumericalError(descent.message);
     descended = {unpack(problem, descent.best),
-                 extended(std::move(report), descent, problem)};
+                 extended(std::move(report), Stage::Descent, descent, problem)};
   }
   return middleFirst || descended.report.status == Status::Converged
              ? descended

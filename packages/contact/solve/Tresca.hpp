@@ -36,6 +36,12 @@ Solution solveFixedBounds(const Problem& problem, const State& start,
 const Complementarity& complementarityOf(const SolverOptions& options);
 
 /// A report extended by one more run, which decides residual, status and reason.
-Report extended(Report report, const NewtonRun& run, const Problem& problem);
+Report extended(Report report, Stage stage, const NewtonRun& run, const Problem& problem);
+
+/// What came first and what came next as one report; the later one decides.
+Report joined(Report later, const Report& earlier);
+
+/// A report whose stages are parts of one.
+Report asOne(Report report, Stage stage);
 
 }  // namespace epafi::contact
