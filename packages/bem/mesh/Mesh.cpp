@@ -36,6 +36,7 @@ Element makeElement(const Edge& edge, const Piece& piece) {
   Element element;
   element.piece = piece;
   element.degree = piece.degree;
+  element.densities = piece.degree;
   element.middle = place(edge, {piece.edge, midpoint(piece.start, piece.end), 0});
   element.half = 0.5 * distanceAlong(piece.start, piece.end);
   element.tangent = edge.tangent;
@@ -86,6 +87,18 @@ Mesh::Mesh(std::shared_ptr<const Outline> outline, const std::vector<Piece>& pie
   }
   for (Element& element : elements_)
     element.endNode = elements_[element.next].startNode;
+}
+
+Mesh Mesh::withDensities(const std::vector<int>& densities) const {
+  Mesh result = *this;
+  for (int e = 0; e < size(); ++e) {
+    const int count = densities[static_cast<std::size_t>(e)];
+    if (count < (*this)[e].degree || count > largestDegree + 1)
+      throw InputError(message(count, " functions of a density on an element of degree ",
+                               (*this)[e].degree));
+    result.elements_[static_cast<std::size_t>(e)].densities = count;
+  }
+  return result;
 }
 
 std::vector<int> Mesh::elementsOf(const std::string& name) const {

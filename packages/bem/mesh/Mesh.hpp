@@ -39,7 +39,8 @@ struct Element {
   double half = 0;  ///< half its length
   Vec2 tangent;
   Vec2 normal;
-  int degree = 1;  ///< p: displacements of degree p, densities of degree p - 1
+  int degree = 1;     ///< p: displacements of degree p
+  int densities = 1;  ///< functions of a density, P_0 ... : p of them, or more
 };
 
 /// A point of the boundary: `offset` along its edge from a nearby place, mostly a node.
@@ -56,6 +57,9 @@ class Mesh {
   /// Pieces in the order of the outline's edges, each edge covered without gaps.
   /// \throws InputError if they do not cover it, or for a degree below 1 or above 25.
   Mesh(std::shared_ptr<const Outline> outline, const std::vector<Piece>& pieces);
+
+  /// The same elements with so many functions of a density on each, at least its degree.
+  Mesh withDensities(const std::vector<int>& densities) const;
 
   const Outline& outline() const { return *outline_; }
   std::shared_ptr<const Outline> sharedOutline() const { return outline_; }

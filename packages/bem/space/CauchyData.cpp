@@ -66,7 +66,7 @@ LocalField restricted(const CauchyData& data, const Origin& origin) {
   const LocalField& field = data.fields[static_cast<std::size_t>(origin.element)];
   const int p = data.mesh[origin.element].degree;
   return {restricted(field.value, p, origin), restricted(field.slope, p - 1, origin),
-          restricted(field.density, p - 1, origin)};
+          restricted(field.density, data.mesh[origin.element].densities - 1, origin)};
 }
 
 void subtract(Series& a, const Series& b) {
@@ -90,6 +90,7 @@ UnionMesh unite(const Mesh& first, const Mesh& second) {
                              second.outline().edges().size(),
                              " edges cannot be compared"));
   std::vector<Piece> pieces;
+  std::vector<int> densities;
   std::vector<Origin> inFirst;
   std::vector<Origin> inSecond;
   for (int edge = 0; edge < static_cast<int>(edges); ++edge) {
@@ -104,6 +105,7 @@ UnionMesh unite(const Mesh& first, const Mesh& second) {
       const Position end = aEnds ? endA : endB;
       const int degree = std::max(first[a[i]].degree, second[b[j]].degree);
       pieces.push_back({edge, start, end, degree});
+      densities.push_back(std::max(first[a[i]].densities, second[b[j]].densities));
       inFirst.push_back(originIn(first, a[i], pieces.back()));
       inSecond.push_back(originIn(second, b[j], pieces.back()));
       start = end;
@@ -111,7 +113,8 @@ UnionMesh unite(const Mesh& first, const Mesh& second) {
       j += together || !aEnds ? 1 : 0;
     }
   }
-  return {Mesh(first.sharedOutline(), pieces), std::move(inFirst), std::move(inSecond)};
+  return {Mesh(first.sharedOutline(), pieces).withDensities(densities),
+          std::move(inFirst), std::move(inSecond)};
 }
 
 CauchyData difference(const CauchyData& a, const CauchyData& b) {

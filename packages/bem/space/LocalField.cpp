@@ -20,7 +20,7 @@ LocalField localField(const Space& space, const Vector& u, const Vector& psi, in
     field.value[k - 2] -= slope / (2 * k - 1) * coefficient(k);
     field.slope[k - 1] = slope / element.half * coefficient(k);
   }
-  for (int i = 0; i < p; ++i)
+  for (int i = 0; i < element.densities; ++i)
     field.density[i] = {psi[space.density(e, i, 0)], psi[space.density(e, i, 1)]};
   return field;
 }

@@ -10,7 +10,7 @@ namespace epafi::bem {
 struct LocalField {
   std::array<Complex, largestDegree + 1> value{};    ///< 0 ... p
   std::array<Complex, largestDegree + 1> slope{};    ///< 0 ... p - 1
-  std::array<Complex, largestDegree + 1> density{};  ///< 0 ... p - 1
+  std::array<Complex, largestDegree + 1> density{};  ///< 0 ... densities - 1
 };
 
 LocalField localField(const Space& space, const Vector& u, const Vector& psi, int e);

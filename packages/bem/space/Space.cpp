@@ -12,7 +12,7 @@ Space::Space(Mesh mesh) : mesh_(std::move(mesh)) {
   densityStart_.assign(1, 0);
   for (const Element& element : mesh_.elements()) {
     displacementStart_.push_back(displacementStart_.back() + 2 * element.degree);
-    densityStart_.push_back(densityStart_.back() + 2 * element.degree);
+    densityStart_.push_back(densityStart_.back() + 2 * element.densities);
   }
 }
 
@@ -28,10 +28,10 @@ Vec2 Space::displacementAt(const Vector& u, int e, double t) const {
 
 Vec2 Space::densityAt(const Vector& psi, int e, double t) const {
   std::array<double, largestDegree + 1> legendre{};
-  const int p = mesh_[e].degree;
-  legendreValues(p - 1, t, legendre.data());
+  const int count = mesh_[e].densities;
+  legendreValues(count - 1, t, legendre.data());
   Vec2 value;
-  for (int i = 0; i < p; ++i)
+  for (int i = 0; i < count; ++i)
     value = value + legendre[i] * Vec2{psi[density(e, i, 0)], psi[density(e, i, 1)]};
   return value;
 }

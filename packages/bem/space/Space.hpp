@@ -10,7 +10,8 @@ namespace epafi::bem {
 /// The numbering of the discrete spaces on a mesh.                      [P (10), (11)]
 ///
 ///   displacements: continuous, of degree p on each element (DisplacementBasis),
-///   densities:     discontinuous Legendre series of degree p - 1.
+///   densities:     discontinuous Legendre series of as many terms as Element::densities
+///                  says: p, or more.
 ///
 /// Component c is 0 for x and 1 for y.  Displacements come element by element: the start
 /// node's two components, then the bubbles; densities likewise.
