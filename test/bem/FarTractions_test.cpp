@@ -1,10 +1,10 @@
 // The far kernel of tractions against closed forms of the inner integrals.
 #include "bem/tractions/FarTractions.hpp"
 
+#include "bem/kernel/ElementSums.hpp"
 #include "bem/moments/ElementRuns.hpp"
 #include "bem/moments/RelativeTarget.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "bem/tractions/Traction.hpp"
 #include "reference/SampleMeshes.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -23,7 +23,7 @@ using Operator = bem::FarTractions::Operator;
 class Slow {
  public:
   Slow(const bem::Mesh& mesh, const bem::Lame& lame, int e, int f)
-      : mesh_(mesh), kernel_(lame, bem::asComplex(mesh[e].normal)), e_(e), f_(f) {}
+      : mesh_(mesh), lame_(lame), normal_(bem::asComplex(mesh[e].normal)), e_(e), f_(f) {}
 
   Complex value(Operator op, int i, int j, Complex unit) const {
     const bem::Element& source = mesh_[f_];
@@ -36,21 +36,22 @@ class Slow {
       bem::LegendreMoments moments;
       bem::evaluateMoments(target, source.degree - 1, bem::Need::CandD, moments);
       const auto in =
-          bem::elementIntegrals(bem::asComplex(source.tangent), target, moments, j);
+          bem::elementSums(bem::asComplex(source.tangent), target, moments, j);
       std::array<double, bem::largestDegree + 2> legendre{};
       bem::legendreValues(i, t, legendre.data());
-      sum +=
-          rule.weights[static_cast<std::size_t>(q)] * std::sqrt(half * (2 * i + 1) / 2) *
-          legendre[static_cast<std::size_t>(i)] *
-          (op == Operator::Adjoint ? kernel_.adjointDoubleLayer(in, unit)
-                                   : kernel_.hypersingular(in, 0.5 / source.half * unit));
+      sum += rule.weights[static_cast<std::size_t>(q)] *
+             std::sqrt(half * (2 * i + 1) / 2) * legendre[static_cast<std::size_t>(i)] *
+             (op == Operator::Adjoint
+                  ? bem::adjointDoubleLayer(lame_, normal_, unit * in)
+                  : bem::hypersingular(lame_, normal_, 0.5 / source.half * unit * in));
     }
     return sum;
   }
 
  private:
   const bem::Mesh& mesh_;
-  bem::TractionKernel kernel_;
+  bem::Lame lame_;
+  Complex normal_;
   int e_;
   int f_;
 };

@@ -1,7 +1,7 @@
 #include "bem/fields/BoundaryFields.hpp"
 
+#include "bem/kernel/ElementSums.hpp"
 #include "bem/moments/RelativeTarget.hpp"
-#include "bem/tractions/Traction.hpp"
 
 #include <algorithm>
 #include <map>
@@ -15,8 +15,6 @@ constexpr int smoothPoints = 6;
 
 /// Gauss points on a source of a degree: its density has one less.
 int pointsOn(int smoothOrder, int degree) { return smoothOrder + degree / 2; }
-
-Vec2 asVector(Complex z) { return {z.real(), z.imag()}; }
 
 }  // namespace
 
@@ -159,13 +157,8 @@ void BoundaryFields::evaluate(int element, const Sources& sources,
     evaluateMoments(seen, source.degree - 1, Need::CandD, moments);
     const Complex tangent = asComplex(source.tangent);
     for (int j = 0; j < source.degree; ++j) {
-      const ElementIntegrals in = elementIntegrals(tangent, seen, moments, j);
-      const Complex density = values.density[j];
-      const Complex slope = values.slope[j];
-      sums.density.add(
-          {density * in.overW, density * in.overConj, std::conj(density) * in.cubic});
-      sums.slope.add(
-          {slope * in.overW, slope * in.overConj, std::conj(slope) * in.cubic});
+      const SourceSums in = elementSums(tangent, seen, moments, j);
+      sums.add({values.density[j] * in, values.slope[j] * in});
     }
   }
   Complex t = traction(lame_, normal, sums);

@@ -14,7 +14,7 @@ struct InteriorValue {
 };
 
 /// u = V ψ - K u,  σ n = K' ψ + W u for n = e₁, e₂, all in closed form, so that points
-/// next to the boundary are as accurate as far ones. [design.md 3.2, 4.3]
+/// next to the boundary are as accurate as far ones. [doc/theory/operators.md]
 ///
 /// `x` is given in the scaled coordinates of the outline and must lie inside.
 InteriorValue evaluateInterior(const Space& space, const Lame& lame, const Vector& u,

@@ -6,8 +6,6 @@ namespace epafi::bem {
 
 namespace {
 
-constexpr Complex i(0, 1);
-
 struct Columns {
   const double* array[6];
   std::size_t size;
@@ -101,38 +99,7 @@ SourceSums sourceSums(const double (&s)[6]) {
   return {{s[0] + s[1], s[2] - s[3]}, {s[0] - s[1], s[2] + s[3]}, {s[4], s[5]}};
 }
 
-/// ∫ Re(τ/w) g ds
-Complex alongTangent(Complex tangent, const SourceSums& g) {
-  return 0.5 * (tangent * g.overW + std::conj(tangent) * g.overConj);
-}
-
-/// ∫ conj(g) (τ/conj(w) - conj(τ) w/conj(w)²) ds
-Complex turned(Complex tangent, const SourceSums& g) {
-  return tangent * std::conj(g.overW) - std::conj(tangent) * g.cubic;
-}
-
 }  // namespace
-
-Complex traction(const Lame& lame, Complex normal, const FieldSums& sums) {
-  const SourceSums& f = sums.density;
-  const Complex tangent = i * normal;
-  const Complex adjoint =
-      -2 * lame.mu * lame.b * f.overW.real() * normal -
-      lame.mu * std::conj(normal) * (lame.a * f.overConj + lame.b * f.cubic);
-  return adjoint +
-         lame.d * (alongTangent(tangent, sums.slope) - 0.5 * turned(tangent, sums.slope));
-}
-
-Complex mismatchSlope(const Lame& lame, Complex normal, const FieldSums& sums) {
-  const Complex tangent = i * normal;
-  const SourceSums& s = sums.slope;
-  const Complex single = -lame.a * alongTangent(tangent, sums.density) +
-                         0.5 * lame.b * turned(tangent, sums.density);
-  const Complex twice = i * lame.mu *
-                        (lame.b * std::conj(tangent) * s.overConj -
-                         lame.a * tangent * s.overW - lame.b * turned(tangent, s));
-  return single - twice;
-}
 
 void PointSources::clear() {
   for (auto& array : data_)

@@ -1,21 +1,9 @@
 #pragma once
 
 #include "bem/base/DenseAlgebra.hpp"
+#include "bem/kernel/Elasticity.hpp"
 
 namespace epafi::bem {
-
-/// A 2 x 2 block of a Galerkin matrix by columns: both components of a test function,
-/// then of a trial function.
-struct Block {
-  double xx;
-  double yx;
-  double xy;
-  double yy;
-};
-
-inline Block operator*(double s, const Block& b) {
-  return {s * b.xx, s * b.yx, s * b.xy, s * b.yy};
-}
 
 /// Adds a block to the rows that are mine.  Both entries of a column lie side by side.
 inline void addBlock(Matrix& matrix, const Rows& mine, Index row, Index column,

@@ -1,8 +1,8 @@
 #include "bem/tractions/FarTractions.hpp"
 
+#include "bem/kernel/Elasticity.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/quadrature/WeightedLegendre.hpp"
-#include "bem/tractions/Traction.hpp"
 
 #include <cmath>
 
@@ -180,7 +180,7 @@ FarTractions::FarTractions(const Element& e, const Lame& lame, int moments)
       moments_(moments),
       map_(static_cast<std::size_t>(moments)),
       values_(static_cast<std::size_t>(moments * largestDegree) * 4 * block) {
-  const TractionKernel tractions(lame, asComplex(e.normal));
+  const Complex normal = asComplex(e.normal);
   const Complex units[2] = {1, Complex(0, 1)};
   for (int i = 0; i < moments; ++i) {
     const double normalisation = std::sqrt(e.half * (2 * i + 1) / 2);
@@ -188,10 +188,11 @@ FarTractions::FarTractions(const Element& e, const Lame& lame, int moments)
     for (int part = 0; part < 4; ++part) {
       const Complex conj = part < 2 ? units[part] : 0;
       const Complex cubic = part < 2 ? 0 : units[part - 2];
-      const ElementIntegrals in = {std::conj(conj), conj, cubic};
+      const SourceSums in = {std::conj(conj), conj, cubic};
       for (int c = 0; c < 2; ++c) {
-        const Complex kinds[2] = {tractions.adjointDoubleLayer(in, units[c]),
-                                  tractions.hypersingular(in, units[c])};
+        const SourceSums f = units[c] * in;
+        const Complex kinds[2] = {adjointDoubleLayer(lame, normal, f),
+                                  hypersingular(lame, normal, f)};
         for (int kind = 0; kind < 2; ++kind) {
           entry[((kind * 2 + c) * 2 + 0) * 4 + part] = normalisation * kinds[kind].real();
           entry[((kind * 2 + c) * 2 + 1) * 4 + part] = normalisation * kinds[kind].imag();

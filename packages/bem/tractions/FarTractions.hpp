@@ -13,7 +13,7 @@ namespace epafi::bem {
 /// source's length.  P̂_i are the orthonormal Legendre polynomials on E.
 ///
 /// Tensor Gauss with one reciprocal and no logarithm a point pair: W and K' at a point
-/// are, see TractionKernel, linear in
+/// are, see kernel/Elasticity, linear in
 ///
 ///   ∫ P_j ds/conj(w)      = a τ ∫ P_j v/r² dt,         w = x - y = τ v,  v = η - i off,
 ///   ∫ P_j w/conj(w)² ds   = a τ³ ∫ P_j v³/r⁴ dt,       a half the source's length,

@@ -1,6 +1,5 @@
 #include "bem/tractions/ProjectedTractions.hpp"
 
-#include "bem/base/Constants.hpp"
 #include "bem/moments/EndMoments.hpp"
 #include "bem/tractions/FarTractionRows.hpp"
 
@@ -55,8 +54,6 @@ void ProjectedTractions::addTest(int test, int source, const Moments& m) {
   const EndMoments start = endMoments(space_.mesh(), source, space_.mesh().at(test, -1));
   const EndMoments end = endMoments(space_.mesh(), source, space_.mesh().at(test, 1));
   const bool sameEdge = x.piece.edge == y.piece.edge;
-  const double ofLog = 2 * lame_.mu * (1 - 2 * lame_.nu) * lame_.b;
-  const double ofPhase = lame_.mu * lame_.b;
   for (int j = 0; j < y.degree; ++j) {
     const auto at = static_cast<std::size_t>(j);
     const Index density = space_.density(source, j, 0);
@@ -74,21 +71,17 @@ void ProjectedTractions::addTest(int test, int source, const Moments& m) {
       }
       const double scale = std::sqrt((2 * i + 1) / (2 * x.half));
       const Index column = columns_[static_cast<std::size_t>(test)] + 2 * i;
-
-      const double re = 0.5 * c.real();
-      const double im = 0.5 * c.imag();
+      const PotentialMoments<double> potentials{l, c.real(), c.imag(), 0};
       addHypersingular(source, j, column,
-                       scale * lame_.d * Block{re - l, im, im, -re - l});
+                       scale * singleLayerBlock(lame_.d, lame_.d, potentials));
 
-      double laplace = sameEdge ? 0 : inverse2Pi * m.reverse(i, j);
-      if (test == source && i == j)
-        laplace = 1.0 / (2 * i + 1);  // 1/2 <P_i, P_i>; the double layer is zero
-      // -X J e_x = (X_xy, X_yy),  -X J e_y = (-X_xx, -X_xy)
-      const double xx = ofPhase * c.real() - ofLog * l;
-      const double xy = ofPhase * c.imag();
-      const double yy = -ofPhase * c.real() - ofLog * l;
-      addBlock(kernels_.adjoint, densityRows_, density, column,
-               scale * y.half * Block{xy + laplace, yy, -xx, laplace - xy});
+      const double laplace = sameEdge ? 0 : m.reverse(i, j);
+      Block adjoint = doubleLayerBlock(lame_, potentials, laplace);
+      if (test == source && i == j) {  // 1/2 <P_i, P_i>
+        adjoint.xx += 1.0 / (2 * i + 1);
+        adjoint.yy += 1.0 / (2 * i + 1);
+      }
+      addBlock(kernels_.adjoint, densityRows_, density, column, scale * y.half * adjoint);
     }
   }
 }

@@ -41,10 +41,9 @@ struct TractionRows {
 /// moments of V, K and W, which the assembly has anyway, and potentials at the ends of E:
 ///
 ///   <W φ, P_i>_E = ∫ V*φ' P_i' dt - [P_i V*φ'],
-///   <K'ψ, P_i e>_E = <ψ, K(P_i e)>,  K v = K_Δ v - ∫ X J v' ds + [X J v],  J v = (v₂,
-///   -v₁),
+///   <K'ψ, P_i e>_E = <ψ, K(P_i e)>,  K v = K_Δ v - ∫ X J v' ds + [X J v],
 ///
-/// X as in Assembly.  Errors of near pairs are absolute, 1e-16 of a potential of size 1.
+/// J v = (v₂, -v₁), X as in kernel/Elasticity.  Errors of near pairs are absolute, 1e-16 of a potential of size 1.
 class ProjectedTractions {
  public:
   /// Does the far pairs.

@@ -2,11 +2,11 @@
 
 #include "bem/algebra/Blas.hpp"
 #include "bem/base/Error.hpp"
+#include "bem/kernel/ElementSums.hpp"
 #include "bem/moments/RelativeTarget.hpp"
 #include "bem/operators/MyElements.hpp"
 #include "bem/quadrature/Graded.hpp"
 #include "bem/tractions/FarTractionRows.hpp"
-#include "bem/tractions/Traction.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -69,7 +69,8 @@ class ElementRows {
       : far_(far),
         space_(space),
         mesh_(space.mesh()),
-        kernel_(lame, asComplex(mesh_[element].normal)),
+        lame_(lame),
+        normal_(asComplex(mesh_[element].normal)),
         element_(element) {
     moments_ = mesh_[element].degree + 1;
     if (form == TractionForm::Exact) {  // what far sources have beyond these is 1e-12
@@ -172,11 +173,11 @@ class ElementRows {
     evaluateMoments(target, source.degree - 1, Need::CandD, moments);
     const Complex tangent = asComplex(source.tangent);
     for (int j = 0; j < source.degree; ++j) {
-      const ElementIntegrals in = elementIntegrals(tangent, target, moments, j);
+      const SourceSums in = elementSums(tangent, target, moments, j);
       const Complex units[2] = {1, Complex(0, 1)};
       for (int c = 0; c < 2; ++c) {
-        values.adjoint[j][c] = kernel_.adjointDoubleLayer(in, units[c]);
-        values.hyper[j][c] = kernel_.hypersingular(in, units[c]);
+        values.adjoint[j][c] = adjointDoubleLayer(lame_, normal_, units[c] * in);
+        values.hyper[j][c] = hypersingular(lame_, normal_, units[c] * in);
       }
     }
     if (f != element_)
@@ -271,7 +272,8 @@ class ElementRows {
   const FarTractionRows& far_;
   const Space& space_;
   const Mesh& mesh_;
-  TractionKernel kernel_;
+  Lame lame_;
+  Complex normal_;
   int element_;
   int moments_ = 0;
   int largestOuter_ = largestSmoothOrder;

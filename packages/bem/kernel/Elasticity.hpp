@@ -1,0 +1,136 @@
+#pragma once
+
+#include "bem/base/Complex.hpp"
+#include "bem/base/Constants.hpp"
+#include "bem/base/Material.hpp"
+
+// Kelvin's kernels and their derivatives, each of them once.  In complex numbers, w = x -
+// y, N and τ = iN unit normal and tangent:                       [doc/theory/operators.md]
+//
+//   V f = ∫ -A log|w| f + B (f + conj(f) w/conj(w))/2 ds
+//   K v = μ ∫ 2B Re(conj(N_y) v)/conj(w) + A N_y v/w + B conj(N_y v) w/conj(w)² ds
+//   K'f = -μ ∫ 2B Re(f/w) N_x + conj(N_x) (A f/conj(w) + B conj(f) w/conj(w)²) ds
+//   W v = D ∫ Re(τ_x/w) v' - (τ_x/conj(w) - conj(τ_x) w/conj(w)²) conj(v')/2 ds
+
+namespace epafi::bem {
+
+/// A complex density g as kernels at a point see it:
+///
+///   overW = ∫ g ds/w,  overConj = ∫ g ds/conj(w),  cubic = ∫ conj(g) w/conj(w)² ds
+struct SourceSums {
+  Complex overW;
+  Complex overConj;
+  Complex cubic;
+
+  void add(const SourceSums& other) {
+    overW += other.overW;
+    overConj += other.overConj;
+    cubic += other.cubic;
+  }
+};
+
+/// Of the density g f, from those of f, g a constant.
+inline SourceSums operator*(Complex g, const SourceSums& f) {
+  return {g * f.overW, g * f.overConj, std::conj(g) * f.cubic};
+}
+
+/// V f from ∫ f log|w| ds, ∫ f ds and ∫ conj(f) w/conj(w) ds.
+Complex singleLayer(const Lame& lame, Complex log, Complex whole, Complex phase);
+
+/// K v from the sums of N_y v and from those of the real Re(conj(N_y) v).
+Complex doubleLayer(const Lame& lame, const SourceSums& normalTimesV,
+                    const SourceSums& normalPart);
+
+/// K' f on a line with unit normal N_x.
+Complex adjointDoubleLayer(const Lame& lame, Complex normal, const SourceSums& f);
+
+/// W v there, from the sums of v' = dv/ds.
+Complex hypersingular(const Lame& lame, Complex normal, const SourceSums& slope);
+
+/// d/ds V f there, along the tangent τ = iN.
+Complex singleLayerSlope(const Lame& lame, Complex normal, const SourceSums& f);
+
+/// d/ds K v there, from the sums of v'; by parts, for a closed boundary.
+Complex doubleLayerSlope(const Lame& lame, Complex normal, const SourceSums& slope);
+
+/// Sums of a density ψ and of a displacement's derivative u'.
+struct FieldSums {
+  SourceSums density;
+  SourceSums slope;
+
+  void add(const FieldSums& other) {
+    density.add(other.density);
+    slope.add(other.slope);
+  }
+};
+
+/// K' ψ + W u.
+inline Complex traction(const Lame& lame, Complex normal, const FieldSums& sums) {
+  return adjointDoubleLayer(lame, normal, sums.density) +
+         hypersingular(lame, normal, sums.slope);
+}
+
+/// d/ds (V ψ - K u).
+inline Complex mismatchSlope(const Lame& lame, Complex normal, const FieldSums& sums) {
+  return singleLayerSlope(lame, normal, sums.density) -
+         doubleLayerSlope(lame, normal, sums.slope);
+}
+
+/// What the Galerkin blocks of two scalar functions P and Q are linear in: ∫∫ P Q log|w|,
+/// ∫∫ P Q w/conj(w), ∫∫ P Q.  Number: double, or a Pack of pairs.
+template <class Number>
+struct PotentialMoments {
+  Number log;
+  Number phaseReal;
+  Number phaseImag;
+  double whole;
+};
+
+/// A 2 x 2 block of a Galerkin matrix by columns: both components of a test function,
+/// then of a trial function.
+template <class Number>
+struct KernelBlock {
+  Number xx;
+  Number yx;
+  Number xy;
+  Number yy;
+};
+
+using Block = KernelBlock<double>;
+
+inline Block operator*(double s, const Block& b) {
+  return {s * b.xx, s * b.yx, s * b.xy, s * b.yy};
+}
+
+/// isotropic (-log|w| I) + radial d d'/r²: with A and B that of V, with D and D that of
+/// V*, whose functions are derivatives by arc length.
+/// d d'/r² = (I + [Re, Im; Im, -Re] of w/conj(w)) / 2.
+template <class Number>
+inline __attribute__((always_inline)) KernelBlock<Number> singleLayerBlock(
+    double isotropic, double radial, const PotentialMoments<Number>& m) {
+  const Number log = isotropic * m.log;
+  const Number xy = 0.5 * radial * m.phaseImag;
+  return {0.5 * radial * (m.whole + m.phaseReal) - log, xy, xy,
+          0.5 * radial * (m.whole - m.phaseReal) - log};
+}
+
+/// K, the trial function's derivative in `m` and the Laplace double layer of itself in
+/// `laplace` = ∫∫ P v (w·n_y)/|w|²:
+///
+///   K v = K_Δ v - X M v,  M v = (v₂', -v₁'),  X = 2μ V - V_Δ,
+///
+/// V_Δ and K_Δ Laplace's potentials.  X without its constant part, which ∫ v' = 0 over a
+/// loop removes; 2μA - 1/2π = μ (A - B) = 2 μ (1-2ν) B keeps its digits as ν -> 1/2.
+template <class Number>
+inline __attribute__((always_inline)) KernelBlock<Number> doubleLayerBlock(
+    const Lame& lame, const PotentialMoments<Number>& m, const Number& laplace) {
+  const double ofPhase = lame.mu * lame.b;
+  const double ofLog = 2 * ofPhase * (1 - 2 * lame.nu);
+  const Number re = ofPhase * m.phaseReal;
+  const Number im = ofPhase * m.phaseImag;
+  const Number log = ofLog * m.log;
+  const Number l = inverse2Pi * laplace;
+  return {im + l, -re - log, log - re, l - im};
+}
+
+}  // namespace epafi::bem
