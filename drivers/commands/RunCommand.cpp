@@ -140,7 +140,8 @@ Ending solveAndWrite(const Scene& scene, const Beginning& beginning, const Ranks
     stages +=
         bem::message("level ", row.level, ": ", contact::told(row.report.stages), "\n");
     timer.clearLine();
-    table << tableLine(row) << std::flush;
+    table << tableLine(row) << gamma0Note(row, scene.stabilization.firstGamma0())
+          << std::flush;
   };
   try {
     Outcome outcome =

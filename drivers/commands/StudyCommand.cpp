@@ -5,6 +5,7 @@
 #include "drivers/commands/CommandLine.hpp"
 #include "drivers/commands/PlotCommand.hpp"
 #include "drivers/output/FieldFiles.hpp"
+#include "drivers/output/LevelTable.hpp"
 #include "drivers/output/OutputFolder.hpp"
 #include "drivers/process/BlasCore.hpp"
 #include "drivers/process/Interrupt.hpp"
@@ -57,7 +58,7 @@ class VariantClock {
 /// Of the stabilised stiffness relative to the plain one, see contact::limitGamma0.
 double smallestEigenvalue(const Scene& scene, const contact::Solved& solved) {
   const bem::Lame lame(scene.material);
-  return 1 - scene.stabilization.gamma0 /
+  return 1 - solved.problem.gamma0() /
                  contact::limitGamma0({solved.space, solved.stiffness, lame, solved.units,
                                        scene.conditions,
                                        contact::multiplierBasis(scene.multiplier),
@@ -188,7 +189,8 @@ class StudyRun {
     }
     table_.level(scene.name, variant, row, studied);
     folder_.write("study.csv", table_.text());
-    out_ << studyLine(row, studied);
+    out_ << studyLine(row, studied)
+         << gamma0Note(row, variant.scene.stabilization.firstGamma0());
     if (row.report.status != contact::Status::Converged)
       out_ << "  not converged: " << row.report.reason << "\n";
     out_ << std::flush;

@@ -106,6 +106,7 @@ constexpr Column columns[] = {
     {"contact_y", [](const LevelRow& r) { return number(r.summary.contact.y); }},
     {"contact_moment",
      [](const LevelRow& r) { return number(r.summary.contact.moment); }},
+    {"gamma0", [](const LevelRow& r) { return number(r.gamma0); }},
 };
 
 }  // namespace

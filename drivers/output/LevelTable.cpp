@@ -77,6 +77,14 @@ std::string tableLine(const LevelRow& row) {
   return line.str();
 }
 
+std::string gamma0Note(const LevelRow& row, double wanted) {
+  if (row.gamma0 == 0 || row.gamma0 == wanted)
+    return "";
+  return "        Gamma0 = " + significant(row.gamma0, 4) + " on level " +
+         std::to_string(row.level) + ": the default, " + significant(wanted, 4) +
+         ", would make its stiffness indefinite\n";
+}
+
 std::string timeSummary(const PhaseTimer& timer) {
   std::ostringstream text;
   text << "time    " << fixed(cpuSeconds(), 2) << " s of CPU, "

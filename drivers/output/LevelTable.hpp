@@ -12,6 +12,9 @@ namespace epafi::drivers {
 std::string tableHead();
 std::string tableLine(const LevelRow& row);
 
+/// Says of a level that it has got less than the wanted γ₀; else empty.
+std::string gamma0Note(const LevelRow& row, double wanted);
+
 /// Where the time went, for the end of a run.
 std::string timeSummary(const PhaseTimer& timer);
 

@@ -20,6 +20,7 @@ LevelRow makeRow(int level, const Size& size, const contact::Solved& solved,
   row.size = size;
   row.summary = contact::summarize(solved);
   row.report = report;
+  row.gamma0 = solved.problem.gamma0();
   row.estimate = indicators.estimate();
   row.squares = indicators.sums();
   const bem::Vector cost = largestOverRanks(

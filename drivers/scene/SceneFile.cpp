@@ -166,7 +166,8 @@ void write(const Teuchos::ParameterList& list, const std::string& name,
     }
     const Spelling spelling = spell(item.second, item.first);
     out << inner << "<Parameter name=\"" << escaped(item.first) << "\" type=\""
-        << spelling.type << "\" value=\"" << escaped(spelling.value) << "\"/>\n";
+        << spelling.type << "\" value=\"" << escaped(spelling.value)
+        << (item.second.isDefault() ? "\" isDefault=\"true\"/>\n" : "\"/>\n");
   }
   out << indent << "</ParameterList>\n";
 }

@@ -197,7 +197,8 @@ contact::Stabilization readStabilization(const ParameterList& list) {
   stabilization.scaling =
       pick<Scaling>(list.get<std::string>("Scaling"),
                     {{"Stiffness", Scaling::Stiffness}, {"Absolute", Scaling::Absolute}});
-  stabilization.gamma0 = list.get<double>("Gamma0");
+  if (!list.getEntry("Gamma0").isDefault())
+    stabilization.gamma0 = list.get<double>("Gamma0");
   stabilization.beta = list.get<double>("Beta");
   stabilization.eta = list.get<double>("Eta");
   return stabilization;

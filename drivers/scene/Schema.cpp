@@ -192,6 +192,20 @@ void checkRange(const ParameterEntry& entry, const Parameter& row,
                 value<Teuchos::TwoDArray<double>>(entry).getNumCols(), " columns"));
 }
 
+/// A row's default, marked as one; the row must have one.
+ParameterEntry standardOf(const Parameter& row) {
+  switch (row.kind) {
+    case Kind::Real:
+      return ParameterEntry(std::stod(row.standard), true);
+    case Kind::Whole:
+      return ParameterEntry(std::stoi(row.standard), true);
+    case Kind::Flag:
+      return ParameterEntry(row.standard == "true", true);
+    default:
+      return ParameterEntry(row.standard, true);
+  }
+}
+
 ParameterEntry checked(const ParameterEntry& entry, const Parameter& row,
                        const std::string& name, const std::string& path) {
   const Teuchos::RCP<ParameterEntry> result = converted(entry, row.kind);
@@ -199,21 +213,12 @@ ParameterEntry checked(const ParameterEntry& entry, const Parameter& row,
     throw InputError(message(join(path, name), ": is ", describe(entry),
                              ", wanted: ", wanted(row.kind)));
   checkRange(*result, row, name, path);
+  // a default that used.xml tells apart from what the user wrote remains one
+  const Teuchos::any& given = result->getAny(false);
+  if (entry.isDefault() && !row.standard.empty() &&
+      given == standardOf(row).getAny(false))
+    result->setAnyValue(given, true);
   return *result;
-}
-
-/// A row's default; the row must have one.
-ParameterEntry standardOf(const Parameter& row) {
-  switch (row.kind) {
-    case Kind::Real:
-      return ParameterEntry(std::stod(row.standard));
-    case Kind::Whole:
-      return ParameterEntry(std::stoi(row.standard));
-    case Kind::Flag:
-      return ParameterEntry(row.standard == "true");
-    default:
-      return ParameterEntry(row.standard);
-  }
 }
 
 /// One level of the list against the rows under one pattern.

@@ -161,7 +161,9 @@ void addDiscretization(Table& table) {
               .standard("Projected")
               .allowed({"Projected", "Exact", "None"}),
           Row(stabilization + "->Gamma0", Kind::Real,
-              "strength gamma0; definiteness is lost near 0.6 under Scaling Stiffness")
+              "strength gamma0; definiteness is lost near 0.6 under Scaling Stiffness: "
+              "the "
+              "default gives way then, what is written is refused")
               .unit("1, or as Scaling says")
               .standard("0.1")
               .range(above(0)),

@@ -136,6 +136,33 @@ TEUCHOS_UNIT_TEST(DistributedProblem, isRefusedOnAllRanksWhereGammaIsTooLarge) {
              bem::NumericalError);
 }
 
+TEUCHOS_UNIT_TEST(DistributedProblem, defaultGammaGivesWayAlikeOnAllRanks) {
+  const bem::TpetraAlgebra algebra = test::allRanks();
+  // a wedge of 5 degrees in contact up to its tip
+  const bem::Loop wedge{{{0, 0}, {1, 0}, {1, 0.0875}}, {"bottom", "left", "top"}};
+  const bem::Space space(
+      bem::makeMesh(std::make_shared<const bem::Outline>(wedge, std::vector<bem::Loop>{}),
+                    {8, 2, 8}, 1));
+  const contact::Conditions conditions = clampedBlock("None");
+  const auto gamma0 = [&](const bem::DenseAlgebra& on, Stabilization stabilization) {
+    const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame, on, {}), on);
+    const contact::ContactProblem::Input input{
+        space,        stiffness,  lame,
+        units,        conditions, contact::multiplierBasis("Gauss-Legendre-Lagrange"),
+        stabilization};
+    const double used = contact::ContactProblem(input).gamma0();
+    TEST_FLOATING_EQUALITY(used, contact::limitGamma0(input) / 4, 1e-9);
+    return used;
+  };
+  const double used = gamma0(algebra, {});
+  TEST_COMPARE(used, <, 0.1 / 4);
+  TEST_FLOATING_EQUALITY(used, gamma0(lapack, {}), 1e-9);
+  TEST_EQUALITY(algebra.broadcast({used}).front(), used);
+  Stabilization written;
+  written.gamma0 = Stabilization::standardGamma0;
+  TEST_THROW(gamma0(algebra, written), contact::IndefiniteStiffness);
+}
+
 }  // namespace
 
 }  // namespace epafi

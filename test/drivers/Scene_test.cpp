@@ -71,7 +71,11 @@ TEUCHOS_UNIT_TEST(Scene, defaultsAreThoseOfTheOptions) {
   const contact::Stabilization stabilization;
   TEST_ASSERT(scene.stabilization.form == stabilization.form);
   TEST_ASSERT(scene.stabilization.scaling == stabilization.scaling);
-  TEST_EQUALITY(scene.stabilization.gamma0, stabilization.gamma0);
+  TEST_ASSERT(!scene.stabilization.gamma0);
+  TEST_EQUALITY(scene.used->sublist("Discretization")
+                    .sublist("Stabilization")
+                    .get<double>("Gamma0"),
+                stabilization.firstGamma0());
   TEST_EQUALITY(scene.degree, 1);
   TEST_EQUALITY(scene.multiplier, "Gauss-Legendre-Lagrange");
   TEST_EQUALITY(scene.adaptivity.strategy, "None");
@@ -119,11 +123,27 @@ TEUCHOS_UNIT_TEST(Scene, usedXmlGivesTheSameSceneBitByBit) {
   }());
   TEST_EQUALITY(second.title, "A test");
   TEST_EQUALITY(second.degree, 3);
-  TEST_EQUALITY(second.stabilization.gamma0, 7.1e-3);
+  TEST_EQUALITY(second.stabilization.firstGamma0(), 7.1e-3);
   TEST_EQUALITY(second.material.youngsModulus, 0.30000000000000004);
   TEST_EQUALITY(second.output.interiorPoints[1].x, 0.033333333333333347);
   TEST_EQUALITY(second.conditions.contact.at("base").gap({0.5, 0}),
                 first.conditions.contact.at("base").gap({0.5, 0}));
+}
+
+/// Only what the user wrote can be wrong: used.xml must not turn a default into that.
+TEUCHOS_UNIT_TEST(Scene, usedXmlTellsDefaultsFromWhatWasWritten) {
+  const std::string used = drivers::usedXml(read(SceneText()));
+  TEST_ASSERT(!drivers::sceneOf(used, "used.xml", {}).stabilization.gamma0);
+  const std::string standard = R"("Gamma0" type="double" value="0.1" isDefault="true")";
+  const auto at = used.find(standard);
+  TEST_ASSERT(at != std::string::npos);
+  const auto with = [&](const char* entry) {
+    std::string text = used;
+    text.replace(at, standard.size(), entry);
+    return drivers::sceneOf(text, "edited.xml", {}).stabilization.gamma0.value_or(0);
+  };
+  TEST_EQUALITY(with(R"("Gamma0" type="double" value="0.1")"), 0.1);
+  TEST_EQUALITY(with(R"("Gamma0" type="double" value="0.2" isDefault="true")"), 0.2);
 }
 
 TEUCHOS_UNIT_TEST(Scene, overridesReadTheDeclaredType) {

@@ -219,8 +219,12 @@ case("thin_beam_frictionless", "the same beam without friction, p = 2", "thin_be
      claims=[load(0, -0.1), between("contact_length", 40, 70)])
 case("wedge", "acute corner of 5 degrees, contact ends in it", "wedge",
      ["Discretization->Stabilization->Gamma0=0.008"], claims=[dissipates, steps(10)])
-case("wedge_refused", "the same with the default gamma0: too large here", "wedge", code=2,
+case("wedge_refused", "the same with gamma0 = 0.1, too large here", "wedge",
+     ["Discretization->Stabilization->Gamma0=0.1"], code=2,
      words=["Gamma0", "a quarter of that is safe"])
+case("wedge_default", "the same with the default gamma0, which gives way", "wedge",
+     claims=[dissipates, steps(10), between("gamma0", 0.001, 0.03),
+             like("wedge", ["energy_load", "force_normal"], 1e-2)])
 case("l_shape", "L-shape, two contact sides, friction alone holds it", "l_shape",
      claims=[dissipates, steps(20)])
 case("mesh_ratio", "mesh ratio 1e-10 on the contact side", "graded_mesh",

@@ -86,6 +86,7 @@ struct ContactProblem::Parts {
 
   Vector gap;
   Coupling coupling;
+  double gamma0;
   BalancedStiffness stiffness;
 
   /// The unclamped, non-rigid displacement under a force: A⁺ of design.md 4.1.
@@ -165,25 +166,39 @@ double limit(const ContactProblem::Input& input, const Coupling& coupling,
   const Rows mineOfColumns = algebra.myRows(columns);
   const Matrix gram = algebra.replicate(
       algebra.addGram(Matrix(mineOfColumns.size(), columns), reduced), columns);
-  return input.stabilization.gamma0 / largestEigenvalue(gram.copy());
+  const double largest = largestEigenvalue(gram.copy());
+  return algebra.broadcast({input.stabilization.firstGamma0() / largest}).front();
 }
 
-/// \throws IndefiniteStiffness
-std::unique_ptr<bem::CholeskyFactor> factorise(const ContactProblem::Input& input,
-                                               Matrix a, const Coupling& coupling,
-                                               const Loads& loads,
-                                               const RigidConstraints& rigid) {
+/// The factor of A, constrained, and what else of A is needed.
+struct Factorised {
+  std::unique_ptr<bem::CholeskyFactor> factor;
+  Vector load;  ///< f - A u_D
+};
+
+/// \throws bem::NumericalError if A is not definite.
+Factorised factorise(const ContactProblem::Input& input, const Coupling& coupling,
+                     const Loads& loads, const RigidConstraints& rigid) {
   const DenseAlgebra& algebra = input.stiffness.algebra();
   const Rows mine = algebra.myRows(input.space.displacements());
-  try {
-    return algebra.cholesky(constrain(std::move(a), mine, loads, rigid),
-                            "the stiffness matrix");
-  } catch (const bem::NumericalError&) {
-    if (coupling.stabilisationColumns() == 0)
-      throw;
-  }
-  throw IndefiniteStiffness(input.stabilization.gamma0,
-                            limit(input, coupling, loads, rigid));
+  Matrix a =
+      subtractStabilisation(algebra, input.stiffness.stiffness().unpacked(), coupling);
+  Vector load = loads.load;
+  axpy(-1, algebra.multiplySymmetric(a, loads.prescribed), load);
+  return {algebra.cholesky(constrain(std::move(a), mine, loads, rigid),
+                           "the stiffness matrix"),
+          std::move(load)};
+}
+
+/// The γ₀ with which A is definite for sure where the first choice has failed.
+/// \throws IndefiniteStiffness if the choice was the user's.
+double safeGamma0(const ContactProblem::Input& input, const Coupling& coupling,
+                  const Loads& loads, const RigidConstraints& rigid) {
+  const double first = input.stabilization.firstGamma0();
+  const double definiteBelow = limit(input, coupling, loads, rigid);
+  if (input.stabilization.gamma0)
+    throw IndefiniteStiffness(first, definiteBelow);
+  return std::min(first, definiteBelow) / 4;
 }
 
 Matrix rowsOf(const Matrix& a, const Rows& mine) {
@@ -256,11 +271,20 @@ ContactProblem::ContactProblem(const Input& input) {
   Coupling coupling = makeCoupling(input, multiplier);
   Obstacle obstacle = makeObstacle(input.space.mesh(), multiplier, input.units);
 
-  Matrix a =
-      subtractStabilisation(algebra, input.stiffness.stiffness().unpacked(), coupling);
-  Vector load = loads.load;
-  axpy(-1, algebra.multiplySymmetric(a, loads.prescribed), load);
-  auto factor = factorise(input, std::move(a), coupling, loads, rigid);
+  const bool stabilised = coupling.stabilisationColumns() > 0;
+  double gamma0 = stabilised ? input.stabilization.firstGamma0() : 0;
+  Factorised factorised;
+  try {
+    factorised = factorise(input, coupling, loads, rigid);
+  } catch (const bem::NumericalError&) {
+    if (!stabilised)
+      throw;
+  }
+  if (!factorised.factor) {
+    gamma0 = safeGamma0(input, coupling, loads, rigid);
+    coupling.weaken(gamma0 / input.stabilization.firstGamma0());
+    factorised = factorise(input, coupling, loads, rigid);
+  }
 
   Vector constant = withoutFixedMotions(modes, rigid, loads.prescribed);
   BalancedStiffness stiffness(input.stiffness, std::move(modes), coupling);
@@ -269,13 +293,14 @@ ContactProblem::ContactProblem(const Input& input) {
                                          std::move(multiplier),
                                          std::move(loads),
                                          std::move(rigid),
-                                         std::move(factor),
+                                         std::move(factorised.factor),
                                          &algebra,
                                          input.space.displacements(),
-                                         std::move(load),
+                                         std::move(factorised.load),
                                          std::move(constant),
                                          std::move(obstacle.gap),
                                          std::move(coupling),
+                                         gamma0,
                                          std::move(stiffness)});
   parts_->numbers = parts_->condensed(std::move(obstacle));
 }
@@ -316,6 +341,7 @@ const Problem& ContactProblem::numbers() const { return parts_->numbers; }
 const MultiplierSpace& ContactProblem::multiplier() const { return parts_->multiplier; }
 const Vector& ContactProblem::gap() const { return parts_->gap; }
 const Vector& ContactProblem::load() const { return parts_->loads.load; }
+double ContactProblem::gamma0() const { return parts_->gamma0; }
 double ContactProblem::gamma(std::size_t contactElement) const {
   return parts_->coupling.gamma[contactElement];
 }

@@ -16,7 +16,7 @@ namespace epafi::contact {
 std::vector<int> tractionElements(const MultiplierSpace& multiplier,
                                   const Stabilization& stabilization);
 
-/// The stabilised stiffness A = S - S^ is not positive definite.
+/// The stabilised stiffness A = S - S^ is not positive definite with the γ₀ that was given.
 struct IndefiniteStiffness : bem::NumericalError {
   IndefiniteStiffness(double used, double limit);
   double gamma0;       ///< what was asked for
@@ -44,7 +44,8 @@ class ContactProblem {
 
   /// \throws bem::InputError if the conditions contradict each other or leave a rigid
   /// motion
-  ///   that is both fixed and clamped; IndefiniteStiffness.
+  ///   that is both fixed and clamped; IndefiniteStiffness for a γ₀ that is given and too
+  ///   large.
   explicit ContactProblem(const Input& input);
   ~ContactProblem();
   ContactProblem(ContactProblem&&) noexcept;
@@ -68,6 +69,9 @@ class ContactProblem {
   /// state's displacement, freed from rounding.
   /// Stabilisation included; what holds fixed rigid motions is not.
   Vector clampWork(const State& state, const Vector& displacement) const;
+
+  /// γ₀ that the mesh has got, see Stabilization::gamma0; zero without stabilisation.
+  double gamma0() const;
 
   /// γ on a contact element (index into multiplier().elements()), dimensionless.
   double gamma(std::size_t contactElement) const;

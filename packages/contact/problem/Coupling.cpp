@@ -29,11 +29,11 @@ double gammaOn(const bem::Mesh& mesh, int e, const ContactProblem::Input& input)
   const double degrees = std::pow(element.degree, -2 - s.eta);
   if (s.scaling == Stabilization::Scaling::Absolute) {
     const double physical =
-        s.gamma0 * std::pow(h * input.units.length, 1 + s.beta) * degrees;
+        s.firstGamma0() * std::pow(h * input.units.length, 1 + s.beta) * degrees;
     return physical * input.units.stress / input.units.length;
   }
   const double nearlyIncompressible = std::min(1.0, 50 * (1 - 2 * input.lame.nu));
-  return s.gamma0 * nearlyIncompressible * std::pow(h, 1 + s.beta) * degrees;
+  return s.firstGamma0() * nearlyIncompressible * std::pow(h, 1 + s.beta) * degrees;
 }
 
 /// Column i: the coefficients of χ_i in the orthonormal Legendre polynomials on the
@@ -181,6 +181,14 @@ Coupling makeCoupling(const ContactProblem::Input& input,
     writer.write(contact, coupling.gamma.back(), coupling.tractions->start[k]);
   }
   return coupling;
+}
+
+void Coupling::weaken(double factor) {
+  for (auto* entries : {&weights, &mass})
+    for (Entry& entry : *entries)
+      entry.value *= factor;
+  for (double& g : gamma)
+    g *= factor;
 }
 
 Matrix Coupling::multiplierMass() const {

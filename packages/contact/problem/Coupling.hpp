@@ -31,6 +31,9 @@ struct Coupling {
   Vector gamma;                ///< γ per contact element, dimensionless
   std::shared_ptr<const bem::TractionRows> tractions;  ///< S φ; empty: no stabilisation
 
+  /// γ becomes factor times as large, and all that is proportional to it.
+  void weaken(double factor);
+
   /// M, whole.
   Matrix multiplierMass() const;
   /// Bᵀ, my rows.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 namespace epafi::contact {
 
 /// How λ + S u is weighted and evaluated in the stabilisation of [P (13)].
@@ -16,9 +18,14 @@ struct Stabilization {
 
   Form form = Form::Projected;
   Scaling scaling = Scaling::Stiffness;
-  double gamma0 = 0.1;  ///< > 0
-  double beta = 0;      ///< >= 0
-  double eta = 0;       ///< >= 0
+  /// γ₀ > 0. Empty: 0.1 or, on a mesh where that loses definiteness, a quarter of where
+  /// it is lost; only a number that is given can be too large.
+  std::optional<double> gamma0;
+  double beta = 0;  ///< >= 0
+  double eta = 0;   ///< >= 0
+
+  static constexpr double standardGamma0 = 0.1;
+  double firstGamma0() const { return gamma0.value_or(standardGamma0); }
 };
 
 }  // namespace epafi::contact
