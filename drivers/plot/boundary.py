@@ -19,7 +19,8 @@ class Boundary:
                 "t": np.column_stack([table["tx"][piece], table["ty"][piece]]),
                 "degree": int(table["degree"][first])})
         corners = np.concatenate([element["x"] for element in self.elements])
-        self.diameter = math.hypot(*np.ptp(corners, axis=0))
+        self.extent = np.ptp(corners, axis=0)  # width and height
+        self.diameter = math.hypot(*self.extent)
 
     def loops(self):
         """Lists of elements that follow each other; a hole starts a new one."""

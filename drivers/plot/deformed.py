@@ -4,7 +4,7 @@ import math
 import numpy as np
 from matplotlib.lines import Line2D
 
-from figures import plt
+from figures import equal_axes, plt, shape_of
 
 
 def round_down(value):
@@ -14,7 +14,7 @@ def round_down(value):
 
 
 def draw(boundary, title, pictures):
-    figure, axes = plt.subplots(figsize=(6.6, 6))
+    figure, axes = plt.subplots()
     largest = max(np.hypot(*element["u"].T).max() for element in boundary.elements)
     scale = round_down(0.1 * boundary.diameter / largest) if largest > 0 else 1
     for k, loop in enumerate(boundary.loops()):
@@ -24,12 +24,16 @@ def draw(boundary, title, pictures):
         axes.plot(*(x + scale * u).T, color="C0", lw=1.6,
                   label="deformed, displacement x %g" % scale if not k else "_")
     arrow = arrows(axes, boundary, scale)
-    axes.set_aspect("equal")
-    axes.set_xlabel("x")
-    axes.set_ylabel("y")
+    shown = axes.dataLim
+    room = shape_of(shown.width, shown.height, 5.5)
+    figure.set_size_inches(room[0] + 1.1, room[1] + 1.1)
+    equal_axes(axes, shown.width, shown.height)
     axes.set_title(title + ": deformed outline and tractions")
-    axes.legend(handles=[*axes.get_lines()[:2], *arrow], loc="upper center",
-                bbox_to_anchor=(0.5, -0.1))
+    figure.tight_layout()
+    below = axes.get_tightbbox(figure.canvas.get_renderer()).transformed(
+        figure.transFigure.inverted())  # labels included: the legend hides none
+    figure.legend(handles=[*axes.get_lines()[:2], *arrow], loc="upper center",
+                  bbox_to_anchor=(0.5 * (below.x0 + below.x1), below.y0))
     pictures.save(figure, "deformed")
 
 

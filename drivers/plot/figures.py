@@ -5,7 +5,7 @@ import os
 import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
 matplotlib.use("Agg")
 plt.rcParams.update({"figure.dpi": 110, "savefig.bbox": "tight", "axes.grid": True,
@@ -74,8 +74,27 @@ def loglog(axes, x, y, label, counted=None, gaps=False, **style):
 
 
 def plain_ticks(axis):
-    """1, 2, 5, 10 ... in plain digits on a logarithmic axis, 1, 10 ... on a long one."""
+    """1, 2, 5, 10 ... in plain digits on a logarithmic axis, 1, 10 ... on a long one; where
+    digits would grow long, powers."""
     low, high = axis.get_view_interval()
-    axis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 300 * low else (1,)))
-    axis.set_major_formatter(FuncFormatter(lambda value, _: "%g" % value))
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 60 * low else (1,)))
+    if low >= 9e-4 and high <= 2e5:
+        axis.set_major_formatter(FuncFormatter(lambda value, _: "%g" % value))
     axis.set_minor_formatter(NullFormatter())
+
+
+def shape_of(width, height, room):
+    """Size in inches of equal axes for a body, within room inches each way."""
+    larger = max(width, height)
+    return (max(room * width / larger, 0.25 * room), max(room * height / larger, 0.12 * room))
+
+
+def equal_axes(axes, width, height):
+    """x and y on one scale, with no more ticks than there is room for labels."""
+    axes.set_aspect("equal")
+    axes.set_xlabel("x")
+    axes.set_ylabel("y")
+    larger = max(width, height)
+    for axis, extent in ((axes.xaxis, width), (axes.yaxis, height)):
+        axis.set_major_locator(MaxNLocator(nbins=max(2, round(7 * extent / larger)),
+                                           steps=[1, 2, 5, 10]))

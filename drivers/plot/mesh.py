@@ -2,7 +2,7 @@
 import numpy as np
 from matplotlib.colors import BoundaryNorm, ListedColormap
 
-from figures import plt
+from figures import equal_axes, plain_ticks, plt, shape_of
 
 
 def outward(element):
@@ -22,8 +22,12 @@ def degree_colours(elements):
 
 def draw(boundary, title, pictures):
     colours, norm, degrees = degree_colours(boundary.elements)
-    figure, (outline, sizes) = plt.subplots(1, 2, figsize=(11, 4.8),
-                                            gridspec_kw={"width_ratios": [1, 1.25]})
+    width, height = boundary.extent
+    room = shape_of(width, height, 4.4)
+    beside = height > 0.4 * width  # a flat body's outline stands above its sizes
+    figure, (outline, sizes) = plt.subplots(
+        *((1, 2) if beside else (2, 1)), figsize=(room[0] + 6.6, 4.8) if beside else (9, 6.6),
+        gridspec_kw={"width_ratios": [room[0], 5.5]} if beside else {"height_ratios": [1, 2]})
     tick = 0.015 * boundary.diameter
     for element in boundary.elements:
         a, b = element["x"][0], element["x"][-1]
@@ -32,10 +36,8 @@ def draw(boundary, title, pictures):
         for end in (a, b):
             outline.plot(*zip(end - tick * outward(element), end + tick * outward(element)),
                          color="black", lw=0.6)
-    outline.set_aspect("equal")
+    equal_axes(outline, width, height)
     outline.grid(False)
-    outline.set_xlabel("x")
-    outline.set_ylabel("y")
     outline.set_title("elements and degrees")
 
     at = 0
@@ -48,6 +50,11 @@ def draw(boundary, title, pictures):
                            color=colours(norm(element["degree"])))
             at += length
         sizes.axvline(at, color="grey", lw=0.5)
+    low, high = sizes.dataLim.intervaly
+    if high < 2 * low:  # one size: rounding is no structure
+        low, high = 0.5 * low, 2 * high
+    sizes.set_ylim(0.8 * low, 1.25 * high)
+    plain_ticks(sizes.yaxis)
     sizes.set_xlabel("length along the outline from its first vertex (holes after it)")
     sizes.set_ylabel("element size h")
     sizes.set_title("%d elements, %s" % (
@@ -57,4 +64,5 @@ def draw(boundary, title, pictures):
                           ticks=list(degrees), label="degree p")
     bar.ax.minorticks_off()
     figure.suptitle(title + ": mesh")
+    figure.tight_layout()
     pictures.save(figure, "mesh")
