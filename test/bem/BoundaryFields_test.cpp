@@ -171,6 +171,37 @@ TEUCHOS_UNIT_TEST(SoftenedRule, integratesSquaresOfLogarithms) {
   }
 }
 
+// What near pairs have at a corner and along an edge, times a polynomial.
+TEUCHOS_UNIT_TEST(TouchingRule, integratesLogarithms) {
+  const auto claim = [&](const std::vector<bem::Feature>& others, int power) {
+    const auto profile = [&](const bem::EndPoint& x) {
+      double sum = std::log(x.toEnd) * std::pow(x.toEnd, power == 5 ? 1 : 0);
+      for (const bem::Feature& feature : others)
+        sum +=
+            0.5 * std::log(std::pow(x.t - feature.t, 2) + std::pow(feature.distance, 2));
+      return sum * (1 + x.t);
+    };
+    const auto integral = [&](const bem::GradedRule& rule) {
+      double sum = 0;
+      for (std::size_t q = 0; q < rule.points.size(); ++q)
+        sum += rule.weights[q] * profile(rule.points[q]);
+      return sum;
+    };
+    std::vector<bem::Feature> features = others;
+    features.push_back({1, 0});
+    const double exact = integral(bem::gradedRule(features, 30, 1e-15));
+    const bem::GradedRule rule = bem::touchingRule(features, 18, {power, 28});
+    TEST_COMPARE(std::abs(integral(rule) - exact), <, 2e-14);
+  };
+  for (const int power : {5, 7}) {
+    claim({{3, 0}}, power);
+    claim({{1.5, 1}}, power);
+    claim({{1, 0.1}}, power);
+    claim({{0.3, 1e-4}, {-1.1, 0}}, power);
+    claim({{0.999, 1e-9}}, power);
+  }
+}
+
 double squareOf(const std::vector<bem::BoundaryValue>& values) {
   double square = 0;
   for (const bem::BoundaryValue& value : values)

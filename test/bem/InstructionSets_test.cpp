@@ -1,6 +1,7 @@
 // Every instruction set that this processor has gives the same moments and sums.
 #include "bem/fields/PointSources.hpp"
-#include "bem/moments/FarPairs.hpp"
+#include "bem/moments/NearPair.hpp"
+#include "bem/simd/Dispatch.hpp"
 #include "reference/SampleMeshes.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -66,6 +67,65 @@ TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameFarMoments) {
       TEST_COMPARE(difference(*baseline, *other, degree), <, 1e-13);
     }
   }
+}
+
+/// Touching on an edge and at a corner, beside each other, with itself; degrees so high
+/// that both recurrences are there.
+TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameNearMoments) {
+  const auto outline = std::make_shared<const bem::Outline>(
+      polygon({{-0.5, -0.1}, {0.5, -0.1}, {0.5, 0.1}, {-0.4, 0.1}}));
+  const auto baseline = std::make_unique<bem::FarMoments>();
+  const auto other = std::make_unique<bem::FarMoments>();
+  bem::NearMoments near;
+  for (const int degree : {1, 2, 8, 20}) {
+    const bem::Mesh mesh = bem::makeMesh(outline, {4, 2, 3, 2}, degree);
+    for (const int e : {0, 1, 2, 4, 6, 7}) {
+      near.evaluate(mesh, e, 2, *baseline, 0, bem::InstructionSet::Baseline);
+      for (const bem::InstructionSet set : bem::instructionSets()) {
+        near.evaluate(mesh, e, 2, *other, 0, set);
+        for (int lane = 1; lane < bem::lanes; ++lane)
+          for (int i = 0; i <= degree; ++i)
+            for (int j = 0; j <= degree; ++j) {
+              const int at = i * bem::FarMoments::stride + j;
+              for (const auto table : {&bem::FarMoments::log, &bem::FarMoments::along,
+                                       &bem::FarMoments::across, &bem::FarMoments::direct,
+                                       &bem::FarMoments::reverse})
+                ((*baseline).*table)[at][lane] = ((*other).*table)[at][lane] = 0;
+            }
+        TEST_COMPARE(difference(*baseline, *other, degree), <, 1e-13);
+      }
+    }
+  }
+}
+
+struct Angles {
+  const bem::Pack& y;
+  const bem::Pack& x;
+  bem::Pack& result;
+  template <bem::Division>
+  EPAFI_INLINE void run() const {
+    bem::angle(y, x, result);
+  }
+};
+
+TEUCHOS_UNIT_TEST(InstructionSets, measureAngles) {
+  for (const bem::InstructionSet set : bem::instructionSets())
+    for (int k = 0; k < 100; ++k) {
+      bem::Pack x{};
+      bem::Pack y{};
+      for (int lane = 0; lane < bem::lanes; ++lane) {
+        const double turn = 0.008 * (8 * k + lane) - 3.2;
+        const double size = std::pow(10, 2 * lane - 8);
+        x[lane] = size * std::cos(turn);
+        y[lane] = size * std::sin(turn);
+      }
+      bem::Pack result{};
+      bem::dispatch(set, Angles{y, x, result});
+      for (int lane = 0; lane < bem::lanes; ++lane) {
+        const double exact = std::atan2(y[lane], x[lane]);
+        TEST_COMPARE(std::abs(result[lane] - exact), <=, 4.5e-16 * std::abs(exact));
+      }
+    }
 }
 
 TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameSumsOfSources) {

@@ -60,6 +60,11 @@ bool isNear(const Mesh& mesh, int e, int f, Vec2 w, PairOrder& order);
 /// F.
 bool isNear(Vec2 w, const Element& f, int& order);
 
+/// Numbers of eight lanes, for containers.
+struct alignas(64) AlignedLane {
+  double lane[lanes];
+};
+
 /// Moments of a far pair, one lane of the batch.
 class FarMoments {
  public:

@@ -51,28 +51,6 @@ void backward(Number z, Number q0, int top, double logR, Number* c) {
 // The forward recurrence loses R² a step.
 bool isForwardStable(int top, double logR) { return 2 * top * logR < 2.3; }
 
-}  // namespace
-
-LogMoments logMomentsAhead(double gap, int degree) {
-  LogMoments l{};
-  std::array<double, largestDegree + 3> c{};
-  const double z = 1 + gap;
-  const double product = gap * (gap + 2);
-  const double q0 = 0.5 * std::log1p(2 / gap);
-  const int top = degree == 0 ? 0 : degree + 1;
-  const double logR = top == 0 ? 0 : std::log(z + std::sqrt(product));
-  if (isForwardStable(top, logR))
-    forward(z, q0, top, c.data());
-  else
-    backward(z, q0, top, logR, c.data());
-  l[0] = std::log(product) + z * c[0] - 2;
-  for (int j = 1; j <= degree; ++j)
-    l[j] = (c[j + 1] - c[j - 1]) / (2 * j + 1);
-  return l;
-}
-
-namespace {
-
 /// A target in real numbers on the element's line, else in complex ones.
 template <class Number>
 struct Target {

@@ -26,7 +26,8 @@ struct RelativeTarget {
 };
 
 /// Integrals of Legendre polynomials over [-1, 1] against the kernels' building blocks,
-/// in closed form by the Legendre functions of the second kind Q_j. [design.md 3.3]
+/// in closed form by the Legendre functions of the second kind Q_j.
+/// [doc/theory/operators.md]
 ///
 ///   c[j] = ∫ P_j/(z-t) dt = 2 Q_j(z),   l[j] = Re ∫ P_j log(z-t) dt,
 ///   d[j] = ∫ P_j/(z-t)² dt = -2 Q_j'(z)
@@ -45,11 +46,5 @@ enum class Need { C, CandL, CandD, All };
 /// element, where ∫ P_j/(z-t)² does not exist.
 void evaluateMoments(const RelativeTarget& target, int degree, Need need,
                      LegendreMoments& moments);
-
-using LogMoments = std::array<double, largestDegree + 1>;
-
-/// l[j] alone, j <= degree, for a target on the element's line, `gap` > 0 half lengths
-/// beyond its end t = 1.  Behind its start they are (-1)^j as much.
-LogMoments logMomentsAhead(double gap, int degree);
 
 }  // namespace epafi::bem

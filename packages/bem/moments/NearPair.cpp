@@ -2,181 +2,377 @@
 
 #include "bem/moments/RelativeTarget.hpp"
 #include "bem/quadrature/Graded.hpp"
+#include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace epafi::bem {
 
 namespace {
 
+constexpr int stride = FarMoments::stride;
+
 // ∫ P_n Q_m dt over [-1,1] for n + m odd, principal value.            [DLMF 14.17.9]
 double integralPQ(int n, int m) { return 2.0 / ((n - m) * (n + m + 1.0)); }
 
-// The phase of two elements on one line, exactly: what cancels between neighbours shall
-// cancel.
-void constantPhase(Vec2 tangent, int rows, int columns, PairMoments& moments) {
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j)
-      moments.phaseReal(i, j) = moments.phaseImag(i, j) = 0;
-  moments.phaseReal(0, 0) = 4 * (tangent.x * tangent.x - tangent.y * tangent.y);
-  moments.phaseImag(0, 0) = 8 * tangent.x * tangent.y;
-}
-
 // An element with itself:  log|w| = log(h/2) + log|s-t|,  w/conj(w) = τ²,  w·n = 0.
-void selfMoments(const Element& element, PairMoments& moments) {
-  const int p = element.degree;
-  moments.clear(p, p);
-  constantPhase(element.tangent, p, p, moments);
-  for (int i = 0; i < p; ++i)
-    for (int j = i % 2; j < p; j += 2)  // odd ones vanish
-      moments.log(i, j) =
-          j == 0 ? (i == 0 ? 4 * std::log(2.0) - 6
-                           : 2 * integralPQ(0, i + 1) / (2 * i + 1) -
-                                 2 * integralPQ(0, i - 1) / (2 * i + 1))
-                 : 2 * (integralPQ(i, j + 1) - integralPQ(i, j - 1)) / (2 * j + 1);
-  moments.log(0, 0) += 4 * std::log(element.half);
+double selfMoment(int i, int j) {
+  if ((i + j) % 2 == 1)
+    return 0;
+  if (j == 0)
+    return i == 0 ? 4 * std::log(2.0) - 6
+                  : 2 * (integralPQ(0, i + 1) - integralPQ(0, i - 1)) / (2 * i + 1);
+  return 2 * (integralPQ(i, j + 1) - integralPQ(i, j - 1)) / (2 * j + 1);
 }
 
-std::vector<Feature> feetOf(const Mesh& mesh, int inner, int outer) {
+/// What is integrated over the outer element x and the inner one y.
+enum Table { Log, Along, Across, Direct, Reverse, Tables };
+
+struct Shape {
+  int rows;     ///< p_x
+  int columns;  ///< p_y
+  std::size_t at(int table, int i, int j) const {
+    return static_cast<std::size_t>((table * (rows + 1) + i) * (columns + 1) + j);
+  }
+  std::size_t size() const { return at(Tables, 0, 0); }
+};
+
+/// The outer element seen from the inner one, a straight line of targets: those of its
+/// ends and what half a length of it adds.
+struct Sight {
+  RelativeTarget start;
+  RelativeTarget end;
+  Complex step;
+};
+
+Sight sightOf(const Mesh& mesh, int outer, int inner) {
+  const Element& x = mesh[outer];
+  const Element& y = mesh[inner];
+  const double ratio = x.half / y.half;
+  const bool onLine = x.piece.edge == y.piece.edge;
+  return {seenFrom(mesh, inner, mesh.at(outer, -1)),
+          seenFrom(mesh, inner, mesh.at(outer, 1)),
+          ratio * Complex(dot(x.tangent, y.tangent),
+                          onLine ? 0.0 : dot(x.tangent, y.normal))};
+}
+
+/// What the kernels read and write.
+struct Work {
+  const GradedRule& rule;
+  const Sight& sight;
+  Shape shape;
+  Complex turn;  ///< conj(τ_x) τ_y h_x/h_y
+  AlignedLane* sums;
+};
+
+/// Eight points of the outer rule.
+struct Points {
+  alignas(64) double t[lanes];
+  alignas(64) double fromStart[lanes];
+  alignas(64) double toEnd[lanes];
+  alignas(64) double weight[lanes];
+
+  EPAFI_INLINE Points(const GradedRule& rule, int first) {
+    for (int lane = 0; lane < lanes; ++lane) {
+      const bool isThere = first + lane < rule.size();
+      const auto at = static_cast<std::size_t>(isThere ? first + lane : first);
+      t[lane] = rule.points[at].t;
+      fromStart[lane] = rule.points[at].fromStart;
+      toEnd[lane] = rule.points[at].toEnd;
+      weight[lane] = isThere ? rule.weights[at] : 0;
+    }
+  }
+};
+
+/// Targets z = a + ib as in RelativeTarget.
+struct Targets {
+  Pack z;
+  Pack minus;  ///< a - 1
+  Pack plus;   ///< a + 1
+  Pack b;
+
+  EPAFI_INLINE Targets(const Sight& s, const Points& points) {
+    const Pack fromStart = load(points.fromStart);
+    const Pack toEnd = load(points.toEnd);
+    const Pack zero{};
+    const auto atStart = fromStart < toEnd;
+    const Pack along = atStart ? fromStart : -toEnd;
+    const auto from = [&](const Complex& start, const Complex& end, Pack& x, Pack& y) {
+      x = (atStart ? zero + start.real() : zero + end.real()) + s.step.real() * along;
+      y = (atStart ? zero + start.imag() : zero + end.imag()) + s.step.imag() * along;
+    };
+    Pack bOfPlus;
+    from(s.start.zMinus1, s.end.zMinus1, minus, b);
+    from(s.start.zPlus1, s.end.zPlus1, plus, bOfPlus);
+    // both from the offset to the nearer end
+    const auto atOne = minus * minus + b * b < plus * plus + bOfPlus * bOfPlus;
+    z = atOne ? 1.0 + minus : plus - 1.0;
+    const Pack other = atOne ? minus + 2.0 : plus;
+    minus = atOne ? minus : plus - 2.0;
+    plus = other;
+    b = atOne ? b : bOfPlus;
+  }
+};
+
+/// 2 Q_j and Re ∫ P_j log(z-t) dt of eight targets; Parts 1: on the element's line, where
+/// all is real.
+template <int Parts>
+struct Legendre {
+  static constexpr int size = largestDegree + 2;
+  Pack c[Parts][size];
+  Pack l[size];
+
+  EPAFI_INLINE void evaluate(const Targets& x, int top) {
+    const Pack minus2 = x.minus * x.minus + x.b * x.b;
+    const Pack plus2 = x.plus * x.plus + x.b * x.b;
+    Pack logMinus;
+    Pack logPlus;
+    logarithm(minus2, logMinus);
+    logarithm(plus2, logPlus);
+    c[0][0] = 0.5 * (logPlus - logMinus);
+    l[0] = 0.5 * (logPlus + logMinus) - 2.0 + x.z * c[0][0];
+    if constexpr (Parts == 2) {
+      angle(2.0 * x.b, x.minus * x.plus + x.b * x.b, c[1][0]);
+      c[1][0] = -c[1][0];
+      l[0] -= x.b * c[1][0];
+    }
+    if (top == 0)
+      return;
+    Pack distanceMinus;
+    Pack distancePlus;
+    squareRoot(minus2, distanceMinus);
+    squareRoot(plus2, distancePlus);
+    const Pack focal = distanceMinus + distancePlus;
+    // The forward recurrence loses R = |z + √(z-1) √(z+1)| a step: one digit in all is what
+    // moments of size 1 can spare.  R + 1/R is the sum of distances.
+    const double limit = 2 * std::cosh(std::log(10.0) / top);
+    double nearest = std::numeric_limits<double>::infinity();
+    int count = 0;
+    for (int lane = 0; lane < lanes; ++lane)
+      if (focal[lane] > limit) {
+        nearest = std::min(nearest, focal[lane]);
+        ++count;
+      }
+    if (count < lanes)
+      forward(x, top);
+    if (count > 0) {
+      Legendre other;
+      other.backward(x, top, std::acosh(0.5 * nearest), *this);
+      const auto isFar = focal > limit;
+      for (int part = 0; part < Parts; ++part)
+        for (int j = 1; j <= top; ++j)
+          c[part][j] = isFar ? other.c[part][j] : c[part][j];
+    }
+    for (int j = 1; j < top; ++j)
+      l[j] = (c[0][j + 1] - c[0][j - 1]) * (1.0 / (2 * j + 1));
+  }
+
+ private:
+  EPAFI_INLINE void forward(const Targets& x, int top) {
+    c[0][1] = x.z * c[0][0] - 2.0;
+    if constexpr (Parts == 2) {
+      c[0][1] -= x.b * c[1][0];
+      c[1][1] = x.z * c[1][0] + x.b * c[0][0];
+    }
+    for (int j = 1; j < top; ++j) {
+      const double here = (2 * j + 1.0) / (j + 1);
+      const double before = j / (j + 1.0);
+      Pack real = x.z * c[0][j];
+      if constexpr (Parts == 2) {
+        real -= x.b * c[1][j];
+        c[1][j + 1] = here * (x.z * c[1][j] + x.b * c[0][j]) - before * c[1][j - 1];
+      }
+      c[0][j + 1] = here * real - before * c[0][j - 1];
+    }
+  }
+
+  // Miller's recurrence, scaled to 2 Q₀: from where R^-2 a step has left 1e-16 of it.  It
+  // is kept near 1 until the first value that is wanted.
+  EPAFI_INLINE void backward(const Targets& x, int top, double logR,
+                             const Legendre& first) {
+    Pack above[2] = {};
+    Pack here[2] = {Pack{} + 1.0, Pack{}};
+    const int start = std::max(top, static_cast<int>(18.5 / logR + 0.5 * top)) + 2;
+    for (int j = start; j > 0; --j) {
+      const double inverse = 1.0 / j;
+      Pack real = x.z * here[0];
+      if constexpr (Parts == 2) {
+        real -= x.b * here[1];
+        const Pack imag = x.z * here[1] + x.b * here[0];
+        const Pack below = (2 + inverse) * imag - (1 + inverse) * above[1];
+        above[1] = here[1];
+        here[1] = below;
+      }
+      const Pack below = (2 + inverse) * real - (1 + inverse) * above[0];
+      above[0] = here[0];
+      here[0] = below;
+      if (j - 1 <= top) {
+        for (int part = 0; part < Parts; ++part)
+          c[part][j - 1] = here[part];
+      } else if (j % 16 == 0) {
+        const Pack scale = 1.0 / (here[0] * here[0] + here[1] * here[1]);
+        Pack root;
+        squareRoot(scale, root);
+        for (int part = 0; part < Parts; ++part) {
+          here[part] *= root;
+          above[part] *= root;
+        }
+      }
+    }
+    Pack norm = c[0][0] * c[0][0];
+    Pack real = first.c[0][0] * c[0][0];
+    Pack imag{};
+    if constexpr (Parts == 2) {
+      norm += c[1][0] * c[1][0];
+      real += first.c[1][0] * c[1][0];
+      imag = first.c[1][0] * c[0][0] - first.c[0][0] * c[1][0];
+    }
+    const Pack inverse = 1.0 / norm;
+    real *= inverse;
+    imag *= inverse;
+    for (int j = 0; j <= top; ++j) {
+      const Pack value = c[0][j];
+      c[0][j] = real * value;
+      if constexpr (Parts == 2) {
+        c[0][j] -= imag * c[1][j];
+        c[1][j] = real * c[1][j] + imag * value;
+      }
+    }
+  }
+};
+
+template <int Parts>
+struct NearKernel {
+  const Work& work;
+
+  template <Division How>
+  EPAFI_INLINE void run() const {
+    const Shape shape = work.shape;
+    const int rows = shape.rows;
+    const int columns = shape.columns;
+    Pack weighted[largestDegree + 1];
+    Legendre<Parts> inner;
+    for (int first = 0; first < work.rule.size(); first += lanes) {
+      const Points points(work.rule, first);
+      const Targets x(work.sight, points);
+      inner.evaluate(x, Parts == 1 && columns == 1 ? 0 : columns);
+      const Pack t = load(points.t);
+      weighted[0] = load(points.weight);
+      weighted[1] = t * weighted[0];
+      for (int k = 1; k < rows; ++k)
+        weighted[k + 1] = ((2 * k + 1.0) / (k + 1)) * (t * weighted[k]) -
+                          (k / (k + 1.0)) * weighted[k - 1];
+      for (int j = 0; j < columns; ++j)
+        for (int i = 0; i < rows; ++i)
+          put(Log, i, j, weighted[i] * inner.l[j]);
+      if constexpr (Parts == 2)
+        for (int j = 0; j <= columns; ++j) {
+          const Pack real = inner.c[0][j];
+          const Pack imag = inner.c[1][j];
+          for (int i = 0; i < rows; ++i)
+            put(Direct, i, j, -weighted[i] * imag);
+          if (j == columns)
+            continue;
+          const Pack along = x.b * real;
+          const Pack across = -x.b * imag;
+          const Pack reverse = work.turn.real() * imag + work.turn.imag() * real;
+          for (int i = 0; i < rows; ++i) {
+            put(Along, i, j, weighted[i] * along);
+            put(Across, i, j, weighted[i] * across);
+          }
+          for (int i = 0; i <= rows; ++i)
+            put(Reverse, i, j, weighted[i] * reverse);
+        }
+    }
+  }
+
+  EPAFI_INLINE void put(int table, int i, int j, const Pack& value) const {
+    add(work.sums[work.shape.at(table, i, j)].lane, value);
+  }
+};
+
+/// 1e-13 of the moments' norm with polynomials of both degrees: where the elements touch,
+/// integrands are like log s in the distance s, on one line like s log s.
+GradedRule outerRule(const Mesh& mesh, int outer, int inner) {
   const Piece& piece = mesh[inner].piece;
   std::vector<Feature> features;
   for (const Position& end : {piece.start, piece.end}) {
     const RelativeTarget seen = seenFrom(mesh, outer, {piece.edge, end, 0});
     features.push_back({seen.z().real(), std::abs(seen.b())});
   }
-  return features;
+  const int degree = mesh[outer].degree + mesh[inner].degree;
+  const bool onLine = mesh[outer].piece.edge == piece.edge;
+  return touchingRule(
+      features, 17 + degree / 2,
+      onLine ? Softening{5, 20 + 7 * degree / 6} : Softening{7, 26 + 27 * degree / 20});
 }
 
-/// Where the moments of (outer i, inner j) belong: transposed if outer is F.
-struct TableWriter {
-  PairMoments& moments;
-  bool transposed;
-  double& log(int i, int j) const {
-    return transposed ? moments.log(j, i) : moments.log(i, j);
-  }
-};
-
-/// 1e-13 of the moments' norm with polynomials of both degrees.  At a touching end the
-/// integrands are like s log s, and a last interval of 1e-6 will do; beside an end that
-/// is off the line by less they turn by pi over that distance.
-GradedRule outerRule(const std::vector<Feature>& features, const Element& outer,
-                     const Element& inner) {
-  constexpr double closest = 1e-12;  // nearer ones are the end itself and rounding
-  double smallest = 1e-6 * std::min(1.0, inner.half / outer.half);
-  for (const Feature& feature : features)
-    if (feature.distance > closest)
-      smallest = std::min(smallest, feature.distance);
-  return gradedRule(features, 17 + (outer.degree + inner.degree) / 2, smallest);
-}
-
-/// Two elements of one edge: logarithms of a real distance.
-void lineMoments(const Mesh& mesh, int outer, int inner, const TableWriter& writer) {
-  const Element& x = mesh[outer];
-  const Element& y = mesh[inner];
-  const bool ahead = distanceAlong(y.piece.start, x.piece.start) > 0;
-  const double gap = ahead ? distanceAlong(y.piece.end, x.piece.start)
-                           : distanceAlong(x.piece.end, y.piece.start);
-  const double sign = ahead ? -1 : 1;
-  const std::vector<Feature> features = {{sign * (1 + gap / x.half), 0},
-                                         {sign * (1 + (gap + 2 * y.half) / x.half), 0}};
-  const GradedRule rule = outerRule(features, x, y);
-  const double logHalf = std::log(y.half);
-  std::array<double, largestDegree + 1> legendre{};
-  for (int q = 0; q < rule.size(); ++q) {
-    const EndPoint& point = rule.points[q];
-    const double beyond =
-        (gap + x.half * (ahead ? point.fromStart : point.toEnd)) / y.half;
-    LogMoments l = logMomentsAhead(beyond, y.degree - 1);
-    l[0] += 2 * logHalf;
-    if (!ahead)
-      for (int j = 1; j < y.degree; j += 2)
-        l[j] = -l[j];
-    legendreValues(x.degree - 1, point.t, legendre.data());
-    for (int i = 0; i < x.degree; ++i)
-      for (int j = 0; j < y.degree; ++j)
-        writer.log(i, j) += rule.weights[q] * legendre[i] * l[j];
-  }
-  constantPhase(x.tangent, x.degree, y.degree, writer.moments);
-}
-
-/// One pass: outer quadrature on `outer`, closed form on `inner`; calls
-/// visit(weighted P_i(x), i, moments of inner at x, b).
-template <class Visit>
-void sweep(const Mesh& mesh, int outer, int inner, Need need, const Visit& visit) {
-  const Element& x = mesh[outer];
-  const Element& y = mesh[inner];
-  const GradedRule rule = outerRule(feetOf(mesh, inner, outer), x, y);
-  std::array<double, largestDegree + 1> legendre{};
-  LegendreMoments moments;
-  for (int q = 0; q < rule.size(); ++q) {
-    const EndPoint& point = rule.points[q];
-    const BoundaryPoint place = mesh.at(outer, point.fromStart, point.toEnd);
-    const RelativeTarget seen = seenFrom(mesh, inner, place);
-    evaluateMoments(seen, y.degree, need, moments);
-    legendreValues(x.degree, point.t, legendre.data());
-    for (int i = 0; i <= x.degree; ++i)
-      visit(rule.weights[q] * legendre[i], i, moments, seen.b());
-  }
-}
-
-// log and phase by outer quadrature on `outer`.
-void logAndPhase(const Mesh& mesh, int outer, int inner, const TableWriter& writer) {
-  const Element& y = mesh[inner];
-  const Complex square =
-      Complex(y.tangent.x, y.tangent.y) * Complex(y.tangent.x, y.tangent.y);
-  const double logHalf = std::log(y.half);
-  const int rows = mesh[outer].degree;
-  PairMoments& m = writer.moments;
-  sweep(mesh, outer, inner, Need::CandL,
-        [&](double weight, int i, const LegendreMoments& at, double b) {
-          if (i >= rows)
-            return;
-          for (int j = 0; j < y.degree; ++j) {
-            const double delta = j == 0 ? 2 : 0;
-            const double logarithm = weight * (at.l[j] + delta * logHalf);
-            const Complex phase = weight * square * (delta - Complex(0, 2 * b) * at.c[j]);
-            const int row = writer.transposed ? j : i;
-            const int column = writer.transposed ? i : j;
-            writer.log(i, j) += logarithm;
-            m.phaseReal(row, column) += phase.real();
-            m.phaseImag(row, column) += phase.imag();
-          }
-        });
+double total(const AlignedLane& sums) {
+  const double* x = sums.lane;
+  return ((x[0] + x[1]) + (x[2] + x[3])) + ((x[4] + x[5]) + (x[6] + x[7]));
 }
 
 }  // namespace
 
-void nearPairMoments(const Mesh& mesh, int e, int f, PairMoments& moments) {
-  if (e == f) {
-    selfMoments(mesh[e], moments);
-    return;
-  }
+void NearMoments::evaluate(const Mesh& mesh, int e, int f, FarMoments& m, int lane,
+                           InstructionSet set) {
   const int rows = mesh[e].degree;
   const int columns = mesh[f].degree;
-  moments.clear(rows, columns);
+  const bool onLine = mesh[e].piece.edge == mesh[f].piece.edge;
+  if (onLine)  // w·n = 0
+    for (int i = 0; i <= rows; ++i)
+      for (int j = 0; j <= columns; ++j) {
+        const int at = i * stride + j;
+        m.along[at][lane] = m.across[at][lane] = 0;
+        m.direct[at][lane] = m.reverse[at][lane] = 0;
+        m.log[at][lane] = e == f ? selfMoment(i, j) : 0;
+      }
+  if (e == f) {
+    m.log[0][lane] += 4 * std::log(mesh[e].half);
+    return;
+  }
   // the smaller element outside: the potential of the larger one is smoother on it
   const bool transposed = mesh[e].half > mesh[f].half;
   const int outer = transposed ? f : e;
   const int inner = transposed ? e : f;
-  const TableWriter writer{moments, transposed};
-  if (mesh[e].piece.edge == mesh[f].piece.edge) {  // w·n = 0: no more
-    lineMoments(mesh, outer, inner, writer);
-    return;
-  }
-  logAndPhase(mesh, outer, inner, writer);
-  sweep(mesh, e, f, Need::C,
-        [&](double weight, int i, const LegendreMoments& at, double) {
-          if (i < rows)
-            for (int j = 0; j <= columns; ++j)
-              moments.direct(i, j) -= weight * at.c[j].imag();
-        });
-  sweep(mesh, f, e, Need::C,
-        [&](double weight, int j, const LegendreMoments& at, double) {
-          if (j < columns)
-            for (int i = 0; i <= rows; ++i)
-              moments.reverse(i, j) -= weight * at.c[i].imag();
-        });
+  const Element& x = mesh[outer];
+  const Element& y = mesh[inner];
+  const Shape shape = {x.degree, y.degree};
+  sums_.assign(shape.size(), AlignedLane{});
+  const GradedRule rule = outerRule(mesh, outer, inner);
+  const Sight sight = sightOf(mesh, outer, inner);
+  const Complex tangentX(x.tangent.x, x.tangent.y);
+  const Complex tangentY(y.tangent.x, y.tangent.y);
+  const Work work = {rule, sight, shape, x.half / y.half * std::conj(tangentX) * tangentY,
+                     sums_.data()};
+  if (onLine)
+    dispatch(set, NearKernel<1>{work});
+  else
+    dispatch(set, NearKernel<2>{work});
+  const auto sum = [&](int table, int i, int j) {
+    return total(sums_[shape.at(table, i, j)]);
+  };
+  // w/conj(w) = τ² (1 - 2 (w·n)²/r² - 2i (w·n)(w·τ)/r²) for either element's τ
+  const Complex turned = std::pow(tangentY * std::conj(tangentX), 2);
+  for (int i = 0; i <= x.degree; ++i)
+    for (int j = 0; j <= y.degree; ++j) {
+      const int at = transposed ? j * stride + i : i * stride + j;
+      if (i < x.degree)
+        (transposed ? m.reverse : m.direct)[at][lane] = sum(Direct, i, j);
+      if (j < y.degree)
+        (transposed ? m.direct : m.reverse)[at][lane] = sum(Reverse, i, j);
+      if (i == x.degree || j == y.degree)
+        continue;
+      const double constant = i == 0 && j == 0 ? 4 : 0;
+      m.log[at][lane] = sum(Log, i, j) + constant * std::log(y.half);
+      Complex phase(constant - 2 * sum(Across, i, j), -2 * sum(Along, i, j));
+      if (transposed)
+        phase *= turned;
+      m.across[at][lane] = 0.5 * (constant - phase.real());
+      m.along[at][lane] = -0.5 * phase.imag();
+    }
 }
 
 }  // namespace epafi::bem

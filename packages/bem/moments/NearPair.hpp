@@ -1,13 +1,25 @@
 #pragma once
 
-#include "bem/mesh/Mesh.hpp"
-#include "bem/moments/PairMoments.hpp"
+#include "bem/moments/FarPairs.hpp"
+
+#include <vector>
 
 namespace epafi::bem {
 
 /// Moments of two elements that coincide, touch or lie closer than half the larger one's
-/// length: closed form inside, outside a rule graded toward the feet of the inner
-/// element's end points, where its potential has logarithms. [design.md 3.4]
-void nearPairMoments(const Mesh& mesh, int e, int f, PairMoments& moments);
+/// length: closed form on the larger one, eight points of the smaller one at once; a rule
+/// graded toward the feet of the inner element's end points, where its potential has
+/// logarithms. [doc/theory/operators.md]
+///
+/// One for each thread: it holds what is being worked on.
+class NearMoments {
+ public:
+  /// Of (e, f) into one lane; all others are left alone.
+  void evaluate(const Mesh& mesh, int e, int f, FarMoments& moments, int lane,
+                InstructionSet set = largestInstructionSet());
+
+ private:
+  std::vector<AlignedLane> sums_;
+};
 
 }  // namespace epafi::bem

@@ -23,11 +23,10 @@ void PairBatch::choose(int e, int r, const ElementRange& wanted) {
 
 const PairMoments& PairBatch::at(int f) {
   const Mesh& mesh = runs_.mesh();
-  if (isFar(f))
-    extractLane(*farMoments_, f % lanes, mesh[f].tangent, mesh[e_].degree, mesh[f].degree,
-                *pair_);
-  else
-    nearPairMoments(mesh, e_, f, *pair_);
+  if (!isFar(f))
+    near_.evaluate(mesh, e_, f, *farMoments_, f % lanes);
+  extractLane(*farMoments_, f % lanes, mesh[f].tangent, mesh[e_].degree, mesh[f].degree,
+              *pair_);
   return *pair_;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/moments/ElementRuns.hpp"
+#include "bem/moments/NearPair.hpp"
 
 #include <memory>
 
@@ -29,6 +30,7 @@ class PairBatch {
   int e_ = 0;
   FarLanes chosen_;
   std::unique_ptr<FarMoments> farMoments_;
+  NearMoments near_;
   std::unique_ptr<PairMoments> pair_;
 };
 

@@ -39,7 +39,8 @@ class ColumnsOfPairs {
   ColumnsOfPairs(const Shared& shared, FarScatter farScatter)
       : far_(std::move(farScatter)),
         shared_(shared),
-        near_(std::make_unique<PairMoments>()) {}
+        near_(std::make_unique<PairMoments>()),
+        lane_(std::make_unique<FarMoments>()) {}
 
   /// Run by run for all f of the group: the rows that they write stay in cache.
   void assemble(const ElementRange& group) {
@@ -67,7 +68,8 @@ class ColumnsOfPairs {
         chosen.count -= isFar ? 1 : 0;
         isFar = false;  // comes with assembleClosingRow
       } else if (!isFar && isMine(f, {e, e + 1})) {
-        nearPairMoments(mesh, e, f, *near_);
+        nearMoments_.evaluate(mesh, e, f, *lane_, 0);
+        extractLane(*lane_, 0, mesh[f].tangent, mesh[e].degree, mesh[f].degree, *near_);
         shared_.addNear(e, f, *near_);
       }
     }
@@ -91,7 +93,9 @@ class ColumnsOfPairs {
   FarBatch batch_{};
   FarScatter far_;
   const Shared& shared_;
+  NearMoments nearMoments_;
   std::unique_ptr<PairMoments> near_;
+  std::unique_ptr<FarMoments> lane_;
 };
 
 /// The pairs (e, f) with f < e of an element e that closes its loop, one by one.

@@ -29,9 +29,8 @@ EndPoint toEnd(double s) { return {1 - s, 2 - s, s}; }
 
 /// The point a fraction f from a to b.
 EndPoint between(const EndPoint& a, const EndPoint& b, double f) {
-  if (a.fromStart + b.fromStart < 2)
-    return fromStart(a.fromStart + f * (b.fromStart - a.fromStart));
-  return toEnd(a.toEnd + f * (b.toEnd - a.toEnd));
+  const double s = a.fromStart + f * (b.fromStart - a.fromStart);
+  return s < 1 ? fromStart(s) : toEnd(a.toEnd + f * (b.toEnd - a.toEnd));
 }
 
 double separation(const Interval& interval, const Feature& feature) {
@@ -40,14 +39,41 @@ double separation(const Interval& interval, const Feature& feature) {
   return std::hypot(along, feature.distance);
 }
 
-/// `smallest`: for each feature, how far intervals are cut for its sake.
+/// The end of an interval that a feature lies at.
+enum class Touches { Nothing, From, To };
+
+/// What touches an interval whatever its length: an end of [-1, 1] and rounding.
+constexpr double closest = 1e-12;
+
+/// A feature within `distance` of an end.
+Touches touches(const Interval& interval, const Feature& feature, double distance) {
+  const EndPoint& from = interval.from;
+  const EndPoint& to = interval.to;
+  // an end of [-1, 1] from its own side, so that short intervals count right
+  const auto apart = [&](const EndPoint& end) {
+    const double along =
+        feature.t < 0 ? end.fromStart - (1 + feature.t) : end.toEnd - (1 - feature.t);
+    return std::hypot(along, feature.distance);
+  };
+  if (apart(from) <= distance)
+    return Touches::From;
+  return apart(to) <= distance ? Touches::To : Touches::Nothing;
+}
+
+/// `smallest`: for each feature, how far intervals are cut for its sake; zero: not at all
+/// where they touch it.
 void refine(const Interval& interval, const std::vector<Feature>& features,
             const std::vector<double>& smallest, std::vector<Interval>& leaves) {
   const double length = interval.length();
+  double ratio = largestRatio;
+  for (std::size_t k = 0; k < features.size(); ++k)
+    if (smallest[k] == 0 && touches(interval, features[k], closest) != Touches::Nothing)
+      ratio = 1;
   for (std::size_t k = 0; k < features.size(); ++k) {
     const Feature& feature = features[k];
     if (length <= smallest[k] ||
-        length <= (1 + 1e-12) * largestRatio * separation(interval, feature))
+        length <= (1 + 1e-12) * ratio * separation(interval, feature) ||
+        (smallest[k] == 0 && touches(interval, feature, closest) != Touches::Nothing))
       continue;
     // Split at the feature's foot if it lies inside, else next to the end that is nearer.
     const double lo = interval.from.t;
@@ -65,17 +91,32 @@ void refine(const Interval& interval, const std::vector<Feature>& features,
   leaves.push_back(interval);
 }
 
-/// The end of an interval that a feature lies at, within a hundredth of its length.
-enum class Touches { Nothing, From, To };
-
-Touches touches(const Interval& interval, const std::vector<Feature>& features) {
-  const double near = 0.01 * interval.length();
-  for (const Feature& feature : features) {
-    if (std::hypot(feature.t - interval.from.t, feature.distance) <= near)
-      return Touches::From;
-    if (std::hypot(feature.t - interval.to.t, feature.distance) <= near)
-      return Touches::To;
+/// Adds a Gauss rule on a leaf, on which the distance from `end` runs with a power.
+void append(const Interval& leaf, Touches end, int power, int order, GradedRule& rule) {
+  const Rule& gauss = gaussLegendre(order);
+  for (std::size_t i = 0; i < gauss.points.size(); ++i) {
+    const double s = 0.5 * (1 + gauss.points[i]);
+    const double weight = 0.5 * leaf.length() * gauss.weights[i];
+    if (end == Touches::Nothing) {
+      rule.points.push_back(between(leaf.from, leaf.to, s));
+      rule.weights.push_back(weight);
+      continue;
+    }
+    double slope = power;
+    for (int k = 1; k < power; ++k)
+      slope *= s;
+    const double far = slope * s / power;
+    rule.points.push_back(end == Touches::From ? between(leaf.from, leaf.to, far)
+                                               : between(leaf.to, leaf.from, far));
+    rule.weights.push_back(weight * slope);
   }
+}
+
+Touches touchesAny(const Interval& leaf, const std::vector<Feature>& features,
+                   double distance) {
+  for (const Feature& feature : features)
+    if (const Touches end = touches(leaf, feature, distance); end != Touches::Nothing)
+      return end;
   return Touches::Nothing;
 }
 
@@ -89,23 +130,25 @@ GradedRule softenedRule(const std::vector<Feature>& features, int order) {
   }
   std::vector<Interval> leaves;
   refine({fromStart(0), toEnd(0)}, features, smallest, leaves);
-  const Rule& gauss = gaussLegendre(order);
   GradedRule rule;
+  for (const Interval& leaf : leaves)
+    append(leaf, touchesAny(leaf, features, 0.01 * leaf.length()), 4, order, rule);
+  return rule;
+}
+
+GradedRule touchingRule(const std::vector<Feature>& features, int order,
+                        const Softening& softening) {
+  std::vector<Interval> leaves;
+  refine({fromStart(0), toEnd(0)}, features, std::vector<double>(features.size()),
+         leaves);
+  GradedRule rule;
+  const std::size_t most = static_cast<std::size_t>(std::max(order, softening.order));
+  rule.points.reserve(leaves.size() * most);
+  rule.weights.reserve(leaves.size() * most);
   for (const Interval& leaf : leaves) {
-    const Touches end = touches(leaf, features);
-    for (int i = 0; i < order; ++i) {
-      const double s = 0.5 * (1 + gauss.points[static_cast<std::size_t>(i)]);
-      double weight = 0.5 * leaf.length() * gauss.weights[static_cast<std::size_t>(i)];
-      if (end == Touches::Nothing) {
-        rule.points.push_back(between(leaf.from, leaf.to, s));
-      } else {
-        const double power = s * s * s * s;
-        rule.points.push_back(end == Touches::From ? between(leaf.from, leaf.to, power)
-                                                   : between(leaf.to, leaf.from, power));
-        weight *= 4 * s * s * s;
-      }
-      rule.weights.push_back(weight);
-    }
+    const Touches end = touchesAny(leaf, features, closest);
+    append(leaf, end, softening.power, end == Touches::Nothing ? order : softening.order,
+           rule);
   }
   return rule;
 }
@@ -114,15 +157,9 @@ GradedRule gradedRule(const std::vector<Feature>& features, int order, double sm
   std::vector<Interval> leaves;
   refine({fromStart(0), toEnd(0)}, features,
          std::vector<double>(features.size(), smallest), leaves);
-  const Rule& gauss = gaussLegendre(order);
   GradedRule rule;
-  rule.points.reserve(leaves.size() * static_cast<std::size_t>(order));
-  rule.weights.reserve(rule.points.capacity());
   for (const Interval& leaf : leaves)
-    for (int i = 0; i < order; ++i) {
-      rule.points.push_back(between(leaf.from, leaf.to, 0.5 * (1 + gauss.points[i])));
-      rule.weights.push_back(0.5 * leaf.length() * gauss.weights[i]);
-    }
+    append(leaf, Touches::Nothing, 1, order, rule);
   return rule;
 }
 

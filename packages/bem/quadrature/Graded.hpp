@@ -32,6 +32,20 @@ struct Feature {
 /// rule of n points loses ε² / n⁴ on the last interval ε.
 GradedRule gradedRule(const std::vector<Feature>& features, int order, double smallest);
 
+/// How t runs on an interval that touches a feature: with a power of the distance from it,
+/// at so many Gauss points.
+struct Softening {
+  int power = 1;
+  int order = 1;
+};
+
+/// The same with far fewer points where features touch [-1, 1] (closer than 1e-12): an
+/// interval that does is not cut for their sake, and softened; other features are as far
+/// from it as it is long.  Elsewhere intervals shrink toward features as above, with
+/// `order` points on each.
+GradedRule touchingRule(const std::vector<Feature>& features, int order,
+                        const Softening& softening);
+
 /// The same for moderate accuracy with far fewer points: at features that lie at -1 or 1
 /// grading ends at intervals of 1 % of [-1, 1], on which t runs with the fourth power of
 /// the distance, which makes powers of logarithms smooth.  With order 7 integrals of log²

@@ -84,4 +84,49 @@ EPAFI_INLINE void logarithm(const Pack& x, Pack& result) {
   result = exponent * 0.69314718055994530942 + 2.0 * s * (1.0 + z * series);
 }
 
+/// |x|^½, to the processor's rounding.
+EPAFI_INLINE void squareRoot(const Pack& x, Pack& result) {
+  for (int lane = 0; lane < lanes; ++lane)
+    result[lane] = __builtin_sqrt(x[lane]);
+}
+
+/// The angle of (x, y) in [-π, π], to 4e-16 of max(|angle|, 1e-300); not both zero.  It is
+/// turned by multiples of π/8 below π/16, tan there 0.199, and the series of arctan does
+/// the rest.
+EPAFI_INLINE void angle(const Pack& y, const Pack& x, Pack& result) {
+  const Pack zero{};
+  const Pack sizeX = x < 0.0 ? -x : x;
+  const Pack sizeY = y < 0.0 ? -y : y;
+  const auto isSteep = sizeY > sizeX;
+  Pack along = isSteep ? sizeY : sizeX;
+  Pack across = isSteep ? sizeX : sizeY;
+  Pack turned{};
+  // π/4 is taken off, then π/8, where what is left is above half of that
+  constexpr double pi = 3.14159265358979323846;
+  constexpr double tangents[2] = {1, 0.41421356237309504880};
+  constexpr double halfway[2] = {0.41421356237309504880, 0.19891236737965800691};
+  double step = pi / 4;
+  for (int k = 0; k < 2; ++k) {
+    const auto isAbove = (across < 0.0 ? -across : across) > halfway[k] * along;
+    const auto isNegative = across < 0.0;
+    const Pack tangent =
+        isAbove ? (isNegative ? zero - tangents[k] : zero + tangents[k]) : zero;
+    turned += isAbove ? (isNegative ? zero - step : zero + step) : zero;
+    const Pack next = across - tangent * along;
+    along += tangent * across;
+    across = next;
+    step *= 0.5;
+  }
+  const Pack t = across / along;
+  const Pack z = -t * t;
+  Pack series = z * (1.0 / 23) + 1.0 / 21;
+#pragma GCC unroll 10
+  for (int k = 19; k >= 3; k -= 2)
+    series = series * z + 1.0 / k;
+  Pack a = turned + (t + t * (z * series));
+  a = isSteep ? pi / 2 - a : a;
+  a = x < 0.0 ? pi - a : a;
+  result = y < 0.0 ? -a : a;
+}
+
 }  // namespace epafi::bem

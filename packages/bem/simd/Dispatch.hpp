@@ -1,0 +1,32 @@
+#pragma once
+
+#include "bem/simd/InstructionSet.hpp"
+#include "bem/simd/Pack.hpp"
+
+namespace epafi::bem {
+
+template <class Kernel>
+EPAFI_AVX512 void runAvx512(const Kernel& kernel) {
+  kernel.template run<Division::Fused>();
+}
+
+template <class Kernel>
+EPAFI_AVX2 void runAvx2(const Kernel& kernel) {
+  kernel.template run<Division::Fused>();
+}
+
+/// Runs a kernel compiled for an instruction set: `template <Division> void run() const`
+/// of it, which must be EPAFI_INLINE with all that it calls.
+template <class Kernel>
+void dispatch(InstructionSet set, const Kernel& kernel) {
+  switch (set) {
+    case InstructionSet::Avx512:
+      return runAvx512(kernel);
+    case InstructionSet::Avx2:
+      return runAvx2(kernel);
+    case InstructionSet::Baseline:
+      return kernel.template run<Division::Exact>();
+  }
+}
+
+}  // namespace epafi::bem
