@@ -41,7 +41,7 @@ Mesh graded(int layers, int largest) {
   const std::shared_ptr<const Outline> outline = square();
   std::vector<Piece> pieces;
   for (int edge = 0; edge < 4; ++edge) {
-    const double length = outline->edge(edge).length;
+    const double length = outline->edge(edge).curve.length();
     std::vector<Position> nodes;
     const auto node = [&](double fromStart, double toEnd) {
       nodes.push_back({length * fromStart, length * toEnd});

@@ -242,8 +242,8 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
 std::vector<EdgeEnds> edgeEnds(const bem::Outline& outline) {
   std::vector<EdgeEnds> result;
   for (const bem::Edge& edge : outline.edges()) {
-    const bem::Vec2 from = outline.physical(edge.from);
-    const bem::Vec2 to = outline.physical(edge.to);
+    const bem::Vec2 from = outline.physical(edge.curve.from());
+    const bem::Vec2 to = outline.physical(edge.curve.to());
     result.push_back({from.x, from.y, to.x, to.y});
   }
   return result;

@@ -139,7 +139,8 @@ std::vector<int> countsFromSize(const bem::Outline& outline, double size) {
   std::vector<int> counts;
   for (const bem::Edge& edge : outline.edges()) {
     // A length that is a multiple of the size up to rounding gives that multiple.
-    const double count = std::ceil(edge.length * outline.diameter() / size * (1 - 1e-12));
+    const double count =
+        std::ceil(edge.curve.length() * outline.diameter() / size * (1 - 1e-12));
     if (count > largestMesh)
       throw InputError(message("Discretization->Mesh Size = ", size, ": gives ", count,
                                " elements on edge '", edge.boundary, "'; at most ",

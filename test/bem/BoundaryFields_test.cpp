@@ -52,8 +52,8 @@ Errors errorsOf(const bem::Mesh& mesh, const bem::Lame& lame, const ExactField& 
   double size = 0;
   for (int e = 0; e < mesh.size(); ++e)
     for (const bem::BoundaryValue& value : fields.on(e)) {
-      const Vec2 exact =
-          field.stress(mesh.scaledPoint(e, value.place.t)) * mesh[e].normal;
+      const Vec2 exact = field.stress(mesh.scaledPoint(e, value.place.t)) *
+                         mesh[e].curve.normal(value.place.t);
       const Vec2 off = value.traction - exact;
       errors.traction += value.weight * dot(off, off);
       errors.mismatch += value.weight * dot(value.mismatch, value.mismatch);
@@ -114,16 +114,17 @@ TEUCHOS_UNIT_TEST(BoundaryFields, areLimitsOfTheFieldsInside) {
       const double depth = 1e-10 * mesh[e].half;
       const double step = 2e-3;
       const auto trace = [&](double t) {
-        const Vec2 x = mesh.scaledPoint(e, t) - depth * mesh[e].normal;
+        const Vec2 x = mesh.scaledPoint(e, t) - depth * mesh[e].curve.normal(t);
         return evaluateInterior(space, lame, u, psi, x).displacement -
                space.displacementAt(u, e, t);
       };
       for (const bem::BoundaryValue& value : fields.at(e, {inside(-0.6), inside(0.3)})) {
         const double t = value.place.t;
-        const auto inner = evaluateInterior(
-            space, lame, u, psi, mesh.scaledPoint(e, t) - depth * mesh[e].normal);
+        const auto inner =
+            evaluateInterior(space, lame, u, psi,
+                             mesh.scaledPoint(e, t) - depth * mesh[e].curve.normal(t));
         const Vec2 traction =
-            PlaneStressTensor{inner.xx, inner.yy, inner.xy} * mesh[e].normal;
+            PlaneStressTensor{inner.xx, inner.yy, inner.xy} * mesh[e].curve.normal(t);
         const Vec2 slope = (1 / (12 * step * mesh[e].half)) *
                            (8.0 * (trace(t + step) - trace(t - step)) -
                             (trace(t + 2 * step) - trace(t - 2 * step)));

@@ -23,7 +23,11 @@ using Operator = bem::FarTractions::Operator;
 class Slow {
  public:
   Slow(const bem::Mesh& mesh, const bem::Lame& lame, int e, int f)
-      : mesh_(mesh), lame_(lame), normal_(bem::asComplex(mesh[e].normal)), e_(e), f_(f) {}
+      : mesh_(mesh),
+        lame_(lame),
+        normal_(bem::asComplex(mesh[e].curve.normal(0))),
+        e_(e),
+        f_(f) {}
 
   Complex value(Operator op, int i, int j, Complex unit) const {
     const bem::Element& source = mesh_[f_];
@@ -35,8 +39,7 @@ class Slow {
       const auto target = bem::seenFrom(mesh_, f_, mesh_.at(e_, t));
       bem::LegendreMoments moments;
       bem::evaluateMoments(target, source.degree - 1, bem::Need::CandD, moments);
-      const auto in =
-          bem::elementSums(bem::asComplex(source.tangent), target, moments, j);
+      const auto in = bem::elementSums(source.curve, target, moments, j);
       std::array<double, bem::largestDegree + 2> legendre{};
       bem::legendreValues(i, t, legendre.data());
       sum += rule.weights[static_cast<std::size_t>(q)] *

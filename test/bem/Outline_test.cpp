@@ -28,7 +28,7 @@ Loop rectangle(double x0, double y0, double x1, double y1) {
 double area(const Outline& outline) {
   double sum = 0;
   for (const auto& edge : outline.edges())
-    sum += 0.5 * dot(edge.from, edge.normal) * edge.length;
+    sum += 0.5 * dot(edge.curve.from(), edge.curve.normal(0)) * edge.curve.length();
   return sum * outline.diameter() * outline.diameter();
 }
 
@@ -60,7 +60,7 @@ TEUCHOS_UNIT_TEST(Outline, hasDiameterOneInsideAndGivesTheUsersCoordinatesBack) 
   const Outline outline(rectangle(1000, 2000, 1003, 2004));
   TEST_FLOATING_EQUALITY(outline.diameter(), 5.0, 1e-15);
   for (const auto& edge : outline.edges())
-    for (Vec2 p : {edge.from, edge.to})
+    for (Vec2 p : {edge.curve.from(), edge.curve.to()})
       TEST_FLOATING_EQUALITY(norm(p), 0.5, 1e-14);
   const Vec2 p = outline.physical(outline.scaled({1001, 2003}));
   TEST_FLOATING_EQUALITY(p.x, 1001.0, 1e-15);
@@ -70,11 +70,11 @@ TEUCHOS_UNIT_TEST(Outline, hasDiameterOneInsideAndGivesTheUsersCoordinatesBack) 
 TEUCHOS_UNIT_TEST(Outline, keepsTheBodyOnTheLeftAndTheNormalOutward) {
   const Outline outline(rectangle(0, 0, 4, 4), {rectangle(1, 1, 3, 2)});
   for (const auto& edge : outline.edges()) {
-    const Vec2 middle = outline.physical(0.5 * (edge.from + edge.to));
-    TEST_ASSERT(outline.contains(middle - 1e-3 * edge.normal));
-    TEST_ASSERT(!outline.contains(middle + 1e-3 * edge.normal));
-    TEST_EQUALITY(outline.edge(edge.next).from.x, edge.to.x);
-    TEST_EQUALITY(outline.edge(edge.next).from.y, edge.to.y);
+    const Vec2 middle = outline.physical(0.5 * (edge.curve.from() + edge.curve.to()));
+    TEST_ASSERT(outline.contains(middle - 1e-3 * edge.curve.normal(0)));
+    TEST_ASSERT(!outline.contains(middle + 1e-3 * edge.curve.normal(0)));
+    TEST_EQUALITY(outline.edge(edge.next).curve.from().x, edge.curve.to().x);
+    TEST_EQUALITY(outline.edge(edge.next).curve.from().y, edge.curve.to().y);
     TEST_EQUALITY(outline.edge(outline.edge(edge.next).previous).boundary, edge.boundary);
   }
 }
@@ -86,8 +86,9 @@ TEUCHOS_UNIT_TEST(Outline, givesEachEdgeOfAHoleItsOwnNameThoughItRunsBackwards) 
     const Vec2 middle = 0.5 * (hole.vertices[i] + hole.vertices[(i + 1) % 4]);
     for (const auto& edge : outline.edges())
       if (edge.loop == 1 && edge.boundary == hole.edges[i])
-        TEST_COMPARE(norm(outline.physical(0.5 * (edge.from + edge.to)) - middle), <,
-                     1e-14);
+        TEST_COMPARE(
+            norm(outline.physical(0.5 * (edge.curve.from() + edge.curve.to())) - middle),
+            <, 1e-14);
   }
 }
 

@@ -52,8 +52,8 @@ TEUCHOS_UNIT_TEST(GeometryFile, theUsedSceneNeedsNoMeshAndHasTheSameOutline) {
     const bem::Edge& a = scene.outline->edges()[e];
     const bem::Edge& b = again.outline->edges()[e];
     TEST_EQUALITY(a.boundary, b.boundary);
-    TEST_EQUALITY(a.from.x, b.from.x);
-    TEST_EQUALITY(a.from.y, b.from.y);
+    TEST_EQUALITY(a.curve.from().x, b.curve.from().x);
+    TEST_EQUALITY(a.curve.from().y, b.curve.from().y);
   }
 }
 

@@ -62,7 +62,7 @@ Vector tractionOf(const bem::Space& space, const ExactField& field) {
   for (int e = 0; e < mesh.size(); ++e)
     for (int q = 0; q < rule.size(); ++q) {
       const Vec2 x = mesh.scaledPoint(e, rule.points[q]);
-      const Vec2 traction = field.stress(x) * mesh[e].normal;
+      const Vec2 traction = field.stress(x) * mesh[e].curve.normal(rule.points[q]);
       std::array<double, bem::largestDegree + 1> legendre{};
       bem::legendreValues(mesh[e].degree - 1, rule.points[q], legendre.data());
       for (int i = 0; i < mesh[e].degree; ++i) {
@@ -82,8 +82,8 @@ double tractionError(const bem::Space& space, const Vector& psi,
   double size = 0;
   for (int e = 0; e < mesh.size(); ++e)
     for (int q = 0; q < rule.size(); ++q) {
-      const Vec2 exact =
-          field.stress(mesh.scaledPoint(e, rule.points[q])) * mesh[e].normal;
+      const Vec2 exact = field.stress(mesh.scaledPoint(e, rule.points[q])) *
+                         mesh[e].curve.normal(rule.points[q]);
       const Vec2 difference = space.densityAt(psi, e, rule.points[q]) - exact;
       error += mesh[e].half * rule.weights[q] * dot(difference, difference);
       size += mesh[e].half * rule.weights[q] * dot(exact, exact);

@@ -241,7 +241,8 @@ void scatterTransposed(QuadMatrix& matrix, const Block& block, const Row& row,
 QuadVec nodeOf(const bem::Mesh& mesh, int e) {
   const bem::Piece& piece = mesh[e].piece;
   const bem::Edge& edge = mesh.outline().edge(piece.edge);
-  const Segment line = {{edge.from.x, edge.from.y}, {edge.to.x, edge.to.y}};
+  const Segment line = {{edge.curve.from().x, edge.curve.from().y},
+                        {edge.curve.to().x, edge.curve.to().y}};
   const QuadVec tau = line.tangent();
   if (piece.start.fromStart < piece.start.toEnd)
     return {line.from.x + piece.start.fromStart * tau.x,

@@ -55,7 +55,7 @@ Mesh cutMesh(std::shared_ptr<const Outline> shape, const std::vector<Cuts>& cuts
       if (c.edge == edge)
         ends.insert(ends.end(), c.fractions.begin(), c.fractions.end());
     ends.push_back(1);
-    const double length = shape->edge(edge).length;
+    const double length = shape->edge(edge).curve.length();
     const auto position = [length](double fraction) {
       return bem::Position{fraction * length, (1 - fraction) * length};
     };

@@ -104,9 +104,10 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
         p);
   };
   using Value = contact::MultiplierSpace::Value;
-  const bem::Vec2 along = turnLeft(geometry.normal);
-  const Polynomial pressure = stress(&Value::normal, geometry.normal);
-  const Polynomial normal = component(geometry.normal);
+  const bem::Vec2 along = geometry.curve.segment().tangent;
+  const bem::Vec2 across = geometry.curve.segment().normal;
+  const Polynomial pressure = stress(&Value::normal, across);
+  const Polynomial normal = component(across);
   const contact::Conditions::Contact& condition = *element.condition;
   const bem::Units units = solved.units;
   const int e = element.element;

@@ -88,8 +88,8 @@ class Residuals {
     for (const bem::BoundaryValue& value : values) {
       const double t = value.place.t;
       const auto stress = multiplier.at(solved_.state.multiplier, contact, t);
-      result.push_back(stress.normal * mesh_[e].normal +
-                       stress.tangential * turnLeft(mesh_[e].normal) + value.traction -
+      result.push_back(stress.normal * mesh_[e].curve.normal(t) +
+                       stress.tangential * mesh_[e].curve.tangent(t) + value.traction -
                        fixed_.at(e, t));
     }
     return result;

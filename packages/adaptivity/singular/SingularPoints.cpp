@@ -19,8 +19,10 @@ Singularity fromConditions(const bem::Mesh& mesh, int e,
     return isClamped(mesh, e, conditions) != isClamped(mesh, before, conditions)
                ? Singularity::Strong
                : Singularity::Weak;
-  const bool corner = std::abs(cross(mesh[before].tangent, mesh[e].tangent)) > 1e-12 ||
-                      dot(mesh[before].tangent, mesh[e].tangent) < 0;
+  const bem::Vec2 arriving = mesh[before].curve.tangent(1);
+  const bem::Vec2 leaving = mesh[e].curve.tangent(-1);
+  const bool corner =
+      std::abs(cross(arriving, leaving)) > 1e-12 || dot(arriving, leaving) < 0;
   return corner ? Singularity::Weak : Singularity::None;
 }
 

@@ -30,14 +30,14 @@ Freedom frictionFreedom(const PointState& state) {
 /// The two respects, and how far a held place would have moved if it were free.
 struct Respect {
   Freedom (*freedom)(const PointState&);
-  double (*motion)(bem::Vec2 displacement, const bem::Element& element, double gap);
+  double (*motion)(bem::Vec2 displacement, bem::Vec2 normal, double gap);
 };
 
 const Respect respects[] = {
-    {contactFreedom, [](bem::Vec2 u, const bem::Element& element,
-                        double gap) { return gap - dot(u, element.normal); }},
-    {frictionFreedom, [](bem::Vec2 u, const bem::Element& element,
-                         double /*gap*/) { return std::abs(dot(u, element.tangent)); }},
+    {contactFreedom,
+     [](bem::Vec2 u, bem::Vec2 normal, double gap) { return gap - dot(u, normal); }},
+    {frictionFreedom, [](bem::Vec2 u, bem::Vec2 normal,
+                         double /*gap*/) { return std::abs(cross(normal, u)); }},
 };
 
 /// A coefficient's place.
@@ -214,7 +214,8 @@ class Locator {
         element.condition->gap
             ? element.condition->gap(mesh.physicalPoint(e, t)) / mesh.outline().diameter()
             : 0.0;
-    return respect.motion(space_.displacementAt(displacement_, e, t), mesh[e], gap);
+    return respect.motion(space_.displacementAt(displacement_, e, t),
+                          mesh[e].curve.normal(t), gap);
   }
 
   const bem::Space& space_;

@@ -51,7 +51,8 @@ BoundaryFields::BoundaryFields(const Space& space, const Lame& lame, const Vecto
                      1);
   for (std::size_t order = 1; order < everything_.size(); ++order)
     for (int f = 0; f < mesh_.size(); ++f)
-      addPoints(f, static_cast<int>(order), mesh_[f].middle, everything_[order]);
+      addPoints(f, static_cast<int>(order), mesh_[f].curve.frame().middle,
+                everything_[order]);
 }
 
 /// Element f through Gauss points, `middle` its place.
@@ -59,7 +60,6 @@ void BoundaryFields::addPoints(int f, int order, Vec2 middle,
                                PointSources& points) const {
   const Element& source = mesh_[f];
   const LocalField& values = fields_[static_cast<std::size_t>(f)];
-  const Complex tangent = asComplex(source.tangent);
   const Rule& rule = gaussLegendre(order);
   std::array<double, largestDegree + 1> legendre{};
   for (int q = 0; q < rule.size(); ++q) {
@@ -71,7 +71,7 @@ void BoundaryFields::addPoints(int f, int order, Vec2 middle,
       slope += legendre[j] * values.slope[j];
     }
     const double weight = source.half * rule.weights[q];
-    points.add(asComplex(middle) + source.half * rule.points[q] * tangent,
+    points.add(asComplex(middle + source.curve.fromMiddle(rule.points[q])),
                weight * density, weight * slope);
   }
 }
@@ -114,8 +114,7 @@ BoundaryFields::Sources BoundaryFields::split(int element) const {
 BoundaryFields::FarSeries BoundaryFields::farSeries(int element,
                                                     const Sources& sources) const {
   const Element& target = mesh_[element];
-  const Complex normal = asComplex(target.normal);
-  const Complex middle = asComplex(target.middle);
+  const Complex middle = asComplex(target.curve.frame().middle);
   FarSeries series;
   for (const auto& [order, far] : sources.far) {
     const auto size = static_cast<std::size_t>(order);
@@ -125,7 +124,8 @@ BoundaryFields::FarSeries BoundaryFields::farSeries(int element,
     std::vector<double> legendre(size);
     for (int q = 0; q < order; ++q) {
       legendreValues(order - 1, rule.points[q], legendre.data());
-      const Complex offset = target.half * rule.points[q] * asComplex(target.tangent);
+      const Complex normal = asComplex(target.curve.normal(rule.points[q]));
+      const Complex offset = asComplex(target.curve.fromMiddle(rule.points[q]));
       FieldSums sums = far.points.at(offset);
       for (const Sources::Stretch& stretch : far.stretches)
         sums.add(everything_[static_cast<std::size_t>(stretch.order)].at(
@@ -146,7 +146,7 @@ BoundaryFields::FarSeries BoundaryFields::farSeries(int element,
 void BoundaryFields::evaluate(int element, const Sources& sources,
                               const FarSeries& series, BoundaryValue& value) const {
   const Element& target = mesh_[element];
-  const Complex normal = asComplex(target.normal);
+  const Complex normal = asComplex(target.curve.normal(value.place.t));
   const BoundaryPoint x = mesh_.at(element, value.place.fromStart, value.place.toEnd);
   FieldSums sums;
   LegendreMoments moments;
@@ -155,9 +155,8 @@ void BoundaryFields::evaluate(int element, const Sources& sources,
     const LocalField& values = fields_[static_cast<std::size_t>(f)];
     const RelativeTarget seen = seenFrom(mesh_, f, x);
     evaluateMoments(seen, source.degree - 1, Need::CandD, moments);
-    const Complex tangent = asComplex(source.tangent);
     for (int j = 0; j < source.degree; ++j) {
-      const SourceSums in = elementSums(tangent, seen, moments, j);
+      const SourceSums in = elementSums(source.curve, seen, moments, j);
       sums.add({values.density[j] * in, values.slope[j] * in});
     }
   }

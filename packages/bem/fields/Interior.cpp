@@ -1,7 +1,6 @@
 #include "bem/fields/Interior.hpp"
 
 #include "bem/kernel/ElementSums.hpp"
-#include "bem/moments/RelativeTarget.hpp"
 #include "bem/space/LocalField.hpp"
 
 #include <cmath>
@@ -14,7 +13,7 @@ namespace {
 Complex singleLayerOf(const Lame& lame, const Element& element,
                       const RelativeTarget& target, const LegendreMoments& m, int j,
                       Complex f) {
-  const Complex tangent = asComplex(element.tangent);
+  const Complex tangent = asComplex(element.curve.segment().tangent);
   const double whole = j == 0 ? 2 : 0;
   const Complex phase = tangent * tangent * (whole - Complex(0, 2 * target.b()) * m.c[j]);
   return element.half * singleLayer(lame, (m.l[j] + whole * std::log(element.half)) * f,
@@ -30,12 +29,12 @@ InteriorValue evaluateInterior(const Space& space, const Lame& lame, const Vecto
   LegendreMoments moments;
   for (int e = 0; e < space.mesh().size(); ++e) {
     const Element& element = space.mesh()[e];
-    const RelativeTarget target = seenFrom(element, x);
+    const RelativeTarget target = element.curve.seen(x);
     evaluateMoments(target, element.degree, Need::All, moments);
     const LocalField field = localField(space, u, psi, e);
-    const Complex normal = asComplex(element.normal);
+    const Complex normal = asComplex(element.curve.segment().normal);
     for (int j = 0; j <= element.degree; ++j) {
-      const SourceSums in = elementSums(asComplex(element.tangent), target, moments, j);
+      const SourceSums in = elementSums(element.curve, target, moments, j);
       const Complex v = field.value[j];
       displacement -=
           doubleLayer(lame, normal * v * in, std::real(std::conj(normal) * v) * in);

@@ -198,14 +198,10 @@ Outline::Outline(const Loop& outer, const std::vector<Loop>& holes) {
     for (int i = 0; i < n; ++i) {
       const auto k = static_cast<std::size_t>(i);
       Edge edge;
-      edge.from = scaled(loop.vertices[k]);
-      edge.to = scaled(loop.vertices[after(k, loop)]);
-      // From the user's own coordinates: the shift to the origin has rounded from and to.
-      const Vec2 along =
-          (1 / diameter_) * (loop.vertices[after(k, loop)] - loop.vertices[k]);
-      edge.length = norm(along);
-      edge.tangent = (1 / edge.length) * along;
-      edge.normal = turnRight(edge.tangent);
+      const Vec2 from = loop.vertices[k];
+      const Vec2 to = loop.vertices[after(k, loop)];
+      // The chord from the user's own coordinates: the shift to the origin rounds.
+      edge.curve = Curve(scaled(from), scaled(to), (1 / diameter_) * (to - from), 0);
       edge.loop = loops_;
       edge.previous = first + (i + n - 1) % n;
       edge.next = first + (i + 1) % n;
@@ -222,14 +218,14 @@ Outline::Outline(const Loop& outer, const std::vector<Loop>& holes) {
 bool Outline::contains(Vec2 physical) const {
   const Vec2 p = scaled(physical);
   for (const Edge& edge : edges_)
-    if (distance(p, edge.from, edge.to) <= resolution)
+    if (edge.curve.contains(p, resolution))
       return false;
   bool odd = false;
   for (int loop = 0; loop < loops_; ++loop) {
     std::vector<Vec2> polygon;
     for (const Edge& edge : edges_)
       if (edge.loop == loop)
-        polygon.push_back(edge.from);
+        polygon.push_back(edge.curve.from());
     if (inside(p, polygon))
       odd = !odd;
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/Vec2.hpp"
+#include "bem/geometry/Curve.hpp"
 
 #include <string>
 #include <vector>
@@ -14,13 +14,9 @@ struct Loop {
   std::vector<std::string> edges;  ///< the boundary's name for each edge
 };
 
-/// A straight piece of the outline, in the outline's own units (see Outline).
+/// A piece of the outline, in the outline's own units (see Outline).
 struct Edge {
-  Vec2 from;
-  Vec2 to;
-  Vec2 tangent;  ///< unit vector; the body lies to its left
-  Vec2 normal;   ///< outward unit normal
-  double length = 0;
+  Curve curve;  ///< the body lies to its left
   int loop = 0;
   int previous = 0;  ///< the edge that ends where this one starts
   int next = 0;

@@ -5,9 +5,9 @@
 
 namespace epafi::bem {
 
-/// The sums of P_j on the straight element with unit tangent `tangent`, in closed form
-/// from its moments (c and d) at a target.                 [doc/theory/operators.md]
-SourceSums elementSums(Complex tangent, const RelativeTarget& target,
+/// The sums of P_j on a segment in closed form from its moments (c and d) at a target.
+///                                                         [doc/theory/operators.md]
+SourceSums elementSums(const Curve& segment, const RelativeTarget& target,
                        const LegendreMoments& moments, int j);
 
 }  // namespace epafi::bem

@@ -7,10 +7,6 @@
 
 namespace epafi::bem {
 
-Position midpoint(Position a, Position b) {
-  return {0.5 * (a.fromStart + b.fromStart), 0.5 * (a.toEnd + b.toEnd)};
-}
-
 Position positionAt(const Piece& piece, double t) {
   const double f = 0.5 * (1 + t);
   const Position& a = piece.start;
@@ -19,17 +15,10 @@ Position positionAt(const Piece& piece, double t) {
           b.toEnd + (1 - f) * (a.toEnd - b.toEnd)};
 }
 
-double distanceAlong(Position a, Position b) {
-  return a.fromStart + b.fromStart < a.toEnd + b.toEnd ? b.fromStart - a.fromStart
-                                                       : a.toEnd - b.toEnd;
-}
-
 namespace {
 
 Vec2 place(const Edge& edge, const BoundaryPoint& p) {
-  return p.position.fromStart < p.position.toEnd
-             ? edge.from + (p.position.fromStart + p.offset) * edge.tangent
-             : edge.to + (p.offset - p.position.toEnd) * edge.tangent;
+  return edge.curve.point(p.position, p.offset);
 }
 
 Element makeElement(const Edge& edge, const Piece& piece) {
@@ -37,10 +26,11 @@ Element makeElement(const Edge& edge, const Piece& piece) {
   element.piece = piece;
   element.degree = piece.degree;
   element.densities = piece.degree;
-  element.middle = place(edge, {piece.edge, midpoint(piece.start, piece.end), 0});
-  element.half = 0.5 * distanceAlong(piece.start, piece.end);
-  element.tangent = edge.tangent;
-  element.normal = edge.normal;
+  element.curve = edge.curve.part(piece.start, piece.end);
+  element.half = element.curve.half();
+  element.middle = element.curve.segment().middle;
+  element.tangent = element.curve.segment().tangent;
+  element.normal = element.curve.segment().normal;
   return element;
 }
 
@@ -127,15 +117,19 @@ Vec2 Mesh::physicalPoint(int e, double t) const {
 
 Vec2 Mesh::difference(const BoundaryPoint& x, const BoundaryPoint& y) const {
   const Edge& ex = outline_->edge(x.edge);
-  if (x.edge == y.edge)
-    return (distanceAlong(y.position, x.position) + (x.offset - y.offset)) * ex.tangent;
   const Edge& ey = outline_->edge(y.edge);
-  if (ex.next == y.edge)  // common vertex: the end of x's edge
-    return (x.offset - x.position.toEnd) * ex.tangent -
-           (y.position.fromStart + y.offset) * ey.tangent;
-  if (ey.next == x.edge)
-    return (x.position.fromStart + x.offset) * ex.tangent -
-           (y.offset - y.position.toEnd) * ey.tangent;
+  if (x.edge == y.edge)
+    return ex.curve.chord(y.position, y.offset, x.position, x.offset);
+  const double fromStartOfX = x.position.fromStart + x.offset;
+  const double fromStartOfY = y.position.fromStart + y.offset;
+  const double toEndOfX = x.position.toEnd - x.offset;
+  const double toEndOfY = y.position.toEnd - y.offset;
+  const bool before = ex.next == y.edge;  // x's edge ends where y's starts
+  const bool behind = ey.next == x.edge;
+  if (before && !(behind && fromStartOfX + toEndOfY < toEndOfX + fromStartOfY))
+    return ex.curve.fromEnd(-toEndOfX) - ey.curve.fromStart(fromStartOfY);
+  if (behind)
+    return ex.curve.fromStart(fromStartOfX) - ey.curve.fromEnd(-toEndOfY);
   return place(ex, x) - place(ey, y);
 }
 
@@ -148,7 +142,7 @@ Mesh makeMesh(std::shared_ptr<const Outline> outline,
   std::vector<Piece> pieces;
   for (std::size_t k = 0; k < edges; ++k) {
     const int count = elementsPerEdge[k];
-    const double length = outline->edges()[k].length;
+    const double length = outline->edges()[k].curve.length();
     if (count < 1)
       throw InputError(message(count, " elements on edge ", k, "; at least 1 is needed"));
     const auto node = [&](int i) {

@@ -7,16 +7,6 @@
 
 namespace epafi::bem {
 
-/// A place on an edge, accurate near both of its ends (in outline diameters).
-struct Position {
-  double fromStart = 0;
-  double toEnd = 0;
-};
-
-Position midpoint(Position a, Position b);
-/// fromStart of b minus fromStart of a, from whichever end loses fewer digits.
-double distanceAlong(Position a, Position b);
-
 /// What a mesh is made of: a piece of an edge and the degree on it.
 struct Piece {
   int edge = 0;
@@ -28,16 +18,17 @@ struct Piece {
 /// The place t of [-1, 1] on a piece, as accurate from both ends of its edge as its own.
 Position positionAt(const Piece& piece, double t);
 
-/// A boundary element: y(t) = middle + half t tangent, -1 <= t <= 1.
+/// A boundary element: a part of an edge's curve, y(t), -1 <= t <= 1.
 struct Element {
   Piece piece;
   int startNode = 0;
   int endNode = 0;
   int previous = 0;  ///< element that ends at startNode
   int next = 0;
-  Vec2 middle;
-  double half = 0;  ///< half its length
-  Vec2 tangent;
+  Curve curve;
+  double half = 0;  ///< half its length, |dy/dt|
+  Vec2 middle;      ///< of `curve`, like tangent and normal, for moments that know
+  Vec2 tangent;     ///< segments only
   Vec2 normal;
   int degree = 1;     ///< p: displacements of degree p
   int densities = 1;  ///< functions of a density, P_0 ... : p of them, or more

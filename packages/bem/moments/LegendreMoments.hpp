@@ -1,29 +1,11 @@
 #pragma once
 
 #include "bem/basis/Legendre.hpp"
+#include "bem/geometry/Curve.hpp"
 
 #include <array>
-#include <complex>
 
 namespace epafi::bem {
-
-using Complex = std::complex<double>;
-
-/// A target point x seen from an element:  z = a + ib,  a = 2(x-m)·τ/h,  b = 2(x-m)·n/h,
-/// so that x - y(t) = (h/2) ((a-t) τ + b n).  Both z-1 and z+1 are kept, since one of
-/// them is tiny near an end.  b < 0 on the body's side; b = 0 exactly on the element's
-/// own edge.
-struct RelativeTarget {
-  Complex zMinus1;
-  Complex zPlus1;
-  double b() const { return zMinus1.imag(); }
-  /// z itself, from the offset that loses no digits.
-  Complex z() const {
-    return std::norm(zMinus1) < std::norm(zPlus1) ? 1.0 + zMinus1 : zPlus1 - 1.0;
-  }
-  /// On the element, where integrals are principal values.
-  bool onElement() const { return b() == 0 && zMinus1.real() < 0 && zPlus1.real() > 0; }
-};
 
 /// Integrals of Legendre polynomials over [-1, 1] against the kernels' building blocks,
 /// in closed form by the Legendre functions of the second kind Q_j.

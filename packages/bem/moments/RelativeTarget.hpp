@@ -9,7 +9,4 @@ namespace epafi::bem {
 /// when it lies on the element's own edge.
 RelativeTarget seenFrom(const Mesh& mesh, int e, const BoundaryPoint& x);
 
-/// Any point (in scaled coordinates) seen from an element.
-RelativeTarget seenFrom(const Element& element, Vec2 x);
-
 }  // namespace epafi::bem

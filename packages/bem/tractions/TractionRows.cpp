@@ -66,12 +66,7 @@ class ElementRows {
  public:
   ElementRows(const FarTractionRows& far, const Space& space, const Lame& lame,
               int element, TractionForm form)
-      : far_(far),
-        space_(space),
-        mesh_(space.mesh()),
-        lame_(lame),
-        normal_(asComplex(mesh_[element].normal)),
-        element_(element) {
+      : far_(far), space_(space), mesh_(space.mesh()), lame_(lame), element_(element) {
     moments_ = mesh_[element].degree + 1;
     if (form == TractionForm::Exact) {  // what far sources have beyond these is 1e-12
       largestOuter_ = smoothOrderOfMoments;
@@ -171,13 +166,13 @@ class ElementRows {
     const RelativeTarget target = seenFrom(mesh_, f, x);
     LegendreMoments moments;
     evaluateMoments(target, source.degree - 1, Need::CandD, moments);
-    const Complex tangent = asComplex(source.tangent);
+    const Complex normal = asComplex(mesh_[element_].curve.normal(t));
     for (int j = 0; j < source.degree; ++j) {
-      const SourceSums in = elementSums(tangent, target, moments, j);
+      const SourceSums in = elementSums(source.curve, target, moments, j);
       const Complex units[2] = {1, Complex(0, 1)};
       for (int c = 0; c < 2; ++c) {
-        values.adjoint[j][c] = adjointDoubleLayer(lame_, normal_, units[c] * in);
-        values.hyper[j][c] = hypersingular(lame_, normal_, units[c] * in);
+        values.adjoint[j][c] = adjointDoubleLayer(lame_, normal, units[c] * in);
+        values.hyper[j][c] = hypersingular(lame_, normal, units[c] * in);
       }
     }
     if (f != element_)
@@ -273,7 +268,6 @@ class ElementRows {
   const Space& space_;
   const Mesh& mesh_;
   Lame lame_;
-  Complex normal_;
   int element_;
   int moments_ = 0;
   int largestOuter_ = largestSmoothOrder;

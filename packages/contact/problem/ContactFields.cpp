@@ -57,8 +57,8 @@ ContactPoint ContactFields::at(const Element& element, double t) const {
   point.place = space_.mesh().physicalPoint(element.element, t);
   point.pressure = units_.stress * stress.normal;
   point.shear = units_.stress * stress.tangential;
-  point.normal = units_.length * dot(u, geometry.normal);
-  point.tangential = units_.length * dot(u, bem::turnLeft(geometry.normal));
+  point.normal = units_.length * dot(u, geometry.curve.normal(t));
+  point.tangential = units_.length * dot(u, geometry.curve.tangent(t));
   const Conditions::Contact& condition = *element.condition;
   point.gap = condition.gap ? condition.gap(point.place) : 0;
   point.closed = closing(element, t) > 0;

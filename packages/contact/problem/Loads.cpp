@@ -114,7 +114,7 @@ RigidModes makeRigidModes(const bem::Space& space) {
   RigidModes modes;
   double length = 0;
   for (const Element& element : mesh.elements()) {
-    modes.centroid = modes.centroid + 2 * element.half * element.middle;
+    modes.centroid = modes.centroid + 2 * element.half * element.curve.centroid();
     length += 2 * element.half;
   }
   modes.centroid = (1 / length) * modes.centroid;

@@ -97,8 +97,8 @@ void addForce(const Solved& solved, const ContactFields& fields, const Element& 
     const auto k = static_cast<std::size_t>(i);
     const ContactPoint point = fields.at(element, rule.points[k]);
     const double weight = solved.units.length * side.half * rule.weights[k];
-    const Vec2 force =
-        -weight * (point.pressure * side.normal + point.shear * side.tangent);
+    const Vec2 force = -weight * (point.pressure * side.curve.normal(rule.points[k]) +
+                                  point.shear * side.curve.tangent(rule.points[k]));
     contact.x += force.x;
     contact.y += force.y;
     contact.moment += cross(point.place, force);
