@@ -43,20 +43,20 @@ Problem stronglyCoupled(Index copies, const char* law, std::mt19937& random) {
   for (Index j = 0; j < size; ++j)
     for (Index i = 0; i < size; ++i)
       root(i, j) = normal(random);
-  problem.flexibility = contact::Matrix(size, size);
+  contact::Matrix flexibility(size, size);
   for (Index i = 0; i < size; ++i) {
     const bool tangential = i >= problem.normals;
     for (Index j = 0; j < size; ++j) {
       for (Index k = 0; k < size; ++k)
-        problem.flexibility(i, j) +=
-            0.01 / static_cast<double>(size) * root(i, k) * root(j, k);
+        flexibility(i, j) += 0.01 / static_cast<double>(size) * root(i, k) * root(j, k);
       if (!tangential && i / 3 == j / 3)
-        problem.flexibility(i, j) += block.flexibility(i % 3, j % 3);
+        flexibility(i, j) += block.flexibility(i % 3, j % 3);
     }
-    problem.flexibility(i, i) += tangential ? 5 : 0;
+    flexibility(i, i) += tangential ? 5 : 0;
     problem.offset.push_back(tangential ? normal(random)
                                         : block.offset[static_cast<std::size_t>(i % 3)]);
   }
+  problem.flexibility = std::move(flexibility);
   problem.rigid = contact::Matrix(size, 0);
   return problem;
 }

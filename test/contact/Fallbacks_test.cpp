@@ -26,7 +26,7 @@ using contact::Problem;
 Problem cantilever(Index n) {
   Problem problem;
   problem.normals = n;
-  problem.flexibility = contact::Matrix(n, n);
+  contact::Matrix flexibility(n, n);
   const auto place = [n](Index i) {
     return static_cast<double>(i + 1) / static_cast<double>(n);
   };
@@ -34,12 +34,13 @@ Problem cantilever(Index n) {
     for (Index j = 0; j < n; ++j) {
       const double near = std::min(place(i), place(j));
       const double far = std::max(place(i), place(j));
-      problem.flexibility(i, j) = near * near * (3 * far - near) / 6;
+      flexibility(i, j) = near * near * (3 * far - near) / 6;
     }
-    problem.flexibility(i, i) += 1e-7;
+    flexibility(i, i) += 1e-7;
     const double x = place(i);
     problem.offset.push_back(x * x * (x * x - 4 * x + 6) / 24 - 1e-3);
   }
+  problem.flexibility = std::move(flexibility);
   return problem;
 }
 
@@ -82,9 +83,7 @@ Problem block(double tangentialLoad) {
   problem.normals = 2;
   problem.tangentials = {{0, &contact::frictionLaw("Coulomb"), 0.5},
                          {1, &contact::frictionLaw("Coulomb"), 0.5}};
-  problem.flexibility = contact::Matrix(4, 4);
-  for (Index i = 0; i < 4; ++i)
-    problem.flexibility(i, i) = 1;
+  problem.flexibility = test::identity(4);
   problem.offset = {0, 0, 0, 0};
   problem.rigid = contact::Matrix(4, 2);
   problem.rigid(0, 0) = problem.rigid(1, 0) = 1;

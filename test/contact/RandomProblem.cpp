@@ -125,4 +125,11 @@ Problem randomProblem(const Recipe& recipe, std::mt19937& random) {
   return problem;
 }
 
+Matrix identity(Index size, double value) {
+  Matrix d(size, size);
+  for (Index i = 0; i < size; ++i)
+    d(i, i) = value;
+  return d;
+}
+
 }  // namespace epafi::test

@@ -24,4 +24,7 @@ struct Recipe {
 /// can be balanced.
 contact::Problem randomProblem(const Recipe& recipe, std::mt19937& random);
 
+/// `value` times the identity: every coefficient on a spring of its own.
+contact::Matrix identity(contact::Index size, double value = 1);
+
 }  // namespace epafi::test

@@ -247,8 +247,7 @@ TEUCHOS_UNIT_TEST(Solver, aBoundOfZeroIsNoFriction) {
 Problem floatingPoint(double gap, double load) {
   Problem problem;
   problem.normals = 1;
-  problem.flexibility = contact::Matrix(1, 1);
-  problem.flexibility(0, 0) = 2;
+  problem.flexibility = test::identity(1, 2);
   problem.offset = {-gap};
   problem.rigid = contact::Matrix(1, 1);
   problem.rigid(0, 0) = 1;
@@ -283,9 +282,7 @@ TEUCHOS_UNIT_TEST(Solver, frictionAloneHoldsABodyUpToGlobalSliding) {
   problem.normals = 2;
   problem.tangentials = {{0, &contact::frictionLaw("Coulomb"), 0.5},
                          {1, &contact::frictionLaw("Coulomb"), 0.5}};
-  problem.flexibility = contact::Matrix(4, 4);
-  for (Index i = 0; i < 4; ++i)
-    problem.flexibility(i, i) = 1;
+  problem.flexibility = test::identity(4);
   problem.offset = {0, 0, 0, 0};
   problem.rigid = contact::Matrix(4, 2);
   problem.rigid(0, 0) = problem.rigid(1, 0) = 1;
@@ -357,14 +354,16 @@ TEUCHOS_UNIT_TEST(Solver, brokenNumbersAreErrors) {
   problem.offset[2] = std::numeric_limits<double>::quiet_NaN();
   TEST_THROW(solve(problem, {}, {}), bem::NumericalError);
   problem = test::randomProblem({5, "None"}, random);
-  problem.flexibility(1, 3) = problem.flexibility(3, 1) =
-      std::numeric_limits<double>::infinity();
+  contact::Matrix infinite = problem.flexibility.entries().copy();
+  infinite(1, 3) = infinite(3, 1) = std::numeric_limits<double>::infinity();
+  problem.flexibility = std::move(infinite);
   TEST_THROW(solve(problem, {}, {}), bem::NumericalError);
   // Two coefficients that are one and the same.
   problem = test::randomProblem({2, "None"}, random);
+  contact::Matrix ones(2, 2);
   for (Index i = 0; i < 2; ++i)
-    for (Index j = 0; j < 2; ++j)
-      problem.flexibility(i, j) = 1;
+    ones(i, 0) = ones(i, 1) = 1;
+  problem.flexibility = std::move(ones);
   problem.offset = {1, 1};
   const auto solution = [&] { return solve(problem, {}, {}); };
   TEST_THROW(solution(), bem::NumericalError);
@@ -375,9 +374,7 @@ TEUCHOS_UNIT_TEST(Solver, classifiesContactAndFriction) {
   problem.normals = 3;
   for (Index i = 0; i < 3; ++i)
     problem.tangentials.push_back({i, &contact::frictionLaw("Coulomb"), 0.5});
-  problem.flexibility = contact::Matrix(6, 6);
-  for (Index i = 0; i < 6; ++i)
-    problem.flexibility(i, i) = 1;
+  problem.flexibility = test::identity(6);
   problem.offset = {2, 2, -1, 0.3, -4, 5};
   problem.rigid = contact::Matrix(6, 0);
   const Solution solution = solve(problem, {}, {});

@@ -56,7 +56,7 @@ double sweep(const Problem& problem, const Matrix& d, const Vector& offset, Vect
 
 State projectedSor(const Problem& problem) {
   constexpr double penalty = 10;
-  Matrix d = problem.flexibility.copy();
+  Matrix d = problem.flexibility.entries().copy();
   for (Index j = 0; j < problem.rigidMotions(); ++j)
     for (Index b = 0; b < problem.size(); ++b)
       for (Index a = 0; a < problem.size(); ++a)

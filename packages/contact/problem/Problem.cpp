@@ -1,9 +1,54 @@
 #include "contact/problem/Problem.hpp"
 
+#include "bem/base/Error.hpp"
+#include "contact/problem/SmallAlgebra.hpp"
+
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace epafi::contact {
+
+namespace {
+
+template <class Error>
+void require(bool holds, const char* what) {
+  if (!holds)
+    throw Error(bem::message("the contact problem's ", what));
+}
+
+bool finite(const Vector& v) {
+  return std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x); });
+}
+
+}  // namespace
+
+Problem Problem::copy() const {
+  return {normals, tangentials, flexibility, offset, rigid.copy(), rigidLoad, stress};
+}
+
+void Problem::check() const {
+  using bem::InputError;
+  using bem::NumericalError;
+  const auto isNormal = [&](Index i) { return 0 <= i && i < normals; };
+  require<InputError>(flexibility.size() == size(),
+                      "flexibility is not of the multiplier's size");
+  require<InputError>(static_cast<Index>(offset.size()) == size(),
+                      "offset is not of the multiplier's size");
+  require<InputError>(
+      rigid.columns() == rigidMotions() && (rigid.empty() || rigid.rows() == size()),
+      "rigid motions do not fit their loads or the multiplier");
+  for (const Tangential& t : tangentials)
+    require<InputError>(
+        isNormal(t.normal) &&
+            std::all_of(t.others.begin(), t.others.end(),
+                        [&](const NormalShare& other) { return isNormal(other.normal); }),
+        "slip bounds follow pressures that there are not");
+  require<NumericalError>(stress > 0 && std::isfinite(stress), "stress is not positive");
+  require<NumericalError>(finite(offset), "load holds a number that is not finite");
+  require<NumericalError>(finite(rigidLoad),
+                          "resultant holds a number that is not finite");
+}
 
 bool Problem::boundDependsOnPressure() const {
   return std::any_of(tangentials.begin(), tangentials.end(), [](const Tangential& t) {
@@ -35,17 +80,31 @@ Problem withUncoupledBounds(const Problem& problem) {
 
 Problem withSlipBounds(const Problem& problem, const Vector& bounds) {
   assert(bounds.size() == problem.tangentials.size());
-  Problem fixed;
-  fixed.normals = problem.normals;
+  Problem fixed = problem.copy();
   for (std::size_t t = 0; t < bounds.size(); ++t)
-    fixed.tangentials.push_back(
-        {problem.tangentials[t].normal, &frictionLaw("Tresca"), bounds[t]});
-  fixed.flexibility = problem.flexibility.copy();
-  fixed.offset = problem.offset;
-  fixed.rigid = problem.rigid.copy();
-  fixed.rigidLoad = problem.rigidLoad;
-  fixed.stress = problem.stress;
+    fixed.tangentials[t] = {problem.tangentials[t].normal, &frictionLaw("Tresca"),
+                            bounds[t]};
   return fixed;
+}
+
+Vector slip(const Problem& problem, const State& state) {
+  const Vector dLambda = problem.flexibility.times(state.multiplier);
+  Vector result;
+  for (Index i = problem.normals; i < problem.size(); ++i) {
+    double r = problem.offset[at(i)] - dLambda[at(i)];
+    for (Index j = 0; j < problem.rigidMotions(); ++j)
+      r += problem.rigid(i, j) * state.rigid[at(j)];
+    result.push_back(r);
+  }
+  return result;
+}
+
+Problem withSlipBefore(const Problem& problem, const Vector& slipBefore) {
+  assert(slipBefore.size() == problem.tangentials.size());
+  Problem step = problem.copy();
+  for (std::size_t t = 0; t < slipBefore.size(); ++t)
+    step.offset[at(problem.normals) + t] -= slipBefore[t];
+  return step;
 }
 
 }  // namespace epafi::contact

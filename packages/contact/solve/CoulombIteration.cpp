@@ -223,6 +223,7 @@ Solution coupledNewton(const Problem& problem, const State& start,
 }  // namespace
 
 Solution solve(const Problem& problem, const State& start, const SolverOptions& options) {
+  problem.check();
   if (!(problem.stress > 0) || !std::isfinite(problem.stress))
     throw bem::NumericalError("the contact problem's load has no positive, finite size");
   requireEquilibrium(problem);

@@ -16,12 +16,6 @@ namespace {
 double entry(const Vector& v, Index i) { return v[static_cast<std::size_t>(i)]; }
 double& entry(Vector& v, Index i) { return v[static_cast<std::size_t>(i)]; }
 
-void requireFinite(const Vector& v, const char* name) {
-  if (!std::all_of(v.begin(), v.end(), [](double x) { return std::isfinite(x); }))
-    throw bem::NumericalError(bem::message("the contact problem's ", name,
-                                           " holds a number that is not finite"));
-}
-
 // c_i = 1 / Σ |D_ij| over the coefficients of i's own kind: r_i over the penetration that
 // a uniform multiplier of size 1 makes.  1/D_ii, the response to one coefficient alone,
 // grows like 1/h²; a point that slides then jumps to the opposite bound instead of
@@ -29,17 +23,18 @@ void requireFinite(const Vector& v, const char* name) {
 Vector responseWeights(const Problem& problem) {
   const Index n = problem.size();
   Vector responses;
-  for (Index i = 0; i < n; ++i) {
-    const bool normal = i < problem.normals;
-    const double* column = problem.flexibility.column(i);
-    double response = 0;
-    for (Index j = normal ? 0 : problem.normals; j < (normal ? problem.normals : n); ++j)
-      response += std::abs(column[j]);
-    if (!std::isfinite(response))
-      throw bem::NumericalError(
-          "the contact flexibility holds a number that is not finite");
-    responses.push_back(response);
+  for (const bool normal : {true, false}) {
+    Vector kind(static_cast<std::size_t>(n), normal ? 0.0 : 1.0);
+    std::fill_n(kind.begin(), problem.normals, normal ? 1.0 : 0.0);
+    const Vector all = problem.flexibility.product(kind).magnitude;
+    const auto from = all.begin() + (normal ? 0 : problem.normals);
+    responses.insert(responses.end(), from,
+                     from + (normal ? problem.normals : n - problem.normals));
   }
+  if (!std::all_of(responses.begin(), responses.end(),
+                   [](double x) { return std::isfinite(x); }))
+    throw bem::NumericalError(
+        "the contact flexibility holds a number that is not finite");
   const double largest =
       responses.empty() ? 0 : *std::max_element(responses.begin(), responses.end());
   Vector weights;
@@ -60,8 +55,6 @@ Equation::Equation(const Problem& problem, const Complementarity& function, Boun
       bound_(bound),
       tolerance_(tolerance),
       weights_(responseWeights(problem)) {
-  requireFinite(problem.offset, "load");
-  requireFinite(problem.rigidLoad, "resultant");
   for (Index j = 0; j < problem.rigidMotions(); ++j) {
     const double* g = problem.rigid.column(j);
     double sum = 0;
@@ -77,26 +70,18 @@ Evaluation Equation::at(Vector unknowns) const {
   Evaluation e;
   e.unknowns = std::move(unknowns);
 
-  Vector r = problem_.offset;
-  Vector magnitude(r.size());
-  std::transform(r.begin(), r.end(), magnitude.begin(),
-                 [](double x) { return std::abs(x); });
-  const auto add = [&](const double* column, double factor) {
-    for (Index i = 0; i < n && factor != 0; ++i) {
-      const double term = column[i] * factor;
-      entry(r, i) += term;
+  auto [dLambda, magnitude] =
+      problem_.flexibility.product({e.unknowns.begin(), e.unknowns.begin() + n});
+  for (Index i = 0; i < n; ++i) {
+    double r = entry(problem_.offset, i) - entry(dLambda, i);
+    entry(magnitude, i) += std::abs(entry(problem_.offset, i));
+    for (Index j = 0; j < problem_.rigidMotions(); ++j) {
+      const double term = problem_.rigid(i, j) * entry(e.unknowns, n + j);
+      r += term;
       entry(magnitude, i) += std::abs(term);
     }
-  };
-  for (Index j = 0; j < n; ++j)
-    add(problem_.flexibility.column(j), -entry(e.unknowns, j));
-  for (Index j = 0; j < problem_.rigidMotions(); ++j)
-    add(problem_.rigid.column(j), entry(e.unknowns, n + j));
-
-  e.penetration.resize(r.size());
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    e.penetration[i] = weights_[i] * r[i];
-    magnitude[i] *= weights_[i];
+    e.penetration.push_back(entry(weights_, i) * r);
+    entry(magnitude, i) *= entry(weights_, i);
   }
   e.bounds = problem_.slipBounds(e.unknowns);
   e.stepBounds = stepBounds(e, problem_.tangentials);
@@ -211,22 +196,17 @@ void Equation::measure(Evaluation& e, const Vector& magnitude) const {
 
 Vector Equation::jacobianTimes(const Evaluation& e, const Vector& direction) const {
   const Index n = problem_.size();
-  Vector r(static_cast<std::size_t>(n), 0.0);
-  const auto add = [&](const double* column, double factor) {
-    for (Index i = 0; i < n && factor != 0; ++i)
-      entry(r, i) += column[i] * factor;
-  };
-  for (Index j = 0; j < n; ++j)
-    add(problem_.flexibility.column(j), -entry(direction, j));
-  for (Index j = 0; j < problem_.rigidMotions(); ++j)
-    add(problem_.rigid.column(j), entry(direction, n + j));
-
+  const Vector dDirection =
+      problem_.flexibility.times({direction.begin(), direction.begin() + n});
   Vector result;
   result.reserve(direction.size());
   for (Index i = 0; i < n; ++i) {
     const auto& row = e.rows[static_cast<std::size_t>(i)];
-    double value = row.multiplier * entry(direction, i) +
-                   row.penetration * entry(weights_, i) * entry(r, i);
+    double r = -entry(dDirection, i);
+    for (Index j = 0; j < problem_.rigidMotions(); ++j)
+      r += problem_.rigid(i, j) * entry(direction, n + j);
+    double value =
+        row.multiplier * entry(direction, i) + row.penetration * entry(weights_, i) * r;
     if (i >= problem_.normals) {
       const auto t = static_cast<std::size_t>(i - problem_.normals);
       for (const NormalShare& slope : e.stepBounds[t].slopes)
@@ -289,6 +269,7 @@ double Equation::merit(const Evaluation& e) const {
 Vector Equation::meritGradient(const Evaluation& e) const {
   const Index n = problem_.size();
   Vector gradient(static_cast<std::size_t>(size()), 0.0);
+  Vector factors;
   for (Index i = 0; i < n; ++i) {
     const double multiplier = entry(e.unknowns, i);
     const double y = entry(e.penetration, i);
@@ -303,14 +284,15 @@ Vector Equation::meritGradient(const Evaluation& e) const {
         entry(gradient, slope.normal) += row.value * row.bound * slope.value;
     }
     entry(gradient, i) += row.value * row.multiplier;
-    // The row's part through r_i: D is symmetric, its column i is its row i.
     const double factor = row.value * row.penetration * entry(weights_, i);
-    const double* column = problem_.flexibility.column(i);
-    for (Index j = 0; j < n && factor != 0; ++j)
-      entry(gradient, j) -= factor * column[j];
     for (Index j = 0; j < problem_.rigidMotions(); ++j)
       entry(gradient, n + j) += factor * problem_.rigid(i, j);
+    factors.push_back(factor);
   }
+  // the rows' part through r; D is symmetric
+  const Vector throughD = problem_.flexibility.times(factors);
+  for (Index i = 0; i < n; ++i)
+    entry(gradient, i) -= entry(throughD, i);
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {
     const double factor = entry(e.residual, n + j) / entry(balanceScales_, j);
     for (Index i = 0; i < n; ++i)

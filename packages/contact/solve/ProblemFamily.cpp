@@ -7,18 +7,9 @@
 
 namespace epafi::contact {
 
-namespace {
-
-Problem copy(const Problem& problem) {
-  return {problem.normals, problem.tangentials,  problem.flexibility.copy(),
-          problem.offset,  problem.rigid.copy(), problem.rigidLoad,
-          problem.stress};
-}
-
-}  // namespace
-
 ProblemFamily::ProblemFamily(const Problem& problem, Vector gap)
-    : original_(copy(problem)), load_(problem.offset), gap_(std::move(gap)) {
+    : original_(problem.copy()), load_(problem.offset), gap_(std::move(gap)) {
+  problem.check();
   if (static_cast<Index>(gap_.size()) != problem.normals)
     throw bem::InputError(bem::message("the contact problem has ", problem.normals,
                                        " normal coefficients, but ", gap_.size(),
@@ -34,7 +25,7 @@ Problem ProblemFamily::at(const Factors& factors) const {
   if (!(factors.friction >= 0 && std::isfinite(factors.friction)))
     throw bem::InputError(bem::message("friction factor = ", factors.friction,
                                        "; it must be finite and not negative"));
-  Problem problem = copy(original_);
+  Problem problem = original_.copy();
   for (std::size_t i = 0; i < load_.size(); ++i)
     problem.offset[i] = factors.load * load_[i] - (i < gap_.size() ? gap_[i] : 0.0);
   for (double& q : problem.rigidLoad)

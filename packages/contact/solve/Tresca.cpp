@@ -57,6 +57,7 @@ class AugmentedLagrangian {
   AugmentedLagrangian(const Problem& problem, const Vector& weights)
       : problem_(problem), box_(withSlipBounds(problem, problem.slipBounds({}))) {
     const Index n = problem.size();
+    Matrix d = problem.flexibility.entries().copy();
     for (Index j = 0; j < problem.rigidMotions(); ++j) {
       double sum = 0;
       for (Index i = 0; i < n; ++i)
@@ -64,9 +65,9 @@ class AugmentedLagrangian {
       penalty_.push_back(sum > 0 ? 100.0 * static_cast<double>(n) / sum : 0);
       for (Index b = 0; b < n; ++b)
         for (Index a = 0; a < n; ++a)
-          box_.flexibility(a, b) +=
-              penalty_[at(j)] * problem.rigid(a, j) * problem.rigid(b, j);
+          d(a, b) += penalty_[at(j)] * problem.rigid(a, j) * problem.rigid(b, j);
     }
+    box_.flexibility = std::move(d);
     box_.rigid = Matrix(n, 0);
     box_.rigidLoad.clear();
   }

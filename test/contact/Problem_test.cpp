@@ -1,0 +1,144 @@
+// A problem in numbers: what its parts must fit, what is shared, and a path in steps.
+#include "bem/base/Error.hpp"
+#include "contact/RandomProblem.hpp"
+#include "contact/solve/CoulombIteration.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi {
+
+namespace {
+
+using contact::Index;
+using contact::Problem;
+using contact::State;
+using contact::Vector;
+
+/// A point on springs of flexibility 1 that is pressed by 1 and pulled sideways; γ of the
+/// stabilisation is within them.
+Problem pressedPoint(double pull) {
+  Problem problem;
+  problem.normals = 1;
+  problem.tangentials = {{0, &contact::frictionLaw("Coulomb"), 0.5}};
+  problem.flexibility = test::identity(2);
+  problem.offset = {1, pull};
+  problem.rigid = contact::Matrix(2, 0);
+  return problem;
+}
+
+/// Shears after each step of a path: every step starts at the slip of the one before.
+Vector shears(const std::vector<double>& pulls) {
+  Vector result;
+  Vector slipBefore = {0};
+  State state;
+  for (const double pull : pulls) {
+    const Problem total = pressedPoint(pull);
+    state = solve(withSlipBefore(total, slipBefore), state, {}).state;
+    slipBefore = slip(total, state);
+    result.push_back(state.multiplier[1]);
+  }
+  return result;
+}
+
+double difference(const Vector& a, const Vector& b) {
+  double largest = a.size() == b.size() ? 0 : 1;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+    largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+/// Pull 0.8: it slips, at the bound 0.5, by 0.3. Without pull the spring that is left
+/// stretched by the slip pushes back with 0.3, and friction holds it.
+TEUCHOS_UNIT_TEST(Path, shearIsRememberedAfterUnloading) {
+  TEST_COMPARE(difference(shears({0.8, 0}), {0.5, -0.3}), <, 1e-14);
+  TEST_COMPARE(difference(shears({0}), {0}), <, 1e-14);
+}
+
+/// -0.4 beyond the slip 0.3 is within the other bound's reach: 0.4 + 0.3 > 0.5.
+TEUCHOS_UNIT_TEST(Path, slipTurnsRoundAtTheOtherBound) {
+  TEST_COMPARE(difference(shears({0.8, -0.4, 0}), {0.5, -0.5, -0.1}), <, 1e-14);
+}
+
+TEUCHOS_UNIT_TEST(Path, aStickingContactDoesNotCreep) {
+  const Vector many(50, 0.4);
+  TEST_COMPARE(difference(shears(many), many), <, 1e-14);
+}
+
+/// An elastic answer: halving the steps changes nothing while nothing slips back.
+TEUCHOS_UNIT_TEST(Path, stepsOfOneDirectionAreOneStep) {
+  TEST_COMPARE(std::abs(shears({0.2, 0.4, 0.6, 0.8, 1.1}).back() - shears({1.1}).back()),
+               <, 1e-14);
+}
+
+TEUCHOS_UNIT_TEST(Path, frictionDoesNoNegativeWork) {
+  std::mt19937 random(3);
+  const Problem problem = test::randomProblem({12, "Coulomb", 0.4}, random);
+  Vector before(problem.tangentials.size(), 0.0);
+  State state;
+  for (const double factor : {1.0, 0.4, -0.7, 0.9}) {
+    Problem total = problem.copy();
+    for (std::size_t i = 0; i < before.size(); ++i)
+      total.offset[12 + i] *= factor;
+    state = solve(withSlipBefore(total, before), state, {}).state;
+    const Vector after = slip(total, state);
+    for (std::size_t t = 0; t < before.size(); ++t)
+      TEST_COMPARE(state.multiplier[12 + t] * (after[t] - before[t]), >=, -1e-12);
+    before = after;
+  }
+}
+
+TEUCHOS_UNIT_TEST(Flexibility, itsProductsAreThoseOfItsEntries) {
+  std::mt19937 random(5);
+  const Problem problem = test::randomProblem({7, "Tresca"}, random);
+  const Index n = problem.size();
+  Vector x;
+  for (Index i = 0; i < n; ++i)
+    x.push_back(i == 3 ? 0 : std::sin(static_cast<double>(5 * i)));
+  const auto [value, magnitude] = problem.flexibility.product(x);
+  TEST_ASSERT(problem.flexibility.times(x) == value);
+  for (Index i = 0; i < n; ++i) {
+    double sum = 0;
+    double size = 0;
+    for (Index j = 0; j < n; ++j) {
+      const double term = problem.flexibility(i, j) * x[static_cast<std::size_t>(j)];
+      sum += term;
+      size += std::abs(term);
+    }
+    TEST_COMPARE(std::abs(value[static_cast<std::size_t>(i)] - sum), <=, 1e-15 * size);
+    TEST_FLOATING_EQUALITY(magnitude[static_cast<std::size_t>(i)], size, 1e-14);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Flexibility, isSharedByProblemsThatDifferInBounds) {
+  std::mt19937 random(7);
+  const Problem problem = test::randomProblem({7, "Coulomb"}, random);
+  const Problem fixed = withSlipBounds(problem, Vector(7, 0.1));
+  TEST_EQUALITY(&fixed.flexibility.entries(), &problem.flexibility.entries());
+  TEST_EQUALITY(&problem.copy().flexibility.entries(), &problem.flexibility.entries());
+}
+
+TEUCHOS_UNIT_TEST(Problem, whatDoesNotFitIsRefusedAtTheDoor) {
+  const auto refuses = [&](auto spoil) {
+    Problem problem = pressedPoint(0.1);
+    problem.check();
+    spoil(problem);
+    TEST_THROW(solve(problem, {}, {}), bem::InputError);
+  };
+  refuses([](Problem& p) { p.flexibility = test::identity(3); });
+  refuses([](Problem& p) { p.offset.pop_back(); });
+  refuses([](Problem& p) { p.rigid = contact::Matrix(2, 1); });
+  refuses([](Problem& p) { p.rigidLoad = {1}; });
+  refuses([](Problem& p) {
+    p.rigidLoad = {1};
+    p.rigid = contact::Matrix(1, 1);
+  });
+  refuses([](Problem& p) { p.tangentials[0].normal = 1; });
+  refuses([](Problem& p) { p.tangentials[0].others = {{-1, 0.1}}; });
+}
+
+}  // namespace
+
+}  // namespace epafi
