@@ -46,8 +46,10 @@ void evaluateAll(const Scene& scene, const bem::Mesh& mesh) {
     evaluate(mesh, boundary, {condition.x, condition.y}, closed);
   for (const auto& [boundary, condition] : scene.conditions.neumann)
     evaluate(mesh, boundary, {condition.x, condition.y}, inner);
-  for (const auto& [boundary, condition] : scene.conditions.contact)
-    evaluate(mesh, boundary, {condition.gap, condition.strength}, closed);
+  for (const auto& [boundary, condition] : scene.conditions.contact) {
+    evaluate(mesh, boundary, {condition.gap}, closed);
+    evaluate(mesh, boundary, condition.friction.fields, closed);
+  }
 }
 
 template <class Conditions>

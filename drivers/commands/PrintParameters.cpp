@@ -60,7 +60,8 @@ std::string restriction(const Parameter& row) {
   const bool friction =
       parent.substr(parent.size() - std::min<std::size_t>(parent.size(), 8)) ==
       "Friction";
-  return bem::message("only with ", friction ? "Law" : "Type", " '", row.only, "'");
+  return bem::message("only with ", friction ? "Law" : "Type", " ",
+                      bem::quotedList(row.only));
 }
 
 std::string remarks(const Parameter& row) {

@@ -41,15 +41,11 @@ contact::Conditions::Contact readContact(const ParameterList& list, const Place&
   contact::Conditions::Contact condition;
   condition.gap = readFunction(list, "Gap", place);
   const ParameterList& friction = list.sublist("Friction");
-  const contact::FrictionLaw& law =
-      contact::frictionLaw(friction.get<std::string>("Law"));
-  const std::string parameter = law.parameter;
-  if (parameter.empty())
-    return condition;
   const Place inner{place.file, place.path + "->Friction"};
-  condition.law = &law;
-  condition.strength = nonNegative(readFunction(friction, parameter, inner),
-                                   {place.file, inner.path + "->" + parameter});
+  condition.friction = contact::parseFriction(friction, [&](const std::string& key) {
+    return nonNegative(readFunction(friction, key, inner),
+                       {place.file, inner.path + "->" + key});
+  });
   return condition;
 }
 

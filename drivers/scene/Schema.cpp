@@ -271,7 +271,9 @@ class Level {
   }
 
   bool active(const Parameter& row, const ParameterList& result) const {
-    return row.only.empty() || result.get<std::string>(selector()->name()) == row.only;
+    return row.only.empty() ||
+           std::count(row.only.begin(), row.only.end(),
+                      result.get<std::string>(selector()->name())) > 0;
   }
 
   void checkActive(const std::string& name, const ParameterList& result) const {
@@ -283,8 +285,9 @@ class Level {
       if (active(*other, result))
         known.push_back(example(other->name()));
     const std::string key = selector()->name();
-    throw InputError(message(join(path_, name), ": belongs to ", key, " '", row.only,
-                             "', but ", key, " is '", result.get<std::string>(key),
+    throw InputError(message(join(path_, name), ": belongs to ", key, " ",
+                             bem::quotedList(row.only), ", but ", key, " is '",
+                             result.get<std::string>(key),
                              "'; known here: ", bem::quotedList(known)));
   }
 
@@ -322,48 +325,6 @@ class Level {
 };
 
 }  // namespace
-
-std::string typeName(Kind kind) {
-  switch (kind) {
-    case Kind::Real:
-      return "double";
-    case Kind::Whole:
-      return "int";
-    case Kind::Flag:
-      return "bool";
-    case Kind::Text:
-    case Kind::Expression:
-      return "string";
-    case Kind::Names:
-      return "Array(string)";
-    case Kind::Counts:
-      return "Array(int)";
-    case Kind::Points:
-      return "TwoDArray(double)";
-    case Kind::List:
-    case Kind::Free:
-      break;
-  }
-  return "ParameterList";
-}
-
-std::string Parameter::parent() const {
-  const auto at = path.rfind(arrow);
-  return at == std::string::npos ? "" : path.substr(0, at);
-}
-
-std::string Parameter::name() const {
-  const auto at = path.rfind(arrow);
-  return at == std::string::npos ? path : path.substr(at + arrow.size());
-}
-
-std::string Parameter::range() const {
-  if (!allowed.empty())
-    return bem::quotedList(allowed);
-  if (kind == Kind::Real || kind == Kind::Whole || kind == Kind::Counts)
-    return interval.text();
-  return "";
-}
 
 const Parameter& declared(const std::string& path) {
   std::string pattern;

@@ -3,12 +3,15 @@
 #include "adaptivity/mark/Strategy.hpp"
 #include "contact/law/FrictionLaw.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
-#include "drivers/scene/SchemaRow.hpp"
+#include "drivers/scene/Schema.hpp"
 
 namespace epafi::drivers {
 
 namespace {
 
+using bem::above;
+using bem::from;
+using bem::Row;
 using Table = std::vector<Parameter>;
 
 /// The names of a family: friction laws, multiplier bases, strategies.
@@ -35,7 +38,8 @@ void addBody(Table& table) {
   const std::string body = "Bodies-><body>";
   const std::string material = body + "->Material";
   const std::string geometry = body + "->Geometry";
-  add(table,
+  append(
+      table,
       {
           Row("Bodies", Kind::List, "the elastic bodies; exactly one for now").required(),
           Row(body, Kind::List, "a body, under a name of your choice"),
@@ -72,7 +76,8 @@ void addBody(Table& table) {
 void addConditions(Table& table) {
   const std::string conditions = "Bodies-><body>->Boundary Conditions";
   const std::string boundary = conditions + "-><boundary>";
-  add(table,
+  append(
+      table,
       {
           Row(conditions, Kind::List,
               "one sublist per boundary; an edge without one is free"),
@@ -104,32 +109,22 @@ void addConditions(Table& table) {
           Row(boundary + "->Friction", Kind::List, "how much shear the contact carries")
               .only("Contact"),
       });
-  table.push_back(Row(boundary + "->Friction->Law", Kind::Text, "friction law")
-                      .standard(contact::frictionLaws().front().name)
-                      .allowed(namesOf(contact::frictionLaws()))
-                      .done());
-  for (const contact::FrictionLaw& law : contact::frictionLaws())
-    if (*law.parameter != '\0')
-      table.push_back(
-          Row(boundary + "->Friction->" + law.parameter, Kind::Expression, law.meaning)
-              .unit(law.strengthIsStress ? "stress" : "1")
-              .only(law.name)
-              .required()
-              .done());
-  add(table,
-      {
-          Row("Bodies-><body>->Rigid Motions", Kind::List,
-              "how a body without a clamp is held"),
-          Row("Bodies-><body>->Rigid Motions->Fix", Kind::Names,
-              "motions whose mean over the boundary is zero; their reaction acts as a "
-              "uniform traction of that mode")
-              .allowed({"X", "Y", "Rotation"}),
-      });
+  append(table, contact::frictionRows(), boundary + "->Friction");
+  append(table,
+         {
+             Row("Bodies-><body>->Rigid Motions", Kind::List,
+                 "how a body without a clamp is held"),
+             Row("Bodies-><body>->Rigid Motions->Fix", Kind::Names,
+                 "motions whose mean over the boundary is zero; their reaction acts as a "
+                 "uniform traction of that mode")
+                 .allowed({"X", "Y", "Rotation"}),
+         });
 }
 
 void addDiscretization(Table& table) {
   const std::string stabilization = "Discretization->Stabilization";
-  add(table,
+  append(
+      table,
       {
           Row("Discretization", Kind::List, "the first mesh and the spaces on it")
               .required(),
@@ -184,7 +179,8 @@ void addDiscretization(Table& table) {
 }
 
 void addSolver(Table& table) {
-  add(table,
+  append(
+      table,
       {
           Row("Solver", Kind::List, "how the nonlinear problem is solved"),
           Row("Solver->Coulomb Iteration", Kind::Text,
@@ -245,7 +241,8 @@ void addSolver(Table& table) {
 }
 
 void addStrategy(Table& table) {
-  add(table,
+  append(
+      table,
       {
           Row("Adaptivity", Kind::List, "from one level to the next"),
           Row("Adaptivity->Strategy", Kind::Text, meanings(adaptivity::strategies()))
@@ -268,7 +265,8 @@ void addStrategy(Table& table) {
 }
 
 void addGrading(Table& table) {
-  add(table,
+  append(
+      table,
       {
           Row("Adaptivity->Grading", Kind::List, "what Graded hp does"),
           Row("Adaptivity->Grading->Ratio", Kind::Real,
@@ -309,7 +307,8 @@ void addGrading(Table& table) {
 }
 
 void addEstimate(Table& table) {
-  add(table,
+  append(
+      table,
       {
           Row("Adaptivity->Weights", Kind::Text,
               "how the estimate adds its terms up; " + meanings(adaptivity::weightings()))
@@ -340,7 +339,8 @@ void addEstimate(Table& table) {
 }
 
 void addOutput(Table& table) {
-  add(table,
+  append(
+      table,
       {
           Row("Output", Kind::List, "what is written"),
           Row("Output->Fields", Kind::Flag, "write boundary.csv and the pictures' data")

@@ -3,7 +3,6 @@
 #include "bem/base/Error.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/SceneReader.hpp"
-#include "drivers/scene/SchemaRow.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -17,6 +16,7 @@ namespace {
 
 using bem::InputError;
 using bem::message;
+using bem::Row;
 using Teuchos::ParameterList;
 
 const char* const settings = "list of 'A->B->Key=value', as for --set";
@@ -162,8 +162,8 @@ Study build(const std::string& file, const RawScene& raw) {
 
 void addOverrides(std::vector<Parameter>& table, const std::string& parent) {
   const std::string prefix = parent.empty() ? "" : parent + "->";
-  add(table, {Row(prefix + "Set", Kind::Names, settings),
-              Row(prefix + "Override", Kind::Free, override)});
+  append(table, {Row(prefix + "Set", Kind::Names, settings),
+                 Row(prefix + "Override", Kind::Free, override)});
 }
 
 std::vector<Parameter> makeStudyParameters() {
@@ -171,7 +171,8 @@ std::vector<Parameter> makeStudyParameters() {
   const std::string scene = "Scenes-><scene>";
   const std::string variant = "Variants-><variant>";
   addOverrides(table, "");
-  add(table,
+  append(
+      table,
       {
           Row("Smallest Eigenvalue", Kind::Flag,
               "add the smallest eigenvalue of the stabilised stiffness relative to the "
@@ -185,22 +186,21 @@ std::vector<Parameter> makeStudyParameters() {
   addOverrides(table, scene);
   table.push_back(Row(scene + "->Reference", Kind::List,
                       "an overkill variant, computed once and kept, that true errors are "
-                      "measured against")
-                      .done());
+                      "measured against"));
   addOverrides(table, scene + "->Reference");
-  add(table, {
-                 Row("Variants", Kind::List, "the ways of solving them").required(),
-                 Row(variant, Kind::List, "a variant, under a name of your choice"),
-                 Row(variant + "->Scenes", Kind::Names,
-                     "the scenes that it is for; without it all"),
-             });
+  append(table, {
+                    Row("Variants", Kind::List, "the ways of solving them").required(),
+                    Row(variant, Kind::List, "a variant, under a name of your choice"),
+                    Row(variant + "->Scenes", Kind::Names,
+                        "the scenes that it is for; without it all"),
+                });
   addOverrides(table, variant);
-  add(table,
-      {
-          Row(variant + "->Sweep", Kind::List, "one variant per value of one parameter"),
-          Row(variant + "->Sweep->Key", Kind::Text, "the parameter, A->B->Key"),
-          Row(variant + "->Sweep->Values", Kind::Names, "its values"),
-      });
+  append(table, {
+                    Row(variant + "->Sweep", Kind::List,
+                        "one variant per value of one parameter"),
+                    Row(variant + "->Sweep->Key", Kind::Text, "the parameter, A->B->Key"),
+                    Row(variant + "->Sweep->Values", Kind::Names, "its values"),
+                });
   return table;
 }
 

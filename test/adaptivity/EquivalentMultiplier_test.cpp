@@ -29,9 +29,9 @@ SolvedScene::Input scene(const std::string& multiplier, bool roller) {
                        {"bottom", "right", "top", "left"}};
   const auto constant = [](double value) { return [=](Vec2) { return value; }; };
   Conditions conditions;
-  conditions.contact["bottom"] = {{}, &contact::frictionLaw("Coulomb"), constant(0.3)};
-  conditions.contact["right"] = {constant(0.001), &contact::frictionLaw("Tresca"),
-                                 constant(0.002)};
+  conditions.contact["bottom"] = {{}, contact::makeFriction("Coulomb", {constant(0.3)})};
+  conditions.contact["right"] = {constant(0.001),
+                                 contact::makeFriction("Tresca", {constant(0.002)})};
   conditions.dirichlet["top"] = {[](Vec2 x) { return 0.01 * x.x; },
                                  [](Vec2) { return -0.01; }};
   if (roller)

@@ -127,7 +127,7 @@ TEUCHOS_UNIT_TEST(MovingNodes, allRanksTakeThoseOfTheFirst) {
 TEUCHOS_UNIT_TEST(MovingNodes, leaveAMultiplierThatIsOnePolynomialUnchanged) {
   contact::Conditions conditions;
   conditions.contact["side"] = {
-      {}, &contact::frictionLaw("Tresca"), [](bem::Vec2) { return 1.0; }};
+      {}, contact::makeFriction("Tresca", {[](bem::Vec2) { return 1.0; }})};
   const bem::Mesh from = layered();
   const bem::Mesh to = movedTo(0.307);
   const auto cubic = [](double s) { return 1 - 2 * s + 3 * s * s - 5 * s * s * s; };

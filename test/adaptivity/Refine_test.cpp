@@ -33,7 +33,7 @@ int lastOfFirstEdge(const bem::Mesh& mesh) {
 contact::Conditions contactAtBottomAndTop() {
   contact::Conditions conditions;
   conditions.contact["bottom"] = {
-      {}, &contact::frictionLaw("Coulomb"), [](bem::Vec2) { return 0.3; }};
+      {}, contact::makeFriction("Coulomb", {[](bem::Vec2) { return 0.3; }})};
   conditions.contact["top"] = {};
   return conditions;
 }

@@ -63,7 +63,7 @@ struct Sliding {
     const auto constant = [](double value) { return [=](Vec2) { return value; }; };
     Conditions conditions;
     conditions.contact["bottom"] = {
-        {}, &contact::frictionLaw("Coulomb"), constant(coefficient)};
+        {}, contact::makeFriction("Coulomb", {constant(coefficient)})};
     conditions.dirichlet["top"] = {component(exact, &Vec2::x),
                                    component(exact, &Vec2::y)};
     conditions.neumann["right"] = {{}, constant(stress.xy)};
@@ -81,8 +81,8 @@ SolvedScene::Input trescaScene(int elements, int degree, double length, double s
   Conditions conditions;
   conditions.contact["bottom"] = {
       at([=](Vec2 x) { return length * (1 - std::sqrt(1 - x.x * x.x / 100)); }),
-      &contact::frictionLaw("Tresca"),
-      at([=](Vec2 x) { return stress * (0.211 + 0.412 * x.x); })};
+      contact::makeFriction(
+          "Tresca", {at([=](Vec2 x) { return stress * (0.211 + 0.412 * x.x); })})};
   conditions.dirichlet["top"] = {[](Vec2) { return 0.0; }, [](Vec2) { return 0.0; }};
   conditions.neumann["left"] = {
       at([=](Vec2 x) { return stress * 4 * (0.25 - x.y * x.y); }), {}};
@@ -142,7 +142,7 @@ TEUCHOS_UNIT_TEST(ResidualEstimator, seesASmallChangeOfAnyCondition) {
   other.neumann["right"].x = [](Vec2) { return 1e-3 * Sliding::pressure; };
   TEST_ASSERT(rises(other));
   other = Sliding().conditions();
-  other.contact["bottom"].strength = [](Vec2) { return 0.3003; };
+  other.contact["bottom"].friction.fields = {[](Vec2) { return 0.3003; }};
   TEST_ASSERT(rises(other));
   other = Sliding().conditions();
   other.contact["bottom"].gap = [](Vec2 x) { return 1e-5 * x.x; };

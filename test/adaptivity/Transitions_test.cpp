@@ -25,7 +25,7 @@ double growth(double x, double a) { return x > a ? std::pow(x - a, 1.5) : 0.0; }
 contact::Conditions contactAtBottom(const char* law) {
   contact::Conditions conditions;
   conditions.contact["bottom"] = {
-      {}, &contact::frictionLaw(law), [](bem::Vec2) { return 0.3; }};
+      {}, contact::makeFriction(law, {[](bem::Vec2) { return 0.3; }})};
   return conditions;
 }
 

@@ -2,7 +2,9 @@
 // they are smooth, within their hull where they jump.
 #include "contact/multiplier/BoundCoefficients.hpp"
 
+#include "contact/law/CoulombLaw.hpp"
 #include "contact/multiplier/Collocation.hpp"
+#include "contact/problem/Tangential.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -94,18 +96,23 @@ TEUCHOS_UNIT_TEST(BoundCoefficients, valuesStayValuesWhereCoefficientsAreValues)
     }
 }
 
+using Factor = std::function<double(double)>;
+
+/// Coulomb's law with a coefficient on an element.
+std::vector<contact::Tangential> coulomb(const contact::MultiplierBasis& basis,
+                                         int degree, const Factor& factor) {
+  std::vector<bem::Index> normals(static_cast<std::size_t>(degree + 1));
+  std::iota(normals.begin(), normals.end(), 0);
+  return contact::elementTangentials(
+      basis, normals, std::make_shared<const contact::CoulombLaw>(),
+      [&](double t) { return Vector{factor(t)}; }, 1);
+}
+
 /// s_i of an element's pressure.
-Vector limited(const contact::PressureBound& bound, const Vector& pressure) {
+Vector limited(const std::vector<contact::Tangential>& bounds, const Vector& pressure) {
   Vector result;
-  for (std::size_t i = 0; i < pressure.size(); ++i) {
-    double sum = 0;
-    for (std::size_t j = 0; j < pressure.size(); ++j)
-      sum += bound.strengths(static_cast<bem::Index>(i), static_cast<bem::Index>(j)) *
-             pressure[j];
-    if (bound.coupled)
-      sum = std::clamp(sum, bound.least * pressure[i], bound.most * pressure[i]);
-    result.push_back(sum);
-  }
+  for (const contact::Tangential& bound : bounds)
+    result.push_back(bound.bound(pressure));
   return result;
 }
 
@@ -120,8 +127,8 @@ double productErrorOn(double x, int degree, double h,
   Vector values;
   for (const double t : nodes.places())
     values.push_back(pressure(t));
-  const Vector coefficients = limited(contact::pressureBound(bernstein(), degree, factor),
-                                      nodes.coefficients(values));
+  const Vector coefficients =
+      limited(coulomb(bernstein(), degree, factor), nodes.coefficients(values));
   double largest = 0;
   for (int k = -64; k <= 64; ++k) {
     const double t = k / 64.0;
@@ -168,7 +175,7 @@ TEUCHOS_UNIT_TEST(PressureBound, jumpsAreNeitherOvershotNorUndershot) {
     for (int n = 0; n < 45; ++n) {
       const double place = -0.99 + 0.045 * n;
       const auto factor = [place](double t) { return t < place ? 0.5 : 2.0; };
-      const auto bound = contact::pressureBound(bernstein(), q, factor);
+      const auto bound = coulomb(bernstein(), q, factor);
       for (int k = 0; k < 10; ++k) {
         const Vector pressure = somePressure(q, random);
         const Vector s = limited(bound, pressure);
@@ -186,7 +193,7 @@ TEUCHOS_UNIT_TEST(PressureBound, isNeverNegativeAndZeroWithoutPressure) {
     for (int n = -4; n <= 4; ++n)
       for (int power = 1; power <= 2; ++power) {
         const double zero = n / 4.0;
-        const auto bound = contact::pressureBound(bernstein(), q, [&](double t) {
+        const auto bound = coulomb(bernstein(), q, [&](double t) {
           return std::pow(std::max(0.0, power == 1 ? t - zero : std::abs(t - zero)),
                           power);
         });
@@ -201,8 +208,6 @@ TEUCHOS_UNIT_TEST(PressureBound, isNeverNegativeAndZeroWithoutPressure) {
       }
 }
 
-using Factor = std::function<double(double)>;
-
 TEUCHOS_UNIT_TEST(PressureBound, couplesNothingWithoutNeed) {
   const Factor constant = [](double) { return 0.3; };
   const Factor varying = [](double t) { return 0.3 + 0.1 * std::sin(t); };
@@ -211,15 +216,15 @@ TEUCHOS_UNIT_TEST(PressureBound, couplesNothingWithoutNeed) {
   for (const contact::MultiplierBasis& basis : contact::multiplierBases())
     for (const int q : {1, 2, 3, 7})
       for (const Factor& factor : {constant, varying, linear, rounded}) {
-        const auto bound = contact::pressureBound(basis, q, factor);
+        const auto bounds = coulomb(basis, q, factor);
         const bool varies = std::abs(factor(-1) - factor(1)) > 1e-15;
         const bool coupled = basis.controlPoints && q > 1 && varies;
-        TEST_EQUALITY(bound.coupled, coupled);
         const Vector alone = contact::boundCoefficients(basis, q, factor);
-        for (bem::Index i = 0; i <= q && !coupled; ++i)
-          for (bem::Index j = 0; j <= q; ++j)
-            TEST_EQUALITY(bound.strengths(i, j),
-                          i == j ? alone[static_cast<std::size_t>(i)] : 0.0);
+        for (std::size_t i = 0; i < bounds.size(); ++i) {
+          TEST_EQUALITY(bounds[i].followsSeveral(), coupled);
+          if (!coupled)
+            TEST_EQUALITY(bounds[i].bound(Vector(bounds.size(), 1.0)), alone[i]);
+        }
       }
 }
 

@@ -62,8 +62,8 @@ Sample sample(const char* law, Index rigidMotions, double stress, std::mt19937& 
   std::for_each(problem.rigidLoad.begin(), problem.rigidLoad.end(), scale);
   std::for_each(result.gap.begin(), result.gap.end(), scale);
   for (contact::Tangential& t : problem.tangentials)
-    if (t.law->strengthIsStress)
-      t.strength *= stress;
+    if (!t.followsPressure())
+      t = t.scaled(stress);
   problem.stress = stress;
   return result;
 }
@@ -150,13 +150,13 @@ RCP<ThyraVector> times(const Thyra::LinearOpBase<double>& a, Thyra::EOpTransp tr
 template <class Claim>
 void forAll(const Claim& claim) {
   std::mt19937 random(71);
-  for (const contact::FrictionLaw& law : contact::frictionLaws())
+  for (const char* law : {"None", "Tresca", "Coulomb"})
     for (const auto function : {projection, fischerBurmeister})
       for (const Index rigidMotions : {0, 1, 2})
         for (const double stress : {1.0, 2e-7}) {
-          const int largest = law.dependsOnPressure ? 3 : 0;
+          const int largest = law == std::string("Coulomb") ? 3 : 0;
           for (const int coupling : {0, largest}) {
-            const Sample s = sample(law.name, rigidMotions, stress, random, coupling);
+            const Sample s = sample(law, rigidMotions, stress, random, coupling);
             ContactModel::Options options;
             options.complementarity = function;
             const ContactModel model(s.problem, s.gap, options);

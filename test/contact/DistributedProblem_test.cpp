@@ -24,9 +24,9 @@ contact::Conditions pressedBlock(const char* law) {
   contact::Conditions conditions;
   conditions.neumann["top"] = {[](bem::Vec2) { return 0.001; },
                                [](bem::Vec2 x) { return -0.01 * (1 + x.x); }};
-  conditions.contact["bottom"] = {[](bem::Vec2 x) { return 0.001 * x.x * x.x; },
-                                  &contact::frictionLaw(law),
-                                  [](bem::Vec2) { return 0.3; }};
+  conditions.contact["bottom"] = {
+      [](bem::Vec2 x) { return 0.001 * x.x * x.x; },
+      contact::makeFriction(law, {[](bem::Vec2) { return 0.3; }})};
   return conditions;
 }
 

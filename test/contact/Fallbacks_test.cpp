@@ -81,8 +81,8 @@ TEUCHOS_UNIT_TEST(Fallbacks, theInteriorPointIsNearTheSolution) {
 Problem block(double tangentialLoad) {
   Problem problem;
   problem.normals = 2;
-  problem.tangentials = {{0, &contact::frictionLaw("Coulomb"), 0.5},
-                         {1, &contact::frictionLaw("Coulomb"), 0.5}};
+  problem.tangentials = {{0, contact::pointLaw("Coulomb", {0.5})},
+                         {1, contact::pointLaw("Coulomb", {0.5})}};
   problem.flexibility = test::identity(4);
   problem.offset = {0, 0, 0, 0};
   problem.rigid = contact::Matrix(4, 2);

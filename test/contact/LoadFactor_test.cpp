@@ -19,9 +19,9 @@ using contact::Vector;
 // or without a clamp.
 contact::Conditions conditionsFor(double load, bool clamped) {
   contact::Conditions conditions;
-  conditions.contact["bottom"] = {[](Vec2 x) { return 0.01 + 0.05 * x.x * x.x; },
-                                  &contact::frictionLaw("Coulomb"),
-                                  [](Vec2) { return 0.4; }};
+  conditions.contact["bottom"] = {
+      [](Vec2 x) { return 0.01 + 0.05 * x.x * x.x; },
+      contact::makeFriction("Coulomb", {[](Vec2) { return 0.4; }})};
   conditions.neumann["right"] = {[load](Vec2 x) { return load * 0.3 * x.y; },
                                  [load](Vec2) { return -load * 0.1; }};
   if (clamped) {

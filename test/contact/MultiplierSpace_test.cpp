@@ -31,7 +31,7 @@ bem::Mesh squareMesh(int degree) {
 double zero(bem::Vec2) { return 0; }
 
 Conditions::Contact frictional() {
-  return {{}, &contact::frictionLaw("Tresca"), [](bem::Vec2) { return 1.0; }};
+  return {{}, contact::makeFriction("Tresca", {[](bem::Vec2) { return 1.0; }})};
 }
 
 const contact::MultiplierBasis& dual() {

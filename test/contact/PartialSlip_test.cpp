@@ -90,14 +90,15 @@ struct Manufactured {
   }
 
   contact::Conditions conditions(Law law) const {
-    const contact::FrictionLaw& friction =
-        contact::frictionLaw(law == Law::Tresca ? "Tresca" : "Coulomb");
+    const auto friction = [law](const bem::Function& field) {
+      return contact::makeFriction(law == Law::Tresca ? "Tresca" : "Coulomb", {field});
+    };
     contact::Conditions result;
     const auto gap = [=, *this](Vec2 normal) {
       return [=, *this](Vec2 x) { return dot(displacement(x), normal); };
     };
-    result.contact["stick"] = {gap({0, -1}), &friction, shearOn({0, -1}, 2, law)};
-    result.contact["slip"] = {gap({1, 0}), &friction, shearOn({1, 0}, 1, law)};
+    result.contact["stick"] = {gap({0, -1}), friction(shearOn({0, -1}, 2, law))};
+    result.contact["slip"] = {gap({1, 0}), friction(shearOn({1, 0}, 1, law))};
     result.neumann["top"] = {[*this](Vec2 x) { return stress(x).xy; },
                              [*this](Vec2 x) { return stress(x).yy; }};
     result.dirichlet["left"] = {[*this](Vec2 x) { return displacement(x).x; },

@@ -1,7 +1,5 @@
 #include "contact/RandomProblem.hpp"
 
-#include "contact/multiplier/BoundCoefficients.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -25,18 +23,15 @@ void couple(Problem& problem, const Recipe& recipe, std::mt19937& random) {
     const double wave = draw(random, 0, 3);
     const double phase = draw(random, -3, 3);
     const double mean = draw(random, 0, 0.5 * recipe.strength);
-    const auto bound = contact::pressureBound(
-        contact::multiplierBasis("Bernstein"), q,
-        [&](double t) { return mean * (1 + std::sin(wave * t + phase)); });
-    for (Index i = 0; i <= q; ++i) {
-      contact::Tangential& t = problem.tangentials[static_cast<std::size_t>(first + i)];
-      t.strength = bound.strengths(i, i);
-      t.least = bound.least;
-      t.most = bound.most;
-      for (Index j = 0; j <= q; ++j)
-        if (j != i && bound.strengths(i, j) != 0)
-          t.others.push_back({first + j, bound.strengths(i, j)});
-    }
+    std::vector<Index> normals;
+    for (Index i = 0; i <= q; ++i)
+      normals.push_back(first + i);
+    const auto tangentials = contact::elementTangentials(
+        contact::multiplierBasis("Bernstein"), normals,
+        contact::makeFriction(recipe.law, {[](bem::Vec2) { return 0.0; }}).law,
+        [&](double t) { return Vector{mean * (1 + std::sin(wave * t + phase))}; }, 1);
+    std::copy(tangentials.begin(), tangentials.end(),
+              problem.tangentials.begin() + first);
   }
 }
 
@@ -106,11 +101,12 @@ void addRigidMotions(Problem& problem, Index count, std::mt19937& random) {
 Problem randomProblem(const Recipe& recipe, std::mt19937& random) {
   Problem problem;
   problem.normals = recipe.normals;
-  const auto& law = contact::frictionLaw(recipe.law);
-  if (law.name != std::string("None"))
+  if (recipe.law != std::string("None"))
     for (Index i = 0; i < recipe.normals; ++i)
-      problem.tangentials.push_back(
-          {i, &law, draw(random, 0, 1) < 0.2 ? 0.0 : draw(random, 0, recipe.strength)});
+      problem.tangentials.emplace_back(
+          i, contact::pointLaw(
+                 recipe.law,
+                 {draw(random, 0, 1) < 0.2 ? 0.0 : draw(random, 0, recipe.strength)}));
   if (recipe.coupling > 0)
     couple(problem, recipe, random);
   problem.flexibility = randomFlexibility(problem, recipe, random);

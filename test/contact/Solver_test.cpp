@@ -280,8 +280,8 @@ TEUCHOS_UNIT_TEST(Solver, aLoadThatNothingHoldsIsAnErrorThatSaysSo) {
 TEUCHOS_UNIT_TEST(Solver, frictionAloneHoldsABodyUpToGlobalSliding) {
   Problem problem;
   problem.normals = 2;
-  problem.tangentials = {{0, &contact::frictionLaw("Coulomb"), 0.5},
-                         {1, &contact::frictionLaw("Coulomb"), 0.5}};
+  problem.tangentials = {{0, contact::pointLaw("Coulomb", {0.5})},
+                         {1, contact::pointLaw("Coulomb", {0.5})}};
   problem.flexibility = test::identity(4);
   problem.offset = {0, 0, 0, 0};
   problem.rigid = contact::Matrix(4, 2);
@@ -373,7 +373,7 @@ TEUCHOS_UNIT_TEST(Solver, classifiesContactAndFriction) {
   Problem problem;
   problem.normals = 3;
   for (Index i = 0; i < 3; ++i)
-    problem.tangentials.push_back({i, &contact::frictionLaw("Coulomb"), 0.5});
+    problem.tangentials.emplace_back(i, contact::pointLaw("Coulomb", {0.5}));
   problem.flexibility = test::identity(6);
   problem.offset = {2, 2, -1, 0.3, -4, 5};
   problem.rigid = contact::Matrix(6, 0);

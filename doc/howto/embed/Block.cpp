@@ -50,8 +50,8 @@ contact::Conditions pressed() {
 
   contact::Conditions conditions;
   conditions.neumann["top"] = {zero, press};
-  conditions.contact["foundation"] = {zero, &contact::frictionLaw("Coulomb"),
-                                      [](Vec2) { return 0.3; }};
+  conditions.contact["foundation"] = {
+      zero, contact::makeFriction("Coulomb", {[](Vec2) { return 0.3; }})};
   conditions.fix.x = true;
   conditions.fix.rotation = true;
   return conditions;

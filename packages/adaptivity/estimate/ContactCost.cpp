@@ -18,10 +18,7 @@ double square(double x) { return x * x; }
 ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& element,
                          const AtEnds& moments, const Contributions& factors,
                          double shearModulus)
-    : law_(element.condition->strength ? element.condition->law : nullptr),
-      stress_(solved.units.stress),
-      moments_(moments),
-      factors_(factors) {
+    : moments_(moments), factors_(factors) {
   const bem::Mesh& mesh = solved.space.mesh();
   const bem::Element& geometry = mesh[element.element];
   const int p = element.degree;
@@ -37,18 +34,12 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
   double steepest = 0;
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     const double t = rule.points[q];
-    const double strength =
-        law_ == nullptr
-            ? 0
-            : element.condition->strength(mesh.physicalPoint(element.element, t));
     points_.push_back({rule.weights[q] * geometry.half, endValue(p, -t) / geometry.half,
                        endValue(p, t) / geometry.half, profiles.pressure(t),
                        profiles.shear(t), profiles.opening(t), profiles.tangential(t),
-                       strength});
-    if (law_ != nullptr)
-      steepest = std::max(
-          steepest,
-          law_->slipBoundSlope(stress_ * positive(points_.back().pressure), strength));
+                       element.condition->friction.at(
+                           mesh.physicalPoint(element.element, t), solved.units.stress)});
+    steepest = std::max(steepest, points_.back().friction.slope(points_.back().pressure));
   }
   const Vec2 along = turnLeft(normal_);
   directions_ = {normal_, along};
@@ -56,12 +47,6 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
     directions_.push_back(normal_ + steepest * along);
     directions_.push_back(normal_ - steepest * along);
   }
-}
-
-double ContactCost::bound(const Point& point, double pressure) const {
-  return law_ == nullptr
-             ? 0
-             : law_->slipBound(stress_ * positive(pressure), point.strength) / stress_;
 }
 
 AtEnds ContactCost::slope(const AtEnds& c) const {
@@ -82,7 +67,7 @@ double ContactCost::operator()(const AtEnds& c) const {
     const Vec2 change = point.start * c.start + point.end * c.end;
     const double pressure = point.pressure + dot(change, normal_);
     const double shear = point.shear + dot(change, tangent);
-    const double s = bound(point, pressure);
+    const double s = point.friction.bound(pressure);
     const double along = std::clamp(point.slip < 0 ? -shear : shear, -s, s);
     const double gap = lostWork(positive(pressure), positive(point.opening), stiffness_);
     const double slip = lostWork(s - along, std::abs(point.slip), stiffness_);

@@ -41,12 +41,9 @@ class ContactCost {
     double shear;
     double opening;
     double slip;
-    double strength;
+    contact::PointLaw friction;
   };
-  double bound(const Point& point, double pressure) const;
 
-  const contact::FrictionLaw* law_;
-  double stress_;  ///< unit of the law's numbers
   bem::Vec2 normal_;
   double size_;       ///< h/p
   double stiffness_;  ///< μ p/h

@@ -116,11 +116,8 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
     return gap / units.length - normal(t);
   };
   const auto bound = [&mesh, &condition, units, e, pressure](double t) {
-    if (condition.law == nullptr || !condition.strength)
-      return 0.0;
-    return condition.law->slipBound(units.stress * positive(pressure(t)),
-                                    condition.strength(mesh.physicalPoint(e, t))) /
-           units.stress;
+    return condition.friction.at(mesh.physicalPoint(e, t), units.stress)
+        .bound(pressure(t));
   };
   return {pressure,
           stress(&Value::tangential, along),

@@ -8,8 +8,8 @@ PointState pointState(const contact::MultiplierSpace& multiplier,
   PointState state{states.normal[static_cast<std::size_t>(element.normalOf(i))],
                    contact::FrictionState::None};
   const bool idle = state.normal == contact::NormalState::Open &&
-                    element.condition->law != nullptr &&
-                    element.condition->law->dependsOnPressure;
+                    element.condition->friction &&
+                    element.condition->friction.law->dependsOnPressure();
   if (element.tangential >= 0 && !idle)
     state.friction = states.tangential[static_cast<std::size_t>(element.tangentialOf(i) -
                                                                 multiplier.normals())];

@@ -1,27 +1,17 @@
 #pragma once
 
+#include "bem/base/SchemaRow.hpp"
+
 #include <Teuchos_ParameterEntryValidator.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_RCP.hpp>
 
-#include <limits>
 #include <string>
 #include <vector>
 
 namespace epafi::bem {
 
 using Validator = Teuchos::RCP<const Teuchos::ParameterEntryValidator>;
-
-/// An interval of admissible numbers; an open end is not itself admissible.
-struct Interval {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  bool lowOpen = false;
-  bool highOpen = false;
-
-  bool contains(double value) const;  ///< false for NaN
-  std::string text() const;           ///< ">= 0", "> 0", "from 1 to 25", "in (-1, 0.5)"
-};
 
 /// Validators of a number, or of each entry of an array of numbers; int and double.
 Validator within(const Interval& interval);

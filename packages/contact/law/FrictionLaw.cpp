@@ -1,36 +1,108 @@
 #include "contact/law/FrictionLaw.hpp"
 
-#include "bem/base/Error.hpp"
+#include "contact/law/CoulombLaw.hpp"
+#include "contact/law/TrescaLaw.hpp"
+
+#include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
 
 namespace epafi::contact {
 
-const std::vector<FrictionLaw>& frictionLaws() {
-  static const std::vector<FrictionLaw> laws = {
-      {"None", "", "frictionless", false, false,  //
-       [](double, double) { return 0.0; }, [](double, double) { return 0.0; }},
-      {"Tresca", "Threshold", "largest shear stress, independent of the pressure", false,
-       true, [](double, double strength) { return strength; },
-       [](double, double) { return 0.0; }},
-      {"Coulomb", "Coefficient",
-       "friction coefficient: shear up to coefficient times pressure", true, false,
-       [](double pressure, double strength) {
-         return strength * std::max(pressure, 0.0);
-       },
-       [](double pressure, double strength) { return pressure > 0 ? strength : 0.0; }},
-  };
+namespace {
+
+using bem::Kind;
+using Teuchos::ParameterList;
+
+template <class Law>
+FrictionLawMember member(const char* name) {
+  return {name, Law::rows(),
+          [](const ParameterList&) { return std::make_shared<const Law>(); }};
+}
+
+bool isField(const bem::SchemaRow& row) { return row.kind == Kind::Expression; }
+
+std::shared_ptr<const FrictionLaw> withoutKeys(const std::string& name,
+                                               std::size_t fields) {
+  const FrictionLawMember& entry = frictionLaws().at(name);
+  const auto wanted = std::count_if(entry.rows.begin(), entry.rows.end(), isField);
+  if (static_cast<std::size_t>(wanted) != fields || entry.rows.size() != fields)
+    throw bem::InputError(bem::message("friction law '", name, "' has ", wanted,
+                                       " fields and ", entry.rows.size() - fields,
+                                       " other keys; ", fields, " fields are given"));
+  return entry.make ? entry.make(ParameterList()) : nullptr;
+}
+
+}  // namespace
+
+bem::Family<FrictionLawMember>& frictionLaws() {
+  static bem::Family<FrictionLawMember> laws("friction law",
+                                             {
+                                                 {"None", {}, {}},
+                                                 member<TrescaLaw>("Tresca"),
+                                                 member<CoulombLaw>("Coulomb"),
+                                             });
   return laws;
 }
 
-const FrictionLaw& frictionLaw(const std::string& name) {
-  std::string known;
-  for (const FrictionLaw& law : frictionLaws()) {
-    if (law.name == name)
-      return law;
-    known += (known.empty() ? "'" : ", '") + std::string(law.name) + "'";
+bem::SchemaRows frictionRows() {
+  bem::SchemaRows table = {bem::Row("Law", Kind::Text, "friction law")
+                               .standard(frictionLaws().front().name)
+                               .allowed(frictionLaws().names())};
+  for (const FrictionLawMember& law : frictionLaws()) {
+    bem::SchemaRows rows = law.rows;
+    for (bem::SchemaRow& row : rows)
+      row.only = {law.name};
+    append(table, rows);
   }
-  throw bem::InputError(bem::message("friction law '", name, "'; known laws: ", known));
+  return table;
+}
+
+double PointLaw::bound(double pressure) const {
+  return law_ == nullptr
+             ? bound_
+             : law_->bound(stress_ * std::max(pressure, 0.0), fields_) / stress_;
+}
+
+double PointLaw::slope(double pressure) const {
+  return law_ != nullptr && pressure > 0 ? law_->slope(stress_ * pressure, fields_) : 0;
+}
+
+double PointLaw::steepest() const {
+  double largest = 0;
+  const double first = bound(0);
+  for (double pressure = 1e-18; pressure < 10 && followsPressure(); pressure *= 10)
+    largest = std::max({largest, slope(pressure), (bound(pressure) - first) / pressure});
+  return largest;
+}
+
+Vector Friction::fieldsAt(bem::Vec2 place) const {
+  Vector values;
+  for (const bem::Function& field : fields)
+    values.push_back(field(place));
+  return values;
+}
+
+Friction makeFriction(const std::string& law, std::vector<bem::Function> fields) {
+  return {withoutKeys(law, fields.size()), std::move(fields)};
+}
+
+PointLaw pointLaw(const std::string& law, Vector fields, double stress) {
+  auto made = withoutKeys(law, fields.size());
+  return {std::move(made), std::move(fields), stress};
+}
+
+Friction parseFriction(const ParameterList& list,
+                       const std::function<bem::Function(const std::string&)>& field) {
+  const FrictionLawMember& entry = frictionLaws().at(list.get<std::string>("Law"));
+  Friction friction;
+  if (!entry.make)
+    return friction;
+  friction.law = entry.make(list);
+  for (const bem::SchemaRow& row : entry.rows)
+    if (isField(row))
+      friction.fields.push_back(field(row.name()));
+  return friction;
 }
 
 }  // namespace epafi::contact

@@ -1,30 +1,105 @@
 #pragma once
 
+#include "bem/base/Family.hpp"
+#include "bem/base/Function.hpp"
+#include "bem/base/Matrix.hpp"
+#include "bem/base/SchemaRow.hpp"
+
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
+namespace Teuchos {
+class ParameterList;
+}
+
 namespace epafi::contact {
 
-/// How much shear a contact point carries:  |λₜ| ≤ s(λₙ).
+using bem::Vector;
+
+/// How much shear a contact point carries:  |λₜ| ≤ s(λₙ).      [P (2)], doc/theory/friction.md
 ///
-/// `strength` is the value at the point of the expression that the scene gives for the
-/// law: a threshold [stress] under Tresca, a coefficient [-] under Coulomb.  Bounds are
-/// proportional to it and, where they depend on it, to the pressure's positive part.
-struct FrictionLaw {
-  const char* name;
-  const char* parameter;  ///< the scene's key of the strength; empty if the law has none
-  const char* meaning;
-  bool dependsOnPressure;
-  bool strengthIsStress;
-  double (*slipBound)(double pressure, double strength);
-  /// Derivative of slipBound by the pressure.
-  double (*slipBoundSlope)(double pressure, double strength);
+/// In the user's units.  What depends on the place, a coefficient, a threshold, is a field:
+/// `fields` are their values at the point, each >= 0, in the order of the law's rows.
+/// What does not is a member of the law's class.  s is monotone in each field.
+class FrictionLaw {
+ public:
+  virtual ~FrictionLaw() = default;
+
+  /// s >= 0 at a pressure >= 0.
+  virtual double bound(double pressure, const Vector& fields) const = 0;
+
+  /// ds/dpressure at a pressure >= 0: at a kink one of its limits, at zero that from above.
+  virtual double slope(double pressure, const Vector& fields) const = 0;
+
+  virtual bool dependsOnPressure() const { return true; }
 };
 
-/// All laws.  A new one is one line in FrictionLaw.cpp.
-const std::vector<FrictionLaw>& frictionLaws();
+/// A law's row in the table of laws.
+struct FrictionLawMember {
+  std::string name;
+  /// Its keys under Friction; those of kind Expression are its fields.
+  bem::SchemaRows rows;
+  /// The law with the other keys' values; an empty function stands for no friction.
+  std::function<std::shared_ptr<const FrictionLaw>(const Teuchos::ParameterList&)> make;
+};
 
-/// \throws bem::InputError naming the known laws.
-const FrictionLaw& frictionLaw(const std::string& name);
+/// All laws: None, Tresca, Coulomb, and what a program adds.
+bem::Family<FrictionLawMember>& frictionLaws();
+
+/// Law, and under each law its own keys.
+bem::SchemaRows frictionRows();
+
+/// A law at one point, dimensionless: numbers only.
+///
+///   s(p) = law(stress p, fields) / stress
+class PointLaw {
+ public:
+  PointLaw() = default;  ///< no friction: s = 0
+  /// s = bound whatever the pressure; bound >= 0.
+  explicit PointLaw(double bound) : bound_(bound) {}
+  /// `stress`: the unit of dimensionless stresses.
+  PointLaw(std::shared_ptr<const FrictionLaw> law, Vector fields, double stress)
+      : law_(std::move(law)), fields_(std::move(fields)), stress_(stress) {}
+
+  /// s >= 0 at the pressure's positive part.
+  double bound(double pressure) const;
+  /// ds/dp; zero where there is no pressure.
+  double slope(double pressure) const;
+  /// The largest (s(p) - s(0))/p for pressures up to Young's modulus, sampled.
+  double steepest() const;
+  bool followsPressure() const { return law_ != nullptr && law_->dependsOnPressure(); }
+
+ private:
+  std::shared_ptr<const FrictionLaw> law_;
+  Vector fields_;
+  double stress_ = 1;
+  double bound_ = 0;
+};
+
+/// The friction of a boundary: a law and its fields as functions of the place, both in the
+/// user's units.  Without a law there is none.
+struct Friction {
+  std::shared_ptr<const FrictionLaw> law;
+  std::vector<bem::Function> fields;
+
+  explicit operator bool() const { return law != nullptr; }
+  Vector fieldsAt(bem::Vec2 place) const;
+  PointLaw at(bem::Vec2 place, double stress) const {
+    return law == nullptr ? PointLaw() : PointLaw(law, fieldsAt(place), stress);
+  }
+};
+
+/// A law of the table that has no keys but fields.
+/// \throws bem::InputError for an unknown name, or another number of fields.
+Friction makeFriction(const std::string& law, std::vector<bem::Function> fields);
+
+/// The same at one point, from the fields' values.
+PointLaw pointLaw(const std::string& law, Vector fields, double stress = 1);
+
+/// From a list that frictionRows() has checked; `field` makes the function of a key.
+Friction parseFriction(const Teuchos::ParameterList& list,
+                       const std::function<bem::Function(const std::string& key)>& field);
 
 }  // namespace epafi::contact

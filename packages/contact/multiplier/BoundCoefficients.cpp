@@ -95,22 +95,6 @@ Choice choose(const MultiplierBasis& basis, int degree, const Bound& bound) {
   return choice;
 }
 
-bem::Matrix diagonal(const Vector& entries) {
-  const auto n = static_cast<bem::Index>(entries.size());
-  bem::Matrix result(n, n);
-  for (bem::Index i = 0; i < n; ++i)
-    result(i, i) = entries[static_cast<std::size_t>(i)];
-  return result;
-}
-
-// The ends' control points are values there: what else their rows have is rounding.
-void clearRounding(bem::Matrix& a, double rounding) {
-  for (bem::Index j = 0; j < a.columns(); ++j)
-    for (bem::Index i = 0; i < a.rows(); ++i)
-      if (i != j && std::abs(a(i, j)) <= rounding)
-        a(i, j) = 0;
-}
-
 }  // namespace
 
 Vector boundCoefficients(const MultiplierBasis& basis, int degree, const Bound& bound) {
@@ -121,22 +105,32 @@ Vector boundCoefficients(const MultiplierBasis& basis, int degree, const Bound& 
 }
 
 PressureBound pressureBound(const MultiplierBasis& basis, int degree,
-                            const Bound& factor) {
-  if (!basis.controlPoints || degree < 2)
-    return {diagonal(boundCoefficients(basis, degree, factor))};
-  const Choice choice = choose(basis, degree, factor);
-  const Range known = join(choice.hull, choice.values);
-  if (!choice.isAsClose || known.most - known.least <= choice.rounding)
-    return {diagonal(choice.isCloser ? choice.closer : choice.values)};
+                            const Bound& field) {
   PressureBound bound;
-  bound.strengths = Collocation(basis, choice.nodes).product(choice.atNodes);
-  bound.coupled = true;
+  if (!basis.controlPoints || degree < 2) {
+    bound.alone = valuesAt(basis.places(degree), field);
+    return bound;
+  }
+  Choice choice = choose(basis, degree, field);
+  const Range known = join(choice.hull, choice.values);
+  bound.isConstant = known.most - known.least <= choice.rounding;
+  bound.isSmooth = choice.isAsClose;
   const Range range = choice.isWithin ? choice.hull : join(choice.hull, choice.closer);
   const double more = choice.isWithin ? 0 : range.most - range.least;
   bound.least = std::max(range.least - more, 0.0);
   bound.most = range.most + more;
-  clearRounding(bound.strengths, choice.rounding);
+  bound.alone = std::move(choice.isCloser ? choice.closer : choice.values);
+  bound.nodes = std::move(choice.nodes);
+  bound.atNodes = std::move(choice.atNodes);
   return bound;
+}
+
+bool isCoupled(const std::vector<PressureBound>& fields) {
+  return std::any_of(
+             fields.begin(), fields.end(),
+             [](const PressureBound& f) { return f.isSmooth && !f.isConstant; }) &&
+         std::all_of(fields.begin(), fields.end(),
+                     [](const PressureBound& f) { return f.isSmooth || f.isConstant; });
 }
 
 }  // namespace epafi::contact

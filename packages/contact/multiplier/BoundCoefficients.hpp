@@ -3,6 +3,7 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 
 #include <functional>
+#include <vector>
 
 namespace epafi::contact {
 
@@ -11,8 +12,8 @@ namespace epafi::contact {
 ///
 /// The values of s at the basis' places, unless coefficients are control points.  Then
 ///
-///   c = coefficients of the polynomial that meets s at the Gauss-Lobatto points, none <
-///   0,
+///   c = coefficients of the polynomial that meets s at the Gauss-Lobatto points,
+///       none < 0,
 ///
 /// if it is closer to s than the one with the values at the control points and none of c
 /// is beyond the largest and the smallest of s, or if it is four times as close.  So a
@@ -22,27 +23,29 @@ namespace epafi::contact {
 bem::Vector boundCoefficients(const MultiplierBasis& basis, int degree,
                               const std::function<double(double)>& bound);
 
-/// How a pressure's coefficients λ limit those of an element's shear:
-///
-///   s_i = Σ_j T_ij λ_j,   where T is not diagonal kept within least λ_i and most λ_i.
+/// What a law of the pressure needs of one of its fields f >= 0 on an element.
 struct PressureBound {
-  bem::Matrix strengths;  ///< T
-  bool coupled = false;   ///< T is not diagonal
-  double least = 0;       ///< >= 0
+  bem::Vector alone;        ///< for each coefficient alone: boundCoefficients
+  bool isConstant = false;  ///< but for rounding
+  bool isSmooth = false;    ///< do boundCoefficients take the polynomial through `nodes`?
+  bem::Vector nodes{};      ///< the Gauss-Lobatto points
+  bem::Vector atNodes{};    ///< f there
+  double least = 0;         ///< >= 0
   double most = 0;
 };
 
-/// For a bound f(t) λ(t), f >= 0 on [-1, 1], λ = Σ λ_j χ_j.
+/// `field`: f at t in [-1, 1].  Where coefficients are values, `alone` is all there is.
 ///
-/// T is diagonal with boundCoefficients of f, unless coefficients are control points and
-/// f is not constant: control points of a product are not the products of control points.
-/// Where boundCoefficients takes the polynomial through the Gauss-Lobatto points, T λ are
-/// the coefficients of the one that meets f λ there, of order q + 1; least and most are
-/// those of f, so that the bound stays between them times the pressure.  Smooth f with an
-/// extremum inside, whose own coefficients are outside, get as much again as f and they
-/// vary: s_i = (T λ)_i then wherever λ varies little on the element.  No s_i is negative
-/// for λ >= 0, and where λ_i is zero, s_i is.
+/// Control points of a product are not the products of control points: with those of
+/// f λ_n through the Gauss-Lobatto points the bound is of order q + 1, see Tangential.
+/// least and most are those of f, so that the bound stays between what they give.  Smooth f
+/// with an extremum inside, whose own coefficients are outside, get as much again as f and
+/// they vary: the limits then bite only where λ_n varies much on the element.
 PressureBound pressureBound(const MultiplierBasis& basis, int degree,
-                            const std::function<double(double)>& factor);
+                            const std::function<double(double)>& field);
+
+/// Does a law with these fields follow all pressures of the element?  Where one is smooth
+/// and varies, and none jumps.
+bool isCoupled(const std::vector<PressureBound>& fields);
 
 }  // namespace epafi::contact

@@ -36,15 +36,14 @@ Vector Collocation::coefficients(Vector values) const {
   return values;
 }
 
-bem::Matrix Collocation::product(const Vector& factor) const {
+bem::Matrix Collocation::inverse() const {
   const auto n = static_cast<Index>(places_.size());
   bem::Matrix result(n, n);
   for (Index j = 0; j < n; ++j) {
-    Vector column(values_.column(j), values_.column(j) + n);
-    for (std::size_t k = 0; k < column.size(); ++k)
-      column[k] *= factor[k];
-    column = coefficients(std::move(column));
-    std::copy(column.begin(), column.end(), result.column(j));
+    Vector unit(places_.size(), 0.0);
+    unit[static_cast<std::size_t>(j)] = 1;
+    unit = coefficients(std::move(unit));
+    std::copy(unit.begin(), unit.end(), result.column(j));
   }
   return result;
 }

@@ -17,10 +17,10 @@ class Collocation {
   /// \throws bem::NumericalError if the basis is none.
   bem::Vector coefficients(bem::Vector values) const;
 
-  /// T with (T c)_i = coefficients of the polynomial that is f_k Σ_j c_j χ_j at place k:
-  /// what a factor makes of coefficients.
+  /// E_kj = χ_j at place k, and what makes coefficients of values.
   /// \throws bem::NumericalError if the basis is none.
-  bem::Matrix product(const bem::Vector& factor) const;
+  bem::Matrix values() const { return values_.copy(); }
+  bem::Matrix inverse() const;
 
  private:
   bem::Vector places_;

@@ -35,8 +35,7 @@ MultiplierSpace::MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& b
     element.degree = mesh[e].degree;
     element.boundary = &condition->first;
     element.condition = &condition->second;
-    const FrictionLaw* law = element.condition->law;
-    if (law != nullptr && *law->parameter != '\0')
+    if (element.condition->friction)
       element.tangential = 0;
     elements_.push_back(element);
   }

@@ -25,8 +25,7 @@ struct Conditions {
   /// Unilateral contact with a rigid obstacle at distance `gap` along the outward normal.
   struct Contact {
     bem::Function gap;
-    const FrictionLaw* law = nullptr;  ///< null: frictionless
-    bem::Function strength;            ///< see FrictionLaw
+    Friction friction;
   };
 
   std::map<std::string, Dirichlet> dirichlet;

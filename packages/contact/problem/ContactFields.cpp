@@ -63,8 +63,8 @@ ContactPoint ContactFields::at(const Element& element, double t) const {
   point.gap = condition.gap ? condition.gap(point.place) : 0;
   point.closed = closing(element, t) > 0;
   if (element.tangential >= 0) {
-    const double strength = condition.strength ? condition.strength(point.place) : 0;
-    point.bound = condition.law->slipBound(std::max(point.pressure, 0.0), strength);
+    point.bound = units_.stress *
+                  condition.friction.at(point.place, units_.stress).bound(stress.normal);
     if (space.at(bounds_, element, t).tangential > tolerance_)
       point.friction =
           slipping(element, t) > 0 ? FrictionKind::Slip : FrictionKind::Stick;

@@ -2,7 +2,6 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/multiplier/BoundCoefficients.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,51 +35,30 @@ void addGap(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
   }
 }
 
-double strengthAt(const ContactElement& contact, Vec2 x) {
-  const double strength =
-      contact.condition->strength ? contact.condition->strength(x) : 0.0;
-  if (!(strength >= 0 && std::isfinite(strength)))
-    throw bem::InputError(bem::message(
-        "boundary '", *contact.boundary, "': ", contact.condition->law->parameter, " = ",
-        strength, " at (", x.x, ", ", x.y, "); it must be finite and not negative"));
-  return strength;
+Vector fieldsAt(const ContactElement& contact, Vec2 x) {
+  Vector fields = contact.condition->friction.fieldsAt(x);
+  for (const double value : fields)
+    if (!(value >= 0 && std::isfinite(value)))
+      throw bem::InputError(bem::message(
+          "boundary '", *contact.boundary, "': a field of the friction law is ", value,
+          " at (", x.x, ", ", x.y, "); it must be finite and not negative"));
+  return fields;
 }
 
-Tangential tangentialOf(const PressureBound& bound, const ContactElement& contact,
-                        int i) {
-  Tangential result{contact.normalOf(i), contact.condition->law, bound.strengths(i, i)};
-  for (int j = 0; j <= contact.degree; ++j)
-    if (j != i && bound.strengths(i, j) != 0)
-      result.others.push_back({contact.normalOf(j), bound.strengths(i, j)});
-  result.least = bound.least;
-  result.most = bound.most;
-  return result;
-}
-
-void setStrengths(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
-                  const ContactElement& contact, bem::Units units, Obstacle& obstacle) {
-  const FrictionLaw& law = *contact.condition->law;
-  const auto strength = [&](double t) {
-    return strengthAt(contact, mesh.physicalPoint(contact.element, t));
-  };
-  const auto set = [&](int i, const Tangential& tangential) {
-    const Index k = contact.tangentialOf(i) - multiplier.normals();
+void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
+                 const ContactElement& contact, bem::Units units, Obstacle& obstacle) {
+  std::vector<Index> normals;
+  for (int i = 0; i <= contact.degree; ++i)
+    normals.push_back(contact.normalOf(i));
+  std::vector<Tangential> tangentials = elementTangentials(
+      multiplier.basis(), normals, contact.condition->friction.law,
+      [&](double t) { return fieldsAt(contact, mesh.physicalPoint(contact.element, t)); },
+      units.stress);
+  for (int i = 0; i <= contact.degree; ++i)
     if (ContactElement::isOwn(contact.tangentialEnds, contact.degree, i))
-      obstacle.tangentials[static_cast<std::size_t>(k)] = tangential;
-  };
-  if (law.dependsOnPressure) {
-    const PressureBound bound =
-        pressureBound(multiplier.basis(), contact.degree, strength);
-    for (int i = 0; i <= contact.degree; ++i)
-      set(i, tangentialOf(bound, contact, i));
-    return;
-  }
-  const Vector strengths =
-      boundCoefficients(multiplier.basis(), contact.degree, strength);
-  for (int i = 0; i <= contact.degree; ++i) {
-    const double own = strengths[static_cast<std::size_t>(i)];
-    set(i, {contact.normalOf(i), &law, law.strengthIsStress ? own / units.stress : own});
-  }
+      obstacle.tangentials[static_cast<std::size_t>(contact.tangentialOf(i) -
+                                                    multiplier.normals())] =
+          std::move(tangentials[static_cast<std::size_t>(i)]);
 }
 
 }  // namespace
@@ -94,7 +72,7 @@ Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
   for (const ContactElement& contact : multiplier.elements()) {
     addGap(mesh, multiplier, contact, units, obstacle);
     if (contact.tangential >= 0)
-      setStrengths(mesh, multiplier, contact, units, obstacle);
+      setFriction(mesh, multiplier, contact, units, obstacle);
   }
   return obstacle;
 }

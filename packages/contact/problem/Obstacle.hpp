@@ -6,14 +6,14 @@
 
 namespace epafi::contact {
 
-/// g_i = <g, χ_i>, dimensionless, and the strengths of the tangential coefficients.
+/// g_i = <g, χ_i>, dimensionless, and what limits the tangential coefficients.
 struct Obstacle {
   Vector gap;  ///< per normal coefficient
   std::vector<Tangential> tangentials;
   double largestPenetration = 0;  ///< max of -g
 };
 
-/// \throws bem::InputError if a friction strength is negative or not finite, naming
+/// \throws bem::InputError if a field of a friction law is negative or not finite, naming
 /// boundary and point.
 Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
                       bem::Units units);

@@ -38,12 +38,11 @@ void Problem::check() const {
   require<InputError>(
       rigid.columns() == rigidMotions() && (rigid.empty() || rigid.rows() == size()),
       "rigid motions do not fit their loads or the multiplier");
-  for (const Tangential& t : tangentials)
-    require<InputError>(
-        isNormal(t.normal) &&
-            std::all_of(t.others.begin(), t.others.end(),
-                        [&](const NormalShare& other) { return isNormal(other.normal); }),
-        "slip bounds follow pressures that there are not");
+  for (const Tangential& t : tangentials) {
+    const std::vector<Index> followed = t.normals();
+    require<InputError>(std::all_of(followed.begin(), followed.end(), isNormal),
+                        "slip bounds follow pressures that there are not");
+  }
   require<NumericalError>(stress > 0 && std::isfinite(stress), "stress is not positive");
   require<NumericalError>(finite(offset), "load holds a number that is not finite");
   require<NumericalError>(finite(rigidLoad),
@@ -52,13 +51,13 @@ void Problem::check() const {
 
 bool Problem::boundDependsOnPressure() const {
   return std::any_of(tangentials.begin(), tangentials.end(), [](const Tangential& t) {
-    return t.law->dependsOnPressure && t.largestStrength() > 0;
+    return t.followsPressure() && t.carries();
   });
 }
 
 bool Problem::boundsAreCoupled() const {
   return std::any_of(tangentials.begin(), tangentials.end(),
-                     [](const Tangential& t) { return !t.others.empty(); });
+                     [](const Tangential& t) { return t.followsSeveral(); });
 }
 
 Vector Problem::slipBounds(const Vector& multiplier) const {
@@ -82,8 +81,8 @@ Problem withSlipBounds(const Problem& problem, const Vector& bounds) {
   assert(bounds.size() == problem.tangentials.size());
   Problem fixed = problem.copy();
   for (std::size_t t = 0; t < bounds.size(); ++t)
-    fixed.tangentials[t] = {problem.tangentials[t].normal, &frictionLaw("Tresca"),
-                            bounds[t]};
+    fixed.tangentials[t] =
+        Tangential(problem.tangentials[t].normal(), PointLaw(bounds[t]));
   return fixed;
 }
 

@@ -79,7 +79,7 @@ double frictionWork(const ContactFields& fields, const Element& element) {
   // A bound that follows the pressure is taken as the discrete problem has it: the
   // pressure's positive part at a point errs where the contact ends, by 3e-4 of the
   // result in [P] 8.2.
-  const bool discrete = element.condition->law->dependsOnPressure;
+  const bool discrete = element.condition->friction.law->dependsOnPressure();
   const auto work = [&](double t) {
     const ContactPoint point = fields.at(element, t);
     const double bound = discrete ? fields.discreteBound(element, t) : point.bound;

@@ -71,7 +71,7 @@ Solution updates(const Problem& problem, const State& start,
   double change = 0;
   for (int k = 1; k <= options.coulombMaximumIterations; ++k) {
     for (std::size_t t = 0; t < bounds.size(); ++t)
-      tresca.tangentials[t].strength = bounds[t];
+      tresca.tangentials[t] = {problem.tangentials[t].normal(), PointLaw(bounds[t])};
     solution = update(tresca, std::move(solution), options);
 
     const Evaluation e = coulomb.at(pack(problem, solution.state));

@@ -37,14 +37,13 @@ std::vector<Vector> cone(const Problem& problem, const Vector& scales) {
   for (std::size_t t = 0; t < problem.tangentials.size(); ++t) {
     const Tangential& tangential = problem.tangentials[t];
     const Index i = problem.normals + static_cast<Index>(t);
-    const bool grows = tangential.law->dependsOnPressure;
-    const double slope = tangential.law->slipBoundSlope(
-        std::numeric_limits<double>::min(), tangential.largestStrength());
-    for (const double sign : {-1.0, 1.0})
-      if (grows)
-        add(tangential.normal, i, sign * slope);
-      else if (tangential.largestStrength() > 0)
+    const double slope = tangential.steepest();
+    for (const double sign : {-1.0, 1.0}) {
+      if (tangential.followsPressure())
+        add(tangential.normal(), i, sign * slope);
+      if (tangential.boundWithoutPressure() > 0)
         add(-1, i, sign);
+    }
   }
   return columns;
 }

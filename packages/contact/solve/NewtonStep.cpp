@@ -22,9 +22,8 @@ Evaluation bonded(const Problem& problem, Evaluation e) {
     const Tangential& tangential = problem.tangentials[t];
     const std::size_t i = at(problem.normals) + t;
     const bool closed =
-        e.unknowns[at(tangential.normal)] + e.penetration[at(tangential.normal)] > 0;
-    if (!closed || !tangential.law->dependsOnPressure ||
-        tangential.largestStrength() <= 0)
+        e.unknowns[at(tangential.normal())] + e.penetration[at(tangential.normal())] > 0;
+    if (!closed || !tangential.followsPressure() || !tangential.carries())
       continue;
     e.rows[i] = {-e.penetration[i], 0, -1, 0};
     e.residual[i] = -e.penetration[i];

@@ -50,7 +50,6 @@ Vector ProblemFamily::frictionDerivative(const Equation& equation,
                                          const Evaluation& e) const {
   Vector result(e.residual.size(), 0.0);
   const auto normals = static_cast<std::size_t>(original_.normals);
-  // Every law's bound is proportional to its strength.
   const std::vector<StepBound> bounds = equation.stepBounds(e, original_.tangentials);
   for (std::size_t k = 0; k < bounds.size(); ++k)
     result[normals + k] = e.rows[normals + k].bound * bounds[k].value;

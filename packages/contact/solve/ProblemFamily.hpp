@@ -7,12 +7,12 @@ namespace epafi::contact {
 /// What a problem's data are multiplied by.
 struct Factors {
   double load = 1;      ///< tractions and prescribed displacements, not the gap
-  double friction = 1;  ///< thresholds or coefficients, >= 0
+  double friction = 1;  ///< the slip bounds, >= 0
 };
 
 /// A contact problem and all its multiples:
 ///
-///   d₀(t) = t (d₀ + g) - g,   q(t) = t q,   s(λₙ) from m times the strengths,
+///   d₀(t) = t (d₀ + g) - g,   q(t) = t q,   m times s(λₙ),
 ///
 /// t the load factor, m the friction factor; the gap g stays where it is.
 class ProblemFamily {

@@ -21,7 +21,7 @@ Vector springForces(const Problem& problem, const Vector& unknowns, const Vector
   const Vector bounds = problem.slipBounds(forces);
   for (std::size_t t = 0; t < bounds.size(); ++t) {
     const std::size_t i = at(problem.normals) + t;
-    const bool bonded = problem.tangentials[t].law->dependsOnPressure && bounds[t] > 0;
+    const bool bonded = problem.tangentials[t].followsPressure() && bounds[t] > 0;
     const double force = unknowns[i] + y[i];
     forces.push_back(bonded ? force : std::clamp(force, -bounds[t], bounds[t]));
   }

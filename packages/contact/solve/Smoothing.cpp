@@ -25,7 +25,7 @@ class Sweeper {
     for (Index j = 0; j < problem.rigidMotions(); ++j)
       add(problem.rigid.column(j), x_[at(problem.size() + j)]);
     for (std::size_t t = 0; t < problem.tangentials.size(); ++t)
-      tangentials_[at(problem.tangentials[t].normal)].push_back(static_cast<Index>(t));
+      tangentials_[at(problem.tangentials[t].normal())].push_back(static_cast<Index>(t));
   }
 
   const Vector& unknowns() const { return x_; }
