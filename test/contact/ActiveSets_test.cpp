@@ -176,6 +176,18 @@ TEUCHOS_UNIT_TEST(ActiveSets, pivotingSolvesWhatNewtonCyclesOn) {
   TEST_COMPARE(cycles, >, 20);
 }
 
+// ½ λᵀDλ - d₀ᵀλ
+double energy(const Problem& problem, const Vector& x) {
+  double sum = 0;
+  for (Index i = 0; i < problem.size(); ++i) {
+    double row = -problem.offset[static_cast<std::size_t>(i)];
+    for (Index j = 0; j < problem.size(); ++j)
+      row += 0.5 * problem.flexibility(i, j) * x[static_cast<std::size_t>(j)];
+    sum += x[static_cast<std::size_t>(i)] * row;
+  }
+  return sum;
+}
+
 TEUCHOS_UNIT_TEST(Smoothing, staysInTheBoxAndLowersTheEnergy) {
   std::mt19937 random(64);
   for (int k = 0; k < 40; ++k) {
@@ -184,7 +196,7 @@ TEUCHOS_UNIT_TEST(Smoothing, staysInTheBoxAndLowersTheEnergy) {
     const Vector start(problem.offset.size(), 0.1);
     const Evaluation e = equation.at(smoothed(equation, start));
     TEST_ASSERT(equation.projected(e) == e.unknowns);
-    TEST_COMPARE(equation.energy(e), <, equation.energy(equation.at(start)));
+    TEST_COMPARE(energy(problem, e.unknowns), <, energy(problem, start));
   }
 }
 

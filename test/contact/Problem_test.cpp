@@ -22,7 +22,7 @@ using contact::Vector;
 Problem pressedPoint(double pull) {
   Problem problem;
   problem.normals = 1;
-  problem.tangentials = {{0, &contact::frictionLaw("Coulomb"), 0.5}};
+  problem.tangentials = {{0, contact::pointLaw("Coulomb", {0.5})}};
   problem.flexibility = test::identity(2);
   problem.offset = {1, pull};
   problem.rigid = contact::Matrix(2, 0);

@@ -4,6 +4,8 @@
 
 #include <NOX_Solver_Generic.H>
 
+#include <limits>
+
 namespace epafi::contact {
 
 bool ArmijoSearch::compute(NOX::Abstract::Group& group, double& step,
@@ -12,16 +14,16 @@ bool ArmijoSearch::compute(NOX::Abstract::Group& group, double& step,
   constexpr double sufficient = 1e-4;
   const auto& from = dynamic_cast<const Group&>(solver.getPreviousSolutionGroup());
   auto& to = dynamic_cast<Group&>(group);
-  const auto moved = direction.clone(NOX::ShapeCopy);
+  const double old = merit_->computef(from);
+  const double slope = merit_->computeSlope(direction, from);
+  const double rounding = 16 * std::numeric_limits<double>::epsilon() * old;
 
   step = 1;
   for (int halvings = 0; halvings <= 40; ++halvings, step *= 0.5) {
     to.computeX(from, direction, step);
     to.computeF();
-    moved->update(1, to.getX(), -1, from.getX(), 0);
-    const double slope = merit_->computeSlope(*moved, from);
-    const double slack = merit_->rounding(from, to);
-    if (merit_->change(from, to) <= sufficient * slope + slack && slope <= slack)
+    if (step * slope <= rounding &&
+        merit_->computef(to) - old <= sufficient * step * slope + rounding)
       return true;
   }
   step = 0;

@@ -7,9 +7,9 @@
 
 namespace epafi::contact {
 
-/// Armijo's rule along x(t), which may be a straight line or a projected arc:
+/// Armijo's rule:   Ψ(x + t d) <= Ψ(x) + 1e-4 t Ψ'(x)·d,   t = 1, 1/2, 1/4, ...
 ///
-///   merit(x(t)) - merit(x) <= 1e-4 merit'(x)·(x(t) - x),   t = 1, 1/2, 1/4, ...
+/// up to rounding
 class ArmijoSearch final : public NOX::LineSearch::Generic {
  public:
   explicit ArmijoSearch(Teuchos::RCP<const Merit> merit) : merit_(std::move(merit)) {}

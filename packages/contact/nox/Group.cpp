@@ -88,8 +88,6 @@ void Group::computeX(const NOX::Abstract::Group& from,
                      const NOX::Abstract::Vector& direction, double step) {
   const auto& origin = dynamic_cast<const Group&>(from);
   x_->update(1, *origin.x_, step, direction);
-  if (method_ == NewtonMethod::ProjectedDescent)
-    assign(*x_, projectOntoBox(equation_->problem(), numbers(*x_)));
   forget();
 }
 
@@ -124,14 +122,9 @@ Group::ReturnType Group::computeNewton(Teuchos::ParameterList&) {
 }
 
 Vector Group::direction() const {
-  switch (method_) {
-    case NewtonMethod::ProjectedDescent:
-      return projectedNewtonStep(*equation_, *evaluation_);
-    case NewtonMethod::MeritDescent:
-      return meritDescentStep(*equation_, *evaluation_);
-    default:
-      return newtonStep(*equation_, *evaluation_);
-  }
+  return method_ == NewtonMethod::MeritDescent
+             ? meritDescentStep(*equation_, *evaluation_)
+             : newtonStep(*equation_, *evaluation_);
 }
 
 Group::ReturnType Group::applyJacobian(const NOX::Abstract::Vector& input,

@@ -13,7 +13,7 @@ namespace epafi::contact {
 /// The contact equation at one point, as NOX sees it.
 ///
 /// What has been computed travels with copies, so nothing is shared that a line search
-/// could spoil.  Under ProjectedDescent computeX follows the projected arc P(x + t d).
+/// could spoil.
 class Group final : public NOX::Abstract::Group {
  public:
   Group(const Equation& equation, NewtonMethod method, const Vector& start);

@@ -6,7 +6,7 @@
 #include "contact/nox/Merit.hpp"
 #include "contact/nox/PivotingDirection.hpp"
 #include "contact/nox/StatusTests.hpp"
-#include "contact/solve/Descent.hpp"
+#include "contact/solve/Equilibrium.hpp"
 #include "contact/solve/NewtonSystem.hpp"
 
 #include <NOX_Solver_Factory.H>
@@ -64,15 +64,15 @@ bool isUsersOwn(const ParameterList& list, const char* sublist, const char* key)
 // One run's list: the user's, and below it what Epafi wants of NOX.
 class RunList {
  public:
-  RunList(std::shared_ptr<ParameterList> user, const Equation& equation,
-          NewtonMethod method, const RCP<std::ostream>& errors)
+  RunList(std::shared_ptr<ParameterList> user, NewtonMethod method,
+          const RCP<std::ostream>& errors)
       : user_(std::move(user)), list_(rcp(new ParameterList("NOX"))) {
     if (user_ != nullptr) {
       user_->remove("Output", false);  // NOX's own record of an earlier run
       list_->setParameters(*user_);
       forgetUse(*list_);
     }
-    const RCP<const Merit> merit = makeMerit(equation, method);
+    const RCP<const Merit> merit = rcp(new Merit);
     const std::string solver = list_->get("Nonlinear Solver", "Line Search Based");
     if (solver != "Line Search Based")
       throw bem::InputError(bem::message("Solver->NOX->Nonlinear Solver = '", solver,
@@ -94,8 +94,7 @@ class RunList {
       direction.set<RCP<NOX::Direction::UserDefinedFactory>>(
           "User Defined Direction Factory", rcp(new PivotingFactory));
     }
-    if (method == NewtonMethod::ProjectedDescent ||
-        method == NewtonMethod::MeritDescent) {
+    if (method == NewtonMethod::MeritDescent) {
       ParameterList& search = list_->sublist("Line Search");
       search = ParameterList("Line Search");
       search.set("Method", "User Defined");
@@ -183,20 +182,16 @@ bool hasOwnEntries(const ParameterList& list) {
 NewtonRun runNewton(const Equation& equation, const Vector& start, NewtonMethod method,
                     int maximumIterations, const std::shared_ptr<ParameterList>& list) {
   const auto log = rcp(new std::ostringstream);
-  RunList run(list, equation, method, log);
-  const auto group = rcp(new Group(equation, method,
-                                   method == NewtonMethod::ProjectedDescent
-                                       ? projectOntoBox(equation.problem(), start)
-                                       : start));
+  RunList run(list, method, log);
+  const auto group = rcp(new Group(equation, method, start));
   // With a lagged bound the residual may rise for a step while the bound settles.
   const int patience = equation.bound() == Equation::Bound::Lagged ? 5 : 1;
   const auto test = rcp(new StepTest(method, patience));
   const RCP<NOX::Solver::Generic> solver = withNoxErrors(
       *log, [&] { return build(group, test, maximumIterations, run.list()); });
 
-  const RCP<const Merit> merit = makeMerit(equation, method);
-  const bool descends =
-      method == NewtonMethod::ProjectedDescent || method == NewtonMethod::MeritDescent;
+  const RCP<const Merit> merit = rcp(new Merit);
+  const bool descends = method == NewtonMethod::MeritDescent;
   std::vector<double> merits;
   NewtonRun result;
   const auto status = withNoxErrors(*log, [&] {
@@ -209,6 +204,10 @@ NewtonRun runNewton(const Equation& equation, const Vector& start, NewtonMethod 
       } catch (const SingularJacobian& error) {
         result.message = error.what();
         return NOX::StatusTest::Failed;
+      } catch (const NoBalance& error) {
+        result.message = error.what();
+        result.end = End::NoBalance;
+        return NOX::StatusTest::Failed;
       }
     }
     if (descends)
@@ -217,12 +216,13 @@ NewtonRun runNewton(const Equation& equation, const Vector& start, NewtonMethod 
   });
 
   const std::string message = result.message;
+  const bool unbalanced = result.end == End::NoBalance;
   result = test->history();
   result.message = message;
   result.iterations = solver->getNumIterations();
   result.merits = std::move(merits);
   if (!message.empty())
-    result.end = End::Singular;
+    result.end = unbalanced ? End::NoBalance : End::Singular;
   else if (status == NOX::StatusTest::Failed && result.end == End::Iterations &&
            result.iterations < maximumIterations)
     result.end = End::Stalled;

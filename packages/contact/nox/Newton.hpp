@@ -20,9 +20,6 @@ enum class NewtonMethod {
   /// The same from a start that knows the active sets but for a few coefficients, such as
   /// the state of a coarser mesh: see Pivoting.  Only with active sets.
   Pivoting,
-  /// Projected Newton on the energy ½ λᵀDλ - d₀ᵀλ over the box, Armijo's rule along the
-  /// projected arc.  Only without rigid motions and with fixed bounds.   [Bertsekas 1982]
-  ProjectedDescent,
   /// Armijo's rule on ½|F|²; the equation's function must have a smooth merit function.
   MeritDescent
 };
@@ -37,8 +34,8 @@ struct NewtonRun {
   double tolerance = 0;
   std::vector<int> setChanges;
   std::vector<Index> restless;  ///< coefficients that changed in the last steps
-  std::vector<double> merits;  ///< of the start and after each step, descent methods only
-  std::string message;         ///< of a singular Jacobian
+  std::vector<double> merits;   ///< of the start and after each step of a descent
+  std::string message;          ///< of a singular Jacobian
 };
 
 /// Does the list, or one of its sublists, hold an entry that is not a default?
@@ -48,7 +45,6 @@ bool hasOwnEntries(const Teuchos::ParameterList& list);
 ///
 /// The list is filled in by NOX; null means Epafi's own choice, which prints nothing.
 /// \throws bem::InputError for what NOX refuses in the list, or does not use of it.
-/// \throws bem::NumericalError if no position of the body can balance the load.
 NewtonRun runNewton(const Equation& equation, const Vector& start, NewtonMethod method,
                     int maximumIterations,
                     const std::shared_ptr<Teuchos::ParameterList>& list = nullptr);

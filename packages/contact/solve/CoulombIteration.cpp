@@ -120,35 +120,32 @@ Report joinedSteps(Report later, const Report& earlier) {
   return joined(std::move(later), earlier);
 }
 
-// A few updates of the bound bring the state near, Newton's method takes it from there;
-// where it does not, more updates follow.
-Solution alternate(const Problem& problem, State start, Report report,
-                   const SolverOptions& options) {
-  const Equation sharp(problem, complementarity("Projection"),
-                       Equation::Bound::Differentiated, options.tolerance);
-  SolverOptions few = options;
-  Solution solution{std::move(start), std::move(report)};
-  for (int updates = 0; updates < options.coulombMaximumIterations;
-       updates += few.coulombMaximumIterations) {
-    few.coulombMaximumIterations =
-        std::min(10, options.coulombMaximumIterations - updates);
-    solution = fixedPoint(problem, solution.state, solution.report, few);
-    if (solution.report.status == Status::Converged)
-      return solution;
-    const NewtonRun run = runNewton(sharp, pack(problem, solution.state),
-                                    NewtonMethod::Newton, options.maximumIterations);
-    solution.report =
-        extended(std::move(solution.report), Stage::FullSteps, run, problem);
-    solution.report.coulombIterations += run.iterations;
-    if (run.end == End::Converged)
-      return {unpack(problem, run.last), std::move(solution.report)};
-  }
-  solution.report.reason +=
-      bem::message(".  Newton's method, following friction from zero, a line search and ",
-                   options.coulombMaximumIterations,
-                   " updates of the slip bound were tried; with a large friction "
-                   "coefficient there may be several solutions, or none: try a smaller "
-                   "one, a finer mesh, or Solver->Load Steps");
+// What follows where Newton's steps fail.  Following friction costs a few of them each;
+// the descent, that costs many, and updates of the bound are for bodies that only friction
+// holds.
+Solution withoutSets(const Problem& problem, const Vector& best, const Report& before,
+                     const SolverOptions& options) {
+  Solution solution = followFriction(problem, options);
+  solution.report = joinedSteps(std::move(solution.report), before);
+  if (solution.report.status == Status::Converged)
+    return solution;
+  const Equation smooth(problem, complementarity("Fischer-Burmeister"),
+                        Equation::Bound::Differentiated, options.tolerance);
+  const NewtonRun descent =
+      runNewton(smooth, best, NewtonMethod::MeritDescent, 2 * options.maximumIterations);
+  solution = {
+      unpack(problem, descent.best),
+      extended(std::move(solution.report), Stage::MeritDescent, descent, problem)};
+  solution.report.coulombIterations += descent.iterations;
+  if (descent.end == End::Converged)
+    return solution;
+  solution = fixedPoint(problem, unpack(problem, best), solution.report, options);
+  if (solution.report.status != Status::Converged)
+    solution.report.reason +=
+        ".  Newton's method, following friction from zero, a line search and updates of "
+        "the "
+        "slip bound were tried; with a large friction coefficient there may be several "
+        "solutions, or none: try a smaller one, a finer mesh, or Solver->Load Steps";
   return solution;
 }
 
@@ -166,21 +163,7 @@ Solution newton(const Problem& problem, const State& start, Equation::Bound boun
   if (run.end == End::Converged || run.end == End::Iterations)
     return {unpack(problem, run.last), std::move(report)};
 
-  // Following friction costs a few steps each; the descent, that costs many, is for
-  // bodies that only friction holds: their path has no beginning.
-  Solution followed = followFriction(problem, options);
-  followed.report = joinedSteps(std::move(followed.report), report);
-  if (followed.report.status == Status::Converged)
-    return followed;
-  const Equation smooth(problem, complementarity("Fischer-Burmeister"),
-                        Equation::Bound::Differentiated, options.tolerance);
-  const NewtonRun descent = runNewton(smooth, run.best, NewtonMethod::MeritDescent,
-                                      2 * options.maximumIterations);
-  report = extended(std::move(followed.report), Stage::MeritDescent, descent, problem);
-  report.coulombIterations += descent.iterations;
-  if (descent.end == End::Converged)
-    return {unpack(problem, descent.best), std::move(report)};
-  return alternate(problem, unpack(problem, run.best), std::move(report), options);
+  return withoutSets(problem, run.best, report, options);
 }
 
 // Newton's method where bounds follow all pressures of an element.  From afar these make
@@ -190,34 +173,27 @@ Solution coupledNewton(const Problem& problem, const State& start,
   const Equation equation(problem, complementarityOf(options),
                           Equation::Bound::Differentiated, options.tolerance);
   Solution near{start, {}};
-  if (isKnown(start)) {
-    Attempt attempt = fullSteps(equation, start, options.maximumIterations, options);
-    attempt.report.coulombIterations = attempt.report.newtonIterations;
-    if (attempt.report.status == Status::Converged)
-      return {unpack(problem, attempt.run.last), std::move(attempt.report)};
-    near.report = std::move(attempt.report);
-  }
-  try {
-    Solution uncoupled = newton(withUncoupledBounds(problem), start,
-                                Equation::Bound::Differentiated, options);
-    near = {
-        std::move(uncoupled.state),
-        joinedSteps(asOne(std::move(uncoupled.report), Stage::Uncoupled), near.report)};
-    // Sweeps would lead away again.
-    const NewtonRun run =
-        runNewton(equation, pack(problem, near.state), NewtonMethod::Newton,
-                  options.maximumIterations, options.nox);
-    near.report = extended(std::move(near.report), Stage::FullSteps, run, problem);
-    near.report.coulombIterations = near.report.newtonIterations;
-    if (run.end == End::Converged)
-      return {unpack(problem, run.last), std::move(near.report)};
-  } catch (const bem::NumericalError&) {
-    // These bounds may not hold the body where the others do.
-  }
-  Solution solution =
-      newton(problem, near.state, Equation::Bound::Differentiated, options);
-  solution.report = joinedSteps(std::move(solution.report), near.report);
-  return solution;
+  Vector best = pack(problem, start);
+  const auto step = [&](Attempt attempt) {
+    best = attempt.run.best;
+    near = {unpack(problem, attempt.run.last),
+            joinedSteps(std::move(attempt.report), near.report)};
+    return near.report.status == Status::Converged;
+  };
+  if (isKnown(start) &&
+      step(fullSteps(equation, start, options.maximumIterations, options)))
+    return near;
+  Solution uncoupled = newton(withUncoupledBounds(problem), start,
+                              Equation::Bound::Differentiated, options);
+  near = {std::move(uncoupled.state),
+          joinedSteps(asOne(std::move(uncoupled.report), Stage::Uncoupled), near.report)};
+  // Sweeps would lead away again.
+  if (step(newtonSteps(equation, pack(problem, near.state), options.maximumIterations,
+                       options)) ||
+      (equation.hasActiveSets() &&
+       step(pivoting(equation, best, options.maximumIterations))))
+    return near;
+  return withoutSets(problem, best, near.report, options);
 }
 
 }  // namespace

@@ -235,19 +235,6 @@ Vector Equation::projected(const Evaluation& e) const {
   return x;
 }
 
-double Equation::energy(const Evaluation& e) const {
-  // Dλ = d₀ + Gα - r, so that the energy needs no further product with D.
-  double sum = 0;
-  for (Index i = 0; i < problem_.size(); ++i) {
-    double rigid = 0;
-    for (Index j = 0; j < problem_.rigidMotions(); ++j)
-      rigid += problem_.rigid(i, j) * entry(e.unknowns, problem_.size() + j);
-    const double r = entry(e.penetration, i) / entry(weights_, i);
-    sum += 0.5 * entry(e.unknowns, i) * (rigid - r - entry(problem_.offset, i));
-  }
-  return sum;
-}
-
 double Equation::merit(const Evaluation& e) const {
   double sum = 0;
   for (Index i = 0; i < size(); ++i) {

@@ -85,9 +85,6 @@ class Equation {
   /// P(λ) onto the box of the slip bounds at e; α is kept.
   Vector projected(const Evaluation& e) const;
 
-  /// ½ λᵀDλ - d₀ᵀλ, the energy that Tresca's problem minimises over the box.
-  double energy(const Evaluation& e) const;
-
   /// ½ |F|² with Fischer-Burmeister's function.
   double merit(const Evaluation& e) const;
   /// Its gradient: continuous as long as the slip bound is differentiable.

@@ -17,8 +17,25 @@ Vector plus(Vector a, double factor, const Vector& b) {
   return a;
 }
 
+/// q in units in which all motions weigh alike.
+struct ScaledLoad {
+  Vector scales;
+  Vector values;
+
+  explicit ScaledLoad(const Problem& problem) {
+    for (Index j = 0; j < problem.rigidMotions(); ++j) {
+      const double* g = problem.rigid.column(j);
+      double sum = 0;
+      for (Index i = 0; i < problem.size(); ++i)
+        sum += std::abs(g[i]);
+      scales.push_back(sum > 0 ? 1 / sum : 1);
+      values.push_back(problem.rigidLoad[at(j)] * scales.back());
+    }
+  }
+};
+
 /// What a unit of force at each place does to the balance, each of length one.
-std::vector<Vector> cone(const Problem& problem, const Vector& scales) {
+std::vector<Vector> cone(const Problem& problem, const Vector& scales, bool friction) {
   std::vector<Vector> columns;
   const auto add = [&](Index normal, Index tangential, double share) {
     Vector column;
@@ -34,7 +51,7 @@ std::vector<Vector> cone(const Problem& problem, const Vector& scales) {
   };
   for (Index i = 0; i < problem.normals; ++i)
     add(i, -1, 0);
-  for (std::size_t t = 0; t < problem.tangentials.size(); ++t) {
+  for (std::size_t t = 0; t < problem.tangentials.size() && friction; ++t) {
     const Tangential& tangential = problem.tangentials[t];
     const Index i = problem.normals + static_cast<Index>(t);
     const double slope = tangential.steepest();
@@ -150,49 +167,26 @@ class NearestPoint {
 
 }  // namespace
 
-void requireBalance(const Problem& problem, const Vector& bounds, const Vector& motion) {
-  double demand = 0;
-  double size = 0;
-  for (Index j = 0; j < problem.rigidMotions(); ++j)
-    demand += motion[at(j)] * problem.rigidLoad[at(j)];
-  double supply = 0;
-  for (Index i = 0; i < problem.size(); ++i) {
-    double g = 0;
-    for (Index j = 0; j < problem.rigidMotions(); ++j)
-      g += problem.rigid(i, j) * motion[at(j)];
-    size = std::max(size, std::abs(g));
-    if (i >= problem.normals)
-      supply += std::abs(g) * bounds[at(i - problem.normals)];
-    else if (g > 0)
-      return;  // pressure there can grow as it needs to
-  }
-  if (supply < demand - 1e-10 * std::max(size * problem.stress, std::abs(demand)))
-    throw bem::NumericalError(noBalance);
+Vector loadOfFriction(const Problem& problem) {
+  const ScaledLoad load(problem);
+  Vector rest = NearestPoint(cone(problem, load.scales, false), load.values).separation();
+  for (std::size_t j = 0; j < rest.size(); ++j)
+    rest[j] /= load.scales[j];
+  return rest;
 }
 
 void requireEquilibrium(const Problem& problem) {
   constexpr double clear = 1e-10;
-  if (problem.rigidMotions() == 0)
-    return;
-  Vector scales;
-  Vector load;
-  for (Index j = 0; j < problem.rigidMotions(); ++j) {
-    const double* g = problem.rigid.column(j);
-    double sum = 0;
-    for (Index i = 0; i < problem.size(); ++i)
-      sum += std::abs(g[i]);
-    scales.push_back(sum > 0 ? 1 / sum : 1);
-    load.push_back(problem.rigidLoad[at(j)] * scales.back());
-  }
-  const double size = std::sqrt(dot(load, load));
+  const ScaledLoad load(problem);
+  const double size = std::sqrt(dot(load.values, load.values));
   // A load without a resultant is balanced; rounding is no resultant.
   if (!(size > clear * problem.stress))
     return;
-  const std::vector<Vector> columns = cone(problem, scales);
-  const Vector v = NearestPoint(columns, load).separation();
+  const std::vector<Vector> columns = cone(problem, load.scales, true);
+  const Vector v = NearestPoint(columns, load.values).separation();
   const double length = std::sqrt(dot(v, v));
   const bool separates =
-      length > clear * size && dot(v, load) > 0 &&
+      length > clear * size && dot(v, load.values) > 0 &&
       std::all_of(columns.begin(), columns.end(),
                   [&](const Vector& column) { return dot(v, column) <= 1e-12 * size; });
   if (separates)

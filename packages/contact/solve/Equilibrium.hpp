@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/base/Error.hpp"
 #include "contact/problem/Problem.hpp"
 
 namespace epafi::contact {
@@ -9,11 +10,6 @@ inline constexpr const char* noBalance =
     "the load moves the body along a rigid motion that nothing holds: neither contact "
     "nor friction can balance its resultant; hold the motion (Rigid Motions -> Fix, or a "
     "Dirichlet condition), or change the load or the friction";
-
-/// Throws if no λ in the box does as much work along the motion as the load:
-/// max vᵀGᵀλ < vᵀq proves that Gᵀλ = q has no solution.
-/// \throws bem::NumericalError
-void requireBalance(const Problem& problem, const Vector& bounds, const Vector& motion);
 
 /// Throws if no contact forces at all balance the load: q must lie in the cone of
 ///
@@ -25,5 +21,14 @@ void requireBalance(const Problem& problem, const Vector& bounds, const Vector& 
 /// thrown.
 /// \throws bem::NumericalError
 void requireEquilibrium(const Problem& problem);
+
+/// No position of the body was found in which contact and friction balance the load.
+struct NoBalance : bem::NumericalError {
+  using bem::NumericalError::NumericalError;
+};
+
+/// The part of q that pressure alone cannot balance, at least nearly: q minus the nearest
+/// point of the cone of the normals.
+Vector loadOfFriction(const Problem& problem);
 
 }  // namespace epafi::contact

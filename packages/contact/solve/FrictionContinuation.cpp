@@ -1,6 +1,7 @@
 #include "contact/solve/FrictionContinuation.hpp"
 
 #include "bem/base/Error.hpp"
+#include "contact/solve/Equilibrium.hpp"
 #include "contact/solve/Smoothing.hpp"
 #include "contact/solve/Tresca.hpp"
 
@@ -19,16 +20,22 @@ class ScaledFriction {
  public:
   explicit ScaledFriction(const Problem& problem)
       : original_(problem.tangentials),
+        load_(problem.rigidLoad),
+        rest_(loadOfFriction(problem)),
         scaled_(withSlipBounds(problem, problem.slipBounds({}))) {}
 
   const Problem& at(double theta) {
     for (std::size_t t = 0; t < original_.size(); ++t)
       scaled_.tangentials[t] = original_[t].scaled(theta);
+    for (std::size_t j = 0; j < load_.size(); ++j)
+      scaled_.rigidLoad[j] = load_[j] - (1 - theta) * rest_[j];
     return scaled_;
   }
 
  private:
   const std::vector<Tangential>& original_;
+  Vector load_;
+  Vector rest_;
   Problem scaled_;
 };
 

@@ -12,10 +12,6 @@ const char* nameOf(Stage stage) {
       return "pivoting";
     case Stage::InteriorPoint:
       return "interior point";
-    case Stage::Descent:
-      return "descent";
-    case Stage::Balance:
-      return "balance";
     case Stage::MeritDescent:
       return "merit descent";
     case Stage::NearStart:

@@ -26,8 +26,6 @@ enum class Stage {
   FullSteps,      ///< Newton's steps from the start
   Pivoting,       ///< sweeps, then chosen active sets
   InteriorPoint,  ///< the middle of the box, then Newton's last digits
-  Descent,        ///< projected Newton on the energy over the box
-  Balance,        ///< last digits between updates of the augmented Lagrangian
   MeritDescent,   ///< Armijo's rule on the smooth merit function
   NearStart,      ///< a few steps to a slip bound to begin with
   FollowFriction,

@@ -67,7 +67,7 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
   double high = fastest > 0 ? problem.stress / fastest : 1;
   for (int k = 0; work(high) > 1e-12 * scale; ++k) {
     if (k == quadruplings)
-      throw bem::NumericalError(noBalance);
+      throw NoBalance(noBalance);
     low = high;
     high *= 4;
   }

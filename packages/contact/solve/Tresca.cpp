@@ -11,8 +11,6 @@ namespace epafi::contact {
 
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 std::string reasonOf(const NewtonRun& run) {
   const std::string residual =
       bem::message("scaled residual ", run.residual, ", tolerance ", run.tolerance,
@@ -34,124 +32,22 @@ std::string reasonOf(const NewtonRun& run) {
              "ill-conditioned for this Solver->Tolerance, or have no solution";
     case End::Singular:
       return residual + ": " + run.message;
+    case End::NoBalance:
+      return noBalance;
     default:
       return residual + ": not a number";
   }
 }
 
-// Minimises the energy over the box; the equality constraint is the caller's.
-NewtonRun minimise(const Problem& box, const Vector& start, double tolerance,
-                   int maximumIterations) {
-  const Equation equation(box, complementarity("Projection"),
-                          Equation::Bound::Differentiated, tolerance);
-  return runNewton(equation, start, NewtonMethod::ProjectedDescent, maximumIterations);
-}
-
-/// The augmented Lagrangian of  min ½ λᵀDλ - d₀ᵀλ,  Gᵀλ = q:  a sequence of box problems
-///
-///   D + ρ G W Gᵀ,   d₀ + G (α + ρ W q),   then  α ← α - ρ W (Gᵀλ - q).
-///
-/// W gives each motion size one.  Convex: converges for every ρ > 0.   [Rockafellar 1973]
-class AugmentedLagrangian {
- public:
-  AugmentedLagrangian(const Problem& problem, const Vector& weights)
-      : problem_(problem), box_(withSlipBounds(problem, problem.slipBounds({}))) {
-    const Index n = problem.size();
-    Matrix d = problem.flexibility.entries().copy();
-    for (Index j = 0; j < problem.rigidMotions(); ++j) {
-      double sum = 0;
-      for (Index i = 0; i < n; ++i)
-        sum += weights[at(i)] * problem.rigid(i, j) * problem.rigid(i, j);
-      penalty_.push_back(sum > 0 ? 100.0 * static_cast<double>(n) / sum : 0);
-      for (Index b = 0; b < n; ++b)
-        for (Index a = 0; a < n; ++a)
-          d(a, b) += penalty_[at(j)] * problem.rigid(a, j) * problem.rigid(b, j);
-    }
-    box_.flexibility = std::move(d);
-    box_.rigid = Matrix(n, 0);
-    box_.rigidLoad.clear();
-  }
-
-  const Problem& boxProblem(const Vector& rigid) {
-    box_.offset = problem_.offset;
-    for (Index j = 0; j < problem_.rigidMotions(); ++j) {
-      const double force = rigid[at(j)] + penalty_[at(j)] * problem_.rigidLoad[at(j)];
-      for (Index i = 0; i < problem_.size(); ++i)
-        box_.offset[at(i)] += problem_.rigid(i, j) * force;
-    }
-    return box_;
-  }
-
-  /// The change of α.
-  Vector update(const Vector& multiplier) const {
-    Vector change;
-    for (Index j = 0; j < problem_.rigidMotions(); ++j) {
-      double rest = problem_.rigidLoad[at(j)];
-      for (Index i = 0; i < problem_.size(); ++i)
-        rest -= problem_.rigid(i, j) * multiplier[at(i)];
-      change.push_back(penalty_[at(j)] * rest);
-    }
-    return change;
-  }
-
- private:
-  const Problem& problem_;
-  Problem box_;
-  Vector penalty_;  // ρ W
-};
-
-Solution descendWithBalance(const Equation& equation, const Vector& start, Report report,
-                            const SolverOptions& options) {
-  constexpr int maximumUpdates = 40;
-  constexpr int polishing = 4;
-  const Problem& problem = equation.problem();
-  const Vector bounds = problem.slipBounds({});
-  // Near the solution active sets are found at once; the function of the options brought
-  // us here.
-  const Equation sharp(problem, complementarity("Projection"),
-                       Equation::Bound::Differentiated, options.tolerance);
-  AugmentedLagrangian lagrangian(problem, equation.weights());
-  State state = unpack(problem, start);
-  for (int update = 0; update < maximumUpdates; ++update) {
-    const NewtonRun inner = minimise(lagrangian.boxProblem(state.rigid), state.multiplier,
-                                     options.tolerance, options.maximumIterations);
-    if (inner.end == End::Singular)
-      throw bem::NumericalError(inner.message);
-    report = extended(std::move(report), Stage::Descent, inner, problem);
-    state.multiplier = inner.best;
-    const Vector change = lagrangian.update(state.multiplier);
-    requireBalance(problem, bounds, change);
-    for (std::size_t j = 0; j < change.size(); ++j)
-      state.rigid[j] += change[j];
-    const NewtonRun polished =
-        runNewton(sharp, pack(problem, state), NewtonMethod::Newton, polishing);
-    report = extended(std::move(report), Stage::Balance, polished, problem);
-    if (polished.end == End::Converged)
-      return {unpack(problem, polished.last), std::move(report)};
-  }
-  return {std::move(state), std::move(report)};
-}
-
 /// Through the middle of the box, which knows no active sets, then Newton's last digits.
-Solution throughTheMiddle(const Problem& problem, Solution before,
-                          const SolverOptions& options) {
+Solution throughTheMiddle(const Equation& sharp, Report report) {
   constexpr int polishing = 20;
-  const Equation sharp(problem, complementarity("Projection"),
-                       Equation::Bound::Differentiated, options.tolerance);
   const InteriorPoint middle = interiorPoint(sharp);
-  const NewtonRun polished =
-      runNewton(sharp, middle.unknowns, NewtonMethod::Newton, polishing);
-  before.report.newtonIterations += middle.iterations;
-  before.report =
-      extended(std::move(before.report), Stage::InteriorPoint, polished, problem);
-  before.report.stages.back().steps += middle.iterations;
-  before.report.globalised = true;
-  return {unpack(problem, polished.best), std::move(before.report)};
-}
-
-NewtonRun pivot(const Equation& equation, const Vector& start, int maximumIterations) {
-  return runNewton(equation, smoothed(equation, start), NewtonMethod::Pivoting,
-                   maximumIterations);
+  NewtonRun run = runNewton(sharp, middle.unknowns, NewtonMethod::Newton, polishing);
+  run.iterations += middle.iterations;
+  report = extended(std::move(report), Stage::InteriorPoint, run, sharp.problem());
+  report.globalised = true;
+  return {unpack(sharp.problem(), run.best), std::move(report)};
 }
 
 }  // namespace
@@ -213,25 +109,26 @@ Report asOne(Report report, Stage stage) {
   return report;
 }
 
+Attempt newtonSteps(const Equation& equation, const Vector& start, int maximumIterations,
+                    const SolverOptions& options) {
+  const NewtonRun run =
+      runNewton(equation, start, NewtonMethod::Newton, maximumIterations, options.nox);
+  return {run, extended({}, Stage::FullSteps, run, equation.problem())};
+}
+
+Attempt pivoting(const Equation& equation, const Vector& start, int maximumIterations) {
+  const NewtonRun run = runNewton(equation, smoothed(equation, start),
+                                  NewtonMethod::Pivoting, maximumIterations);
+  return {run, extended({}, Stage::Pivoting, run, equation.problem())};
+}
+
 Attempt fullSteps(const Equation& equation, const State& start, int maximumIterations,
                   const SolverOptions& options) {
-  const Problem& problem = equation.problem();
+  const Vector from = pack(equation.problem(), start);
   const bool plain = !equation.hasActiveSets() || !isKnown(start) ||
                      (options.nox != nullptr && hasOwnEntries(*options.nox));
-  Attempt attempt;
-  attempt.run = plain ? runNewton(equation, pack(problem, start), NewtonMethod::Newton,
-                                  maximumIterations, options.nox)
-                      : pivot(equation, pack(problem, start), maximumIterations);
-  attempt.report =
-      extended({}, plain ? Stage::FullSteps : Stage::Pivoting, attempt.run, problem);
-  // From far off, following friction from zero costs less under a law of the pressure.
-  if (plain && equation.hasActiveSets() && !problem.boundDependsOnPressure() &&
-      attempt.run.end == End::Restless) {
-    attempt.run = pivot(equation, attempt.run.best, maximumIterations);
-    attempt.report =
-        extended(std::move(attempt.report), Stage::Pivoting, attempt.run, problem);
-  }
-  return attempt;
+  return plain ? newtonSteps(equation, from, maximumIterations, options)
+               : pivoting(equation, from, maximumIterations);
 }
 
 Solution solveFixedBounds(const Problem& problem, const State& start,
@@ -239,32 +136,23 @@ Solution solveFixedBounds(const Problem& problem, const State& start,
   const Equation equation(problem, complementarityOf(options),
                           Equation::Bound::Differentiated, options.tolerance);
   auto [run, report] = fullSteps(equation, start, options.maximumIterations, options);
+  // A motion that bounded friction does not hold, and pressure not at all: a proof.
+  if (run.end == End::NoBalance)
+    throw bem::NumericalError(noBalance);
+  // Without rigid motions D is definite, and so are all matrices of Newton's.
+  if (run.end == End::Singular && equation.hasActiveSets() && problem.rigidMotions() == 0)
+    throw bem::NumericalError(run.message);
   if (run.end == End::Converged || run.end == End::Iterations)
     return {unpack(problem, run.last), std::move(report)};
-  // Sets that come back move by a coefficient a step; the descent's would, too.
-  const bool middleFirst =
-      run.end == End::Restless && equation.hasActiveSets() && problem.rigidMotions() == 0;
-  if (middleFirst) {
-    Solution middle =
-        throughTheMiddle(problem, {unpack(problem, run.best), report}, options);
-    if (middle.report.status == Status::Converged)
-      return middle;
-    report = std::move(middle.report);
+  const Equation sharp(problem, complementarity("Projection"),
+                       Equation::Bound::Differentiated, options.tolerance);
+  if (report.stages.back().stage != Stage::Pivoting) {
+    Attempt second = pivoting(sharp, run.best, options.maximumIterations);
+    report = joined(std::move(second.report), report);
+    if (report.status == Status::Converged)
+      return {unpack(problem, second.run.last), std::move(report)};
   }
-  Solution descended;
-  if (problem.rigidMotions() > 0) {
-    descended = descendWithBalance(equation, run.best, std::move(report), options);
-  } else {
-    const NewtonRun descent =
-        minimise(problem, run.best, options.tolerance, options.maximumIterations);
-    if (descent.end == End::Singular)
-      throw bem::NumericalError(descent.message);
-    descended = {unpack(problem, descent.best),
-                 extended(std::move(report), Stage::Descent, descent, problem)};
-  }
-  return middleFirst || descended.report.status == Status::Converged
-             ? descended
-             : throughTheMiddle(problem, std::move(descended), options);
+  return throughTheMiddle(sharp, std::move(report));
 }
 
 }  // namespace epafi::contact

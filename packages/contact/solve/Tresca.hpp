@@ -14,21 +14,25 @@ struct Attempt {
 /// Does a start know something of the multiplier?
 bool isKnown(const State& start);
 
+/// Newton's steps as the user's list wants them.
+Attempt newtonSteps(const Equation& equation, const Vector& start, int maximumIterations,
+                    const SolverOptions& options);
+
+/// Sweeps first, then Pivoting.  Only with active sets.
+Attempt pivoting(const Equation& equation, const Vector& start, int maximumIterations);
+
 /// From a start that knows something of the solution, with active sets and without a list
-/// of NOX's of the user's own: sweeps first, then Pivoting.  Else plain full steps and,
-/// where their sets come back under fixed bounds, the same from the best iterate.
+/// of NOX's of the user's own pivoting(), else newtonSteps().
 Attempt fullSteps(const Equation& equation, const State& start, int maximumIterations,
                   const SolverOptions& options);
 
 /// Solves a problem whose slip bounds do not depend on the pressure: none, or
 /// Tresca's.
 ///
-/// fullSteps(); where these wander, grow or meet a singular Jacobian,
-/// the energy of the quadratic programme  min ½ λᵀDλ - d₀ᵀλ  over the box, Gᵀλ = q  takes
-/// over. It falls with each step and so cannot cycle.  Gᵀλ = q is reached by an augmented
-/// Lagrangian, whose last digits come from Newton's steps again.
-/// \throws
-/// bem::NumericalError see solve()
+/// Newton; where its sets come back, its matrix is singular or the residual grows,
+/// Pivoting from the best iterate; then the middle of the box, which knows no sets, and
+/// Newton's last digits.
+/// \throws bem::NumericalError see solve()
 Solution solveFixedBounds(const Problem& problem, const State& start,
                           const SolverOptions& options);
 
