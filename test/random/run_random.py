@@ -1,0 +1,115 @@
+"""Runs random scenes (scenes.py): every one is solved, in few steps of Newton's method.
+
+    run_random.py EPAFI WORK [--first SEED] [--count N] [--jobs N] [--seed SEED]... [--table FILE]
+
+Prints what fails with the scene's file, then steps per level by law, basis, strategy and more.
+Claimed is that all scenes are solved and that no level takes more than MOST steps.
+"""
+import argparse
+import concurrent.futures
+import csv
+import os
+import shutil
+import statistics
+import subprocess
+import sys
+import time
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from claims import absent, claim, finish, table  # noqa: E402
+from scenes import Scene  # noqa: E402
+
+FEW, MOST = 30, 100
+PATIENCE = 600
+
+
+class Result:
+    """What became of a scene: exit code, message, steps of each level."""
+
+    def __init__(self, seed, epafi, work):
+        self.scene = Scene(seed)
+        folder = absent(os.path.join(work, "%d" % seed))
+        os.makedirs(folder)
+        self.file = os.path.join(folder, "scene.xml")
+        with open(self.file, "w") as stream:
+            stream.write(self.scene.xml())
+        out = os.path.join(folder, "out")
+        start = time.monotonic()
+        try:
+            done = subprocess.run([epafi, "run", self.file, "--quiet", "--threads", "1",
+                                   "--output", out], stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT, universal_newlines=True,
+                                  timeout=PATIENCE)
+            self.code, self.text = done.returncode, done.stdout.strip()
+        except subprocess.TimeoutExpired:
+            self.code, self.text = -1, "no end within %d s" % PATIENCE
+        self.seconds = time.monotonic() - start
+        history = os.path.join(out, "history.csv")
+        self.levels = table(history) if os.path.exists(history) else []
+        self.steps = [int(level["newton_iterations"]) for level in self.levels]
+        if self.code == 0 and max(self.steps) <= FEW:
+            shutil.rmtree(folder)
+
+    def kinds(self):
+        """What was drawn; of a law and a gap there may be two."""
+        scene = self.scene
+        return {"law": sorted(set(scene.laws)), "basis": [scene.basis],
+                "strategy": [scene.strategy], "gap": sorted(set(scene.gaps)),
+                "held": [scene.held]}
+
+    def words(self):
+        return [" + ".join(members) for members in self.kinds().values()]
+
+
+def summary(results):
+    """Rows: kind, member, scenes, failed, levels, median and worst steps, levels above FEW."""
+    groups = {}
+    for result in results:
+        for kind, members in [("all", [""])] + list(result.kinds().items()):
+            for member in members:
+                groups.setdefault((kind, member), []).append(result)
+    for (kind, member), group in sorted(groups.items()):
+        steps = [step for result in group for step in result.steps] or [0]
+        yield (kind, member, len(group), sum(result.code != 0 for result in group), len(steps),
+               statistics.median(steps), max(steps), sum(step > FEW for step in steps))
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("epafi")
+    parser.add_argument("work")
+    parser.add_argument("--first", type=int, default=1)
+    parser.add_argument("--count", type=int, default=40)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--seed", type=int, action="append", default=[])
+    parser.add_argument("--table", help="a row for each scene, csv")
+    options = parser.parse_args()
+    seeds = options.seed or range(options.first, options.first + options.count)
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        results = list(pool.map(lambda seed: Result(seed, options.epafi, options.work), seeds))
+    for result in results:
+        if result.code != 0 or max(result.steps) > FEW:
+            print("%s: exit code %d, steps %s, %s\n        %s" % (
+                result.file, result.code, result.steps, ", ".join(result.words()),
+                result.text))
+    print("%-9s %-24s %6s %6s %6s %6s %6s %6s" % ("", "", "scenes", "failed", "levels",
+                                                  "median", "worst", "> %d" % FEW))
+    for row in summary(results):
+        print("%-9s %-24s %6d %6d %6d %6g %6d %6d" % row)
+    if options.table:
+        with open(options.table, "w", newline="") as stream:
+            writer = csv.writer(stream)
+            writer.writerow(["seed", "code", "seconds", "steps", *results[0].kinds()])
+            for result in results:
+                writer.writerow([result.scene.seed, result.code, "%.2f" % result.seconds,
+                                 " ".join(map(str, result.steps)), *result.words()])
+    failed = [result.scene.seed for result in results if result.code != 0]
+    claim(not failed, "%d scenes, not solved: %s" % (
+        len(results), " ".join(map(str, failed)) or "none"))
+    slow = [result.scene.seed for result in results if max(result.steps, default=0) > MOST]
+    claim(not slow, "more than %d steps: %s" % (MOST, " ".join(map(str, slow)) or "none"))
+    finish()
+
+
+if __name__ == "__main__":
+    main()
