@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/quadrature/Gauss.hpp"
+#include "contact/problem/SmallAlgebra.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -97,6 +98,40 @@ TEUCHOS_UNIT_TEST(MultiplierBasis, bernsteinIsNonnegativeAndReproducesItsControl
       }
       TEST_COMPARE(std::abs(sum - t), <, 1e-14);
     }
+}
+
+/// f(t) = Σ_i B_i*(t) ∫ f B_i with the dual functions B* = M⁻¹ B: the largest that |f(t)| can
+/// be with |∫ f B_i| <= ∫ B_i is Σ_i |B_i*(t)| ∫ B_i.
+TEUCHOS_UNIT_TEST(MultiplierBasis, amplificationIsReachedAtTheEndsAndNowhereExceeded) {
+  const auto& bernstein = contact::multiplierBasis("Bernstein");
+  for (int q = 0; q <= bernstein.largestDegree; ++q) {
+    const bem::Rule& rule = bem::gaussLegendre(q + 1);
+    const auto n = static_cast<bem::Index>(q + 1);
+    bem::Matrix mass(n, n);
+    bem::Vector integrals(static_cast<std::size_t>(n), 0.0);
+    for (std::size_t k = 0; k < rule.points.size(); ++k) {
+      const bem::Vector b = bernstein.values(q, rule.points[k]);
+      for (bem::Index j = 0; j < n; ++j) {
+        const double weighted = rule.weights[k] * b[static_cast<std::size_t>(j)];
+        integrals[static_cast<std::size_t>(j)] += weighted;
+        for (bem::Index i = 0; i < n; ++i)
+          mass(i, j) += weighted * b[static_cast<std::size_t>(i)];
+      }
+    }
+    const int definite = contact::cholesky(mass);
+    TEST_EQUALITY(definite, 0);
+    const double claimed = bernstein.amplification(q);
+    for (int k = -16; k <= 16; ++k) {
+      bem::Vector dual = bernstein.values(q, k / 16.0);
+      contact::choleskySolve(mass, dual.data());
+      double largest = 0;
+      for (std::size_t i = 0; i < dual.size(); ++i)
+        largest += std::abs(dual[i]) * integrals[i];
+      TEST_COMPARE(largest, <=, (1 + 1e-6) * claimed);
+      if (std::abs(k) == 16)
+        TEST_COMPARE(largest, >=, (1 - 1e-6) * claimed);
+    }
+  }
 }
 
 /// Dual to Lagrange's functions of the displacement, with Gauss-Lobatto's weights, which

@@ -88,7 +88,7 @@ def judge(law, basis, strategy, levels):
         wanted = int(strategy[-1]) + 0.5
         claim(min(rates) > wanted - 0.15,
               "%s: rates %.2f and %.2f, wanted %g" % (what, *rates, wanted))
-    elif strategy == "uniform p":  # control points lose two digits to their conditioning
+    elif strategy == "uniform p":  # rounding is amplified by 2^(p+1) in control points
         most = (1e-11, 1e-10) if basis == "Bernstein" else (1e-12, 1e-11)
         claim(last[0] < most[0] and last[1] < most[1],
               "%s: exponentially to %.1e and %.1e" % (what, *last))

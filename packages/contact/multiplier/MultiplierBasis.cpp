@@ -120,6 +120,9 @@ Vector bernsteinValues(int degree, double t) {
   return values;
 }
 
+// Σ_i |B_i*(t)| ∫ B_i with the dual functions B_i*, largest at the ends.
+double bernsteinAmplification(int degree) { return std::ldexp(1.0, degree + 1) - 1; }
+
 }  // namespace
 
 const std::vector<MultiplierBasis>& multiplierBases() {
@@ -130,7 +133,7 @@ const std::vector<MultiplierBasis>& multiplierBases() {
        lobattoPlaces, lobattoValues},
       {"Bernstein",
        "Bernstein's polynomials: nonnegative coefficients mean a nonnegative pressure",
-       controlPoints, bernsteinValues, false, true, 14},
+       controlPoints, bernsteinValues, false, true, 14, bernsteinAmplification},
       {"Biorthogonal",
        "dual to the displacement at Gauss-Lobatto points, one coefficient for each of "
        "its "

@@ -31,6 +31,9 @@ struct MultiplierBasis {
   /// Above this degree rounding spoils the coefficients; Graded hp halves elements
   /// instead of raising it.
   int largestDegree = bem::largestDegree;
+  /// Largest |f| on [-1, 1] of a polynomial f with |∫ f χ_i| <= ∫ χ_i for all i: what
+  /// small residuals of all coefficients leave open.  Null for values, as good as theirs.
+  double (*amplification)(int degree) = nullptr;
 };
 
 /// All bases.  A new one is one line in MultiplierBasis.cpp.

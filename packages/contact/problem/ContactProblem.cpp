@@ -331,6 +331,10 @@ Problem ContactProblem::Parts::condensed(Obstacle obstacle) const {
   const double size =
       loads.largestTraction + loads.largestDisplacement + obstacle.largestPenetration;
   problem.stress = size > 0 ? size : 1;
+  if (const auto amplification = multiplier.basis().amplification)
+    for (const auto& element : multiplier.elements())
+      problem.amplification =
+          std::max(problem.amplification, amplification(element.degree));
   return problem;
 }
 

@@ -24,7 +24,8 @@ bool finite(const Vector& v) {
 }  // namespace
 
 Problem Problem::copy() const {
-  return {normals, tangentials, flexibility, offset, rigid.copy(), rigidLoad, stress};
+  return {normals,      tangentials, flexibility, offset,
+          rigid.copy(), rigidLoad,   stress,      amplification};
 }
 
 void Problem::check() const {

@@ -27,6 +27,8 @@ struct Problem {
   Matrix rigid;             ///< G, one column per free rigid motion; may have none
   Vector rigidLoad;         ///< q
   double stress = 1;        ///< size of the load, which the residual is measured by; > 0
+  /// How many times more a value of λ may err than the residuals of its coefficients say.
+  double amplification = 1;
 
   Index size() const { return normals + static_cast<Index>(tangentials.size()); }
   Index rigidMotions() const { return static_cast<Index>(rigidLoad.size()); }

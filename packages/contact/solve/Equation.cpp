@@ -53,7 +53,7 @@ Equation::Equation(const Problem& problem, const Complementarity& function, Boun
       function_(function),
       fischerBurmeister_(complementarity("Fischer-Burmeister")),
       bound_(bound),
-      tolerance_(tolerance),
+      tolerance_(tolerance / problem.amplification),
       weights_(responseWeights(problem)) {
   for (Index j = 0; j < problem.rigidMotions(); ++j) {
     const double* g = problem.rigid.column(j);

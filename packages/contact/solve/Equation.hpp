@@ -41,8 +41,9 @@ struct Evaluation {
 ///   rows of α:   (Gᵀλ - q)_j / Σ_i |G_ij|
 ///
 /// Convergence is measured by the natural residual λ - P(λ + c r) whatever the function
-/// is, so that a tolerance means the same for all of them.  A row counts as solved when
-/// it is below the tolerance or below what rounding makes of it,
+/// is, times what it leaves open in the values of λ, so that a tolerance means the same for
+/// all functions and bases.  A row counts as solved when it is below the tolerance over
+/// Problem::amplification or below what rounding makes of it,
 ///
 ///   8 eps c_i (|D||λ| + |d₀| + |G||α|)_i.
 ///
