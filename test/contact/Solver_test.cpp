@@ -266,39 +266,43 @@ TEUCHOS_UNIT_TEST(Solver, aLoadThatNothingHoldsIsAnErrorThatSaysSo) {
   }
 }
 
-/// A floating block of two points: pressed down, pushed sideways below and above what
-/// Coulomb friction carries.
+/// A floating block of two points, pressed down alike, the first three times as stiff: pushed
+/// sideways it takes three quarters until it slips, the second the rest until all slide.
 TEUCHOS_UNIT_TEST(Solver, frictionAloneHoldsABodyUpToGlobalSliding) {
   Problem problem;
   problem.normals = 2;
   problem.tangentials = {{0, contact::pointLaw("Coulomb", {0.5})},
                          {1, contact::pointLaw("Coulomb", {0.5})}};
-  problem.flexibility = test::identity(4);
+  contact::Matrix flexibility(4, 4);
+  for (Index i = 0; i < 4; ++i)
+    flexibility(i, i) = i == 3 ? 3 : 1;
+  problem.flexibility = std::move(flexibility);
   problem.offset = {0, 0, 0, 0};
   problem.rigid = contact::Matrix(4, 2);
   problem.rigid(0, 0) = problem.rigid(1, 0) = 1;
   problem.rigid(2, 1) = problem.rigid(3, 1) = 1;
-  problem.rigidLoad = {2, 0.9};
   for (const auto coulomb :
        {SolverOptions::Coulomb::Newton, SolverOptions::Coulomb::InexactFixedPoint,
         SolverOptions::Coulomb::FixedPoint}) {
     SolverOptions options;
     options.coulomb = coulomb;
-    problem.rigidLoad[1] = 0.9;
-    const Solution held = solve(problem, {}, options);
-    TEST_ASSERT(held.report.status == Status::Converged);
-    TEST_COMPARE(std::abs(held.state.multiplier[2] - 0.45), <, 1e-10);
-
-    problem.rigidLoad[1] = 1.1;
-    std::string reason;
-    try {
-      const Solution sliding = solve(problem, {}, options);
-      TEST_ASSERT(sliding.report.status == Status::NotConverged);
-      reason = sliding.report.reason;
-    } catch (const bem::NumericalError& error) {
-      reason = error.what();
+    for (const double push : {0.6, 0.9, 0.99999, -0.9}) {
+      problem.rigidLoad = {2, push};
+      const Solution held = solve(problem, {}, options);
+      TEST_ASSERT(held.report.status == Status::Converged);
+      const double first = std::clamp(0.75 * push, -0.5, 0.5);
+      TEST_COMPARE(std::abs(held.state.multiplier[2] - first), <, 1e-9);
+      TEST_COMPARE(std::abs(held.state.multiplier[3] - (push - first)), <, 1e-9);
+      TEST_COMPARE(std::abs(held.state.rigid[1] - 3 * (push - first)), <, 1e-9);
     }
-    TEST_ASSERT(!reason.empty());
+    problem.rigidLoad = {2, 1.1};
+    bool refused = false;
+    try {
+      refused = solve(problem, {}, options).report.status == Status::NotConverged;
+    } catch (const bem::NumericalError&) {
+      refused = true;
+    }
+    TEST_ASSERT(refused);
   }
 }
 

@@ -3,8 +3,11 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include <cctype>
+
 // Every kind of bad input ends with an InputError that names the file, the path A->B->Key
-// and what is allowed; complaintOf() checks the file, the tests the rest.
+// and what is allowed; complaintOf() checks the file, the tests the path and the names and
+// numbers, in whatever sentence.
 
 namespace epafi {
 
@@ -17,13 +20,25 @@ using test::SceneText;
 const std::string body = "Bodies->block->";
 const std::string base = body + "Boundary Conditions->base->";
 
-/// Do the complaint about a scene and what it should say agree?
-#define TEST_COMPLAINT(text, part)                   \
-  {                                                  \
-    const std::string complaint = complaintOf(text); \
-    out << complaint << "\n";                        \
-    TEST_ASSERT(contains(complaint, part));          \
+/// Does the complaint about a scene name the place, a path behind what is common to all,
+/// and the words?
+#define TEST_COMPLAINT(text, place, ...)                                  \
+  {                                                                       \
+    const std::string complaint = complaintOf(text);                      \
+    out << complaint << "\n";                                             \
+    TEST_ASSERT(isAt(complaint, place));                                  \
+    for (const std::string& word : std::vector<std::string>{__VA_ARGS__}) \
+      TEST_ASSERT(contains(complaint, word));                             \
   }
+
+/// A path ends where no letter follows: 'Degree' is not at 'Degre'.
+bool isAt(const std::string& complaint, const std::string& place) {
+  const std::size_t at = complaint.find(place);
+  const std::size_t end = at + place.size();
+  return at != std::string::npos && !complaint.empty() &&
+         (end == complaint.size() ||
+          std::isalnum(static_cast<unsigned char>(complaint[end])) == 0);
+}
 
 std::string real(const std::string& key, const std::string& value) {
   return "<Parameter name=\"" + key + R"(" type="double" value=")" + value + "\"/>";
@@ -79,75 +94,73 @@ TEUCHOS_UNIT_TEST(BadInput, theSceneThatTheTestsSpoilIsValid) {
 TEUCHOS_UNIT_TEST(BadInput, anUnknownKeyNamesTheNearestOne) {
   TEST_COMPLAINT(
       withDiscretization(R"(<Parameter name="Degre" type="int" value="2"/>)").xml(),
-      "Discretization->Degre: unknown; did you mean 'Degree'?");
+      "Discretization->Degre", "'Degree'");
   SceneText scene;
   scene.rest = R"(<ParameterList name="Adaptivty"/>)";
-  TEST_COMPLAINT(scene.xml(), "Adaptivty: unknown; did you mean 'Adaptivity'?");
+  TEST_COMPLAINT(scene.xml(), "Adaptivty", "'Adaptivity'");
   scene.rest = R"(<ParameterList name="Solver"><ParameterList name="Linear">
     <Parameter name="Methd" type="string" value="Dense"/></ParameterList></ParameterList>)";
-  TEST_COMPLAINT(scene.xml(), "Solver->Linear->Methd: unknown; did you mean 'Method'?");
+  TEST_COMPLAINT(scene.xml(), "Solver->Linear->Methd", "'Method'");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, aKeyOfAnotherTypeOfConditionSaysWhereItBelongs) {
   SceneText scene;
   scene.top += R"(<Parameter name="Traction X" type="string" value="1"/>)";
-  TEST_COMPLAINT(
-      scene.xml(),
-      "Boundary Conditions->top->Traction X: belongs to Type 'Neumann', but Type "
-      "is 'Dirichlet'");
+  TEST_COMPLAINT(scene.xml(), "Boundary Conditions->top->Traction X", "'Neumann'",
+                 "'Dirichlet'");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, aWrongTypeSaysWhatIsWanted) {
   TEST_COMPLAINT(
       withDiscretization(R"(<Parameter name="Degree" type="double" value="2.0"/>)").xml(),
-      "Discretization->Degree: is of type double, wanted: a whole number (int)");
+      "Discretization->Degree", "double", "int");
   TEST_COMPLAINT(withDiscretization(R"(<ParameterList name="Degree"/>)").xml(),
-                 "Discretization->Degree: is a sublist, wanted: a whole number");
+                 "Discretization->Degree", "sublist", "int");
   SceneText scene;
   scene.rest = R"(<Parameter name="Solver" type="string" value="Newton"/>)";
-  TEST_COMPLAINT(scene.xml(), "Solver: is the string 'Newton', wanted: a sublist");
+  TEST_COMPLAINT(scene.xml(), "Solver", "'Newton'", "sublist");
   scene.rest = R"(<ParameterList name="Output">
                     <Parameter name="Fields" type="int" value="1"/></ParameterList>)";
-  TEST_COMPLAINT(scene.xml(), "Output->Fields: is of type int, wanted: true or false");
+  TEST_COMPLAINT(scene.xml(), "Output->Fields", "int", "true");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, aValueOutOfRangeSaysWhatIsAllowed) {
-  TEST_COMPLAINT(withYoung("0").xml(),
-                 body + "Material->Young's Modulus = 0; allowed: > 0");
+  TEST_COMPLAINT(withYoung("0").xml(), body + "Material->Young's Modulus", "> 0");
   TEST_COMPLAINT(
       withDiscretization(R"(<Parameter name="Degree" type="int" value="26"/>)").xml(),
-      "Discretization->Degree = 26; allowed: from 1 to 25");
+      "Discretization->Degree", "26", "1", "25");
   SceneText scene;
   scene.discretization =
       R"(<Parameter name="Elements per Edge" type='Array(int)' value="{4, 2, 0, 2}"/>)";
-  TEST_COMPLAINT(scene.xml(), "Discretization->Elements per Edge = 0; allowed: >= 1");
+  TEST_COMPLAINT(scene.xml(), "Discretization->Elements per Edge", "0", ">= 1");
   TEST_COMPLAINT(withDiscretization(
                      R"(<Parameter name="Multiplier" type="string" value="Bernstien"/>)")
                      .xml(),
-                 "Discretization->Multiplier = 'Bernstien'; did you mean 'Bernstein'?");
+                 "Discretization->Multiplier", "'Bernstien'", "'Bernstein'");
   for (const char* nu : {"0.5", "-1", "0.7"}) {
     SceneText soft;
     soft.material = real("Young's Modulus", "1") + real("Poisson's Ratio", nu);
-    TEST_COMPLAINT(soft.xml(), "Material->Poisson's Ratio = ");
+    TEST_COMPLAINT(soft.xml(), "Material->Poisson's Ratio", nu);
   }
 }
 
 TEUCHOS_UNIT_TEST(BadInput, lettersHexDExponentsAndOverflowAreNoNumbers) {
   for (const char* text : {"abc", "1,5", "0x10", "1d-3", "1.0.0", "1e", "", "nan", "inf",
                            "-inf", "1 2", "--1", "1e999", "1e-400"})
-    TEST_COMPLAINT(withYoung(text).xml(), body + "Material->Young's Modulus: '");
+    TEST_COMPLAINT(withYoung(text).xml(), body + "Material->Young's Modulus",
+                   "'" + std::string(text));
   for (const char* text : {"3.7", "99999999999", "0x2", "two", "1e1", "+", "+-2"})
     TEST_COMPLAINT(withDiscretization("<Parameter name=\"Degree\" type=\"int\" value=\"" +
                                       std::string(text) + "\"/>")
                        .xml(),
-                   "Discretization->Degree: '");
+                   "Discretization->Degree", "'" + std::string(text));
   for (const char* text : {"2", "yes", "True", ""}) {
     SceneText scene;
     scene.rest =
         "<ParameterList name=\"Output\"><Parameter name=\"Fields\" type=\"bool\" "
         "value=\"" +
         std::string(text) + "\"/></ParameterList>";
-    TEST_COMPLAINT(scene.xml(), "Output->Fields: '");
+    TEST_COMPLAINT(scene.xml(), "Output->Fields", "'" + std::string(text));
   }
 }
 
@@ -159,54 +172,52 @@ TEUCHOS_UNIT_TEST(BadInput, arraysAndTablesAreReadEntryByEntry) {
     scene.discretization =
         "<Parameter name=\"Elements per Edge\" type=\"Array(int)\" value=\"" +
         std::string(text) + "\"/>";
-    TEST_COMPLAINT(scene.xml(), "Discretization->Elements per Edge: ");
+    TEST_COMPLAINT(scene.xml(), "Discretization->Elements per Edge");
   }
   const std::string edges = "{base, right, top, left}";
   for (const char* text : {"4x2:{0,0, 2,0, 2,1, 0}", "4x2:{0,0, 2,0, 2,1, 0,1, 3}",
                            "4x2:{0,0, 2,0, 2,l, 0,1}", "{0,0, 2,0, 2,1, 0,1}", "4x:{0}",
                            "x2:{0}", "4x2{0,0, 2,0, 2,1, 0,1}", "-4x2:{0}"})
-    TEST_COMPLAINT(withVertices(text, edges).xml(), body + "Geometry->Vertices: ");
-  TEST_COMPLAINT(
-      withVertices("2x4:{0,0, 2,0, 2,1, 0,1}", edges).xml(),
-      "Geometry->Vertices: a point has 2 coordinates, the table has 4 columns");
+    TEST_COMPLAINT(withVertices(text, edges).xml(), body + "Geometry->Vertices");
+  TEST_COMPLAINT(withVertices("2x4:{0,0, 2,0, 2,1, 0,1}", edges).xml(),
+                 "Geometry->Vertices", "2", "4");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, duplicatesAndMissingAttributesAreRefused) {
   const std::string elements =
       R"(<Parameter name="Elements per Edge" type='Array(int)' value="{4, 2, 4, 2}"/>)";
-  TEST_COMPLAINT(withDiscretization(elements).xml(),
-                 "Discretization->Elements per Edge: given twice");
+  TEST_COMPLAINT(withDiscretization(elements).xml(), "Discretization->Elements per Edge",
+                 "twice");
   SceneText scene;
   scene.rest =
       R"(<ParameterList name="Solver"/><Parameter name="Solver" type="int" value="1"/>)";
-  TEST_COMPLAINT(scene.xml(), "Solver: given twice");
+  TEST_COMPLAINT(scene.xml(), "Solver", "twice");
   scene.rest = R"(<ParameterList/>)";
-  TEST_COMPLAINT(scene.xml(), "a ParameterList has no name");
+  TEST_COMPLAINT(scene.xml(), "ParameterList", "name");
   TEST_COMPLAINT(withDiscretization(R"(<Parameter type="int" value="1"/>)").xml(),
-                 "Discretization: a Parameter has no name");
+                 "Discretization", "Parameter", "name");
   TEST_COMPLAINT(withDiscretization(R"(<Parameter name="Degree" value="1"/>)").xml(),
-                 "Discretization->Degree: has no type");
+                 "Discretization->Degree", "type");
   TEST_COMPLAINT(withDiscretization(R"(<Parameter name="Degree" type="int"/>)").xml(),
-                 "Discretization->Degree: has no value");
+                 "Discretization->Degree", "value");
   TEST_COMPLAINT(
       withDiscretization(R"(<Parameter name="Degree" type="itn" value="1"/>)").xml(),
-      "Discretization->Degree: unknown type 'itn'; did you mean 'int'?");
+      "Discretization->Degree", "'itn'", "'int'");
   TEST_COMPLAINT(
       withDiscretization("<Paramter name=\"Degree\" type=\"int\" value=\"1\"/>").xml(),
-      "Discretization: unknown tag <Paramter>; did you mean 'Parameter'?");
-  TEST_COMPLAINT(withDiscretization("Degree 2").xml(),
-                 "Discretization: stray text 'Degree 2'");
+      "Discretization", "<Paramter>", "'Parameter'");
+  TEST_COMPLAINT(withDiscretization("Degree 2").xml(), "Discretization", "'Degree 2'");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, aFileThatIsNoSceneSaysSo) {
-  TEST_COMPLAINT("", "the file is empty");
-  TEST_COMPLAINT(" \n ", "the file is empty");
-  TEST_COMPLAINT("hello", "malformed XML");
-  TEST_COMPLAINT("<Scene name='x'/>", "the root is <Scene>");
-  TEST_COMPLAINT("<ParameterList name='x'/>", "Bodies: missing");
-  TEST_EQUALITY(complaintOf("", "scene.yaml"), "the file is empty");
-  TEST_ASSERT(contains(complaintOf("a: 1\nb: 2\n", "scene.yaml"), "malformed YAML"));
-  TEST_ASSERT(contains(complaintOf("a:\n  b: [1, 2\n", "scene.yaml"), "malformed YAML"));
+  TEST_COMPLAINT("", "empty");
+  TEST_COMPLAINT(" \n ", "empty");
+  TEST_COMPLAINT("hello", "XML");
+  TEST_COMPLAINT("<Scene name='x'/>", "<Scene>");
+  TEST_COMPLAINT("<ParameterList name='x'/>", "Bodies", "missing");
+  TEST_ASSERT(contains(complaintOf("", "scene.yaml"), "empty"));
+  TEST_ASSERT(contains(complaintOf("a: 1\nb: 2\n", "scene.yaml"), "YAML"));
+  TEST_ASSERT(contains(complaintOf("a:\n  b: [1, 2\n", "scene.yaml"), "YAML"));
   const std::string twice = complaintOf("a:\n  Bodies: 1\n  Bodies: 2\n", "scene.yaml");
   out << twice << "\n";
   TEST_ASSERT(contains(twice, "Bodies") && !contains(twice, "packages"));
@@ -229,131 +240,120 @@ TEUCHOS_UNIT_TEST(BadInput, aSceneCutAtAnyByteIsRefused) {
 TEUCHOS_UNIT_TEST(BadInput, thereIsExactlyOneBody) {
   SceneText scene;
   scene.bodies = R"(<ParameterList name="second"/>)";
-  TEST_COMPLAINT(scene.xml(),
-                 "Bodies: exactly one body is possible for now, 2 are given: "
-                 "'block' or 'second'");
+  TEST_COMPLAINT(scene.xml(), "Bodies", "2", "'block'", "'second'");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, whatABodyNeedsIsMissed) {
   SceneText scene;
   scene.material = real("Young's Modulus", "1");
-  TEST_COMPLAINT(scene.xml(), body + "Material->Poisson's Ratio: missing");
+  TEST_COMPLAINT(scene.xml(), body + "Material->Poisson's Ratio", "missing");
   scene = SceneText();
   scene.geometry = R"(<Parameter name="Edges" type='Array(string)' value="{base}"/>)";
-  TEST_COMPLAINT(scene.xml(), body + "Geometry->Vertices: missing");
+  TEST_COMPLAINT(scene.xml(), body + "Geometry->Vertices", "missing");
   scene = SceneText();
   scene.discretization = "";
-  TEST_COMPLAINT(scene.xml(),
-                 "Discretization->Elements per Edge: missing; give 4 numbers");
+  TEST_COMPLAINT(scene.xml(), "Discretization->Elements per Edge", "missing", "4");
   scene = SceneText();
   scene.base = R"(<Parameter name="Gap" type="string" value="0"/>)";
-  TEST_COMPLAINT(scene.xml(), base + "Type: missing");
+  TEST_COMPLAINT(scene.xml(), base + "Type", "missing");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, openCrossingAndClockwisePolygonsAreRefused) {
-  TEST_COMPLAINT(
-      withVertices("4x2:{0,0, 2,0, 2,1, 0,1}", "{base, right, top}").xml(),
-      body + "Geometry->Edges: 4 vertices make 4 edges, but 3 names are given");
+  TEST_COMPLAINT(withVertices("4x2:{0,0, 2,0, 2,1, 0,1}", "{base, right, top}").xml(),
+                 body + "Geometry->Edges", "4", "3");
   TEST_COMPLAINT(
       withVertices("4x2:{0,0, 2,1, 2,0, 0,1}", "{base, right, top, left}").xml(),
-      body + "Geometry: outer polygon: the polygon touches or crosses itself");
+      body + "Geometry", "outer polygon", "crosses");
   TEST_COMPLAINT(
       withVertices("4x2:{0,0, 0,1, 2,1, 2,0}", "{base, right, top, left}").xml(),
-      body + "Geometry: outer polygon: the polygon runs clockwise");
+      body + "Geometry", "outer polygon", "clockwise");
   TEST_COMPLAINT(
       withVertices("4x2:{0,0, 2,0, 2,1, 0,0}", "{base, right, top, left}").xml(),
-      "do not repeat the first vertex");
+      body + "Geometry", "first vertex");
   SceneText hole;
   hole.geometry += R"(<Parameter name="Hole 1 Vertices" type='TwoDArray(double)'
     value="3x2:{0.5,0.5, 1.5,0.5, 1,1}"/>)";
-  TEST_COMPLAINT(hole.xml(), body + "Geometry->Hole 1 Edges: missing");
+  TEST_COMPLAINT(hole.xml(), body + "Geometry->Hole 1 Edges", "missing");
   hole.geometry +=
       R"(<Parameter name="Hole 1 Edges" type='Array(string)' value="{h, h, h}"/>)";
-  TEST_COMPLAINT(hole.xml(), "the outer polygon and hole 1 touch or cross");
+  TEST_COMPLAINT(hole.xml(), body + "Geometry", "outer polygon", "hole 1");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, unnamedEdgesAndConditionsForNoEdgeAreRefused) {
   TEST_COMPLAINT(withVertices("4x2:{0,0, 2,0, 2,1, 0,1}", "{base, , top, left}").xml(),
-                 body + "Geometry->Edges: entry 1 = ''");
+                 body + "Geometry->Edges", "1", "''");
   SceneText scene;
   scene.conditions = R"(<ParameterList name="lefft">
     <Parameter name="Type" type="string" value="Neumann"/></ParameterList>)";
-  TEST_COMPLAINT(scene.xml(),
-                 body +
-                     "Boundary Conditions->lefft: no edge has this name; did "
-                     "you mean 'left'?");
+  TEST_COMPLAINT(scene.xml(), body + "Boundary Conditions->lefft", "'left'");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, theMeshFitsTheOutline) {
   SceneText scene;
   scene.discretization =
       R"(<Parameter name="Elements per Edge" type='Array(int)' value="{4, 2, 4}"/>)";
-  TEST_COMPLAINT(scene.xml(),
-                 "Elements per Edge: has 3 numbers, but the polygon has 4 edges");
+  TEST_COMPLAINT(scene.xml(), "Discretization->Elements per Edge", "3", "4");
   TEST_COMPLAINT(withDiscretization(real("Mesh Size", "0.5")).xml(),
-                 "give this or Mesh Size, not both");
+                 "Discretization->Elements per Edge", "Mesh Size");
   scene.discretization = real("Mesh Size", "1e-9");
-  TEST_COMPLAINT(scene.xml(), "Discretization->Mesh Size = 1e-09: gives ");
+  TEST_COMPLAINT(scene.xml(), "Discretization->Mesh Size", "1e-09");
   TEST_COMPLAINT(withDiscretization(R"(<Parameter name="Hole 1 Elements per Edge"
     type='Array(int)' value="{1, 1, 1}"/>)")
                      .xml(),
-                 "the body has 0 holes");
+                 "Discretization->Hole 1 Elements per Edge", "0");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, conditionsAreComplete) {
   SceneText scene;
   scene.top = R"(<Parameter name="Type" type="string" value="Dirichlet"/>)";
-  TEST_COMPLAINT(scene.xml(), "Boundary Conditions->top: a Dirichlet condition needs");
+  TEST_COMPLAINT(scene.xml(), "Boundary Conditions->top", "Displacement");
   scene = SceneText();
   scene.base = R"(<Parameter name="Type" type="string" value="Contact"/>
     <ParameterList name="Friction">
       <Parameter name="Law" type="string" value="Tresca"/></ParameterList>)";
-  TEST_COMPLAINT(scene.xml(), base + "Friction->Threshold: missing");
+  TEST_COMPLAINT(scene.xml(), base + "Friction->Threshold", "missing");
   scene.base = R"(<Parameter name="Type" type="string" value="Contact"/>
     <ParameterList name="Friction">
       <Parameter name="Law" type="string" value="Columb"/></ParameterList>)";
-  TEST_COMPLAINT(scene.xml(), base + "Friction->Law = 'Columb'; did you mean 'Coulomb'?");
+  TEST_COMPLAINT(scene.xml(), base + "Friction->Law", "'Columb'", "'Coulomb'");
   scene = SceneText();
   scene.rigid = R"(<Parameter name="Fix" type='Array(string)' value="{X, Rotatoin}"/>)";
-  TEST_COMPLAINT(scene.xml(), body +
-                                  "Rigid Motions->Fix = 'Rotatoin'; did you mean "
-                                  "'Rotation'?");
+  TEST_COMPLAINT(scene.xml(), body + "Rigid Motions->Fix", "'Rotatoin'", "'Rotation'");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, expressionsAreOneNumberAndAssignNothing) {
-  TEST_COMPLAINT(withGap("1,5").xml(), base + "Gap = '1,5' gives 2 values");
-  TEST_COMPLAINT(withGap("x = 3").xml(), base + "Gap = 'x = 3' assigns");
-  TEST_COMPLAINT(withGap("x +").xml(), base + "Gap = 'x +' is no expression");
-  TEST_COMPLAINT(withGap("2*z").xml(), base + "Gap = '2*z' is no expression");
-  TEST_COMPLAINT(withGap("1d-3").xml(), base + "Gap = '1d-3' is no expression");
-  TEST_COMPLAINT(withGap("foo(x)").xml(), "is no expression");
-  TEST_COMPLAINT(withGap(" ").xml(), "is empty");
+  TEST_COMPLAINT(withGap("1,5").xml(), base + "Gap", "'1,5'", "2");
+  TEST_COMPLAINT(withGap("x = 3").xml(), base + "Gap", "'x = 3'");
+  TEST_COMPLAINT(withGap("x +").xml(), base + "Gap", "'x +'");
+  TEST_COMPLAINT(withGap("2*z").xml(), base + "Gap", "'2*z'");
+  TEST_COMPLAINT(withGap("1d-3").xml(), base + "Gap", "'1d-3'");
+  TEST_COMPLAINT(withGap("foo(x)").xml(), base + "Gap", "'foo(x)'");
+  TEST_COMPLAINT(withGap(" ").xml(), base + "Gap");
   SceneText scene;
   scene.base = R"(<Parameter name="Type" type="string" value="Contact"/>
                   <Parameter name="Gap" type="bool" value="true"/>)";
-  TEST_COMPLAINT(scene.xml(), base + "Gap: is of type bool, wanted: an expression");
+  TEST_COMPLAINT(scene.xml(), base + "Gap", "bool");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, checkFindsThePointWhereAnExpressionIsNotFinite) {
   TEST_EQUALITY(complaintOfCheck(SceneText()), "");
   const std::string root = complaintOfCheck(withGap("sqrt(x - 1)"));
-  TEST_ASSERT(contains(root, base + "Gap = 'sqrt(x - 1)' is ") &&
-              contains(root, "at (x, y) = (0.") && contains(root, "scene.xml: "));
-  TEST_ASSERT(contains(complaintOfCheck(withGap("1/x")), "is inf at (x, y) = (0, 0)"));
+  TEST_ASSERT(contains(root, base + "Gap") && contains(root, "'sqrt(x - 1)'") &&
+              contains(root, "(0.") && contains(root, "scene.xml: "));
+  TEST_ASSERT(contains(complaintOfCheck(withGap("1/x")), "(0, 0)"));
   SceneText scene;
   scene.base = R"(<Parameter name="Type" type="string" value="Contact"/>
     <ParameterList name="Friction">
       <Parameter name="Law" type="string" value="Coulomb"/>
       <Parameter name="Coefficient" type="string" value="0.5 - x"/></ParameterList>)";
-  TEST_ASSERT(contains(complaintOfCheck(scene), base + "Friction->Coefficient is -"));
+  TEST_ASSERT(contains(complaintOfCheck(scene), base + "Friction->Coefficient"));
 }
 
 TEUCHOS_UNIT_TEST(BadInput, interiorPointsLieInside) {
   SceneText scene;
   scene.rest = R"(<ParameterList name="Output"><Parameter name="Interior Points"
     type='TwoDArray(double)' value="2x2:{1, 0.5, 2, 0.5}"/></ParameterList>)";
-  TEST_COMPLAINT(scene.xml(),
-                 "Output->Interior Points: point 1 = (2, 0.5) is not inside");
+  TEST_COMPLAINT(scene.xml(), "Output->Interior Points", "1", "(2, 0.5)");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, overridesAreCheckedLikeTheScene) {
@@ -361,25 +361,40 @@ TEUCHOS_UNIT_TEST(BadInput, overridesAreCheckedLikeTheScene) {
   const auto complaint = [&xml](const std::string& assignment) {
     return complaintOf(xml, "scene.xml", {assignment});
   };
-  TEST_ASSERT(contains(complaint("Discretization->Degre=2"), "did you mean 'Degree'"));
+  TEST_ASSERT(contains(complaint("Discretization->Degre=2"), "'Degree'"));
   TEST_ASSERT(contains(complaint("Discretization->Degree=2.5"),
-                       "--set Discretization->Degree: '2.5' is not a whole number"));
-  TEST_ASSERT(contains(complaint("Discretization->Degree"), "write 'A->B->Key=value'"));
-  TEST_ASSERT(contains(complaint("Discretization=2"), "is a sublist"));
-  TEST_ASSERT(contains(complaint("Solver->NOX->Anything=2"), "unknown"));
-  TEST_ASSERT(
-      contains(complaint("Discretization->Elements per Edge={4, 4}"), "has 2 numbers"));
-  TEST_ASSERT(contains(complaint("Bodies->blok->Material->Young's Modulus=2"),
-                       "exactly one body"));
+                       "--set Discretization->Degree: '2.5'"));
+  TEST_ASSERT(contains(complaint("Discretization->Degree"), "A->B->Key=value"));
+  TEST_ASSERT(contains(complaint("Discretization=2"), "sublist"));
+  TEST_ASSERT(contains(complaint("Solver->NOX->Anything=2"), "Solver->NOX->Anything"));
+  TEST_ASSERT(contains(complaint("Discretization->Elements per Edge={4, 4}"),
+                       "Elements per Edge"));
+  TEST_ASSERT(contains(complaint("Bodies->blok->Material->Young's Modulus=2"), "'blok'"));
 }
 
+/// Behind a scene that is solved with, so that nothing but the argument can be refused.
 TEUCHOS_UNIT_TEST(BadInput, commandsRefuseArgumentsTheyDoNotKnow) {
-  std::ostringstream sink;
-  TEST_THROW(drivers::checkCommand({}, sink), bem::InputError);
-  TEST_THROW(drivers::checkCommand({"a.xml", "b.xml"}, sink), bem::InputError);
-  TEST_THROW(drivers::checkCommand({"a.xml", "--plot", "b.png"}, sink), bem::InputError);
-  TEST_THROW(drivers::parametersCommand({"--format"}, sink), bem::InputError);
-  TEST_THROW(drivers::parametersCommand({"--format", "json"}, sink), bem::InputError);
+  const test::TemporaryFile file("scene.xml", SceneText().xml());
+  using Command = int (*)(const std::vector<std::string>&, std::ostream&);
+  const auto complaint = [](Command command, const std::vector<std::string>& arguments) {
+    std::ostringstream sink;
+    try {
+      command(arguments, sink);
+    } catch (const bem::InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const Command check = drivers::checkCommand;
+  TEST_EQUALITY(complaint(check, {file.path()}), "");
+  TEST_INEQUALITY(complaint(check, {}), "");
+  TEST_ASSERT(contains(complaint(check, {file.path(), "b.xml"}), "'b.xml'"));
+  TEST_ASSERT(contains(complaint(check, {file.path(), "--plot", "b.png"}), "--plot"));
+  TEST_ASSERT(contains(complaint(check, {file.path(), "--set"}), "--set"));
+  const Command list = drivers::parametersCommand;
+  TEST_EQUALITY(complaint(list, {"--format", "xml"}), "");
+  TEST_ASSERT(contains(complaint(list, {"--format"}), "--format"));
+  TEST_ASSERT(contains(complaint(list, {"--format", "json"}), "json"));
 }
 
 }  // namespace epafi
