@@ -2,7 +2,8 @@
 
     run_random.py EPAFI WORK [--first SEED] [--count N] [--jobs N] [--seed SEED]... [--table FILE]
 
-Prints what fails with the scene's file, then steps per level by law, basis, strategy and more.
+Prints what fails with the scene's file, then steps per level by law, basis, strategy and more,
+and which stages of the solver decided.
 Claimed is that all scenes are solved and that no level takes more than MOST steps.
 """
 import argparse
@@ -18,6 +19,7 @@ import time
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from claims import absent, claim, finish, table  # noqa: E402
 from scenes import Scene  # noqa: E402
+from stages import levels, printed  # noqa: E402
 
 FEW, MOST = 30, 100
 PATIENCE = 600
@@ -47,6 +49,11 @@ class Result:
         history = os.path.join(out, "history.csv")
         self.levels = table(history) if os.path.exists(history) else []
         self.steps = [int(level["newton_iterations"]) for level in self.levels]
+        timings = os.path.join(out, "timings.txt")
+        self.stages = []
+        if os.path.exists(timings):
+            with open(timings) as stream:
+                self.stages = levels(stream.read())
         if self.code == 0 and max(self.steps) <= FEW:
             shutil.rmtree(folder)
 
@@ -96,6 +103,7 @@ def main():
                                                   "median", "worst", "> %d" % FEW))
     for row in summary(results):
         print("%-9s %-24s %6d %6d %6d %6g %6d %6d" % row)
+    print(printed([level for result in results for level in result.stages]))
     if options.table:
         with open(options.table, "w", newline="") as stream:
             writer = csv.writer(stream)
