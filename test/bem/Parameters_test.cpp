@@ -68,16 +68,20 @@ TEUCHOS_UNIT_TEST(Parameters, validationFillsInDefaultsOnAllLevels) {
 }
 
 TEUCHOS_UNIT_TEST(Parameters, validationNamesTheNearestKeyTypeAndRange) {
-  TEST_ASSERT(contains(complaint(with("Tolerence", 0.5)), "did you mean 'Tolerance'"));
-  TEST_ASSERT(contains(complaint(with("Tolerance", 1)), "of type int, wanted: double"));
-  TEST_ASSERT(
-      contains(complaint(with("Tolerance", 1.0)), "Tolerance = 1; allowed: in (0, 1)"));
-  TEST_ASSERT(contains(complaint(with("Tolerance", std::nan(""))), "allowed: in (0, 1)"));
-  TEST_ASSERT(contains(complaint(with("Steps", 0)), "Steps = 0; allowed: >= 1"));
+  TEST_ASSERT(contains(complaint(with("Tolerence", 0.5)), "'Tolerance'"));
+  const std::string type = complaint(with("Tolerance", 1));
+  TEST_ASSERT(contains(type, "Tolerance") && contains(type, "int") &&
+              contains(type, "double"));
+  for (const double outside : {1.0, std::nan("")}) {
+    const std::string range = complaint(with("Tolerance", outside));
+    TEST_ASSERT(contains(range, "Tolerance") && contains(range, "(0, 1)"));
+  }
+  const std::string least = complaint(with("Steps", 0));
+  TEST_ASSERT(contains(least, "Steps") && contains(least, ">= 1"));
   ParameterList list;
   list.sublist("Inner").set<std::string>("Law", "Tersca");
   const std::string text = complaint(list);
-  TEST_ASSERT(contains(text, "Inner->Law = 'Tersca'; did you mean 'Tresca'"));
+  TEST_ASSERT(contains(text, "Inner->Law") && contains(text, "'Tresca'"));
 }
 
 TEUCHOS_UNIT_TEST(Parameters, intervalsIncludeTheirClosedEndsOnly) {
