@@ -58,7 +58,7 @@ class OutputFolder {
 /// Where a file stands in a folder while it is staged.
 std::string temporaryFile(const std::string& folder, const std::string& name);
 
-/// All files that a run may write; only these are ever deleted.  [design.md 1.4]
+/// All files that a run may write; only these are ever deleted.
 const std::vector<std::string>& outputFiles();
 
 /// ./<scene file without folder and extension>.out

@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
+#include "drivers/output/History.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
 
@@ -80,7 +81,7 @@ void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
 }
 
 /// The numbers must be those of the mesh; a checksum does not know what they mean.
-void checkSizes(const LevelResult& result, const Scene& scene) {
+void checkSizes(const Level& result, const Scene& scene) {
   const auto edges = static_cast<int>(scene.outline->edges().size());
   for (const bem::Piece& piece : result.pieces)
     if (piece.edge < 0 || piece.edge >= edges)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drivers/output/SolutionFile.hpp"
+#include "drivers/scene/Scene.hpp"
 
 namespace epafi::drivers {
 

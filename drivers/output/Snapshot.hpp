@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/space/CauchyData.hpp"
-#include "drivers/run/Levels.hpp"
+#include "drivers/run/Level.hpp"
 
 #include <string>
 #include <vector>

@@ -22,7 +22,7 @@ struct Arrays {
   std::vector<double> outline;
 };
 
-Arrays arraysOf(const LevelResult& result, const std::vector<EdgeEnds>& outline) {
+Arrays arraysOf(const Level& result, const std::vector<EdgeEnds>& outline) {
   Arrays arrays;
   for (const bem::Piece& piece : result.pieces) {
     arrays.edge.push_back(piece.edge);
@@ -84,7 +84,7 @@ class Checksum {
 };
 
 unsigned long long checksum(const Checkpoint& checkpoint) {
-  const LevelResult& result = checkpoint.result;
+  const Level& result = checkpoint.result;
   const RunRecord& run = checkpoint.run;
   const Arrays arrays = arraysOf(result, checkpoint.outline);
   const bool converged = result.status == contact::Status::Converged;
@@ -143,7 +143,7 @@ void writeGrid(const FieldGrid& grid, const bem::DenseAlgebra& algebra,
 
 void writeCheckpoint(const Checkpoint& checkpoint, const bem::DenseAlgebra& algebra,
                      Hdf5Writer& writer) {
-  const LevelResult& result = checkpoint.result;
+  const Level& result = checkpoint.result;
   const Arrays arrays = arraysOf(result, checkpoint.outline);
   const bool converged = result.status == contact::Status::Converged;
   const std::string group = "/Epafi";
@@ -209,7 +209,7 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
     throw bem::InputError(bem::message(
         "is of format ", format, "; this version of Epafi reads format ", currentFormat));
   Checkpoint checkpoint;
-  LevelResult& result = checkpoint.result;
+  Level& result = checkpoint.result;
   result.level = reader.attribute<int>(group, "level");
   result.status = reader.attribute<int>(group, "converged") == 1
                       ? contact::Status::Converged

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/geometry/Outline.hpp"
-#include "drivers/run/Levels.hpp"
+#include "drivers/run/Level.hpp"
 
 #include <array>
 #include <string>
@@ -23,7 +23,7 @@ std::vector<EdgeEnds> edgeEnds(const bem::Outline& outline);
 
 /// What solution.hdf keeps for a run that goes on later.
 struct Checkpoint {
-  LevelResult result;
+  Level result;
   RunRecord run;
   std::vector<EdgeEnds> outline;
 };

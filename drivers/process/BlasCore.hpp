@@ -6,7 +6,7 @@ namespace epafi::drivers {
 ///
 ///   OPENBLAS_CORETYPE        if it has chosen kernels below what the processor has:
 ///                            Debian's does not know newer processors and then computes
-///                            five times slower                        [design.md 3.5]
+///                            five times slower
 ///   OPENBLAS_THREAD_TIMEOUT  if it has threads: they shall not wait at OpenMP's expense
 ///
 /// Call it first in main, before MPI_Init and threads.  Happens once at most; a user's

@@ -68,7 +68,7 @@ std::vector<bem::Piece> piecesOf(const bem::Mesh& mesh) {
 
 Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                     const std::function<void(const SolvedLevel&)>& handOut,
-                    const std::optional<LevelResult>& earlier) {
+                    const std::optional<Level>& earlier) {
   const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
   const bem::Units units{scene.outline->diameter(), scene.material.youngsModulus};
   const bem::Lame lame(scene.material);
@@ -111,15 +111,15 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
       return adaptivity::estimateResidual(solved, density, lame,
                                           scene.adaptivity.estimator);
     });
-    const LevelResult result{level,
-                             solution.report.status,
-                             solution.report.reason,
-                             piecesOf(space.mesh()),
-                             solution.state,
-                             contact::classify(problem.numbers(), solution.state),
-                             displacement,
-                             density,
-                             std::move(indicators)};
+    const Level result{level,
+                       solution.report.status,
+                       solution.report.reason,
+                       piecesOf(space.mesh()),
+                       solution.state,
+                       contact::classify(problem.numbers(), solution.state),
+                       displacement,
+                       density,
+                       std::move(indicators)};
     timer.run(Phase::Results, [&] {
       handOut({solved, result, algebra,
                makeRow(level, size, solved, solution.report, result.indicators, timer)});

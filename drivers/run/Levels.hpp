@@ -1,7 +1,7 @@
 #pragma once
 
-#include "drivers/output/History.hpp"
 #include "drivers/process/PhaseTimer.hpp"
+#include "drivers/run/Level.hpp"
 #include "drivers/run/NextLevel.hpp"
 #include "drivers/scene/Scene.hpp"
 
@@ -11,14 +11,6 @@
 namespace epafi::drivers {
 
 class Ranks;
-
-/// A level as it is handed out: valid during the call only.
-struct SolvedLevel {
-  const contact::Solved& solved;
-  const LevelResult& result;
-  const bem::DenseAlgebra& algebra;
-  LevelRow row;
-};
 
 /// Frictional contact from level to level: the whole method on one page.
 ///
@@ -30,6 +22,6 @@ struct SolvedLevel {
 /// good.
 Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                     const std::function<void(const SolvedLevel&)>& handOut,
-                    const std::optional<LevelResult>& earlier = {});
+                    const std::optional<Level>& earlier = {});
 
 }  // namespace epafi::drivers

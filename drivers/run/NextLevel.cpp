@@ -19,7 +19,7 @@ struct Prepared {
 
 /// The level's own mesh, or with nodes moved to where contact and friction change.
 Prepared prepare(const Scene& scene, const adaptivity::Strategy& strategy,
-                 const LevelResult& result, const bem::Space& space,
+                 const Level& result, const bem::Space& space,
                  const contact::MultiplierSpace& multiplier,
                  const bem::DenseAlgebra& algebra) {
   const bem::Mesh& mesh = space.mesh();
@@ -47,7 +47,7 @@ LevelStart firstLevel(const Scene& scene) {
   return {0, bem::makeMesh(scene.outline, scene.elementsPerEdge, scene.degree), {}};
 }
 
-std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const LevelResult& result,
+std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& result,
                                             const bem::DenseAlgebra& algebra) {
   const auto converged = [](const char* reason) {
     return Outcome{contact::Status::Converged, reason};
@@ -88,7 +88,7 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const LevelResul
 }
 
 std::variant<LevelStart, Outcome> levelAfterRestart(const Scene& scene,
-                                                    const LevelResult& result,
+                                                    const Level& result,
                                                     const bem::DenseAlgebra& algebra) {
   if (result.status != contact::Status::Converged)
     return LevelStart{result.level, {scene.outline, result.pieces}, result.state};

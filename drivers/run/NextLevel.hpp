@@ -1,29 +1,13 @@
 #pragma once
 
-#include "adaptivity/estimate/Indicators.hpp"
 #include "bem/base/DenseAlgebra.hpp"
-#include "contact/solve/ContactState.hpp"
-#include "contact/solve/Report.hpp"
+#include "drivers/run/Level.hpp"
 #include "drivers/scene/Scene.hpp"
 
 #include <string>
 #include <variant>
-#include <vector>
 
 namespace epafi::drivers {
-
-/// A solved level as numbers: all that the next one is made from, and what a file keeps.
-struct LevelResult {
-  int level = 0;
-  contact::Status status = contact::Status::NotConverged;
-  std::string reason;              ///< empty when converged
-  std::vector<bem::Piece> pieces;  ///< the mesh
-  contact::State state;            ///< λ and the rigid motions
-  contact::ContactState states;    ///< of each coefficient of λ
-  bem::Vector displacement;        ///< all unknowns, dimensionless
-  bem::Vector density;             ///< traction on the whole boundary, dimensionless
-  adaptivity::Indicators indicators;
-};
 
 /// What a level is computed from.
 struct LevelStart {
@@ -46,13 +30,13 @@ LevelStart firstLevel(const Scene& scene);
 /// Everything is taken from the numbers of the level and from the scene, so that a level
 /// read from a file leads to the same next one as a level just computed.  Collective.
 /// \throws bem::InputError if the pieces are no mesh on the scene's outline.
-std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const LevelResult& result,
+std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& result,
                                             const bem::DenseAlgebra& algebra);
 
 /// Where a run goes on that ended with this level: nextLevel, but a level that has not
 /// converged is solved again from the state it was left in.
 std::variant<LevelStart, Outcome> levelAfterRestart(const Scene& scene,
-                                                    const LevelResult& result,
+                                                    const Level& result,
                                                     const bem::DenseAlgebra& algebra);
 
 }  // namespace epafi::drivers

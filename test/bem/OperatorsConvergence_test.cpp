@@ -1,5 +1,4 @@
-// Every entry of V, K + 1/2 and W on all hard meshes against 33 digits.  [benchmarks.md
-// 1]
+// Every entry of V, K + 1/2 and W on all hard meshes against 33 digits.
 #include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "reference/OperatorErrors.hpp"

@@ -179,8 +179,7 @@ double discEigenvalue(int sides, int k, double nu) {
 }
 
 // R = 1/2, E = 1:  2 mu k / (kappa R) for k >= 2,  2 mu m / R for e^{-im theta},
-// 2 mu / ((1-2nu) R) for the dilation.                                   [benchmarks.md
-// 1]
+// 2 mu / ((1-2nu) R) for the dilation.
 TEUCHOS_UNIT_TEST(Operators, onPolygonsConvergeToTheDiscsEigenvalues) {
   const double nu = 0.3;
   const double mu = 1 / (2 * (1 + nu));

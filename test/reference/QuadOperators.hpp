@@ -37,7 +37,7 @@ class QuadMatrix {
 
 /// The twin of bem::Operators: the same three matrices in the same numbering, by plain
 /// quadrature in 33 digits.  The double layer is integrated with its own kernel, not by
-/// parts; the hypersingular operator is <W u, v> = <V* du/ds, dv/ds>.   [design.md 3.2]
+/// parts; the hypersingular operator is <W u, v> = <V* du/ds, dv/ds>.   [doc/theory/operators.md]
 ///
 /// The body is what the mesh's doubles say: nodes lie exactly on their edge, at the
 /// distance from its nearer end that the mesh holds.

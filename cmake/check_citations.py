@@ -1,0 +1,92 @@
+"""No dangling citation:  python3 check_citations.py ROOT
+
+  1. A page that a source, script, scene or page names (some-page.md) is in the repository, by its
+     name alone or by the end of its path; names in capitals are placeholders of a usage.
+  2. A relative link of a page leads to a file, and its #part to a heading.
+  3. A decision cited by its number exists.
+"""
+import os
+import re
+import sys
+
+SOURCES = (".cpp", ".hpp", ".inc", ".py", ".cmake", ".sh", ".xml", ".txt", ".awk", ".in", ".md")
+PAGE = re.compile(r"(?<![\w/<>*.-])[\w./-]*[\w-]\.md\b")
+LINK = re.compile(r"\]\(([^)\s]+)\)")
+DECISION = re.compile(r"\b[Dd]ecisions? (\d+)")
+
+
+def anchors(text):
+    """GitHub's: lower case, without signs, spaces as dashes."""
+    heads = re.findall(r"^#+ (.*)$", text, re.M)
+    return {re.sub(r"[^\w\- ]", "", re.sub(r"\]\([^)]*\)", "]", head)).lower().replace(" ", "-")
+            for head in heads}
+
+
+def problems(files):
+    """`files`: path -> text, or None where only the name matters; sentences about the rest."""
+    ends = {path[at:] for path in files for at in
+            [0] + [k + 1 for k, c in enumerate(path) if c == "/"]}
+    decisions = {int(match.group(1)) for match in
+                 (re.search(r"decisions/(\d+)-", path) for path in files) if match}
+    folders = {os.path.dirname(path) for path in files}
+    found = []
+    for path, text in sorted(files.items()):
+        if text is None:
+            continue
+        here = os.path.dirname(path)
+        if path.endswith(".md"):
+            text = re.sub(r"^```.*?^```", "", text, flags=re.M | re.S)
+        links = LINK.findall(text) if path.endswith(".md") else []
+        for link in links:
+            target, _, part = link.partition("#")
+            if re.match(r"[a-z]+:", target):
+                continue
+            whole = os.path.normpath(os.path.join(here, target)) if target else path
+            if whole not in files and whole not in folders:
+                found.append("%s links to %s, which is not there" % (path, link))
+            elif part and part not in anchors(files.get(whole) or ""):
+                found.append("%s links to %s, which has no such heading" % (path, link))
+        for page in PAGE.findall(LINK.sub("]", text) if links else text):
+            name = os.path.basename(page)[:-3]
+            if name.upper() != name and re.sub(r"^(\.*/)+", "", page) not in ends:
+                found.append("%s cites %s, which is not in the repository" % (path, page))
+        for number in DECISION.findall(text):
+            if int(number) not in decisions:
+                found.append("%s cites decision %s, which does not exist" % (path, number))
+    return found
+
+
+def tree(root):
+    files = {}
+    for folder, inner, names in os.walk(root):
+        inner[:] = [name for name in inner if not name.startswith((".", "build"))]
+        for name in names:
+            path = os.path.relpath(os.path.join(folder, name), root)
+            text = None
+            if name.endswith(SOURCES) and "fuzz/corpus" not in path and \
+                    name != os.path.basename(__file__):
+                with open(os.path.join(root, path), encoding="utf-8", errors="replace") as stream:
+                    text = stream.read()
+            files[path] = text
+    return files
+
+
+def check_itself():
+    """Each kind is found, and what is sound is not."""
+    sound = {"doc/a.md": "# A b\n[x](sub/b.md#c-d) [y](#a-b) [z](https://no.where/)",
+             "doc/sub/b.md": "## C: d\nsee ../a.md", "doc/decisions/0003-x.md": "",
+             "src/x.cpp": "// [doc/a.md], [sub/b.md], decision 3; usage: x TABLE.md"}
+    assert problems(sound) == [], problems(sound)
+    for path, text, word in (("src/y.hpp", "/// [b.md], c.md", "c.md"),
+                             ("src/y.hpp", "/// theory/a.md", "theory/a.md"),
+                             ("doc/c.md", "[x](b.md)", "b.md"),
+                             ("doc/c.md", "[x](a.md#b)", "a.md#b"),
+                             ("src/y.hpp", "/// decision 4", "decision 4")):
+        found = problems({**sound, path: text})
+        assert len(found) == 1 and word in found[0], (text, found)
+
+
+check_itself()
+FOUND = problems(tree(sys.argv[1]))
+print("\n".join(FOUND) or "every citation leads somewhere")
+sys.exit(1 if FOUND else 0)

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "adaptivity/estimate/Indicators.hpp"
+#include "contact/problem/Summary.hpp"
+#include "contact/solve/ContactState.hpp"
+#include "contact/solve/Report.hpp"
+
+#include <string>
+#include <vector>
+
+namespace epafi::drivers {
+
+/// A solved level as numbers: all that the next one is made from, and what a file keeps.
+struct Level {
+  int level = 0;
+  contact::Status status = contact::Status::NotConverged;
+  std::string reason;              ///< empty when converged
+  std::vector<bem::Piece> pieces;  ///< the mesh
+  contact::State state;            ///< λ and the rigid motions
+  contact::ContactState states;    ///< of each coefficient of λ
+  bem::Vector displacement;        ///< all unknowns, dimensionless
+  bem::Vector density;             ///< traction on the whole boundary, dimensionless
+  adaptivity::Indicators indicators;
+};
+
+/// What a mesh and the spaces on it are.
+struct Size {
+  int elements = 0;
+  bem::Index displacements = 0;  ///< unknown ones: without the prescribed
+  bem::Index multipliers = 0;
+  bem::Index densities = 0;
+  int degreeMin = 0;
+  int degreeMax = 0;
+  double sizeMin = 0;  ///< [length]
+  double sizeMax = 0;
+
+  bem::Index dof() const { return displacements + multipliers; }
+};
+
+Size sizeOf(const bem::Space& space, const contact::MultiplierSpace& multiplier,
+            const contact::Conditions& conditions);
+
+/// CPU seconds of one level, all threads.
+struct Seconds {
+  double assembly = 0;       ///< V, K, W
+  double factorization = 0;  ///< V = L Lᵀ, S
+  double stabilization = 0;  ///< traction rows, A and its factor, the condensed problem
+  double newton = 0;
+  double estimate = 0;  ///< indicators
+};
+
+/// A row of history.csv.
+struct LevelRow {
+  int level = 0;
+  Size size;
+  contact::Summary summary;
+  contact::Report report;
+  double gamma0 = 0;                    ///< zero without stabilisation
+  double estimate = 0;                  ///< [(stress length²)^½] under Weights "Energy"
+  adaptivity::Contributions squares{};  ///< of which it is made
+  Seconds seconds;
+  double secondsTotal = 0;  ///< CPU since the program's start
+  double secondsWall = 0;   ///< likewise by the clock on the wall
+  double memory = 0;        ///< peak so far [MiB]
+};
+
+/// A level as it is handed out: valid during the call only.
+struct SolvedLevel {
+  const contact::Solved& solved;
+  const Level& result;
+  const bem::DenseAlgebra& algebra;
+  LevelRow row;
+};
+
+}  // namespace epafi::drivers
