@@ -3,12 +3,14 @@
 #include "bem/base/Error.hpp"
 #include "drivers/commands/CommandLine.hpp"
 #include "drivers/output/FieldFiles.hpp"
+#include "drivers/output/History.hpp"
 #include "drivers/output/LevelTable.hpp"
 #include "drivers/output/OutputFolder.hpp"
 #include "drivers/output/Restart.hpp"
 #include "drivers/output/SolutionFile.hpp"
 #include "drivers/process/BlasCore.hpp"
 #include "drivers/process/Interrupt.hpp"
+#include "drivers/process/ProgressLine.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/process/Versions.hpp"
 #include "drivers/run/Levels.hpp"
@@ -18,7 +20,6 @@
 #include <filesystem>
 #include <iostream>
 #include <optional>
-#include <unistd.h>
 #include <utility>
 
 namespace epafi::drivers {
@@ -62,30 +63,23 @@ Beginning begin(const RunOptions& options, const Scene& scene) {
 }
 
 /// The files of a level take the place of those of the level before, the one that a
-/// restart begins with last.  That one is written by all processes, the others by the
-/// first, which alone has a folder.
-void writeLevel(const Scene& scene, const SolvedLevel& level, const RunRecord& run,
-                const std::string& path, std::optional<OutputFolder>& folder) {
-  const auto writer = [&](const std::string& file) { writeSolution(file, level, run); };
-  if (!folder) {
-    if (scene.output.fields)
-      writer(temporaryFile(path, "solution.hdf"));
-    return;
-  }
-  folder->stage("history.csv", run.history);
+/// restart begins with last.
+void writeLevel(const Scene& scene, const SolvedLevel& level, const std::string& used,
+                const std::string& history, OutputFolder& folder) {
+  const bem::Vector& density = level.level.density;
+  folder.stage("history.csv", history);
   if (!scene.conditions.contact.empty())
-    folder->stage("contact.csv", contactCsv(level.solved, scene.output.contactSamples));
+    folder.stage("contact.csv", contactCsv(level.solved, scene.output.contactSamples));
   if (scene.output.fields)
-    folder->stage("boundary.csv", boundaryCsv(level.solved, level.result.density));
+    folder.stage("boundary.csv", boundaryCsv(level.solved, density));
   if (!scene.output.interiorPoints.empty())
-    folder->stage("interior.csv",
-                  interiorCsv(level.solved, level.result.density, scene.material,
-                              scene.output.interiorPoints));
+    folder.stage("interior.csv", interiorCsv(level.solved, density, scene.material,
+                                             scene.output.interiorPoints));
   if (scene.output.fields)
-    folder->stage("solution.hdf", writer);
-  folder->commit();
+    folder.stage("solution.hdf", solutionFile(level, used, history));
+  folder.commit();
   if (scene.output.interiorPoints.empty())
-    folder->drop("interior.csv");
+    folder.drop("interior.csv");
 }
 
 std::string filesWritten(const OutputFolder& folder) {
@@ -106,52 +100,73 @@ std::string processesAndThreads(int processes) {
              : count(processes, "process", "processes") + " with " + text + " each";
 }
 
-/// What the first process says: it may run on another kind of machine.
-std::string agreed(const std::string& text, const bem::DenseAlgebra& algebra) {
-  const bem::Vector same = algebra.broadcast({text.begin(), text.end()});
-  return {same.begin(), same.end()};
-}
+/// Takes the levels of a run as they are solved: into the files of the folder, which the
+/// first process alone has, and as lines of the table.
+class Recorder {
+ public:
+  Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
+           std::optional<OutputFolder>& folder, const ProgressLine& progress,
+           std::ostream& table)
+      : scene_(scene),
+        earlier_(earlier),
+        folder_(folder),
+        progress_(progress),
+        table_(table),
+        used_(usedXml(scene)),
+        history_(earlier ? earlier->history : historyHead()) {
+    if (!folder_)
+      return;
+    if (earlier_)  // without rows of levels that did not make it
+      folder_->write("history.csv", history_);
+    folder_->write("used.xml", used_);
+  }
 
-struct Ending {
-  Outcome outcome;
-  int levels = 0;  ///< solved by this run
+  int levels() const { return levels_; }
+
+  void take(SolvedLevel level) {
+    ++levels_;
+    if (!folder_)
+      return;
+    if (earlier_) {
+      level.row.secondsTotal += earlier_->secondsTotal;
+      level.row.secondsWall += earlier_->secondsWall;
+    }
+    history_ += historyLine(level.row);
+    stages_ += bem::message("level ", level.row.level, ": ",
+                            contact::told(level.row.report.stages), "\n");
+    writeLevel(scene_, level, used_, history_, *folder_);
+    progress_.clear();
+    table_ << tableLine(level.row)
+           << gamma0Note(level.row, scene_.stabilization.firstGamma0()) << std::flush;
+  }
+
+  void writeTimings(PhaseTimer& timer) {
+    if (folder_)
+      folder_->write("timings.txt", timer.report() + stages_);
+  }
+
+ private:
+  const Scene& scene_;
+  const std::optional<Checkpoint>& earlier_;
+  std::optional<OutputFolder>& folder_;
+  const ProgressLine& progress_;
+  std::ostream& table_;
+  std::string used_;
+  std::string history_;
+  std::string stages_ = "\nSolver stages, steps, how they ended\n";
+  int levels_ = 0;
 };
 
-/// Writes the levels' files as they are solved, and timings.txt if that fails.
-Ending solveAndWrite(const Scene& scene, const Beginning& beginning, const Ranks& ranks,
-                     PhaseTimer& timer, std::optional<OutputFolder>& folder,
-                     std::ostream& table, std::string& stages) {
-  const auto& earlier = beginning.earlier;
-  const RunRecord before = earlier ? earlier->run : RunRecord{"", historyHead(), 0, 0};
-  RunRecord run = before;
-  run.used = agreed(usedXml(scene), ranks.algebra());
-  int levels = 0;
-  const auto handOut = [&](const SolvedLevel& level) {
-    ++levels;
-    LevelRow row = level.row;
-    row.secondsTotal += before.secondsTotal;
-    row.secondsWall += before.secondsWall;
-    run.history += historyLine(row);
-    run.secondsTotal = row.secondsTotal;
-    run.secondsWall = row.secondsWall;
-    writeLevel(scene, level, run, beginning.folder, folder);
-    if (!folder)
-      return;
-    stages +=
-        bem::message("level ", row.level, ": ", contact::told(row.report.stages), "\n");
-    timer.clearLine();
-    table << tableLine(row) << gamma0Note(row, scene.stabilization.firstGamma0())
-          << std::flush;
-  };
+/// timings.txt is written also if that fails.
+Outcome solveAndRecord(const Scene& scene, const std::optional<Checkpoint>& earlier,
+                       const Ranks& ranks, PhaseTimer& timer, Recorder& recorder) {
   try {
-    Outcome outcome =
-        solveLevels(scene, ranks, timer, handOut,
-                    earlier ? std::optional(earlier->result) : std::nullopt);
-    return {std::move(outcome), levels};
+    return solveLevels(
+        scene, ranks, timer, [&](const SolvedLevel& level) { recorder.take(level); },
+        earlier ? std::optional(earlier->level) : std::nullopt);
   } catch (...) {
     try {
-      if (folder)
-        folder->write("timings.txt", timer.report() + stages);
+      recorder.writeTimings(timer);
     } catch (const bem::InputError&) {  // what went wrong first is what is told
     }
     throw;
@@ -171,39 +186,37 @@ int runCommand(const std::vector<std::string>& arguments, std::ostream& out,
   if (ranks.isFirst())
     folder.emplace(beginning.folder, beginning.earlierRun);
   catchSignals();
-  if (folder && beginning.earlier)  // without rows of levels that did not make it
-    folder->write("history.csv", beginning.earlier->run.history);
-  if (folder)
-    folder->write("used.xml", usedXml(scene));
-
   std::ostream silence(nullptr);
   std::ostream& table = options.quiet ? silence : out;
+  const ProgressLine progress(progressIf(ranks.isFirst() && !options.quiet));
+  Recorder recorder(scene, beginning.earlier, folder, progress, table);
   table << scene.title << " (" << scene.file << "), BLAS core " << versions().blasCore
         << ", " << processesAndThreads(ranks.algebra().processes()) << "\n";
   if (beginning.earlier)
-    table << "goes on behind level " << beginning.earlier->result.level << " in "
+    table << "goes on behind level " << beginning.earlier->level.number << " in "
           << options.restart << "\n";
   table << tableHead() << std::flush;
 
-  const bool shown = ranks.isFirst() && !options.quiet && isatty(STDERR_FILENO) != 0;
-  std::string stages = "\nSolver stages, steps, how they ended\n";
-  PhaseTimer timer(shown ? Progress::Shown : Progress::Silent);
-  const auto [outcome, levels] =
-      solveAndWrite(scene, beginning, ranks, timer, folder, table, stages);
+  PhaseTimer timer([&](const std::string& phase) {
+    throwIfInterrupted();
+    progress.show(phase);
+  });
+  const auto outcome = solveAndRecord(scene, beginning.earlier, ranks, timer, recorder);
+  progress.clear();
 
   const bool converged = outcome.status == contact::Status::Converged;
   const int code = converged ? 0 : 3;
   if (!folder)
     return code;
-  folder->write("timings.txt", timer.report() + stages);
+  recorder.writeTimings(timer);
   (converged ? table : std::cerr)
       << (converged ? "ended   " : "epafi: ") << outcome.reason << "\n";
   table << timeSummary(timer) << filesWritten(*folder);
   const bool elsewhere =
       beginning.earlier && beginning.earlierRun != EarlierRun::Continue;
-  if (levels == 0 && elsewhere)
+  if (recorder.levels() == 0 && elsewhere)
     table << "        nothing was left to solve: the fields of level "
-          << beginning.earlier->result.level << " are in " << options.restart << "\n";
+          << beginning.earlier->level.number << " are in " << options.restart << "\n";
   return code;
 }
 

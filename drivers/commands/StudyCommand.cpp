@@ -8,26 +8,29 @@
 #include "drivers/output/History.hpp"
 #include "drivers/output/LevelTable.hpp"
 #include "drivers/output/OutputFolder.hpp"
+#include "drivers/output/Restart.hpp"
 #include "drivers/process/BlasCore.hpp"
 #include "drivers/process/Interrupt.hpp"
+#include "drivers/process/ProgressLine.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/run/Levels.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/SceneReader.hpp"
-#include "drivers/study/ReferenceFile.hpp"
 #include "drivers/study/StudyTable.hpp"
 
 #include <cctype>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <set>
-#include <sstream>
-#include <unistd.h>
 
 namespace epafi::drivers {
 
 namespace {
+
+/// What true errors of a scene are measured against.
+struct Reference {
+  Snapshot solution;
+  double estimate = 0;  ///< its own [(stress length²)^½]
+};
 
 /// A name as a file name.
 std::string fileName(const std::string& name) {
@@ -71,7 +74,11 @@ class StudyRun {
  public:
   StudyRun(const Study& study, OutputFolder& folder, const Ranks& ranks,
            std::ostream& out)
-      : study_(study), folder_(folder), ranks_(ranks), out_(out) {}
+      : study_(study),
+        folder_(folder),
+        ranks_(ranks),
+        out_(out),
+        progress_(progressIf(out.rdbuf() != nullptr)) {}
 
   /// Whether any variant could be solved.
   bool run() {
@@ -85,55 +92,55 @@ class StudyRun {
 
  private:
   PhaseTimer makeTimer() const {
-    const bool shown = out_.rdbuf() != nullptr && isatty(STDERR_FILENO) != 0;
-    return PhaseTimer(shown ? Progress::Shown : Progress::Silent);
+    return PhaseTimer([this](const std::string& phase) {
+      throwIfInterrupted();
+      progress_.show(phase);
+    });
   }
 
   /// Kept, or computed now; nothing if there is none or it could not be solved.
   std::optional<Reference> referenceOf(const StudiedScene& scene) {
     if (!scene.reference)
       return std::nullopt;
-    const std::string name = "reference-" + fileName(scene.name) + ".txt";
-    std::optional<Reference> reference = kept(name, *scene.reference);
-    const bool fresh = !reference;
-    if (fresh)
-      reference = compute(scene);
-    if (!reference)
+    const std::string name = "reference-" + fileName(scene.name) + ".hdf";
+    const std::string path = folder_.path() + "/" + name;
+    std::optional<Checkpoint> kept = readSolutionOf(*scene.reference, path);
+    const bool fresh = !kept;
+    if (fresh && compute(scene, name))
+      kept = readSolution(path);
+    if (!kept)
       return std::nullopt;
-    if (fresh)
-      folder_.write(name, referenceText(*reference, *scene.reference));
+    const std::vector<std::string> cells = lastCells(kept->history);
+    Reference reference{takeSnapshot(*scene.reference, kept->level, energyOf(cells)),
+                        kept->level.indicators.estimate()};
     out_ << scene.name << ": reference " << (fresh ? "computed" : "kept from before")
-         << ", " << reference->solution.data.mesh.size() << " elements, estimate "
-         << reference->estimate << "\n"
+         << ", " << kept->level.pieces.size() << " elements, estimate "
+         << reference.estimate << "\n"
          << std::flush;
-    table_.reference(scene.name, reference->cells);
+    table_.reference(scene.name, cells);
     folder_.write("study.csv", table_.text());
     return reference;
   }
 
-  std::optional<Reference> kept(const std::string& name, const Scene& scene) const {
-    std::ifstream stream(std::filesystem::path(folder_.path()) / name);
-    if (!stream)
-      return std::nullopt;
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return parseReference(text.str(), scene);
-  }
-
-  /// The last converged level.
-  std::optional<Reference> compute(const StudiedScene& scene) {
+  /// Writes the last converged level; whether there is one.
+  bool compute(const StudiedScene& scene, const std::string& name) {
     PhaseTimer timer = makeTimer();
-    std::optional<Reference> reference;
+    const std::string used = usedXml(*scene.reference);
+    std::string history = historyHead();
+    bool solved = false;
     try {
       solveLevels(*scene.reference, ranks_, timer, [&](const SolvedLevel& level) {
-        if (level.row.report.status == contact::Status::Converged)
-          reference.emplace(Reference{takeSnapshot(level), level.row.estimate,
-                                      historyCells(level.row)});
+        history += historyLine(level.row);
+        if (level.row.report.status != contact::Status::Converged)
+          return;
+        folder_.write(name, solutionFile(level, used, history));
+        solved = true;
       });
     } catch (const bem::NumericalError& error) {
       out_ << scene.name << ": the reference failed: " << error.what() << "\n";
     }
-    return reference;
+    progress_.clear();
+    return solved;
   }
 
   void solve(const StudiedScene& scene, const Variant& variant,
@@ -147,33 +154,34 @@ class StudyRun {
     }
     PhaseTimer timer = makeTimer();
     VariantClock clock;
-    std::vector<LevelRow> rows;
+    std::string history = historyHead();
+    int solved = 0;
     try {
       solveLevels(variant.scene, ranks_, timer, [&](const SolvedLevel& level) {
         LevelRow row = level.row;
         row.secondsTotal = clock.seconds();
         clock.exclude([&] {
-          rows.push_back(row);
+          history += historyLine(row);
+          ++solved;
           note(scene, variant, reference, level, row);
           if (own)
-            writeFiles(variant.scene, level, rows, *own);
-          timer.clearLine();
+            writeFiles(variant.scene, level, history, *own);
+          progress_.clear();
         });
         solvedAny_ = solvedAny_ || row.report.status == contact::Status::Converged;
       });
     } catch (const contact::IndefiniteStiffness& error) {
-      fail(scene, variant, static_cast<int>(rows.size()), error.what(),
-           1 - error.gamma0 / error.limitGamma0);
+      fail(scene, variant, solved, error.what(), 1 - error.gamma0 / error.limitGamma0);
     } catch (const Interrupted&) {
       throw;
     } catch (const bem::NumericalError& error) {
-      fail(scene, variant, static_cast<int>(rows.size()), error.what(),
+      fail(scene, variant, solved, error.what(),
            std::numeric_limits<double>::quiet_NaN());
     } catch (const bem::InputError& error) {  // known only once there is a mesh
-      fail(scene, variant, static_cast<int>(rows.size()), error.what(),
+      fail(scene, variant, solved, error.what(),
            std::numeric_limits<double>::quiet_NaN());
     } catch (const std::bad_alloc&) {
-      fail(scene, variant, static_cast<int>(rows.size()), "the memory does not suffice",
+      fail(scene, variant, solved, "the memory does not suffice",
            std::numeric_limits<double>::quiet_NaN());
     }
   }
@@ -185,8 +193,9 @@ class StudyRun {
     if (study_.smallestEigenvalue)
       studied.smallestEigenvalue = smallestEigenvalue(variant.scene, level.solved);
     if (reference) {
-      studied.error = trueError(takeSnapshot(level), reference->solution,
-                                bem::Lame(variant.scene.material), level.solved.units);
+      studied.error = trueError(
+          takeSnapshot(variant.scene, level.level, energyOf(historyCells(row))),
+          reference->solution, bem::Lame(variant.scene.material), level.solved.units);
       studied.counted = studied.error->energyNorm >= 10 * reference->estimate;
     }
     table_.level(scene.name, variant, row, studied);
@@ -206,12 +215,12 @@ class StudyRun {
   }
 
   static void writeFiles(const Scene& scene, const SolvedLevel& level,
-                         const std::vector<LevelRow>& rows, OutputFolder& folder) {
-    folder.write("history.csv", historyCsv(rows));
+                         const std::string& history, OutputFolder& folder) {
+    folder.write("history.csv", history);
     if (!scene.conditions.contact.empty())
       folder.write("contact.csv", contactCsv(level.solved, scene.output.contactSamples));
     if (scene.output.fields)
-      folder.write("boundary.csv", boundaryCsv(level.solved, level.result.density));
+      folder.write("boundary.csv", boundaryCsv(level.solved, level.level.density));
   }
 
   /// Different variants get different folders, even if their names differ in signs only.
@@ -227,6 +236,7 @@ class StudyRun {
   OutputFolder& folder_;
   const Ranks& ranks_;
   std::ostream& out_;
+  ProgressLine progress_;
   StudyTable table_;
   std::set<std::string> folders_;
   bool solvedAny_ = false;

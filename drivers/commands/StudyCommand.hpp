@@ -12,7 +12,7 @@ class Ranks;
 /// variant of every scene of a study and compares them.
 ///
 /// Writes study.csv after every level, a folder per variant with the files of a run (none
-/// for sweeps), reference-<scene>.txt, and pictures.  A variant that fails is listed with
+/// for sweeps), reference-<scene>.hdf, and pictures.  A variant that fails is listed with
 /// the reason and the study goes on; --force keeps references that still fit.  Returns 0,
 /// or 3 if no variant could be solved.
 /// \throws bem::InputError for wrong arguments, studies and scenes, before anything is

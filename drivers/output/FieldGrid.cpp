@@ -25,8 +25,8 @@ int numberOf(contact::FrictionKind friction) {
   return 0;
 }
 
-void add(bem::Vec2 vector, Slice<double>& slice) {
-  slice.mine.insert(slice.mine.end(), {vector.x, vector.y, 0});
+void add(bem::Vec2 vector, std::vector<double>& numbers) {
+  numbers.insert(numbers.end(), {vector.x, vector.y, 0});
 }
 
 /// Fills a grid element by element.
@@ -43,19 +43,19 @@ class Sampler {
       contacts_[static_cast<std::size_t>(element.element)] = &element;
   }
 
-  /// `first`: number of its first point.
-  void sample(int e, long long first, FieldGrid& grid) const {
+  void sample(int e, FieldGrid& grid) const {
     const bem::Element& element = mesh()[e];
+    const auto first = static_cast<long long>(grid.pressure.size());
     const int lines = linesOf(element);
     for (int k = 0; k <= lines; ++k)
       samplePoint(e, -1 + 2.0 * k / lines, grid);
     const auto name = std::find(names_.begin(), names_.end(), mesh().boundary(e));
     const auto boundary = static_cast<int>(name - names_.begin());
     for (int k = 0; k < lines; ++k) {
-      grid.ends.mine.insert(grid.ends.mine.end(), {first + k, first + k + 1});
-      grid.element.mine.push_back(e);
-      grid.degree.mine.push_back(element.degree);
-      grid.boundary.mine.push_back(boundary);
+      grid.ends.insert(grid.ends.end(), {first + k, first + k + 1});
+      grid.element.push_back(e);
+      grid.degree.push_back(element.degree);
+      grid.boundary.push_back(boundary);
     }
   }
 
@@ -72,11 +72,11 @@ class Sampler {
     const auto* contact = contacts_[static_cast<std::size_t>(e)];
     if (contact != nullptr)
       point = fields_.at(*contact, t);
-    grid.pressure.mine.push_back(point.pressure);
-    grid.shear.mine.push_back(point.shear);
-    grid.gap.mine.push_back(point.gap);
-    grid.contact.mine.push_back(contact == nullptr ? -1 : (point.closed ? 1 : 0));
-    grid.friction.mine.push_back(contact == nullptr ? -1 : numberOf(point.friction));
+    grid.pressure.push_back(point.pressure);
+    grid.shear.push_back(point.shear);
+    grid.gap.push_back(point.gap);
+    grid.contact.push_back(contact == nullptr ? -1 : (point.closed ? 1 : 0));
+    grid.friction.push_back(contact == nullptr ? -1 : numberOf(point.friction));
   }
 
   const contact::Solved& solved_;
@@ -86,41 +86,13 @@ class Sampler {
   std::vector<const contact::ContactFields::Element*> contacts_;
 };
 
-template <class T>
-void place(long long rows, long long first, long long columns, Slice<T>& slice) {
-  slice.rows = rows;
-  slice.first = first;
-  slice.columns = columns;
-}
-
 }  // namespace
 
-FieldGrid fieldGrid(const contact::Solved& solved, const bem::Vector& density,
-                    const bem::DenseAlgebra& algebra) {
-  const bem::Mesh& mesh = solved.space.mesh();
-  const bem::Rows mine = algebra.myRows(mesh.size());
+FieldGrid fieldGrid(const contact::Solved& solved, const bem::Vector& density) {
   const Sampler sampler(solved, density);
   FieldGrid grid;
-  long long lines = 0;
-  long long firstLine = 0;
-  for (int e = 0; e < mesh.size(); ++e) {
-    if (e == mine.begin)
-      firstLine = lines;
-    if (mine.contain(e))
-      sampler.sample(e, lines + e, grid);  // one point more than lines per element
-    lines += linesOf(mesh[e]);
-  }
-  const long long points = lines + mesh.size();
-  const long long firstPoint = firstLine + mine.begin;
-  for (auto* vectors : {&grid.points, &grid.displacement, &grid.traction})
-    place(points, firstPoint, 3, *vectors);
-  for (auto* numbers : {&grid.pressure, &grid.shear, &grid.gap})
-    place(points, firstPoint, 1, *numbers);
-  for (auto* states : {&grid.contact, &grid.friction})
-    place(points, firstPoint, 1, *states);
-  place(2 * lines, 2 * firstLine, 1, grid.ends);
-  for (auto* numbers : {&grid.element, &grid.degree, &grid.boundary})
-    place(lines, firstLine, 1, *numbers);
+  for (int e = 0; e < solved.space.mesh().size(); ++e)
+    sampler.sample(e, grid);
   return grid;
 }
 

@@ -2,8 +2,10 @@
 
 #include "drivers/output/Csv.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <vector>
+#include <iterator>
+#include <sstream>
 
 namespace epafi::drivers {
 
@@ -128,11 +130,23 @@ std::string historyHead() { return csvLine(historyColumns()); }
 
 std::string historyLine(const LevelRow& row) { return csvLine(historyCells(row)); }
 
-std::string historyCsv(const std::vector<LevelRow>& rows) {
-  Csv csv(historyColumns());
-  for (const LevelRow& row : rows)
-    csv.row(historyCells(row));
-  return csv.text();
+std::vector<std::string> lastCells(const std::string& history) {
+  const std::size_t begin = history.rfind('\n', history.size() - 2) + 1;
+  std::istringstream line(history.substr(begin, history.size() - 1 - begin));
+  std::vector<std::string> cells;
+  for (std::string cell; std::getline(line, cell, ',');)
+    cells.push_back(cell);
+  return cells;
+}
+
+double energyOf(const std::vector<std::string>& cells) {
+  const auto value = [&](const char* name) {
+    const auto at = std::find_if(
+        std::begin(columns), std::end(columns),
+        [&](const Column& column) { return std::string(name) == column.name; });
+    return std::stod(cells.at(static_cast<std::size_t>(at - std::begin(columns))));
+  };
+  return value("energy_strain") - value("energy_load") + value("energy_friction");
 }
 
 }  // namespace epafi::drivers

@@ -11,9 +11,13 @@ namespace epafi::drivers {
 std::vector<std::string> historyColumns();
 std::vector<std::string> historyCells(const LevelRow& row);
 
-/// history.csv: its head, one line per level, or all of it.
+/// history.csv: its head, and one line per level.
 std::string historyHead();
 std::string historyLine(const LevelRow& row);
-std::string historyCsv(const std::vector<LevelRow>& rows);
+
+/// The cells of the last line of a history.csv of this version.
+std::vector<std::string> lastCells(const std::string& history);
+/// ½ uᵀ S u - fᵀ u + ∫ bound |uₜ| as such cells have it [stress length²].
+double energyOf(const std::vector<std::string>& cells);
 
 }  // namespace epafi::drivers

@@ -15,6 +15,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Where a file stands in a folder while it is staged.
+std::string temporaryFile(const fs::path& folder, const std::string& name) {
+  return (folder / ("." + name + ".part")).string();
+}
+
 void makeFolder(const fs::path& path) {
   std::error_code error;
   if (fs::exists(path, error) && !fs::is_directory(path, error))
@@ -29,7 +34,7 @@ void makeFolder(const fs::path& path) {
 void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
   for (const std::string& name : outputFiles()) {
     std::error_code ignored;
-    fs::remove(temporaryFile(path.string(), name), ignored);
+    fs::remove(temporaryFile(path, name), ignored);
   }
   if (earlier == EarlierRun::Continue)
     return;
@@ -72,25 +77,16 @@ OutputFolder::OutputFolder(std::string path, EarlierRun earlier)
 OutputFolder::~OutputFolder() { discard(); }
 
 void OutputFolder::stage(const std::string& name, const std::string& text) {
-  stage(name, [&](const std::string& path) {
-    errno = 0;
-    std::ofstream stream(path, std::ios::binary | std::ios::trunc);
-    stream << text;
-    stream.close();
-    if (!stream)
-      throw bem::InputError(std::strerror(errno));
-  });
-}
-
-void OutputFolder::stage(const std::string& name,
-                         const std::function<void(const std::string& path)>& writer) {
   staged_.push_back(name);
-  try {
-    writer(temporaryFile(path_, name));
-  } catch (const bem::InputError& error) {
-    discard();
-    refuse(fs::path(path_) / name, error.what());
-  }
+  errno = 0;
+  std::ofstream stream(temporaryFile(path_, name), std::ios::binary | std::ios::trunc);
+  stream << text;
+  stream.close();
+  if (stream)
+    return;
+  const std::string cause = std::strerror(errno);
+  discard();
+  refuse(fs::path(path_) / name, cause);
 }
 
 void OutputFolder::commit() {
@@ -124,10 +120,6 @@ void OutputFolder::discard() {
     fs::remove(temporaryFile(path_, name), ignored);
   }
   staged_.clear();
-}
-
-std::string temporaryFile(const std::string& folder, const std::string& name) {
-  return (fs::path(folder) / ("." + name + ".part")).string();
 }
 
 const std::vector<std::string>& outputFiles() {

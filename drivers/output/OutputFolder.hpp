@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -28,10 +27,6 @@ class OutputFolder {
   /// \throws bem::InputError if the file cannot be written (disk full, permissions); then
   /// nothing is staged any more.
   void stage(const std::string& name, const std::string& text);
-  /// The same for a file that `writer` writes, given its temporary path; it throws
-  /// bem::InputError with the cause only.
-  void stage(const std::string& name,
-             const std::function<void(const std::string& path)>& writer);
 
   /// The staged files take the places of the earlier ones, in the order of staging.
   /// \throws bem::InputError if a file cannot be renamed.
@@ -54,9 +49,6 @@ class OutputFolder {
   std::vector<std::string> staged_;
   std::vector<std::string> written_;
 };
-
-/// Where a file stands in a folder while it is staged.
-std::string temporaryFile(const std::string& folder, const std::string& name);
 
 /// All files that a run may write; only these are ever deleted.
 const std::vector<std::string>& outputFiles();

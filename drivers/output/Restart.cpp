@@ -60,9 +60,14 @@ bool agree(const std::vector<EdgeEnds>& a, const std::vector<EdgeEnds>& b,
                     });
 }
 
+/// The scene that a file was written by.
+ParameterList sceneOf(const Checkpoint& checkpoint) {
+  const RawScene scene = readSceneText(checkpoint.used);
+  return complete(scene.list, scene.title);
+}
+
 void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
-  const RawScene earlier = readSceneText(checkpoint.run.used);
-  const ParameterList then = complete(earlier.list, earlier.title);
+  const ParameterList then = sceneOf(checkpoint);
   const ParameterList& now = *scene.used;
   std::string different;
   for (const char* section : {"Bodies", "Discretization"})
@@ -76,42 +81,45 @@ void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
     throw InputError(message("was written by a run of another scene: ", different,
                              " differs; Bodies, Discretization, Adaptivity->Weights and "
                              "Adaptivity->Residual Factor must be as they were"));
-  if (!agree(checkpoint.outline, edgeEnds(*scene.outline), scene.outline->diameter()))
+}
+
+void checkOutline(const Checkpoint& checkpoint, const bem::Outline& outline) {
+  if (!agree(checkpoint.outline, edgeEnds(outline), outline.diameter()))
     throw InputError("was written by a run on another outline");
 }
 
 /// The numbers must be those of the mesh; a checksum does not know what they mean.
-void checkSizes(const Level& result, const Scene& scene) {
+void checkSizes(const Level& level, const Scene& scene) {
   const auto edges = static_cast<int>(scene.outline->edges().size());
-  for (const bem::Piece& piece : result.pieces)
+  for (const bem::Piece& piece : level.pieces)
     if (piece.edge < 0 || piece.edge >= edges)
       throw InputError(message("has an element on edge ", piece.edge,
                                "; the outline has ", edges, " edges"));
-  const bem::Space space({scene.outline, result.pieces});
+  const bem::Space space({scene.outline, level.pieces});
   const contact::MultiplierSpace multiplier(
       space.mesh(), contact::multiplierBasis(scene.multiplier), scene.conditions);
   const auto size = [](const auto& numbers) {
     return static_cast<bem::Index>(numbers.size());
   };
-  if (result.level < 0 || size(result.displacement) != space.displacements() ||
-      size(result.density) != space.densities() ||
-      size(result.state.multiplier) != multiplier.size() ||
-      size(result.states.normal) != multiplier.normals() ||
-      size(result.states.tangential) != multiplier.size() - multiplier.normals() ||
-      size(result.indicators.squares) != space.mesh().size())
+  if (level.number < 0 || size(level.displacement) != space.displacements() ||
+      size(level.density) != space.densities() ||
+      size(level.state.multiplier) != multiplier.size() ||
+      size(level.states.normal) != multiplier.normals() ||
+      size(level.states.tangential) != multiplier.size() - multiplier.normals() ||
+      size(level.indicators.squares) != space.mesh().size())
     throw InputError("does not fit its own mesh");
 }
 
 /// Rows of the levels that the run goes on behind.
 std::string historyBehind(const Checkpoint& checkpoint) {
-  const std::string& text = checkpoint.run.history;
+  const std::string& text = checkpoint.history;
   if (text.rfind(historyHead(), 0) != 0)
     throw InputError(
         "was written by a version of Epafi whose history.csv has other "
         "columns");
-  if (std::count(text.begin(), text.end(), '\n') != checkpoint.result.level + 2)
+  if (std::count(text.begin(), text.end(), '\n') != checkpoint.level.number + 2)
     throw InputError("has not one row of history.csv per level");
-  if (checkpoint.result.status == contact::Status::Converged)
+  if (checkpoint.level.status == contact::Status::Converged)
     return text;
   return text.substr(0, text.rfind('\n', text.size() - 2) + 1);
 }
@@ -124,14 +132,34 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
     Checkpoint checkpoint = readSolution(path);
     try {
       checkScene(checkpoint, scene);
-      checkSizes(checkpoint.result, scene);
-      checkpoint.run.history = historyBehind(checkpoint);
+      checkOutline(checkpoint, *scene.outline);
+      checkSizes(checkpoint.level, scene);
+      checkpoint.history = historyBehind(checkpoint);
     } catch (const InputError& error) {
       throw InputError(message("'", path, "' ", error.what()));
     }
     return checkpoint;
   } catch (const InputError& error) {
     throw InputError(message("--restart: ", error.what()));
+  }
+}
+
+std::optional<Checkpoint> readSolutionOf(const Scene& scene, const std::string& path) {
+  try {
+    Checkpoint checkpoint = readSolution(path);
+    ParameterList then = sceneOf(checkpoint);
+    ParameterList now = *scene.used;
+    for (ParameterList* list : {&then, &now})
+      for (const char* section : {"Output", "Versions"})
+        list->remove(section, false);
+    if (!difference(then, now, "").empty())
+      return std::nullopt;
+    checkOutline(checkpoint, *scene.outline);
+    checkSizes(checkpoint.level, scene);
+    checkpoint.history = historyBehind(checkpoint);
+    return checkpoint;
+  } catch (const InputError&) {
+    return std::nullopt;
   }
 }
 

@@ -3,6 +3,8 @@
 #include "drivers/output/SolutionFile.hpp"
 #include "drivers/scene/Scene.hpp"
 
+#include <optional>
+
 namespace epafi::drivers {
 
 /// The last level of the run in a folder, for a scene to go on from.
@@ -14,5 +16,9 @@ namespace epafi::drivers {
 /// \throws bem::InputError naming the file and what is wrong with it, or the first key
 ///   that differs.
 Checkpoint readRestart(const std::string& folder, const Scene& scene);
+
+/// The level in a file, or nothing if that is damaged, of another format or of a scene
+/// that differs in more than Output.
+std::optional<Checkpoint> readSolutionOf(const Scene& scene, const std::string& path);
 
 }  // namespace epafi::drivers

@@ -66,22 +66,19 @@ double multiplierDistance(const Snapshot& level, const Snapshot& reference) {
 
 }  // namespace
 
-Snapshot takeSnapshot(const SolvedLevel& level) {
-  const contact::Solved& solved = level.solved;
-  const bem::Mesh& mesh = solved.space.mesh();
-  Snapshot snapshot{
-      bem::makeCauchyData(solved.space, solved.displacement, level.result.density),
-      std::vector<Series>(static_cast<std::size_t>(mesh.size())),
-      std::vector<bool>(static_cast<std::size_t>(mesh.size())),
-      level.row.summary.energyStrain - level.row.summary.energyLoad +
-          level.row.summary.energyFriction};
-  const contact::MultiplierSpace& multiplier = solved.problem.multiplier();
+Snapshot takeSnapshot(const Scene& scene, const Level& level, double energy) {
+  const bem::Space space({scene.outline, level.pieces});
+  const contact::MultiplierSpace multiplier(
+      space.mesh(), contact::multiplierBasis(scene.multiplier), scene.conditions);
+  const auto elements = static_cast<std::size_t>(space.mesh().size());
+  Snapshot snapshot{bem::makeCauchyData(space, level.displacement, level.density),
+                    std::vector<Series>(elements), std::vector<bool>(elements), energy};
   for (const auto& element : multiplier.elements()) {
     const auto k = static_cast<std::size_t>(element.element);
     snapshot.contact[k] = true;
     snapshot.multiplier[k] = seriesOf(
         [&](double t) {
-          const auto value = multiplier.at(solved.state.multiplier, element, t);
+          const auto value = multiplier.at(level.state.multiplier, element, t);
           return bem::Complex(value.normal, value.tangential);
         },
         element.degree);

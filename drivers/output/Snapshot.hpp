@@ -2,8 +2,9 @@
 
 #include "bem/space/CauchyData.hpp"
 #include "drivers/run/Level.hpp"
+#include "drivers/scene/Scene.hpp"
 
-#include <string>
+#include <array>
 #include <vector>
 
 namespace epafi::drivers {
@@ -19,7 +20,8 @@ struct Snapshot {
   double energy = 0;  ///< ½ uᵀ S u - fᵀ u + ∫ bound |uₜ| [stress length²]
 };
 
-Snapshot takeSnapshot(const SolvedLevel& level);
+/// Of a level just solved or read from a file; `energy`: see energyOf.
+Snapshot takeSnapshot(const Scene& scene, const Level& level, double energy);
 
 /// How far a level is from a reference.
 struct TrueError {

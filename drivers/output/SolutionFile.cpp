@@ -10,32 +10,39 @@ namespace epafi::drivers {
 namespace {
 
 constexpr int currentFormat = 1;
-constexpr long long positionColumns = 4;
-constexpr long long sourceColumns = adaptivity::sourceCount;
+constexpr std::size_t positionColumns = 4;
+constexpr std::size_t sourceColumns = adaptivity::sourceCount;
+const std::string group = "/Epafi";
 
 /// A checkpoint's arrays as they stand in the file.
 struct Arrays {
   std::vector<int> edge;
   std::vector<int> degree;
   std::vector<double> position;  ///< fromStart, toEnd of the start and of the end
-  std::vector<double> squares;
+  std::vector<double> indicators;
   std::vector<double> outline;
+  std::vector<double> multiplier;
+  std::vector<double> rigid;
+  std::vector<int> contact;
+  std::vector<int> friction;
+  std::vector<double> displacement;
+  std::vector<double> density;
 };
 
-Arrays arraysOf(const Level& result, const std::vector<EdgeEnds>& outline) {
-  Arrays arrays;
-  for (const bem::Piece& piece : result.pieces) {
-    arrays.edge.push_back(piece.edge);
-    arrays.degree.push_back(piece.degree);
-    arrays.position.insert(
-        arrays.position.end(),
-        {piece.start.fromStart, piece.start.toEnd, piece.end.fromStart, piece.end.toEnd});
-  }
-  for (const adaptivity::Contributions& squares : result.indicators.squares)
-    arrays.squares.insert(arrays.squares.end(), squares.begin(), squares.end());
-  for (const EdgeEnds& ends : outline)
-    arrays.outline.insert(arrays.outline.end(), ends.begin(), ends.end());
-  return arrays;
+/// visit(name, array, columns) for each data set, in the order of the checksum.
+template <class AnyArrays, class Visit>
+void forEach(AnyArrays& arrays, const Visit& visit) {
+  visit("edge", arrays.edge, 1);
+  visit("degree", arrays.degree, 1);
+  visit("position", arrays.position, positionColumns);
+  visit("indicators", arrays.indicators, sourceColumns);
+  visit("outline", arrays.outline, positionColumns);
+  visit("multiplier", arrays.multiplier, 1);
+  visit("rigid", arrays.rigid, 1);
+  visit("contact_state", arrays.contact, 1);
+  visit("friction_state", arrays.friction, 1);
+  visit("displacement", arrays.displacement, 1);
+  visit("density", arrays.density, 1);
 }
 
 template <class State>
@@ -58,6 +65,35 @@ std::vector<State> states(const std::vector<int>& numbers, State last) {
     result.push_back(static_cast<State>(number));
   }
   return result;
+}
+
+/// All rows one after the other.
+template <std::size_t columns>
+std::vector<double> flat(const std::vector<std::array<double, columns>>& rows) {
+  std::vector<double> result;
+  for (const auto& row : rows)
+    result.insert(result.end(), row.begin(), row.end());
+  return result;
+}
+
+Arrays arraysOf(const Level& level, const std::vector<EdgeEnds>& outline) {
+  Arrays arrays;
+  for (const bem::Piece& piece : level.pieces) {
+    arrays.edge.push_back(piece.edge);
+    arrays.degree.push_back(piece.degree);
+    arrays.position.insert(
+        arrays.position.end(),
+        {piece.start.fromStart, piece.start.toEnd, piece.end.fromStart, piece.end.toEnd});
+  }
+  arrays.indicators = flat(level.indicators.squares);
+  arrays.outline = flat(outline);
+  arrays.multiplier = level.state.multiplier;
+  arrays.rigid = level.state.rigid;
+  arrays.contact = numbers(level.states.normal);
+  arrays.friction = numbers(level.states.tangential);
+  arrays.displacement = level.displacement;
+  arrays.density = level.density;
+  return arrays;
 }
 
 /// Fowler, Noll and Vo's 64-bit hash FNV-1a of everything that a restart is made from.
@@ -83,96 +119,69 @@ class Checksum {
   unsigned long long value_ = 14695981039346656037ULL;
 };
 
-unsigned long long checksum(const Checkpoint& checkpoint) {
-  const Level& result = checkpoint.result;
-  const RunRecord& run = checkpoint.run;
-  const Arrays arrays = arraysOf(result, checkpoint.outline);
-  const bool converged = result.status == contact::Status::Converged;
-  return Checksum()
-      .add(std::vector<int>{result.level, converged ? 1 : 0})
-      .add(std::vector<double>{run.secondsTotal, run.secondsWall})
-      .add(result.reason + run.used + run.history)
-      .add(arrays.edge)
-      .add(arrays.degree)
-      .add(arrays.position)
-      .add(arrays.squares)
-      .add(arrays.outline)
-      .add(result.state.multiplier)
-      .add(result.state.rigid)
-      .add(numbers(result.states.normal))
-      .add(numbers(result.states.tangential))
-      .add(result.displacement)
-      .add(result.density)
-      .value();
+bool converged(const Level& level) { return level.status == contact::Status::Converged; }
+
+unsigned long long checksum(const Checkpoint& checkpoint, const Arrays& arrays) {
+  const Level& level = checkpoint.level;
+  Checksum sum;
+  sum.add(std::vector<int>{level.number, converged(level) ? 1 : 0});
+  sum.add(std::vector<double>{checkpoint.secondsTotal, checkpoint.secondsWall});
+  sum.add(level.reason + checkpoint.used + checkpoint.history);
+  forEach(arrays, [&](const char*, const auto& array, auto) { sum.add(array); });
+  return sum.value();
 }
 
-void writeGrid(const FieldGrid& grid, const bem::DenseAlgebra& algebra,
-               Hdf5Writer& writer) {
+void writeGrid(const FieldGrid& grid, Hdf5Writer& writer) {
   constexpr unsigned char vtkLine = 3;
-  const std::string root = "/VTKHDF/";
   writer.attribute("/VTKHDF", "Version", std::vector<int>{1, 0});
   writer.attribute("/VTKHDF", "Type", "UnstructuredGrid");
-
-  const long long lines = grid.element.rows;
-  const auto one = [&](const char* name, long long number) {
-    writer.array(root + name, shareOf(std::vector<long long>{number}, 1, algebra));
+  const auto write = [&](const char* name, const auto& array, long long columns = 1) {
+    writer.array(std::string("/VTKHDF/") + name, array, columns);
   };
-  one("NumberOfPoints", grid.points.rows);
-  one("NumberOfCells", lines);
-  one("NumberOfConnectivityIds", grid.ends.rows);
-  writer.array(root + "Points", grid.points);
-  writer.array(root + "Connectivity", grid.ends);
-  std::vector<long long> offsets;
-  for (long long line = 0; line <= lines; ++line)
-    offsets.push_back(2 * line);
-  writer.array(root + "Offsets", shareOf(offsets, 1, algebra));
-  const std::vector<unsigned char> types(static_cast<std::size_t>(lines), vtkLine);
-  writer.array(root + "Types", shareOf(types, 1, algebra));
+  const auto count = [](const auto& array) {
+    return std::vector<long long>{static_cast<long long>(array.size())};
+  };
+  write("NumberOfPoints", count(grid.pressure));
+  write("NumberOfCells", count(grid.element));
+  write("NumberOfConnectivityIds", count(grid.ends));
+  write("Points", grid.points, 3);
+  write("Connectivity", grid.ends);
+  std::vector<long long> offsets(grid.element.size() + 1);
+  for (std::size_t line = 0; line < offsets.size(); ++line)
+    offsets[line] = static_cast<long long>(2 * line);
+  write("Offsets", offsets);
+  write("Types", std::vector<unsigned char>(grid.element.size(), vtkLine));
 
-  writer.array(root + "PointData/displacement", grid.displacement);
-  writer.array(root + "PointData/traction", grid.traction);
-  writer.array(root + "PointData/lambda_n", grid.pressure);
-  writer.array(root + "PointData/lambda_t", grid.shear);
-  writer.array(root + "PointData/gap", grid.gap);
-  writer.array(root + "PointData/contact", grid.contact);
-  writer.array(root + "PointData/friction", grid.friction);
-  writer.array(root + "CellData/element", grid.element);
-  writer.array(root + "CellData/degree", grid.degree);
-  writer.array(root + "CellData/boundary", grid.boundary);
+  write("PointData/displacement", grid.displacement, 3);
+  write("PointData/traction", grid.traction, 3);
+  write("PointData/lambda_n", grid.pressure);
+  write("PointData/lambda_t", grid.shear);
+  write("PointData/gap", grid.gap);
+  write("PointData/contact", grid.contact);
+  write("PointData/friction", grid.friction);
+  write("CellData/element", grid.element);
+  write("CellData/degree", grid.degree);
+  write("CellData/boundary", grid.boundary);
 }
 
-void writeCheckpoint(const Checkpoint& checkpoint, const bem::DenseAlgebra& algebra,
-                     Hdf5Writer& writer) {
-  const Level& result = checkpoint.result;
-  const Arrays arrays = arraysOf(result, checkpoint.outline);
-  const bool converged = result.status == contact::Status::Converged;
-  const std::string group = "/Epafi";
-  const auto column = [&](const char* name, const auto& values, long long columns = 1) {
-    writer.array(group + "/" + name, shareOf(values, columns, algebra));
+void writeCheckpoint(const Checkpoint& checkpoint, Hdf5Writer& writer) {
+  const Level& level = checkpoint.level;
+  const Arrays arrays = arraysOf(level, checkpoint.outline);
+  const auto number = [&](const char* name, auto value) {
+    writer.attribute(group, name, std::vector<decltype(value)>{value});
   };
-  writer.attribute(group, "format", std::vector<int>{currentFormat});
-  writer.attribute(group, "level", std::vector<int>{result.level});
-  writer.attribute(group, "converged", std::vector<int>{converged ? 1 : 0});
-  writer.attribute(group, "seconds_total",
-                   std::vector<double>{checkpoint.run.secondsTotal});
-  writer.attribute(group, "seconds_wall",
-                   std::vector<double>{checkpoint.run.secondsWall});
-  writer.attribute(group, "checksum",
-                   std::vector<unsigned long long>{checksum(checkpoint)});
-  column("outline", arrays.outline, positionColumns);
-  column("edge", arrays.edge);
-  column("position", arrays.position, positionColumns);
-  column("degree", arrays.degree);
-  column("displacement", result.displacement);
-  column("density", result.density);
-  column("multiplier", result.state.multiplier);
-  column("rigid", result.state.rigid);
-  column("contact_state", numbers(result.states.normal));
-  column("friction_state", numbers(result.states.tangential));
-  column("indicators", arrays.squares, sourceColumns);
-  writer.text(group + "/reason", result.reason);
-  writer.text(group + "/used", checkpoint.run.used);
-  writer.text(group + "/history", checkpoint.run.history);
+  number("format", currentFormat);
+  number("level", level.number);
+  number("converged", converged(level) ? 1 : 0);
+  number("seconds_total", checkpoint.secondsTotal);
+  number("seconds_wall", checkpoint.secondsWall);
+  number("checksum", checksum(checkpoint, arrays));
+  forEach(arrays, [&](const char* name, const auto& array, long long columns) {
+    writer.array(group + "/" + name, array, columns);
+  });
+  writer.text(group + "/reason", level.reason);
+  writer.text(group + "/used", checkpoint.used);
+  writer.text(group + "/history", checkpoint.history);
 }
 
 /// Rows of `columns` numbers each.
@@ -185,54 +194,60 @@ std::vector<std::array<double, columns>> rowsOf(const std::vector<double>& numbe
   return rows;
 }
 
-std::vector<bem::Piece> readPieces(const Hdf5Reader& reader) {
-  const auto edge = reader.array<int>("/Epafi/edge", 1);
-  const auto degree = reader.array<int>("/Epafi/degree", 1);
-  const auto position = rowsOf<static_cast<std::size_t>(positionColumns)>(
-      reader.array<double>("/Epafi/position", positionColumns));
-  if (edge.size() != degree.size() || edge.size() != position.size())
+std::vector<bem::Piece> piecesOf(const Arrays& arrays) {
+  const auto position = rowsOf<positionColumns>(arrays.position);
+  const std::size_t count = arrays.edge.size();
+  if (count != arrays.degree.size() || count != position.size())
     throw bem::InputError("/Epafi: edge, degree and position are of different lengths");
   std::vector<bem::Piece> pieces;
-  for (std::size_t i = 0; i < edge.size(); ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     const auto& [startFrom, startTo, endFrom, endTo] = position[i];
-    pieces.push_back({edge[i], {startFrom, startTo}, {endFrom, endTo}, degree[i]});
+    pieces.push_back(
+        {arrays.edge[i], {startFrom, startTo}, {endFrom, endTo}, arrays.degree[i]});
   }
   return pieces;
 }
 
+/// The level's numbers but for its number and how it ended.
+Level levelOf(const Arrays& arrays) {
+  Level level;
+  level.pieces = piecesOf(arrays);
+  level.state.multiplier = arrays.multiplier;
+  level.state.rigid = arrays.rigid;
+  level.states = {states(arrays.contact, contact::NormalState::Closed),
+                  states(arrays.friction, contact::FrictionState::SlipBackward)};
+  level.displacement = arrays.displacement;
+  level.density = arrays.density;
+  level.indicators.squares = rowsOf<sourceColumns>(arrays.indicators);
+  return level;
+}
+
 Checkpoint readCheckpoint(const Hdf5Reader& reader) {
-  const std::string group = "/Epafi";
   if (!reader.has(group))
     throw bem::InputError("has no group /Epafi: it was not written by epafi run");
   const int format = reader.attribute<int>(group, "format");
   if (format != currentFormat)
     throw bem::InputError(bem::message(
         "is of format ", format, "; this version of Epafi reads format ", currentFormat));
+  Arrays arrays;
+  forEach(arrays, [&](const char* name, auto& array, long long columns) {
+    using Number = typename std::decay_t<decltype(array)>::value_type;
+    array = reader.array<Number>(group + "/" + name, columns);
+  });
   Checkpoint checkpoint;
-  Level& result = checkpoint.result;
-  result.level = reader.attribute<int>(group, "level");
-  result.status = reader.attribute<int>(group, "converged") == 1
-                      ? contact::Status::Converged
-                      : contact::Status::NotConverged;
-  result.reason = reader.text(group + "/reason");
-  result.pieces = readPieces(reader);
-  result.state.multiplier = reader.array<double>(group + "/multiplier", 1);
-  result.state.rigid = reader.array<double>(group + "/rigid", 1);
-  result.states = {states(reader.array<int>(group + "/contact_state", 1),
-                          contact::NormalState::Closed),
-                   states(reader.array<int>(group + "/friction_state", 1),
-                          contact::FrictionState::SlipBackward)};
-  result.displacement = reader.array<double>(group + "/displacement", 1);
-  result.density = reader.array<double>(group + "/density", 1);
-  result.indicators.squares = rowsOf<static_cast<std::size_t>(sourceColumns)>(
-      reader.array<double>(group + "/indicators", sourceColumns));
-  checkpoint.outline = rowsOf<static_cast<std::size_t>(positionColumns)>(
-      reader.array<double>(group + "/outline", positionColumns));
-  checkpoint.run.used = reader.text(group + "/used");
-  checkpoint.run.history = reader.text(group + "/history");
-  checkpoint.run.secondsTotal = reader.attribute<double>(group, "seconds_total");
-  checkpoint.run.secondsWall = reader.attribute<double>(group, "seconds_wall");
-  if (reader.attribute<unsigned long long>(group, "checksum") != checksum(checkpoint))
+  checkpoint.level = levelOf(arrays);
+  checkpoint.level.number = reader.attribute<int>(group, "level");
+  checkpoint.level.status = reader.attribute<int>(group, "converged") == 1
+                                ? contact::Status::Converged
+                                : contact::Status::NotConverged;
+  checkpoint.level.reason = reader.text(group + "/reason");
+  checkpoint.used = reader.text(group + "/used");
+  checkpoint.history = reader.text(group + "/history");
+  checkpoint.secondsTotal = reader.attribute<double>(group, "seconds_total");
+  checkpoint.secondsWall = reader.attribute<double>(group, "seconds_wall");
+  checkpoint.outline = rowsOf<positionColumns>(arrays.outline);
+  if (reader.attribute<unsigned long long>(group, "checksum") !=
+      checksum(checkpoint, arrays))
     throw bem::InputError("is damaged: its checksum is wrong");
   return checkpoint;
 }
@@ -249,20 +264,20 @@ std::vector<EdgeEnds> edgeEnds(const bem::Outline& outline) {
   return result;
 }
 
-void writeSolution(const std::string& path, const SolvedLevel& level,
-                   const RunRecord& run) {
-  const contact::Solved& solved = level.solved;
-  const FieldGrid grid = fieldGrid(solved, level.result.density, level.algebra);
-  const Checkpoint checkpoint{level.result, run, edgeEnds(solved.space.mesh().outline())};
+std::string solutionFile(const SolvedLevel& level, const std::string& used,
+                         const std::string& history) {
+  const bem::Outline& outline = level.solved.space.mesh().outline();
   std::string names;
-  for (const std::string& name : boundaryNames(solved.space.mesh().outline()))
+  for (const std::string& name : boundaryNames(outline))
     names += name + "\n";
 
-  Hdf5Writer writer(path, level.algebra);
-  writeGrid(grid, level.algebra, writer);
-  writeCheckpoint(checkpoint, level.algebra, writer);
-  writer.text("/Epafi/boundaries", names);
-  writer.write();
+  Hdf5Writer writer;
+  writeGrid(fieldGrid(level.solved, level.level.density), writer);
+  writeCheckpoint({level.level, used, history, level.row.secondsTotal,
+                   level.row.secondsWall, edgeEnds(outline)},
+                  writer);
+  writer.text(group + "/boundaries", names);
+  return writer.bytes();
 }
 
 Checkpoint readSolution(const std::string& path) {

@@ -9,22 +9,18 @@
 
 namespace epafi::drivers {
 
-/// What stands around a level in its run.
-struct RunRecord {
-  std::string used;     ///< used.xml
-  std::string history;  ///< history.csv up to the level
-  double secondsTotal = 0;
-  double secondsWall = 0;
-};
-
 /// The ends of the outline's edges, in the user's coordinates.
 using EdgeEnds = std::array<double, 4>;
 std::vector<EdgeEnds> edgeEnds(const bem::Outline& outline);
 
-/// What solution.hdf keeps for a run that goes on later.
+/// A level with what stands around it in its run: what solution.hdf keeps for a run that
+/// goes on later, and a study for a reference.
 struct Checkpoint {
-  Level result;
-  RunRecord run;
+  Level level;
+  std::string used;     ///< used.xml
+  std::string history;  ///< history.csv up to the level
+  double secondsTotal = 0;
+  double secondsWall = 0;
   std::vector<EdgeEnds> outline;
 };
 
@@ -33,10 +29,9 @@ struct Checkpoint {
 ///   /VTKHDF  the boundary as lines with the fields on them, which ParaView opens
 ///   /Epafi   all numbers that the next level is made from, with a checksum
 ///
-/// Collective: each process writes the part of its elements.
-/// \throws bem::InputError on all processes with the cause only, if it cannot be written.
-void writeSolution(const std::string& path, const SolvedLevel& level,
-                   const RunRecord& run);
+/// Its bytes, from what every process has whole.
+std::string solutionFile(const SolvedLevel& level, const std::string& used,
+                         const std::string& history);
 
 /// \throws bem::InputError naming the file, if it is not there, not complete, damaged, or
 ///   of a format that this version does not know.

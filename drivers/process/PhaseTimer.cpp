@@ -1,12 +1,10 @@
 #include "drivers/process/PhaseTimer.hpp"
 
-#include "drivers/process/Interrupt.hpp"
-
 #include <Teuchos_DefaultSerialComm.hpp>
 #include <Teuchos_StackedTimer.hpp>
 
-#include <cstdio>
 #include <sstream>
+#include <utility>
 
 namespace epafi::drivers {
 
@@ -16,10 +14,11 @@ const char* nameOf(Phase phase) {
   return names[static_cast<std::size_t>(phase)];
 }
 
-PhaseTimer::PhaseTimer(Progress progress)
-    : progress_(progress), stack_(Teuchos::rcp(new Teuchos::StackedTimer("epafi run"))) {}
+PhaseTimer::PhaseTimer(Watch watch)
+    : watch_(std::move(watch)),
+      stack_(Teuchos::rcp(new Teuchos::StackedTimer("epafi run"))) {}
 
-PhaseTimer::~PhaseTimer() { show(""); }
+PhaseTimer::~PhaseTimer() = default;
 
 void PhaseTimer::startLevel(int level) {
   endLevel();
@@ -32,7 +31,6 @@ void PhaseTimer::endLevel() {
   if (!levelName_.empty())
     stack_->stop(levelName_);
   levelName_.clear();
-  show("");
 }
 
 std::string PhaseTimer::report() {
@@ -46,22 +44,13 @@ std::string PhaseTimer::report() {
   return text.str();
 }
 
-/// One line on the terminal, which the next one replaces.
-void PhaseTimer::show(const std::string& what) const {
-  if (progress_ == Progress::Silent)
-    return;
-  std::fprintf(stderr, "\r\033[K%s", what.c_str());
-  std::fflush(stderr);
-}
-
 PhaseTimer::Scope::Scope(PhaseTimer& timer, Phase phase)
     : timer_(timer), phase_(phase), start_(cpuSeconds()) {
-  throwIfInterrupted();
   std::ostringstream line;
   line.precision(1);
   line << std::fixed << timer.levelName_ << ": " << nameOf(phase) << " ("
        << timer.wall_.seconds() << " s so far)";
-  timer.show(line.str());
+  timer.watch_(line.str());
   timer.stack_->start(nameOf(phase));
 }
 

@@ -5,6 +5,7 @@
 #include <Teuchos_RCP.hpp>
 
 #include <array>
+#include <functional>
 #include <string>
 
 namespace Teuchos {
@@ -18,28 +19,23 @@ enum class Phase { Assembly, Factorization, Stabilization, Newton, Estimate, Res
 constexpr int phaseCount = 6;
 const char* nameOf(Phase phase);
 
-/// Who wants to see what a run is doing.
-enum class Progress { Shown, Silent };
-
-/// Times the phases of a run, shows on a terminal what is going on, and lets a signal end
-/// the run between two phases.
+/// Times the phases of a run.
 class PhaseTimer {
  public:
-  explicit PhaseTimer(Progress progress);
+  /// Is told ahead of each phase what begins; what it throws ends the run there.
+  using Watch = std::function<void(const std::string& phase)>;
+  explicit PhaseTimer(Watch watch = [](const std::string&) {});
   ~PhaseTimer();
 
   void startLevel(int level);
   void endLevel();
 
-  /// work(), timed.  \throws Interrupted instead if a signal has come.
+  /// work(), timed.
   template <class Work>
   auto run(Phase phase, const Work& work) {
     const Scope scope(*this, phase);
     return work();
   }
-
-  /// Makes room on the terminal for other output.
-  void clearLine() const { show(""); }
 
   /// CPU seconds of a phase, all threads.
   double levelSeconds(Phase phase) const { return level_[at(phase)]; }
@@ -64,9 +60,8 @@ class PhaseTimer {
   };
 
   static std::size_t at(Phase phase) { return static_cast<std::size_t>(phase); }
-  void show(const std::string& what) const;
 
-  Progress progress_;
+  Watch watch_;
   WallClock wall_;
   Teuchos::RCP<Teuchos::StackedTimer> stack_;
   std::string levelName_;

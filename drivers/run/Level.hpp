@@ -12,7 +12,7 @@ namespace epafi::drivers {
 
 /// A solved level as numbers: all that the next one is made from, and what a file keeps.
 struct Level {
-  int level = 0;
+  int number = 0;
   contact::Status status = contact::Status::NotConverged;
   std::string reason;              ///< empty when converged
   std::vector<bem::Piece> pieces;  ///< the mesh
@@ -67,8 +67,7 @@ struct LevelRow {
 /// A level as it is handed out: valid during the call only.
 struct SolvedLevel {
   const contact::Solved& solved;
-  const Level& result;
-  const bem::DenseAlgebra& algebra;
+  const Level& level;
   LevelRow row;
 };
 

@@ -79,14 +79,14 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
 
   auto next = earlier ? levelAfterRestart(scene, *earlier, algebra) : firstLevel(scene);
   while (const auto* from = std::get_if<LevelStart>(&next)) {
-    const int level = from->level;
+    const int number = from->level;
     const bem::Space space(from->mesh);
     const contact::MultiplierSpace multiplier(space.mesh(), basis, scene.conditions);
     const Size size = sizeOf(space, multiplier, scene.conditions);
     if (size.dof() > scene.adaptivity.maximumDegreesOfFreedom)
       return {contact::Status::Converged,
-              capReached(level, size, scene.adaptivity.maximumDegreesOfFreedom)};
-    timer.startLevel(level);
+              capReached(number, size, scene.adaptivity.maximumDegreesOfFreedom)};
+    timer.startLevel(number);
 
     auto operators = timer.run(Phase::Assembly, [&] {
       return bem::assembleOperators(
@@ -111,21 +111,21 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
       return adaptivity::estimateResidual(solved, density, lame,
                                           scene.adaptivity.estimator);
     });
-    const Level result{level,
-                       solution.report.status,
-                       solution.report.reason,
-                       piecesOf(space.mesh()),
-                       solution.state,
-                       contact::classify(problem.numbers(), solution.state),
-                       displacement,
-                       density,
-                       std::move(indicators)};
+    const Level level{number,
+                      solution.report.status,
+                      solution.report.reason,
+                      piecesOf(space.mesh()),
+                      solution.state,
+                      contact::classify(problem.numbers(), solution.state),
+                      displacement,
+                      density,
+                      std::move(indicators)};
     timer.run(Phase::Results, [&] {
-      handOut({solved, result, algebra,
-               makeRow(level, size, solved, solution.report, result.indicators, timer)});
+      handOut({solved, level,
+               makeRow(number, size, solved, solution.report, level.indicators, timer)});
     });
     timer.endLevel();
-    next = nextLevel(scene, result, algebra);
+    next = nextLevel(scene, level, algebra);
   }
   return std::get<Outcome>(next);
 }

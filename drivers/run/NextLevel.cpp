@@ -19,7 +19,7 @@ struct Prepared {
 
 /// The level's own mesh, or with nodes moved to where contact and friction change.
 Prepared prepare(const Scene& scene, const adaptivity::Strategy& strategy,
-                 const Level& result, const bem::Space& space,
+                 const Level& level, const bem::Space& space,
                  const contact::MultiplierSpace& multiplier,
                  const bem::DenseAlgebra& algebra) {
   const bem::Mesh& mesh = space.mesh();
@@ -28,9 +28,9 @@ Prepared prepare(const Scene& scene, const adaptivity::Strategy& strategy,
     return {mesh, adaptivity::findSingularPoints(mesh, scene.conditions)};
   if (transitions != "Follow")
     return {mesh, adaptivity::findSingularPoints(mesh, scene.conditions, multiplier,
-                                                 result.states)};
+                                                 level.states)};
   const auto located = adaptivity::locateTransitions(
-      space, result.displacement, scene.conditions, multiplier, result.states);
+      space, level.displacement, scene.conditions, multiplier, level.states);
   const std::vector<bool> held = adaptivity::heldNodes(mesh, firstLevel(scene).mesh);
   const auto moves =
       adaptivity::agree(adaptivity::chooseMoves(mesh, held, located.transitions,
@@ -47,32 +47,32 @@ LevelStart firstLevel(const Scene& scene) {
   return {0, bem::makeMesh(scene.outline, scene.elementsPerEdge, scene.degree), {}};
 }
 
-std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& result,
+std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& level,
                                             const bem::DenseAlgebra& algebra) {
   const auto converged = [](const char* reason) {
     return Outcome{contact::Status::Converged, reason};
   };
-  if (result.status != contact::Status::Converged)
-    return Outcome{result.status, bem::message("level ", result.level,
-                                               " is not converged: ", result.reason)};
-  if (result.indicators.estimate() < scene.adaptivity.targetEstimate)
+  if (level.status != contact::Status::Converged)
+    return Outcome{level.status, bem::message("level ", level.number,
+                                              " is not converged: ", level.reason)};
+  if (level.indicators.estimate() < scene.adaptivity.targetEstimate)
     return converged("the estimate is below the target");
-  if (result.level + 1 >= scene.adaptivity.maximumLevels)
+  if (level.number + 1 >= scene.adaptivity.maximumLevels)
     return converged("all levels that the scene allows are computed");
 
-  const bem::Space space({scene.outline, result.pieces});
+  const bem::Space space({scene.outline, level.pieces});
   const bem::Mesh& mesh = space.mesh();
   const adaptivity::Strategy& strategy = adaptivity::strategy(scene.adaptivity.strategy);
   const contact::MultiplierSpace multiplier(
       mesh, contact::multiplierBasis(scene.multiplier), scene.conditions);
   adaptivity::GradingOptions grading = scene.adaptivity.grading;
   grading.largestDegree = multiplier.basis().largestDegree;
-  const Prepared prepared = prepare(scene, strategy, result, space, multiplier, algebra);
+  const Prepared prepared = prepare(scene, strategy, level, space, multiplier, algebra);
   const adaptivity::LevelData data{
       prepared.mesh,
-      result.indicators.elements(),
-      adaptivity::looksAnalytic(space, scene.conditions, result.displacement,
-                                result.density, scene.adaptivity.analyticityThreshold),
+      level.indicators.elements(),
+      adaptivity::looksAnalytic(space, scene.conditions, level.displacement,
+                                level.density, scene.adaptivity.analyticityThreshold),
       scene.adaptivity.markingFraction,
       prepared.singular,
       grading};
@@ -80,19 +80,19 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& res
   if (!adaptivity::anyMarked(marks))
     return converged("there is nothing to refine");
 
-  LevelStart next{result.level + 1, adaptivity::refine(prepared.mesh, marks), {}};
+  LevelStart next{level.number + 1, adaptivity::refine(prepared.mesh, marks), {}};
   if (strategy.start == adaptivity::Start::Carried)
     next.start =
-        adaptivity::carry(mesh, multiplier, result.state, next.mesh, scene.conditions);
+        adaptivity::carry(mesh, multiplier, level.state, next.mesh, scene.conditions);
   return next;
 }
 
 std::variant<LevelStart, Outcome> levelAfterRestart(const Scene& scene,
-                                                    const Level& result,
+                                                    const Level& level,
                                                     const bem::DenseAlgebra& algebra) {
-  if (result.status != contact::Status::Converged)
-    return LevelStart{result.level, {scene.outline, result.pieces}, result.state};
-  return nextLevel(scene, result, algebra);
+  if (level.status != contact::Status::Converged)
+    return LevelStart{level.number, {scene.outline, level.pieces}, level.state};
+  return nextLevel(scene, level, algebra);
 }
 
 }  // namespace epafi::drivers

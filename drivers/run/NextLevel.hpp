@@ -30,13 +30,13 @@ LevelStart firstLevel(const Scene& scene);
 /// Everything is taken from the numbers of the level and from the scene, so that a level
 /// read from a file leads to the same next one as a level just computed.  Collective.
 /// \throws bem::InputError if the pieces are no mesh on the scene's outline.
-std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& result,
+std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& level,
                                             const bem::DenseAlgebra& algebra);
 
 /// Where a run goes on that ended with this level: nextLevel, but a level that has not
 /// converged is solved again from the state it was left in.
 std::variant<LevelStart, Outcome> levelAfterRestart(const Scene& scene,
-                                                    const Level& result,
+                                                    const Level& level,
                                                     const bem::DenseAlgebra& algebra);
 
 }  // namespace epafi::drivers

@@ -26,12 +26,12 @@ std::vector<Level> solveScene(const std::string& name,
   const drivers::Scene scene =
       drivers::readScene(std::string(EPAFI_SCENES) + "/" + name + ".xml", settings);
   std::vector<Level> levels;
-  drivers::PhaseTimer timer(drivers::Progress::Silent);
+  drivers::PhaseTimer timer;
   const drivers::Ranks ranks;
   const auto keep = [&](const drivers::SolvedLevel& level) {
     levels.push_back({static_cast<double>(level.row.size.dof()), level.row.estimate,
                       bem::makeCauchyData(level.solved.space, level.solved.displacement,
-                                          level.result.density)});
+                                          level.level.density)});
   };
   solveLevels(scene, ranks, timer, keep);
   return levels;

@@ -17,7 +17,7 @@ namespace {
 std::vector<int> warmSteps(const std::string& scene,
                            const std::vector<std::string>& settings) {
   std::vector<int> steps;
-  drivers::PhaseTimer timer(drivers::Progress::Silent);
+  drivers::PhaseTimer timer;
   const drivers::Ranks ranks;
   solveLevels(
       drivers::readScene(std::string(EPAFI_SCENES) + "/" + scene + ".xml", settings),
