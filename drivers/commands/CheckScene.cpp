@@ -1,7 +1,6 @@
 #include "bem/base/Error.hpp"
-#include "bem/mesh/Mesh.hpp"
-#include "bem/quadrature/Gauss.hpp"
-#include "contact/multiplier/MultiplierBasis.hpp"
+#include "contact/problem/Loads.hpp"
+#include "contact/problem/Obstacle.hpp"
 #include "drivers/commands/Commands.hpp"
 #include "drivers/scene/SceneReader.hpp"
 
@@ -12,43 +11,40 @@ namespace epafi::drivers {
 
 namespace {
 
-/// Where loads are integrated on an element; a rule of higher order than any that is
-/// used.
-std::vector<double> quadraturePoints(int degree) {
-  return bem::gaussLegendre(2 * degree + 8).points;
-}
-
-/// Where gaps, bounds and prescribed displacements are sampled: also at the multiplier's
-/// own places and at the ends of the element.
-std::vector<double> samplingPoints(const Scene& scene) {
-  std::vector<double> points = quadraturePoints(scene.degree);
-  const auto places = contact::multiplierBasis(scene.multiplier).places(scene.degree);
-  points.insert(points.end(), places.begin(), places.end());
-  points.push_back(-1);
-  points.push_back(1);
-  return points;
+/// Where contact.csv and solution.hdf look at an element.
+std::vector<double> outputPlaces(const Scene& scene) {
+  const int samples = scene.output.contactSamples;
+  std::vector<double> places;
+  for (int k = 0; k < samples; ++k)
+    places.push_back(-1 + (2.0 * k + 1) / samples);
+  const int lines = scene.output.fields ? 2 * (scene.degree + 1) : 0;
+  for (int k = 0; k <= lines && lines > 0; ++k)
+    places.push_back(-1 + 2.0 * k / lines);
+  return places;
 }
 
 void evaluate(const bem::Mesh& mesh, const std::string& boundary,
               const std::vector<bem::Function>& functions,
-              const std::vector<double>& points) {
+              const std::vector<double>& places) {
   for (int e : mesh.elementsOf(boundary))
-    for (double t : points)
+    for (double t : places)
       for (const bem::Function& function : functions)
         if (function)
           function(mesh.physicalPoint(e, t));
 }
 
+/// By what a run itself makes of the conditions, at its own points.
 void evaluateAll(const Scene& scene, const bem::Mesh& mesh) {
-  const std::vector<double> inner = quadraturePoints(scene.degree);
-  const std::vector<double> closed = samplingPoints(scene);
-  for (const auto& [boundary, condition] : scene.conditions.dirichlet)
-    evaluate(mesh, boundary, {condition.x, condition.y}, closed);
-  for (const auto& [boundary, condition] : scene.conditions.neumann)
-    evaluate(mesh, boundary, {condition.x, condition.y}, inner);
+  const bem::Space space(mesh);
+  const contact::MultiplierSpace multiplier(
+      space.mesh(), contact::multiplierBasis(scene.multiplier), scene.conditions);
+  const bem::Units units{scene.outline->diameter(), scene.material.youngsModulus};
+  contact::makeLoads(space, scene.conditions, units);
+  contact::makeObstacle(space.mesh(), multiplier, units);
+  const std::vector<double> places = outputPlaces(scene);
   for (const auto& [boundary, condition] : scene.conditions.contact) {
-    evaluate(mesh, boundary, {condition.gap}, closed);
-    evaluate(mesh, boundary, condition.friction.fields, closed);
+    evaluate(mesh, boundary, {condition.gap}, places);
+    evaluate(mesh, boundary, condition.friction.fields, places);
   }
 }
 

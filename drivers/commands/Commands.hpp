@@ -8,11 +8,11 @@
 
 namespace epafi::drivers {
 
-/// `epafi check`: reads nothing and solves nothing, but evaluates every expression of the
-/// scene at the quadrature and contact points of the first mesh, and tells what the scene
-/// is. \throws bem::InputError where an expression is not one finite number, or for a
-/// mesh that
-///   cannot be made.
+/// `epafi check`: solves nothing, but makes loads, obstacle and bounds on the first mesh as
+/// a run does, so that every expression is evaluated where the run's first level does, and
+/// tells what the scene is.  (The estimate's own points follow from the solution.)
+/// \throws bem::InputError where an expression is not one finite number, where a bound is
+/// negative, or for a mesh that cannot be made.
 std::string checkScene(const Scene& scene);
 
 /// `epafi parameters --format text|xml|markdown`: the whole schema.
