@@ -2,46 +2,11 @@
 
 #include "adaptivity/mark/Analyticity.hpp"
 #include "adaptivity/mark/Strategy.hpp"
-#include "adaptivity/refine/MovingNodes.hpp"
 #include "adaptivity/refine/Refine.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
 
 namespace epafi::drivers {
-
-namespace {
-
-/// The mesh that is refined, and where its singular points are.
-struct Prepared {
-  bem::Mesh mesh;
-  adaptivity::SingularPoints singular;
-};
-
-/// The level's own mesh, or with nodes moved to where contact and friction change.
-Prepared prepare(const Scene& scene, const adaptivity::Strategy& strategy,
-                 const Level& level, const bem::Space& space,
-                 const contact::MultiplierSpace& multiplier,
-                 const bem::DenseAlgebra& algebra) {
-  const bem::Mesh& mesh = space.mesh();
-  const std::string& transitions = scene.adaptivity.grading.transitions;
-  if (transitions == "Ignore" || strategy.grading == adaptivity::Grading::Ignored)
-    return {mesh, adaptivity::findSingularPoints(mesh, scene.conditions)};
-  if (transitions != "Follow")
-    return {mesh, adaptivity::findSingularPoints(mesh, scene.conditions, multiplier,
-                                                 level.states)};
-  const auto located = adaptivity::locateTransitions(
-      space, level.displacement, scene.conditions, multiplier, level.states);
-  const std::vector<bool> held = adaptivity::heldNodes(mesh, firstLevel(scene).mesh);
-  const auto moves =
-      adaptivity::agree(adaptivity::chooseMoves(mesh, held, located.transitions,
-                                                scene.adaptivity.grading.reach),
-                        algebra);
-  bem::Mesh moved = adaptivity::moveNodes(mesh, held, moves);
-  adaptivity::SingularPoints singular = adaptivity::placeOn(moved, located);
-  return {std::move(moved), std::move(singular)};
-}
-
-}  // namespace
 
 LevelStart firstLevel(const Scene& scene) {
   return {0, bem::makeMesh(scene.outline, scene.elementsPerEdge, scene.degree), {}};
@@ -67,7 +32,11 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
       mesh, contact::multiplierBasis(scene.multiplier), scene.conditions);
   adaptivity::GradingOptions grading = scene.adaptivity.grading;
   grading.largestDegree = multiplier.basis().largestDegree;
-  const Prepared prepared = prepare(scene, strategy, level, space, multiplier, algebra);
+  const bem::Mesh coarse = firstLevel(scene).mesh;
+  const adaptivity::SolvedMesh solved{space,        scene.conditions,   multiplier,
+                                      level.states, level.displacement, coarse};
+  const adaptivity::PreparedMesh prepared =
+      adaptivity::prepare(strategy, solved, grading, algebra);
   const adaptivity::LevelData data{
       prepared.mesh,
       level.indicators.elements(),

@@ -1,8 +1,11 @@
 #include "adaptivity/mark/Grading.hpp"
 
-#include "bem/basis/Legendre.hpp"
+#include "adaptivity/refine/MovingNodes.hpp"
+#include "adaptivity/singular/Transitions.hpp"
+#include "bem/base/Error.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace epafi::adaptivity {
 
@@ -31,45 +34,92 @@ Mark cutAround(const std::vector<double>& changes, int degree,
 }
 
 /// Cuts where the states change, so that kinks come to lie on nodes.
-Mark cutAt(const std::vector<double>& changes, int degree) {
+Mark cutAt(const std::vector<double>& changes, int degree, const GradingOptions&) {
   return Mark::cut(changes, std::vector<int>(changes.size() + 1, degree));
 }
 
-Mark smoothMark(int degree, bool analytic, const GradingOptions& options) {
-  const bool raise = options.smooth == "Raise Degree" || analytic;
-  return raise && degree < options.largestDegree ? Mark::RaiseDegree : Mark::Bisect;
+Mark bisect(const std::vector<double>&, int, const GradingOptions&) {
+  return Mark::Bisect;
+}
+
+PreparedMesh ignore(const SolvedMesh& level, const GradingOptions&,
+                    const bem::DenseAlgebra&) {
+  return withoutTransitions(level);
+}
+
+PreparedMesh find(const SolvedMesh& level, const GradingOptions&,
+                  const bem::DenseAlgebra&) {
+  const bem::Mesh& mesh = level.space.mesh();
+  return {mesh,
+          findSingularPoints(mesh, level.conditions, level.multiplier, level.states)};
+}
+
+/// Moves nodes to where contact and friction change.
+PreparedMesh follow(const SolvedMesh& level, const GradingOptions& options,
+                    const bem::DenseAlgebra& algebra) {
+  const bem::Mesh& mesh = level.space.mesh();
+  const auto located = locateTransitions(
+      level.space, level.displacement, level.conditions, level.multiplier, level.states);
+  const std::vector<bool> held = heldNodes(mesh, level.coarse);
+  const auto moves =
+      agree(chooseMoves(mesh, held, located.transitions, options.reach), algebra);
+  bem::Mesh moved = moveNodes(mesh, held, moves);
+  SingularPoints singular = placeOn(moved, located);
+  return {std::move(moved), std::move(singular)};
+}
+
+/// The row of this name.
+template <class Row>
+const Row& rowOf(const std::vector<Row>& table, const std::string& name,
+                 const char* what) {
+  for (const Row& row : table)
+    if (row.name == name)
+      return row;
+  throw bem::InputError(bem::message(what, " '", name, "' is not known"));
 }
 
 }  // namespace
 
 const std::vector<Transitions>& transitions() {
   static const std::vector<Transitions> table = {
-      {"Node", "cut at it"},
-      {"Follow", "cut at it, and move that node when it moves"},
-      {"Surround", "cut on both sides of it, so that it lies in a small piece"},
-      {"Bisect", "halve the element"},
-      {"Ignore", "treat the element and its nodes as if nothing changed there"},
+      {"Node", "cut at it", find, cutAt},
+      {"Follow", "cut at it, and move that node when it moves", follow, cutAt},
+      {"Surround", "cut on both sides of it, so that it lies in a small piece", find,
+       cutAround},
+      {"Bisect", "halve the element", find, bisect},
+      {"Ignore", "treat the element and its nodes as if nothing changed there", ignore,
+       cutAt},
   };
   return table;
 }
 
 const std::vector<SmoothElements>& smoothElements() {
   static const std::vector<SmoothElements> table = {
-      {"Raise Degree", "always"},
-      {"Legendre Decay", "raise the degree where coefficients decay, halve the others"},
+      {"Raise Degree", "always", [](bool) { return true; }},
+      {"Legendre Decay", "raise the degree where coefficients decay, halve the others",
+       [](bool analytic) { return analytic; }},
   };
   return table;
+}
+
+PreparedMesh withoutTransitions(const SolvedMesh& level) {
+  const bem::Mesh& mesh = level.space.mesh();
+  return {mesh, findSingularPoints(mesh, level.conditions)};
+}
+
+PreparedMesh withTransitions(const SolvedMesh& level, const GradingOptions& options,
+                             const bem::DenseAlgebra& algebra) {
+  return rowOf(transitions(), options.transitions, "transitions")
+      .prepare(level, options, algebra);
 }
 
 Mark gradedMark(const bem::Mesh& mesh, int element, const SingularPoints& singular,
                 bool analytic, const GradingOptions& options) {
   const int degree = mesh[element].degree;
   const std::vector<double>& changes = singular.inside[static_cast<std::size_t>(element)];
-  if (!changes.empty()) {
-    if (options.transitions == "Surround")
-      return cutAround(changes, degree, options);
-    return options.transitions == "Bisect" ? Mark(Mark::Bisect) : cutAt(changes, degree);
-  }
+  if (!changes.empty())
+    return rowOf(transitions(), options.transitions, "transitions")
+        .mark(changes, degree, options);
   const bool patient = analytic && degree < options.weakDegree;
   const auto isSingular = [&](bool end) {
     const Singularity s = singular.at(mesh, element, end);
@@ -84,7 +134,9 @@ Mark gradedMark(const bem::Mesh& mesh, int element, const SingularPoints& singul
     return Mark::cut({-1 + 2 * options.ratio}, {degree, outer});
   if (end)
     return Mark::cut({1 - 2 * options.ratio}, {outer, degree});
-  return smoothMark(degree, analytic, options);
+  const bool raise =
+      rowOf(smoothElements(), options.smooth, "smooth elements").raisesDegree(analytic);
+  return raise && degree < options.largestDegree ? Mark::RaiseDegree : Mark::Bisect;
 }
 
 }  // namespace epafi::adaptivity

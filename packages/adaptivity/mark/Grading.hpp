@@ -2,18 +2,43 @@
 
 #include "adaptivity/refine/Refine.hpp"
 #include "adaptivity/singular/SingularPoints.hpp"
+#include "bem/base/DenseAlgebra.hpp"
 #include "bem/basis/Legendre.hpp"
+#include "bem/space/Space.hpp"
 
 #include <string>
 #include <vector>
 
 namespace epafi::adaptivity {
 
-/// What Graded hp does with an element inside which contact or friction changes its
-/// state.
+struct GradingOptions;
+
+/// A solved level whose singular points are looked for.
+struct SolvedMesh {
+  const bem::Space& space;
+  const contact::Conditions& conditions;
+  const contact::MultiplierSpace& multiplier;
+  const contact::ContactState& states;
+  const bem::Vector& displacement;
+  const bem::Mesh& coarse;  ///< the scene's own: its nodes stay, see heldNodes
+};
+
+/// The mesh that is refined, and where its singular points are.
+struct PreparedMesh {
+  bem::Mesh mesh;
+  SingularPoints singular;
+};
+
+/// What Graded hp does where contact or friction changes its state.
 struct Transitions {
   const char* name;
   const char* meaning;
+  /// Collective.
+  PreparedMesh (*prepare)(const SolvedMesh& level, const GradingOptions& options,
+                          const bem::DenseAlgebra& algebra);
+  /// Of an element with changes at these places, of which there are some, in order.
+  Mark (*mark)(const std::vector<double>& changes, int degree,
+               const GradingOptions& options);
 };
 const std::vector<Transitions>& transitions();
 
@@ -21,6 +46,7 @@ const std::vector<Transitions>& transitions();
 struct SmoothElements {
   const char* name;
   const char* meaning;
+  bool (*raisesDegree)(bool analytic);
 };
 const std::vector<SmoothElements>& smoothElements();
 
@@ -34,6 +60,14 @@ struct GradingOptions {
   double reach = 1;                        ///< in [0, 1]: see chooseMoves
   std::string smooth = "Raise Degree";     ///< a name of smoothElements()
 };
+
+/// The level's own mesh with the singular points that the conditions alone tell.
+PreparedMesh withoutTransitions(const SolvedMesh& level);
+
+/// What the option `transitions` makes of a level.  Collective.
+/// \throws bem::InputError if there is no such row.
+PreparedMesh withTransitions(const SolvedMesh& level, const GradingOptions& options,
+                             const bem::DenseAlgebra& algebra);
 
 /// The mark of a refined element: cut toward singular points, a higher degree elsewhere.
 ///

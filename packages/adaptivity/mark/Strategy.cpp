@@ -93,6 +93,12 @@ Mark read(const double*& numbers) {
 
 }  // namespace
 
+PreparedMesh prepare(const Strategy& strategy, const SolvedMesh& level,
+                     const GradingOptions& options, const bem::DenseAlgebra& algebra) {
+  return strategy.grading == Grading::Obeyed ? withTransitions(level, options, algebra)
+                                             : withoutTransitions(level);
+}
+
 Marks decide(const Strategy& strategy, const LevelData& level,
              const bem::DenseAlgebra& algebra) {
   bem::Vector numbers;
@@ -120,8 +126,7 @@ const std::vector<Strategy>& strategies() {
        Start::Carried, Grading::Ignored, refineWorst},
       {"Graded hp",
        "of these, cut next to singular points toward them and raise the degree "
-       "elsewhere, "
-       "see Grading",
+       "elsewhere, see Grading",
        Start::Carried, Grading::Obeyed, gradeWorst},
   };
   return table;

@@ -39,6 +39,11 @@ struct Strategy {
   Marks (*marks)(const LevelData& level);
 };
 
+/// The mesh that the strategy refines: the level's own, or with nodes that follow the
+/// transitions.  Collective.
+PreparedMesh prepare(const Strategy& strategy, const SolvedMesh& level,
+                     const GradingOptions& options, const bem::DenseAlgebra& algebra);
+
 /// The strategy's marks as rank 0 takes them; all processes must call.
 Marks decide(const Strategy& strategy, const LevelData& level,
              const bem::DenseAlgebra& algebra);
