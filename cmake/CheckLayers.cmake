@@ -8,7 +8,7 @@
 cmake_minimum_required(VERSION 3.20)
 set(layers bem contact adaptivity drivers)
 # Folders of one floor, divided by |, may include each other.  A layer without floors is free.
-set(bem_floors base|simd algebra basis kernel quadrature geometry mesh moments space
+set(bem_floors base|simd algebra basis quadrature geometry mesh moments kernel space
   operators|tractions fields tpetra)
 set(adaptivity_floors singular refine mark estimate)
 set(drivers_floors process scene run output study commands bench)
