@@ -51,10 +51,11 @@ std::string capReached(int level, const Size& size, long cap) {
 
 bem::SteklovPoincare stiffnessOf(bem::Operators operators,
                                  const bem::DenseAlgebra& algebra,
-                                 const bem::SingleLayerSolver* krylov) {
+                                 const bem::SingleLayerSolver* krylov,
+                                 const bem::LocalCompliance& compliance) {
   if (krylov != nullptr)
-    return bem::SteklovPoincare(std::move(operators), algebra, *krylov);
-  return bem::SteklovPoincare(std::move(operators), algebra);
+    return bem::SteklovPoincare(std::move(operators), algebra, *krylov, compliance);
+  return bem::SteklovPoincare(std::move(operators), algebra, compliance);
 }
 
 std::vector<bem::Piece> piecesOf(const bem::Mesh& mesh) {
@@ -94,7 +95,9 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
           contact::tractionElements(multiplier, scene.stabilization));
     });
     const auto stiffness = timer.run(Phase::Factorization, [&] {
-      return stiffnessOf(std::move(operators), algebra, belos.get());
+      return stiffnessOf(std::move(operators), algebra, belos.get(),
+                         contact::densityCompliance(space, multiplier,
+                                                    scene.stabilization, lame, units));
     });
     const auto problem = timer.run(Phase::Stabilization, [&] {
       return contact::ContactProblem(
@@ -104,7 +107,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
       return solveOnce(problem, space.mesh(), from->start, scene.solver, algebra);
     });
     const bem::Vector displacement = problem.displacement(solution.state);
-    const bem::Vector density = stiffness.density(displacement);
+    const bem::Vector density = problem.density(solution.state, displacement);
     const contact::Solved solved{space, stiffness,      problem,     scene.conditions,
                                  units, solution.state, displacement};
     auto indicators = timer.run(Phase::Estimate, [&] {

@@ -188,13 +188,40 @@ bem::Material readMaterial(const ParameterList& list) {
   return material;
 }
 
+/// V has the normals of each closed line in its kernel at ν = 1/2; only what Form Density
+/// adds on contact elements takes them out.
+void checkIncompressible(const Scene& scene, const std::string& path) {
+  if (scene.material.poissonsRatio < 0.5 || scene.material.planeStress)
+    return;
+  if (scene.stabilization.form != contact::Stabilization::Form::Density)
+    throw InputError(path +
+                     ": is 1/2, which Discretization->Stabilization->Form = "
+                     "Density allows in plane strain; other forms want less");
+  const std::vector<bem::Edge>& edges = scene.outline->edges();
+  std::vector<bool> seen(edges.size(), false);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    bool held = seen[k];
+    for (std::size_t i = k; !seen[i]; i = static_cast<std::size_t>(edges[i].next)) {
+      seen[i] = true;
+      held = held || scene.conditions.contact.count(edges[i].boundary) != 0;
+    }
+    if (!held)
+      throw InputError(path +
+                       ": is 1/2, which needs a contact boundary on every closed "
+                       "line of the outline; the one with '" +
+                       edges[k].boundary + "' has none");
+  }
+}
+
 contact::Stabilization readStabilization(const ParameterList& list) {
   using Form = contact::Stabilization::Form;
   using Scaling = contact::Stabilization::Scaling;
   contact::Stabilization stabilization;
-  stabilization.form = pick<Form>(
-      list.get<std::string>("Form"),
-      {{"Projected", Form::Projected}, {"Exact", Form::Exact}, {"None", Form::None}});
+  stabilization.form =
+      pick<Form>(list.get<std::string>("Form"), {{"Projected", Form::Projected},
+                                                 {"Exact", Form::Exact},
+                                                 {"Density", Form::Density},
+                                                 {"None", Form::None}});
   stabilization.scaling =
       pick<Scaling>(list.get<std::string>("Scaling"),
                     {{"Stiffness", Scaling::Stiffness}, {"Absolute", Scaling::Absolute}});
@@ -304,6 +331,7 @@ Scene build(const std::string& file, const RawScene& raw) {
   scene.stabilization = readStabilization(discretization.sublist("Stabilization"));
   if (contact::multiplierBasis(scene.multiplier).sharesNodes)
     scene.stabilization.form = contact::Stabilization::Form::None;
+  checkIncompressible(scene, path + "->Material->Poisson's Ratio");
   scene.solver = readSolver(used.sublist("Solver"));
   scene.linear = readLinear(used.sublist("Solver").sublist("Linear"));
   scene.adaptivity = readAdaptivity(used.sublist("Adaptivity"));

@@ -48,9 +48,10 @@ void addBody(Table& table) {
               .unit("stress")
               .range(above(0))
               .required(),
-          Row(material + "->Poisson's Ratio", Kind::Real, "Poisson's ratio nu")
+          Row(material + "->Poisson's Ratio", Kind::Real,
+              "Poisson's ratio nu; 1/2 in plane strain wants Form Density")
               .unit("1")
-              .range({-1, 0.5, true, true})
+              .range({-1, 0.5, true, false})
               .required(),
           Row(material + "->Plane State", Kind::Text,
               "no strain or no stress across the plane")
@@ -151,14 +152,14 @@ void addDiscretization(Table& table) {
               .allowed(namesOf(contact::multiplierBases())),
           Row(stabilization, Kind::List, "stabilisation of the mixed method"),
           Row(stabilization + "->Form", Kind::Text,
-              "the boundary stress S u: projected onto polynomials, exact, or no "
-              "stabilisation")
+              "what stands for the boundary stress: S u projected onto polynomials, S u "
+              "exactly, the density psi as an unknown, or no stabilisation")
               .standard("Projected")
-              .allowed({"Projected", "Exact", "None"}),
+              .allowed({"Projected", "Exact", "Density", "None"}),
           Row(stabilization + "->Gamma0", Kind::Real,
               "strength gamma0; definiteness is lost near 0.6 under Scaling Stiffness: "
-              "the "
-              "default gives way then, what is written is refused")
+              "the default gives way then, what is written is refused. Form Density "
+              "takes 0.5 instead of the default and never loses it")
               .unit("1, or as Scaling says")
               .standard("0.1")
               .range(above(0)),
@@ -171,7 +172,8 @@ void addDiscretization(Table& table) {
               .standard("0")
               .range(from(0)),
           Row(stabilization + "->Scaling", Kind::Text,
-              "Stiffness: gamma = Gamma0 min(1, 50(1-2nu)) (h/d)^Beta h p^(-2-Eta) / E; "
+              "Stiffness: gamma = Gamma0 min(1, 50(1-2nu)) (h/d)^Beta h p^(-2-Eta) / E, "
+              "without the min under Form Density; "
               "Absolute: gamma = Gamma0 h^(1+Beta) p^(-2-Eta) in the scene's units")
               .standard("Stiffness")
               .allowed({"Stiffness", "Absolute"}),

@@ -157,7 +157,7 @@ TEUCHOS_UNIT_TEST(DistributedProblem, defaultGammaGivesWayAlikeOnAllRanks) {
   TEST_FLOATING_EQUALITY(used, gamma0(lapack, {}), 1e-9);
   TEST_EQUALITY(algebra.broadcast({used}).front(), used);
   Stabilization written;
-  written.gamma0 = Stabilization::standardGamma0;
+  written.gamma0 = Stabilization{}.firstGamma0();
   TEST_THROW(gamma0(algebra, written), contact::IndefiniteStiffness);
 }
 

@@ -183,9 +183,16 @@ for nu in ("0.49", "0.4999", "0.4999999"):
     case("nu_" + nu, "nu = " + nu, "pressed_block",
          ["Bodies->block->Material->Poisson's Ratio=" + nu],
          claims=[between("force_normal", 5, 6.5), steps(40)])
-case("nu_0.5", "nu = 1/2, which needs the volume as a constraint", "pressed_block",
-     ["Bodies->block->Material->Poisson's Ratio=0.5"], code=1,
-     words=["Poisson's Ratio", "0.5"])
+NU = "Bodies->block->Material->Poisson's Ratio="
+DENSITY = "Discretization->Stabilization->Form=Density"
+case("nu_0.5", "nu = 1/2 with a stabilisation by V^-1", "pressed_block", [NU + "0.5"], code=1,
+     words=["Poisson's Ratio", "Density"])
+case("rubber_0.5", "nu = 1/2, stabilised by the density", "pressed_block", [NU + "0.5", DENSITY],
+     claims=[between("force_normal", 5, 6.5), steps(40), dissipates])
+for nu, near in (("0.4999999", 1e-6), ("0.4999", 1e-3), ("0.49", 0.1)):
+    case("rubber_" + nu, "nu = %s, stabilised by the density" % nu, "pressed_block",
+         [NU + nu, DENSITY],
+         claims=[like("rubber_0.5", ["force_normal", "energy_strain"], near), steps(40)])
 pressed = ["force_normal", "energy_strain", "contact_length", "slip_length", "energy_friction"]
 case("pressed", "pressed onto a parabola: the reference of the following", "pressed_block",
      claims=[steps(10), dissipates])
@@ -258,6 +265,12 @@ for form in ("Projected", "Exact"):
         case("gamma_%s_%s" % (gamma, form), "gamma0 = %s, %s: not definite" % (
             gamma, form.lower()), "coulomb", MESH + [GAMMA + gamma, FORM + form], code=2,
              words=["Gamma0", " 0.1"])
+for gamma in ("0.5", "1e-3", "10", "1e4"):
+    case("gamma_%s_Density" % gamma, "gamma0 = %s, by the density" % gamma, "coulomb",
+         MESH + [GAMMA + gamma, DENSITY, "Discretization->Stabilization->Scaling=Stiffness"],
+         claims=([] if gamma == "0.5" else
+                 [like("gamma_0.5_Density", ["energy_strain", "energy_load"], 2e-5)]) +
+         [value("force_normal", 0.125, 1e-10), steps(50)])
 for gamma in ("5e-4", "1e-3", "0.1"):
     case("stiffness_" + gamma, "gamma0 = %s scaled by stiffness, 256 elements" % gamma,
          "coulomb", MESH + [GAMMA + gamma, "Discretization->Stabilization->Scaling=Stiffness"],

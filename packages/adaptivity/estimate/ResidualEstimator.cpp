@@ -129,6 +129,13 @@ class Residuals {
     return squares;
   }
 
+  /// What the mean of V ψ - (K + 1/2) u on a contact element, -γ (λ + ψ) under Form Density,
+  /// adds to h |mismatch|²: its square over h, integrated.
+  double meanMismatch(std::size_t contact, const Vector& density) const {
+    const Vec2 mean = solved_.problem.meanSlack(contact, solved_.state, density);
+    return dot(mean, mean);
+  }
+
   /// γ |λʰ + S u|²: what the stabilisation does to a test function.  As an energy.
   double stabilisation(std::size_t contact, const std::vector<bem::BoundaryValue>& values,
                        const std::vector<Vec2>& residual) const {
@@ -254,7 +261,8 @@ Indicators estimateResidual(const contact::Solved& solved, const Vector& density
         residuals.contactSquares(touching[k], values, contactResiduals[k], correction[k]);
     for (std::size_t i = 0; i < sourceCount; ++i)
       all[i] += contact[i];
-    if (sharp)
+    of(all, Source::Density) += residuals.meanMismatch(k, density);
+    if (sharp && !solved.problem.byDensity())
       of(all, Source::Contact) += residuals.stabilisation(k, values, contactResiduals[k]);
   }
   for (Contributions& square : squares)

@@ -18,7 +18,8 @@ struct EstimatorOptions {
 /// follow the pressure, Theorem 24; norms by the scaled L² norms of [P sec. 8].
 ///
 /// Under Weights "Energy" the multiplier in it is not λʰ but one that does the same work,
-/// see equivalentMultiplier, and γ |λʰ + S u|² is added to the contact residual.
+/// see equivalentMultiplier, and γ |λʰ + S u|² is added to the contact residual; under Form
+/// Density the mean of γ (λʰ + ψ) to the density's residual instead.
 ///
 /// The Neumann residual is taken against the given traction itself, not its interpolant,
 /// and with the uniform tractions that hold fixed rigid motions.  Free components on a
@@ -26,7 +27,7 @@ struct EstimatorOptions {
 /// interpolation leaves of them is not seen.
 ///
 /// Squares are energies [stress length²] under Weights "Energy".  Elements are shared out
-/// among the processes; every one gets all.  `density` is ψ = V⁻¹ (K + 1/2) u.
+/// among the processes; every one gets all.  `density` is ψ, see ContactProblem::density.
 Indicators estimateResidual(const contact::Solved& solved, const Vector& density,
                             const bem::Lame& lame, const EstimatorOptions& options);
 

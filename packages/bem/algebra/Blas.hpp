@@ -11,6 +11,8 @@ void dpftrs_(const char* transr, const char* uplo, const int* n, const int* nrhs
 void dtfsm_(const char* transr, const char* side, const char* uplo, const char* trans,
             const char* diag, const int* m, const int* n, const double* alpha,
             const double* packed, double* b, const int* ldb);
+void dtrtri_(const char* uplo, const char* diag, const int* n, double* a, const int* lda,
+             int* info);
 void dgesv_(const int* n, const int* nrhs, double* a, const int* lda, int* pivots,
             double* b, const int* ldb, int* info);
 void dtrsm_(const char* side, const char* uplo, const char* trans, const char* diag,

@@ -62,7 +62,31 @@ class LapackFactor final : public CholeskyFactor {
     return x;
   }
 
+  Matrix inverseOfLast(Index count) const override {
+    Matrix inverse(count, count);
+    const Index first = rows_ - count;
+    for (Index j = 0; j < count; ++j)
+      for (Index i = j; i < count; ++i)
+        inverse(i, j) = entry(first + i, first + j);
+    const int n = asInt(count);
+    const int ld = asInt(inverse.stride());
+    int info = 0;
+    if (n > 0)
+      dtrtri_("L", "N", &n, inverse.data(), &ld, &info);
+    return inverse;
+  }
+
  private:
+  /// L_ij for i >= j, see pack.
+  double entry(Index i, Index j) const {
+    const Index shift = rows_ % 2 == 0 ? 1 : 0;
+    const Index height = rows_ + shift;
+    const Index k = (rows_ + 1) / 2;
+    if (j < k)
+      return packed_.data()[j * height + i + shift];
+    return packed_.data()[(i - k + 1 - shift) * height + j - k];
+  }
+
   void triangularSolve(const char* transposed, int columns, double* b, int ld) const {
     const double one = 1;
     if (rows_ > 0 && columns > 0)

@@ -28,6 +28,9 @@ class CholeskyFactor {
 
   /// L⁻ᵀ b for a replicated vector b.
   virtual Vector backward(const Vector& b) const = 0;
+
+  /// The last `count` rows and columns of L⁻¹; empty where L is on several processes.
+  virtual Matrix inverseOfLast(Index) const { return {}; }
 };
 
 /// The one door to dense linear algebra on matrices distributed by rows.

@@ -7,8 +7,8 @@
 namespace epafi::bem {
 
 Lame::Lame(const Material& material) : nu(material.poissonsRatio) {
-  if (!(nu > -1 && nu < 0.5))
-    throw InputError(message("Poisson's Ratio = ", nu, " must lie in (-1, 1/2)"));
+  if (!(nu > -1 && nu <= 0.5))
+    throw InputError(message("Poisson's Ratio = ", nu, " must lie in (-1, 1/2]"));
   // In units of Young's modulus mu = 1/(2(1+nu)) in both plane states.
   mu = 1 / (2 * (1 + nu));
   if (material.planeStress)

@@ -2,7 +2,9 @@
 
 #include "bem/base/Error.hpp"
 
+#include <algorithm>
 #include <mutex>
+#include <utility>
 
 namespace epafi::bem {
 
@@ -16,27 +18,165 @@ struct SteklovPoincare::Tractions {
   std::shared_ptr<const TractionRows> rows;
 };
 
-SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebra)
+namespace {
+
+/// V + G, my rows of the lower triangle.
+Matrix added(Matrix lower, const Rows& mine, const LocalCompliance& compliance) {
+  for (std::size_t k = 0; k < compliance.densities.size(); ++k) {
+    const Index i = compliance.densities[k];
+    if (mine.contain(i))
+      lower(i - mine.begin, i) += compliance.diagonal[k];
+  }
+  return lower;
+}
+
+/// All of 0 ... n - 1, the given ones last.
+std::vector<Index> withLast(Index n, const std::vector<Index>& last) {
+  std::vector<Index> order;
+  auto next = last.begin();
+  for (Index i = 0; i < n; ++i)
+    if (next != last.end() && *next == i)
+      ++next;
+    else
+      order.push_back(i);
+  order.insert(order.end(), last.begin(), last.end());
+  return order;
+}
+
+Matrix rowsInOrder(Matrix a, const std::vector<Index>& order) {
+#pragma omp parallel for
+  for (Index j = 0; j < a.columns(); ++j) {
+    double* column = a.column(j);
+    const Vector before(column, column + a.rows());
+    for (std::size_t i = 0; i < order.size(); ++i)
+      column[i] = before[static_cast<std::size_t>(order[i])];
+  }
+  return a;
+}
+
+/// The lower triangle of P A Pᵀ.
+Matrix symmetricInOrder(const Matrix& lower, const std::vector<Index>& order) {
+  const auto n = static_cast<Index>(order.size());
+  Matrix result(n, n);
+#pragma omp parallel for schedule(dynamic, 16)
+  for (Index j = 0; j < n; ++j) {
+    const Index column = order[static_cast<std::size_t>(j)];
+    for (Index i = j; i < n; ++i) {
+      const Index row = order[static_cast<std::size_t>(i)];
+      result(i, j) = lower(std::max(row, column), std::min(row, column));
+    }
+  }
+  return result;
+}
+
+/// The last rows of a matrix.
+Matrix rowsFrom(const Matrix& a, Index first) {
+  Matrix rows(a.rows() - first, a.columns());
+  for (Index j = 0; j < a.columns(); ++j)
+    std::copy(a.column(j) + first, a.column(j) + a.rows(), rows.column(j));
+  return rows;
+}
+
+/// A beside the unit vectors of some densities, my rows.
+Matrix besideUnits(const Matrix& a, const Rows& mine, const std::vector<Index>& units) {
+  Matrix result(a.rows(), a.columns() + static_cast<Index>(units.size()));
+  for (Index j = 0; j < a.columns(); ++j)
+    std::copy_n(a.column(j), a.rows(), result.column(j));
+  for (std::size_t k = 0; k < units.size(); ++k)
+    if (mine.contain(units[k]))
+      result(units[k] - mine.begin, a.columns() + static_cast<Index>(k)) = 1;
+  return result;
+}
+
+void fillUpper(Matrix& lower) {
+  for (Index j = 0; j < lower.columns(); ++j)
+    for (Index i = j + 1; i < lower.rows(); ++i)
+      lower(j, i) = lower(i, j);
+}
+
+}  // namespace
+
+SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebra,
+                                 const LocalCompliance& compliance)
     : algebra_(&algebra),
       densities_(operators.singleLayer.columns()),
       tractions_(std::make_unique<Tractions>(std::move(operators.tractions))) {
-  factor_ =
-      algebra.cholesky(std::move(operators.singleLayer), "the single layer potential V");
-  half_ = factor_->forward(std::move(operators.doubleLayer));
+  Matrix v =
+      added(std::move(operators.singleLayer), algebra.myRows(densities_), compliance);
+  Matrix k = std::move(operators.doubleLayer);
+  if (algebra.processes() == 1 && !compliance.densities.empty()) {
+    order_ = withLast(densities_, compliance.densities);
+    v = symmetricInOrder(v, order_);
+    k = rowsInOrder(std::move(k), order_);
+  }
+  factor_ = algebra.cholesky(std::move(v), "the single layer potential V");
+  half_ = factor_->forward(std::move(k));
   const Rows mine = algebra.myRows(operators.hypersingular.columns());
   stiffness_ =
       LowerTriangle(algebra.addGram(std::move(operators.hypersingular), half_), mine);
+  if (compliance.densities.empty())
+    return;
+  // with T = L⁻¹ E:  Yᵀ T  and  Tᵀ T; on one process all of T is in the last rows
+  const auto count = static_cast<Index>(compliance.densities.size());
+  const bool alone = algebra.processes() == 1;
+  const Matrix t = alone ? factor_->inverseOfLast(count)
+                         : factor_->forward(besideUnits(
+                               Matrix(algebra.myRows(densities_).size(), 0),
+                               algebra.myRows(densities_), compliance.densities));
+  const Matrix last = alone ? rowsFrom(half_, densities_ - count) : Matrix();
+  Matrix displacements = algebra.addTransposeTimes(
+      Matrix(mine.size(), count), alone ? last : std::as_const(half_), t);
+  Matrix gram(algebra.myRows(count).size(), count);
+  gram = algebra.replicate(algebra.addGram(std::move(gram), t), count);
+  fillUpper(gram);
+  response_ = std::make_shared<DensityResponse>(
+      DensityResponse{compliance.densities, std::move(displacements), std::move(gram)});
 }
 
 SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebra,
-                                 const SingleLayerSolver& solver)
+                                 const SingleLayerSolver& solver,
+                                 const LocalCompliance& compliance)
     : algebra_(&algebra),
       densities_(operators.singleLayer.columns()),
-      half_(solver.solve(std::move(operators.singleLayer), operators.doubleLayer)),
-      stiffness_(algebra.addTransposeTimes(std::move(operators.hypersingular),
-                                           operators.doubleLayer, half_),
-                 algebra.myRows(operators.doubleLayer.columns())),
-      tractions_(std::make_unique<Tractions>(std::move(operators.tractions))) {}
+      tractions_(std::make_unique<Tractions>(std::move(operators.tractions))) {
+  const Rows mine = algebra.myRows(densities_);
+  const Index displacements = operators.doubleLayer.columns();
+  const auto count = static_cast<Index>(compliance.densities.size());
+  Matrix v = added(std::move(operators.singleLayer), mine, compliance);
+  if (count == 0) {
+    half_ = solver.solve(std::move(v), operators.doubleLayer);
+  } else {
+    half_ = solver.solve(std::move(v),
+                         besideUnits(operators.doubleLayer, mine, compliance.densities));
+    units_ = Matrix(mine.size(), count);
+    for (Index k = 0; k < count; ++k)
+      std::copy_n(half_.column(displacements + k), mine.size(), units_.column(k));
+    half_.shrink(displacements);
+  }
+  const Rows mineOfDisplacements = algebra.myRows(displacements);
+  stiffness_ = LowerTriangle(algebra.addTransposeTimes(std::move(operators.hypersingular),
+                                                       operators.doubleLayer, half_),
+                             mineOfDisplacements);
+  if (count == 0)
+    return;
+  Vector picked(static_cast<std::size_t>(count * count));
+  for (Index i = 0; i < count; ++i) {
+    const Index row = compliance.densities[static_cast<std::size_t>(i)];
+    for (Index j = 0; j < count && mine.contain(row); ++j)
+      picked[static_cast<std::size_t>(i + j * count)] = units_(row - mine.begin, j);
+  }
+  picked = algebra.sum(std::move(picked));
+  Matrix density(count, count);
+  for (Index j = 0; j < count; ++j)
+    for (Index i = 0; i < count; ++i)
+      density(i, j) = 0.5 * (picked[static_cast<std::size_t>(i + j * count)] +
+                             picked[static_cast<std::size_t>(j + i * count)]);
+  response_ = std::make_shared<DensityResponse>(
+      DensityResponse{compliance.densities,
+                      algebra.addTransposeTimes(Matrix(mineOfDisplacements.size(), count),
+                                                operators.doubleLayer, units_),
+                      std::move(density)});
+}
 
 SteklovPoincare::SteklovPoincare(SteklovPoincare&&) noexcept = default;
 SteklovPoincare::~SteklovPoincare() = default;
@@ -66,12 +206,45 @@ Vector SteklovPoincare::apply(const Vector& u) const {
 
 Vector SteklovPoincare::density(const Vector& u) const {
   Vector psi = algebra_->multiply(half_, densities_, u);
-  return factor_ == nullptr ? psi : factor_->backward(psi);
+  return factor_ == nullptr ? psi : unordered(factor_->backward(psi));
+}
+
+Vector SteklovPoincare::density(const Vector& u, const Vector& b) const {
+  Vector psi = density(u);
+  if (response_ == nullptr)
+    return psi;
+  Vector less;
+  if (factor_ == nullptr) {
+    less = algebra_->multiply(units_, densities_, b);
+  } else {
+    Vector right(psi.size());
+    for (std::size_t k = 0; k < b.size(); ++k)
+      right[static_cast<std::size_t>(response_->densities[k])] = b[k];
+    less = unordered(factor_->solve(ordered(right)));
+  }
+  for (std::size_t i = 0; i < psi.size(); ++i)
+    psi[i] -= less[i];
+  return psi;
+}
+
+Vector SteklovPoincare::ordered(const Vector& b) const {
+  Vector result = b;
+  for (std::size_t i = 0; i < order_.size(); ++i)
+    result[i] = b[static_cast<std::size_t>(order_[i])];
+  return result;
+}
+
+Vector SteklovPoincare::unordered(const Vector& b) const {
+  Vector result = b;
+  for (std::size_t i = 0; i < order_.size(); ++i)
+    result[static_cast<std::size_t>(order_[i])] = b[i];
+  return result;
 }
 
 Matrix SteklovPoincare::addAdjointDensity(Matrix c, Matrix b) const {
   if (factor_ != nullptr)
-    b = factor_->forward(std::move(b));
+    b = factor_->forward(order_.empty() ? std::move(b)
+                                        : rowsInOrder(std::move(b), order_));
   return algebra_->addTransposeTimes(std::move(c), half_, b);
 }
 

@@ -8,21 +8,40 @@
 
 namespace epafi::bem {
 
+/// A compliance G = diag(g) of some densities, in addition to V: 1/2 Σ g_k ψ_k² is taken
+/// from the Lagrangian (doc/theory/contact.md, "Stabilisation by the density").
+struct LocalCompliance {
+  std::vector<Index> densities;  ///< increasing
+  Vector diagonal;               ///< one g_k > 0 each
+};
+
+/// What the densities E of a LocalCompliance do by themselves.
+struct DensityResponse {
+  std::vector<Index> densities;
+  Matrix displacements;  ///< (K + 1/2)ᵀ (V + G)⁻¹ E, my rows of the displacements
+  Matrix density;        ///< Eᵀ (V + G)⁻¹ E, whole on every process
+};
+
 /// The discrete Steklov-Poincaré operator, which maps displacements to tractions:
 ///
-///   S = W + (K + 1/2)ᵀ V⁻¹ (K + 1/2) = W + Yᵀ Y,   V = L Lᵀ,  Y = L⁻¹ (K + 1/2)   [P
-///   sec. 3]
+///   S = W + (K + 1/2)ᵀ V⁻¹ (K + 1/2) = W + Yᵀ Y,   V = L Lᵀ,  Y = L⁻¹ (K + 1/2)
+///                                                                           [P sec. 3]
+///
+/// With a LocalCompliance G it is  A = W + (K + 1/2)ᵀ (V + G)⁻¹ (K + 1/2) <= S,  and V + G
+/// stands wherever V stands below.
 ///
 /// Dimensionless (lengths by the outline's diameter, stresses by Young's modulus).
 class SteklovPoincare {
  public:
   /// CPU seconds are not this class's business: callers time assembleOperators and this.
   /// \throws NumericalError if V is not positive definite.
-  SteklovPoincare(Operators operators, const DenseAlgebra& algebra);
+  SteklovPoincare(Operators operators, const DenseAlgebra& algebra,
+                  const LocalCompliance& compliance = {});
 
   /// The same with Z = V⁻¹ (K + 1/2) column by column:  S = W + (K + 1/2)ᵀ Z.
   SteklovPoincare(Operators operators, const DenseAlgebra& algebra,
-                  const SingleLayerSolver& solver);
+                  const SingleLayerSolver& solver,
+                  const LocalCompliance& compliance = {});
 
   /// S, my rows.
   const LowerTriangle& stiffness() const { return stiffness_; }
@@ -30,6 +49,8 @@ class SteklovPoincare {
   const std::vector<int>& tractionElements() const;
   /// The projected tractions on them; made at the first call, which is collective.
   std::shared_ptr<const TractionRows> tractions() const;
+  /// Of the densities with a compliance of their own; null without any.
+  std::shared_ptr<const DensityResponse> response() const { return response_; }
   const DenseAlgebra& algebra() const { return *algebra_; }
 
   SteklovPoincare(SteklovPoincare&&) noexcept;
@@ -40,17 +61,29 @@ class SteklovPoincare {
   /// ψ = V⁻¹ (K + 1/2) u: the traction that belongs to u, as a density.          [P (15)]
   Vector density(const Vector& u) const;
 
+  /// V⁻¹ ((K + 1/2) u - E b), E the unit vectors of response().
+  Vector density(const Vector& u, const Vector& b) const;
+
   /// C + (K + 1/2)ᵀ V⁻¹ B, my rows of the displacements; B by my rows of the densities.
   Matrix addAdjointDensity(Matrix c, Matrix b) const;
 
  private:
   struct Tractions;
 
+  /// A vector of the densities in the order of the factor, and back.
+  Vector ordered(const Vector& b) const;
+  Vector unordered(const Vector& b) const;
+
   const DenseAlgebra* algebra_;
   Index densities_ = 0;
+  /// Density of each row of the factor; empty: as numbered.  On one process those with a
+  /// compliance come last, so that what they do needs but the end of the factor.
+  std::vector<Index> order_;
   std::unique_ptr<CholeskyFactor> factor_;  ///< null: with a solver
   Matrix half_;                             ///< Y, or Z; my rows of the densities
+  Matrix units_;                            ///< with a solver: V⁻¹ E
   LowerTriangle stiffness_;
+  std::shared_ptr<const DensityResponse> response_;
   std::unique_ptr<Tractions> tractions_;
 };
 

@@ -78,6 +78,7 @@ struct ContactProblem::Parts {
   Loads loads;
   RigidConstraints rigid;
   std::unique_ptr<bem::CholeskyFactor> factor;  ///< of A, constrained: L Lᵀ
+  const bem::SteklovPoincare* operators;
   const DenseAlgebra* algebra;
   Index unknowns = 0;
 
@@ -272,7 +273,7 @@ ContactProblem::ContactProblem(const Input& input) {
   Obstacle obstacle = makeObstacle(input.space.mesh(), multiplier, input.units);
 
   const bool stabilised = coupling.stabilisationColumns() > 0;
-  double gamma0 = stabilised ? input.stabilization.firstGamma0() : 0;
+  double gamma0 = stabilised || coupling.response ? input.stabilization.firstGamma0() : 0;
   Factorised factorised;
   try {
     factorised = factorise(input, coupling, loads, rigid);
@@ -294,6 +295,7 @@ ContactProblem::ContactProblem(const Input& input) {
                                          std::move(loads),
                                          std::move(rigid),
                                          std::move(factorised.factor),
+                                         &input.stiffness,
                                          &algebra,
                                          input.space.displacements(),
                                          std::move(factorised.load),
@@ -362,6 +364,56 @@ Vector ContactProblem::displacement(const State& state) const {
   return refined(std::move(u), [&](const Vector& now) {
     return parts.respond(parts.stiffness.residual(force, now));
   });
+}
+
+Vector ContactProblem::density(const State& state, const Vector& displacement) const {
+  const Parts& parts = *parts_;
+  if (parts.coupling.response == nullptr)
+    return parts.operators->density(displacement);
+  return parts.operators->density(displacement,
+                                  parts.coupling.weighted(state.multiplier));
+}
+
+// With w = N λ:  uᵀ A u - 2 uᵀ R w + wᵀ X w - ψᵀ G ψ, which has no differences of what grows
+// as ν -> 1/2 while γ is there.
+double ContactProblem::strainEnergy(const State& state,
+                                    const Vector& displacement) const {
+  const Parts& parts = *parts_;
+  double twice = dot(displacement, parts.operators->apply(displacement));
+  const Coupling& coupling = parts.coupling;
+  if (coupling.response == nullptr)
+    return 0.5 * twice;
+  const Vector w = coupling.weighted(state.multiplier);
+  const Matrix& x = coupling.response->density;
+  twice -= 2 * dot(displacement,
+                   parts.algebra->multiply(*coupling.columns, parts.unknowns, w));
+  for (Index j = 0; j < x.columns(); ++j)
+    for (Index i = 0; i < x.rows(); ++i)
+      twice += w[at(i)] * x(i, j) * w[at(j)];
+  const Vector psi = density(state, displacement);
+  for (std::size_t k = 0; k < coupling.compliance.size(); ++k) {
+    const double value = psi[at(coupling.response->densities[k])];
+    twice -= coupling.compliance[k] * value * value;
+  }
+  return 0.5 * twice;
+}
+
+bool ContactProblem::byDensity() const { return parts_->coupling.response != nullptr; }
+
+bem::Vec2 ContactProblem::meanSlack(std::size_t contactElement, const State& state,
+                                    const Vector& density) const {
+  const Coupling& coupling = parts_->coupling;
+  if (coupling.response == nullptr)
+    return {};
+  // P_0 is 1: its rows of N λ and of G ψ are integrals
+  const Vector w = coupling.weighted(state.multiplier);
+  const Index first = coupling.start[contactElement];
+  const auto integral = [&](Index k) {
+    return w[at(k)] +
+           coupling.compliance[at(k)] * density[at(coupling.response->densities[at(k)])];
+  };
+  const double length = coupling.compliance[at(first)] / coupling.gamma[contactElement];
+  return (1 / length) * bem::Vec2{integral(first), integral(first + 1)};
 }
 
 Vector ContactProblem::clampWork(const State& state, const Vector& displacement) const {

@@ -16,6 +16,13 @@ namespace epafi::contact {
 std::vector<int> tractionElements(const MultiplierSpace& multiplier,
                                   const Stabilization& stabilization);
 
+/// What Form Density adds to V: γ <P_i, P_i> on contact elements.  Give it to
+/// bem::SteklovPoincare.  Empty for the other forms.
+bem::LocalCompliance densityCompliance(const bem::Space& space,
+                                       const MultiplierSpace& multiplier,
+                                       const Stabilization& stabilization,
+                                       const bem::Lame& lame, bem::Units units);
+
 /// The stabilised stiffness A = S - S^ is not positive definite with the γ₀ that was given.
 struct IndefiniteStiffness : bem::NumericalError {
   IndefiniteStiffness(double used, double limit);
@@ -61,6 +68,13 @@ class ContactProblem {
   /// equations hold to the rounding of u (see BalancedStiffness).
   Vector displacement(const State& state) const;
 
+  /// ψ of a state and its displacement, the traction as a density: V⁻¹ (K + 1/2) u, with Form
+  /// Density (V + G)⁻¹ ((K + 1/2) u - N λ).
+  Vector density(const State& state, const Vector& displacement) const;
+
+  /// 1/2 <W u, u> + 1/2 <V ψ, ψ>, dimensionless.
+  double strainEnergy(const State& state, const Vector& displacement) const;
+
   /// Consistent load f of the Neumann data, all unknowns.
   const Vector& load() const;
 
@@ -72,6 +86,14 @@ class ContactProblem {
 
   /// γ₀ that the mesh has got, see Stabilization::gamma0; zero without stabilisation.
   double gamma0() const;
+
+  /// Whether ψ stands for S u in the stabilisation: Form Density.
+  bool byDensity() const;
+
+  /// γ (λ + ψ) on a contact element, averaged along it, under Form Density; else zero.
+  /// Dimensionless; the index is into multiplier().elements().
+  bem::Vec2 meanSlack(std::size_t contactElement, const State& state,
+                      const Vector& density) const;
 
   /// γ on a contact element (index into multiplier().elements()), dimensionless.
   double gamma(std::size_t contactElement) const;

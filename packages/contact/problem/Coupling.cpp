@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace epafi::contact {
@@ -18,8 +19,8 @@ using ContactElement = MultiplierSpace::ContactElement;
 
 namespace {
 
-double gammaOn(const bem::Mesh& mesh, int e, const ContactProblem::Input& input) {
-  const Stabilization& s = input.stabilization;
+double gammaOn(const bem::Mesh& mesh, int e, const Stabilization& s, double nu,
+               bem::Units units) {
   if (s.form == Stabilization::Form::None)
     return 0;
   const Element& element = mesh[e];
@@ -29,10 +30,11 @@ double gammaOn(const bem::Mesh& mesh, int e, const ContactProblem::Input& input)
   const double degrees = std::pow(element.degree, -2 - s.eta);
   if (s.scaling == Stabilization::Scaling::Absolute) {
     const double physical =
-        s.firstGamma0() * std::pow(h * input.units.length, 1 + s.beta) * degrees;
-    return physical * input.units.stress / input.units.length;
+        s.firstGamma0() * std::pow(h * units.length, 1 + s.beta) * degrees;
+    return physical * units.stress / units.length;
   }
-  const double nearlyIncompressible = std::min(1.0, 50 * (1 - 2 * input.lame.nu));
+  const double nearlyIncompressible =
+      s.form == Stabilization::Form::Density ? 1 : std::min(1.0, 50 * (1 - 2 * nu));
   return s.firstGamma0() * nearlyIncompressible * std::pow(h, 1 + s.beta) * degrees;
 }
 
@@ -89,9 +91,9 @@ std::shared_ptr<const bem::TractionRows> noTractions(const MultiplierSpace& mult
 /// Adds the normal or tangential coefficients of one element.
 class CouplingWriter {
  public:
-  CouplingWriter(const bem::Space& space, const MultiplierBasis& basis,
+  CouplingWriter(const bem::Space& space, const MultiplierBasis& basis, bool density,
                  Coupling& coupling)
-      : space_(space), basis_(basis), coupling_(coupling) {}
+      : space_(space), basis_(basis), density_(density), coupling_(coupling) {}
 
   void write(const ContactElement& contact, double gamma, Index firstTraction) const {
     const Element& element = space_.mesh()[contact.element];
@@ -132,10 +134,14 @@ class CouplingWriter {
       }
       if (gamma == 0)
         continue;
-      for (int l = 0; l <= p; ++l)
+      // S φ by orthonormal polynomials, densities by Legendre's
+      const int terms = density_ ? std::min(p + 1, element.densities) : p + 1;
+      for (int l = 0; l < terms; ++l) {
+        const double norm = density_ ? std::sqrt(2 * element.half / (2 * l + 1)) : 1;
         for (int c = 0; c < 2; ++c)
-          coupling_.weights.push_back(
-              {firstTraction + 2 * l + c, column, gamma * chi(l, i) * components[c]});
+          coupling_.weights.push_back({firstTraction + 2 * l + c, column,
+                                       gamma * norm * chi(l, i) * components[c]});
+      }
     }
   }
 
@@ -154,8 +160,32 @@ class CouplingWriter {
 
   const bem::Space& space_;
   const MultiplierBasis& basis_;
+  bool density_;
   Coupling& coupling_;
 };
+
+/// What stands for S φ in the coupling: densities' responses, or tractions.
+void chooseColumns(Coupling& coupling, const ContactProblem::Input& input,
+                   const MultiplierSpace& multiplier) {
+  const Stabilization::Form form = input.stabilization.form;
+  coupling.response = input.stiffness.response();
+  coupling.tractions =
+      form == Stabilization::Form::Projected || form == Stabilization::Form::Exact
+          ? tractions(input, multiplier)
+          : noTractions(multiplier);
+  coupling.start = coupling.tractions->start;
+  coupling.columns = {coupling.tractions, &coupling.tractions->rows};
+  const bool expected =
+      form == Stabilization::Form::Density && !multiplier.elements().empty();
+  assert((coupling.response != nullptr) == expected);
+  if (!expected)
+    return;
+  coupling.columns = {coupling.response, &coupling.response->displacements};
+  coupling.start.assign(1, 0);
+  for (const ContactElement& contact : multiplier.elements())
+    coupling.start.push_back(coupling.start.back() +
+                             2 * input.space.mesh()[contact.element].densities);
+}
 
 }  // namespace
 
@@ -166,20 +196,43 @@ std::vector<int> tractionElements(const MultiplierSpace& multiplier,
   return contactElements(multiplier);
 }
 
+bem::LocalCompliance densityCompliance(const bem::Space& space,
+                                       const MultiplierSpace& multiplier,
+                                       const Stabilization& stabilization,
+                                       const bem::Lame& lame, bem::Units units) {
+  bem::LocalCompliance compliance;
+  if (stabilization.form != Stabilization::Form::Density)
+    return compliance;
+  for (const int e : contactElements(multiplier)) {
+    const Element& element = space.mesh()[e];
+    const double gamma = gammaOn(space.mesh(), e, stabilization, lame.nu, units);
+    for (int i = 0; i < element.densities; ++i)
+      for (int c = 0; c < 2; ++c) {
+        compliance.densities.push_back(space.density(e, i, c));
+        compliance.diagonal.push_back(gamma * 2 * element.half / (2 * i + 1));
+      }
+  }
+  return compliance;
+}
+
 Coupling makeCoupling(const ContactProblem::Input& input,
                       const MultiplierSpace& multiplier) {
   Coupling coupling;
   coupling.unknowns = input.space.displacements();
   coupling.multipliers = multiplier.size();
-  const bool stabilised = input.stabilization.form != Stabilization::Form::None;
-  coupling.tractions =
-      stabilised ? tractions(input, multiplier) : noTractions(multiplier);
-  const CouplingWriter writer(input.space, multiplier.basis(), coupling);
+  chooseColumns(coupling, input, multiplier);
+  const CouplingWriter writer(input.space, multiplier.basis(),
+                              coupling.response != nullptr, coupling);
   for (std::size_t k = 0; k < multiplier.elements().size(); ++k) {
     const ContactElement& contact = multiplier.elements()[k];
-    coupling.gamma.push_back(gammaOn(input.space.mesh(), contact.element, input));
-    writer.write(contact, coupling.gamma.back(), coupling.tractions->start[k]);
+    coupling.gamma.push_back(gammaOn(input.space.mesh(), contact.element,
+                                     input.stabilization, input.lame.nu, input.units));
+    writer.write(contact, coupling.gamma.back(), coupling.start[k]);
   }
+  if (coupling.response != nullptr)
+    coupling.compliance = densityCompliance(input.space, multiplier, input.stabilization,
+                                            input.lame, input.units)
+                              .diagonal;
   return coupling;
 }
 
@@ -195,6 +248,17 @@ Matrix Coupling::multiplierMass() const {
   Matrix result(multipliers, multipliers);
   for (const Entry& entry : mass)
     result(entry.row, entry.column) += entry.value;
+  if (response == nullptr)
+    return result;
+  // - Nᵀ X N, N by columns
+  const Matrix& x = response->density;
+  Matrix half(x.rows(), multipliers);
+  for (const Entry& entry : weights)
+    for (Index i = 0; i < x.rows(); ++i)
+      half(i, entry.column) += entry.value * x(i, entry.row);
+  for (Index j = 0; j < multipliers; ++j)
+    for (const Entry& entry : weights)
+      result(entry.column, j) -= entry.value * half(entry.row, j);
   return result;
 }
 
@@ -205,7 +269,7 @@ Matrix Coupling::transposed(const bem::DenseAlgebra& algebra) const {
     if (mine.contain(entry.row))
       result(entry.row - mine.begin, entry.column) += entry.value;
   for (const Entry& entry : weights) {
-    const double* traction = tractions->rows.column(entry.row);
+    const double* traction = columns->column(entry.row);
     double* column = result.column(entry.column);
     for (Index j = 0; j < mine.size(); ++j)
       column[j] -= entry.value * traction[j];
@@ -213,13 +277,21 @@ Matrix Coupling::transposed(const bem::DenseAlgebra& algebra) const {
   return result;
 }
 
-Vector Coupling::push(const bem::DenseAlgebra& algebra, const Vector& lambda) const {
-  Vector weighted(static_cast<std::size_t>(stabilisationColumns()));
+Vector Coupling::weighted(const Vector& lambda) const {
+  Vector result(static_cast<std::size_t>(start.back()));
   for (const Entry& entry : weights)
-    weighted[static_cast<std::size_t>(entry.row)] -=
+    result[static_cast<std::size_t>(entry.row)] +=
         entry.value * lambda[static_cast<std::size_t>(entry.column)];
-  Vector result = weights.empty() ? Vector(static_cast<std::size_t>(unknowns))
-                                  : algebra.multiply(tractions->rows, unknowns, weighted);
+  return result;
+}
+
+Vector Coupling::push(const bem::DenseAlgebra& algebra, const Vector& lambda) const {
+  Vector result(static_cast<std::size_t>(unknowns));
+  if (!weights.empty()) {
+    result = algebra.multiply(*columns, unknowns, weighted(lambda));
+    for (double& x : result)
+      x = -x;
+  }
   for (const auto* entries : {&trace, &completion})
     for (const Entry& entry : *entries)
       result[static_cast<std::size_t>(entry.row)] +=

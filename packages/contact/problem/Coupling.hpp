@@ -9,10 +9,13 @@ namespace epafi::contact {
 /// The matrices that couple displacement and multiplier, stabilisation included.
 ///
 ///   B_ij = <χ_i, φ_j> - <γ χ_i, S φ_j>,  M_ij = <γ χ_j, χ_i>,  S^_ij = <γ S φ_j, S φ_i>
-///                                                                        [design.md 4.1]
+///                                                                        [doc/theory/contact.md]
 ///
 /// With the tractions' columns R,  Bᵀ = C - R G,  S^ = R diag(γ) Rᵀ;  C and G are sparse,
 /// so that B need not be kept beside R.
+///
+/// Form Density is the same with R = K' (V + G)⁻¹ E, N = <γ P_i, χ_j> in G's place,
+/// M - Nᵀ X N in M's, X = Eᵀ (V + G)⁻¹ E, and no S^ (doc/theory/contact.md).
 struct Coupling {
   struct Entry {
     Index row;
@@ -26,18 +29,24 @@ struct Coupling {
   /// What completed ends add to C in Bᵀ λ, see completeEnds; nothing on free
   /// displacements.
   std::vector<Entry> completion;
-  std::vector<Entry> weights;  ///< G: traction columns x multiplier
+  std::vector<Entry> weights;  ///< G: columns of R x multiplier
   std::vector<Entry> mass;     ///< M: multiplier x multiplier
   Vector gamma;                ///< γ per contact element, dimensionless
-  std::shared_ptr<const bem::TractionRows> tractions;  ///< S φ; empty: no stabilisation
+  std::shared_ptr<const bem::TractionRows> tractions;    ///< S φ; empty: no S^
+  std::shared_ptr<const bem::DensityResponse> response;  ///< Density; else null
+  Vector compliance;                      ///< <γ P_i, P_i> of its densities
+  std::shared_ptr<const Matrix> columns;  ///< R, my rows
+  std::vector<Index> start;               ///< of an element's columns in R
 
   /// γ becomes factor times as large, and all that is proportional to it.
   void weaken(double factor);
 
-  /// M, whole.
+  /// M, whole; with Density less Nᵀ X N.
   Matrix multiplierMass() const;
   /// Bᵀ, my rows.
   Matrix transposed(const bem::DenseAlgebra& algebra) const;
+  /// G λ: what the multiplier puts on each column of R.
+  Vector weighted(const Vector& lambda) const;
   /// Bᵀ λ, completed ends included; replicated.
   Vector push(const bem::DenseAlgebra& algebra, const Vector& lambda) const;
 

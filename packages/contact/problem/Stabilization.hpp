@@ -9,23 +9,26 @@ struct Stabilization {
   enum class Form {
     Projected,  ///< S u projected onto polynomials of degree p on each element [P (42)]
     Exact,      ///< S u at quadrature points graded to the element's ends      [P sec. 6]
+    Density,    ///< the density ψ in S u's place, an unknown (doc/theory/contact.md)
     None
   };
   enum class Scaling {
-    Stiffness,  ///< γ = γ₀ min(1, 50(1-2ν)) (h/d)^β h p^(-2-η) / E
-    Absolute    ///< γ = γ₀ h^(1+β) p^(-2-η), in the user's units, as printed in [P]
+    Stiffness,  ///< γ = γ₀ min(1, 50(1-2ν)) (h/d)^β h p^(-2-η) / E; Density: without min
+    Absolute  ///< γ = γ₀ h^(1+β) p^(-2-η), in the user's units, as printed in [P]
   };
 
   Form form = Form::Projected;
   Scaling scaling = Scaling::Stiffness;
-  /// γ₀ > 0. Empty: 0.1 or, on a mesh where that loses definiteness, a quarter of where
-  /// it is lost; only a number that is given can be too large.
+  /// γ₀ > 0. Empty: 0.5 for Density, which nothing is too large for; else 0.1 or, on a mesh
+  /// where that loses definiteness, a quarter of where it is lost; only a number that is
+  /// given can be too large.
   std::optional<double> gamma0;
   double beta = 0;  ///< >= 0
   double eta = 0;   ///< >= 0
 
-  static constexpr double standardGamma0 = 0.1;
-  double firstGamma0() const { return gamma0.value_or(standardGamma0); }
+  double firstGamma0() const {
+    return gamma0.value_or(form == Form::Density ? 0.5 : 0.1);
+  }
 };
 
 }  // namespace epafi::contact

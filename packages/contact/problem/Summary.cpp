@@ -181,7 +181,7 @@ Summary summarize(const Solved& solved) {
   const double energy = solved.units.stress * solved.units.length * solved.units.length;
   const Vector& u = solved.displacement;
   Summary summary;
-  summary.energyStrain = energy * 0.5 * dotProduct(u, solved.stiffness.apply(u));
+  summary.energyStrain = energy * solved.problem.strainEnergy(solved.state, u);
   summary.energyLoad = energy * dotProduct(solved.problem.load(), u);
   addContact(solved, summary);
   summary.load = resultantOf(loadWork(solved), solved);

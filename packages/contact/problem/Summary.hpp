@@ -14,7 +14,7 @@ struct Resultant {
 /// The scalar results of a solved problem, per unit thickness, in the user's units:
 /// energies [stress length²], forces [stress length], moment [stress length²], lengths.
 struct Summary {
-  double energyStrain = 0;     ///< ½ uᵀ S u
+  double energyStrain = 0;  ///< ½ <W u, u> + ½ <V ψ, ψ>; without Form Density ½ uᵀ S u
   double energyLoad = 0;       ///< fᵀ u
   double energyFriction = 0;   ///< ∫ bound |uₜ| over all contact sides
   double forceNormal = 0;      ///< ∫ λₙ over all contact sides

@@ -1,0 +1,288 @@
+// Stabilisation by the density: what ContactProblem condenses is the saddle point of
+//   1/2 <W u,u> + <ψ,(K+1/2) u> - 1/2 <V ψ,ψ> + <λ,u> - 1/2 Σ γ |λ + ψ|²,
+// solved here as a whole, with forms integrated anew.
+#include "Algebra.hpp"
+#include "bem/algebra/Blas.hpp"
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/quadrature/Gauss.hpp"
+#include "contact/problem/Summary.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi {
+
+namespace {
+
+using bem::Index;
+using bem::Matrix;
+using bem::Vec2;
+using bem::Vector;
+using contact::Stabilization;
+
+const bem::LapackAlgebra lapack;
+const bem::Units units{1, 1};
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+/// A square of diameter one whose bottom touches, and its right side if asked for.
+bem::Mesh squareMesh(const std::vector<int>& elements, int degree) {
+  const double side = std::sqrt(0.5);
+  const bem::Loop square{{{0, 0}, {side, 0}, {side, side}, {0, side}},
+                         {"bottom", "right", "top", "left"}};
+  return bem::makeMesh(
+      std::make_shared<const bem::Outline>(square, std::vector<bem::Loop>{}), elements,
+      degree);
+}
+
+contact::Conditions conditionsOf(const char* law) {
+  contact::Conditions conditions;
+  conditions.dirichlet["left"] = {[](Vec2) { return 0.0; }, [](Vec2) { return 0.0; }};
+  conditions.neumann["top"] = {[](Vec2) { return 0.01; },
+                               [](Vec2 x) { return -0.1 * (1 + x.x); }};
+  for (const char* side : {"bottom", "right"})
+    conditions.contact[side] = {[](Vec2 x) { return 0.01 * x.x; },
+                                &contact::frictionLaw(law), [](Vec2) { return 0.3; }};
+  return conditions;
+}
+
+struct Case {
+  std::vector<int> elements;
+  int degree;
+  const char* basis;
+  const char* law;
+  double nu;
+  double gamma0;
+};
+
+struct Condensed {
+  Vector displacement;
+  Vector density;
+  Vector residual;  ///< r = d₀ - D λ
+  double energy = 0;
+  double scale = 1;
+};
+
+Stabilization stabilizationOf(const Case& c) {
+  Stabilization stabilization;
+  stabilization.form = Stabilization::Form::Density;
+  stabilization.gamma0 = c.gamma0;
+  return stabilization;
+}
+
+contact::State stateOf(Index size) {
+  contact::State state;
+  for (Index i = 0; i < size; ++i)
+    state.multiplier.push_back(0.05 + 0.1 * std::sin(1.0 + 3.0 * static_cast<double>(i)));
+  return state;
+}
+
+Condensed condensed(const Case& c, const bem::DenseAlgebra& algebra) {
+  const bem::Lame lame({1, c.nu, false});
+  const contact::Conditions conditions = conditionsOf(c.law);
+  const Stabilization stabilization = stabilizationOf(c);
+  const contact::MultiplierBasis& basis = contact::multiplierBasis(c.basis);
+  const bem::Space space(squareMesh(c.elements, c.degree));
+  const contact::MultiplierSpace multiplier(space.mesh(), basis, conditions);
+  const bem::SteklovPoincare stiffness(
+      bem::assembleOperators(space, lame, algebra), algebra,
+      contact::densityCompliance(space, multiplier, stabilization, lame, units));
+  const contact::ContactProblem problem(
+      {space, stiffness, lame, units, conditions, basis, stabilization});
+  const contact::Problem& numbers = problem.numbers();
+  const contact::State state = stateOf(numbers.size());
+  Condensed result;
+  result.displacement = problem.displacement(state);
+  result.density = problem.density(state, result.displacement);
+  result.energy = problem.strainEnergy(state, result.displacement);
+  result.residual = numbers.offset;
+  for (Index j = 0; j < numbers.size(); ++j)
+    for (Index i = 0; i < numbers.size(); ++i)
+      result.residual[at(i)] -= numbers.flexibility(i, j) * state.multiplier[at(j)];
+  return result;
+}
+
+/// The same from the block system
+///   [ W   K'     ] [u]   [ f - <λ, φ>  ]
+///   [ K  -(V+G)  ] [ψ] = [ <γ λ, P>    ],   r = <χ, u - γ (λ + ψ)> - <χ, g>
+Condensed whole(const Case& c) {
+  const bem::Lame lame({1, c.nu, false});
+  const contact::Conditions conditions = conditionsOf(c.law);
+  const bem::Space space = bem::Space(squareMesh(c.elements, c.degree));
+  const bem::Mesh& mesh = space.mesh();
+  const contact::MultiplierSpace multiplier(mesh, contact::multiplierBasis(c.basis),
+                                            conditions);
+  const bem::Operators operators = bem::assembleOperators(space, lame, lapack);
+  const Index n = space.displacements();
+  const Index size = n + space.densities();
+  const contact::State state = stateOf(multiplier.size());
+  const auto lower = [](const Matrix& a, Index i, Index j) {
+    return a(std::max(i, j), std::min(i, j));
+  };
+  Matrix system(size, size);
+  Vector right(at(size));
+  for (Index j = 0; j < n; ++j) {
+    for (Index i = 0; i < n; ++i)
+      system(i, j) = lower(operators.hypersingular, i, j);
+    for (Index i = n; i < size; ++i)
+      system(i, j) = system(j, i) = operators.doubleLayer(i - n, j);
+  }
+  for (Index j = n; j < size; ++j)
+    for (Index i = n; i < size; ++i)
+      system(i, j) = -lower(operators.singleLayer, i - n, j - n);
+
+  const bem::Rule& rule = bem::gaussLegendre(c.degree + 4);
+  struct Point {
+    const contact::MultiplierSpace::ContactElement* element;
+    double gamma, weight, t;
+    Vec2 stress;
+  };
+  std::vector<Point> points;
+  const auto stressOf = [&](const Vector& lambda, const Point& point) {
+    const auto value = multiplier.at(lambda, *point.element, point.t);
+    const Vec2 normal = mesh[point.element->element].normal;
+    return value.normal * normal + value.tangential * turnLeft(normal);
+  };
+  for (const auto& element : multiplier.elements()) {
+    const bem::Element& e = mesh[element.element];
+    const double h = 2 * std::min({e.half, mesh[e.previous].half, mesh[e.next].half});
+    for (int q = 0; q < rule.size(); ++q) {
+      Point point{&element,
+                  c.gamma0 * h / (c.degree * c.degree),
+                  e.half * rule.weights[at(q)],
+                  rule.points[at(q)],
+                  {}};
+      point.stress = stressOf(state.multiplier, point);
+      points.push_back(point);
+    }
+  }
+  const auto unit = [](Index k, Index of) {
+    Vector vector(at(of));
+    vector[at(k)] = 1;
+    return vector;
+  };
+  for (const Point& point : points) {
+    const int e = point.element->element;
+    const bem::Element& element = mesh[e];
+    for (int k = 0; k <= element.degree; ++k)
+      for (int d = 0; d < 2; ++d) {
+        const Index row = space.displacement(e, k, d);
+        right[at(row)] -=
+            point.weight *
+            dot(space.displacementAt(unit(row, n), e, point.t), point.stress);
+      }
+    for (int i = 0; i < element.densities; ++i)
+      for (int d = 0; d < 2; ++d) {
+        const Index row = space.density(e, i, d);
+        const Vec2 p = space.densityAt(unit(row, size - n), e, point.t);
+        right[at(n + row)] += point.weight * point.gamma * dot(p, point.stress);
+        for (int j = 0; j < element.densities; ++j) {
+          const Index column = space.density(e, j, d);
+          system(n + row, n + column) -=
+              point.weight * point.gamma *
+              dot(p, space.densityAt(unit(column, size - n), e, point.t));
+        }
+      }
+  }
+  // loads by linear tractions: exact with any rule for degree p + 1
+  for (const int e : mesh.elementsOf("top"))
+    for (int q = 0; q < rule.size(); ++q)
+      for (int k = 0; k <= c.degree; ++k)
+        for (int d = 0; d < 2; ++d) {
+          const Index row = space.displacement(e, k, d);
+          const double t = rule.points[at(q)];
+          const Vec2 x = mesh.physicalPoint(e, t);
+          right[at(row)] +=
+              mesh[e].half * rule.weights[at(q)] *
+              dot(space.displacementAt(unit(row, n), e, t), Vec2{0.01, -0.1 * (1 + x.x)});
+        }
+  for (const int e : mesh.elementsOf("left"))
+    for (int k = 0; k <= c.degree; ++k)
+      for (int d = 0; d < 2; ++d) {
+        const Index row = space.displacement(e, k, d);
+        for (Index j = 0; j < size; ++j)
+          system(row, j) = system(j, row) = row == j ? 1 : 0;
+        right[at(row)] = 0;
+      }
+
+  const int order = static_cast<int>(size);
+  const int ld = static_cast<int>(system.stride());
+  const int one = 1;
+  int info = 0;
+  std::vector<int> pivots(at(size));
+  dgesv_(&order, &one, system.data(), &ld, pivots.data(), right.data(), &order, &info);
+  Condensed result;
+  result.displacement.assign(right.begin(), right.begin() + n);
+  result.density.assign(right.begin() + n, right.end());
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i)
+      result.energy += 0.5 * lower(operators.hypersingular, i, j) *
+                       result.displacement[at(i)] * result.displacement[at(j)];
+  for (Index j = 0; j < size - n; ++j)
+    for (Index i = 0; i < size - n; ++i)
+      result.energy += 0.5 * lower(operators.singleLayer, i, j) * result.density[at(i)] *
+                       result.density[at(j)];
+  result.residual.assign(at(multiplier.size()), info == 0 ? 0.0 : 1e9);
+  for (Index i = 0; i < multiplier.size(); ++i) {
+    const Vector chi = unit(i, multiplier.size());
+    for (const Point& point : points) {
+      const int e = point.element->element;
+      const Vec2 slack =
+          point.gamma * (point.stress + space.densityAt(result.density, e, point.t));
+      const Vec2 u = space.displacementAt(result.displacement, e, point.t);
+      const Vec2 direction = stressOf(chi, point);
+      const double gap = 0.01 * mesh.physicalPoint(e, point.t).x;
+      result.residual[at(i)] += point.weight * (dot(direction, u - slack) -
+                                                gap * dot(direction, mesh[e].normal));
+    }
+  }
+  return result;
+}
+
+double apart(const Vector& a, const Vector& b) {
+  double largest = 0;
+  double size = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    largest = std::max(largest, std::abs(a[i] - b[i]));
+    size = std::max(size, std::abs(b[i]));
+  }
+  return a.size() == b.size() ? largest / size : 1e9;
+}
+
+TEUCHOS_UNIT_TEST(Density, theCondensedProblemIsTheSaddlePoint) {
+  const Case cases[] = {
+      {{3, 2, 3, 2}, 1, "Gauss-Legendre-Lagrange", "Coulomb", 0.3, 0.5},
+      {{2, 2, 3, 2}, 3, "Gauss-Lobatto-Lagrange", "Tresca", 0.3, 0.5},
+      {{2, 3, 2, 2}, 2, "Bernstein", "None", 0.3, 1e4},
+      {{2, 3, 2, 2}, 2, "Bernstein", "Coulomb", -0.5, 1e-6},
+      {{3, 2, 3, 2}, 2, "Gauss-Legendre-Lagrange", "Coulomb", 0.5, 0.5},
+  };
+  for (const Case& c : cases) {
+    const Condensed small = condensed(c, test::algebra());
+    const Condensed large = whole(c);
+    TEST_COMPARE(apart(small.displacement, large.displacement), <, 1e-11);
+    TEST_COMPARE(apart(small.density, large.density), <, 1e-9);
+    TEST_COMPARE(apart(small.residual, large.residual), <, 1e-10);
+    TEST_COMPARE(std::abs(small.energy / large.energy - 1), <, 1e-10);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Density, incompressibilityIsALimitLikeAnyOther) {
+  Case c{{6, 4, 6, 4}, 2, "Gauss-Legendre-Lagrange", "Coulomb", 0.5, 0.5};
+  const Condensed limit = condensed(c, test::algebra());
+  double last = 1;
+  for (const double nu : {0.4999, 0.499999, 0.49999999}) {
+    c.nu = nu;
+    const Condensed near = condensed(c, test::algebra());
+    const double distance = apart(near.residual, limit.residual);
+    TEST_COMPARE(distance, <, 10 * (0.5 - nu));
+    TEST_COMPARE(distance, <, 0.1 * last);
+    last = distance;
+  }
+}
+
+}  // namespace
+
+}  // namespace epafi
