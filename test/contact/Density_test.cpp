@@ -42,9 +42,12 @@ contact::Conditions conditionsOf(const char* law) {
   conditions.dirichlet["left"] = {[](Vec2) { return 0.0; }, [](Vec2) { return 0.0; }};
   conditions.neumann["top"] = {[](Vec2) { return 0.01; },
                                [](Vec2 x) { return -0.1 * (1 + x.x); }};
+  std::vector<bem::Function> fields;
+  if (law != std::string("None"))
+    fields = {[](Vec2) { return 0.3; }};
   for (const char* side : {"bottom", "right"})
     conditions.contact[side] = {[](Vec2 x) { return 0.01 * x.x; },
-                                &contact::frictionLaw(law), [](Vec2) { return 0.3; }};
+                                contact::makeFriction(law, fields)};
   return conditions;
 }
 

@@ -135,8 +135,10 @@ TEUCHOS_UNIT_TEST(Problem, whatDoesNotFitIsRefusedAtTheDoor) {
     p.rigidLoad = {1};
     p.rigid = contact::Matrix(1, 1);
   });
-  refuses([](Problem& p) { p.tangentials[0].normal = 1; });
-  refuses([](Problem& p) { p.tangentials[0].others = {{-1, 0.1}}; });
+  for (const Index normal : {-1, 1})
+    refuses([normal](Problem& p) {
+      p.tangentials[0] = {normal, contact::pointLaw("Coulomb", {0.5})};
+    });
 }
 
 }  // namespace
