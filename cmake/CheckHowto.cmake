@@ -2,10 +2,11 @@
 #
 #   cmake -DBUILD=<build folder> -DSOURCES=<of the application> -DPROGRAM=<its name>
 #         -DRANKS=1,2 -DMPIEXEC=<mpirun> -DWORK=<temporary folder> [-DOPTIONS=<for cmake>]
-#         -P CheckHowto.cmake
+#         [-DCHECKER=<a Python program> -DEPAFI=<the program>] -P CheckHowto.cmake
 #
 # Installs into a fresh folder, builds a copy of the application against it, runs it on each
 # number of ranks; all must print the same numbers to 1e-9 of the column's scale.
+# Or leaves all that to the checker.
 cmake_minimum_required(VERSION 3.20)
 
 function(run)
@@ -23,6 +24,11 @@ file(COPY ${SOURCES}/ DESTINATION ${WORK}/sources)
 run(${CMAKE_COMMAND} -S ${WORK}/sources -B ${WORK}/build -G Ninja ${OPTIONS}
   -DCMAKE_PREFIX_PATH=${WORK}/prefix)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
+
+if(CHECKER)
+  run(/usr/bin/python3 ${CHECKER} ${WORK}/build/${PROGRAM} ${WORK}/sources ${WORK} ${EPAFI} ${MPIEXEC})
+  return()
+endif()
 
 string(REPLACE "," ";" RANKS "${RANKS}")
 foreach(ranks IN LISTS RANKS)

@@ -5,6 +5,7 @@ include(CMakePackageConfigHelpers)
 
 set(epafi_config ${CMAKE_INSTALL_LIBDIR}/cmake/Epafi)
 get_property(epafi_packages GLOBAL PROPERTY EPAFI_PACKAGES)
+list(APPEND epafi_packages drivers)
 get_property(epafi_wrappers GLOBAL PROPERTY EPAFI_WRAPPERS)
 
 foreach(package IN LISTS epafi_packages)
@@ -15,6 +16,12 @@ foreach(package IN LISTS epafi_packages)
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 endforeach()
+# epafi as a library, for programs that add to it: the component `program`.
+list(REMOVE_ITEM epafi_packages drivers)
+list(APPEND epafi_packages program)
+set_target_properties(epafi_drivers PROPERTIES EXPORT_NAME program)
+install(FILES ${PROJECT_SOURCE_DIR}/drivers/Program.hpp
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/epafi/drivers COMPONENT development)
 # The wrappers are no imported targets, so they can be exported along.
 install(TARGETS ${epafi_wrappers} EXPORT EpafiTargets)
 install(EXPORT EpafiTargets NAMESPACE Epafi:: DESTINATION ${epafi_config}

@@ -26,7 +26,9 @@ contact::Conditions pressedBlock(const char* law) {
                                [](bem::Vec2 x) { return -0.01 * (1 + x.x); }};
   conditions.contact["bottom"] = {
       [](bem::Vec2 x) { return 0.001 * x.x * x.x; },
-      contact::makeFriction(law, {[](bem::Vec2) { return 0.3; }})};
+      law == std::string("None")
+          ? contact::Friction()
+          : contact::makeFriction(law, {[](bem::Vec2) { return 0.3; }})};
   return conditions;
 }
 

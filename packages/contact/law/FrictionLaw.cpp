@@ -1,5 +1,6 @@
 #include "contact/law/FrictionLaw.hpp"
 
+#include "contact/law/CappedCoulombLaw.hpp"
 #include "contact/law/CoulombLaw.hpp"
 #include "contact/law/TrescaLaw.hpp"
 
@@ -36,12 +37,13 @@ std::shared_ptr<const FrictionLaw> withoutKeys(const std::string& name,
 }  // namespace
 
 bem::Family<FrictionLawMember>& frictionLaws() {
-  static bem::Family<FrictionLawMember> laws("friction law",
-                                             {
-                                                 {"None", {}, {}},
-                                                 member<TrescaLaw>("Tresca"),
-                                                 member<CoulombLaw>("Coulomb"),
-                                             });
+  static bem::Family<FrictionLawMember> laws(
+      "friction law", {
+                          {"None", {}, {}},
+                          member<TrescaLaw>("Tresca"),
+                          member<CoulombLaw>("Coulomb"),
+                          member<CappedCoulombLaw>("Capped Coulomb"),
+                      });
   return laws;
 }
 
