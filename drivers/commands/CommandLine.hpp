@@ -18,8 +18,7 @@ struct RunOptions {
 
 /// Options may stand before or after the scene; values as `--key value` or `--key=value`.
 /// \throws bem::InputError for an unknown option, naming the nearest, a missing or
-/// superfluous
-///   value, and anything but one scene.
+///   superfluous value, and anything but one scene.
 RunOptions parseRunOptions(const std::vector<std::string>& arguments);
 /// The same without what changes the scene: a study's file says that.
 RunOptions parseStudyOptions(const std::vector<std::string>& arguments);

@@ -12,8 +12,7 @@ class Ranks;
 ///
 /// Returns 0, or 3 if a level is not converged.
 /// \throws bem::InputError, bem::NumericalError, Interrupted: files of the levels before
-/// are
-///   written.
+///   are written.
 /// Collective; `out` and the files belong to the first rank.
 int runCommand(const std::vector<std::string>& arguments, std::ostream& out,
                const Ranks& ranks);

@@ -37,8 +37,7 @@ const std::vector<Parameter>& studyParameters();
 
 /// Reads STUDY.xml and all scenes that it names; their paths are relative to the study's.
 /// \throws bem::InputError saying what is wrong, where (file: A->B->Key) and what is
-/// allowed;
-///   also for a reference whose estimate is not weighted as an energy.
+///   allowed; also for a reference whose estimate is not weighted as an energy.
 Study readStudy(const std::string& file);
 
 }  // namespace epafi::drivers

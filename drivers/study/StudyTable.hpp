@@ -18,10 +18,10 @@ struct StudiedLevel {
 
 /// study.csv: scene, variant, the columns of history.csv, then
 ///
-///   error, error_multiplier, error_energy   relative, see TrueError
-///   counted                                 1 if `error` is far above the reference's
-///   own effectivity                             estimate over the absolute energy-norm
-///   error sweep_value, smallest_eigenvalue, reason
+///   error, error_multiplier, error_energy     relative, see TrueError
+///   counted                                   1 if the error is far above the reference's
+///   effectivity                               estimate over the absolute energy-norm error
+///   sweep_value, smallest_eigenvalue, reason
 ///
 /// seconds_total is CPU time of the variant alone, without the computation of errors.
 /// What is not known is empty; `status` of a variant that failed is "failed", with the

@@ -350,6 +350,21 @@ TEUCHOS_UNIT_TEST(BadInput, checkFindsThePointWhereAnExpressionIsNotFinite) {
   TEST_ASSERT(contains(complaintOfCheck(scene), base + "Friction->Coefficient"));
 }
 
+// 0.0040 from the corner is the last of the points where a run integrates the load on an
+// element of length 0.5; nothing looks at the corner itself.
+TEUCHOS_UNIT_TEST(BadInput, checkLooksWhereARunIntegratesLoads) {
+  const auto withTraction = [](const std::string& traction) {
+    SceneText scene;
+    scene.rigid = R"(<Parameter name="Fix" type='Array(string)' value="{X, Rotation}"/>)";
+    scene.top = R"(<Parameter name="Type" type="string" value="Neumann"/>
+        <Parameter name="Traction Y" type="string" value=")" +
+                traction + "\"/>";
+    return scene;
+  };
+  TEST_ASSERT(contains(complaintOfCheck(withTraction("1/(x &gt; 0.005)")), "is inf at"));
+  TEST_EQUALITY(complaintOfCheck(withTraction("1/(x &gt; 0.003)")), "");
+}
+
 TEUCHOS_UNIT_TEST(BadInput, interiorPointsLieInside) {
   SceneText scene;
   scene.rest = R"(<ParameterList name="Output"><Parameter name="Interior Points"

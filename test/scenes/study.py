@@ -119,6 +119,19 @@ code, text = epafi("study", again, "--output", folder, "--force")
 claim(code == 0 and "kept from before" in text, "the reference is kept")
 claim([row["error"] for row in table(os.path.join(folder, "study.csv"))[1:]] ==
       [row["error"] for row in uniform], "and gives the same errors")
+# but not one of another scene, nor a damaged one
+coarse = UNIFORM.replace("Levels=5", "Levels=2")
+with open(study("changed", coarse), "r+") as stream:
+    other = stream.read().replace("Freedom=700", "Freedom=300")
+    stream.seek(0)
+    stream.truncate()
+    stream.write(other)
+code, text = epafi("study", os.path.join(WORK, "changed.xml"), "--output", folder, "--force")
+claim(code == 0 and "reference computed" in text, "a reference of other settings is not taken")
+with open(os.path.join(folder, "reference-coulomb.hdf"), "r+b") as stream:
+    stream.truncate(20000)
+code, text = epafi("study", os.path.join(WORK, "changed.xml"), "--output", folder, "--force")
+claim(code == 0 and "reference computed" in text, "nor a damaged one")
 
 for name, variants, words in [
         ("key", UNIFORM.replace("Maximum Levels", "Maximum Level"),

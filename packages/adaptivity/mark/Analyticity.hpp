@@ -11,8 +11,8 @@ namespace epafi::adaptivity {
 ///
 /// The least squares slope m of |log|a_i|| = m i + b satisfies e^(-m) <= threshold.
 /// Coefficients below `floor` count as floor; a series that never exceeds it, or of one
-/// term, has nothing to decide from and says yes.      [P Alg. 25 (d); Houston & Süli
-/// 2005]
+/// term, has nothing to decide from and says yes.
+///                                          [P Alg. 25 (d); Houston & Süli 2005]
 ///
 /// Here |log| is -log: a function's unit does not matter.
 bool decays(const bem::Vector& coefficients, double floor, double threshold);

@@ -53,8 +53,8 @@ struct Refined {
 /// what their mark says.
 ///
 /// Positions are halved from both ends of their edge, so that a node next to either
-/// vertex keeps its digits through any number of bisections. \throws bem::InputError
-/// where a degree would exceed bem::largestDegree.
+/// vertex keeps its digits through any number of bisections.
+/// \throws bem::InputError where a degree would exceed bem::largestDegree.
 bem::Mesh refine(const bem::Mesh& mesh, const Marks& marks);
 
 /// The next mesh, and the state on the old one carried over to it.
