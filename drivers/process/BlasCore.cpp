@@ -19,7 +19,7 @@ constexpr const char* guardVariable = "EPAFI_BLAS_RESTARTED";
 
 /// log2 of the cycles that a thread of OpenBLAS without work keeps asking for some: 20
 /// microseconds.  OpenBLAS' own 20 milliseconds take the processor from OpenMP's threads
-/// in between: two threads then took longer than one on small levels.
+/// in between, so that on small levels two threads are slower than one.
 constexpr const char* shortWait = "16";
 
 /// A function of the BLAS that is loaded, null if that is not OpenBLAS.

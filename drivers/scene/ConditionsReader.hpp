@@ -11,8 +11,8 @@ class ParameterList;
 namespace epafi::drivers {
 
 /// The Boundary Conditions and Rigid Motions of a body's validated list; `place` is the
-/// body's. \throws bem::InputError for a boundary that no edge has (the nearest name is
-/// given), a
+/// body's.
+/// \throws bem::InputError for a boundary that no edge has (the nearest name is given), a
 ///   Dirichlet condition without a component, an expression that is none.
 contact::Conditions readConditions(const Teuchos::ParameterList& body, const Place& place,
                                    const bem::Outline& outline);

@@ -17,9 +17,9 @@ struct Place {
 /// Known: x, y, pi; + - * / ^, ?:, < > <= >= == !=, && ||; sin cos tan asin acos atan
 /// sinh cosh tanh asinh acosh atanh, exp, sqrt, ln = log, log2, log10, abs, sign, rint,
 /// min, max, sum, avg, atan2.  Nothing can be assigned.  May be called from several
-/// threads at once. \throws bem::InputError if it is not an expression; the function
-/// throws it where the value
-///   is not one finite number, naming file, path, expression and point.
+/// threads at once.
+/// \throws bem::InputError if it is not an expression; the function throws it where the
+///   value is not one finite number, naming file, path, expression and point.
 bem::Function makeExpression(const std::string& text, const Place& place);
 
 }  // namespace epafi::drivers

@@ -20,7 +20,8 @@ namespace epafi::drivers {
 void checkValue(const std::string& type, const std::string& value);
 
 /// Checks a whole XML list as it was written: tags, names (given, not repeated), types,
-/// values. \throws bem::InputError with the path A->B->Key; without the file.
+/// values.
+/// \throws bem::InputError with the path A->B->Key; without the file.
 void checkLexically(const Teuchos::XMLObject& root);
 
 }  // namespace epafi::drivers

@@ -16,8 +16,7 @@ struct RawScene {
 
 /// A whole file.
 /// \throws bem::InputError for a file that is missing, a folder, a device or not
-/// readable;
-///   without the file's name.
+///   readable; without the file's name.
 std::string readText(const std::string& file);
 
 /// Reads XML, or YAML if the file's name ends in .yaml or .yml.  The title is the root
@@ -29,7 +28,8 @@ RawScene rawScene(const std::string& text, const std::string& file);
 /// rawScene() of readText(): throws what both throw.
 RawScene readRawScene(const std::string& file);
 
-/// The same of the text of an XML file.  \throws bem::InputError likewise.
+/// The same of the text of an XML file.
+/// \throws bem::InputError likewise.
 RawScene readSceneText(const std::string& xml);
 
 /// Applies one "A->B->Key=value" of --set: the first '=' splits, the type that the schema

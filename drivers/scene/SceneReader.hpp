@@ -10,8 +10,9 @@ namespace epafi::drivers {
 /// Reads and validates a scene, XML or YAML.
 ///
 /// `overrides` are the "A->B->Key=value" of --set, applied in their order before
-/// validation. \throws bem::InputError saying what is wrong, where (file: A->B->Key) and
-/// what is allowed.
+/// validation.
+/// \throws bem::InputError saying what is wrong, where (file: A->B->Key) and what is
+///   allowed.
 Scene readScene(const std::string& file, const std::vector<std::string>& overrides = {});
 
 /// The same for the text of a file.

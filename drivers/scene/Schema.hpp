@@ -23,9 +23,9 @@ const std::vector<Parameter>& parameters();
 const Parameter& declared(const std::string& path);
 
 /// The list in the order of the table: checked, numbers turned into the declared type,
-/// every default filled in. \throws bem::InputError with the path for an unknown or
-/// missing key, a wrong type, a value
-///   out of range.
+/// every default filled in.
+/// \throws bem::InputError with the path for an unknown or missing key, a wrong type, a
+///   value out of range.
 Teuchos::ParameterList complete(const std::vector<Parameter>& table,
                                 const Teuchos::ParameterList& given,
                                 const std::string& title);

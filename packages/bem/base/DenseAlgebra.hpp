@@ -38,7 +38,7 @@ class CholeskyFactor {
 /// A matrix with n rows is held as the rows myRows(n) of this process, all columns;
 /// vectors are replicated.  A symmetric matrix is given by its lower triangle: what
 /// stands above the diagonal is neither read nor kept.  All calls are collective.
-/// [design.md 2]
+/// [doc/architecture.md]
 class DenseAlgebra {
  public:
   virtual ~DenseAlgebra() = default;

@@ -13,7 +13,7 @@ struct Material {
 
 /// Lamé's problem made dimensionless (E = 1), with plane stress turned into the plane
 /// strain that has the same equations.  Every constant is written without 1/(1-2nu).
-/// [design.md 3.2]
+/// [doc/theory/operators.md]
 struct Lame {
   double nu;  ///< the plane-strain Poisson's ratio
   double mu;  ///< shear modulus / Young's modulus

@@ -41,8 +41,7 @@ std::string suggestion(const std::string& name,
 ///
 /// `path` stands before each key in messages: A->B->Key.
 /// \throws InputError for an unknown name (the nearest known one is named), a wrong type
-/// or a
-///   value that the validator refuses.
+///   or a value that the validator refuses.
 void validate(Teuchos::ParameterList& list, const Teuchos::ParameterList& valid,
               const std::string& path = "");
 

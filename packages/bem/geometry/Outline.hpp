@@ -27,15 +27,15 @@ struct Edge {
 ///
 /// Coordinates are scaled and shifted so that the outer polygon has diameter 1 and lies
 /// about the origin: the single layer potential is positive definite only on small
-/// outlines (design.md 3.1), and a body far from the origin shall not lose digits.
+/// outlines (doc/notation.md), and a body far from the origin shall not lose digits.
 /// physical() and scaled() lead out and in.
 class Outline {
  public:
   /// Holes are written counter-clockwise too; inside, they run clockwise: body on the
-  /// left. \throws InputError naming the vertex or edge if a polygon has fewer than three
-  /// vertices,
-  ///   a zero or non-finite edge, is clockwise, touches or crosses itself or another one,
-  ///   or if a hole does not lie inside the outer polygon.
+  /// left.
+  /// \throws InputError naming the vertex or edge if a polygon has fewer than three
+  ///   vertices, a zero or non-finite edge, is clockwise, touches or crosses itself or
+  ///   another one, or if a hole does not lie inside the outer polygon.
   explicit Outline(const Loop& outer, const std::vector<Loop>& holes = {});
 
   const std::vector<Edge>& edges() const { return edges_; }

@@ -29,7 +29,7 @@ struct OrderTable {
 double length(Vec2 a) { return std::sqrt(dot(a, a)); }
 
 /// min over y in `source` of (|y-e0| + |y-e1|) / h, e0 and e1 the ends of E.
-/// [design.md 3.4]
+/// [doc/theory/operators.md]
 double focalRatio(const Element& e, const Element& source, Vec2 middle) {
   // in a frame with E's middle as origin: `middle` is the source's middle there
   const Vec2 e1 = e.half * e.tangent;

@@ -45,11 +45,11 @@ constexpr int degreeShare(int degree) { return (degree + 2) / 2 + 1; }
 
 /// Gauss points on an element for 1e-12, without what polynomials cost on top, the other
 /// one outside the ellipse about the element whose sum of focal distances is z lengths.
-/// [design.md 3.4]
+/// [doc/theory/operators.md]
 int smoothOrder(double z);
 
 /// True when the pair must go to nearPairMoments: the gap is below half the larger
-/// length. Otherwise sets the orders that give eps = 1e-12 (tensor Gauss, design.md 3.4),
+/// length. Otherwise sets the orders that give eps = 1e-12 (tensor Gauss),
 /// which grow with the degree and shrink with the distance, separately for the two
 /// elements.
 bool isNear(const Mesh& mesh, int e, int f, PairOrder& order);

@@ -8,7 +8,7 @@
 namespace epafi::bem {
 
 /// The boundary operators as Galerkin matrices, by this process's rows.  [P sec. 2], with
-/// the signs of design.md 3.2; dimensionless.
+/// the signs of doc/theory/operators.md; dimensionless.
 struct Operators {
   Matrix singleLayer;         ///< V, densities x densities, lower triangle
   Matrix doubleLayer;         ///< K + 1/2, densities x displacements
@@ -20,8 +20,7 @@ struct Operators {
 ///
 ///   V f = A (-log r) f + B (d d'/r²) f,
 ///   K v = K_Δ v - (2μ V - V_Δ) M v,  M v = (v₂', -v₁'),  V_Δ, K_Δ: Laplace's potentials,
-///   <W u, v> = <V* u', v'>                                            [design.md 3.2
-///   to 3.4]
+///   <W u, v> = <V* u', v'>                                   [doc/theory/operators.md]
 ///
 /// Every entry is accurate to 1e-12 of the norm of its element pair's block.
 /// Threads: OpenMP over blocks of elements.

@@ -7,7 +7,7 @@ namespace epafi::bem {
 
 /// (<W u, u> + <V ψ, ψ>)^½, dimensionless: the norm in which the method converges.
 ///
-/// W u = -d/ds V* du/ds [design.md 3.2], so that both forms are double integrals of
+/// W u = -d/ds V* du/ds [doc/theory/operators.md], so that both forms are double integrals of
 /// Legendre series; they are summed pair by pair, with the accuracy of assembleOperators
 /// but without a matrix.  A rigid translation has norm zero.
 /// Threads: OpenMP over elements; the sum does not depend on their number.

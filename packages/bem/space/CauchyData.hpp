@@ -31,8 +31,8 @@ struct UnionMesh {
 };
 
 /// Nodes are the same if they are closer than 1e-12 of their distance to the nearer
-/// vertex: bisection from different starts leaves rounding between them. \throws
-/// InputError if the outlines have different edges.
+/// vertex: bisection from different starts leaves rounding between them.
+/// \throws InputError if the outlines have different edges.
 UnionMesh unite(const Mesh& first, const Mesh& second);
 
 /// a - b on the union of their meshes, without any error but rounding.

@@ -44,7 +44,8 @@ class Consent {
   Consent(const Consent&) = delete;
   Consent& operator=(const Consent&) = delete;
 
-  /// This rank is well.  \throws FailedElsewhere if another one is not.
+  /// This rank is well.
+  /// \throws FailedElsewhere if another one is not.
   void confirm() const;
 
   /// This rank has failed.  Returns what all ranks agree upon: the failure of the lowest

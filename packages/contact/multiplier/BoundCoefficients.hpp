@@ -17,9 +17,9 @@ namespace epafi::contact {
 ///
 /// if it is closer to s than the one with the values at the control points and none of c
 /// is beyond the largest and the smallest of s, or if it is four times as close.  So a
-/// smooth bound is met to order q + 1, values at control points being second order. Where
-/// s jumps by J, c is within the hull of s, too: no continuous function is closer than J
-/// / 2, and the values' is within J.
+/// smooth bound is met to order q + 1, values at control points being second order.  Where
+/// s jumps by J, c is within the hull of s, too: no continuous function is closer than
+/// J/2, and the values' is within J.
 bem::Vector boundCoefficients(const MultiplierBasis& basis, int degree,
                               const std::function<double(double)>& bound);
 

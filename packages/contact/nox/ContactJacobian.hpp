@@ -19,7 +19,8 @@ class Linearisation {
   const Equation& equation() const { return *equation_; }
   const Evaluation& evaluation() const { return evaluation_; }
 
-  /// Factorised by the first call.  \throws SingularJacobian
+  /// Factorised by the first call.
+  /// \throws SingularJacobian
   const NewtonSystem& system() const;
 
  private:

@@ -16,7 +16,8 @@ class Merit final : public NOX::MeritFunction::Generic {
                        NOX::Abstract::Vector& result) const override;
   double computeSlope(const NOX::Abstract::Vector& direction,
                       const NOX::Abstract::Group& group) const override;
-  /// Only trust regions use a quadratic model.  \throws std::logic_error
+  /// Only trust regions use a quadratic model.
+  /// \throws std::logic_error
   double computeQuadraticModel(const NOX::Abstract::Vector& direction,
                                const NOX::Abstract::Group& group) const override;
   void computeQuadraticMinimizer(const NOX::Abstract::Group& group,

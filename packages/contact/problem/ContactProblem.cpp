@@ -90,7 +90,7 @@ struct ContactProblem::Parts {
   double gamma0;
   BalancedStiffness stiffness;
 
-  /// The unclamped, non-rigid displacement under a force: A⁺ of design.md 4.1.
+  /// The unclamped, non-rigid displacement under a force: A⁻¹ f of doc/theory/contact.md.
   Vector respond(Vector force) const {
     for (std::size_t j = 0; j < force.size(); ++j)
       if (loads.clamped[j] != 0)

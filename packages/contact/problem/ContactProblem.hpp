@@ -32,7 +32,8 @@ struct IndefiniteStiffness : bem::NumericalError {
 
 /// The stabilised mixed problem [P (13)] on one mesh, condensed onto the multiplier:
 ///
-///   A u + Bᵀ λ = f,   (μ - λ)ᵀ (B u - M λ - g) <= 0 for all admissible μ [design.md 4.1]
+///   A u + Bᵀ λ = f,   (μ - λ)ᵀ (B u - M λ - g) <= 0 for all admissible μ
+///                                                          [doc/theory/contact.md]
 ///
 /// Eliminates all displacements once; numbers() is what the nonlinear solver sees,
 /// displacement() leads back.  Of the mesh's operators it holds the factor of A and
@@ -50,9 +51,8 @@ class ContactProblem {
   };
 
   /// \throws bem::InputError if the conditions contradict each other or leave a rigid
-  /// motion
-  ///   that is both fixed and clamped; IndefiniteStiffness for a γ₀ that is given and too
-  ///   large.
+  ///   motion that is both fixed and clamped; IndefiniteStiffness for a γ₀ that is given
+  ///   and too large.
   explicit ContactProblem(const Input& input);
   ~ContactProblem();
   ContactProblem(ContactProblem&&) noexcept;

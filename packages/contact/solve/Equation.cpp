@@ -19,7 +19,7 @@ double& entry(Vector& v, Index i) { return v[static_cast<std::size_t>(i)]; }
 // c_i = 1 / Σ |D_ij| over the coefficients of i's own kind: r_i over the penetration that
 // a uniform multiplier of size 1 makes.  1/D_ii, the response to one coefficient alone,
 // grows like 1/h²; a point that slides then jumps to the opposite bound instead of
-// sticking, and from 512 elements on the sets of [P 8.1] cycle.
+// sticking, and on fine meshes the sets cycle.
 Vector responseWeights(const Problem& problem) {
   const Index n = problem.size();
   Vector responses;
@@ -100,10 +100,9 @@ StepBound extrapolated(const Tangential& tangential, const Vector& pressures,
 
 // With active sets the bound follows the sets of normal coefficients, not their signs: a
 // point that the step closes carries s(λₙ + δλₙ) after it, one that it opens nothing.
-// With p = λₙ + c rₙ and the row rₙ + δrₙ = 0 of a closed point, s(p) + s'(p) (δλₙ + c
-// δrₙ) says so. A bound that only looks at λₙ⁺ pins points to zero shear that are about
-// to close, and the sets wander: 36 steps instead of 5 on meshes graded to the ends of
-// contact.
+// With p = λₙ + c rₙ and the row rₙ + δrₙ = 0 of a closed point,
+// s(p) + s'(p) (δλₙ + c δrₙ) says so.  A bound that only looks at λₙ⁺ pins points to zero
+// shear that are about to close, and the sets wander on meshes graded to contact's ends.
 Complementarity::Value Equation::tangentialRow(const Evaluation& e, Index t) const {
   const double multiplier = entry(e.unknowns, problem_.normals + t);
   const double y = entry(e.penetration, problem_.normals + t);
