@@ -175,14 +175,11 @@ class StudyRun {
     } catch (const Interrupted&) {
       throw;
     } catch (const bem::NumericalError& error) {
-      fail(scene, variant, solved, error.what(),
-           std::numeric_limits<double>::quiet_NaN());
+      fail(scene, variant, solved, error.what());
     } catch (const bem::InputError& error) {  // known only once there is a mesh
-      fail(scene, variant, solved, error.what(),
-           std::numeric_limits<double>::quiet_NaN());
+      fail(scene, variant, solved, error.what());
     } catch (const std::bad_alloc&) {
-      fail(scene, variant, solved, "the memory does not suffice",
-           std::numeric_limits<double>::quiet_NaN());
+      fail(scene, variant, solved, "the memory does not suffice");
     }
   }
 
@@ -208,7 +205,8 @@ class StudyRun {
   }
 
   void fail(const StudiedScene& scene, const Variant& variant, int level,
-            const std::string& reason, double eigenvalue) {
+            const std::string& reason,
+            double eigenvalue = std::numeric_limits<double>::quiet_NaN()) {
     table_.failure(scene.name, variant, level, reason, eigenvalue);
     folder_.write("study.csv", table_.text());
     out_ << "  failed on level " << level << ": " << reason << "\n" << std::flush;

@@ -3,24 +3,13 @@
 #include "bem/fields/Interior.hpp"
 #include "contact/problem/ContactFields.hpp"
 #include "drivers/output/Csv.hpp"
+#include "drivers/output/FieldGrid.hpp"
 
 #include <cmath>
 
 namespace epafi::drivers {
 
 namespace {
-
-std::string numberOf(contact::FrictionKind friction) {
-  switch (friction) {
-    case contact::FrictionKind::Stick:
-      return "1";
-    case contact::FrictionKind::Slip:
-      return "2";
-    case contact::FrictionKind::None:
-      break;
-  }
-  return "0";
-}
 
 /// √(½ Σ of the squared differences of the normal stresses + 3 σxy²)
 double vonMises(const bem::InteriorValue& stress, const bem::Material& material) {
@@ -46,7 +35,7 @@ std::string contactCsv(const contact::Solved& solved, int samples) {
       csv.row({*element.boundary, std::to_string(element.element), exactly(p.place.x),
                exactly(p.place.y), exactly(p.pressure), exactly(p.shear),
                exactly(p.normal), exactly(p.tangential), exactly(p.gap), exactly(p.bound),
-               p.closed ? "1" : "0", numberOf(p.friction)});
+               p.closed ? "1" : "0", std::to_string(numberOf(p.friction))});
     }
   return csv.text();
 }

@@ -1,7 +1,5 @@
 #include "drivers/output/FieldGrid.hpp"
 
-#include "contact/problem/ContactFields.hpp"
-
 #include <algorithm>
 #include <limits>
 
@@ -12,18 +10,6 @@ namespace {
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 int linesOf(const bem::Element& element) { return 2 * (element.degree + 1); }
-
-int numberOf(contact::FrictionKind friction) {
-  switch (friction) {
-    case contact::FrictionKind::Stick:
-      return 1;
-    case contact::FrictionKind::Slip:
-      return 2;
-    case contact::FrictionKind::None:
-      break;
-  }
-  return 0;
-}
 
 void add(bem::Vec2 vector, std::vector<double>& numbers) {
   numbers.insert(numbers.end(), {vector.x, vector.y, 0});
@@ -87,6 +73,18 @@ class Sampler {
 };
 
 }  // namespace
+
+int numberOf(contact::FrictionKind friction) {
+  switch (friction) {
+    case contact::FrictionKind::Stick:
+      return 1;
+    case contact::FrictionKind::Slip:
+      return 2;
+    case contact::FrictionKind::None:
+      break;
+  }
+  return 0;
+}
 
 FieldGrid fieldGrid(const contact::Solved& solved, const bem::Vector& density) {
   const Sampler sampler(solved, density);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/problem/ContactFields.hpp"
 #include "contact/problem/Summary.hpp"
 
 #include <string>
@@ -30,6 +31,9 @@ struct FieldGrid {
 };
 
 FieldGrid fieldGrid(const contact::Solved& solved, const bem::Vector& density);
+
+/// As files number them: 0 none, 1 stick, 2 slip.
+int numberOf(contact::FrictionKind friction);
 
 /// The names of a mesh's boundaries, in the order of the outline's edges.
 std::vector<std::string> boundaryNames(const bem::Outline& outline);

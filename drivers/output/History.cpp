@@ -15,9 +15,25 @@ std::string number(bem::Index value) { return std::to_string(value); }
 std::string number(int value) { return std::to_string(value); }
 std::string number(double value) { return exactly(value); }
 
-template <adaptivity::Source source>
-double contribution(const LevelRow& row) {
-  return std::sqrt(row.squares[static_cast<std::size_t>(source)]);
+using adaptivity::Source;
+using contact::Resultant;
+using contact::Summary;
+
+/// What a chain of members leads to.
+template <auto... members>
+std::string cell(const LevelRow& row) {
+  return number((row.*....*members));
+}
+
+template <auto member>
+constexpr auto size = cell<&LevelRow::size, member>;
+
+template <auto... members>
+constexpr auto sum = cell<&LevelRow::summary, members...>;
+
+template <Source source>
+std::string eta(const LevelRow& row) {
+  return number(std::sqrt(row.squares[static_cast<std::size_t>(source)]));
 }
 
 struct Column {
@@ -27,87 +43,57 @@ struct Column {
 
 /// Order and names are a contract: add, never rename.
 constexpr Column columns[] = {
-    {"level", [](const LevelRow& r) { return number(r.level); }},
-    {"elements", [](const LevelRow& r) { return number(r.size.elements); }},
-    {"dof_displacement", [](const LevelRow& r) { return number(r.size.displacements); }},
-    {"dof_multiplier", [](const LevelRow& r) { return number(r.size.multipliers); }},
+    {"level", cell<&LevelRow::level>},
+    {"elements", size<&Size::elements>},
+    {"dof_displacement", size<&Size::displacements>},
+    {"dof_multiplier", size<&Size::multipliers>},
     {"dof", [](const LevelRow& r) { return number(r.size.dof()); }},
-    {"dof_density", [](const LevelRow& r) { return number(r.size.densities); }},
-    {"degree_min", [](const LevelRow& r) { return number(r.size.degreeMin); }},
-    {"degree_max", [](const LevelRow& r) { return number(r.size.degreeMax); }},
-    {"size_min", [](const LevelRow& r) { return number(r.size.sizeMin); }},
-    {"size_max", [](const LevelRow& r) { return number(r.size.sizeMax); }},
-    {"estimate", [](const LevelRow& r) { return number(r.estimate); }},
-    {"eta_neumann",
-     [](const LevelRow& r) {
-       return number(contribution<adaptivity::Source::Neumann>(r));
-     }},
-    {"eta_contact",
-     [](const LevelRow& r) {
-       return number(contribution<adaptivity::Source::Contact>(r));
-     }},
-    {"eta_density",
-     [](const LevelRow& r) {
-       return number(contribution<adaptivity::Source::Density>(r));
-     }},
-    {"eta_complementarity",
-     [](const LevelRow& r) {
-       return number(contribution<adaptivity::Source::Complementarity>(r));
-     }},
-    {"eta_penetration",
-     [](const LevelRow& r) {
-       return number(contribution<adaptivity::Source::Penetration>(r));
-     }},
-    {"eta_tension",
-     [](const LevelRow& r) {
-       return number(contribution<adaptivity::Source::Tension>(r));
-     }},
-    {"eta_bound",
-     [](const LevelRow& r) {
-       return number(contribution<adaptivity::Source::Bound>(r));
-     }},
-    {"eta_slip",
-     [](const LevelRow& r) { return number(contribution<adaptivity::Source::Slip>(r)); }},
-    {"energy_strain", [](const LevelRow& r) { return number(r.summary.energyStrain); }},
-    {"energy_load", [](const LevelRow& r) { return number(r.summary.energyLoad); }},
-    {"energy_friction",
-     [](const LevelRow& r) { return number(r.summary.energyFriction); }},
-    {"force_normal", [](const LevelRow& r) { return number(r.summary.forceNormal); }},
-    {"force_tangential",
-     [](const LevelRow& r) { return number(r.summary.forceTangential); }},
-    {"reaction_x", [](const LevelRow& r) { return number(r.summary.reaction.x); }},
-    {"reaction_y", [](const LevelRow& r) { return number(r.summary.reaction.y); }},
-    {"reaction_moment",
-     [](const LevelRow& r) { return number(r.summary.reaction.moment); }},
-    {"contact_length", [](const LevelRow& r) { return number(r.summary.contactLength); }},
-    {"slip_length", [](const LevelRow& r) { return number(r.summary.slipLength); }},
-    {"newton_iterations",
-     [](const LevelRow& r) { return number(r.report.newtonIterations); }},
-    {"coulomb_iterations",
-     [](const LevelRow& r) { return number(r.report.coulombIterations); }},
+    {"dof_density", size<&Size::densities>},
+    {"degree_min", size<&Size::degreeMin>},
+    {"degree_max", size<&Size::degreeMax>},
+    {"size_min", size<&Size::sizeMin>},
+    {"size_max", size<&Size::sizeMax>},
+    {"estimate", cell<&LevelRow::estimate>},
+    {"eta_neumann", eta<Source::Neumann>},
+    {"eta_contact", eta<Source::Contact>},
+    {"eta_density", eta<Source::Density>},
+    {"eta_complementarity", eta<Source::Complementarity>},
+    {"eta_penetration", eta<Source::Penetration>},
+    {"eta_tension", eta<Source::Tension>},
+    {"eta_bound", eta<Source::Bound>},
+    {"eta_slip", eta<Source::Slip>},
+    {"energy_strain", sum<&Summary::energyStrain>},
+    {"energy_load", sum<&Summary::energyLoad>},
+    {"energy_friction", sum<&Summary::energyFriction>},
+    {"force_normal", sum<&Summary::forceNormal>},
+    {"force_tangential", sum<&Summary::forceTangential>},
+    {"reaction_x", sum<&Summary::reaction, &Resultant::x>},
+    {"reaction_y", sum<&Summary::reaction, &Resultant::y>},
+    {"reaction_moment", sum<&Summary::reaction, &Resultant::moment>},
+    {"contact_length", sum<&Summary::contactLength>},
+    {"slip_length", sum<&Summary::slipLength>},
+    {"newton_iterations", cell<&LevelRow::report, &contact::Report::newtonIterations>},
+    {"coulomb_iterations", cell<&LevelRow::report, &contact::Report::coulombIterations>},
     {"status",
      [](const LevelRow& r) {
        return std::string(
            r.report.status == contact::Status::Converged ? "converged" : "not converged");
      }},
-    {"seconds_assembly", [](const LevelRow& r) { return number(r.seconds.assembly); }},
-    {"seconds_factorization",
-     [](const LevelRow& r) { return number(r.seconds.factorization); }},
-    {"seconds_stabilization",
-     [](const LevelRow& r) { return number(r.seconds.stabilization); }},
-    {"seconds_newton", [](const LevelRow& r) { return number(r.seconds.newton); }},
-    {"seconds_estimate", [](const LevelRow& r) { return number(r.seconds.estimate); }},
-    {"seconds_total", [](const LevelRow& r) { return number(r.secondsTotal); }},
-    {"seconds_wall", [](const LevelRow& r) { return number(r.secondsWall); }},
-    {"memory_mb", [](const LevelRow& r) { return number(r.memory); }},
-    {"load_x", [](const LevelRow& r) { return number(r.summary.load.x); }},
-    {"load_y", [](const LevelRow& r) { return number(r.summary.load.y); }},
-    {"load_moment", [](const LevelRow& r) { return number(r.summary.load.moment); }},
-    {"contact_x", [](const LevelRow& r) { return number(r.summary.contact.x); }},
-    {"contact_y", [](const LevelRow& r) { return number(r.summary.contact.y); }},
-    {"contact_moment",
-     [](const LevelRow& r) { return number(r.summary.contact.moment); }},
-    {"gamma0", [](const LevelRow& r) { return number(r.gamma0); }},
+    {"seconds_assembly", cell<&LevelRow::seconds, &Seconds::assembly>},
+    {"seconds_factorization", cell<&LevelRow::seconds, &Seconds::factorization>},
+    {"seconds_stabilization", cell<&LevelRow::seconds, &Seconds::stabilization>},
+    {"seconds_newton", cell<&LevelRow::seconds, &Seconds::newton>},
+    {"seconds_estimate", cell<&LevelRow::seconds, &Seconds::estimate>},
+    {"seconds_total", cell<&LevelRow::secondsTotal>},
+    {"seconds_wall", cell<&LevelRow::secondsWall>},
+    {"memory_mb", cell<&LevelRow::memory>},
+    {"load_x", sum<&Summary::load, &Resultant::x>},
+    {"load_y", sum<&Summary::load, &Resultant::y>},
+    {"load_moment", sum<&Summary::load, &Resultant::moment>},
+    {"contact_x", sum<&Summary::contact, &Resultant::x>},
+    {"contact_y", sum<&Summary::contact, &Resultant::y>},
+    {"contact_moment", sum<&Summary::contact, &Resultant::moment>},
+    {"gamma0", cell<&LevelRow::gamma0>},
 };
 
 }  // namespace
