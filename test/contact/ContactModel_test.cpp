@@ -324,8 +324,9 @@ void setNewton(Teuchos::ParameterList& nox) {
 
 TEUCHOS_UNIT_TEST(ContactModel, noxFindsWhatSolveFinds) {
   std::mt19937 random(77);
-  for (const char* law : {"None", "Tresca", "Coulomb"}) {
-    const Sample s = sample(law, 0, 5e-6, random);
+  for (int k = 0; k < 9; ++k) {
+    const char* laws[] = {"None", "Tresca", "Coulomb"};
+    const Sample s = sample(laws[k % 3], k / 3, 5e-6, random);  // 0 to 2 rigid motions
     const auto model = rcp(new ContactModel(s.problem, s.gap, {}));
     const RCP<Teuchos::ParameterList> list = Teuchos::parameterList();
     setNewton(*list);
@@ -412,28 +413,29 @@ std::vector<Path::Point> follow(const Sample& s, const Continuation& path) {
 }
 
 TEUCHOS_UNIT_TEST(ContactModel, locaFollowsTheSolutionsOfSolveOverBothFactors) {
-  for (const Continuation& path :
-       {Continuation{"Natural", "Constant", ContactModel::Friction, 0, 2},
-        Continuation{"Natural", "Tangent", ContactModel::Friction, 0, 2},
-        Continuation{"Arc Length", "Tangent", ContactModel::Friction, 0.1, 2},
-        Continuation{"Natural", "Tangent", ContactModel::Load, 0.2, 2},
-        Continuation{"Arc Length", "Secant", ContactModel::Load, 0.2, 2}}) {
-    std::mt19937 random(78);
-    const Sample s = sample("Coulomb", 0, 4e-6, random);
-    const std::vector<Path::Point> points = follow(s, path);
-    TEST_COMPARE(points.size(), >=, 5u);
-    for (const Path::Point& point : points) {
-      Factors factors;
-      (path.parameter == ContactModel::Load ? factors.load : factors.friction) =
-          point.parameter;
-      const contact::ProblemFamily family(s.problem, s.gap);
-      const State expected = solve(family.at(factors), {}, {}).state;
-      TEST_COMPARE(difference(point.state.multiplier, expected.multiplier), <,
-                   1e-9 * 4e-6);
+  for (const Index rigidMotions : {0, 1})
+    for (const Continuation& path :
+         {Continuation{"Natural", "Constant", ContactModel::Friction, 0, 2},
+          Continuation{"Natural", "Tangent", ContactModel::Friction, 0, 2},
+          Continuation{"Arc Length", "Tangent", ContactModel::Friction, 0.1, 2},
+          Continuation{"Natural", "Tangent", ContactModel::Load, 0.2, 2},
+          Continuation{"Arc Length", "Secant", ContactModel::Load, 0.2, 2}}) {
+      std::mt19937 random(78);
+      const Sample s = sample("Coulomb", rigidMotions, 4e-6, random);
+      const std::vector<Path::Point> points = follow(s, path);
+      TEST_COMPARE(points.size(), >=, 5u);
+      for (const Path::Point& point : points) {
+        Factors factors;
+        (path.parameter == ContactModel::Load ? factors.load : factors.friction) =
+            point.parameter;
+        const contact::ProblemFamily family(s.problem, s.gap);
+        const State expected = solve(family.at(factors), {}, {}).state;
+        TEST_COMPARE(difference(point.state.multiplier, expected.multiplier), <,
+                     1e-9 * 4e-6);
+      }
+      if (!points.empty())
+        TEST_COMPARE(std::abs(points.back().parameter - path.to), <, 1e-9);
     }
-    if (!points.empty())
-      TEST_COMPARE(std::abs(points.back().parameter - path.to), <, 1e-9);
-  }
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 
 namespace epafi {
 
@@ -171,15 +172,23 @@ TEUCHOS_UNIT_TEST(Fallbacks, stagesAccountForEveryStep) {
   }
 }
 
-/// Two coefficients under Coulomb's law with a load that no step reaches: the report says
-/// how far the load could go.
+/// Tresca's friction carries 1, the load asks for T: the report says how far it could go.
 TEUCHOS_UNIT_TEST(Fallbacks, aLoadThatCannotBeReachedIsReportedWithItsFactor) {
-  contact::SolverOptions options;
-  options.loadSteps = 2;
-  const Problem sliding = block(1.1);
-  const auto solution = solveInLoadSteps(sliding, {0, 0}, {}, options);
-  TEST_ASSERT(solution.report.status == contact::Status::NotConverged);
-  TEST_ASSERT(solution.report.reason.find("raised to 0 of itself") != std::string::npos);
+  for (const double load : {1.1, 4.0}) {
+    Problem sliding = block(load);
+    sliding.tangentials = {{0, contact::pointLaw("Tresca", {0.5})},
+                           {1, contact::pointLaw("Tresca", {0.5})}};
+    contact::SolverOptions options;
+    options.loadSteps = 2;
+    const auto solution = solveInLoadSteps(sliding, {0, 0}, {}, options);
+    TEST_ASSERT(solution.report.status == contact::Status::NotConverged);
+    const std::string words = "raised to ";
+    const std::size_t at = solution.report.reason.find(words);
+    TEST_INEQUALITY(at, std::string::npos);
+    const double reached = std::stod(solution.report.reason.substr(at + words.size()));
+    TEST_COMPARE(reached, <=, 1 / load + 1e-4);
+    TEST_COMPARE(reached, >=, 1 / load - 2e-3);
+  }
 }
 
 }  // namespace

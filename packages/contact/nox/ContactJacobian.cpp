@@ -1,5 +1,8 @@
 #include "contact/nox/ContactJacobian.hpp"
 
+#include "contact/solve/Equilibrium.hpp"
+#include "contact/solve/NewtonStep.hpp"
+
 #include <Thyra_LinearOpSourceBase.hpp>
 #include <Thyra_MultiVectorBase.hpp>
 #include <Thyra_MultiVectorStdOps.hpp>
@@ -68,29 +71,41 @@ void ContactJacobian::applyImpl(Thyra::EOpTransp transpose, const MultiVector& x
   }
 }
 
+Vector ContactJacobian::solved(const Vector& b) const {
+  const NewtonSystem& system = at().system();
+  Vector right = b;
+  for (double& value : right)
+    value = -value;
+  const Vector motion = system.unheld(right);
+  if (motion.empty())
+    return system.solve(b);
+  const Evaluation& e = at().evaluation();
+  for (std::size_t i = 0; i < b.size(); ++i)
+    if (b[i] != scale_ * e.residual[i])
+      throw NoBalance(
+          "neither contact nor friction holds a rigid motion that the right-hand side "
+          "demands: begin nearer to the solution");
+  Vector x = placingStep(at().equation(), e, motion);
+  for (double& value : x)
+    value *= -scale_;
+  return x;
+}
+
 Thyra::SolveStatus<double> ContactJacobian::solveImpl(
     Thyra::EOpTransp, const MultiVector& b, const Teuchos::Ptr<MultiVector>& x,
     const Teuchos::Ptr<const Thyra::SolveCriteria<double>>) const {
   Thyra::SolveStatus<double> status;
   status.solveStatus = Thyra::SOLVE_STATUS_CONVERGED;
   status.achievedTol = status.unknownTolerance();
-  const auto fail = [&](const std::string& reason) {
-    status.solveStatus = Thyra::SOLVE_STATUS_UNCONVERGED;
-    status.message = reason;
-  };
   try {
-    const NewtonSystem& system = at().system();
-    for (Teuchos::Ordinal j = 0; j < b.domain()->dim(); ++j) {
-      const Vector right = gathered(*space_, *b.col(j));
-      if (!system.unheld(right).empty())
-        fail(
-            "neither contact nor friction holds a rigid motion that the right-hand side "
-            "demands: begin nearer to the solution");
-      scatter(*space_, system.solve(right), 1, 0, *x->col(j));
-    }
-  } catch (const SingularJacobian& error) {
+    for (Teuchos::Ordinal j = 0; j < b.domain()->dim(); ++j)
+      scatter(*space_, solved(gathered(*space_, *b.col(j))), 1, 0, *x->col(j));
+  } catch (const bem::NumericalError& error) {
+    if (failure_ == SolveFailure::Thrown)
+      throw;
     Thyra::assign(x, 0.0);
-    fail(error.what());
+    status.solveStatus = Thyra::SOLVE_STATUS_UNCONVERGED;
+    status.message = error.what();
   }
   return status;
 }

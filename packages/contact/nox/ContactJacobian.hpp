@@ -29,14 +29,19 @@ class Linearisation {
   mutable std::unique_ptr<NewtonSystem> system_;
 };
 
+/// How a solve with the Jacobian says that it failed: by its status, or by throwing
+/// SingularJacobian or NoBalance.
+enum class SolveFailure { Told, Thrown };
+
 /// The generalised Jacobian J of the contact equation: applies itself and, dense and
 /// replicated, its inverse.
 ///
 /// All calls are collective.  Jᵀ is applied, not solved with.
 class ContactJacobian final : public Thyra::LinearOpWithSolveBase<double> {
  public:
-  explicit ContactJacobian(Teuchos::RCP<const SpmdSpace> space)
-      : space_(std::move(space)) {}
+  /// `scale`: what the residual is multiplied by, see ContactModel.
+  ContactJacobian(Teuchos::RCP<const SpmdSpace> space, double scale, SolveFailure failure)
+      : space_(std::move(space)), scale_(scale), failure_(failure) {}
 
   void set(std::shared_ptr<const Linearisation> at) { at_ = std::move(at); }
   /// Becomes the Jacobian that the other one is now, whatever happens to that later.
@@ -66,26 +71,32 @@ class ContactJacobian final : public Thyra::LinearOpWithSolveBase<double> {
                                          const Thyra::SolveMeasureType&) const override {
     return solveSupportsImpl(transpose);
   }
-  /// Unconverged, with the reason, where J is singular or where rigid motions that
-  /// nothing holds (no contact yet, everything slips) do not balance b.
+  /// x = J⁻¹ b.  Where b demands a rigid motion that nothing holds (no contact yet,
+  /// everything slips) and is the residual, -x is the step that places the body instead,
+  /// see newtonStep.  Failed where b is another one, or J is singular.
   Thyra::SolveStatus<double> solveImpl(
       Thyra::EOpTransp transpose, const MultiVector& b,
       const Teuchos::Ptr<MultiVector>& x,
       Teuchos::Ptr<const Thyra::SolveCriteria<double>> criteria) const override;
 
+  Vector solved(const Vector& b) const;
+
   Teuchos::RCP<const SpmdSpace> space_;
+  double scale_;
+  SolveFailure failure_;
   std::shared_ptr<const Linearisation> at_;
 };
 
 /// Makes a ContactJacobian solve: there is nothing to choose.
 class ContactJacobianFactory final : public Thyra::LinearOpWithSolveFactoryBase<double> {
  public:
-  explicit ContactJacobianFactory(Teuchos::RCP<const SpmdSpace> space)
-      : space_(std::move(space)) {}
+  ContactJacobianFactory(Teuchos::RCP<const SpmdSpace> space, double scale,
+                         SolveFailure failure)
+      : space_(std::move(space)), scale_(scale), failure_(failure) {}
 
   bool isCompatible(const Thyra::LinearOpSourceBase<double>& source) const override;
   Teuchos::RCP<Thyra::LinearOpWithSolveBase<double>> createOp() const override {
-    return Teuchos::rcp(new ContactJacobian(space_));
+    return Teuchos::rcp(new ContactJacobian(space_, scale_, failure_));
   }
   void initializeOp(const Teuchos::RCP<const Thyra::LinearOpSourceBase<double>>& source,
                     Thyra::LinearOpWithSolveBase<double>* op,
@@ -108,6 +119,8 @@ class ContactJacobianFactory final : public Thyra::LinearOpWithSolveFactoryBase<
 
  private:
   Teuchos::RCP<const SpmdSpace> space_;
+  double scale_;
+  SolveFailure failure_;
   Teuchos::RCP<Teuchos::ParameterList> list_;
 };
 

@@ -8,14 +8,14 @@
 #include <Thyra_MultiVectorBase.hpp>
 #include <Thyra_VectorStdOps.hpp>
 
+#include <utility>
+
 namespace epafi::contact {
 
 using Teuchos::RCP;
 using Base = Thyra::ModelEvaluatorBase;
 
 namespace {
-
-constexpr int parameters = 2;
 
 RCP<const SpmdSpace> spaceOf(const Problem& problem,
                              const ContactModel::Options& options) {
@@ -61,24 +61,49 @@ ContactModel::ContactModel(const ContactProblem& problem, const Options& options
 
 ContactModel::ContactModel(const Problem& problem, const Vector& gap,
                            const Options& options)
-    : family_(problem, gap),
+    : family_(std::in_place, problem, gap),
       stress_(problem.stress),
-      complementarity_(functionOf(options.complementarity)),
+      complementarity_(&functionOf(options.complementarity)),
       space_(spaceOf(problem, options)),
       parameterSpace_(
           Thyra::locallyReplicatedDefaultSpmdVectorSpace<double>(space_->getComm(), 1)) {}
 
-RCP<Thyra::VectorBase<double>> ContactModel::point(const State& state) const {
+ContactModel::ContactModel(const Equation& equation)
+    : stress_(1),
+      space_(spaceOf(equation.problem(), {})),
+      single_(std::shared_ptr<const void>(), &equation) {}
+
+RCP<Thyra::VectorBase<double>> ContactModel::vector(const Vector& unknowns) const {
   const RCP<Thyra::VectorBase<double>> x = Thyra::createMember(*get_x_space());
-  scatter(*space_, pack(family_.original(), state), 1 / stress_, 0, *x);
+  scatter(*space_, unknowns, 1 / stress_, 0, *x);
   return x;
+}
+
+RCP<Thyra::VectorBase<double>> ContactModel::point(const State& state) const {
+  return vector(pack(family().original(), state));
+}
+
+std::shared_ptr<const Linearisation> ContactModel::at(const Thyra::VectorBase<double>& x,
+                                                      const Factors& factors) const {
+  const std::shared_ptr<const Equation> equation = equationAt(factors);
+  Vector unknowns = gathered(*space_, x);
+  for (double& value : unknowns)
+    value *= stress_;
+  for (const auto& known : points_)
+    if (known != nullptr && &known->equation() == equation.get() &&
+        known->evaluation().unknowns == unknowns)
+      return known;
+  points_[1] = std::move(points_[0]);
+  points_[0] =
+      std::make_shared<const Linearisation>(equation, equation->at(std::move(unknowns)));
+  return points_[0];
 }
 
 State ContactModel::state(const Thyra::VectorBase<double>& x) const {
   Vector unknowns = gathered(*space_, x);
   for (double& value : unknowns)
     value *= stress_;
-  return unpack(family_.original(), unknowns);
+  return unpack(family().original(), unknowns);
 }
 
 RCP<const Thyra::VectorSpaceBase<double>> ContactModel::get_p_space(int) const {
@@ -94,14 +119,14 @@ Base::InArgs<double> ContactModel::createInArgs() const {
   Base::InArgsSetup<double> in;
   in.setModelEvalDescription(description());
   in.setSupports(Base::IN_ARG_x);
-  in.set_Np(parameters);
+  in.set_Np(parameters());
   return std::move(in);
 }
 
 Base::InArgs<double> ContactModel::getNominalValues() const {
   Base::InArgs<double> in = createInArgs();
-  in.set_x(point({}));
-  for (int l = 0; l < parameters; ++l) {
+  in.set_x(vector(Vector(static_cast<std::size_t>(space_->dim()), 0.0)));
+  for (int l = 0; l < parameters(); ++l) {
     const RCP<Thyra::VectorBase<double>> one = Thyra::createMember(*parameterSpace_);
     Thyra::assign(one.ptr(), 1.0);
     in.set_p(l, one);
@@ -112,52 +137,51 @@ Base::InArgs<double> ContactModel::getNominalValues() const {
 Base::OutArgs<double> ContactModel::createOutArgsImpl() const {
   Base::OutArgsSetup<double> out;
   out.setModelEvalDescription(description());
-  out.set_Np_Ng(parameters, 0);
+  out.set_Np_Ng(parameters(), 0);
   out.setSupports(Base::OUT_ARG_f);
   out.setSupports(Base::OUT_ARG_W_op);
-  for (int l = 0; l < parameters; ++l)
+  for (int l = 0; l < parameters(); ++l)
     out.setSupports(Base::OUT_ARG_DfDp, l, Base::DERIV_MV_JACOBIAN_FORM);
   return std::move(out);
 }
 
 RCP<Thyra::LinearOpBase<double>> ContactModel::create_W_op() const {
-  return Teuchos::rcp(new ContactJacobian(space_));
+  return Teuchos::rcp(new ContactJacobian(space_, 1 / stress_, failure()));
 }
 
 RCP<const Thyra::LinearOpWithSolveFactoryBase<double>> ContactModel::get_W_factory()
     const {
-  return Teuchos::rcp(new ContactJacobianFactory(space_));
+  return Teuchos::rcp(new ContactJacobianFactory(space_, 1 / stress_, failure()));
 }
 
 std::shared_ptr<const Equation> ContactModel::equationAt(const Factors& factors) const {
+  if (single_ != nullptr)
+    return single_;
   if (latest_ == nullptr || latest_->factors.load != factors.load ||
       latest_->factors.friction != factors.friction)
-    latest_ = std::make_shared<const Member>(family_, factors, complementarity_);
+    latest_ = std::make_shared<const Member>(*family_, factors, *complementarity_);
   return {latest_, &latest_->equation};
 }
 
 void ContactModel::evalModelImpl(const Base::InArgs<double>& in,
                                  const Base::OutArgs<double>& out) const {
   const auto factor = [&](Parameter l) {
-    return in.get_p(l).is_null() ? 1.0 : Thyra::get_ele(*in.get_p(l), 0);
+    return !family_ || in.get_p(l).is_null() ? 1.0 : Thyra::get_ele(*in.get_p(l), 0);
   };
-  const std::shared_ptr<const Equation> equation =
-      equationAt({factor(Load), factor(Friction)});
-  Vector unknowns = gathered(*space_, *in.get_x());
-  for (double& value : unknowns)
-    value *= stress_;
-  const auto point =
-      std::make_shared<const Linearisation>(equation, equation->at(std::move(unknowns)));
+  const auto point = at(*in.get_x(), {factor(Load), factor(Friction)});
   const contact::Evaluation& e = point->evaluation();
 
   if (const auto f = out.get_f(); !f.is_null())
     scatter(*space_, e.residual, 1 / stress_, 0, *f);
   if (const auto w = out.get_W_op(); !w.is_null())
     Teuchos::dyn_cast<ContactJacobian>(*w).set(point);
+  if (!family_)
+    return;
   if (const auto dfdp = out.get_DfDp(Load).getMultiVector(); !dfdp.is_null())
-    scatter(*space_, family_.loadDerivative(*equation, e), 1 / stress_, 0, *dfdp->col(0));
+    scatter(*space_, family_->loadDerivative(point->equation(), e), 1 / stress_, 0,
+            *dfdp->col(0));
   if (const auto dfdp = out.get_DfDp(Friction).getMultiVector(); !dfdp.is_null())
-    scatter(*space_, family_.frictionDerivative(*equation, e), 1 / stress_, 0,
+    scatter(*space_, family_->frictionDerivative(point->equation(), e), 1 / stress_, 0,
             *dfdp->col(0));
 }
 

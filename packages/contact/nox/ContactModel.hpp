@@ -1,13 +1,15 @@
 #pragma once
 
-#include "contact/nox/SpmdVectors.hpp"
+#include "contact/nox/ContactJacobian.hpp"
 #include "contact/problem/ContactProblem.hpp"
 #include "contact/solve/CoulombIteration.hpp"
 #include "contact/solve/ProblemFamily.hpp"
 
 #include <Thyra_StateFuncModelEvaluatorBase.hpp>
 
+#include <array>
 #include <memory>
+#include <optional>
 
 namespace epafi::contact {
 
@@ -50,11 +52,23 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
   ContactModel(const ContactProblem& problem, const Options& options);
   ContactModel(const Problem& problem, const Vector& gap, const Options& options);
 
+  /// One equation as it is: x = (λ, α), f = F, without parameters, one process.  Its W
+  /// throws SingularJacobian and NoBalance.  The equation must outlive the model.
+  explicit ContactModel(const Equation& equation);
+
+  /// All that has been computed at x; the latest two points are kept.  Collective.
+  std::shared_ptr<const Linearisation> at(const Thyra::VectorBase<double>& x,
+                                          const Factors& factors) const;
+
+  /// x of (λ, α).  Collective.
+  Teuchos::RCP<Thyra::VectorBase<double>> vector(const Vector& unknowns) const;
+
   /// x of a state (empty vectors are zero), and the state of an x.  Collective.
   Teuchos::RCP<Thyra::VectorBase<double>> point(const State& state) const;
   State state(const Thyra::VectorBase<double>& x) const;
 
-  const ProblemFamily& family() const { return family_; }
+  /// \pre not of a single equation
+  const ProblemFamily& family() const { return *family_; }
 
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> get_x_space() const override {
     return space_;
@@ -80,12 +94,19 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
       const Thyra::ModelEvaluatorBase::OutArgs<double>& out) const override;
   std::shared_ptr<const Equation> equationAt(const Factors& factors) const;
 
-  ProblemFamily family_;
+  int parameters() const { return family_ ? 2 : 0; }
+  SolveFailure failure() const {
+    return family_ ? SolveFailure::Told : SolveFailure::Thrown;
+  }
+
+  std::optional<ProblemFamily> family_;
   double stress_;
-  const Complementarity& complementarity_;
+  const Complementarity* complementarity_ = nullptr;
   Teuchos::RCP<const SpmdSpace> space_;
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> parameterSpace_;
+  std::shared_ptr<const Equation> single_;
   mutable std::shared_ptr<const Member> latest_;  // parameters change seldom
+  mutable std::array<std::shared_ptr<const Linearisation>, 2> points_;
 };
 
 }  // namespace epafi::contact

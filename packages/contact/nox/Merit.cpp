@@ -1,33 +1,23 @@
 #include "contact/nox/Merit.hpp"
 
-#include "contact/nox/Group.hpp"
+#include "contact/nox/ContactJacobian.hpp"
+#include "contact/nox/StepDirection.hpp"
+
+#include <NOX_Abstract_Group.H>
 
 #include <stdexcept>
 
 namespace epafi::contact {
 
-namespace {
-
-const Group& ours(const NOX::Abstract::Group& group) {
-  return dynamic_cast<const Group&>(group);
-}
-
-Evaluation evaluate(const Group& group) {
-  return group.isF() ? group.evaluation() : group.equation().at(numbers(group.getX()));
-}
-
-}  // namespace
-
 double Merit::computef(const NOX::Abstract::Group& group) const {
-  return ours(group).equation().merit(evaluate(ours(group)));
+  const auto point = pointOf(*model_, group);
+  return point->equation().merit(point->evaluation());
 }
 
 void Merit::computeGradient(const NOX::Abstract::Group& group,
                             NOX::Abstract::Vector& result) const {
-  const Vector gradient = ours(group).equation().meritGradient(evaluate(ours(group)));
-  auto& dense = dynamic_cast<NOX::LAPACK::Vector&>(result);
-  for (std::size_t i = 0; i < gradient.size(); ++i)
-    dense(static_cast<int>(i)) = gradient[i];
+  const auto point = pointOf(*model_, group);
+  assign(result, point->equation().meritGradient(point->evaluation()));
 }
 
 double Merit::computeSlope(const NOX::Abstract::Vector& direction,

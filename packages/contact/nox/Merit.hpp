@@ -1,5 +1,7 @@
 #pragma once
 
+#include "contact/nox/ContactModel.hpp"
+
 #include <NOX_MeritFunction_Generic.H>
 
 namespace epafi::contact {
@@ -11,6 +13,8 @@ namespace epafi::contact {
 ///                                                       [De Luca, Facchinei, Kanzow 1996]
 class Merit final : public NOX::MeritFunction::Generic {
  public:
+  explicit Merit(Teuchos::RCP<const ContactModel> model) : model_(std::move(model)) {}
+
   double computef(const NOX::Abstract::Group& group) const override;
   void computeGradient(const NOX::Abstract::Group& group,
                        NOX::Abstract::Vector& result) const override;
@@ -25,6 +29,7 @@ class Merit final : public NOX::MeritFunction::Generic {
   const std::string& name() const override { return name_; }
 
  private:
+  Teuchos::RCP<const ContactModel> model_;
   std::string name_ = "half the squared Fischer-Burmeister residual";
 };
 

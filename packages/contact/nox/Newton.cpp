@@ -1,18 +1,20 @@
 #include "contact/nox/Newton.hpp"
 
 #include "bem/base/Error.hpp"
-#include "contact/nox/ArmijoSearch.hpp"
-#include "contact/nox/Group.hpp"
+#include "contact/nox/ContactJacobian.hpp"
 #include "contact/nox/Merit.hpp"
-#include "contact/nox/PivotingDirection.hpp"
 #include "contact/nox/StatusTests.hpp"
+#include "contact/nox/StepDirection.hpp"
+#include "contact/solve/ActiveSets.hpp"
+#include "contact/solve/Descent.hpp"
 #include "contact/solve/Equilibrium.hpp"
-#include "contact/solve/NewtonSystem.hpp"
+#include "contact/solve/NewtonStep.hpp"
 
 #include <NOX_Solver_Factory.H>
 #include <NOX_Solver_Generic.H>
 #include <NOX_StatusTest_Combo.H>
 #include <NOX_StatusTest_MaxIters.H>
+#include <NOX_Thyra_Group.H>
 #include <Teuchos_ParameterList.hpp>
 
 #include <sstream>
@@ -43,110 +45,83 @@ std::string firstUnused(const ParameterList& user, const ParameterList& run,
   return "";
 }
 
-// Adds what NOX filled in, marked as a default so that it never counts as the user's own.
-void addDefaults(ParameterList& user, const ParameterList& run) {
-  for (auto it = run.begin(); it != run.end(); ++it) {
-    const std::string& key = run.name(it);
-    if (run.isSublist(key)) {
-      addDefaults(user.sublist(key), run.sublist(key));
-    } else if (!user.isParameter(key)) {
-      Teuchos::ParameterEntry entry;
-      entry.setAnyValue(run.entry(it).getAny(false), true);
-      user.setEntry(key, entry);
-    }
-  }
-}
-
 bool isUsersOwn(const ParameterList& list, const char* sublist, const char* key) {
   return list.isSublist(sublist) && list.sublist(sublist).isParameter(key);
 }
 
+// Copies carry the flag "used"; each run asks anew.
+void forgetUse(ParameterList& list) {
+  ParameterList fresh(list.name());
+  for (auto it = list.begin(); it != list.end(); ++it) {
+    const std::string key = list.name(it);
+    if (list.isSublist(key)) {
+      forgetUse(list.sublist(key));
+      fresh.sublist(key) = list.sublist(key);
+    } else {
+      Teuchos::ParameterEntry entry;
+      entry.setAnyValue(list.entry(it).getAny(false), list.entry(it).isDefault());
+      fresh.setEntry(key, entry);
+    }
+  }
+  list = fresh;
+}
+
+// The direction of a method; empty: Newton's, by NOX.
+StepDirection::Step stepOf(NewtonMethod method) {
+  if (method == NewtonMethod::MeritDescent)
+    return [](const Linearisation& point) {
+      return meritDescentStep(point.equation(), point.evaluation());
+    };
+  if (method == NewtonMethod::Pivoting)
+    return [pivoting = Pivoting()](const Linearisation& point) mutable {
+      const Equation& equation = point.equation();
+      const Evaluation& e = point.evaluation();
+      return newtonStep(equation, holding(equation, e, pivoting.next(equation, e)));
+    };
+  return {};
+}
+
 // One run's list: the user's, and below it what Epafi wants of NOX.
-class RunList {
- public:
-  RunList(std::shared_ptr<ParameterList> user, NewtonMethod method,
-          const RCP<std::ostream>& errors)
-      : user_(std::move(user)), list_(rcp(new ParameterList("NOX"))) {
-    if (user_ != nullptr) {
-      user_->remove("Output", false);  // NOX's own record of an earlier run
-      list_->setParameters(*user_);
-      forgetUse(*list_);
-    }
-    const RCP<const Merit> merit = rcp(new Merit);
-    const std::string solver = list_->get("Nonlinear Solver", "Line Search Based");
-    if (solver != "Line Search Based")
-      throw bem::InputError(bem::message("Solver->NOX->Nonlinear Solver = '", solver,
-                                         "'; allowed: 'Line Search Based'"));
-    list_->sublist("Solver Options")
-        .set<RCP<NOX::MeritFunction::Generic>>("User Defined Merit Function",
-                                               Teuchos::rcp_const_cast<Merit>(merit));
-    ParameterList& newton = list_->sublist("Direction").sublist("Newton");
-    if (!newton.isParameter("Rescue Bad Newton Solve"))
-      newton.set("Rescue Bad Newton Solve", false);
-    if (!isUsersOwn(*list_, "Printing", "Output Information"))
-      list_->sublist("Printing")
-          .set("Output Information", 0)
-          .set("Output Stream", errors);  // some of it comes whatever the information
-    list_->sublist("Printing").set("Error Stream", errors);
-    if (method == NewtonMethod::Pivoting) {
-      ParameterList& direction = list_->sublist("Direction");
-      direction.set("Method", "User Defined");
-      direction.set<RCP<NOX::Direction::UserDefinedFactory>>(
-          "User Defined Direction Factory", rcp(new PivotingFactory));
-    }
-    if (method == NewtonMethod::MeritDescent) {
-      ParameterList& search = list_->sublist("Line Search");
-      search = ParameterList("Line Search");
-      search.set("Method", "User Defined");
-      search.set<RCP<NOX::LineSearch::UserDefinedFactory>>(
-          "User Defined Line Search Factory", rcp(new ArmijoFactory(merit)));
-    } else if (!isUsersOwn(*list_, "Line Search", "Method")) {
-      list_->sublist("Line Search").set("Method", "Full Step");
-    }
+RCP<ParameterList> runList(const ParameterList* user, const RCP<ContactModel>& model,
+                           NewtonMethod method, const RCP<std::ostream>& log) {
+  const auto list = rcp(new ParameterList("NOX"));
+  if (user != nullptr) {
+    list->setParameters(*user);
+    forgetUse(*list);
   }
+  const std::string solver = list->get("Nonlinear Solver", "Line Search Based");
+  if (solver != "Line Search Based")
+    throw bem::InputError(bem::message("Solver->NOX->Nonlinear Solver = '", solver,
+                                       "'; allowed: 'Line Search Based'"));
+  list->sublist("Solver Options")
+      .set<RCP<NOX::MeritFunction::Generic>>("User Defined Merit Function",
+                                             rcp(new Merit(model)));
+  if (!isUsersOwn(*list, "Printing", "Output Information"))
+    list->sublist("Printing")
+        .set("Output Information", 0)
+        .set("Output Stream", log);  // some of it comes whatever the information
+  list->sublist("Printing").set("Error Stream", log);
 
-  const RCP<ParameterList>& list() const { return list_; }
-
-  /// Hands what NOX filled in back to the user's list.
-  /// \throws bem::InputError naming what was never used.
-  void finish(NewtonMethod method) {
-    if (user_ == nullptr || method != NewtonMethod::Newton)
-      return;
-    const std::string unused = firstUnused(*user_, *list_, "Solver->NOX");
-    if (!unused.empty())
-      throw bem::InputError(
-          bem::message(unused, ": NOX does not know or use this parameter"));
-    list_->sublist("Solver Options").remove("User Defined Merit Function");
-    list_->sublist("Printing").remove("Output Stream", false);
-    list_->sublist("Printing").remove("Error Stream");
-    list_->remove("Output", false);
-    addDefaults(*user_, *list_);
+  const StepDirection::Step step = stepOf(method);
+  if (step && !isUsersOwn(*list, "Direction", "Method")) {
+    ParameterList& direction = list->sublist("Direction");
+    direction.set("Method", "User Defined");
+    direction.set<RCP<NOX::Direction::UserDefinedFactory>>(
+        "User Defined Direction Factory", rcp(new StepFactory(model, step)));
   }
+  if (isUsersOwn(*list, "Line Search", "Method"))
+    return list;
+  ParameterList& search = list->sublist("Line Search");
+  if (method == NewtonMethod::MeritDescent)  // no step at all ends the run
+    search.set("Method", "Polynomial").sublist("Polynomial").set("Recovery Step", 0.0);
+  else
+    search.set("Method", "Full Step");
+  return list;
+}
 
- private:
-  // Copies carry the flag "used"; each run asks anew.
-  static void forgetUse(ParameterList& list) {
-    ParameterList fresh(list.name());
-    for (auto it = list.begin(); it != list.end(); ++it) {
-      const std::string key = list.name(it);
-      if (list.isSublist(key)) {
-        forgetUse(list.sublist(key));
-        fresh.sublist(key) = list.sublist(key);
-      } else {
-        Teuchos::ParameterEntry entry;
-        entry.setAnyValue(list.entry(it).getAny(false), list.entry(it).isDefault());
-        fresh.setEntry(key, entry);
-      }
-    }
-    list = fresh;
-  }
-
-  std::shared_ptr<ParameterList> user_;
-  RCP<ParameterList> list_;
-};
-
-RCP<NOX::Solver::Generic> build(const RCP<Group>& group, const RCP<StepTest>& test,
-                                int maximumIterations, const RCP<ParameterList>& list) {
+RCP<NOX::Solver::Generic> build(const RCP<NOX::Abstract::Group>& group,
+                                const RCP<StepTest>& test, int maximumIterations,
+                                const RCP<ParameterList>& list) {
   const auto limit = rcp(new NOX::StatusTest::MaxIters(std::max(maximumIterations, 1)));
   const auto tests =
       rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR, test, limit));
@@ -169,28 +144,21 @@ auto withNoxErrors(const std::ostringstream& log, const Action& action) {
 
 }  // namespace
 
-bool hasOwnEntries(const ParameterList& list) {
-  for (auto it = list.begin(); it != list.end(); ++it) {
-    const std::string& key = list.name(it);
-    if (list.isSublist(key) ? hasOwnEntries(list.sublist(key))
-                            : !list.entry(it).isDefault())
-      return true;
-  }
-  return false;
-}
-
 NewtonRun runNewton(const Equation& equation, const Vector& start, NewtonMethod method,
-                    int maximumIterations, const std::shared_ptr<ParameterList>& list) {
+                    int maximumIterations,
+                    const std::shared_ptr<const ParameterList>& user) {
   const auto log = rcp(new std::ostringstream);
-  RunList run(list, method, log);
-  const auto group = rcp(new Group(equation, method, start));
+  const auto model = rcp(new ContactModel(equation));
+  const auto list = runList(user.get(), model, method, log);
+  const RCP<NOX::Abstract::Group> group =
+      rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(*model->vector(start)), model));
   // With a lagged bound the residual may rise for a step while the bound settles.
   const int patience = equation.bound() == Equation::Bound::Lagged ? 5 : 1;
-  const auto test = rcp(new StepTest(method, patience));
-  const RCP<NOX::Solver::Generic> solver = withNoxErrors(
-      *log, [&] { return build(group, test, maximumIterations, run.list()); });
+  const auto test = rcp(new StepTest(model, method, patience));
+  const RCP<NOX::Solver::Generic> solver =
+      withNoxErrors(*log, [&] { return build(group, test, maximumIterations, list); });
 
-  const RCP<const Merit> merit = rcp(new Merit);
+  const Merit merit(model);
   const bool descends = method == NewtonMethod::MeritDescent;
   std::vector<double> merits;
   NewtonRun result;
@@ -198,7 +166,7 @@ NewtonRun runNewton(const Equation& equation, const Vector& start, NewtonMethod 
     auto now = solver->getStatus();
     while (now == NOX::StatusTest::Unconverged || now == NOX::StatusTest::Unevaluated) {
       if (descends)
-        merits.push_back(merit->computef(solver->getSolutionGroup()));
+        merits.push_back(merit.computef(solver->getSolutionGroup()));
       try {
         now = solver->step();
       } catch (const SingularJacobian& error) {
@@ -211,7 +179,7 @@ NewtonRun runNewton(const Equation& equation, const Vector& start, NewtonMethod 
       }
     }
     if (descends)
-      merits.push_back(merit->computef(solver->getSolutionGroup()));
+      merits.push_back(merit.computef(solver->getSolutionGroup()));
     return now;
   });
 
@@ -226,7 +194,12 @@ NewtonRun runNewton(const Equation& equation, const Vector& start, NewtonMethod 
   else if (status == NOX::StatusTest::Failed && result.end == End::Iterations &&
            result.iterations < maximumIterations)
     result.end = End::Stalled;
-  run.finish(method);
+  const std::string unused = user != nullptr && method == NewtonMethod::Newton
+                                 ? firstUnused(*user, *list, "Solver->NOX")
+                                 : "";
+  if (!unused.empty())
+    throw bem::InputError(
+        bem::message(unused, ": NOX does not know or use this parameter"));
   return result;
 }
 

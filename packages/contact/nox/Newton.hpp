@@ -38,15 +38,14 @@ struct NewtonRun {
   std::string message;          ///< of a singular Jacobian
 };
 
-/// Does the list, or one of its sublists, hold an entry that is not a default?
-bool hasOwnEntries(const Teuchos::ParameterList& list);
-
 /// Runs NOX on F(x) = 0 from `start`.
 ///
-/// The list is filled in by NOX; null means Epafi's own choice, which prints nothing.
+/// The list acts whatever the method: what it says of Direction, Line Search and Printing
+/// replaces the method's own choice.  Null: full steps (a line search under MeritDescent),
+/// nothing printed.
 /// \throws bem::InputError for what NOX refuses in the list, or does not use of it.
 NewtonRun runNewton(const Equation& equation, const Vector& start, NewtonMethod method,
                     int maximumIterations,
-                    const std::shared_ptr<Teuchos::ParameterList>& list = nullptr);
+                    const std::shared_ptr<const Teuchos::ParameterList>& list = nullptr);
 
 }  // namespace epafi::contact

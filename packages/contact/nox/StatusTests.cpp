@@ -1,6 +1,7 @@
 #include "contact/nox/StatusTests.hpp"
 
-#include "contact/nox/Group.hpp"
+#include "contact/nox/ContactJacobian.hpp"
+#include "contact/nox/StepDirection.hpp"
 
 #include <NOX_Solver_Generic.H>
 
@@ -70,8 +71,8 @@ void StepTest::record(const Evaluation& e) {
 
 NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& solver,
                                                   NOX::StatusTest::CheckType) {
-  const auto& group = dynamic_cast<const Group&>(solver.getSolutionGroup());
-  const Evaluation& e = group.evaluation();
+  const auto point = pointOf(*model_, solver.getSolutionGroup());
+  const Evaluation& e = point->evaluation();
   record(e);
 
   status_ = NOX::StatusTest::Unconverged;

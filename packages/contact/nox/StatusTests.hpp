@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/nox/ContactModel.hpp"
 #include "contact/nox/Newton.hpp"
 
 #include <NOX_StatusTest_Generic.H>
@@ -17,7 +18,8 @@ namespace epafi::contact {
 class StepTest final : public NOX::StatusTest::Generic {
  public:
   /// `patience`: how many returning sets end the run.
-  StepTest(NewtonMethod method, int patience) : method_(method), patience_(patience) {}
+  StepTest(Teuchos::RCP<const ContactModel> model, NewtonMethod method, int patience)
+      : model_(std::move(model)), method_(method), patience_(patience) {}
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver,
                                           NOX::StatusTest::CheckType check) override;
@@ -30,6 +32,7 @@ class StepTest final : public NOX::StatusTest::Generic {
  private:
   void record(const Evaluation& e);
 
+  Teuchos::RCP<const ContactModel> model_;
   NewtonMethod method_;
   int patience_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;

@@ -35,7 +35,7 @@ Solution firstBound(const Problem& problem, const State& start, Report report,
   const Equation equation(problem, complementarityOf(options), Equation::Bound::Lagged,
                           options.tolerance);
   const NewtonRun run =
-      runNewton(equation, pack(problem, start), NewtonMethod::Newton, steps);
+      runNewton(equation, pack(problem, start), NewtonMethod::Newton, steps, options.nox);
   return {unpack(problem, run.last),
           extended(std::move(report), Stage::NearStart, run, problem)};
 }
@@ -131,8 +131,8 @@ Solution withoutSets(const Problem& problem, const Vector& best, const Report& b
     return solution;
   const Equation smooth(problem, complementarity("Fischer-Burmeister"),
                         Equation::Bound::Differentiated, options.tolerance);
-  const NewtonRun descent =
-      runNewton(smooth, best, NewtonMethod::MeritDescent, 2 * options.maximumIterations);
+  const NewtonRun descent = runNewton(smooth, best, NewtonMethod::MeritDescent,
+                                      2 * options.maximumIterations, options.nox);
   solution = {
       unpack(problem, descent.best),
       extended(std::move(solution.report), Stage::MeritDescent, descent, problem)};
@@ -191,7 +191,7 @@ Solution coupledNewton(const Problem& problem, const State& start,
   if (step(newtonSteps(equation, pack(problem, near.state), options.maximumIterations,
                        options)) ||
       (equation.hasActiveSets() &&
-       step(pivoting(equation, best, options.maximumIterations))))
+       step(pivoting(equation, best, options.maximumIterations, options))))
     return near;
   return withoutSets(problem, best, near.report, options);
 }

@@ -29,8 +29,8 @@ struct SolverOptions {
   int loadSteps = 1;                ///< see solveInLoadSteps()
   double coulombTolerance = 1e-10;  ///< change of the bound relative to the load
   int coulombMaximumIterations = 100;
-  /// Handed to NOX; empty means Epafi's own choice.  Shared, not copied: NOX fills it in.
-  std::shared_ptr<Teuchos::ParameterList> nox;
+  /// Handed to NOX in every run; null means Epafi's own choice.
+  std::shared_ptr<const Teuchos::ParameterList> nox;
 };
 
 /// Solves a condensed contact problem, whatever its friction laws.

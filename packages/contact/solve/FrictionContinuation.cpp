@@ -47,7 +47,8 @@ Solution correct(const Problem& problem, const State& start,
   const Equation sharp(problem, complementarity("Projection"),
                        Equation::Bound::Differentiated, options.tolerance);
   const auto from = [&](const Vector& unknowns) {
-    return runNewton(sharp, unknowns, NewtonMethod::Pivoting, options.maximumIterations);
+    return runNewton(sharp, unknowns, NewtonMethod::Pivoting, options.maximumIterations,
+                     options.nox);
   };
   const NewtonRun near = from(pack(problem, start));
   Report report = extended({}, Stage::Pivoting, near, problem);

@@ -33,12 +33,7 @@ Evaluation bonded(const Problem& problem, Evaluation e) {
 
 }  // namespace
 
-Vector newtonStep(const Equation& equation, const Evaluation& e) {
-  const NewtonSystem system(equation, e);
-  const Vector right = negative(e.residual);
-  const Vector motion = system.unheld(right);
-  if (motion.empty())
-    return system.solve(right);
+Vector placingStep(const Equation& equation, const Evaluation& e, const Vector& motion) {
   if (equation.problem().boundDependsOnPressure()) {
     const Evaluation sticking = bonded(equation.problem(), e);
     const NewtonSystem bondedSystem(equation, sticking);
@@ -47,6 +42,13 @@ Vector newtonStep(const Equation& equation, const Evaluation& e) {
       return bondedSystem.solve(bondedRight);
   }
   return rigidPlacement(equation, e, motion);
+}
+
+Vector newtonStep(const Equation& equation, const Evaluation& e) {
+  const NewtonSystem system(equation, e);
+  const Vector right = negative(e.residual);
+  const Vector motion = system.unheld(right);
+  return motion.empty() ? system.solve(right) : placingStep(equation, e, motion);
 }
 
 }  // namespace epafi::contact

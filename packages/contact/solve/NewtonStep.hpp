@@ -4,10 +4,13 @@
 
 namespace epafi::contact {
 
-/// J⁻¹ (-F) or, where a rigid motion is not held, a step that makes it so: closed places
-/// of Coulomb friction stick for this step, whatever their bound; where this does not
-/// help, the body moves until the penalty forces P(λ + c r) balance the load.
-/// \throws bem::NumericalError if no such position exists: the load has no counterpart.
+/// A step after which a rigid motion is held that is not now, see NewtonSystem::unheld:
+/// closed places of Coulomb friction stick for this step, whatever their bound; where this
+/// does not help, the body moves until the penalty forces P(λ + c r) balance the load.
+/// \throws NoBalance if no such position exists: the load has no counterpart.
+Vector placingStep(const Equation& equation, const Evaluation& at, const Vector& motion);
+
+/// J⁻¹ (-F) or, where a rigid motion is not held, placingStep().
 Vector newtonStep(const Equation& equation, const Evaluation& at);
 
 }  // namespace epafi::contact

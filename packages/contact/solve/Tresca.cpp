@@ -40,10 +40,12 @@ std::string reasonOf(const NewtonRun& run) {
 }
 
 /// Through the middle of the box, which knows no active sets, then Newton's last digits.
-Solution throughTheMiddle(const Equation& sharp, Report report) {
+Solution throughTheMiddle(const Equation& sharp, Report report,
+                          const SolverOptions& options) {
   constexpr int polishing = 20;
   const InteriorPoint middle = interiorPoint(sharp);
-  NewtonRun run = runNewton(sharp, middle.unknowns, NewtonMethod::Newton, polishing);
+  NewtonRun run =
+      runNewton(sharp, middle.unknowns, NewtonMethod::Newton, polishing, options.nox);
   run.iterations += middle.iterations;
   report = extended(std::move(report), Stage::InteriorPoint, run, sharp.problem());
   report.globalised = true;
@@ -116,19 +118,19 @@ Attempt newtonSteps(const Equation& equation, const Vector& start, int maximumIt
   return {run, extended({}, Stage::FullSteps, run, equation.problem())};
 }
 
-Attempt pivoting(const Equation& equation, const Vector& start, int maximumIterations) {
+Attempt pivoting(const Equation& equation, const Vector& start, int maximumIterations,
+                 const SolverOptions& options) {
   const NewtonRun run = runNewton(equation, smoothed(equation, start),
-                                  NewtonMethod::Pivoting, maximumIterations);
+                                  NewtonMethod::Pivoting, maximumIterations, options.nox);
   return {run, extended({}, Stage::Pivoting, run, equation.problem())};
 }
 
 Attempt fullSteps(const Equation& equation, const State& start, int maximumIterations,
                   const SolverOptions& options) {
   const Vector from = pack(equation.problem(), start);
-  const bool plain = !equation.hasActiveSets() || !isKnown(start) ||
-                     (options.nox != nullptr && hasOwnEntries(*options.nox));
+  const bool plain = !equation.hasActiveSets() || !isKnown(start);
   return plain ? newtonSteps(equation, from, maximumIterations, options)
-               : pivoting(equation, from, maximumIterations);
+               : pivoting(equation, from, maximumIterations, options);
 }
 
 Solution solveFixedBounds(const Problem& problem, const State& start,
@@ -147,12 +149,12 @@ Solution solveFixedBounds(const Problem& problem, const State& start,
   const Equation sharp(problem, complementarity("Projection"),
                        Equation::Bound::Differentiated, options.tolerance);
   if (report.stages.back().stage != Stage::Pivoting) {
-    Attempt second = pivoting(sharp, run.best, options.maximumIterations);
+    Attempt second = pivoting(sharp, run.best, options.maximumIterations, options);
     report = joined(std::move(second.report), report);
     if (report.status == Status::Converged)
       return {unpack(problem, second.run.last), std::move(report)};
   }
-  return throughTheMiddle(sharp, std::move(report));
+  return throughTheMiddle(sharp, std::move(report), options);
 }
 
 }  // namespace epafi::contact

@@ -19,10 +19,11 @@ Attempt newtonSteps(const Equation& equation, const Vector& start, int maximumIt
                     const SolverOptions& options);
 
 /// Sweeps first, then Pivoting.  Only with active sets.
-Attempt pivoting(const Equation& equation, const Vector& start, int maximumIterations);
+Attempt pivoting(const Equation& equation, const Vector& start, int maximumIterations,
+                 const SolverOptions& options);
 
-/// From a start that knows something of the solution, with active sets and without a list
-/// of NOX's of the user's own pivoting(), else newtonSteps().
+/// From a start that knows something of the solution, with active sets, pivoting(); else
+/// newtonSteps().
 Attempt fullSteps(const Equation& equation, const State& start, int maximumIterations,
                   const SolverOptions& options);
 
