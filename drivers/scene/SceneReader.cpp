@@ -213,25 +213,6 @@ void checkIncompressible(const Scene& scene, const std::string& path) {
   }
 }
 
-contact::Stabilization readStabilization(const ParameterList& list) {
-  using Form = contact::Stabilization::Form;
-  using Scaling = contact::Stabilization::Scaling;
-  contact::Stabilization stabilization;
-  stabilization.form =
-      pick<Form>(list.get<std::string>("Form"), {{"Projected", Form::Projected},
-                                                 {"Exact", Form::Exact},
-                                                 {"Density", Form::Density},
-                                                 {"None", Form::None}});
-  stabilization.scaling =
-      pick<Scaling>(list.get<std::string>("Scaling"),
-                    {{"Stiffness", Scaling::Stiffness}, {"Absolute", Scaling::Absolute}});
-  if (!list.getEntry("Gamma0").isDefault())
-    stabilization.gamma0 = list.get<double>("Gamma0");
-  stabilization.beta = list.get<double>("Beta");
-  stabilization.eta = list.get<double>("Eta");
-  return stabilization;
-}
-
 contact::SolverOptions readSolver(const ParameterList& list) {
   using Coulomb = contact::SolverOptions::Coulomb;
   using Complementarity = contact::SolverOptions::Complementarity;
@@ -259,9 +240,7 @@ Scene::Linear readLinear(const ParameterList& list) {
   Scene::Linear linear;
   linear.method = pick<Method>(list.get<std::string>("Method"),
                                {{"Dense", Method::Dense}, {"Belos", Method::Belos}});
-  linear.belos.tolerance = list.get<double>("Tolerance");
-  linear.belos.maximumIterations = list.get<int>("Maximum Iterations");
-  linear.belos.blockSize = list.get<int>("Block Size");
+  linear.belos = bem::parseBelos(list);
   return linear;
 }
 
@@ -273,8 +252,7 @@ Scene::Adaptivity readAdaptivity(const ParameterList& list) {
   adaptivity.maximumDegreesOfFreedom = list.get<int>("Maximum Degrees of Freedom");
   adaptivity.markingFraction = list.get<double>("Marking Fraction");
   adaptivity.analyticityThreshold = list.get<double>("Analyticity Threshold");
-  adaptivity.estimator.weights = list.get<std::string>("Weights");
-  adaptivity.estimator.residualFactor = list.get<double>("Residual Factor");
+  adaptivity.estimator = adaptivity::parseEstimator(list);
   const ParameterList& grading = list.sublist("Grading");
   adaptivity.grading.ratio = grading.get<double>("Ratio");
   adaptivity.grading.degreeStep = grading.get<int>("Degree Step");
@@ -328,7 +306,8 @@ Scene build(const std::string& file, const RawScene& raw) {
   scene.elementsPerEdge = readElements(discretization, *scene.outline, holes);
   scene.degree = discretization.get<int>("Degree");
   scene.multiplier = discretization.get<std::string>("Multiplier");
-  scene.stabilization = readStabilization(discretization.sublist("Stabilization"));
+  scene.stabilization =
+      contact::parseStabilization(discretization.sublist("Stabilization"));
   if (contact::multiplierBasis(scene.multiplier).sharesNodes)
     scene.stabilization.form = contact::Stabilization::Form::None;
   checkIncompressible(scene, path + "->Material->Poisson's Ratio");

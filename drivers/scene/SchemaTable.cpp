@@ -1,8 +1,10 @@
-#include "adaptivity/estimate/Weights.hpp"
+#include "adaptivity/estimate/ResidualEstimator.hpp"
 #include "adaptivity/mark/Grading.hpp"
 #include "adaptivity/mark/Strategy.hpp"
+#include "bem/tpetra/BelosOptions.hpp"
 #include "contact/law/FrictionLaw.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
+#include "contact/problem/Stabilization.hpp"
 #include "drivers/scene/Schema.hpp"
 
 namespace epafi::drivers {
@@ -124,60 +126,33 @@ void addConditions(Table& table) {
 
 void addDiscretization(Table& table) {
   const std::string stabilization = "Discretization->Stabilization";
-  append(
-      table,
-      {
-          Row("Discretization", Kind::List, "the first mesh and the spaces on it")
-              .required(),
-          Row("Discretization->Elements per Edge", Kind::Counts,
-              "equal elements on each edge of the outer polygon; or give Mesh Size")
-              .unit("1")
-              .range(from(1)),
-          Row("Discretization->Hole <k> Elements per Edge", Kind::Counts,
-              "equal elements on each edge of hole k")
-              .unit("1")
-              .range(from(1)),
-          Row("Discretization->Mesh Size", Kind::Real,
-              "largest element; each edge gets the smallest number of equal ones")
-              .unit("length")
-              .range(above(0)),
-          Row("Discretization->Degree", Kind::Whole,
-              "polynomial degree of the displacement")
-              .unit("1")
-              .standard("1")
-              .range({1, 25}),
-          Row("Discretization->Multiplier", Kind::Text,
-              "basis of the contact stress; " + meanings(contact::multiplierBases()))
-              .standard("Gauss-Legendre-Lagrange")
-              .allowed(namesOf(contact::multiplierBases())),
-          Row(stabilization, Kind::List, "stabilisation of the mixed method"),
-          Row(stabilization + "->Form", Kind::Text,
-              "what stands for the boundary stress: S u projected onto polynomials, S u "
-              "exactly, the density psi as an unknown, or no stabilisation")
-              .standard("Projected")
-              .allowed({"Projected", "Exact", "Density", "None"}),
-          Row(stabilization + "->Gamma0", Kind::Real,
-              "strength gamma0; definiteness is lost near 0.6 under Scaling Stiffness: "
-              "the default gives way then, what is written is refused. Form Density "
-              "takes 0.5 instead of the default and never loses it")
-              .unit("1, or as Scaling says")
-              .standard("0.1")
-              .range(above(0)),
-          Row(stabilization + "->Beta", Kind::Real, "extra power of the element size")
-              .unit("1")
-              .standard("0")
-              .range(from(0)),
-          Row(stabilization + "->Eta", Kind::Real, "extra power of 1 / degree")
-              .unit("1")
-              .standard("0")
-              .range(from(0)),
-          Row(stabilization + "->Scaling", Kind::Text,
-              "Stiffness: gamma = Gamma0 min(1, 50(1-2nu)) (h/d)^Beta h p^(-2-Eta) / E, "
-              "without the min under Form Density; "
-              "Absolute: gamma = Gamma0 h^(1+Beta) p^(-2-Eta) in the scene's units")
-              .standard("Stiffness")
-              .allowed({"Stiffness", "Absolute"}),
-      });
+  append(table,
+         {
+             Row("Discretization", Kind::List, "the first mesh and the spaces on it")
+                 .required(),
+             Row("Discretization->Elements per Edge", Kind::Counts,
+                 "equal elements on each edge of the outer polygon; or give Mesh Size")
+                 .unit("1")
+                 .range(from(1)),
+             Row("Discretization->Hole <k> Elements per Edge", Kind::Counts,
+                 "equal elements on each edge of hole k")
+                 .unit("1")
+                 .range(from(1)),
+             Row("Discretization->Mesh Size", Kind::Real,
+                 "largest element; each edge gets the smallest number of equal ones")
+                 .unit("length")
+                 .range(above(0)),
+             Row("Discretization->Degree", Kind::Whole,
+                 "polynomial degree of the displacement")
+                 .unit("1")
+                 .standard("1")
+                 .range({1, 25}),
+         });
+  append(table, {contact::multiplierRow()}, "Discretization");
+  append(table, {
+                    Row(stabilization, Kind::List, "stabilisation of the mixed method"),
+                });
+  append(table, contact::stabilizationRows(), stabilization);
 }
 
 void addSolver(Table& table) {
@@ -225,21 +200,8 @@ void addSolver(Table& table) {
               "Belos: conjugate gradients, for each column")
               .standard("Dense")
               .allowed({"Dense", "Belos"}),
-          Row("Solver->Linear->Tolerance", Kind::Real,
-              "Belos: residual relative to the right hand side")
-              .unit("1")
-              .standard("1e-13")
-              .range({0, 1, true, true}),
-          Row("Solver->Linear->Maximum Iterations", Kind::Whole,
-              "Belos: steps for one column; beyond, the run ends with code 2")
-              .unit("1")
-              .standard("1000")
-              .range(from(1)),
-          Row("Solver->Linear->Block Size", Kind::Whole, "Belos: columns at once")
-              .unit("1")
-              .standard("64")
-              .range(from(1)),
       });
+  append(table, bem::belosRows(), "Solver->Linear");
 }
 
 void addStrategy(Table& table) {
@@ -309,35 +271,26 @@ void addGrading(Table& table) {
 }
 
 void addEstimate(Table& table) {
-  append(
-      table,
-      {
-          Row("Adaptivity->Weights", Kind::Text,
-              "how the estimate adds its terms up; " + meanings(adaptivity::weightings()))
-              .standard(adaptivity::weightings().front().name)
-              .allowed(namesOf(adaptivity::weightings())),
-          Row("Adaptivity->Residual Factor", Kind::Real,
-              "multiplies the squares of eta_neumann, eta_contact and eta_density")
-              .unit("1")
-              .standard("1")
-              .range(above(0)),
-          Row("Adaptivity->Target Estimate", Kind::Real,
-              "a run ends at the first level with a smaller estimate")
-              .unit("as the estimate: root of stress length^2 under Weights Energy")
-              .standard("0")
-              .range(from(0)),
-          Row("Adaptivity->Maximum Levels", Kind::Whole,
-              "levels computed, the first included")
-              .unit("1")
-              .standard("6")
-              .range(from(1)),
-          Row("Adaptivity->Maximum Degrees of Freedom", Kind::Whole,
-              "a level with more, displacement and contact stress together, is not "
-              "computed")
-              .unit("1")
-              .standard("4000")
-              .range(from(1)),
-      });
+  append(table, adaptivity::estimatorRows(), "Adaptivity");
+  append(table,
+         {
+             Row("Adaptivity->Target Estimate", Kind::Real,
+                 "a run ends at the first level with a smaller estimate")
+                 .unit("as the estimate: root of stress length^2 under Weights Energy")
+                 .standard("0")
+                 .range(from(0)),
+             Row("Adaptivity->Maximum Levels", Kind::Whole,
+                 "levels computed, the first included")
+                 .unit("1")
+                 .standard("6")
+                 .range(from(1)),
+             Row("Adaptivity->Maximum Degrees of Freedom", Kind::Whole,
+                 "a level with more, displacement and contact stress together, is not "
+                 "computed")
+                 .unit("1")
+                 .standard("4000")
+                 .range(from(1)),
+         });
 }
 
 void addOutput(Table& table) {
@@ -375,6 +328,15 @@ const std::vector<Parameter>& parameters() {
     return all;
   }();
   return table;
+}
+
+const Parameter& declared(const std::string& path) {
+  return bem::declared(parameters(), path);
+}
+
+Teuchos::ParameterList complete(const Teuchos::ParameterList& given,
+                                const std::string& title) {
+  return bem::complete(parameters(), given, title);
 }
 
 }  // namespace epafi::drivers

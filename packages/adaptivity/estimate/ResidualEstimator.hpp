@@ -1,9 +1,14 @@
 #pragma once
 
 #include "adaptivity/estimate/Indicators.hpp"
+#include "bem/base/SchemaRow.hpp"
 #include "contact/problem/Summary.hpp"
 
 #include <string>
+
+namespace Teuchos {
+class ParameterList;
+}
 
 namespace epafi::adaptivity {
 
@@ -13,6 +18,10 @@ struct EstimatorOptions {
   /// with what the stabilisation adds to it.
   double residualFactor = 1;
 };
+
+/// The keys of a list of these, and what a list that they have completed says.
+bem::SchemaRows estimatorRows();
+EstimatorOptions parseEstimator(const Teuchos::ParameterList& list);
 
 /// The residual error estimator of [P] Theorem 22, Corollary 23 and, with bounds that
 /// follow the pressure, Theorem 24; norms by the scaled L² norms of [P sec. 8].

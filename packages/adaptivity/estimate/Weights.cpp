@@ -1,6 +1,8 @@
 #include "adaptivity/estimate/Weights.hpp"
 
-#include "bem/base/Error.hpp"
+#include "adaptivity/estimate/ResidualEstimator.hpp"
+
+#include <Teuchos_ParameterList.hpp>
 
 namespace epafi::adaptivity {
 
@@ -38,27 +40,43 @@ Contributions paper(const bem::Lame&, bem::Units units) {
 
 }  // namespace
 
-const std::vector<Weights>& weightings() {
-  static const std::vector<Weights> table = {
-      {"Energy",
-       "all terms as energies: residual, tension and bound divided by the shear modulus, "
-       "density and penetration multiplied by it; of the multipliers that do the same "
-       "work the best, slip of its admissible shear",
-       energy, Bounds::Sharp},
-      {"Paper", "as printed, in the scene's units, which then matter", paper,
-       Bounds::Printed},
-  };
+bem::Family<Weights>& weightings() {
+  static bem::Family<Weights> table(
+      "weights", {
+                     {"Energy",
+                      "all terms as energies: residual, tension and bound divided by the "
+                      "shear modulus, "
+                      "density and penetration multiplied by it; of the multipliers that "
+                      "do the same "
+                      "work the best, slip of its admissible shear",
+                      energy, Bounds::Sharp},
+                     {"Paper", "as printed, in the scene's units, which then matter",
+                      paper, Bounds::Printed},
+                 });
   return table;
 }
 
-const Weights& weighting(const std::string& name) {
-  std::string known;
-  for (const Weights& weights : weightings()) {
-    if (weights.name == name)
-      return weights;
-    known += (known.empty() ? "'" : ", '") + std::string(weights.name) + "'";
-  }
-  throw bem::InputError(bem::message("weights '", name, "'; known weights: ", known));
+const Weights& weighting(const std::string& name) { return weightings().at(name); }
+
+bem::SchemaRows estimatorRows() {
+  using bem::Kind;
+  using bem::Row;
+  const EstimatorOptions defaults;
+  return {
+      Row("Weights", Kind::Text,
+          "how the estimate adds its terms up; " + meanings(weightings()))
+          .standard(defaults.weights)
+          .allowed(weightings().names()),
+      Row("Residual Factor", Kind::Real,
+          "multiplies the squares of eta_neumann, eta_contact and eta_density")
+          .unit("1")
+          .standard(defaults.residualFactor)
+          .range(bem::above(0)),
+  };
+}
+
+EstimatorOptions parseEstimator(const Teuchos::ParameterList& list) {
+  return {list.get<std::string>("Weights"), list.get<double>("Residual Factor")};
 }
 
 }  // namespace epafi::adaptivity

@@ -2,6 +2,7 @@
 
 #include "adaptivity/estimate/ContactTerms.hpp"
 #include "adaptivity/estimate/Indicators.hpp"
+#include "bem/base/Family.hpp"
 #include "bem/base/Material.hpp"
 #include "bem/base/Units.hpp"
 
@@ -25,8 +26,8 @@ struct Weights {
   Bounds bounds;
 };
 
-/// All weights.  A new one is one line in Weights.cpp.
-const std::vector<Weights>& weightings();
+/// All weights.  A new one is one line in Weights.cpp, or added by a program.
+bem::Family<Weights>& weightings();
 
 /// \throws bem::InputError naming the known weights.
 const Weights& weighting(const std::string& name);

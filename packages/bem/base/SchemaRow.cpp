@@ -4,6 +4,7 @@
 #include "bem/base/Parameters.hpp"
 
 #include <algorithm>
+#include <charconv>
 
 namespace epafi::bem {
 
@@ -35,6 +36,12 @@ std::string typeName(Kind kind) {
       break;
   }
   return "ParameterList";
+}
+
+Row& Row::standard(double value) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value);
+  return standard(std::string(text, end.ptr));
 }
 
 std::string SchemaRow::parent() const {

@@ -77,6 +77,7 @@ class Row {
   }
   Row& unit(const std::string& unit) { return row_.unit = unit, *this; }
   Row& standard(const std::string& text) { return row_.standard = text, *this; }
+  Row& standard(double value);
   Row& required() { return row_.required = true, *this; }
   Row& only(const std::string& selector) { return row_.only = {selector}, *this; }
   Row& range(const Interval& interval) { return row_.interval = interval, *this; }

@@ -1,5 +1,11 @@
 #pragma once
 
+#include "bem/base/SchemaRow.hpp"
+
+namespace Teuchos {
+class ParameterList;
+}
+
 namespace epafi::bem {
 
 /// When BelosSolver is content.
@@ -8,5 +14,9 @@ struct BelosOptions {
   int maximumIterations = 1000;  ///< > 0
   int blockSize = 64;            ///< right hand sides at once, > 0
 };
+
+/// The keys of a list of these, and what a list that they have completed says.
+SchemaRows belosRows();
+BelosOptions parseBelos(const Teuchos::ParameterList& list);
 
 }  // namespace epafi::bem

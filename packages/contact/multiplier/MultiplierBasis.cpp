@@ -1,6 +1,5 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 
-#include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
 #include "bem/quadrature/Gauss.hpp"
 
@@ -125,33 +124,37 @@ double bernsteinAmplification(int degree) { return std::ldexp(1.0, degree + 1) -
 
 }  // namespace
 
-const std::vector<MultiplierBasis>& multiplierBases() {
-  static const std::vector<MultiplierBasis> bases = {
-      {"Gauss-Legendre-Lagrange", "Lagrange's functions at Gauss-Legendre points",
-       gaussPlaces, gaussValues},
-      {"Gauss-Lobatto-Lagrange", "Lagrange's functions at Gauss-Lobatto points",
-       lobattoPlaces, lobattoValues},
-      {"Bernstein",
-       "Bernstein's polynomials: nonnegative coefficients mean a nonnegative pressure",
-       controlPoints, bernsteinValues, false, true, 14, bernsteinAmplification},
-      {"Biorthogonal",
-       "dual to the displacement at Gauss-Lobatto points, one coefficient for each of "
-       "its "
-       "free nodes; implies Form None",
-       lobattoPlaces, dualValues, true},
-  };
+bem::Family<MultiplierBasis>& multiplierBases() {
+  static bem::Family<MultiplierBasis> bases(
+      "multiplier",
+      {
+          {"Gauss-Legendre-Lagrange", "Lagrange's functions at Gauss-Legendre points",
+           gaussPlaces, gaussValues},
+          {"Gauss-Lobatto-Lagrange", "Lagrange's functions at Gauss-Lobatto points",
+           lobattoPlaces, lobattoValues},
+          {"Bernstein",
+           "Bernstein's polynomials: nonnegative coefficients mean a nonnegative "
+           "pressure",
+           controlPoints, bernsteinValues, false, true, 14, bernsteinAmplification},
+          {"Biorthogonal",
+           "dual to the displacement at Gauss-Lobatto points, one coefficient for each "
+           "of "
+           "its "
+           "free nodes; implies Form None",
+           lobattoPlaces, dualValues, true},
+      });
   return bases;
 }
 
 const MultiplierBasis& multiplierBasis(const std::string& name) {
-  std::string known;
-  for (const MultiplierBasis& basis : multiplierBases()) {
-    if (basis.name == name)
-      return basis;
-    known += (known.empty() ? "'" : ", '") + std::string(basis.name) + "'";
-  }
-  throw bem::InputError(
-      bem::message("multiplier '", name, "'; known multipliers: ", known));
+  return multiplierBases().at(name);
+}
+
+bem::SchemaRow multiplierRow() {
+  return bem::Row("Multiplier", bem::Kind::Text,
+                  "basis of the contact stress; " + meanings(multiplierBases()))
+      .standard(multiplierBases().front().name)
+      .allowed(multiplierBases().names());
 }
 
 }  // namespace epafi::contact

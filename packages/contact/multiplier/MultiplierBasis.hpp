@@ -1,6 +1,8 @@
 #pragma once
 
+#include "bem/base/Family.hpp"
 #include "bem/base/Matrix.hpp"
+#include "bem/base/SchemaRow.hpp"
 #include "bem/basis/Legendre.hpp"
 
 #include <string>
@@ -36,10 +38,14 @@ struct MultiplierBasis {
   double (*amplification)(int degree) = nullptr;
 };
 
-/// All bases.  A new one is one line in MultiplierBasis.cpp.
-const std::vector<MultiplierBasis>& multiplierBases();
+/// All bases, the default first.  A new one is one line in MultiplierBasis.cpp, or added by
+/// a program.
+bem::Family<MultiplierBasis>& multiplierBases();
 
 /// \throws bem::InputError naming the known bases.
 const MultiplierBasis& multiplierBasis(const std::string& name);
+
+/// The key that chooses one.
+bem::SchemaRow multiplierRow();
 
 }  // namespace epafi::contact

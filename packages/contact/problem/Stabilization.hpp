@@ -1,6 +1,12 @@
 #pragma once
 
+#include "bem/base/SchemaRow.hpp"
+
 #include <optional>
+
+namespace Teuchos {
+class ParameterList;
+}
 
 namespace epafi::contact {
 
@@ -30,5 +36,9 @@ struct Stabilization {
     return gamma0.value_or(form == Form::Density ? 0.5 : 0.1);
   }
 };
+
+/// The keys of a list of these, and what a list that they have completed says.
+bem::SchemaRows stabilizationRows();
+Stabilization parseStabilization(const Teuchos::ParameterList& list);
 
 }  // namespace epafi::contact

@@ -1,6 +1,7 @@
-#include "drivers/scene/Schema.hpp"
+#include "bem/base/Schema.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/base/Parameters.hpp"
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_TwoDArray.hpp>
@@ -8,12 +9,10 @@
 #include <algorithm>
 #include <charconv>
 
-namespace epafi::drivers {
+namespace epafi::bem {
 
 namespace {
 
-using bem::InputError;
-using bem::message;
 using Teuchos::ParameterEntry;
 using Teuchos::ParameterList;
 
@@ -51,19 +50,19 @@ std::string example(const std::string& pattern) {
                                 : pattern.substr(0, k) + "1" + pattern.substr(k + 3);
 }
 
-using Table = std::vector<Parameter>;
+using Table = SchemaRows;
 
-std::vector<const Parameter*> childrenOf(const Table& table, const std::string& pattern) {
-  std::vector<const Parameter*> rows;
-  for (const Parameter& row : table)
+std::vector<const SchemaRow*> childrenOf(const Table& table, const std::string& pattern) {
+  std::vector<const SchemaRow*> rows;
+  for (const SchemaRow& row : table)
     if (row.parent() == pattern)
       rows.push_back(&row);
   return rows;
 }
 
-const Parameter* find(const std::vector<const Parameter*>& rows,
+const SchemaRow* find(const std::vector<const SchemaRow*>& rows,
                       const std::string& name) {
-  for (const Parameter* row : rows)
+  for (const SchemaRow* row : rows)
     if (matches(row->name(), name))
       return row;
   return nullptr;
@@ -179,12 +178,12 @@ Teuchos::RCP<ParameterEntry> converted(const ParameterEntry& entry, Kind kind) {
   return Teuchos::null;
 }
 
-void checkRange(const ParameterEntry& entry, const Parameter& row,
+void checkRange(const ParameterEntry& entry, const SchemaRow& row,
                 const std::string& name, const std::string& path) {
   if (!row.allowed.empty())
-    bem::oneOf(row.allowed)->validate(entry, name, path);
+    oneOf(row.allowed)->validate(entry, name, path);
   else
-    bem::within(row.interval)->validate(entry, name, path);
+    within(row.interval)->validate(entry, name, path);
   if (row.kind == Kind::Points &&
       value<Teuchos::TwoDArray<double>>(entry).getNumCols() != 2)
     throw InputError(
@@ -193,7 +192,7 @@ void checkRange(const ParameterEntry& entry, const Parameter& row,
 }
 
 /// A row's default, marked as one; the row must have one.
-ParameterEntry standardOf(const Parameter& row) {
+ParameterEntry standardOf(const SchemaRow& row) {
   switch (row.kind) {
     case Kind::Real:
       return ParameterEntry(std::stod(row.standard), true);
@@ -206,7 +205,7 @@ ParameterEntry standardOf(const Parameter& row) {
   }
 }
 
-ParameterEntry checked(const ParameterEntry& entry, const Parameter& row,
+ParameterEntry checked(const ParameterEntry& entry, const SchemaRow& row,
                        const std::string& name, const std::string& path) {
   const Teuchos::RCP<ParameterEntry> result = converted(entry, row.kind);
   if (result.is_null())
@@ -234,7 +233,7 @@ class Level {
   void complete(ParameterList& result) const {
     for (const auto& item : given_)
       checkKnown(item.first);
-    for (const Parameter* row : rows_) {
+    for (const SchemaRow* row : rows_) {
       if (!active(*row, result))
         continue;
       bool found = false;
@@ -255,43 +254,41 @@ class Level {
     if (find(rows_, name) != nullptr)
       return;
     std::vector<std::string> known;
-    for (const Parameter* row : rows_)
+    for (const SchemaRow* row : rows_)
       known.push_back(example(row->name()));
-    throw InputError(
-        message(join(path_, name), ": unknown", bem::suggestion(name, known)));
+    throw InputError(message(join(path_, name), ": unknown", suggestion(name, known)));
   }
 
   /// The sibling whose value decides which keys exist.
-  const Parameter* selector() const {
+  const SchemaRow* selector() const {
     for (const char* name : {"Type", "Law"})
-      for (const Parameter* row : rows_)
+      for (const SchemaRow* row : rows_)
         if (row->name() == name)
           return row;
     return nullptr;
   }
 
-  bool active(const Parameter& row, const ParameterList& result) const {
+  bool active(const SchemaRow& row, const ParameterList& result) const {
     return row.only.empty() ||
            std::count(row.only.begin(), row.only.end(),
                       result.get<std::string>(selector()->name())) > 0;
   }
 
   void checkActive(const std::string& name, const ParameterList& result) const {
-    const Parameter& row = *find(rows_, name);
+    const SchemaRow& row = *find(rows_, name);
     if (active(row, result))
       return;
     std::vector<std::string> known;
-    for (const Parameter* other : rows_)
+    for (const SchemaRow* other : rows_)
       if (active(*other, result))
         known.push_back(example(other->name()));
     const std::string key = selector()->name();
-    throw InputError(message(join(path_, name), ": belongs to ", key, " ",
-                             bem::quotedList(row.only), ", but ", key, " is '",
-                             result.get<std::string>(key),
-                             "'; known here: ", bem::quotedList(known)));
+    throw InputError(message(
+        join(path_, name), ": belongs to ", key, " ", quotedList(row.only), ", but ", key,
+        " is '", result.get<std::string>(key), "'; known here: ", quotedList(known)));
   }
 
-  void take(const Parameter& row, const std::string& name, const ParameterEntry& entry,
+  void take(const SchemaRow& row, const std::string& name, const ParameterEntry& entry,
             ParameterList& result) const {
     if (row.kind != Kind::List && row.kind != Kind::Free) {
       result.setEntry(name, checked(entry, row, name, path_));
@@ -307,7 +304,7 @@ class Level {
       Level(table_, sublist, row.path, join(path_, name)).complete(result.sublist(name));
   }
 
-  void fill(const Parameter& row, ParameterList& result) const {
+  void fill(const SchemaRow& row, ParameterList& result) const {
     if (row.required)
       throw InputError(message(join(path_, row.name()), ": missing; ", row.meaning,
                                row.range().empty() ? "" : ", " + row.range()));
@@ -321,27 +318,26 @@ class Level {
   const Table& table_;
   const ParameterList& given_;
   std::string path_;
-  std::vector<const Parameter*> rows_;
+  std::vector<const SchemaRow*> rows_;
 };
 
 }  // namespace
 
-const Parameter& declared(const std::string& path) {
+const SchemaRow& declared(const SchemaRows& table, const std::string& path) {
   std::string pattern;
   std::string walked;
-  const Parameter* row = nullptr;
+  const SchemaRow* row = nullptr;
   for (std::size_t at = 0; at <= path.size();) {
     const std::size_t end = std::min(path.find(arrow, at), path.size());
     const std::string name = path.substr(at, end - at);
-    const auto rows = childrenOf(parameters(), pattern);
+    const auto rows = childrenOf(table, pattern);
     row = name.empty() ? nullptr : find(rows, name);
     if (row == nullptr) {
       std::vector<std::string> known;
       known.reserve(rows.size());
-      for (const Parameter* other : rows)
+      for (const SchemaRow* other : rows)
         known.push_back(example(other->name()));
-      throw InputError(
-          message(join(walked, name), ": unknown", bem::suggestion(name, known)));
+      throw InputError(message(join(walked, name), ": unknown", suggestion(name, known)));
     }
     pattern = row->path;
     walked = join(walked, name);
@@ -350,15 +346,15 @@ const Parameter& declared(const std::string& path) {
   return *row;
 }
 
-ParameterList complete(const std::vector<Parameter>& table, const ParameterList& given,
+ParameterList complete(const SchemaRows& table, const ParameterList& given,
                        const std::string& title) {
   ParameterList result(title);
   Level(table, given, "", "").complete(result);
   return result;
 }
 
-ParameterList complete(const ParameterList& given, const std::string& title) {
-  return complete(parameters(), given, title);
+ParameterList validParameters(const SchemaRows& table, const std::string& title) {
+  return complete(table, ParameterList(), title);
 }
 
-}  // namespace epafi::drivers
+}  // namespace epafi::bem

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "bem/base/Error.hpp"
+
+#include <string>
+#include <vector>
+
+namespace epafi::bem {
+
+/// A row of a table of the words for an enumeration.
+template <class Enum>
+struct Named {
+  const char* name;
+  Enum value;
+};
+
+template <class Enum, std::size_t N>
+std::vector<std::string> namesOf(const Named<Enum> (&table)[N]) {
+  std::vector<std::string> names;
+  for (const Named<Enum>& row : table)
+    names.push_back(row.name);
+  return names;
+}
+
+/// \throws InputError if the table does not have the word.
+template <class Enum, std::size_t N>
+Enum named(const Named<Enum> (&table)[N], const std::string& name) {
+  for (const Named<Enum>& row : table)
+    if (name == row.name)
+      return row.value;
+  throw InputError(message("'", name, "' is none of the words for it"));
+}
+
+}  // namespace epafi::bem

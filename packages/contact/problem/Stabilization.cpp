@@ -1,0 +1,72 @@
+#include "contact/problem/Stabilization.hpp"
+
+#include "bem/base/Named.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+namespace epafi::contact {
+
+namespace {
+
+using bem::above;
+using bem::from;
+using bem::Kind;
+using bem::Row;
+
+constexpr bem::Named<Stabilization::Form> forms[] = {
+    {"Projected", Stabilization::Form::Projected},
+    {"Exact", Stabilization::Form::Exact},
+    {"Density", Stabilization::Form::Density},
+    {"None", Stabilization::Form::None},
+};
+constexpr bem::Named<Stabilization::Scaling> scalings[] = {
+    {"Stiffness", Stabilization::Scaling::Stiffness},
+    {"Absolute", Stabilization::Scaling::Absolute},
+};
+
+}  // namespace
+
+bem::SchemaRows stabilizationRows() {
+  const Stabilization defaults;
+  return {
+      Row("Form", Kind::Text,
+          "what stands for the boundary stress: S u projected onto polynomials, S u "
+          "exactly, the density psi as an unknown, or no stabilisation")
+          .standard(forms[0].name)
+          .allowed(bem::namesOf(forms)),
+      Row("Gamma0", Kind::Real,
+          "strength gamma0; definiteness is lost near 0.6 under Scaling Stiffness: "
+          "the default gives way then, what is written is refused. Form Density "
+          "takes 0.5 instead of the default and never loses it")
+          .unit("1, or as Scaling says")
+          .standard(defaults.firstGamma0())
+          .range(above(0)),
+      Row("Beta", Kind::Real, "extra power of the element size")
+          .unit("1")
+          .standard(defaults.beta)
+          .range(from(0)),
+      Row("Eta", Kind::Real, "extra power of 1 / degree")
+          .unit("1")
+          .standard(defaults.eta)
+          .range(from(0)),
+      Row("Scaling", Kind::Text,
+          "Stiffness: gamma = Gamma0 min(1, 50(1-2nu)) (h/d)^Beta h p^(-2-Eta) / E, "
+          "without the min under Form Density; "
+          "Absolute: gamma = Gamma0 h^(1+Beta) p^(-2-Eta) in the scene's units")
+          .standard(scalings[0].name)
+          .allowed(bem::namesOf(scalings)),
+  };
+}
+
+Stabilization parseStabilization(const Teuchos::ParameterList& list) {
+  Stabilization stabilization;
+  stabilization.form = bem::named(forms, list.get<std::string>("Form"));
+  stabilization.scaling = bem::named(scalings, list.get<std::string>("Scaling"));
+  if (!list.getEntry("Gamma0").isDefault())
+    stabilization.gamma0 = list.get<double>("Gamma0");
+  stabilization.beta = list.get<double>("Beta");
+  stabilization.eta = list.get<double>("Eta");
+  return stabilization;
+}
+
+}  // namespace epafi::contact
