@@ -3,10 +3,11 @@ library only.
 
 The scale of a column is the largest number among those it is added to: all energies, all
 forces, all lengths; in contact.csv all stresses, all displacements.  The eta_* are roots: their
-squares add up to the estimate's, so squares are what is compared.
+squares add up to the estimate's, so squares are what is compared, and rounding's are no difference.
 """
 ASIDE = ("seconds_", "memory_")
 FAMILIES = ("energy_", "_length", "eta_")
+ROOTS = ("eta_", "estimate")
 FORCES = ("force_", "reaction_", "load_", "contact_x", "contact_y", "contact_moment")
 SHARED = (("u_n", "u_t", "gap"), ("x", "y"), ("lambda_n", "lambda_t", "bound"))
 
@@ -16,7 +17,7 @@ def numbers(rows, name):
     values = [row[name] for row in rows]
     if any(isinstance(value, str) for value in values):
         return [str(value) for value in values]
-    return [value ** 2 for value in values] if name.startswith("eta_") else values
+    return [value ** 2 for value in values] if name.startswith(ROOTS) else values
 
 
 def family(rows, name):
@@ -40,6 +41,8 @@ def difference(one, other, name):
     if isinstance(a[0], str):
         return 0 if a == b else float("inf")
     scale = max(abs(x) for column in family(one, name) for x in numbers(one, column))
+    if name.startswith(ROOTS):
+        scale = max(scale, 1e-16 * max(row["energy_strain"] for row in one))
     return max(abs(x - y) for x, y in zip(a, b)) / scale if scale > 0 else max(map(abs, b))
 
 
