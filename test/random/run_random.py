@@ -54,7 +54,7 @@ class Result:
         if os.path.exists(timings):
             with open(timings) as stream:
                 self.stages = levels(stream.read())
-        if self.code == 0 and max(self.steps) <= FEW:
+        if self.code == 0 and max(self.steps, default=0) <= FEW:
             shutil.rmtree(folder)
 
     def kinds(self):
@@ -95,7 +95,7 @@ def main():
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         results = list(pool.map(lambda seed: Result(seed, options.epafi, options.work), seeds))
     for result in results:
-        if result.code != 0 or max(result.steps) > FEW:
+        if result.code != 0 or max(result.steps, default=0) > FEW:
             print("%s: exit code %d, steps %s, %s\n        %s" % (
                 result.file, result.code, result.steps, ", ".join(result.words()),
                 result.text))
