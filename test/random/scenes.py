@@ -8,7 +8,8 @@ nothing but deformation answers its load: see HELD.
 import math
 import random
 
-LAWS = ("None", "Tresca", "Coulomb")
+LAWS = {"None": (), "Tresca": ("Threshold",), "Coulomb": ("Coefficient",),
+        "Capped Coulomb": ("Coefficient", "Cap")}
 BASES = ("Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange", "Bernstein", "Biorthogonal")
 STRATEGIES = ("None", "Uniform h", "Uniform p", "Adaptive h", "Adaptive hp", "Graded hp")
 GAPS = ("zero", "constant", "tilted", "parabola", "wave")
@@ -88,23 +89,21 @@ class Scene:
                 size / 2, draw.uniform(3, 20), place, draw.uniform(0, 6)),
         }[kind]
 
-    def strength(self, k, law):
-        """A friction coefficient up to 1, or a threshold up to the loads': the same along the
+    def strength(self, k, field):
+        """A friction coefficient up to 1, or a shear stress up to the loads': the same along the
         side, linear, or zero on a part."""
         draw, place = self.draw, self.along(k)
-        most = draw.uniform(0, 1) * (1 if law == "Coulomb" else self.stress)
+        most = draw.uniform(0, 1) * (1 if field == "Coefficient" else self.stress)
         return draw.choice(("%.6g" % most, "%.6g*abs(1 - %s)" % (most, place),
                             "%.6g*(%s < %.4g)" % (most, place, draw.uniform(0.2, 0.8))))
 
     def condition(self, k):
         draw = self.draw
         if self.kinds[k] == "contact":
-            law = draw.choice(LAWS)
+            law = draw.choice(list(LAWS))
             self.laws.append(law)
-            friction = text("Law", law)
-            if law != "None":
-                friction += text({"Tresca": "Threshold", "Coulomb": "Coefficient"}[law],
-                                 self.strength(k, law))
+            friction = text("Law", law) + "".join(text(field, self.strength(k, field))
+                                                  for field in LAWS[law])
             return text("Type", "Contact") + text("Gap", self.gap(k)) + sublist(
                 "Friction", friction)
         if self.kinds[k] == "support":
