@@ -85,7 +85,7 @@ void farPair(benchmark::State& state) {
   const int order = static_cast<int>(state.range(1));
   const Mesh mesh = uniform(4, degree);
   const FarBatch batch = farBatch();
-  const auto moments = std::make_unique<FarMoments>();
+  const auto moments = std::make_unique<TileMoments>();
   for (auto _ : state) {
     farMoments(mesh[0], batch, {degree, degree}, {order, order}, *moments);
     benchmark::DoNotOptimize(moments->log[0][0]);
@@ -145,7 +145,7 @@ BENCHMARK(farTractionRows)
 void nearPair(benchmark::State& state) {
   const Mesh mesh = uniform(64, static_cast<int>(state.range(0)));
   const int distance = static_cast<int>(state.range(1));
-  const auto moments = std::make_unique<FarMoments>();
+  const auto moments = std::make_unique<TileMoments>();
   NearMoments near;
   for (auto _ : state) {
     near.evaluate(mesh, 4 + distance, 4, *moments, 0);

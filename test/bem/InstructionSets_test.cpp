@@ -31,12 +31,12 @@ bem::FarBatch anyBatch() {
   return batch;
 }
 
-double difference(const bem::FarMoments& a, const bem::FarMoments& b, int degree) {
+double difference(const bem::TileMoments& a, const bem::TileMoments& b, int degree) {
   double largest = 0;
   for (int i = 0; i <= degree; ++i)
     for (int j = 0; j <= degree; ++j)
       for (int lane = 0; lane < bem::lanes; ++lane) {
-        const int at = i * bem::FarMoments::stride + j;
+        const int at = i * bem::TileMoments::stride + j;
         if (i < degree)
           largest = std::max(largest, std::abs(a.direct[at][lane] - b.direct[at][lane]));
         if (j < degree)
@@ -52,11 +52,11 @@ double difference(const bem::FarMoments& a, const bem::FarMoments& b, int degree
   return largest;
 }
 
-TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameFarMoments) {
+TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameTileMoments) {
   const auto outline = std::make_shared<const bem::Outline>(
       polygon({{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}}));
-  const auto baseline = std::make_unique<bem::FarMoments>();
-  const auto other = std::make_unique<bem::FarMoments>();
+  const auto baseline = std::make_unique<bem::TileMoments>();
+  const auto other = std::make_unique<bem::TileMoments>();
   for (const int degree : {1, 2, 3, 8, 20}) {
     const bem::Mesh mesh = bem::makeMesh(outline, {2, 2, 2, 2}, degree);
     const bem::PairOrder order = {degree + 5, degree + 7};
@@ -74,8 +74,8 @@ TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameFarMoments) {
 TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameNearMoments) {
   const auto outline = std::make_shared<const bem::Outline>(
       polygon({{-0.5, -0.1}, {0.5, -0.1}, {0.5, 0.1}, {-0.4, 0.1}}));
-  const auto baseline = std::make_unique<bem::FarMoments>();
-  const auto other = std::make_unique<bem::FarMoments>();
+  const auto baseline = std::make_unique<bem::TileMoments>();
+  const auto other = std::make_unique<bem::TileMoments>();
   bem::NearMoments near;
   for (const int degree : {1, 2, 8, 20}) {
     const bem::Mesh mesh = bem::makeMesh(outline, {4, 2, 3, 2}, degree);
@@ -86,10 +86,11 @@ TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameNearMoments) {
         for (int lane = 1; lane < bem::lanes; ++lane)
           for (int i = 0; i <= degree; ++i)
             for (int j = 0; j <= degree; ++j) {
-              const int at = i * bem::FarMoments::stride + j;
-              for (const auto table : {&bem::FarMoments::log, &bem::FarMoments::along,
-                                       &bem::FarMoments::across, &bem::FarMoments::direct,
-                                       &bem::FarMoments::reverse})
+              const int at = i * bem::TileMoments::stride + j;
+              for (const auto table :
+                   {&bem::TileMoments::log, &bem::TileMoments::along,
+                    &bem::TileMoments::across, &bem::TileMoments::direct,
+                    &bem::TileMoments::reverse})
                 ((*baseline).*table)[at][lane] = ((*other).*table)[at][lane] = 0;
             }
         TEST_COMPARE(difference(*baseline, *other, degree), <, 1e-13);

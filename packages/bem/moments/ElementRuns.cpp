@@ -11,13 +11,14 @@ namespace {
 /// that matter: 2e-15 of the difference.
 constexpr double plainDistance = 0.1;
 
-/// Circles closer than this (in half lengths) are looked at element by element.
-constexpr double zOfCircles = 4;
-
 ElementRun makeRun(const Mesh& mesh, int first) {
   ElementRun run;
-  run.first = first;
-  run.last = std::min(first + lanes, mesh.size());
+  run.first = run.last = first;
+  while (run.last < first + lanes && !run.closesLoop) {
+    const int next = mesh[run.last].next;
+    ++run.last;
+    run.closesLoop = next != run.last;
+  }
   Vec2 low = mesh[first].middle;
   Vec2 high = low;
   for (int lane = 0; lane < lanes; ++lane) {
@@ -30,6 +31,7 @@ ElementRun makeRun(const Mesh& mesh, int first) {
     run.elements.set(lane, element.middle, element);
     run.largestHalf = std::max(run.largestHalf, element.half);
     run.degree = std::max(run.degree, element.degree);
+    run.densities = std::max(run.densities, element.densities);
     low = {std::min(low.x, element.middle.x), std::min(low.y, element.middle.y)};
     high = {std::max(high.x, element.middle.x), std::max(high.y, element.middle.y)};
   }
@@ -44,8 +46,13 @@ ElementRun makeRun(const Mesh& mesh, int first) {
 }  // namespace
 
 ElementRuns::ElementRuns(const Mesh& mesh) : mesh_(&mesh) {
-  for (int first = 0; first < mesh.size(); first += lanes)
-    runs_.push_back(makeRun(mesh, first));
+  int loops = 0;
+  while (runs_.empty() || runs_.back().last < mesh.size()) {
+    runs_.push_back(makeRun(mesh, runs_.empty() ? 0 : runs_.back().last));
+    runs_.back().loop = loops;
+    loops += runs_.back().closesLoop ? 1 : 0;
+    runOf_.resize(static_cast<std::size_t>(runs_.back().last), size() - 1);
+  }
 }
 
 FarLanes ElementRuns::choose(int e, int r, const ElementRange& wanted, FarBatch& batch,
@@ -75,17 +82,15 @@ FarLanes ElementRuns::choose(int e, int r, const ElementRange& wanted, FarBatch&
       std::swap(order.outer, order.inner);
     }
     const Element& source = (*mesh_)[f];
-    const PairOrder smooth = {order.outer - degreeShare((*mesh_)[e].degree),
-                              order.inner - degreeShare(source.degree)};
-    result.far[lane] = result.far[lane] && smooth.outer <= largestOuter;
+    result.far[lane] = result.far[lane] && order.outer <= largestOuter;
     if (!result.far[lane])
       continue;
     batch.set(lane, w, source);
-    result.own[lane] = smooth;
+    result.own[lane] = order;
     ++result.count;
     result.columns = std::max(result.columns, source.degree);
-    result.smooth = {std::max(result.smooth.outer, smooth.outer),
-                     std::max(result.smooth.inner, smooth.inner)};
+    result.smooth = {std::max(result.smooth.outer, order.outer),
+                     std::max(result.smooth.inner, order.inner)};
   }
   return result;
 }

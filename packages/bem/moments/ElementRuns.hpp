@@ -13,7 +13,8 @@ struct ElementRange {
   bool contain(int e) const { return first <= e && e < last; }
 };
 
-/// Up to eight elements in a row, first ... last - 1, with a circle around them.
+/// Up to eight elements in a row of one loop, first ... last - 1, with a circle around
+/// them.
 struct ElementRun {
   FarBatch elements{};  ///< wx, wy: their middles, scaled; lanes beyond the last dropped
   int first = 0;
@@ -21,7 +22,10 @@ struct ElementRun {
   Vec2 centre;
   double radius = 0;
   double largestHalf = 0;
-  int degree = 0;  ///< the largest
+  int degree = 0;           ///< the largest
+  int densities = 0;        ///< the largest number of them
+  int loop = 0;             ///< loops are counted from 0
+  bool closesLoop = false;  ///< behind the last is the loop's first node
 };
 
 /// Which pairs of an element and a run are far, and the Gauss orders that serve them all.
@@ -34,16 +38,14 @@ struct FarLanes {
   PairOrder own[lanes];  ///< of each pair, unless at once
 };
 
-/// The largest smooth order of a far circle.
-constexpr int smoothOrderOfCircles = 7;
-
-/// A mesh in runs of eight, the first of them at 0, the next at 8, ...
+/// A mesh in runs of eight; shorter ones end loops.
 class ElementRuns {
  public:
   explicit ElementRuns(const Mesh& mesh);
 
   const Mesh& mesh() const { return *mesh_; }
   int size() const { return static_cast<int>(runs_.size()); }
+  int runOf(int e) const { return runOf_[static_cast<std::size_t>(e)]; }
   const ElementRun& operator[](int r) const { return runs_[static_cast<std::size_t>(r)]; }
 
   /// The far pairs of e and the wanted elements of run r; fills the batch.  One look
@@ -59,6 +61,7 @@ class ElementRuns {
 
   const Mesh* mesh_;
   std::vector<ElementRun> runs_;
+  std::vector<int> runOf_;
 };
 
 }  // namespace epafi::bem

@@ -2,110 +2,9 @@
 
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/quadrature/WeightedLegendre.hpp"
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "bem/simd/Dispatch.hpp"
 
 namespace epafi::bem {
-
-namespace {
-
-/// Smallest z (sum of the focal distances over the length) for which `base` points give
-/// 1e-12, without the part that pays for the polynomials.
-struct OrderTable {
-  double smallestZ[largestSmoothOrder + 1] = {};
-  OrderTable() {
-    const double digits = std::log(1e12);
-    smallestZ[0] = std::numeric_limits<double>::infinity();
-    for (int base = 1; base <= largestSmoothOrder; ++base) {
-      const double r = std::exp(digits / (2 * base));
-      smallestZ[base] = 0.5 * (r + 1 / r);
-    }
-  }
-};
-
-// in outline diameters nothing overflows, and hypot costs as much as a whole far pair
-double length(Vec2 a) { return std::sqrt(dot(a, a)); }
-
-/// min over y in `source` of (|y-e0| + |y-e1|) / h, e0 and e1 the ends of E.
-/// [doc/theory/operators.md]
-double focalRatio(const Element& e, const Element& source, Vec2 middle) {
-  // in a frame with E's middle as origin: `middle` is the source's middle there
-  const Vec2 e1 = e.half * e.tangent;
-  const Vec2 e0 = -e1;
-  const auto foot = [&](Vec2 x) { return dot(x - middle, source.tangent); };
-  const auto off = [&](Vec2 x) { return std::abs(dot(x - middle, source.normal)); };
-  const double d0 = off(e0);
-  const double d1 = off(e1);
-  double t = 0;
-  if (d0 + d1 > 1e-14 * e.half)
-    t = (foot(e0) * d1 + foot(e1) * d0) / (d0 + d1);
-  else
-    t = foot({0, 0});
-  t = std::clamp(t, -source.half, source.half);
-  const Vec2 y = middle + t * source.tangent;
-  return (length(y - e0) + length(y - e1)) / (2 * e.half);
-}
-
-double distanceToSegment(Vec2 x, Vec2 middle, const Element& segment) {
-  const double t =
-      std::clamp(dot(x - middle, segment.tangent), -segment.half, segment.half);
-  return length(x - middle - t * segment.tangent);
-}
-
-/// Distance of two elements that do not cross; `w` from F's middle to E's.
-double gap(const Element& e, const Element& f, Vec2 w) {
-  const Vec2 he = e.half * e.tangent;
-  const Vec2 hf = f.half * f.tangent;
-  return std::min({distanceToSegment(w - he, {0, 0}, f),
-                   distanceToSegment(w + he, {0, 0}, f), distanceToSegment(-hf, w, e),
-                   distanceToSegment(hf, w, e)});
-}
-
-}  // namespace
-
-int smoothOrder(double z) {
-  static const OrderTable table;
-  int base = 1;
-  while (base < largestSmoothOrder && table.smallestZ[base] > z)
-    ++base;
-  return base;
-}
-
-bool isNear(const Mesh& mesh, int ie, int jf, PairOrder& order) {
-  return isNear(mesh, ie, jf, mesh.difference(mesh.at(ie, 0), mesh.at(jf, 0)), order);
-}
-
-bool isNear(const Mesh& mesh, int ie, int jf, Vec2 w, PairOrder& order) {
-  const Element& e = mesh[ie];
-  const Element& f = mesh[jf];
-  if (ie == jf || e.next == jf || f.next == ie)
-    return true;
-  const double distance = length(w);
-  const double larger = std::max(e.half, f.half);
-  if (distance - e.half - f.half < larger && gap(e, f, w) < larger)
-    return true;
-  // |y-e0| + |y-e1| >= 2 |y-m|: a bound that costs no projections
-  double zE = (distance - f.half) / e.half;
-  double zF = (distance - e.half) / f.half;
-  if (zE < 4)
-    zE = std::max(zE, focalRatio(e, f, -w));
-  if (zF < 4)
-    zF = std::max(zF, focalRatio(f, e, w));
-  order = {smoothOrder(zE) + degreeShare(e.degree),
-           smoothOrder(zF) + degreeShare(f.degree)};
-  return false;
-}
-
-bool isNear(Vec2 w, const Element& f, int& order) {
-  if (distanceToSegment(w, {0, 0}, f) < f.half)
-    return true;
-  const Vec2 half = f.half * f.tangent;
-  order = smoothOrder((length(w - half) + length(w + half)) / (2 * f.half)) +
-          degreeShare(f.degree);
-  return false;
-}
 
 namespace {
 
@@ -124,7 +23,7 @@ struct Work {
 /// The inner integrals at one outer point; Degree 0 for any.
 template <int Degree>
 struct Inner {
-  static constexpr int size = (Degree > 0 ? Degree : largestDegree) + 2;
+  static constexpr int size = (Degree > 0 ? Degree : largestMoment) + 2;
   Pack i[size];  // ∫ P_k / r²
   Pack j[size];  // ∫ P_k η / r²,  η = w·τ_F
   Pack l[size];  // ∫ P_k log r
@@ -163,7 +62,7 @@ EPAFI_INLINE void innerIntegrals(const Work& work, int degree, const Pack& eta0,
 
 template <int Degree, Division How>
 EPAFI_INLINE void farKernel(const Element& e, const FarBatch& batch, int rows,
-                            int columns, const Work& work, FarMoments& m) {
+                            int columns, const Work& work, TileMoments& m) {
   const int pE = Degree > 0 ? Degree : rows;
   const int pF = Degree > 0 ? Degree : columns;
   const Pack tx = load(batch.tx);
@@ -171,7 +70,7 @@ EPAFI_INLINE void farKernel(const Element& e, const FarBatch& batch, int rows,
   const Pack a = load(batch.half);
   const Pack tangentOnNormal = tx * e.normal.x + ty * e.normal.y;  // τ_F·n_E
   const Pack normalOnNormal = ty * e.normal.x - tx * e.normal.y;   // n_F·n_E
-  constexpr int stride = FarMoments::stride;
+  constexpr int stride = TileMoments::stride;
   const Pack zero{};
   for (int i = 0; i <= pE; ++i)
     for (int j = 0; j <= pF; ++j) {
@@ -214,74 +113,38 @@ EPAFI_INLINE void farKernel(const Element& e, const FarBatch& batch, int rows,
   }
 }
 
-template <Division How>
-EPAFI_INLINE void farKernelOfDegree(const Element& e, const FarBatch& batch, int rows,
-                                    int columns, const Work& work, FarMoments& m) {
-  if (rows == 1 && columns == 1)
-    farKernel<1, How>(e, batch, rows, columns, work, m);
-  else if (rows == 2 && columns == 2)
-    farKernel<2, How>(e, batch, rows, columns, work, m);
-  else if (rows == 3 && columns == 3)
-    farKernel<3, How>(e, batch, rows, columns, work, m);
-  else if (rows == 4 && columns == 4)
-    farKernel<4, How>(e, batch, rows, columns, work, m);
-  else
-    farKernel<0, How>(e, batch, rows, columns, work, m);
-}
+/// The kernel for the degrees at hand.
+struct FarKernel {
+  const Element& e;
+  const FarBatch& batch;
+  PairDegrees degrees;
+  const Work& work;
+  TileMoments& m;
 
-EPAFI_AVX512 void farAvx512(const Element& e, const FarBatch& batch, int rows,
-                            int columns, const Work& work, FarMoments& m) {
-  farKernelOfDegree<Division::Fused>(e, batch, rows, columns, work, m);
-}
-
-EPAFI_AVX2 void farAvx2(const Element& e, const FarBatch& batch, int rows, int columns,
-                        const Work& work, FarMoments& m) {
-  farKernelOfDegree<Division::Fused>(e, batch, rows, columns, work, m);
-}
-
-void farBaseline(const Element& e, const FarBatch& batch, int rows, int columns,
-                 const Work& work, FarMoments& m) {
-  farKernelOfDegree<Division::Exact>(e, batch, rows, columns, work, m);
-}
+  template <Division How>
+  EPAFI_INLINE void run() const {
+    const auto [rows, columns] = degrees;
+    const int both = rows == columns ? rows : 0;
+    if (both == 1)
+      farKernel<1, How>(e, batch, rows, columns, work, m);
+    else if (both == 2)
+      farKernel<2, How>(e, batch, rows, columns, work, m);
+    else if (both == 3)
+      farKernel<3, How>(e, batch, rows, columns, work, m);
+    else if (both == 4)
+      farKernel<4, How>(e, batch, rows, columns, work, m);
+    else
+      farKernel<0, How>(e, batch, rows, columns, work, m);
+  }
+};
 
 }  // namespace
 
 void farMoments(const Element& e, const FarBatch& batch, PairDegrees degrees,
-                PairOrder order, FarMoments& moments, InstructionSet set) {
-  const Work work(order);
-  const auto [rows, columns] = degrees;
-  switch (set) {
-    case InstructionSet::Avx512:
-      return farAvx512(e, batch, rows, columns, work, moments);
-    case InstructionSet::Avx2:
-      return farAvx2(e, batch, rows, columns, work, moments);
-    case InstructionSet::Baseline:
-      return farBaseline(e, batch, rows, columns, work, moments);
-  }
-}
-
-void extractLane(const FarMoments& far, int lane, Vec2 tangent, int rows, int columns,
-                 PairMoments& moments) {
-  const std::complex<double> t(tangent.x, tangent.y);
-  const std::complex<double> square = t * t;
-  for (int i = 0; i <= rows; ++i)
-    for (int j = 0; j <= columns; ++j) {
-      const int at = i * FarMoments::stride + j;
-      if (i < rows)
-        moments.direct(i, j) = far.direct[at][lane];
-      if (j < columns)
-        moments.reverse(i, j) = far.reverse[at][lane];
-      if (i == rows || j == columns)
-        continue;
-      moments.log(i, j) = far.log[at][lane];
-      // w/conj(w) = τ² (1 - 2 (w·n)²/r² - 2i (w·n)(w·τ)/r²)
-      const double constant = i == 0 && j == 0 ? 4 : 0;
-      const std::complex<double> phase =
-          square * std::complex<double>(constant - 2 * far.across[at][lane],
-                                        -2 * far.along[at][lane]);
-      moments.phaseReal(i, j) = phase.real();
-      moments.phaseImag(i, j) = phase.imag();
-    }
+                PairOrder order, TileMoments& moments, InstructionSet set) {
+  const Work work({order.outer + degreeShare(degrees.rows),
+                   order.inner + degreeShare(degrees.columns)});
+  dispatch(set, FarKernel{e, batch, degrees, work, moments});
 }
 
 }  // namespace epafi::bem

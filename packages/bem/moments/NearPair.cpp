@@ -12,7 +12,7 @@ namespace epafi::bem {
 
 namespace {
 
-constexpr int stride = FarMoments::stride;
+constexpr int stride = TileMoments::stride;
 
 // ∫ P_n Q_m dt over [-1,1] for n + m odd, principal value.            [DLMF 14.17.9]
 double integralPQ(int n, int m) { return 2.0 / ((n - m) * (n + m + 1.0)); }
@@ -31,8 +31,8 @@ double selfMoment(int i, int j) {
 enum Table { Log, Along, Across, Direct, Reverse, Tables };
 
 struct Shape {
-  int rows;     ///< p_x
-  int columns;  ///< p_y
+  int rows;     ///< densities on x
+  int columns;  ///< on y
   std::size_t at(int table, int i, int j) const {
     return static_cast<std::size_t>((table * (rows + 1) + i) * (columns + 1) + j);
   }
@@ -120,7 +120,7 @@ struct Targets {
 /// all is real.
 template <int Parts>
 struct Legendre {
-  static constexpr int size = largestDegree + 2;
+  static constexpr int size = largestMoment + 1;
   Pack c[Parts][size];
   Pack l[size];
 
@@ -252,7 +252,7 @@ struct NearKernel {
     const Shape shape = work.shape;
     const int rows = shape.rows;
     const int columns = shape.columns;
-    Pack weighted[largestDegree + 1];
+    Pack weighted[largestMoment + 1];
     Legendre<Parts> inner;
     for (int first = 0; first < work.rule.size(); first += lanes) {
       const Points points(work.rule, first);
@@ -302,7 +302,7 @@ GradedRule outerRule(const Mesh& mesh, int outer, int inner) {
     const RelativeTarget seen = seenFrom(mesh, outer, {piece.edge, end, 0});
     features.push_back({seen.z().real(), std::abs(seen.b())});
   }
-  const int degree = mesh[outer].degree + mesh[inner].degree;
+  const int degree = mesh[outer].densities + mesh[inner].densities;
   const bool onLine = mesh[outer].piece.edge == piece.edge;
   return touchingRule(
       features, 17 + degree / 2,
@@ -316,10 +316,10 @@ double total(const AlignedLane& sums) {
 
 }  // namespace
 
-void NearMoments::evaluate(const Mesh& mesh, int e, int f, FarMoments& m, int lane,
+void NearMoments::evaluate(const Mesh& mesh, int e, int f, TileMoments& m, int lane,
                            InstructionSet set) {
-  const int rows = mesh[e].degree;
-  const int columns = mesh[f].degree;
+  const int rows = mesh[e].densities;
+  const int columns = mesh[f].densities;
   const bool onLine = mesh[e].piece.edge == mesh[f].piece.edge;
   if (onLine)  // w·n = 0
     for (int i = 0; i <= rows; ++i)
@@ -339,7 +339,7 @@ void NearMoments::evaluate(const Mesh& mesh, int e, int f, FarMoments& m, int la
   const int inner = transposed ? e : f;
   const Element& x = mesh[outer];
   const Element& y = mesh[inner];
-  const Shape shape = {x.degree, y.degree};
+  const Shape shape = {x.densities, y.densities};
   sums_.assign(shape.size(), AlignedLane{});
   const GradedRule rule = outerRule(mesh, outer, inner);
   const Sight sight = sightOf(mesh, outer, inner);
@@ -356,14 +356,14 @@ void NearMoments::evaluate(const Mesh& mesh, int e, int f, FarMoments& m, int la
   };
   // w/conj(w) = τ² (1 - 2 (w·n)²/r² - 2i (w·n)(w·τ)/r²) for either element's τ
   const Complex turned = std::pow(tangentY * std::conj(tangentX), 2);
-  for (int i = 0; i <= x.degree; ++i)
-    for (int j = 0; j <= y.degree; ++j) {
+  for (int i = 0; i <= x.densities; ++i)
+    for (int j = 0; j <= y.densities; ++j) {
       const int at = transposed ? j * stride + i : i * stride + j;
-      if (i < x.degree)
+      if (i < x.densities)
         (transposed ? m.reverse : m.direct)[at][lane] = sum(Direct, i, j);
-      if (j < y.degree)
+      if (j < y.densities)
         (transposed ? m.direct : m.reverse)[at][lane] = sum(Reverse, i, j);
-      if (i == x.degree || j == y.degree)
+      if (i == x.densities || j == y.densities)
         continue;
       const double constant = i == 0 && j == 0 ? 4 : 0;
       m.log[at][lane] = sum(Log, i, j) + constant * std::log(y.half);

@@ -15,7 +15,7 @@ namespace epafi::bem {
 class NearMoments {
  public:
   /// Of (e, f) into one lane; all others are left alone.
-  void evaluate(const Mesh& mesh, int e, int f, FarMoments& moments, int lane,
+  void evaluate(const Mesh& mesh, int e, int f, TileMoments& moments, int lane,
                 InstructionSet set = largestInstructionSet());
 
  private:

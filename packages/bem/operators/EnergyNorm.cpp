@@ -1,6 +1,6 @@
 #include "bem/operators/EnergyNorm.hpp"
 
-#include "bem/moments/PairBatch.hpp"
+#include "bem/moments/Tile.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +15,13 @@ class PairSum {
  public:
   PairSum(const CauchyData& data, const Lame& lame) : data_(data), lame_(lame) {}
 
-  double row(int e, PairBatch& batch) const {
+  double row(int e, const ElementRuns& runs, Tile& tile) const {
     double sum = 0;
-    for (int first = 0; first <= e; first += lanes) {
-      const int last = std::min(first + lanes, e + 1);
-      batch.choose(e, first / lanes, {first, last});
-      for (int f = first; f < last; ++f)
-        sum += (e == f ? 1 : 2) * pair(e, f, batch.at(f));
+    for (int r = 0; r <= runs.runOf(e); ++r) {
+      const int last = std::min(runs[r].last, e + 1);
+      tile.evaluate(e, r, {runs[r].first, last});
+      for (int f = runs[r].first; f < last; ++f)
+        sum += (e == f ? 1 : 2) * pair(e, f, f - runs[r].first, tile.moments());
     }
     return sum;
   }
@@ -29,19 +29,20 @@ class PairSum {
  private:
   /// ∫∫ a·(-log r I + c d d'/r²) b over both elements, for slopes (V*) and densities (V);
   /// in complex numbers  a·(d d'/r²) b = ½ Re(conj(a) b + conj(a) conj(b) w/conj(w)).
-  double pair(int e, int f, const PairMoments& m) const {
+  double pair(int e, int f, int lane, const TileMoments& m) const {
     const Element& x = data_.mesh[e];
     const Element& y = data_.mesh[f];
     const LocalField& a = data_.fields[static_cast<std::size_t>(e)];
     const LocalField& b = data_.fields[static_cast<std::size_t>(f)];
+    const Complex tangent(y.tangent.x, y.tangent.y);
     double sum = 0;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(x.degree); ++i)
-      for (std::size_t j = 0; j < static_cast<std::size_t>(y.degree); ++j) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(x.densities); ++i)
+      for (std::size_t j = 0; j < static_cast<std::size_t>(y.densities); ++j) {
         const int row = static_cast<int>(i);
         const int column = static_cast<int>(j);
         const double whole = i == 0 && j == 0 ? 4 : 0;
-        const double log = m.log(row, column);
-        const Complex phase(m.phaseReal(row, column), m.phaseImag(row, column));
+        const double log = m.log[row * TileMoments::stride + column][lane];
+        const Complex phase = m.phase(row, column, lane, tangent);
         const auto form = [&](Complex p, Complex q, double isotropic, double radial) {
           const double product = std::real(std::conj(p) * q);
           const double turned = std::real(std::conj(p) * std::conj(q) * phase);
@@ -65,10 +66,10 @@ double energyNorm(const CauchyData& data, const Lame& lame) {
   Vector rows(data.fields.size());
 #pragma omp parallel
   {
-    PairBatch batch(runs);
+    Tile tile(runs);
 #pragma omp for schedule(dynamic, 1)
     for (int e = data.mesh.size() - 1; e >= 0; --e)
-      rows[static_cast<std::size_t>(e)] = pairs.row(e, batch);
+      rows[static_cast<std::size_t>(e)] = pairs.row(e, runs, tile);
   }
   return std::sqrt(std::max(0.0, std::accumulate(rows.begin(), rows.end(), 0.0)));
 }

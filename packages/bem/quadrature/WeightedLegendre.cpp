@@ -12,7 +12,7 @@ std::vector<WeightedLegendre> makeTables() {
     const Rule& rule = gaussLegendre(order);
     WeightedLegendre table(rule.points.size());
     for (std::size_t q = 0; q < table.size(); ++q) {
-      legendreValues(largestDegree + 1, rule.points[q], table[q].data());
+      legendreValues(largestDegree + 2, rule.points[q], table[q].data());
       for (double& value : table[q])
         value *= rule.weights[q];
     }

@@ -11,8 +11,8 @@ namespace epafi::bem {
 constexpr int largestGaussOrder = 63;
 
 /// Legendre polynomials times the weights of a Gauss rule: table[q][k] = w_q P_k(t_q),
-/// k = 0 ... largestDegree + 1.
-using WeightedLegendre = std::vector<std::array<double, largestDegree + 2>>;
+/// k = 0 ... largestDegree + 2.
+using WeightedLegendre = std::vector<std::array<double, largestDegree + 3>>;
 
 /// Of the rule with `order` points, 1 <= order <= largestGaussOrder.  Made once and kept.
 const WeightedLegendre& weightedLegendre(int order);

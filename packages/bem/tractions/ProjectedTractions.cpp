@@ -1,11 +1,30 @@
 #include "bem/tractions/ProjectedTractions.hpp"
 
 #include "bem/moments/EndMoments.hpp"
+#include "bem/moments/NearPair.hpp"
 #include "bem/tractions/FarTractionRows.hpp"
 
 #include <cmath>
+#include <memory>
 
 namespace epafi::bem {
+
+namespace {
+
+std::vector<int> nearSources(const ElementRuns& runs, int test) {
+  std::vector<int> near;
+  FarBatch batch{};
+  for (int r = 0; r < runs.size(); ++r) {
+    const ElementRange all = {runs[r].first, runs[r].last};
+    const FarLanes chosen = runs.choose(test, r, all, batch);
+    for (int f = all.first; f < all.last; ++f)
+      if (!chosen.far[f - all.first])
+        near.push_back(f);
+  }
+  return near;
+}
+
+}  // namespace
 
 ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
                                        const DenseAlgebra& algebra,
@@ -13,15 +32,12 @@ ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
     : space_(space),
       lame_(lame),
       densityRows_(algebra.myRows(space.densities())),
-      displacementRows_(algebra.myRows(space.displacements())),
-      columns_(static_cast<std::size_t>(space.mesh().size()), -1) {
+      displacementRows_(algebra.myRows(space.displacements())) {
   const Mesh& mesh = space.mesh();
   kernels_.elements = elements;
   kernels_.start.assign(1, 0);
-  for (const int e : elements) {
-    columns_[static_cast<std::size_t>(e)] = kernels_.start.back();
+  for (const int e : elements)
     kernels_.start.push_back(kernels_.start.back() + 2 * (mesh[e].degree + 1));
-  }
   kernels_.hypersingular = Matrix(displacementRows_.size(), kernels_.start.back());
   kernels_.adjoint = Matrix(densityRows_.size(), kernels_.start.back());
   for (int k = 0; k <= largestDegree; ++k)
@@ -30,11 +46,21 @@ ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
     return;
   const FarTractionRows far(space, lame, algebra);
   const auto count = static_cast<int>(elements.size());
-#pragma omp parallel for schedule(dynamic, 4)
-  for (int k = 0; k < count; ++k) {
-    const auto at = static_cast<std::size_t>(k);
-    far.write(elements[at], mesh[elements[at]].degree + 1, largestSmoothOrder,
-              kernels_.start[at], kernels_.hypersingular, kernels_.adjoint);
+#pragma omp parallel
+  {
+    NearMoments near;
+    const auto moments = std::make_unique<TileMoments>();
+#pragma omp for schedule(dynamic, 4)
+    for (int k = 0; k < count; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      const int test = elements[at];
+      far.write(test, mesh[test].degree + 1, largestSmoothOrder, kernels_.start[at],
+                kernels_.hypersingular, kernels_.adjoint);
+      for (const int source : nearSources(far.runs(), test)) {
+        near.evaluate(mesh, test, source, *moments, 0);
+        addPair(test, source, kernels_.start[at], *moments);
+      }
+    }
   }
 }
 
@@ -47,13 +73,14 @@ void ProjectedTractions::addHypersingular(int source, int j, Index column,
              column, slopes_[static_cast<std::size_t>(k)] * block);
 }
 
-template <class Moments>
-void ProjectedTractions::addTest(int test, int source, const Moments& m) {
+void ProjectedTractions::addPair(int test, int source, Index first,
+                                 const TileMoments& m) {
   const Element& x = space_.mesh()[test];
   const Element& y = space_.mesh()[source];
   const EndMoments start = endMoments(space_.mesh(), source, space_.mesh().at(test, -1));
   const EndMoments end = endMoments(space_.mesh(), source, space_.mesh().at(test, 1));
   const bool sameEdge = x.piece.edge == y.piece.edge;
+  const Complex tangent(y.tangent.x, y.tangent.y);
   for (int j = 0; j < y.degree; ++j) {
     const auto at = static_cast<std::size_t>(j);
     const Index density = space_.density(source, j, 0);
@@ -66,16 +93,16 @@ void ProjectedTractions::addTest(int test, int source, const Moments& m) {
       double& l = log[i % 2];
       Complex& c = phase[i % 2];
       if (i > 0) {
-        l += (2 * i - 1) * m.log(i - 1, j);
-        c += (2 * i - 1.0) * Complex(m.phaseReal(i - 1, j), m.phaseImag(i - 1, j));
+        l += (2 * i - 1) * m.log[(i - 1) * TileMoments::stride + j][0];
+        c += (2 * i - 1.0) * m.phase(i - 1, j, 0, tangent);
       }
       const double scale = std::sqrt((2 * i + 1) / (2 * x.half));
-      const Index column = columns_[static_cast<std::size_t>(test)] + 2 * i;
+      const Index column = first + 2 * i;
       const PotentialMoments<double> potentials{l, c.real(), c.imag(), 0};
       addHypersingular(source, j, column,
                        scale * singleLayerBlock(lame_.d, lame_.d, potentials));
 
-      const double laplace = sameEdge ? 0 : m.reverse(i, j);
+      const double laplace = sameEdge ? 0 : m.reverse[i * TileMoments::stride + j][0];
       Block adjoint = doubleLayerBlock(lame_, potentials, laplace);
       if (test == source && i == j) {  // 1/2 <P_i, P_i>
         adjoint.xx += 1.0 / (2 * i + 1);
@@ -84,13 +111,6 @@ void ProjectedTractions::addTest(int test, int source, const Moments& m) {
       addBlock(kernels_.adjoint, densityRows_, density, column, scale * y.half * adjoint);
     }
   }
-}
-
-void ProjectedTractions::addNear(int e, int f, const PairMoments& moments) {
-  if (columns_[static_cast<std::size_t>(e)] >= 0)
-    addTest(e, f, MomentsAsTheyAre{moments});
-  if (e != f && columns_[static_cast<std::size_t>(f)] >= 0)
-    addTest(f, e, MomentsSwapped{moments});
 }
 
 }  // namespace epafi::bem

@@ -2,7 +2,7 @@
 
 #include "bem/base/DenseAlgebra.hpp"
 #include "bem/base/Material.hpp"
-#include "bem/moments/PairMoments.hpp"
+#include "bem/moments/TileMoments.hpp"
 #include "bem/operators/Block.hpp"
 #include "bem/space/Space.hpp"
 
@@ -37,23 +37,18 @@ struct TractionRows {
   std::vector<Index> start;
 };
 
-/// Fills TractionKernels: far pairs at points (FarTractionRows), near ones from the pair
-/// moments of V, K and W, which the assembly has anyway, and potentials at the ends of E:
+/// Fills TractionKernels: far pairs at points (FarTractionRows), near ones from the double
+/// moments that V, K and W are made of, and potentials at the ends of E:
 ///
 ///   <W φ, P_i>_E = ∫ V*φ' P_i' dt - [P_i V*φ'],
 ///   <K'ψ, P_i e>_E = <ψ, K(P_i e)>,  K v = K_Δ v - ∫ X J v' ds + [X J v],
 ///
-/// J v = (v₂, -v₁), X as in kernel/Elasticity.  Errors of near pairs are absolute, 1e-16 of a potential of size 1.
+/// J v = (v₂, -v₁), X as in kernel/Elasticity.  Errors of near pairs are absolute, 1e-16 of
+/// a potential of size 1.  Threads: OpenMP over the elements.
 class ProjectedTractions {
  public:
-  /// Does the far pairs.
   ProjectedTractions(const Space& space, const Lame& lame, const DenseAlgebra& algebra,
                      const std::vector<int>& elements);
-
-  /// Adds all that the near pair (e, f) gives: tests on e if it is one of the elements,
-  /// and tests on f.  Every pair must come once.  Calls whose f share no node may run at
-  /// the same time, unless an e closes its loop.
-  void addNear(int e, int f, const PairMoments& moments);
 
   /// Gives the result away.
   TractionKernels finish() { return std::move(kernels_); }
@@ -62,15 +57,13 @@ class ProjectedTractions {
   /// Adds a block to the rows of the source's functions φ_k with φ_k' = slope P_j.
   void addHypersingular(int source, int j, Index column, const Block& block);
 
-  /// moment(i, j): test degree i on `test`, source degree j.
-  template <class Moments>
-  void addTest(int test, int source, const Moments& moments);
+  /// What a near source gives to the columns of a test element, from the moments in lane 0.
+  void addPair(int test, int source, Index first, const TileMoments& moments);
 
   const Space& space_;
   Lame lame_;
   Rows densityRows_;
   Rows displacementRows_;
-  std::vector<Index> columns_;  ///< by element: its first column; -1: not asked for
   std::array<double, largestDegree + 1> slopes_{};
   TractionKernels kernels_;
 };

@@ -5,7 +5,7 @@
 #include <array>
 #include <complex>
 
-namespace epafi::bem {
+namespace epafi::reference {
 
 /// All that V, K and W need of a pair of elements E and F: double integrals of Legendre
 /// polynomials, w = x - y, x on E, y on F, both mapped to [-1, 1].
@@ -16,17 +16,9 @@ namespace epafi::bem {
 ///   reverse(i,j) = ∫∫ P_i(x) P_j(y) (-w·n_E)/|w|² h_E/2      i <= p_E, j < p_F
 ///
 /// log and phase are the same for (F, E) transposed; reverse is the other pair's direct.
-class PairMoments {
+class LaneMoments {
  public:
-  static constexpr int stride = largestDegree + 1;
-
-  void clear(int rows, int columns) {
-    for (int i = 0; i <= rows; ++i)
-      for (int j = 0; j <= columns; ++j) {
-        log(i, j) = phaseReal(i, j) = phaseImag(i, j) = 0;
-        direct(i, j) = reverse(i, j) = 0;
-      }
-  }
+  static constexpr int stride = bem::largestDegree + 2;
 
   double& log(int i, int j) { return log_[at(i, j)]; }
   double& phaseReal(int i, int j) { return phaseReal_[at(i, j)]; }
@@ -52,7 +44,7 @@ class PairMoments {
 
 /// The moments of (E, F) for what is written for either order of the two.
 struct MomentsAsTheyAre {
-  const PairMoments& m;
+  const LaneMoments& m;
   double log(int i, int j) const { return m.log(i, j); }
   double phaseReal(int i, int j) const { return m.phaseReal(i, j); }
   double phaseImag(int i, int j) const { return m.phaseImag(i, j); }
@@ -62,7 +54,7 @@ struct MomentsAsTheyAre {
 
 /// Those of (F, E).
 struct MomentsSwapped {
-  const PairMoments& m;
+  const LaneMoments& m;
   double log(int i, int j) const { return m.log(j, i); }
   double phaseReal(int i, int j) const { return m.phaseReal(j, i); }
   double phaseImag(int i, int j) const { return m.phaseImag(j, i); }
@@ -70,4 +62,4 @@ struct MomentsSwapped {
   double reverse(int i, int j) const { return m.direct(j, i); }
 };
 
-}  // namespace epafi::bem
+}  // namespace epafi::reference

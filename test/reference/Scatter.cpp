@@ -1,11 +1,13 @@
-#include "bem/operators/Scatter.hpp"
+#include "reference/Scatter.hpp"
 
 #include "bem/base/Constants.hpp"
 #include "bem/operators/Block.hpp"
 
 #include <algorithm>
 
-namespace epafi::bem {
+namespace epafi::reference {
+
+using namespace epafi::bem;
 
 Scatter::Scatter(const Space& space, const Lame& lame, const DenseAlgebra& algebra,
                  Operators& out)
@@ -18,11 +20,11 @@ Scatter::Scatter(const Space& space, const Lame& lame, const DenseAlgebra& algeb
     slopes_[static_cast<std::size_t>(k)] = DisplacementBasis::slope(k);
 }
 
-void Scatter::add(int e, int f, const PairMoments& m) const {
+void Scatter::add(int e, int f, const LaneMoments& m) const {
   const Element& x = space_.mesh()[e];
   const Element& y = space_.mesh()[f];
-  for (int i = 0; i < x.degree; ++i)
-    for (int j = 0; j < y.degree; ++j) {
+  for (int i = 0; i < x.densities; ++i)
+    for (int j = 0; j < y.densities; ++j) {
       const double constant = i == 0 && j == 0 ? 4 : 0;
       // d d'/r² = (I + [Re, Im; Im, -Re] of w/conj(w)) / 2
       const Kernel radial = {0.5 * (constant + m.phaseReal(i, j)),
@@ -35,9 +37,10 @@ void Scatter::add(int e, int f, const PairMoments& m) const {
                space_.density(f, j, 0),
                {area * (lame_.b * radial.xx - lame_.a * log), xy, xy,
                 area * (lame_.b * radial.yy - lame_.a * log)});
-      addHypersingular(e, i, f, j,
-                       {lame_.d * (radial.xx - log), lame_.d * radial.xy,
-                        lame_.d * (radial.yy - log)});
+      if (i < x.degree && j < y.degree)
+        addHypersingular(e, i, f, j,
+                         {lame_.d * (radial.xx - log), lame_.d * radial.xy,
+                          lame_.d * (radial.yy - log)});
     }
   if (x.piece.edge == y.piece.edge)
     addTurning(e, f, m.phaseReal(0, 0), m.phaseImag(0, 0));
@@ -60,7 +63,7 @@ void Scatter::addDoubleLayer(int test, int source, const Moments& m) const {
   const bool sameEdge = x.piece.edge == space_.mesh()[source].piece.edge;
   const double ofPhase = sameEdge ? 0 : x.half * lame_.mu * lame_.b;
   const double ofLaplace = sameEdge ? 0 : x.half * inverse2Pi;
-  for (int i = 0; i < x.degree; ++i) {
+  for (int i = 0; i < x.densities; ++i) {
     const Index row = space_.density(test, i, 0);
     for (int k = 0; k <= p; ++k) {
       const int j = k < 2 ? 0 : k - 1;  // φ_k' = slope P_j
@@ -132,7 +135,7 @@ void Scatter::addHypersingular(int e, int i, int f, int j, const Kernel& v) cons
 void Scatter::addHalfMass(int e) const {
   const Element& x = space_.mesh()[e];
   const Matrix coefficients = DisplacementBasis::legendreCoefficients(x.degree);
-  for (int i = 0; i < x.degree; ++i)
+  for (int i = 0; i < std::min(x.densities, x.degree + 1); ++i)
     for (int k = 0; k <= x.degree; ++k) {
       const double mass = x.half * coefficients(i, k) / (2 * i + 1);
       addBlock(out_.doubleLayer, densityRows_, space_.density(e, i, 0),
@@ -140,4 +143,4 @@ void Scatter::addHalfMass(int e) const {
     }
 }
 
-}  // namespace epafi::bem
+}  // namespace epafi::reference

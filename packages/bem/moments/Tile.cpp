@@ -1,0 +1,25 @@
+#include "bem/moments/Tile.hpp"
+
+#include <algorithm>
+
+namespace epafi::bem {
+
+Tile::Tile(const ElementRuns& runs)
+    : runs_(runs), moments_(std::make_unique<TileMoments>()) {}
+
+void Tile::evaluate(int trial, int r, const ElementRange& wanted, InstructionSet set) {
+  trial_ = trial;
+  run_ = r;
+  wanted_ = {std::max(wanted.first, run().first), std::min(wanted.last, run().last)};
+  const FarLanes chosen = runs_.choose(trial, r, wanted_, batch_);
+  std::copy_n(chosen.far, lanes, far_);
+  const Element& element = mesh()[trial];
+  farMoments(element, batch_, {element.densities, run().densities},
+             {std::max(1, chosen.smooth.outer), std::max(1, chosen.smooth.inner)},
+             *moments_, set);
+  for (int e = wanted_.first; e < wanted_.last; ++e)
+    if (!far_[e - run().first])
+      near_.evaluate(mesh(), trial, e, *moments_, e - run().first, set);
+}
+
+}  // namespace epafi::bem

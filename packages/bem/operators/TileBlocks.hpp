@@ -1,0 +1,77 @@
+#pragma once
+
+#include "bem/base/Material.hpp"
+#include "bem/moments/Tile.hpp"
+#include "bem/space/Space.hpp"
+
+#include <array>
+
+namespace epafi::bem {
+
+/// The entries of V, K and W that an element f gives with the elements of a run, by
+/// columns as long as the run, ready to be added to the matrices:
+///
+///   singleLayer(i, c)   V(·, P_i e_c on f)          densities of the run
+///   doubleLayer(k, c)   K(·, φ_k e_c on f)          densities of the run
+///   slopeLayer(i, c)    <V*(P_i e_c on f), (·)'>    displacements of the run
+///   transposed(i, c)    K(P_i e_c on f, ·)          displacements of the run
+///
+/// W(·, φ_k e_c) is the slope of φ_k times slopeLayer(k-1, c), or (0, c) for k < 2.
+/// Displacements: those of the start node and the bubbles of one element after the other;
+/// then come two of the node behind the last.  Elements that are not wanted give zeros; f
+/// itself gives none to `transposed`, since doubleLayer has them.  What the constant phase
+/// of elements on one edge gives to the ends of the edge is missing.
+class TileBlocks {
+ public:
+  TileBlocks(const Space& space, const Lame& lame);
+
+  void evaluate(const Tile& tile, InstructionSet set = largestInstructionSet());
+
+  int densities() const { return densityStarts_[lanes]; }
+  int displacements() const { return displacementStarts_[lanes] + 2; }
+
+  const double* singleLayer(int i, int c) const { return column(single_, 2 * i + c); }
+  const double* doubleLayer(int k, int c) const { return column(double_, 2 * k + c); }
+  const double* slopeLayer(int i, int c) const { return column(slopes_, 2 * i + c); }
+  const double* transposed(int i, int c) const { return column(transposed_, 2 * i + c); }
+
+  /// A symmetric 2 x 2 block.
+  struct Kernel {
+    double xx;
+    double xy;
+    double yy;
+  };
+  /// <V* 1, 1> of f and the element in a lane, both mapped to [-1, 1], times φ₁' = 1/2.
+  Kernel halfSlopes(int lane) const {
+    return {halfSlopes_[0].lane[lane], halfSlopes_[1].lane[lane],
+            halfSlopes_[2].lane[lane]};
+  }
+
+ private:
+  void setRun(const ElementRun& run);
+
+  const double* column(const Vector& columns, int k) const {
+    return columns.data() + k * longest_;
+  }
+
+  AlignedLane halfSlopes_[3] = {};
+  AlignedLane tangentX_ = {};
+  AlignedLane tangentY_ = {};
+  AlignedLane halves_ = {};
+  const Space& space_;
+  Lame lame_;
+  const ElementRun* run_ = nullptr;
+  std::array<double, largestDegree + 1> functionSlopes_{};
+  std::array<int, lanes + 1> densityStarts_{};
+  std::array<int, lanes + 1> displacementStarts_{};
+  std::array<int, lanes> densityCounts_{};
+  std::array<int, lanes> degrees_{};
+  std::array<int, lanes> edges_{};
+  Index longest_;  ///< from column to column
+  Vector single_;
+  Vector double_;
+  Vector slopes_;
+  Vector transposed_;
+};
+
+}  // namespace epafi::bem

@@ -1,0 +1,190 @@
+#include "bem/operators/TileWriter.hpp"
+
+#include "bem/operators/Block.hpp"
+#include "bem/simd/Dispatch.hpp"
+
+#include <algorithm>
+
+namespace epafi::bem {
+
+namespace {
+
+using Stretch = TileWriter::Stretch;
+
+constexpr Index cacheLine = 8;  // doubles
+constexpr int forWriting = 1;
+
+struct Addition {
+  const std::vector<Stretch>& stretches;
+
+  template <Division>
+  EPAFI_INLINE void run() const {
+    for (const auto& [to, from, size, scale] : stretches) {
+      // the next run's rows: this column comes again when the group is through
+      for (Index k = 0; k < size; k += cacheLine)
+        __builtin_prefetch(to + size + k, forWriting);
+      for (Index k = 0; k < size; ++k)
+        to[k] += scale * from[k];
+    }
+  }
+};
+
+}  // namespace
+
+GhostNodes::GhostNodes(const Space& space, const ElementRuns& runs, Index densities) {
+  for (int r = 0; r < runs.size(); ++r)
+    if (runs[r].closesLoop)
+      first.push_back(space.displacement(runs[r].last - 1, 1, 0));
+  const auto ghosts = static_cast<Index>(2 * first.size());
+  doubleLayer = Matrix(densities, ghosts);
+  hypersingular = Matrix(space.displacements() + ghosts, ghosts);
+}
+
+void GhostNodes::fold(const Rows& mine, Operators& out) const {
+  const Index displacements = out.doubleLayer.columns();
+  const auto real = [&](Index row) {
+    return row < displacements
+               ? row
+               : first[static_cast<std::size_t>((row - displacements) / 2)] + row % 2;
+  };
+  const auto add = [&](Index row, Index column, double value) {
+    if (mine.contain(row))
+      out.hypersingular(row - mine.begin, column) += value;
+  };
+  for (Index ghost = 0; ghost < doubleLayer.columns(); ++ghost) {
+    const Index node = first[static_cast<std::size_t>(ghost / 2)];
+    const Index column = node + ghost % 2;
+    for (Index row = 0; row < doubleLayer.rows(); ++row)
+      out.doubleLayer(row, column) += doubleLayer(row, ghost);
+    for (Index from = 0; from < hypersingular.rows(); ++from) {
+      const double value = hypersingular(from, ghost);
+      const Index row = real(from);
+      if (row / 2 != node / 2) {
+        add(std::max(row, column), std::min(row, column), value);
+        continue;
+      }
+      add(row, column, value);
+      if (from < displacements)  // <W φ, g> and <W g, φ>
+        add(column, row, value);
+    }
+  }
+}
+
+TileWriter::TileWriter(const Space& space, const Lame& lame, const DenseAlgebra& algebra,
+                       Operators& out, GhostNodes& ghosts)
+    : space_(space),
+      densityRows_(algebra.myRows(space.densities())),
+      displacementRows_(algebra.myRows(space.displacements())),
+      out_(out),
+      ghosts_(ghosts),
+      blocks_(space, lame) {
+  for (int k = 0; k <= largestDegree; ++k)
+    slopes_[static_cast<std::size_t>(k)] = DisplacementBasis::slope(k);
+}
+
+void TileWriter::begin(const ElementRun& group, const ElementRun& run) {
+  group_ = &group;
+  run_ = &run;
+  groupStart_ = space_.density(group.first, 0, 0);
+  const int last = group.last - 1;
+  groupSize_ = space_.density(last, space_.mesh()[last].densities, 0) - groupStart_;
+  isEmpty_ = true;
+}
+
+void TileWriter::append(const Target& target, Index first, Index column,
+                        const double* from, Index size, double scale) {
+  const Index begin = std::max(first, target.mine.begin);
+  const Index end = std::min(first + size, target.mine.end);
+  if (begin < end)
+    stretches_.push_back({target.matrix.column(column) + (begin - target.mine.begin),
+                          from + (begin - first), end - begin, scale});
+}
+
+void TileWriter::add(const Tile& tile) {
+  blocks_.evaluate(tile);
+  const int f = tile.trial();
+  const Element& element = space_.mesh()[f];
+  const Index densities = space_.density(run_->first, 0, 0);
+  stretches_.clear();
+  for (int c = 0; c < 2; ++c) {
+    for (int i = 0; i < element.densities; ++i)
+      append({out_.singleLayer, densityRows_}, densities, space_.density(f, i, c),
+             blocks_.singleLayer(i, c), blocks_.densities(), 1);
+    for (int k = 0; k <= element.degree; ++k) {
+      const bool isGhost = k == 1 && element.next != f + 1;
+      append({isGhost ? ghosts_.doubleLayer : out_.doubleLayer, densityRows_}, densities,
+             isGhost ? 2 * group_->loop + c : space_.displacement(f, k, c),
+             blocks_.doubleLayer(k, c), blocks_.densities(), 1);
+      appendHypersingular(f, k, c);
+    }
+  }
+  dispatch(largestInstructionSet(), Addition{stretches_});
+  if (element.next == f + 1 && f + 1 < run_->last && run_->first <= f + 1)
+    addCommonNode(f, blocks_.halfSlopes(f + 1 - run_->first));
+  collect(f);
+}
+
+void TileWriter::appendHypersingular(int f, int k, int c) {
+  const double* from = blocks_.slopeLayer(std::max(k - 1, 0), c);
+  const double scale = slopes_[static_cast<std::size_t>(k)];
+  const Index first = space_.displacement(run_->first, 0, 0);
+  const Index ends = blocks_.displacements() - 2;
+  const Index inARow = run_->closesLoop ? ends : ends + 2;
+  const bool closes = space_.mesh()[f].next != f + 1;
+  const bool isGhost = k == 1 && closes;
+  const Index column = isGhost ? 2 * group_->loop + c : space_.displacement(f, k, c);
+  if (isGhost)
+    append({ghosts_.hypersingular, {0, ghosts_.hypersingular.rows()}}, first, column,
+           from, inARow, scale);
+  else
+    append({out_.hypersingular, displacementRows_}, first, column, from, inARow, scale);
+  // f with itself comes with its ghost's columns
+  if (!run_->closesLoop || (closes && !isGhost && run_->last == f + 1))
+    return;
+  for (Index a = 0; a < 2; ++a) {
+    const Index ghost = 2 * run_->loop + a;
+    (isGhost ? ghosts_.hypersingular(space_.displacements() + ghost, column)
+             : ghosts_.hypersingular(column, ghost)) += scale * from[ends + a];
+  }
+}
+
+// The node between f and the element behind it has both <W φ, ψ> and <W ψ, φ>.
+void TileWriter::addCommonNode(int f, const TileBlocks::Kernel& slopes) {
+  const Index node = space_.displacement(f, 1, 0);
+  addBlock(out_.hypersingular, displacementRows_, node, node,
+           -slopes_[1] * Block{slopes.xx, slopes.xy, slopes.xy, slopes.yy});
+}
+
+void TileWriter::collect(int f) {
+  const Index columns = blocks_.displacements();
+  if (isEmpty_)
+    collected_.assign(static_cast<std::size_t>(groupSize_ * columns), 0.0);
+  isEmpty_ = false;
+  const Index start = space_.density(f, 0, 0) - groupStart_;
+  for (int i = 0; i < space_.mesh()[f].densities; ++i) {
+    const double* x = blocks_.transposed(i, 0);
+    const double* y = blocks_.transposed(i, 1);
+    double* to = collected_.data() + start + 2 * i;
+    for (Index k = 0; k < columns; ++k, to += groupSize_) {
+      to[0] = x[k];
+      to[1] = y[k];
+    }
+  }
+}
+
+void TileWriter::finish() {
+  if (isEmpty_)
+    return;
+  const Index first = space_.displacement(run_->first, 0, 0);
+  const Index ends = blocks_.displacements() - 2;
+  stretches_.clear();
+  for (Index k = 0; k < ends + 2; ++k) {
+    const bool isGhost = run_->closesLoop && k >= ends;
+    append({isGhost ? ghosts_.doubleLayer : out_.doubleLayer, densityRows_}, groupStart_,
+           isGhost ? 2 * run_->loop + k - ends : first + k,
+           collected_.data() + k * groupSize_, groupSize_, 1);
+  }
+  dispatch(largestInstructionSet(), Addition{stretches_});
+}
+
+}  // namespace epafi::bem
