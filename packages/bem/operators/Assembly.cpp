@@ -1,10 +1,11 @@
 #include "bem/operators/Assembly.hpp"
 
-#include "bem/operators/Block.hpp"
+#include "bem/operators/LocalTerms.hpp"
 #include "bem/operators/MyElements.hpp"
 #include "bem/operators/TileWriter.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <vector>
 
 namespace epafi::bem {
@@ -51,43 +52,6 @@ class ColumnsOfTiles {
 /// several, and two threads that meet in a new one both clear it.
 int groupsAtOnce(int count) { return std::clamp(count / 8, 1, 4); }
 
-void addHalfMass(const Space& space, const Rows& rows, Matrix& doubleLayer) {
-  for (int e = 0; e < space.mesh().size(); ++e) {
-    const Element& x = space.mesh()[e];
-    const Matrix coefficients = DisplacementBasis::legendreCoefficients(x.degree);
-    for (int i = 0; i < std::min(x.densities, x.degree + 1); ++i)
-      for (int k = 0; k <= x.degree; ++k) {
-        const double mass = x.half * coefficients(i, k) / (2 * i + 1);
-        addBlock(doubleLayer, rows, space.density(e, i, 0), space.displacement(e, k, 0),
-                 {mass, 0, 0, mass});
-      }
-  }
-}
-
-/// What the phase of elements on one edge, ∫∫ w/conj(w) dt dt = 4 τ², gives to K at the
-/// ends of the edge, see TileBlocks; between neighbours it cancels.
-void addEdgeEnds(const Space& space, const Lame& lame, const Rows& rows,
-                 Matrix& doubleLayer) {
-  const Mesh& mesh = space.mesh();
-  const auto edgeOf = [&](int e) { return mesh[e].piece.edge; };
-  for (int source = 0; source < mesh.size(); ++source)
-    for (int k = 0; k < 2; ++k) {
-      const Element& y = mesh[source];
-      if (edgeOf(k == 0 ? y.previous : y.next) == edgeOf(source))
-        continue;
-      // all tests on the edge, from this end of it on
-      for (int test = source; edgeOf(test) == edgeOf(source);
-           test = k == 0 ? mesh[test].next : mesh[test].previous) {
-        const double s =
-            4 * lame.mu * lame.b * mesh[test].half * DisplacementBasis::slope(k);
-        const double real = s * (y.tangent.x * y.tangent.x - y.tangent.y * y.tangent.y);
-        const double imag = s * 2 * y.tangent.x * y.tangent.y;
-        addBlock(doubleLayer, rows, space.density(test, 0, 0),
-                 space.displacement(source, k, 0), {imag, -real, -real, -imag});
-      }
-    }
-}
-
 }  // namespace
 
 Operators assembleOperators(const Space& space, const Lame& lame,
@@ -116,8 +80,13 @@ Operators assembleOperators(const Space& space, const Lame& lame,
     }
   }
   ghosts.fold(displacements, out);
-  addHalfMass(space, densities, out.doubleLayer);
-  addEdgeEnds(space, lame, densities, out.doubleLayer);
+  std::vector<int> all(static_cast<std::size_t>(space.mesh().size()));
+  std::iota(all.begin(), all.end(), 0);
+  const auto add = [&](Index row, Index column, const Block& block) {
+    addBlock(out.doubleLayer, densities, row, column, block);
+  };
+  addHalfMass(space, all, add);
+  addEdgeEnds(space, lame, all, all, add);
   out.tractions = ProjectedTractions(space, lame, algebra, tractionElements).finish();
   return out;
 }

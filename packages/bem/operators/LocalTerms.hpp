@@ -1,0 +1,52 @@
+#pragma once
+
+#include "bem/basis/Legendre.hpp"
+#include "bem/kernel/Elasticity.hpp"
+#include "bem/operators/Block.hpp"
+#include "bem/space/Space.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace epafi::bem {
+
+/// Calls add(density, displacement, block) with <φ, P>/2 of some elements, of K + 1/2.
+template <class Add>
+void addHalfMass(const Space& space, const std::vector<int>& elements, const Add& add) {
+  for (const int e : elements) {
+    const Element& x = space.mesh()[e];
+    const Matrix coefficients = DisplacementBasis::legendreCoefficients(x.degree);
+    for (int i = 0; i < std::min(x.densities, x.degree + 1); ++i)
+      for (int k = 0; k <= x.degree; ++k) {
+        const double mass = x.half * coefficients(i, k) / (2 * i + 1);
+        add(space.density(e, i, 0), space.displacement(e, k, 0), Block{mass, 0, 0, mass});
+      }
+  }
+}
+
+/// The same with what the phase of elements on one edge, ∫∫ w/conj(w) dt dt = 4 τ², gives
+/// to K at the ends of the edge, see TileBlocks; between neighbours it cancels.
+template <class Add>
+void addEdgeEnds(const Space& space, const Lame& lame, const std::vector<int>& tests,
+                 const std::vector<int>& trials, const Add& add) {
+  const Mesh& mesh = space.mesh();
+  const auto edgeOf = [&](int e) { return mesh[e].piece.edge; };
+  for (const int trial : trials)
+    for (int k = 0; k < 2; ++k) {
+      const Element& y = mesh[trial];
+      if (edgeOf(k == 0 ? y.previous : y.next) == edgeOf(trial))
+        continue;
+      for (const int test : tests) {
+        if (edgeOf(test) != edgeOf(trial))
+          continue;
+        const double s =
+            4 * lame.mu * lame.b * mesh[test].half * DisplacementBasis::slope(k);
+        const double real = s * (y.tangent.x * y.tangent.x - y.tangent.y * y.tangent.y);
+        const double imag = s * 2 * y.tangent.x * y.tangent.y;
+        add(space.density(test, 0, 0), space.displacement(trial, k, 0),
+            Block{imag, -real, -real, -imag});
+      }
+    }
+}
+
+}  // namespace epafi::bem
