@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bem/mesh/Mesh.hpp"
+#include "bem/moments/PairOrder.hpp"
 #include "bem/moments/TileMoments.hpp"
-#include "bem/quadrature/PairOrder.hpp"
 #include "bem/simd/InstructionSet.hpp"
 
 namespace epafi::bem {

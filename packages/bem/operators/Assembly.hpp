@@ -20,7 +20,7 @@ struct Operators {
 ///
 ///   V f = A (-log r) f + B (d d'/r²) f,
 ///   K v = K_Δ v - (2μ V - V_Δ) M v,  M v = (v₂', -v₁'),  V_Δ, K_Δ: Laplace's potentials,
-///   <W u, v> = <V* u', v'>                                   [doc/theory/operators.md]
+///   <W u, v> = <V* u', v'>                              [doc/theory/operators.md]
 ///
 /// Every entry is accurate to 1e-12 of the norm of its element pair's block.
 /// Threads: OpenMP over blocks of elements.

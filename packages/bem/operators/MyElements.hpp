@@ -14,12 +14,14 @@ class MyElements {
     const Rows densities = algebra.myRows(space.densities());
     const Rows displacements = algebra.myRows(space.displacements());
     for (int e = 0; e < space.mesh().size(); ++e) {
+      const Element& element = space.mesh()[e];
       bool mine = false;
-      for (int c = 0; c < 2; ++c)
-        for (int k = 0; k <= space.mesh()[e].degree; ++k)
-          mine =
-              mine || displacements.contain(space.displacement(e, k, c)) ||
-              (k < space.mesh()[e].degree && densities.contain(space.density(e, k, c)));
+      for (int c = 0; c < 2; ++c) {
+        for (int k = 0; k <= element.degree; ++k)
+          mine = mine || displacements.contain(space.displacement(e, k, c));
+        for (int i = 0; i < element.densities; ++i)
+          mine = mine || densities.contain(space.density(e, i, c));
+      }
       mine_[static_cast<std::size_t>(e)] = mine;
     }
   }

@@ -1,4 +1,4 @@
-#include "bem/quadrature/PairOrder.hpp"
+#include "bem/moments/PairOrder.hpp"
 
 #include <algorithm>
 #include <cmath>
