@@ -2,7 +2,7 @@
 
 #include "bem/base/Error.hpp"
 
-#include <cmath>
+#include <boost/math/special_functions/legendre.hpp>
 
 namespace epafi::bem {
 
@@ -10,37 +10,18 @@ namespace {
 
 constexpr int largestRule = 96;
 
-struct Evaluated {
-  long double value;
-  long double slope;
-};
-
-Evaluated legendre(int n, long double t) {
-  long double current = 1;
-  long double previous = 0;
-  for (int k = 0; k < n; ++k) {
-    const long double next = ((2 * k + 1) * t * current - k * previous) / (k + 1);
-    previous = current;
-    current = next;
-  }
-  return {current, n * (t * current - previous) / (t * t - 1)};
-}
-
 Rule makeRule(int n) {
   Rule rule{Vector(n), Vector(n)};
-  const long double pi = std::acos(-1.0L);
-  for (int i = 0; i < n; ++i) {
-    long double t = std::cos(pi * (i + 0.75L) / (n + 0.5L));
-    for (int step = 0; step < 50; ++step) {
-      const Evaluated p = legendre(n, t);
-      const long double change = p.value / p.slope;
-      t -= change;
-      if (std::abs(change) < 1e-19L)
-        break;
-    }
-    const long double slope = legendre(n, t).slope;
-    rule.points[n - 1 - i] = static_cast<double>(t);
-    rule.weights[n - 1 - i] = static_cast<double>(2 / ((1 - t * t) * slope * slope));
+  // those that are not negative, in rising order
+  const std::vector<long double> zeros = boost::math::legendre_p_zeros<long double>(n);
+  for (std::size_t k = 0; k < zeros.size(); ++k) {
+    const long double t = zeros[k];
+    const long double slope = boost::math::legendre_p_prime(n, t);
+    const int i = n / 2 + static_cast<int>(k);
+    rule.points[n - 1 - i] = static_cast<double>(-t);
+    rule.points[i] = static_cast<double>(t);
+    rule.weights[i] = rule.weights[n - 1 - i] =
+        static_cast<double>(2 / ((1 - t * t) * slope * slope));
   }
   return rule;
 }

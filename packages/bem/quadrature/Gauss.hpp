@@ -13,8 +13,8 @@ struct Rule {
 
 /// The n-point Gauss-Legendre rule on [-1, 1], exact for polynomials of degree 2n-1.
 ///
-/// Points are the roots of the Legendre polynomial Pₙ by Newton's method from Tricomi's
-/// guess in extended precision; wᵢ = 2 / ((1 - tᵢ²) Pₙ'(tᵢ)²).             [DLMF 3.5(v)]
+/// Points are the zeros of the Legendre polynomial Pₙ in extended precision; wᵢ = 2 / ((1
+/// - tᵢ²) Pₙ'(tᵢ)²).                                                       [DLMF 3.5(v)]
 /// Rules are made once and kept.
 /// \throws InputError unless 1 <= n <= 96.
 const Rule& gaussLegendre(int n);

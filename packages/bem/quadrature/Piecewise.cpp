@@ -1,28 +1,25 @@
 #include "bem/quadrature/Piecewise.hpp"
 
 #include <algorithm>
+#include <boost/math/tools/roots.hpp>
 
 namespace epafi::bem {
 
 Vector signChanges(const Profile& f, int intervals) {
+  const auto sign = [&f](double t) { return f(t) < 0 ? -1 : 1; };
   Vector changes;
   double low = -1;
   bool lowNegative = f(low) < 0;
   for (int i = 0; i < intervals; ++i) {
     const double next = i + 1 == intervals ? 1 : -1 + 2.0 * (i + 1) / intervals;
-    double high = next;
-    const bool highNegative = f(high) < 0;
-    if (highNegative != lowNegative) {
-      while (high - low > 1e-15) {
-        const double middle = 0.5 * (low + high);
-        if (middle <= low || middle >= high)
-          break;
-        ((f(middle) < 0) == lowNegative ? low : high) = middle;
-      }
-      changes.push_back(0.5 * (low + high));
+    const bool nextNegative = f(next) < 0;
+    if (nextNegative != lowNegative) {
+      const auto [before, behind] = boost::math::tools::bisect(
+          sign, low, next, [](double a, double b) { return b - a <= 1e-15; });
+      changes.push_back(0.5 * (before + behind));
     }
     low = next;
-    lowNegative = highNegative;
+    lowNegative = nextNegative;
   }
   return changes;
 }

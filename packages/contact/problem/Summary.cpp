@@ -1,6 +1,6 @@
 #include "contact/problem/Summary.hpp"
 
-#include "bem/quadrature/Gauss.hpp"
+#include "bem/quadrature/Piecewise.hpp"
 #include "contact/problem/ContactFields.hpp"
 #include "contact/problem/Loads.hpp"
 
@@ -16,53 +16,25 @@ namespace {
 
 using bem::Vec2;
 using Element = MultiplierSpace::ContactElement;
-using Profile = std::function<double(double)>;  // of t in [-1, 1]
-
-/// Where a continuous function on [-1, 1] changes its sign, the ends included.
-std::vector<double> signChanges(const Profile& f, int intervals) {
-  std::vector<double> breaks = {-1};
-  for (int i = 0; i < intervals; ++i) {
-    double low = -1 + 2.0 * i / intervals;
-    double high = -1 + 2.0 * (i + 1) / intervals;
-    const bool negative = f(low) < 0;
-    if ((f(high) < 0) == negative)
-      continue;
-    while (high - low > 1e-15) {
-      const double middle = 0.5 * (low + high);
-      if (middle <= low || middle >= high)
-        break;
-      ((f(middle) < 0) == negative ? low : high) = middle;
-    }
-    breaks.push_back(0.5 * (low + high));
-  }
-  breaks.push_back(1);
-  return breaks;
-}
+using bem::Profile;
 
 /// Enough to separate the zeros of a polynomial of this degree in practice.
 int samples(int degree) { return 8 * (degree + 1); }
 
-/// ∫ f dt over [-1, 1], f smooth between breaks.
-double integrate(const Profile& f, const std::vector<double>& breaks, int order) {
-  const bem::Rule& rule = bem::gaussLegendre(order);
+double integrate(const Profile& f, const bem::Rule& rule) {
   double sum = 0;
-  for (std::size_t k = 0; k + 1 < breaks.size(); ++k) {
-    const double half = 0.5 * (breaks[k + 1] - breaks[k]);
-    const double middle = 0.5 * (breaks[k + 1] + breaks[k]);
-    for (int i = 0; i < rule.size(); ++i)
-      sum += half * rule.weights[static_cast<std::size_t>(i)] *
-             f(middle + half * rule.points[static_cast<std::size_t>(i)]);
-  }
+  for (std::size_t q = 0; q < rule.points.size(); ++q)
+    sum += rule.weights[q] * f(rule.points[q]);
   return sum;
 }
 
 /// Length of {f > 0} as a part of [-1, 1].
 double positivePart(const Profile& f, int degree) {
-  const std::vector<double> breaks = signChanges(f, samples(degree));
   double sum = 0;
-  for (std::size_t k = 0; k + 1 < breaks.size(); ++k)
-    if (f(0.5 * (breaks[k] + breaks[k + 1])) > 0)
-      sum += breaks[k + 1] - breaks[k];
+  const bem::Rule pieces = bem::piecewiseRule(bem::signChanges(f, samples(degree)), 1);
+  for (std::size_t k = 0; k < pieces.points.size(); ++k)
+    if (f(pieces.points[k]) > 0)
+      sum += pieces.weights[k];
   return sum;
 }
 
@@ -70,12 +42,11 @@ double positivePart(const Profile& f, int degree) {
 double frictionWork(const ContactFields& fields, const Element& element) {
   const auto slip = [&](double t) { return fields.at(element, t).tangential; };
   const auto pressure = [&](double t) { return fields.at(element, t).pressure; };
-  std::vector<double> breaks = signChanges(slip, samples(element.degree));
-  const std::vector<double> more = signChanges(pressure, samples(element.degree));
+  bem::Vector breaks = bem::signChanges(slip, samples(element.degree));
+  const bem::Vector more = bem::signChanges(pressure, samples(element.degree));
   breaks.insert(breaks.end(), more.begin(), more.end());
   for (int i = 1; i < 4; ++i)  // the bound is the user's: it may bend anywhere
     breaks.push_back(-1 + 0.5 * i);
-  std::sort(breaks.begin(), breaks.end());
   // A bound that follows the pressure is taken as the discrete problem has it: the
   // pressure's positive part at a point errs where the contact ends, by 3e-4 of the
   // result in [P] 8.2.
@@ -85,7 +56,7 @@ double frictionWork(const ContactFields& fields, const Element& element) {
     const double bound = discrete ? fields.discreteBound(element, t) : point.bound;
     return bound * std::abs(point.tangential);
   };
-  return integrate(work, breaks, element.degree + 4);
+  return integrate(work, bem::piecewiseRule(breaks, element.degree + 4));
 }
 
 /// Adds the force on the body, -λₙ n - λₜ t, of one contact element, and its moment.
@@ -113,13 +84,13 @@ void addContact(const Solved& solved, Summary& summary) {
     const double half = solved.units.length * solved.space.mesh()[element.element].half;
     const auto normal = [&](double t) { return fields.at(element, t).pressure; };
     const auto tangential = [&](double t) { return fields.at(element, t).shear; };
-    summary.forceNormal += half * integrate(normal, {-1, 1}, p + 1);
+    summary.forceNormal += half * integrate(normal, bem::gaussLegendre(p + 1));
     summary.contactLength +=
         half * positivePart([&](double t) { return fields.closing(element, t); }, p);
     addForce(solved, fields, element, summary.contact);
     if (element.tangential < 0)
       continue;
-    summary.forceTangential += half * integrate(tangential, {-1, 1}, p + 1);
+    summary.forceTangential += half * integrate(tangential, bem::gaussLegendre(p + 1));
     summary.energyFriction += half * frictionWork(fields, element);
     summary.slipLength +=
         half * positivePart([&](double t) { return fields.slipping(element, t); }, p);
