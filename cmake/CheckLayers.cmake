@@ -3,8 +3,8 @@
 #   1. A layer includes only itself and the layers to its left, by full path; within a layer a
 #      folder includes only itself, its floor, and the floors to its left.
 #   2. Solver, MPI, HDF5 and muParser headers live at the border only.
-#   3. Other headers of the packages take nothing but the standard library; Teuchos is forward
-#      declared, except in bem/base/Parameters.hpp.
+#   3. Other headers of the packages take nothing but the standard library (their .cpp files
+#      Boost, too); Teuchos is forward declared, except in bem/base/Parameters.hpp.
 cmake_minimum_required(VERSION 3.20)
 set(layers bem contact adaptivity drivers)
 # Folders of one floor, divided by |, may include each other.  A layer without floors is free.

@@ -10,32 +10,7 @@ namespace epafi::drivers {
 
 namespace {
 
-using Series = std::array<bem::Complex, bem::largestDegree + 1>;
-using Legendre = std::array<double, bem::largestDegree + 1>;
-
-bem::Complex valueAt(const Series& series, int degree, double t) {
-  Legendre legendre{};
-  bem::legendreValues(degree, t, legendre.data());
-  bem::Complex value = 0;
-  for (std::size_t i = 0; i <= static_cast<std::size_t>(degree); ++i)
-    value += legendre[i] * series[i];
-  return value;
-}
-
-/// A polynomial's coefficients from its values, exactly.
-template <class Function>
-Series seriesOf(const Function& function, int degree) {
-  Series series{};
-  const bem::Rule& rule = bem::gaussLegendre(degree + 1);
-  for (std::size_t q = 0; q < rule.points.size(); ++q) {
-    Legendre legendre{};
-    bem::legendreValues(degree, rule.points[q], legendre.data());
-    const bem::Complex value = rule.weights[q] * function(rule.points[q]);
-    for (std::size_t i = 0; i <= static_cast<std::size_t>(degree); ++i)
-      series[i] += (static_cast<double>(i) + 0.5) * legendre[i] * value;
-  }
-  return series;
-}
+using Series = bem::LegendreSeries<bem::Complex>;
 
 /// Σ h/p ‖λ - λ_ref‖² over the level's contact elements; h: lengths over the diameter.
 double multiplierDistance(const Snapshot& level, const Snapshot& reference) {
@@ -55,8 +30,9 @@ double multiplierDistance(const Snapshot& level, const Snapshot& reference) {
       const double t = rule.points[q];
       square +=
           rule.weights[q] *
-          std::norm(valueAt(level.multiplier[k], own.degree, a.middle + a.scale * t) -
-                    valueAt(reference.multiplier[static_cast<std::size_t>(b.element)], p,
+          std::norm(
+              bem::evaluate(level.multiplier[k], own.degree, a.middle + a.scale * t) -
+              bem::evaluate(reference.multiplier[static_cast<std::size_t>(b.element)], p,
                             b.middle + b.scale * t));
     }
     sum += 2 * own.half / own.degree * both.mesh[e].half * square;
@@ -76,7 +52,7 @@ Snapshot takeSnapshot(const Scene& scene, const Level& level, double energy) {
   for (const auto& element : multiplier.elements()) {
     const auto k = static_cast<std::size_t>(element.element);
     snapshot.contact[k] = true;
-    snapshot.multiplier[k] = seriesOf(
+    snapshot.multiplier[k] = bem::project(
         [&](double t) {
           const auto value = multiplier.at(level.state.multiplier, element, t);
           return bem::Complex(value.normal, value.tangential);

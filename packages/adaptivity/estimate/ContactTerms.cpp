@@ -1,7 +1,5 @@
 #include "adaptivity/estimate/ContactTerms.hpp"
 
-#include "bem/basis/Legendre.hpp"
-
 #include <algorithm>
 #include <cmath>
 
@@ -52,32 +50,6 @@ Vector sharpBreaks(const ContactProfiles& c, double stiffness) {
 }
 
 }  // namespace
-
-Polynomial::Polynomial(const bem::Profile& values, int degree)
-    : coefficients_(static_cast<std::size_t>(degree + 1), 0.0) {
-  const bem::Rule& rule = bem::gaussLegendre(degree + 1);
-  Vector legendre(coefficients_.size());
-  for (std::size_t q = 0; q < rule.points.size(); ++q) {
-    bem::legendreValues(degree, rule.points[q], legendre.data());
-    const double value = values(rule.points[q]);
-    for (std::size_t k = 0; k < coefficients_.size(); ++k)
-      coefficients_[k] +=
-          (static_cast<double>(k) + 0.5) * rule.weights[q] * legendre[k] * value;
-  }
-}
-
-double Polynomial::operator()(double t) const {
-  double next = 0;  // Clenshaw's recurrence
-  double here = 0;
-  for (std::size_t k = coefficients_.size(); k-- > 0;) {
-    const auto j = static_cast<double>(k);
-    const double before =
-        coefficients_[k] + (2 * j + 1) / (j + 1) * t * here - (j + 1) / (j + 2) * next;
-    next = here;
-    here = before;
-  }
-  return here;
-}
 
 ContactProfiles contactProfiles(const contact::Solved& solved,
                                 const ContactElement& element, const AtEnds& correction) {

@@ -2,6 +2,7 @@
 
 #include "adaptivity/estimate/EndValues.hpp"
 #include "adaptivity/estimate/Indicators.hpp"
+#include "bem/quadrature/LegendreSeries.hpp"
 #include "bem/quadrature/Piecewise.hpp"
 #include "contact/problem/Summary.hpp"
 
@@ -18,11 +19,13 @@ inline double positive(double x) { return std::max(x, 0.0); }
 class Polynomial {
  public:
   /// Of a polynomial of at most this degree, from its values at Gauss points.
-  Polynomial(const bem::Profile& values, int degree);
-  double operator()(double t) const;
+  Polynomial(const bem::Profile& values, int degree)
+      : series_(bem::project(values, degree)), degree_(degree) {}
+  double operator()(double t) const { return bem::evaluate(series_, degree_, t); }
 
  private:
-  Vector coefficients_;
+  bem::LegendreSeries<double> series_;
+  int degree_;
 };
 
 /// What a contact element's terms are made of; functions of t, dimensionless.

@@ -6,9 +6,13 @@
 namespace epafi::bem {
 
 double DisplacementBasis::slope(int k) {
-  if (k < 2)
-    return k == 0 ? -0.5 : 0.5;
-  return std::sqrt((2 * k - 1) / 2.0);
+  static const std::array<double, largestDegree + 1> slopes = [] {
+    std::array<double, largestDegree + 1> table{-0.5, 0.5};
+    for (std::size_t i = 2; i < table.size(); ++i)
+      table[i] = std::sqrt((2 * static_cast<double>(i) - 1) / 2);
+    return table;
+  }();
+  return slopes[static_cast<std::size_t>(k)];
 }
 
 void DisplacementBasis::values(int degree, double t, double* values) {

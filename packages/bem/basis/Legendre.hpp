@@ -30,6 +30,15 @@ struct DisplacementBasis {
 
   /// φ_k' = slope(k) P_{k-1} for k >= 2; φ₀' = -P₀/2, φ₁' = P₀/2.
   static double slope(int k);
+
+  /// The functions k = first ... last whose derivatives are multiples of P_j.
+  struct Range {
+    int first;
+    int last;
+  };
+  static constexpr Range withDerivative(int j) {
+    return j == 0 ? Range{0, 1} : Range{j + 1, j + 1};
+  }
 };
 
 }  // namespace epafi::bem

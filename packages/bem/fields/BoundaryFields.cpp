@@ -61,18 +61,12 @@ void BoundaryFields::addPoints(int f, int order, Vec2 middle,
   const Element& source = mesh_[f];
   const LocalField& values = fields_[static_cast<std::size_t>(f)];
   const Rule& rule = gaussLegendre(order);
-  std::array<double, largestDegree + 1> legendre{};
   for (int q = 0; q < rule.size(); ++q) {
-    legendreValues(source.degree - 1, rule.points[q], legendre.data());
-    Complex density = 0;
-    Complex slope = 0;
-    for (int j = 0; j < source.degree; ++j) {
-      density += legendre[j] * values.density[j];
-      slope += legendre[j] * values.slope[j];
-    }
+    const double t = rule.points[q];
     const double weight = source.half * rule.weights[q];
-    points.add(asComplex(middle + source.curve.fromMiddle(rule.points[q])),
-               weight * density, weight * slope);
+    points.add(asComplex(middle + source.curve.fromMiddle(t)),
+               weight * evaluate(values.density, source.densities - 1, t),
+               weight * evaluate(values.slope, source.degree - 1, t));
   }
 }
 
@@ -143,8 +137,8 @@ BoundaryFields::FarSeries BoundaryFields::farSeries(int element,
   return series;
 }
 
-void BoundaryFields::evaluate(int element, const Sources& sources,
-                              const FarSeries& series, BoundaryValue& value) const {
+void BoundaryFields::evaluateAt(int element, const Sources& sources,
+                                const FarSeries& series, BoundaryValue& value) const {
   const Element& target = mesh_[element];
   const Complex normal = asComplex(target.curve.normal(value.place.t));
   const BoundaryPoint x = mesh_.at(element, value.place.fromStart, value.place.toEnd);
@@ -154,28 +148,22 @@ void BoundaryFields::evaluate(int element, const Sources& sources,
     const Element& source = mesh_[f];
     const LocalField& values = fields_[static_cast<std::size_t>(f)];
     const RelativeTarget seen = seenFrom(mesh_, f, x);
-    evaluateMoments(seen, source.degree - 1, Need::CandD, moments);
-    for (int j = 0; j < source.degree; ++j) {
+    const int highest = std::max(source.degree, source.densities);
+    evaluateMoments(seen, highest - 1, Need::CandD, moments);
+    for (int j = 0; j < highest; ++j) {
       const SourceSums in = elementSums(source.curve, seen, moments, j);
       sums.add({values.density[j] * in, values.slope[j] * in});
     }
   }
-  Complex t = traction(lame_, normal, sums);
-  Complex m = mismatchSlope(lame_, normal, sums);
-
   const LocalField& own = fields_[static_cast<std::size_t>(element)];
-  const int degree = target.degree;
-  const int terms = std::max(degree, static_cast<int>(series.traction.size()));
-  std::vector<double> legendre(static_cast<std::size_t>(terms));
-  legendreValues(terms - 1, value.place.t, legendre.data());
-  for (int j = 0; j < degree; ++j) {
-    t += 0.5 * legendre[static_cast<std::size_t>(j)] * own.density[j];
-    m -= 0.5 * legendre[static_cast<std::size_t>(j)] * own.slope[j];
-  }
-  for (std::size_t k = 0; k < series.traction.size(); ++k) {
-    t += legendre[k] * series.traction[k];
-    m += legendre[k] * series.mismatch[k];
-  }
+  const double place = value.place.t;
+  const int last = static_cast<int>(series.traction.size()) - 1;
+  const Complex t = traction(lame_, normal, sums) +
+                    evaluate(series.traction, last, place) +
+                    0.5 * evaluate(own.density, target.densities - 1, place);
+  const Complex m = mismatchSlope(lame_, normal, sums) +
+                    evaluate(series.mismatch, last, place) -
+                    0.5 * evaluate(own.slope, target.degree - 1, place);
   value.traction = asVector(t);
   value.mismatch = asVector(m);
 }
@@ -187,7 +175,7 @@ std::vector<BoundaryValue> BoundaryFields::at(int element,
   std::vector<BoundaryValue> values(points.size());
   for (std::size_t q = 0; q < points.size(); ++q) {
     values[q].place = points[q];
-    evaluate(element, sources, series, values[q]);
+    evaluateAt(element, sources, series, values[q]);
   }
   return values;
 }
@@ -210,7 +198,7 @@ std::vector<BoundaryValue> BoundaryFields::on(int element) const {
   for (std::size_t q = 0; q < values.size(); ++q) {
     values[q].place = rule.points[q];
     values[q].weight = mesh_[element].half * rule.weights[q];
-    evaluate(element, sources, series, values[q]);
+    evaluateAt(element, sources, series, values[q]);
   }
   return values;
 }

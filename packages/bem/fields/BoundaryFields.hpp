@@ -42,8 +42,8 @@ class BoundaryFields {
   void addPoints(int f, int order, Vec2 middle, PointSources& points) const;
   Sources split(int element) const;
   FarSeries farSeries(int element, const Sources& sources) const;
-  void evaluate(int element, const Sources& sources, const FarSeries& series,
-                BoundaryValue& value) const;
+  void evaluateAt(int element, const Sources& sources, const FarSeries& series,
+                  BoundaryValue& value) const;
 
   Mesh mesh_;
   ElementRuns runs_;  ///< of mesh_

@@ -38,8 +38,6 @@ InteriorValue evaluateInterior(const Space& space, const Lame& lame, const Vecto
       const Complex v = field.value[j];
       displacement -=
           doubleLayer(lame, normal * v * in, std::real(std::conj(normal) * v) * in);
-      if (j == element.degree)
-        continue;
       displacement += singleLayerOf(lame, element, target, moments, j, field.density[j]);
       sums.add({field.density[j] * in, field.slope[j] * in});
     }

@@ -101,11 +101,6 @@ SourceSums sourceSums(const double (&s)[6]) {
 
 }  // namespace
 
-void PointSources::clear() {
-  for (auto& array : data_)
-    array.clear();
-}
-
 void PointSources::add(Complex place, Complex density, Complex slope) {
   data_[X].push_back(place.real());
   data_[Y].push_back(place.imag());

@@ -11,7 +11,6 @@ namespace epafi::bem {
 /// elements look like through Gauss points.  Structure of arrays.
 class PointSources {
  public:
-  void clear();
   void add(Complex place, Complex density, Complex slope);
   std::size_t size() const { return data_[X].size(); }
 

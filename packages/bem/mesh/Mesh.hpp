@@ -60,7 +60,6 @@ class Mesh {
   const Element& operator[](int e) const {
     return elements_[static_cast<std::size_t>(e)];
   }
-  int nodes() const { return static_cast<int>(elements_.size()); }
 
   const std::string& boundary(int e) const {
     return outline_->edge((*this)[e].piece.edge).boundary;

@@ -1,7 +1,6 @@
 #include "bem/space/CauchyData.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/quadrature/Gauss.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,34 +31,15 @@ Origin originIn(const Mesh& mesh, int e, const Piece& part) {
   return {e, 0.5 * (start + end), 0.5 * (end - start)};
 }
 
-using Series = std::array<Complex, largestDegree + 1>;
+using Series = LegendreSeries<Complex>;
 
-Complex valueAt(const Series& series, int degree, double t) {
-  std::array<double, largestDegree + 1> legendre{};
-  legendreValues(degree, t, legendre.data());
-  Complex value = 0;
-  for (int i = 0; i <= degree; ++i)
-    value += legendre[static_cast<std::size_t>(i)] * series[static_cast<std::size_t>(i)];
-  return value;
-}
-
-/// A series of this degree as a function on a part of its element: Gauss points make the
-/// projection exact.
+/// A series of this degree as a function on a part of its element.
 Series restricted(const Series& series, int degree, const Origin& origin) {
-  Series result{};
-  const Rule& rule = gaussLegendre(degree + 1);
-  for (int q = 0; q < rule.size(); ++q) {
-    const auto k = static_cast<std::size_t>(q);
-    const double t = rule.points[k];
-    const Complex value =
-        rule.weights[k] * valueAt(series, degree, origin.middle + origin.scale * t);
-    std::array<double, largestDegree + 1> legendre{};
-    legendreValues(degree, t, legendre.data());
-    for (int i = 0; i <= degree; ++i)
-      result[static_cast<std::size_t>(i)] +=
-          (i + 0.5) * legendre[static_cast<std::size_t>(i)] * value;
-  }
-  return result;
+  return project(
+      [&](double t) {
+        return evaluate(series, degree, origin.middle + origin.scale * t);
+      },
+      degree);
 }
 
 LocalField restricted(const CauchyData& data, const Origin& origin) {

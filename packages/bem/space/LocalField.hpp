@@ -1,6 +1,7 @@
 #pragma once
 
-#include "bem/moments/LegendreMoments.hpp"
+#include "bem/base/Complex.hpp"
+#include "bem/quadrature/LegendreSeries.hpp"
 #include "bem/space/Space.hpp"
 
 namespace epafi::bem {
@@ -8,9 +9,9 @@ namespace epafi::bem {
 /// u, its derivative by arc length and ψ on one element as Legendre series in t; a vector
 /// of the plane is x + iy.
 struct LocalField {
-  std::array<Complex, largestDegree + 1> value{};    ///< 0 ... p
-  std::array<Complex, largestDegree + 1> slope{};    ///< 0 ... p - 1
-  std::array<Complex, largestDegree + 1> density{};  ///< 0 ... densities - 1
+  LegendreSeries<Complex> value{};    ///< 0 ... p
+  LegendreSeries<Complex> slope{};    ///< 0 ... p - 1
+  LegendreSeries<Complex> density{};  ///< 0 ... densities - 1
 };
 
 LocalField localField(const Space& space, const Vector& u, const Vector& psi, int e);
