@@ -1,22 +1,9 @@
 #include "bem/operators/SteklovPoincare.hpp"
 
-#include "bem/base/Error.hpp"
-
 #include <algorithm>
-#include <mutex>
 #include <utility>
 
 namespace epafi::bem {
-
-struct SteklovPoincare::Tractions {
-  explicit Tractions(TractionKernels given)
-      : elements(given.elements), kernels(std::move(given)) {}
-
-  std::vector<int> elements;
-  std::once_flag made;
-  TractionKernels kernels;  ///< until they are made into rows
-  std::shared_ptr<const TractionRows> rows;
-};
 
 namespace {
 
@@ -98,9 +85,7 @@ void fillUpper(Matrix& lower) {
 
 SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebra,
                                  const LocalCompliance& compliance)
-    : algebra_(&algebra),
-      densities_(operators.singleLayer.columns()),
-      tractions_(std::make_unique<Tractions>(std::move(operators.tractions))) {
+    : algebra_(&algebra), densities_(operators.singleLayer.columns()) {
   Matrix v =
       added(std::move(operators.singleLayer), algebra.myRows(densities_), compliance);
   Matrix k = std::move(operators.doubleLayer);
@@ -114,6 +99,7 @@ SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebr
   const Rows mine = algebra.myRows(operators.hypersingular.columns());
   stiffness_ =
       LowerTriangle(algebra.addGram(std::move(operators.hypersingular), half_), mine);
+  makeTractions(std::move(operators.tractions));
   if (compliance.densities.empty())
     return;
   // with T = L⁻¹ E:  Yᵀ T  and  Tᵀ T; on one process all of T is in the last rows
@@ -136,9 +122,7 @@ SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebr
 SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebra,
                                  const SingleLayerSolver& solver,
                                  const LocalCompliance& compliance)
-    : algebra_(&algebra),
-      densities_(operators.singleLayer.columns()),
-      tractions_(std::make_unique<Tractions>(std::move(operators.tractions))) {
+    : algebra_(&algebra), densities_(operators.singleLayer.columns()) {
   const Rows mine = algebra.myRows(densities_);
   const Index displacements = operators.doubleLayer.columns();
   const auto count = static_cast<Index>(compliance.densities.size());
@@ -157,6 +141,7 @@ SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebr
   stiffness_ = LowerTriangle(algebra.addTransposeTimes(std::move(operators.hypersingular),
                                                        operators.doubleLayer, half_),
                              mineOfDisplacements);
+  makeTractions(std::move(operators.tractions));
   if (count == 0)
     return;
   Vector picked(static_cast<std::size_t>(count * count));
@@ -178,26 +163,14 @@ SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebr
                       std::move(density)});
 }
 
-SteklovPoincare::SteklovPoincare(SteklovPoincare&&) noexcept = default;
-SteklovPoincare::~SteklovPoincare() = default;
-
-const std::vector<int>& SteklovPoincare::tractionElements() const {
-  return tractions_->elements;
-}
-
 // S φ = W φ + (K' + 1/2) V⁻¹ (K + 1/2) φ, transposed
-std::shared_ptr<const TractionRows> SteklovPoincare::tractions() const {
-  Tractions& tractions = *tractions_;
-  std::call_once(tractions.made, [&] {
-    if (tractions.kernels.start.empty())
-      throw NumericalError("the tractions could not be formed before");
-    TractionKernels kernels = std::move(tractions.kernels);
-    tractions.kernels.start.clear();
-    tractions.rows = std::make_shared<const TractionRows>(TractionRows{
-        addAdjointDensity(std::move(kernels.hypersingular), std::move(kernels.adjoint)),
-        std::move(kernels.start)});
-  });
-  return tractions.rows;
+void SteklovPoincare::makeTractions(TractionKernels kernels) {
+  tractionElements_ = std::move(kernels.elements);
+  tractions_ = std::make_shared<const TractionRows>(TractionRows{
+      tractionElements_.empty() ? Matrix()
+                                : addAdjointDensity(std::move(kernels.hypersingular),
+                                                    std::move(kernels.adjoint)),
+      std::move(kernels.start)});
 }
 
 Vector SteklovPoincare::apply(const Vector& u) const {

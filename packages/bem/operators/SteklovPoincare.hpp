@@ -46,15 +46,12 @@ class SteklovPoincare {
   /// S, my rows.
   const LowerTriangle& stiffness() const { return stiffness_; }
   /// The elements for whose projected tractions the assembly was asked.
-  const std::vector<int>& tractionElements() const;
-  /// The projected tractions on them; made at the first call, which is collective.
-  std::shared_ptr<const TractionRows> tractions() const;
+  const std::vector<int>& tractionElements() const { return tractionElements_; }
+  /// The projected tractions on them.
+  std::shared_ptr<const TractionRows> tractions() const { return tractions_; }
   /// Of the densities with a compliance of their own; null without any.
   std::shared_ptr<const DensityResponse> response() const { return response_; }
   const DenseAlgebra& algebra() const { return *algebra_; }
-
-  SteklovPoincare(SteklovPoincare&&) noexcept;
-  ~SteklovPoincare();
 
   Vector apply(const Vector& u) const;
 
@@ -68,7 +65,7 @@ class SteklovPoincare {
   Matrix addAdjointDensity(Matrix c, Matrix b) const;
 
  private:
-  struct Tractions;
+  void makeTractions(TractionKernels kernels);
 
   /// A vector of the densities in the order of the factor, and back.
   Vector ordered(const Vector& b) const;
@@ -84,7 +81,8 @@ class SteklovPoincare {
   Matrix units_;                            ///< with a solver: V⁻¹ E
   LowerTriangle stiffness_;
   std::shared_ptr<const DensityResponse> response_;
-  std::unique_ptr<Tractions> tractions_;
+  std::vector<int> tractionElements_;
+  std::shared_ptr<const TractionRows> tractions_;
 };
 
 }  // namespace epafi::bem

@@ -40,8 +40,6 @@ ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
     kernels_.start.push_back(kernels_.start.back() + 2 * (mesh[e].degree + 1));
   kernels_.hypersingular = Matrix(displacementRows_.size(), kernels_.start.back());
   kernels_.adjoint = Matrix(densityRows_.size(), kernels_.start.back());
-  for (int k = 0; k <= largestDegree; ++k)
-    slopes_[static_cast<std::size_t>(k)] = DisplacementBasis::slope(k);
   if (elements.empty())
     return;
   const FarTractionRows far(space, lame, algebra);
@@ -66,11 +64,10 @@ ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
 
 void ProjectedTractions::addHypersingular(int source, int j, Index column,
                                           const Block& block) {
-  const int first = j == 0 ? 0 : j + 1;
-  const int last = j == 0 ? 1 : j + 1;
+  const auto [first, last] = DisplacementBasis::withDerivative(j);
   for (int k = first; k <= last; ++k)
     addBlock(kernels_.hypersingular, displacementRows_, space_.displacement(source, k, 0),
-             column, slopes_[static_cast<std::size_t>(k)] * block);
+             column, DisplacementBasis::slope(k) * block);
 }
 
 void ProjectedTractions::addPair(int test, int source, Index first,

@@ -6,7 +6,6 @@
 #include "bem/operators/Block.hpp"
 #include "bem/space/Space.hpp"
 
-#include <array>
 #include <vector>
 
 namespace epafi::bem {
@@ -64,7 +63,6 @@ class ProjectedTractions {
   Lame lame_;
   Rows densityRows_;
   Rows displacementRows_;
-  std::array<double, largestDegree + 1> slopes_{};
   TractionKernels kernels_;
 };
 

@@ -41,13 +41,10 @@ void forEachSource(const Space& space, int f, const SourceValues& values,
     for (int c = 0; c < 2; ++c) {
       visit(Kind::Density, space.density(f, j, c), values.adjoint[j][c]);
       const Complex hyper = values.hyper[j][c] / source.half;
-      if (j == 0) {
-        visit(Kind::Displacement, space.displacement(f, 0, c), -0.5 * hyper);
-        visit(Kind::Displacement, space.displacement(f, 1, c), 0.5 * hyper);
-      } else {
-        visit(Kind::Displacement, space.displacement(f, j + 1, c),
-              DisplacementBasis::slope(j + 1) * hyper);
-      }
+      const auto [first, last] = DisplacementBasis::withDerivative(j);
+      for (int k = first; k <= last; ++k)
+        visit(Kind::Displacement, space.displacement(f, k, c),
+              DisplacementBasis::slope(k) * hyper);
     }
 }
 
