@@ -38,7 +38,7 @@ void evaluateAll(const Scene& scene, const bem::Mesh& mesh) {
   const bem::Space space(mesh);
   const contact::MultiplierSpace multiplier(
       space.mesh(), contact::multiplierBasis(scene.multiplier), scene.conditions);
-  const bem::Units units{scene.outline->diameter(), scene.material.youngsModulus};
+  const bem::Units units = scene.outline->units(scene.material.youngsModulus);
   contact::makeLoads(space, scene.conditions, units);
   contact::makeObstacle(space.mesh(), multiplier, units);
   const std::vector<double> places = outputPlaces(scene);

@@ -14,7 +14,7 @@ Size sizeOf(const bem::Space& space, const contact::MultiplierSpace& multiplier,
   const auto [shortest, longest] =
       std::minmax_element(elements.begin(), elements.end(),
                           [](const auto& a, const auto& b) { return a.half < b.half; });
-  const double diameter = mesh.outline().diameter();
+  const double diameter = mesh.outline().scaling().length;
   Size size;
   size.elements = mesh.size();
   size.displacements = contact::freeDisplacements(space, conditions);

@@ -71,7 +71,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                     const std::function<void(const SolvedLevel&)>& handOut,
                     const std::optional<Level>& earlier) {
   const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
-  const bem::Units units{scene.outline->diameter(), scene.material.youngsModulus};
+  const bem::Units units = scene.outline->units(scene.material.youngsModulus);
   const bem::Lame lame(scene.material);
   const bem::DenseAlgebra& algebra = ranks.algebra();
   const auto belos = scene.linear.method == Scene::Linear::Method::Belos

@@ -140,7 +140,7 @@ std::vector<int> countsFromSize(const bem::Outline& outline, double size) {
   for (const bem::Edge& edge : outline.edges()) {
     // A length that is a multiple of the size up to rounding gives that multiple.
     const double count =
-        std::ceil(edge.curve.length() * outline.diameter() / size * (1 - 1e-12));
+        std::ceil(edge.curve.length() * outline.scaling().length / size * (1 - 1e-12));
     if (count > largestMesh)
       throw InputError(message("Discretization->Mesh Size = ", size, ": gives ", count,
                                " elements on edge '", edge.boundary, "'; at most ",

@@ -41,6 +41,18 @@ Complex derivative(const Field& field, Complex direction) {
 
 }  // namespace
 
+TEUCHOS_UNIT_TEST(Elasticity, constantsFollowTheReferenceStress) {
+  const bem::Material material{8, 0.3, true};
+  const bem::Lame own(material);
+  const bem::Lame shared(material, 2);  // four times as stiff as the reference
+  TEST_FLOATING_EQUALITY(shared.mu, 4 * own.mu, 1e-15);
+  TEST_FLOATING_EQUALITY(shared.d, 4 * own.d, 1e-15);
+  TEST_FLOATING_EQUALITY(4 * shared.a, own.a, 1e-15);
+  TEST_FLOATING_EQUALITY(4 * shared.b, own.b, 1e-15);
+  const double pi = std::acos(-1.0);
+  TEST_FLOATING_EQUALITY(2 * pi * shared.mu * (shared.a + shared.b), 1.0, 1e-15);
+}
+
 TEUCHOS_UNIT_TEST(Elasticity, singleLayerIsKelvinsSolution) {
   const Complex w = target - place;
   const double r = std::abs(w);

@@ -146,3 +146,20 @@ TEUCHOS_UNIT_TEST(Outline, acceptsAcuteCornersAndThinBodies) {
   TEST_EQUALITY(complaint(rectangle(0, 0, 1, 1e-6)), "");
   TEST_EQUALITY(complaint(named({{0, 0}, {1, 0}, {2, 0}, {1, 1e-3}})), "");
 }
+
+TEUCHOS_UNIT_TEST(Outline, sharesAScalingWithALargerBody) {
+  const Loop small = rectangle(1, 2, 4, 6);
+  const Outline alone(small);
+  const epafi::bem::Scaling shared{{7, -2}, 3 * alone.diameter()};
+  const Outline beside(small, {}, shared);
+  TEST_EQUALITY(beside.diameter(), alone.diameter());
+  TEST_EQUALITY(beside.units(5).length, shared.length);
+  for (int e = 0; e < 4; ++e) {
+    const auto& curve = beside.edge(e).curve;
+    TEST_FLOATING_EQUALITY(3 * curve.length(), alone.edge(e).curve.length(), 1e-15);
+    const Vec2 vertex = small.vertices[static_cast<std::size_t>(e)];
+    TEST_COMPARE(norm(beside.physical(curve.from()) - vertex), <, 4e-15);
+  }
+  const epafi::bem::Scaling tooSmall{{0, 0}, 0.99 * alone.diameter()};
+  TEST_THROW(Outline(small, {}, tooSmall), InputError);
+}

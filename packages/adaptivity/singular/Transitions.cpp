@@ -210,10 +210,10 @@ class Locator {
   double motion(const ContactElement& element, double t, const Respect& respect) const {
     const bem::Mesh& mesh = space_.mesh();
     const int e = element.element;
-    const double gap =
-        element.condition->gap
-            ? element.condition->gap(mesh.physicalPoint(e, t)) / mesh.outline().diameter()
-            : 0.0;
+    const double gap = element.condition->gap
+                           ? element.condition->gap(mesh.physicalPoint(e, t)) /
+                                 mesh.outline().scaling().length
+                           : 0.0;
     return respect.motion(space_.displacementAt(displacement_, e, t),
                           mesh[e].curve.normal(t), gap);
   }

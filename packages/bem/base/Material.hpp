@@ -11,18 +11,20 @@ struct Material {
   bool planeStress = false;    ///< else plane strain
 };
 
-/// Lamé's problem made dimensionless (E = 1), with plane stress turned into the plane
-/// strain that has the same equations.  Every constant is written without 1/(1-2nu).
-/// [doc/theory/operators.md]
+/// Lamé's problem made dimensionless, with plane stress turned into the plane strain that
+/// has the same equations.  Every constant is written without 1/(1-2nu).
+///                                                             [doc/theory/operators.md]
 struct Lame {
   double nu;  ///< the plane-strain Poisson's ratio
-  double mu;  ///< shear modulus / Young's modulus
+  double mu;  ///< shear modulus / reference stress
   double a;   ///< A = (3-4nu) / (8 pi mu (1-nu)):  G = A (-log r I + c2 d d'/r²)
   double b;   ///< B = A c2 = 1 / (8 pi mu (1-nu))
   double d;   ///< D = mu / (2 pi (1-nu)):  V* = D (-log r I + d d'/r²)
 
-  /// \throws InputError if nu is not in (-1, 1/2).
-  explicit Lame(const Material& material);
+  /// By itself, stresses in Young's moduli. \throws InputError if nu is not in (-1, 1/2].
+  explicit Lame(const Material& material) : Lame(material, material.youngsModulus) {}
+  /// Stresses in a reference that bodies share.
+  Lame(const Material& material, double stress);
 };
 
 }  // namespace epafi::bem

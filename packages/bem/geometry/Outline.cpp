@@ -165,7 +165,24 @@ Loop reversed(const Loop& loop) {
 
 }  // namespace
 
-Outline::Outline(const Loop& outer, const std::vector<Loop>& holes) {
+Scaling scalingOf(const Loop& outer) {
+  Scaling scaling;
+  if (outer.vertices.empty())
+    return scaling;
+  scaling.length = sizeOf(outer);
+  Vec2 low = outer.vertices[0];
+  Vec2 high = low;
+  for (Vec2 v : outer.vertices) {
+    low = {std::min(low.x, v.x), std::min(low.y, v.y)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y)};
+  }
+  scaling.origin = 0.5 * (low + high);
+  return scaling;
+}
+
+Outline::Outline(const Loop& outer, const std::vector<Loop>& holes,
+                 const Scaling& scaling)
+    : scaling_(scaling) {
   checkLoop(outer, "outer polygon");
   const double tolerance = resolutionOf(outer);
   for (std::size_t k = 0; k < holes.size(); ++k) {
@@ -184,13 +201,9 @@ Outline::Outline(const Loop& outer, const std::vector<Loop>& holes) {
   }
 
   diameter_ = sizeOf(outer);
-  Vec2 low = outer.vertices[0];
-  Vec2 high = low;
-  for (Vec2 v : outer.vertices) {
-    low = {std::min(low.x, v.x), std::min(low.y, v.y)};
-    high = {std::max(high.x, v.x), std::max(high.y, v.y)};
-  }
-  origin_ = 0.5 * (low + high);
+  if (!(diameter_ <= scaling.length))
+    throw InputError(message("a body of diameter ", diameter_,
+                             " in a scaling for lengths up to ", scaling.length));
 
   const auto append = [this](const Loop& loop) {
     const int first = static_cast<int>(edges_.size());
@@ -201,7 +214,8 @@ Outline::Outline(const Loop& outer, const std::vector<Loop>& holes) {
       const Vec2 from = loop.vertices[k];
       const Vec2 to = loop.vertices[after(k, loop)];
       // The chord from the user's own coordinates: the shift to the origin rounds.
-      edge.curve = Curve(scaled(from), scaled(to), (1 / diameter_) * (to - from), 0);
+      edge.curve =
+          Curve(scaled(from), scaled(to), (1 / scaling_.length) * (to - from), 0);
       edge.loop = loops_;
       edge.previous = first + (i + n - 1) % n;
       edge.next = first + (i + 1) % n;

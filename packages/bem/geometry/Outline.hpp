@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/base/Units.hpp"
 #include "bem/geometry/Curve.hpp"
 
 #include <string>
@@ -23,12 +24,21 @@ struct Edge {
   std::string boundary;
 };
 
+/// The system in which outlines are scaled and shifted.
+struct Scaling {
+  Vec2 origin;        ///< user's coordinates of the scaled origin
+  double length = 1;  ///< the user's unit of what a scaled 1 means
+};
+
+/// Of a polygon by itself: its diameter, and the middle of its box.
+Scaling scalingOf(const Loop& outer);
+
 /// The boundary of a body: one outer polygon and any number of holes.
 ///
-/// Coordinates are scaled and shifted so that the outer polygon has diameter 1 and lies
-/// about the origin: the single layer potential is positive definite only on small
-/// outlines (doc/notation.md), and a body far from the origin shall not lose digits.
-/// physical() and scaled() lead out and in.
+/// Coordinates are scaled and shifted so that the outer polygon has a diameter of 1, or
+/// less where bodies share a scaling, and lies about the origin: the single layer potential
+/// is positive definite only on small outlines (doc/theory/operators.md), and a body far
+/// from the origin shall not lose digits.  physical() and scaled() lead out and in.
 class Outline {
  public:
   /// Holes are written counter-clockwise too; inside, they run clockwise: body on the
@@ -36,7 +46,10 @@ class Outline {
   /// \throws InputError naming the vertex or edge if a polygon has fewer than three
   ///   vertices, a zero or non-finite edge, is clockwise, touches or crosses itself or
   ///   another one, or if a hole does not lie inside the outer polygon.
-  explicit Outline(const Loop& outer, const std::vector<Loop>& holes = {});
+  explicit Outline(const Loop& outer, const std::vector<Loop>& holes = {})
+      : Outline(outer, holes, scalingOf(outer)) {}
+  /// In a given scaling. \throws InputError, too, if the polygon is larger than its length.
+  Outline(const Loop& outer, const std::vector<Loop>& holes, const Scaling& scaling);
 
   const std::vector<Edge>& edges() const { return edges_; }
   const Edge& edge(int e) const { return edges_[static_cast<std::size_t>(e)]; }
@@ -44,9 +57,14 @@ class Outline {
 
   /// Diameter of the outer polygon, in the user's unit of length.
   double diameter() const { return diameter_; }
+  const Scaling& scaling() const { return scaling_; }
+  /// Of everything that is computed in this scaling with this reference stress.
+  Units units(double stress) const { return {scaling_.length, stress}; }
 
-  Vec2 physical(Vec2 scaled) const { return origin_ + diameter_ * scaled; }
-  Vec2 scaled(Vec2 physical) const { return (1 / diameter_) * (physical - origin_); }
+  Vec2 physical(Vec2 scaled) const { return scaling_.origin + scaling_.length * scaled; }
+  Vec2 scaled(Vec2 physical) const {
+    return (1 / scaling_.length) * (physical - scaling_.origin);
+  }
 
   /// Is a (physical) point inside the body, off its boundary?
   bool contains(Vec2 physical) const;
@@ -55,7 +73,7 @@ class Outline {
   std::vector<Edge> edges_;
   int loops_ = 0;
   double diameter_ = 1;
-  Vec2 origin_;
+  Scaling scaling_;
 };
 
 }  // namespace epafi::bem

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "bem/base/Complex.hpp"
-#include "bem/base/Constants.hpp"
 #include "bem/base/Material.hpp"
 
 // Kelvin's kernels and their derivatives, each of them once.  In complex numbers, w = x -
@@ -129,7 +128,7 @@ inline __attribute__((always_inline)) KernelBlock<Number> doubleLayerBlock(
   const Number re = ofPhase * m.phaseReal;
   const Number im = ofPhase * m.phaseImag;
   const Number log = ofLog * m.log;
-  const Number l = inverse2Pi * laplace;
+  const Number l = lame.mu * (lame.a + lame.b) * laplace;  // 1/2π
   return {im + l, -re - log, log - re, l - im};
 }
 
