@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
+#include "contact/problem/ContactProblem.hpp"
 #include "drivers/output/History.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
@@ -95,7 +96,8 @@ void checkSizes(const Level& level, const Scene& scene) {
     if (piece.edge < 0 || piece.edge >= edges)
       throw InputError(message("has an element on edge ", piece.edge,
                                "; the outline has ", edges, " edges"));
-  const bem::Space space({scene.outline, level.pieces});
+  const bem::Space space = contact::makeSpace({scene.outline, level.pieces},
+                                              scene.conditions, scene.stabilization);
   const contact::MultiplierSpace multiplier(
       space.mesh(), contact::multiplierBasis(scene.multiplier), scene.conditions);
   const auto size = [](const auto& numbers) {

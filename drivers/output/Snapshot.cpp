@@ -2,6 +2,7 @@
 
 #include "bem/operators/EnergyNorm.hpp"
 #include "bem/quadrature/Gauss.hpp"
+#include "contact/problem/ContactProblem.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +44,8 @@ double multiplierDistance(const Snapshot& level, const Snapshot& reference) {
 }  // namespace
 
 Snapshot takeSnapshot(const Scene& scene, const Level& level, double energy) {
-  const bem::Space space({scene.outline, level.pieces});
+  const bem::Space space = contact::makeSpace({scene.outline, level.pieces},
+                                              scene.conditions, scene.stabilization);
   const contact::MultiplierSpace multiplier(
       space.mesh(), contact::multiplierBasis(scene.multiplier), scene.conditions);
   const auto elements = static_cast<std::size_t>(space.mesh().size());

@@ -81,7 +81,8 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
   auto next = earlier ? levelAfterRestart(scene, *earlier, algebra) : firstLevel(scene);
   while (const auto* from = std::get_if<LevelStart>(&next)) {
     const int number = from->level;
-    const bem::Space space(from->mesh);
+    const bem::Space space =
+        contact::makeSpace(from->mesh, scene.conditions, scene.stabilization);
     const contact::MultiplierSpace multiplier(space.mesh(), basis, scene.conditions);
     const Size size = sizeOf(space, multiplier, scene.conditions);
     if (size.dof() > scene.adaptivity.maximumDegreesOfFreedom)

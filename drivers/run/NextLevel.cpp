@@ -5,6 +5,7 @@
 #include "adaptivity/refine/Refine.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
+#include "contact/problem/ContactProblem.hpp"
 
 namespace epafi::drivers {
 
@@ -25,7 +26,8 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
   if (level.number + 1 >= scene.adaptivity.maximumLevels)
     return converged("all levels that the scene allows are computed");
 
-  const bem::Space space({scene.outline, level.pieces});
+  const bem::Space space = contact::makeSpace({scene.outline, level.pieces},
+                                              scene.conditions, scene.stabilization);
   const bem::Mesh& mesh = space.mesh();
   const adaptivity::Strategy& strategy = adaptivity::strategy(scene.adaptivity.strategy);
   const contact::MultiplierSpace multiplier(

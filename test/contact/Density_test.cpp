@@ -56,6 +56,7 @@ struct Case {
   int degree;
   const char* basis;
   const char* law;
+  bool raised;
   double nu;
   double gamma0;
 };
@@ -72,6 +73,7 @@ Stabilization stabilizationOf(const Case& c) {
   Stabilization stabilization;
   stabilization.form = Stabilization::Form::Density;
   stabilization.gamma0 = c.gamma0;
+  stabilization.raised = c.raised;
   return stabilization;
 }
 
@@ -87,7 +89,8 @@ Condensed condensed(const Case& c, const bem::DenseAlgebra& algebra) {
   const contact::Conditions conditions = conditionsOf(c.law);
   const Stabilization stabilization = stabilizationOf(c);
   const contact::MultiplierBasis& basis = contact::multiplierBasis(c.basis);
-  const bem::Space space(squareMesh(c.elements, c.degree));
+  const bem::Space space =
+      contact::makeSpace(squareMesh(c.elements, c.degree), conditions, stabilization);
   const contact::MultiplierSpace multiplier(space.mesh(), basis, conditions);
   const bem::SteklovPoincare stiffness(
       bem::assembleOperators(space, lame, algebra), algebra,
@@ -113,7 +116,8 @@ Condensed condensed(const Case& c, const bem::DenseAlgebra& algebra) {
 Condensed whole(const Case& c) {
   const bem::Lame lame({1, c.nu, false});
   const contact::Conditions conditions = conditionsOf(c.law);
-  const bem::Space space = bem::Space(squareMesh(c.elements, c.degree));
+  const bem::Space space = contact::makeSpace(squareMesh(c.elements, c.degree),
+                                              conditions, stabilizationOf(c));
   const bem::Mesh& mesh = space.mesh();
   const contact::MultiplierSpace multiplier(mesh, contact::multiplierBasis(c.basis),
                                             conditions);
@@ -256,11 +260,13 @@ double apart(const Vector& a, const Vector& b) {
 
 TEUCHOS_UNIT_TEST(Density, theCondensedProblemIsTheSaddlePoint) {
   const Case cases[] = {
-      {{3, 2, 3, 2}, 1, "Gauss-Legendre-Lagrange", "Coulomb", 0.3, 0.5},
-      {{2, 2, 3, 2}, 3, "Gauss-Lobatto-Lagrange", "Tresca", 0.3, 0.5},
-      {{2, 3, 2, 2}, 2, "Bernstein", "None", 0.3, 1e4},
-      {{2, 3, 2, 2}, 2, "Bernstein", "Coulomb", -0.5, 1e-6},
-      {{3, 2, 3, 2}, 2, "Gauss-Legendre-Lagrange", "Coulomb", 0.5, 0.5},
+      {{3, 2, 3, 2}, 1, "Gauss-Legendre-Lagrange", "Coulomb", false, 0.3, 0.5},
+      {{2, 2, 3, 2}, 3, "Gauss-Lobatto-Lagrange", "Tresca", false, 0.3, 0.5},
+      {{2, 3, 2, 2}, 2, "Bernstein", "None", false, 0.3, 1e4},
+      {{2, 3, 2, 2}, 2, "Bernstein", "Coulomb", false, -0.5, 1e-6},
+      {{3, 2, 3, 2}, 2, "Gauss-Legendre-Lagrange", "Coulomb", false, 0.5, 0.5},
+      {{9, 4, 6, 5}, 1, "Gauss-Legendre-Lagrange", "Coulomb", true, 0.3, 0.5},
+      {{2, 9, 3, 2}, 3, "Gauss-Lobatto-Lagrange", "Tresca", true, 0.5, 0.5},
   };
   for (const Case& c : cases) {
     const Condensed small = condensed(c, test::algebra());
@@ -273,7 +279,7 @@ TEUCHOS_UNIT_TEST(Density, theCondensedProblemIsTheSaddlePoint) {
 }
 
 TEUCHOS_UNIT_TEST(Density, incompressibilityIsALimitLikeAnyOther) {
-  Case c{{6, 4, 6, 4}, 2, "Gauss-Legendre-Lagrange", "Coulomb", 0.5, 0.5};
+  Case c{{6, 4, 6, 4}, 2, "Gauss-Legendre-Lagrange", "Coulomb", false, 0.5, 0.5};
   const Condensed limit = condensed(c, test::algebra());
   double last = 1;
   for (const double nu : {0.4999, 0.499999, 0.49999999}) {

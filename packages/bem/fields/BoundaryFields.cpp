@@ -41,7 +41,7 @@ struct BoundaryFields::FarSeries {
 
 BoundaryFields::BoundaryFields(const Space& space, const Lame& lame, const Vector& u,
                                const Vector& psi)
-    : mesh_(space.mesh()), runs_(mesh_), lame_(lame) {
+    : mesh_(space.mesh().withDegreesOfDensities()), runs_(mesh_), lame_(lame) {
   int largest = 0;
   for (int e = 0; e < mesh_.size(); ++e) {
     fields_.push_back(localField(space, u, psi, e));

@@ -3,6 +3,7 @@
 #include "bem/kernel/ElementSums.hpp"
 #include "bem/space/LocalField.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace epafi::bem {
@@ -30,10 +31,11 @@ InteriorValue evaluateInterior(const Space& space, const Lame& lame, const Vecto
   for (int e = 0; e < space.mesh().size(); ++e) {
     const Element& element = space.mesh()[e];
     const RelativeTarget target = element.curve.seen(x);
-    evaluateMoments(target, element.degree, Need::All, moments);
+    const int terms = std::max(element.degree, element.densities);
+    evaluateMoments(target, terms, Need::All, moments);
     const LocalField field = localField(space, u, psi, e);
     const Complex normal = asComplex(element.curve.segment().normal);
-    for (int j = 0; j <= element.degree; ++j) {
+    for (int j = 0; j <= terms; ++j) {
       const SourceSums in = elementSums(element.curve, target, moments, j);
       const Complex v = field.value[j];
       displacement -=

@@ -91,6 +91,13 @@ Mesh Mesh::withDensities(const std::vector<int>& densities) const {
   return result;
 }
 
+Mesh Mesh::withDegreesOfDensities() const {
+  Mesh result = *this;
+  for (Element& element : result.elements_)
+    element.piece.degree = element.degree = element.densities;
+  return result;
+}
+
 std::vector<int> Mesh::elementsOf(const std::string& name) const {
   std::vector<int> result;
   for (int e = 0; e < size(); ++e)

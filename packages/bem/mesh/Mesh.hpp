@@ -52,6 +52,10 @@ class Mesh {
   /// The same elements with so many functions of a density on each, at least its degree.
   Mesh withDensities(const std::vector<int>& densities) const;
 
+  /// The same elements with as high a degree as there are densities: for what treats
+  /// densities and slopes of displacements alike.
+  Mesh withDegreesOfDensities() const;
+
   const Outline& outline() const { return *outline_; }
   std::shared_ptr<const Outline> sharedOutline() const { return outline_; }
 

@@ -19,12 +19,12 @@ Matrix added(Matrix lower, const Rows& mine, const LocalCompliance& compliance) 
 
 /// All of 0 ... n - 1, the given ones last.
 std::vector<Index> withLast(Index n, const std::vector<Index>& last) {
+  std::vector<bool> isLast(static_cast<std::size_t>(n), false);
+  for (const Index i : last)
+    isLast[static_cast<std::size_t>(i)] = true;
   std::vector<Index> order;
-  auto next = last.begin();
   for (Index i = 0; i < n; ++i)
-    if (next != last.end() && *next == i)
-      ++next;
-    else
+    if (!isLast[static_cast<std::size_t>(i)])
       order.push_back(i);
   order.insert(order.end(), last.begin(), last.end());
   return order;

@@ -11,7 +11,7 @@ namespace epafi::bem {
 /// A compliance G = diag(g) of some densities, in addition to V: 1/2 Σ g_k ψ_k² is taken
 /// from the Lagrangian (doc/theory/contact.md, "Stabilisation by the density").
 struct LocalCompliance {
-  std::vector<Index> densities;  ///< increasing
+  std::vector<Index> densities;  ///< each once
   Vector diagonal;               ///< one g_k > 0 each
 };
 

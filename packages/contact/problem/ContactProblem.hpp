@@ -16,6 +16,11 @@ namespace epafi::contact {
 std::vector<int> tractionElements(const MultiplierSpace& multiplier,
                                   const Stabilization& stabilization);
 
+/// The space on a mesh, with the densities that the stabilisation wants on contact
+/// elements.
+bem::Space makeSpace(const bem::Mesh& mesh, const Conditions& conditions,
+                     const Stabilization& stabilization);
+
 /// What Form Density adds to V: γ <P_i, P_i> on contact elements.  Give it to
 /// bem::SteklovPoincare.  Empty for the other forms.
 bem::LocalCompliance densityCompliance(const bem::Space& space,

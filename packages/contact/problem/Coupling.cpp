@@ -196,6 +196,18 @@ std::vector<int> tractionElements(const MultiplierSpace& multiplier,
   return contactElements(multiplier);
 }
 
+bem::Space makeSpace(const bem::Mesh& mesh, const Conditions& conditions,
+                     const Stabilization& stabilization) {
+  std::vector<int> densities;
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bool raised = stabilization.form == Stabilization::Form::Density &&
+                        stabilization.raised && mesh[e].degree < bem::largestDegree &&
+                        conditions.contact.count(mesh.boundary(e)) != 0;
+    densities.push_back(mesh[e].degree + (raised ? 1 : 0));
+  }
+  return bem::Space(mesh.withDensities(densities));
+}
+
 bem::LocalCompliance densityCompliance(const bem::Space& space,
                                        const MultiplierSpace& multiplier,
                                        const Stabilization& stabilization,

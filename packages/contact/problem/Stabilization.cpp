@@ -19,6 +19,7 @@ constexpr bem::Named<Stabilization::Form> forms[] = {
     {"Density", Stabilization::Form::Density},
     {"None", Stabilization::Form::None},
 };
+constexpr bem::Named<bool> densityDegrees[] = {{"Same", false}, {"Raised", true}};
 constexpr bem::Named<Stabilization::Scaling> scalings[] = {
     {"Stiffness", Stabilization::Scaling::Stiffness},
     {"Absolute", Stabilization::Scaling::Absolute},
@@ -41,6 +42,11 @@ bem::SchemaRows stabilizationRows() {
           .unit("1, or as Scaling says")
           .standard(defaults.firstGamma0())
           .range(above(0)),
+      Row("Density Degree", Kind::Text,
+          "degree of psi on contact elements under Form Density: p, or p - 1 as "
+          "elsewhere")
+          .standard(densityDegrees[0].name)
+          .allowed(bem::namesOf(densityDegrees)),
       Row("Beta", Kind::Real, "extra power of the element size")
           .unit("1")
           .standard(defaults.beta)
@@ -61,6 +67,8 @@ bem::SchemaRows stabilizationRows() {
 Stabilization parseStabilization(const Teuchos::ParameterList& list) {
   Stabilization stabilization;
   stabilization.form = bem::named(forms, list.get<std::string>("Form"));
+  stabilization.raised =
+      bem::named(densityDegrees, list.get<std::string>("Density Degree"));
   stabilization.scaling = bem::named(scalings, list.get<std::string>("Scaling"));
   if (!list.getEntry("Gamma0").isDefault())
     stabilization.gamma0 = list.get<double>("Gamma0");

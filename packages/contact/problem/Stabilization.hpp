@@ -31,6 +31,8 @@ struct Stabilization {
   std::optional<double> gamma0;
   double beta = 0;  ///< >= 0
   double eta = 0;   ///< >= 0
+  /// Whether ψ is of degree p on contact elements under Form::Density, not p - 1.
+  bool raised = false;
 
   double firstGamma0() const {
     return gamma0.value_or(form == Form::Density ? 0.5 : 0.1);
