@@ -2,7 +2,7 @@
 // on any number of ranks.
 #include "Algebra.hpp"
 #include "contact/problem/BalancedStiffness.hpp"
-#include "contact/problem/Refinement.hpp"
+#include "contact/problem/IterativeRefinement.hpp"
 #include "contact/problem/Summary.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

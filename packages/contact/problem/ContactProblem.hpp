@@ -46,7 +46,7 @@ struct IndefiniteStiffness : bem::NumericalError {
 class ContactProblem {
  public:
   struct Input {
-    const bem::Space& space;
+    const bem::Space& space;                ///< must outlive the problem
     const bem::SteklovPoincare& stiffness;  ///< must outlive the problem
     const bem::Lame& lame;
     bem::Units units;

@@ -1,4 +1,4 @@
-#include "contact/problem/Refinement.hpp"
+#include "contact/problem/IterativeRefinement.hpp"
 
 #include "contact/problem/SmallAlgebra.hpp"
 

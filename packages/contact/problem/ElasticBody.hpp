@@ -1,0 +1,75 @@
+#pragma once
+
+#include "contact/problem/Problem.hpp"
+#include "contact/problem/RigidConstraints.hpp"
+#include "contact/problem/StabilisedBody.hpp"
+
+namespace epafi::contact {
+
+/// How a body is loaded and held.
+struct Holding {
+  Loads loads;
+  RigidModes modes;
+  RigidConstraints rigid;
+};
+
+/// \throws bem::InputError, see makeLoads, makeRigidConstraints.
+Holding makeHolding(const bem::Space& space, const Conditions& conditions,
+                    bem::Units units);
+
+/// A + Σ c cᵀ: clamped rows and columns are the identity's, and every allowed rigid motion
+/// has the stiffness of its functional c, so that the result is positive definite where A
+/// is on all other displacements.  My rows.
+Matrix constrained(Matrix lower, const bem::Rows& mine, const Holding& holding);
+
+/// A body among those of a contact problem: its stiffness factored, how it answers loads
+/// and contact forces, and its free rigid motions.
+///
+///   A u = f - Cᵀ λ on what is neither clamped nor fixed,   u = u_D + A⁺ (f - Cᵀ λ) + R α
+class ElasticBody {
+ public:
+  /// Both outlive the body.  \throws bem::NumericalError if A is not definite.
+  ElasticBody(const StabilisedBody& form, const bem::DenseAlgebra& algebra,
+              const Holding& holding);
+
+  Index freeMotions() const { return holding_->rigid.free(); }
+
+  /// What the body adds to a condensed problem through a Cᵀ (my rows):
+  struct Response {
+    Matrix half;       ///< L⁻¹ Cᵀ, my rows:  C A⁻¹ Cᵀ is its Gram matrix ...
+    Matrix motions;    ///< ... less this times its transpose: C R, fixed, then free
+    Vector offset;     ///< C u for λ = 0, α = 0
+    Vector rigidLoad;  ///< Rᵀ f of the free motions
+  };
+  Response response(Matrix coupling) const;
+
+  /// u under the contact forces Cᵀ λ, the free motions' sizes from `motions` on; refined,
+  /// so that the equations hold to the rounding of u.
+  Vector displacement(const Vector& contactForce, const double* motions) const;
+
+  /// (A u + Cᵀ λ - f) · v, see ContactProblem::clampWork.
+  Vector clampWork(const Vector& contactForce, const Vector& displacement) const;
+
+  /// See ContactProblem::fixedReactions.
+  Vector fixedReactions(const Vector& contactForce) const;
+
+ private:
+  Vector respond(Vector force) const;
+
+  const StabilisedBody* form_;
+  const bem::DenseAlgebra* algebra_;
+  const Holding* holding_;
+  Vector load_;      ///< f - A u_D
+  Vector constant_;  ///< u_D and what Fix makes of it
+  std::unique_ptr<bem::CholeskyFactor> factor_;
+};
+
+/// The problem that all bodies make together:
+///
+///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   d₀ = Σ_b C_b u_b,   G = (C_b R_b)_b,   q = (R_bᵀ f_b)_b
+///
+/// Its bounds, gaps and normals are the contacts' business.
+Problem condense(const bem::DenseAlgebra& algebra, Matrix multiplierMass,
+                 const std::vector<ElasticBody::Response>& bodies);
+
+}  // namespace epafi::contact

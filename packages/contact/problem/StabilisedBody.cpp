@@ -1,0 +1,121 @@
+#include "contact/problem/StabilisedBody.hpp"
+
+#include "bem/base/Error.hpp"
+#include "contact/problem/BalancedStiffness.hpp"
+#include "contact/problem/Coupling.hpp"
+#include "contact/problem/SmallAlgebra.hpp"
+
+#include <algorithm>
+
+namespace epafi::contact {
+
+namespace {
+
+/// The forms that fit into a Coupling: those of [P], which insert the traction S u, the one
+/// by the density, and no stabilisation.
+class Coupled final : public StabilisedBody {
+ public:
+  Coupled(const bem::Space& space, const bem::SteklovPoincare& stiffness,
+          Coupling coupling)
+      : space_(space),
+        stiffness_(stiffness),
+        algebra_(stiffness.algebra()),
+        coupling_(std::move(coupling)),
+        balanced_(stiffness_, makeRigidModes(space), coupling_) {}
+
+  // S - S^ = S - X Xᵀ.  One process takes a panel of X at a time, which saves its memory;
+  // several would exchange the whole sum for every panel.
+  Matrix stiffness() const override {
+    Matrix a = stiffness_.stiffness().unpacked();
+    const Index columns = coupling_.stabilisationColumns();
+    const Index width = algebra_.processes() == 1 ? 256 : std::max<Index>(1, columns);
+    for (Index first = 0; first < columns; first += width)
+      a = algebra_.addOuter(
+          std::move(a),
+          coupling_.stabilisationHalf(first, std::min(first + width, columns)), -1);
+    return a;
+  }
+
+  Vector residual(const Vector& force, const Vector& u) const override {
+    return balanced_.residual(force, u);
+  }
+  Matrix coupling() const override { return coupling_.transposed(algebra_); }
+  Vector push(const Vector& multiplier) const override {
+    return coupling_.push(algebra_, multiplier);
+  }
+  Matrix multiplierMass() const override { return coupling_.multiplierMass(); }
+  Vector density(const Vector& u, const Vector& multiplier) const override {
+    return byDensity() ? stiffness_.density(u, coupling_.weighted(multiplier))
+                       : stiffness_.density(u);
+  }
+
+  // With w = N λ:  uᵀ A u - 2 uᵀ R w + wᵀ X w - ψᵀ G ψ, which has no differences of what
+  // grows as ν -> 1/2 while γ is there.
+  double strainEnergy(const Vector& u, const Vector& multiplier) const override {
+    double twice = dot(u, stiffness_.apply(u));
+    if (!byDensity())
+      return 0.5 * twice;
+    const Vector w = coupling_.weighted(multiplier);
+    const Matrix& x = coupling_.response->density;
+    twice -= 2 * dot(u, algebra_.multiply(*coupling_.columns, coupling_.unknowns, w));
+    for (Index j = 0; j < x.columns(); ++j)
+      for (Index i = 0; i < x.rows(); ++i)
+        twice += w[at(i)] * x(i, j) * w[at(j)];
+    const Vector psi = density(u, multiplier);
+    for (std::size_t k = 0; k < coupling_.compliance.size(); ++k) {
+      const double value = psi[at(coupling_.response->densities[k])];
+      twice -= coupling_.compliance[k] * value * value;
+    }
+    return 0.5 * twice;
+  }
+
+  bool byDensity() const override { return coupling_.response != nullptr; }
+
+  bem::Vec2 meanSlack(std::size_t contactElement, const Vector& multiplier,
+                      const Vector& density) const override {
+    if (!byDensity())
+      return {};
+    // P_0 is 1: its rows of N λ and of G ψ are integrals
+    const Vector w = coupling_.weighted(multiplier);
+    const Index first = coupling_.start[contactElement];
+    const auto integral = [&](Index k) {
+      return w[at(k)] + coupling_.compliance[at(k)] *
+                            density[at(coupling_.response->densities[at(k)])];
+    };
+    const double length =
+        coupling_.compliance[at(first)] / coupling_.gamma[contactElement];
+    return (1 / length) * bem::Vec2{integral(first), integral(first + 1)};
+  }
+
+  double gamma(std::size_t contactElement) const override {
+    return coupling_.gamma[contactElement];
+  }
+  Matrix subtracted() const override {
+    return coupling_.stabilisationHalf(0, coupling_.stabilisationColumns());
+  }
+  std::unique_ptr<const StabilisedBody> weakened(double factor) const override {
+    Coupling weaker = coupling_;
+    weaker.weaken(factor);
+    return std::make_unique<const Coupled>(space_, stiffness_, std::move(weaker));
+  }
+
+ private:
+  const bem::Space& space_;
+  const bem::SteklovPoincare& stiffness_;
+  const bem::DenseAlgebra& algebra_;
+  Coupling coupling_;
+  BalancedStiffness balanced_;
+};
+
+}  // namespace
+
+std::unique_ptr<const StabilisedBody> makeStabilisedBody(
+    const ContactProblem::Input& input, const MultiplierSpace& multiplier) {
+  if (input.basis.sharesNodes && input.stabilization.form != Stabilization::Form::None)
+    throw bem::InputError(bem::message("the multiplier '", input.basis.name,
+                                       "' needs the stabilisation's form None"));
+  return std::make_unique<const Coupled>(input.space, input.stiffness,
+                                         makeCoupling(input, multiplier));
+}
+
+}  // namespace epafi::contact
