@@ -40,7 +40,8 @@ void evaluateAll(const Scene& scene, const bem::Mesh& mesh) {
       space.mesh(), contact::multiplierBasis(scene.multiplier), scene.conditions);
   const bem::Units units = scene.outline->units(scene.material.youngsModulus);
   contact::makeLoads(space, scene.conditions, units);
-  contact::makeObstacle(space.mesh(), multiplier, units);
+  contact::makeObstacle(space.mesh(), multiplier,
+                        contact::DistantObstacle(space.mesh(), units.length), units);
   const std::vector<double> places = outputPlaces(scene);
   for (const auto& [boundary, condition] : scene.conditions.contact) {
     evaluate(mesh, boundary, {condition.gap}, places);

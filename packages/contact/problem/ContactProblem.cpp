@@ -115,7 +115,9 @@ ContactProblem::ContactProblem(const Input& input) {
   Problem& problem = parts.numbers;
   problem = condense(input.stiffness.algebra(), parts.form->multiplierMass(), responses);
 
-  Obstacle obstacle = makeObstacle(input.space.mesh(), parts.multiplier, input.units);
+  const DistantObstacle opposite(input.space.mesh(), input.units.length);
+  Obstacle obstacle =
+      makeObstacle(input.space.mesh(), parts.multiplier, opposite, input.units);
   parts.gap = std::move(obstacle.gap);
   for (std::size_t i = 0; i < parts.gap.size(); ++i)
     problem.offset[i] -= parts.gap[i];

@@ -19,20 +19,21 @@ bool isClamped(const ContactElement& contact, int i) {
 }
 
 void addGap(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
-            const ContactElement& contact, bem::Units units, Obstacle& obstacle) {
+            const ContactElement& contact, const Opposite& opposite, Obstacle& obstacle) {
   const bem::Element& element = mesh[contact.element];
   const bem::Rule& rule = bem::gaussLegendre(contact.degree + 12);
-  for (int q = 0; q < rule.size(); ++q) {
-    const Vec2 x = mesh.physicalPoint(contact.element, rule.points[q]);
-    const double gap =
-        contact.condition->gap ? contact.condition->gap(x) / units.length : 0.0;
-    obstacle.largestPenetration = std::max(obstacle.largestPenetration, -gap);
-    const Vector chi = multiplier.basis().values(contact.degree, rule.points[q]);
-    for (int i = 0; i <= contact.degree; ++i)
-      if (!isClamped(contact, i))
-        obstacle.gap[static_cast<std::size_t>(contact.normalOf(i))] +=
-            rule.weights[q] * element.half * gap * chi[static_cast<std::size_t>(i)];
-  }
+  for (const auto& [middle, half] : stretches(opposite, contact))
+    for (int q = 0; q < rule.size(); ++q) {
+      const double t = middle + half * rule.points[q];
+      const double gap = opposite.at(contact, t).gap;
+      obstacle.largestPenetration = std::max(obstacle.largestPenetration, -gap);
+      const Vector chi = multiplier.basis().values(contact.degree, t);
+      for (int i = 0; i <= contact.degree; ++i)
+        if (!isClamped(contact, i))
+          obstacle.gap[static_cast<std::size_t>(contact.normalOf(i))] +=
+              half * rule.weights[q] * element.half * gap *
+              chi[static_cast<std::size_t>(i)];
+    }
 }
 
 Vector fieldsAt(const ContactElement& contact, Vec2 x) {
@@ -64,13 +65,13 @@ void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
 }  // namespace
 
 Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
-                      bem::Units units) {
+                      const Opposite& opposite, bem::Units units) {
   Obstacle obstacle;
   obstacle.gap.assign(static_cast<std::size_t>(multiplier.normals()), 0.0);
   obstacle.tangentials.resize(
       static_cast<std::size_t>(multiplier.size() - multiplier.normals()));
   for (const ContactElement& contact : multiplier.elements()) {
-    addGap(mesh, multiplier, contact, units, obstacle);
+    addGap(mesh, multiplier, contact, opposite, obstacle);
     if (contact.tangential >= 0)
       setFriction(mesh, multiplier, contact, units, obstacle);
   }

@@ -2,6 +2,7 @@
 
 #include "bem/base/Units.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
+#include "contact/problem/Opposite.hpp"
 #include "contact/problem/Problem.hpp"
 
 namespace epafi::contact {
@@ -16,6 +17,6 @@ struct Obstacle {
 /// \throws bem::InputError if a field of a friction law is negative or not finite, naming
 /// boundary and point.
 Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
-                      bem::Units units);
+                      const Opposite& opposite, bem::Units units);
 
 }  // namespace epafi::contact

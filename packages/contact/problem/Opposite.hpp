@@ -1,0 +1,60 @@
+#pragma once
+
+#include "bem/base/DenseAlgebra.hpp"
+#include "contact/multiplier/MultiplierSpace.hpp"
+
+namespace epafi::contact {
+
+using bem::Matrix;
+
+/// What the side that carries the multiplier meets, seen from its points.
+class Opposite {
+ public:
+  virtual ~Opposite() = default;
+
+  struct Point {
+    double gap = 0;    ///< along the side's outward normal, dimensionless
+    int element = -1;  ///< of the body that is met; -1: nothing that gives way
+    double t = 0;      ///< where on it
+  };
+  /// \pre -1 <= t <= 1.
+  virtual Point at(const MultiplierSpace::ContactElement& element, double t) const = 0;
+
+  /// Where at() bends or jumps inside an element, increasing within (-1, 1).
+  virtual Vector breaks(const MultiplierSpace::ContactElement& /*element*/) const {
+    return {};
+  }
+};
+
+/// The parts of an element, t = middle + half s, |s| <= 1, on which at() is smooth.
+struct Stretch {
+  double middle = 0;
+  double half = 1;
+};
+std::vector<Stretch> stretches(const Opposite& opposite,
+                               const MultiplierSpace::ContactElement& element);
+
+/// A rigid obstacle that the scene gives by its distance; it may bend anywhere.
+class DistantObstacle final : public Opposite {
+ public:
+  /// \param length of 1, in the user's units.  Refers to the mesh.
+  DistantObstacle(const bem::Mesh& mesh, double length) : mesh_(mesh), length_(length) {}
+  Point at(const MultiplierSpace::ContactElement& element, double t) const override;
+
+ private:
+  const bem::Mesh& mesh_;
+  double length_;
+};
+
+/// The body opposite in the coupling: Cᵀ of -u_B in the normal and tangent of the side,
+///
+///   C_ij = - ∫ χ_i d_i · φ_j∘P ds,   d_i: n or t of the side, P: Opposite::at,
+///
+/// my rows of the displacements of B, `met`.  One rule for both sides of what it couples,
+/// exact for polynomials where P is linear between its breaks, so that actio is reactio.
+/// Both bodies count in the same lengths and stresses.
+Matrix oppositeCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
+                        const Opposite& opposite, const bem::Space& met,
+                        const bem::DenseAlgebra& algebra);
+
+}  // namespace epafi::contact

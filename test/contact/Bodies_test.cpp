@@ -1,0 +1,201 @@
+// A problem of two bodies: what the one that carries the multiplier meets gives way, too.
+// On any number of ranks.
+#include "Algebra.hpp"
+#include "contact/problem/ElasticBody.hpp"
+#include "contact/problem/Opposite.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi {
+
+namespace {
+
+using bem::Index;
+using bem::Vec2;
+using contact::Matrix;
+using contact::Vector;
+using ContactElement = contact::MultiplierSpace::ContactElement;
+
+constexpr bem::Units units{1.4142135623730951, 1};
+
+/// A unit square with its lower side at a height; S assembled.
+struct Block {
+  bem::Lame lame{{1, 0.3, false}};
+  bem::Space space;
+  bem::SteklovPoincare stiffness;
+
+  Block(double bottom, int across, int degree)
+      : space(bem::makeMesh(
+            std::make_shared<const bem::Outline>(
+                bem::Loop{{{0, bottom}, {1, bottom}, {1, bottom + 1}, {0, bottom + 1}},
+                          {"bottom", "right", "top", "left"}},
+                std::vector<bem::Loop>{}),
+            {across, 4, across, 4}, degree)),
+        stiffness(bem::assembleOperators(space, lame, test::algebra(), {}),
+                  test::algebra()) {}
+};
+
+/// The upper side of a block that lies under the contact side, however it is cut.
+class BlockBelow final : public contact::Opposite {
+ public:
+  BlockBelow(const bem::Mesh& side, const bem::Mesh& below)
+      : side_(side), below_(below), elements_(below.elementsOf("top")) {}
+
+  Point at(const ContactElement& element, double t) const override {
+    const double x = side_.physicalPoint(element.element, t).x;
+    for (const int e : elements_) {
+      const double a = below_.physicalPoint(e, -1).x;
+      const double b = below_.physicalPoint(e, 1).x;
+      const double s = (2 * x - a - b) / (b - a);
+      if (std::abs(s) <= 1 + 1e-12)
+        return {0, e, s};
+    }
+    return {};
+  }
+
+  Vector breaks(const ContactElement& element) const override {
+    const double a = side_.physicalPoint(element.element, -1).x;
+    const double b = side_.physicalPoint(element.element, 1).x;
+    Vector result;
+    for (const int e : elements_) {
+      const double s = (2 * below_.physicalPoint(e, 1).x - a - b) / (b - a);
+      if (std::abs(s) < 1 - 1e-9)
+        result.push_back(s);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+ private:
+  const bem::Mesh& side_;
+  const bem::Mesh& below_;
+  std::vector<int> elements_;
+};
+
+double zero(Vec2) { return 0; }
+
+/// The upper block in contact from above, with friction; `held`: clamped at its top.
+contact::Conditions upper(bool held) {
+  contact::Conditions conditions;
+  conditions.contact["bottom"] = {zero, &contact::frictionLaw("Tresca"),
+                                  [](Vec2) { return 1.0; }};
+  if (held)
+    conditions.dirichlet["top"] = {zero, zero};
+  conditions.neumann["right"] = {[](Vec2 x) { return 0.01 * x.y; }, zero};
+  return conditions;
+}
+
+contact::Conditions lower(bool held) {
+  contact::Conditions conditions;
+  if (held)
+    conditions.dirichlet["bottom"] = {zero, zero};
+  return conditions;
+}
+
+struct Two {
+  contact::Problem alone;  ///< the upper block on a rigid plane
+  contact::Problem both;
+};
+
+Two problems(const Block& above, const Block& below, bool held) {
+  const bem::DenseAlgebra& algebra = test::algebra();
+  contact::Stabilization none;
+  none.form = contact::Stabilization::Form::None;
+  const auto& basis = contact::multiplierBasis("Gauss-Legendre-Lagrange");
+  const contact::Conditions top = upper(held);
+  const contact::Conditions bottom = lower(held);
+  const auto body = [&](const Block& block, const contact::Conditions& conditions,
+                        const auto& coupling) {
+    const contact::ContactProblem::Input input{
+        block.space, block.stiffness, block.lame, units, conditions, basis, none};
+    const contact::MultiplierSpace own(block.space.mesh(), basis, conditions);
+    const auto form = makeStabilisedBody(input, own);
+    const auto holding = contact::makeHolding(block.space, conditions, units);
+    const contact::ElasticBody elastic(*form, algebra, holding);
+    return elastic.response(coupling(*form));
+  };
+  const contact::MultiplierSpace multiplier(above.space.mesh(), basis, top);
+  const auto own = [](const contact::StabilisedBody& form) { return form.coupling(); };
+  const auto met = [&](const contact::StabilisedBody&) {
+    return oppositeCoupling(above.space.mesh(), multiplier,
+                            BlockBelow(above.space.mesh(), below.space.mesh()),
+                            below.space, algebra);
+  };
+  const Index m = multiplier.size();
+  Two two;
+  std::vector<contact::ElasticBody::Response> responses;
+  responses.push_back(body(above, top, own));
+  two.alone = condense(algebra, Matrix(m, m), responses);
+  responses.push_back(body(below, bottom, met));
+  two.both = condense(algebra, Matrix(m, m), responses);
+  two.alone.normals = two.both.normals = multiplier.normals();
+  return two;
+}
+
+double largestEntry(const Matrix& a) {
+  double largest = 0;
+  for (Index j = 0; j < a.columns(); ++j)
+    for (Index i = 0; i < a.rows(); ++i)
+      largest = std::max(largest, std::abs(a(i, j)));
+  return largest;
+}
+
+/// The mirror image answers pressure alike, and shear with the opposite slip: together
+/// twice as much, and nothing is left of what couples the two.
+TEUCHOS_UNIT_TEST(Bodies, aBlockOnItsMirrorImageIsTwiceAsFlexible) {
+  const auto [alone, both] = problems({0, 6, 2}, {-1, 6, 2}, true);
+  const Index m = alone.flexibility.size();
+  const double size = largestEntry(both.flexibility.entries());
+  for (Index j = 0; j < m; ++j)
+    for (Index i = 0; i < m; ++i) {
+      const bool alike = (i < both.normals) == (j < both.normals);
+      const double expected = alike ? 2 * alone.flexibility(i, j) : 0;
+      TEST_COMPARE(std::abs(both.flexibility(i, j) - expected), <, 1e-12 * size);
+    }
+  // the load is on the upper block alone
+  for (std::size_t i = 0; i < alone.offset.size(); ++i)
+    TEST_COMPARE(std::abs(both.offset[i] - alone.offset[i]), <, 1e-14);
+}
+
+/// Meshes and degrees that do not match: common motions leave the contact as it is, to
+/// rounding, because one rule integrates both sides exactly.
+TEUCHOS_UNIT_TEST(Bodies, commonMotionsOfTheirColumnsDoNotMoveTheContact) {
+  const auto [alone, both] = problems({0, 6, 2}, {-1, 7, 3}, false);
+  TEST_EQUALITY(alone.rigidMotions(), 3);
+  TEST_EQUALITY(both.rigidMotions(), 6);
+  const double size = largestEntry(both.rigid);
+  // columns: (1,0), (0,1), the rotation about its centre in scaled lengths, of each block
+  for (Index i = 0; i < both.flexibility.size(); ++i) {
+    for (Index k = 0; k < 3; ++k)
+      TEST_COMPARE(std::abs(both.rigid(i, k) - alone.rigid(i, k)), <, 1e-14);
+    for (const Index k : {0, 1})
+      TEST_COMPARE(std::abs(both.rigid(i, k) + both.rigid(i, 3 + k)), <, 1e-13 * size);
+    // turned about its own centre, 1 apart, each leaves the other by a shift
+    const double shift = 1 / units.length * both.rigid(i, 0);
+    TEST_COMPARE(std::abs(both.rigid(i, 2) + both.rigid(i, 5) - shift), <, 1e-13 * size);
+  }
+}
+
+/// Finer below: the flexibility of the same two blocks, to the accuracy of the meshes.
+TEUCHOS_UNIT_TEST(Bodies, aFinerBlockBelowAnswersAlike) {
+  const auto coarse = problems({0, 6, 2}, {-1, 6, 2}, true).both;
+  const auto fine = problems({0, 6, 2}, {-1, 15, 3}, true).both;
+  // under a uniform pressure: work of the mean penetration
+  const auto work = [](const contact::Problem& problem) {
+    Vector uniform(static_cast<std::size_t>(problem.flexibility.size()), 0.0);
+    std::fill_n(uniform.begin(), problem.normals, 1.0);
+    const Vector r = problem.flexibility.times(uniform);
+    double sum = 0;
+    for (std::size_t i = 0; i < uniform.size(); ++i)
+      sum += uniform[i] * r[i];
+    return sum;
+  };
+  TEST_FLOATING_EQUALITY(work(coarse), work(fine), 2e-3);
+}
+
+}  // namespace
+
+}  // namespace epafi
