@@ -80,8 +80,8 @@ double zero(Vec2) { return 0; }
 /// The upper block in contact from above, with friction; `held`: clamped at its top.
 contact::Conditions upper(bool held) {
   contact::Conditions conditions;
-  conditions.contact["bottom"] = {zero, &contact::frictionLaw("Tresca"),
-                                  [](Vec2) { return 1.0; }};
+  conditions.contact["bottom"] = {
+      zero, contact::makeFriction("Tresca", {[](Vec2) { return 1.0; }})};
   if (held)
     conditions.dirichlet["top"] = {zero, zero};
   conditions.neumann["right"] = {[](Vec2 x) { return 0.01 * x.y; }, zero};
