@@ -57,9 +57,9 @@ Place valueAt(const bem::Mesh& mesh, const MultiplierSpace& space,
               const bem::Vector& multiplier, bem::Vec2 x) {
   for (const auto& element : space.elements()) {
     const bem::Element& e = mesh[element.element];
-    const bem::Vec2 arm = x - e.middle;
-    const double t = dot(arm, e.tangent) / e.half;
-    if (std::abs(dot(arm, e.normal)) < 1e-12 && std::abs(t) <= 1) {
+    const bem::Vec2 arm = x - e.segment().middle;
+    const double t = dot(arm, e.segment().tangent) / e.half;
+    if (std::abs(dot(arm, e.segment().normal)) < 1e-12 && std::abs(t) <= 1) {
       const auto value = space.at(multiplier, element, t);
       return {value.normal, value.tangential};
     }

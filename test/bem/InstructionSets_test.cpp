@@ -25,7 +25,8 @@ bem::FarBatch anyBatch() {
   for (int lane = 0; lane < bem::lanes; ++lane) {
     bem::Element f;
     f.half = 0.1 + 0.02 * lane;
-    f.tangent = {std::cos(0.7 * lane), std::sin(0.7 * lane)};
+    const bem::Vec2 half{f.half * std::cos(0.7 * lane), f.half * std::sin(0.7 * lane)};
+    f.curve = bem::Curve(-half, half);
     batch.set(lane, {1.5 + 0.3 * lane, 0.2 * lane - 1}, f);
   }
   return batch;

@@ -149,7 +149,7 @@ Condensed whole(const Case& c) {
   std::vector<Point> points;
   const auto stressOf = [&](const Vector& lambda, const Point& point) {
     const auto value = multiplier.at(lambda, *point.element, point.t);
-    const Vec2 normal = mesh[point.element->element].normal;
+    const Vec2 normal = mesh[point.element->element].segment().normal;
     return value.normal * normal + value.tangential * turnLeft(normal);
   };
   for (const auto& element : multiplier.elements()) {
@@ -241,8 +241,9 @@ Condensed whole(const Case& c) {
       const Vec2 u = space.displacementAt(result.displacement, e, point.t);
       const Vec2 direction = stressOf(chi, point);
       const double gap = 0.01 * mesh.physicalPoint(e, point.t).x;
-      result.residual[at(i)] += point.weight * (dot(direction, u - slack) -
-                                                gap * dot(direction, mesh[e].normal));
+      result.residual[at(i)] +=
+          point.weight *
+          (dot(direction, u - slack) - gap * dot(direction, mesh[e].segment().normal));
     }
   }
   return result;

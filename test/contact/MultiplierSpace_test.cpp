@@ -281,7 +281,7 @@ NodeForces forcesOn(int node, const bem::Mesh& mesh, const MultiplierSpace& spac
         continue;
       const auto k = static_cast<std::size_t>(i);
       const double w = geometry.half * lobattoWeights(element.degree)[k];
-      const bem::Vec2 n = geometry.normal;
+      const bem::Vec2 n = geometry.segment().normal;
       const bem::Vec2 t = bem::turnLeft(n);
       const auto part = [&](double MultiplierSpace::Value::*component) {
         return geometry.half * momentsOf(element.degree, [&](double s) {

@@ -145,7 +145,7 @@ Errors errorsOn(const Manufactured& exact, int elements, int degree,
   const auto rule = bem::gaussLegendre(degree + 6);
   Errors errors;
   for (const auto& element : fields.elements()) {
-    const Vec2 normal = mesh[element.element].normal;
+    const Vec2 normal = mesh[element.element].segment().normal;
     const Vec2 tangent{-normal.y, normal.x};
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
       const contact::ContactPoint point = fields.at(element, rule.points[q]);

@@ -1,6 +1,5 @@
 #include "reference/Scatter.hpp"
 
-#include "bem/base/Constants.hpp"
 #include "bem/operators/Block.hpp"
 
 #include <algorithm>
@@ -62,7 +61,7 @@ void Scatter::addDoubleLayer(int test, int source, const Moments& m) const {
   // on one line: the phase is in addTurning, the Laplace double layer vanishes
   const bool sameEdge = x.piece.edge == space_.mesh()[source].piece.edge;
   const double ofPhase = sameEdge ? 0 : x.half * lame_.mu * lame_.b;
-  const double ofLaplace = sameEdge ? 0 : x.half * inverse2Pi;
+  const double ofLaplace = sameEdge ? 0 : x.half * lame_.mu * (lame_.a + lame_.b);
   for (int i = 0; i < x.densities; ++i) {
     const Index row = space_.density(test, i, 0);
     for (int k = 0; k <= p; ++k) {

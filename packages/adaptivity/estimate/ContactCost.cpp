@@ -22,7 +22,7 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
   const bem::Mesh& mesh = solved.space.mesh();
   const bem::Element& geometry = mesh[element.element];
   const int p = element.degree;
-  normal_ = geometry.curve.segment().normal;
+  normal_ = geometry.segment().normal;
   size_ = 2 * geometry.half / p;
   stiffness_ = shearModulus / size_;
   weight_ = 2.0 / p * of(factors_, Source::Contact);

@@ -76,8 +76,8 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
         p);
   };
   using Value = contact::MultiplierSpace::Value;
-  const bem::Vec2 along = geometry.curve.segment().tangent;
-  const bem::Vec2 across = geometry.curve.segment().normal;
+  const bem::Vec2 along = geometry.segment().tangent;
+  const bem::Vec2 across = geometry.segment().normal;
   const Polynomial pressure = stress(&Value::normal, across);
   const Polynomial normal = component(across);
   const contact::Conditions::Contact& condition = *element.condition;

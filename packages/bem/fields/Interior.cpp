@@ -14,7 +14,7 @@ namespace {
 Complex singleLayerOf(const Lame& lame, const Element& element,
                       const RelativeTarget& target, const LegendreMoments& m, int j,
                       Complex f) {
-  const Complex tangent = asComplex(element.curve.segment().tangent);
+  const Complex tangent = asComplex(element.segment().tangent);
   const double whole = j == 0 ? 2 : 0;
   const Complex phase = tangent * tangent * (whole - Complex(0, 2 * target.b()) * m.c[j]);
   return element.half * singleLayer(lame, (m.l[j] + whole * std::log(element.half)) * f,
@@ -34,7 +34,7 @@ InteriorValue evaluateInterior(const Space& space, const Lame& lame, const Vecto
     const int terms = std::max(element.degree, element.densities);
     evaluateMoments(target, terms, Need::All, moments);
     const LocalField field = localField(space, u, psi, e);
-    const Complex normal = asComplex(element.curve.segment().normal);
+    const Complex normal = asComplex(element.segment().normal);
     for (int j = 0; j <= terms; ++j) {
       const SourceSums in = elementSums(element.curve, target, moments, j);
       const Complex v = field.value[j];

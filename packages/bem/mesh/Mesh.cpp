@@ -28,9 +28,6 @@ Element makeElement(const Edge& edge, const Piece& piece) {
   element.densities = piece.degree;
   element.curve = edge.curve.part(piece.start, piece.end);
   element.half = element.curve.half();
-  element.middle = element.curve.segment().middle;
-  element.tangent = element.curve.segment().tangent;
-  element.normal = element.curve.segment().normal;
   return element;
 }
 

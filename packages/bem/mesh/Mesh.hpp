@@ -26,12 +26,12 @@ struct Element {
   int previous = 0;  ///< element that ends at startNode
   int next = 0;
   Curve curve;
-  double half = 0;  ///< half its length, |dy/dt|
-  Vec2 middle;      ///< of `curve`, like tangent and normal, for moments that know
-  Vec2 tangent;     ///< segments only
-  Vec2 normal;
+  double half = 0;    ///< half its length, |dy/dt|
   int degree = 1;     ///< p: displacements of degree p
   int densities = 1;  ///< functions of a density, P_0 ... : p of them, or more
+
+  /// The frame of a straight element: for what knows no arcs yet.
+  const Curve::Frame& segment() const { return curve.segment(); }
 };
 
 /// A point of the boundary: `offset` along its edge from a nearby place, mostly a node.

@@ -19,7 +19,7 @@ ElementRun makeRun(const Mesh& mesh, int first) {
     ++run.last;
     run.closesLoop = next != run.last;
   }
-  Vec2 low = mesh[first].middle;
+  Vec2 low = mesh[first].segment().middle;
   Vec2 high = low;
   for (int lane = 0; lane < lanes; ++lane) {
     const int f = first + lane;
@@ -28,16 +28,18 @@ ElementRun makeRun(const Mesh& mesh, int first) {
       continue;
     }
     const Element& element = mesh[f];
-    run.elements.set(lane, element.middle, element);
+    run.elements.set(lane, element.segment().middle, element);
     run.largestHalf = std::max(run.largestHalf, element.half);
     run.degree = std::max(run.degree, element.degree);
     run.densities = std::max(run.densities, element.densities);
-    low = {std::min(low.x, element.middle.x), std::min(low.y, element.middle.y)};
-    high = {std::max(high.x, element.middle.x), std::max(high.y, element.middle.y)};
+    low = {std::min(low.x, element.segment().middle.x),
+           std::min(low.y, element.segment().middle.y)};
+    high = {std::max(high.x, element.segment().middle.x),
+            std::max(high.y, element.segment().middle.y)};
   }
   run.centre = 0.5 * (low + high);
   for (int f = first; f < run.last; ++f) {
-    const Vec2 offset = mesh[f].middle - run.centre;
+    const Vec2 offset = mesh[f].segment().middle - run.centre;
     run.radius = std::max(run.radius, std::sqrt(dot(offset, offset)) + mesh[f].half);
   }
   return run;
@@ -100,7 +102,7 @@ FarLanes ElementRuns::choose(int e, int r, const ElementRange& wanted, FarBatch&
 bool ElementRuns::chooseAtOnce(int e, const ElementRun& run, FarLanes& result,
                                FarBatch& batch) const {
   const Element& x = (*mesh_)[e];
-  const Vec2 toCentre = x.middle - run.centre;
+  const Vec2 toCentre = x.segment().middle - run.centre;
   const double gap = std::sqrt(dot(toCentre, toCentre)) - run.radius;
   const double zE = gap / x.half;
   const double zF = (gap - x.half) / run.largestHalf;
@@ -115,8 +117,8 @@ bool ElementRuns::chooseAtOnce(int e, const ElementRun& run, FarLanes& result,
   std::fill_n(result.far, result.count, true);
   batch = run.elements;
   for (int lane = 0; lane < result.count; ++lane) {
-    batch.wx[lane] = x.middle.x - run.elements.wx[lane];
-    batch.wy[lane] = x.middle.y - run.elements.wy[lane];
+    batch.wx[lane] = x.segment().middle.x - run.elements.wx[lane];
+    batch.wy[lane] = x.segment().middle.y - run.elements.wy[lane];
   }
   return true;
 }

@@ -9,7 +9,7 @@ namespace epafi::bem {
 EndMoments endMoments(const Mesh& mesh, int f, const BoundaryPoint& x) {
   const Element& source = mesh[f];
   const RelativeTarget target = seenFrom(mesh, f, x);
-  const Complex tangent(source.tangent.x, source.tangent.y);
+  const Complex tangent = asComplex(source.segment().tangent);
   const Complex square = tangent * tangent;
   const bool atStart = target.zPlus1 == 0.0;
   const bool atEnd = target.zMinus1 == 0.0;

@@ -68,8 +68,10 @@ EPAFI_INLINE void farKernel(const Element& e, const FarBatch& batch, int rows,
   const Pack tx = load(batch.tx);
   const Pack ty = load(batch.ty);
   const Pack a = load(batch.half);
-  const Pack tangentOnNormal = tx * e.normal.x + ty * e.normal.y;  // τ_F·n_E
-  const Pack normalOnNormal = ty * e.normal.x - tx * e.normal.y;   // n_F·n_E
+  const Pack tangentOnNormal =
+      tx * e.segment().normal.x + ty * e.segment().normal.y;  // τ_F·n_E
+  const Pack normalOnNormal =
+      ty * e.segment().normal.x - tx * e.segment().normal.y;  // n_F·n_E
   constexpr int stride = TileMoments::stride;
   const Pack zero{};
   for (int i = 0; i <= pE; ++i)
@@ -84,8 +86,8 @@ EPAFI_INLINE void farKernel(const Element& e, const FarBatch& batch, int rows,
   Inner<Degree> in{};
   for (int q = 0; q < work.outer.size(); ++q) {
     const double s = e.half * work.outer.points[q];
-    const Pack wx = load(batch.wx) + s * e.tangent.x;
-    const Pack wy = load(batch.wy) + s * e.tangent.y;
+    const Pack wx = load(batch.wx) + s * e.segment().tangent.x;
+    const Pack wy = load(batch.wy) + s * e.segment().tangent.y;
     const Pack eta0 = wx * tx + wy * ty;
     const Pack off = wx * ty - wy * tx;
     const Pack off2 = off * off;

@@ -19,8 +19,8 @@ struct alignas(64) FarBatch {
   void set(int lane, Vec2 w, const Element& f) {
     wx[lane] = w.x;
     wy[lane] = w.y;
-    tx[lane] = f.tangent.x;
-    ty[lane] = f.tangent.y;
+    tx[lane] = f.segment().tangent.x;
+    ty[lane] = f.segment().tangent.y;
     half[lane] = f.half;
   }
   /// A lane that is not wanted: far off, so that nothing overflows.

@@ -54,8 +54,8 @@ Sight sightOf(const Mesh& mesh, int outer, int inner) {
   const bool onLine = x.piece.edge == y.piece.edge;
   return {seenFrom(mesh, inner, mesh.at(outer, -1)),
           seenFrom(mesh, inner, mesh.at(outer, 1)),
-          ratio * Complex(dot(x.tangent, y.tangent),
-                          onLine ? 0.0 : dot(x.tangent, y.normal))};
+          ratio * Complex(dot(x.segment().tangent, y.segment().tangent),
+                          onLine ? 0.0 : dot(x.segment().tangent, y.segment().normal))};
 }
 
 /// What the kernels read and write.
@@ -343,8 +343,8 @@ void NearMoments::evaluate(const Mesh& mesh, int e, int f, TileMoments& m, int l
   sums_.assign(shape.size(), AlignedLane{});
   const GradedRule rule = outerRule(mesh, outer, inner);
   const Sight sight = sightOf(mesh, outer, inner);
-  const Complex tangentX(x.tangent.x, x.tangent.y);
-  const Complex tangentY(y.tangent.x, y.tangent.y);
+  const Complex tangentX = asComplex(x.segment().tangent);
+  const Complex tangentY = asComplex(y.segment().tangent);
   const Work work = {rule, sight, shape, x.half / y.half * std::conj(tangentX) * tangentY,
                      sums_.data()};
   if (onLine)

@@ -29,10 +29,12 @@ double length(Vec2 a) { return std::sqrt(dot(a, a)); }
 /// [doc/theory/operators.md]
 double focalRatio(const Element& e, const Element& source, Vec2 middle) {
   // in a frame with E's middle as origin: `middle` is the source's middle there
-  const Vec2 e1 = e.half * e.tangent;
+  const Vec2 e1 = e.half * e.segment().tangent;
   const Vec2 e0 = -e1;
-  const auto foot = [&](Vec2 x) { return dot(x - middle, source.tangent); };
-  const auto off = [&](Vec2 x) { return std::abs(dot(x - middle, source.normal)); };
+  const auto foot = [&](Vec2 x) { return dot(x - middle, source.segment().tangent); };
+  const auto off = [&](Vec2 x) {
+    return std::abs(dot(x - middle, source.segment().normal));
+  };
   const double d0 = off(e0);
   const double d1 = off(e1);
   double t = 0;
@@ -41,20 +43,20 @@ double focalRatio(const Element& e, const Element& source, Vec2 middle) {
   else
     t = foot({0, 0});
   t = std::clamp(t, -source.half, source.half);
-  const Vec2 y = middle + t * source.tangent;
+  const Vec2 y = middle + t * source.segment().tangent;
   return (length(y - e0) + length(y - e1)) / (2 * e.half);
 }
 
 double distanceToSegment(Vec2 x, Vec2 middle, const Element& segment) {
   const double t =
-      std::clamp(dot(x - middle, segment.tangent), -segment.half, segment.half);
-  return length(x - middle - t * segment.tangent);
+      std::clamp(dot(x - middle, segment.segment().tangent), -segment.half, segment.half);
+  return length(x - middle - t * segment.segment().tangent);
 }
 
 /// Distance of two elements that do not cross; `w` from F's middle to E's.
 double gap(const Element& e, const Element& f, Vec2 w) {
-  const Vec2 he = e.half * e.tangent;
-  const Vec2 hf = f.half * f.tangent;
+  const Vec2 he = e.half * e.segment().tangent;
+  const Vec2 hf = f.half * f.segment().tangent;
   return std::min({distanceToSegment(w - he, {0, 0}, f),
                    distanceToSegment(w + he, {0, 0}, f), distanceToSegment(-hf, w, e),
                    distanceToSegment(hf, w, e)});

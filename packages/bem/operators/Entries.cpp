@@ -154,8 +154,8 @@ class FarHypersingular {
     const Element& y = mesh[f];
     const Samples outer(x, around.order().outer + forSquares);
     const Samples inner(y, around.order().inner + forSquares);
-    const Complex tangentX = asComplex(x.tangent);
-    const Complex tangentY = asComplex(y.tangent);
+    const Complex tangentX = asComplex(x.segment().tangent);
+    const Complex tangentY = asComplex(y.segment().tangent);
     const Complex w = asComplex(mesh.difference(mesh.at(e, 0), mesh.at(f, 0)));
     for (std::size_t p = 0; p < outer.offsets.size(); ++p)
       for (std::size_t q = 0; q < inner.offsets.size(); ++q) {

@@ -41,8 +41,9 @@ void addEdgeEnds(const Space& space, const Lame& lame, const std::vector<int>& t
           continue;
         const double s =
             4 * lame.mu * lame.b * mesh[test].half * DisplacementBasis::slope(k);
-        const double real = s * (y.tangent.x * y.tangent.x - y.tangent.y * y.tangent.y);
-        const double imag = s * 2 * y.tangent.x * y.tangent.y;
+        const double real = s * (y.segment().tangent.x * y.segment().tangent.x -
+                                 y.segment().tangent.y * y.segment().tangent.y);
+        const double imag = s * 2 * y.segment().tangent.x * y.segment().tangent.y;
         add(space.density(test, 0, 0), space.displacement(trial, k, 0),
             Block{imag, -real, -real, -imag});
       }

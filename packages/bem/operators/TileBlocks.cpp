@@ -248,8 +248,8 @@ void TileBlocks::setRun(const ElementRun& run) {
     edges_[lane] = isThere ? mesh[e].piece.edge : -1;
     densityStarts_[lane + 1] = densityStarts_[lane] + 2 * densityCounts_[lane];
     displacementStarts_[lane + 1] = displacementStarts_[lane] + 2 * degrees_[lane];
-    tangentX_.lane[lane] = isThere ? mesh[e].tangent.x : 1;
-    tangentY_.lane[lane] = isThere ? mesh[e].tangent.y : 0;
+    tangentX_.lane[lane] = isThere ? mesh[e].segment().tangent.x : 1;
+    tangentY_.lane[lane] = isThere ? mesh[e].segment().tangent.y : 0;
     halves_.lane[lane] = isThere ? mesh[e].half : 1;
   }
 }

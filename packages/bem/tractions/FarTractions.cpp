@@ -132,8 +132,8 @@ EPAFI_INLINE void kernel(const Work& work, const std::array<double, 32>* map,
       sums[i * stride + j] = {Pack{}, Pack{}, Pack{}, Pack{}};
   for (int q = 0; q < work.outer.size(); ++q) {
     const double s = work.e.half * work.outer.points[static_cast<std::size_t>(q)];
-    const Pack wx = load(work.batch.wx) + s * work.e.curve.segment().tangent.x;
-    const Pack wy = load(work.batch.wy) + s * work.e.curve.segment().tangent.y;
+    const Pack wx = load(work.batch.wx) + s * work.e.segment().tangent.x;
+    const Pack wy = load(work.batch.wy) + s * work.e.segment().tangent.y;
     Parts at[stride];
     sourceIntegrals<Columns, How>(work, wx * tx + wy * ty, wx * ty - wy * tx, a, at);
     const double* weights = work.outerTable[static_cast<std::size_t>(q)].data();
@@ -180,7 +180,7 @@ FarTractions::FarTractions(const Element& e, const Lame& lame, int moments)
       moments_(moments),
       map_(static_cast<std::size_t>(moments)),
       values_(static_cast<std::size_t>(moments * largestDegree) * 4 * block) {
-  const Complex normal = asComplex(e.curve.segment().normal);
+  const Complex normal = asComplex(e.segment().normal);
   const Complex units[2] = {1, Complex(0, 1)};
   for (int i = 0; i < moments; ++i) {
     const double normalisation = std::sqrt(e.half * (2 * i + 1) / 2);

@@ -77,7 +77,7 @@ void ProjectedTractions::addPair(int test, int source, Index first,
   const EndMoments start = endMoments(space_.mesh(), source, space_.mesh().at(test, -1));
   const EndMoments end = endMoments(space_.mesh(), source, space_.mesh().at(test, 1));
   const bool sameEdge = x.piece.edge == y.piece.edge;
-  const Complex tangent(y.tangent.x, y.tangent.y);
+  const Complex tangent = asComplex(y.segment().tangent);
   for (int j = 0; j < y.degree; ++j) {
     const auto at = static_cast<std::size_t>(j);
     const Index density = space_.density(source, j, 0);

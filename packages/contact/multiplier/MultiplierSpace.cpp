@@ -17,8 +17,10 @@ bool continues(const bem::Mesh& mesh, const ContactElement& before,
                const ContactElement& after) {
   const bem::Element& a = mesh[before.element];
   const bem::Element& b = mesh[after.element];
+  const bem::Vec2 arriving = a.curve.normal(1);
+  const bem::Vec2 leaving = b.curve.normal(-1);
   return b.previous == before.element && before.boundary == after.boundary &&
-         std::abs(cross(a.normal, b.normal)) < 1e-12 && dot(a.normal, b.normal) > 0;
+         std::abs(cross(arriving, leaving)) < 1e-12 && dot(arriving, leaving) > 0;
 }
 
 }  // namespace
@@ -67,11 +69,11 @@ void MultiplierSpace::shareNodes(const bem::Mesh& mesh, const Conditions& condit
     return ends;
   };
   for (std::size_t k = 0; k < elements_.size(); ++k)
-    elements_[k].normalEnds = decide(k, mesh[elements_[k].element].normal);
+    elements_[k].normalEnds = decide(k, mesh[elements_[k].element].segment().normal);
   for (std::size_t k = 0; k < elements_.size(); ++k)
     if (elements_[k].tangential >= 0)
       elements_[k].tangentialEnds =
-          decide(k, turnLeft(mesh[elements_[k].element].normal));
+          decide(k, turnLeft(mesh[elements_[k].element].segment().normal));
 }
 
 void MultiplierSpace::number() {

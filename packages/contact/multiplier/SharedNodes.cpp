@@ -55,9 +55,11 @@ std::vector<EndOf> endsOf(const bem::Mesh& mesh, ContactElement& element) {
   std::vector<EndOf> ends;
   for (const bool last : {false, true}) {
     const int node = last ? geometry.endNode : geometry.startNode;
-    ends.push_back({&element, false, last, node, geometry.normal, weight});
+    ends.push_back(
+        {&element, false, last, node, geometry.curve.normal(last ? 1 : -1), weight});
     if (element.tangential >= 0)
-      ends.push_back({&element, true, last, node, turnLeft(geometry.normal), weight});
+      ends.push_back(
+          {&element, true, last, node, geometry.curve.tangent(last ? 1 : -1), weight});
   }
   return ends;
 }

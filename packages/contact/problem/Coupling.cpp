@@ -98,11 +98,11 @@ class CouplingWriter {
   void write(const ContactElement& contact, double gamma, Index firstTraction) const {
     const Element& element = space_.mesh()[contact.element];
     writeDirection(contact, &ContactElement::normalOf, contact.normalCompletions,
-                   element.normal, gamma, firstTraction);
+                   element.segment().normal, gamma, firstTraction);
     if (contact.tangential >= 0)
       writeDirection(contact, &ContactElement::tangentialOf,
-                     contact.tangentialCompletions, turnLeft(element.normal), gamma,
-                     firstTraction);
+                     contact.tangentialCompletions, turnLeft(element.segment().normal),
+                     gamma, firstTraction);
   }
 
  private:

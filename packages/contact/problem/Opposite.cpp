@@ -74,8 +74,9 @@ Matrix oppositeCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier
   const Writer writer(met, mine, coupling);
   for (const ContactElement& contact : multiplier.elements()) {
     const bem::Element& element = side[contact.element];
-    const Acting normal{element.normal, &ContactElement::normalOf};
-    const Acting tangent{turnLeft(element.normal), &ContactElement::tangentialOf};
+    const Acting normal{element.segment().normal, &ContactElement::normalOf};
+    const Acting tangent{turnLeft(element.segment().normal),
+                         &ContactElement::tangentialOf};
     for (const auto& [middle, half] : stretches(opposite, contact)) {
       const auto inside = opposite.at(contact, middle);
       if (inside.element < 0)
