@@ -5,7 +5,7 @@ from variants import ERROR
 
 def draw(study, scenes, title, pictures):
     """A column per scene, one legend for all."""
-    if not (study.numbers("error") > 0).any():
+    if not ((study.numbers("error") > 0) & (study.numbers("counted") > 0)).any():
         return
     figure, axes = plt.subplots(1, len(scenes), squeeze=False, dpi=80,
                                 figsize=(4.6 * len(scenes) + 2.6, 4.4))
