@@ -156,7 +156,7 @@ case("push_stick", "shear on all sides, f just above its ratio", "pushed_block",
 case("push_slip", "shear on all sides, f just below its ratio", "pushed_block",
      [BASE + "Friction->Coefficient=0.299999"], code=2, words=NO_BALANCE)
 case("one_element", "one element of contact, pulled along it", "one_element",
-     claims=[load(-10, 5), dissipates, steps(120)])
+     claims=[load(-10, 5), dissipates, steps(450)])
 case("opposite_slip", "all slips, to both sides", "opposite_slip",
      claims=[value("slip_length", 2, 1e-12), value("force_tangential", 0, 1e-12),
              load(0, -2), dissipates])

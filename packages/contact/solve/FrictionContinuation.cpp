@@ -14,9 +14,6 @@ namespace {
 
 constexpr double firstStep = 0.25;
 constexpr double smallestStep = 1.0 / 256;
-/// Newton steps without progress in θ after which the path is left to the line search:
-/// paths that jam would take hundreds.
-constexpr int patience = 60;
 
 // The problem with another law's strength; everything else is copied once.
 class ScaledFriction {
@@ -74,7 +71,6 @@ Solution followFriction(const Problem& problem, const SolverOptions& options) {
   }
   double theta = 0;
   double step = firstStep;
-  int arrived = now.report.newtonIterations;  // steps up to the last θ
   while (now.report.status == Status::Converged && theta < 1) {
     const double next = std::min(1.0, theta + step);
     Solution trial = correct(friction.at(next), now.state, options);
@@ -83,12 +79,11 @@ Solution followFriction(const Problem& problem, const SolverOptions& options) {
       theta = next;
       step *= 1.5;
       now = std::move(trial);
-      arrived = now.report.newtonIterations;
     } else {
       step *= 0.5;
       now.report.newtonIterations = trial.report.newtonIterations;
       now.report.stages = trial.report.stages;
-      if (step < smallestStep || trial.report.newtonIterations > arrived + patience)
+      if (step < smallestStep)
         now.report = std::move(trial.report);
     }
   }
