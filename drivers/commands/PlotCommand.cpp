@@ -34,11 +34,13 @@ std::string plotProgram() {
 
 }  // namespace
 
-int drawPictures(const std::string& folder) {
+int drawPictures(const std::string& folder, Words words) {
   std::string interpreter = python;
   std::string program = plotProgram();
   std::string argument = folder;
-  char* arguments[] = {interpreter.data(), program.data(), argument.data(), nullptr};
+  std::string quiet = "--quiet";
+  char* arguments[] = {interpreter.data(), program.data(), argument.data(),
+                       words == Words::Errors ? quiet.data() : nullptr, nullptr};
   std::cout << std::flush;
   pid_t child = 0;
   const int failed = posix_spawn(&child, python, nullptr, nullptr, arguments, environ);
@@ -62,7 +64,7 @@ int plotCommand(const std::vector<std::string>& arguments, std::ostream&,
   std::exception_ptr problem;
   if (ranks.isFirst()) {
     try {
-      code = drawPictures(arguments.front());
+      code = drawPictures(arguments.front(), Words::All);
     } catch (...) {
       problem = std::current_exception();
     }

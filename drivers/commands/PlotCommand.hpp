@@ -8,13 +8,16 @@ namespace epafi::drivers {
 
 class Ranks;
 
+/// What a helper may say.
+enum class Words { All, Errors };
+
 /// Draws the pictures of a run's or a study's folder by the Python program
 /// drivers/plot, which lies in ../share/epafi/plot seen from this program.
 ///
 /// Its words go where this program's go.  Returns its exit code: 0, or 1 where matplotlib
 /// or the folder's files are missing.
 /// \throws bem::InputError if the program or Python is not there.
-int drawPictures(const std::string& folder);
+int drawPictures(const std::string& folder, Words words);
 
 /// `epafi plot DIR`; the first rank draws.
 /// \throws bem::InputError for anything but one folder.

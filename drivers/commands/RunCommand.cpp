@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <optional>
 #include <utility>
@@ -101,17 +102,18 @@ std::string processesAndThreads(int processes) {
 }
 
 /// Takes the levels of a run as they are solved: into the files of the folder, which the
-/// first process alone has, and as lines of the table.
+/// first process alone has, and as lines of the table; `solved` is told their numbers.
 class Recorder {
  public:
   Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
            std::optional<OutputFolder>& folder, const ProgressLine& progress,
-           std::ostream& table)
+           std::ostream& table, std::function<void(int)> solved)
       : scene_(scene),
         earlier_(earlier),
         folder_(folder),
         progress_(progress),
         table_(table),
+        solved_(std::move(solved)),
         used_(usedXml(scene)),
         history_(earlier ? earlier->history : historyHead()) {
     if (!folder_)
@@ -123,10 +125,20 @@ class Recorder {
 
   int levels() const { return levels_; }
 
-  void take(SolvedLevel level) {
+  void take(const SolvedLevel& level) {
     ++levels_;
-    if (!folder_)
-      return;
+    if (folder_)
+      write(level);
+    solved_(level.level.number);
+  }
+
+  void writeTimings(PhaseTimer& timer) {
+    if (folder_)
+      folder_->write("timings.txt", timer.report() + stages_);
+  }
+
+ private:
+  void write(SolvedLevel level) {
     if (earlier_) {
       level.row.secondsTotal += earlier_->secondsTotal;
       level.row.secondsWall += earlier_->secondsWall;
@@ -140,22 +152,32 @@ class Recorder {
            << gamma0Note(level.row, scene_.stabilization.firstGamma0()) << std::flush;
   }
 
-  void writeTimings(PhaseTimer& timer) {
-    if (folder_)
-      folder_->write("timings.txt", timer.report() + stages_);
-  }
-
- private:
   const Scene& scene_;
   const std::optional<Checkpoint>& earlier_;
   std::optional<OutputFolder>& folder_;
   const ProgressLine& progress_;
   std::ostream& table_;
+  std::function<void(int)> solved_;
   std::string used_;
   std::string history_;
   std::string stages_ = "\nSolver stages, steps, how they ended\n";
   int levels_ = 0;
 };
+
+/// What an interrupted run says; `level`: the last one that is written, or -1.
+std::string advice(const RunOptions& options, const Scene& scene,
+                   const std::string& folder, int level) {
+  if (level < 0)
+    return "interrupted before the first level was solved; nothing is kept";
+  if (!scene.output.fields)
+    return bem::message("interrupted behind level ", level, "; its files are in ", folder,
+                        ", but Output->Fields = false leaves nothing to go on from");
+  std::string command = "epafi run " + options.scene;
+  for (const std::string& assignment : options.overrides)
+    command += " --set '" + assignment + "'";
+  return bem::message("interrupted behind level ", level, "; to go on from it: ", command,
+                      " --restart ", folder);
+}
 
 /// timings.txt is written also if that fails.
 Outcome solveAndRecord(const Scene& scene, const std::optional<Checkpoint>& earlier,
@@ -185,11 +207,15 @@ int runCommand(const std::vector<std::string>& arguments, std::ostream& out,
   std::optional<OutputFolder> folder;  // the first rank's
   if (ranks.isFirst())
     folder.emplace(beginning.folder, beginning.earlierRun);
-  catchSignals();
+  ranks.listenToSignals();
+  adviseOnInterrupt(advice(options, scene, options.restart,
+                           beginning.earlier ? beginning.earlier->level.number : -1));
   std::ostream silence(nullptr);
   std::ostream& table = options.quiet ? silence : out;
   const ProgressLine progress(progressIf(ranks.isFirst() && !options.quiet));
-  Recorder recorder(scene, beginning.earlier, folder, progress, table);
+  Recorder recorder(scene, beginning.earlier, folder, progress, table, [&](int level) {
+    adviseOnInterrupt(advice(options, scene, beginning.folder, level));
+  });
   table << scene.title << " (" << scene.file << "), BLAS core " << versions().blasCore
         << ", " << processesAndThreads(ranks.algebra().processes()) << "\n";
   if (beginning.earlier)

@@ -80,14 +80,15 @@ class StudyRun {
         out_(out),
         progress_(progressIf(out.rdbuf() != nullptr)) {}
 
-  /// Whether any variant could be solved.
-  bool run() {
+  /// How many variants are not solved on all their levels.
+  int run() {
     for (const StudiedScene& scene : study_.scenes) {
       const std::optional<Reference> reference = referenceOf(scene);
+      out_ << studyHead();
       for (const Variant& variant : scene.variants)
         solve(scene, variant, reference);
     }
-    return solvedAny_;
+    return unsolved_;
   }
 
  private:
@@ -145,8 +146,7 @@ class StudyRun {
 
   void solve(const StudiedScene& scene, const Variant& variant,
              const std::optional<Reference>& reference) {
-    out_ << scene.name << ": " << variant.name << "\n"
-         << (variant.swept ? "" : studyHead()) << std::flush;
+    out_ << scene.name << ": " << variant.name << "\n" << std::flush;
     std::optional<OutputFolder> own;  // none for sweeps: they may have hundreds
     if (!variant.swept) {
       own.emplace(folder_.path() + "/" + folderOf(scene, variant), EarlierRun::Delete);
@@ -168,7 +168,8 @@ class StudyRun {
             writeFiles(variant.scene, level, history, *own);
           progress_.clear();
         });
-        solvedAny_ = solvedAny_ || row.report.status == contact::Status::Converged;
+        if (row.report.status != contact::Status::Converged)
+          ++unsolved_;  // it is the last level
       });
     } catch (const contact::IndefiniteStiffness& error) {
       fail(scene, variant, solved, error.what(), 1 - error.gamma0 / error.limitGamma0);
@@ -207,6 +208,7 @@ class StudyRun {
   void fail(const StudiedScene& scene, const Variant& variant, int level,
             const std::string& reason,
             double eigenvalue = std::numeric_limits<double>::quiet_NaN()) {
+    ++unsolved_;
     table_.failure(scene.name, variant, level, reason, eigenvalue);
     folder_.write("study.csv", table_.text());
     out_ << "  failed on level " << level << ": " << reason << "\n" << std::flush;
@@ -237,7 +239,7 @@ class StudyRun {
   ProgressLine progress_;
   StudyTable table_;
   std::set<std::string> folders_;
-  bool solvedAny_ = false;
+  int unsolved_ = 0;
 };
 
 }  // namespace
@@ -255,17 +257,25 @@ int studyCommand(const std::vector<std::string>& arguments, std::ostream& out,
   OutputFolder folder(
       options.output.empty() ? defaultOutputFolder(options.scene) : options.output,
       options.force ? EarlierRun::Delete : EarlierRun::Refuse);
-  catchSignals();
+  ranks.listenToSignals();
+  adviseOnInterrupt(bem::message("interrupted; ", folder.path(),
+                                 "/study.csv has what was solved; --force begins anew "
+                                 "and keeps the references that are there"));
   folder.write("used.xml", toXml(study.used, study.title));
 
   std::ostream silence(nullptr);
   std::ostream& text = options.quiet ? silence : out;
   text << study.title << ", " << threads()
        << (threads() == 1 ? " thread\n" : " threads\n");
-  const bool solved = StudyRun(study, folder, ranks, text).run();
-  if (!options.quiet)
-    drawPictures(folder.path());
-  return solved ? 0 : 3;
+  const int unsolved = StudyRun(study, folder, ranks, text).run();
+  if (unsolved > 0)
+    std::cerr << "epafi: " << unsolved
+              << (unsolved == 1 ? " variant was" : " variants were")
+              << " not solved on every level: column reason of " << folder.path()
+              << "/study.csv\n";
+  const int drawn =
+      drawPictures(folder.path(), options.quiet ? Words::Errors : Words::All);
+  return unsolved > 0 ? 3 : drawn;
 }
 
 }  // namespace epafi::drivers

@@ -13,8 +13,9 @@ class Ranks;
 ///
 /// Writes study.csv after every level, a folder per variant with the files of a run (none
 /// for sweeps), reference-<scene>.hdf, and pictures.  A variant that fails is listed with
-/// the reason and the study goes on; --force keeps references that still fit.  Returns 0,
-/// or 3 if no variant could be solved.
+/// the reason and the study goes on; --force keeps references that still fit.  Returns 0, 3
+/// if a variant failed or did not converge, or 1 if nothing did but pictures cannot be
+/// drawn.
 /// \throws bem::InputError for wrong arguments, studies and scenes, before anything is
 /// solved; Interrupted.
 int studyCommand(const std::vector<std::string>& arguments, std::ostream& out,

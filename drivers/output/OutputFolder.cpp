@@ -31,6 +31,42 @@ void makeFolder(const fs::path& path) {
                                        "' cannot be made: ", error.message()));
 }
 
+/// Has a table of levels a row under its head?
+bool hasRows(const fs::path& table) {
+  std::ifstream stream(table);
+  std::string line;
+  std::getline(stream, line);
+  return std::getline(stream, line) && !line.empty();
+}
+
+/// A run that ended before its first level was solved leaves what repeats and times it: not
+/// worth keeping, and no reason to refuse the next one.
+bool holdsSolvedLevel(const fs::path& path) {
+  for (const std::string& name : outputFiles()) {
+    const bool table = name == "history.csv" || name == "study.csv";
+    const fs::path file = path / name;
+    std::error_code error;
+    if (name == "used.xml" || name == "timings.txt" ||
+        !fs::exists(fs::symlink_status(file, error)))
+      continue;
+    if (!table || !fs::is_regular_file(file, error) || hasRows(file))
+      return true;
+  }
+  return false;
+}
+
+[[noreturn]] void refuseEarlier(const fs::path& path, const std::string& name) {
+  std::error_code error;
+  if (fs::exists(path / "study.csv", error))
+    throw bem::InputError(bem::message(
+        "--output: the folder '", path.string(), "' holds an earlier study (", name,
+        "); --force replaces it and keeps its references, --output DIR goes elsewhere"));
+  throw bem::InputError(bem::message(
+      "--output: the folder '", path.string(), "' holds an earlier run (", name,
+      "); --restart DIR goes on from it, --force replaces it, --output DIR goes "
+      "elsewhere"));
+}
+
 void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
   for (const std::string& name : outputFiles()) {
     std::error_code ignored;
@@ -38,16 +74,14 @@ void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
   }
   if (earlier == EarlierRun::Continue)
     return;
+  const bool refuse = earlier == EarlierRun::Refuse && holdsSolvedLevel(path);
   for (const std::string& name : outputFiles()) {
     const fs::path file = path / name;
     std::error_code error;
     if (!fs::exists(fs::symlink_status(file, error)))
       continue;
-    if (earlier == EarlierRun::Refuse)
-      throw bem::InputError(bem::message(
-          "--output: the folder '", path.string(), "' holds an earlier run (", name,
-          "); --restart DIR goes on from it, --force replaces it, --output DIR goes "
-          "elsewhere"));
+    if (refuse)
+      refuseEarlier(path, name);
     if (fs::is_directory(file, error) || !fs::remove(file, error))
       throw bem::InputError(bem::message("--output: '", file.string(),
                                          "' of an earlier run cannot be deleted: ",

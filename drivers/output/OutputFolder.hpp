@@ -15,7 +15,8 @@ enum class EarlierRun { Refuse, Delete, Continue };
 /// they are.
 class OutputFolder {
  public:
-  /// Makes the folder and its parents; removes what an interrupted run has left staged.
+  /// Makes the folder and its parents; removes what an interrupted run has left staged, and
+  /// what is left of a run or a study that has not solved a level.
   /// \throws bem::InputError if an earlier run's files are there and must not be touched,
   /// if the path is a file, or if nothing can be written there.
   OutputFolder(std::string path, EarlierRun earlier);

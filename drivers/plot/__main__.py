@@ -72,7 +72,8 @@ def plot_study(folder):
 
 
 def main():
-    if len(sys.argv) != 2:
+    quiet = "--quiet" in sys.argv[2:]
+    if len(sys.argv) != 2 + quiet:
         sys.exit("usage: epafi plot DIR")
     folder = sys.argv[1]
     if not os.path.isdir(folder):
@@ -85,7 +86,8 @@ def main():
     if not names:
         sys.exit("epafi: plot: '%s' holds no history.csv, contact.csv, boundary.csv or "
                  "study.csv of a run or a study" % folder)
-    print("pictures %s: %s (.png and .svg)" % (folder, " ".join(names)))
+    if not quiet:
+        print("pictures %s: %s (.png and .svg)" % (folder, " ".join(names)))
 
 
 if __name__ == "__main__":

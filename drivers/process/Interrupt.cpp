@@ -1,24 +1,57 @@
 #include "drivers/process/Interrupt.hpp"
 
+#include <algorithm>
+#include <array>
 #include <csignal>
+#include <sys/time.h>
 #include <unistd.h>
 
 namespace epafi::drivers {
 
 namespace {
 
-// The one thing that a signal handler can reach.
+// What a signal handler can reach: plain memory, of which two halves take turns, so that
+// one is whole while the other is written.
+constexpr std::size_t room = 1024;
+std::array<std::array<char, room>, 2> advice{};
+volatile std::sig_atomic_t current = 0;
+volatile std::sig_atomic_t length = 0;
 volatile std::sig_atomic_t received = 0;
+volatile std::sig_atomic_t graceMilliseconds = 1000;
+
+void startTimer() {
+  itimerval time{};
+  time.it_value.tv_sec = graceMilliseconds / 1000;
+  time.it_value.tv_usec = static_cast<suseconds_t>(graceMilliseconds % 1000) * 1000;
+  setitimer(ITIMER_REAL, &time, nullptr);
+}
+
+void endNow(int) {
+  const auto& text = advice[static_cast<std::size_t>(current)];
+  if (length > 0 &&
+      write(STDERR_FILENO, text.data(), static_cast<std::size_t>(length)) < 0)
+    _exit(128 + received);  // nobody is left to tell
+  _exit(128 + received);
+}
 
 void note(int signal) {
   if (received != 0)
-    _exit(128 + signal);
+    endNow(signal);
   received = signal;
+  startTimer();
 }
+
+std::string told;
+bool speaks = true;
 
 }  // namespace
 
-void catchSignals() {
+void catchSignals(Grace grace, Voice voice) {
+  speaks = voice == Voice::Loud;
+  graceMilliseconds = grace == Grace::Second ? 1000 : 500;
+  struct sigaction timer {};
+  timer.sa_handler = endNow;
+  sigaction(SIGALRM, &timer, nullptr);
   struct sigaction action {};
   action.sa_handler = note;
   action.sa_flags = SA_RESTART;
@@ -28,9 +61,22 @@ void catchSignals() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+void adviseOnInterrupt(const std::string& text) {
+  told = text;
+  const std::string line = text.empty() || !speaks ? "" : "\nepafi: " + text + "\n";
+  const auto other = static_cast<std::size_t>(1 - current);
+  const std::size_t size = std::min(line.size(), room);
+  std::copy_n(line.begin(), size, advice[other].begin());
+  length = 0;  // between two texts: none
+  current = static_cast<std::sig_atomic_t>(other);
+  length = static_cast<std::sig_atomic_t>(size);
+}
+
 void throwIfInterrupted() {
-  if (received != 0)
-    throw Interrupted{received};
+  if (received == 0)
+    return;
+  startTimer();  // anew: the way out has to wait for the other ranks
+  throw Interrupted{received, told};
 }
 
 }  // namespace epafi::drivers

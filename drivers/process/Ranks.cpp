@@ -59,14 +59,18 @@ std::unique_ptr<const bem::SingleLayerSolver> Ranks::belosSolver(
   return std::make_unique<const bem::BelosSolver>(tpetra(), options);
 }
 
+void Ranks::listenToSignals() const {
+  catchSignals(underMpirun_ ? Grace::HalfSecond : Grace::Second,
+               isFirst() ? Voice::Loud : Voice::Silent);
+}
+
 bem::Failure Ranks::currentFailure() {
   try {
     throw;
   } catch (const bem::InputError& error) {
     return {BadInput, error.what()};
   } catch (const Interrupted& interrupted) {
-    return {128 + interrupted.signal,
-            "interrupted; the levels that were solved are written"};
+    return {128 + interrupted.signal, interrupted.advice};
   } catch (const std::bad_alloc&) {
     return {Breakdown, "the memory does not suffice for this level"};
   } catch (const std::exception& error) {

@@ -37,6 +37,8 @@ class Ranks {
   /// One rank writes files and speaks.
   bool isFirst() const { return algebra().rank() == 0; }
   bool underMpirun() const { return underMpirun_; }
+  /// catchSignals as is right for this rank.
+  void listenToSignals() const;
 
   /// Does work() and returns nothing, or what kept one of the ranks from doing it: the
   /// same on all of them.

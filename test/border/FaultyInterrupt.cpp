@@ -13,7 +13,9 @@
 
 namespace epafi::drivers {
 
-void catchSignals() {}
+void catchSignals(Grace, Voice) {}
+
+void adviseOnInterrupt(const std::string&) {}
 
 void throwIfInterrupted() {
   static int calls = 0;

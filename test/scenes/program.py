@@ -83,6 +83,25 @@ os.chmod(locked, 0o700)
 code, text = epafi("run", TRESCA, "--quiet", "--output", fresh("quiet"), *ONE)
 claim(code == 0 and text == "", "--quiet prints nothing")
 
+# what has solved nothing is no run: it does not stand in the way of its correction
+folder = fresh("corrected")
+TOO_STRONG = ["--set", "Discretization->Stabilization->Gamma0=10", "--set",
+              "Discretization->Stabilization->Scaling=Stiffness"]
+code, text = epafi("run", TRESCA, "--output", folder, *ONE, *TOO_STRONG)
+claim(code == 2 and os.path.exists(os.path.join(folder, "used.xml")), "a run that fails at once")
+code, text = epafi("run", TRESCA, "--output", folder, *ONE)
+claim(code == 0, "its correction takes its place without --force")
+with open(os.path.join(folder, "history.csv")) as stream:
+    head = stream.readline()
+os.remove(os.path.join(folder, "solution.hdf"))
+for name in ("contact.csv", "boundary.csv", "interior.csv"):
+    os.remove(os.path.join(folder, name))
+refused("a history with a row is a run", ["--force"], "run", TRESCA, "--output", folder, *ONE)
+with open(os.path.join(folder, "history.csv"), "w") as stream:
+    stream.write(head)
+code, text = epafi("run", TRESCA, "--output", folder, *ONE)
+claim(code == 0, "one without a row is none")
+
 # caps
 history, contact = run(TRESCA, "capped", levels(6)[:2] +
                        ["Adaptivity->Maximum Degrees of Freedom=200"])
@@ -135,6 +154,38 @@ claim(process.wait() == 128 + signal.SIGTERM, "SIGTERM ends with 128 + its numbe
 rows = table(os.path.join(folder, "history.csv"))
 claim(len(rows) >= 1 and all(row["memory_mb"] is not None for row in rows),
       "rows are whole after a signal")
+
+# Ctrl-C answers soon, also in the midst of a long phase, and says how to go on
+def interrupted(sentence, folder, command, ready, codes):
+    process = subprocess.Popen([*command, "run", TRESCA, "--quiet", "--output", folder, "--set",
+                                "Adaptivity->Strategy=Uniform h", "--set",
+                                "Adaptivity->Maximum Levels=20", "--set",
+                                "Adaptivity->Maximum Degrees of Freedom=1000000"],
+                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                               universal_newlines=True)
+    deadline = time.time() + 60
+    while time.time() < deadline and not ready(folder):
+        time.sleep(0.02)
+    time.sleep(0.5)
+    began = time.time()
+    process.send_signal(signal.SIGINT)
+    text = process.communicate()[1]
+    took = time.time() - began
+    claim(process.returncode in codes and took < 2 and
+          "--restart " + folder in text and text.count("--restart") == 1,
+          "%s: %.2f s, exit %d, %s" % (sentence, took, process.returncode, text.strip()))
+
+
+def deep(folder):
+    """Some levels are solved, and the next one takes seconds."""
+    file = os.path.join(folder, "history.csv")
+    return os.path.exists(file) and len(table(file)) >= 7
+
+
+interrupted("Ctrl-C", fresh("ctrl-c"), [EPAFI], deep, {130})
+if os.environ.get("MPIEXEC"):  # whose own exit code says nothing
+    interrupted("Ctrl-C on two ranks", fresh("ctrl-c.2"),
+                [os.environ["MPIEXEC"], "-n", "2", EPAFI], deep, {1, 130})
 folder = fresh("patient")
 process = subprocess.Popen([EPAFI, "run", TRESCA, "--output", folder],
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,

@@ -58,7 +58,10 @@ def study(name, variants):
 file = study("small", UNIFORM + HOPELESS)
 folder = fresh("small")
 code, text = epafi("study", file, "--output", folder)
-claim(code == 0, "a study with failing variants ends well (exit %d)" % code)
+claim(code == 3 and "3 variants were not solved" in text,
+      "a study with failing variants goes on and ends with 3 (exit %d)" % code)
+claim(text.index("level    dof") < text.index("coulomb: uniform h"),
+      "its table on the screen has a head")
 rows = table(os.path.join(folder, "study.csv"))
 
 
@@ -111,9 +114,24 @@ for name in ("convergence", "time", "contact_stress", "work-precision", "exponen
 claim(os.path.isfile(os.path.join(folder, "uniform_h", "mesh.png")),
       "and a variant's own pictures")
 
+# --quiet draws, and says nothing; pictures that cannot be drawn are told
+sweep = study("sweep", HOPELESS[HOPELESS.index('    <ParameterList name="sweep">'):])
+quiet = fresh("quiet")
+code, text = epafi("study", sweep, "--output", quiet, "--quiet")
+claim(code == 3 and os.path.isfile(os.path.join(quiet, "sweep.png")) and
+      text.startswith("epafi: 1 variant was"), "--quiet draws all the same: " + text)
+with open(sweep) as stream:
+    good = stream.read().replace("1e-6, 1e-3, 1}", "1e-6, 1e-3}")
+with open(sweep, "w") as stream:
+    stream.write(good)
+os.makedirs(os.path.join(fresh("undrawn"), "sweep.png"))
+code, text = epafi("study", sweep, "--output", os.path.join(WORK, "undrawn"))
+claim(code == 1 and "cannot be drawn" in text, "pictures that fail end with 1 (exit %d)" % code)
+
 # the reference is kept and met again to the last bit
 code, text = epafi("study", file, "--output", folder)
-claim(code == 1 and "--force" in text, "an earlier study is not overwritten")
+claim(code == 1 and "--force" in text and "keeps its references" in text and
+      "--restart" not in text, "an earlier study is not overwritten; the advice is a study's")
 again = study("again", UNIFORM)
 code, text = epafi("study", again, "--output", folder, "--force")
 claim(code == 0 and "kept from before" in text, "the reference is kept")
