@@ -1,8 +1,8 @@
 #pragma once
 
 #include "adaptivity/estimate/Indicators.hpp"
+#include "contact/equation/ContactState.hpp"
 #include "contact/problem/Summary.hpp"
-#include "contact/solve/ContactState.hpp"
 #include "contact/solve/Report.hpp"
 
 #include <string>

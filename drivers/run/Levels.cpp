@@ -3,8 +3,8 @@
 #include "adaptivity/estimate/ResidualEstimator.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
+#include "contact/equation/ContactState.hpp"
 #include "contact/problem/ContactProblem.hpp"
-#include "contact/solve/ContactState.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/run/SolveOnce.hpp"
 

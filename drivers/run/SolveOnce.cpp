@@ -1,6 +1,6 @@
 #include "drivers/run/SolveOnce.hpp"
 
-#include "contact/solve/LoadContinuation.hpp"
+#include "contact/coulomb/LoadContinuation.hpp"
 #include "drivers/run/Restless.hpp"
 
 #include <algorithm>

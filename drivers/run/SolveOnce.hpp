@@ -2,8 +2,8 @@
 
 #include "bem/base/DenseAlgebra.hpp"
 #include "bem/mesh/Mesh.hpp"
+#include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/problem/ContactProblem.hpp"
-#include "contact/solve/CoulombIteration.hpp"
 
 namespace epafi::drivers {
 

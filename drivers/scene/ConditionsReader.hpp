@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/geometry/Outline.hpp"
-#include "contact/problem/Conditions.hpp"
+#include "contact/conditions/Conditions.hpp"
 #include "drivers/scene/Expression.hpp"
 
 namespace Teuchos {

@@ -5,9 +5,9 @@
 #include "bem/base/Material.hpp"
 #include "bem/geometry/Outline.hpp"
 #include "bem/tpetra/BelosOptions.hpp"
-#include "contact/problem/Conditions.hpp"
+#include "contact/conditions/Conditions.hpp"
+#include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/problem/Stabilization.hpp"
-#include "contact/solve/CoulombIteration.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_RCP.hpp>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "Algebra.hpp"
+#include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/problem/Summary.hpp"
-#include "contact/solve/CoulombIteration.hpp"
 
 namespace epafi::test {
 

@@ -1,4 +1,4 @@
-#include "contact/nonsmooth/Complementarity.hpp"
+#include "contact/equation/Complementarity.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

@@ -16,6 +16,7 @@ namespace epafi {
 
 namespace {
 
+using bem::at;
 using bem::Index;
 using bem::Matrix;
 using bem::Vec2;
@@ -24,8 +25,6 @@ using contact::Stabilization;
 
 const bem::LapackAlgebra lapack;
 const bem::Units units{1, 1};
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 /// A square of diameter one whose bottom touches, and its right side if asked for.
 bem::Mesh squareMesh(const std::vector<int>& elements, int degree) {

@@ -1,9 +1,9 @@
 #include "bem/base/Error.hpp"
 #include "contact/RandomProblem.hpp"
-#include "contact/solve/CoulombIteration.hpp"
-#include "contact/solve/Equilibrium.hpp"
-#include "contact/solve/InteriorPoint.hpp"
-#include "contact/solve/LoadContinuation.hpp"
+#include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/coulomb/LoadContinuation.hpp"
+#include "contact/equation/Equilibrium.hpp"
+#include "contact/tresca/InteriorPoint.hpp"
 #include "reference/ProjectedSor.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

@@ -1,7 +1,7 @@
 #include "Algebra.hpp"
+#include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/equation/ProblemFamily.hpp"
 #include "contact/problem/ContactProblem.hpp"
-#include "contact/solve/CoulombIteration.hpp"
-#include "contact/solve/ProblemFamily.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

@@ -1,8 +1,8 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/problem/SmallAlgebra.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -118,12 +118,12 @@ TEUCHOS_UNIT_TEST(MultiplierBasis, amplificationIsReachedAtTheEndsAndNowhereExce
           mass(i, j) += weighted * b[static_cast<std::size_t>(i)];
       }
     }
-    const int definite = contact::cholesky(mass);
+    const int definite = bem::cholesky(mass);
     TEST_EQUALITY(definite, 0);
     const double claimed = bernstein.amplification(q);
     for (int k = -16; k <= 16; ++k) {
       bem::Vector dual = bernstein.values(q, k / 16.0);
-      contact::choleskySolve(mass, dual.data());
+      bem::choleskySolve(mass, dual.data());
       double largest = 0;
       for (std::size_t i = 0; i < dual.size(); ++i)
         largest += std::abs(dual[i]) * integrals[i];

@@ -1,7 +1,7 @@
 #include "bem/base/Error.hpp"
 #include "contact/RandomProblem.hpp"
-#include "contact/solve/CoulombIteration.hpp"
-#include "contact/solve/NewtonSystem.hpp"
+#include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/newton/NewtonSystem.hpp"
 #include "reference/ProjectedSor.hpp"
 
 #include <NOX_Abstract_Group.H>

@@ -2,10 +2,10 @@
 // one that slips; rates in displacement and contact stress for every basis.
 #include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/quadrature/Gauss.hpp"
+#include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/problem/ContactFields.hpp"
 #include "contact/problem/ContactProblem.hpp"
-#include "contact/solve/CoulombIteration.hpp"
 #include "reference/ExactFields.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

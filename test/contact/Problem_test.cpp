@@ -1,7 +1,7 @@
 // A problem in numbers: what its parts must fit, what is shared, and a path in steps.
 #include "bem/base/Error.hpp"
 #include "contact/RandomProblem.hpp"
-#include "contact/solve/CoulombIteration.hpp"
+#include "contact/coulomb/CoulombIteration.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

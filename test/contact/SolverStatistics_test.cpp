@@ -1,7 +1,7 @@
 // A thousand random problems of each kind; prints median and worst numbers of Newton
 // steps.
 #include "contact/RandomProblem.hpp"
-#include "contact/solve/CoulombIteration.hpp"
+#include "contact/coulomb/CoulombIteration.hpp"
 #include "reference/ProjectedSor.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

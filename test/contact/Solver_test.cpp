@@ -1,10 +1,10 @@
 #include "bem/base/Error.hpp"
 #include "contact/CyclingProblem.hpp"
 #include "contact/RandomProblem.hpp"
+#include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/equation/ContactState.hpp"
+#include "contact/newton/NewtonStep.hpp"
 #include "contact/nox/Newton.hpp"
-#include "contact/solve/ContactState.hpp"
-#include "contact/solve/CoulombIteration.hpp"
-#include "contact/solve/NewtonStep.hpp"
 #include "reference/ProjectedSor.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

@@ -1,8 +1,8 @@
 #include "Friction.hpp"
 
 #include "bem/quadrature/Gauss.hpp"
+#include "contact/equation/ContactState.hpp"
 #include "contact/nox/ContactModel.hpp"
-#include "contact/solve/ContactState.hpp"
 
 #include <NOX.H>
 #include <NOX_Thyra.H>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/space/Space.hpp"
-#include "contact/problem/Conditions.hpp"
+#include "contact/conditions/Conditions.hpp"
 
 #include <vector>
 

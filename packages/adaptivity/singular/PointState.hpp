@@ -1,7 +1,7 @@
 #pragma once
 
+#include "contact/equation/ContactState.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
-#include "contact/solve/ContactState.hpp"
 
 namespace epafi::adaptivity {
 

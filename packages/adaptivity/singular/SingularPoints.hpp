@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bem/mesh/Mesh.hpp"
+#include "contact/equation/ContactState.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
-#include "contact/solve/ContactState.hpp"
 
 #include <vector>
 

@@ -9,6 +9,9 @@ namespace epafi::bem {
 /// Index of an unknown or a row: wide enough that n² never overflows.
 using Index = std::ptrdiff_t;
 
+/// An index as containers of the standard library want it.
+constexpr std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
 /// Gives a matrix's memory back.
 struct FreeMatrix {
   std::size_t mapped = 0;  ///< bytes, if they come from the system; 0: from the heap

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bem/space/Space.hpp"
+#include "contact/conditions/Conditions.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
-#include "contact/problem/Conditions.hpp"
 
 #include <array>
 #include <string>
@@ -11,6 +11,7 @@
 
 namespace epafi::contact {
 
+using bem::at;
 using bem::Index;
 using bem::Vector;
 

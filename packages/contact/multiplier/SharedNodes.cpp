@@ -13,8 +13,6 @@ using bem::Vec2;
 using ContactElement = MultiplierSpace::ContactElement;
 using Combination = std::vector<std::pair<Index, double>>;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 /// Of a unit direction that less than this is left of, a node has nothing left to give:
 /// it has no coefficient of its own there, and is completed by what took the rest.
 constexpr double spent = 1e-2;

@@ -1,7 +1,7 @@
 #include "contact/nox/ContactJacobian.hpp"
 
-#include "contact/solve/Equilibrium.hpp"
-#include "contact/solve/NewtonStep.hpp"
+#include "contact/equation/Equilibrium.hpp"
+#include "contact/newton/NewtonStep.hpp"
 
 #include <Thyra_LinearOpSourceBase.hpp>
 #include <Thyra_MultiVectorBase.hpp>
@@ -12,8 +12,6 @@
 namespace epafi::contact {
 
 namespace {
-
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 // Jᵀ v, row by row of J; D is symmetric.
 Vector transposeTimes(const Linearisation& point, const Vector& v) {

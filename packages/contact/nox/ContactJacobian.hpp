@@ -1,7 +1,7 @@
 #pragma once
 
+#include "contact/newton/NewtonSystem.hpp"
 #include "contact/nox/SpmdVectors.hpp"
-#include "contact/solve/NewtonSystem.hpp"
 
 #include <Thyra_LinearOpWithSolveBase.hpp>
 #include <Thyra_LinearOpWithSolveFactoryBase.hpp>

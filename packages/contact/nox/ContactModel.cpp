@@ -2,7 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "contact/nox/ContactJacobian.hpp"
-#include "contact/solve/Tresca.hpp"
+#include "contact/tresca/Tresca.hpp"
 
 #include <Thyra_DefaultSpmdVectorSpace.hpp>
 #include <Thyra_MultiVectorBase.hpp>

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/equation/ProblemFamily.hpp"
 #include "contact/nox/ContactJacobian.hpp"
 #include "contact/problem/ContactProblem.hpp"
-#include "contact/solve/CoulombIteration.hpp"
-#include "contact/solve/ProblemFamily.hpp"
 
 #include <Thyra_StateFuncModelEvaluatorBase.hpp>
 

@@ -1,14 +1,14 @@
 #include "contact/nox/Newton.hpp"
 
 #include "bem/base/Error.hpp"
+#include "contact/equation/Equilibrium.hpp"
+#include "contact/newton/Descent.hpp"
+#include "contact/newton/NewtonStep.hpp"
+#include "contact/newton/Pivoting.hpp"
 #include "contact/nox/ContactJacobian.hpp"
 #include "contact/nox/Merit.hpp"
 #include "contact/nox/StatusTests.hpp"
 #include "contact/nox/StepDirection.hpp"
-#include "contact/solve/ActiveSets.hpp"
-#include "contact/solve/Descent.hpp"
-#include "contact/solve/Equilibrium.hpp"
-#include "contact/solve/NewtonStep.hpp"
 
 #include <NOX_Solver_Factory.H>
 #include <NOX_Solver_Generic.H>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/solve/Equation.hpp"
+#include "contact/equation/Equation.hpp"
 #include "contact/solve/Report.hpp"
 
 #include <memory>

@@ -11,8 +11,6 @@ constexpr Index motions = 3;
 // Rows that a thread sums up: each in one order, whatever the number of threads.
 constexpr Index rowsAtOnce = 128;
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
-
 /// Adds `factor` times entries to sums.
 void addMultiple(long double factor, const double* entries, Index size,
                  long double* sums) {

@@ -1,11 +1,14 @@
 #include "contact/problem/ElasticBody.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/problem/IterativeRefinement.hpp"
-#include "contact/problem/SmallAlgebra.hpp"
 
 #include <algorithm>
 
 namespace epafi::contact {
+
+using bem::axpy;
+using bem::dot;
 
 using bem::DenseAlgebra;
 using bem::Rows;

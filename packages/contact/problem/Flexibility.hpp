@@ -6,6 +6,7 @@
 
 namespace epafi::contact {
 
+using bem::at;
 using bem::Index;
 using bem::Matrix;
 using bem::Vector;

@@ -1,12 +1,14 @@
 #include "contact/problem/IterativeRefinement.hpp"
 
-#include "contact/problem/SmallAlgebra.hpp"
+#include "bem/algebra/SmallAlgebra.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace epafi::contact {
+
+using bem::axpy;
 
 double largestEntry(const bem::Vector& x) {
   double size = 0;

@@ -2,10 +2,11 @@
 
 #include "bem/base/Units.hpp"
 #include "bem/space/Space.hpp"
-#include "contact/problem/Conditions.hpp"
+#include "contact/conditions/Conditions.hpp"
 
 namespace epafi::contact {
 
+using bem::at;
 using bem::Index;
 using bem::Matrix;
 using bem::Vector;

@@ -1,7 +1,7 @@
 #include "contact/problem/Problem.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
-#include "contact/problem/SmallAlgebra.hpp"
 
 #include <algorithm>
 #include <cassert>

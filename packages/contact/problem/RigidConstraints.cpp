@@ -1,13 +1,16 @@
 #include "contact/problem/RigidConstraints.hpp"
 
 #include "bem/algebra/Blas.hpp"
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
-#include "contact/problem/SmallAlgebra.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace epafi::contact {
+
+using bem::axpy;
+using bem::dot;
 
 namespace {
 

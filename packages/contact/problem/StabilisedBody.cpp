@@ -1,13 +1,15 @@
 #include "contact/problem/StabilisedBody.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/problem/BalancedStiffness.hpp"
 #include "contact/problem/Coupling.hpp"
-#include "contact/problem/SmallAlgebra.hpp"
 
 #include <algorithm>
 
 namespace epafi::contact {
+
+using bem::dot;
 
 namespace {
 

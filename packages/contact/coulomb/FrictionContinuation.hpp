@@ -1,0 +1,16 @@
+#pragma once
+
+#include "contact/coulomb/CoulombIteration.hpp"
+
+namespace epafi::contact {
+
+/// Follows the solution of Coulomb's problem from no friction to all of it:
+///
+///   θ s(λₙ),   q - (1 - θ) p,   θ = 0, ..., 1,   each solution the start of the next,
+///
+/// p the part of the resultant q that pressure alone cannot balance, so that there is a
+/// beginning where only friction holds the body.  Steps in θ grow after success and shrink
+/// after failure.  The report is not converged when the path ends before θ = 1.
+Solution followFriction(const Problem& problem, const SolverOptions& options);
+
+}  // namespace epafi::contact

@@ -1,0 +1,89 @@
+#include "contact/equation/Complementarity.hpp"
+
+#include "bem/base/Error.hpp"
+
+#include <cmath>
+
+namespace epafi::contact {
+
+namespace {
+
+using Value = Complementarity::Value;
+
+// λ - P(λ + y) with P the projection onto [0, ∞).
+Value projectedNormal(double multiplier, double penetration) {
+  if (multiplier + penetration > 0)
+    return {-penetration, 0, -1, 0};
+  return {multiplier, 1, 0, 0};
+}
+
+// λ - P(λ + y) with P the projection onto [-s, s].
+Value projectedTangential(double multiplier, double slip, double bound) {
+  const double trial = multiplier + slip;
+  if (trial >= bound)
+    return {multiplier - bound, 1, 0, -1};
+  if (trial <= -bound)
+    return {multiplier + bound, 1, 0, 1};
+  return {-slip, 0, -1, 0};
+}
+
+// φ(a,b) = a + b - √(a²+b²): zero exactly when a ≥ 0, b ≥ 0 and ab = 0.    [Fischer 1992]
+struct Phi {
+  double value;
+  double a;
+  double b;
+};
+
+// 1 - x/h for h = √(x²+y²) > 0, without cancellation.
+double oneMinusCosine(double x, double y, double h) {
+  return x > 0 ? (y / h) * (y / (h + x)) : 1 - x / h;
+}
+
+Phi fischer(double a, double b) {
+  const double h = std::hypot(a, b);
+  if (h == 0) {
+    const double slope = 1 - std::sqrt(0.5);  // the limit along a = b > 0
+    return {0, slope, slope};
+  }
+  const double value = a + b > 0 ? 2 * a * (b / (a + b + h)) : a + b - h;
+  return {value, oneMinusCosine(a, b, h), oneMinusCosine(b, a, h)};
+}
+
+Value fischerNormal(double multiplier, double penetration) {
+  const Phi phi = fischer(multiplier, -penetration);
+  return {phi.value, phi.a, -phi.b, 0};
+}
+
+// φ(λ + s, -φ(s - λ, y)): the inner φ replaces y by something that is <= 0 exactly where
+// the upper bound is respected, the outer one adds the lower bound. [Billups 1995] Where
+// the inner φ has its kink (λ = s, y = 0) the outer one vanishes: the square is smooth.
+Value fischerTangential(double multiplier, double slip, double bound) {
+  const Phi upper = fischer(bound - multiplier, slip);
+  const Phi both = fischer(multiplier + bound, -upper.value);
+  return {both.value, both.a + both.b * upper.a, -both.b * upper.b,
+          both.a - both.b * upper.a};
+}
+
+}  // namespace
+
+const std::vector<Complementarity>& complementarities() {
+  static const std::vector<Complementarity> functions = {
+      {"Projection", "multiplier = projection of multiplier + penetration: active sets",
+       false, projectedNormal, projectedTangential},
+      {"Fischer-Burmeister", "a + b - sqrt(a^2 + b^2): a smooth merit function", true,
+       fischerNormal, fischerTangential},
+  };
+  return functions;
+}
+
+const Complementarity& complementarity(const std::string& name) {
+  std::string known;
+  for (const Complementarity& function : complementarities()) {
+    if (function.name == name)
+      return function;
+    known += (known.empty() ? "'" : ", '") + std::string(function.name) + "'";
+  }
+  throw bem::InputError(bem::message("complementarity '", name, "'; known: ", known));
+}
+
+}  // namespace epafi::contact

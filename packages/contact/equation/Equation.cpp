@@ -1,0 +1,325 @@
+#include "contact/equation/Equation.hpp"
+
+#include "bem/base/Error.hpp"
+#include "contact/equation/ContactState.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+namespace epafi::contact {
+
+namespace {
+
+// A vector as numbers with signed indices.
+double entry(const Vector& v, Index i) { return v[static_cast<std::size_t>(i)]; }
+double& entry(Vector& v, Index i) { return v[static_cast<std::size_t>(i)]; }
+
+// c_i = 1 / Σ |D_ij| over the coefficients of i's own kind: r_i over the penetration that
+// a uniform multiplier of size 1 makes.  1/D_ii, the response to one coefficient alone,
+// grows like 1/h²; a point that slides then jumps to the opposite bound instead of
+// sticking, and on fine meshes the sets cycle.
+Vector responseWeights(const Problem& problem) {
+  const Index n = problem.size();
+  Vector responses;
+  for (const bool normal : {true, false}) {
+    Vector kind(static_cast<std::size_t>(n), normal ? 0.0 : 1.0);
+    std::fill_n(kind.begin(), problem.normals, normal ? 1.0 : 0.0);
+    const Vector all = problem.flexibility.product(kind).magnitude;
+    const auto from = all.begin() + (normal ? 0 : problem.normals);
+    responses.insert(responses.end(), from,
+                     from + (normal ? problem.normals : n - problem.normals));
+  }
+  if (!std::all_of(responses.begin(), responses.end(),
+                   [](double x) { return std::isfinite(x); }))
+    throw bem::NumericalError(
+        "the contact flexibility holds a number that is not finite");
+  const double largest =
+      responses.empty() ? 0 : *std::max_element(responses.begin(), responses.end());
+  Vector weights;
+  weights.reserve(responses.size());
+  // A coefficient that only moves the body as a whole has no flexibility of its own.
+  for (const double response : responses)
+    weights.push_back(1 / (response > 0 ? response : largest > 0 ? largest : 1));
+  return weights;
+}
+
+}  // namespace
+
+Equation::Equation(const Problem& problem, const Complementarity& function, Bound bound,
+                   double tolerance)
+    : problem_(problem),
+      function_(function),
+      fischerBurmeister_(complementarity("Fischer-Burmeister")),
+      bound_(bound),
+      tolerance_(tolerance / problem.amplification),
+      weights_(responseWeights(problem)) {
+  for (Index j = 0; j < problem.rigidMotions(); ++j) {
+    const double* g = problem.rigid.column(j);
+    double sum = 0;
+    for (Index i = 0; i < problem.size(); ++i)
+      sum += std::abs(g[i]);
+    balanceScales_.push_back(sum > 0 ? sum : 1);
+  }
+}
+
+Evaluation Equation::at(Vector unknowns) const {
+  const Index n = problem_.size();
+  assert(static_cast<Index>(unknowns.size()) == size());
+  Evaluation e;
+  e.unknowns = std::move(unknowns);
+
+  auto [dLambda, magnitude] =
+      problem_.flexibility.product({e.unknowns.begin(), e.unknowns.begin() + n});
+  for (Index i = 0; i < n; ++i) {
+    double r = entry(problem_.offset, i) - entry(dLambda, i);
+    entry(magnitude, i) += std::abs(entry(problem_.offset, i));
+    for (Index j = 0; j < problem_.rigidMotions(); ++j) {
+      const double term = problem_.rigid(i, j) * entry(e.unknowns, n + j);
+      r += term;
+      entry(magnitude, i) += std::abs(term);
+    }
+    e.penetration.push_back(entry(weights_, i) * r);
+    entry(magnitude, i) *= entry(weights_, i);
+  }
+  e.bounds = problem_.slipBounds(e.unknowns);
+  e.stepBounds = stepBounds(e, problem_.tangentials);
+  evaluateRows(e);
+  measure(e, magnitude);
+  return e;
+}
+
+StepBound extrapolated(const Tangential& tangential, const Vector& pressures,
+                       const Vector& change) {
+  StepBound bound{tangential.bound(pressures), tangential.slopes(pressures)};
+  for (const NormalShare& slope : bound.slopes)
+    bound.value += slope.value * entry(change, slope.normal);
+  return bound;
+}
+
+// With active sets the bound follows the sets of normal coefficients, not their signs: a
+// point that the step closes carries s(λₙ + δλₙ) after it, one that it opens nothing.
+// With p = λₙ + c rₙ and the row rₙ + δrₙ = 0 of a closed point,
+// s(p) + s'(p) (δλₙ + c δrₙ) says so.  A bound that only looks at λₙ⁺ pins points to zero
+// shear that are about to close, and the sets wander on meshes graded to contact's ends.
+Complementarity::Value Equation::tangentialRow(const Evaluation& e, Index t) const {
+  const double multiplier = entry(e.unknowns, problem_.normals + t);
+  const double y = entry(e.penetration, problem_.normals + t);
+  const double bound = e.stepBounds[static_cast<std::size_t>(t)].value;
+  if (bound >= 0)
+    return function_.tangential(multiplier, y, bound);
+  // a negative pressure about to become positive: which way it slips shows already
+  const double side = multiplier + y >= 0 ? 1 : -1;
+  return {multiplier - side * bound, 1, 0, -side};
+}
+
+std::vector<StepBound> Equation::stepBounds(
+    const Evaluation& e, const std::vector<Tangential>& tangentials) const {
+  std::vector<StepBound> result;
+  result.reserve(tangentials.size());
+  Vector trial;
+  Vector back;
+  for (Index i = 0; i < problem_.normals; ++i) {
+    trial.push_back(entry(e.unknowns, i) + entry(e.penetration, i));
+    back.push_back(-entry(e.penetration, i));
+  }
+  for (const Tangential& t : tangentials)
+    if (bound_ == Bound::Lagged)
+      result.push_back({t.bound(e.unknowns)});
+    else if (&function_ == &fischerBurmeister_)
+      result.push_back({t.bound(e.unknowns), t.slopes(e.unknowns)});
+    else
+      result.push_back(extrapolated(t, trial, back));
+  return result;
+}
+
+void Equation::evaluateRows(Evaluation& e) const {
+  const Index n = problem_.size();
+  e.rows.reserve(static_cast<std::size_t>(n));
+  for (Index i = 0; i < n; ++i) {
+    const double multiplier = entry(e.unknowns, i);
+    const double y = entry(e.penetration, i);
+    e.rows.push_back(i < problem_.normals ? function_.normal(multiplier, y)
+                                          : tangentialRow(e, i - problem_.normals));
+    e.residual.push_back(e.rows.back().value);
+  }
+  for (Index j = 0; j < problem_.rigidMotions(); ++j) {
+    const double* g = problem_.rigid.column(j);
+    double sum = -entry(problem_.rigidLoad, j);
+    for (Index i = 0; i < n; ++i)
+      sum += g[i] * entry(e.unknowns, i);
+    e.residual.push_back(sum / entry(balanceScales_, j));
+  }
+}
+
+void Equation::measure(Evaluation& e, const Vector& magnitude) const {
+  const double rounding = 8 * std::numeric_limits<double>::epsilon() / problem_.stress;
+  double largestFloor = 0;
+  e.converged = true;
+  const auto count = [&](double residual, double floor) {
+    const double scaled = std::abs(residual) / problem_.stress;
+    largestFloor = std::max(largestFloor, floor);
+    // Written so that a NaN is never converged.
+    e.converged = e.converged && scaled <= std::max(tolerance_, floor);
+    e.scaled = scaled <= e.scaled ? e.scaled : scaled;
+  };
+
+  for (Index i = 0; i < problem_.size(); ++i) {
+    const double multiplier = entry(e.unknowns, i);
+    const double trial = multiplier + entry(e.penetration, i);
+    double projection = std::max(trial, 0.0);
+    double bound = 0;
+    if (i >= problem_.normals) {
+      bound = entry(e.bounds, i - problem_.normals);
+      projection = std::clamp(trial, -bound, bound);
+    }
+    const bool above = i < problem_.normals ? trial > 0 : trial >= bound;
+    const bool below = i >= problem_.normals && trial <= -bound;
+    e.set.push_back(static_cast<signed char>(above ? 1 : (below ? -1 : 0)));
+    const double natural =
+        projection == trial ? -entry(e.penetration, i) : multiplier - projection;
+    e.natural.push_back(natural);
+    count(natural, rounding * (entry(magnitude, i) + std::abs(multiplier) + bound));
+  }
+  for (Index j = 0; j < problem_.rigidMotions(); ++j) {
+    const double* g = problem_.rigid.column(j);
+    double sum = std::abs(entry(problem_.rigidLoad, j));
+    for (Index i = 0; i < problem_.size(); ++i)
+      sum += std::abs(g[i] * entry(e.unknowns, i));
+    count(entry(e.residual, problem_.size() + j),
+          rounding * sum / entry(balanceScales_, j));
+  }
+  e.tolerance = std::max(tolerance_, largestFloor);
+}
+
+Vector Equation::jacobianTimes(const Evaluation& e, const Vector& direction) const {
+  const Index n = problem_.size();
+  const Vector dDirection =
+      problem_.flexibility.times({direction.begin(), direction.begin() + n});
+  Vector result;
+  result.reserve(direction.size());
+  for (Index i = 0; i < n; ++i) {
+    const auto& row = e.rows[static_cast<std::size_t>(i)];
+    double r = -entry(dDirection, i);
+    for (Index j = 0; j < problem_.rigidMotions(); ++j)
+      r += problem_.rigid(i, j) * entry(direction, n + j);
+    double value =
+        row.multiplier * entry(direction, i) + row.penetration * entry(weights_, i) * r;
+    if (i >= problem_.normals) {
+      const auto t = static_cast<std::size_t>(i - problem_.normals);
+      for (const NormalShare& slope : e.stepBounds[t].slopes)
+        value += row.bound * slope.value * entry(direction, slope.normal);
+    }
+    result.push_back(value);
+  }
+  for (Index j = 0; j < problem_.rigidMotions(); ++j) {
+    const double* g = problem_.rigid.column(j);
+    double sum = 0;
+    for (Index i = 0; i < n; ++i)
+      sum += g[i] * entry(direction, i);
+    result.push_back(sum / entry(balanceScales_, j));
+  }
+  return result;
+}
+
+Vector Equation::projected(const Evaluation& e) const {
+  Vector x = e.unknowns;
+  for (Index i = 0; i < problem_.normals; ++i)
+    entry(x, i) = std::max(entry(x, i), 0.0);
+  for (std::size_t t = 0; t < e.bounds.size(); ++t) {
+    double& value = x[static_cast<std::size_t>(problem_.normals) + t];
+    value = std::clamp(value, -e.bounds[t], e.bounds[t]);
+  }
+  return x;
+}
+
+double Equation::merit(const Evaluation& e) const {
+  double sum = 0;
+  for (Index i = 0; i < size(); ++i) {
+    double f = entry(e.residual, i);
+    if (i < problem_.size()) {
+      const double multiplier = entry(e.unknowns, i);
+      const double y = entry(e.penetration, i);
+      f = i < problem_.normals
+              ? fischerBurmeister_.normal(multiplier, y).value
+              : fischerBurmeister_
+                    .tangential(multiplier, y, entry(e.bounds, i - problem_.normals))
+                    .value;
+    }
+    sum += 0.5 * f * f;
+  }
+  return sum;
+}
+
+Vector Equation::meritGradient(const Evaluation& e) const {
+  const Index n = problem_.size();
+  Vector gradient(static_cast<std::size_t>(size()), 0.0);
+  Vector factors;
+  for (Index i = 0; i < n; ++i) {
+    const double multiplier = entry(e.unknowns, i);
+    const double y = entry(e.penetration, i);
+    Complementarity::Value row{};
+    if (i < problem_.normals) {
+      row = fischerBurmeister_.normal(multiplier, y);
+    } else {
+      const Index t = i - problem_.normals;
+      const Tangential& tangential = problem_.tangentials[static_cast<std::size_t>(t)];
+      row = fischerBurmeister_.tangential(multiplier, y, entry(e.bounds, t));
+      for (const NormalShare& slope : tangential.slopes(e.unknowns))
+        entry(gradient, slope.normal) += row.value * row.bound * slope.value;
+    }
+    entry(gradient, i) += row.value * row.multiplier;
+    const double factor = row.value * row.penetration * entry(weights_, i);
+    for (Index j = 0; j < problem_.rigidMotions(); ++j)
+      entry(gradient, n + j) += factor * problem_.rigid(i, j);
+    factors.push_back(factor);
+  }
+  // the rows' part through r; D is symmetric
+  const Vector throughD = problem_.flexibility.times(factors);
+  for (Index i = 0; i < n; ++i)
+    entry(gradient, i) -= entry(throughD, i);
+  for (Index j = 0; j < problem_.rigidMotions(); ++j) {
+    const double factor = entry(e.residual, n + j) / entry(balanceScales_, j);
+    for (Index i = 0; i < n; ++i)
+      entry(gradient, i) += factor * problem_.rigid(i, j);
+  }
+  return gradient;
+}
+
+Vector pack(const Problem& problem, const State& state) {
+  Vector x(static_cast<std::size_t>(problem.size() + problem.rigidMotions()), 0.0);
+  assert(state.multiplier.empty() ||
+         static_cast<Index>(state.multiplier.size()) == problem.size());
+  assert(state.rigid.empty() || state.rigid.size() == problem.rigidLoad.size());
+  std::copy(state.multiplier.begin(), state.multiplier.end(), x.begin());
+  std::copy(state.rigid.begin(), state.rigid.end(), x.begin() + problem.size());
+  return x;
+}
+
+State unpack(const Problem& problem, const Vector& unknowns) {
+  return {Vector(unknowns.begin(), unknowns.begin() + problem.size()),
+          Vector(unknowns.begin() + problem.size(), unknowns.end())};
+}
+
+ContactState classify(const Problem& problem, const State& state) {
+  const Equation equation(problem, complementarity("Projection"), Equation::Bound::Lagged,
+                          0);
+  const Evaluation e = equation.at(pack(problem, state));
+  ContactState result;
+  for (Index i = 0; i < problem.normals; ++i)
+    result.normal.push_back(e.set[static_cast<std::size_t>(i)] == 1 ? NormalState::Closed
+                                                                    : NormalState::Open);
+  for (std::size_t t = 0; t < e.bounds.size(); ++t) {
+    const auto set = e.set[static_cast<std::size_t>(problem.normals) + t];
+    FrictionState friction = FrictionState::Stick;
+    if (e.bounds[t] <= 0)
+      friction = FrictionState::None;
+    else if (set != 0)
+      friction = set > 0 ? FrictionState::SlipForward : FrictionState::SlipBackward;
+    result.tangential.push_back(friction);
+  }
+  return result;
+}
+
+}  // namespace epafi::contact

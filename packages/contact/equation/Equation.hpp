@@ -1,0 +1,113 @@
+#pragma once
+
+#include "contact/equation/Complementarity.hpp"
+#include "contact/problem/Problem.hpp"
+
+#include <vector>
+
+namespace epafi::contact {
+
+/// What a coefficient does: 0 open or stick, +1 closed or slip at +s, -1 slip at -s.
+using ActiveSet = std::vector<signed char>;
+
+/// A slip bound as a row sees it, and its derivative by λₙ as the Jacobian is to see it.
+struct StepBound {
+  double value = 0;
+  std::vector<NormalShare> slopes{};
+};
+
+/// s at some pressures, and from there along its derivative by a change of them.
+StepBound extrapolated(const Tangential& tangential, const Vector& pressures,
+                       const Vector& change);
+
+/// The nonsmooth equation at one point x = (λ, α), with all that Newton's method needs.
+struct Evaluation {
+  Vector unknowns;                           ///< x
+  Vector penetration;                        ///< y = c r
+  Vector bounds;                             ///< s, one per tangential
+  std::vector<StepBound> stepBounds;         ///< what the rows hold the shear to
+  std::vector<Complementarity::Value> rows;  ///< one per coefficient
+  Vector residual;                           ///< F: the rows' values, then the balance
+  Vector natural;                            ///< λ - P(λ + c r), one per coefficient
+  ActiveSet set;
+  double scaled = 0;     ///< largest natural residual / Problem::stress
+  double tolerance = 0;  ///< what `scaled` is compared with: rounding floor included
+  bool converged = false;
+};
+
+/// F(x) = 0, the condensed contact problem as a semismooth equation in stresses.
+///
+///   rows of λ:   complementarity(λ_i, c_i r_i, s_i),   c_i = 1/Σ|D_ij| (j of i's kind)
+///   rows of α:   (Gᵀλ - q)_j / Σ_i |G_ij|
+///
+/// Convergence is measured by the natural residual λ - P(λ + c r) whatever the function
+/// is, times what it leaves open in the values of λ, so that a tolerance means the same for
+/// all functions and bases.  A row counts as solved when it is below the tolerance over
+/// Problem::amplification or below what rounding makes of it,
+///
+///   8 eps c_i (|D||λ| + |d₀| + |G||α|)_i.
+///
+/// Refers to the problem, which must outlive it.
+class Equation {
+ public:
+  enum class Bound {
+    Differentiated,  ///< the Jacobian contains ds/dλₙ
+    Lagged           ///< it does not                                   [P sec. 7]
+  };
+
+  /// \throws bem::NumericalError if the problem holds a number that is not finite.
+  Equation(const Problem& problem, const Complementarity& function, Bound bound,
+           double tolerance);
+
+  const Problem& problem() const { return problem_; }
+  Bound bound() const { return bound_; }
+  /// Are the rows linearised by active sets, the slip bound's included?
+  bool hasActiveSets() const {
+    return &function_ != &fischerBurmeister_ && bound_ == Bound::Differentiated;
+  }
+  /// c, one per coefficient.
+  const Vector& weights() const { return weights_; }
+  /// Σ_i |G_ij|, one per rigid motion; 1 for an empty column.
+  const Vector& balanceScales() const { return balanceScales_; }
+  Index size() const { return problem_.size() + problem_.rigidMotions(); }
+
+  Evaluation at(Vector unknowns) const;
+
+  /// The rows' bounds at a point; `tangentials` are the problem's, or of other strengths.
+  /// With active sets a bound follows the sets of normal coefficients: s(λₙ) of those
+  /// where λₙ + c rₙ > 0, whatever λₙ has for a sign, nothing of the others.  Else
+  /// s(λₙ⁺).
+  std::vector<StepBound> stepBounds(const Evaluation& e,
+                                    const std::vector<Tangential>& tangentials) const;
+
+  /// J d, J the generalised Jacobian at e.
+  Vector jacobianTimes(const Evaluation& e, const Vector& direction) const;
+
+  /// P(λ) onto the box of the slip bounds at e; α is kept.
+  Vector projected(const Evaluation& e) const;
+
+  /// ½ |F|² with Fischer-Burmeister's function.
+  double merit(const Evaluation& e) const;
+  /// Its gradient: continuous as long as the slip bound is differentiable.
+  Vector meritGradient(const Evaluation& e) const;
+
+ private:
+  Complementarity::Value tangentialRow(const Evaluation& e, Index t) const;
+  void evaluateRows(Evaluation& e) const;
+  void measure(Evaluation& e, const Vector& magnitude) const;
+
+  const Problem& problem_;
+  const Complementarity& function_;
+  const Complementarity& fischerBurmeister_;
+  Bound bound_;
+  double tolerance_;
+  Vector weights_;
+  Vector balanceScales_;
+};
+
+/// x = (λ, α); what is empty becomes zero, an iterate of another size is an error of the
+/// caller.
+Vector pack(const Problem& problem, const State& state);
+State unpack(const Problem& problem, const Vector& unknowns);
+
+}  // namespace epafi::contact

@@ -1,0 +1,198 @@
+#include "contact/equation/Equilibrium.hpp"
+
+#include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/base/Error.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace epafi::contact {
+
+using bem::dot;
+
+namespace {
+
+Vector plus(Vector a, double factor, const Vector& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    a[i] += factor * b[i];
+  return a;
+}
+
+/// q in units in which all motions weigh alike.
+struct ScaledLoad {
+  Vector scales;
+  Vector values;
+
+  explicit ScaledLoad(const Problem& problem) {
+    for (Index j = 0; j < problem.rigidMotions(); ++j) {
+      const double* g = problem.rigid.column(j);
+      double sum = 0;
+      for (Index i = 0; i < problem.size(); ++i)
+        sum += std::abs(g[i]);
+      scales.push_back(sum > 0 ? 1 / sum : 1);
+      values.push_back(problem.rigidLoad[at(j)] * scales.back());
+    }
+  }
+};
+
+/// What a unit of force at each place does to the balance, each of length one.
+std::vector<Vector> cone(const Problem& problem, const Vector& scales, bool friction) {
+  std::vector<Vector> columns;
+  const auto add = [&](Index normal, Index tangential, double share) {
+    Vector column;
+    for (Index j = 0; j < problem.rigidMotions(); ++j)
+      column.push_back(((normal < 0 ? 0 : problem.rigid(normal, j)) +
+                        (tangential < 0 ? 0 : share * problem.rigid(tangential, j))) *
+                       scales[at(j)]);
+    const double length = std::sqrt(dot(column, column));
+    for (double& value : column)
+      value /= length;
+    if (length > 0)
+      columns.push_back(std::move(column));
+  };
+  for (Index i = 0; i < problem.normals; ++i)
+    add(i, -1, 0);
+  for (std::size_t t = 0; t < problem.tangentials.size() && friction; ++t) {
+    const Tangential& tangential = problem.tangentials[t];
+    const Index i = problem.normals + static_cast<Index>(t);
+    const double slope = tangential.steepest();
+    for (const double sign : {-1.0, 1.0}) {
+      if (tangential.followsPressure())
+        add(tangential.normal(), i, sign * slope);
+      if (tangential.boundWithoutPressure() > 0)
+        add(-1, i, sign);
+    }
+  }
+  return columns;
+}
+
+/// The coefficients of q in a few columns, by Gram and Schmidt; empty where these are
+/// dependent.
+Vector leastSquares(const std::vector<Vector>& columns,
+                    const std::vector<std::size_t>& chosen, Vector q) {
+  constexpr double dependent = 1e-12;
+  std::vector<Vector> basis;
+  std::vector<Vector> triangle;
+  Vector right;
+  for (const std::size_t k : chosen) {
+    Vector column = columns[k];
+    Vector r;
+    for (const Vector& b : basis) {
+      r.push_back(dot(b, column));
+      column = plus(std::move(column), -r.back(), b);
+    }
+    const double length = std::sqrt(dot(column, column));
+    if (!(length > dependent))
+      return {};
+    for (double& value : column)
+      value /= length;
+    r.push_back(length);
+    right.push_back(dot(column, q));
+    q = plus(std::move(q), -right.back(), column);
+    basis.push_back(std::move(column));
+    triangle.push_back(std::move(r));
+  }
+  for (std::size_t j = right.size(); j-- > 0;) {
+    right[j] /= triangle[j][j];
+    for (std::size_t i = 0; i < j; ++i)
+      right[i] -= triangle[j][i] * right[j];
+  }
+  return right;
+}
+
+/// A point of the cone near q, as Lawson and Hanson approach it.
+class NearestPoint {
+ public:
+  NearestPoint(std::vector<Vector> columns, Vector q)
+      : columns_(std::move(columns)), q_(std::move(q)), rest_(q_) {}
+
+  /// q minus the nearest point: separates q from the cone where it is not zero.
+  Vector separation() {
+    const double size = std::sqrt(dot(q_, q_));
+    for (std::size_t k = 0; k < 10 * q_.size() + 100; ++k) {
+      const std::size_t best = steepest();
+      if (best == columns_.size() || dot(columns_[best], rest_) <= 1e-13 * size)
+        break;
+      chosen_.push_back(best);
+      weights_.push_back(0);
+      if (!project())
+        return Vector(q_.size(), 0.0);
+    }
+    return rest_;
+  }
+
+ private:
+  std::size_t steepest() const {
+    std::size_t best = columns_.size();
+    for (std::size_t k = 0; k < columns_.size(); ++k)
+      if (std::find(chosen_.begin(), chosen_.end(), k) == chosen_.end() &&
+          (best == columns_.size() ||
+           dot(columns_[k], rest_) > dot(columns_[best], rest_)))
+        best = k;
+    return best;
+  }
+
+  /// Least squares over the chosen columns; those that would pull are dropped.
+  bool project() {
+    while (!chosen_.empty()) {
+      const Vector wanted = leastSquares(columns_, chosen_, q_);
+      if (wanted.empty())
+        return false;
+      double step = 1;
+      for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (wanted[i] <= 0)
+          step = std::min(step, weights_[i] / (weights_[i] - wanted[i]));
+      weights_ = plus(weights_, step, plus(wanted, -1, weights_));
+      if (step == 1)
+        break;
+      for (std::size_t i = weights_.size(); i-- > 0;)
+        if (wanted[i] <= 0 && weights_[i] <= 1e-15) {
+          weights_.erase(weights_.begin() + static_cast<std::ptrdiff_t>(i));
+          chosen_.erase(chosen_.begin() + static_cast<std::ptrdiff_t>(i));
+          return project();
+        }
+      return false;
+    }
+    rest_ = q_;
+    for (std::size_t i = 0; i < chosen_.size(); ++i)
+      rest_ = plus(std::move(rest_), -weights_[i], columns_[chosen_[i]]);
+    return true;
+  }
+
+  std::vector<Vector> columns_;
+  Vector q_;
+  Vector rest_;
+  std::vector<std::size_t> chosen_;
+  Vector weights_;
+};
+
+}  // namespace
+
+Vector loadOfFriction(const Problem& problem) {
+  const ScaledLoad load(problem);
+  Vector rest = NearestPoint(cone(problem, load.scales, false), load.values).separation();
+  for (std::size_t j = 0; j < rest.size(); ++j)
+    rest[j] /= load.scales[j];
+  return rest;
+}
+
+void requireEquilibrium(const Problem& problem) {
+  constexpr double clear = 1e-10;
+  const ScaledLoad load(problem);
+  const double size = std::sqrt(dot(load.values, load.values));
+  // A load without a resultant is balanced; rounding is no resultant.
+  if (!(size > clear * problem.stress))
+    return;
+  const std::vector<Vector> columns = cone(problem, load.scales, true);
+  const Vector v = NearestPoint(columns, load.values).separation();
+  const double length = std::sqrt(dot(v, v));
+  const bool separates =
+      length > clear * size && dot(v, load.values) > 0 &&
+      std::all_of(columns.begin(), columns.end(),
+                  [&](const Vector& column) { return dot(v, column) <= 1e-12 * size; });
+  if (separates)
+    throw bem::NumericalError(noBalance);
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,52 @@
+#include "contact/newton/NewtonStep.hpp"
+
+#include "contact/newton/NewtonSystem.hpp"
+#include "contact/newton/RigidPlacement.hpp"
+
+namespace epafi::contact {
+
+namespace {
+
+Vector negative(Vector v) {
+  for (double& value : v)
+    value = -value;
+  return v;
+}
+
+// The same point with every closed place of Coulomb friction taken to stick: from there
+// the pressure, and with it the bound, can be found although everything slips now.
+Evaluation bonded(const Problem& problem, Evaluation e) {
+  for (std::size_t t = 0; t < problem.tangentials.size(); ++t) {
+    const Tangential& tangential = problem.tangentials[t];
+    const std::size_t i = at(problem.normals) + t;
+    const bool closed =
+        e.unknowns[at(tangential.normal())] + e.penetration[at(tangential.normal())] > 0;
+    if (!closed || !tangential.followsPressure() || !tangential.carries())
+      continue;
+    e.rows[i] = {-e.penetration[i], 0, -1, 0};
+    e.residual[i] = -e.penetration[i];
+  }
+  return e;
+}
+
+}  // namespace
+
+Vector placingStep(const Equation& equation, const Evaluation& e, const Vector& motion) {
+  if (equation.problem().boundDependsOnPressure()) {
+    const Evaluation sticking = bonded(equation.problem(), e);
+    const NewtonSystem bondedSystem(equation, sticking);
+    const Vector bondedRight = negative(sticking.residual);
+    if (bondedSystem.unheld(bondedRight).empty())
+      return bondedSystem.solve(bondedRight);
+  }
+  return rigidPlacement(equation, e, motion);
+}
+
+Vector newtonStep(const Equation& equation, const Evaluation& e) {
+  const NewtonSystem system(equation, e);
+  const Vector right = negative(e.residual);
+  const Vector motion = system.unheld(right);
+  return motion.empty() ? system.solve(right) : placingStep(equation, e, motion);
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,86 @@
+#include "contact/newton/RigidPlacement.hpp"
+
+#include "bem/base/Error.hpp"
+#include "contact/equation/Equilibrium.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::contact {
+
+namespace {
+
+// The spring forces P(λ + y) for given penetrations y.  A bound that follows the pressure
+// is left out: what pressure the solution has is not known yet.
+Vector springForces(const Problem& problem, const Vector& unknowns, const Vector& y) {
+  Vector forces;
+  for (Index i = 0; i < problem.normals; ++i)
+    forces.push_back(std::max(unknowns[at(i)] + y[at(i)], 0.0));
+  const Vector bounds = problem.slipBounds(forces);
+  for (std::size_t t = 0; t < bounds.size(); ++t) {
+    const std::size_t i = at(problem.normals) + t;
+    const bool bonded = problem.tangentials[t].followsPressure() && bounds[t] > 0;
+    const double force = unknowns[i] + y[i];
+    forces.push_back(bonded ? force : std::clamp(force, -bounds[t], bounds[t]));
+  }
+  return forces;
+}
+
+}  // namespace
+
+Vector rigidPlacement(const Equation& equation, const Evaluation& e,
+                      const Vector& motion) {
+  const Problem& problem = equation.problem();
+  const Index n = problem.size();
+  Vector slope(at(n), 0.0);  // dy/dt
+  double work0 = 0;
+  for (Index j = 0; j < problem.rigidMotions(); ++j) {
+    work0 += motion[at(j)] * problem.rigidLoad[at(j)];
+    for (Index i = 0; i < n; ++i)
+      slope[at(i)] += equation.weights()[at(i)] * problem.rigid(i, j) * motion[at(j)];
+  }
+  const auto penetrationAt = [&](double t) {
+    Vector y = e.penetration;
+    for (std::size_t i = 0; i < y.size(); ++i)
+      y[i] += t * slope[i];
+    return y;
+  };
+  const auto work = [&](double t) {
+    const Vector forces = springForces(problem, e.unknowns, penetrationAt(t));
+    double sum = work0;
+    for (Index i = 0; i < n; ++i)
+      sum -= forces[at(i)] * slope[at(i)] / equation.weights()[at(i)];
+    return sum;
+  };
+
+  double fastest = 0;
+  double scale = std::abs(work0);
+  for (std::size_t i = 0; i < slope.size(); ++i) {
+    fastest = std::max(fastest, std::abs(slope[i]));
+    scale = std::max(scale, std::abs(slope[i] / equation.weights()[i]) * problem.stress);
+  }
+  // Gaps may be 1e12 times as large as the load's own displacements, not more.
+  constexpr int quadruplings = 20;
+  double low = 0;
+  double high = fastest > 0 ? problem.stress / fastest : 1;
+  for (int k = 0; work(high) > 1e-12 * scale; ++k) {
+    if (k == quadruplings)
+      throw NoBalance(noBalance);
+    low = high;
+    high *= 4;
+  }
+  for (int i = 0; i < 100 && high - low > 1e-9 * high; ++i) {
+    const double middle = 0.5 * (low + high);
+    (work(middle) > 0 ? low : high) = middle;
+  }
+
+  Vector step(e.unknowns.size());
+  const Vector projection = equation.projected(e);
+  for (std::size_t i = 0; i < step.size(); ++i)
+    step[i] = projection[i] - e.unknowns[i];
+  for (Index j = 0; j < problem.rigidMotions(); ++j)
+    step[at(n + j)] = high * motion[at(j)];
+  return step;
+}
+
+}  // namespace epafi::contact

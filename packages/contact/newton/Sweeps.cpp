@@ -1,0 +1,92 @@
+#include "contact/newton/Sweeps.hpp"
+
+#include "contact/newton/Pivoting.hpp"
+
+#include <algorithm>
+
+namespace epafi::contact {
+
+namespace {
+
+constexpr int largestNumberOfPairs = 5;
+constexpr std::size_t quiet = 100;  // one state in so many may still change
+
+class Sweeper {
+ public:
+  Sweeper(const Problem& problem, Vector unknowns)
+      : problem_(problem),
+        x_(std::move(unknowns)),
+        r_(problem.offset),
+        tangentials_(at(problem.normals)) {
+    for (Index j = 0; j < problem.size(); ++j)
+      add(problem.flexibility.column(j), -x_[at(j)]);
+    for (Index j = 0; j < problem.rigidMotions(); ++j)
+      add(problem.rigid.column(j), x_[at(problem.size() + j)]);
+    for (std::size_t t = 0; t < problem.tangentials.size(); ++t)
+      tangentials_[at(problem.tangentials[t].normal())].push_back(static_cast<Index>(t));
+  }
+
+  const Vector& unknowns() const { return x_; }
+
+  void pairOfSweeps() {
+    for (Index i = 0; i < problem_.normals; ++i)
+      relaxPoint(i);
+    for (Index i = problem_.normals; i-- > 0;)
+      relaxPoint(i);
+  }
+
+ private:
+  void relaxPoint(Index i) {
+    relax(i, [](double trial) { return std::max(trial, 0.0); });
+    for (const Index t : tangentials_[at(i)]) {
+      const double bound = problem_.tangentials[at(t)].bound(x_);
+      relax(problem_.normals + t,
+            [bound](double trial) { return std::clamp(trial, -bound, bound); });
+    }
+  }
+
+  template <class Projection>
+  void relax(Index i, const Projection& project) {
+    const double* column = problem_.flexibility.column(i);
+    if (!(column[i] > 0))
+      return;
+    const double next = project(x_[at(i)] + r_[at(i)] / column[i]);
+    add(column, x_[at(i)] - next);
+    x_[at(i)] = next;
+  }
+
+  void add(const double* column, double factor) {
+    for (Index i = 0; i < problem_.size() && factor != 0; ++i)
+      r_[at(i)] += factor * column[i];
+  }
+
+  const Problem& problem_;
+  Vector x_;
+  Vector r_;
+  std::vector<std::vector<Index>> tangentials_;  // of each normal coefficient
+};
+
+}  // namespace
+
+Vector smoothed(const Equation& equation, Vector unknowns) {
+  Evaluation e = equation.at(unknowns);
+  if (e.converged)
+    return unknowns;
+  const double first = e.scaled;
+  Sweeper sweeper(equation.problem(), unknowns);
+  for (int pair = 0; pair < largestNumberOfPairs; ++pair) {
+    const ActiveSet before = rowSet(e);
+    sweeper.pairOfSweeps();
+    e = equation.at(sweeper.unknowns());
+    const ActiveSet after = rowSet(e);
+    std::size_t changes = 0;
+    for (std::size_t i = 0; i < after.size(); ++i)
+      changes += before[i] != after[i] ? 1 : 0;
+    if (changes <= std::max<std::size_t>(1, after.size() / quiet))
+      break;
+  }
+  const bool worse = equation.problem().boundsAreCoupled() && e.scaled > first;
+  return worse ? unknowns : sweeper.unknowns();
+}
+
+}  // namespace epafi::contact
