@@ -201,7 +201,7 @@ class StudyRun {
     out_ << studyLine(row, studied)
          << gamma0Note(row, variant.scene.stabilization.firstGamma0());
     if (row.report.status != contact::Status::Converged)
-      out_ << "  not converged: " << row.report.reason << "\n";
+      out_ << "  not converged: " << row.reason << "\n";
     out_ << std::flush;
   }
 

@@ -55,6 +55,7 @@ struct LevelRow {
   Size size;
   contact::Summary summary;
   contact::Report report;
+  std::string reason;                   ///< empty when converged
   double gamma0 = 0;                    ///< zero without stabilisation
   double estimate = 0;                  ///< [(stress length²)^½] under Weights "Energy"
   adaptivity::Contributions squares{};  ///< of which it is made

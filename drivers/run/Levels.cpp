@@ -6,23 +6,23 @@
 #include "contact/equation/ContactState.hpp"
 #include "contact/problem/ContactProblem.hpp"
 #include "drivers/process/Ranks.hpp"
-#include "drivers/run/SolveOnce.hpp"
+#include "drivers/run/Solver.hpp"
 
 namespace epafi::drivers {
 
 namespace {
 
-LevelRow makeRow(int level, const Size& size, const contact::Solved& solved,
-                 const contact::Report& report, const adaptivity::Indicators& indicators,
-                 const PhaseTimer& timer) {
+LevelRow makeRow(const Level& level, const Size& size, const contact::Solved& solved,
+                 const contact::Report& report, const PhaseTimer& timer) {
   LevelRow row;
-  row.level = level;
+  row.level = level.number;
   row.size = size;
   row.summary = contact::summarize(solved);
   row.report = report;
+  row.reason = level.reason;
   row.gamma0 = solved.problem.gamma0();
-  row.estimate = indicators.estimate();
-  row.squares = indicators.sums();
+  row.estimate = level.indicators.estimate();
+  row.squares = level.indicators.sums();
   const bem::Vector cost = largestOverRanks(
       solved.stiffness.algebra(),
       {timer.levelSeconds(Phase::Assembly), timer.levelSeconds(Phase::Factorization),
@@ -104,8 +104,8 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
       return contact::ContactProblem(
           {space, stiffness, lame, units, scene.conditions, basis, scene.stabilization});
     });
-    const auto solution = timer.run(Phase::Newton, [&] {
-      return solveOnce(problem, space.mesh(), from->start, scene.solver, algebra);
+    const auto [solution, reason] = timer.run(Phase::Newton, [&] {
+      return solve(problem, space.mesh(), from->start, scene.solver, algebra);
     });
     const bem::Vector displacement = problem.displacement(solution.state);
     const bem::Vector density = problem.density(solution.state, displacement);
@@ -117,7 +117,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
     });
     const Level level{number,
                       solution.report.status,
-                      solution.report.reason,
+                      reason,
                       piecesOf(space.mesh()),
                       solution.state,
                       contact::classify(problem.numbers(), solution.state),
@@ -125,8 +125,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                       density,
                       std::move(indicators)};
     timer.run(Phase::Results, [&] {
-      handOut({solved, level,
-               makeRow(number, size, solved, solution.report, level.indicators, timer)});
+      handOut({solved, level, makeRow(level, size, solved, solution.report, timer)});
     });
     timer.endLevel();
     next = nextLevel(scene, level, algebra);

@@ -33,7 +33,15 @@ struct Scene {
   int degree = 1;
   std::string multiplier;
   contact::Stabilization stabilization;
-  contact::SolverOptions solver;
+
+  /// What a nonlinear solver is assembled from, see solve().
+  struct Solver {
+    contact::TrescaOptions tresca;
+    contact::CoulombOptions coulomb;
+    int loadSteps = 1;
+    /// Handed to NOX in every run; null means Epafi's own choice.
+    std::shared_ptr<const Teuchos::ParameterList> nox;
+  } solver;
 
   /// How V is inverted.
   struct Linear {

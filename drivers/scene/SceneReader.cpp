@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Parameters.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
+#include "contact/solve/LoadContinuation.hpp"
 #include "drivers/process/Versions.hpp"
 #include "drivers/scene/ConditionsReader.hpp"
 #include "drivers/scene/GeometryFile.hpp"
@@ -213,25 +214,14 @@ void checkIncompressible(const Scene& scene, const std::string& path) {
   }
 }
 
-contact::SolverOptions readSolver(const ParameterList& list) {
-  using Coulomb = contact::SolverOptions::Coulomb;
-  using Complementarity = contact::SolverOptions::Complementarity;
-  contact::SolverOptions solver;
-  solver.coulomb = pick<Coulomb>(list.get<std::string>("Coulomb Iteration"),
-                                 {{"Newton", Coulomb::Newton},
-                                  {"Inexact Fixed Point", Coulomb::InexactFixedPoint},
-                                  {"Fixed Point", Coulomb::FixedPoint}});
-  solver.complementarity =
-      pick<Complementarity>(list.get<std::string>("Complementarity"),
-                            {{"Projection", Complementarity::Projection},
-                             {"Fischer-Burmeister", Complementarity::FischerBurmeister}});
-  solver.tolerance = list.get<double>("Tolerance");
-  solver.maximumIterations = list.get<int>("Maximum Iterations");
-  solver.loadSteps = list.get<int>("Load Steps");
-  solver.coulombTolerance = list.get<double>("Coulomb Tolerance");
-  solver.coulombMaximumIterations = list.get<int>("Coulomb Maximum Iterations");
-  if (list.isSublist("NOX") && list.sublist("NOX").numParams() > 0)
-    solver.nox = std::make_shared<ParameterList>(list.sublist("NOX"));
+Scene::Solver readSolver(const ParameterList& list) {
+  Scene::Solver solver{contact::parseTresca(list), contact::parseCoulomb(list),
+                       contact::parseLoadSteps(list), nullptr};
+  if (list.isSublist("NOX") && list.sublist("NOX").numParams() > 0) {
+    const auto nox = std::make_shared<ParameterList>(list.sublist("NOX"));
+    nox->setName("Solver->NOX");
+    solver.nox = nox;
+  }
   return solver;
 }
 

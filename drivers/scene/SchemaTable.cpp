@@ -2,9 +2,11 @@
 #include "adaptivity/mark/Grading.hpp"
 #include "adaptivity/mark/Strategy.hpp"
 #include "bem/tpetra/BelosOptions.hpp"
+#include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/law/FrictionLaw.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/problem/Stabilization.hpp"
+#include "contact/solve/LoadContinuation.hpp"
 #include "drivers/scene/Schema.hpp"
 
 namespace epafi::drivers {
@@ -156,43 +158,13 @@ void addDiscretization(Table& table) {
 }
 
 void addSolver(Table& table) {
+  append(table, {Row("Solver", Kind::List, "how the nonlinear problem is solved")});
+  append(table, contact::coulombRows(), "Solver");
+  append(table, contact::trescaRows(), "Solver");
+  append(table, contact::loadRows(), "Solver");
   append(
       table,
       {
-          Row("Solver", Kind::List, "how the nonlinear problem is solved"),
-          Row("Solver->Coulomb Iteration", Kind::Text,
-              "Newton differentiates the friction bound too, the others lag it")
-              .standard("Newton")
-              .allowed({"Newton", "Inexact Fixed Point", "Fixed Point"}),
-          Row("Solver->Complementarity", Kind::Text,
-              "the equation that says contact or gap")
-              .standard("Projection")
-              .allowed({"Projection", "Fischer-Burmeister"}),
-          Row("Solver->Tolerance", Kind::Real, "residual, relative to the load")
-              .unit("1")
-              .standard("1e-12")
-              .range({0, 1, true, true}),
-          Row("Solver->Maximum Iterations", Kind::Whole, "Newton steps of one solve")
-              .unit("1")
-              .standard("50")
-              .range(from(1)),
-          Row("Solver->Load Steps", Kind::Whole,
-              "equal steps in which the load is applied, each solution the start of the "
-              "next; a step that fails is halved, and one load that fails is tried in "
-              "steps")
-              .unit("1")
-              .standard("1")
-              .range({1, 1000}),
-          Row("Solver->Coulomb Tolerance", Kind::Real,
-              "change of the friction bound, relative to the load")
-              .unit("1")
-              .standard("1e-10")
-              .range({0, 1, true, true}),
-          Row("Solver->Coulomb Maximum Iterations", Kind::Whole,
-              "updates of the friction bound")
-              .unit("1")
-              .standard("100")
-              .range(from(1)),
           Row("Solver->NOX", Kind::Free, "handed to NOX; empty means Epafi's own choice"),
           Row("Solver->Linear", Kind::List, "how linear systems are solved"),
           Row("Solver->Linear->Method", Kind::Text,

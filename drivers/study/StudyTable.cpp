@@ -55,7 +55,7 @@ void StudyTable::level(const std::string& scene, const Variant& variant,
             exactly(levelRow.estimate / studied.error->energyNorm)};
   more.push_back(known(variant.sweepValue));
   more.push_back(known(studied.smallestEigenvalue));
-  more.push_back(levelRow.report.reason);
+  more.push_back(levelRow.reason);
   row(scene, variant.name, historyCells(levelRow), more);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Algebra.hpp"
-#include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/Solve.hpp"
 #include "contact/problem/Summary.hpp"
 
 namespace epafi::test {
@@ -32,7 +32,7 @@ class SolvedScene {
                    algebra()),
         problem_({space_, stiffness_, lame_, units_, conditions_,
                   contact::multiplierBasis(input.multiplier), input.stabilization}),
-        solution_(contact::solve(problem_.numbers(), {}, {})),
+        solution_(test::solve(problem_.numbers())),
         displacement_(problem_.displacement(solution_.state)),
         density_(stiffness_.density(displacement_)) {}
 

@@ -150,7 +150,7 @@ TEUCHOS_UNIT_TEST(Complementarity, slopesHaveTheirSignsAndNeverVanishTogether) {
 }
 
 TEUCHOS_UNIT_TEST(Complementarity, projectionIsTheProjection) {
-  const auto& f = complementarity("Projection");
+  const auto& f = contact::projection();
   for (int i = 0; i <= 13; ++i)
     for (int k = 0; k <= 13; ++k) {
       const double multiplier = -2 + 0.3 * i;

@@ -1,4 +1,5 @@
 #include "contact/RandomProblem.hpp"
+#include "contact/Solve.hpp"
 #include "contact/nox/ContactModel.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -71,7 +72,7 @@ std::vector<Vector> everything(const ContactModel& model, const State& state) {
 TEUCHOS_UNIT_TEST(ContactModel, isTheSameOnEveryNumberOfRanks) {
   const Problem problem = coulombProblem();
   const Vector gap(static_cast<std::size_t>(problem.normals), 0.01);
-  State state = solve(problem, {}, {}).state;
+  State state = test::solve(problem).state;
   for (double& value : state.multiplier)
     value *= 1.1;  // so that f is not zero
 

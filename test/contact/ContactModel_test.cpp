@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "contact/RandomProblem.hpp"
+#include "contact/Solve.hpp"
 
 #include <NOX.H>
 #include <NOX_Thyra.H>
@@ -29,13 +30,13 @@ using contact::Index;
 using contact::Problem;
 using contact::State;
 using contact::Vector;
+using test::solve;
 using Teuchos::RCP;
 using Teuchos::rcp;
 using ThyraVector = Thyra::VectorBase<double>;
 
-constexpr auto projection = contact::SolverOptions::Complementarity::Projection;
-constexpr auto fischerBurmeister =
-    contact::SolverOptions::Complementarity::FischerBurmeister;
+constexpr const char* projection = "Projection";
+constexpr const char* fischerBurmeister = "Fischer-Burmeister";
 
 struct Sample {
   Problem problem;

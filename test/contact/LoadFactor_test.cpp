@@ -1,5 +1,5 @@
 #include "Algebra.hpp"
-#include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/Solve.hpp"
 #include "contact/equation/ProblemFamily.hpp"
 #include "contact/problem/ContactProblem.hpp"
 
@@ -14,6 +14,7 @@ namespace contact = epafi::contact;
 using bem::Vec2;
 using contact::Index;
 using contact::Vector;
+using epafi::test::solve;
 
 // A block over a curved foundation, its top pulled, pushed and displaced by `load`; with
 // or without a clamp.

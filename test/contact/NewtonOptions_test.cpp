@@ -1,6 +1,6 @@
 #include "bem/base/Error.hpp"
 #include "contact/RandomProblem.hpp"
-#include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/Solve.hpp"
 #include "contact/newton/NewtonSystem.hpp"
 #include "reference/ProjectedSor.hpp"
 
@@ -24,9 +24,10 @@ namespace {
 
 using contact::Equation;
 using contact::Problem;
-using contact::SolverOptions;
 using contact::Status;
 using contact::Vector;
+using test::solve;
+using test::SolverOptions;
 
 Problem someProblem(const char* law, contact::Index rigidMotions) {
   std::mt19937 random(21);
@@ -87,7 +88,7 @@ TEUCHOS_UNIT_TEST(Equation, meritGradientIsTheDifferenceQuotient) {
   std::mt19937 random(23);
   for (contact::Index rigidMotions : {0, 2}) {
     const Problem problem = someProblem("Coulomb", rigidMotions);
-    const Equation equation(problem, contact::complementarity("Projection"),
+    const Equation equation(problem, contact::projection(),
                             Equation::Bound::Differentiated, 1e-12);
     const Vector x = randomVector(static_cast<std::size_t>(equation.size()), random);
     const Vector d = randomVector(x.size(), random);
@@ -205,7 +206,7 @@ TEUCHOS_UNIT_TEST(NewtonOptions, noxSearchesLeadToTheSolution) {
       for (contact::Index rigidMotions : {0, 1}) {
         const Problem problem = someProblem(law, rigidMotions);
         SolverOptions options;
-        options.complementarity = SolverOptions::Complementarity::FischerBurmeister;
+        options.tresca.complementarity = "Fischer-Burmeister";
         options.nox = lineSearch("Method", method);
         const auto solution = solve(problem, {}, options);
         TEST_ASSERT(solution.report.status == Status::Converged);
@@ -220,7 +221,7 @@ TEUCHOS_UNIT_TEST(NewtonOptions, whatNoxLeavesUnusedIsAnErrorWithItsPath) {
     solve(someProblem("Tresca", 0), {}, options);
     TEST_ASSERT(false);
   } catch (const bem::InputError& error) {
-    TEST_ASSERT(std::string(error.what()).find("Solver->NOX->Line Search->Metod") !=
+    TEST_ASSERT(std::string(error.what()).find("NOX->Line Search->Metod") !=
                 std::string::npos);
   }
 }

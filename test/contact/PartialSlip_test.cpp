@@ -2,7 +2,7 @@
 // one that slips; rates in displacement and contact stress for every basis.
 #include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/Solve.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/problem/ContactFields.hpp"
 #include "contact/problem/ContactProblem.hpp"
@@ -23,6 +23,7 @@ using bem::Vec2;
 using contact::Stabilization;
 using reference::ExactField;
 using reference::PlaneStressTensor;
+using test::solve;
 
 const bem::Lame lame({1, 0.3, false});
 
@@ -139,7 +140,7 @@ Errors errorsOn(const Manufactured& exact, int elements, int degree,
       {space, stiffness, lame, units, conditions, basis, stabilization});
   const auto solution = solve(problem.numbers(), {}, {});
   if (solution.report.status != contact::Status::Converged)
-    throw std::runtime_error(solution.report.reason);
+    throw std::runtime_error(told(solution.report.stages));
   const bem::Vector u = problem.displacement(solution.state);
   const contact::ContactFields fields(problem, space, units, solution.state, u);
   const auto rule = bem::gaussLegendre(degree + 6);

@@ -2,10 +2,9 @@
 
 #include "contact/CyclingProblem.hpp"
 #include "contact/RandomProblem.hpp"
-#include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/Solve.hpp"
 #include "contact/newton/NewtonStep.hpp"
 #include "contact/newton/Sweeps.hpp"
-#include "contact/nox/Newton.hpp"
 #include "reference/ProjectedSor.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -22,10 +21,10 @@ using contact::Evaluation;
 using contact::Index;
 using contact::Problem;
 using contact::Vector;
+using test::solve;
 
 Equation equationOf(const Problem& problem) {
-  return {problem, contact::complementarity("Projection"),
-          Equation::Bound::Differentiated, 1e-12};
+  return {problem, contact::projection(), Equation::Bound::Differentiated, 1e-12};
 }
 
 /// Copies of the cycling problem for the normal coefficients, random tangential ones, and

@@ -1,7 +1,7 @@
 // A problem in numbers: what its parts must fit, what is shared, and a path in steps.
 #include "bem/base/Error.hpp"
 #include "contact/RandomProblem.hpp"
-#include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/Solve.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -16,6 +16,7 @@ using contact::Index;
 using contact::Problem;
 using contact::State;
 using contact::Vector;
+using test::solve;
 
 /// A point on springs of flexibility 1 that is pressed by 1 and pulled sideways; γ of the
 /// stabilisation is within them.

@@ -59,13 +59,14 @@ TEUCHOS_UNIT_TEST(Scene, saysWhatTheFileSays) {
 
 TEUCHOS_UNIT_TEST(Scene, defaultsAreThoseOfTheOptions) {
   const drivers::Scene scene = read(SceneText());
-  const contact::SolverOptions solver;
-  TEST_ASSERT(scene.solver.coulomb == solver.coulomb);
-  TEST_ASSERT(scene.solver.complementarity == solver.complementarity);
-  TEST_EQUALITY(scene.solver.tolerance, solver.tolerance);
-  TEST_EQUALITY(scene.solver.maximumIterations, solver.maximumIterations);
-  TEST_EQUALITY(scene.solver.coulombTolerance, solver.coulombTolerance);
-  TEST_EQUALITY(scene.solver.coulombMaximumIterations, solver.coulombMaximumIterations);
+  const drivers::Scene::Solver solver;
+  TEST_EQUALITY(scene.solver.coulomb.iteration, solver.coulomb.iteration);
+  TEST_EQUALITY(scene.solver.tresca.complementarity, solver.tresca.complementarity);
+  TEST_EQUALITY(scene.solver.tresca.tolerance, solver.tresca.tolerance);
+  TEST_EQUALITY(scene.solver.tresca.maximumIterations, solver.tresca.maximumIterations);
+  TEST_EQUALITY(scene.solver.coulomb.tolerance, solver.coulomb.tolerance);
+  TEST_EQUALITY(scene.solver.coulomb.maximumIterations, solver.coulomb.maximumIterations);
+  TEST_EQUALITY(scene.solver.loadSteps, solver.loadSteps);
   TEST_ASSERT(scene.solver.nox == nullptr);
   const contact::Stabilization stabilization;
   TEST_ASSERT(scene.stabilization.form == stabilization.form);

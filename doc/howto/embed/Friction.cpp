@@ -1,8 +1,10 @@
 #include "Friction.hpp"
 
 #include "bem/quadrature/Gauss.hpp"
+#include "contact/coulomb/CoulombNewton.hpp"
 #include "contact/equation/ContactState.hpp"
 #include "contact/nox/ContactModel.hpp"
+#include "contact/nox/NoxNewton.hpp"
 
 #include <NOX.H>
 #include <NOX_Thyra.H>
@@ -27,6 +29,13 @@ namespace {
 constexpr double first = 0.1;
 constexpr double last = 2;
 
+// Newton's method by NOX, Tresca's problem on it, Coulomb's on that.
+contact::State solved(const contact::Problem& problem) {
+  const contact::NoxNewton newton;
+  const contact::Tresca tresca(newton);
+  return contact::CoulombNewton(tresca).solve(problem, {}).state;
+}
+
 // Each coefficient stands for its Gauss point's share of the element.
 Point measure(const Block& block, const contact::ContactProblem& problem,
               const ContactModel& model, double factor, const contact::State& state) {
@@ -48,7 +57,7 @@ Point measure(const Block& block, const contact::ContactProblem& problem,
           half * weights[i] * block.units.stress * std::abs(state.multiplier[k]);
     }
   }
-  const contact::State direct = solve(numbers, {}, {}).state;
+  const contact::State direct = solved(numbers);
   for (std::size_t i = 0; i < direct.multiplier.size(); ++i)
     point.difference =
         std::max(point.difference, std::abs(direct.multiplier[i] - state.multiplier[i]));
@@ -116,7 +125,7 @@ std::vector<Point> followFriction(const Block& block, const bem::TpetraAlgebra& 
   const auto test =
       rcp(new NOX::StatusTest::Combo(NOX::StatusTest::Combo::OR, norm, steps));
 
-  const auto start = model->point(solve(model->family().at({1, first}), {}, {}).state);
+  const auto start = model->point(solved(model->family().at({1, first})));
   const RCP<ParameterList> list = parameters();
   const RCP<LOCA::GlobalData> data = LOCA::createGlobalData(list);
   const auto recorder = rcp(new Recorder(model));

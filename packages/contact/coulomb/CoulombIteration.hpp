@@ -1,11 +1,11 @@
 #pragma once
 
-#include "contact/problem/Problem.hpp"
-#include "contact/solve/Report.hpp"
+#include "bem/base/Family.hpp"
+#include "bem/base/SchemaRow.hpp"
+#include "contact/tresca/Tresca.hpp"
 
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace Teuchos {
 class ParameterList;
@@ -13,33 +13,31 @@ class ParameterList;
 
 namespace epafi::contact {
 
-/// How the nonlinear problem is solved.  Defaults are those of the scene's schema.
-struct SolverOptions {
-  enum class Coulomb {
-    Newton,             ///< the slip bound is differentiated too
-    InexactFixedPoint,  ///< one Newton step per update of the bound           [P sec. 7]
-    FixedPoint          ///< a whole Tresca problem per update of the bound
-  };
-  enum class Complementarity { Projection, FischerBurmeister };
-
-  Coulomb coulomb = Coulomb::Newton;
-  Complementarity complementarity = Complementarity::Projection;
-  double tolerance = 1e-12;  ///< scaled residual, relative to the load
-  int maximumIterations = 50;
-  int loadSteps = 1;                ///< see solveInLoadSteps()
-  double coulombTolerance = 1e-10;  ///< change of the bound relative to the load
-  int coulombMaximumIterations = 100;
-  /// Handed to NOX in every run; null means Epafi's own choice.
-  std::shared_ptr<const Teuchos::ParameterList> nox;
+/// How a slip bound that depends on the pressure is found.
+struct CoulombOptions {
+  std::string iteration = "Newton";  ///< a name of coulombIterations()
+  double tolerance = 1e-10;          ///< change of the bound relative to the load
+  int maximumIterations = 100;       ///< updates of the bound
 };
 
-/// Solves a condensed contact problem, whatever its friction laws.
-///
-/// Frictionless and Tresca problems go to Newton directly; with a bound that depends on
-/// the pressure the iteration of the options is used.  Slow convergence is reported, not
-/// thrown.
-/// \throws bem::NumericalError if the arithmetic breaks down (singular Jacobian, NaN) or
-///   nothing balances the load; bem::InputError for what is wrong in options.nox.
-Solution solve(const Problem& problem, const State& start, const SolverOptions& options);
+/// The keys of a list of these, and what a list that they have completed says.
+bem::SchemaRows coulombRows();
+CoulombOptions parseCoulomb(const Teuchos::ParameterList& list);
+
+/// A way to solve problems whose slip bound depends on the pressure, built on Newton's
+/// method and on Tresca's problem, which must outlive it.
+struct CoulombIteration {
+  const char* name;
+  const char* meaning;
+  std::unique_ptr<NonlinearSolver> (*make)(const Tresca& tresca,
+                                           const CoulombOptions& options);
+};
+
+/// All of them; a program may add others before it reads its first scene.
+bem::Family<CoulombIteration>& coulombIterations();
+
+/// The one that the options name.
+std::unique_ptr<NonlinearSolver> makeCoulomb(const Tresca& tresca,
+                                             const CoulombOptions& options);
 
 }  // namespace epafi::contact

@@ -1,19 +1,13 @@
 #include "contact/coulomb/FrictionContinuation.hpp"
 
-#include "bem/base/Error.hpp"
 #include "contact/equation/Equilibrium.hpp"
-#include "contact/newton/Sweeps.hpp"
-#include "contact/tresca/Tresca.hpp"
+#include "contact/solve/Advance.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace epafi::contact {
 
 namespace {
-
-constexpr double firstStep = 0.25;
-constexpr double smallestStep = 1.0 / 256;
 
 // The problem with another law's strength; everything else is copied once.
 class ScaledFriction {
@@ -42,54 +36,34 @@ class ScaledFriction {
 // Active sets that do not return, from the state as it is or, if that fails, from one
 // that sweeps have settled; where both fail, a shorter step in θ costs less than a line
 // search.
-Solution correct(const Problem& problem, const State& start,
-                 const SolverOptions& options) {
-  const Equation sharp(problem, complementarity("Projection"),
-                       Equation::Bound::Differentiated, options.tolerance);
-  const auto from = [&](const Vector& unknowns) {
-    return runNewton(sharp, unknowns, NewtonMethod::Pivoting, options.maximumIterations,
-                     options.nox);
-  };
-  const NewtonRun near = from(pack(problem, start));
-  Report report = extended({}, Stage::Pivoting, near, problem);
-  if (near.end == End::Converged)
-    return {unpack(problem, near.last), std::move(report)};
-  const NewtonRun smooth = from(smoothed(sharp, pack(problem, start)));
-  return {unpack(problem, smooth.last),
-          extended(std::move(report), Stage::Pivoting, smooth, problem)};
+Solution correct(const Problem& problem, const State& start, const Tresca& tresca) {
+  NewtonCourse course(problem, start, tresca, Equation::Bound::Differentiated);
+  const Vector from = course.best();
+  course.add(Stage::Pivoting, tresca.newton().run(course.sharp(), from,
+                                                  NewtonMethod::Pivoting, course.run()));
+  if (!course.report().converged())
+    course.pivoting(Stage::Pivoting, course.sharp(), from);
+  return std::move(course).solution();
 }
 
 }  // namespace
 
-Solution followFriction(const Problem& problem, const SolverOptions& options) {
-  Solution now;
+Solution followFriction(const Problem& problem, const Tresca& tresca, int steps) {
+  constexpr Pace pace{0.25, 1, 1.0 / 256};
   ScaledFriction friction(problem);
+  Solution begin;
   try {
-    now = solveFixedBounds(friction.at(0), {}, options);
+    begin = tresca.solveSound(friction.at(0), {});
   } catch (const bem::NumericalError& error) {
-    now.report.reason = error.what();  // without friction there is no equilibrium
+    begin.report = failed(error);  // without friction there is no equilibrium
   }
-  double theta = 0;
-  double step = firstStep;
-  while (now.report.status == Status::Converged && theta < 1) {
-    const double next = std::min(1.0, theta + step);
-    Solution trial = correct(friction.at(next), now.state, options);
-    trial.report = joined(std::move(trial.report), now.report);
-    if (trial.report.status == Status::Converged) {
-      theta = next;
-      step *= 1.5;
-      now = std::move(trial);
-    } else {
-      step *= 0.5;
-      now.report.newtonIterations = trial.report.newtonIterations;
-      now.report.stages = trial.report.stages;
-      if (step < smallestStep)
-        now.report = std::move(trial.report);
-    }
-  }
-  now.report = asOne(std::move(now.report), Stage::FollowFriction);
-  now.report.globalised = true;
-  return now;
+  if (!begin.report.converged())
+    return begin;
+  return advance(std::move(begin), pace, steps,
+                 [&](double theta, const State& start) {
+                   return correct(friction.at(theta), start, tresca);
+                 })
+      .solution;
 }
 
 }  // namespace epafi::contact

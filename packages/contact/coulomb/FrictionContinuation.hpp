@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/tresca/Tresca.hpp"
 
 namespace epafi::contact {
 
@@ -9,8 +9,8 @@ namespace epafi::contact {
 ///   θ s(λₙ),   q - (1 - θ) p,   θ = 0, ..., 1,   each solution the start of the next,
 ///
 /// p the part of the resultant q that pressure alone cannot balance, so that there is a
-/// beginning where only friction holds the body.  Steps in θ grow after success and shrink
-/// after failure.  The report is not converged when the path ends before θ = 1.
-Solution followFriction(const Problem& problem, const SolverOptions& options);
+/// beginning where only friction holds the body.  The report is not converged when the
+/// path ends before θ = 1, as it does where `steps` linear systems have been solved.
+Solution followFriction(const Problem& problem, const Tresca& tresca, int steps);
 
 }  // namespace epafi::contact

@@ -1,7 +1,5 @@
 #include "contact/equation/Complementarity.hpp"
 
-#include "bem/base/Error.hpp"
-
 #include <cmath>
 
 namespace epafi::contact {
@@ -66,24 +64,23 @@ Value fischerTangential(double multiplier, double slip, double bound) {
 
 }  // namespace
 
-const std::vector<Complementarity>& complementarities() {
-  static const std::vector<Complementarity> functions = {
-      {"Projection", "multiplier = projection of multiplier + penetration: active sets",
-       false, projectedNormal, projectedTangential},
-      {"Fischer-Burmeister", "a + b - sqrt(a^2 + b^2): a smooth merit function", true,
-       fischerNormal, fischerTangential},
-  };
-  return functions;
+bem::Family<Complementarity>& complementarities() {
+  static bem::Family<Complementarity> family(
+      "complementarity",
+      {
+          {"Projection",
+           "multiplier = projection of multiplier + penetration: active sets", false,
+           true, projectedNormal, projectedTangential},
+          {"Fischer-Burmeister", "a + b - sqrt(a^2 + b^2): a smooth merit function", true,
+           false, fischerNormal, fischerTangential},
+      });
+  return family;
 }
 
-const Complementarity& complementarity(const std::string& name) {
-  std::string known;
-  for (const Complementarity& function : complementarities()) {
-    if (function.name == name)
-      return function;
-    known += (known.empty() ? "'" : ", '") + std::string(function.name) + "'";
-  }
-  throw bem::InputError(bem::message("complementarity '", name, "'; known: ", known));
+const Complementarity& projection() { return complementarities().at("Projection"); }
+
+const Complementarity& fischerBurmeister() {
+  return complementarities().at("Fischer-Burmeister");
 }
 
 }  // namespace epafi::contact

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include "bem/base/Family.hpp"
 
 namespace epafi::contact {
 
@@ -27,14 +26,18 @@ struct Complementarity {
   const char* meaning;
   /// Whether F² is continuously differentiable, so that ½|F|² can serve a line search.
   bool meritIsSmooth;
+  /// Whether its rows are those of active sets: of the projection.
+  bool hasActiveSets;
   Value (*normal)(double multiplier, double penetration);
   Value (*tangential)(double multiplier, double slip, double bound);
 };
 
-/// All complementarity functions.  A new one is one line in Complementarity.cpp.
-const std::vector<Complementarity>& complementarities();
+/// All complementarity functions; a program may add others before it reads its first
+/// scene.  A built-in one is one line in Complementarity.cpp.
+bem::Family<Complementarity>& complementarities();
 
-/// \throws bem::InputError naming the known functions.
-const Complementarity& complementarity(const std::string& name);
+/// Two that parts of the solver ask for by name: active sets, and a smooth merit function.
+const Complementarity& projection();
+const Complementarity& fischerBurmeister();
 
 }  // namespace epafi::contact

@@ -51,7 +51,6 @@ Equation::Equation(const Problem& problem, const Complementarity& function, Boun
                    double tolerance)
     : problem_(problem),
       function_(function),
-      fischerBurmeister_(complementarity("Fischer-Burmeister")),
       bound_(bound),
       tolerance_(tolerance / problem.amplification),
       weights_(responseWeights(problem)) {
@@ -127,7 +126,7 @@ std::vector<StepBound> Equation::stepBounds(
   for (const Tangential& t : tangentials)
     if (bound_ == Bound::Lagged)
       result.push_back({t.bound(e.unknowns)});
-    else if (&function_ == &fischerBurmeister_)
+    else if (!function_.hasActiveSets)
       result.push_back({t.bound(e.unknowns), t.slopes(e.unknowns)});
     else
       result.push_back(extrapolated(t, trial, back));
@@ -235,6 +234,7 @@ Vector Equation::projected(const Evaluation& e) const {
 }
 
 double Equation::merit(const Evaluation& e) const {
+  const Complementarity& smooth = fischerBurmeister();
   double sum = 0;
   for (Index i = 0; i < size(); ++i) {
     double f = entry(e.residual, i);
@@ -242,9 +242,8 @@ double Equation::merit(const Evaluation& e) const {
       const double multiplier = entry(e.unknowns, i);
       const double y = entry(e.penetration, i);
       f = i < problem_.normals
-              ? fischerBurmeister_.normal(multiplier, y).value
-              : fischerBurmeister_
-                    .tangential(multiplier, y, entry(e.bounds, i - problem_.normals))
+              ? smooth.normal(multiplier, y).value
+              : smooth.tangential(multiplier, y, entry(e.bounds, i - problem_.normals))
                     .value;
     }
     sum += 0.5 * f * f;
@@ -253,6 +252,7 @@ double Equation::merit(const Evaluation& e) const {
 }
 
 Vector Equation::meritGradient(const Evaluation& e) const {
+  const Complementarity& smooth = fischerBurmeister();
   const Index n = problem_.size();
   Vector gradient(static_cast<std::size_t>(size()), 0.0);
   Vector factors;
@@ -261,11 +261,11 @@ Vector Equation::meritGradient(const Evaluation& e) const {
     const double y = entry(e.penetration, i);
     Complementarity::Value row{};
     if (i < problem_.normals) {
-      row = fischerBurmeister_.normal(multiplier, y);
+      row = smooth.normal(multiplier, y);
     } else {
       const Index t = i - problem_.normals;
       const Tangential& tangential = problem_.tangentials[static_cast<std::size_t>(t)];
-      row = fischerBurmeister_.tangential(multiplier, y, entry(e.bounds, t));
+      row = smooth.tangential(multiplier, y, entry(e.bounds, t));
       for (const NormalShare& slope : tangential.slopes(e.unknowns))
         entry(gradient, slope.normal) += row.value * row.bound * slope.value;
     }
@@ -303,8 +303,7 @@ State unpack(const Problem& problem, const Vector& unknowns) {
 }
 
 ContactState classify(const Problem& problem, const State& state) {
-  const Equation equation(problem, complementarity("Projection"), Equation::Bound::Lagged,
-                          0);
+  const Equation equation(problem, projection(), Equation::Bound::Lagged, 0);
   const Evaluation e = equation.at(pack(problem, state));
   ContactState result;
   for (Index i = 0; i < problem.normals; ++i)

@@ -63,7 +63,7 @@ class Equation {
   Bound bound() const { return bound_; }
   /// Are the rows linearised by active sets, the slip bound's included?
   bool hasActiveSets() const {
-    return &function_ != &fischerBurmeister_ && bound_ == Bound::Differentiated;
+    return function_.hasActiveSets && bound_ == Bound::Differentiated;
   }
   /// c, one per coefficient.
   const Vector& weights() const { return weights_; }
@@ -98,7 +98,6 @@ class Equation {
 
   const Problem& problem_;
   const Complementarity& function_;
-  const Complementarity& fischerBurmeister_;
   Bound bound_;
   double tolerance_;
   Vector weights_;

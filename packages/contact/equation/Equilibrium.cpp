@@ -169,6 +169,11 @@ class NearestPoint {
 
 }  // namespace
 
+NoBalance::NoBalance()
+    : bem::NumericalError(
+          "the load moves the body along a rigid motion that nothing holds: neither "
+          "contact nor friction can balance its resultant") {}
+
 Vector loadOfFriction(const Problem& problem) {
   const ScaledLoad load(problem);
   Vector rest = NearestPoint(cone(problem, load.scales, false), load.values).separation();
@@ -192,7 +197,7 @@ void requireEquilibrium(const Problem& problem) {
       std::all_of(columns.begin(), columns.end(),
                   [&](const Vector& column) { return dot(v, column) <= 1e-12 * size; });
   if (separates)
-    throw bem::NumericalError(noBalance);
+    throw NoBalance();
 }
 
 }  // namespace epafi::contact

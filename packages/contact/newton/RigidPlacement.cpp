@@ -65,7 +65,7 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
   double high = fastest > 0 ? problem.stress / fastest : 1;
   for (int k = 0; work(high) > 1e-12 * scale; ++k) {
     if (k == quadruplings)
-      throw NoBalance(noBalance);
+      throw NoBalance();
     low = high;
     high *= 4;
   }

@@ -2,7 +2,6 @@
 
 #include "bem/base/Error.hpp"
 #include "contact/nox/ContactJacobian.hpp"
-#include "contact/tresca/Tresca.hpp"
 
 #include <Thyra_DefaultSpmdVectorSpace.hpp>
 #include <Thyra_MultiVectorBase.hpp>
@@ -34,12 +33,6 @@ RCP<const SpmdSpace> spaceOf(const Problem& problem,
   return space;
 }
 
-const Complementarity& functionOf(SolverOptions::Complementarity choice) {
-  SolverOptions options;
-  options.complementarity = choice;
-  return complementarityOf(options);
-}
-
 // The tolerance is the caller's business: the model only evaluates.
 constexpr double noTolerance = 0;
 
@@ -63,7 +56,7 @@ ContactModel::ContactModel(const Problem& problem, const Vector& gap,
                            const Options& options)
     : family_(std::in_place, problem, gap),
       stress_(problem.stress),
-      complementarity_(&functionOf(options.complementarity)),
+      complementarity_(&complementarities().at(options.complementarity)),
       space_(spaceOf(problem, options)),
       parameterSpace_(
           Thyra::locallyReplicatedDefaultSpmdVectorSpace<double>(space_->getComm(), 1)) {}

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/equation/ProblemFamily.hpp"
 #include "contact/nox/ContactJacobian.hpp"
 #include "contact/problem/ContactProblem.hpp"
@@ -33,8 +32,7 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
   enum Parameter { Load = 0, Friction = 1 };
 
   struct Options {
-    SolverOptions::Complementarity complementarity =
-        SolverOptions::Complementarity::Projection;
+    std::string complementarity = "Projection";  ///< a name of complementarities()
     /// How x and f are distributed: unknowns() entries, each process a contiguous piece,
     /// as Thyra::createVectorSpace<double>(map) has it for a Tpetra map.  Null: one
     /// process, no MPI.  The equation is replicated, and evaluating it is collective.

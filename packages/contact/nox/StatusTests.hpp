@@ -1,7 +1,7 @@
 #pragma once
 
+#include "contact/newton/Newton.hpp"
 #include "contact/nox/ContactModel.hpp"
-#include "contact/nox/Newton.hpp"
 
 #include <NOX_StatusTest_Generic.H>
 

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "contact/problem/Problem.hpp"
+#include "bem/base/Error.hpp"
+#include "contact/newton/Newton.hpp"
 
 #include <string>
 #include <vector>
@@ -8,18 +9,6 @@
 namespace epafi::contact {
 
 enum class Status { Converged, NotConverged };
-
-/// Why a run of some method ended.
-enum class End {
-  Converged,
-  Iterations,  ///< no convergence within the allowed steps
-  Restless,    ///< a set of states came back and the residual had not fallen
-  Growth,      ///< the residual grew beyond all measure
-  NotFinite,
-  Stalled,   ///< no step length decreases the merit function
-  Singular,  ///< of the Newton matrix
-  NoBalance  ///< nothing balances the load with these bounds
-};
 
 /// The methods of which a solve is made; those that others are part of come first.
 enum class Stage {
@@ -54,14 +43,30 @@ struct Report {
   bool globalised = false;       ///< full steps were given up for a line search
   std::vector<double> merits;    ///< the last descent's merit function, step by step
   std::vector<StageRun> stages;  ///< what was tried, in order; the last one decides
-  std::string reason;  ///< empty when converged; else what happened and what to try
+  double loadReached = 1;        ///< the part of the load that could be applied in steps
+  std::string said;              ///< by the arithmetic, of a linear system that failed
   std::vector<Index> restless;  ///< coefficients still changing state, when not converged
+
+  bool converged() const { return status == Status::Converged; }
 };
 
 struct Solution {
   State state;
   Report report;
 };
+
+/// The report after one more run.
+/// \throws bem::NumericalError if the run met a number that is not finite.
+Report extended(Report report, Stage stage, const NewtonRun& run, const Problem& problem);
+
+/// What came first and what came next as one report.
+Report joined(Report later, const Report& earlier);
+
+/// All stages of a report as the parts of one.
+Report asOne(Report report, Stage stage);
+
+/// The report of what ended with an error of the arithmetic.
+Report failed(const bem::NumericalError& error);
 
 /// "full steps 17 restless, follow friction 23 converged (pivoting 9 converged, ...)"
 std::string told(const std::vector<StageRun>& stages);

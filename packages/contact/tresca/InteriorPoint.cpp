@@ -14,7 +14,6 @@ using bem::dot;
 
 namespace {
 
-constexpr int maximumSteps = 100;
 /// Complementarity relative to the load squared: beyond it Newton's method is better.
 constexpr double enough = 1e-18;
 /// Share of the way to the boundary of the box.
@@ -85,7 +84,7 @@ class Method {
     }
   }
 
-  InteriorPoint run() {
+  InteriorPoint run(int maximumSteps) {
     InteriorPoint result;
     while (result.iterations < maximumSteps && !free_.empty()) {
       const double mu = complementarity(0);
@@ -269,9 +268,9 @@ class Method {
 
 }  // namespace
 
-InteriorPoint interiorPoint(const Equation& equation) {
+InteriorPoint interiorPoint(const Equation& equation, int maximumSteps) {
   assert(!equation.problem().boundDependsOnPressure());
-  return Method(equation).run();
+  return Method(equation).run(maximumSteps);
 }
 
 }  // namespace epafi::contact

@@ -20,6 +20,6 @@ struct InteriorPoint {
 /// pressure is all at the rims of contact.  It ends when complementarity is so small that
 /// Newton's method has only digits to add, or when no step leads on.  [Mehrotra 1992]
 /// \pre the equation's bounds do not depend on the pressure
-InteriorPoint interiorPoint(const Equation& equation);
+InteriorPoint interiorPoint(const Equation& equation, int maximumSteps = 100);
 
 }  // namespace epafi::contact

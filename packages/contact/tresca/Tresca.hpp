@@ -1,52 +1,78 @@
 #pragma once
 
-#include "contact/coulomb/CoulombIteration.hpp"
-#include "contact/nox/Newton.hpp"
+#include "bem/base/SchemaRow.hpp"
+#include "contact/solve/NonlinearSolver.hpp"
+#include "contact/solve/Plan.hpp"
+
+#include <string>
+
+namespace Teuchos {
+class ParameterList;
+}
 
 namespace epafi::contact {
 
-/// Newton's method with full steps, and what it did.
-struct Attempt {
-  NewtonRun run;
-  Report report;
+/// What Newton's method does for problems with given slip bounds.
+struct TrescaOptions {
+  std::string complementarity = "Projection";  ///< a name of complementarities()
+  double tolerance = 1e-12;                    ///< scaled residual, relative to the load
+  int maximumIterations =
+      50;  ///< steps of one run; a solve may make Course::runs of them
 };
 
-/// Does a start know something of the multiplier?
-bool isKnown(const State& start);
+/// The keys of a list of these, and what a list that they have completed says.
+bem::SchemaRows trescaRows();
+TrescaOptions parseTresca(const Teuchos::ParameterList& list);
 
-/// Newton's steps as the user's list wants them.
-Attempt newtonSteps(const Equation& equation, const Vector& start, int maximumIterations,
-                    const SolverOptions& options);
-
-/// Sweeps first, then Pivoting.  Only with active sets.
-Attempt pivoting(const Equation& equation, const Vector& start, int maximumIterations,
-                 const SolverOptions& options);
-
-/// From a start that knows something of the solution, with active sets, pivoting(); else
-/// newtonSteps().
-Attempt fullSteps(const Equation& equation, const State& start, int maximumIterations,
-                  const SolverOptions& options);
-
-/// Solves a problem whose slip bounds do not depend on the pressure: none, or
-/// Tresca's.
+/// Frictionless contact and Tresca's friction: slip bounds that do not depend on the
+/// pressure.
 ///
-/// Newton; where its sets come back, its matrix is singular or the residual grows,
-/// Pivoting from the best iterate; then the middle of the box, which knows no sets, and
-/// Newton's last digits.
-/// \throws bem::NumericalError see solve()
-Solution solveFixedBounds(const Problem& problem, const State& start,
-                          const SolverOptions& options);
+/// Newton's steps; chosen active sets; the middle of the box.  Each only where the one
+/// before fails.
+class Tresca final : public NonlinearSolver {
+ public:
+  /// `newton` must outlive this.
+  explicit Tresca(const Newton& newton, const TrescaOptions& options = {})
+      : newton_(newton), options_(options) {}
 
-/// The table's entry for the options.
-const Complementarity& complementarityOf(const SolverOptions& options);
+  const Newton& newton() const { return newton_; }
+  const TrescaOptions& options() const { return options_; }
 
-/// A report extended by one more run, which decides residual, status and reason.
-Report extended(Report report, Stage stage, const NewtonRun& run, const Problem& problem);
+  /// Of a problem known to be sound.
+  Solution solveSound(const Problem& problem, const State& start) const override;
 
-/// What came first and what came next as one report; the later one decides.
-Report joined(Report later, const Report& earlier);
+ private:
+  const Newton& newton_;
+  TrescaOptions options_;
+};
 
-/// A report whose stages are parts of one.
-Report asOne(Report report, Stage stage);
+/// A course with Newton's method and the equations that it may solve.
+class NewtonCourse : public Course {
+ public:
+  NewtonCourse(const Problem& problem, const State& start, const Tresca& tresca,
+               Equation::Bound bound);
+
+  const Tresca& tresca() const { return tresca_; }
+  const Equation& equation() const { return equation_; }
+  /// The same by the projection, which has active sets.
+  const Equation& sharp() const { return sharp_; }
+
+  const State& start() const { return start_; }
+  /// Whether the start is a state, not zero; whether it says which sets are active, up to
+  /// a few coefficients.
+  bool hasStart() const { return hasStart_; }
+  bool knowsSets() const { return hasStart_ && equation_.hasActiveSets(); }
+
+  /// One run of Newton's, from where the course stands or from the best point.
+  void steps(Stage stage, int most);
+  void pivoting(Stage stage, const Equation& equation, const Vector& from);
+
+ private:
+  const Tresca& tresca_;
+  Equation equation_;
+  Equation sharp_;
+  State start_;
+  bool hasStart_;
+};
 
 }  // namespace epafi::contact

@@ -1,12 +1,19 @@
 #pragma once
 
 #include "bem/mesh/Mesh.hpp"
+#include "contact/equation/Equilibrium.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
 #include "contact/solve/Report.hpp"
 
 #include <string>
 
 namespace epafi::drivers {
+
+/// Why a solve did not converge and what in the scene might help; empty if it did.
+std::string reasonOf(const contact::Report& report);
+
+/// What nothing balances, and what in the scene might.
+std::string withAdvice(const contact::NoBalance& error);
 
 /// "; contact points that still change state: (0.31, 0) on foundation, ...": where a
 /// solve that did not converge is undecided, at most five; empty if it is nowhere.

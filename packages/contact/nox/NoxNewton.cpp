@@ -1,4 +1,4 @@
-#include "contact/nox/Newton.hpp"
+#include "contact/nox/NoxNewton.hpp"
 
 #include "bem/base/Error.hpp"
 #include "contact/equation/Equilibrium.hpp"
@@ -45,6 +45,10 @@ std::string firstUnused(const ParameterList& user, const ParameterList& run,
   return "";
 }
 
+std::string nameOf(const ParameterList* user) {
+  return user != nullptr ? user->name() : "NOX";
+}
+
 bool isUsersOwn(const ParameterList& list, const char* sublist, const char* key) {
   return list.isSublist(sublist) && list.sublist(sublist).isParameter(key);
 }
@@ -84,14 +88,14 @@ StepDirection::Step stepOf(NewtonMethod method) {
 // One run's list: the user's, and below it what Epafi wants of NOX.
 RCP<ParameterList> runList(const ParameterList* user, const RCP<ContactModel>& model,
                            NewtonMethod method, const RCP<std::ostream>& log) {
-  const auto list = rcp(new ParameterList("NOX"));
+  const auto list = rcp(new ParameterList(nameOf(user)));
   if (user != nullptr) {
     list->setParameters(*user);
     forgetUse(*list);
   }
   const std::string solver = list->get("Nonlinear Solver", "Line Search Based");
   if (solver != "Line Search Based")
-    throw bem::InputError(bem::message("Solver->NOX->Nonlinear Solver = '", solver,
+    throw bem::InputError(bem::message(list->name(), "->Nonlinear Solver = '", solver,
                                        "'; allowed: 'Line Search Based'"));
   list->sublist("Solver Options")
       .set<RCP<NOX::MeritFunction::Generic>>("User Defined Merit Function",
@@ -130,39 +134,39 @@ RCP<NOX::Solver::Generic> build(const RCP<NOX::Abstract::Group>& group,
 
 // NOX throws literals and logic errors where a parameter is wrong.
 template <class Action>
-auto withNoxErrors(const std::ostringstream& log, const Action& action) {
+auto withNoxErrors(const std::string& list, const std::ostringstream& log,
+                   const Action& action) {
   try {
     return action();
   } catch (const bem::InputError&) {
     throw;
   } catch (const std::logic_error& error) {
-    throw bem::InputError(bem::message("Solver->NOX: ", error.what()));
+    throw bem::InputError(bem::message(list, ": ", error.what()));
   } catch (const char* text) {
-    throw bem::InputError(bem::message("Solver->NOX: ", text, ": ", log.str()));
+    throw bem::InputError(bem::message(list, ": ", text, ": ", log.str()));
   }
 }
 
 }  // namespace
 
-NewtonRun runNewton(const Equation& equation, const Vector& start, NewtonMethod method,
-                    int maximumIterations,
-                    const std::shared_ptr<const ParameterList>& user) {
+NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
+                         NewtonMethod method, int maximumIterations) const {
   const auto log = rcp(new std::ostringstream);
   const auto model = rcp(new ContactModel(equation));
-  const auto list = runList(user.get(), model, method, log);
+  const auto list = runList(list_.get(), model, method, log);
   const RCP<NOX::Abstract::Group> group =
       rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(*model->vector(start)), model));
   // With a lagged bound the residual may rise for a step while the bound settles.
   const int patience = equation.bound() == Equation::Bound::Lagged ? 5 : 1;
   const auto test = rcp(new StepTest(model, method, patience));
-  const RCP<NOX::Solver::Generic> solver =
-      withNoxErrors(*log, [&] { return build(group, test, maximumIterations, list); });
+  const RCP<NOX::Solver::Generic> solver = withNoxErrors(
+      list->name(), *log, [&] { return build(group, test, maximumIterations, list); });
 
   const Merit merit(model);
   const bool descends = method == NewtonMethod::MeritDescent;
   std::vector<double> merits;
   NewtonRun result;
-  const auto status = withNoxErrors(*log, [&] {
+  const auto status = withNoxErrors(list->name(), *log, [&] {
     auto now = solver->getStatus();
     while (now == NOX::StatusTest::Unconverged || now == NOX::StatusTest::Unevaluated) {
       if (descends)
@@ -194,8 +198,8 @@ NewtonRun runNewton(const Equation& equation, const Vector& start, NewtonMethod 
   else if (status == NOX::StatusTest::Failed && result.end == End::Iterations &&
            result.iterations < maximumIterations)
     result.end = End::Stalled;
-  const std::string unused = user != nullptr && method == NewtonMethod::Newton
-                                 ? firstUnused(*user, *list, "Solver->NOX")
+  const std::string unused = list_ != nullptr && method == NewtonMethod::Newton
+                                 ? firstUnused(*list_, *list, list_->name())
                                  : "";
   if (!unused.empty())
     throw bem::InputError(

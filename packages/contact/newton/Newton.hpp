@@ -1,27 +1,34 @@
 #pragma once
 
 #include "contact/equation/Equation.hpp"
-#include "contact/solve/Report.hpp"
 
-#include <memory>
 #include <string>
 #include <vector>
-
-namespace Teuchos {
-class ParameterList;
-}
 
 namespace epafi::contact {
 
 /// How one run of Newton's method chooses and shortens its steps.
 enum class NewtonMethod {
-  /// Newton's steps, full ones unless NOX's list asks for a line search.
+  /// Newton's steps, full ones unless the user asks for a line search.
   Newton,
   /// The same from a start that knows the active sets but for a few coefficients, such as
   /// the state of a coarser mesh: see Pivoting.  Only with active sets.
   Pivoting,
   /// Armijo's rule on ½|F|²; the equation's function must have a smooth merit function.
   MeritDescent
+};
+
+/// Why a run of some method ended.
+enum class End {
+  Converged,
+  Iterations,  ///< no convergence within the allowed steps
+  Restless,    ///< a set of states came back and the residual had not fallen
+  Growth,      ///< the residual grew beyond all measure
+  NotFinite,
+  Stalled,    ///< no step length decreases the merit function
+  Singular,   ///< of the Newton matrix
+  NoBalance,  ///< nothing balances the load with these bounds
+  Unsettled   ///< the slip bound still changes after the allowed updates
 };
 
 /// What one run of Newton's method did.
@@ -38,14 +45,14 @@ struct NewtonRun {
   std::string message;          ///< of a singular Jacobian
 };
 
-/// Runs NOX on F(x) = 0 from `start`.
-///
-/// The list acts whatever the method: what it says of Direction, Line Search and Printing
-/// replaces the method's own choice.  Null: full steps (a line search under MeritDescent),
-/// nothing printed.
-/// \throws bem::InputError for what NOX refuses in the list, or does not use of it.
-NewtonRun runNewton(const Equation& equation, const Vector& start, NewtonMethod method,
-                    int maximumIterations,
-                    const std::shared_ptr<const Teuchos::ParameterList>& list = nullptr);
+/// Newton's method, whoever does its steps: see nox/NoxNewton.
+class Newton {
+ public:
+  virtual ~Newton() = default;
+
+  /// On F(x) = 0 from `start`.
+  virtual NewtonRun run(const Equation& equation, const Vector& start,
+                        NewtonMethod method, int maximumIterations) const = 0;
+};
 
 }  // namespace epafi::contact

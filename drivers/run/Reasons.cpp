@@ -1,0 +1,120 @@
+#include "drivers/run/Reasons.hpp"
+
+#include "bem/base/Error.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::message;
+using contact::End;
+using contact::Report;
+using contact::Stage;
+using contact::StageRun;
+
+// What an end asks for.
+struct Advice {
+  End end;
+  const char* words;
+};
+
+constexpr Advice advices[] = {
+    {End::Iterations, "raise Solver->Maximum Iterations"},
+    {End::Restless,
+     "the active sets repeat; use the other Solver->Complementarity, another Multiplier, "
+     "or a finer mesh where the contact ends"},
+    {End::Growth, "the residual grows; check load and units, or load in steps"},
+    {End::Stalled,
+     "no step length decreases the merit function; the problem may be too "
+     "ill-conditioned for this Solver->Tolerance, or have no solution"},
+};
+
+constexpr const char* holdTheMotion =
+    "; hold the motion (Rigid Motions -> Fix, or a Dirichlet condition), or change the "
+    "load or the friction";
+
+std::string ended(const Report& report, End end) {
+  if (end == End::NoBalance)
+    return report.said.empty() ? message(contact::NoBalance().what(), holdTheMotion)
+                               : report.said + holdTheMotion;
+  const std::string residual =
+      message("scaled residual ", report.residual, ", tolerance ", report.tolerance,
+              " after ", report.newtonIterations, " steps");
+  for (const Advice& advice : advices)
+    if (advice.end == end)
+      return residual + ": " + advice.words;
+  return residual + ": " + report.said;
+}
+
+std::string worded(const Report& report, const std::vector<StageRun>& stages) {
+  if (stages.empty())
+    return report.said;
+  const StageRun& last = stages.back();
+  if (last.stage == Stage::Load)
+    return message("the load could be raised to ", report.loadReached,
+                   " of itself, not beyond: ", worded(report, last.parts));
+  if (last.stage != Stage::FixedPoint || last.parts.empty())
+    return ended(report, last.end);
+  std::string text;
+  if (last.end == End::Unsettled)
+    text =
+        message("the slip bound still changes by ", last.parts.back().residual,
+                " of the load after ", report.coulombIterations,
+                " updates: use Solver->Coulomb Iteration = 'Newton', or raise "
+                "Solver->Coulomb Maximum Iterations; with a large friction coefficient "
+                "there may be several solutions, or none");
+  else
+    text = message(
+        "Tresca's problem of an update of the slip bound: ", worded(report, last.parts),
+        ".  Try Solver->Coulomb Iteration = 'Newton'");
+  if (stages.size() > 1)
+    text +=
+        ".  Newton's method, following friction from zero, a line search and updates of "
+        "the slip bound were tried; with a large friction coefficient there may be "
+        "several solutions, or none: try a smaller one, a finer mesh, or Solver->Load "
+        "Steps";
+  return text;
+}
+
+}  // namespace
+
+std::string reasonOf(const Report& report) {
+  return report.converged() ? "" : worded(report, report.stages);
+}
+
+std::string withAdvice(const contact::NoBalance& error) {
+  return message(error.what(), holdTheMotion);
+}
+
+std::string restlessPlaces(const contact::Report& report,
+                           const contact::MultiplierSpace& multiplier,
+                           const bem::Mesh& mesh) {
+  constexpr std::size_t shown = 5;
+  const std::set<contact::Index> restless(report.restless.begin(), report.restless.end());
+  std::vector<std::string> places;
+  for (const auto& element : multiplier.elements()) {
+    const bem::Vector at = multiplier.basis().places(element.degree);
+    for (int i = 0; i <= element.degree; ++i) {
+      const bool here =
+          restless.count(element.normalOf(i)) > 0 ||
+          (element.tangential >= 0 && restless.count(element.tangentialOf(i)) > 0);
+      if (!here)
+        continue;
+      const bem::Vec2 place =
+          mesh.physicalPoint(element.element, at[static_cast<std::size_t>(i)]);
+      places.push_back(
+          bem::message("(", place.x, ", ", place.y, ") on ", *element.boundary));
+    }
+  }
+  std::string text;
+  for (std::size_t k = 0; k < std::min(places.size(), shown); ++k)
+    text += (k == 0 ? "; contact points that still change state: " : ", ") + places[k];
+  if (places.size() > shown)
+    text += bem::message(" and ", places.size() - shown, " more");
+  return text;
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,84 @@
+#include "drivers/run/Solver.hpp"
+
+#include "contact/equation/Equilibrium.hpp"
+#include "contact/nox/NoxNewton.hpp"
+#include "contact/solve/LoadContinuation.hpp"
+#include "drivers/run/Reasons.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::Vector;
+
+contact::Solution assembled(const contact::ContactProblem& problem,
+                            const contact::State& start, const Scene::Solver& options) {
+  const contact::NoxNewton newton(options.nox);
+  const contact::Tresca tresca(newton, options.tresca);
+  const bool follows = problem.numbers().boundDependsOnPressure();
+  const auto coulomb = follows ? contact::makeCoulomb(tresca, options.coulomb) : nullptr;
+  const contact::NonlinearSolver* solver = &tresca;
+  if (follows)
+    solver = coulomb.get();
+  return contact::solveInLoadSteps(*solver, problem.numbers(), problem.gap(), start,
+                                   options.loadSteps);
+}
+
+constexpr std::ptrdiff_t scalars = 6;
+
+Vector packed(const Solved& solved) {
+  const contact::Report& report = solved.solution.report;
+  Vector numbers = {report.converged() ? 1.0 : 0.0,
+                    static_cast<double>(report.newtonIterations),
+                    static_cast<double>(report.coulombIterations),
+                    report.residual,
+                    report.tolerance,
+                    report.globalised ? 1.0 : 0.0};
+  numbers.insert(numbers.end(), solved.reason.begin(), solved.reason.end());
+  return numbers;
+}
+
+void unpack(const Vector& numbers, Solved& solved) {
+  contact::Report& report = solved.solution.report;
+  report.status =
+      numbers[0] == 1 ? contact::Status::Converged : contact::Status::NotConverged;
+  report.newtonIterations = static_cast<int>(numbers[1]);
+  report.coulombIterations = static_cast<int>(numbers[2]);
+  report.residual = numbers[3];
+  report.tolerance = numbers[4];
+  report.globalised = numbers[5] == 1;
+  std::transform(numbers.begin() + scalars, numbers.end(),
+                 std::back_inserter(solved.reason),
+                 [](double c) { return static_cast<char>(c); });
+}
+
+}  // namespace
+
+Solved solve(const contact::ContactProblem& problem, const bem::Mesh& mesh,
+             const contact::State& start, const Scene::Solver& options,
+             const bem::DenseAlgebra& algebra) {
+  Solved solved;
+  contact::State& state = solved.solution.state;
+  if (algebra.rank() == 0) {
+    try {
+      solved.solution = assembled(problem, start, options);
+    } catch (const contact::NoBalance& error) {
+      throw bem::NumericalError(withAdvice(error));
+    }
+    solved.reason = reasonOf(solved.solution.report) +
+                    restlessPlaces(solved.solution.report, problem.multiplier(), mesh);
+  }
+  if (algebra.processes() == 1)
+    return solved;
+  state.multiplier = algebra.broadcast(std::move(state.multiplier));
+  state.rigid = algebra.broadcast(std::move(state.rigid));
+  const Vector numbers = algebra.broadcast(packed(solved));
+  if (algebra.rank() != 0)
+    unpack(numbers, solved);
+  return solved;
+}
+
+}  // namespace epafi::drivers

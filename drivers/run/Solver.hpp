@@ -1,0 +1,30 @@
+#pragma once
+
+#include "bem/base/DenseAlgebra.hpp"
+#include "bem/mesh/Mesh.hpp"
+#include "contact/problem/ContactProblem.hpp"
+#include "contact/solve/Report.hpp"
+#include "drivers/scene/Scene.hpp"
+
+#include <string>
+
+namespace epafi::drivers {
+
+/// A solved problem, and in words why it is not if it is not.
+struct Solved {
+  contact::Solution solution;
+  std::string reason;
+};
+
+/// Solves one problem as the scene's list Solver says: Newton's method by NOX, Tresca's
+/// problem on it, and Coulomb's on that where the slip bound depends on the pressure.
+///
+/// Rank 0 solves and tells the others, so that all go on with the same bits.  They get
+/// state, status, iterations, residual, tolerance and reason; the histories of the steps
+/// stay where they are.
+/// \throws see contact::NonlinearSolver
+Solved solve(const contact::ContactProblem& problem, const bem::Mesh& mesh,
+             const contact::State& start, const Scene::Solver& options,
+             const bem::DenseAlgebra& algebra);
+
+}  // namespace epafi::drivers

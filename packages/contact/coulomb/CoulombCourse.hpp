@@ -1,0 +1,31 @@
+#pragma once
+
+#include "contact/coulomb/CoulombIteration.hpp"
+
+namespace epafi::contact {
+
+/// A course of Newton's method on Coulomb's problem, every step of which updates the bound,
+/// and the stages that its plans share.
+class CoulombCourse : public NewtonCourse {
+ public:
+  CoulombCourse(const Problem& problem, const State& start, const Tresca& tresca,
+                Equation::Bound bound, const CoulombOptions& options)
+      : NewtonCourse(problem, start, tresca, bound), options_(options) {}
+
+  const CoulombOptions& options() const { return options_; }
+
+  bool isCoupled() const { return problem().boundsAreCoupled(); }
+  static bool always(const CoulombCourse&) { return true; }
+
+  /// What follows where Newton's steps fail.  Following friction costs a few of them each;
+  /// the descent, that costs many, and updates of the bound are for bodies that only
+  /// friction holds.
+  static void followFriction(CoulombCourse& course, Stage stage);
+  static void meritDescent(CoulombCourse& course, Stage stage);
+  static void updates(CoulombCourse& course, Stage stage);
+
+ private:
+  CoulombOptions options_;
+};
+
+}  // namespace epafi::contact

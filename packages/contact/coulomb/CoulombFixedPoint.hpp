@@ -1,0 +1,26 @@
+#pragma once
+
+#include "contact/coulomb/CoulombIteration.hpp"
+
+namespace epafi::contact {
+
+/// A whole Tresca problem per update of the slip bound; the update is shortened where the
+/// bound's change does not fall.
+class CoulombFixedPoint final : public NonlinearSolver {
+ public:
+  explicit CoulombFixedPoint(const Tresca& tresca, const CoulombOptions& options = {})
+      : tresca_(tresca), options_(options) {}
+
+  /// Ends with the update after which `steps` linear systems have been solved.
+  Solution updates(const Problem& problem, const State& start, int steps) const;
+
+ private:
+  Solution solveSound(const Problem& problem, const State& start) const override;
+  Solution firstBound(const Problem& problem, const State& start) const;
+  Solution update(const Problem& problem, Solution before) const;
+
+  const Tresca& tresca_;
+  CoulombOptions options_;
+};
+
+}  // namespace epafi::contact

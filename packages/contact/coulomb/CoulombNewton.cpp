@@ -1,0 +1,59 @@
+#include "contact/coulomb/CoulombNewton.hpp"
+
+#include "contact/coulomb/CoulombCourse.hpp"
+
+namespace epafi::contact {
+
+namespace {
+
+bool isCoupled(const CoulombCourse& course) { return course.isCoupled(); }
+
+// From zero, coupled bounds are uncoupled first.
+bool startsAfar(const CoulombCourse& course) {
+  return !course.knowsSets() && (!course.isCoupled() || course.hasStart());
+}
+
+bool knowsSets(const CoulombCourse& course) { return course.knowsSets(); }
+
+bool mayPivot(const CoulombCourse& course) {
+  return course.isCoupled() && course.equation().hasActiveSets();
+}
+
+void fullSteps(CoulombCourse& course, Stage stage) { course.steps(stage, course.run()); }
+
+void pivoting(CoulombCourse& course, Stage stage) {
+  course.pivoting(stage, course.equation(), course.best());
+}
+
+// Bounds that follow all pressures of an element make active sets wander from afar; bounds
+// that follow their own pressure alone do not, and bring near.  Sweeps from there would
+// lead away again.
+void uncoupled(CoulombCourse& course, Stage stage) {
+  const Problem single = withUncoupledBounds(course.problem());
+  Solution near =
+      CoulombNewton(course.tresca(), course.options()).solveSound(single, course.start());
+  near.report = asOne(std::move(near.report), stage);
+  near.report.coulombIterations = near.report.newtonIterations;
+  near.report.status = Status::NotConverged;
+  course.add(std::move(near));
+}
+
+constexpr PlannedStage<CoulombCourse> plan[] = {
+    {Stage::FullSteps, startsAfar, fullSteps},
+    {Stage::Pivoting, knowsSets, pivoting},
+    {Stage::Uncoupled, isCoupled, uncoupled},
+    {Stage::FullSteps, isCoupled, fullSteps},
+    {Stage::Pivoting, mayPivot, pivoting},
+    {Stage::FollowFriction, CoulombCourse::always, CoulombCourse::followFriction},
+    {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::meritDescent},
+    {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updates},
+};
+
+}  // namespace
+
+Solution CoulombNewton::solveSound(const Problem& problem, const State& start) const {
+  return follow(plan, CoulombCourse(problem, start, tresca_,
+                                    Equation::Bound::Differentiated, options_));
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "contact/newton/Newton.hpp"
+
+#include <memory>
+
+namespace Teuchos {
+class ParameterList;
+}
+
+namespace epafi::contact {
+
+/// Newton's method by NOX.
+class NoxNewton final : public Newton {
+ public:
+  /// The list acts whatever the method: what it says of Direction, Line Search and Printing
+  /// replaces the method's own choice.  Null: full steps (a line search under
+  /// MeritDescent), nothing printed.  It is never written to.
+  explicit NoxNewton(std::shared_ptr<const Teuchos::ParameterList> list = nullptr)
+      : list_(std::move(list)) {}
+
+  /// \throws bem::InputError for what NOX refuses in the list, or does not use of it; the
+  ///   path begins with the list's name.
+  NewtonRun run(const Equation& equation, const Vector& start, NewtonMethod method,
+                int maximumIterations) const override;
+
+ private:
+  std::shared_ptr<const Teuchos::ParameterList> list_;
+};
+
+}  // namespace epafi::contact
