@@ -84,9 +84,9 @@ std::string checkScene(const Scene& scene) {
        << "  Neumann    " << namesOf(scene.conditions.neumann) << "\n"
        << "  contact    " << namesOf(scene.conditions.contact) << "\n"
        << "  held       " << fixedMotions(scene.conditions.fix) << "\n"
-       << "  strategy    " << scene.adaptivity.strategy << ", at most "
-       << scene.adaptivity.maximumLevels << " levels and "
-       << scene.adaptivity.maximumDegreesOfFreedom << " degrees of freedom\n"
+       << "  strategy    " << scene.adaptivity.strategy.name << ", at most "
+       << scene.adaptivity.limits.levels << " levels and "
+       << scene.adaptivity.limits.degreesOfFreedom << " degrees of freedom\n"
        << "The scene is valid.\n";
   return text.str();
 }

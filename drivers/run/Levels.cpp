@@ -74,9 +74,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
   const bem::Units units = scene.outline->units(scene.material.youngsModulus);
   const bem::Lame lame(scene.material);
   const bem::DenseAlgebra& algebra = ranks.algebra();
-  const auto belos = scene.linear.method == Scene::Linear::Method::Belos
-                         ? ranks.belosSolver(scene.linear.belos)
-                         : nullptr;
+  const auto krylov = linearMethods().at(scene.linear.method).solver(ranks, scene.linear);
 
   auto next = earlier ? levelAfterRestart(scene, *earlier, algebra) : firstLevel(scene);
   while (const auto* from = std::get_if<LevelStart>(&next)) {
@@ -85,9 +83,9 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
         contact::makeSpace(from->mesh, scene.conditions, scene.stabilization);
     const contact::MultiplierSpace multiplier(space.mesh(), basis, scene.conditions);
     const Size size = sizeOf(space, multiplier, scene.conditions);
-    if (size.dof() > scene.adaptivity.maximumDegreesOfFreedom)
+    if (size.dof() > scene.adaptivity.limits.degreesOfFreedom)
       return {contact::Status::Converged,
-              capReached(number, size, scene.adaptivity.maximumDegreesOfFreedom)};
+              capReached(number, size, scene.adaptivity.limits.degreesOfFreedom)};
     timer.startLevel(number);
 
     auto operators = timer.run(Phase::Assembly, [&] {
@@ -96,7 +94,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
           contact::tractionElements(multiplier, scene.stabilization));
     });
     const auto stiffness = timer.run(Phase::Factorization, [&] {
-      return stiffnessOf(std::move(operators), algebra, belos.get(),
+      return stiffnessOf(std::move(operators), algebra, krylov.get(),
                          contact::densityCompliance(space, multiplier,
                                                     scene.stabilization, lame, units));
     });

@@ -21,18 +21,19 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
   if (level.status != contact::Status::Converged)
     return Outcome{level.status, bem::message("level ", level.number,
                                               " is not converged: ", level.reason)};
-  if (level.indicators.estimate() < scene.adaptivity.targetEstimate)
+  if (level.indicators.estimate() < scene.adaptivity.limits.estimate)
     return converged("the estimate is below the target");
-  if (level.number + 1 >= scene.adaptivity.maximumLevels)
+  if (level.number + 1 >= scene.adaptivity.limits.levels)
     return converged("all levels that the scene allows are computed");
 
   const bem::Space space = contact::makeSpace({scene.outline, level.pieces},
                                               scene.conditions, scene.stabilization);
   const bem::Mesh& mesh = space.mesh();
-  const adaptivity::Strategy& strategy = adaptivity::strategy(scene.adaptivity.strategy);
+  const adaptivity::StrategyOptions& options = scene.adaptivity.strategy;
+  const adaptivity::Strategy& strategy = adaptivity::strategy(options.name);
   const contact::MultiplierSpace multiplier(
       mesh, contact::multiplierBasis(scene.multiplier), scene.conditions);
-  adaptivity::GradingOptions grading = scene.adaptivity.grading;
+  adaptivity::GradingOptions grading = options.grading;
   grading.largestDegree = multiplier.basis().largestDegree;
   const bem::Mesh coarse = firstLevel(scene).mesh;
   const adaptivity::SolvedMesh solved{space,        scene.conditions,   multiplier,
@@ -43,8 +44,8 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
       prepared.mesh,
       level.indicators.elements(),
       adaptivity::looksAnalytic(space, scene.conditions, level.displacement,
-                                level.density, scene.adaptivity.analyticityThreshold),
-      scene.adaptivity.markingFraction,
+                                level.density, options.analyticityThreshold),
+      options.markingFraction,
       prepared.singular,
       grading};
   const adaptivity::Marks marks = adaptivity::decide(strategy, data, algebra);

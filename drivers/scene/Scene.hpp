@@ -1,13 +1,14 @@
 #pragma once
 
 #include "adaptivity/estimate/ResidualEstimator.hpp"
-#include "adaptivity/mark/Grading.hpp"
+#include "adaptivity/mark/Strategy.hpp"
 #include "bem/base/Material.hpp"
 #include "bem/geometry/Outline.hpp"
-#include "bem/tpetra/BelosOptions.hpp"
 #include "contact/conditions/Conditions.hpp"
 #include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/problem/Stabilization.hpp"
+#include "drivers/scene/LinearMethod.hpp"
+#include "drivers/scene/RunLimits.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_RCP.hpp>
@@ -43,22 +44,12 @@ struct Scene {
     std::shared_ptr<const Teuchos::ParameterList> nox;
   } solver;
 
-  /// How V is inverted.
-  struct Linear {
-    enum class Method { Dense, Belos };
-    Method method = Method::Dense;
-    bem::BelosOptions belos;
-  } linear;
+  LinearOptions linear;
 
   struct Adaptivity {
-    std::string strategy = "None";
-    int maximumLevels = 1;
-    long maximumDegreesOfFreedom = 4000;
-    double markingFraction = 0.3;
-    double analyticityThreshold = 0.5;
+    adaptivity::StrategyOptions strategy;
     adaptivity::EstimatorOptions estimator;
-    adaptivity::GradingOptions grading;
-    double targetEstimate = 0;
+    RunLimits limits;
   } adaptivity;
 
   struct Output {

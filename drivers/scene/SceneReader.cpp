@@ -39,17 +39,6 @@ auto at(const std::string& path, Make make) {
   }
 }
 
-/// The enumerator that a validated word stands for.
-template <class Enum>
-Enum pick(const std::string& word,
-          const std::vector<std::pair<const char*, Enum>>& table) {
-  for (const auto& [name, value] : table)
-    if (word == name)
-      return value;
-  throw InputError(
-      message("'", word, "' is allowed by the schema but has no meaning yet"));
-}
-
 std::vector<bem::Vec2> pointsOf(const ParameterList& list, const std::string& key) {
   const auto& table = list.get<Teuchos::TwoDArray<double>>(key);
   std::vector<bem::Vec2> points;
@@ -225,32 +214,11 @@ Scene::Solver readSolver(const ParameterList& list) {
   return solver;
 }
 
-Scene::Linear readLinear(const ParameterList& list) {
-  using Method = Scene::Linear::Method;
-  Scene::Linear linear;
-  linear.method = pick<Method>(list.get<std::string>("Method"),
-                               {{"Dense", Method::Dense}, {"Belos", Method::Belos}});
-  linear.belos = bem::parseBelos(list);
-  return linear;
-}
-
 Scene::Adaptivity readAdaptivity(const ParameterList& list) {
-  Scene::Adaptivity adaptivity;
-  adaptivity.strategy = list.get<std::string>("Strategy");
-  adaptivity.maximumLevels =
-      adaptivity.strategy == "None" ? 1 : list.get<int>("Maximum Levels");
-  adaptivity.maximumDegreesOfFreedom = list.get<int>("Maximum Degrees of Freedom");
-  adaptivity.markingFraction = list.get<double>("Marking Fraction");
-  adaptivity.analyticityThreshold = list.get<double>("Analyticity Threshold");
-  adaptivity.estimator = adaptivity::parseEstimator(list);
-  const ParameterList& grading = list.sublist("Grading");
-  adaptivity.grading.ratio = grading.get<double>("Ratio");
-  adaptivity.grading.degreeStep = grading.get<int>("Degree Step");
-  adaptivity.grading.weakDegree = grading.get<int>("Weak Point Degree");
-  adaptivity.grading.transitions = grading.get<std::string>("Transitions");
-  adaptivity.grading.reach = grading.get<double>("Reach");
-  adaptivity.grading.smooth = grading.get<std::string>("Smooth Elements");
-  adaptivity.targetEstimate = list.get<double>("Target Estimate");
+  Scene::Adaptivity adaptivity{adaptivity::parseStrategy(list),
+                               adaptivity::parseEstimator(list), parseLimits(list)};
+  if (adaptivity::strategy(adaptivity.strategy.name).levels == adaptivity::Levels::One)
+    adaptivity.limits.levels = 1;
   return adaptivity;
 }
 
@@ -302,7 +270,7 @@ Scene build(const std::string& file, const RawScene& raw) {
     scene.stabilization.form = contact::Stabilization::Form::None;
   checkIncompressible(scene, path + "->Material->Poisson's Ratio");
   scene.solver = readSolver(used.sublist("Solver"));
-  scene.linear = readLinear(used.sublist("Solver").sublist("Linear"));
+  scene.linear = parseLinear(used.sublist("Solver").sublist("Linear"));
   scene.adaptivity = readAdaptivity(used.sublist("Adaptivity"));
   scene.output = readOutput(used.sublist("Output"), *scene.outline);
   return scene;

@@ -1,12 +1,12 @@
 #include "adaptivity/estimate/ResidualEstimator.hpp"
-#include "adaptivity/mark/Grading.hpp"
 #include "adaptivity/mark/Strategy.hpp"
-#include "bem/tpetra/BelosOptions.hpp"
 #include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/law/FrictionLaw.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/problem/Stabilization.hpp"
 #include "contact/solve/LoadContinuation.hpp"
+#include "drivers/scene/LinearMethod.hpp"
+#include "drivers/scene/RunLimits.hpp"
 #include "drivers/scene/Schema.hpp"
 
 namespace epafi::drivers {
@@ -17,26 +17,6 @@ using bem::above;
 using bem::from;
 using bem::Row;
 using Table = std::vector<Parameter>;
-
-/// The names of a family: friction laws, multiplier bases, strategies.
-template <class Family>
-std::vector<std::string> namesOf(const Family& family) {
-  std::vector<std::string> names;
-  names.reserve(family.size());
-  for (const auto& member : family)
-    names.push_back(member.name);
-  return names;
-}
-
-/// "A: what A does; B: what B does"
-template <class Family>
-std::string meanings(const Family& family) {
-  std::string text;
-  for (const auto& member : family)
-    text +=
-        (text.empty() ? "" : "; ") + (std::string(member.name) + ": " + member.meaning);
-  return text;
-}
 
 void addBody(Table& table) {
   const std::string body = "Bodies-><body>";
@@ -162,107 +142,17 @@ void addSolver(Table& table) {
   append(table, contact::coulombRows(), "Solver");
   append(table, contact::trescaRows(), "Solver");
   append(table, contact::loadRows(), "Solver");
-  append(
-      table,
-      {
-          Row("Solver->NOX", Kind::Free, "handed to NOX; empty means Epafi's own choice"),
-          Row("Solver->Linear", Kind::List, "how linear systems are solved"),
-          Row("Solver->Linear->Method", Kind::Text,
-              "how the single layer potential is inverted; Dense: Cholesky's factors; "
-              "Belos: conjugate gradients, for each column")
-              .standard("Dense")
-              .allowed({"Dense", "Belos"}),
-      });
-  append(table, bem::belosRows(), "Solver->Linear");
-}
-
-void addStrategy(Table& table) {
-  append(
-      table,
-      {
-          Row("Adaptivity", Kind::List, "from one level to the next"),
-          Row("Adaptivity->Strategy", Kind::Text, meanings(adaptivity::strategies()))
-              .standard("None")
-              .allowed(namesOf(adaptivity::strategies())),
-          Row("Adaptivity->Marking Fraction", Kind::Real,
-              "adaptive strategies refine the fewest elements that carry this part of "
-              "the "
-              "squared estimate")
-              .unit("1")
-              .standard("0.3")
-              .range({0, 1, true, false}),
-          Row("Adaptivity->Analyticity Threshold", Kind::Real,
-              "Adaptive hp raises the degree where Legendre coefficients decay at least "
-              "this fast from one degree to the next")
-              .unit("1")
-              .standard("0.5")
-              .range({0, 1, true, true}),
-      });
-}
-
-void addGrading(Table& table) {
-  append(
-      table,
-      {
-          Row("Adaptivity->Grading", Kind::List, "what Graded hp does"),
-          Row("Adaptivity->Grading->Ratio", Kind::Real,
-              "length of the piece that is cut off next to a singular point, relative to "
-              "the element's")
-              .unit("1")
-              .standard("0.1")
-              .range({0, 0.5, true, false}),
-          Row("Adaptivity->Grading->Degree Step", Kind::Whole,
-              "by how much the piece away from the singular point raises its degree")
-              .unit("1")
-              .standard("1")
-              .range({0, 4}),
-          Row("Adaptivity->Grading->Weak Point Degree", Kind::Whole,
-              "next to corners and changes of boundary the degree is raised as long as "
-              "it "
-              "is lower and coefficients decay")
-              .unit("1")
-              .standard("4")
-              .range(from(1)),
-          Row("Adaptivity->Grading->Transitions", Kind::Text,
-              "where contact or friction changes its state inside an element; " +
-                  meanings(adaptivity::transitions()))
-              .standard(adaptivity::transitions().front().name)
-              .allowed(namesOf(adaptivity::transitions())),
-          Row("Adaptivity->Grading->Reach", Kind::Real,
-              "Follow moves a node to a transition that lies off it by at most this part "
-              "of the length of the element the transition is in; 0: no node moves")
-              .unit("1")
-              .standard("1")
-              .range({0, 1, false, false}),
-          Row("Adaptivity->Grading->Smooth Elements", Kind::Text,
-              "raise the degree away from singular points; " +
-                  meanings(adaptivity::smoothElements()))
-              .standard(adaptivity::smoothElements().front().name)
-              .allowed(namesOf(adaptivity::smoothElements())),
-      });
-}
-
-void addEstimate(Table& table) {
-  append(table, adaptivity::estimatorRows(), "Adaptivity");
   append(table,
-         {
-             Row("Adaptivity->Target Estimate", Kind::Real,
-                 "a run ends at the first level with a smaller estimate")
-                 .unit("as the estimate: root of stress length^2 under Weights Energy")
-                 .standard("0")
-                 .range(from(0)),
-             Row("Adaptivity->Maximum Levels", Kind::Whole,
-                 "levels computed, the first included")
-                 .unit("1")
-                 .standard("6")
-                 .range(from(1)),
-             Row("Adaptivity->Maximum Degrees of Freedom", Kind::Whole,
-                 "a level with more, displacement and contact stress together, is not "
-                 "computed")
-                 .unit("1")
-                 .standard("4000")
-                 .range(from(1)),
-         });
+         {Row("Solver->NOX", Kind::Free, "handed to NOX; empty means Epafi's own choice"),
+          Row("Solver->Linear", Kind::List, "how linear systems are solved")});
+  append(table, linearRows(), "Solver->Linear");
+}
+
+void addAdaptivity(Table& table) {
+  append(table, {Row("Adaptivity", Kind::List, "from one level to the next")});
+  append(table, adaptivity::strategyRows(), "Adaptivity");
+  append(table, adaptivity::estimatorRows(), "Adaptivity");
+  append(table, limitRows(), "Adaptivity");
 }
 
 void addOutput(Table& table) {
@@ -293,9 +183,7 @@ const std::vector<Parameter>& parameters() {
     addConditions(all);
     addDiscretization(all);
     addSolver(all);
-    addStrategy(all);
-    addGrading(all);
-    addEstimate(all);
+    addAdaptivity(all);
     addOutput(all);
     return all;
   }();

@@ -78,8 +78,8 @@ TEUCHOS_UNIT_TEST(Scene, defaultsAreThoseOfTheOptions) {
                 stabilization.firstGamma0());
   TEST_EQUALITY(scene.degree, 1);
   TEST_EQUALITY(scene.multiplier, "Gauss-Legendre-Lagrange");
-  TEST_EQUALITY(scene.adaptivity.strategy, "None");
-  TEST_EQUALITY(scene.adaptivity.maximumLevels, 1);
+  TEST_EQUALITY(scene.adaptivity.strategy.name, "None");
+  TEST_EQUALITY(scene.adaptivity.limits.levels, 1);
   TEST_EQUALITY(scene.output.contactSamples, 8);
   TEST_ASSERT(scene.output.fields);
 }
@@ -161,7 +161,7 @@ TEUCHOS_UNIT_TEST(Scene, overridesReadTheDeclaredType) {
   TEST_EQUALITY(scene.material.youngsModulus, 7.0);
   TEST_ASSERT(!scene.output.fields);
   TEST_FLOATING_EQUALITY(scene.outline->diameter(), std::sqrt(17.0), 1e-15);
-  TEST_EQUALITY(scene.adaptivity.maximumLevels, 4);
+  TEST_EQUALITY(scene.adaptivity.limits.levels, 4);
   TEST_ASSERT(scene.conditions.fix.rotation);
   TEST_EQUALITY(scene.degree, 5);  // the last one counts
 }

@@ -2,12 +2,16 @@
 
 #include "adaptivity/refine/MovingNodes.hpp"
 #include "adaptivity/singular/Transitions.hpp"
-#include "bem/base/Error.hpp"
+
+#include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
 #include <utility>
 
 namespace epafi::adaptivity {
+
+using bem::Kind;
+using bem::Row;
 
 namespace {
 
@@ -68,38 +72,82 @@ PreparedMesh follow(const SolvedMesh& level, const GradingOptions& options,
   return {std::move(moved), std::move(singular)};
 }
 
-/// The row of this name.
-template <class Row>
-const Row& rowOf(const std::vector<Row>& table, const std::string& name,
-                 const char* what) {
-  for (const Row& row : table)
-    if (row.name == name)
-      return row;
-  throw bem::InputError(bem::message(what, " '", name, "' is not known"));
-}
-
 }  // namespace
 
-const std::vector<Transitions>& transitions() {
-  static const std::vector<Transitions> table = {
-      {"Node", "cut at it", find, cutAt},
-      {"Follow", "cut at it, and move that node when it moves", follow, cutAt},
-      {"Surround", "cut on both sides of it, so that it lies in a small piece", find,
-       cutAround},
-      {"Bisect", "halve the element", find, bisect},
-      {"Ignore", "treat the element and its nodes as if nothing changed there", ignore,
-       cutAt},
-  };
-  return table;
+bem::Family<Transitions>& transitions() {
+  static bem::Family<Transitions> family(
+      "transitions",
+      {
+          {"Node", "cut at it", find, cutAt},
+          {"Follow", "cut at it, and move that node when it moves", follow, cutAt},
+          {"Surround", "cut on both sides of it, so that it lies in a small piece", find,
+           cutAround},
+          {"Bisect", "halve the element", find, bisect},
+          {"Ignore", "treat the element and its nodes as if nothing changed there",
+           ignore, cutAt},
+      });
+  return family;
 }
 
-const std::vector<SmoothElements>& smoothElements() {
-  static const std::vector<SmoothElements> table = {
-      {"Raise Degree", "always", [](bool) { return true; }},
-      {"Legendre Decay", "raise the degree where coefficients decay, halve the others",
-       [](bool analytic) { return analytic; }},
+bem::Family<SmoothElements>& smoothElements() {
+  static bem::Family<SmoothElements> family(
+      "smooth elements",
+      {
+          {"Raise Degree", "always", [](bool) { return true; }},
+          {"Legendre Decay",
+           "raise the degree where coefficients decay, halve the others",
+           [](bool analytic) { return analytic; }},
+      });
+  return family;
+}
+
+bem::SchemaRows gradingRows() {
+  const GradingOptions defaults;
+  return {
+      Row("Ratio", Kind::Real,
+          "length of the piece that is cut off next to a singular point, relative to the "
+          "element's")
+          .unit("1")
+          .standard(defaults.ratio)
+          .range({0, 0.5, true, false}),
+      Row("Degree Step", Kind::Whole,
+          "by how much the piece away from the singular point raises its degree")
+          .unit("1")
+          .standard(defaults.degreeStep)
+          .range({0, 4}),
+      Row("Weak Point Degree", Kind::Whole,
+          "next to corners and changes of boundary the degree is raised as long as it is "
+          "lower and coefficients decay")
+          .unit("1")
+          .standard(defaults.weakDegree)
+          .range(bem::from(1)),
+      Row("Transitions", Kind::Text,
+          "where contact or friction changes its state inside an element; " +
+              meanings(transitions()))
+          .standard(defaults.transitions)
+          .allowed(transitions().names()),
+      Row("Reach", Kind::Real,
+          "Follow moves a node to a transition that lies off it by at most this part of "
+          "the length of the element the transition is in; 0: no node moves")
+          .unit("1")
+          .standard(defaults.reach)
+          .range({0, 1, false, false}),
+      Row("Smooth Elements", Kind::Text,
+          "raise the degree away from singular points; " + meanings(smoothElements()))
+          .standard(defaults.smooth)
+          .allowed(smoothElements().names()),
   };
-  return table;
+}
+
+GradingOptions parseGrading(const Teuchos::ParameterList& list) {
+  GradingOptions grading;
+  grading.ratio = list.get<double>("Ratio");
+  grading.degreeStep = list.get<int>("Degree Step");
+  grading.weakDegree = list.get<int>("Weak Point Degree");
+  grading.transitions = list.get<std::string>("Transitions");
+  grading.reach = list.get<double>("Reach");
+  grading.smooth = list.get<std::string>("Smooth Elements");
+  return grading;
 }
 
 PreparedMesh withoutTransitions(const SolvedMesh& level) {
@@ -109,8 +157,7 @@ PreparedMesh withoutTransitions(const SolvedMesh& level) {
 
 PreparedMesh withTransitions(const SolvedMesh& level, const GradingOptions& options,
                              const bem::DenseAlgebra& algebra) {
-  return rowOf(transitions(), options.transitions, "transitions")
-      .prepare(level, options, algebra);
+  return transitions().at(options.transitions).prepare(level, options, algebra);
 }
 
 Mark gradedMark(const bem::Mesh& mesh, int element, const SingularPoints& singular,
@@ -118,8 +165,7 @@ Mark gradedMark(const bem::Mesh& mesh, int element, const SingularPoints& singul
   const int degree = mesh[element].degree;
   const std::vector<double>& changes = singular.inside[static_cast<std::size_t>(element)];
   if (!changes.empty())
-    return rowOf(transitions(), options.transitions, "transitions")
-        .mark(changes, degree, options);
+    return transitions().at(options.transitions).mark(changes, degree, options);
   const bool patient = analytic && degree < options.weakDegree;
   const auto isSingular = [&](bool end) {
     const Singularity s = singular.at(mesh, element, end);
@@ -134,8 +180,7 @@ Mark gradedMark(const bem::Mesh& mesh, int element, const SingularPoints& singul
     return Mark::cut({-1 + 2 * options.ratio}, {degree, outer});
   if (end)
     return Mark::cut({1 - 2 * options.ratio}, {outer, degree});
-  const bool raise =
-      rowOf(smoothElements(), options.smooth, "smooth elements").raisesDegree(analytic);
+  const bool raise = smoothElements().at(options.smooth).raisesDegree(analytic);
   return raise && degree < options.largestDegree ? Mark::RaiseDegree : Mark::Bisect;
 }
 

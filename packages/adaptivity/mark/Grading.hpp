@@ -3,11 +3,17 @@
 #include "adaptivity/refine/Refine.hpp"
 #include "adaptivity/singular/SingularPoints.hpp"
 #include "bem/base/DenseAlgebra.hpp"
+#include "bem/base/Family.hpp"
+#include "bem/base/SchemaRow.hpp"
 #include "bem/basis/Legendre.hpp"
 #include "bem/space/Space.hpp"
 
 #include <string>
 #include <vector>
+
+namespace Teuchos {
+class ParameterList;
+}
 
 namespace epafi::adaptivity {
 
@@ -40,7 +46,7 @@ struct Transitions {
   Mark (*mark)(const std::vector<double>& changes, int degree,
                const GradingOptions& options);
 };
-const std::vector<Transitions>& transitions();
+bem::Family<Transitions>& transitions();
 
 /// What it does with an element that touches no singular point.
 struct SmoothElements {
@@ -48,7 +54,7 @@ struct SmoothElements {
   const char* meaning;
   bool (*raisesDegree)(bool analytic);
 };
-const std::vector<SmoothElements>& smoothElements();
+bem::Family<SmoothElements>& smoothElements();
 
 /// The ingredients of Graded hp, each of which can be changed alone.
 struct GradingOptions {
@@ -60,6 +66,10 @@ struct GradingOptions {
   double reach = 1;                        ///< in [0, 1]: see chooseMoves
   std::string smooth = "Raise Degree";     ///< a name of smoothElements()
 };
+
+/// The keys of a list of these, and what a list that they have completed says.
+bem::SchemaRows gradingRows();
+GradingOptions parseGrading(const Teuchos::ParameterList& list);
 
 /// The level's own mesh with the singular points that the conditions alone tell.
 PreparedMesh withoutTransitions(const SolvedMesh& level);

@@ -1,12 +1,16 @@
 #include "adaptivity/mark/Strategy.hpp"
 
 #include "adaptivity/mark/Doerfler.hpp"
-#include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
+
+#include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
 
 namespace epafi::adaptivity {
+
+using bem::Kind;
+using bem::Row;
 
 namespace {
 
@@ -114,32 +118,59 @@ Marks decide(const Strategy& strategy, const LevelData& level,
   return marks;
 }
 
-const std::vector<Strategy>& strategies() {
-  static const std::vector<Strategy> table = {
-      {"None", "one level", Start::Zero, Grading::Ignored, nothing},
-      {"Uniform h", "halve all elements", Start::Zero, Grading::Ignored, bisectAll},
-      {"Uniform p", "raise all degrees", Start::Zero, Grading::Ignored, raiseAll},
-      {"Adaptive h", "halve the elements that carry most of the estimated error",
-       Start::Carried, Grading::Ignored, bisectWorst},
-      {"Adaptive hp",
-       "of these, raise the degree where the solution looks analytic, halve the others",
-       Start::Carried, Grading::Ignored, refineWorst},
-      {"Graded hp",
-       "of these, cut next to singular points toward them and raise the degree "
-       "elsewhere, see Grading",
-       Start::Carried, Grading::Obeyed, gradeWorst},
-  };
-  return table;
+bem::Family<Strategy>& strategies() {
+  static bem::Family<Strategy> family(
+      "strategy",
+      {
+          {"None", "one level", Levels::One, Start::Zero, Grading::Ignored, nothing},
+          {"Uniform h", "halve all elements", Levels::Many, Start::Zero, Grading::Ignored,
+           bisectAll},
+          {"Uniform p", "raise all degrees", Levels::Many, Start::Zero, Grading::Ignored,
+           raiseAll},
+          {"Adaptive h", "halve the elements that carry most of the estimated error",
+           Levels::Many, Start::Carried, Grading::Ignored, bisectWorst},
+          {"Adaptive hp",
+           "of these, raise the degree where the solution looks analytic, halve the "
+           "others",
+           Levels::Many, Start::Carried, Grading::Ignored, refineWorst},
+          {"Graded hp",
+           "of these, cut next to singular points toward them and raise the degree "
+           "elsewhere, see Grading",
+           Levels::Many, Start::Carried, Grading::Obeyed, gradeWorst},
+      });
+  return family;
 }
 
-const Strategy& strategy(const std::string& name) {
-  std::string known;
-  for (const Strategy& strategy : strategies()) {
-    if (strategy.name == name)
-      return strategy;
-    known += (known.empty() ? "'" : ", '") + std::string(strategy.name) + "'";
-  }
-  throw bem::InputError(bem::message("strategy '", name, "'; known strategies: ", known));
+const Strategy& strategy(const std::string& name) { return strategies().at(name); }
+
+bem::SchemaRows strategyRows() {
+  const StrategyOptions defaults;
+  bem::SchemaRows rows = {
+      Row("Strategy", Kind::Text, meanings(strategies()))
+          .standard(defaults.name)
+          .allowed(strategies().names()),
+      Row("Marking Fraction", Kind::Real,
+          "adaptive strategies refine the fewest elements that carry this part of the "
+          "squared estimate")
+          .unit("1")
+          .standard(defaults.markingFraction)
+          .range({0, 1, true, false}),
+      Row("Analyticity Threshold", Kind::Real,
+          "Adaptive hp raises the degree where Legendre coefficients decay at least this "
+          "fast from one degree to the next")
+          .unit("1")
+          .standard(defaults.analyticityThreshold)
+          .range({0, 1, true, true}),
+      Row("Grading", Kind::List, "what Graded hp does"),
+  };
+  append(rows, gradingRows(), "Grading");
+  return rows;
+}
+
+StrategyOptions parseStrategy(const Teuchos::ParameterList& list) {
+  return {list.get<std::string>("Strategy"), list.get<double>("Marking Fraction"),
+          list.get<double>("Analyticity Threshold"),
+          parseGrading(list.sublist("Grading"))};
 }
 
 }  // namespace epafi::adaptivity

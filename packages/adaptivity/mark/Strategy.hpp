@@ -29,10 +29,26 @@ enum class Start {
 /// Whether it obeys GradingOptions: what it does, and where nodes are moved.
 enum class Grading { Ignored, Obeyed };
 
+/// Which strategy, and what its marks depend on.
+struct StrategyOptions {
+  std::string name = "None";          ///< a name of strategies()
+  double markingFraction = 0.3;       ///< of the squared estimate, in (0, 1]
+  double analyticityThreshold = 0.5;  ///< see looksAnalytic
+  GradingOptions grading;
+};
+
+/// The keys of a list of these, and what a list that they have completed says.
+bem::SchemaRows strategyRows();
+StrategyOptions parseStrategy(const Teuchos::ParameterList& list);
+
+/// Whether there is another level than the first.
+enum class Levels { One, Many };
+
 /// A way from one level to the next.
 struct Strategy {
   const char* name;
   const char* meaning;
+  Levels levels;
   Start start;
   Grading grading;
   /// No mark at all ends the run.
@@ -48,8 +64,9 @@ PreparedMesh prepare(const Strategy& strategy, const SolvedMesh& level,
 Marks decide(const Strategy& strategy, const LevelData& level,
              const bem::DenseAlgebra& algebra);
 
-/// All strategies.  A new one is one line in Strategy.cpp.
-const std::vector<Strategy>& strategies();
+/// All strategies; a program may add others before it reads its first scene.  A built-in
+/// one is one line in Strategy.cpp.
+bem::Family<Strategy>& strategies();
 
 /// \throws bem::InputError naming the known strategies.
 const Strategy& strategy(const std::string& name);

@@ -1,0 +1,35 @@
+#include "drivers/scene/RunLimits.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+namespace epafi::drivers {
+
+using bem::Kind;
+using bem::Row;
+
+bem::SchemaRows limitRows() {
+  const RunLimits defaults;
+  return {
+      Row("Target Estimate", Kind::Real,
+          "a run ends at the first level with a smaller estimate")
+          .unit("as the estimate: root of stress length^2 under Weights Energy")
+          .standard(defaults.estimate)
+          .range(bem::from(0)),
+      Row("Maximum Levels", Kind::Whole, "levels computed, the first included")
+          .unit("1")
+          .standard(defaults.levels)
+          .range(bem::from(1)),
+      Row("Maximum Degrees of Freedom", Kind::Whole,
+          "a level with more, displacement and contact stress together, is not computed")
+          .unit("1")
+          .standard(static_cast<double>(defaults.degreesOfFreedom))
+          .range(bem::from(1)),
+  };
+}
+
+RunLimits parseLimits(const Teuchos::ParameterList& list) {
+  return {list.get<int>("Maximum Levels"), list.get<int>("Maximum Degrees of Freedom"),
+          list.get<double>("Target Estimate")};
+}
+
+}  // namespace epafi::drivers
