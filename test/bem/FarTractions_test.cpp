@@ -23,11 +23,7 @@ using Operator = bem::FarTractions::Operator;
 class Slow {
  public:
   Slow(const bem::Mesh& mesh, const bem::Lame& lame, int e, int f)
-      : mesh_(mesh),
-        lame_(lame),
-        normal_(bem::asComplex(mesh[e].curve.normal(0))),
-        e_(e),
-        f_(f) {}
+      : mesh_(mesh), lame_(lame), e_(e), f_(f) {}
 
   Complex value(Operator op, int i, int j, Complex unit) const {
     const bem::Element& source = mesh_[f_];
@@ -37,16 +33,17 @@ class Slow {
     for (int q = 0; q < rule.size(); ++q) {
       const double t = rule.points[static_cast<std::size_t>(q)];
       const auto target = bem::seenFrom(mesh_, f_, mesh_.at(e_, t));
-      bem::LegendreMoments moments;
-      bem::evaluateMoments(target, source.degree - 1, bem::Need::CandD, moments);
-      const auto in = bem::elementSums(source.curve, target, moments, j);
+      bem::ElementSums sums;
+      sums.evaluate(source.curve, target, source.degree);
+      const auto in = sums[j];
+      const Complex normal = bem::asComplex(mesh_[e_].curve.normal(t));
       std::array<double, bem::largestDegree + 2> legendre{};
       bem::legendreValues(i, t, legendre.data());
       sum += rule.weights[static_cast<std::size_t>(q)] *
              std::sqrt(half * (2 * i + 1) / 2) * legendre[static_cast<std::size_t>(i)] *
              (op == Operator::Adjoint
-                  ? bem::adjointDoubleLayer(lame_, normal_, unit * in)
-                  : bem::hypersingular(lame_, normal_, 0.5 / source.half * unit * in));
+                  ? bem::adjointDoubleLayer(lame_, normal, unit * in)
+                  : bem::hypersingular(lame_, normal, 0.5 / source.half * unit * in));
     }
     return sum;
   }
@@ -54,7 +51,6 @@ class Slow {
  private:
   const bem::Mesh& mesh_;
   bem::Lame lame_;
-  Complex normal_;
   int e_;
   int f_;
 };

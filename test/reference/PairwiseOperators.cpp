@@ -12,7 +12,7 @@ namespace {
 
 void copyLane(const bem::TileMoments& tile, int lane, const bem::Element& e,
               const bem::Element& f, LaneMoments& moments) {
-  const bem::Complex tangent = bem::asComplex(f.segment().tangent);
+  const bem::Complex tangent = bem::asComplex(f.curve.frame().tangent);
   for (int i = 0; i <= e.densities; ++i)
     for (int j = 0; j <= f.densities; ++j) {
       const int at = i * bem::TileMoments::stride + j;

@@ -41,6 +41,23 @@ Loop regularPolygon(int sides, double radius) {
 
 Loop square() { return polygon(unitSquare); }
 
+Loop disc(int arcs, double radius) {
+  Loop loop =
+      arcs > 2 ? regularPolygon(arcs, radius) : polygon({{radius, 0}, {-radius, 0}});
+  loop.bulges.assign(static_cast<std::size_t>(arcs),
+                     std::tan(std::acos(-1.0) / (2 * arcs)));
+  return loop;
+}
+
+// A slit of height 0.02 on the right, between an arc and a segment; below it a corner of 5
+// degrees between a segment and an arc.
+Loop curvedSample() {
+  Loop loop = polygon(
+      {{0, 0}, {1, 0}, {1.3, 0.3}, {0.6, 0.34}, {1.3, 0.38}, {1, 0.9}, {0.2, 0.8}});
+  loop.bulges = {0.3, 0.41421356237309503, 0, 0.01, -0.3, 0.2, -0.1};
+  return loop;
+}
+
 std::shared_ptr<const Outline> squareWithHole() {
   const Loop hole = polygon({{0.1, 0.4}, {0.3, 0.4}, {0.3, 0.6}, {0.1, 0.6}});
   return std::make_shared<const Outline>(square(), std::vector<Loop>{hole});

@@ -15,6 +15,13 @@ bem::Loop regularPolygon(int sides, double radius);
 
 bem::Loop square();
 
+/// A circle of equal arcs about the origin; two at least.
+bem::Loop disc(int arcs, double radius);
+
+/// Arcs to either side and segments: arc on arc and arc on segment at right, wide and acute
+/// corners (5 degrees) and at a smooth joint, an arc facing another closely.
+bem::Loop curvedSample();
+
 /// Unit square with a square hole of side 0.2 that keeps 0.1 off the left side.
 std::shared_ptr<const bem::Outline> squareWithHole();
 

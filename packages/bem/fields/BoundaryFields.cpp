@@ -143,15 +143,14 @@ void BoundaryFields::evaluateAt(int element, const Sources& sources,
   const Complex normal = asComplex(target.curve.normal(value.place.t));
   const BoundaryPoint x = mesh_.at(element, value.place.fromStart, value.place.toEnd);
   FieldSums sums;
-  LegendreMoments moments;
+  ElementSums ofElement;
   for (const int f : sources.near) {
     const Element& source = mesh_[f];
     const LocalField& values = fields_[static_cast<std::size_t>(f)];
-    const RelativeTarget seen = seenFrom(mesh_, f, x);
     const int highest = std::max(source.degree, source.densities);
-    evaluateMoments(seen, highest - 1, Need::CandD, moments);
+    ofElement.evaluate(source.curve, seenFrom(mesh_, f, x), highest);
     for (int j = 0; j < highest; ++j) {
-      const SourceSums in = elementSums(source.curve, seen, moments, j);
+      const SourceSums in = ofElement[j];
       sums.add({values.density[j] * in, values.slope[j] * in});
     }
   }

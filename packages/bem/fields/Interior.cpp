@@ -1,6 +1,7 @@
 #include "bem/fields/Interior.hpp"
 
 #include "bem/kernel/ElementSums.hpp"
+#include "bem/moments/ArcWeights.hpp"
 #include "bem/space/LocalField.hpp"
 
 #include <algorithm>
@@ -21,28 +22,73 @@ Complex singleLayerOf(const Lame& lame, const Element& element,
                                     whole * f, std::conj(f) * phase);
 }
 
+/// Displacement and sums of what is on one element.
+struct ElementFields {
+  Complex displacement;
+  FieldSums sums;
+};
+
+ElementFields fieldsOfSegment(const Lame& lame, const Element& element,
+                              const RelativeTarget& target, const LocalField& field,
+                              int terms) {
+  ElementFields fields;
+  ElementSums in;
+  in.evaluate(element.curve, target, terms + 1, Need::All);
+  const Complex normal = asComplex(element.segment().normal);
+  for (int j = 0; j <= terms; ++j) {
+    const auto k = static_cast<std::size_t>(j);
+    const Complex v = field.value[k];
+    fields.displacement -=
+        doubleLayer(lame, normal * v * in[j], std::real(std::conj(normal) * v) * in[j]);
+    fields.displacement +=
+        singleLayerOf(lame, element, target, in.moments(), j, field.density[k]);
+    fields.sums.add({field.density[k] * in[j], field.slope[k] * in[j]});
+  }
+  return fields;
+}
+
+/// At the points of an arc.
+ElementFields fieldsOfArc(const Lame& lame, const Element& element,
+                          const RelativeTarget& target, const LocalField& field,
+                          int terms) {
+  const ArcRule rule(element.curve, terms);
+  ArcWeights weights;
+  weights.evaluate(rule, target, ArcNeed::All);
+  ElementFields fields;
+  for (int q = 0; q < rule.size(); ++q) {
+    const auto k = static_cast<std::size_t>(q);
+    const double t = rule.point(q);
+    const double half = element.half;
+    const Complex normal = rule.normal(q);
+    const SourceSums unit = {half * weights.overW[k], half * std::conj(weights.overW[k]),
+                             half * weights.cubic[k]};
+    const Complex v = evaluate(field.value, element.degree, t);
+    const Complex f = evaluate(field.density, element.densities - 1, t);
+    fields.displacement -=
+        doubleLayer(lame, normal * v * unit, std::real(std::conj(normal) * v) * unit);
+    fields.displacement +=
+        half * singleLayer(lame, weights.log[k] * f, rule.weight(q) * f,
+                           std::conj(f) * weights.phase[k]);
+    fields.sums.add({f * unit, evaluate(field.slope, element.degree - 1, t) * unit});
+  }
+  return fields;
+}
+
 }  // namespace
 
 InteriorValue evaluateInterior(const Space& space, const Lame& lame, const Vector& u,
                                const Vector& psi, Vec2 x) {
   Complex displacement = 0;
   FieldSums sums;
-  LegendreMoments moments;
   for (int e = 0; e < space.mesh().size(); ++e) {
     const Element& element = space.mesh()[e];
     const RelativeTarget target = element.curve.seen(x);
     const int terms = std::max(element.degree, element.densities);
-    evaluateMoments(target, terms, Need::All, moments);
-    const LocalField field = localField(space, u, psi, e);
-    const Complex normal = asComplex(element.segment().normal);
-    for (int j = 0; j <= terms; ++j) {
-      const SourceSums in = elementSums(element.curve, target, moments, j);
-      const Complex v = field.value[j];
-      displacement -=
-          doubleLayer(lame, normal * v * in, std::real(std::conj(normal) * v) * in);
-      displacement += singleLayerOf(lame, element, target, moments, j, field.density[j]);
-      sums.add({field.density[j] * in, field.slope[j] * in});
-    }
+    const auto ofElement = element.curve.isStraight() ? fieldsOfSegment : fieldsOfArc;
+    const ElementFields fields =
+        ofElement(lame, element, target, localField(space, u, psi, e), terms);
+    displacement += fields.displacement;
+    sums.add(fields.sums);
   }
   const Complex onX = traction(lame, Complex(1, 0), sums);
   const Complex onY = traction(lame, Complex(0, 1), sums);

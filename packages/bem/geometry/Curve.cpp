@@ -25,10 +25,12 @@ Vec2 turned(Vec2 v, double angle) {
   return std::cos(angle) * v + std::sin(angle) * turnLeft(v);
 }
 
-/// log(1 + u), accurate for small u.
+/// log(1 + u), accurate for small u; finite at -1, an arc's centre, where rounding decides.
 Complex logOf1Plus(Complex u) {
+  constexpr double rounding = 1e-17;
   const double square = 2 * u.real() + std::norm(u);
-  return {std::norm(u) < 0.25 ? 0.5 * std::log1p(square) : std::log(std::abs(1.0 + u)),
+  return {std::norm(u) < 0.25 ? 0.5 * std::log1p(square)
+                              : std::log(std::max(std::abs(1.0 + u), rounding)),
           std::atan2(u.imag(), 1 + u.real())};
 }
 

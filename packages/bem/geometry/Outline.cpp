@@ -1,6 +1,7 @@
 #include "bem/geometry/Outline.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/geometry/Crossing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,26 +20,33 @@ std::string nameOf(const Loop& loop, std::size_t edge) {
 
 std::string pointText(Vec2 p) { return message("(", p.x, ", ", p.y, ")"); }
 
-double distance(Vec2 p, Vec2 a, Vec2 b) {
-  const Vec2 along = b - a;
-  const double t = std::clamp(dot(p - a, along) / dot(along, along), 0.0, 1.0);
-  return norm(p - (a + t * along));
+/// An edge in the user's coordinates.
+Curve curveOf(const Loop& loop, std::size_t i) {
+  return {loop.vertices[i], loop.vertices[after(i, loop)],
+          loop.bulges.empty() ? 0 : loop.bulges[i]};
 }
 
-bool properlyCross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  const auto opposite = [](double s, double t) {
-    return (s < 0 && t > 0) || (s > 0 && t < 0);
-  };
-  return opposite(cross(b - a, c - a), cross(b - a, d - a)) &&
-         opposite(cross(d - c, a - c), cross(d - c, b - c));
+std::vector<Curve> curvesOf(const Loop& loop) {
+  std::vector<Curve> curves;
+  for (std::size_t i = 0; i < loop.vertices.size(); ++i)
+    curves.push_back(curveOf(loop, i));
+  return curves;
 }
 
-/// Smallest distance of two segments; 0 where they cross.
-double distance(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
-  if (properlyCross(a, b, c, d))
-    return 0;
-  return std::min(
-      {distance(a, c, d), distance(b, c, d), distance(c, a, b), distance(d, a, b)});
+bool hasArcs(const Loop& loop) {
+  return std::any_of(loop.bulges.begin(), loop.bulges.end(),
+                     [](double bulge) { return bulge != 0; });
+}
+
+/// Points that tell how large a polygon is.
+std::vector<Vec2> extent(const Loop& loop) {
+  if (!hasArcs(loop))
+    return loop.vertices;
+  std::vector<Vec2> points;
+  for (std::size_t i = 0; i < loop.vertices.size(); ++i)
+    for (const Vec2 point : extent(curveOf(loop, i)))
+      points.push_back(point);
+  return points;
 }
 
 /// Closer than this share of the outline's size, two places count as one: below it the
@@ -47,8 +55,9 @@ constexpr double resolution = 1e-13;
 
 double sizeOf(const Loop& loop) {
   double size = 0;
-  for (Vec2 a : loop.vertices)
-    for (Vec2 b : loop.vertices)
+  const std::vector<Vec2> points = extent(loop);
+  for (Vec2 a : points)
+    for (Vec2 b : points)
       size = std::max(size, norm(a - b));
   return size;
 }
@@ -56,10 +65,17 @@ double sizeOf(const Loop& loop) {
 /// How well coordinates tell places apart, digits lost to a distant origin included.
 double resolutionOf(const Loop& loop) {
   double largest = sizeOf(loop);
-  for (Vec2 v : loop.vertices)
+  for (Vec2 v : extent(loop))
     largest = std::max({largest, std::abs(v.x), std::abs(v.y)});
   return resolution * largest;
 }
+
+/// Closer to a common vertex than this share of the outline's size edges are not asked
+/// whether they touch: smooth joints do.
+constexpr double blindness = 1e-6;
+
+/// An arc of 337 degrees: nearly all of a circle.
+constexpr double largestBulge = 10;
 
 /// Twice the signed area, about the first vertex: no digits lost far from the origin.
 double twiceArea(const Loop& loop) {
@@ -67,13 +83,33 @@ double twiceArea(const Loop& loop) {
   for (std::size_t i = 0; i < loop.vertices.size(); ++i)
     area += cross(loop.vertices[i] - loop.vertices[0],
                   loop.vertices[after(i, loop)] - loop.vertices[0]);
+  if (hasArcs(loop))
+    for (const Curve& curve : curvesOf(loop))
+      area += curve.isStraight() ? 0 : twiceAreaBesideChord(curve);
   return area;
 }
 
+void checkBulges(const Loop& loop) {
+  if (loop.bulges.empty())
+    return;
+  if (loop.bulges.size() != loop.vertices.size())
+    throw InputError(message("a polygon of ", loop.vertices.size(),
+                             " vertices has as many bulges, one for each edge (0: "
+                             "straight); ",
+                             loop.bulges.size(), " are given"));
+  for (std::size_t i = 0; i < loop.bulges.size(); ++i)
+    if (!(std::abs(loop.bulges[i]) <= largestBulge))
+      throw InputError(message("the bulge of edge ", i, " is ", loop.bulges[i],
+                               "; it is tan(angle/4) of the arc, and from -",
+                               largestBulge, " to ", largestBulge,
+                               " (1: half a circle)"));
+}
+
 void checkVertices(const Loop& loop) {
-  if (loop.vertices.size() < 3)
-    throw InputError(message("a polygon needs at least 3 vertices, this one has ",
-                             loop.vertices.size()));
+  const std::size_t least = hasArcs(loop) ? 2 : 3;
+  if (loop.vertices.size() < least)
+    throw InputError(message("a polygon needs at least ", least,
+                             " vertices, this one has ", loop.vertices.size()));
   if (loop.edges.size() != loop.vertices.size())
     throw InputError(message("a polygon of ", loop.vertices.size(),
                              " vertices has as many ", "edges; ", loop.edges.size(),
@@ -87,11 +123,17 @@ void checkVertices(const Loop& loop) {
 /// Neighbours share a vertex, so what they must not do is fold back onto each other.
 void checkFold(const Loop& loop, std::size_t i, double tolerance) {
   const std::size_t j = after(i, loop);
-  const Vec2 a = loop.vertices[i];
-  const Vec2 corner = loop.vertices[j];
-  const Vec2 b = loop.vertices[after(j, loop)];
-  if (dot(a - corner, b - corner) > 0 &&
-      std::min(distance(a, corner, b), distance(b, corner, a)) <= tolerance)
+  const Curve first = curveOf(loop, i);
+  const Curve second = curveOf(loop, j);
+  if (!first.isStraight() || !second.isStraight()) {
+    if (meetElsewhere(first, second, tolerance, blindness * sizeOf(loop)))
+      throw InputError(message("the polygon touches or crosses itself: ", nameOf(loop, i),
+                               " and ", nameOf(loop, j)));
+    return;
+  }
+  const Vec2 corner = first.to();
+  if (dot(first.from() - corner, second.to() - corner) > 0 &&
+      std::min(second.distance(first.from()), first.distance(second.to())) <= tolerance)
     throw InputError(message(nameOf(loop, j), " runs back along ", nameOf(loop, i)));
 }
 
@@ -107,11 +149,11 @@ void checkSimple(const Loop& loop) {
                                    ? "; the polygon closes by itself, do not repeat "
                                      "the first vertex"
                                    : ""));
+  const std::vector<Curve> curves = curvesOf(loop);
   for (std::size_t i = 0; i < n; ++i) {
     checkFold(loop, i, tolerance);
     for (std::size_t j = i + 2; j < n; ++j)
-      if (!(i == 0 && j == n - 1) &&
-          distance(v[i], v[i + 1], v[j], v[after(j, loop)]) <= tolerance)
+      if (!(i == 0 && j == n - 1) && meet(curves[i], curves[j], tolerance))
         throw InputError(message("the polygon touches or crosses itself: ",
                                  nameOf(loop, i), " and ", nameOf(loop, j)));
   }
@@ -120,27 +162,13 @@ void checkSimple(const Loop& loop) {
         "the polygon runs clockwise; list its vertices counter-clockwise (holes too)");
 }
 
-/// Crossing number of a ray to the right.
-bool inside(Vec2 p, const std::vector<Vec2>& polygon) {
-  bool odd = false;
-  for (std::size_t i = 0, j = polygon.size() - 1; i < polygon.size(); j = i++) {
-    const Vec2 a = polygon[i];
-    const Vec2 b = polygon[j];
-    if ((a.y > p.y) != (b.y > p.y)) {
-      const double side = cross(b - a, p - a);
-      if (b.y > a.y ? side > 0 : side < 0)
-        odd = !odd;
-    }
-  }
-  return odd;
-}
-
 void checkApart(const Loop& a, const Loop& b, double tolerance, const std::string& first,
                 const std::string& second) {
-  for (std::size_t i = 0; i < a.vertices.size(); ++i)
-    for (std::size_t j = 0; j < b.vertices.size(); ++j)
-      if (distance(a.vertices[i], a.vertices[after(i, a)], b.vertices[j],
-                   b.vertices[after(j, b)]) <= tolerance)
+  const std::vector<Curve> ofA = curvesOf(a);
+  const std::vector<Curve> ofB = curvesOf(b);
+  for (std::size_t i = 0; i < ofA.size(); ++i)
+    for (std::size_t j = 0; j < ofB.size(); ++j)
+      if (meet(ofA[i], ofB[j], tolerance))
         throw InputError(message(first, " and ", second, " touch or cross: ",
                                  nameOf(a, i), " and ", nameOf(b, j)));
 }
@@ -148,6 +176,7 @@ void checkApart(const Loop& a, const Loop& b, double tolerance, const std::strin
 void checkLoop(const Loop& loop, const std::string& name) {
   try {
     checkVertices(loop);
+    checkBulges(loop);
     checkSimple(loop);
   } catch (const InputError& error) {
     throw InputError(name + ": " + error.what());
@@ -155,11 +184,18 @@ void checkLoop(const Loop& loop, const std::string& name) {
 }
 
 /// The same polygon clockwise.  It starts at the last vertex, so its first edge is the
-/// user's last but one, which leads there; the user's last edge comes last again.
+/// user's last but one, which leads there; the user's last edge comes last again.  What
+/// bulged to the right does so to the left.
 Loop reversed(const Loop& loop) {
   Loop result{{loop.vertices.rbegin(), loop.vertices.rend()},
               {loop.edges.rbegin() + 1, loop.edges.rend()}};
   result.edges.push_back(loop.edges.back());
+  if (loop.bulges.empty())
+    return result;
+  result.bulges.assign(loop.bulges.rbegin() + 1, loop.bulges.rend());
+  result.bulges.push_back(loop.bulges.back());
+  for (double& bulge : result.bulges)
+    bulge = -bulge;
   return result;
 }
 
@@ -172,7 +208,7 @@ Scaling scalingOf(const Loop& outer) {
   scaling.length = sizeOf(outer);
   Vec2 low = outer.vertices[0];
   Vec2 high = low;
-  for (Vec2 v : outer.vertices) {
+  for (Vec2 v : extent(outer)) {
     low = {std::min(low.x, v.x), std::min(low.y, v.y)};
     high = {std::max(high.x, v.x), std::max(high.y, v.y)};
   }
@@ -189,13 +225,13 @@ Outline::Outline(const Loop& outer, const std::vector<Loop>& holes,
     const std::string name = message("hole ", k + 1);
     checkLoop(holes[k], name);
     checkApart(outer, holes[k], tolerance, "the outer polygon", name);
-    if (!inside(holes[k].vertices[0], outer.vertices))
+    if (!inside(holes[k].vertices[0], curvesOf(outer)))
       throw InputError(name + " does not lie inside the outer polygon");
     for (std::size_t other = 0; other < k; ++other) {
       const std::string otherName = message("hole ", other + 1);
       checkApart(holes[other], holes[k], tolerance, otherName, name);
-      if (inside(holes[k].vertices[0], holes[other].vertices) ||
-          inside(holes[other].vertices[0], holes[k].vertices))
+      if (inside(holes[k].vertices[0], curvesOf(holes[other])) ||
+          inside(holes[other].vertices[0], curvesOf(holes[k])))
         throw InputError(message(name, " and ", otherName, " lie inside each other"));
     }
   }
@@ -214,8 +250,8 @@ Outline::Outline(const Loop& outer, const std::vector<Loop>& holes,
       const Vec2 from = loop.vertices[k];
       const Vec2 to = loop.vertices[after(k, loop)];
       // The chord from the user's own coordinates: the shift to the origin rounds.
-      edge.curve =
-          Curve(scaled(from), scaled(to), (1 / scaling_.length) * (to - from), 0);
+      edge.curve = Curve(scaled(from), scaled(to), (1 / scaling_.length) * (to - from),
+                         loop.bulges.empty() ? 0 : loop.bulges[k]);
       edge.loop = loops_;
       edge.previous = first + (i + n - 1) % n;
       edge.next = first + (i + 1) % n;
@@ -236,11 +272,11 @@ bool Outline::contains(Vec2 physical) const {
       return false;
   bool odd = false;
   for (int loop = 0; loop < loops_; ++loop) {
-    std::vector<Vec2> polygon;
+    std::vector<Curve> curves;
     for (const Edge& edge : edges_)
       if (edge.loop == loop)
-        polygon.push_back(edge.curve.from());
-    if (inside(p, polygon))
+        curves.push_back(edge.curve);
+    if (inside(p, curves))
       odd = !odd;
   }
   return odd;

@@ -9,10 +9,12 @@
 namespace epafi::bem {
 
 /// A closed polygon as the user writes it: counter-clockwise, edge i from vertex i to
-/// i+1.
+/// i+1, a segment or a circular arc.
 struct Loop {
   std::vector<Vec2> vertices;
   std::vector<std::string> edges;  ///< the boundary's name for each edge
+  /// tan(angle/4) for each edge, > 0: to the right of its chord; none: all straight.
+  std::vector<double> bulges = {};
 };
 
 /// A piece of the outline, in the outline's own units (see Outline).
@@ -30,7 +32,7 @@ struct Scaling {
   double length = 1;  ///< the user's unit of what a scaled 1 means
 };
 
-/// Of a polygon by itself: its diameter, and the middle of its box.
+/// Of a polygon by itself: its diameter (of arcs at 32 points), and the middle of its box.
 Scaling scalingOf(const Loop& outer);
 
 /// The boundary of a body: one outer polygon and any number of holes.
@@ -44,7 +46,7 @@ class Outline {
   /// Holes are written counter-clockwise too; inside, they run clockwise: body on the
   /// left.
   /// \throws InputError naming the vertex or edge if a polygon has fewer than three
-  ///   vertices, a zero or non-finite edge, is clockwise, touches or crosses itself or
+  ///   vertices (two with arcs), a bulge beyond 10 or not one for each edge, a zero or non-finite edge, is clockwise, touches or crosses itself or
   ///   another one, or if a hole does not lie inside the outer polygon.
   explicit Outline(const Loop& outer, const std::vector<Loop>& holes = {})
       : Outline(outer, holes, scalingOf(outer)) {}

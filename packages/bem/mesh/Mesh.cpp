@@ -37,6 +37,11 @@ void check(const Outline& outline, const Element& element) {
   if (!(element.half > 0))
     throw InputError(message("element of length ", 2 * element.half, " on boundary '",
                              name, "'; elements must have positive length"));
+  constexpr double halfACircle = 3.1415926535897932 * (1 + 1e-12);
+  if (std::abs(element.curve.angle()) > halfACircle)
+    throw InputError(message("an element of boundary '", name, "' turns by ",
+                             std::abs(element.curve.angle()) * 180 / 3.1415926535897932,
+                             " degrees; at most 180 are possible: use more elements"));
   if (piece.degree < 1 || piece.degree > largestDegree)
     throw InputError(message("degree ", piece.degree, " on boundary '", name, "'; 1 to ",
                              largestDegree, " are possible"));

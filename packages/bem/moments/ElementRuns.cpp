@@ -19,7 +19,7 @@ ElementRun makeRun(const Mesh& mesh, int first) {
     ++run.last;
     run.closesLoop = next != run.last;
   }
-  Vec2 low = mesh[first].segment().middle;
+  Vec2 low = mesh[first].curve.frame().middle;
   Vec2 high = low;
   for (int lane = 0; lane < lanes; ++lane) {
     const int f = first + lane;
@@ -28,18 +28,19 @@ ElementRun makeRun(const Mesh& mesh, int first) {
       continue;
     }
     const Element& element = mesh[f];
-    run.elements.set(lane, element.segment().middle, element);
+    run.elements.set(lane, element.curve.frame().middle, element);
     run.largestHalf = std::max(run.largestHalf, element.half);
+    run.hasArcs = run.hasArcs || !element.curve.isStraight();
     run.degree = std::max(run.degree, element.degree);
     run.densities = std::max(run.densities, element.densities);
-    low = {std::min(low.x, element.segment().middle.x),
-           std::min(low.y, element.segment().middle.y)};
-    high = {std::max(high.x, element.segment().middle.x),
-            std::max(high.y, element.segment().middle.y)};
+    low = {std::min(low.x, element.curve.frame().middle.x),
+           std::min(low.y, element.curve.frame().middle.y)};
+    high = {std::max(high.x, element.curve.frame().middle.x),
+            std::max(high.y, element.curve.frame().middle.y)};
   }
   run.centre = 0.5 * (low + high);
   for (int f = first; f < run.last; ++f) {
-    const Vec2 offset = mesh[f].segment().middle - run.centre;
+    const Vec2 offset = mesh[f].curve.frame().middle - run.centre;
     run.radius = std::max(run.radius, std::sqrt(dot(offset, offset)) + mesh[f].half);
   }
   return run;
@@ -61,7 +62,8 @@ FarLanes ElementRuns::choose(int e, int r, const ElementRange& wanted, FarBatch&
                              int largestOuter) const {
   const ElementRun& run = (*this)[r];
   FarLanes result;
-  const bool all = wanted.first <= run.first && run.last <= wanted.last;
+  const bool hasArcs = run.hasArcs || !(*mesh_)[e].curve.isStraight();
+  const bool all = wanted.first <= run.first && run.last <= wanted.last && !hasArcs;
   if (all && chooseAtOnce(e, run, result, batch))
     return result;
   const BoundaryPoint middle = mesh_->at(e, 0);
@@ -102,7 +104,7 @@ FarLanes ElementRuns::choose(int e, int r, const ElementRange& wanted, FarBatch&
 bool ElementRuns::chooseAtOnce(int e, const ElementRun& run, FarLanes& result,
                                FarBatch& batch) const {
   const Element& x = (*mesh_)[e];
-  const Vec2 toCentre = x.segment().middle - run.centre;
+  const Vec2 toCentre = x.curve.frame().middle - run.centre;
   const double gap = std::sqrt(dot(toCentre, toCentre)) - run.radius;
   const double zE = gap / x.half;
   const double zF = (gap - x.half) / run.largestHalf;
@@ -117,8 +119,8 @@ bool ElementRuns::chooseAtOnce(int e, const ElementRun& run, FarLanes& result,
   std::fill_n(result.far, result.count, true);
   batch = run.elements;
   for (int lane = 0; lane < result.count; ++lane) {
-    batch.wx[lane] = x.segment().middle.x - run.elements.wx[lane];
-    batch.wy[lane] = x.segment().middle.y - run.elements.wy[lane];
+    batch.wx[lane] = x.curve.frame().middle.x - run.elements.wx[lane];
+    batch.wy[lane] = x.curve.frame().middle.y - run.elements.wy[lane];
   }
   return true;
 }

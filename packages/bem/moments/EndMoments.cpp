@@ -1,14 +1,36 @@
 #include "bem/moments/EndMoments.hpp"
 
+#include "bem/moments/ArcWeights.hpp"
 #include "bem/moments/RelativeTarget.hpp"
 
 #include <cmath>
 
 namespace epafi::bem {
 
+namespace {
+
+EndMoments endMomentsOfArc(const Element& source, const RelativeTarget& target) {
+  const ArcRule rule(source.curve, source.degree);
+  ArcWeights weights;
+  weights.evaluate(rule, target, ArcNeed::Potentials);
+  EndMoments result;
+  for (int q = 0; q < rule.size(); ++q)
+    for (int j = 0; j < source.degree; ++j) {
+      const auto k = static_cast<std::size_t>(q);
+      const auto at = static_cast<std::size_t>(j);
+      result.log[at] += rule.legendre(q, j) * weights.log[k];
+      result.phase[at] += rule.legendre(q, j) * weights.phase[k];
+    }
+  return result;
+}
+
+}  // namespace
+
 EndMoments endMoments(const Mesh& mesh, int f, const BoundaryPoint& x) {
   const Element& source = mesh[f];
   const RelativeTarget target = seenFrom(mesh, f, x);
+  if (!source.curve.isStraight())
+    return endMomentsOfArc(source, target);
   const Complex tangent = asComplex(source.segment().tangent);
   const Complex square = tangent * tangent;
   const bool atStart = target.zPlus1 == 0.0;

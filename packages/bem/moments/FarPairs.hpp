@@ -11,23 +11,25 @@ namespace epafi::bem {
 struct alignas(64) FarBatch {
   double wx[lanes];  ///< middle of E minus middle of F
   double wy[lanes];
-  double tx[lanes];  ///< tangent of F
+  double tx[lanes];  ///< tangent of F at its middle
   double ty[lanes];
   double half[lanes];
+  double alpha[lanes];  ///< half the angle by which F turns
 
   /// `w`: middle of E minus middle of F.
   void set(int lane, Vec2 w, const Element& f) {
     wx[lane] = w.x;
     wy[lane] = w.y;
-    tx[lane] = f.segment().tangent.x;
-    ty[lane] = f.segment().tangent.y;
+    tx[lane] = f.curve.frame().tangent.x;
+    ty[lane] = f.curve.frame().tangent.y;
     half[lane] = f.half;
+    alpha[lane] = 0.5 * f.curve.angle();
   }
   /// A lane that is not wanted: far off, so that nothing overflows.
   void drop(int lane) {
     wx[lane] = wy[lane] = 10;
     tx[lane] = half[lane] = 1;
-    ty[lane] = 0;
+    ty[lane] = alpha[lane] = 0;
   }
 };
 
@@ -38,7 +40,7 @@ struct PairDegrees {
   int columns = 0;
 };
 
-/// Far moments of E against a batch.  `order` without what polynomials cost.  Tensor Gauss
+/// Far moments of a straight E against a batch of straight elements.  `order` without what polynomials cost.  Tensor Gauss
 /// with one reciprocal per point pair and one logarithm per outer point: ∫ P_j log|w| comes
 /// from ∫ P_j w·τ/|w|² by parts.
 void farMoments(const Element& e, const FarBatch& batch, PairDegrees degrees,

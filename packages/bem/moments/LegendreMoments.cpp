@@ -69,9 +69,9 @@ double logRadius(const Target<double>& x) {
 }
 
 /// d[0] ... d[degree], unless the target lies on the element.
-template <class Number>
+template <class Number, class Moments>
 void derivatives(const Target<Number>& x, const Number* c, int degree, bool ranForward,
-                 LegendreMoments& m) {
+                 Moments& m) {
   if (!ranForward) {
     const Number scale = -1.0 / (x.zMinus1 * x.zPlus1);
     for (int j = 0; j <= degree; ++j)
@@ -88,12 +88,12 @@ void derivatives(const Target<Number>& x, const Number* c, int degree, bool ranF
   }
 }
 
-template <class Number>
+template <class Number, class Moments>
 void evaluate(const Target<Number>& x, Number q0, bool onElement, int degree, Need need,
-              LegendreMoments& m) {
+              Moments& m) {
   const bool wantL = need == Need::CandL || need == Need::All;
   const bool wantD = (need == Need::CandD || need == Need::All) && !onElement;
-  Number c[largestDegree + 3] = {};
+  Number c[Moments::longest + 2] = {};
   if (degree == 0) {
     c[0] = 2.0 * q0;
     if (wantD)
@@ -118,15 +118,25 @@ void evaluate(const Target<Number>& x, Number q0, bool onElement, int degree, Ne
     m.l[j] = std::real(c[j + 1] - c[j - 1]) / (2 * j + 1);
 }
 
-}  // namespace
-
-void evaluateMoments(const RelativeTarget& x, int degree, Need need, LegendreMoments& m) {
+template <class Moments>
+void evaluateAny(const RelativeTarget& x, int degree, Need need, Moments& m) {
   if (x.b() == 0)
     evaluate(Target<double>{x.z().real(), x.zMinus1.real(), x.zPlus1.real()}, realQ0(x),
              x.onElement(), degree, need, m);
   else
     evaluate(Target<Complex>{x.z(), x.zMinus1, x.zPlus1}, legendreQ0(x), false, degree,
              need, m);
+}
+
+}  // namespace
+
+void evaluateMoments(const RelativeTarget& x, int degree, Need need, LegendreMoments& m) {
+  evaluateAny(x, degree, need, m);
+}
+
+void evaluateMoments(const RelativeTarget& x, int degree, Need need,
+                     LongLegendreMoments& m) {
+  evaluateAny(x, degree, need, m);
 }
 
 }  // namespace epafi::bem

@@ -1,5 +1,6 @@
 #include "bem/moments/NearPair.hpp"
 
+#include "bem/moments/ArcPairs.hpp"
 #include "bem/moments/RelativeTarget.hpp"
 #include "bem/quadrature/Graded.hpp"
 #include "bem/simd/Dispatch.hpp"
@@ -39,7 +40,7 @@ struct Shape {
   std::size_t size() const { return at(Tables, 0, 0); }
 };
 
-/// The outer element seen from the inner one, a straight line of targets: those of its
+/// The outer element seen from the inner one, on its arc or a straight line of targets: those of its
 /// ends and what half a length of it adds.
 struct Sight {
   RelativeTarget start;
@@ -52,10 +53,14 @@ Sight sightOf(const Mesh& mesh, int outer, int inner) {
   const Element& y = mesh[inner];
   const double ratio = x.half / y.half;
   const bool onLine = x.piece.edge == y.piece.edge;
+  const Vec2 direction = x.curve.frame().tangent;
+  const Curve::Frame& frame = y.curve.frame();
   return {seenFrom(mesh, inner, mesh.at(outer, -1)),
           seenFrom(mesh, inner, mesh.at(outer, 1)),
-          ratio * Complex(dot(x.segment().tangent, y.segment().tangent),
-                          onLine ? 0.0 : dot(x.segment().tangent, y.segment().normal))};
+          onLine && !y.curve.isStraight()  // by arc length
+              ? ratio
+              : ratio * Complex(dot(direction, frame.tangent),
+                                onLine ? 0.0 : dot(direction, frame.normal))};
 }
 
 /// What the kernels read and write.
@@ -302,7 +307,8 @@ GradedRule outerRule(const Mesh& mesh, int outer, int inner) {
     const RelativeTarget seen = seenFrom(mesh, outer, {piece.edge, end, 0});
     features.push_back({seen.z().real(), std::abs(seen.b())});
   }
-  const int degree = mesh[outer].densities + mesh[inner].densities;
+  const bool hasArc = !mesh[outer].curve.isStraight() || !mesh[inner].curve.isStraight();
+  const int degree = mesh[outer].densities + mesh[inner].densities + (hasArc ? 6 : 0);
   const bool onLine = mesh[outer].piece.edge == piece.edge;
   return touchingRule(
       features, 17 + degree / 2,
@@ -329,8 +335,11 @@ void NearMoments::evaluate(const Mesh& mesh, int e, int f, TileMoments& m, int l
         m.direct[at][lane] = m.reverse[at][lane] = 0;
         m.log[at][lane] = e == f ? selfMoment(i, j) : 0;
       }
+  const bool hasArc = !mesh[e].curve.isStraight() || !mesh[f].curve.isStraight();
   if (e == f) {
     m.log[0][lane] += 4 * std::log(mesh[e].half);
+    if (hasArc)
+      bendMoments(mesh, e, f, m, lane);
     return;
   }
   // the smaller element outside: the potential of the larger one is smoother on it
@@ -342,9 +351,11 @@ void NearMoments::evaluate(const Mesh& mesh, int e, int f, TileMoments& m, int l
   const Shape shape = {x.densities, y.densities};
   sums_.assign(shape.size(), AlignedLane{});
   const GradedRule rule = outerRule(mesh, outer, inner);
+  if (hasArc && !onLine)
+    return nearArcMoments(mesh, e, f, rule, m, lane);
   const Sight sight = sightOf(mesh, outer, inner);
-  const Complex tangentX = asComplex(x.segment().tangent);
-  const Complex tangentY = asComplex(y.segment().tangent);
+  const Complex tangentX = asComplex(x.curve.frame().tangent);
+  const Complex tangentY = asComplex(y.curve.frame().tangent);
   const Work work = {rule, sight, shape, x.half / y.half * std::conj(tangentX) * tangentY,
                      sums_.data()};
   if (onLine)
@@ -373,6 +384,8 @@ void NearMoments::evaluate(const Mesh& mesh, int e, int f, TileMoments& m, int l
       m.across[at][lane] = 0.5 * (constant - phase.real());
       m.along[at][lane] = -0.5 * phase.imag();
     }
+  if (hasArc)
+    bendMoments(mesh, e, f, m, lane);
 }
 
 }  // namespace epafi::bem

@@ -62,6 +62,94 @@ double gap(const Element& e, const Element& f, Vec2 w) {
                    distanceToSegment(hf, w, e)});
 }
 
+/// How an arc is looked at: so many points a side of its middle.
+constexpr int samplesASide = 4;
+
+/// Distance of two elements at points a quarter of half a length apart: 3 % too large where
+/// it is half the larger one's length.
+double sampledGap(const Element& e, const Element& f, Vec2 w) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int i = -samplesASide; i <= samplesASide; ++i) {
+    const Vec2 x = w + e.curve.fromMiddle(i / static_cast<double>(samplesASide));
+    for (int j = -samplesASide; j <= samplesASide; ++j)
+      smallest =
+          std::min(smallest,
+                   length(x - f.curve.fromMiddle(j / static_cast<double>(samplesASide))));
+  }
+  return smallest;
+}
+
+/// Half the sum of the distances from both ends of [-1, 1] to the nearer places of a
+/// target: its own, or the same on another turn of the circle.
+double focal(const RelativeTarget& x, double alpha) {
+  const double own = 0.5 * (std::abs(x.zMinus1) + std::abs(x.zPlus1));
+  if (alpha == 0)
+    return own;
+  const double turn = std::copysign(2 * 3.14159265358979 / std::abs(alpha), x.z().real());
+  return std::min(own, 0.5 * (std::abs(x.zMinus1 - turn) + std::abs(x.zPlus1 - turn)));
+}
+
+/// The same as focalRatio in the parameter's plane; `w` from the middle of the source to
+/// E's.
+double arcRatio(const Element& e, const Element& source, Vec2 w) {
+  const double alpha = 0.5 * e.curve.angle();
+  const Vec2 start = -e.curve.fromMiddle(-1);
+  const Vec2 end = -e.curve.fromMiddle(1);
+  double z = std::numeric_limits<double>::infinity();
+  for (int i = -samplesASide; i <= samplesASide; ++i) {
+    const Vec2 y = source.curve.fromMiddle(i / static_cast<double>(samplesASide)) - w;
+    z = std::min(z, focal(e.curve.seen(y + start, y + end), alpha));
+  }
+  constexpr double betweenSamples = 0.97;
+  return betweenSamples * z;
+}
+
+/// |t₀| of a target at a distance from an arc's middle, in half lengths, is at least this.
+double smallestPlace(double distance, double alpha) {
+  return alpha == 0
+             ? distance
+             : std::log1p(std::abs(alpha) * std::max(distance, 0.0)) / std::abs(alpha);
+}
+
+/// Gauss points that integrate e^{2iαt} to 1e-14.
+int turningOrder(double alpha) {
+  constexpr double wanted = 1e-14;
+  double error = 2;
+  int n = 0;
+  while (error > wanted && n < largestSmoothOrder) {
+    ++n;  // error of n points: 2^(2n+1) n!⁴ / ((2n+1) (2n)!³) (2α)^(2n)
+    const double k = n;
+    const double step = 4 * std::pow(k, 4) * (2 * k - 1) /
+                        ((2 * k + 1) * std::pow(2 * k * (2 * k - 1), 3));
+    error *= step * 4 * alpha * alpha;
+  }
+  return n;
+}
+
+int arcOrder(double z, double alpha) {
+  return alpha == 0 ? smoothOrder(z)
+                    : std::min(std::max(smoothOrder(z) + 1, turningOrder(alpha)),
+                               largestSmoothOrder);
+}
+
+/// isNear of elements that are no neighbours, one of them an arc at least.
+bool isNearArc(const Element& e, const Element& f, Vec2 w, PairOrder& order) {
+  const double distance = length(w);
+  const double larger = std::max(e.half, f.half);
+  if (distance - e.half - f.half < larger && sampledGap(e, f, w) < larger)
+    return true;
+  const double alphaE = 0.5 * e.curve.angle();
+  const double alphaF = 0.5 * f.curve.angle();
+  double zE = smallestPlace((distance - f.half) / e.half, alphaE);
+  double zF = smallestPlace((distance - e.half) / f.half, alphaF);
+  if (zE < 4)
+    zE = std::max(zE, arcRatio(e, f, w));
+  if (zF < 4)
+    zF = std::max(zF, arcRatio(f, e, -w));
+  order = {arcOrder(zE, alphaE), arcOrder(zF, alphaF)};
+  return false;
+}
+
 }  // namespace
 
 int smoothOrder(double z) {
@@ -77,6 +165,8 @@ bool isNear(const Mesh& mesh, int ie, int jf, Vec2 w, PairOrder& order) {
   const Element& f = mesh[jf];
   if (ie == jf || e.next == jf || f.next == ie)
     return true;
+  if (!e.curve.isStraight() || !f.curve.isStraight())
+    return isNearArc(e, f, w, order);
   const double distance = length(w);
   const double larger = std::max(e.half, f.half);
   if (distance - e.half - f.half < larger && gap(e, f, w) < larger)

@@ -1,5 +1,7 @@
 #include "bem/moments/Tile.hpp"
 
+#include "bem/moments/ArcPairs.hpp"
+
 #include <algorithm>
 
 namespace epafi::bem {
@@ -14,9 +16,11 @@ void Tile::evaluate(int trial, int r, const ElementRange& wanted, InstructionSet
   const FarLanes chosen = runs_.choose(trial, r, wanted_, batch_);
   std::copy_n(chosen.far, lanes, far_);
   const Element& element = mesh()[trial];
-  farMoments(element, batch_, {element.densities, run().densities},
-             {std::max(1, chosen.smooth.outer), std::max(1, chosen.smooth.inner)},
-             *moments_, set);
+  const bool hasArcs = run().hasArcs || !element.curve.isStraight();
+  const auto far = hasArcs ? farArcMoments : farMoments;
+  far(element, batch_, {element.densities, run().densities},
+      {std::max(1, chosen.smooth.outer), std::max(1, chosen.smooth.inner)}, *moments_,
+      set);
   for (int e = wanted_.first; e < wanted_.last; ++e)
     if (!far_[e - run().first])
       near_.evaluate(mesh(), trial, e, *moments_, e - run().first, set);

@@ -22,7 +22,8 @@ struct alignas(64) AlignedLane {
 ///   direct(i,j)  = ∫∫ P_i(x) P_j(y) (w·n_F)/|w|² h_F/2       i < d_E, j <= d_F
 ///   reverse(i,j) = ∫∫ P_i(x) P_j(y) (-w·n_E)/|w|² h_E/2      i <= d_E, j < d_F
 ///
-/// d: the number of density functions, at least the degree.
+/// d: the number of density functions, at least the degree.  Where F is an arc n_F and τ_F
+/// are those of its middle in `along` and `across`, in `direct` and `reverse` normals turn.
 struct TileMoments {
   static constexpr int stride = largestDegree + 2;
   using Lane = double[lanes];

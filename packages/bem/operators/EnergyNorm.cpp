@@ -34,7 +34,7 @@ class PairSum {
     const Element& y = data_.mesh[f];
     const LocalField& a = data_.fields[static_cast<std::size_t>(e)];
     const LocalField& b = data_.fields[static_cast<std::size_t>(f)];
-    const Complex tangent = asComplex(y.segment().tangent);
+    const Complex tangent = asComplex(y.curve.frame().tangent);
     double sum = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(x.densities); ++i)
       for (std::size_t j = 0; j < static_cast<std::size_t>(y.densities); ++j) {

@@ -77,13 +77,15 @@ void addTile(const Space& space, const Tile& tile, const TileBlocks& blocks,
 
 /// Points of an element and its displacement functions there, times weights.
 struct Samples {
-  std::vector<double> offsets;
+  std::vector<Complex> offsets;  ///< from the element's middle
+  std::vector<Complex> tangents;
   std::vector<std::array<double, largestDegree + 1>> values;
 
   Samples(const Element& element, int order) {
     const Rule& rule = gaussLegendre(order + degreeShare(element.degree));
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
-      offsets.push_back(element.half * rule.points[q]);
+      offsets.push_back(asComplex(element.curve.fromMiddle(rule.points[q])));
+      tangents.push_back(asComplex(element.curve.tangent(rule.points[q])));
       values.emplace_back();
       DisplacementBasis::values(element.degree, rule.points[q], values.back().data());
       for (double& value : values.back())
@@ -154,13 +156,12 @@ class FarHypersingular {
     const Element& y = mesh[f];
     const Samples outer(x, around.order().outer + forSquares);
     const Samples inner(y, around.order().inner + forSquares);
-    const Complex tangentX = asComplex(x.segment().tangent);
-    const Complex tangentY = asComplex(y.segment().tangent);
     const Complex w = asComplex(mesh.difference(mesh.at(e, 0), mesh.at(f, 0)));
     for (std::size_t p = 0; p < outer.offsets.size(); ++p)
       for (std::size_t q = 0; q < inner.offsets.size(); ++q) {
-        const Complex offset = outer.offsets[p] * tangentX - inner.offsets[q] * tangentY;
-        const Block kernel = hypersingularBlock(lame_, w + offset, tangentX, tangentY);
+        const Complex offset = outer.offsets[p] - inner.offsets[q];
+        const Block kernel =
+            hypersingularBlock(lame_, w + offset, outer.tangents[p], inner.tangents[q]);
         for (int k = 0; k <= x.degree; ++k)
           for (int l = 0; l <= y.degree; ++l)
             if (around.areFar(k, l))

@@ -24,7 +24,7 @@ void addHalfMass(const Space& space, const std::vector<int>& elements, const Add
   }
 }
 
-/// The same with what the phase of elements on one edge, ∫∫ w/conj(w) dt dt = 4 τ², gives
+/// The same with what the phase of elements on one straight edge, ∫∫ w/conj(w) dt dt = 4 τ², gives
 /// to K at the ends of the edge, see TileBlocks; between neighbours it cancels.
 template <class Add>
 void addEdgeEnds(const Space& space, const Lame& lame, const std::vector<int>& tests,
@@ -34,7 +34,7 @@ void addEdgeEnds(const Space& space, const Lame& lame, const std::vector<int>& t
   for (const int trial : trials)
     for (int k = 0; k < 2; ++k) {
       const Element& y = mesh[trial];
-      if (edgeOf(k == 0 ? y.previous : y.next) == edgeOf(trial))
+      if (!y.curve.isStraight() || edgeOf(k == 0 ? y.previous : y.next) == edgeOf(trial))
         continue;
       for (const int test : tests) {
         if (edgeOf(test) != edgeOf(trial))

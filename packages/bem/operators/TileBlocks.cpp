@@ -245,11 +245,11 @@ void TileBlocks::setRun(const ElementRun& run) {
     const bool isThere = e < run.last;
     degrees_[lane] = isThere ? mesh[e].degree : 0;
     densityCounts_[lane] = isThere ? mesh[e].densities : 0;
-    edges_[lane] = isThere ? mesh[e].piece.edge : -1;
+    edges_[lane] = isThere && mesh[e].curve.isStraight() ? mesh[e].piece.edge : -1;
     densityStarts_[lane + 1] = densityStarts_[lane] + 2 * densityCounts_[lane];
     displacementStarts_[lane + 1] = displacementStarts_[lane] + 2 * degrees_[lane];
-    tangentX_.lane[lane] = isThere ? mesh[e].segment().tangent.x : 1;
-    tangentY_.lane[lane] = isThere ? mesh[e].segment().tangent.y : 0;
+    tangentX_.lane[lane] = isThere ? mesh[e].curve.frame().tangent.x : 1;
+    tangentY_.lane[lane] = isThere ? mesh[e].curve.frame().tangent.y : 0;
     halves_.lane[lane] = isThere ? mesh[e].half : 1;
   }
 }

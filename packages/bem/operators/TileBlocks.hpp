@@ -20,7 +20,7 @@ namespace epafi::bem {
 /// Displacements: those of the start node and the bubbles of one element after the other;
 /// then come two of the node behind the last.  Elements that are not wanted give zeros; f
 /// itself gives none to `transposed`, since doubleLayer has them.  What the constant phase
-/// of elements on one edge gives to the ends of the edge is missing.
+/// of elements on one straight edge gives to its ends is missing.
 class TileBlocks {
  public:
   TileBlocks(const Space& space, const Lame& lame);
@@ -66,8 +66,8 @@ class TileBlocks {
   std::array<int, lanes + 1> displacementStarts_{};
   std::array<int, lanes> densityCounts_{};
   std::array<int, lanes> degrees_{};
-  std::array<int, lanes> edges_{};
-  Index longest_;  ///< from column to column
+  std::array<int, lanes> edges_{};  ///< straight ones, else -1
+  Index longest_;                   ///< from column to column
   Vector single_;
   Vector double_;
   Vector slopes_;

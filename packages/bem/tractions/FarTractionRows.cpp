@@ -82,7 +82,8 @@ void FarTractionRows::write(int element, int moments, int largestOuter, Index fi
                             Matrix& hypersingular, Matrix& adjoint) const {
   Matrix densities(space_.densities(), 2 * moments);
   Matrix slopes(space_.densities(), 2 * moments);
-  FarTractions values(space_.mesh()[element], lame_, moments);
+  const Element& test = space_.mesh()[element];
+  FarTractions values(test, lame_, moments);
   FarBatch batch{};
   for (const int r : myRuns_) {
     const ElementRun& run = runs_[r];
@@ -90,7 +91,14 @@ void FarTractionRows::write(int element, int moments, int largestOuter, Index fi
         runs_.choose(element, r, {run.first, run.last}, batch, largestOuter);
     if (chosen.count == 0)
       continue;
-    values.evaluate(batch, chosen);
+    if (run.hasArcs || !test.curve.isStraight()) {
+      for (int lane = 0; lane < run.last - run.first; ++lane)
+        if (chosen.far[lane])
+          values.evaluateArc(space_.mesh()[run.first + lane],
+                             {batch.wx[lane], batch.wy[lane]}, chosen.own[lane], lane);
+    } else {
+      values.evaluate(batch, chosen);
+    }
     copyRun(values, space_, run, chosen, Operator::Adjoint, densities);
     copyRun(values, space_, run, chosen, Operator::Hypersingular, slopes);
   }

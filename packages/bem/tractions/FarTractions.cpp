@@ -4,6 +4,7 @@
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/quadrature/WeightedLegendre.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace epafi::bem {
@@ -177,10 +178,11 @@ void kernelBaseline(const Work& work, const std::array<double, 32>* map, double*
 
 FarTractions::FarTractions(const Element& e, const Lame& lame, int moments)
     : element_(e),
+      lame_(lame),
       moments_(moments),
       map_(static_cast<std::size_t>(moments)),
       values_(static_cast<std::size_t>(moments * largestDegree) * 4 * block) {
-  const Complex normal = asComplex(e.segment().normal);
+  const Complex normal = asComplex(e.curve.frame().normal);
   const Complex units[2] = {1, Complex(0, 1)};
   for (int i = 0; i < moments; ++i) {
     const double normalisation = std::sqrt(e.half * (2 * i + 1) / 2);
@@ -221,6 +223,54 @@ void FarTractions::evaluate(const FarBatch& batch, const FarLanes& chosen,
       return kernelAvx2(work, map_.data(), values_.data());
     case InstructionSet::Baseline:
       return kernelBaseline(work, map_.data(), values_.data());
+  }
+}
+
+void FarTractions::evaluateArc(const Element& source, Vec2 w, PairOrder smooth,
+                               int lane) {
+  const int columns = source.degree;
+  const Rule& outer = gaussLegendre(smooth.outer + polynomialShare(moments_ - 1));
+  const Rule& inner = gaussLegendre(smooth.inner + polynomialShare(columns));
+  const WeightedLegendre& outerTable = weightedLegendre(outer.size());
+  const WeightedLegendre& innerTable = weightedLegendre(inner.size());
+  const Complex units[2] = {1, Complex(0, 1)};
+  for (int i = 0; i < moments_; ++i)
+    for (int j = 0; j < columns; ++j)
+      for (const Operator op : {Operator::Adjoint, Operator::Hypersingular})
+        for (int a = 0; a < 2; ++a)
+          std::fill_n(values_.data() + place(op, i, j, a) + 2 * lane, 2, 0.0);
+  std::array<SourceSums, largestDegree> sums;
+  for (std::size_t q = 0; q < outer.points.size(); ++q) {
+    const double s = outer.points[q];
+    const Complex middle = asComplex(w + element_.curve.fromMiddle(s));
+    const Complex normal = asComplex(element_.curve.normal(s));
+    sums.fill({});
+    for (std::size_t k = 0; k < inner.points.size(); ++k) {
+      const Complex d = middle - asComplex(source.curve.fromMiddle(inner.points[k]));
+      const Complex conj = 1.0 / std::conj(d);
+      const SourceSums at = {std::conj(conj), conj, d * conj * conj};
+      for (int j = 0; j < columns; ++j)
+        sums[static_cast<std::size_t>(j)].add(
+            source.half * innerTable[k][static_cast<std::size_t>(j)] * at);
+    }
+    for (int j = 0; j < columns; ++j)
+      for (int c = 0; c < 2; ++c) {
+        const SourceSums f = units[c] * sums[static_cast<std::size_t>(j)];
+        const Complex adjoint = adjointDoubleLayer(lame_, normal, f);
+        const Complex hyper = (0.5 / source.half) * hypersingular(lame_, normal, f);
+        for (int i = 0; i < moments_; ++i) {
+          const double factor = outerTable[q][static_cast<std::size_t>(i)] *
+                                std::sqrt(element_.half * (2 * i + 1) / 2);
+          const auto add = [&](Operator op, int a, double value) {
+            values_[place(op, i, j, a) + static_cast<std::size_t>(2 * lane + c)] +=
+                factor * value;
+          };
+          add(Operator::Adjoint, 0, adjoint.real());
+          add(Operator::Adjoint, 1, adjoint.imag());
+          add(Operator::Hypersingular, 0, hyper.real());
+          add(Operator::Hypersingular, 1, hyper.imag());
+        }
+      }
   }
 }
 

@@ -18,7 +18,7 @@ namespace epafi::bem {
 ///   ∫ P_j ds/conj(w)      = a τ ∫ P_j v/r² dt,         w = x - y = τ v,  v = η - i off,
 ///   ∫ P_j w/conj(w)² ds   = a τ³ ∫ P_j v³/r⁴ dt,       a half the source's length,
 ///
-/// and off does not depend on t.
+/// and off does not depend on t.  On arcs both integrands are taken at each pair of points.
 class FarTractions {
  public:
   enum class Operator { Adjoint, Hypersingular };
@@ -32,6 +32,9 @@ class FarTractions {
   /// than that hold nothing of use beyond it.
   void evaluate(const FarBatch& batch, const FarLanes& chosen,
                 InstructionSet set = largestInstructionSet());
+
+  /// The same for one source where it or E is an arc, into a lane; `w` as in FarBatch.
+  void evaluateArc(const Element& source, Vec2 w, PairOrder smooth, int lane);
 
   /// Gauss points on E that this takes.
   static int outerPoints(const FarLanes& chosen, int moments) {
@@ -55,6 +58,7 @@ class FarTractions {
   }
 
   Element element_;
+  Lame lame_;
   int moments_;
   /// [i][kind][c][a][part of the two integrals]
   std::vector<std::array<double, 32>> map_;

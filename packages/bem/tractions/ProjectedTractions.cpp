@@ -76,8 +76,8 @@ void ProjectedTractions::addPair(int test, int source, Index first,
   const Element& y = space_.mesh()[source];
   const EndMoments start = endMoments(space_.mesh(), source, space_.mesh().at(test, -1));
   const EndMoments end = endMoments(space_.mesh(), source, space_.mesh().at(test, 1));
-  const bool sameEdge = x.piece.edge == y.piece.edge;
-  const Complex tangent = asComplex(y.segment().tangent);
+  const bool onLine = x.piece.edge == y.piece.edge && x.curve.isStraight();
+  const Complex tangent = asComplex(y.curve.frame().tangent);
   for (int j = 0; j < y.degree; ++j) {
     const auto at = static_cast<std::size_t>(j);
     const Index density = space_.density(source, j, 0);
@@ -99,7 +99,7 @@ void ProjectedTractions::addPair(int test, int source, Index first,
       addHypersingular(source, j, column,
                        scale * singleLayerBlock(lame_.d, lame_.d, potentials));
 
-      const double laplace = sameEdge ? 0 : m.reverse[i * TileMoments::stride + j][0];
+      const double laplace = onLine ? 0 : m.reverse[i * TileMoments::stride + j][0];
       Block adjoint = doubleLayerBlock(lame_, potentials, laplace);
       if (test == source && i == j) {  // 1/2 <P_i, P_i>
         adjoint.xx += 1.0 / (2 * i + 1);

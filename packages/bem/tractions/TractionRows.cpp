@@ -160,12 +160,11 @@ class ElementRows {
 
   void evaluate(int f, const BoundaryPoint& x, double t, SourceValues& values) const {
     const Element& source = mesh_[f];
-    const RelativeTarget target = seenFrom(mesh_, f, x);
-    LegendreMoments moments;
-    evaluateMoments(target, source.degree - 1, Need::CandD, moments);
+    ElementSums sums;
+    sums.evaluate(source.curve, seenFrom(mesh_, f, x), source.degree);
     const Complex normal = asComplex(mesh_[element_].curve.normal(t));
     for (int j = 0; j < source.degree; ++j) {
-      const SourceSums in = elementSums(source.curve, target, moments, j);
+      const SourceSums in = sums[j];
       const Complex units[2] = {1, Complex(0, 1)};
       for (int c = 0; c < 2; ++c) {
         values.adjoint[j][c] = adjointDoubleLayer(lame_, normal, units[c] * in);

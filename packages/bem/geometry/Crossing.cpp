@@ -1,0 +1,236 @@
+#include "bem/geometry/Crossing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::bem {
+
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+bool properlyCross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
+  const auto opposite = [](double s, double t) {
+    return (s < 0 && t > 0) || (s > 0 && t < 0);
+  };
+  return opposite(cross(b - a, c - a), cross(b - a, d - a)) &&
+         opposite(cross(d - c, a - c), cross(d - c, b - c));
+}
+
+Vec2 centreOf(const Curve& arc) {
+  return arc.frame().middle - (1 / arc.curvature()) * arc.frame().normal;
+}
+
+double radiusOf(const Curve& arc) { return std::abs(1 / arc.curvature()); }
+
+/// Where the circles or lines of both cross.
+std::vector<Vec2> crossingsOfWholes(const Curve& a, const Curve& b) {
+  if (a.isStraight())
+    return b.isStraight() ? std::vector<Vec2>() : crossingsOfWholes(b, a);
+  const Vec2 centre = centreOf(a);
+  const double radius = radiusOf(a);
+  Vec2 foot;
+  Vec2 along;
+  if (b.isStraight()) {
+    along = b.frame().tangent;
+    foot = b.frame().middle + dot(centre - b.frame().middle, along) * along;
+  } else {
+    const Vec2 apart = centreOf(b) - centre;
+    const double distance = norm(apart);
+    if (!(distance > 1e-14 * radius))
+      return {};
+    const Vec2 direction = (1 / distance) * apart;
+    const double other = radiusOf(b);
+    foot = centre +
+           0.5 * (distance + (radius - other) * (radius + other) / distance) * direction;
+    along = turnLeft(direction);
+  }
+  const double depth = norm(foot - centre);
+  const double reach = (radius - depth) * (radius + depth);
+  const double side = std::sqrt(std::max(0.0, reach));
+  // circles that miss each other by rounding have their common normal there
+  if (reach < -1e-6 * radius * radius)
+    return {};
+  return {foot + side * along, foot - side * along};
+}
+
+/// The crossing next to a point by Newton's method, from coordinates that are as accurate
+/// as the curves; false without one on both.
+bool crossNear(const Curve& a, const Curve& b, Vec2 start, double tolerance,
+               Vec2& crossing) {
+  double s = a.seen(start).z().real();
+  double t = b.seen(start).z().real();
+  Vec2 apart;
+  for (int step = 0; step < 8; ++step) {
+    if (!(std::abs(s) < 3) || !(std::abs(t) < 3))
+      return false;
+    apart = a.point(s) - b.point(t);
+    const Vec2 slopeA = a.half() * a.tangent(s);
+    const Vec2 slopeB = b.half() * b.tangent(t);
+    const double determinant = cross(slopeA, slopeB);
+    if (std::abs(determinant) < 1e-9 * a.half() * b.half())
+      return false;
+    s -= cross(apart, slopeB) / determinant;
+    t -= cross(apart, slopeA) / determinant;
+  }
+  crossing = a.point(s);
+  const auto isOn = [&](const Curve& curve, double place) {
+    return (std::abs(place) - 1) * curve.half() <= tolerance;
+  };
+  return norm(apart) <= tolerance + 1e-13 * (a.half() + b.half()) && isOn(a, s) &&
+         isOn(b, t);
+}
+
+std::vector<Vec2> crossings(const Curve& a, const Curve& b, double tolerance) {
+  std::vector<Vec2> found;
+  for (const Vec2 start : crossingsOfWholes(a, b)) {
+    Vec2 crossing;
+    if (crossNear(a, b, start, tolerance, crossing))
+      found.push_back(crossing);
+  }
+  if (a.isStraight() && b.isStraight() &&
+      properlyCross(a.from(), a.to(), b.from(), b.to()))
+    found.push_back(a.from());
+  return found;
+}
+
+/// Points of a at which b may be nearest: its ends, and feet of common normals.
+std::vector<Vec2> candidates(const Curve& a, const Curve& b) {
+  std::vector<Vec2> points = {a.from(), a.to()};
+  const auto addFoot = [&](Vec2 direction) {
+    const double length = norm(direction);
+    if (!(length > 0))
+      return;
+    const Vec2 centre = centreOf(a);
+    for (const double side : {1.0, -1.0}) {
+      const Vec2 foot = centre + (side * radiusOf(a) / length) * direction;
+      const double t = a.seen(foot).z().real();
+      if (std::abs(t) < 1)
+        points.push_back(a.point(t));
+    }
+  };
+  if (!a.isStraight())
+    addFoot(b.isStraight() ? b.frame().normal : centreOf(b) - centreOf(a));
+  return points;
+}
+
+/// Parts between which y rises or falls all the way, as places on the curve.
+std::vector<double> monotoneCuts(const Curve& curve) {
+  std::vector<double> cuts = {-1};
+  const double alpha = 0.5 * curve.angle();
+  if (alpha != 0) {
+    const Vec2 tangent = curve.frame().tangent;
+    const double direction = std::atan2(tangent.y, tangent.x);
+    for (int k = -3; k <= 3; ++k) {
+      const double t = (k * pi - direction) / alpha;
+      if (t > -1 && t < 1)
+        cuts.push_back(t);
+    }
+  }
+  cuts.push_back(1);
+  std::sort(cuts.begin(), cuts.end());
+  return cuts;
+}
+
+/// Does a ray from p to the right cross the monotone part between two places, at the points
+/// a and b?
+bool rayCrosses(Vec2 p, const Curve& curve, double s, Vec2 a, double t, Vec2 b) {
+  if ((a.y > p.y) == (b.y > p.y))
+    return false;
+  if (curve.isStraight()) {
+    const double side = cross(b - a, p - a);
+    return b.y > a.y ? side > 0 : side < 0;
+  }
+  for (int step = 0; step < 60; ++step) {
+    const double middle = 0.5 * (s + t);
+    const Vec2 x = curve.point(middle);
+    ((x.y > p.y) == (a.y > p.y) ? s : t) = middle;
+  }
+  return curve.point(0.5 * (s + t)).x > p.x;
+}
+
+}  // namespace
+
+bool meet(const Curve& a, const Curve& b, double tolerance) {
+  const Vec2 apart = a.frame().middle - b.frame().middle;
+  if (norm(apart) > a.half() + b.half() + tolerance)
+    return false;
+  if (!crossings(a, b, 0).empty())
+    return true;
+  for (const Vec2 x : candidates(a, b))
+    if (b.distance(x) <= tolerance)
+      return true;
+  for (const Vec2 x : candidates(b, a))
+    if (a.distance(x) <= tolerance)
+      return true;
+  return false;
+}
+
+bool meetElsewhere(const Curve& a, const Curve& b, double tolerance, double blind) {
+  std::vector<Vec2> common;
+  for (const Vec2 x : {a.from(), a.to()})
+    for (const Vec2 y : {b.from(), b.to()})
+      if (x == y)
+        common.push_back(x);
+  const auto isElsewhere = [&](Vec2 x) {
+    return std::all_of(common.begin(), common.end(),
+                       [&](Vec2 y) { return norm(x - y) > blind; });
+  };
+  const auto found = crossings(a, b, 0);
+  if (std::any_of(found.begin(), found.end(), isElsewhere))
+    return true;
+  for (const Vec2 x : candidates(a, b))
+    if (isElsewhere(x) && b.distance(x) <= tolerance)
+      return true;
+  for (const Vec2 x : candidates(b, a))
+    if (isElsewhere(x) && a.distance(x) <= tolerance)
+      return true;
+  const auto runsBack = [](Vec2 arriving, Vec2 leaving) {
+    return dot(arriving, leaving) < 0 && std::abs(cross(arriving, leaving)) < 1e-12;
+  };
+  return (a.to() == b.from() && runsBack(a.tangent(1), b.tangent(-1))) ||
+         (b.to() == a.from() && runsBack(b.tangent(1), a.tangent(-1)));
+}
+
+bool inside(Vec2 p, const std::vector<Curve>& loop) {
+  bool odd = false;
+  for (const Curve& curve : loop) {
+    const std::vector<double> cuts = monotoneCuts(curve);
+    // at the ends the curve's own points, which the neighbours share
+    const auto place = [&](std::size_t k) {
+      return k == 0 ? curve.from()
+                    : (k + 1 == cuts.size() ? curve.to() : curve.point(cuts[k]));
+    };
+    for (std::size_t k = 0; k + 1 < cuts.size(); ++k)
+      if (rayCrosses(p, curve, cuts[k], place(k), cuts[k + 1], place(k + 1)))
+        odd = !odd;
+  }
+  return odd;
+}
+
+std::vector<Vec2> extent(const Curve& curve) {
+  std::vector<Vec2> points = {curve.from()};
+  if (curve.isStraight())
+    return points;
+  constexpr int samples = 32;
+  for (int k = 1; k < samples; ++k)
+    points.push_back(curve.point(2.0 * k / samples - 1));
+  for (int k = -6; k <= 6; ++k) {
+    const Vec2 tangent = curve.frame().tangent;
+    const double t =
+        (0.5 * pi * k - std::atan2(tangent.y, tangent.x)) / (0.5 * curve.angle());
+    if (t > -1 && t < 1)
+      points.push_back(curve.point(t));
+  }
+  return points;
+}
+
+double twiceAreaBesideChord(const Curve& curve) {
+  const double angle = curve.angle();
+  if (std::abs(angle) < 1e-2)  // (θ - sin θ) / (θ/2)²
+    return curve.half() * curve.half() * 2 * angle / 3 * (1 - angle * angle / 20);
+  const double radius = 1 / curve.curvature();
+  return radius * radius * (angle - std::sin(angle));
+}
+
+}  // namespace epafi::bem

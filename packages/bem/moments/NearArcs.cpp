@@ -1,0 +1,163 @@
+#include "bem/moments/ArcPairs.hpp"
+#include "bem/moments/ArcWeights.hpp"
+#include "bem/moments/RelativeTarget.hpp"
+
+#include <cmath>
+
+namespace epafi::bem {
+
+namespace {
+
+constexpr int stride = TileMoments::stride;
+
+/// Integrals over the outer element x and the inner one y.
+struct Sums {
+  std::array<double, stride * stride> log{};
+  std::array<Complex, stride * stride> phase{};
+  std::array<double, stride * stride> direct{};
+  std::array<double, stride * stride> reverse{};
+};
+
+/// ∫ P_j of the integrands at one outer point.
+struct Inner {
+  std::array<double, stride> log{};
+  std::array<Complex, stride> phase{};
+  std::array<Complex, stride> overW{};
+  std::array<double, stride> direct{};
+};
+
+Inner innerIntegrals(const ArcRule& rule, const ArcWeights& weights, double half) {
+  Inner in;
+  for (int q = 0; q < rule.size(); ++q) {
+    const auto k = static_cast<std::size_t>(q);
+    const double direct = half * std::real(rule.normal(q) * weights.overW[k]);
+    for (int j = 0; j <= rule.degree(); ++j) {
+      const auto at = static_cast<std::size_t>(j);
+      const double p = rule.legendre(q, j);
+      in.log[at] += p * weights.log[k];
+      in.phase[at] += p * weights.phase[k];
+      in.overW[at] += p * weights.overW[k];
+      in.direct[at] += p * direct;
+    }
+  }
+  return in;
+}
+
+/// One for each thread: it is large.
+Sums& workspace() {
+  static thread_local Sums sums;
+  sums = Sums();
+  return sums;
+}
+
+/// ∫ P_j τ dt of an element, j below its densities.
+std::vector<Complex> tangentMoments(const Element& e) {
+  const ArcRule rule(e.curve, e.densities);
+  std::vector<Complex> moments(static_cast<std::size_t>(e.densities));
+  for (int q = 0; q < rule.size(); ++q)
+    for (int j = 0; j < e.densities; ++j)
+      moments[static_cast<std::size_t>(j)] +=
+          rule.weight(q) * rule.legendre(q, j) * rule.tangent(q);
+  return moments;
+}
+
+/// Sets what w/conj(w) gives to a lane, `tangent` that of F's middle.
+void setPhase(Complex phase, Complex tangent, int at, int lane, TileMoments& m) {
+  const double constant = at == 0 ? 4 : 0;
+  const Complex turned = std::conj(tangent * tangent) * phase;
+  m.across[at][lane] = 0.5 * (constant - turned.real());
+  m.along[at][lane] = -0.5 * turned.imag();
+}
+
+}  // namespace
+
+void nearArcMoments(const Mesh& mesh, int e, int f, const GradedRule& outer,
+                    TileMoments& m, int lane) {
+  const bool transposed = mesh[e].half > mesh[f].half;
+  const int ix = transposed ? f : e;
+  const int iy = transposed ? e : f;
+  const Element& x = mesh[ix];
+  const Element& y = mesh[iy];
+  const int rows = x.densities;
+  const int columns = y.densities;
+  const ArcRule rule(y.curve, columns);
+  ArcWeights weights;
+  Sums& sums = workspace();
+  double legendre[stride];
+  for (int q = 0; q < outer.size(); ++q) {
+    const EndPoint& point = outer.points[static_cast<std::size_t>(q)];
+    weights.evaluate(rule, seenFrom(mesh, iy, mesh.at(ix, point.fromStart, point.toEnd)),
+                     ArcNeed::Potentials);
+    const Inner in = innerIntegrals(rule, weights, y.half);
+    const Complex normal = asComplex(x.curve.normal(point.t));
+    legendreValues(rows, point.t, legendre);
+    for (int i = 0; i <= rows; ++i) {
+      const double p = outer.weights[static_cast<std::size_t>(q)] * legendre[i];
+      for (int j = 0; j <= columns; ++j) {
+        const auto at = static_cast<std::size_t>(i * stride + j);
+        const auto k = static_cast<std::size_t>(j);
+        sums.log[at] += p * in.log[k];
+        sums.phase[at] += p * in.phase[k];
+        sums.direct[at] += p * in.direct[k];
+        sums.reverse[at] -= p * x.half * std::real(normal * in.overW[k]);
+      }
+    }
+  }
+  const Complex tangent = asComplex(mesh[f].curve.frame().tangent);
+  for (int i = 0; i <= rows; ++i)
+    for (int j = 0; j <= columns; ++j) {
+      const auto from = static_cast<std::size_t>(i * stride + j);
+      const int at = transposed ? j * stride + i : i * stride + j;
+      if (i < rows)
+        (transposed ? m.reverse : m.direct)[at][lane] = sums.direct[from];
+      if (j < columns)
+        (transposed ? m.direct : m.reverse)[at][lane] = sums.reverse[from];
+      if (i == rows || j == columns)
+        continue;
+      m.log[at][lane] = sums.log[from];
+      setPhase(sums.phase[from], tangent, at, lane, m);
+    }
+}
+
+// (w·n)/|w|² = -κ/2 with the normal at either end,  w/conj(w) = τ_x τ_y
+void bendMoments(const Mesh& mesh, int e, int f, TileMoments& m, int lane) {
+  const Element& x = mesh[e];
+  const Element& y = mesh[f];
+  const double alpha = 0.5 * y.curve.angle();
+  const double middle = seenFrom(mesh, f, mesh.at(e, 0)).z().real();
+  const double ratio = x.half / y.half;
+  constexpr int forSinc = 22;
+  const Rule& rule = gaussLegendre(forSinc + (x.densities + y.densities) / 2);
+  double outer[stride];
+  double inner[stride];
+  for (int q = 0; q < rule.size(); ++q) {
+    const double s = rule.points[static_cast<std::size_t>(q)];
+    std::array<double, stride> logs{};
+    for (int k = 0; k < rule.size(); ++k) {
+      const double t = rule.points[static_cast<std::size_t>(k)];
+      const double angle = 0.5 * alpha * (middle + ratio * s - t);
+      const double log = angle == 0 ? 0 : std::log(std::abs(std::sin(angle) / angle));
+      legendreValues(y.densities, t, inner);
+      for (int j = 0; j < y.densities; ++j)
+        logs[static_cast<std::size_t>(j)] +=
+            rule.weights[static_cast<std::size_t>(k)] * inner[j] * log;
+    }
+    legendreValues(x.densities, s, outer);
+    for (int i = 0; i < x.densities; ++i)
+      for (int j = 0; j < y.densities; ++j)
+        m.log[i * stride + j][lane] += rule.weights[static_cast<std::size_t>(q)] *
+                                       outer[i] * logs[static_cast<std::size_t>(j)];
+  }
+  m.direct[0][lane] = -y.curve.angle();
+  m.reverse[0][lane] = -x.curve.angle();
+  const std::vector<Complex> tangentsX = tangentMoments(x);
+  const std::vector<Complex> tangentsY = tangentMoments(y);
+  const Complex tangent = asComplex(y.curve.frame().tangent);
+  for (int i = 0; i < x.densities; ++i)
+    for (int j = 0; j < y.densities; ++j)
+      setPhase(
+          tangentsX[static_cast<std::size_t>(i)] * tangentsY[static_cast<std::size_t>(j)],
+          tangent, i * stride + j, lane, m);
+}
+
+}  // namespace epafi::bem

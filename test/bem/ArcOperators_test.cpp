@@ -1,0 +1,85 @@
+// Operators and fields on bodies with arcs against closed forms.
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/fields/Interior.hpp"
+#include "bem/operators/SteklovPoincare.hpp"
+#include "reference/ExactFields.hpp"
+#include "reference/SampleMeshes.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+
+namespace epafi::reference {
+
+namespace {
+
+using bem::Vec2;
+using bem::Vector;
+
+const bem::LapackAlgebra algebra;
+const bem::Lame lame({1, 0.3, false});
+
+bem::Mesh meshOf(const bem::Loop& loop, int elementsPerEdge, int degree) {
+  const auto outline = std::make_shared<const bem::Outline>(loop);
+  return bem::makeMesh(
+      outline, std::vector<int>(outline->edges().size(), elementsPerEdge), degree);
+}
+
+double product(const Vector& a, const Vector& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    sum += a[i] * b[i];
+  return sum;
+}
+
+/// cos(k θ) and sin(k θ) of a point about the origin.
+Vec2 wave(Vec2 x, int k) {
+  const double angle = k * std::atan2(x.y, x.x);
+  return {std::cos(angle), std::sin(angle)};
+}
+
+}  // namespace
+
+// [doc/theory/operators.md]  S e^{ikθ} = 2μk/(κR) e^{ikθ}, k >= 2, and so on.
+TEUCHOS_UNIT_TEST(ArcOperators, haveTheEigenvaluesOfTheDisc) {
+  const bem::Space space(meshOf(disc(4, 0.5), 2, 12));
+  const bem::SteklovPoincare s(bem::assembleOperators(space, lame, algebra), algebra);
+  const double radius = 0.5;
+  const double kappa = 3 - 4 * lame.nu;
+  for (int k = -4; k <= 4; ++k) {
+    const Vector u = space.interpolate([&](Vec2 x) { return wave(x, k); });
+    double expected =
+        k >= 2 ? 2 * lame.mu * k / (kappa * radius) : 2 * lame.mu * std::abs(k) / radius;
+    if (k == 1)
+      expected = 2 * lame.mu / ((1 - 2 * lame.nu) * radius);
+    // <u, u> = 2 π R
+    const double value = product(u, s.apply(u)) / (2 * std::acos(-1.0) * radius);
+    out << "k = " << k << ": ";
+    TEST_COMPARE(std::abs(value - expected), <, 1e-12);
+  }
+}
+
+TEUCHOS_UNIT_TEST(ArcOperators, giveStressesRightUpToTheArc) {
+  const ExactField field = pointForce(lame, {1.1, 0.9}, {0.3, -1});
+  const bem::Space space(meshOf(disc(4, 0.5), 4, 16));
+  const Vector u = displacementOf(space, field);
+  const Vector t = tractionOf(space, field);
+  for (const int e : {0, 3, 9})
+    for (const double at : {-0.999, -0.3, 0.6})
+      for (const double depth : {1e-6, 1e-3, 0.3, 3.0}) {
+        const bem::Element& element = space.mesh()[e];
+        const Vec2 x =
+            element.curve.point(at) - (depth * element.half) * element.curve.normal(at);
+        const bem::InteriorValue value = bem::evaluateInterior(space, lame, u, t, x);
+        const PlaneStressTensor stress = field.stress(x);
+        const Vec2 displacement = field.displacement(x);
+        TEST_COMPARE(norm(value.displacement - displacement), <, 1e-11);
+        TEST_COMPARE(std::abs(value.xx - stress.xx) + std::abs(value.yy - stress.yy) +
+                         std::abs(value.xy - stress.xy),
+                     <, 1e-10);
+      }
+  const bem::InteriorValue centre = bem::evaluateInterior(space, lame, u, t, {0, 0});
+  TEST_COMPARE(norm(centre.displacement - field.displacement({0, 0})), <, 1e-11);
+}
+
+}  // namespace epafi::reference
