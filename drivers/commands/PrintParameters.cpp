@@ -129,6 +129,8 @@ std::string sample(const Parameter& row) {
       return "{bottom, right, left}";
     case Kind::Counts:
       return "{1, 1, 1}";
+    case Kind::Reals:
+      return "{0, 0, 0.5}";
     case Kind::Points:
       return "3x2:{0, 0, 1, 0, 0, 1}";
     default:

@@ -2,6 +2,7 @@
 
 #include "adaptivity/estimate/ResidualEstimator.hpp"
 #include "bem/base/Error.hpp"
+#include "bem/operators/ExactRotation.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
 #include "contact/equation/ContactState.hpp"
 #include "contact/problem/ContactProblem.hpp"
@@ -89,9 +90,11 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
     timer.startLevel(number);
 
     auto operators = timer.run(Phase::Assembly, [&] {
-      return bem::assembleOperators(
-          space, lame, algebra,
-          contact::tractionElements(multiplier, scene.stabilization));
+      return bem::withExactRotation(
+          bem::assembleOperators(
+              space, lame, algebra,
+              contact::tractionElements(multiplier, scene.stabilization)),
+          space, algebra);
     });
     const auto stiffness = timer.run(Phase::Factorization, [&] {
       return stiffnessOf(std::move(operators), algebra, krylov.get(),

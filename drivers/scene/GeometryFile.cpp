@@ -27,6 +27,8 @@ void setLoop(Teuchos::ParameterList& geometry, const std::string& prefix,
   }
   geometry.set(prefix + "Vertices", table);
   geometry.set(prefix + "Edges", Teuchos::Array<std::string>(loop.edges));
+  if (!loop.bulges.empty())
+    geometry.set(prefix + "Bulges", Teuchos::Array<double>(loop.bulges));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "drivers/scene/GmshOutline.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/geometry/Crossing.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -23,6 +24,10 @@ using Tag = long;
 
 /// Two lines whose directions differ by less (in radians) are one edge.
 constexpr double straight = 1e-9;
+
+/// Two arcs that meet at a smaller angle (in radians) and whose curvatures differ by a
+/// smaller share are parts of one circle: coordinates of 7 digits say no more.
+constexpr double oneCircle = 1e-6;
 
 /// A file line by line, with numbers and quoted names.
 class Lines {
@@ -125,6 +130,7 @@ struct Node {
 struct Line {
   Tag from = 0;
   Tag to = 0;
+  Tag middle = 0;  ///< of a line of second order, else 0
   Tag group = 0;
   int fileLine = 0;
 };
@@ -225,22 +231,26 @@ void readNodes4(Lines& lines, MeshFile& mesh) {
   }
 }
 
-bool isCurved(Tag type) {
-  return type == 8 || (26 <= type && type <= 28) || (62 <= type && type <= 66);
+constexpr Tag secondOrder = 8;
+
+bool isOfHigherOrder(Tag type) {
+  return (26 <= type && type <= 28) || (62 <= type && type <= 66);
 }
 
-/// The two nodes at the end of an element's line, if it is a line.
+/// The nodes of an element's line, if it is a line.
 void addLine(Lines& lines, MeshFile& mesh, Tag type, Tag group) {
   constexpr Tag segment = 1;
-  if (isCurved(type))
+  if (isOfHigherOrder(type))
     lines.fail(
-        "a line element of higher order; write straight ones "
-        "(Mesh.ElementOrder = 1)");
-  if (type != segment || group == 0)
+        "a line element of third or higher order; write straight ones or arcs "
+        "(Mesh.ElementOrder = 1 or 2)");
+  if ((type != segment && type != secondOrder) || group == 0)
     return;
   Line line;
   line.from = lines.whole("a node's tag");
   line.to = lines.whole("a node's tag");
+  if (type == secondOrder)
+    line.middle = lines.whole("a node's tag");
   line.group = group;
   line.fileLine = lines.number();
   mesh.lines.push_back(line);
@@ -319,16 +329,16 @@ MeshFile readFile(const std::string& text) {
 /// The lines at every node; exactly two where the mesh is an outline.
 std::map<Tag, std::vector<std::size_t>> incidence(const MeshFile& mesh) {
   std::map<Tag, std::vector<std::size_t>> result;
-  std::set<std::pair<Tag, Tag>> pairs;
+  std::set<std::pair<std::pair<Tag, Tag>, Tag>> pairs;
   for (std::size_t i = 0; i < mesh.lines.size(); ++i) {
     const Line& line = mesh.lines[i];
     const std::string where = message("line ", line.fileLine, ": ");
-    for (const Tag node : {line.from, line.to})
-      if (mesh.nodes.count(node) == 0)
+    for (const Tag node : {line.from, line.to, line.middle})
+      if (mesh.nodes.count(node) == 0 && (node != line.middle || node != 0))
         throw InputError(message(where, "there is no node ", node));
     if (line.from == line.to)
       throw InputError(message(where, "an element from node ", line.from, " to itself"));
-    if (!pairs.insert(std::minmax(line.from, line.to)).second)
+    if (!pairs.insert({std::minmax(line.from, line.to), line.middle}).second)
       throw InputError(message(where, "a second element between nodes ", line.from,
                                " and ", line.to, "; an edge has one name"));
     result[line.from].push_back(i);
@@ -354,7 +364,9 @@ void checkPlane(const MeshFile& mesh) {
   double size = 0;
   bool first = true;
   for (const Line& line : mesh.lines)
-    for (const Tag tag : {line.from, line.to}) {
+    for (const Tag tag : {line.from, line.to, line.middle}) {
+      if (tag == 0 && tag == line.middle)
+        continue;
       const Node& node = mesh.nodes.at(tag);
       least = first ? node.z : std::min(least, node.z);
       most = first ? node.z : std::max(most, node.z);
@@ -371,8 +383,37 @@ std::string nameOf(const MeshFile& mesh, Tag group) {
   return name == mesh.names.end() ? std::to_string(group) : name->second;
 }
 
+bem::Curve curveOf(const Loop& loop, std::size_t i) {
+  return {loop.vertices[i], loop.vertices[(i + 1) % loop.vertices.size()],
+          loop.bulges[i]};
+}
+
+/// tan(angle/4) of the arc through three points: half of its angle is what the chords to
+/// the middle one turn by.
+double bulgeThrough(Vec2 from, Vec2 middle, Vec2 to, const std::string& where) {
+  const double turn =
+      std::atan2(cross(middle - from, to - middle), dot(middle - from, to - middle));
+  constexpr double quarterTurn = 1.5707963267948966;
+  if (!(std::abs(turn) <= quarterTurn * (1 + 1e-9)))
+    throw InputError(where +
+                     "the middle node of a line of second order is not between its ends");
+  return std::abs(turn) < straight ? 0 : std::tan(0.5 * turn);
+}
+
+double bulgeOf(const MeshFile& mesh, const Line& line, Tag from) {
+  if (line.middle == 0)
+    return 0;
+  const Vec2 a = mesh.nodes.at(line.from).place;
+  const Vec2 b = mesh.nodes.at(line.to).place;
+  const double bulge = bulgeThrough(a, mesh.nodes.at(line.middle).place, b,
+                                    message("line ", line.fileLine, ": "));
+  return from == line.from ? bulge : -bulge;
+}
+
 double twiceArea(const Loop& loop) {
   double area = 0;
+  for (std::size_t i = 0; i < loop.vertices.size(); ++i)
+    area += loop.bulges[i] == 0 ? 0 : twiceAreaBesideChord(curveOf(loop, i));
   for (std::size_t i = 0; i < loop.vertices.size(); ++i)
     area += cross(loop.vertices[i] - loop.vertices[0],
                   loop.vertices[(i + 1) % loop.vertices.size()] - loop.vertices[0]);
@@ -384,14 +425,26 @@ void reverse(Loop& loop, std::vector<Tag>& tags) {
   std::reverse(loop.vertices.begin(), loop.vertices.end());
   std::reverse(tags.begin(), tags.end());
   std::reverse(loop.edges.begin(), loop.edges.end() - 1);
+  std::reverse(loop.bulges.begin(), loop.bulges.end() - 1);
+  for (double& bulge : loop.bulges)
+    bulge = -bulge;
 }
 
-/// Does the loop turn, or change its name, at vertex i?
+/// Does the loop turn, or change its curvature or its name, at vertex i?
 bool isCorner(const Loop& loop, std::size_t i) {
   const std::size_t n = loop.vertices.size();
   const std::size_t before = (i + n - 1) % n;
   if (loop.edges[before] != loop.edges[i])
     return true;
+  if (loop.bulges[before] != 0 || loop.bulges[i] != 0) {
+    const bem::Curve in = curveOf(loop, before);
+    const bem::Curve out = curveOf(loop, i);
+    return in.isStraight() || out.isStraight() ||
+           !(dot(in.tangent(1), out.tangent(-1)) > 0 &&
+             std::abs(cross(in.tangent(1), out.tangent(-1))) <= oneCircle &&
+             std::abs(in.curvature() - out.curvature()) <=
+                 oneCircle * std::abs(in.curvature()));
+  }
   const Vec2 in = loop.vertices[i] - loop.vertices[before];
   const Vec2 out = loop.vertices[(i + 1) % n] - loop.vertices[i];
   return !(dot(in, out) > 0 &&
@@ -407,12 +460,29 @@ Loop merged(const Loop& loop, const std::vector<Tag>& tags) {
   const auto first = std::min_element(
       corners.begin(), corners.end(),
       [&tags](std::size_t a, std::size_t b) { return tags[a] < tags[b]; });
-  std::rotate(corners.begin(), first, corners.end());
+  const std::size_t n = loop.vertices.size();
+  const std::size_t start =
+      corners.empty() ? static_cast<std::size_t>(
+                            std::min_element(tags.begin(), tags.end()) - tags.begin())
+                      : *first;
+  constexpr double halfACircle = 3.1415926535897932 * (1 + 1e-6);
   Loop result;
-  for (const std::size_t i : corners) {
-    result.vertices.push_back(loop.vertices[i]);
-    result.edges.push_back(loop.edges[i]);
+  double angle = 0;  // of the last edge
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t i = (start + k) % n;
+    const double more = 4 * std::atan(loop.bulges[i]);
+    if (k == 0 || isCorner(loop, i) || std::abs(angle + more) > halfACircle) {
+      result.vertices.push_back(loop.vertices[i]);
+      result.edges.push_back(loop.edges[i]);
+      result.bulges.push_back(0);
+      angle = 0;
+    }
+    angle += more;
+    result.bulges.back() = std::tan(0.25 * angle);
   }
+  if (std::all_of(result.bulges.begin(), result.bulges.end(),
+                  [](double bulge) { return bulge == 0; }))
+    result.bulges.clear();
   return result;
 }
 
@@ -432,6 +502,7 @@ std::vector<Loop> chain(const MeshFile& mesh) {
       tags.push_back(node);
       loop.vertices.push_back(mesh.nodes.at(node).place);
       loop.edges.push_back(nameOf(mesh, mesh.lines[line].group));
+      loop.bulges.push_back(bulgeOf(mesh, mesh.lines[line], node));
       node = mesh.lines[line].from == node ? mesh.lines[line].to : mesh.lines[line].from;
       const auto& both = touching.at(node);
       line = both[0] == line ? both[1] : both[0];
@@ -450,11 +521,15 @@ Loops readGmsh(const std::string& text) {
   std::vector<Loop> loops = chain(mesh);
   checkPlane(mesh);
   for (const Loop& loop : loops)
-    if (loop.vertices.size() < 3)
+    if (loop.vertices.size() < (loop.bulges.empty() ? 3 : 2))
       throw InputError("a loop of lines has no area");
-  const auto outer = std::max_element(
-      loops.begin(), loops.end(),
-      [](const Loop& a, const Loop& b) { return twiceArea(a) < twiceArea(b); });
+  const auto area = [](Loop loop) {
+    loop.bulges.resize(loop.vertices.size());
+    return twiceArea(loop);
+  };
+  const auto outer =
+      std::max_element(loops.begin(), loops.end(),
+                       [&](const Loop& a, const Loop& b) { return area(a) < area(b); });
   Loops result{*outer, {}};
   loops.erase(outer);
   result.holes = std::move(loops);

@@ -91,11 +91,17 @@ bem::Loop readLoop(const ParameterList& geometry, const std::string& prefix,
                    const std::string& path) {
   bem::Loop loop{pointsOf(geometry, prefix + "Vertices"),
                  namesOf(geometry, prefix + "Edges")};
+  if (geometry.isParameter(prefix + "Bulges"))
+    loop.bulges = geometry.get<Teuchos::Array<double>>(prefix + "Bulges").toVector();
   const std::string key = path + "->" + prefix + "Edges";
   if (loop.edges.size() != loop.vertices.size())
     throw InputError(message(key, ": ", loop.vertices.size(), " vertices make ",
                              loop.vertices.size(), " edges, but ", loop.edges.size(),
                              " names are given; the polygon closes by itself"));
+  if (!loop.bulges.empty() && loop.bulges.size() != loop.vertices.size())
+    throw InputError(message(path, "->", prefix, "Bulges: ", loop.vertices.size(),
+                             " edges have one bulge each (0: straight), but ",
+                             loop.bulges.size(), " are given"));
   for (std::size_t i = 0; i < loop.edges.size(); ++i)
     if (loop.edges[i].empty() || loop.edges[i].find_first_of(",{}>") != std::string::npos)
       throw InputError(message(key, ": edge ", i, " is named '", loop.edges[i],

@@ -41,17 +41,31 @@ void addBody(Table& table) {
               "no strain or no stress across the plane")
               .standard("Plane Strain")
               .allowed({"Plane Strain", "Plane Stress"}),
-          Row(geometry, Kind::List, "the outline: a polygon, with holes").required(),
+          Row(geometry, Kind::List,
+              "the outline: a polygon of segments and arcs, with holes")
+              .required(),
           Row(geometry + "->Vertices", Kind::Points,
               "corners of the outer polygon, counter-clockwise; it closes by itself")
               .unit("length"),
           Row(geometry + "->Edges", Kind::Names,
               "the boundary's name for each edge; edge i leads from vertex i to i+1"),
+          Row(geometry + "->Bulges", Kind::Reals,
+              "tan(angle/4) of the circular arc from vertex i to i+1, one for each edge: "
+              "0 "
+              "straight, 1 half a circle, > 0 curved outwards (to the right of the "
+              "chord); "
+              "two vertices are enough with arcs")
+              .unit("1")
+              .range({-10, 10, false, false}),
           Row(geometry + "->Hole <k> Vertices", Kind::Points,
               "corners of hole k = 1, 2, ..., counter-clockwise too")
               .unit("length"),
           Row(geometry + "->Hole <k> Edges", Kind::Names,
               "the boundary's name for each edge of hole k"),
+          Row(geometry + "->Hole <k> Bulges", Kind::Reals,
+              "the same for hole k: > 0 away from its middle")
+              .unit("1")
+              .range({-10, 10, false, false}),
           Row(geometry + "->File", Kind::Text,
               "instead of vertices and edges: a Gmsh mesh (.msh, ASCII 2.2 or 4.1), "
               "relative to the scene; its physical curves name the boundaries"),

@@ -59,6 +59,25 @@ TEUCHOS_UNIT_TEST(GmshOutline, chainsLinesCounterClockwiseAndMergesStraightOnes)
   TEST_NOTHROW(bem::Outline(outer, loops.holes));
 }
 
+// A circle of radius 1 about (3, 0) as four lines of second order, one written backwards:
+// two half circles from the first point on, as far as one edge goes.
+TEUCHOS_UNIT_TEST(GmshOutline, takesLinesOfSecondOrderForArcs) {
+  const std::string circle =
+      "$Nodes\n8\n1 4 0 0\n2 3 1 0\n3 2 0 0\n4 3 -1 0\n"
+      "5 3.70710678118654752 0.70710678118654752 0\n"
+      "6 2.5 0.86602540378443865 0\n"
+      "7 2.29289321881345248 -0.70710678118654752 0\n"
+      "8 3.70710678118654752 -0.70710678118654752 0\n$EndNodes\n" +
+      elements("1 8 2 1 1 1 2 5\n2 8 2 1 1 3 2 6\n3 8 2 1 1 3 4 7\n4 8 2 1 1 4 1 8\n", 4);
+  const bem::Loop outer = drivers::readGmsh(header + names + circle).outer;
+  TEST_EQUALITY(outer.vertices.size(), 2u);
+  for (const double bulge : outer.bulges)
+    TEST_FLOATING_EQUALITY(bulge, 1.0, 1e-14);
+  TEST_EQUALITY(outer.vertices[0].x, 4);
+  TEST_EQUALITY(outer.edges[1], "under side");
+  TEST_NOTHROW(bem::Outline{outer});
+}
+
 TEUCHOS_UNIT_TEST(GmshOutline, aGroupWithoutANameIsCalledByItsNumber) {
   TEST_EQUALITY(drivers::readGmsh(header + nodes + square).outer.edges[0], "1");
 }
@@ -96,7 +115,8 @@ TEUCHOS_UNIT_TEST(GmshOutline, saysWhyAMeshIsNoOutline) {
   TEST_COMPLAINT(start + elements("1 1 2 1 1 3 3\n", 1), "to itself");
   TEST_COMPLAINT(start + elements("1 1 2 1 1 1 2\n2 1 2 2 1 2 1\n", 2),
                  "a second element");
-  TEST_COMPLAINT(start + elements("1 8 2 1 1 1 2 5\n", 1), "higher order");
+  TEST_COMPLAINT(start + elements("1 26 2 1 1 1 2 5 3\n", 1), "higher order");
+  TEST_COMPLAINT(start + elements("1 8 2 1 1 1 2 3\n2 8 2 1 1 1 2 9\n", 2), "node 9");
   TEST_COMPLAINT(start + elements("1 1 2 1 1 1 5\n2 1 2 1 1 5 2\n3 1 2 1 1 1 2\n", 3),
                  "no area");
   std::string fork = square;

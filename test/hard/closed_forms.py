@@ -93,6 +93,28 @@ claim(0.4 < large[4] / small[4] < 0.6 and abs(2 * large[4] - small[4]) < 0.003,
                                                         2 * large[4] - small[4])))
 
 
+# Hertz on a disc of arcs, R = 1: what differs from the half-plane falls like a
+def disc(a):
+    result = run("disc", [
+        "Adaptivity->Maximum Levels=14", "Output->Fields=false",
+        "Discretization->Elements per Edge={%d, 4, 4, 6, 4, 6, 4, 4}" % round(0.48 / a),
+        "Bodies->disc->Boundary Conditions->load->Traction Y=-%g^2*1000/(1 - 0.3^2)/4*3" % a])
+    inner = [point for point in result.contact if abs(point["x"]) < 0.6 * a]
+    p0 = 1000 / (1 - 0.3**2) * a / 2
+    ratios = [point["lambda_n"] / (p0 * math.sqrt(1 - (point["x"] / a)**2)) for point in inner]
+    return sum(ratios) / len(ratios) - 1, result.history[-1]
+
+
+wide, state = disc(0.02)
+narrow, _ = disc(0.01)
+claim(abs(wide) < 3e-3, "Hertz: the pressure under a disc of arcs (%.2f %%)" % (100 * wide))
+claim(0.3 < narrow / wide < 0.7 and abs(2 * narrow - wide) < 5e-4,
+      "what it differs by falls like a/R (%.2f %%, %.2f %%)" % (100 * wide, 100 * narrow))
+imbalance = max(abs(sum(float(state[part + "_" + x]) for part in ("load", "contact", "reaction")))
+                for x in ("x", "y", "moment"))
+claim(imbalance < 1e-12, "forces and moments on the disc balance (%.0e)" % imbalance)
+
+
 # Flat punch: lambda_n = P / (pi sqrt(1 - x^2)), P = 1
 def punch(settings):
     contact = run("punch", settings + ["Output->Fields=false"]).contact

@@ -21,7 +21,7 @@ def drawn(folder, names, sentence):
               "%s: %s.svg is a picture" % (sentence, name))
 
 
-for name in ("tresca", "coulomb", "hertz"):
+for name in ("tresca", "coulomb", "hertz", "disc"):
     run(scene(name + ".xml"), name, levels(3))
     code, text = epafi("plot", os.path.join(WORK, name))
     claim(code == 0, "%s is drawn: %s" % (name, text.strip()))

@@ -22,7 +22,7 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
   const bem::Mesh& mesh = solved.space.mesh();
   const bem::Element& geometry = mesh[element.element];
   const int p = element.degree;
-  normal_ = geometry.segment().normal;
+  const Vec2 across = geometry.curve.normal(0);
   size_ = 2 * geometry.half / p;
   stiffness_ = shearModulus / size_;
   weight_ = 2.0 / p * of(factors_, Source::Contact);
@@ -34,18 +34,19 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
   double steepest = 0;
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     const double t = rule.points[q];
-    points_.push_back({rule.weights[q] * geometry.half, endValue(p, -t) / geometry.half,
-                       endValue(p, t) / geometry.half, profiles.pressure(t),
-                       profiles.shear(t), profiles.opening(t), profiles.tangential(t),
+    points_.push_back({geometry.curve.normal(t), rule.weights[q] * geometry.half,
+                       endValue(p, -t) / geometry.half, endValue(p, t) / geometry.half,
+                       profiles.pressure(t), profiles.shear(t), profiles.opening(t),
+                       profiles.tangential(t),
                        element.condition->friction.at(
                            mesh.physicalPoint(element.element, t), solved.units.stress)});
     steepest = std::max(steepest, points_.back().friction.slope(points_.back().pressure));
   }
-  const Vec2 along = turnLeft(normal_);
-  directions_ = {normal_, along};
+  const Vec2 along = turnLeft(across);
+  directions_ = {across, along};
   if (steepest > 0) {
-    directions_.push_back(normal_ + steepest * along);
-    directions_.push_back(normal_ - steepest * along);
+    directions_.push_back(across + steepest * along);
+    directions_.push_back(across - steepest * along);
   }
 }
 
@@ -59,14 +60,13 @@ double ContactCost::operator()(const AtEnds& c) const {
       weight_ * (2 * dot(moments_.start, c.start) + 2 * dot(moments_.end, c.end) +
                  self_ * (dot(c.start, c.start) + dot(c.end, c.end)) +
                  2 * other_ * dot(c.start, c.end));
-  const Vec2 tangent = turnLeft(normal_);
   const auto factor = [&](Source source) {
     return factors_[static_cast<std::size_t>(source)];
   };
   for (const Point& point : points_) {
     const Vec2 change = point.start * c.start + point.end * c.end;
-    const double pressure = point.pressure + dot(change, normal_);
-    const double shear = point.shear + dot(change, tangent);
+    const double pressure = point.pressure + dot(change, point.normal);
+    const double shear = point.shear + dot(change, turnLeft(point.normal));
     const double s = point.friction.bound(pressure);
     const double along = std::clamp(point.slip < 0 ? -shear : shear, -s, s);
     const double gap = lostWork(positive(pressure), positive(point.opening), stiffness_);

@@ -29,11 +29,12 @@ class ContactCost {
   }
 
   /// Along these a correction leaves some term as it is: pressure, shear, and the two in
-  /// the ratio of friction.
+  /// the ratio of friction; on an arc those of its middle.
   const std::vector<bem::Vec2>& directions() const { return directions_; }
 
  private:
   struct Point {
+    bem::Vec2 normal;
     double weight;
     double start;  ///< e(-t)/half
     double end;    ///< e(t)/half
@@ -44,7 +45,6 @@ class ContactCost {
     contact::PointLaw friction;
   };
 
-  bem::Vec2 normal_;
   double size_;       ///< h/p
   double stiffness_;  ///< μ p/h
   double weight_;

@@ -57,27 +57,31 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   const bem::Element& geometry = mesh[element.element];
   const contact::MultiplierSpace& multiplier = solved.problem.multiplier();
   const int p = element.degree;
-  const auto component = [&](bem::Vec2 direction) {
+  // what is a polynomial on a segment nearly is one on an arc, whose directions turn
+  constexpr int forTurning = 8;
+  const int degree =
+      geometry.curve.isStraight() ? p : std::min(p + forTurning, bem::largestDegree);
+  const auto component = [&](const auto& direction) {
     return Polynomial(
-        [&, direction](double t) {
+        [&](double t) {
           return dot(solved.space.displacementAt(solved.displacement, element.element, t),
-                     direction);
+                     direction(t));
         },
-        p);
+        degree);
   };
-  const auto stress = [&](auto part, bem::Vec2 direction) {
-    const double start = dot(correction.start, direction) / geometry.half;
-    const double end = dot(correction.end, direction) / geometry.half;
+  const auto stress = [&](auto part, const auto& direction) {
     return Polynomial(
         [&, part](double t) {
+          const double start = dot(correction.start, direction(t)) / geometry.half;
+          const double end = dot(correction.end, direction(t)) / geometry.half;
           return multiplier.at(solved.state.multiplier, element, t).*part +
                  start * endValue(p, -t) + end * endValue(p, t);
         },
-        p);
+        degree);
   };
   using Value = contact::MultiplierSpace::Value;
-  const bem::Vec2 along = geometry.segment().tangent;
-  const bem::Vec2 across = geometry.segment().normal;
+  const auto along = [&](double t) { return geometry.curve.tangent(t); };
+  const auto across = [&](double t) { return geometry.curve.normal(t); };
   const Polynomial pressure = stress(&Value::normal, across);
   const Polynomial normal = component(across);
   const contact::Conditions::Contact& condition = *element.condition;

@@ -70,9 +70,10 @@ std::vector<bool> looksAnalytic(const bem::Space& space,
   const double displacementFloor = rounding * largest(displacement);
   const double densityFloor = rounding * largest(density);
   const bem::Mesh& mesh = space.mesh();
+  const Vector inner = space.withoutRotation(displacement);
   std::vector<bool> result;
   for (int e = 0; e < mesh.size(); ++e) {
-    const bem::LocalField field = bem::localField(space, displacement, density, e);
+    const bem::LocalField field = bem::localField(space, inner, density, e);
     bool all = true;
     for (int component = 0; component < 2; ++component) {
       const Series series = seriesOf(field, mesh[e].degree, component);

@@ -2,8 +2,6 @@
 
 #include "adaptivity/singular/PointState.hpp"
 
-#include <cmath>
-
 namespace epafi::adaptivity {
 
 namespace {
@@ -19,11 +17,8 @@ Singularity fromConditions(const bem::Mesh& mesh, int e,
     return isClamped(mesh, e, conditions) != isClamped(mesh, before, conditions)
                ? Singularity::Strong
                : Singularity::Weak;
-  const bem::Vec2 arriving = mesh[before].curve.tangent(1);
-  const bem::Vec2 leaving = mesh[e].curve.tangent(-1);
-  const bool corner =
-      std::abs(cross(arriving, leaving)) > 1e-12 || dot(arriving, leaving) < 0;
-  return corner ? Singularity::Weak : Singularity::None;
+  return bem::joinSmoothly(mesh[before].curve, mesh[e].curve) ? Singularity::None
+                                                              : Singularity::Weak;
 }
 
 }  // namespace
@@ -43,22 +38,25 @@ SingularPoints findSingularPoints(const bem::Mesh& mesh,
                                   const contact::ContactState& states) {
   SingularPoints points = findSingularPoints(mesh, conditions);
 
-  const contact::MultiplierSpace::ContactElement* before = nullptr;
+  std::vector<const contact::MultiplierSpace::ContactElement*> elementOf(
+      static_cast<std::size_t>(mesh.size()), nullptr);
+  for (const auto& element : multiplier.elements())
+    elementOf[static_cast<std::size_t>(element.element)] = &element;
   for (const auto& element : multiplier.elements()) {
     const auto e = static_cast<std::size_t>(element.element);
     const auto places = multiplier.basis().places(element.degree);
     const auto stateAt = [&](const auto& where, int i) {
       return pointState(multiplier, where, i, states);
     };
-    if (before != nullptr && mesh[before->element].next == element.element &&
-        stateAt(*before, before->degree) != stateAt(element, 0))
+    const auto* before =
+        elementOf[static_cast<std::size_t>(mesh[element.element].previous)];
+    if (before != nullptr && stateAt(*before, before->degree) != stateAt(element, 0))
       points.nodes[static_cast<std::size_t>(mesh[element.element].startNode)] =
           Singularity::Strong;
     for (int i = 0; i < element.degree; ++i)
       if (stateAt(element, i) != stateAt(element, i + 1))
         points.inside[e].push_back(0.5 * (places[static_cast<std::size_t>(i)] +
                                           places[static_cast<std::size_t>(i + 1)]));
-    before = &element;
   }
   return points;
 }

@@ -93,6 +93,8 @@ std::string wanted(Kind kind) {
       return "true or false (bool)";
     case Kind::Expression:
       return "an expression (string)";
+    case Kind::Reals:
+      return "a list of numbers (Array(double))";
     case Kind::Points:
       return "a table n x 2 of numbers (TwoDArray(double))";
     default:
@@ -139,6 +141,13 @@ Teuchos::RCP<ParameterEntry> asReal(const ParameterEntry& entry) {
   return keptIf<double>(entry);
 }
 
+Teuchos::RCP<ParameterEntry> asReals(const ParameterEntry& entry) {
+  if (!holds<Teuchos::Array<int>>(entry))
+    return keptIf<Teuchos::Array<double>>(entry);
+  const auto& whole = value<Teuchos::Array<int>>(entry);
+  return kept(Teuchos::Array<double>(whole.begin(), whole.end()));
+}
+
 Teuchos::RCP<ParameterEntry> asExpression(const ParameterEntry& entry) {
   if (holds<int>(entry))
     return kept(std::to_string(value<int>(entry)));
@@ -166,6 +175,8 @@ Teuchos::RCP<ParameterEntry> converted(const ParameterEntry& entry, Kind kind) {
       return keptIf<Teuchos::Array<std::string>>(entry);
     case Kind::Counts:
       return keptIf<Teuchos::Array<int>>(entry);
+    case Kind::Reals:
+      return asReals(entry);
     case Kind::Points:
       return holds<Teuchos::TwoDArray<double>>(entry) ||
                      holds<Teuchos::TwoDArray<int>>(entry)

@@ -29,6 +29,8 @@ std::string typeName(Kind kind) {
       return "Array(string)";
     case Kind::Counts:
       return "Array(int)";
+    case Kind::Reals:
+      return "Array(double)";
     case Kind::Points:
       return "TwoDArray(double)";
     case Kind::List:
@@ -57,7 +59,8 @@ std::string SchemaRow::name() const {
 std::string SchemaRow::range() const {
   if (!allowed.empty())
     return quotedList(allowed);
-  if (kind == Kind::Real || kind == Kind::Whole || kind == Kind::Counts)
+  if (kind == Kind::Real || kind == Kind::Whole || kind == Kind::Counts ||
+      kind == Kind::Reals)
     return interval.text();
   return "";
 }

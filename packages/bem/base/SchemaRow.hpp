@@ -35,6 +35,7 @@ enum class Kind {
   Expression,  ///< string in x and y; a number is fine
   Names,       ///< Array(string)
   Counts,      ///< Array(int)
+  Reals,       ///< Array(double); ints are fine
   Points,      ///< TwoDArray(double), n x 2; ints are fine
   List,        ///< a sublist with keys of its own
   Free         ///< a sublist that is handed on unread

@@ -43,8 +43,9 @@ BoundaryFields::BoundaryFields(const Space& space, const Lame& lame, const Vecto
                                const Vector& psi)
     : mesh_(space.mesh().withDegreesOfDensities()), runs_(mesh_), lame_(lame) {
   int largest = 0;
+  const Vector inner = space.withoutRotation(u);
   for (int e = 0; e < mesh_.size(); ++e) {
-    fields_.push_back(localField(space, u, psi, e));
+    fields_.push_back(localField(space, inner, psi, e));
     largest = std::max(largest, mesh_[e].degree);
   }
   everything_.resize(static_cast<std::size_t>(pointsOn(smoothOrderOfCircles, largest)) +

@@ -80,16 +80,22 @@ InteriorValue evaluateInterior(const Space& space, const Lame& lame, const Vecto
                                const Vector& psi, Vec2 x) {
   Complex displacement = 0;
   FieldSums sums;
+  Vector withoutRotation;
+  if (space.rotation() != nullptr)
+    withoutRotation = space.withoutRotation(u);
+  const Vector& inner = withoutRotation.empty() ? u : withoutRotation;
   for (int e = 0; e < space.mesh().size(); ++e) {
     const Element& element = space.mesh()[e];
     const RelativeTarget target = element.curve.seen(x);
     const int terms = std::max(element.degree, element.densities);
     const auto ofElement = element.curve.isStraight() ? fieldsOfSegment : fieldsOfArc;
     const ElementFields fields =
-        ofElement(lame, element, target, localField(space, u, psi, e), terms);
+        ofElement(lame, element, target, localField(space, inner, psi, e), terms);
     displacement += fields.displacement;
     sums.add(fields.sums);
   }
+  if (space.rotation() != nullptr)
+    displacement += space.rotation()->amount(u) * asComplex(space.rotation()->at(x));
   const Complex onX = traction(lame, Complex(1, 0), sums);
   const Complex onY = traction(lame, Complex(0, 1), sums);
   return {asVector(displacement), onX.real(), onY.imag(),

@@ -126,4 +126,13 @@ Complex Curve::factor(const RelativeTarget& x, double t) const {
          sinc(0.5 * alpha_ * (place - t));
 }
 
+bool joinSmoothly(const Curve& arriving, const Curve& leaving) {
+  constexpr double rounding = 1e-12;
+  const Vec2 before = arriving.tangent(1);
+  const Vec2 behind = leaving.tangent(-1);
+  const bool straight = arriving.isStraight() && leaving.isStraight();
+  return std::abs(cross(before, behind)) <= (straight ? rounding : smoothAngle) &&
+         dot(before, behind) > 0;
+}
+
 }  // namespace epafi::bem

@@ -116,4 +116,10 @@ class Curve {
   double alpha_ = 0;
 };
 
+/// Tangents that differ by less meet smoothly where one of the curves is an arc: 1 degree.
+constexpr double smoothAngle = 0.017453292519943295;
+
+/// Does one curve go on as the other without a corner?  Segments do on one line only.
+bool joinSmoothly(const Curve& arriving, const Curve& leaving);
+
 }  // namespace epafi::bem

@@ -14,6 +14,8 @@ struct Operators {
   Matrix doubleLayer;         ///< K + 1/2, densities x displacements
   Matrix hypersingular;       ///< W, displacements x displacements, lower triangle
   TractionKernels tractions;  ///< on the elements asked for
+  /// Null unless displacements hold a rotation beside polynomials, see withExactRotation.
+  std::shared_ptr<const Rotation> rotation = nullptr;
 };
 
 /// Assembles V, K + 1/2 and W from one set of double moments per pair of elements:

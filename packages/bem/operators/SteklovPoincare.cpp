@@ -1,5 +1,7 @@
 #include "bem/operators/SteklovPoincare.hpp"
 
+#include "bem/operators/ExactRotation.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -85,7 +87,9 @@ void fillUpper(Matrix& lower) {
 
 SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebra,
                                  const LocalCompliance& compliance)
-    : algebra_(&algebra), densities_(operators.singleLayer.columns()) {
+    : algebra_(&algebra),
+      densities_(operators.singleLayer.columns()),
+      rotation_(operators.rotation) {
   Matrix v =
       added(std::move(operators.singleLayer), algebra.myRows(densities_), compliance);
   Matrix k = std::move(operators.doubleLayer);
@@ -122,7 +126,9 @@ SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebr
 SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebra,
                                  const SingleLayerSolver& solver,
                                  const LocalCompliance& compliance)
-    : algebra_(&algebra), densities_(operators.singleLayer.columns()) {
+    : algebra_(&algebra),
+      densities_(operators.singleLayer.columns()),
+      rotation_(operators.rotation) {
   const Rows mine = algebra.myRows(densities_);
   const Index displacements = operators.doubleLayer.columns();
   const auto count = static_cast<Index>(compliance.densities.size());
@@ -215,6 +221,8 @@ Vector SteklovPoincare::unordered(const Vector& b) const {
 }
 
 Matrix SteklovPoincare::addAdjointDensity(Matrix c, Matrix b) const {
+  if (rotation_ != nullptr)
+    c = withoutRotation(std::move(c), *rotation_, *algebra_);
   if (factor_ != nullptr)
     b = factor_->forward(order_.empty() ? std::move(b)
                                         : rowsInOrder(std::move(b), order_));

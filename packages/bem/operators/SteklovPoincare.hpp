@@ -61,7 +61,8 @@ class SteklovPoincare {
   /// V⁻¹ ((K + 1/2) u - E b), E the unit vectors of response().
   Vector density(const Vector& u, const Vector& b) const;
 
-  /// C + (K + 1/2)ᵀ V⁻¹ B, my rows of the displacements; B by my rows of the densities.
+  /// C + (K + 1/2)ᵀ V⁻¹ B, my rows of the displacements, with Pᵀ C where displacements
+  /// hold a rotation beside polynomials; B by my rows of the densities.
   Matrix addAdjointDensity(Matrix c, Matrix b) const;
 
  private:
@@ -73,6 +74,7 @@ class SteklovPoincare {
 
   const DenseAlgebra* algebra_;
   Index densities_ = 0;
+  std::shared_ptr<const Rotation> rotation_;
   /// Density of each row of the factor; empty: as numbered.  On one process those with a
   /// compliance come last, so that what they do needs but the end of the factor.
   std::vector<Index> order_;

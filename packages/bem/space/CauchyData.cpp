@@ -58,8 +58,9 @@ void subtract(Series& a, const Series& b) {
 
 CauchyData makeCauchyData(const Space& space, const Vector& u, const Vector& psi) {
   CauchyData data{space.mesh(), {}};
+  const Vector inner = space.withoutRotation(u);
   for (int e = 0; e < space.mesh().size(); ++e)
-    data.fields.push_back(localField(space, u, psi, e));
+    data.fields.push_back(localField(space, inner, psi, e));
   return data;
 }
 

@@ -12,6 +12,7 @@ struct CauchyData {
   std::vector<LocalField> fields;  ///< one per element
 };
 
+/// Of Space::withoutRotation(u).
 CauchyData makeCauchyData(const Space& space, const Vector& u, const Vector& psi);
 
 /// Where an element of a union lies in one of its two meshes: its t in [-1, 1] is

@@ -14,6 +14,7 @@ struct LocalField {
   LegendreSeries<Complex> density{};  ///< 0 ... densities - 1
 };
 
+/// The polynomials alone: for what potentials feel on arcs give Space::withoutRotation(u).
 LocalField localField(const Space& space, const Vector& u, const Vector& psi, int e);
 
 }  // namespace epafi::bem

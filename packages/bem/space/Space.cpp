@@ -3,6 +3,7 @@
 #include "bem/basis/Legendre.hpp"
 #include "bem/quadrature/Gauss.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace epafi::bem {
@@ -14,9 +15,24 @@ Space::Space(Mesh mesh) : mesh_(std::move(mesh)) {
     displacementStart_.push_back(displacementStart_.back() + 2 * element.degree);
     densityStart_.push_back(densityStart_.back() + 2 * element.densities);
   }
+  const auto isArc = [](const Element& element) { return !element.curve.isStraight(); };
+  if (std::any_of(mesh_.elements().begin(), mesh_.elements().end(), isArc))
+    rotation_ = std::make_shared<const Rotation>(*this);
 }
 
 Vec2 Space::displacementAt(const Vector& u, int e, double t) const {
+  const Vec2 value = polynomialAt(u, e, t);
+  return mesh_[e].curve.isStraight() ? value
+                                     : value + rotation_->amount(u) * rotationRest(e, t);
+}
+
+Vec2 Space::rotationRest(int e, double t) const {
+  if (mesh_[e].curve.isStraight())
+    return {};
+  return rotation_->at(mesh_.scaledPoint(e, t)) - polynomialAt(rotation_->motion(), e, t);
+}
+
+Vec2 Space::polynomialAt(const Vector& u, int e, double t) const {
   std::array<double, largestDegree + 1> phi{};
   const int p = mesh_[e].degree;
   DisplacementBasis::values(p, t, phi.data());
@@ -45,6 +61,11 @@ Matrix Space::rigidMotions() const {
     motions(displacement(e, 0, 0), 2) = -x.y;
     motions(displacement(e, 0, 1), 2) = x.x;
   }
+  if (rotation_ != nullptr)  // about the centroid, moved to the origin
+    for (Index i = 0; i < motions.rows(); ++i)
+      motions(i, 2) = rotation_->motion()[static_cast<std::size_t>(i)] -
+                      rotation_->centre().y * motions(i, 0) +
+                      rotation_->centre().x * motions(i, 1);
   return motions;
 }
 

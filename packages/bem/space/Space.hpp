@@ -1,15 +1,18 @@
 #pragma once
 
 #include "bem/base/Matrix.hpp"
-#include "bem/mesh/Mesh.hpp"
+#include "bem/space/Rotation.hpp"
 
+#include <memory>
 #include <numeric>
+#include <utility>
 
 namespace epafi::bem {
 
 /// The numbering of the discrete spaces on a mesh.                      [P (10), (11)]
 ///
-///   displacements: continuous, of degree p on each element (DisplacementBasis),
+///   displacements: continuous, of degree p on each element (DisplacementBasis), and on a
+///                  mesh with arcs the rotation beside them (Rotation),
 ///   densities:     discontinuous Legendre series of as many terms as Element::densities
 ///                  says: p, or more.
 ///
@@ -62,11 +65,21 @@ class Space {
     return interpolateSamples(elements, samples);
   }
 
+  /// Null where all elements are straight: polynomials hold the rotation.
+  std::shared_ptr<const Rotation> rotation() const { return rotation_; }
+  /// P u of Rotation.
+  Vector withoutRotation(Vector u) const {
+    return rotation_ == nullptr ? u : rotation_->without(std::move(u));
+  }
+  /// r - r_I of Rotation at a point of an element; zero on a straight one.
+  Vec2 rotationRest(int e, double t) const;
+
   /// The three rigid motions (1,0), (0,1), (-y, x) about the origin of the scaled
   /// outline.
   Matrix rigidMotions() const;
 
  private:
+  Vec2 polynomialAt(const Vector& u, int e, double t) const;
   Vector interpolateSamples(const std::vector<int>& elements,
                             const std::vector<Vec2>& samples) const;
   std::vector<double> samplePoints(int degree) const;
@@ -74,6 +87,11 @@ class Space {
   Mesh mesh_;
   std::vector<Index> displacementStart_;
   std::vector<Index> densityStart_;
+  std::shared_ptr<const Rotation> rotation_;
 };
+
+/// Gauss points beside those of polynomials that integrate normals of arcs and products
+/// of two of them.
+constexpr int pointsOfTurning = 14;
 
 }  // namespace epafi::bem

@@ -12,15 +12,13 @@ namespace {
 using bem::Vec2;
 using ContactElement = MultiplierSpace::ContactElement;
 
-/// Do two contact elements follow each other on one straight side?
+/// Do two contact elements follow each other on one smooth side?
 bool continues(const bem::Mesh& mesh, const ContactElement& before,
                const ContactElement& after) {
   const bem::Element& a = mesh[before.element];
   const bem::Element& b = mesh[after.element];
-  const bem::Vec2 arriving = a.curve.normal(1);
-  const bem::Vec2 leaving = b.curve.normal(-1);
   return b.previous == before.element && before.boundary == after.boundary &&
-         std::abs(cross(arriving, leaving)) < 1e-12 && dot(arriving, leaving) > 0;
+         bem::joinSmoothly(a.curve, b.curve);
 }
 
 }  // namespace
@@ -42,6 +40,11 @@ MultiplierSpace::MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& b
     elements_.push_back(element);
   }
   joined_.assign(elements_.size(), false);
+  place_.assign(static_cast<std::size_t>(mesh.size()), -1);
+  for (std::size_t k = 0; k < elements_.size(); ++k) {
+    place_[static_cast<std::size_t>(elements_[k].element)] = static_cast<int>(k);
+    next_.push_back(mesh[elements_[k].element].next);
+  }
   if (basis.sharesNodes)
     shareNodes(mesh, conditions);
   number();
@@ -50,16 +53,21 @@ MultiplierSpace::MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& b
 }
 
 void MultiplierSpace::shareNodes(const bem::Mesh& mesh, const Conditions& conditions) {
-  for (std::size_t k = 1; k < elements_.size(); ++k)
-    joined_[k] = continues(mesh, elements_[k - 1], elements_[k]);
+  for (std::size_t k = 0; k < elements_.size(); ++k)
+    if (const auto behind = follower(k))
+      joined_[*behind] = continues(mesh, elements_[k], elements_[*behind]);
   NodeDirections nodes = clampedDirections(mesh, conditions);
-  const auto decide = [&](std::size_t k, Vec2 direction) {
+  const auto decide = [&](std::size_t k, bool tangential) {
     const bem::Element& element = mesh[elements_[k].element];
+    const auto direction = [&](double t) {
+      return tangential ? element.curve.tangent(t) : element.curve.normal(t);
+    };
     EndCoefficients ends;
     if (!joined_[k])
-      ends.first = nodes.take(element.startNode, direction);
-    if (k + 1 == elements_.size() || !joined_[k + 1])
-      ends.last = nodes.take(element.endNode, direction);
+      ends.first = nodes.take(element.startNode, direction(-1));
+    const auto behind = follower(k);
+    if (!behind || !joined_[*behind])
+      ends.last = nodes.take(element.endNode, direction(1));
     if (elements_[k].degree == 1 && !ends.first && !ends.last)
       throw bem::InputError(bem::message(
           "boundary '", *elements_[k].boundary,
@@ -69,27 +77,41 @@ void MultiplierSpace::shareNodes(const bem::Mesh& mesh, const Conditions& condit
     return ends;
   };
   for (std::size_t k = 0; k < elements_.size(); ++k)
-    elements_[k].normalEnds = decide(k, mesh[elements_[k].element].segment().normal);
+    elements_[k].normalEnds = decide(k, false);
   for (std::size_t k = 0; k < elements_.size(); ++k)
     if (elements_[k].tangential >= 0)
-      elements_[k].tangentialEnds =
-          decide(k, turnLeft(mesh[elements_[k].element].segment().normal));
+      elements_[k].tangentialEnds = decide(k, true);
+}
+
+std::optional<std::size_t> MultiplierSpace::follower(std::size_t k) const {
+  const int place = place_[static_cast<std::size_t>(next_[k])];
+  return place < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(place));
 }
 
 void MultiplierSpace::number() {
-  const auto assign = [&](Index ContactElement::*first,
+  const auto assign = [&](Index ContactElement::*first, Index ContactElement::*last,
                           EndCoefficients ContactElement::*ends) {
+    bool isOpen = false;  // the last coefficient is the next element's first
     for (std::size_t k = 0; k < elements_.size(); ++k) {
       ContactElement& element = elements_[k];
       if (element.*first < 0)
         continue;
-      element.*first = joined_[k] ? size_ - 1 : size_;
-      size_ = element.*first + element.offset(element.*ends, element.degree) + 1;
+      element.*first = isOpen ? size_ - 1 : size_;
+      const auto behind = follower(k);
+      const bool joins = behind && joined_[*behind];
+      const bool closes = joins && *behind <= k;
+      if (closes)
+        element.*last = elements_[*behind].*first;
+      isOpen = joins && !closes;
+      size_ = element.*first + element.offset(element.*ends, element.degree) +
+              (closes ? 0 : 1);
     }
   };
-  assign(&ContactElement::normal, &ContactElement::normalEnds);
+  assign(&ContactElement::normal, &ContactElement::normalLast,
+         &ContactElement::normalEnds);
   normals_ = size_;
-  assign(&ContactElement::tangential, &ContactElement::tangentialEnds);
+  assign(&ContactElement::tangential, &ContactElement::tangentialLast,
+         &ContactElement::tangentialEnds);
 }
 
 Index MultiplierSpace::ContactElement::offset(EndCoefficients ends, int i) const {

@@ -5,6 +5,7 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,8 +35,8 @@ struct EndCompletion {
 /// that the scene does not need.                                              [P (12),
 /// (14), q = p]
 ///
-/// Under a basis that shares nodes, neighbours on one straight side have their common
-/// node's coefficient in common.  At a side's end a coefficient exists only if the
+/// Under a basis that shares nodes, neighbours on one smooth side have their common
+/// node's coefficient in common, all around a closed one.  At a side's end a coefficient exists only if the
 /// displacement can answer it there: clamps take one or both components, and where two
 /// contact sides meet at a corner their normals come first, friction gets what is left.
 /// In the inequalities a coefficient that does not exist takes its neighbour's value, or
@@ -50,14 +51,23 @@ class MultiplierSpace {
     const Conditions::Contact* condition = nullptr;
     Index normal = 0;       ///< number of the first normal coefficient
     Index tangential = -1;  ///< number of the first tangential one; -1: frictionless
+    /// Where the last node is the first one of an element before it in the mesh, which
+    /// closes a chain: that one's first coefficient.  Else -1.
+    Index normalLast = -1;
+    Index tangentialLast = -1;
     EndCoefficients normalEnds;
     EndCoefficients tangentialEnds;
     std::array<EndCompletion, 2> normalCompletions;  ///< at the first end, at the last
     std::array<EndCompletion, 2> tangentialCompletions;
 
     /// Numbers of the coefficients of the basis functions i = 0 ... degree.
-    Index normalOf(int i) const { return normal + offset(normalEnds, i); }
-    Index tangentialOf(int i) const { return tangential + offset(tangentialEnds, i); }
+    Index normalOf(int i) const {
+      return closes(normalLast, i) ? normalLast : normal + offset(normalEnds, i);
+    }
+    Index tangentialOf(int i) const {
+      return closes(tangentialLast, i) ? tangentialLast
+                                       : tangential + offset(tangentialEnds, i);
+    }
 
     /// False where another coefficient stands in for this one.
     static bool isOwn(EndCoefficients ends, int degree, int i) {
@@ -66,6 +76,7 @@ class MultiplierSpace {
 
    private:
     friend class MultiplierSpace;
+    bool closes(Index last, int i) const { return last >= 0 && i == degree; }
     Index offset(EndCoefficients ends, int i) const;
   };
 
@@ -89,9 +100,13 @@ class MultiplierSpace {
  private:
   void shareNodes(const bem::Mesh& mesh, const Conditions& conditions);
   void number();
+  /// The contact element that starts where this one ends.
+  std::optional<std::size_t> follower(std::size_t k) const;
 
   const MultiplierBasis* basis_;
   std::vector<ContactElement> elements_;
+  std::vector<int> next_;     ///< in the mesh, of each contact element
+  std::vector<int> place_;    ///< of each element of the mesh among these, or -1
   std::vector<bool> joined_;  ///< shares its first node with the element before
   Index normals_ = 0;
   Index size_ = 0;

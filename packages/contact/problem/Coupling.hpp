@@ -29,6 +29,11 @@ struct Coupling {
   /// What completed ends add to C in Bᵀ λ, see completeEnds; nothing on free
   /// displacements.
   std::vector<Entry> completion;
+  /// On arcs: ∫ χ_i d · (r - r_I) ds, which C and its completion feel beside, see
+  /// bem::Rotation; `rotation` is null on straight boundaries.
+  Vector traceOfRotation;
+  Vector completionOfRotation;
+  std::shared_ptr<const bem::Rotation> rotation;
   std::vector<Entry> weights;  ///< G: columns of R x multiplier
   std::vector<Entry> mass;     ///< M: multiplier x multiplier
   Vector gamma;                ///< γ per contact element, dimensionless

@@ -37,11 +37,13 @@ void checkBoundaries(const bem::Mesh& mesh, const Conditions& conditions) {
   check(conditions.contact);
 }
 
-void addNeumann(const bem::Space& space, int e, const Conditions::Neumann& neumann,
-                bem::Units units, Loads& loads) {
+/// Returns what the rest of the rotation adds, see bem::Rotation.
+double addNeumann(const bem::Space& space, int e, const Conditions::Neumann& neumann,
+                  bem::Units units, Loads& loads) {
   const Element& element = space.mesh()[e];
   const bem::Rule& rule = bem::gaussLegendre(element.degree + 12);
   std::array<double, bem::largestDegree + 1> phi{};
+  double rest = 0;
   for (int q = 0; q < rule.size(); ++q) {
     const Vec2 x = space.mesh().physicalPoint(e, rule.points[q]);
     const Vec2 traction =
@@ -53,7 +55,10 @@ void addNeumann(const bem::Space& space, int e, const Conditions::Neumann& neuma
       loads.load[space.displacement(e, k, 0)] += weight * traction.x;
       loads.load[space.displacement(e, k, 1)] += weight * traction.y;
     }
+    rest += rule.weights[q] * element.half *
+            dot(traction, space.rotationRest(e, rule.points[q]));
   }
+  return rest;
 }
 
 void clamp(const bem::Space& space, int e, const Vector& values, int component,
@@ -99,11 +104,14 @@ Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Unit
   loads.load.assign(size, 0.0);
   loads.prescribed.assign(size, 0.0);
   loads.clamped.assign(size, 0);
+  double rest = 0;
   for (int e = 0; e < space.mesh().size(); ++e) {
     const auto neumann = conditions.neumann.find(space.mesh().boundary(e));
     if (neumann != conditions.neumann.end())
-      addNeumann(space, e, neumann->second, units, loads);
+      rest += addNeumann(space, e, neumann->second, units, loads);
   }
+  if (space.rotation() != nullptr)
+    space.rotation()->complete(rest, loads.load);
   for (const auto& [name, dirichlet] : conditions.dirichlet)
     addDirichlet(space, name, dirichlet, units, loads);
   return loads;
@@ -126,11 +134,18 @@ RigidModes makeRigidModes(const bem::Space& space) {
 
   modes.functionals = Matrix(space.displacements(), 3);
   std::array<double, bem::largestDegree + 1> phi{};
+  double rest[3] = {};  // of the rotation, see bem::Rotation
   for (int e = 0; e < mesh.size(); ++e) {
     const Element& element = mesh[e];
-    const bem::Rule& rule = bem::gaussLegendre(element.degree + 2);
+    const bem::Rule& rule = bem::gaussLegendre(
+        element.degree + (element.curve.isStraight() ? 2 : bem::pointsOfTurning));
     for (int q = 0; q < rule.size(); ++q) {
       const Vec2 x = mesh.scaledPoint(e, rule.points[q]) - modes.centroid;
+      const Vec2 r =
+          rule.weights[q] * element.half * space.rotationRest(e, rule.points[q]);
+      rest[0] += r.x;
+      rest[1] += r.y;
+      rest[2] += dot(r, turnLeft(x));
       bem::DisplacementBasis::values(element.degree, rule.points[q], phi.data());
       for (int k = 0; k <= element.degree; ++k) {
         const double weight = rule.weights[q] * element.half * phi[k];
@@ -143,6 +158,11 @@ RigidModes makeRigidModes(const bem::Space& space) {
       }
     }
   }
+  if (space.rotation() != nullptr)
+    for (Index k = 0; k < 3; ++k)
+      for (Index j = 0; j < space.displacements(); ++j)
+        modes.functionals(j, k) +=
+            rest[k] * space.rotation()->functional()[static_cast<std::size_t>(j)];
   return modes;
 }
 

@@ -74,9 +74,6 @@ Matrix oppositeCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier
   const Writer writer(met, mine, coupling);
   for (const ContactElement& contact : multiplier.elements()) {
     const bem::Element& element = side[contact.element];
-    const Acting normal{element.segment().normal, &ContactElement::normalOf};
-    const Acting tangent{turnLeft(element.segment().normal),
-                         &ContactElement::tangentialOf};
     for (const auto& [middle, half] : stretches(opposite, contact)) {
       const auto inside = opposite.at(contact, middle);
       if (inside.element < 0)
@@ -89,9 +86,12 @@ Matrix oppositeCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier
             rule.weights[static_cast<std::size_t>(q)] * half * element.half;
         const Vector chi = multiplier.basis().values(contact.degree, t);
         const auto point = opposite.at(contact, t);
-        writer.add(contact, chi, normal, point, weight);
+        writer.add(contact, chi, {element.curve.normal(t), &ContactElement::normalOf},
+                   point, weight);
         if (contact.tangential >= 0)
-          writer.add(contact, chi, tangent, point, weight);
+          writer.add(contact, chi,
+                     {element.curve.tangent(t), &ContactElement::tangentialOf}, point,
+                     weight);
       }
     }
   }

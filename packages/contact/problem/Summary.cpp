@@ -63,7 +63,8 @@ double frictionWork(const ContactFields& fields, const Element& element) {
 void addForce(const Solved& solved, const ContactFields& fields, const Element& element,
               Resultant& contact) {
   const bem::Element& side = solved.space.mesh()[element.element];
-  const bem::Rule& rule = bem::gaussLegendre(element.degree + 2);
+  const bem::Rule& rule = bem::gaussLegendre(
+      element.degree + (side.curve.isStraight() ? 2 : bem::pointsOfTurning));
   for (int i = 0; i < rule.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
     const ContactPoint point = fields.at(element, rule.points[k]);

@@ -1,0 +1,52 @@
+#include "bem/operators/ExactRotation.hpp"
+
+#include <algorithm>
+
+namespace epafi::bem {
+
+Operators withExactRotation(Operators operators, const Space& space,
+                            const DenseAlgebra& algebra) {
+  operators.rotation = space.rotation();
+  if (operators.rotation == nullptr)
+    return operators;
+  const Vector& r = operators.rotation->motion();
+  const Vector& q = operators.rotation->functional();
+  // Pᵀ W P = W - q wᵀ - w qᵀ + (r·w) q qᵀ,  w = W r_I
+  Matrix& hypersingular = operators.hypersingular;
+  const Vector w = algebra.multiplySymmetric(hypersingular, r);
+  double square = 0;
+  for (std::size_t i = 0; i < r.size(); ++i)
+    square += r[i] * w[i];
+  const Rows mine = algebra.myRows(space.displacements());
+  for (Index j = 0; j < hypersingular.columns(); ++j)
+    for (Index i = std::max(j, mine.begin); i < mine.end; ++i)
+      hypersingular(i - mine.begin, j) -=
+          q[at(i)] * (w[at(j)] - square * q[at(j)]) + w[at(i)] * q[at(j)];
+  Matrix& doubleLayer = operators.doubleLayer;
+  Vector k(at(doubleLayer.rows()));
+  for (Index j = 0; j < doubleLayer.columns(); ++j)
+    for (Index i = 0; i < doubleLayer.rows(); ++i)
+      k[at(i)] += doubleLayer(i, j) * r[at(j)];
+  for (Index j = 0; j < doubleLayer.columns(); ++j)
+    for (Index i = 0; i < doubleLayer.rows(); ++i)
+      doubleLayer(i, j) -= k[at(i)] * q[at(j)];
+  return operators;
+}
+
+Matrix withoutRotation(Matrix columns, const Rotation& rotation,
+                       const DenseAlgebra& algebra) {
+  const Vector& r = rotation.motion();
+  const Vector& q = rotation.functional();
+  const Rows mine = algebra.myRows(static_cast<Index>(r.size()));
+  Vector work(at(columns.columns()));
+  for (Index c = 0; c < columns.columns(); ++c)
+    for (Index i = 0; i < mine.size(); ++i)
+      work[at(c)] += columns(i, c) * r[at(i + mine.begin)];
+  work = algebra.sum(std::move(work));
+  for (Index c = 0; c < columns.columns(); ++c)
+    for (Index i = 0; i < mine.size(); ++i)
+      columns(i, c) -= q[at(i + mine.begin)] * work[at(c)];
+  return columns;
+}
+
+}  // namespace epafi::bem
