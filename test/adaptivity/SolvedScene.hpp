@@ -21,20 +21,17 @@ class SolvedScene {
       : lame_(input.material),
         conditions_(input.conditions),
         units_{input.mesh.outline().diameter(), input.material.youngsModulus},
-        space_(input.mesh),
-        stiffness_(bem::assembleOperators(
-                       space_, lame_, algebra(),
-                       contact::tractionElements(
-                           contact::MultiplierSpace(
-                               input.mesh, contact::multiplierBasis(input.multiplier),
-                               conditions_),
-                           input.stabilization)),
-                   algebra()),
+        space_(contact::makeSpace(input.mesh, conditions_, input.stabilization)),
+        stiffness_(contact::makeStiffness(
+            space_,
+            contact::MultiplierSpace(
+                space_.mesh(), contact::multiplierBasis(input.multiplier), conditions_),
+            input.stabilization, lame_, units_, algebra())),
         problem_({space_, stiffness_, lame_, units_, conditions_,
                   contact::multiplierBasis(input.multiplier), input.stabilization}),
         solution_(test::solve(problem_.numbers())),
         displacement_(problem_.displacement(solution_.state)),
-        density_(stiffness_.density(displacement_)) {}
+        density_(problem_.density(solution_.state, displacement_)) {}
 
   SolvedScene(const SolvedScene&) = delete;
   SolvedScene& operator=(const SolvedScene&) = delete;

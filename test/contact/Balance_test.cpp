@@ -1,6 +1,7 @@
 // Forces and moments balance where rounding of the stiffness is far larger than the load,
 // on any number of ranks.
 #include "Algebra.hpp"
+#include "Projected.hpp"
 #include "contact/problem/BalancedStiffness.hpp"
 #include "contact/problem/IterativeRefinement.hpp"
 #include "contact/problem/Summary.hpp"
@@ -59,7 +60,7 @@ contact::ContactProblem problemOf(const Body& body,
   return contact::ContactProblem(
       {body.space, body.stiffness, body.lame,
        bem::Units{body.space.mesh().outline().diameter(), 1}, conditions,
-       contact::multiplierBasis("Gauss-Legendre-Lagrange"), contact::Stabilization{}});
+       contact::multiplierBasis("Gauss-Legendre-Lagrange"), test::projected()});
 }
 
 double worstImbalance(const Body& body, double load) {
@@ -88,16 +89,16 @@ TEUCHOS_UNIT_TEST(Balance, rigidMotionsFeelNoForceOfAnyDisplacement) {
   const contact::Conditions conditions = cantilever(1);
   const contact::MultiplierSpace multiplier(
       body.space.mesh(), contact::multiplierBasis("Gauss-Legendre-Lagrange"), conditions);
-  const contact::BalancedStiffness balanced(
-      body.stiffness, contact::makeRigidModes(body.space),
-      contact::makeCoupling({body.space,
-                             body.stiffness,
-                             body.lame,
-                             {100, 1},
-                             conditions,
-                             multiplier.basis(),
-                             contact::Stabilization{}},
-                            multiplier));
+  const contact::BalancedStiffness balanced(body.stiffness,
+                                            contact::makeRigidModes(body.space),
+                                            contact::makeCoupling({body.space,
+                                                                   body.stiffness,
+                                                                   body.lame,
+                                                                   {100, 1},
+                                                                   conditions,
+                                                                   multiplier.basis(),
+                                                                   test::projected()},
+                                                                  multiplier));
   const bem::Matrix motions = body.space.rigidMotions();
   Vector u(static_cast<std::size_t>(body.space.displacements()));
   for (std::size_t i = 0; i < u.size(); ++i)

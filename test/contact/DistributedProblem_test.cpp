@@ -1,5 +1,6 @@
 // The condensed contact problem is the same on any number of ranks, in all its numbers
 // and in what is computed back from its solution.
+#include "Projected.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/tpetra/DistributedRows.hpp"
 #include "contact/problem/Summary.hpp"
@@ -63,14 +64,16 @@ struct Numbers {
 
 Numbers numbersOf(const bem::Mesh& mesh, const contact::Conditions& conditions,
                   Stabilization::Form form, const bem::DenseAlgebra& algebra) {
-  const bem::Space space(mesh);
-  const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame, algebra, {}),
-                                       algebra);
   Stabilization stabilization;
   stabilization.form = form;
+  const contact::MultiplierBasis& basis =
+      contact::multiplierBasis("Gauss-Legendre-Lagrange");
+  const bem::Space space = contact::makeSpace(mesh, conditions, stabilization);
+  const bem::SteklovPoincare stiffness = contact::makeStiffness(
+      space, contact::MultiplierSpace(space.mesh(), basis, conditions), stabilization,
+      lame, units, algebra);
   const contact::ContactProblem problem(
-      {space, stiffness, lame, units, conditions,
-       contact::multiplierBasis("Gauss-Legendre-Lagrange"), stabilization});
+      {space, stiffness, lame, units, conditions, basis, stabilization});
   contact::State state;
   for (Index i = 0; i < problem.numbers().size(); ++i)
     state.multiplier.push_back(0.01 * std::sin(static_cast<double>(i)));
@@ -97,6 +100,7 @@ TEUCHOS_UNIT_TEST(DistributedProblem, isTheSameOnAnyNumberOfRanks) {
       {{8, 3, 4, 5}, pressedBlock("Coulomb"), 1, Form::Projected},
       {{8, 3, 4, 5}, clampedBlock("Tresca"), 1, Form::Exact},
       {{6, 2, 3, 2}, heldBlock("Coulomb"), 3, Form::Projected},
+      {{6, 2, 3, 2}, heldBlock("Coulomb"), 3, Form::Density},
       {{2, 1, 1, 1}, clampedBlock("None"), 6, Form::None},
       {{20, 20, 20, 20}, heldBlock("Tresca"), 1, Form::Exact},
   };
@@ -128,7 +132,7 @@ TEUCHOS_UNIT_TEST(DistributedProblem, isRefusedOnAllRanksWhereGammaIsTooLarge) {
   const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame, algebra, {}),
                                        algebra);
   const contact::Conditions conditions = clampedBlock("None");
-  Stabilization stabilization;
+  Stabilization stabilization = test::projected();
   stabilization.gamma0 = 5;
   TEST_THROW(contact::ContactProblem({space, stiffness, lame, units, conditions,
                                       contact::multiplierBasis("Gauss-Legendre-Lagrange"),
@@ -154,12 +158,12 @@ TEUCHOS_UNIT_TEST(DistributedProblem, defaultGammaGivesWayAlikeOnAllRanks) {
     TEST_FLOATING_EQUALITY(used, contact::limitGamma0(input) / 4, 1e-9);
     return used;
   };
-  const double used = gamma0(algebra, {});
+  const double used = gamma0(algebra, test::projected());
   TEST_COMPARE(used, <, 0.1 / 4);
-  TEST_FLOATING_EQUALITY(used, gamma0(lapack, {}), 1e-9);
+  TEST_FLOATING_EQUALITY(used, gamma0(lapack, test::projected()), 1e-9);
   TEST_EQUALITY(algebra.broadcast({used}).front(), used);
-  Stabilization written;
-  written.gamma0 = Stabilization{}.firstGamma0();
+  Stabilization written = test::projected();
+  written.gamma0 = written.firstGamma0();
   TEST_THROW(gamma0(algebra, written), contact::IndefiniteStiffness);
 }
 

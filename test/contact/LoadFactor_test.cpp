@@ -39,15 +39,12 @@ contact::Conditions conditionsFor(double load, bool clamped) {
 struct Scene {
   explicit Scene(double load, bool clamped)
       : conditions(conditionsFor(load, clamped)),
-        space(bem::makeMesh(outline(), {4, 2, 3, 2}, 2)),
-        stiffness(bem::assembleOperators(space, lame, algebra), algebra),
-        problem({space,
-                 stiffness,
-                 lame,
-                 bem::Units{space.mesh().outline().diameter(), 5},
-                 conditions,
-                 contact::multiplierBasis("Gauss-Legendre-Lagrange"),
-                 {}}) {}
+        space(contact::makeSpace(bem::makeMesh(outline(), {4, 2, 3, 2}, 2), conditions,
+                                 {})),
+        stiffness(contact::makeStiffness(
+            space, contact::MultiplierSpace(space.mesh(), basis, conditions), {}, lame,
+            units, algebra)),
+        problem({space, stiffness, lame, units, conditions, basis, {}}) {}
 
   static std::shared_ptr<const bem::Outline> outline() {
     return std::make_shared<bem::Outline>(bem::Loop{{{-1, 0}, {1, 0}, {1, 1}, {-1, 1}},
@@ -56,6 +53,9 @@ struct Scene {
 
   const bem::DenseAlgebra& algebra = epafi::test::algebra();
   bem::Lame lame{bem::Material{5, 0.3, false}};
+  bem::Units units{outline()->diameter(), 5};
+  const contact::MultiplierBasis& basis =
+      contact::multiplierBasis("Gauss-Legendre-Lagrange");
   contact::Conditions conditions;
   bem::Space space;
   bem::SteklovPoincare stiffness;

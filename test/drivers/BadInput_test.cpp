@@ -138,7 +138,9 @@ TEUCHOS_UNIT_TEST(BadInput, aValueOutOfRangeSaysWhatIsAllowed) {
                      .xml(),
                  "Discretization->Multiplier", "'Bernstien'", "'Bernstein'");
   for (const char* nu : {"0.5", "-1", "0.7"}) {
-    SceneText soft;
+    SceneText soft = withDiscretization(
+        R"(<ParameterList name="Stabilization"><Parameter name="Form" type="string"
+             value="Projected"/></ParameterList>)");
     soft.material = real("Young's Modulus", "1") + real("Poisson's Ratio", nu);
     TEST_COMPLAINT(soft.xml(), "Material->Poisson's Ratio",
                    nu == std::string("0.5") ? "Density" : nu);

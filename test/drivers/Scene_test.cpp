@@ -134,7 +134,7 @@ TEUCHOS_UNIT_TEST(Scene, usedXmlGivesTheSameSceneBitByBit) {
 TEUCHOS_UNIT_TEST(Scene, usedXmlTellsDefaultsFromWhatWasWritten) {
   const std::string used = drivers::usedXml(read(SceneText()));
   TEST_ASSERT(!drivers::sceneOf(used, "used.xml", {}).stabilization.gamma0);
-  const std::string standard = R"("Gamma0" type="double" value="0.1" isDefault="true")";
+  const std::string standard = R"("Gamma0" type="double" value="0.5" isDefault="true")";
   const auto at = used.find(standard);
   TEST_ASSERT(at != std::string::npos);
   const auto with = [&](const char* entry) {

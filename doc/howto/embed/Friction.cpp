@@ -105,14 +105,17 @@ RCP<ParameterList> parameters() {
 
 std::vector<Point> followFriction(const Block& block, const bem::TpetraAlgebra& algebra) {
   const contact::Conditions conditions = pressed();
+  const contact::MultiplierBasis& basis =
+      contact::multiplierBasis("Gauss-Legendre-Lagrange");
+  const contact::Stabilization stabilization;
+  // the stabilisation has a say in the densities and in S
+  const bem::Space space =
+      contact::makeSpace(block.space.mesh(), conditions, stabilization);
+  const bem::SteklovPoincare stiffness = contact::makeStiffness(
+      space, contact::MultiplierSpace(space.mesh(), basis, conditions), stabilization,
+      block.lame, block.units, algebra);
   const contact::ContactProblem problem(
-      {block.space,
-       block.stiffness,
-       block.lame,
-       block.units,
-       conditions,
-       contact::multiplierBasis("Gauss-Legendre-Lagrange"),
-       {}});
+      {space, stiffness, block.lame, block.units, conditions, basis, stabilization});
 
   ContactModel::Options options;
   options.space = Thyra::createVectorSpace<double>(

@@ -28,6 +28,14 @@ bem::LocalCompliance densityCompliance(const bem::Space& space,
                                        const Stabilization& stabilization,
                                        const bem::Lame& lame, bem::Units units);
 
+/// S as the stabilisation of a contact problem on this space wants it, with all of the
+/// above; whoever times its parts puts them together alone.
+bem::SteklovPoincare makeStiffness(const bem::Space& space,
+                                   const MultiplierSpace& multiplier,
+                                   const Stabilization& stabilization,
+                                   const bem::Lame& lame, bem::Units units,
+                                   const bem::DenseAlgebra& algebra);
+
 /// The stabilised stiffness A = S - S^ is not positive definite with the γ₀ that was given.
 struct IndefiniteStiffness : bem::NumericalError {
   IndefiniteStiffness(double used, double limit);
@@ -56,7 +64,8 @@ class ContactProblem {
   };
 
   /// \throws bem::InputError if the conditions contradict each other or leave a rigid
-  ///   motion that is both fixed and clamped; IndefiniteStiffness for a γ₀ that is given
+  ///   motion that is both fixed and clamped, or if `stiffness` was made for another
+  ///   stabilisation; IndefiniteStiffness for a γ₀ that is given
   ///   and too large.
   explicit ContactProblem(const Input& input);
   ~ContactProblem();

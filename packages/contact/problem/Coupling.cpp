@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 
 namespace epafi::contact {
@@ -285,7 +284,14 @@ void chooseColumns(Coupling& coupling, const ContactProblem::Input& input,
   coupling.columns = {coupling.tractions, &coupling.tractions->rows};
   const bool expected =
       form == Stabilization::Form::Density && !multiplier.elements().empty();
-  assert((coupling.response != nullptr) == expected);
+  const auto compliant = densityCompliance(input.space, multiplier, input.stabilization,
+                                           input.lame, input.units)
+                             .densities;
+  if (expected ? coupling.response == nullptr || coupling.response->densities != compliant
+               : coupling.response != nullptr)
+    throw bem::InputError(
+        "the stiffness was made for another stabilisation than the contact problem: take "
+        "it from contact::makeStiffness");
   if (!expected)
     return;
   coupling.columns = {coupling.response, &coupling.response->displacements};
@@ -333,6 +339,17 @@ bem::LocalCompliance densityCompliance(const bem::Space& space,
       }
   }
   return compliance;
+}
+
+bem::SteklovPoincare makeStiffness(const bem::Space& space,
+                                   const MultiplierSpace& multiplier,
+                                   const Stabilization& stabilization,
+                                   const bem::Lame& lame, bem::Units units,
+                                   const bem::DenseAlgebra& algebra) {
+  return bem::SteklovPoincare(
+      bem::assembleOperators(space, lame, algebra,
+                             tractionElements(multiplier, stabilization)),
+      algebra, densityCompliance(space, multiplier, stabilization, lame, units));
 }
 
 Coupling makeCoupling(const ContactProblem::Input& input,

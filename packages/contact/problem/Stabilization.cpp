@@ -14,12 +14,12 @@ using bem::Kind;
 using bem::Row;
 
 constexpr bem::Named<Stabilization::Form> forms[] = {
+    {"Density", Stabilization::Form::Density},
     {"Projected", Stabilization::Form::Projected},
     {"Exact", Stabilization::Form::Exact},
-    {"Density", Stabilization::Form::Density},
     {"None", Stabilization::Form::None},
 };
-constexpr bem::Named<bool> densityDegrees[] = {{"Same", false}, {"Raised", true}};
+constexpr bem::Named<bool> densityDegrees[] = {{"Raised", true}, {"Same", false}};
 constexpr bem::Named<Stabilization::Scaling> scalings[] = {
     {"Stiffness", Stabilization::Scaling::Stiffness},
     {"Absolute", Stabilization::Scaling::Absolute},
@@ -31,14 +31,14 @@ bem::SchemaRows stabilizationRows() {
   const Stabilization defaults;
   return {
       Row("Form", Kind::Text,
-          "what stands for the boundary stress: S u projected onto polynomials, S u "
-          "exactly, the density psi as an unknown, or no stabilisation")
+          "what stands for the boundary stress in the stabilisation: the density psi, "
+          "an unknown; S u projected onto polynomials; S u exactly; None: none")
           .standard(forms[0].name)
           .allowed(bem::namesOf(forms)),
       Row("Gamma0", Kind::Real,
-          "strength gamma0; definiteness is lost near 0.6 under Scaling Stiffness: "
-          "the default gives way then, what is written is refused. Form Density "
-          "takes 0.5 instead of the default and never loses it")
+          "strength gamma0. Form Density takes any. Forms Projected and Exact take 0.1 "
+          "by default and lose definiteness near 0.6 under Scaling Stiffness: the "
+          "default gives way then, what is written is refused")
           .unit("1, or as Scaling says")
           .standard(defaults.firstGamma0())
           .range(above(0)),

@@ -23,7 +23,7 @@ struct Stabilization {
     Absolute  ///< γ = γ₀ h^(1+β) p^(-2-η), in the user's units, as printed in [P]
   };
 
-  Form form = Form::Projected;
+  Form form = Form::Density;
   Scaling scaling = Scaling::Stiffness;
   /// γ₀ > 0. Empty: 0.5 for Density, which nothing is too large for; else 0.1 or, on a mesh
   /// where that loses definiteness, a quarter of where it is lost; only a number that is
@@ -32,7 +32,7 @@ struct Stabilization {
   double beta = 0;  ///< >= 0
   double eta = 0;   ///< >= 0
   /// Whether ψ is of degree p on contact elements under Form::Density, not p - 1.
-  bool raised = false;
+  bool raised = true;
 
   double firstGamma0() const {
     return gamma0.value_or(form == Form::Density ? 0.5 : 0.1);
