@@ -2,6 +2,8 @@
 #include "contact/problem/Loads.hpp"
 #include "contact/problem/Obstacle.hpp"
 #include "drivers/commands/Commands.hpp"
+#include "drivers/run/BodySpaces.hpp"
+#include "drivers/run/NextLevel.hpp"
 #include "drivers/scene/SceneReader.hpp"
 
 #include <ostream>
@@ -12,12 +14,12 @@ namespace epafi::drivers {
 namespace {
 
 /// Where contact.csv and solution.hdf look at an element.
-std::vector<double> outputPlaces(const Scene& scene) {
+std::vector<double> outputPlaces(const Scene& scene, int degree) {
   const int samples = scene.output.contactSamples;
   std::vector<double> places;
   for (int k = 0; k < samples; ++k)
     places.push_back(-1 + (2.0 * k + 1) / samples);
-  const int lines = scene.output.fields ? 2 * (scene.degree + 1) : 0;
+  const int lines = scene.output.fields ? 2 * (degree + 1) : 0;
   for (int k = 0; k <= lines && lines > 0; ++k)
     places.push_back(-1 + 2.0 * k / lines);
   return places;
@@ -34,18 +36,20 @@ void evaluate(const bem::Mesh& mesh, const std::string& boundary,
 }
 
 /// By what a run itself makes of the conditions, at its own points.
-void evaluateAll(const Scene& scene, const bem::Mesh& mesh) {
-  const bem::Space space(mesh);
-  const contact::MultiplierSpace multiplier(
-      space.mesh(), contact::multiplierBasis(scene.multiplier), scene.conditions);
-  const bem::Units units = scene.outline->units(scene.material.youngsModulus);
-  contact::makeLoads(space, scene.conditions, units);
-  contact::makeObstacle(space.mesh(), multiplier,
-                        contact::DistantObstacle(space.mesh(), units.length), units);
-  const std::vector<double> places = outputPlaces(scene);
-  for (const auto& [boundary, condition] : scene.conditions.contact) {
-    evaluate(mesh, boundary, {condition.gap}, places);
-    evaluate(mesh, boundary, condition.friction.fields, places);
+void evaluateAll(const Scene& scene) {
+  const std::vector<bem::Mesh> meshes = firstLevel(scene).meshes;
+  const BodySpaces spaces(scene, meshes);
+  const bem::Units units = scene.units();
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    const contact::Conditions& conditions = scene.bodies[b].conditions;
+    contact::makeLoads(spaces.space(b), conditions, units);
+    contact::makeObstacle(spaces.space(b).mesh(), spaces.multiplier(b),
+                          *spaces.opposite(b), units);
+    const std::vector<double> places = outputPlaces(scene, scene.bodies[b].degree);
+    for (const auto& [boundary, condition] : conditions.contact) {
+      evaluate(meshes[b], boundary, {condition.gap}, places);
+      evaluate(meshes[b], boundary, condition.friction.fields, places);
+    }
   }
 }
 
@@ -66,25 +70,25 @@ std::string fixedMotions(const contact::Conditions::Fix& fix) {
 }  // namespace
 
 std::string checkScene(const Scene& scene) {
-  const bem::Mesh mesh =
-      bem::makeMesh(scene.outline, scene.elementsPerEdge, scene.degree);
-  evaluateAll(scene, mesh);
-
+  evaluateAll(scene);
   std::ostringstream text;
-  text << scene.title << " (" << scene.file << ")\n"
-       << "  body        " << scene.body << ": E = " << scene.material.youngsModulus
-       << ", nu = " << scene.material.poissonsRatio
-       << (scene.material.planeStress ? ", plane stress" : ", plane strain") << "\n"
-       << "  outline     " << scene.outline->edges().size() << " edges, "
-       << scene.outline->loops() - 1 << " holes, diameter " << scene.outline->diameter()
-       << "\n"
-       << "  first mesh  " << mesh.size() << " elements of degree " << scene.degree
-       << "\n"
-       << "  Dirichlet  " << namesOf(scene.conditions.dirichlet) << "\n"
-       << "  Neumann    " << namesOf(scene.conditions.neumann) << "\n"
-       << "  contact    " << namesOf(scene.conditions.contact) << "\n"
-       << "  held       " << fixedMotions(scene.conditions.fix) << "\n"
-       << "  strategy    " << scene.adaptivity.strategy.name << ", at most "
+  text << scene.title << " (" << scene.file << ")\n";
+  for (const Body& body : scene.bodies) {
+    const bem::Mesh mesh = firstMesh(body);
+    text << "  body        " << body.name << ": E = " << body.material.youngsModulus
+         << ", nu = " << body.material.poissonsRatio
+         << (body.material.planeStress ? ", plane stress" : ", plane strain") << "\n"
+         << "  outline     " << body.outline->edges().size() << " edges, "
+         << body.outline->loops() - 1 << " holes, diameter " << body.outline->diameter()
+         << "\n"
+         << "  first mesh  " << mesh.size() << " elements of degree " << body.degree
+         << "\n"
+         << "  Dirichlet  " << namesOf(body.conditions.dirichlet) << "\n"
+         << "  Neumann    " << namesOf(body.conditions.neumann) << "\n"
+         << "  contact    " << namesOf(body.conditions.contact) << "\n"
+         << "  held       " << fixedMotions(body.conditions.fix) << "\n";
+  }
+  text << "  strategy    " << scene.adaptivity.strategy.name << ", at most "
        << scene.adaptivity.limits.levels << " levels and "
        << scene.adaptivity.limits.degreesOfFreedom << " degrees of freedom\n"
        << "The scene is valid.\n";

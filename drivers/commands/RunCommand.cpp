@@ -66,18 +66,19 @@ Beginning begin(const RunOptions& options, const Scene& scene) {
 /// The files of a level take the place of those of the level before, the one that a
 /// restart begins with last.
 void writeLevel(const Scene& scene, const SolvedLevel& level, const std::string& used,
-                const std::string& history, OutputFolder& folder) {
-  const bem::Vector& density = level.level.density;
+                const std::string& history, const std::string& bodies,
+                OutputFolder& folder) {
   folder.stage("history.csv", history);
-  if (!scene.conditions.contact.empty())
-    folder.stage("contact.csv", contactCsv(level.solved, scene.output.contactSamples));
+  if (scene.hasContact())
+    folder.stage("contact.csv", contactCsv(scene, level.bodies));
   if (scene.output.fields)
-    folder.stage("boundary.csv", boundaryCsv(level.solved, density));
+    folder.stage("boundary.csv", boundaryCsv(scene, level));
+  if (scene.hasSeveral())
+    folder.stage("bodies.csv", bodies);
   if (!scene.output.interiorPoints.empty())
-    folder.stage("interior.csv", interiorCsv(level.solved, density, scene.material,
-                                             scene.output.interiorPoints));
+    folder.stage("interior.csv", interiorCsv(scene, level));
   if (scene.output.fields)
-    folder.stage("solution.hdf", solutionFile(level, used, history));
+    folder.stage("solution.hdf", solutionFile(scene, level, used, history));
   folder.commit();
   if (scene.output.interiorPoints.empty())
     folder.drop("interior.csv");
@@ -146,7 +147,8 @@ class Recorder {
     history_ += historyLine(level.row);
     stages_ += bem::message("level ", level.row.level, ": ",
                             contact::told(level.row.report.stages), "\n");
-    writeLevel(scene_, level, used_, history_, *folder_);
+    bodies_ += bodiesLines(scene_, level.row);
+    writeLevel(scene_, level, used_, history_, bodies_, *folder_);
     progress_.clear();
     table_ << tableLine(level.row)
            << gamma0Note(level.row, scene_.stabilization.firstGamma0()) << std::flush;
@@ -160,6 +162,7 @@ class Recorder {
   std::function<void(int)> solved_;
   std::string used_;
   std::string history_;
+  std::string bodies_ = bodiesHead();  ///< of the levels of this run
   std::string stages_ = "\nSolver stages, steps, how they ended\n";
   int levels_ = 0;
 };

@@ -18,6 +18,7 @@
 #include "drivers/scene/SceneReader.hpp"
 #include "drivers/study/StudyTable.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <iostream>
 #include <set>
@@ -61,13 +62,17 @@ class VariantClock {
 };
 
 /// Of the stabilised stiffness relative to the plain one, see contact::limitGamma0.
-double smallestEigenvalue(const Scene& scene, const contact::Solved& solved) {
-  const bem::Lame lame(scene.material);
-  return 1 - solved.problem.gamma0() /
-                 contact::limitGamma0({solved.space, solved.stiffness, lame, solved.units,
-                                       scene.conditions,
-                                       contact::multiplierBasis(scene.multiplier),
-                                       scene.stabilization});
+double smallestEigenvalue(const Scene& scene, const SolvedLevel& level) {
+  double smallest = 1;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const contact::Solved& solved = level.bodies[b];
+    const double limit = contact::limitGamma0(
+        {solved.space, solved.stiffness, scene.lame(b), solved.units,
+         scene.bodies[b].conditions, contact::multiplierBasis(scene.multiplier),
+         scene.stabilization});
+    smallest = std::min(smallest, 1 - solved.problem.gamma0() / limit);
+  }
+  return smallest;
 }
 
 class StudyRun {
@@ -113,10 +118,10 @@ class StudyRun {
       return std::nullopt;
     const std::vector<std::string> cells = lastCells(kept->history);
     Reference reference{takeSnapshot(*scene.reference, kept->level, energyOf(cells)),
-                        kept->level.indicators.estimate()};
+                        kept->level.estimate()};
     out_ << scene.name << ": reference " << (fresh ? "computed" : "kept from before")
-         << ", " << kept->level.pieces.size() << " elements, estimate "
-         << reference.estimate << "\n"
+         << ", " << kept->level.elements() << " elements, estimate " << reference.estimate
+         << "\n"
          << std::flush;
     table_.reference(scene.name, cells);
     folder_.write("study.csv", table_.text());
@@ -134,7 +139,7 @@ class StudyRun {
         history += historyLine(level.row);
         if (level.row.report.status != contact::Status::Converged)
           return;
-        folder_.write(name, solutionFile(level, used, history));
+        folder_.write(name, solutionFile(*scene.reference, level, used, history));
         solved = true;
       });
     } catch (const bem::NumericalError& error) {
@@ -189,11 +194,11 @@ class StudyRun {
             const LevelRow& row) {
     StudiedLevel studied;
     if (study_.smallestEigenvalue)
-      studied.smallestEigenvalue = smallestEigenvalue(variant.scene, level.solved);
+      studied.smallestEigenvalue = smallestEigenvalue(variant.scene, level);
     if (reference) {
-      studied.error = trueError(
-          takeSnapshot(variant.scene, level.level, energyOf(historyCells(row))),
-          reference->solution, bem::Lame(variant.scene.material), level.solved.units);
+      studied.error =
+          trueError(takeSnapshot(variant.scene, level.level, energyOf(historyCells(row))),
+                    reference->solution, variant.scene);
       studied.counted = studied.error->energyNorm >= 10 * reference->estimate;
     }
     table_.level(scene.name, variant, row, studied);
@@ -217,10 +222,10 @@ class StudyRun {
   static void writeFiles(const Scene& scene, const SolvedLevel& level,
                          const std::string& history, OutputFolder& folder) {
     folder.write("history.csv", history);
-    if (!scene.conditions.contact.empty())
-      folder.write("contact.csv", contactCsv(level.solved, scene.output.contactSamples));
+    if (scene.hasContact())
+      folder.write("contact.csv", contactCsv(scene, level.bodies));
     if (scene.output.fields)
-      folder.write("boundary.csv", boundaryCsv(level.solved, level.level.density));
+      folder.write("boundary.csv", boundaryCsv(scene, level));
   }
 
   /// Different variants get different folders, even if their names differ in signs only.

@@ -23,60 +23,123 @@ double vonMises(const bem::InteriorValue& stress, const bem::Material& material)
 
 }  // namespace
 
-std::string contactCsv(const contact::Solved& solved, int samples) {
-  const contact::ContactFields fields(solved.problem, solved.space, solved.units,
-                                      solved.state, solved.displacement);
-  Csv csv({"boundary", "element", "x", "y", "lambda_n", "lambda_t", "u_n", "u_t", "gap",
-           "bound", "contact", "friction"});
-  for (const auto& element : fields.elements())
-    for (int k = 0; k < samples; ++k) {
-      const double t = -1 + (2.0 * k + 1) / samples;
-      const contact::ContactPoint p = fields.at(element, t);
-      csv.row({*element.boundary, std::to_string(element.element), exactly(p.place.x),
-               exactly(p.place.y), exactly(p.pressure), exactly(p.shear),
-               exactly(p.normal), exactly(p.tangential), exactly(p.gap), exactly(p.bound),
-               p.closed ? "1" : "0", std::to_string(numberOf(p.friction))});
+namespace {
+
+/// Where contact boundaries are: the distance along them from where each chain of elements
+/// that follow one another begins.
+class ArcLength {
+ public:
+  ArcLength(const bem::Mesh& mesh, double length) : mesh_(mesh), length_(length) {}
+
+  /// Of the elements in the order of a multiplier; t in [-1, 1].
+  double at(const contact::MultiplierSpace::ContactElement& element, double t) {
+    if (&element != last_) {
+      const bool follows = last_ != nullptr &&
+                           mesh_[last_->element].next == element.element &&
+                           last_->condition == element.condition;
+      start_ = follows ? start_ + 2 * mesh_[last_->element].half : 0;
+      last_ = &element;
     }
+    return length_ * (start_ + mesh_[element.element].half * (1 + t));
+  }
+
+ private:
+  const bem::Mesh& mesh_;
+  double length_;
+  const contact::MultiplierSpace::ContactElement* last_ = nullptr;
+  double start_ = 0;
+};
+
+}  // namespace
+
+std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& bodies) {
+  Csv csv({"boundary", "element", "x", "y", "lambda_n", "lambda_t", "u_n", "u_t", "gap",
+           "bound", "contact", "friction", "body", "contact_name", "s"});
+  const int samples = scene.output.contactSamples;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const contact::ContactFields fields(bodies[b]);
+    ArcLength arc(bodies[b].space.mesh(), bodies[b].units.length);
+    for (const auto& element : fields.elements())
+      for (int k = 0; k < samples; ++k) {
+        const double t = -1 + (2.0 * k + 1) / samples;
+        const contact::ContactPoint p = fields.at(element, t);
+        const std::string& name = element.condition->name;
+        csv.row({scene.boundaryName(b, *element.boundary),
+                 std::to_string(element.element), exactly(p.place.x), exactly(p.place.y),
+                 exactly(p.pressure), exactly(p.shear), exactly(p.normal),
+                 exactly(p.tangential), exactly(p.gap), exactly(p.bound),
+                 p.closed ? "1" : "0", std::to_string(numberOf(p.friction)),
+                 scene.bodies[b].name, name.empty() ? *element.boundary : name,
+                 exactly(arc.at(element, t))});
+      }
+  }
   return csv.text();
 }
 
-std::string boundaryCsv(const contact::Solved& solved, const bem::Vector& density) {
-  const bem::Mesh& mesh = solved.space.mesh();
-  Csv csv({"x", "y", "ux", "uy", "tx", "ty", "boundary", "element", "degree"});
-  for (int e = 0; e < mesh.size(); ++e) {
-    const int intervals = 2 * (mesh[e].degree + 1);
-    for (int k = 0; k <= intervals; ++k) {
-      const double t = -1 + 2.0 * k / intervals;
-      const bem::Vec2 x = mesh.physicalPoint(e, t);
-      const bem::Vec2 u =
-          solved.units.length * solved.space.displacementAt(solved.displacement, e, t);
-      const bem::Vec2 traction =
-          solved.units.stress * solved.space.densityAt(density, e, t);
-      csv.row({exactly(x.x), exactly(x.y), exactly(u.x), exactly(u.y),
-               exactly(traction.x), exactly(traction.y), mesh.boundary(e),
-               std::to_string(e), std::to_string(mesh[e].degree)});
+std::string boundaryCsv(const Scene& scene, const SolvedLevel& level) {
+  Csv csv({"x", "y", "ux", "uy", "tx", "ty", "boundary", "element", "degree", "body"});
+  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
+    const contact::Solved& solved = level.bodies[b];
+    const bem::Vector& density = level.level.bodies[b].density;
+    const bem::Mesh& mesh = solved.space.mesh();
+    for (int e = 0; e < mesh.size(); ++e) {
+      const int intervals = 2 * (mesh[e].degree + 1);
+      for (int k = 0; k <= intervals; ++k) {
+        const double t = -1 + 2.0 * k / intervals;
+        const bem::Vec2 x = mesh.physicalPoint(e, t);
+        const bem::Vec2 u =
+            solved.units.length * solved.space.displacementAt(solved.displacement, e, t);
+        const bem::Vec2 traction =
+            solved.units.stress * solved.space.densityAt(density, e, t);
+        csv.row({exactly(x.x), exactly(x.y), exactly(u.x), exactly(u.y),
+                 exactly(traction.x), exactly(traction.y),
+                 scene.boundaryName(b, mesh.boundary(e)), std::to_string(e),
+                 std::to_string(mesh[e].degree), scene.bodies[b].name});
+      }
     }
   }
   return csv.text();
 }
 
-std::string interiorCsv(const contact::Solved& solved, const bem::Vector& density,
-                        const bem::Material& material,
-                        const std::vector<bem::Vec2>& points) {
-  const bem::Lame lame(material);
-  const bem::Outline& outline = solved.space.mesh().outline();
-  Csv csv({"x", "y", "ux", "uy", "sxx", "syy", "sxy", "von_mises"});
-  for (const bem::Vec2& point : points) {
+std::string interiorCsv(const Scene& scene, const SolvedLevel& level) {
+  Csv csv({"x", "y", "ux", "uy", "sxx", "syy", "sxy", "von_mises", "body"});
+  for (const bem::Vec2& point : scene.output.interiorPoints) {
+    const std::size_t b = scene.bodyAt(point);
+    const contact::Solved& solved = level.bodies[b];
     const bem::InteriorValue value = bem::evaluateInterior(
-        solved.space, lame, solved.displacement, density, outline.scaled(point));
+        solved.space, scene.lame(b), solved.displacement, level.level.bodies[b].density,
+        solved.space.mesh().outline().scaled(point));
     const double stress = solved.units.stress;
     csv.row({exactly(point.x), exactly(point.y),
              exactly(solved.units.length * value.displacement.x),
              exactly(solved.units.length * value.displacement.y),
              exactly(stress * value.xx), exactly(stress * value.yy),
-             exactly(stress * value.xy), exactly(stress * vonMises(value, material))});
+             exactly(stress * value.xy),
+             exactly(stress * vonMises(value, scene.bodies[b].material)),
+             scene.bodies[b].name});
   }
   return csv.text();
+}
+
+std::string bodiesHead() {
+  return csvLine({"level", "body", "load_x", "load_y", "load_moment", "contact_x",
+                  "contact_y", "contact_moment", "reaction_x", "reaction_y",
+                  "reaction_moment", "energy_strain"});
+}
+
+std::string bodiesLines(const Scene& scene, const LevelRow& row) {
+  std::string lines;
+  for (std::size_t b = 0; b < row.bodies.size(); ++b) {
+    const contact::Summary& summary = row.bodies[b];
+    std::vector<std::string> cells = {std::to_string(row.level), scene.bodies[b].name};
+    for (const contact::Resultant& sum :
+         {summary.load, summary.contact, summary.reaction})
+      for (const double value : {sum.x, sum.y, sum.moment})
+        cells.push_back(exactly(value));
+    cells.push_back(exactly(summary.energyStrain));
+    lines += csvLine(cells);
+  }
+  return lines;
 }
 
 }  // namespace epafi::drivers

@@ -18,12 +18,14 @@ void add(bem::Vec2 vector, std::vector<double>& numbers) {
 /// Fills a grid element by element.
 class Sampler {
  public:
-  Sampler(const contact::Solved& solved, const bem::Vector& density)
+  Sampler(const contact::Solved& solved, const bem::Vector& density, int body,
+          int firstBoundary)
       : solved_(solved),
+        body_(body),
+        firstBoundary_(firstBoundary),
         density_(density),
         names_(boundaryNames(mesh().outline())),
-        fields_(solved.problem, solved.space, solved.units, solved.state,
-                solved.displacement),
+        fields_(solved),
         contacts_(static_cast<std::size_t>(mesh().size()), nullptr) {
     for (const auto& element : fields_.elements())
       contacts_[static_cast<std::size_t>(element.element)] = &element;
@@ -41,7 +43,8 @@ class Sampler {
       grid.ends.insert(grid.ends.end(), {first + k, first + k + 1});
       grid.element.push_back(e);
       grid.degree.push_back(element.degree);
-      grid.boundary.push_back(boundary);
+      grid.boundary.push_back(firstBoundary_ + boundary);
+      grid.body.push_back(body_);
     }
   }
 
@@ -66,6 +69,8 @@ class Sampler {
   }
 
   const contact::Solved& solved_;
+  int body_;
+  int firstBoundary_;
   const bem::Vector& density_;
   std::vector<std::string> names_;
   contact::ContactFields fields_;
@@ -86,11 +91,17 @@ int numberOf(contact::FrictionKind friction) {
   return 0;
 }
 
-FieldGrid fieldGrid(const contact::Solved& solved, const bem::Vector& density) {
-  const Sampler sampler(solved, density);
+FieldGrid fieldGrid(const SolvedLevel& level) {
   FieldGrid grid;
-  for (int e = 0; e < solved.space.mesh().size(); ++e)
-    sampler.sample(e, grid);
+  int boundaries = 0;
+  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
+    const bem::Mesh& mesh = level.bodies[b].space.mesh();
+    const Sampler sampler(level.bodies[b], level.level.bodies[b].density,
+                          static_cast<int>(b), boundaries);
+    for (int e = 0; e < mesh.size(); ++e)
+      sampler.sample(e, grid);
+    boundaries += static_cast<int>(boundaryNames(mesh.outline()).size());
+  }
   return grid;
 }
 

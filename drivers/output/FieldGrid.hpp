@@ -2,6 +2,7 @@
 
 #include "contact/problem/ContactFields.hpp"
 #include "contact/problem/Summary.hpp"
+#include "drivers/run/Level.hpp"
 
 #include <string>
 #include <vector>
@@ -27,10 +28,12 @@ struct FieldGrid {
   std::vector<long long> ends;  ///< of each line, two points
   std::vector<int> element;     ///< of each line
   std::vector<int> degree;
-  std::vector<int> boundary;  ///< index into boundaryNames
+  std::vector<int> boundary;  ///< index into boundaryNames of all bodies
+  std::vector<int> body;
 };
 
-FieldGrid fieldGrid(const contact::Solved& solved, const bem::Vector& density);
+/// Of all bodies, one after the other; boundaries are numbered likewise.
+FieldGrid fieldGrid(const SolvedLevel& level);
 
 /// As files number them: 0 none, 1 stick, 2 slip.
 int numberOf(contact::FrictionKind friction);

@@ -1,9 +1,8 @@
 #include "drivers/output/Restart.hpp"
 
 #include "bem/base/Error.hpp"
-#include "contact/multiplier/MultiplierSpace.hpp"
-#include "contact/problem/ContactProblem.hpp"
 #include "drivers/output/History.hpp"
+#include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
 
@@ -71,7 +70,7 @@ void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
   const ParameterList then = sceneOf(checkpoint);
   const ParameterList& now = *scene.used;
   std::string different;
-  for (const char* section : {"Bodies", "Discretization"})
+  for (const char* section : {"Bodies", "Contacts", "Discretization"})
     if (different.empty())
       different = differenceIn(then, now, "", section);
   for (const char* key : {"Weights", "Residual Factor"})
@@ -79,37 +78,49 @@ void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
       different = differenceIn(then.sublist("Adaptivity"), now.sublist("Adaptivity"),
                                "Adaptivity", key);
   if (!different.empty())
-    throw InputError(message("was written by a run of another scene: ", different,
-                             " differs; Bodies, Discretization, Adaptivity->Weights and "
-                             "Adaptivity->Residual Factor must be as they were"));
+    throw InputError(
+        message("was written by a run of another scene: ", different,
+                " differs; Bodies, Contacts, Discretization, Adaptivity->Weights and "
+                "Adaptivity->Residual Factor must be as they were"));
 }
 
-void checkOutline(const Checkpoint& checkpoint, const bem::Outline& outline) {
-  if (!agree(checkpoint.outline, edgeEnds(outline), outline.diameter()))
-    throw InputError("was written by a run on another outline");
+void checkOutlines(const Checkpoint& checkpoint, const Scene& scene) {
+  const std::size_t count = scene.bodies.size();
+  if (checkpoint.outlines.size() != count)
+    throw InputError(message("was written by a run of ", checkpoint.outlines.size(),
+                             checkpoint.outlines.size() == 1 ? " body" : " bodies",
+                             "; the scene has ", count));
+  for (std::size_t b = 0; b < count; ++b) {
+    const bem::Outline& outline = *scene.bodies[b].outline;
+    if (!agree(checkpoint.outlines[b], edgeEnds(outline), outline.diameter()))
+      throw InputError("was written by a run on another outline");
+  }
 }
 
-/// The numbers must be those of the mesh; a checksum does not know what they mean.
+/// The numbers must be those of the meshes; a checksum does not know what they mean.
 void checkSizes(const Level& level, const Scene& scene) {
-  const auto edges = static_cast<int>(scene.outline->edges().size());
-  for (const bem::Piece& piece : level.pieces)
-    if (piece.edge < 0 || piece.edge >= edges)
-      throw InputError(message("has an element on edge ", piece.edge,
-                               "; the outline has ", edges, " edges"));
-  const bem::Space space = contact::makeSpace({scene.outline, level.pieces},
-                                              scene.conditions, scene.stabilization);
-  const contact::MultiplierSpace multiplier(
-      space.mesh(), contact::multiplierBasis(scene.multiplier), scene.conditions);
+  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
+    const auto edges = static_cast<int>(scene.bodies[b].outline->edges().size());
+    for (const bem::Piece& piece : level.bodies[b].pieces)
+      if (piece.edge < 0 || piece.edge >= edges)
+        throw InputError(message("has an element on edge ", piece.edge,
+                                 "; the outline has ", edges, " edges"));
+  }
+  const BodySpaces spaces(scene, meshesOf(scene, level));
   const auto size = [](const auto& numbers) {
     return static_cast<bem::Index>(numbers.size());
   };
-  if (level.number < 0 || size(level.displacement) != space.displacements() ||
-      size(level.density) != space.densities() ||
-      size(level.state.multiplier) != multiplier.size() ||
-      size(level.states.normal) != multiplier.normals() ||
-      size(level.states.tangential) != multiplier.size() - multiplier.normals() ||
-      size(level.indicators.squares) != space.mesh().size())
-    throw InputError("does not fit its own mesh");
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    const BodyLevel& body = level.bodies[b];
+    const contact::MultiplierSpace& multiplier = spaces.multiplier(b);
+    if (level.number < 0 || size(body.displacement) != spaces.space(b).displacements() ||
+        size(body.density) != spaces.space(b).densities() ||
+        size(body.state.multiplier) != multiplier.size() ||
+        size(body.states.normal) != multiplier.normals() ||
+        size(body.states.tangential) != multiplier.size() - multiplier.normals() ||
+        size(body.indicators.squares) != spaces.space(b).mesh().size())
+      throw InputError("does not fit its own mesh");
+  }
 }
 
 /// Rows of the levels that the run goes on behind.
@@ -134,7 +145,7 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
     Checkpoint checkpoint = readSolution(path);
     try {
       checkScene(checkpoint, scene);
-      checkOutline(checkpoint, *scene.outline);
+      checkOutlines(checkpoint, scene);
       checkSizes(checkpoint.level, scene);
       checkpoint.history = historyBehind(checkpoint);
     } catch (const InputError& error) {
@@ -156,7 +167,7 @@ std::optional<Checkpoint> readSolutionOf(const Scene& scene, const std::string& 
         list->remove(section, false);
     if (!difference(then, now, "").empty())
       return std::nullopt;
-    checkOutline(checkpoint, *scene.outline);
+    checkOutlines(checkpoint, scene);
     checkSizes(checkpoint.level, scene);
     checkpoint.history = historyBehind(checkpoint);
     return checkpoint;

@@ -2,7 +2,7 @@
 
 #include "bem/operators/EnergyNorm.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/problem/ContactProblem.hpp"
+#include "drivers/run/BodySpaces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 using Series = bem::LegendreSeries<bem::Complex>;
 
 /// Σ h/p ‖λ - λ_ref‖² over the level's contact elements; h: lengths over the diameter.
-double multiplierDistance(const Snapshot& level, const Snapshot& reference) {
+double multiplierDistance(const BodySnapshot& level, const BodySnapshot& reference) {
   const bem::UnionMesh both = bem::unite(level.data.mesh, reference.data.mesh);
   double sum = 0;
   for (int e = 0; e < both.mesh.size(); ++e) {
@@ -44,35 +44,49 @@ double multiplierDistance(const Snapshot& level, const Snapshot& reference) {
 }  // namespace
 
 Snapshot takeSnapshot(const Scene& scene, const Level& level, double energy) {
-  const bem::Space space = contact::makeSpace({scene.outline, level.pieces},
-                                              scene.conditions, scene.stabilization);
-  const contact::MultiplierSpace multiplier(
-      space.mesh(), contact::multiplierBasis(scene.multiplier), scene.conditions);
-  const auto elements = static_cast<std::size_t>(space.mesh().size());
-  Snapshot snapshot{bem::makeCauchyData(space, level.displacement, level.density),
-                    std::vector<Series>(elements), std::vector<bool>(elements), energy};
-  for (const auto& element : multiplier.elements()) {
-    const auto k = static_cast<std::size_t>(element.element);
-    snapshot.contact[k] = true;
-    snapshot.multiplier[k] = bem::project(
-        [&](double t) {
-          const auto value = multiplier.at(level.state.multiplier, element, t);
-          return bem::Complex(value.normal, value.tangential);
-        },
-        element.degree);
+  const BodySpaces spaces(scene, meshesOf(scene, level));
+  Snapshot snapshot{{}, energy};
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    const bem::Space& space = spaces.space(b);
+    const contact::MultiplierSpace& multiplier = spaces.multiplier(b);
+    const BodyLevel& own = level.bodies[b];
+    const auto elements = static_cast<std::size_t>(space.mesh().size());
+    BodySnapshot body{bem::makeCauchyData(space, own.displacement, own.density),
+                      std::vector<Series>(elements), std::vector<bool>(elements)};
+    for (const auto& element : multiplier.elements()) {
+      const auto k = static_cast<std::size_t>(element.element);
+      body.contact[k] = true;
+      body.multiplier[k] = bem::project(
+          [&](double t) {
+            const auto value = multiplier.at(own.state.multiplier, element, t);
+            return bem::Complex(value.normal, value.tangential);
+          },
+          element.degree);
+    }
+    snapshot.bodies.push_back(std::move(body));
   }
   return snapshot;
 }
 
 TrueError trueError(const Snapshot& level, const Snapshot& reference,
-                    const bem::Lame& lame, const bem::Units& units) {
-  const double size = bem::energyNorm(reference.data, lame);
-  const double distance =
-      bem::energyNorm(bem::difference(level.data, reference.data), lame);
+                    const Scene& scene) {
+  const bem::Units units = scene.units();
+  double size = 0;
+  double distance = 0;
+  double multiplier = 0;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const bem::Lame lame = scene.lame(b);
+    const BodySnapshot& own = level.bodies[b];
+    const BodySnapshot& other = reference.bodies[b];
+    size = std::hypot(size, bem::energyNorm(other.data, lame));
+    distance = std::hypot(distance,
+                          bem::energyNorm(bem::difference(own.data, other.data), lame));
+    multiplier += multiplierDistance(own, other) / lame.mu;
+  }
   TrueError error;
   error.energyNorm = distance * std::sqrt(units.stress) * units.length;
   error.relative = distance / size;
-  error.multiplier = std::sqrt(multiplierDistance(level, reference) / lame.mu) / size;
+  error.multiplier = std::sqrt(multiplier) / size;
   error.energy = std::abs(level.energy / reference.energy - 1);
   return error;
 }

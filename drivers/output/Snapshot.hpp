@@ -9,14 +9,17 @@
 
 namespace epafi::drivers {
 
-/// A solved level as functions on its boundary: what true errors are measured between.
+/// A body on a solved level as functions on its boundary: what true errors are measured between.
 /// Dimensionless, and good after the level's operators are gone.
-struct Snapshot {
+struct BodySnapshot {
   bem::CauchyData data;
   /// λₙ + i λₜ on each element as a Legendre series of the element's degree; zero where
   /// there is no contact.
   std::vector<std::array<bem::Complex, bem::largestDegree + 1>> multiplier;
   std::vector<bool> contact;  ///< of each element
+};
+struct Snapshot {
+  std::vector<BodySnapshot> bodies;
   double energy = 0;  ///< ½ uᵀ S u - fᵀ u + ∫ bound |uₜ| [stress length²]
 };
 
@@ -35,7 +38,6 @@ struct TrueError {
 };
 
 /// On the union of the two meshes, without further error.
-TrueError trueError(const Snapshot& level, const Snapshot& reference,
-                    const bem::Lame& lame, const bem::Units& units);
+TrueError trueError(const Snapshot& level, const Snapshot& reference, const Scene& scene);
 
 }  // namespace epafi::drivers

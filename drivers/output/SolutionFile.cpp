@@ -5,17 +5,22 @@
 #include "drivers/output/Hdf5Reader.hpp"
 #include "drivers/output/Hdf5Writer.hpp"
 
+#include <algorithm>
+
 namespace epafi::drivers {
 
 namespace {
 
-constexpr int currentFormat = 1;
+constexpr int formatOfOne = 1;      // body
+constexpr int formatOfSeveral = 2;  // with /Epafi/bodies
 constexpr std::size_t positionColumns = 4;
 constexpr std::size_t sourceColumns = adaptivity::sourceCount;
 const std::string group = "/Epafi";
 
-/// A checkpoint's arrays as they stand in the file.
+/// A checkpoint's arrays as they stand in the file: one body after the other.
 struct Arrays {
+  /// How many of the others' entries belong to each body, see Count; empty: there is one.
+  std::vector<int> bodies;
   std::vector<int> edge;
   std::vector<int> degree;
   std::vector<double> position;  ///< fromStart, toEnd of the start and of the end
@@ -43,6 +48,23 @@ void forEach(AnyArrays& arrays, const Visit& visit) {
   visit("friction_state", arrays.friction, 1);
   visit("displacement", arrays.displacement, 1);
   visit("density", arrays.density, 1);
+}
+
+/// A body's share of the arrays.
+enum Count {
+  Edges,
+  Elements,
+  Normals,
+  Tangentials,
+  Motions,
+  Displacements,
+  Densities,
+  Counts
+};
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& more) {
+  to.insert(to.end(), more.begin(), more.end());
 }
 
 template <class State>
@@ -76,8 +98,7 @@ std::vector<double> flat(const std::vector<std::array<double, columns>>& rows) {
   return result;
 }
 
-Arrays arraysOf(const Level& level, const std::vector<EdgeEnds>& outline) {
-  Arrays arrays;
+void append(const BodyLevel& level, Arrays& arrays) {
   for (const bem::Piece& piece : level.pieces) {
     arrays.edge.push_back(piece.edge);
     arrays.degree.push_back(piece.degree);
@@ -85,14 +106,29 @@ Arrays arraysOf(const Level& level, const std::vector<EdgeEnds>& outline) {
         arrays.position.end(),
         {piece.start.fromStart, piece.start.toEnd, piece.end.fromStart, piece.end.toEnd});
   }
-  arrays.indicators = flat(level.indicators.squares);
-  arrays.outline = flat(outline);
-  arrays.multiplier = level.state.multiplier;
-  arrays.rigid = level.state.rigid;
-  arrays.contact = numbers(level.states.normal);
-  arrays.friction = numbers(level.states.tangential);
-  arrays.displacement = level.displacement;
-  arrays.density = level.density;
+  append(arrays.indicators, flat(level.indicators.squares));
+  append(arrays.multiplier, level.state.multiplier);
+  append(arrays.rigid, level.state.rigid);
+  append(arrays.contact, numbers(level.states.normal));
+  append(arrays.friction, numbers(level.states.tangential));
+  append(arrays.displacement, level.displacement);
+  append(arrays.density, level.density);
+}
+
+Arrays arraysOf(const Level& level, const std::vector<std::vector<EdgeEnds>>& outlines) {
+  Arrays arrays;
+  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
+    const BodyLevel& body = level.bodies[b];
+    append(body, arrays);
+    append(arrays.outline, flat(outlines[b]));
+    if (level.bodies.size() == 1)
+      continue;
+    for (const std::size_t count :
+         {outlines[b].size(), body.pieces.size(), body.states.normal.size(),
+          body.states.tangential.size(), body.state.rigid.size(),
+          body.displacement.size(), body.density.size()})
+      arrays.bodies.push_back(static_cast<int>(count));
+  }
   return arrays;
 }
 
@@ -127,6 +163,7 @@ unsigned long long checksum(const Checkpoint& checkpoint, const Arrays& arrays) 
   sum.add(std::vector<int>{level.number, converged(level) ? 1 : 0});
   sum.add(std::vector<double>{checkpoint.secondsTotal, checkpoint.secondsWall});
   sum.add(level.reason + checkpoint.used + checkpoint.history);
+  sum.add(arrays.bodies);
   forEach(arrays, [&](const char*, const auto& array, auto) { sum.add(array); });
   return sum.value();
 }
@@ -162,15 +199,16 @@ void writeGrid(const FieldGrid& grid, Hdf5Writer& writer) {
   write("CellData/element", grid.element);
   write("CellData/degree", grid.degree);
   write("CellData/boundary", grid.boundary);
+  write("CellData/body", grid.body);
 }
 
 void writeCheckpoint(const Checkpoint& checkpoint, Hdf5Writer& writer) {
   const Level& level = checkpoint.level;
-  const Arrays arrays = arraysOf(level, checkpoint.outline);
+  const Arrays arrays = arraysOf(level, checkpoint.outlines);
   const auto number = [&](const char* name, auto value) {
     writer.attribute(group, name, std::vector<decltype(value)>{value});
   };
-  number("format", currentFormat);
+  number("format", arrays.bodies.empty() ? formatOfOne : formatOfSeveral);
   number("level", level.number);
   number("converged", converged(level) ? 1 : 0);
   number("seconds_total", checkpoint.secondsTotal);
@@ -179,6 +217,8 @@ void writeCheckpoint(const Checkpoint& checkpoint, Hdf5Writer& writer) {
   forEach(arrays, [&](const char* name, const auto& array, long long columns) {
     writer.array(group + "/" + name, array, columns);
   });
+  if (!arrays.bodies.empty())
+    writer.array(group + "/bodies", arrays.bodies, Counts);
   writer.text(group + "/reason", level.reason);
   writer.text(group + "/used", checkpoint.used);
   writer.text(group + "/history", checkpoint.history);
@@ -208,9 +248,44 @@ std::vector<bem::Piece> piecesOf(const Arrays& arrays) {
   return pieces;
 }
 
-/// The level's numbers but for its number and how it ended.
-Level levelOf(const Arrays& arrays) {
-  Level level;
+/// Takes the next numbers of an array.
+template <class T>
+std::vector<T> taken(const std::vector<T>& all, std::size_t count, std::size_t& next) {
+  if (count > all.size() - next)
+    throw bem::InputError("/Epafi: bodies does not go with the other arrays");
+  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(next);
+  next += count;
+  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+}
+
+/// The arrays of each body.
+std::vector<Arrays> parted(const Arrays& all) {
+  if (all.bodies.empty())
+    return {all};
+  std::vector<Arrays> parts(all.bodies.size() / Counts);
+  std::array<std::size_t, 11> next{};
+  for (std::size_t b = 0; b < parts.size(); ++b) {
+    std::array<std::size_t, Counts> count{};
+    for (std::size_t k = 0; k < count.size(); ++k)
+      count[k] = static_cast<std::size_t>(std::max(0, all.bodies[b * Counts + k]));
+    Arrays& part = parts[b];
+    part.edge = taken(all.edge, count[Elements], next[0]);
+    part.degree = taken(all.degree, count[Elements], next[1]);
+    part.position = taken(all.position, positionColumns * count[Elements], next[2]);
+    part.indicators = taken(all.indicators, sourceColumns * count[Elements], next[3]);
+    part.outline = taken(all.outline, positionColumns * count[Edges], next[4]);
+    part.multiplier = taken(all.multiplier, count[Normals] + count[Tangentials], next[5]);
+    part.rigid = taken(all.rigid, count[Motions], next[6]);
+    part.contact = taken(all.contact, count[Normals], next[7]);
+    part.friction = taken(all.friction, count[Tangentials], next[8]);
+    part.displacement = taken(all.displacement, count[Displacements], next[9]);
+    part.density = taken(all.density, count[Densities], next[10]);
+  }
+  return parts;
+}
+
+BodyLevel levelOf(const Arrays& arrays) {
+  BodyLevel level;
   level.pieces = piecesOf(arrays);
   level.state.multiplier = arrays.multiplier;
   level.state.rigid = arrays.rigid;
@@ -226,16 +301,22 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
   if (!reader.has(group))
     throw bem::InputError("has no group /Epafi: it was not written by epafi run");
   const int format = reader.attribute<int>(group, "format");
-  if (format != currentFormat)
-    throw bem::InputError(bem::message(
-        "is of format ", format, "; this version of Epafi reads format ", currentFormat));
+  if (format != formatOfOne && format != formatOfSeveral)
+    throw bem::InputError(bem::message("is of format ", format,
+                                       "; this version of Epafi reads formats ",
+                                       formatOfOne, " and ", formatOfSeveral));
   Arrays arrays;
+  if (format == formatOfSeveral)
+    arrays.bodies = reader.array<int>(group + "/bodies", Counts);
   forEach(arrays, [&](const char* name, auto& array, long long columns) {
     using Number = typename std::decay_t<decltype(array)>::value_type;
     array = reader.array<Number>(group + "/" + name, columns);
   });
   Checkpoint checkpoint;
-  checkpoint.level = levelOf(arrays);
+  for (const Arrays& part : parted(arrays)) {
+    checkpoint.level.bodies.push_back(levelOf(part));
+    checkpoint.outlines.push_back(rowsOf<positionColumns>(part.outline));
+  }
   checkpoint.level.number = reader.attribute<int>(group, "level");
   checkpoint.level.status = reader.attribute<int>(group, "converged") == 1
                                 ? contact::Status::Converged
@@ -245,7 +326,6 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
   checkpoint.history = reader.text(group + "/history");
   checkpoint.secondsTotal = reader.attribute<double>(group, "seconds_total");
   checkpoint.secondsWall = reader.attribute<double>(group, "seconds_wall");
-  checkpoint.outline = rowsOf<positionColumns>(arrays.outline);
   if (reader.attribute<unsigned long long>(group, "checksum") !=
       checksum(checkpoint, arrays))
     throw bem::InputError("is damaged: its checksum is wrong");
@@ -264,17 +344,21 @@ std::vector<EdgeEnds> edgeEnds(const bem::Outline& outline) {
   return result;
 }
 
-std::string solutionFile(const SolvedLevel& level, const std::string& used,
-                         const std::string& history) {
-  const bem::Outline& outline = level.solved.space.mesh().outline();
+std::string solutionFile(const Scene& scene, const SolvedLevel& level,
+                         const std::string& used, const std::string& history) {
   std::string names;
-  for (const std::string& name : boundaryNames(outline))
-    names += name + "\n";
+  std::vector<std::vector<EdgeEnds>> outlines;
+  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
+    const bem::Outline& outline = level.bodies[b].space.mesh().outline();
+    outlines.push_back(edgeEnds(outline));
+    for (const std::string& name : boundaryNames(outline))
+      names += scene.boundaryName(b, name) + "\n";
+  }
 
   Hdf5Writer writer;
-  writeGrid(fieldGrid(level.solved, level.level.density), writer);
+  writeGrid(fieldGrid(level), writer);
   writeCheckpoint({level.level, used, history, level.row.secondsTotal,
-                   level.row.secondsWall, edgeEnds(outline)},
+                   level.row.secondsWall, outlines},
                   writer);
   writer.text(group + "/boundaries", names);
   return writer.bytes();

@@ -2,6 +2,7 @@
 
 #include "bem/geometry/Outline.hpp"
 #include "drivers/run/Level.hpp"
+#include "drivers/scene/Scene.hpp"
 
 #include <array>
 #include <string>
@@ -21,7 +22,7 @@ struct Checkpoint {
   std::string history;  ///< history.csv up to the level
   double secondsTotal = 0;
   double secondsWall = 0;
-  std::vector<EdgeEnds> outline;
+  std::vector<std::vector<EdgeEnds>> outlines;  ///< of the bodies
 };
 
 /// solution.hdf: a level to look at and to go on from.             [doc/solution-file.md]
@@ -30,8 +31,8 @@ struct Checkpoint {
 ///   /Epafi   all numbers that the next level is made from, with a checksum
 ///
 /// Its bytes, from what every process has whole.
-std::string solutionFile(const SolvedLevel& level, const std::string& used,
-                         const std::string& history);
+std::string solutionFile(const Scene& scene, const SolvedLevel& level,
+                         const std::string& used, const std::string& history);
 
 /// \throws bem::InputError naming the file, if it is not there, not complete, damaged, or
 ///   of a format that this version does not know.

@@ -1,8 +1,47 @@
 #include "drivers/run/Level.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 namespace epafi::drivers {
+
+adaptivity::Contributions Level::squares() const {
+  adaptivity::Contributions sums{};
+  for (const BodyLevel& body : bodies) {
+    const adaptivity::Contributions own = body.indicators.sums();
+    std::transform(own.begin(), own.end(), sums.begin(), sums.begin(), std::plus<>());
+  }
+  return sums;
+}
+
+double Level::estimate() const {
+  if (bodies.size() == 1)
+    return bodies.front().indicators.estimate();
+  double sum = 0;
+  for (const double square : squares())
+    sum += square;
+  return std::sqrt(sum);
+}
+
+std::size_t Level::elements() const {
+  std::size_t sum = 0;
+  for (const BodyLevel& body : bodies)
+    sum += body.pieces.size();
+  return sum;
+}
+
+Size& Size::operator+=(const Size& other) {
+  elements += other.elements;
+  displacements += other.displacements;
+  multipliers += other.multipliers;
+  densities += other.densities;
+  degreeMin = std::min(degreeMin, other.degreeMin);
+  degreeMax = std::max(degreeMax, other.degreeMax);
+  sizeMin = std::min(sizeMin, other.sizeMin);
+  sizeMax = std::max(sizeMax, other.sizeMax);
+  return *this;
+}
 
 Size sizeOf(const bem::Space& space, const contact::MultiplierSpace& multiplier,
             const contact::Conditions& conditions) {

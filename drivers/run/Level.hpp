@@ -10,17 +10,27 @@
 
 namespace epafi::drivers {
 
+/// A body on a solved level.
+struct BodyLevel {
+  std::vector<bem::Piece> pieces;  ///< the mesh
+  contact::State state;            ///< its own λ and rigid motions
+  contact::ContactState states;    ///< of each coefficient of λ
+  bem::Vector displacement;        ///< all unknowns, dimensionless
+  bem::Vector density;             ///< traction on the whole boundary, dimensionless
+  adaptivity::Indicators indicators{};
+};
+
 /// A solved level as numbers: all that the next one is made from, and what a file keeps.
 struct Level {
   int number = 0;
   contact::Status status = contact::Status::NotConverged;
-  std::string reason;              ///< empty when converged
-  std::vector<bem::Piece> pieces;  ///< the mesh
-  contact::State state;            ///< λ and the rigid motions
-  contact::ContactState states;    ///< of each coefficient of λ
-  bem::Vector displacement;        ///< all unknowns, dimensionless
-  bem::Vector density;             ///< traction on the whole boundary, dimensionless
-  adaptivity::Indicators indicators;
+  std::string reason;             ///< empty when converged
+  std::vector<BodyLevel> bodies;  ///< as the scene has them
+
+  /// Over all bodies.
+  adaptivity::Contributions squares() const;
+  double estimate() const;
+  std::size_t elements() const;
 };
 
 /// What a mesh and the spaces on it are.
@@ -35,6 +45,7 @@ struct Size {
   double sizeMax = 0;
 
   bem::Index dof() const { return displacements + multipliers; }
+  Size& operator+=(const Size& other);
 };
 
 Size sizeOf(const bem::Space& space, const contact::MultiplierSpace& multiplier,
@@ -53,7 +64,8 @@ struct Seconds {
 struct LevelRow {
   int level = 0;
   Size size;
-  contact::Summary summary;
+  contact::Summary summary;                ///< over all bodies
+  std::vector<contact::Summary> bodies{};  ///< of each
   contact::Report report;
   std::string reason;                   ///< empty when converged
   double gamma0 = 0;                    ///< zero without stabilisation
@@ -67,7 +79,7 @@ struct LevelRow {
 
 /// A level as it is handed out: valid during the call only.
 struct SolvedLevel {
-  const contact::Solved& solved;
+  const std::vector<contact::Solved>& bodies;
   const Level& level;
   LevelRow row;
 };

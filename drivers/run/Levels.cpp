@@ -5,27 +5,58 @@
 #include "bem/operators/ExactRotation.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
 #include "contact/equation/ContactState.hpp"
-#include "contact/problem/ContactProblem.hpp"
+#include "contact/problem/ContactSystem.hpp"
 #include "drivers/process/Ranks.hpp"
+#include "drivers/run/BodySpaces.hpp"
+#include "drivers/run/Resistance.hpp"
 #include "drivers/run/Solver.hpp"
 
 namespace epafi::drivers {
 
 namespace {
 
-LevelRow makeRow(const Level& level, const Size& size, const contact::Solved& solved,
+/// A body's own part of the states of all coefficients.
+contact::ContactState ofBody(const contact::Numbering& numbering, std::size_t b,
+                             const contact::ContactState& all) {
+  contact::ContactState own;
+  for (bem::Index i = 0; i < numbering.sizeOf(b); ++i) {
+    const bem::Index k = numbering(b, i);
+    if (k < numbering.normals())
+      own.normal.push_back(all.normal[static_cast<std::size_t>(k)]);
+    else
+      own.tangential.push_back(
+          all.tangential[static_cast<std::size_t>(k - numbering.normals())]);
+  }
+  return own;
+}
+
+/// The smallest that a body with stabilised contact has got; zero if there is none.
+double gamma0Of(const contact::ContactSystem& system) {
+  double smallest = 0;
+  for (std::size_t b = 0; b < system.size(); ++b) {
+    const double own = system.body(b).gamma0();
+    if (own > 0 && (smallest == 0 || own < smallest))
+      smallest = own;
+  }
+  return smallest;
+}
+
+LevelRow makeRow(const Level& level, const Size& size,
+                 const contact::ContactSystem& system,
+                 const std::vector<contact::Solved>& solved,
                  const contact::Report& report, const PhaseTimer& timer) {
   LevelRow row;
   row.level = level.number;
   row.size = size;
-  row.summary = contact::summarize(solved);
+  row.bodies = contact::summarizeAll(solved);
+  row.summary = contact::sumOf(row.bodies);
   row.report = report;
   row.reason = level.reason;
-  row.gamma0 = solved.problem.gamma0();
-  row.estimate = level.indicators.estimate();
-  row.squares = level.indicators.sums();
+  row.gamma0 = gamma0Of(system);
+  row.estimate = level.estimate();
+  row.squares = level.squares();
   const bem::Vector cost = largestOverRanks(
-      solved.stiffness.algebra(),
+      solved.front().stiffness.algebra(),
       {timer.levelSeconds(Phase::Assembly), timer.levelSeconds(Phase::Factorization),
        timer.levelSeconds(Phase::Stabilization), timer.levelSeconds(Phase::Newton),
        timer.levelSeconds(Phase::Estimate), cpuSeconds(), timer.wallSeconds(),
@@ -72,61 +103,95 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                     const std::function<void(const SolvedLevel&)>& handOut,
                     const std::optional<Level>& earlier) {
   const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
-  const bem::Units units = scene.outline->units(scene.material.youngsModulus);
-  const bem::Lame lame(scene.material);
+  const bem::Units units = scene.units();
   const bem::DenseAlgebra& algebra = ranks.algebra();
   const auto krylov = linearMethods().at(scene.linear.method).solver(ranks, scene.linear);
+  const std::size_t count = scene.bodies.size();
+  std::vector<bem::Lame> lames;
+  for (std::size_t b = 0; b < count; ++b)
+    lames.push_back(scene.lame(b));
 
   auto next = earlier ? levelAfterRestart(scene, *earlier, algebra) : firstLevel(scene);
   while (const auto* from = std::get_if<LevelStart>(&next)) {
     const int number = from->level;
-    const bem::Space space =
-        contact::makeSpace(from->mesh, scene.conditions, scene.stabilization);
-    const contact::MultiplierSpace multiplier(space.mesh(), basis, scene.conditions);
-    const Size size = sizeOf(space, multiplier, scene.conditions);
+    const BodySpaces spaces(scene, from->meshes);
+    const Size size = spaces.sizes();
     if (size.dof() > scene.adaptivity.limits.degreesOfFreedom)
       return {contact::Status::Converged,
               capReached(number, size, scene.adaptivity.limits.degreesOfFreedom)};
     timer.startLevel(number);
 
     auto operators = timer.run(Phase::Assembly, [&] {
-      return bem::withExactRotation(
-          bem::assembleOperators(
-              space, lame, algebra,
-              contact::tractionElements(multiplier, scene.stabilization)),
-          space, algebra);
+      std::vector<bem::Operators> all;
+      for (std::size_t b = 0; b < count; ++b)
+        all.push_back(bem::withExactRotation(
+            bem::assembleOperators(
+                spaces.space(b), lames[b], algebra,
+                contact::tractionElements(spaces.multiplier(b), scene.stabilization)),
+            spaces.space(b), algebra));
+      return all;
     });
     const auto stiffness = timer.run(Phase::Factorization, [&] {
-      return stiffnessOf(std::move(operators), algebra, krylov.get(),
-                         contact::densityCompliance(space, multiplier,
-                                                    scene.stabilization, lame, units));
+      std::vector<bem::SteklovPoincare> all;
+      for (std::size_t b = 0; b < count; ++b)
+        all.push_back(stiffnessOf(
+            std::move(operators[b]), algebra, krylov.get(),
+            contact::densityCompliance(spaces.space(b), spaces.multiplier(b),
+                                       scene.stabilization, lames[b], units)));
+      return all;
     });
-    const auto problem = timer.run(Phase::Stabilization, [&] {
-      return contact::ContactProblem(
-          {space, stiffness, lame, units, scene.conditions, basis, scene.stabilization});
+    const auto system = timer.run(Phase::Stabilization, [&] {
+      std::vector<contact::ContactProblem::Input> inputs;
+      for (std::size_t b = 0; b < count; ++b)
+        inputs.push_back({spaces.space(b), stiffness[b], lames[b], units,
+                          scene.bodies[b].conditions, basis, scene.stabilization,
+                          spaces.opposite(b)});
+      return contact::ContactSystem(inputs);
     });
-    const auto [solution, reason] = timer.run(Phase::Newton, [&] {
-      return solve(problem, space.mesh(), from->start, scene.solver, algebra);
+    checkResistance(scene, system);
+    const Solved outcome = timer.run(Phase::Newton, [&] {
+      return solve(system, spaces, system.joined(from->start), scene.solver, algebra);
     });
-    const bem::Vector displacement = problem.displacement(solution.state);
-    const bem::Vector density = problem.density(solution.state, displacement);
-    const contact::Solved solved{space, stiffness,      problem,     scene.conditions,
-                                 units, solution.state, displacement};
-    auto indicators = timer.run(Phase::Estimate, [&] {
-      return adaptivity::estimateResidual(solved, density, lame,
-                                          scene.adaptivity.estimator);
+
+    const contact::Solution& solution = outcome.solution;
+    Level level{number, solution.report.status, outcome.reason, {}};
+    const std::vector<contact::State> states = system.split(solution.state);
+    const contact::ContactState kinds =
+        contact::classify(system.numbers(), solution.state);
+    std::vector<bem::Vector> met;
+    std::vector<const bem::Vector*> displacements;
+    level.bodies.resize(count);
+    for (std::size_t b = 0; b < count; ++b) {
+      met.push_back(system.met(b, states));
+      const bem::Vector u = system.body(b).displacement(states[b], met[b]);
+      const bem::Vector density = system.body(b).density(states[b], u);
+      level.bodies[b] = {piecesOf(spaces.space(b).mesh()), states[b],
+                         ofBody(system.numbering(), b, kinds), u, density};
+      displacements.push_back(&level.bodies[b].displacement);
+    }
+    const contact::Motions motions = spaces.motions(displacements);
+    std::vector<contact::Solved> solved;
+    for (std::size_t b = 0; b < count; ++b)
+      solved.push_back({spaces.space(b),
+                        stiffness[b],
+                        system.body(b),
+                        scene.bodies[b].conditions,
+                        units,
+                        level.bodies[b].state,
+                        level.bodies[b].displacement,
+                        met[b],
+                        {},
+                        &motions});
+    for (std::size_t b = 0; b < count; ++b)
+      solved[b].pressed = contact::pressureOn(b, solved);
+    timer.run(Phase::Estimate, [&] {
+      for (std::size_t b = 0; b < count; ++b)
+        level.bodies[b].indicators = adaptivity::estimateResidual(
+            solved[b], level.bodies[b].density, lames[b], scene.adaptivity.estimator);
     });
-    const Level level{number,
-                      solution.report.status,
-                      reason,
-                      piecesOf(space.mesh()),
-                      solution.state,
-                      contact::classify(problem.numbers(), solution.state),
-                      displacement,
-                      density,
-                      std::move(indicators)};
     timer.run(Phase::Results, [&] {
-      handOut({solved, level, makeRow(level, size, solved, solution.report, timer)});
+      handOut(
+          {solved, level, makeRow(level, size, system, solved, solution.report, timer)});
     });
     timer.endLevel();
     next = nextLevel(scene, level, algebra);

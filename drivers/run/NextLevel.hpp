@@ -12,8 +12,8 @@ namespace epafi::drivers {
 /// What a level is computed from.
 struct LevelStart {
   int level = 0;
-  bem::Mesh mesh;
-  contact::State start;  ///< empty: from zero
+  std::vector<bem::Mesh> meshes;      ///< one per body
+  std::vector<contact::State> start;  ///< likewise; empty: from zero
 };
 
 /// How a run ended.
@@ -22,14 +22,14 @@ struct Outcome {
   std::string reason;
 };
 
-/// The mesh that the scene describes, started from zero.
+/// The meshes that the scene describes, started from zero.
 LevelStart firstLevel(const Scene& scene);
 
 /// The level after a solved one, or why there is none.
 ///
 /// Everything is taken from the numbers of the level and from the scene, so that a level
 /// read from a file leads to the same next one as a level just computed.  Collective.
-/// \throws bem::InputError if the pieces are no mesh on the scene's outline.
+/// \throws bem::InputError if the pieces are no meshes on the scene's outlines.
 std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& level,
                                             const bem::DenseAlgebra& algebra);
 

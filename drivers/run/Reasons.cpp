@@ -90,23 +90,27 @@ std::string withAdvice(const contact::NoBalance& error) {
 }
 
 std::string restlessPlaces(const contact::Report& report,
-                           const contact::MultiplierSpace& multiplier,
-                           const bem::Mesh& mesh) {
+                           const contact::ContactSystem& system,
+                           const BodySpaces& spaces) {
   constexpr std::size_t shown = 5;
   const std::set<contact::Index> restless(report.restless.begin(), report.restless.end());
   std::vector<std::string> places;
-  for (const auto& element : multiplier.elements()) {
-    const bem::Vector at = multiplier.basis().places(element.degree);
-    for (int i = 0; i <= element.degree; ++i) {
-      const bool here =
-          restless.count(element.normalOf(i)) > 0 ||
-          (element.tangential >= 0 && restless.count(element.tangentialOf(i)) > 0);
-      if (!here)
-        continue;
-      const bem::Vec2 place =
-          mesh.physicalPoint(element.element, at[static_cast<std::size_t>(i)]);
-      places.push_back(
-          bem::message("(", place.x, ", ", place.y, ") on ", *element.boundary));
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    const contact::MultiplierSpace& multiplier = spaces.multiplier(b);
+    const auto changes = [&](contact::Index own) {
+      return restless.count(system.numbering()(b, own)) > 0;
+    };
+    for (const auto& element : multiplier.elements()) {
+      const bem::Vector at = multiplier.basis().places(element.degree);
+      for (int i = 0; i <= element.degree; ++i) {
+        if (!changes(element.normalOf(i)) &&
+            (element.tangential < 0 || !changes(element.tangentialOf(i))))
+          continue;
+        const bem::Vec2 place = spaces.space(b).mesh().physicalPoint(
+            element.element, at[static_cast<std::size_t>(i)]);
+        places.push_back(bem::message("(", place.x, ", ", place.y, ") on ",
+                                      spaces.boundaryName(b, *element.boundary)));
+      }
     }
   }
   std::string text;

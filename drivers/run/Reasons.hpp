@@ -1,9 +1,9 @@
 #pragma once
 
-#include "bem/mesh/Mesh.hpp"
 #include "contact/equation/Equilibrium.hpp"
-#include "contact/multiplier/MultiplierSpace.hpp"
+#include "contact/problem/ContactSystem.hpp"
 #include "contact/solve/Report.hpp"
+#include "drivers/run/BodySpaces.hpp"
 
 #include <string>
 
@@ -18,7 +18,7 @@ std::string withAdvice(const contact::NoBalance& error);
 /// "; contact points that still change state: (0.31, 0) on foundation, ...": where a
 /// solve that did not converge is undecided, at most five; empty if it is nowhere.
 std::string restlessPlaces(const contact::Report& report,
-                           const contact::MultiplierSpace& multiplier,
-                           const bem::Mesh& mesh);
+                           const contact::ContactSystem& system,
+                           const BodySpaces& spaces);
 
 }  // namespace epafi::drivers

@@ -14,16 +14,16 @@ namespace {
 
 using bem::Vector;
 
-contact::Solution assembled(const contact::ContactProblem& problem,
+contact::Solution assembled(const contact::ContactSystem& system,
                             const contact::State& start, const Scene::Solver& options) {
   const contact::NoxNewton newton(options.nox);
   const contact::Tresca tresca(newton, options.tresca);
-  const bool follows = problem.numbers().boundDependsOnPressure();
+  const bool follows = system.numbers().boundDependsOnPressure();
   const auto coulomb = follows ? contact::makeCoulomb(tresca, options.coulomb) : nullptr;
   const contact::NonlinearSolver* solver = &tresca;
   if (follows)
     solver = coulomb.get();
-  return contact::solveInLoadSteps(*solver, problem.numbers(), problem.gap(), start,
+  return contact::solveInLoadSteps(*solver, system.numbers(), system.gap(), start,
                                    options.loadSteps);
 }
 
@@ -57,19 +57,19 @@ void unpack(const Vector& numbers, Solved& solved) {
 
 }  // namespace
 
-Solved solve(const contact::ContactProblem& problem, const bem::Mesh& mesh,
+Solved solve(const contact::ContactSystem& system, const BodySpaces& spaces,
              const contact::State& start, const Scene::Solver& options,
              const bem::DenseAlgebra& algebra) {
   Solved solved;
   contact::State& state = solved.solution.state;
   if (algebra.rank() == 0) {
     try {
-      solved.solution = assembled(problem, start, options);
+      solved.solution = assembled(system, start, options);
     } catch (const contact::NoBalance& error) {
       throw bem::NumericalError(withAdvice(error));
     }
     solved.reason = reasonOf(solved.solution.report) +
-                    restlessPlaces(solved.solution.report, problem.multiplier(), mesh);
+                    restlessPlaces(solved.solution.report, system, spaces);
   }
   if (algebra.processes() == 1)
     return solved;

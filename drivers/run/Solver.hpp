@@ -1,9 +1,9 @@
 #pragma once
 
 #include "bem/base/DenseAlgebra.hpp"
-#include "bem/mesh/Mesh.hpp"
-#include "contact/problem/ContactProblem.hpp"
+#include "contact/problem/ContactSystem.hpp"
 #include "contact/solve/Report.hpp"
+#include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/Scene.hpp"
 
 #include <string>
@@ -23,7 +23,7 @@ struct Solved {
 /// state, status, iterations, residual, tolerance and reason; the histories of the steps
 /// stay where they are.
 /// \throws see contact::NonlinearSolver
-Solved solve(const contact::ContactProblem& problem, const bem::Mesh& mesh,
+Solved solve(const contact::ContactSystem& system, const BodySpaces& spaces,
              const contact::State& start, const Scene::Solver& options,
              const bem::DenseAlgebra& algebra);
 

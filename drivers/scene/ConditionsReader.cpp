@@ -37,15 +37,30 @@ bem::Function nonNegative(const bem::Function& function, const Place& place) {
   };
 }
 
-contact::Conditions::Contact readContact(const ParameterList& list, const Place& place) {
-  contact::Conditions::Contact condition;
-  condition.gap = readFunction(list, "Gap", place);
+contact::Friction readFriction(const ParameterList& list, const Place& place) {
   const ParameterList& friction = list.sublist("Friction");
   const Place inner{place.file, place.path + "->Friction"};
-  condition.friction = contact::parseFriction(friction, [&](const std::string& key) {
+  return contact::parseFriction(friction, [&](const std::string& key) {
     return nonNegative(readFunction(friction, key, inner),
                        {place.file, inner.path + "->" + key});
   });
+}
+
+contact::Conditions::Contact readContact(const ParameterList& list, const Place& place) {
+  contact::Conditions::Contact condition;
+  condition.gap = readFunction(list, "Gap", place);
+  condition.friction = readFriction(list, place);
+  return condition;
+}
+
+}  // namespace
+
+contact::Conditions::Contact readContactOfBodies(const ParameterList& list,
+                                                 const Place& place) {
+  contact::Conditions::Contact condition;
+  const bem::Function interference = readFunction(list, "Interference", place);
+  condition.gap = [interference](bem::Vec2 x) { return -interference(x); };
+  condition.friction = readFriction(list, place);
   return condition;
 }
 
@@ -60,6 +75,8 @@ void checkNamed(const std::string& boundary, const std::string& path,
                              bem::nearest(boundary, names),
                              "'? named edges: ", bem::quotedList(names)));
 }
+
+namespace {
 
 void readBoundary(const ParameterList& list, const std::string& boundary,
                   const Place& place, contact::Conditions& conditions) {

@@ -17,4 +17,12 @@ namespace epafi::drivers {
 contact::Conditions readConditions(const Teuchos::ParameterList& body, const Place& place,
                                    const bem::Outline& outline);
 
+/// \throws bem::InputError for a boundary that no edge has, with the nearest name.
+void checkNamed(const std::string& boundary, const std::string& path,
+                const bem::Outline& outline);
+
+/// Interference and Friction of a validated list under Contacts.
+contact::Conditions::Contact readContactOfBodies(const Teuchos::ParameterList& list,
+                                                 const Place& place);
+
 }  // namespace epafi::drivers

@@ -13,18 +13,22 @@
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_RCP.hpp>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace epafi::drivers {
 
-/// A scene, read and validated: everything that a run needs, in the user's units.
-struct Scene {
-  std::string title;
-  std::string file;
+/// A place on an edge that a mesh must have a node at.
+struct RequiredNode {
+  int edge = 0;
+  double place = 0;  ///< from the edge's start, in lengths of the outline's scaling
+};
 
-  std::string body;
+/// An elastic body, its conditions and its first mesh.
+struct Body {
+  std::string name;
   bem::Material material;
   std::shared_ptr<const bem::Outline> outline;
   contact::Conditions conditions;
@@ -32,6 +36,43 @@ struct Scene {
   std::vector<int>
       elementsPerEdge;  ///< one per edge of the outline, holes after the outer loop
   int degree = 1;
+  std::vector<RequiredNode> nodes;  ///< of the mesh: where contact with others ends
+};
+
+/// A body without elasticity: held, or moved as its scene says, about its reference point.
+struct RigidBody {
+  std::string name;
+  std::shared_ptr<const bem::Outline> outline;
+  bem::Function x;  ///< displacement; empty: none
+  bem::Function y;
+  bem::Function rotation;  ///< [radian]
+  bem::Vec2 pole;          ///< of the rotation
+};
+
+/// A boundary of a body.
+struct SideOfBody {
+  bool rigid = false;
+  std::size_t body = 0;  ///< among the elastic ones or among the rigid ones
+  std::string boundary;
+};
+
+/// Contact between two bodies; the multiplier lives on `side`.
+struct ContactPair {
+  std::string name;
+  SideOfBody side;
+  SideOfBody met;
+};
+
+/// A scene, read and validated: everything that a run needs, in the user's units.
+struct Scene {
+  std::string title;
+  std::string file;
+
+  std::vector<Body> bodies;
+  std::vector<RigidBody> rigid;
+  std::vector<ContactPair> contacts;
+  double stress = 1;  ///< that all of them count in
+
   std::string multiplier;
   contact::Stabilization stabilization;
 
@@ -57,6 +98,47 @@ struct Scene {
     std::vector<bem::Vec2> interiorPoints;
     bool fields = true;  ///< write boundary.csv and what shows fields
   } output;
+
+  bem::Units units() const { return bodies.front().outline->units(stress); }
+  bem::Lame lame(std::size_t b) const { return {bodies[b].material, stress}; }
+  bool hasSeveral() const { return bodies.size() + rigid.size() > 1; }
+  /// "base", or among several bodies "block:base".
+  std::string boundaryName(std::size_t b, const std::string& boundary) const {
+    return !hasSeveral() ? boundary : bodies[b].name + ":" + boundary;
+  }
+  /// The body that a point lies inside; their number if there is none.
+  std::size_t bodyAt(bem::Vec2 point) const {
+    std::size_t b = 0;
+    while (b < bodies.size() && !bodies[b].outline->contains(point))
+      ++b;
+    return b;
+  }
+  const std::string& nameOf(const SideOfBody& side) const {
+    return side.rigid ? rigid[side.body].name : bodies[side.body].name;
+  }
+  const bem::Outline& outlineOf(const SideOfBody& side) const {
+    return side.rigid ? *rigid[side.body].outline : *bodies[side.body].outline;
+  }
+  /// A scaled place on what is met less the same place on the side.
+  bem::Vec2 shift(const ContactPair& pair) const {
+    return (1 / units().length) *
+           (outlineOf(pair.side).scaling().origin - outlineOf(pair.met).scaling().origin);
+  }
+  /// The boundary that is met: its edges' numbers, and the edges in this scene's length.
+  struct MetEdges {
+    std::vector<int> edges;
+    std::vector<bem::Curve> curves;
+  };
+  MetEdges metEdges(const ContactPair& pair) const;
+  /// How far along its normals a side looks: the smaller one's diameter, scaled.
+  double reach(const ContactPair& pair) const {
+    return std::min(outlineOf(pair.side).diameter(), outlineOf(pair.met).diameter()) /
+           units().length;
+  }
+  bool hasContact() const {
+    return std::any_of(bodies.begin(), bodies.end(),
+                       [](const Body& body) { return !body.conditions.contact.empty(); });
+  }
 
   /// The complete list with every default filled in: what used.xml says.
   Teuchos::RCP<Teuchos::ParameterList> used;

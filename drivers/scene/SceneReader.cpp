@@ -6,6 +6,7 @@
 #include "contact/solve/LoadContinuation.hpp"
 #include "drivers/process/Versions.hpp"
 #include "drivers/scene/ConditionsReader.hpp"
+#include "drivers/scene/ContactsReader.hpp"
 #include "drivers/scene/GeometryFile.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -52,17 +54,10 @@ std::vector<std::string> namesOf(const ParameterList& list, const std::string& k
   return list.get<Teuchos::Array<std::string>>(key).toVector();
 }
 
-void checkOneBody(const ParameterList& list) {
-  if (!list.isSublist("Bodies"))
-    return;  // the schema says what is wrong
-  std::vector<std::string> names;
-  for (const auto& item : list.sublist("Bodies"))
-    names.push_back(item.first);
-  if (names.size() != 1)
-    throw InputError(names.empty()
-                         ? "Bodies: no body is given; exactly one is needed"
-                         : message("Bodies: exactly one body is possible for now, ",
-                                   names.size(), " are given: ", bem::quotedList(names)));
+void checkAnyBody(const ParameterList& list) {
+  if (list.isSublist("Bodies") &&
+      list.sublist("Bodies").begin() == list.sublist("Bodies").end())
+    throw InputError("Bodies: no body is given; at least one is needed");
 }
 
 std::string holeKey(int hole, const std::string& what) {
@@ -111,11 +106,11 @@ bem::Loop readLoop(const ParameterList& geometry, const std::string& prefix,
 
 /// One number per edge, in the order of the user's loop.
 std::vector<int> readCounts(const ParameterList& list, const std::string& key,
-                            std::size_t edges) {
-  const std::string path = "Discretization->" + key;
+                            std::size_t edges, const std::string& parent) {
+  const std::string path = parent + "->" + key;
   if (!list.isParameter(key))
     throw InputError(message(path, ": missing; give ", edges,
-                             " numbers, one per edge, or Discretization->Mesh Size"));
+                             " numbers, one per edge, or ", parent, "->Mesh Size"));
   const auto& counts = list.get<Teuchos::Array<int>>(key);
   if (static_cast<std::size_t>(counts.size()) != edges)
     throw InputError(message(path, ": has ", counts.size(),
@@ -131,14 +126,15 @@ std::vector<int> alongHole(const std::vector<int>& counts) {
   return result;
 }
 
-std::vector<int> countsFromSize(const bem::Outline& outline, double size) {
+std::vector<int> countsFromSize(const bem::Outline& outline, double size,
+                                const std::string& parent) {
   std::vector<int> counts;
   for (const bem::Edge& edge : outline.edges()) {
     // A length that is a multiple of the size up to rounding gives that multiple.
     const double count =
         std::ceil(edge.curve.length() * outline.scaling().length / size * (1 - 1e-12));
     if (count > largestMesh)
-      throw InputError(message("Discretization->Mesh Size = ", size, ": gives ", count,
+      throw InputError(message(parent, "->Mesh Size = ", size, ": gives ", count,
                                " elements on edge '", edge.boundary, "'; at most ",
                                largestMesh, " are possible"));
     counts.push_back(std::max(1, static_cast<int>(count)));
@@ -147,36 +143,42 @@ std::vector<int> countsFromSize(const bem::Outline& outline, double size) {
 }
 
 std::vector<int> readElements(const ParameterList& list, const bem::Outline& outline,
-                              int holes) {
+                              const std::string& parent) {
+  const int holes = outline.loops() - 1;
   if (list.isParameter("Mesh Size")) {
     for (const auto& item : list)
       if (item.first.find("Elements per Edge") != std::string::npos)
-        throw InputError(message("Discretization->", item.first,
-                                 ": give this or Mesh Size, not both"));
-    return countsFromSize(outline, list.get<double>("Mesh Size"));
+        throw InputError(
+            message(parent, "->", item.first, ": give this or Mesh Size, not both"));
+    return countsFromSize(outline, list.get<double>("Mesh Size"), parent);
   }
   const auto edgesOf = [&outline](int loop) {
     return static_cast<std::size_t>(
         std::count_if(outline.edges().begin(), outline.edges().end(),
                       [loop](const bem::Edge& edge) { return edge.loop == loop; }));
   };
-  std::vector<int> counts = readCounts(list, "Elements per Edge", edgesOf(0));
+  std::vector<int> counts = readCounts(list, "Elements per Edge", edgesOf(0), parent);
   for (int hole = 1; hole <= holes; ++hole) {
-    const auto inner =
-        alongHole(readCounts(list, holeKey(hole, "Elements per Edge"), edgesOf(hole)));
+    const auto inner = alongHole(
+        readCounts(list, holeKey(hole, "Elements per Edge"), edgesOf(hole), parent));
     counts.insert(counts.end(), inner.begin(), inner.end());
   }
   for (const auto& item : list)
     if (item.first.rfind("Hole ", 0) == 0 && std::stol(item.first.substr(5)) > holes)
       throw InputError(
-          message("Discretization->", item.first, ": the body has ", holes, " holes"));
+          message(parent, "->", item.first, ": the body has ", holes, " holes"));
   if (std::accumulate(counts.begin(), counts.end(), 0.0) > largestMesh)
-    throw InputError(message("Discretization->Elements per Edge: more than ", largestMesh,
-                             " elements"));
+    throw InputError(
+        message(parent, "->Elements per Edge: more than ", largestMesh, " elements"));
   return counts;
 }
 
-bem::Material readMaterial(const ParameterList& list) {
+bem::Material readMaterial(const ParameterList& list, const std::string& path) {
+  for (const char* key : {"Young's Modulus", "Poisson's Ratio"})
+    if (!list.isParameter(key))
+      throw InputError(message(path, "->", key,
+                               ": missing; every body that is not Rigid has "
+                               "one"));
   bem::Material material;
   material.youngsModulus = list.get<double>("Young's Modulus");
   material.poissonsRatio = list.get<double>("Poisson's Ratio");
@@ -186,20 +188,21 @@ bem::Material readMaterial(const ParameterList& list) {
 
 /// V has the normals of each closed line in its kernel at ν = 1/2; only what Form Density
 /// adds on contact elements takes them out.
-void checkIncompressible(const Scene& scene, const std::string& path) {
-  if (scene.material.poissonsRatio < 0.5 || scene.material.planeStress)
+void checkIncompressible(const Body& body, const contact::Stabilization& stabilization,
+                         const std::string& path) {
+  if (body.material.poissonsRatio < 0.5 || body.material.planeStress)
     return;
-  if (scene.stabilization.form != contact::Stabilization::Form::Density)
+  if (stabilization.form != contact::Stabilization::Form::Density)
     throw InputError(path +
                      ": is 1/2, which Discretization->Stabilization->Form = "
                      "Density allows in plane strain; other forms want less");
-  const std::vector<bem::Edge>& edges = scene.outline->edges();
+  const std::vector<bem::Edge>& edges = body.outline->edges();
   std::vector<bool> seen(edges.size(), false);
   for (std::size_t k = 0; k < edges.size(); ++k) {
     bool held = seen[k];
     for (std::size_t i = k; !seen[i]; i = static_cast<std::size_t>(edges[i].next)) {
       seen[i] = true;
-      held = held || scene.conditions.contact.count(edges[i].boundary) != 0;
+      held = held || body.conditions.contact.count(edges[i].boundary) != 0;
     }
     if (!held)
       throw InputError(path +
@@ -228,57 +231,180 @@ Scene::Adaptivity readAdaptivity(const ParameterList& list) {
   return adaptivity;
 }
 
-Scene::Output readOutput(const ParameterList& list, const bem::Outline& outline) {
+Scene::Output readOutput(const ParameterList& list, const Scene& scene) {
   Scene::Output output;
   output.contactSamples = list.get<int>("Contact Samples per Element");
   output.fields = list.get<bool>("Fields");
   if (list.isParameter("Interior Points"))
     output.interiorPoints = pointsOf(list, "Interior Points");
   for (std::size_t i = 0; i < output.interiorPoints.size(); ++i)
-    if (!outline.contains(output.interiorPoints[i]))
+    if (scene.bodyAt(output.interiorPoints[i]) == scene.bodies.size())
       throw InputError(message("Output->Interior Points: point ", i, " = (",
                                output.interiorPoints[i].x, ", ",
-                               output.interiorPoints[i].y, ") is not inside the body"));
+                               output.interiorPoints[i].y,
+                               scene.bodies.size() == 1 ? ") is not inside the body"
+                                                        : ") is not inside any body"));
   return output;
 }
 
+/// A body's polygons, as the user wrote them.
+struct Loops {
+  bem::Loop outer;
+  std::vector<bem::Loop> holes;
+};
+
+Loops readLoops(ParameterList& geometry, const std::string& file,
+                const std::string& path) {
+  expandGeometryFile(geometry, file, path);
+  const int holes = countHoles(geometry, path);
+  Loops loops{readLoop(geometry, "", path), {}};
+  for (int hole = 1; hole <= holes; ++hole)
+    loops.holes.push_back(readLoop(geometry, holeKey(hole, ""), path));
+  return loops;
+}
+
+/// Where bodies share a scaling it is for the largest.
+std::shared_ptr<const bem::Outline> makeOutline(const Loops& loops, double length,
+                                                const std::string& path) {
+  return at(path, [&] {
+    bem::Scaling scaling = bem::scalingOf(loops.outer);
+    scaling.length = std::max(scaling.length, length);
+    return std::make_shared<const bem::Outline>(loops.outer, loops.holes, scaling);
+  });
+}
+
+/// A body's own mesh says more than the scene's Discretization.
+void readMesh(const ParameterList& own, const ParameterList& discretization,
+              const std::string& path, Body& body) {
+  const bool sized = own.isParameter("Mesh Size") || own.isParameter("Elements per Edge");
+  body.elementsPerEdge =
+      sized ? readElements(own, *body.outline, path + "->Mesh")
+            : readElements(discretization, *body.outline, "Discretization");
+  body.degree = own.isParameter("Degree") ? own.get<int>("Degree")
+                                          : discretization.get<int>("Degree");
+}
+
+void refuseMotion(const ParameterList& motion, const std::string& path) {
+  for (const auto& item : motion)
+    if (!item.second.isDefault())
+      throw InputError(message(path, "->Motion->", item.first,
+                               ": belongs to a body with Material->Rigid = true; others "
+                               "have Boundary Conditions and Rigid Motions"));
+}
+
+Body readBody(ParameterList& list, const std::string& name, const std::string& file,
+              const Loops& loops, double length, const ParameterList& discretization) {
+  const std::string path = "Bodies->" + name;
+  Body body;
+  body.name = name;
+  body.material = readMaterial(list.sublist("Material"), path + "->Material");
+  refuseMotion(list.sublist("Motion"), path);
+  body.outline = makeOutline(loops, length, path + "->Geometry");
+  body.conditions = readConditions(list, {file, path}, *body.outline);
+  readMesh(list.sublist("Mesh"), discretization, path, body);
+  return body;
+}
+
+void refuseElasticity(const ParameterList& list, const std::string& path) {
+  const auto refuse = [&](const std::string& key) {
+    throw InputError(message(path, "->", key,
+                             ": the body is rigid (Material->Rigid = true); "
+                             "it has Geometry and Motion alone"));
+  };
+  for (const char* key : {"Young's Modulus", "Poisson's Ratio"})
+    if (list.sublist("Material").isParameter(key))
+      refuse(std::string("Material->") + key);
+  for (const char* part : {"Boundary Conditions", "Mesh", "Rigid Motions"})
+    for (const auto& item : list.sublist(part))
+      if (!item.second.isDefault())
+        refuse(std::string(part) + "->" + item.first);
+}
+
+bem::Vec2 centroidOf(const bem::Outline& outline) {
+  bem::Vec2 sum;
+  double length = 0;
+  for (const bem::Edge& edge : outline.edges()) {
+    sum = sum + edge.curve.length() * edge.curve.centroid();
+    length += edge.curve.length();
+  }
+  return outline.physical((1 / length) * sum);
+}
+
+RigidBody readRigid(const ParameterList& list, const std::string& name,
+                    const std::string& file, const Loops& loops) {
+  const std::string path = "Bodies->" + name;
+  refuseElasticity(list, path);
+  RigidBody body;
+  body.name = name;
+  body.outline = makeOutline(loops, 0, path + "->Geometry");
+  body.pole = centroidOf(*body.outline);
+  const ParameterList& motion = list.sublist("Motion");
+  const auto function = [&](const std::string& key) {
+    return makeExpression(motion.get<std::string>(key),
+                          {file, path + "->Motion->" + key});
+  };
+  body.x = function("Displacement X");
+  body.y = function("Displacement Y");
+  body.rotation = function("Rotation");
+  return body;
+}
+
+bool isRigid(const ParameterList& body) {
+  return body.sublist("Material").get<bool>("Rigid");
+}
+
+/// Elastic bodies in one length, that of the largest, and one stress, that of the softest.
+/// Rigid ones do not count: they must not change what the others do.
+void readBodies(ParameterList& list, const ParameterList& discretization, Scene& scene) {
+  std::vector<Loops> loops;
+  double length = 0;
+  for (const auto& item : list) {
+    const std::string path = "Bodies->" + item.first + "->Geometry";
+    loops.push_back(
+        readLoops(list.sublist(item.first).sublist("Geometry"), scene.file, path));
+    if (!isRigid(list.sublist(item.first)))
+      length = std::max(length, bem::scalingOf(loops.back().outer).length);
+  }
+  std::size_t b = 0;
+  for (const auto& item : list) {
+    ParameterList& body = list.sublist(item.first);
+    const Loops& own = loops[b++];
+    if (isRigid(body))
+      scene.rigid.push_back(readRigid(body, item.first, scene.file, own));
+    else
+      scene.bodies.push_back(
+          readBody(body, item.first, scene.file, own, length, discretization));
+  }
+  if (scene.bodies.empty())
+    throw InputError("Bodies: all bodies are rigid; at least one must be elastic");
+  scene.stress = std::numeric_limits<double>::infinity();
+  for (const Body& body : scene.bodies)
+    scene.stress = std::min(scene.stress, body.material.youngsModulus);
+}
+
 Scene build(const std::string& file, const RawScene& raw) {
-  checkOneBody(raw.list);
+  checkAnyBody(raw.list);
   Scene scene;
   scene.title = raw.title;
   scene.file = file;
   scene.used = Teuchos::rcp(new ParameterList(complete(raw.list, raw.title)));
   ParameterList& used = *scene.used;
 
-  scene.body = used.sublist("Bodies").begin()->first;
-  const std::string path = "Bodies->" + scene.body;
-  ParameterList& body = used.sublist("Bodies").sublist(scene.body);
-  scene.material = readMaterial(body.sublist("Material"));
-
-  expandGeometryFile(body.sublist("Geometry"), file, path + "->Geometry");
-  const ParameterList& geometry = body.sublist("Geometry");
-  const int holes = countHoles(geometry, path + "->Geometry");
-  const bem::Loop outer = readLoop(geometry, "", path + "->Geometry");
-  std::vector<bem::Loop> inner;
-  for (int hole = 1; hole <= holes; ++hole)
-    inner.push_back(readLoop(geometry, holeKey(hole, ""), path + "->Geometry"));
-  scene.outline = at(path + "->Geometry",
-                     [&] { return std::make_shared<const bem::Outline>(outer, inner); });
-  scene.conditions = readConditions(body, {file, path}, *scene.outline);
-
   const ParameterList& discretization = used.sublist("Discretization");
-  scene.elementsPerEdge = readElements(discretization, *scene.outline, holes);
-  scene.degree = discretization.get<int>("Degree");
+  readBodies(used.sublist("Bodies"), discretization, scene);
+  readContacts(used.sublist("Contacts"), file, scene);
   scene.multiplier = discretization.get<std::string>("Multiplier");
   scene.stabilization =
       contact::parseStabilization(discretization.sublist("Stabilization"));
   if (contact::multiplierBasis(scene.multiplier).sharesNodes)
     scene.stabilization.form = contact::Stabilization::Form::None;
-  checkIncompressible(scene, path + "->Material->Poisson's Ratio");
+  for (const Body& body : scene.bodies)
+    checkIncompressible(body, scene.stabilization,
+                        "Bodies->" + body.name + "->Material->Poisson's Ratio");
   scene.solver = readSolver(used.sublist("Solver"));
   scene.linear = parseLinear(used.sublist("Solver").sublist("Linear"));
   scene.adaptivity = readAdaptivity(used.sublist("Adaptivity"));
-  scene.output = readOutput(used.sublist("Output"), *scene.outline);
+  scene.output = readOutput(used.sublist("Output"), scene);
   return scene;
 }
 

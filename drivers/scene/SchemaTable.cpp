@@ -22,6 +22,7 @@ void addBody(Table& table) {
   const std::string body = "Bodies-><body>";
   const std::string material = body + "->Material";
   const std::string geometry = body + "->Geometry";
+<<<<<<< HEAD
   append(
       table,
       {
@@ -70,6 +71,46 @@ void addBody(Table& table) {
               "instead of vertices and edges: a Gmsh mesh (.msh, ASCII 2.2 or 4.1), "
               "relative to the scene; its physical curves name the boundaries"),
       });
+=======
+  append(table,
+         {
+             Row("Bodies", Kind::List, "one body or several").required(),
+             Row(body, Kind::List, "a body, under a name of your choice"),
+             Row(material, Kind::List, "linear elastic, isotropic, homogeneous; or rigid")
+                 .required(),
+             Row(material + "->Rigid", Kind::Flag,
+                 "an outline without elasticity, of which nothing else is said but "
+                 "Geometry and "
+                 "Motion")
+                 .standard("false"),
+             Row(material + "->Young's Modulus", Kind::Real,
+                 "Young's modulus E; every body has one unless it is Rigid")
+                 .unit("stress")
+                 .range(above(0)),
+             Row(material + "->Poisson's Ratio", Kind::Real,
+                 "Poisson's ratio nu, likewise; 1/2 in plane strain wants Form Density")
+                 .unit("1")
+                 .range({-1, 0.5, true, false}),
+             Row(material + "->Plane State", Kind::Text,
+                 "no strain or no stress across the plane")
+                 .standard("Plane Strain")
+                 .allowed({"Plane Strain", "Plane Stress"}),
+             Row(geometry, Kind::List, "the outline: a polygon, with holes").required(),
+             Row(geometry + "->Vertices", Kind::Points,
+                 "corners of the outer polygon, counter-clockwise; it closes by itself")
+                 .unit("length"),
+             Row(geometry + "->Edges", Kind::Names,
+                 "the boundary's name for each edge; edge i leads from vertex i to i+1"),
+             Row(geometry + "->Hole <k> Vertices", Kind::Points,
+                 "corners of hole k = 1, 2, ..., counter-clockwise too")
+                 .unit("length"),
+             Row(geometry + "->Hole <k> Edges", Kind::Names,
+                 "the boundary's name for each edge of hole k"),
+             Row(geometry + "->File", Kind::Text,
+                 "instead of vertices and edges: a Gmsh mesh (.msh, ASCII 2.2 or 4.1), "
+                 "relative to the scene; its physical curves name the boundaries"),
+         });
+>>>>>>> 7f72f93 (Solve several bodies in contact)
 }
 
 void addConditions(Table& table) {
@@ -118,6 +159,57 @@ void addConditions(Table& table) {
                  "uniform traction of that mode")
                  .allowed({"X", "Y", "Rotation"}),
          });
+}
+
+void addSeveralBodies(Table& table) {
+  const std::string mesh = "Bodies-><body>->Mesh";
+  const std::string motion = "Bodies-><body>->Motion";
+  const std::string contact = "Contacts-><contact>";
+  append(
+      table,
+      {
+          Row(mesh, Kind::List, "the body's own first mesh, before Discretization"),
+          Row(mesh + "->Elements per Edge", Kind::Counts, "as under Discretization")
+              .unit("1")
+              .range(from(1)),
+          Row(mesh + "->Hole <k> Elements per Edge", Kind::Counts,
+              "equal elements on each edge of hole k")
+              .unit("1")
+              .range(from(1)),
+          Row(mesh + "->Mesh Size", Kind::Real, "largest element, instead of these")
+              .unit("length")
+              .range(above(0)),
+          Row(mesh + "->Degree", Kind::Whole, "polynomial degree of the displacement")
+              .unit("1")
+              .range({1, 25}),
+          Row(motion, Kind::List, "of a rigid body; without it the body is held"),
+          Row(motion + "->Displacement X", Kind::Expression,
+              "prescribed, without x and y")
+              .unit("length")
+              .standard("0"),
+          Row(motion + "->Displacement Y", Kind::Expression, "likewise")
+              .unit("length")
+              .standard("0"),
+          Row(motion + "->Rotation", Kind::Expression,
+              "prescribed, counter-clockwise about the outline's centroid; small: places "
+              "move by its tangent")
+              .unit("radian")
+              .standard("0"),
+          Row("Contacts", Kind::List, "contact between bodies"),
+          Row(contact, Kind::List, "a contact, under a name of your choice"),
+          Row(contact + "->Between", Kind::Names,
+              "two sides, body:boundary; the first one carries the contact stresses, or "
+              "the "
+              "elastic one if the other is rigid")
+              .required(),
+          Row(contact + "->Interference", Kind::Expression,
+              "overlap along the first side's outward normal, in addition to that of the "
+              "outlines as drawn")
+              .unit("length")
+              .standard("0"),
+          Row(contact + "->Friction", Kind::List, "how much shear the contact carries"),
+      });
+  append(table, contact::frictionRows(), contact + "->Friction");
 }
 
 void addDiscretization(Table& table) {
@@ -195,6 +287,7 @@ const std::vector<Parameter>& parameters() {
     Table all;
     addBody(all);
     addConditions(all);
+    addSeveralBodies(all);
     addDiscretization(all);
     addSolver(all);
     addAdaptivity(all);

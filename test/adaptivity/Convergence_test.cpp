@@ -29,9 +29,10 @@ std::vector<Level> solveScene(const std::string& name,
   drivers::PhaseTimer timer;
   const drivers::Ranks ranks;
   const auto keep = [&](const drivers::SolvedLevel& level) {
-    levels.push_back({static_cast<double>(level.row.size.dof()), level.row.estimate,
-                      bem::makeCauchyData(level.solved.space, level.solved.displacement,
-                                          level.level.density)});
+    levels.push_back(
+        {static_cast<double>(level.row.size.dof()), level.row.estimate,
+         bem::makeCauchyData(level.bodies[0].space, level.bodies[0].displacement,
+                             level.level.bodies[0].density)});
   };
   solveLevels(scene, ranks, timer, keep);
   return levels;
@@ -90,7 +91,8 @@ double smallestEstimate(const std::vector<Level>& levels, double dof) {
 
 /// The root of an energy of 1, in the scene's units.
 double energyUnit(const drivers::Scene& scene) {
-  return std::sqrt(scene.material.youngsModulus) * scene.outline->diameter();
+  return std::sqrt(scene.bodies[0].material.youngsModulus) *
+         scene.bodies[0].outline->diameter();
 }
 
 }  // namespace
@@ -127,7 +129,7 @@ TEUCHOS_UNIT_TEST(Effectivity, inEnergyWeightsStaysBetweenOneAndAHalfAndFourAndA
     const bem::CauchyData& reference = fine.back().solution;
     const drivers::Scene scene =
         drivers::readScene(std::string(EPAFI_SCENES) + "/" + name + ".xml");
-    const bem::Lame lame(scene.material);
+    const bem::Lame lame(scene.bodies[0].material);
     out << name << ", reference: " << fine.back().dof << " unknowns, estimate "
         << fine.back().estimate << "\n";
     for (const auto& settings :
@@ -180,7 +182,7 @@ TEUCHOS_UNIT_TEST(GradedHp, convergesExponentiallyInTheRootOfDof) {
     const auto fine = solveScene(goal.scene, with({}, "Graded hp", 100, 2300));
     const drivers::Scene scene =
         drivers::readScene(std::string(EPAFI_SCENES) + "/" + goal.scene + ".xml");
-    const bem::Lame lame(scene.material);
+    const bem::Lame lame(scene.bodies[0].material);
     const bem::CauchyData& reference = fine.back().solution;
     out << goal.scene << ", reference: " << fine.back().dof << " unknowns, estimate "
         << fine.back().estimate << "\n";

@@ -9,29 +9,37 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 namespace epafi {
 
 namespace {
 
+std::vector<int> worstOf(const bem::Mesh& mesh) {
+  bem::Vector squares;
+  for (int e = 0; e < mesh.size(); ++e)
+    squares.push_back(1 + e);
+  return adaptivity::doerfler(squares, 0.3);
+}
+
 /// A level whose indicators grow along the boundary; every second element looks analytic.
 adaptivity::LevelData levelOn(const bem::Mesh& mesh) {
-  adaptivity::LevelData level{mesh, {}, {}, 0.3, {}};
+  adaptivity::LevelData level{mesh, {}, {}, {}};
   level.singular.nodes.resize(static_cast<std::size_t>(mesh.size()));
   level.singular.inside.resize(static_cast<std::size_t>(mesh.size()));
   for (int e = 0; e < mesh.size(); ++e) {
-    level.squares.push_back(1 + e);
     level.analytic.push_back(e % 2 == 0);
   }
+  level.worst = worstOf(mesh);
   return level;
 }
 
 /// All elements of equal weight, marked and smooth.
 adaptivity::LevelData allMarkedOn(const bem::Mesh& mesh) {
   adaptivity::LevelData level = levelOn(mesh);
-  level.squares.assign(static_cast<std::size_t>(mesh.size()), 1.0);
+  level.worst.resize(static_cast<std::size_t>(mesh.size()));
+  std::iota(level.worst.begin(), level.worst.end(), 0);
   level.analytic.assign(static_cast<std::size_t>(mesh.size()), true);
-  level.markingFraction = 1;
   return level;
 }
 
@@ -75,7 +83,7 @@ TEUCHOS_UNIT_TEST(Strategy, uniformPEndsAtTheLargestDegree) {
 TEUCHOS_UNIT_TEST(Strategy, adaptiveStrategiesTouchOnlyTheWorstElements) {
   const bem::Mesh mesh = test::squareMesh(2);
   const adaptivity::LevelData level = levelOn(mesh);
-  const std::vector<int> worst = adaptivity::doerfler(level.squares, 0.3);
+  const std::vector<int> worst = worstOf(mesh);
   const adaptivity::Marks h = adaptivity::strategy("Adaptive h").marks(level);
   const adaptivity::Marks hp = adaptivity::strategy("Adaptive hp").marks(level);
   using adaptivity::Mark;
@@ -198,8 +206,7 @@ TEUCHOS_UNIT_TEST(GradedHp, takesNeighboursAlongThatStayBehindByMoreThanTwo) {
     pieces[2].degree = degree;
     const bem::Mesh mesh(square.sharedOutline(), pieces);
     adaptivity::LevelData level = allMarkedOn(mesh);
-    level.squares = {1e-9, 1e-9, 1, 1e-9};
-    level.markingFraction = 0.5;
+    level.worst = {2};
     const adaptivity::Marks marks = adaptivity::strategy("Graded hp").marks(level);
     const Mark neighbour = degree == 3 ? Mark::RaiseDegree : Mark::None;
     TEST_ASSERT(marks[2] == Mark::RaiseDegree);

@@ -64,7 +64,8 @@ LocatedTransitions locate(const bem::Mesh& mesh, const char* law, const Opening&
       space.interpolate([&](bem::Vec2 x) { return opening.displacement(x, mesh); });
   return adaptivity::locateTransitions(
       space, u, conditions, multiplier,
-      other != nullptr ? *other : opening.states(mesh, multiplier));
+      other != nullptr ? *other : opening.states(mesh, multiplier),
+      contact::DistantObstacle(mesh, mesh.outline().scaling().length));
 }
 
 Samples sampled(double a, double slope) {

@@ -142,7 +142,8 @@ Errors errorsOn(const Manufactured& exact, int elements, int degree,
   if (solution.report.status != contact::Status::Converged)
     throw std::runtime_error(told(solution.report.stages));
   const bem::Vector u = problem.displacement(solution.state);
-  const contact::ContactFields fields(problem, space, units, solution.state, u);
+  const contact::ContactFields fields(
+      {space, stiffness, problem, conditions, units, solution.state, u});
   const auto rule = bem::gaussLegendre(degree + 6);
   Errors errors;
   for (const auto& element : fields.elements()) {

@@ -240,10 +240,10 @@ TEUCHOS_UNIT_TEST(BadInput, aSceneCutAtAnyByteIsRefused) {
     TEST_ASSERT(!complaintOf(whole.substr(0, length)).empty());
 }
 
-TEUCHOS_UNIT_TEST(BadInput, thereIsExactlyOneBody) {
+TEUCHOS_UNIT_TEST(BadInput, aSecondBodyIsWholeToo) {
   SceneText scene;
   scene.bodies = R"(<ParameterList name="second"/>)";
-  TEST_COMPLAINT(scene.xml(), "Bodies", "2", "'block'", "'second'");
+  TEST_COMPLAINT(scene.xml(), "Bodies->second->Material", "missing");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, whatABodyNeedsIsMissed) {

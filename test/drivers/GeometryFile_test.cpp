@@ -27,17 +27,17 @@ SceneText withFile(const std::string& name) {
 TEUCHOS_UNIT_TEST(GeometryFile, bothFormatsGiveTheSameOutline) {
   for (const char* name : {"/plate_2.2.msh", "/plate_4.1.msh"}) {
     const drivers::Scene scene = test::read(withFile(meshes + name));
-    TEST_EQUALITY(scene.outline->loops(), 2);
-    TEST_EQUALITY(scene.outline->edges().size(), 8u);
+    TEST_EQUALITY(scene.bodies[0].outline->loops(), 2);
+    TEST_EQUALITY(scene.bodies[0].outline->edges().size(), 8u);
     const std::string expected[] = {"base", "right", "top", "left"};
     for (int e = 0; e < 4; ++e)
-      TEST_EQUALITY(scene.outline->edge(e).boundary,
+      TEST_EQUALITY(scene.bodies[0].outline->edge(e).boundary,
                     expected[static_cast<std::size_t>(e)]);
-    TEST_ASSERT(scene.outline->contains({0.5, 0.5}));
-    TEST_ASSERT(!scene.outline->contains({1, 0.5}));
-    TEST_EQUALITY(scene.elementsPerEdge[0], 8);
-    TEST_EQUALITY(scene.elementsPerEdge[1], 4);
-    TEST_EQUALITY(scene.conditions.contact.count("base"), 1u);
+    TEST_ASSERT(scene.bodies[0].outline->contains({0.5, 0.5}));
+    TEST_ASSERT(!scene.bodies[0].outline->contains({1, 0.5}));
+    TEST_EQUALITY(scene.bodies[0].elementsPerEdge[0], 8);
+    TEST_EQUALITY(scene.bodies[0].elementsPerEdge[1], 4);
+    TEST_EQUALITY(scene.bodies[0].conditions.contact.count("base"), 1u);
   }
 }
 
@@ -47,10 +47,10 @@ TEUCHOS_UNIT_TEST(GeometryFile, theUsedSceneNeedsNoMeshAndHasTheSameOutline) {
   TEST_ASSERT(!contains(used, ".msh"));
   const test::TemporaryFile file("used.xml", used);
   const drivers::Scene again = drivers::readScene(file.path());
-  TEST_EQUALITY(again.elementsPerEdge == scene.elementsPerEdge, true);
-  for (std::size_t e = 0; e < scene.outline->edges().size(); ++e) {
-    const bem::Edge& a = scene.outline->edges()[e];
-    const bem::Edge& b = again.outline->edges()[e];
+  TEST_EQUALITY(again.bodies[0].elementsPerEdge == scene.bodies[0].elementsPerEdge, true);
+  for (std::size_t e = 0; e < scene.bodies[0].outline->edges().size(); ++e) {
+    const bem::Edge& a = scene.bodies[0].outline->edges()[e];
+    const bem::Edge& b = again.bodies[0].outline->edges()[e];
     TEST_EQUALITY(a.boundary, b.boundary);
     TEST_EQUALITY(a.curve.from().x, b.curve.from().x);
     TEST_EQUALITY(a.curve.from().y, b.curve.from().y);
@@ -62,7 +62,7 @@ TEUCHOS_UNIT_TEST(GeometryFile, namesAreRelativeToTheScene) {
                                  drivers::readText(meshes + "/plate_2.2.msh"));
   const auto scene = std::filesystem::path(mesh.path()).parent_path() / "relative.xml";
   std::ofstream(scene) << withFile("plate.msh").xml();
-  TEST_EQUALITY(drivers::readScene(scene.string()).outline->loops(), 2);
+  TEST_EQUALITY(drivers::readScene(scene.string()).bodies[0].outline->loops(), 2);
 }
 
 TEUCHOS_UNIT_TEST(GeometryFile, complaintsNameTheKeyAndTheFile) {

@@ -41,20 +41,22 @@ const char* const yaml = R"(A test:
 TEUCHOS_UNIT_TEST(Scene, saysWhatTheFileSays) {
   const drivers::Scene scene = read(SceneText());
   TEST_EQUALITY(scene.title, "A test");
-  TEST_EQUALITY(scene.body, "block");
-  TEST_EQUALITY(scene.material.youngsModulus, 200);
-  TEST_EQUALITY(scene.material.poissonsRatio, 0.25);
-  TEST_ASSERT(!scene.material.planeStress);
-  TEST_EQUALITY(scene.outline->edges().size(), 4u);
-  TEST_ASSERT((scene.elementsPerEdge == std::vector<int>{4, 2, 4, 2}));
-  const contact::Conditions::Contact& base = scene.conditions.contact.at("base");
+  TEST_EQUALITY(scene.bodies[0].name, "block");
+  TEST_EQUALITY(scene.bodies[0].material.youngsModulus, 200);
+  TEST_EQUALITY(scene.bodies[0].material.poissonsRatio, 0.25);
+  TEST_ASSERT(!scene.bodies[0].material.planeStress);
+  TEST_EQUALITY(scene.bodies[0].outline->edges().size(), 4u);
+  TEST_ASSERT((scene.bodies[0].elementsPerEdge == std::vector<int>{4, 2, 4, 2}));
+  const contact::Conditions::Contact& base =
+      scene.bodies[0].conditions.contact.at("base");
   TEST_EQUALITY(base.friction.at({0.5, 0}, 1).bound(2), 0.6);
   TEST_FLOATING_EQUALITY(base.gap({2, 0}), 0.4, 1e-15);
-  const contact::Conditions::Dirichlet& top = scene.conditions.dirichlet.at("top");
+  const contact::Conditions::Dirichlet& top =
+      scene.bodies[0].conditions.dirichlet.at("top");
   TEST_ASSERT(!top.x);
   TEST_EQUALITY(top.y({0, 1}), -0.01);
-  TEST_ASSERT(scene.conditions.neumann.empty());
-  TEST_ASSERT(scene.conditions.fix.x && !scene.conditions.fix.y);
+  TEST_ASSERT(scene.bodies[0].conditions.neumann.empty());
+  TEST_ASSERT(scene.bodies[0].conditions.fix.x && !scene.bodies[0].conditions.fix.y);
 }
 
 TEUCHOS_UNIT_TEST(Scene, defaultsAreThoseOfTheOptions) {
@@ -76,7 +78,7 @@ TEUCHOS_UNIT_TEST(Scene, defaultsAreThoseOfTheOptions) {
                     .sublist("Stabilization")
                     .get<double>("Gamma0"),
                 stabilization.firstGamma0());
-  TEST_EQUALITY(scene.degree, 1);
+  TEST_EQUALITY(scene.bodies[0].degree, 1);
   TEST_EQUALITY(scene.multiplier, "Gauss-Legendre-Lagrange");
   TEST_EQUALITY(scene.adaptivity.strategy.name, "None");
   TEST_EQUALITY(scene.adaptivity.limits.levels, 1);
@@ -89,8 +91,8 @@ TEUCHOS_UNIT_TEST(Scene, isTheSameFromXmlAndYaml) {
   const drivers::Scene fromYaml = drivers::readScene(file.path());
   const drivers::Scene fromXml = read(SceneText());
   TEST_EQUALITY(drivers::usedXml(fromYaml), drivers::usedXml(fromXml));
-  TEST_EQUALITY(fromYaml.conditions.contact.at("base").gap({2, 0}),
-                fromXml.conditions.contact.at("base").gap({2, 0}));
+  TEST_EQUALITY(fromYaml.bodies[0].conditions.contact.at("base").gap({2, 0}),
+                fromXml.bodies[0].conditions.contact.at("base").gap({2, 0}));
 }
 
 TEUCHOS_UNIT_TEST(Scene, usedXmlGivesTheSameSceneBitByBit) {
@@ -122,12 +124,12 @@ TEUCHOS_UNIT_TEST(Scene, usedXmlGivesTheSameSceneBitByBit) {
     return list;
   }());
   TEST_EQUALITY(second.title, "A test");
-  TEST_EQUALITY(second.degree, 3);
+  TEST_EQUALITY(second.bodies[0].degree, 3);
   TEST_EQUALITY(second.stabilization.firstGamma0(), 7.1e-3);
-  TEST_EQUALITY(second.material.youngsModulus, 0.30000000000000004);
+  TEST_EQUALITY(second.bodies[0].material.youngsModulus, 0.30000000000000004);
   TEST_EQUALITY(second.output.interiorPoints[1].x, 0.033333333333333347);
-  TEST_EQUALITY(second.conditions.contact.at("base").gap({0.5, 0}),
-                first.conditions.contact.at("base").gap({0.5, 0}));
+  TEST_EQUALITY(second.bodies[0].conditions.contact.at("base").gap({0.5, 0}),
+                first.bodies[0].conditions.contact.at("base").gap({0.5, 0}));
 }
 
 /// Only what the user wrote can be wrong: used.xml must not turn a default into that.
@@ -155,15 +157,15 @@ TEUCHOS_UNIT_TEST(Scene, overridesReadTheDeclaredType) {
                     "Adaptivity->Strategy=Uniform h", "Adaptivity->Maximum Levels=4",
                     "Bodies->block->Rigid Motions->Fix={X, Rotation}",
                     "Discretization->Degree=2", "Discretization->Degree=5"});
-  TEST_ASSERT((scene.elementsPerEdge == std::vector<int>{1, 2, 3, 4}));
-  TEST_EQUALITY(scene.conditions.contact.at("base").gap({1, 0}), 2.0);
-  TEST_EQUALITY(scene.conditions.contact.at("base").gap({0, 0}), 3.0);
-  TEST_EQUALITY(scene.material.youngsModulus, 7.0);
+  TEST_ASSERT((scene.bodies[0].elementsPerEdge == std::vector<int>{1, 2, 3, 4}));
+  TEST_EQUALITY(scene.bodies[0].conditions.contact.at("base").gap({1, 0}), 2.0);
+  TEST_EQUALITY(scene.bodies[0].conditions.contact.at("base").gap({0, 0}), 3.0);
+  TEST_EQUALITY(scene.bodies[0].material.youngsModulus, 7.0);
   TEST_ASSERT(!scene.output.fields);
-  TEST_FLOATING_EQUALITY(scene.outline->diameter(), std::sqrt(17.0), 1e-15);
+  TEST_FLOATING_EQUALITY(scene.bodies[0].outline->diameter(), std::sqrt(17.0), 1e-15);
   TEST_EQUALITY(scene.adaptivity.limits.levels, 4);
-  TEST_ASSERT(scene.conditions.fix.rotation);
-  TEST_EQUALITY(scene.degree, 5);  // the last one counts
+  TEST_ASSERT(scene.bodies[0].conditions.fix.rotation);
+  TEST_EQUALITY(scene.bodies[0].degree, 5);  // the last one counts
 }
 
 TEUCHOS_UNIT_TEST(Scene, wholeNumbersAndNumbersStandForDoublesAndExpressions) {
@@ -175,10 +177,10 @@ TEUCHOS_UNIT_TEST(Scene, wholeNumbersAndNumbersStandForDoublesAndExpressions) {
   text.top = R"(<Parameter name="Type" type="string" value="Neumann"/>
                 <Parameter name="Traction Y" type="int" value="-3"/>)";
   const drivers::Scene scene = read(text);
-  TEST_EQUALITY(scene.material.youngsModulus, 200.0);
-  TEST_EQUALITY(scene.conditions.contact.at("base").gap({7, 7}), 0.1);
-  TEST_EQUALITY(scene.conditions.neumann.at("top").y({7, 7}), -3.0);
-  TEST_ASSERT(!scene.conditions.contact.at("base").friction);
+  TEST_EQUALITY(scene.bodies[0].material.youngsModulus, 200.0);
+  TEST_EQUALITY(scene.bodies[0].conditions.contact.at("base").gap({7, 7}), 0.1);
+  TEST_EQUALITY(scene.bodies[0].conditions.neumann.at("top").y({7, 7}), -3.0);
+  TEST_ASSERT(!scene.bodies[0].conditions.contact.at("base").friction);
 }
 
 TEUCHOS_UNIT_TEST(Scene, meshSizeGivesTheFewestElementsThatAreNotLarger) {
@@ -190,7 +192,7 @@ TEUCHOS_UNIT_TEST(Scene, meshSizeGivesTheFewestElementsThatAreNotLarger) {
     SceneText text;
     text.discretization = R"(<Parameter name="Mesh Size" type="double" value=")" +
                           std::to_string(size) + "\"/>";
-    TEST_ASSERT(read(text).elementsPerEdge == wanted);
+    TEST_ASSERT(read(text).bodies[0].elementsPerEdge == wanted);
   }
 }
 
@@ -203,8 +205,8 @@ TEUCHOS_UNIT_TEST(Scene, elementsOfAHoleFollowItsEdges) {
     <Parameter name="Hole 1 Elements per Edge" type='Array(int)' value="{10, 11, 12}"/>)";
   const drivers::Scene scene = read(text);
   for (std::size_t e = 4; e < 7; ++e) {
-    const std::string& name = scene.outline->edges()[e].boundary;
-    TEST_EQUALITY(scene.elementsPerEdge[e], 10 + (name[1] - '0'));
+    const std::string& name = scene.bodies[0].outline->edges()[e].boundary;
+    TEST_EQUALITY(scene.bodies[0].elementsPerEdge[e], 10 + (name[1] - '0'));
   }
 }
 

@@ -110,7 +110,8 @@ claim(list(history[0])[:9] == ["level", "elements", "dof_displacement", "dof_mul
                                "dof", "dof_density", "degree_min", "degree_max",
                                "size_min"], "history.csv begins as promised")
 claim(list(contact[0]) == ["boundary", "element", "x", "y", "lambda_n", "lambda_t", "u_n",
-                           "u_t", "gap", "bound", "contact", "friction"],
+                           "u_t", "gap", "bound", "contact", "friction", "body",
+                              "contact_name", "s"],
       "contact.csv has its columns")
 
 # failures of the numerics

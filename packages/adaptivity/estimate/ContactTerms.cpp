@@ -17,10 +17,11 @@ void addChanges(const bem::Profile& f, int degree, Vector& breaks) {
 
 Vector breaks(const ContactProfiles& c) {
   Vector result = {-0.5, 0, 0.5};  // gap and bound are the user's and may bend anywhere
+  result.insert(result.end(), c.nodes.begin(), c.nodes.end());
   addChanges(c.pressure, c.degree, result);
-  addChanges(c.opening, c.degree, result);
+  addChanges(c.opening, c.highest, result);
   addChanges(c.shear, c.degree, result);
-  addChanges(c.tangential, c.degree, result);
+  addChanges(c.tangential, c.highest, result);
   addChanges([&](double t) { return std::abs(c.shear(t)) - c.bound(t); }, c.degree,
              result);
   return result;
@@ -42,9 +43,9 @@ void addBends(const bem::Profile& force, const bem::Profile& length, double stif
 
 Vector sharpBreaks(const ContactProfiles& c, double stiffness) {
   Vector result = breaks(c);
-  addBends(c.pressure, c.opening, stiffness, c.degree, result);
+  addBends(c.pressure, c.opening, stiffness, c.highest, result);
   addBends([&](double t) { return unusedBound(c.bound(t), c.shear(t), c.tangential(t)); },
-           [&](double t) { return std::abs(c.tangential(t)); }, stiffness, c.degree,
+           [&](double t) { return std::abs(c.tangential(t)); }, stiffness, c.highest,
            result);
   return result;
 }
@@ -87,9 +88,17 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   const contact::Conditions::Contact& condition = *element.condition;
   const bem::Units units = solved.units;
   const int e = element.element;
-  const auto opening = [&mesh, &condition, units, e, normal](double t) {
-    const double gap = condition.gap ? condition.gap(mesh.physicalPoint(e, t)) : 0.0;
-    return gap / units.length - normal(t);
+  const contact::Opposite& opposite = solved.problem.opposite();
+  const auto motion = [&solved](const contact::Opposite::Point& met) {
+    return motionAt(solved.motions, met);
+  };
+  const auto opening = [&opposite, &element, across, normal, motion](double t) {
+    const auto met = opposite.at(element, t);
+    return met.gap + dot(motion(met), across) - normal(t);
+  };
+  const Polynomial own = component(along);
+  const auto tangential = [&opposite, &element, along, own, motion](double t) {
+    return own(t) - dot(motion(opposite.at(element, t)), along);
   };
   const auto bound = [&mesh, &condition, units, e, pressure](double t) {
     return condition.friction.at(mesh.physicalPoint(e, t), units.stress)
@@ -97,11 +106,13 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   };
   return {pressure,
           stress(&Value::tangential, along),
-          component(along),
+          opposite.isStill() ? bem::Profile(own) : tangential,
           opening,
           bound,
           p,
-          geometry.half};
+          geometry.half,
+          opposite.breaks(element),
+          std::max(p, opposite.degree(element))};
 }
 
 namespace {
@@ -111,7 +122,7 @@ namespace {
 template <class Complementarity, class Slip>
 Contributions terms(const ContactProfiles& c, const Vector& breaks,
                     const Complementarity& complementarity, const Slip& slip) {
-  const bem::Rule rule = bem::piecewiseRule(breaks, c.degree + 6);
+  const bem::Rule rule = bem::piecewiseRule(breaks, c.highest + 6);
   const double size = 2 * c.half / c.degree;  // h/p
   Contributions squares{};
   for (std::size_t q = 0; q < rule.points.size(); ++q) {

@@ -30,13 +30,15 @@ class Polynomial {
 
 /// What a contact element's terms are made of; functions of t, dimensionless.
 struct ContactProfiles {
-  Polynomial pressure;    ///< λₙ
-  Polynomial shear;       ///< λₜ
-  Polynomial tangential;  ///< uₜ
-  bem::Profile opening;   ///< g - uₙ
-  bem::Profile bound;     ///< s, for the pressure's positive part
+  Polynomial pressure;      ///< λₙ
+  Polynomial shear;         ///< λₜ
+  bem::Profile tangential;  ///< uₜ
+  bem::Profile opening;     ///< g - uₙ
+  bem::Profile bound;       ///< s, for the pressure's positive part
   int degree;
-  double half;  ///< of the element's length
+  double half;           ///< of the element's length
+  Vector nodes{};        ///< of what is met, in (-1, 1)
+  int highest = degree;  ///< degree of the displacements, that of what is met included
 };
 
 /// Of λʰ + valueAt(correction); s is that of its pressure.

@@ -19,7 +19,7 @@ class FixedTraction {
   explicit FixedTraction(const contact::Solved& solved)
       : mesh_(solved.space.mesh()),
         centroid_(contact::makeRigidModes(solved.space).centroid),
-        amplitudes_(solved.problem.fixedReactions(solved.state)) {}
+        amplitudes_(solved.problem.fixedReactions(solved.state, solved.met)) {}
 
   Vec2 at(int e, double t) const {
     const Vec2 arm = mesh_.scaledPoint(e, t) - centroid_;
@@ -72,7 +72,8 @@ class Residuals {
     for (const bem::BoundaryValue& value : values) {
       const double t = value.place.t;
       const Vec2 load = loaded ? loadAt(neumann->second, e, t) : Vec2{};
-      const Vec2 r = load + fixed_.at(e, t) - value.traction;
+      const Vec2 pressed = solved_.pressed ? solved_.pressed(e, t) : Vec2{};
+      const Vec2 r = load + pressed + fixed_.at(e, t) - value.traction;
       of(squares, Source::Neumann) += value.weight * h / mesh_[e].degree *
                                       (given.x * r.x * r.x + given.y * r.y * r.y);
     }
@@ -110,16 +111,16 @@ class Residuals {
   }
 
   /// What a contact element has in addition, with λ̃ in λʰ's place; `residual` belongs to
-  /// λʰ.
+  /// λʰ, `shearModulus` to both sides.
   Contributions contactSquares(const ContactElement& contact,
                                const std::vector<bem::BoundaryValue>& values,
                                const std::vector<Vec2>& residual,
-                               const AtEnds& correction) const {
+                               const AtEnds& correction, double shearModulus) const {
     const bem::Element& element = mesh_[contact.element];
     const double size = 2 * element.half / element.degree;
     const ContactProfiles profiles = contactProfiles(solved_, contact, correction);
     Contributions squares = weights_.bounds == Bounds::Sharp
-                                ? sharpContactTerms(profiles, mu_)
+                                ? sharpContactTerms(profiles, shearModulus)
                                 : contactTerms(profiles);
     double& square = of(squares, Source::Contact);
     for (std::size_t q = 0; q < values.size(); ++q) {
@@ -166,6 +167,22 @@ Contributions factorsOf(const contact::Solved& solved, const bem::Lame& lame,
   for (const Source source : {Source::Neumann, Source::Contact, Source::Density})
     of(factors, source) *= options.residualFactor;
   return factors;
+}
+
+void multiply(Contributions& squares, const Contributions& factors) {
+  for (std::size_t i = 0; i < sourceCount; ++i)
+    squares[i] *= factors[i];
+}
+
+/// What both sides of a contact oppose to a force or a motion that one of them does not
+/// want: 1 / (1/μ_A + 1/μ_B); its own where the other one does not deform.
+double sharedShearModulus(const contact::Solved& solved, const ContactElement& element,
+                          double own) {
+  const auto met = solved.problem.opposite().at(element, 0);
+  if (met.element < 0 || solved.motions == nullptr)
+    return own;
+  const double other = solved.motions->shearModuli[static_cast<std::size_t>(met.body)];
+  return own * other / (own + other);
 }
 
 using Fields = std::vector<std::vector<bem::BoundaryValue>>;
@@ -247,27 +264,36 @@ Indicators estimateResidual(const contact::Solved& solved, const Vector& density
     moments.push_back(Residuals::moments(element, values, contactResiduals.back()));
   }
   const bool sharp = weights.bounds == Bounds::Sharp;
-  const std::vector<AtEnds> correction = sharp
+  // another body would tell a multiplier that does the same work on this one
+  const bool alone = solved.problem.opposite().bodies().empty();
+  const std::vector<AtEnds> correction = sharp && alone
                                              ? corrections(solved, lame, factors, moments)
                                              : std::vector<AtEnds>(touching.size());
 
   std::vector<Contributions> squares = squaresOf(residuals, fields, isTouching);
+  for (Contributions& square : squares)
+    multiply(square, factors);
   for (std::size_t k = 0; k < touching.size(); ++k) {
     const auto& values = fieldsOf(touching[k]);
     if (values.empty())
       continue;
+    bem::Lame both = lame;
+    both.mu = sharedShearModulus(solved, touching[k], lame.mu);
+    Contributions contact = residuals.contactSquares(
+        touching[k], values, contactResiduals[k], correction[k], both.mu);
+    of(contact, Source::Density) += residuals.meanMismatch(k, density);
+    if (sharp && !solved.problem.byDensity())
+      of(contact, Source::Contact) +=
+          residuals.stabilisation(k, values, contactResiduals[k]);
+    Contributions scales =
+        both.mu == lame.mu ? factors : factorsOf(solved, both, options);
+    for (const Source own : {Source::Contact, Source::Density})
+      of(scales, own) = factors[static_cast<std::size_t>(own)];
+    multiply(contact, scales);
     Contributions& all = squares[static_cast<std::size_t>(touching[k].element)];
-    const Contributions contact =
-        residuals.contactSquares(touching[k], values, contactResiduals[k], correction[k]);
     for (std::size_t i = 0; i < sourceCount; ++i)
       all[i] += contact[i];
-    of(all, Source::Density) += residuals.meanMismatch(k, density);
-    if (sharp && !solved.problem.byDensity())
-      of(all, Source::Contact) += residuals.stabilisation(k, values, contactResiduals[k]);
   }
-  for (Contributions& square : squares)
-    for (std::size_t i = 0; i < sourceCount; ++i)
-      square[i] *= factors[i];
   return gathered(squares, algebra);
 }
 

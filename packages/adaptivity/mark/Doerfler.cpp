@@ -28,4 +28,20 @@ std::vector<int> doerfler(const bem::Vector& squares, double fraction) {
   return marked;
 }
 
+std::vector<std::vector<int>> doerfler(const std::vector<bem::Vector>& squares,
+                                       double fraction) {
+  bem::Vector all;
+  for (const bem::Vector& body : squares)
+    all.insert(all.end(), body.begin(), body.end());
+  std::vector<std::vector<int>> marked(squares.size());
+  std::size_t b = 0;
+  int first = 0;
+  for (const int e : doerfler(all, fraction)) {
+    while (e - first >= static_cast<int>(squares[b].size()))
+      first += static_cast<int>(squares[b++].size());
+    marked[b].push_back(e - first);
+  }
+  return marked;
+}
+
 }  // namespace epafi::adaptivity

@@ -14,4 +14,8 @@ namespace epafi::adaptivity {
 /// are zero.
 std::vector<int> doerfler(const bem::Vector& squares, double fraction);
 
+/// The same over the elements of all bodies together: of each body, its own.
+std::vector<std::vector<int>> doerfler(const std::vector<bem::Vector>& squares,
+                                       double fraction);
+
 }  // namespace epafi::adaptivity

@@ -62,8 +62,9 @@ PreparedMesh find(const SolvedMesh& level, const GradingOptions&,
 PreparedMesh follow(const SolvedMesh& level, const GradingOptions& options,
                     const bem::DenseAlgebra& algebra) {
   const bem::Mesh& mesh = level.space.mesh();
-  const auto located = locateTransitions(
-      level.space, level.displacement, level.conditions, level.multiplier, level.states);
+  const auto located =
+      locateTransitions(level.space, level.displacement, level.conditions,
+                        level.multiplier, level.states, level.opposite, level.motions);
   const std::vector<bool> held = heldNodes(mesh, level.coarse);
   const auto moves =
       agree(chooseMoves(mesh, held, located.transitions, options.reach), algebra);

@@ -7,6 +7,7 @@
 #include "bem/base/SchemaRow.hpp"
 #include "bem/basis/Legendre.hpp"
 #include "bem/space/Space.hpp"
+#include "contact/problem/Opposite.hpp"
 
 #include <string>
 #include <vector>
@@ -26,7 +27,9 @@ struct SolvedMesh {
   const contact::MultiplierSpace& multiplier;
   const contact::ContactState& states;
   const bem::Vector& displacement;
-  const bem::Mesh& coarse;  ///< the scene's own: its nodes stay, see heldNodes
+  const bem::Mesh& coarse;            ///< the scene's own: its nodes stay, see heldNodes
+  const contact::Opposite& opposite;  ///< what its contact sides meet, and how that moves
+  const contact::Motions* motions = nullptr;
 };
 
 /// The mesh that is refined, and where its singular points are.

@@ -1,6 +1,5 @@
 #include "adaptivity/mark/Strategy.hpp"
 
-#include "adaptivity/mark/Doerfler.hpp"
 #include "bem/basis/Legendre.hpp"
 
 #include <Teuchos_ParameterList.hpp>
@@ -31,7 +30,7 @@ Marks raiseAll(const LevelData& level) {
 
 Marks bisectWorst(const LevelData& level) {
   Marks marks = nothing(level);
-  for (const int e : doerfler(level.squares, level.markingFraction))
+  for (const int e : level.worst)
     marks[static_cast<std::size_t>(e)] = Mark::Bisect;
   return marks;
 }
@@ -39,7 +38,7 @@ Marks bisectWorst(const LevelData& level) {
 // [P Alg. 25]
 Marks refineWorst(const LevelData& level) {
   Marks marks = nothing(level);
-  for (const int e : doerfler(level.squares, level.markingFraction)) {
+  for (const int e : level.worst) {
     const auto k = static_cast<std::size_t>(e);
     const bool raise = level.analytic[k] && level.mesh[e].degree < bem::largestDegree;
     marks[k] = raise ? Mark::RaiseDegree : Mark::Bisect;
@@ -68,7 +67,7 @@ Marks withNeighbours(const bem::Mesh& mesh, Marks marks) {
 
 Marks gradeWorst(const LevelData& level) {
   Marks marks = nothing(level);
-  for (const int e : doerfler(level.squares, level.markingFraction))
+  for (const int e : level.worst)
     marks[static_cast<std::size_t>(e)] =
         gradedMark(level.mesh, e, level.singular,
                    level.analytic[static_cast<std::size_t>(e)], level.grading);

@@ -10,12 +10,11 @@
 
 namespace epafi::adaptivity {
 
-/// What a strategy decides from: a solved level, as numbers.
+/// What a strategy decides from: a body of a solved level, as numbers.
 struct LevelData {
   const bem::Mesh& mesh;
-  bem::Vector squares;         ///< Ξ² of each element, see estimateResidual
+  std::vector<int> worst;      ///< elements that carry the marking fraction, see doerfler
   std::vector<bool> analytic;  ///< of each element, see looksAnalytic
-  double markingFraction = 0.3;
   SingularPoints singular;
   GradingOptions grading{};
 };

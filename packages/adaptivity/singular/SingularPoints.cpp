@@ -17,6 +17,9 @@ Singularity fromConditions(const bem::Mesh& mesh, int e,
     return isClamped(mesh, e, conditions) != isClamped(mesh, before, conditions)
                ? Singularity::Strong
                : Singularity::Weak;
+  // where what is opposite ends, the pressure does
+  if (contactOn(mesh, e, conditions) != contactOn(mesh, before, conditions))
+    return Singularity::Strong;
   return bem::joinSmoothly(mesh[before].curve, mesh[e].curve) ? Singularity::None
                                                               : Singularity::Weak;
 }

@@ -156,8 +156,13 @@ bool endsShortZone(const Places& places, const std::vector<Changes>& all, std::s
 /// What the side that moves tells about a group's place.
 class Locator {
  public:
-  Locator(const bem::Space& space, const bem::Vector& displacement, const Places& places)
-      : space_(space), displacement_(displacement), places_(places) {}
+  Locator(const bem::Space& space, const bem::Vector& displacement, const Places& places,
+          const contact::Opposite& opposite, const contact::Motions* motions)
+      : space_(space),
+        displacement_(displacement),
+        places_(places),
+        opposite_(opposite),
+        motions_(motions) {}
 
   std::optional<double> locate(const Changes& group, const Respect& respect) const {
     const std::size_t first = group.front();
@@ -210,17 +215,17 @@ class Locator {
   double motion(const ContactElement& element, double t, const Respect& respect) const {
     const bem::Mesh& mesh = space_.mesh();
     const int e = element.element;
-    const double gap = element.condition->gap
-                           ? element.condition->gap(mesh.physicalPoint(e, t)) /
-                                 mesh.outline().scaling().length
-                           : 0.0;
-    return respect.motion(space_.displacementAt(displacement_, e, t),
-                          mesh[e].curve.normal(t), gap);
+    const auto met = opposite_.at(element, t);
+    return respect.motion(
+        space_.displacementAt(displacement_, e, t) - motionAt(motions_, met),
+        mesh[e].curve.normal(t), met.gap);
   }
 
   const bem::Space& space_;
   const bem::Vector& displacement_;
   const Places& places_;
+  const contact::Opposite& opposite_;
+  const contact::Motions* motions_;
 };
 
 /// The singular points of the conditions, and the changes of state of which not every
@@ -252,10 +257,12 @@ LocatedTransitions locateTransitions(const bem::Space& space,
                                      const bem::Vector& displacement,
                                      const contact::Conditions& conditions,
                                      const contact::MultiplierSpace& multiplier,
-                                     const contact::ContactState& states) {
+                                     const contact::ContactState& states,
+                                     const contact::Opposite& opposite,
+                                     const contact::Motions* motions) {
   const bem::Mesh& mesh = space.mesh();
   const Places places(mesh, multiplier, states);
-  const Locator locator(space, displacement, places);
+  const Locator locator(space, displacement, places, opposite, motions);
   LocatedTransitions result;
   std::vector<int> explained(places.size());  // changes of a respect after each place
   for (const Respect& respect : respects) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adaptivity/singular/SingularPoints.hpp"
+#include "contact/problem/Opposite.hpp"
 
 namespace epafi::adaptivity {
 
@@ -33,11 +34,15 @@ struct LocatedTransitions {
 /// zone on one or two elements are not looked for: such a zone may be what the mesh makes
 /// of a jump.  A place outside the elements in which the states change is not believed:
 /// then they stay with `others`, as do changes between the two directions of slip.
+///
+/// `opposite`, `motions`: what the contact sides meet, and how that moves.
 LocatedTransitions locateTransitions(const bem::Space& space,
                                      const bem::Vector& displacement,
                                      const contact::Conditions& conditions,
                                      const contact::MultiplierSpace& multiplier,
-                                     const contact::ContactState& states);
+                                     const contact::ContactState& states,
+                                     const contact::Opposite& opposite,
+                                     const contact::Motions* motions = nullptr);
 
 /// All of them as singular points of a mesh, which may differ from the one they were
 /// found on by moved nodes: a transition less than one percent of an element away from a

@@ -3,6 +3,7 @@
 #include "bem/base/Function.hpp"
 #include "contact/law/FrictionLaw.hpp"
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -22,15 +23,39 @@ struct Conditions {
     bem::Function x;
     bem::Function y;
   };
-  /// Unilateral contact with a rigid obstacle at distance `gap` along the outward normal.
+  /// A part of an edge of the outline, between two distances from its start, in lengths of
+  /// the outline's scaling.
+  struct Part {
+    int edge = 0;
+    double from = 0;
+    double to = 0;
+  };
+  /// Unilateral contact with a rigid obstacle at distance `gap` along the outward normal, or
+  /// with the outline of another body, which `gap` is added to the distance of.
   struct Contact {
     bem::Function gap;
     Friction friction;
+    std::string name{};         ///< the scene's for contact with another body; else empty
+    std::vector<Part> parts{};  ///< of the boundary that meets it; else all of it does
+
+    bool holds(int edge, double place) const {
+      return name.empty() ||
+             std::any_of(parts.begin(), parts.end(), [&](const Part& part) {
+               return part.edge == edge && part.from <= place && place <= part.to;
+             });
+    }
   };
 
   std::map<std::string, Dirichlet> dirichlet;
   std::map<std::string, Neumann> neumann;
   std::map<std::string, Contact> contact;
+
+  /// The contact of a boundary where it is in the middle of a piece of an edge, if any.
+  const Contact* contactOn(const std::string& boundary, int edge, double place) const {
+    const auto found = contact.find(boundary);
+    return found != contact.end() && found->second.holds(edge, place) ? &found->second
+                                                                      : nullptr;
+  }
 
   /// Rigid motions held by  ∫ u·r ds = 0  over the whole boundary; the reaction acts as a
   /// uniform traction of that mode.  Rotation is about the boundary's centroid.

@@ -23,18 +23,25 @@ bool continues(const bem::Mesh& mesh, const ContactElement& before,
 
 }  // namespace
 
+const Conditions::Contact* contactOn(const bem::Mesh& mesh, int e,
+                                     const Conditions& conditions) {
+  const bem::Piece& piece = mesh[e].piece;
+  return conditions.contactOn(mesh.boundary(e), piece.edge,
+                              0.5 * (piece.start.fromStart + piece.end.fromStart));
+}
+
 MultiplierSpace::MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& basis,
                                  const Conditions& conditions)
     : basis_(&basis) {
   for (int e = 0; e < mesh.size(); ++e) {
-    const auto condition = conditions.contact.find(mesh.boundary(e));
-    if (condition == conditions.contact.end())
+    const Conditions::Contact* condition = contactOn(mesh, e, conditions);
+    if (condition == nullptr)
       continue;
     ContactElement element;
     element.element = e;
     element.degree = mesh[e].degree;
-    element.boundary = &condition->first;
-    element.condition = &condition->second;
+    element.boundary = &conditions.contact.find(mesh.boundary(e))->first;
+    element.condition = condition;
     if (element.condition->friction)
       element.tangential = 0;
     elements_.push_back(element);

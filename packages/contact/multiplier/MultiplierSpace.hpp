@@ -22,6 +22,10 @@ struct EndCoefficients {
   bool last = true;
 };
 
+/// The contact that an element is in, if any.
+const Conditions::Contact* contactOn(const bem::Mesh& mesh, int e,
+                                     const Conditions& conditions);
+
 /// What an element's polynomial has at an end beyond the coefficient numbered there.
 struct EndCompletion {
   /// The displacement is prescribed there: it cannot be held to anything.

@@ -18,49 +18,47 @@ Vector boundsAsCoefficients(const Problem& numbers, const Vector& multiplier) {
 
 }  // namespace
 
-ContactFields::ContactFields(const ContactProblem& problem, const bem::Space& space,
-                             bem::Units units, const State& state,
-                             const Vector& displacement)
-    : problem_(problem),
-      space_(space),
-      units_(units),
-      multiplier_(state.multiplier),
-      displacement_(displacement),
-      bounds_(boundsAsCoefficients(problem.numbers(), state.multiplier)),
-      tolerance_(stateTolerance * problem.numbers().stress) {}
+ContactFields::ContactFields(const Solved& solved)
+    : solved_(solved),
+      units_(solved.units),
+      multiplier_(solved.state.multiplier),
+      bounds_(boundsAsCoefficients(solved.problem.numbers(), solved.state.multiplier)),
+      tolerance_(stateTolerance * solved.problem.numbers().stress) {}
 
 double ContactFields::closing(const Element& element, double t) const {
-  return problem_.multiplier().at(multiplier_, element, t).normal - tolerance_;
+  return multiplierSpace().at(multiplier_, element, t).normal - tolerance_;
 }
 
 double ContactFields::discreteBound(const Element& element, double t) const {
-  return units_.stress * problem_.multiplier().at(bounds_, element, t).tangential;
+  return units_.stress * multiplierSpace().at(bounds_, element, t).tangential;
 }
 
 double ContactFields::slipping(const Element& element, double t) const {
   if (element.tangential < 0)
     return -tolerance_;
-  const double bound = problem_.multiplier().at(bounds_, element, t).tangential;
+  const double bound = multiplierSpace().at(bounds_, element, t).tangential;
   if (bound <= tolerance_)
     return -tolerance_;
-  const double shear = problem_.multiplier().at(multiplier_, element, t).tangential;
+  const double shear = multiplierSpace().at(multiplier_, element, t).tangential;
   return std::abs(shear) - bound + tolerance_;
 }
 
 ContactPoint ContactFields::at(const Element& element, double t) const {
-  const MultiplierSpace& space = problem_.multiplier();
+  const MultiplierSpace& space = multiplierSpace();
   const auto stress = space.at(multiplier_, element, t);
-  const bem::Element& geometry = space_.mesh()[element.element];
-  const bem::Vec2 u = space_.displacementAt(displacement_, element.element, t);
+  const bem::Mesh& mesh = solved_.space.mesh();
+  const bem::Element& geometry = mesh[element.element];
+  const Opposite::Point opposite = solved_.problem.opposite().at(element, t);
+  const bem::Vec2 u = solved_.relativeDisplacement(element, t, opposite);
 
   ContactPoint point;
-  point.place = space_.mesh().physicalPoint(element.element, t);
+  point.place = mesh.physicalPoint(element.element, t);
   point.pressure = units_.stress * stress.normal;
   point.shear = units_.stress * stress.tangential;
   point.normal = units_.length * dot(u, geometry.curve.normal(t));
   point.tangential = units_.length * dot(u, geometry.curve.tangent(t));
   const Conditions::Contact& condition = *element.condition;
-  point.gap = condition.gap ? condition.gap(point.place) : 0;
+  point.gap = units_.length * opposite.gap;
   point.closed = closing(element, t) > 0;
   if (element.tangential >= 0) {
     point.bound = units_.stress *

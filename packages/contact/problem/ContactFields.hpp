@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/problem/ContactProblem.hpp"
+#include "contact/problem/Solved.hpp"
 
 namespace epafi::contact {
 
@@ -16,8 +16,8 @@ struct ContactPoint {
   bem::Vec2 place;
   double pressure = 0;    ///< λₙ [stress]
   double shear = 0;       ///< λₜ [stress]
-  double normal = 0;      ///< uₙ [length]
-  double tangential = 0;  ///< uₜ [length]
+  double normal = 0;      ///< uₙ, relative to a body that is met [length]
+  double tangential = 0;  ///< uₜ likewise [length]
   double gap = 0;         ///< [length]
   double bound = 0;       ///< what the law lets |λₜ| be at this pressure [stress]
   bool closed = false;    ///< λₙ > 0
@@ -31,13 +31,12 @@ struct ContactPoint {
 /// Refers to its arguments, which must outlive it.
 class ContactFields {
  public:
-  ContactFields(const ContactProblem& problem, const bem::Space& space, bem::Units units,
-                const State& state, const Vector& displacement);
+  explicit ContactFields(const Solved& solved);
 
   using Element = MultiplierSpace::ContactElement;
-  const std::vector<Element>& elements() const {
-    return problem_.multiplier().elements();
-  }
+  const std::vector<Element>& elements() const { return multiplierSpace().elements(); }
+
+  const Opposite& opposite() const { return solved_.problem.opposite(); }
 
   ContactPoint at(const Element& element, double t) const;
 
@@ -52,11 +51,11 @@ class ContactFields {
   double slipping(const Element& element, double t) const;
 
  private:
-  const ContactProblem& problem_;
-  const bem::Space& space_;
+  const MultiplierSpace& multiplierSpace() const { return solved_.problem.multiplier(); }
+
+  Solved solved_;
   bem::Units units_;
   const Vector& multiplier_;
-  const Vector& displacement_;
   Vector bounds_;  ///< slip bounds as coefficients, in place of the tangential ones
   double tolerance_;
 };

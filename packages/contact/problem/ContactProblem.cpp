@@ -1,13 +1,15 @@
 #include "contact/problem/ContactProblem.hpp"
 
 #include "bem/algebra/Blas.hpp"
-#include "contact/problem/ElasticBody.hpp"
-#include "contact/problem/Obstacle.hpp"
+#include "bem/algebra/SmallAlgebra.hpp"
+#include "contact/problem/BodyParts.hpp"
 
 #include <algorithm>
 #include <limits>
 
 namespace epafi::contact {
+
+using bem::axpy;
 
 namespace {
 
@@ -61,91 +63,87 @@ double limitGamma0(const ContactProblem::Input& input) {
                makeHolding(input.space, input.conditions, input.units));
 }
 
-struct ContactProblem::Parts {
-  Holding holding;
-  MultiplierSpace multiplier;
-  std::unique_ptr<const StabilisedBody> form;
-  double gamma0 = 0;
-  std::unique_ptr<const ElasticBody> body{};
-  Vector gap{};
-  Problem numbers{};
+ContactProblem::Parts::Parts(const Input& input)
+    : holding(makeHolding(input.space, input.conditions, input.units)),
+      multiplier(input.space.mesh(), input.basis, input.conditions),
+      opposite(input.opposite ? input.opposite
+                              : std::make_shared<const DistantObstacle>(
+                                    input.space.mesh(), input.units.length)),
+      form(makeStabilisedBody(input, multiplier)),
+      algebra(input.stiffness.algebra()),
+      obstacle(makeObstacle(input.space.mesh(), multiplier, *opposite, input.units)) {
+  factor(input);
+  numbers.normals = multiplier.normals();
+  numbers.tangentials = obstacle.tangentials;
+}
 
-  bool isStabilised(const Input& input) const {
-    return input.stabilization.form != Stabilization::Form::None &&
-           !multiplier.elements().empty();
-  }
+double ContactProblem::Parts::size() const {
+  // dimensionless: strains and stresses are of one size
+  return holding.loads.largestTraction + holding.loads.largestDisplacement +
+         obstacle.largestPenetration + obstacle.largestMotion;
+}
 
-  /// Factors A, with a smaller γ₀ where the default is too large.
-  /// \throws IndefiniteStiffness if it is not the default that is.
-  void makeBody(const Input& input) {
-    const bem::DenseAlgebra& algebra = input.stiffness.algebra();
-    const double first = input.stabilization.firstGamma0();
-    gamma0 = isStabilised(input) ? first : 0;
-    try {
-      body = std::make_unique<const ElasticBody>(*form, algebra, holding);
-      return;
-    } catch (const bem::NumericalError&) {
-      if (form->subtracted().columns() == 0)
-        throw;
-    }
-    const double definiteBelow = limit(input, *form, holding);
-    if (input.stabilization.gamma0)
-      throw IndefiniteStiffness(first, definiteBelow);
-    gamma0 = std::min(first, definiteBelow) / 4;
-    form = form->weakened(gamma0 / first);
+void ContactProblem::Parts::factor(const Input& input) {
+  const double first = input.stabilization.firstGamma0();
+  const bool stabilised = input.stabilization.form != Stabilization::Form::None &&
+                          !multiplier.elements().empty();
+  gamma0 = stabilised ? first : 0;
+  try {
     body = std::make_unique<const ElasticBody>(*form, algebra, holding);
+    return;
+  } catch (const bem::NumericalError&) {
+    if (form->subtracted().columns() == 0)
+      throw;
   }
+  const double definiteBelow = limit(input, *form, holding);
+  if (input.stabilization.gamma0)
+    throw IndefiniteStiffness(first, definiteBelow);
+  gamma0 = std::min(first, definiteBelow) / 4;
+  form = form->weakened(gamma0 / first);
+  body = std::make_unique<const ElasticBody>(*form, algebra, holding);
+}
 
-  Vector push(const State& state) const {
-    return state.multiplier.empty() ? Vector(holding.loads.load.size(), 0.0)
-                                    : form->push(state.multiplier);
-  }
-};
+Vector ContactProblem::Parts::push(const State& state, const Vector& met) const {
+  Vector force = state.multiplier.empty() ? Vector(holding.loads.load.size(), 0.0)
+                                          : form->push(state.multiplier);
+  if (!met.empty())
+    axpy(1, met, force);
+  return force;
+}
 
-ContactProblem::ContactProblem(const Input& input) {
-  MultiplierSpace multiplier(input.space.mesh(), input.basis, input.conditions);
-  auto form = makeStabilisedBody(input, multiplier);
-  parts_ = std::make_unique<Parts>(
-      Parts{makeHolding(input.space, input.conditions, input.units),
-            std::move(multiplier), std::move(form)});
+ContactProblem::ContactProblem(const Input& input)
+    : parts_(std::make_unique<Parts>(input)) {
   Parts& parts = *parts_;
-  parts.makeBody(input);
   std::vector<ElasticBody::Response> responses;
   responses.push_back(parts.body->response(parts.form->coupling()));
-  Problem& problem = parts.numbers;
-  problem = condense(input.stiffness.algebra(), parts.form->multiplierMass(), responses);
-
-  const DistantObstacle opposite(input.space.mesh(), input.units.length);
-  Obstacle obstacle =
-      makeObstacle(input.space.mesh(), parts.multiplier, opposite, input.units);
-  parts.gap = std::move(obstacle.gap);
-  for (std::size_t i = 0; i < parts.gap.size(); ++i)
-    problem.offset[i] -= parts.gap[i];
-  problem.normals = parts.multiplier.normals();
-  problem.tangentials = std::move(obstacle.tangentials);
-  // dimensionless: strains and stresses are of one size
-  const double size = parts.holding.loads.largestTraction +
-                      parts.holding.loads.largestDisplacement +
-                      obstacle.largestPenetration;
-  problem.stress = size > 0 ? size : 1;
+  Problem problem = condense(parts.algebra, parts.form->multiplierMass(), responses);
+  problem.normals = parts.numbers.normals;
+  problem.tangentials = std::move(parts.numbers.tangentials);
+  takeAway(parts.obstacle, problem.offset);
+  problem.stress = parts.size() > 0 ? parts.size() : 1;
+  parts.numbers = std::move(problem);
 }
+
+ContactProblem::ContactProblem(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 
 ContactProblem::~ContactProblem() = default;
 ContactProblem::ContactProblem(ContactProblem&&) noexcept = default;
 
 const Problem& ContactProblem::numbers() const { return parts_->numbers; }
 const MultiplierSpace& ContactProblem::multiplier() const { return parts_->multiplier; }
-const Vector& ContactProblem::gap() const { return parts_->gap; }
+const Opposite& ContactProblem::opposite() const { return *parts_->opposite; }
+Index ContactProblem::freeMotions() const { return parts_->body->freeMotions(); }
+const Vector& ContactProblem::gap() const { return parts_->obstacle.gap; }
 const Vector& ContactProblem::load() const { return parts_->holding.loads.load; }
 double ContactProblem::gamma0() const { return parts_->gamma0; }
 double ContactProblem::gamma(std::size_t contactElement) const {
   return parts_->form->gamma(contactElement);
 }
 
-Vector ContactProblem::displacement(const State& state) const {
+Vector ContactProblem::displacement(const State& state, const Vector& met) const {
   const Vector still(static_cast<std::size_t>(parts_->body->freeMotions()), 0.0);
   return parts_->body->displacement(
-      parts_->push(state), state.rigid.empty() ? still.data() : state.rigid.data());
+      parts_->push(state, met), state.rigid.empty() ? still.data() : state.rigid.data());
 }
 
 bool ContactProblem::byDensity() const { return parts_->form->byDensity(); }
@@ -164,12 +162,13 @@ Vector ContactProblem::density(const State& state, const Vector& displacement) c
   return parts_->form->density(displacement, state.multiplier);
 }
 
-Vector ContactProblem::clampWork(const State& state, const Vector& displacement) const {
-  return parts_->body->clampWork(parts_->push(state), displacement);
+Vector ContactProblem::clampWork(const State& state, const Vector& displacement,
+                                 const Vector& met) const {
+  return parts_->body->clampWork(parts_->push(state, met), displacement);
 }
 
-Vector ContactProblem::fixedReactions(const State& state) const {
-  return parts_->body->fixedReactions(parts_->push(state));
+Vector ContactProblem::fixedReactions(const State& state, const Vector& met) const {
+  return parts_->body->fixedReactions(parts_->push(state, met));
 }
 
 }  // namespace epafi::contact

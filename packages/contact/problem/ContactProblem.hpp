@@ -43,7 +43,10 @@ struct IndefiniteStiffness : bem::NumericalError {
   double limitGamma0;  ///< A is definite below
 };
 
-/// The stabilised mixed problem [P (13)] on one mesh, condensed onto the multiplier:
+class Opposite;
+class ContactSystem;
+
+/// The stabilised mixed problem [P (13)] on the mesh of one body, condensed onto the multiplier:
 ///
 ///   A u + Bᵀ λ = f,   (μ - λ)ᵀ (B u - M λ - g) <= 0 for all admissible μ
 ///                                                          [doc/theory/contact.md]
@@ -51,6 +54,9 @@ struct IndefiniteStiffness : bem::NumericalError {
 /// Eliminates all displacements once; numbers() is what the nonlinear solver sees,
 /// displacement() leads back.  Of the mesh's operators it holds the factor of A and
 /// refers to S.
+///
+/// A body of a ContactSystem is one of these, too: what its own multiplier does to it is here,
+/// D and the offset are the system's.
 class ContactProblem {
  public:
   struct Input {
@@ -61,6 +67,9 @@ class ContactProblem {
     const Conditions& conditions;  ///< must outlive the problem
     const MultiplierBasis& basis;
     Stabilization stabilization;
+    /// What its contact sides meet, in the order of the problem's bodies; null: obstacles at
+    /// the distances that the conditions say.
+    std::shared_ptr<const Opposite> opposite{};
   };
 
   /// \throws bem::InputError if the conditions contradict each other or leave a rigid
@@ -71,8 +80,10 @@ class ContactProblem {
   ~ContactProblem();
   ContactProblem(ContactProblem&&) noexcept;
 
+  /// Of a body of a system: tangentials, numbers of coefficients and the load's size alone.
   const Problem& numbers() const;
   const MultiplierSpace& multiplier() const;
+  const Opposite& opposite() const;
 
   /// g per normal coefficient, dimensionless: the part -g of numbers().offset that does
   /// not come from loads.
@@ -80,7 +91,10 @@ class ContactProblem {
 
   /// u of a state, all unknowns of the space, dimensionless; refined, so that the
   /// equations hold to the rounding of u (see BalancedStiffness).
-  Vector displacement(const State& state) const;
+  ///
+  /// `met`: Cᵀ λ of the multipliers that other bodies carry against this one, here and
+  /// below; empty: there are none.
+  Vector displacement(const State& state, const Vector& met = {}) const;
 
   /// ψ of a state and its displacement, the traction as a density: V⁻¹ (K + 1/2) u, with Form
   /// Density (V + G)⁻¹ ((K + 1/2) u - N λ).
@@ -96,7 +110,8 @@ class ContactProblem {
   /// of Space::rigidMotions, all but the prescribed unknowns of v set to zero; u is the
   /// state's displacement, freed from rounding.
   /// Stabilisation included; what holds fixed rigid motions is not.
-  Vector clampWork(const State& state, const Vector& displacement) const;
+  Vector clampWork(const State& state, const Vector& displacement,
+                   const Vector& met = {}) const;
 
   /// γ₀ that the mesh has got, see Stabilization::gamma0; zero without stabilisation.
   double gamma0() const;
@@ -114,10 +129,14 @@ class ContactProblem {
 
   /// ρ: amplitude of the uniform traction that holds each fixed rigid motion (x, y,
   /// rotation about the boundary's centroid); zero for those not fixed.
-  Vector fixedReactions(const State& state) const;
+  Vector fixedReactions(const State& state, const Vector& met = {}) const;
+
+  Index freeMotions() const;
 
  private:
+  friend class ContactSystem;
   struct Parts;
+  explicit ContactProblem(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;
 };
 

@@ -316,7 +316,7 @@ bem::Space makeSpace(const bem::Mesh& mesh, const Conditions& conditions,
   for (int e = 0; e < mesh.size(); ++e) {
     const bool raised = stabilization.form == Stabilization::Form::Density &&
                         stabilization.raised && mesh[e].degree < bem::largestDegree &&
-                        conditions.contact.count(mesh.boundary(e)) != 0;
+                        contactOn(mesh, e, conditions) != nullptr;
     densities.push_back(mesh[e].degree + (raised ? 1 : 0));
   }
   return bem::Space(mesh.withDensities(densities));

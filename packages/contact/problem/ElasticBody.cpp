@@ -41,7 +41,8 @@ Vector withoutFixedMotions(const Holding& holding) {
   for (Index k = 0; k < rigid.fixed(); ++k) {
     const Vector functional =
         columnOf(holding.modes.functionals, rigid.fixedModes[at(k)]);
-    axpy(-dot(functional, holding.loads.prescribed), columnOf(rigid.allowed, k), result);
+    axpy(-rigid.scale(k) * dot(functional, holding.loads.prescribed),
+         columnOf(rigid.allowed, k), result);
   }
   return result;
 }
@@ -68,6 +69,9 @@ Holding makeHolding(const bem::Space& space, const Conditions& conditions,
   Loads loads = makeLoads(space, conditions, units);
   RigidModes modes = makeRigidModes(space);
   RigidConstraints rigid = makeRigidConstraints(modes, loads, conditions.fix);
+  const bem::Outline& outline = space.mesh().outline();
+  if (outline.diameter() < outline.scaling().length)
+    scalePairs(rigid);
   return {std::move(loads), std::move(modes), std::move(rigid)};
 }
 
@@ -177,7 +181,8 @@ Vector ElasticBody::fixedReactions(const Vector& contactForce) const {
   axpy(-1, contactForce, force);
   Vector reactions(3, 0.0);
   for (Index k = 0; k < rigid.fixed(); ++k)
-    reactions[at(rigid.fixedModes[at(k)])] = -dot(columnOf(rigid.allowed, k), force);
+    reactions[at(rigid.fixedModes[at(k)])] =
+        -rigid.scale(k) * dot(columnOf(rigid.allowed, k), force);
   return reactions;
 }
 

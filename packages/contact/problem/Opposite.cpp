@@ -66,9 +66,20 @@ Opposite::Point DistantObstacle::at(const ContactElement& element, double t) con
   return {gap ? gap(mesh_.physicalPoint(element.element, t)) / length_ : 0.0};
 }
 
+Vec2 Motions::at(const Opposite::Point& point) const {
+  if (point.element < 0)
+    return point.motion;
+  const auto b = static_cast<std::size_t>(point.body);
+  return spaces[b]->displacementAt(*displacements[b], point.element, point.t);
+}
+
+Vec2 motionAt(const Motions* motions, const Opposite::Point& point) {
+  return motions == nullptr ? point.motion : motions->at(point);
+}
+
 Matrix oppositeCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
                         const Opposite& opposite, const bem::Space& met,
-                        const bem::DenseAlgebra& algebra) {
+                        const bem::DenseAlgebra& algebra, int body) {
   const bem::Rows mine = algebra.myRows(met.displacements());
   Matrix coupling(mine.size(), multiplier.size());
   const Writer writer(met, mine, coupling);
@@ -76,7 +87,7 @@ Matrix oppositeCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier
     const bem::Element& element = side[contact.element];
     for (const auto& [middle, half] : stretches(opposite, contact)) {
       const auto inside = opposite.at(contact, middle);
-      if (inside.element < 0)
+      if (inside.element < 0 || inside.body != body)
         continue;
       const bem::Rule& rule = bem::gaussLegendre(
           (contact.degree + met.mesh()[inside.element].degree) / 2 + 1);

@@ -13,9 +13,11 @@ class Opposite {
   virtual ~Opposite() = default;
 
   struct Point {
-    double gap = 0;    ///< along the side's outward normal, dimensionless
-    int element = -1;  ///< of the body that is met; -1: nothing that gives way
-    double t = 0;      ///< where on it
+    double gap = 0;      ///< along the side's outward normal, dimensionless
+    int element = -1;    ///< of the body that is met; -1: nothing that deforms
+    double t = 0;        ///< where on it
+    int body = 0;        ///< which of the bodies that deform
+    bem::Vec2 motion{};  ///< of what does not deform, dimensionless
   };
   /// \pre -1 <= t <= 1.
   virtual Point at(const MultiplierSpace::ContactElement& element, double t) const = 0;
@@ -24,6 +26,28 @@ class Opposite {
   virtual Vector breaks(const MultiplierSpace::ContactElement& /*element*/) const {
     return {};
   }
+
+  /// The largest degree of what is met on an element; 0 where it does not deform.
+  virtual int degree(const MultiplierSpace::ContactElement& /*element*/) const {
+    return 0;
+  }
+
+  /// The places of the side that are opposite to a place on an element of a body that
+  /// deforms, for what acts on that: the side's length there per length of what is met.
+  struct Source {
+    const MultiplierSpace::ContactElement* element;
+    double t;
+    double stretching;
+  };
+  virtual std::vector<Source> sources(int /*body*/, int /*element*/, double /*t*/) const {
+    return {};
+  }
+
+  /// Does nothing that is met move at all?
+  virtual bool isStill() const { return true; }
+
+  /// Which bodies that deform are met, each once.
+  virtual std::vector<int> bodies() const { return {}; }
 };
 
 /// The parts of an element, t = middle + half s, |s| <= 1, on which at() is smooth.
@@ -46,15 +70,28 @@ class DistantObstacle final : public Opposite {
   double length_;
 };
 
+/// How the bodies of a scene move: what contact between them is measured by.
+struct Motions {
+  std::vector<const bem::Space*> spaces;
+  std::vector<const Vector*> displacements;
+  Vector shearModuli;  ///< dimensionless
+
+  /// Of what is met at a point, dimensionless.
+  bem::Vec2 at(const Opposite::Point& point) const;
+};
+
+/// Without the displacements of other bodies: what is met does not deform.
+bem::Vec2 motionAt(const Motions* motions, const Opposite::Point& point);
+
 /// The body opposite in the coupling: Cᵀ of -u_B in the normal and tangent of the side,
 ///
 ///   C_ij = - ∫ χ_i d_i · φ_j∘P ds,   d_i: n or t of the side, P: Opposite::at,
 ///
-/// my rows of the displacements of B, `met`.  One rule for both sides of what it couples,
+/// my rows of the displacements of B, the body of this number.  One rule for both sides of what it couples,
 /// exact for polynomials where P is linear between its breaks, so that actio is reactio.
 /// Both bodies count in the same lengths and stresses.
 Matrix oppositeCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
                         const Opposite& opposite, const bem::Space& met,
-                        const bem::DenseAlgebra& algebra);
+                        const bem::DenseAlgebra& algebra, int body = 0);
 
 }  // namespace epafi::contact

@@ -250,4 +250,20 @@ RigidConstraints makeRigidConstraints(const RigidModes& modes, const Loads& load
   return constraints;
 }
 
+void scalePairs(RigidConstraints& constraints) {
+  constraints.scales.clear();
+  for (Index k = 0; k < constraints.allowed.columns(); ++k) {
+    double* motion = constraints.allowed.column(k);
+    double* functional = constraints.functionals.column(k);
+    double largest = 0;
+    for (Index j = 0; j < constraints.allowed.rows(); ++j)
+      largest = std::max(largest, std::abs(motion[j]));
+    for (Index j = 0; j < constraints.allowed.rows(); ++j) {
+      motion[j] /= largest;
+      functional[j] *= largest;
+    }
+    constraints.scales.push_back(largest);
+  }
+}
+
 }  // namespace epafi::contact

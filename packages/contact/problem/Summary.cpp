@@ -45,6 +45,9 @@ double frictionWork(const ContactFields& fields, const Element& element) {
   bem::Vector breaks = bem::signChanges(slip, samples(element.degree));
   const bem::Vector more = bem::signChanges(pressure, samples(element.degree));
   breaks.insert(breaks.end(), more.begin(), more.end());
+  const Opposite& opposite = fields.opposite();
+  const bem::Vector nodes = opposite.breaks(element);
+  breaks.insert(breaks.end(), nodes.begin(), nodes.end());
   for (int i = 1; i < 4; ++i)  // the bound is the user's: it may bend anywhere
     breaks.push_back(-1 + 0.5 * i);
   // A bound that follows the pressure is taken as the discrete problem has it: the
@@ -56,12 +59,19 @@ double frictionWork(const ContactFields& fields, const Element& element) {
     const double bound = discrete ? fields.discreteBound(element, t) : point.bound;
     return bound * std::abs(point.tangential);
   };
-  return integrate(work, bem::piecewiseRule(breaks, element.degree + 4));
+  const int degree = std::max(element.degree, opposite.degree(element));
+  return integrate(work, bem::piecewiseRule(breaks, degree + 4));
+}
+
+void add(const Resultant& more, Resultant& sum) {
+  sum.x += more.x;
+  sum.y += more.y;
+  sum.moment += more.moment;
 }
 
 /// Adds the force on the body, -λₙ n - λₜ t, of one contact element, and its moment.
 void addForce(const Solved& solved, const ContactFields& fields, const Element& element,
-              Resultant& contact) {
+              Summary& summary) {
   const bem::Element& side = solved.space.mesh()[element.element];
   const bem::Rule& rule = bem::gaussLegendre(
       element.degree + (side.curve.isStraight() ? 2 : bem::pointsOfTurning));
@@ -71,15 +81,14 @@ void addForce(const Solved& solved, const ContactFields& fields, const Element& 
     const double weight = solved.units.length * side.half * rule.weights[k];
     const Vec2 force = -weight * (point.pressure * side.curve.normal(rule.points[k]) +
                                   point.shear * side.curve.tangent(rule.points[k]));
-    contact.x += force.x;
-    contact.y += force.y;
-    contact.moment += cross(point.place, force);
+    add({force.x, force.y, cross(point.place, force)}, summary.contact);
+    if (solved.problem.opposite().at(element, rule.points[k]).element < 0)
+      add({force.x, force.y, cross(point.place, force)}, summary.obstacle);
   }
 }
 
 void addContact(const Solved& solved, Summary& summary) {
-  const ContactFields fields(solved.problem, solved.space, solved.units, solved.state,
-                             solved.displacement);
+  const ContactFields fields(solved);
   for (const Element& element : fields.elements()) {
     const int p = element.degree;
     const double half = solved.units.length * solved.space.mesh()[element.element].half;
@@ -88,7 +97,7 @@ void addContact(const Solved& solved, Summary& summary) {
     summary.forceNormal += half * integrate(normal, bem::gaussLegendre(p + 1));
     summary.contactLength +=
         half * positivePart([&](double t) { return fields.closing(element, t); }, p);
-    addForce(solved, fields, element, summary.contact);
+    addForce(solved, fields, element, summary);
     if (element.tangential < 0)
       continue;
     summary.forceTangential += half * integrate(tangential, bem::gaussLegendre(p + 1));
@@ -112,8 +121,9 @@ std::array<double, 3> reactionWork(const Solved& solved) {
   const std::vector<bool> isPrescribed = prescribed(solved.space, solved.conditions);
   const bem::Matrix motions = solved.space.rigidMotions();
   const bem::Matrix modes = makeRigidModes(solved.space).functionals;
-  const Vector clamps = solved.problem.clampWork(solved.state, solved.displacement);
-  const Vector amplitudes = solved.problem.fixedReactions(solved.state);
+  const Vector clamps =
+      solved.problem.clampWork(solved.state, solved.displacement, solved.met);
+  const Vector amplitudes = solved.problem.fixedReactions(solved.state, solved.met);
   std::array<double, 3> work{};
   for (Index v = 0; v < 3; ++v) {
     double& sum = work[static_cast<std::size_t>(v)];
@@ -159,6 +169,63 @@ Summary summarize(const Solved& solved) {
   summary.load = resultantOf(loadWork(solved), solved);
   summary.reaction = resultantOf(reactionWork(solved), solved);
   return summary;
+}
+
+namespace {
+
+/// The force of one body's multiplier on the bodies that it meets, where it acts on them.
+void addReaction(const std::vector<Solved>& bodies, const Solved& side,
+                 std::vector<Summary>& summaries) {
+  const ContactFields fields(side);
+  const Opposite& opposite = side.problem.opposite();
+  for (const Element& element : fields.elements()) {
+    const bem::Element& curve = side.space.mesh()[element.element];
+    const bem::Rule& rule =
+        bem::gaussLegendre((element.degree + opposite.degree(element)) / 2 + 2);
+    for (const auto& [middle, half] : stretches(opposite, element))
+      for (std::size_t k = 0; k < rule.points.size(); ++k) {
+        const double t = middle + half * rule.points[k];
+        const Opposite::Point met = opposite.at(element, t);
+        if (met.element < 0)
+          continue;
+        const auto b = static_cast<std::size_t>(met.body);
+        const ContactPoint point = fields.at(element, t);
+        const double weight = side.units.length * curve.half * half * rule.weights[k];
+        const Vec2 force = weight * (point.pressure * curve.curve.normal(t) +
+                                     point.shear * curve.curve.tangent(t));
+        const Vec2 place = bodies[b].space.mesh().physicalPoint(met.element, met.t);
+        add({force.x, force.y, cross(place, force)}, summaries[b].contact);
+      }
+  }
+}
+
+}  // namespace
+
+std::vector<Summary> summarizeAll(const std::vector<Solved>& bodies) {
+  std::vector<Summary> summaries;
+  for (const Solved& solved : bodies)
+    summaries.push_back(summarize(solved));
+  for (const Solved& solved : bodies)
+    if (!solved.problem.opposite().bodies().empty())
+      addReaction(bodies, solved, summaries);
+  return summaries;
+}
+
+Summary sumOf(const std::vector<Summary>& bodies) {
+  if (bodies.size() == 1)
+    return bodies.front();
+  Summary sum;
+  for (const Summary& body : bodies) {
+    for (const auto member :
+         {&Summary::energyStrain, &Summary::energyLoad, &Summary::energyFriction,
+          &Summary::forceNormal, &Summary::forceTangential, &Summary::contactLength,
+          &Summary::slipLength})
+      sum.*member += body.*member;
+    for (const auto member : {&Summary::load, &Summary::reaction, &Summary::obstacle})
+      add(body.*member, sum.*member);
+  }
+  sum.contact = sum.obstacle;
+  return sum;
 }
 
 std::vector<bool> prescribed(const bem::Space& space, const Conditions& conditions) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/problem/ContactProblem.hpp"
+#include "contact/problem/Solved.hpp"
 
 namespace epafi::contact {
 
@@ -21,20 +21,11 @@ struct Summary {
   double forceTangential = 0;  ///< ∫ λₜ
   Resultant load;              ///< of the Neumann data
   Resultant contact;           ///< of all contact sides: ∫ -λₙ n - λₜ t
-  Resultant reaction;          ///< of clamps and fixed rigid motions
-  double contactLength = 0;    ///< where λₙ > 0
-  double slipLength = 0;       ///< where |λₜ| reaches its bound
-};
-
-/// Everything that the results of a level are computed from.
-struct Solved {
-  const bem::Space& space;
-  const bem::SteklovPoincare& stiffness;
-  const ContactProblem& problem;
-  const Conditions& conditions;
-  bem::Units units;
-  const State& state;
-  const Vector& displacement;  ///< all unknowns, dimensionless
+  /// The part of it that comes from what does not deform: obstacles and rigid bodies.
+  Resultant obstacle;
+  Resultant reaction;        ///< of clamps and fixed rigid motions
+  double contactLength = 0;  ///< where λₙ > 0
+  double slipLength = 0;     ///< where |λₜ| reaches its bound
 };
 
 /// Reactions come from the residual of the discrete equations at the constrained
@@ -45,6 +36,13 @@ struct Solved {
 ///
 /// tests the whole solution.
 Summary summarize(const Solved& solved);
+
+/// The same of every body; a force between two bodies is in the `contact` of both, what they
+/// do to each other in the lengths and energies of the one that carries the multiplier.
+std::vector<Summary> summarizeAll(const std::vector<Solved>& bodies);
+
+/// Sums over all bodies, where forces between them cancel: `contact` is that of obstacles.
+Summary sumOf(const std::vector<Summary>& bodies);
 
 /// Which displacements a Dirichlet condition prescribes.
 std::vector<bool> prescribed(const bem::Space& space, const Conditions& conditions);

@@ -165,6 +165,20 @@ Tangential Tangential::uncoupled() const {
   return result;
 }
 
+Tangential Tangential::shifted(Index normals) const {
+  Tangential result = *this;
+  result.normal_ += normals;
+  if (element_) {
+    std::vector<Index> shifted = element_->normals;
+    for (Index& normal : shifted)
+      normal += normals;
+    result.element_ = std::make_shared<const ElementLaw>(
+        ElementLaw{std::move(shifted), element_->nodes, element_->values.copy(),
+                   element_->inverse.copy(), element_->extremes});
+  }
+  return result;
+}
+
 Tangential Tangential::scaled(double factor) const {
   Tangential result = *this;
   result.factor_ *= factor;

@@ -68,6 +68,9 @@ class Tangential {
   /// The same following its own pressure alone, as if that were on all of the element.
   Tangential uncoupled() const;
 
+  /// The same among more normal coefficients, of which so many come before its own.
+  Tangential shifted(Index normals) const;
+
   /// With m times as large; factor >= 0.
   Tangential scaled(double factor) const;
 

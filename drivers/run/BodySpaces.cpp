@@ -1,0 +1,125 @@
+#include "drivers/run/BodySpaces.hpp"
+
+#include "contact/problem/ContactProblem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::drivers {
+
+BodySpaces::BodySpaces(const Scene& scene, const std::vector<bem::Mesh>& meshes)
+    : scene_(scene) {
+  const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
+  spaces_.reserve(meshes.size());  // multipliers refer to nothing of them, opposites do
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    const contact::Conditions& conditions = scene.bodies[b].conditions;
+    spaces_.push_back(contact::makeSpace(meshes[b], conditions, scene.stabilization));
+    multipliers_.emplace_back(spaces_.back().mesh(), basis, conditions);
+  }
+  for (std::size_t b = 0; b < meshes.size(); ++b)
+    opposites_.push_back(makeOpposite(b));
+}
+
+contact::MetSide BodySpaces::metSide(const ContactPair& pair) const {
+  contact::MetSide met;
+  met.shift = scene_.shift(pair);
+  met.reach = scene_.reach(pair);
+  if (pair.met.rigid) {
+    const RigidBody& body = scene_.rigid[pair.met.body];
+    const double length = scene_.units().length;
+    met.curves = scene_.metEdges(pair).curves;
+    met.slide = (1 / length) * bem::Vec2{body.x(body.pole), body.y(body.pole)};
+    met.turn = body.rotation(body.pole);
+    met.pole = (1 / length) * (body.pole - body.outline->scaling().origin);
+    return met;
+  }
+  met.body = static_cast<int>(pair.met.body);
+  const bem::Mesh& mesh = spaces_[pair.met.body].mesh();
+  for (const int e : mesh.elementsOf(pair.met.boundary)) {
+    met.curves.push_back(mesh[e].curve);
+    met.elements.push_back(e);
+    met.degrees.push_back(mesh[e].degree);
+  }
+  return met;
+}
+
+std::shared_ptr<const contact::Opposite> BodySpaces::makeOpposite(std::size_t b) const {
+  const double length = scene_.units().length;
+  const bem::Mesh& mesh = spaces_[b].mesh();
+  std::map<std::string, contact::MetSide> met;
+  for (const ContactPair& pair : scene_.contacts)
+    if (pair.side.body == b)
+      met.emplace(pair.name, metSide(pair));
+  if (met.empty())
+    return std::make_shared<const contact::DistantObstacle>(mesh, length);
+  return std::make_shared<const contact::FacingBodies>(mesh, multipliers_[b], length,
+                                                       met);
+}
+
+Size BodySpaces::sizes() const {
+  Size sum = sizeOf(spaces_[0], multipliers_[0], scene_.bodies[0].conditions);
+  for (std::size_t b = 1; b < size(); ++b)
+    sum += sizeOf(spaces_[b], multipliers_[b], scene_.bodies[b].conditions);
+  return sum;
+}
+
+contact::Motions BodySpaces::motions(
+    const std::vector<const bem::Vector*>& displacements) const {
+  contact::Motions motions;
+  for (const bem::Space& space : spaces_)
+    motions.spaces.push_back(&space);
+  motions.displacements = displacements;
+  for (std::size_t b = 0; b < size(); ++b)
+    motions.shearModuli.push_back(scene_.lame(b).mu);
+  return motions;
+}
+
+namespace {
+
+/// An edge in equal elements between its required nodes, about `count` of them in all.
+void cutEdge(int edge, double length, int count, int degree, bem::Vector nodes,
+             std::vector<bem::Piece>& pieces) {
+  std::sort(nodes.begin(), nodes.end());
+  nodes.push_back(length);
+  double start = 0;
+  bem::Position from{0, length};
+  for (const double end : nodes) {
+    const int parts =
+        std::max(1, static_cast<int>(std::lround(count * (end - start) / length)));
+    for (int k = 1; k <= parts; ++k) {
+      const double place = start + (end - start) * k / parts;
+      const bool last = k == parts && end == length;
+      const bem::Position to =
+          last ? bem::Position{length, 0} : bem::Position{place, length - place};
+      pieces.push_back({edge, from, to, degree});
+      from = to;
+    }
+    start = end;
+  }
+}
+
+}  // namespace
+
+bem::Mesh firstMesh(const Body& body) {
+  if (body.nodes.empty())
+    return bem::makeMesh(body.outline, body.elementsPerEdge, body.degree);
+  std::vector<bem::Piece> pieces;
+  for (std::size_t e = 0; e < body.outline->edges().size(); ++e) {
+    bem::Vector nodes;
+    for (const RequiredNode& node : body.nodes)
+      if (node.edge == static_cast<int>(e))
+        nodes.push_back(node.place);
+    cutEdge(static_cast<int>(e), body.outline->edges()[e].curve.length(),
+            body.elementsPerEdge[e], body.degree, std::move(nodes), pieces);
+  }
+  return {body.outline, pieces};
+}
+
+std::vector<bem::Mesh> meshesOf(const Scene& scene, const Level& level) {
+  std::vector<bem::Mesh> meshes;
+  for (std::size_t b = 0; b < level.bodies.size(); ++b)
+    meshes.emplace_back(scene.bodies[b].outline, level.bodies[b].pieces);
+  return meshes;
+}
+
+}  // namespace epafi::drivers

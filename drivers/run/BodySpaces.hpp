@@ -1,0 +1,55 @@
+#pragma once
+
+#include "contact/problem/FacingBodies.hpp"
+#include "drivers/run/Level.hpp"
+#include "drivers/scene/Scene.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace epafi::drivers {
+
+/// The spaces on the meshes of a scene's bodies, and what their contact sides meet.
+class BodySpaces {
+ public:
+  /// Refers to the scene.  \throws bem::InputError, see contact::MultiplierSpace.
+  BodySpaces(const Scene& scene, const std::vector<bem::Mesh>& meshes);
+  BodySpaces(const BodySpaces&) = delete;
+  BodySpaces& operator=(const BodySpaces&) = delete;
+
+  std::size_t size() const { return spaces_.size(); }
+  const bem::Space& space(std::size_t b) const { return spaces_[b]; }
+  const contact::MultiplierSpace& multiplier(std::size_t b) const {
+    return multipliers_[b];
+  }
+  std::shared_ptr<const contact::Opposite> opposite(std::size_t b) const {
+    return opposites_[b];
+  }
+
+  Size sizes() const;
+  std::string boundaryName(std::size_t b, const std::string& boundary) const {
+    return scene_.boundaryName(b, boundary);
+  }
+
+  /// Of displacements of all bodies, which must outlive it.
+  contact::Motions motions(const std::vector<const bem::Vector*>& displacements) const;
+
+ private:
+  contact::MetSide metSide(const ContactPair& pair) const;
+  std::shared_ptr<const contact::Opposite> makeOpposite(std::size_t b) const;
+
+  const Scene& scene_;
+  std::vector<bem::Space> spaces_;
+  std::vector<contact::MultiplierSpace> multipliers_;
+  std::vector<std::shared_ptr<const contact::Opposite>> opposites_;
+};
+
+/// The mesh that a body's part of the scene describes.  An edge on which contact with another
+/// body ends is cut there, and its elements are shared out by length.
+bem::Mesh firstMesh(const Body& body);
+
+/// The meshes of a level.  \throws bem::InputError if its pieces are none on the scene's
+/// outlines.
+std::vector<bem::Mesh> meshesOf(const Scene& scene, const Level& level);
+
+}  // namespace epafi::drivers

@@ -1,0 +1,193 @@
+#include "drivers/scene/ContactsReader.hpp"
+
+#include "bem/base/Error.hpp"
+#include "bem/base/Parameters.hpp"
+#include "contact/problem/Projection.hpp"
+#include "drivers/scene/ConditionsReader.hpp"
+#include "drivers/scene/Overlap.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::InputError;
+using bem::message;
+using Teuchos::ParameterList;
+
+std::vector<std::string> bodyNames(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const Body& body : scene.bodies)
+    names.push_back(body.name);
+  for (const RigidBody& body : scene.rigid)
+    names.push_back(body.name);
+  return names;
+}
+
+SideOfBody readSide(const std::string& text, const std::string& path,
+                    const Scene& scene) {
+  const auto colon = text.find(':');
+  if (colon == std::string::npos)
+    throw InputError(message(path, ": '", text,
+                             "' is no side; write body:boundary, as in {\"pad:bottom\", "
+                             "\"plate:top\"}"));
+  const std::string name = text.substr(0, colon);
+  SideOfBody side{false, 0, text.substr(colon + 1)};
+  const std::vector<std::string> names = bodyNames(scene);
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end())
+    throw InputError(message(path, ": there is no body '", name, "'; did you mean '",
+                             bem::nearest(name, names),
+                             "'? bodies: ", bem::quotedList(names)));
+  const auto index = static_cast<std::size_t>(found - names.begin());
+  side.rigid = index >= scene.bodies.size();
+  side.body = side.rigid ? index - scene.bodies.size() : index;
+  checkNamed(side.boundary, path, scene.outlineOf(side));
+  return side;
+}
+
+/// The side that carries the multiplier comes first.
+std::pair<SideOfBody, SideOfBody> readBetween(const ParameterList& list,
+                                              const std::string& path,
+                                              const Scene& scene) {
+  const std::string key = path + "->Between";
+  const auto& between = list.get<Teuchos::Array<std::string>>("Between");
+  if (between.size() != 2)
+    throw InputError(message(key, ": has ", between.size(),
+                             " sides; a contact is between two, body:boundary each"));
+  SideOfBody first = readSide(between[0], key, scene);
+  SideOfBody second = readSide(between[1], key, scene);
+  if (first.rigid && second.rigid)
+    throw InputError(key + ": both bodies are rigid; at least one must be elastic");
+  if (first.rigid == second.rigid && first.body == second.body)
+    throw InputError(key +
+                     ": contact of a body with itself is not possible; both sides "
+                     "belong to '" +
+                     scene.bodies[first.body].name + "'");
+  if (first.rigid)
+    std::swap(first, second);
+  return {first, second};
+}
+
+void checkFree(const SideOfBody& side, const std::string& path, const Scene& scene) {
+  if (side.rigid)
+    return;
+  const Body& body = scene.bodies[side.body];
+  const contact::Conditions& conditions = body.conditions;
+  const auto contact = conditions.contact.find(side.boundary);
+  if (contact != conditions.contact.end() && !contact->second.name.empty())
+    throw InputError(message(path, "->Between: '", body.name, ":", side.boundary,
+                             "' carries the stresses of Contacts->", contact->second.name,
+                             "; give its edges different names"));
+  if (contact != conditions.contact.end() ||
+      conditions.dirichlet.count(side.boundary) != 0 ||
+      conditions.neumann.count(side.boundary) != 0)
+    throw InputError(message(path, "->Between: '", body.name, ":", side.boundary,
+                             "' has a condition under Bodies->", body.name,
+                             "->Boundary Conditions->", side.boundary,
+                             "; a side in contact has none"));
+}
+
+void checkNotMet(const SideOfBody& side, const std::string& path, const Scene& scene) {
+  for (const ContactPair& pair : scene.contacts)
+    if (pair.met.rigid == side.rigid && pair.met.body == side.body &&
+        pair.met.boundary == side.boundary)
+      throw InputError(message(path, "->Between: '", scene.bodies[side.body].name, ":",
+                               side.boundary, "' is what Contacts->", pair.name,
+                               " presses on, so it cannot carry the stresses of another "
+                               "contact; name the other body first"));
+}
+
+/// A required node on an edge, unless it is one already.
+void addNode(const bem::Outline& outline, int edge, double place,
+             std::vector<RequiredNode>& nodes) {
+  constexpr double same = 1e-9;
+  const double length = outline.edge(edge).curve.length();
+  if (place < same * length || length - place < same * length)
+    return;
+  for (const RequiredNode& node : nodes)
+    if (node.edge == edge && std::abs(node.place - place) < same * length)
+      return;
+  nodes.push_back({edge, place});
+}
+
+bem::Curve moved(const bem::Curve& curve, bem::Vec2 shift) {
+  return {curve.from() + shift, curve.to() + shift, curve.to() - curve.from(),
+          std::tan(curve.angle() / 4)};
+}
+
+/// What of the first side meets the second; nodes at the ends on both.
+std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scene) {
+  const bem::Outline& own = *scene.bodies[pair.side.body].outline;
+  const bem::Outline& other = scene.outlineOf(pair.met);
+  const Scene::MetEdges met = scene.metEdges(pair);
+  const bem::Vec2 shift = scene.shift(pair);
+  std::vector<contact::Conditions::Part> parts;
+  for (std::size_t e = 0; e < own.edges().size(); ++e) {
+    const bem::Edge& edge = own.edges()[e];
+    if (edge.boundary != pair.side.boundary)
+      continue;
+    const int number = static_cast<int>(e);
+    const double half = edge.curve.half();
+    for (const contact::Facing& stretch :
+         contact::facing(moved(edge.curve, shift), met.curves, scene.reach(pair))) {
+      const double from = half * (1 + stretch.begin);
+      const double to = half * (1 + stretch.end);
+      const bool goesOn =
+          !parts.empty() && parts.back().edge == number && parts.back().to == from;
+      if (goesOn)
+        parts.back().to = to;
+      else
+        parts.push_back({number, from, to});
+      if (pair.met.rigid)
+        continue;
+      // where a stretch begins or ends what is opposite may get a node
+      const auto k = static_cast<std::size_t>(stretch.curve);
+      for (const double t : {stretch.begin, stretch.end}) {
+        const auto there = contact::crossing(edge.curve.point(t) + shift,
+                                             edge.curve.normal(t), met.curves[k]);
+        if (there)
+          addNode(other, met.edges[k],
+                  met.curves[k].half() * (1 + std::clamp(there->t, -1.0, 1.0)),
+                  scene.bodies[pair.met.body].nodes);
+      }
+    }
+  }
+  for (const contact::Conditions::Part& part : parts)
+    for (const double place : {part.from, part.to})
+      addNode(own, part.edge, place, scene.bodies[pair.side.body].nodes);
+  return parts;
+}
+
+}  // namespace
+
+void readContacts(const ParameterList& contacts, const std::string& file, Scene& scene) {
+  for (const auto& item : contacts) {
+    const std::string path = "Contacts->" + item.first;
+    const ParameterList& list = contacts.sublist(item.first);
+    ContactPair pair{item.first, {}, {}};
+    std::tie(pair.side, pair.met) = readBetween(list, path, scene);
+    checkFree(pair.side, path, scene);
+    checkFree(pair.met, path, scene);
+    checkNotMet(pair.side, path, scene);
+    contact::Conditions::Contact condition = readContactOfBodies(list, {file, path});
+    condition.name = pair.name;
+    condition.parts = meet(pair, scene);
+    if (condition.parts.empty())
+      throw InputError(message(path,
+                               ": no point of the first side finds the second one "
+                               "along its outward normal; the sides never meet"));
+    scene.bodies[pair.side.body].conditions.contact[pair.side.boundary] =
+        std::move(condition);
+    scene.contacts.push_back(std::move(pair));
+  }
+  checkOverlaps(scene);
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "contact/problem/ContactProblem.hpp"
+#include "contact/problem/ElasticBody.hpp"
+#include "contact/problem/Obstacle.hpp"
+
+namespace epafi::contact {
+
+/// What a ContactProblem is made of; a ContactSystem condenses several of them.
+struct ContactProblem::Parts {
+  explicit Parts(const Input& input);
+
+  Holding holding;
+  MultiplierSpace multiplier;
+  std::shared_ptr<const Opposite> opposite;
+  std::unique_ptr<const StabilisedBody> form;
+  const bem::DenseAlgebra& algebra;
+  Obstacle obstacle;
+  double gamma0 = 0;
+  std::unique_ptr<const ElasticBody> body{};
+  Problem numbers{};
+
+  /// Size of what acts on the body, dimensionless; zero: nothing.
+  double size() const;
+  Vector push(const State& state, const Vector& met) const;
+
+ private:
+  /// Factors A, with a smaller gamma0 where the default is too large.
+  /// \throws IndefiniteStiffness if it is not the default that is.
+  void factor(const Input& input);
+};
+
+}  // namespace epafi::contact

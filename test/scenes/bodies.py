@@ -1,0 +1,258 @@
+"""Several bodies: patch tests with either side first, mirror images, rigid outlines, balance,
+swapped sides, restart, and what is refused."""
+import os
+
+from runs import SCENES, WORK, claim, epafi, finish, fresh, run, scene, table
+
+SIDES = "{bottom, right, top, left}"
+
+
+def parameter(name, kind, value):
+    return '<Parameter name="%s" type="%s" value="%s"/>' % (name, kind, value)
+
+
+def listed(name, *items):
+    return '<ParameterList name="%s">%s</ParameterList>' % (name, "".join(items))
+
+
+def geometry(corners, sides=SIDES):
+    numbers = ", ".join("%.17g" % c for corner in corners for c in corner)
+    return listed("Geometry",
+                  parameter("Vertices", "TwoDArray(double)",
+                            "%dx2:{%s}" % (len(corners), numbers)),
+                  parameter("Edges", "Array(string)", sides))
+
+
+def block(left, bottom, right, top):
+    return [(left, bottom), (right, bottom), (right, top), (left, top)]
+
+
+def condition(boundary, kind, **functions):
+    return listed(boundary, parameter("Type", "string", kind),
+                  *(parameter(key.replace("_", " "), "string", value)
+                    for key, value in functions.items()))
+
+
+def body(name, corners, modulus, conditions="", fix="", mesh="", ratio=0.3):
+    return listed(name,
+                  listed("Material", parameter("Young's Modulus", "double", repr(modulus)),
+                         parameter("Poisson's Ratio", "double", repr(ratio))),
+                  geometry(corners), listed("Boundary Conditions", conditions),
+                  listed("Rigid Motions", parameter("Fix", "Array(string)", fix))
+                  if fix else "", mesh)
+
+
+def mesh(across, up, degree):
+    return listed("Mesh", parameter("Elements per Edge", "Array(int)",
+                                    "{%d, %d, %d, %d}" % (across, up, across, up)),
+                  parameter("Degree", "int", degree))
+
+
+def rigid(name, corners, motion=""):
+    return listed(name, listed("Material", parameter("Rigid", "bool", "true")),
+                  geometry(corners), motion)
+
+
+def friction(coefficient):
+    return listed("Friction", parameter("Law", "string", "Coulomb"),
+                  parameter("Coefficient", "string", coefficient))
+
+
+def contact(name, first, second, more=""):
+    return listed(name, parameter("Between", "Array(string)", "{%s, %s}" % (first, second)),
+                  more)
+
+
+def written(name, bodies, contacts="", form="None", size=0.25, degree=2, more=""):
+    os.makedirs(WORK, exist_ok=True)
+    path = os.path.join(WORK, name + ".xml")
+    with open(path, "w") as file:
+        file.write(listed(name, listed("Bodies", *bodies), listed("Contacts", contacts),
+                          listed("Discretization", parameter("Mesh Size", "double", size),
+                                 parameter("Degree", "int", degree),
+                                 BIORTHOGONAL if form == "None" else listed(
+                                     "Stabilization", parameter("Form", "string", form))),
+                          more))
+    return path
+
+
+def imbalance(name):
+    """Of the worst body, relative to its largest resultant."""
+    worst = 0
+    for row in table(os.path.join(WORK, name, "bodies.csv")):
+        parts = [[float(row["%s_%s" % (what, c)]) for what in ("load", "contact", "reaction")]
+                 for c in ("x", "y", "moment")]
+        largest = max(abs(value) for part in parts for value in part)
+        worst = max(worst, max(abs(sum(part)) for part in parts) / largest)
+    return worst
+
+
+def largest(values):
+    return max(abs(value) for value in values)
+
+
+# without stabilisation a basis that is stable by itself
+BIORTHOGONAL = parameter("Multiplier", "string", "Biorthogonal")
+
+PRESS = condition("top", "Neumann", Traction_Y="-1")
+ROLLER = condition("bottom", "Dirichlet", Displacement_Y="0")
+CLAMP = condition("bottom", "Dirichlet", Displacement_X="0", Displacement_Y="0")
+
+# constant stress on meshes and degrees that do not match
+for form in ("None", "Projected", "Exact", "Density"):
+    for sides in (("a:bottom", "b:top"), ("b:top", "a:bottom")):
+        for above, below in (((4, 1), (7, 3)), ((5, 3), (3, 1))):
+            file = written("patch", [
+                body("a", block(0, 0, 1, 1), 1.0, PRESS, "{X, Rotation}",
+                     mesh(above[0], 2, above[1])),
+                body("b", block(0, -1, 1, 0), 5.0, ROLLER, "{X}",
+                     mesh(below[0], 2, below[1]), 0.2)], contact("c", *sides), form)
+            history, points = run(file, "patch")
+            claim(largest(p["lambda_n"] - 1 for p in points) < 1e-12,
+                  "patch test, Form %s, first %s, %s on %s" % (form, sides[0], above, below))
+            # uniaxial: the strain of each times its height 1
+            expected = -(1 - 0.3**2) / 1 - (1 - 0.2**2) / 5
+            top = [float(row["uy"])
+                   for row in table(os.path.join(WORK, "patch", "boundary.csv"))
+                   if row["boundary"] == "a:top"]
+            claim(largest(u - expected for u in top) < 1e-12, "its displacement")
+            claim(imbalance("patch") < 1e-10, "its bodies balance")
+
+# 1 mm beside 1 m, rubber on steel
+file = written("small", [
+    body("a", block(0, 0, 1e-3, 1e-3), 1e6, condition("top", "Neumann", Traction_Y="-1e3"),
+         "{X, Rotation}", mesh(3, 2, 2)),
+    body("b", block(-0.5, -1, 0.5, 0), 2.1e11, CLAMP, "", mesh(4, 4, 2))],
+    contact("c", "a:bottom", "b:top"))
+history, points = run(file, "small")
+claim(largest(p["lambda_n"] / 1e3 - 1 for p in points) < 2e-5,
+      "rubber of 1 mm on steel of 1 m: pressure as on a rigid plane up to E_1/E_2")
+claim(imbalance("small") < 1e-10, "they balance")
+
+# a mirror image is a rigid frictionless plane at half the approach
+TOP = condition("top", "Dirichlet", Displacement_X="0", Displacement_Y="-0.02*(1+0.3*x)")
+BOTTOM = condition("bottom", "Dirichlet", Displacement_X="0",
+                   Displacement_Y="0.02*(1+0.3*x)")
+PLANE = condition("bottom", "Contact", Gap="0")
+file = written("mirror", [
+    body("a", block(0, 0, 1, 0.5), 1.0, TOP, "", mesh(8, 4, 2)),
+    body("b", block(0, -0.5, 1, 0), 1.0, BOTTOM, "", mesh(8, 4, 2))],
+    contact("c", "a:bottom", "b:top", friction("0.3")))
+both = run(file, "mirror")[1]
+file = written("plane", [body("a", block(0, 0, 1, 0.5), 1.0, TOP + PLANE, "",
+                              mesh(8, 4, 2))])
+alone = run(file, "plane")[1]
+scale = largest(p["lambda_n"] for p in alone)
+claim(largest(p["lambda_n"] - q["lambda_n"] for p, q in zip(both, alone)) < 1e-9 * scale,
+      "two mirror images press like one of them on a rigid frictionless plane")
+
+# one body on a rigid outline, held and moved, and the same by Gap
+PUSH = condition("top", "Neumann", Traction_Y="-0.02", Traction_X="0.001")
+for motion, gap in (("", "0.01*x^2"), (
+        listed("Motion", parameter("Displacement Y", "string", "0.004")),
+        "0.01*x^2-0.004")):
+    flat = [rigid("floor", block(-1, -1, 2, 0), motion)]
+    file = written("floor", [body("a", block(0, 0, 1, 0.5), 1.0, PUSH, "", mesh(8, 4, 2))] +
+                   flat, contact("c", "a:bottom", "floor:top", friction("0.4") +
+                                 parameter("Interference", "string", "-0.01*x^2")),
+                   "Projected")
+    history, onFloor = run(file, "floor")
+    file = written("gap", [body(
+        "a", block(0, 0, 1, 0.5), 1.0, PUSH + listed(
+            "bottom", parameter("Type", "string", "Contact"),
+            parameter("Gap", "string", gap), friction("0.4")), "", mesh(8, 4, 2))],
+        form="Projected")
+    other, onGap = run(file, "gap")
+    scale = largest(p["lambda_n"] for p in onGap)
+    claim(largest(p[key] - q[key] for p, q in zip(onFloor, onGap)
+                  for key in ("lambda_n", "lambda_t")) < 1e-10 * scale,
+          "a rigid outline is an obstacle at the same distance" + (", moved" if motion else ""))
+    claim(abs(history[0]["contact_y"] - other[0]["contact_y"]) < 1e-12,
+          "history.csv has the force of a rigid body as that of an obstacle")
+
+# partly covered sides, either first; the resultants are those of the load
+pad = body("a", block(0.3, 0, 0.85, 0.5), 1.0, PUSH, "", mesh(6, 4, 2))
+plate = body("b", block(0, -1, 1, 0), 2.0, CLAMP, "", mesh(5, 4, 2))
+lengths = []
+for sides in (("a:bottom", "b:top"), ("b:top", "a:bottom")):
+    file = written("covered", [pad, plate], contact("c", *sides, friction("0.5")),
+                   "Projected")
+    history, points = run(file, "covered")
+    claim(imbalance("covered") < 1e-10, "bodies balance, first " + sides[0])
+    claim(abs(history[0]["force_normal"] - 0.011) < 1e-10, "and carry the load")
+    claim(all(0.3 < p["x"] < 0.85 for p in points), "where nothing is opposite nothing presses")
+    claim(abs(history[0]["contact_y"]) < 1e-12, "contact between bodies cancels in history.csv")
+    lengths.append(history[0]["energy_strain"])
+claim(abs(lengths[0] / lengths[1] - 1) < 0.02, "either side first: alike on a coarse mesh")
+
+# refinement over both bodies; a run that goes on gives the same digits
+shipped = scene("two-blocks.xml")
+whole = run(shipped, "whole", ["Adaptivity->Maximum Levels=4"])[0]
+run(shipped, "begun", ["Adaptivity->Maximum Levels=2"])
+code, text = epafi("run", shipped, "--restart", os.path.join(WORK, "begun"), "--output",
+                   fresh("again"), "--set", "Adaptivity->Maximum Levels=4")
+claim(code == 0, "a run of two bodies goes on: " + text)
+again = table(os.path.join(WORK, "again", "history.csv"))
+claim(all(a[key] == b[key] for a, b in zip(whole, again)
+          for key in a if not key.startswith("seconds") and key != "memory_mb"),
+      "with the digits of the run that was not interrupted")
+claim(whole[-1]["estimate"] < 0.75 * whole[0]["estimate"], "the estimate falls")
+claim(epafi("check", shipped)[0] == 0, "epafi check")
+
+
+# what is refused, with the key and the reason
+def refused(what, bodies, contacts, *words):
+    code, text = epafi("run", written("bad", bodies, contacts), "--output", fresh("bad"))
+    claim(code == 1 and all(word in text for word in words),
+          "%s: exit 1 and %s; got %d, %s" % (what, words, code, text))
+
+
+A = body("a", block(0, 0, 1, 1), 1.0, PRESS, "{X, Rotation}")
+B = body("b", block(0, -1, 1, 0), 1.0, CLAMP)
+FLOOR = rigid("floor", block(0, -1, 1, 0))
+refused("strangers", [A, B], contact("c", "a:bottom", "c:top"), "Contacts->c->Between",
+        "no body 'c'")
+refused("unknown boundary", [A, B], contact("c", "a:bottom", "b:topp"), "'top'")
+refused("no colon", [A, B], contact("c", "a", "b:top"), "body:boundary")
+refused("one side", [A, B], listed("c", parameter("Between", "Array(string)", "{a:bottom}")),
+        "between two")
+refused("itself", [A, B], contact("c", "a:bottom", "a:top"), "itself")
+refused("two rigid", [A, FLOOR, rigid("roof", block(0, 2, 1, 3))],
+        contact("c", "floor:top", "roof:bottom"), "both bodies are rigid")
+refused("all rigid", [FLOOR], "", "at least one must be elastic")
+refused("a side with a condition", [A, B], contact("c", "a:top", "b:top"),
+        "Boundary Conditions->top")
+refused("sides that never meet", [A, B], contact("c", "a:left", "b:top"), "never meet")
+refused("twice", [A, B, body("d", block(2, -1, 3, 0), 1.0, CLAMP)],
+        contact("c", "a:bottom", "b:top") + contact("e", "a:bottom", "d:top"),
+        "Contacts->c", "different names")
+refused("pressed on and carrying",
+        [A, B, body("d", block(2, -1, 3, 0), 1.0, CLAMP)],
+        contact("c", "a:bottom", "b:top") + contact("e", "b:top", "d:top"), "Contacts->c")
+refused("a rigid body with a material", [A, listed(
+    "floor", listed("Material", parameter("Rigid", "bool", "true"),
+                    parameter("Young's Modulus", "double", 1.0)), geometry(
+                        block(0, -1, 1, 0)))], contact("c", "a:bottom", "floor:top"),
+        "Young's Modulus", "rigid")
+refused("a rigid body with conditions", [A, listed(
+    "floor", listed("Material", parameter("Rigid", "bool", "true")),
+    geometry(block(0, -1, 1, 0)), listed("Boundary Conditions", CLAMP))],
+        contact("c", "a:bottom", "floor:top"), "Boundary Conditions->bottom", "rigid")
+refused("an elastic body with a motion", [A, listed(
+    "b", listed("Material", parameter("Young's Modulus", "double", 1.0),
+                parameter("Poisson's Ratio", "double", 0.3)), geometry(block(0, -1, 1, 0)),
+    listed("Motion", parameter("Rotation", "string", "0.1")))],
+        contact("c", "a:bottom", "b:top"), "Motion->Rotation")
+refused("no modulus", [listed("a", listed("Material"), geometry(block(0, 0, 1, 1)))], "",
+        "Young's Modulus", "missing")
+refused("overlap", [A, body("b", block(0.5, 0.2, 1.5, 0.8), 1.0, CLAMP)], "", "overlap")
+refused("one inside the other", [A, body("b", block(0.4, 0.4, 0.6, 0.6), 1.0, CLAMP)], "",
+        "overlap")
+refused("a free motion", [body("a", block(0, 0, 1, 1), 1.0, PRESS), B],
+        contact("c", "a:bottom", "b:top"), "Bodies->a", "nothing resists")
+refused("a body without hold", [A, B, body("d", block(3, 0, 4, 1), 1.0)],
+        contact("c", "a:bottom", "b:top"), "Bodies->d", "nothing resists")
+refused("an interference that is no number", [A, B],
+        contact("c", "a:bottom", "b:top", parameter("Interference", "string", "1/0")),
+        "Interference")
+finish()
