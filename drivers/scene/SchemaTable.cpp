@@ -22,22 +22,26 @@ void addBody(Table& table) {
   const std::string body = "Bodies-><body>";
   const std::string material = body + "->Material";
   const std::string geometry = body + "->Geometry";
-<<<<<<< HEAD
   append(
       table,
       {
-          Row("Bodies", Kind::List, "the elastic bodies; exactly one for now").required(),
+          Row("Bodies", Kind::List, "one body or several").required(),
           Row(body, Kind::List, "a body, under a name of your choice"),
-          Row(material, Kind::List, "linear elastic, isotropic, homogeneous").required(),
-          Row(material + "->Young's Modulus", Kind::Real, "Young's modulus E")
+          Row(material, Kind::List, "linear elastic, isotropic, homogeneous; or rigid")
+              .required(),
+          Row(material + "->Rigid", Kind::Flag,
+              "an outline without elasticity, of which nothing else is said but "
+              "Geometry and "
+              "Motion")
+              .standard("false"),
+          Row(material + "->Young's Modulus", Kind::Real,
+              "Young's modulus E; every body has one unless it is Rigid")
               .unit("stress")
-              .range(above(0))
-              .required(),
+              .range(above(0)),
           Row(material + "->Poisson's Ratio", Kind::Real,
-              "Poisson's ratio nu; 1/2 in plane strain wants Form Density")
+              "Poisson's ratio nu, likewise; 1/2 in plane strain wants Form Density")
               .unit("1")
-              .range({-1, 0.5, true, false})
-              .required(),
+              .range({-1, 0.5, true, false}),
           Row(material + "->Plane State", Kind::Text,
               "no strain or no stress across the plane")
               .standard("Plane Strain")
@@ -71,46 +75,6 @@ void addBody(Table& table) {
               "instead of vertices and edges: a Gmsh mesh (.msh, ASCII 2.2 or 4.1), "
               "relative to the scene; its physical curves name the boundaries"),
       });
-=======
-  append(table,
-         {
-             Row("Bodies", Kind::List, "one body or several").required(),
-             Row(body, Kind::List, "a body, under a name of your choice"),
-             Row(material, Kind::List, "linear elastic, isotropic, homogeneous; or rigid")
-                 .required(),
-             Row(material + "->Rigid", Kind::Flag,
-                 "an outline without elasticity, of which nothing else is said but "
-                 "Geometry and "
-                 "Motion")
-                 .standard("false"),
-             Row(material + "->Young's Modulus", Kind::Real,
-                 "Young's modulus E; every body has one unless it is Rigid")
-                 .unit("stress")
-                 .range(above(0)),
-             Row(material + "->Poisson's Ratio", Kind::Real,
-                 "Poisson's ratio nu, likewise; 1/2 in plane strain wants Form Density")
-                 .unit("1")
-                 .range({-1, 0.5, true, false}),
-             Row(material + "->Plane State", Kind::Text,
-                 "no strain or no stress across the plane")
-                 .standard("Plane Strain")
-                 .allowed({"Plane Strain", "Plane Stress"}),
-             Row(geometry, Kind::List, "the outline: a polygon, with holes").required(),
-             Row(geometry + "->Vertices", Kind::Points,
-                 "corners of the outer polygon, counter-clockwise; it closes by itself")
-                 .unit("length"),
-             Row(geometry + "->Edges", Kind::Names,
-                 "the boundary's name for each edge; edge i leads from vertex i to i+1"),
-             Row(geometry + "->Hole <k> Vertices", Kind::Points,
-                 "corners of hole k = 1, 2, ..., counter-clockwise too")
-                 .unit("length"),
-             Row(geometry + "->Hole <k> Edges", Kind::Names,
-                 "the boundary's name for each edge of hole k"),
-             Row(geometry + "->File", Kind::Text,
-                 "instead of vertices and edges: a Gmsh mesh (.msh, ASCII 2.2 or 4.1), "
-                 "relative to the scene; its physical curves name the boundaries"),
-         });
->>>>>>> 7f72f93 (Solve several bodies in contact)
 }
 
 void addConditions(Table& table) {
