@@ -2,6 +2,7 @@
 // polynomial.  On any number of ranks.
 #include "Algebra.hpp"
 #include "bem/operators/ExactRotation.hpp"
+#include "contact/Solve.hpp"
 #include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/problem/ContactFields.hpp"
 #include "contact/problem/Summary.hpp"
@@ -55,7 +56,7 @@ struct Disc {
                   contact::densityCompliance(space, multiplier(), stabilization, lame,
                                              units())),
         problem({space, stiffness, lame, units(), conditions, basis, stabilization}),
-        solution(contact::solve(problem.numbers(), {}, {})),
+        solution(test::solve(problem.numbers(), {}, {})),
         displacement(problem.displacement(solution.state)) {}
 
   bem::Units units() const { return space.mesh().outline().units(1); }

@@ -81,8 +81,8 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
         degree);
   };
   using Value = contact::MultiplierSpace::Value;
-  const auto along = [&](double t) { return geometry.curve.tangent(t); };
-  const auto across = [&](double t) { return geometry.curve.normal(t); };
+  const auto along = [&geometry](double t) { return geometry.curve.tangent(t); };
+  const auto across = [&geometry](double t) { return geometry.curve.normal(t); };
   const Polynomial pressure = stress(&Value::normal, across);
   const Polynomial normal = component(across);
   const contact::Conditions::Contact& condition = *element.condition;
@@ -94,11 +94,11 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   };
   const auto opening = [&opposite, &element, across, normal, motion](double t) {
     const auto met = opposite.at(element, t);
-    return met.gap + dot(motion(met), across) - normal(t);
+    return met.gap + dot(motion(met), across(t)) - normal(t);
   };
   const Polynomial own = component(along);
   const auto tangential = [&opposite, &element, along, own, motion](double t) {
-    return own(t) - dot(motion(opposite.at(element, t)), along);
+    return own(t) - dot(motion(opposite.at(element, t)), along(t));
   };
   const auto bound = [&mesh, &condition, units, e, pressure](double t) {
     return condition.friction.at(mesh.physicalPoint(e, t), units.stress)
@@ -106,7 +106,7 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   };
   return {pressure,
           stress(&Value::tangential, along),
-          opposite.isStill() ? bem::Profile(own) : tangential,
+          opposite.isStill() ? bem::Profile(own) : bem::Profile(tangential),
           opening,
           bound,
           p,
