@@ -5,6 +5,7 @@
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(LAPACK REQUIRED)
 find_package(muparser REQUIRED CONFIG)
+find_package(CLI11 REQUIRED CONFIG)
 find_package(Boost 1.74 REQUIRED)
 find_package(MPI REQUIRED COMPONENTS C CXX)
 set(HDF5_PREFER_PARALLEL ON)

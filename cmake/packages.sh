@@ -9,14 +9,14 @@ packagesOf() {
       # their -dev packages do not depend on each other: hence the long list of trilinos.
       echo g++ cmake ninja-build
       echo libopenmpi-dev openmpi-bin libhdf5-openmpi-dev libopenblas-dev
-      echo libboost-dev libboost-math-dev libmuparser-dev libptscotch-dev libscotch-dev
+      echo libboost-dev libboost-math-dev libcli11-dev libmuparser-dev libptscotch-dev libscotch-dev
       echo libtrilinos-{teuchos,kokkos,kokkos-kernels,tpetra,belos,thyra,stratimikos,nox}-dev
       echo libtrilinos-{rtop,epetra,epetraext,triutils,xpetra,aztecoo,amesos,amesos2}-dev
       echo libtrilinos-{anasazi,galeri,ifpack,ifpack2,isorropia,ml,shylu,teko}-dev
       echo libtrilinos-{zoltan,zoltan2,trilinosss}-dev
       echo python3 python3-h5py python3-matplotlib  # epafi plot
       ;;
-    check) echo clang-format-14 ;;
+    check) echo clang-format-14 libxml2-utils python3-jsonschema python3-yaml ;;
     all) echo clang-tidy-14 clang-14 libclang-rt-14-dev libomp-14-dev valgrind ;;
   esac
 }

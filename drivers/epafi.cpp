@@ -1,11 +1,7 @@
 /// Frictional contact of linear elastic bodies in the plane.
 ///
 ///   epafi run SCENE.xml           solve: a table row per level, files into a folder
-///   epafi study STUDY.xml         run variants of scenes and compare them
-///   epafi check SCENE.xml         read and validate only
-///   epafi parameters              every parameter of a scene
-///   epafi plot DIR                pictures of a finished run or study
-///   epafi version | --help
+///   epafi --help                  all commands (drivers/commands/CommandTable.cpp)
 ///
 /// Sample run:  epafi run drivers/scenes/tresca.xml --set 'Adaptivity->Maximum Levels=3'
 

@@ -95,27 +95,8 @@ std::string checkScene(const Scene& scene) {
   return text.str();
 }
 
-int checkCommand(const std::vector<std::string>& arguments, std::ostream& out) {
-  std::string file;
-  std::vector<std::string> overrides;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string& argument = arguments[i];
-    if (argument == "--set" && i + 1 < arguments.size())
-      overrides.push_back(arguments[++i]);
-    else if (argument.rfind("--set=", 0) == 0)
-      overrides.push_back(argument.substr(6));
-    else if (argument.rfind("--", 0) == 0 || !file.empty())
-      throw bem::InputError(bem::message("check: argument '", argument,
-                                         "' is not understood; usage: epafi check "
-                                         "SCENE.xml [--set 'A->B->Key=value']..."));
-    else
-      file = argument;
-  }
-  if (file.empty())
-    throw bem::InputError(
-        "check: no scene is given; usage: epafi check SCENE.xml [--set "
-        "'A->B->Key=value']...");
-  out << checkScene(readScene(file, overrides));
+int checkCommand(const Given& given, std::ostream& out) {
+  out << checkScene(readScene(given.argument, given.values("--set")));
   return 0;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "drivers/commands/SchemaCommand.hpp"
 #include "drivers/scene/Scene.hpp"
 
-#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -15,13 +15,14 @@ namespace epafi::drivers {
 /// negative, or for a mesh that cannot be made.
 std::string checkScene(const Scene& scene);
 
-/// `epafi parameters --format text|xml|markdown`: the whole schema.
-/// \throws bem::InputError for another format.
-std::string parametersText(const std::string& format);
+/// `epafi parameters`: all keys of the grammars as text or markdown; as xml a list of the
+/// first one that Teuchos can read: every key, with its default or a sample value.
+std::string parametersText(const std::vector<Grammar>& grammars,
+                           const std::string& format);
 
-/// The commands with the arguments that follow their name; they return the exit code.
-/// \throws bem::InputError for wrong arguments and wrong scenes.
-int checkCommand(const std::vector<std::string>& arguments, std::ostream& out);
-int parametersCommand(const std::vector<std::string>& arguments, std::ostream& out);
+/// The commands; they return the exit code.
+/// \throws bem::InputError for wrong scenes.
+int checkCommand(const Given& given, std::ostream& out);
+int parametersCommand(const Given& given, std::ostream& out);
 
 }  // namespace epafi::drivers

@@ -53,18 +53,12 @@ int drawPictures(const std::string& folder, Words words) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : 1;
 }
 
-int plotCommand(const std::vector<std::string>& arguments, std::ostream&,
-                const Ranks& ranks) {
-  if (arguments.size() != 1 || arguments.front().empty())
-    throw bem::InputError("plot: one folder is needed; usage: epafi plot DIR");
-  if (arguments.front()[0] == '-')
-    throw bem::InputError(
-        bem::message("plot: unknown option '", arguments.front(), "'; it has none"));
+int plotCommand(const Given& given, std::ostream&, const Ranks& ranks) {
   int code = 0;
   std::exception_ptr problem;
   if (ranks.isFirst()) {
     try {
-      code = drawPictures(arguments.front(), Words::All);
+      code = drawPictures(given.argument, Words::All);
     } catch (...) {
       problem = std::current_exception();
     }

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <iosfwd>
+#include "drivers/commands/Command.hpp"
+
 #include <string>
-#include <vector>
 
 namespace epafi::drivers {
-
-class Ranks;
 
 /// What a helper may say.
 enum class Words { All, Errors };
@@ -20,8 +18,6 @@ enum class Words { All, Errors };
 int drawPictures(const std::string& folder, Words words);
 
 /// `epafi plot DIR`; the first rank draws.
-/// \throws bem::InputError for anything but one folder.
-int plotCommand(const std::vector<std::string>& arguments, std::ostream& out,
-                const Ranks& ranks);
+int plotCommand(const Given& given, std::ostream& out, const Ranks& ranks);
 
 }  // namespace epafi::drivers

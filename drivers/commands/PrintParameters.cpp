@@ -73,9 +73,9 @@ std::string remarks(const Parameter& row) {
   return text;
 }
 
-std::string plainText() {
+std::string plainText(const bem::SchemaRows& rows) {
   std::ostringstream out;
-  for (const Parameter& row : parameters()) {
+  for (const Parameter& row : rows) {
     out << row.path << "\n    " << typeOf(row) << (isList(row) ? ", " : ", default: ")
         << standardOf(row);
     if (!row.range().empty())
@@ -86,16 +86,24 @@ std::string plainText() {
 }
 
 /// One table per list.
-std::string markdown() {
+std::string markdown(const Grammar& grammar) {
+  const bem::SchemaRows& rows = *grammar.rows;
   std::ostringstream out;
+<<<<<<< ours
+  out << "# Parameters of a " << grammar.name << "\n\n"
+      << "Written by `epafi parameters --format markdown`.  `<body>` and the like stand "
+         "for names of your choice,\n`<k>` for 1, 2, ...\n";
+  const auto table = [&](const std::string& parent) {
+=======
   out << "# Parameters of a scene\n\n"
-      << "Written by `epafi parameters --format markdown`.  `<body>`, `<boundary>` stand "
-         "for "
+      << "Written by `epafi parameters --format markdown`.  `<body>`, `<boundary>`, "
+         "`<contact>` stand for "
          "names of your choice,\n`<k>` for 1, 2, ...\n";
   const auto table = [&out](const std::string& parent) {
+>>>>>>> theirs
     out << "\n| key | type | default | range | meaning | unit "
            "|\n|---|---|---|---|---|---|\n";
-    for (const Parameter& row : parameters())
+    for (const Parameter& row : rows)
       if (row.parent() == parent) {
         const std::string only = restriction(row);
         out << "| " << markdownText(row.name()) << " | " << typeOf(row) << " | "
@@ -104,9 +112,9 @@ std::string markdown() {
             << " | " << row.unit << " |\n";
       }
   };
-  out << "\n## The scene\n";
+  out << "\n## The " << grammar.name << "\n";
   table("");
-  for (const Parameter& list : parameters())
+  for (const Parameter& list : rows)
     if (list.kind == Kind::List) {
       out << "\n## " << markdownText(list.path) << "\n\n"
           << markdownText(remarks(list)) << "\n";
@@ -139,11 +147,11 @@ std::string sample(const Parameter& row) {
 }
 
 /// A list that Teuchos can read: every key, with its default or a sample value.
-std::string xml() {
+std::string xml(const bem::SchemaRows& rows) {
   std::ostringstream out;
   const std::function<void(const std::string&, const std::string&)> write =
       [&](const std::string& parent, const std::string& indent) {
-        for (const Parameter& row : parameters()) {
+        for (const Parameter& row : rows) {
           if (row.parent() != parent)
             continue;
           // Two hyphens in a row would end the comment.
@@ -172,28 +180,24 @@ std::string xml() {
 
 }  // namespace
 
-std::string parametersText(const std::string& format) {
-  if (format == "text")
-    return plainText();
+std::string parametersText(const std::vector<Grammar>& grammars,
+                           const std::string& format) {
   if (format == "xml")
-    return xml();
-  if (format == "markdown")
-    return markdown();
-  throw bem::InputError(
-      bem::message("parameters: unknown format '", format, "'",
-                   bem::suggestion(format, {"text", "xml", "markdown"})));
+    return xml(*grammars.front().rows);
+  std::string text;
+  for (const Grammar& grammar : grammars) {
+    text += text.empty() ? "" : "\n";
+    if (format == "markdown")
+      text += markdown(grammar);
+    else
+      text += (grammars.size() == 1 ? "" : "A " + grammar.name + "\n\n") +
+              plainText(*grammar.rows);
+  }
+  return text;
 }
 
-int parametersCommand(const std::vector<std::string>& arguments, std::ostream& out) {
-  if (arguments.empty()) {
-    out << parametersText("text");
-    return 0;
-  }
-  if (arguments.size() != 2 || arguments[0] != "--format")
-    throw bem::InputError(bem::message("parameters: argument '", arguments[0],
-                                       "' is not understood; usage: epafi parameters "
-                                       "[--format text|xml|markdown]"));
-  out << parametersText(arguments[1]);
+int parametersCommand(const Given& given, std::ostream& out) {
+  out << parametersText(grammars(given.value("--of")), given.value("--format", "text"));
   return 0;
 }
 

@@ -1,7 +1,6 @@
 #include "drivers/commands/RunCommand.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/commands/CommandLine.hpp"
 #include "drivers/output/FieldFiles.hpp"
 #include "drivers/output/History.hpp"
 #include "drivers/output/LevelTable.hpp"
@@ -26,6 +25,30 @@
 namespace epafi::drivers {
 
 namespace {
+
+/// The arguments of `epafi run`.
+struct RunOptions {
+  std::string scene;
+  std::string output;
+  std::string restart;  ///< folder of the run to go on from; empty: begin anew
+  std::vector<std::string> overrides;
+  int threads = 0;  ///< 0: all cores, or what the environment says
+  bool force = false;
+  bool quiet = false;
+};
+
+RunOptions optionsOf(const Given& given) {
+  RunOptions options;
+  options.scene = given.argument;
+  options.output = given.value("--output");
+  options.restart = given.value("--restart");
+  options.overrides = given.values("--set");
+  if (given.has("--threads"))
+    options.threads = positiveNumber("--threads", given.value("--threads"));
+  options.force = given.has("--force");
+  options.quiet = given.has("--quiet");
+  return options;
+}
 
 /// What a run goes on from, and where it writes.
 struct Beginning {
@@ -200,9 +223,8 @@ Outcome solveAndRecord(const Scene& scene, const std::optional<Checkpoint>& earl
 
 }  // namespace
 
-int runCommand(const std::vector<std::string>& arguments, std::ostream& out,
-               const Ranks& ranks) {
-  const RunOptions options = parseRunOptions(arguments);
+int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
+  const RunOptions options = optionsOf(given);
   const Scene scene = readScene(options.scene, options.overrides);
   if (options.threads > 0 || ranks.underMpirun())
     setThreads(std::max(options.threads, 1));
@@ -249,10 +271,7 @@ int runCommand(const std::vector<std::string>& arguments, std::ostream& out,
   return code;
 }
 
-int versionCommand(const std::vector<std::string>& arguments, std::ostream& out) {
-  if (!arguments.empty())
-    throw bem::InputError(bem::message("version: argument '", arguments.front(),
-                                       "' is not understood; it takes none"));
+int versionCommand(const Given&, std::ostream& out) {
   const Versions v = versions();
   out << "Epafi " << v.epafi << "\nTrilinos " << v.trilinos << "\nMPI " << v.mpi
       << "\nBLAS core " << v.blasCore << "\n";

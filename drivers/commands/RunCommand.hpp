@@ -1,12 +1,8 @@
 #pragma once
 
-#include <iosfwd>
-#include <string>
-#include <vector>
+#include "drivers/commands/Command.hpp"
 
 namespace epafi::drivers {
-
-class Ranks;
 
 /// `epafi run SCENE.xml [options]`: solves a scene level by level and writes its files.
 ///
@@ -14,10 +10,9 @@ class Ranks;
 /// \throws bem::InputError, bem::NumericalError, Interrupted: files of the levels before
 ///   are written.
 /// Collective; `out` and the files belong to the first rank.
-int runCommand(const std::vector<std::string>& arguments, std::ostream& out,
-               const Ranks& ranks);
+int runCommand(const Given& given, std::ostream& out, const Ranks& ranks);
 
 /// `epafi version`
-int versionCommand(const std::vector<std::string>& arguments, std::ostream& out);
+int versionCommand(const Given& given, std::ostream& out);
 
 }  // namespace epafi::drivers

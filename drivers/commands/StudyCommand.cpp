@@ -2,7 +2,6 @@
 
 #include "bem/base/Error.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
-#include "drivers/commands/CommandLine.hpp"
 #include "drivers/commands/PlotCommand.hpp"
 #include "drivers/output/FieldFiles.hpp"
 #include "drivers/output/History.hpp"
@@ -249,19 +248,17 @@ class StudyRun {
 
 }  // namespace
 
-int studyCommand(const std::vector<std::string>& arguments, std::ostream& out,
-                 const Ranks& ranks) {
-  const RunOptions options = parseStudyOptions(arguments);
+int studyCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   if (ranks.algebra().processes() > 1)
     throw bem::InputError(
         "study: runs on one process, so that its times mean something; --threads N "
         "uses more cores");
-  const Study study = readStudy(options.scene);
-  if (options.threads > 0)
-    setThreads(options.threads);
-  OutputFolder folder(
-      options.output.empty() ? defaultOutputFolder(options.scene) : options.output,
-      options.force ? EarlierRun::Delete : EarlierRun::Refuse);
+  const bool quiet = given.has("--quiet");
+  const Study study = readStudy(given.argument);
+  if (given.has("--threads"))
+    setThreads(positiveNumber("--threads", given.value("--threads")));
+  OutputFolder folder(given.value("--output", defaultOutputFolder(given.argument)),
+                      given.has("--force") ? EarlierRun::Delete : EarlierRun::Refuse);
   ranks.listenToSignals();
   adviseOnInterrupt(bem::message("interrupted; ", folder.path(),
                                  "/study.csv has what was solved; --force begins anew "
@@ -269,7 +266,7 @@ int studyCommand(const std::vector<std::string>& arguments, std::ostream& out,
   folder.write("used.xml", toXml(study.used, study.title));
 
   std::ostream silence(nullptr);
-  std::ostream& text = options.quiet ? silence : out;
+  std::ostream& text = quiet ? silence : out;
   text << study.title << ", " << threads()
        << (threads() == 1 ? " thread\n" : " threads\n");
   const int unsolved = StudyRun(study, folder, ranks, text).run();
@@ -278,8 +275,7 @@ int studyCommand(const std::vector<std::string>& arguments, std::ostream& out,
               << (unsolved == 1 ? " variant was" : " variants were")
               << " not solved on every level: column reason of " << folder.path()
               << "/study.csv\n";
-  const int drawn =
-      drawPictures(folder.path(), options.quiet ? Words::Errors : Words::All);
+  const int drawn = drawPictures(folder.path(), quiet ? Words::Errors : Words::All);
   return unsolved > 0 ? 3 : drawn;
 }
 

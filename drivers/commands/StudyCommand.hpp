@@ -1,12 +1,8 @@
 #pragma once
 
-#include <iosfwd>
-#include <string>
-#include <vector>
+#include "drivers/commands/Command.hpp"
 
 namespace epafi::drivers {
-
-class Ranks;
 
 /// `epafi study STUDY.xml [--output DIR] [--threads N] [--force] [--quiet]`: solves every
 /// variant of every scene of a study and compares them.
@@ -18,7 +14,6 @@ class Ranks;
 /// drawn.
 /// \throws bem::InputError for wrong arguments, studies and scenes, before anything is
 /// solved; Interrupted.
-int studyCommand(const std::vector<std::string>& arguments, std::ostream& out,
-                 const Ranks& ranks);
+int studyCommand(const Given& given, std::ostream& out, const Ranks& ranks);
 
 }  // namespace epafi::drivers

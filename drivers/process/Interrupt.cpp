@@ -17,12 +17,11 @@ std::array<std::array<char, room>, 2> advice{};
 volatile std::sig_atomic_t current = 0;
 volatile std::sig_atomic_t length = 0;
 volatile std::sig_atomic_t received = 0;
-volatile std::sig_atomic_t graceMilliseconds = 1000;
+volatile std::sig_atomic_t graceSeconds = 1;
 
 void startTimer() {
   itimerval time{};
-  time.it_value.tv_sec = graceMilliseconds / 1000;
-  time.it_value.tv_usec = static_cast<suseconds_t>(graceMilliseconds % 1000) * 1000;
+  time.it_value.tv_sec = graceSeconds;
   setitimer(ITIMER_REAL, &time, nullptr);
 }
 
@@ -35,9 +34,10 @@ void endNow(int) {
 }
 
 void note(int signal) {
-  if (received != 0)
-    endNow(signal);
+  const bool second = received != 0;
   received = signal;
+  if (second || graceSeconds == 0)
+    endNow(signal);
   startTimer();
 }
 
@@ -48,7 +48,7 @@ bool speaks = true;
 
 void catchSignals(Grace grace, Voice voice) {
   speaks = voice == Voice::Loud;
-  graceMilliseconds = grace == Grace::Second ? 1000 : 500;
+  graceSeconds = grace == Grace::Second ? 1 : 0;
   struct sigaction timer {};
   timer.sa_handler = endNow;
   sigaction(SIGALRM, &timer, nullptr);

@@ -12,8 +12,8 @@ struct Interrupted {
 
 /// How long a phase may go on after a signal.
 enum class Grace {
-  Second,     ///< 1 s
-  HalfSecond  ///< under mpirun, which kills its ranks 1 s after it has told them
+  Second,  ///< 1 s
+  None     ///< under mpirun, which soon kills its ranks and passes on no words of theirs
 };
 
 /// Whether this process says anything: one of several ranks does.

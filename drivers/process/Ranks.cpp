@@ -60,7 +60,7 @@ std::unique_ptr<const bem::SingleLayerSolver> Ranks::belosSolver(
 }
 
 void Ranks::listenToSignals() const {
-  catchSignals(underMpirun_ ? Grace::HalfSecond : Grace::Second,
+  catchSignals(underMpirun_ ? Grace::None : Grace::Second,
                isFirst() ? Voice::Loud : Voice::Silent);
 }
 

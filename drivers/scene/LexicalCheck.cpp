@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Parameters.hpp"
+#include "drivers/scene/Nesting.hpp"
 
 #include <Teuchos_XMLObject.hpp>
 
@@ -137,10 +138,11 @@ long checkEntries(const Scalar& scalar, const std::string& text) {
   if (inner.empty())
     return 0;
   long count = 0;
-  for (std::size_t at = 0; at <= inner.size(); ++count) {
-    const std::size_t comma = std::min(inner.find(',', at), inner.size());
-    const std::string entry = trimmed(inner.substr(at, comma - at));
-    if (entry.empty() || entry.find_first_of("{}") != std::string::npos)
+  const bool texts = std::string(scalar.type) == "string";  // may hold arrays: A={4, 4}
+  for (const std::string& piece : pieces(inner)) {
+    const std::string entry = trimmed(piece);
+    const bool brace = entry.find_first_of("{}") != std::string::npos;
+    if (entry.empty() || (brace && !(texts && isBalanced(entry))))
       throw InputError(message("entry ", count, " = '", entry,
                                "' of the array is empty or ",
                                "holds a brace; write {a, b, c}"));
@@ -149,7 +151,7 @@ long checkEntries(const Scalar& scalar, const std::string& text) {
     } catch (const InputError& error) {
       throw InputError(message("entry ", count, " of the array: ", error.what()));
     }
-    at = comma + 1;
+    ++count;
   }
   return count;
 }

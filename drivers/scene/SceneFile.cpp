@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "drivers/scene/LexicalCheck.hpp"
+#include "drivers/scene/Nesting.hpp"
 #include "drivers/scene/Schema.hpp"
 
 #include <Teuchos_ParameterEntryXMLConverterDB.hpp>
@@ -40,6 +41,29 @@ std::string complaint(const std::exception& error) {
   return text;
 }
 
+/// Arrays of texts for Teuchos, and back.
+void hideNesting(const Teuchos::XMLObject& object) {
+  for (int i = 0; i < object.numChildren(); ++i) {
+    Teuchos::XMLObject child = object.getChild(i);
+    if (child.getTag() == "ParameterList")
+      hideNesting(child);
+    else if (child.getRequired("type") == "Array(string)")
+      child.addAttribute("value", hidden(child.getRequired("value")));
+  }
+}
+
+void showNesting(Teuchos::ParameterList& list) {
+  using Texts = Teuchos::Array<std::string>;
+  for (const auto& item : list) {
+    Teuchos::ParameterEntry& entry = *list.getEntryPtr(item.first);
+    if (entry.isList())
+      showNesting(Teuchos::getValue<Teuchos::ParameterList>(entry));
+    else if (entry.isType<Texts>())
+      for (std::string& text : Teuchos::getValue<Texts>(entry))
+        text = shown(text);
+  }
+}
+
 RawScene readXml(const std::string& text, const std::string& standardTitle) {
   Teuchos::XMLObject root;
   try {
@@ -50,9 +74,11 @@ RawScene readXml(const std::string& text, const std::string& standardTitle) {
   if (root.isEmpty())
     throw InputError("malformed XML: no root element");
   checkLexically(root);
+  hideNesting(root);
   try {
     RawScene scene{standardTitle,
                    Teuchos::XMLParameterListReader().toParameterList(root)};
+    showNesting(scene.list);
     if (root.hasAttribute("name") && !root.getRequired("name").empty())
       scene.title = root.getRequired("name");
     return scene;
@@ -205,6 +231,102 @@ RawScene readSceneText(const std::string& xml) { return readXml(xml, ""); }
 
 RawScene readRawScene(const std::string& file) { return rawScene(readText(file), file); }
 
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos)
+    return "";
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+/// The list that a path stands in, made if it is not there.
+Teuchos::ParameterList& parentOf(Teuchos::ParameterList& list, const std::string& path) {
+  Teuchos::ParameterList* target = &list;
+  std::size_t at = 0;
+  for (auto end = path.find("->"); end != std::string::npos; end = path.find("->", at)) {
+    const std::string name = path.substr(at, end - at);
+    if (target->isParameter(name) && !target->isSublist(name))
+      throw InputError(path.substr(0, end) + ": is no sublist in the scene");
+    target = &target->sublist(name);
+    at = end + 2;
+  }
+  return *target;
+}
+
+std::string lastOf(const std::string& path) {
+  const auto at = path.rfind("->");
+  return at == std::string::npos ? path : path.substr(at + 2);
+}
+
+/// As parentOf, but makes nothing; nullptr if there is none.
+Teuchos::ParameterList* findParent(Teuchos::ParameterList& list,
+                                   const std::string& path) {
+  Teuchos::ParameterList* target = &list;
+  std::size_t at = 0;
+  for (auto end = path.find("->"); end != std::string::npos; end = path.find("->", at)) {
+    const std::string name = path.substr(at, end - at);
+    if (!target->isSublist(name))
+      return nullptr;
+    target = &target->sublist(name);
+    at = end + 2;
+  }
+  return target;
+}
+
+void removeAt(Teuchos::ParameterList& list, const std::string& path) {
+  Teuchos::ParameterList* parent = findParent(list, path);
+  if (parent == nullptr || !parent->isParameter(lastOf(path)))
+    throw InputError(path +
+                     ": is not in the scene, so it cannot be removed; a value is "
+                     "written behind the =");
+  parent->remove(lastOf(path));
+}
+
+void setAt(Teuchos::ParameterList& list, const std::string& path,
+           const std::string& value);
+
+/// "{Key=value, Key=value}" in place of what the list held.
+void setList(Teuchos::ParameterList& list, const std::string& path,
+             const std::string& value) {
+  if (value.front() != '{' || value.back() != '}')
+    throw InputError(path +
+                     ": is a sublist; name a key in it, or replace the whole by "
+                     "{Key=value, Key=value}");
+  Teuchos::ParameterList& parent = parentOf(list, path);
+  parent.remove(lastOf(path), false);
+  parent.sublist(lastOf(path));
+  for (const std::string& piece : pieces(value.substr(1, value.size() - 2))) {
+    if (trimmed(piece).empty())
+      continue;
+    const auto equal = piece.find('=');
+    if (equal == std::string::npos)
+      throw InputError(message(path, ": '", trimmed(piece), "' is no Key=value"));
+    setAt(list, path + "->" + trimmed(piece.substr(0, equal)), piece.substr(equal + 1));
+  }
+}
+
+void setAt(Teuchos::ParameterList& list, const std::string& path,
+           const std::string& value) {
+  const Parameter& row = declared(path);
+  if (trimmed(value).empty())
+    return removeAt(list, path);
+  if (row.kind == Kind::List)
+    return setList(list, path, trimmed(value));
+  if (row.kind == Kind::Free)
+    throw InputError(path + ": is a sublist that --set can only remove");
+  const std::string type = typeName(row.kind);
+  const std::string text = type == "string" ? value : trimmed(value);
+  try {
+    checkValue(type, text);
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
+  }
+  parentOf(list, path).setEntry(lastOf(path), entryOf(type, text));
+}
+
+}  // namespace
+
 void applyOverride(Teuchos::ParameterList& list, const std::string& assignment) {
   const auto equal = assignment.find('=');
   if (equal == std::string::npos)
@@ -212,26 +334,7 @@ void applyOverride(Teuchos::ParameterList& list, const std::string& assignment) 
   const std::string path = assignment.substr(0, equal);
   const std::string value = assignment.substr(equal + 1);
   try {
-    const Parameter& row = declared(path);
-    if (row.kind == Kind::List || row.kind == Kind::Free)
-      throw InputError(path + ": is a sublist; name a key in it");
-    const std::string type = typeName(row.kind);
-    try {
-      checkValue(type, value);
-    } catch (const InputError& error) {
-      throw InputError(path + ": " + error.what());
-    }
-    Teuchos::ParameterList* target = &list;
-    std::size_t at = 0;
-    for (auto end = path.find("->"); end != std::string::npos;
-         end = path.find("->", at)) {
-      const std::string name = path.substr(at, end - at);
-      if (target->isParameter(name) && !target->isSublist(name))
-        throw InputError(path.substr(0, end) + ": is no sublist in the scene");
-      target = &target->sublist(name);
-      at = end + 2;
-    }
-    target->setEntry(path.substr(at), entryOf(type, value));
+    setAt(list, path, value);
   } catch (const InputError& error) {
     throw InputError(message("--set ", error.what()));
   }

@@ -246,9 +246,9 @@ TEUCHOS_UNIT_TEST(Scene, expressionsMayBeEvaluatedByManyThreads) {
 TEUCHOS_UNIT_TEST(Scene, shippedScenesPassTheCheck) {
   for (const char* name : {"tresca", "coulomb", "patch", "hertz", "punch"}) {
     std::ostringstream text;
-    TEST_EQUALITY(
-        drivers::checkCommand({std::string(EPAFI_SCENES) + "/" + name + ".xml"}, text),
-        0);
+    TEST_EQUALITY(drivers::checkCommand(
+                      {std::string(EPAFI_SCENES) + "/" + name + ".xml", {}}, text),
+                  0);
     TEST_ASSERT(test::contains(text.str(), "The scene is valid."));
   }
 }
@@ -270,7 +270,7 @@ TEUCHOS_UNIT_TEST(Schema, everyDefaultIsValidAndEveryListStandsBeforeItsKeys) {
 TEUCHOS_UNIT_TEST(Schema, everyParameterIsPrintedInEveryFormat) {
   for (const char* format : {"text", "xml", "markdown"}) {
     std::ostringstream text;
-    drivers::parametersCommand({"--format", format}, text);
+    drivers::parametersCommand({"", {{"--format", {format}}}}, text);
     for (const drivers::Parameter& row : drivers::parameters())
       if (row.name().front() != '<' && row.name().find("<k>") == std::string::npos &&
           row.name().find('\'') == std::string::npos)
@@ -279,7 +279,8 @@ TEUCHOS_UNIT_TEST(Schema, everyParameterIsPrintedInEveryFormat) {
 }
 
 TEUCHOS_UNIT_TEST(Schema, itsXmlCanBeReadByTeuchos) {
-  const auto list = Teuchos::getParametersFromXmlString(drivers::parametersText("xml"));
+  const auto list = Teuchos::getParametersFromXmlString(
+      drivers::parametersText(drivers::grammars("scene"), "xml"));
   TEST_EQUALITY(list->sublist("Discretization").get<int>("Degree"), 1);
   TEST_EQUALITY(list->sublist("Solver").get<double>("Tolerance"), 1e-12);
 }

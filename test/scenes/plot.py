@@ -38,7 +38,7 @@ code, text = epafi("plot", os.path.join(WORK, "one"))
 claim(code == 0, "a single level can be drawn: " + text.strip())
 
 for arguments, words, sentence in [
-        ([], ["one folder"], "no folder"),
+        ([], ["no folder is given"], "no folder"),
         ([os.path.join(WORK, "nowhere")], ["no folder", "nowhere"], "a missing folder"),
         (["--help-me"], ["unknown option"], "an option")]:
     code, text = epafi("plot", *arguments)

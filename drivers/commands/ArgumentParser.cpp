@@ -1,0 +1,136 @@
+#include "bem/base/Error.hpp"
+#include "bem/base/Parameters.hpp"
+#include "drivers/commands/Command.hpp"
+#include "drivers/commands/Help.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <charconv>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::InputError;
+using bem::message;
+
+[[noreturn]] void refuseOption(const Command& command, const std::string& text) {
+  std::vector<std::string> known;
+  for (const Option& option : command.options)
+    known.push_back(option.name);
+  known.emplace_back("--help");
+  const std::string name = text.substr(0, text.find('='));
+  throw InputError(message(command.name, ": unknown option '", name, "'",
+                           bem::suggestion(name, known)));
+}
+
+/// What CLI11 would say in words of its own.
+void checkValues(const Command& command, const std::vector<std::string>& arguments) {
+  for (const Option& option : command.options) {
+    const bool wanted = !option.value.empty();
+    if (wanted && !arguments.empty() &&
+        (arguments.back() == option.name || arguments.back() == option.name + "="))
+      throw InputError(message(command.name, ": ", option.name,
+                               " needs a value: ", option.name, " ", option.value));
+    int given = 0;
+    for (const std::string& argument : arguments) {
+      const bool withValue = argument.rfind(option.name + "=", 0) == 0;
+      if (withValue && !wanted)
+        throw InputError(message(command.name, ": ", option.name, " takes no value"));
+      given += withValue || argument == option.name ? 1 : 0;
+    }
+    if (given > 1 && wanted && !option.repeatable)
+      throw InputError(message(command.name, ": ", option.name, " is given ", given,
+                               " times; once is allowed"));
+  }
+}
+
+void checkWords(const Command& command, const Given& given) {
+  for (const Option& option : command.options)
+    for (const std::string& value : given.values(option.name)) {
+      if (value.empty())
+        throw InputError(message(command.name, ": ", option.name,
+                                 ": the value is empty; ", option.value, " is needed"));
+      if (!option.words.empty() && std::find(option.words.begin(), option.words.end(),
+                                             value) == option.words.end())
+        throw InputError(message(command.name, ": ", option.name, ": unknown ",
+                                 option.name.substr(2), " '", value, "'",
+                                 bem::suggestion(value, option.words)));
+    }
+}
+
+void takeArgument(const Command& command, const std::vector<std::string>& rest,
+                  Given& given) {
+  for (const std::string& text : rest) {
+    if (text.size() > 1 && text[0] == '-')
+      refuseOption(command, text);
+    if (command.argument.name.empty())
+      throw InputError(message(command.name, ": argument '", text,
+                               "' is not understood; usage: ", usageLine(command)));
+    if (!given.argument.empty())
+      throw InputError(message(command.name, ": two arguments, '", given.argument,
+                               "' and '", text, "'; one ", command.argument.what,
+                               " is allowed"));
+    given.argument = text;
+  }
+  if (given.argument.empty() && !command.argument.name.empty() &&
+      command.argument.required && !given.has("--help"))
+    throw InputError(message(command.name, ": no ", command.argument.what,
+                             " is given; usage: ", usageLine(command)));
+}
+
+}  // namespace
+
+std::string Given::value(const std::string& option, const std::string& otherwise) const {
+  const auto found = options.find(option);
+  return found == options.end() || found->second.empty() ? otherwise
+                                                         : found->second.back();
+}
+
+std::vector<std::string> Given::values(const std::string& option) const {
+  const auto found = options.find(option);
+  return found == options.end() ? std::vector<std::string>() : found->second;
+}
+
+Given parseArguments(const Command& command, const std::vector<std::string>& arguments) {
+  checkValues(command, arguments);
+  CLI::App app;
+  app.set_help_flag();  // --help is one of ours
+  app.allow_extras();
+  app.add_flag("-h,--help")->disable_flag_override();
+  for (const Option& option : command.options)
+    if (option.value.empty())
+      app.add_flag(option.name)->disable_flag_override();
+    else
+      app.add_option(option.name)
+          ->expected(1)
+          ->multi_option_policy(option.repeatable ? CLI::MultiOptionPolicy::TakeAll
+                                                  : CLI::MultiOptionPolicy::Throw);
+  try {
+    // CLI11 takes them from the end
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+  } catch (const CLI::ParseError& error) {
+    throw InputError(
+        message(command.name, ": ", error.what(), "; usage: ", usageLine(command)));
+  }
+  Given given;
+  for (const CLI::Option* option : app.get_options())
+    if (option->count() > 0)
+      given.options[option->get_name()] = option->results();
+  takeArgument(command, app.remaining(), given);
+  checkWords(command, given);
+  return given;
+}
+
+int positiveNumber(const std::string& option, const std::string& text) {
+  int value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || value < 1)
+    throw InputError(message(option, ": '", text, "' is not a whole number >= 1"));
+  return value;
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <iosfwd>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace epafi::drivers {
+
+class Ranks;
+
+/// What the shell offers where a value is wanted.
+enum class Offer { Nothing, Scenes, Folders, Files, Words };
+
+/// What stands behind a command without a name: a scene, a study, a folder.
+struct Argument {
+  std::string name;  ///< as in usages: "SCENE.xml"; empty: the command takes none
+  std::string what;  ///< "scene", for messages
+  Offer offer = Offer::Nothing;
+  bool required = true;
+};
+
+/// "--output DIR".
+struct Option {
+  std::string name;   ///< with its two hyphens
+  std::string value;  ///< as in usages; empty: a switch without a value
+  std::string meaning;
+  Offer offer = Offer::Nothing;
+  std::vector<std::string> words = {};  ///< that are allowed; empty: any
+  bool repeatable = false;
+};
+
+/// What the user wrote behind a command's name.
+class Given {
+ public:
+  std::string argument;
+  std::map<std::string, std::vector<std::string>> options;
+
+  bool has(const std::string& option) const { return options.count(option) != 0; }
+  /// The last value of an option; `otherwise` without it.
+  std::string value(const std::string& option, const std::string& otherwise = "") const;
+  std::vector<std::string> values(const std::string& option) const;
+};
+
+/// A command of the program: all that its help, the man page, the completion and the parser
+/// say and know about it.
+struct Command {
+  std::string name;
+  std::string purpose;  ///< one line
+  Argument argument;
+  std::vector<Option> options;
+  /// Returns the exit code; throws what the codes 1 and 2 stand for.
+  int (*run)(const Given& given, std::ostream& out, const Ranks& ranks);
+};
+
+/// Of the arguments that follow the command's name, options before or behind the argument,
+/// values as `--key value` or `--key=value`.  `--help` is an option of every command.
+/// \throws bem::InputError for an unknown option, naming the nearest, a missing or
+///   superfluous value, a word that is not allowed, and anything but one argument where one
+///   is wanted.
+Given parseArguments(const Command& command, const std::vector<std::string>& arguments);
+
+/// A whole number >= 1.
+/// \throws bem::InputError naming the option.
+int positiveNumber(const std::string& option, const std::string& text);
+
+}  // namespace epafi::drivers

@@ -1,0 +1,168 @@
+#include "drivers/commands/CommandTable.hpp"
+
+#include "bem/base/Error.hpp"
+#include "bem/base/Parameters.hpp"
+#include "drivers/commands/Commands.hpp"
+#include "drivers/commands/Help.hpp"
+#include "drivers/commands/PlotCommand.hpp"
+#include "drivers/commands/RunCommand.hpp"
+#include "drivers/commands/SchemaCommand.hpp"
+#include "drivers/commands/StudyCommand.hpp"
+#include "drivers/process/Ranks.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+namespace epafi::drivers {
+
+namespace {
+
+/// A command that needs one process only: each has it, the first one is heard.
+template <int (*Run)(const Given&, std::ostream&)>
+int alone(const Given& given, std::ostream& out, const Ranks&) {
+  return Run(given, out);
+}
+
+std::string helpAs(const std::string& format) {
+  if (format == "man")
+    return manPage(commands());
+  if (format == "bash")
+    return bashCompletion(commands());
+  return helpOf(commands());
+}
+
+const Command& commandNamed(const std::string& name) {
+  std::vector<std::string> known;
+  for (const Command& command : commands()) {
+    if (command.name == name)
+      return command;
+    known.push_back(command.name);
+  }
+  const bool scene =
+      name.find(".xml") != std::string::npos || name.find(".yaml") != std::string::npos;
+  throw bem::InputError(
+      bem::message("unknown command '", name, "'",
+                   scene ? "; to solve a scene: epafi run " + name
+                         : "; did you mean '" + bem::nearest(name, known) + "'?",
+                   "\n\n", listOf(commands())));
+}
+
+int helpCommand(const Given& given, std::ostream& out) {
+  out << (given.argument.empty() ? helpAs(given.value("--format", "text"))
+                                 : helpOf(commandNamed(given.argument)));
+  return 0;
+}
+
+const Option output{"--output", "DIR",
+                    "the folder for the results; default: ./<scene name>.out",
+                    Offer::Folders};
+const Option threads{"--threads", "N",
+                     "OpenMP and BLAS together; default: all cores, 1 under mpirun"};
+const Option force{"--force", "", "replace the files of an earlier run"};
+const Option quiet{"--quiet", "", "print nothing but errors"};
+const Option set{
+    "--set",
+    "'A->B->Key=value'",
+    "replace a value of the scene; a list by {Key=value, Key=value}, nothing "
+    "behind the = removes a key or a list",
+    Offer::Nothing,
+    {},
+    true};
+
+Option format(const std::vector<std::string>& words) {
+  std::string names;
+  for (const std::string& word : words)
+    names += (names.empty() ? "" : "|") + word;
+  return {"--format", names, "default: " + words.front(), Offer::Words, words};
+}
+
+Option of(const std::string& standard) {
+  return {"--of",
+          "scene|study",
+          "only these; default: " + standard,
+          Offer::Words,
+          {"scene", "study"}};
+}
+
+std::vector<Command> makeCommands() {
+  const Argument scene{"SCENE.xml", "scene", Offer::Scenes};
+  return {
+      {"run",
+       "solve a scene; a table row per level, files into a folder",
+       scene,
+       {output,
+        set,
+        threads,
+        {"--restart", "DIR",
+         "go on from the last level in DIR, in DIR itself or in --output; what the scene "
+         "may change: caps, strategy, solver, output",
+         Offer::Folders},
+        force,
+        quiet},
+       runCommand},
+      {"study",
+       "run variants of scenes; error against unknowns and time, one table, pictures",
+       {"STUDY.xml", "study", Offer::Scenes},
+       {output,
+        threads,
+        {"--force", "", "replace the files of an earlier study, references are kept"},
+        quiet},
+       studyCommand},
+      {"check",
+       "read and validate only, evaluate every expression",
+       scene,
+       {set},
+       alone<checkCommand>},
+      {"parameters",
+       "every parameter of scenes and studies: path, type, default, range, meaning, unit",
+       {},
+       {format({"text", "xml", "markdown"}), of("both, scene as xml")},
+       alone<parametersCommand>},
+      {"plot",
+       "pictures of a finished run or study, PNG and SVG",
+       {"DIR", "folder", Offer::Folders},
+       {},
+       plotCommand},
+      {"schema",
+       "the schema of scenes and studies for editors: RELAX NG for XML, JSON Schema for "
+       "YAML",
+       {},
+       {format({"rng", "json"}), of("both")},
+       alone<schemaCommand>},
+      {"version", "what this program is made of", {}, {}, alone<versionCommand>},
+      {"help",
+       "this page, or the options of one command; as man page or completion of bash",
+       {"COMMAND", "command", Offer::Nothing, false},
+       {format({"text", "man", "bash"})},
+       alone<helpCommand>},
+  };
+}
+
+/// What other programs are asked for help and version by.
+std::string synonym(const std::string& name) {
+  if (name == "--help" || name == "-h")
+    return "help";
+  return name == "--version" ? "version" : name;
+}
+
+}  // namespace
+
+const std::vector<Command>& commands() {
+  static const std::vector<Command> table = makeCommands();
+  return table;
+}
+
+int dispatch(const std::vector<std::string>& arguments, const Ranks& ranks) {
+  if (arguments.empty())
+    throw bem::InputError("no command is given\n\n" + helpOf(commands()));
+  const Command& command = commandNamed(synonym(arguments.front()));
+  const Given given = parseArguments(command, {arguments.begin() + 1, arguments.end()});
+  std::ostream silence(nullptr);
+  std::ostream& out = ranks.isFirst() ? std::cout : silence;
+  if (!given.has("--help"))
+    return command.run(given, out, ranks);
+  out << helpOf(command);
+  return 0;
+}
+
+}  // namespace epafi::drivers

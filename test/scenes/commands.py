@@ -1,0 +1,171 @@
+"""Commands, options and schemas: one table says what the parser, the help, the man page, the
+completion and editors know."""
+import os
+import re
+import shutil
+import subprocess
+
+from runs import EPAFI, SCENES, WORK, claim, epafi, finish, fresh, scene
+
+os.makedirs(WORK, exist_ok=True)
+code, usage = epafi("--help")
+names = re.findall(r"^  epafi ([a-z]+)", usage, re.M)
+claim(code == 0 and {"run", "study", "check", "parameters", "plot", "schema", "version",
+                     "help"} <= set(names), "the commands: " + " ".join(names))
+code, man = epafi("help", "--format", "man")
+code, completion = epafi("help", "--format", "bash")
+for name in names:
+    code, text = epafi(name, "--help")
+    claim(code == 0 and text.startswith("usage: epafi " + name), name + " --help")
+    code, other = epafi("help", name)
+    claim(code == 0 and other == text, "epafi help " + name)
+    options = re.findall(r"^  (--[a-z]+)", text, re.M)
+    claim(all(option in usage for option in options) and
+          all(option.replace("-", r"\-") in man for option in options) and
+          all(option in completion for option in options),
+          "%s's options stand in all pages: %s" % (name, " ".join(options)))
+    code, text = epafi(name, "--hepl")
+    claim(code == 1 and "'--help'" in text, "%s: an unknown option is refused" % name)
+code, text = epafi("solve")
+claim(code == 1 and all("  " + name in text for name in names),
+      "a wrong command is answered by the list of commands")
+code, text = epafi(scene("tresca.xml"))
+claim(code == 1 and "epafi run " in text, "a scene without a command as well: how to run it")
+for arguments, words in [
+        (["--output", "a", "--output", "b"], "2 times"), (["--output="], "needs a value"),
+        (["--force=yes"], "takes no value"), (["--output", ""], "empty")]:
+    code, text = epafi("run", scene("tresca.xml"), *arguments)
+    claim(code == 1 and words in text, "%s: %s" % (arguments, text.strip()))
+
+# the completion completes
+script = os.path.join(WORK, "completion.bash")
+with open(script, "w") as stream:
+    stream.write(completion)
+
+
+def completed(*words):
+    line = "source %s; COMP_WORDS=(%s); COMP_CWORD=%d; _epafi; printf '%%s\\n' \"${COMPREPLY[@]}\"" % (
+        script, " ".join("'%s'" % word for word in words), len(words) - 1)
+    done = subprocess.run(["bash", "-c", line], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, universal_newlines=True, cwd=SCENES)
+    return sorted(done.stdout.split()) if not done.stderr else [done.stderr]
+
+
+claim(completed("epafi", "s") == ["schema", "study"], "commands are completed")
+claim(completed("epafi", "run", "--q") == ["--quiet"], "options are completed")
+claim(completed("epafi", "run", "tr") == ["tresca.xml"], "scenes are completed")
+claim(completed("epafi", "schema", "--format", "j") == ["json"], "words are completed")
+
+# what --set can do to a list
+BOUNDARY = "Bodies->block->Boundary Conditions->foundation"
+for sentence, settings, ok, words in [
+        ("a law is replaced", [BOUNDARY + "->Friction={Law=Tresca, Threshold=max(x, 0.1)}"],
+         True, ""),
+        ("a list with a list in it",
+         ["Adaptivity={Strategy=Graded hp, Grading={Ratio=0.2}}"], True, "Graded hp"),
+        ("a list is removed", ["Adaptivity="], True, "None"),
+        ("a key is removed, another one set",
+         ["Discretization->Elements per Edge=", "Discretization->Mesh Size=0.5"], True, ""),
+        ("a key within a replaced list is checked", ["Adaptivity={Strateg=None}"], False,
+         "'Strategy'"),
+        ("what a law needs is still wanted", [BOUNDARY + "->Friction={Law=Tresca}"], False,
+         "Threshold"),
+        ("what is not there cannot be removed", ["Output->Fields="], False, "not in the scene"),
+        ("a list is no value", ["Adaptivity=None"], False, "{Key=value")]:
+    arguments = [word for setting in settings for word in ("--set", setting)]
+    code, text = epafi("check", scene("coulomb.xml"), *arguments)
+    claim((code == 0) == ok and words in text, "--set: %s (%s)" %
+          (sentence, "accepted" if code == 0 else text.strip()[:120]))
+
+# Set in studies takes arrays and lists, and used.xml repeats them
+study = os.path.join(WORK, "arrays.xml")
+with open(study, "w") as stream:
+    stream.write("""<ParameterList name="Arrays">
+  <ParameterList name="Scenes"><ParameterList name="coulomb">
+    <Parameter name="File" type="string" value="%s"/>
+  </ParameterList></ParameterList>
+  <ParameterList name="Variants"><ParameterList name="coarse">
+    <Parameter name="Set" type="Array(string)" value="{ Adaptivity={Strategy=None},
+      Discretization->Elements per Edge={4, 2, 4, 2}, %s->Friction->Coefficient=max(0.1, 0.2)}"/>
+  </ParameterList></ParameterList>
+</ParameterList>
+""" % (os.path.abspath(scene("coulomb.xml")), BOUNDARY))
+folder = fresh("arrays")
+code, text = epafi("study", study, "--output", folder, "--quiet")
+with open(os.path.join(folder, "coarse", "history.csv")) as stream:
+    row = stream.read().splitlines()[1]
+claim(code == 0 and row.split(",")[1] == "12", "12 elements: " + row[:20])
+again = fresh("again")
+code, text = epafi("study", os.path.join(folder, "used.xml"), "--output", again, "--quiet")
+with open(os.path.join(again, "coarse", "history.csv")) as stream:
+    claim(code == 0 and stream.read().splitlines()[1].split(",")[1:9] == row.split(",")[1:9],
+          "used.xml repeats the study")
+
+# schemas: what the program accepts, they accept; and they find slips of the pen
+code, text = epafi("parameters")
+claim("Variants-><variant>->Set" in text and "Adaptivity->Strategy" in text,
+      "parameters covers scenes and studies")
+rng = os.path.join(WORK, "epafi.rng")
+with open(rng, "w") as stream:
+    stream.write(epafi("schema")[1])
+xmllint = shutil.which("xmllint")
+if xmllint:
+    def valid(file):
+        return subprocess.run([xmllint, "--noout", "--relaxng", rng, file],
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
+
+    shipped = [os.path.join(where, name)
+               for top in (SCENES, os.path.join(SCENES, "..", "studies"))
+               for where, _, files in os.walk(top) for name in files if name.endswith(".xml")]
+    claim(len(shipped) > 10 and all(valid(file) for file in shipped),
+          "RELAX NG: %d shipped scenes and studies are valid" % len(shipped))
+    claim(valid(os.path.join(folder, "used.xml")) and
+          valid(os.path.join(folder, "coarse", "used.xml")), "and what a run has used")
+    with open(scene("coulomb.xml")) as stream:
+        text = stream.read()
+    for before, after in [('name="Strategy"', 'name="Strateg"'), ("Graded hp", "Gradde hp"),
+                          ('Freedom" type="int"', 'Freedom" type="bool"'),
+                          ('"Young\'s Modulus" type="double" value="', '"Young\'s Modulus" type="double" value="-')]:
+        claim(before in text, "the scene has " + before)
+        spoiled = os.path.join(WORK, "spoiled.xml")
+        with open(spoiled, "w") as stream:
+            stream.write(text.replace(before, after, 1))
+        claim(not valid(spoiled), "RELAX NG refuses " + after)
+else:
+    print("xmllint is not here: RELAX NG not tried")
+try:
+    import json
+
+    import jsonschema
+    import yaml
+    schema = json.loads(epafi("schema", "--format", "json", "--of", "scene")[1])
+    SCENE = """
+A block:
+  Bodies:
+    block:
+      Material: {Young's Modulus: 500, Poisson's Ratio: 0.3}
+      Geometry:
+        Vertices: [[-1, 0], [1, 0], [1, 1], [-1, 1]]
+        Edges: [bottom, right, top, left]
+      Boundary Conditions:
+        bottom: {Type: Contact, Gap: x^2/100, Friction: {Law: Coulomb, Coefficient: 0.3}}
+        top: {Type: Dirichlet, Displacement X: 0.002, Displacement Y: -0.01}
+  Discretization: {Elements per Edge: [16, 8, 16, 8]}
+"""
+    file = os.path.join(WORK, "block.yaml")
+    with open(file, "w") as stream:
+        stream.write(SCENE)
+    code, text = epafi("check", file)
+    claim(code == 0, "the program accepts a scene in YAML")
+    jsonschema.validate(yaml.safe_load(SCENE), schema)
+    claim(True, "so does the JSON Schema")
+    for before, after in [("Coulomb", "Colomb"), ("Gap", "Gapp"), ("500", "-500"),
+                          ("Bodies", "Body")]:
+        try:
+            jsonschema.validate(yaml.safe_load(SCENE.replace(before, after)), schema)
+            claim(False, "JSON Schema refuses " + after)
+        except jsonschema.ValidationError:
+            claim(True, "JSON Schema refuses " + after)
+except ImportError as error:
+    print("%s: JSON Schema not tried" % error)
+finish()
