@@ -89,18 +89,10 @@ std::string plainText(const bem::SchemaRows& rows) {
 std::string markdown(const Grammar& grammar) {
   const bem::SchemaRows& rows = *grammar.rows;
   std::ostringstream out;
-<<<<<<< ours
   out << "# Parameters of a " << grammar.name << "\n\n"
       << "Written by `epafi parameters --format markdown`.  `<body>` and the like stand "
          "for names of your choice,\n`<k>` for 1, 2, ...\n";
   const auto table = [&](const std::string& parent) {
-=======
-  out << "# Parameters of a scene\n\n"
-      << "Written by `epafi parameters --format markdown`.  `<body>`, `<boundary>`, "
-         "`<contact>` stand for "
-         "names of your choice,\n`<k>` for 1, 2, ...\n";
-  const auto table = [&out](const std::string& parent) {
->>>>>>> theirs
     out << "\n| key | type | default | range | meaning | unit "
            "|\n|---|---|---|---|---|---|\n";
     for (const Parameter& row : rows)
