@@ -83,7 +83,7 @@ std::string boundaryCsv(const Scene& scene, const SolvedLevel& level) {
     const bem::Vector& density = level.level.bodies[b].density;
     const bem::Mesh& mesh = solved.space.mesh();
     for (int e = 0; e < mesh.size(); ++e) {
-      const int intervals = 2 * (mesh[e].degree + 1);
+      const int intervals = linesOf(mesh[e]);
       for (int k = 0; k <= intervals; ++k) {
         const double t = -1 + 2.0 * k / intervals;
         const bem::Vec2 x = mesh.physicalPoint(e, t);

@@ -1,6 +1,7 @@
 #include "drivers/output/FieldGrid.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace epafi::drivers {
@@ -8,8 +9,6 @@ namespace epafi::drivers {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-int linesOf(const bem::Element& element) { return 2 * (element.degree + 1); }
 
 void add(bem::Vec2 vector, std::vector<double>& numbers) {
   numbers.insert(numbers.end(), {vector.x, vector.y, 0});
@@ -78,6 +77,13 @@ class Sampler {
 };
 
 }  // namespace
+
+int linesOf(const bem::Element& element) {
+  constexpr double degreesALine = 5;
+  const double angle = std::abs(element.curve.angle()) * 180 / 3.14159265358979;
+  return std::max(2 * (element.degree + 1),
+                  static_cast<int>(std::ceil(angle / degreesALine)));
+}
 
 int numberOf(contact::FrictionKind friction) {
   switch (friction) {

@@ -38,6 +38,10 @@ FieldGrid fieldGrid(const SolvedLevel& level);
 /// As files number them: 0 none, 1 stick, 2 slip.
 int numberOf(contact::FrictionKind friction);
 
+/// Into how many straight lines an element is drawn: two for each function of its degree, on
+/// arcs one for every 5 degrees at least.
+int linesOf(const bem::Element& element);
+
 /// The names of a mesh's boundaries, in the order of the outline's edges.
 std::vector<std::string> boundaryNames(const bem::Outline& outline);
 

@@ -137,7 +137,10 @@ std::vector<int> countsFromSize(const bem::Outline& outline, double size,
       throw InputError(message(parent, "->Mesh Size = ", size, ": gives ", count,
                                " elements on edge '", edge.boundary, "'; at most ",
                                largestMesh, " are possible"));
-    counts.push_back(std::max(1, static_cast<int>(count)));
+    // an element turns by a quarter of a circle at most
+    const double turns =
+        std::ceil(std::abs(edge.curve.angle()) / 1.5707963267948966 - 1e-9);
+    counts.push_back(std::max({1, static_cast<int>(count), static_cast<int>(turns)}));
   }
   return counts;
 }
@@ -167,6 +170,16 @@ std::vector<int> readElements(const ParameterList& list, const bem::Outline& out
     if (item.first.rfind("Hole ", 0) == 0 && std::stol(item.first.substr(5)) > holes)
       throw InputError(
           message(parent, "->", item.first, ": the body has ", holes, " holes"));
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    const bem::Curve& curve = outline.edge(static_cast<int>(k)).curve;
+    constexpr double halfACircle = 3.1415926535897932 * (1 + 1e-12);
+    if (std::abs(curve.angle()) > halfACircle * counts[k])
+      throw InputError(
+          message(parent, "->Elements per Edge: ", counts[k], " on an edge of '",
+                  outline.edge(static_cast<int>(k)).boundary, "' that turns by ",
+                  std::abs(curve.angle()) * 180 / 3.1415926535897932,
+                  " degrees; an element turns by 180 at most"));
+  }
   if (std::accumulate(counts.begin(), counts.end(), 0.0) > largestMesh)
     throw InputError(
         message(parent, "->Elements per Edge: more than ", largestMesh, " elements"));

@@ -163,3 +163,65 @@ TEUCHOS_UNIT_TEST(Outline, sharesAScalingWithALargerBody) {
   const epafi::bem::Scaling tooSmall{{0, 0}, 0.99 * alone.diameter()};
   TEST_THROW(Outline(small, {}, tooSmall), InputError);
 }
+
+namespace {
+
+/// Two vertices, as bulges say.
+Loop lens(double first, double second) {
+  Loop loop = named({{1, 0}, {-1, 0}});
+  loop.bulges = {first, second};
+  return loop;
+}
+
+Loop withBulges(Loop loop, const std::vector<double>& bulges) {
+  loop.bulges = bulges;
+  return loop;
+}
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(Outline, isOfArcs) {
+  const Outline circle(lens(1, 1));
+  TEST_FLOATING_EQUALITY(circle.diameter(), 2.0, 1e-14);
+  for (const double x : {-0.999, -0.3, 0.0, 0.7})
+    for (const double y : {-0.9, -0.2, 0.0, 0.5, 1.1})
+      TEST_EQUALITY(circle.contains({x, y}), std::hypot(x, y) < 1);
+  TEST_ASSERT(!circle.contains({1, 0}));
+  // a hole runs the other way: its arcs stay where they are drawn
+  const Outline ring(lens(1, 1), {withBulges(named({{0.5, 0}, {-0.5, 0}}), {1, 0.2})});
+  TEST_ASSERT(!ring.contains({0, 0.4}));
+  TEST_ASSERT(ring.contains({0, -0.4}));
+  TEST_ASSERT(!ring.contains({0, -0.05}));
+  TEST_EQUALITY(complaint(lens(1, -0.9)), "");  // a crescent
+}
+
+TEUCHOS_UNIT_TEST(Outline, refusesArcsThatTouchOrCross) {
+  const Loop square = rectangle(0, 0, 2, 2);
+  const auto sides = [&](const std::vector<double>& bulges) {
+    return complaint(withBulges(square, bulges));
+  };
+  TEST_EQUALITY(sides({0.4, 0.4, 0.4, 0.4}), "");
+  TEST_EQUALITY(sides({-0.4, 0.4, -0.4, 0.4}), "");
+  // half a circle inwards would run back along the neighbours
+  TEST_ASSERT(contains(sides({0, -1, 0, 0}), "edge 0 ('e0') and edge 1 ('e1')"));
+  // arcs inwards from both sides of a narrow body touch in the middle, more of them cross
+  const auto waist = [](double bulge) {
+    return complaint(withBulges(rectangle(0, 0, 1, 2), {0, bulge, 0, bulge}));
+  };
+  TEST_EQUALITY(waist(-0.49), "");
+  TEST_ASSERT(contains(waist(-0.5), "edge 1 ('e1') and edge 3 ('e3')"));
+  TEST_ASSERT(contains(waist(-0.6), "edge 1 ('e1') and edge 3 ('e3')"));
+  // neighbours that cross again away from their corner
+  TEST_ASSERT(contains(sides({-1.2, -1.2, 0, 0}), "edge 0 ('e0') and edge 1 ('e1')"));
+  TEST_ASSERT(contains(complaint(lens(0.5, -0.5)), "touches or crosses itself"));
+  TEST_ASSERT(contains(complaint(lens(-1, -1)), "clockwise"));
+  TEST_ASSERT(contains(
+      complaint(square, {withBulges(rectangle(0.5, 0.5, 1.5, 1.5), {1, 0, 0, 0})}),
+      "touch or cross"));
+}
+
+TEUCHOS_UNIT_TEST(Outline, wantsABulgeForEachEdge) {
+  TEST_ASSERT(contains(complaint(withBulges(rectangle(0, 0, 1, 1), {0.1})), "as many"));
+  TEST_ASSERT(contains(complaint(lens(11, 1)), "from -10 to 10"));
+  TEST_ASSERT(contains(complaint(lens(0, 0)), "at least 3"));
+}

@@ -3,8 +3,6 @@
 #include "Algebra.hpp"
 #include "bem/operators/ExactRotation.hpp"
 #include "contact/Solve.hpp"
-#include "contact/coulomb/CoulombIteration.hpp"
-#include "contact/problem/ContactFields.hpp"
 #include "contact/problem/Summary.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

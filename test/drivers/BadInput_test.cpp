@@ -283,6 +283,29 @@ TEUCHOS_UNIT_TEST(BadInput, openCrossingAndClockwisePolygonsAreRefused) {
   TEST_COMPLAINT(hole.xml(), body + "Geometry", "outer polygon", "hole 1");
 }
 
+TEUCHOS_UNIT_TEST(BadInput, arcsFitTogether) {
+  const auto with = [](const std::string& key, const std::string& values) {
+    SceneText scene;
+    scene.geometry +=
+        "<Parameter name=\"" + key + "\" type='Array(double)' value=\"" + values + "\"/>";
+    return scene.xml();
+  };
+  const std::string geometry = body + "Geometry";
+  TEST_EQUALITY(complaintOf(with("Bulges", "{0, 0.1, 0, -0.2}")), "");
+  TEST_COMPLAINT(with("Bulges", "{0, 0.1}"), geometry + "->Bulges", "4", "2");
+  TEST_COMPLAINT(with("Bulges", "{0, 0.1, 0, -11}"), geometry + "->Bulges", "-11", "10");
+  TEST_COMPLAINT(with("Bulges", "{0, 0.1, 0, inf}"), geometry + "->Bulges", "inf");
+  TEST_COMPLAINT(with("Bulges", "{-1, 0, -1, 0}"), geometry, "touches or crosses");
+  SceneText coarse;
+  coarse.geometry +=
+      R"(<Parameter name="Bulges" type='Array(double)' value="{0, 1.1, 0, 0}"/>)";
+  coarse.discretization =
+      R"(<Parameter name="Elements per Edge" type='Array(int)' value="{4, 1, 4, 2}"/>)";
+  TEST_COMPLAINT(coarse.xml(), "Discretization->Elements per Edge", "'right'", "180");
+  TEST_COMPLAINT(with("Bulges", "{0, 0.1x, 0, 0}"), geometry + "->Bulges", "0.1x");
+  TEST_COMPLAINT(with("Hole 1 Bulges", "{0, 0, 0}"), geometry + "->Hole 1 Bulges");
+}
+
 TEUCHOS_UNIT_TEST(BadInput, unnamedEdgesAndConditionsForNoEdgeAreRefused) {
   TEST_COMPLAINT(withVertices("4x2:{0,0, 2,0, 2,1, 0,1}", "{base, , top, left}").xml(),
                  body + "Geometry->Edges", "1", "''");

@@ -1,6 +1,7 @@
 """Random scenes, each made from its seed alone.  Standard library only.
 
-A star-shaped polygon of 4 to 9 corners, radii varying 1 : 6; diameters from 1e-3 to 1e3,
+A star-shaped polygon of 4 to 9 corners, radii varying 1 : 6, in every third scene with arcs for
+some of its sides; diameters from 1e-3 to 1e3,
 E from 1 to 1e11, nu from 0 to 0.49; one or two sides in contact, with every law, kind of gap and
 basis; every strategy; but for a cap on the size all other keys have their defaults.  Each scene has a solution, since
 nothing but deformation answers its load: see HELD.
@@ -34,6 +35,7 @@ class Scene:
         self.stress = self.modulus * 10 ** draw.uniform(-5, -2)  # of the loads
         self.corners = self.turned(polygon(draw))
         self.sides = len(self.corners)
+        self.bulges = bulges(random.Random("%d arcs" % seed), self.corners) if seed % 3 == 2 else []
         self.kinds = self.assign()
         self.laws, self.gaps = [], []
         self.conditions = [self.condition(k) for k in range(self.sides)]
@@ -146,7 +148,9 @@ class Scene:
                        real("Poisson's Ratio", self.ratio))
         body += sublist("Geometry", parameter("Vertices", "TwoDArray(double)", "%dx2:{%s}" % (
             self.sides, points)) + parameter("Edges", "Array(string)",
-                                             "{%s}" % ", ".join(names)))
+                                             "{%s}" % ", ".join(names)) +
+                       (parameter("Bulges", "Array(double)", "{%s}" % ", ".join(
+                           "%.9g" % bulge for bulge in self.bulges)) if self.bulges else ""))
         body += sublist("Boundary Conditions", "".join(
             sublist(name, condition) for name, condition in zip(names, self.conditions)
             if condition))
@@ -172,6 +176,66 @@ def polygon(draw):
     angles = [2 * math.pi * sum(shares[:k]) / sum(shares) for k in range(count)]
     radii = [draw.uniform(1, 6) for _ in range(count)]
     return [(r * math.cos(a), r * math.sin(a)) for r, a in zip(radii, angles)]
+
+
+def bulges(draw, corners):
+    """Arcs for about half of the sides, up to 90 degrees, flattened until they keep clear of each
+    other and meet at 10 degrees and more."""
+    values = [draw.choice((0, draw.uniform(-0.4, 0.4))) for _ in corners]
+    while not is_simple(corners, values):
+        values = [value / 2 if abs(value) > 1e-3 else 0 for value in values]
+        if not any(values):
+            return []
+    return values
+
+
+def arc(start, end, bulge, pieces):
+    """Points along an arc, its ends included."""
+    (x, y), (a, b) = start, end
+    angle = 4 * math.atan(bulge)
+    points = []
+    for k in range(pieces + 1):
+        t = 2 * k / pieces - 1  # a chord has the direction of the tangent half way
+        if bulge == 0:
+            along, across = (1 + t) / 2, 0
+        else:
+            length = math.sin((1 + t) * angle / 4) / math.sin(angle / 2)
+            along = length * math.cos((t - 1) * angle / 4)
+            across = length * math.sin((t - 1) * angle / 4)
+        points.append((x + along * (a - x) - across * (b - y), y + along * (b - y) + across * (a - x)))
+    return points
+
+
+def is_simple(corners, values):
+    """By polygons of the arcs: no two lines that are not neighbours are near each other."""
+    pieces = 12
+    sides = [arc(corners[k], corners[(k + 1) % len(corners)], values[k], pieces)
+             for k in range(len(corners))]
+    for k, side in enumerate(sides):
+        (x, y), (a, b), (c, d) = side[-2], side[-1], sides[(k + 1) % len(sides)][1]
+        turn = math.atan2((a - x) * (d - b) - (b - y) * (c - a), (a - x) * (c - a) + (b - y) * (d - b))
+        if abs(turn) > math.radians(170):
+            return False
+    points = [point for side in sides for point in side[:-1]]
+    size = max(math.dist(p, q) for p in corners for q in corners)
+    count = len(points)
+    for i in range(count):
+        for j in range(i + 2, count):
+            if (j + 1) % count == i:
+                continue
+            a, b, c, d = points[i], points[i + 1], points[j], points[(j + 1) % count]
+            if opposite(a, b, c, d) and opposite(c, d, a, b):
+                return False
+            if j - i > 2 * pieces and count - (j - i) > 2 * pieces and math.dist(a, c) < 0.02 * size:
+                return False
+    return True
+
+
+def opposite(a, b, c, d):
+    """Does the line through a and b part c from d?"""
+    def side(p):
+        return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
+    return side(c) * side(d) <= 0
 
 
 def parameter(name, kind, value):
