@@ -156,7 +156,7 @@ case("push_stick", "shear on all sides, f just above its ratio", "pushed_block",
 case("push_slip", "shear on all sides, f just below its ratio", "pushed_block",
      [BASE + "Friction->Coefficient=0.299999"], code=2, words=NO_BALANCE)
 case("one_element", "one element of contact, pulled along it", "one_element",
-     claims=[load(-10, 5), dissipates, steps(450)])
+     claims=[load(-10, 5), dissipates, steps(60)])
 case("thin_layer", "layer of 1:100 pressed in the middle: 50 full steps do not suffice", "thin_layer",
      claims=[load(0, -5.604991216397929), dissipates, steps(250)])
 case("opposite_slip", "all slips, to both sides", "opposite_slip",

@@ -5,24 +5,46 @@
 
 namespace epafi::contact {
 
-void CoulombCourse::followFriction(CoulombCourse& course, Stage stage) {
+void CoulombCourse::follow(Stage stage, int most) {
   Solution solution =
-      contact::followFriction(course.problem(), course.tresca(), course.left());
+      contact::followFriction(problem(), tresca(), std::min(most, left()));
   solution.report = asOne(std::move(solution.report), stage);
   solution.report.coulombIterations = solution.report.newtonIterations;
-  course.globalise();
-  course.add(std::move(solution));
+  globalise();
+  add(std::move(solution));
+}
+
+void CoulombCourse::descend(Stage stage, int most) {
+  const Equation smooth(problem(), fischerBurmeister(), Equation::Bound::Differentiated,
+                        tresca().options().tolerance);
+  const NewtonRun run =
+      tresca().newton().run(smooth, best(), NewtonMethod::MeritDescent, most);
+  Report report = extended({}, stage, run, problem());
+  report.coulombIterations = run.iterations;
+  add({unpack(problem(), run.best), std::move(report)});
+}
+
+void CoulombCourse::followFriction(CoulombCourse& course, Stage stage) {
+  course.follow(stage, course.left());
+}
+
+void CoulombCourse::followBriefly(CoulombCourse& course, Stage stage) {
+  course.follow(stage, brief);
 }
 
 void CoulombCourse::meritDescent(CoulombCourse& course, Stage stage) {
-  const Problem& problem = course.problem();
-  const Equation smooth(problem, fischerBurmeister(), Equation::Bound::Differentiated,
-                        course.tresca().options().tolerance);
-  const NewtonRun run = course.tresca().newton().run(
-      smooth, course.best(), NewtonMethod::MeritDescent, 2 * course.run());
-  Report report = extended({}, stage, run, problem);
-  report.coulombIterations = run.iterations;
-  course.add({unpack(problem, run.best), std::move(report)});
+  course.descend(stage, 2 * course.run());
+}
+
+void CoulombCourse::descendBriefly(CoulombCourse& course, Stage stage) {
+  course.descend(stage, std::min(brief, course.run()));
+}
+
+bool CoulombCourse::mayFollow(const CoulombCourse& course) {
+  for (const StageRun& run : course.report().stages)
+    if (run.stage == Stage::FollowFriction)
+      return !run.parts.empty() && run.parts.back().stage != Stage::InteriorPoint;
+  return true;
 }
 
 void CoulombCourse::updates(CoulombCourse& course, Stage stage) {

@@ -22,9 +22,18 @@ class CoulombCourse : public NewtonCourse {
   /// friction holds.
   static void followFriction(CoulombCourse& course, Stage stage);
   static void meritDescent(CoulombCourse& course, Stage stage);
+  /// A first try of both, of `brief` steps: where one jams the other one often needs few.
+  static constexpr int brief = 30;
+  static void followBriefly(CoulombCourse& course, Stage stage);
+  static void descendBriefly(CoulombCourse& course, Stage stage);
+  /// Whether following went anywhere: there is a solution without friction.
+  static bool mayFollow(const CoulombCourse& course);
   static void updates(CoulombCourse& course, Stage stage);
 
  private:
+  void follow(Stage stage, int most);
+  void descend(Stage stage, int most);
+
   CoulombOptions options_;
 };
 

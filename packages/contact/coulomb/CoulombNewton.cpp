@@ -44,7 +44,9 @@ constexpr PlannedStage<CoulombCourse> plan[] = {
     {Stage::Uncoupled, isCoupled, uncoupled},
     {Stage::FullSteps, isCoupled, fullSteps},
     {Stage::Pivoting, mayPivot, pivoting},
-    {Stage::FollowFriction, CoulombCourse::always, CoulombCourse::followFriction},
+    {Stage::FollowFriction, CoulombCourse::always, CoulombCourse::followBriefly},
+    {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::descendBriefly},
+    {Stage::FollowFriction, CoulombCourse::mayFollow, CoulombCourse::followFriction},
     {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::meritDescent},
     {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updates},
 };

@@ -1,8 +1,10 @@
 #include "contact/coulomb/FrictionContinuation.hpp"
 
 #include "contact/equation/Equilibrium.hpp"
+#include "contact/newton/Sweeps.hpp"
 #include "contact/solve/Advance.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace epafi::contact {
@@ -35,14 +37,19 @@ class ScaledFriction {
 
 // Active sets that do not return, from the state as it is or, if that fails, from one
 // that sweeps have settled; where both fail, a shorter step in θ costs less than a line
-// search.
+// search, and less than patience: corrections that succeed take a few steps.
 Solution correct(const Problem& problem, const State& start, const Tresca& tresca) {
+  constexpr int patience = 8;
+  const int steps = std::min(patience, tresca.options().maximumIterations);
   NewtonCourse course(problem, start, tresca, Equation::Bound::Differentiated);
+  const auto pivot = [&](const Vector& from) {
+    course.add(Stage::Pivoting,
+               tresca.newton().run(course.sharp(), from, NewtonMethod::Pivoting, steps));
+  };
   const Vector from = course.best();
-  course.add(Stage::Pivoting, tresca.newton().run(course.sharp(), from,
-                                                  NewtonMethod::Pivoting, course.run()));
+  pivot(from);
   if (!course.report().converged())
-    course.pivoting(Stage::Pivoting, course.sharp(), from);
+    pivot(smoothed(course.sharp(), from));
   return std::move(course).solution();
 }
 
