@@ -411,7 +411,8 @@ TEUCHOS_UNIT_TEST(BadInput, overridesAreCheckedLikeTheScene) {
   TEST_ASSERT(contains(complaint("Solver->NOX->Anything=2"), "Solver->NOX->Anything"));
   TEST_ASSERT(contains(complaint("Discretization->Elements per Edge={4, 4}"),
                        "Elements per Edge"));
-  TEST_ASSERT(contains(complaint("Bodies->blok->Material->Young's Modulus=2"), "'blok'"));
+  TEST_ASSERT(contains(complaint("Bodies->blok->Material->Young's Modulus=2"),
+                       "Bodies->blok->Geometry: missing"));
 }
 
 /// Behind a scene that is solved with, so that nothing but the argument can be refused.
