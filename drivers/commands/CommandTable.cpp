@@ -3,11 +3,13 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Parameters.hpp"
 #include "drivers/commands/Commands.hpp"
+#include "drivers/commands/FieldsCommand.hpp"
 #include "drivers/commands/Help.hpp"
 #include "drivers/commands/PlotCommand.hpp"
 #include "drivers/commands/RunCommand.hpp"
 #include "drivers/commands/SchemaCommand.hpp"
 #include "drivers/commands/StudyCommand.hpp"
+#include "drivers/output/InsideFile.hpp"
 #include "drivers/process/Ranks.hpp"
 
 #include <algorithm>
@@ -69,6 +71,13 @@ const Option set{
     {},
     true};
 
+std::string namesOf(const std::vector<std::string>& words) {
+  std::string names;
+  for (const std::string& word : words)
+    names += (names.empty() ? "" : ", ") + word;
+  return names;
+}
+
 Option format(const std::vector<std::string>& words) {
   std::string names;
   for (const std::string& word : words)
@@ -121,8 +130,23 @@ std::vector<Command> makeCommands() {
       {"plot",
        "pictures of a finished run or study, PNG and SVG",
        {"DIR", "folder", Offer::Folders},
-       {},
+       {{"--field", "NAME", "this field inside the body, too: " + namesOf(fieldNames()),
+         Offer::Words, fieldNames()}},
        plotCommand},
+      {"fields",
+       "displacement and stress inside, after a run; csv, or all of the inside for "
+       "ParaView",
+       {"DIR", "folder", Offer::Folders},
+       {{"--grid", "NX,NY", "middles of so many cells of the body's box; default: 60,60"},
+        {"--points", "FILE.csv", "points that begin each line of a file: x,y",
+         Offer::Files},
+        {"--along", "BODY:BOUNDARY", "along a boundary, at the depth ..."},
+        {"--depth", "D", "... below it, a length > 0"},
+        {"--output", "FILE", "default: fields.csv or fields.vtu in DIR", Offer::Files},
+        {"--vtk", "",
+         "triangles of the whole inside for ParaView, small at small elements"},
+        threads},
+       fieldsCommand},
       {"schema",
        "the schema of scenes and studies for editors: RELAX NG for XML, JSON Schema for "
        "YAML",

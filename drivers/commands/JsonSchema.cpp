@@ -65,6 +65,9 @@ std::string typeOf(const Parameter& row) {
     case Kind::Counts:
       return "\"type\": \"array\", \"items\": {\"type\": \"integer\"" +
              limits(row.interval) + "}";
+    case Kind::Reals:
+      return "\"type\": \"array\", \"items\": {\"type\": \"number\"" +
+             limits(row.interval) + "}";
     case Kind::Points:
       return "\"type\": \"array\", \"items\": {\"type\": \"array\", \"minItems\": 2, "
              "\"maxItems\": 2, \"items\": {\"type\": \"number\"}}";

@@ -1,16 +1,17 @@
 #include "drivers/commands/PlotCommand.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/process/Ranks.hpp"
+#include "drivers/commands/FieldsCommand.hpp"
+#include "drivers/commands/FirstRank.hpp"
 
 #include <cerrno>
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <vector>
 
 namespace epafi::drivers {
 
@@ -34,16 +35,21 @@ std::string plotProgram() {
 
 }  // namespace
 
-int drawPictures(const std::string& folder, Words words) {
-  std::string interpreter = python;
-  std::string program = plotProgram();
-  std::string argument = folder;
-  std::string quiet = "--quiet";
-  char* arguments[] = {interpreter.data(), program.data(), argument.data(),
-                       words == Words::Errors ? quiet.data() : nullptr, nullptr};
+int drawPictures(const std::string& folder, Words words, const std::string& field) {
+  std::vector<std::string> texts = {python, plotProgram(), folder};
+  if (words == Words::Errors)
+    texts.emplace_back("--quiet");
+  if (!field.empty())
+    texts.insert(texts.end(), {"--field", field});
+  std::vector<char*> arguments;
+  arguments.reserve(texts.size() + 1);
+  for (std::string& text : texts)
+    arguments.push_back(text.data());
+  arguments.push_back(nullptr);
   std::cout << std::flush;
   pid_t child = 0;
-  const int failed = posix_spawn(&child, python, nullptr, nullptr, arguments, environ);
+  const int failed =
+      posix_spawn(&child, python, nullptr, nullptr, arguments.data(), environ);
   if (failed != 0)
     throw bem::InputError(bem::message("plot: ", python, " cannot be started: ",
                                        std::strerror(failed), "; install python3"));
@@ -54,20 +60,11 @@ int drawPictures(const std::string& folder, Words words) {
 }
 
 int plotCommand(const Given& given, std::ostream&, const Ranks& ranks) {
-  int code = 0;
-  std::exception_ptr problem;
-  if (ranks.isFirst()) {
-    try {
-      code = drawPictures(given.argument, Words::All);
-    } catch (...) {
-      problem = std::current_exception();
-    }
-  }
-  // the others end as the first does
-  code = static_cast<int>(ranks.algebra().broadcast({static_cast<double>(code)}).front());
-  if (problem)
-    std::rethrow_exception(problem);
-  return code;
+  return onFirstRank(ranks, [&] {
+    if (given.has("--field"))
+      writeInside(given.argument);
+    return drawPictures(given.argument, Words::All, given.value("--field"));
+  });
 }
 
 }  // namespace epafi::drivers

@@ -15,7 +15,9 @@ enum class Words { All, Errors };
 /// Its words go where this program's go.  Returns its exit code: 0, or 1 where matplotlib
 /// or the folder's files are missing.
 /// \throws bem::InputError if the program or Python is not there.
-int drawPictures(const std::string& folder, Words words);
+///
+/// `field`: one of fieldNames() that fields.vtu shall be drawn of, or empty.
+int drawPictures(const std::string& folder, Words words, const std::string& field = "");
 
 /// `epafi plot DIR`; the first rank draws.
 int plotCommand(const Given& given, std::ostream& out, const Ranks& ranks);

@@ -1,6 +1,7 @@
 #include "drivers/commands/RunCommand.hpp"
 
 #include "bem/base/Error.hpp"
+#include "drivers/output/BodyInsides.hpp"
 #include "drivers/output/FieldFiles.hpp"
 #include "drivers/output/History.hpp"
 #include "drivers/output/LevelTable.hpp"
@@ -98,13 +99,16 @@ void writeLevel(const Scene& scene, const SolvedLevel& level, const std::string&
     folder.stage("boundary.csv", boundaryCsv(scene, level));
   if (scene.hasSeveral())
     folder.stage("bodies.csv", bodies);
-  if (!scene.output.interiorPoints.empty())
-    folder.stage("interior.csv", interiorCsv(scene, level));
   if (scene.output.fields)
     folder.stage("solution.hdf", solutionFile(scene, level, used, history));
   folder.commit();
-  if (scene.output.interiorPoints.empty())
-    folder.drop("interior.csv");
+}
+
+/// On the level that ends a run only: many points cost more than the levels.
+void writeInterior(const Scene& scene, const Level& level, OutputFolder& folder) {
+  const BodyInsides insides(scene, level);
+  const std::vector<bem::Vec2>& points = scene.output.interiorPoints;
+  folder.write("interior.csv", insides.csv(points, insides.at(points)));
 }
 
 std::string filesWritten(const OutputFolder& folder) {
@@ -145,15 +149,27 @@ class Recorder {
     if (earlier_)  // without rows of levels that did not make it
       folder_->write("history.csv", history_);
     folder_->write("used.xml", used_);
+    folder_->drop("interior.csv");  // of an earlier level
+    if (earlier_)
+      last_ = earlier_->level;
   }
 
   int levels() const { return levels_; }
 
   void take(const SolvedLevel& level) {
     ++levels_;
-    if (folder_)
+    if (folder_) {
       write(level);
+      last_ = level.level;
+    }
     solved_(level.level.number);
+  }
+
+  /// What is written once, from the last level that there is.
+  void finish(PhaseTimer& timer) {
+    if (folder_ && last_ && !scene_.output.interiorPoints.empty())
+      timer.run(Phase::Results, [&] { writeInterior(scene_, *last_, *folder_); });
+    writeTimings(timer);
   }
 
   void writeTimings(PhaseTimer& timer) {
@@ -187,6 +203,7 @@ class Recorder {
   std::string history_;
   std::string bodies_ = bodiesHead();  ///< of the levels of this run
   std::string stages_ = "\nSolver stages, steps, how they ended\n";
+  std::optional<Level> last_;
   int levels_ = 0;
 };
 
@@ -259,7 +276,7 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   const int code = converged ? 0 : 3;
   if (!folder)
     return code;
-  recorder.writeTimings(timer);
+  recorder.finish(timer);
   (converged ? table : std::cerr)
       << (converged ? "ended   " : "epafi: ") << outcome.reason << "\n";
   table << timeSummary(timer) << filesWritten(*folder);

@@ -1,27 +1,10 @@
 #include "drivers/output/FieldFiles.hpp"
 
-#include "bem/fields/Interior.hpp"
 #include "contact/problem/ContactFields.hpp"
 #include "drivers/output/Csv.hpp"
 #include "drivers/output/FieldGrid.hpp"
 
-#include <cmath>
-
 namespace epafi::drivers {
-
-namespace {
-
-/// √(½ Σ of the squared differences of the normal stresses + 3 σxy²)
-double vonMises(const bem::InteriorValue& stress, const bem::Material& material) {
-  const double zz =
-      material.planeStress ? 0 : material.poissonsRatio * (stress.xx + stress.yy);
-  const double a = stress.xx - stress.yy;
-  const double b = stress.yy - zz;
-  const double c = zz - stress.xx;
-  return std::sqrt(0.5 * (a * a + b * b + c * c) + 3 * stress.xy * stress.xy);
-}
-
-}  // namespace
 
 namespace {
 
@@ -97,26 +80,6 @@ std::string boundaryCsv(const Scene& scene, const SolvedLevel& level) {
                  std::to_string(mesh[e].degree), scene.bodies[b].name});
       }
     }
-  }
-  return csv.text();
-}
-
-std::string interiorCsv(const Scene& scene, const SolvedLevel& level) {
-  Csv csv({"x", "y", "ux", "uy", "sxx", "syy", "sxy", "von_mises", "body"});
-  for (const bem::Vec2& point : scene.output.interiorPoints) {
-    const std::size_t b = scene.bodyAt(point);
-    const contact::Solved& solved = level.bodies[b];
-    const bem::InteriorValue value = bem::evaluateInterior(
-        solved.space, scene.lame(b), solved.displacement, level.level.bodies[b].density,
-        solved.space.mesh().outline().scaled(point));
-    const double stress = solved.units.stress;
-    csv.row({exactly(point.x), exactly(point.y),
-             exactly(solved.units.length * value.displacement.x),
-             exactly(solved.units.length * value.displacement.y),
-             exactly(stress * value.xx), exactly(stress * value.yy),
-             exactly(stress * value.xy),
-             exactly(stress * vonMises(value, scene.bodies[b].material)),
-             scene.bodies[b].name});
   }
   return csv.text();
 }

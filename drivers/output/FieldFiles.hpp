@@ -16,10 +16,6 @@ std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& b
 /// the density ψ of Steklov-Poincaré's operator.
 std::string boundaryCsv(const Scene& scene, const SolvedLevel& level);
 
-/// interior.csv: displacement and stress at points inside the body, in the user's
-/// coordinates.  von Mises' stress includes the stress across the plane.
-std::string interiorCsv(const Scene& scene, const SolvedLevel& level);
-
 /// bodies.csv: per level and body the resultants of loads, contact and what holds it, which
 /// add up to nothing.
 std::string bodiesHead();

@@ -158,8 +158,9 @@ void OutputFolder::discard() {
 
 const std::vector<std::string>& outputFiles() {
   static const std::vector<std::string> names = {
-      "history.csv",  "contact.csv", "boundary.csv", "bodies.csv", "interior.csv",
-      "solution.hdf", "used.xml",    "timings.txt",  "study.csv"};
+      "history.csv",  "contact.csv",  "boundary.csv", "bodies.csv",
+      "interior.csv", "solution.hdf", "used.xml",     "timings.txt",
+      "study.csv",    "fields.csv",   "fields.vtu"};
   return names;
 }
 

@@ -9,6 +9,7 @@
 A file here draws one kind of picture; each is written as .png and .svg.  Reads history.csv, contact.csv,
 boundary.csv and study.csv; what a folder does not hold is left out.
 """
+import argparse
 import os
 import sys
 
@@ -20,6 +21,7 @@ try:
     import deformed
     import effectivity
     import exponential
+    import inside
     import mesh
     import study_curves
     import sweep
@@ -72,10 +74,12 @@ def plot_study(folder):
 
 
 def main():
-    quiet = "--quiet" in sys.argv[2:]
-    if len(sys.argv) != 2 + quiet:
-        sys.exit("usage: epafi plot DIR")
-    folder = sys.argv[1]
+    arguments = argparse.ArgumentParser(prog="epafi plot")
+    arguments.add_argument("folder")
+    arguments.add_argument("--field")
+    arguments.add_argument("--quiet", action="store_true")
+    given = arguments.parse_args()
+    folder = given.folder
     if not os.path.isdir(folder):
         sys.exit("epafi: plot: there is no folder '%s'" % folder)
     names = plot_study(folder)
@@ -83,10 +87,15 @@ def main():
         if os.path.isfile(os.path.join(folder, entry, "history.csv")):
             plot_run(os.path.join(folder, entry))
     names += [name for name in plot_run(folder) if name not in names]
+    if given.field:
+        pictures = Pictures(folder)
+        inside.draw(inside.Inside(os.path.join(folder, "fields.vtu")), given.field,
+                    title_of(folder), pictures)
+        names += pictures.names
     if not names:
         sys.exit("epafi: plot: '%s' holds no history.csv, contact.csv, boundary.csv or "
                  "study.csv of a run or a study" % folder)
-    if not quiet:
+    if not given.quiet:
         print("pictures %s: %s (.png and .svg)" % (folder, " ".join(names)))
 
 

@@ -1,0 +1,240 @@
+#include "drivers/commands/FieldsCommand.hpp"
+
+#include "bem/base/Error.hpp"
+#include "bem/base/Parameters.hpp"
+#include "drivers/commands/FirstRank.hpp"
+#include "drivers/output/InsideFile.hpp"
+#include "drivers/output/SolutionFile.hpp"
+#include "drivers/process/BlasCore.hpp"
+#include "drivers/scene/SceneFile.hpp"
+#include "drivers/scene/SceneReader.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <optional>
+#include <ostream>
+#include <sstream>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::InputError;
+using bem::message;
+using Points = std::vector<bem::Vec2>;
+
+/// The last level of a run, read from its folder, with the scene that it was solved for.
+class SavedRun {
+ public:
+  explicit SavedRun(const std::string& folder)
+      : checkpoint_(read(folder)),
+        scene_(sceneOf(checkpoint_.used, folder + "/used.xml", {})),
+        insides_(scene_, checkpoint_.level) {}
+
+  const Scene& scene() const { return scene_; }
+  const BodyInsides& insides() const { return insides_; }
+
+ private:
+  static Checkpoint read(const std::string& folder) {
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(folder, ignored))
+      throw InputError(message("there is no folder '", folder,
+                               "'; the folder of a finished run is needed"));
+    return readSolution(folder + "/solution.hdf");
+  }
+
+  Checkpoint checkpoint_;
+  Scene scene_;
+  BodyInsides insides_;
+};
+
+std::optional<double> numberIn(std::string text) {
+  text.erase(0, text.find_first_not_of(" \t"));
+  text.erase(text.find_last_not_of(" \t\r") + 1);
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc() && stop == end ? std::optional(value) : std::nullopt;
+}
+
+bool isInside(const SavedRun& run, bem::Vec2 x) {
+  return run.scene().bodyAt(x) < run.scene().bodies.size();
+}
+
+Points gridPoints(const std::string& text, const SavedRun& run) {
+  const auto comma = text.find(',');
+  if (comma == std::string::npos)
+    throw InputError(message("fields: --grid: '", text, "' is not NX,NY, as 60,30"));
+  const int nx = positiveNumber("--grid", text.substr(0, comma));
+  const int ny = positiveNumber("--grid", text.substr(comma + 1));
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  bem::Vec2 low{infinity, infinity};
+  bem::Vec2 high{-infinity, -infinity};
+  for (std::size_t b = 0; b < run.insides().size(); ++b)
+    for (int e = 0; e < run.insides().mesh(b).size(); ++e)
+      for (const double t : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+        const bem::Vec2 x = run.insides().mesh(b).physicalPoint(e, t);
+        low = {std::min(low.x, x.x), std::min(low.y, x.y)};
+        high = {std::max(high.x, x.x), std::max(high.y, x.y)};
+      }
+  Points points;
+  for (int j = 0; j < ny; ++j)
+    for (int i = 0; i < nx; ++i) {
+      const bem::Vec2 x{low.x + (i + 0.5) / nx * (high.x - low.x),
+                        low.y + (j + 0.5) / ny * (high.y - low.y)};
+      if (isInside(run, x))
+        points.push_back(x);
+    }
+  return points;
+}
+
+Points pointsOf(const std::string& file, const SavedRun& run) {
+  std::string text;
+  try {
+    text = readText(file);
+  } catch (const InputError& error) {
+    throw InputError(message("fields: --points: '", file, "' ", error.what()));
+  }
+  std::istringstream lines(text);
+  Points points;
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    if (line.find_first_not_of(" \t\r") == std::string::npos)
+      continue;
+    const auto comma = line.find(',');
+    const auto second = line.find(',', comma + 1);
+    const auto x = numberIn(line.substr(0, comma));
+    const auto y = comma == std::string::npos
+                       ? std::nullopt
+                       : numberIn(line.substr(comma + 1, second - comma - 1));
+    if (number == 1 && !x && !y)
+      continue;  // the names of the columns
+    if (!x || !y)
+      throw InputError(message("fields: --points: '", file, "', line ", number, " = '",
+                               line, "' does not begin with x,y"));
+    if (!isInside(run, {*x, *y}))
+      throw InputError(message("fields: --points: '", file, "', line ", number, ": (", *x,
+                               ", ", *y, ") is not inside a body"));
+    points.push_back({*x, *y});
+  }
+  if (points.empty())
+    throw InputError(message("fields: --points: '", file, "' has no points"));
+  return points;
+}
+
+/// As many points on an element as boundary.csv has; what is not inside is left out.
+Points alongPoints(const std::string& where, double depth, const SavedRun& run) {
+  std::vector<std::string> known;
+  Points points;
+  for (std::size_t b = 0; b < run.insides().size(); ++b) {
+    const bem::Mesh& mesh = run.insides().mesh(b);
+    for (int e = 0; e < mesh.size(); ++e) {
+      const std::string name = run.scene().bodies[b].name + ":" + mesh.boundary(e);
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        known.push_back(name);
+      if (name != where)
+        continue;
+      const int intervals = 2 * (mesh[e].degree + 1);
+      for (int k = 0; k < intervals; ++k) {
+        const double t = -1 + (2.0 * k + 1) / intervals;
+        const bem::Vec2 x = mesh.physicalPoint(e, t) - depth * mesh[e].curve.normal(t);
+        if (mesh.outline().contains(x))
+          points.push_back(x);
+      }
+    }
+  }
+  if (std::find(known.begin(), known.end(), where) == known.end())
+    throw InputError(message("fields: --along: there is no '", where, "'",
+                             bem::suggestion(where, known)));
+  if (points.empty())
+    throw InputError(message("fields: --depth ", depth,
+                             ": no point at this depth lies inside the body"));
+  return points;
+}
+
+Points chosenPoints(const Given& given, const SavedRun& run) {
+  const int ways = static_cast<int>(given.has("--grid")) +
+                   static_cast<int>(given.has("--points")) +
+                   static_cast<int>(given.has("--along"));
+  if (ways > 1)
+    throw InputError("fields: give one of --grid, --points and --along");
+  if (given.has("--along") != given.has("--depth"))
+    throw InputError("fields: --along BODY:BOUNDARY and --depth D belong together");
+  if (given.has("--points"))
+    return pointsOf(given.value("--points"), run);
+  if (!given.has("--along"))
+    return gridPoints(given.value("--grid", "60,60"), run);
+  const auto depth = numberIn(given.value("--depth"));
+  if (!depth || !(*depth > 0))
+    throw InputError(
+        message("fields: --depth: '", given.value("--depth"), "' is not a length > 0"));
+  return alongPoints(given.value("--along"), *depth, run);
+}
+
+void write(const std::string& file, const std::string& text) {
+  errno = 0;
+  std::ofstream stream(file, std::ios::binary | std::ios::trunc);
+  stream << text;
+  stream.close();
+  if (!stream)
+    throw InputError(
+        message("fields: '", file, "' cannot be written: ", std::strerror(errno)));
+}
+
+std::string summary(const std::string& file, const Points& points,
+                    const std::vector<InsideValue>& values) {
+  const auto largest = std::max_element(
+      values.begin(), values.end(),
+      [](const InsideValue& a, const InsideValue& b) { return a.vonMises < b.vonMises; });
+  const bem::Vec2 x = points[static_cast<std::size_t>(largest - values.begin())];
+  return message("fields  ", file, ": ", points.size(),
+                 " points, largest von Mises stress ", largest->vonMises, " at (", x.x,
+                 ", ", x.y, ")\n");
+}
+
+void evaluate(const Given& given, std::ostream& out) {
+  const std::string& folder = given.argument;
+  const SavedRun run(folder);
+  if (given.has("--vtk")) {
+    for (const char* other : {"--grid", "--points", "--along", "--depth"})
+      if (given.has(other))
+        throw InputError(message("fields: --vtk covers the whole inside; ", other,
+                                 " belongs to the csv"));
+    const std::string file = given.value("--output", folder + "/fields.vtu");
+    const FilledBodies filled = fill(run.insides());
+    write(file, vtuFile(filled));
+    out << summary(file, filled.triangles.points, filled.values);
+    return;
+  }
+  const Points points = chosenPoints(given, run);
+  if (points.empty())
+    throw InputError("fields: --grid: none of its points lies inside a body; take more");
+  const std::vector<InsideValue> values = run.insides().at(points);
+  const std::string file = given.value("--output", folder + "/fields.csv");
+  write(file, run.insides().csv(points, values));
+  out << summary(file, points, values);
+}
+
+}  // namespace
+
+void writeInside(const std::string& folder) {
+  const SavedRun run(folder);
+  write(folder + "/fields.vtu", vtuFile(fill(run.insides())));
+}
+
+int fieldsCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
+  return onFirstRank(ranks, [&] {
+    if (given.has("--threads"))
+      setThreads(positiveNumber("--threads", given.value("--threads")));
+    evaluate(given, out);
+    return 0;
+  });
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "drivers/commands/Command.hpp"
+
+#include <string>
+
+namespace epafi::drivers {
+
+/// `epafi fields DIR`: displacement and stress inside a body, after a run.
+///
+/// On a grid of cells' middles over the body's box, at points of a file, or along a boundary
+/// at a depth, as csv; with --vtk on triangles of the whole inside for ParaView.  The first
+/// rank works.
+/// \throws bem::InputError for a folder without a solution, for points that are not inside
+///   and for boundaries that there are not.
+int fieldsCommand(const Given& given, std::ostream& out, const Ranks& ranks);
+
+/// Writes the folder's fields.vtu.
+void writeInside(const std::string& folder);
+
+}  // namespace epafi::drivers

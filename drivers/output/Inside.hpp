@@ -1,0 +1,46 @@
+#pragma once
+
+#include "bem/base/Material.hpp"
+#include "bem/base/Units.hpp"
+#include "bem/space/Space.hpp"
+
+namespace epafi::drivers {
+
+/// Displacement and stress at a point inside a body, in the user's units.
+struct InsideValue {
+  bem::Vec2 displacement;
+  double xx = 0;
+  double yy = 0;
+  double xy = 0;
+  double zz = 0;        ///< across the plane: ν (σxx + σyy), or 0 in plane stress
+  double vonMises = 0;  ///< √(½ Σ of squared differences of normal stresses + 3 σxy²)
+  double principal1 = 0;  ///< the larger principal stress in the plane
+  double principal2 = 0;
+};
+
+/// The fields inside a body whose boundary data are known: closed forms, as accurate next to
+/// the boundary as far from it.                                [doc/theory/operators.md]
+class Inside {
+ public:
+  /// `displacement`, `density`: all unknowns, dimensionless; kept by reference as the space.
+  Inside(const bem::Space& space, const bem::Material& material, const bem::Units& units,
+         const bem::Vector& displacement, const bem::Vector& density);
+
+  const bem::Space& space() const { return space_; }
+
+  /// At a point inside, in the user's coordinates.
+  InsideValue at(bem::Vec2 point) const;
+  /// At the boundary, t in [-1, 1] on element e: just inside, and off the element's ends,
+  /// where the stress of a piecewise density has logarithms.
+  InsideValue atBoundary(int e, double t) const;
+
+ private:
+  const bem::Space& space_;
+  bem::Material material_;
+  bem::Lame lame_;
+  bem::Units units_;
+  const bem::Vector& displacement_;
+  const bem::Vector& density_;
+};
+
+}  // namespace epafi::drivers

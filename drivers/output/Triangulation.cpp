@@ -1,0 +1,139 @@
+#include "drivers/output/Triangulation.hpp"
+
+#include "bem/base/Error.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace epafi::drivers {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Relative to the outline.
+constexpr double largest = 1.0 / 40;
+/// Nodes that are closer than this are one point: no picture shows them apart.
+constexpr double smallest = 1e-7;
+
+/// A folder that exists while the object does.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "epafi-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw bem::InputError(bem::message("fields: no folder can be made in '",
+                                         fs::temp_directory_path().string(),
+                                         "': ", std::strerror(errno)));
+    path_ = name;
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  std::string file(const char* name) const { return (path_ / name).string(); }
+
+ private:
+  fs::path path_;
+};
+
+/// The corners of each closed line.
+std::vector<std::vector<bem::Vec2>> polygons(const bem::Mesh& mesh) {
+  std::vector<std::vector<bem::Vec2>> loops(
+      static_cast<std::size_t>(mesh.outline().loops()));
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bem::Element& element = mesh[e];
+    auto& loop =
+        loops[static_cast<std::size_t>(mesh.outline().edge(element.piece.edge).loop)];
+    const double angle = std::abs(element.curve.angle());
+    const int parts = std::max(static_cast<int>(std::ceil(2 * element.half / largest)),
+                               static_cast<int>(std::ceil(angle / 0.1)));
+    for (int k = 0; k < std::max(parts, 1); ++k) {
+      const bem::Vec2 x = element.curve.point(-1 + 2.0 * k / std::max(parts, 1));
+      if (loop.empty() ||
+          (norm(x - loop.back()) > smallest && norm(x - loop.front()) > smallest))
+        loop.push_back(x);
+    }
+  }
+  return loops;
+}
+
+void write(const std::string& file, const std::vector<std::vector<bem::Vec2>>& loops) {
+  std::ofstream out(file);
+  out << std::setprecision(17) << largest << "\n" << loops.size() << "\n";
+  for (const auto& loop : loops) {
+    out << loop.size() << "\n";
+    for (const bem::Vec2& x : loop)
+      out << x.x << " " << x.y << "\n";
+  }
+}
+
+void run(const std::string& in, const std::string& out) {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  std::string program =
+      (self.parent_path().parent_path() / "libexec" / "epafi" / "triangulate").string();
+  std::string from = in;
+  std::string to = out;
+  char* arguments[] = {program.data(), from.data(), to.data(), nullptr};
+  pid_t child = 0;
+  const int failed =
+      posix_spawn(&child, program.c_str(), nullptr, nullptr, arguments, environ);
+  if (failed != 0)
+    throw bem::InputError(bem::message("fields: '", program,
+                                       "' cannot be started: ", std::strerror(failed),
+                                       "; it is built and installed along with epafi"));
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    throw bem::InputError(bem::message(
+        "fields: the inside cannot be cut into triangles: '", program, "' failed"));
+}
+
+Triangulation read(const std::string& file, const bem::Outline& outline) {
+  std::ifstream in(file);
+  std::size_t points = 0;
+  std::size_t triangles = 0;
+  in >> points >> triangles;
+  Triangulation result;
+  for (std::size_t i = 0; i < points && in; ++i) {
+    bem::Vec2 x;
+    int boundary = 0;
+    in >> x.x >> x.y >> boundary;
+    result.points.push_back(outline.physical(x));
+    result.onBoundary.push_back(boundary != 0);
+  }
+  for (std::size_t i = 0; i < triangles && in; ++i) {
+    std::array<int, 3> corners{};
+    in >> corners[0] >> corners[1] >> corners[2];
+    result.corners.push_back(corners);
+  }
+  if (!in || triangles == 0)
+    throw bem::InputError("fields: the inside cannot be cut into triangles: none came");
+  return result;
+}
+
+}  // namespace
+
+Triangulation triangulate(const bem::Mesh& mesh) {
+  const Scratch scratch;
+  const std::string in = scratch.file("outline");
+  const std::string out = scratch.file("triangles");
+  write(in, polygons(mesh));
+  run(in, out);
+  return read(out, mesh.outline());
+}
+
+}  // namespace epafi::drivers

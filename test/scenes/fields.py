@@ -1,0 +1,144 @@
+"""Fields inside a body after a run: Hooke's law and equilibrium by differences, a uniform stress, the
+triangles of the whole inside, and what is refused."""
+import math
+import os
+import xml.etree.ElementTree as xml
+
+from runs import WORK, claim, differ, epafi, finish, fresh, scene, table
+
+os.makedirs(WORK, exist_ok=True)
+
+
+def solved(name, *settings):
+    folder = fresh(name)
+    arguments = [word for setting in settings for word in ("--set", setting)]
+    code, text = epafi("run", scene(name + ".xml"), "--output", folder, "--quiet", *arguments)
+    claim(code == 0, name + " is solved " + text)
+    return folder
+
+
+def fields(folder, *arguments):
+    file = os.path.join(folder, "fields.csv")
+    code, text = epafi("fields", folder, *arguments)
+    claim(code == 0, "fields %s: %s" % (" ".join(arguments), text.strip()))
+    return table(file)
+
+
+LEVELS = ["Adaptivity->Maximum Levels=9"]
+folder = solved("coulomb", *LEVELS)
+used = xml.parse(os.path.join(folder, "used.xml")).getroot()
+
+
+def value(name):
+    return float(next(p for p in used.iter("Parameter") if p.get("name") == name).get("value"))
+
+
+E, NU = value("Young's Modulus"), value("Poisson's Ratio")
+MU, LAMBDA = E / 2 / (1 + NU), E * NU / (1 + NU) / (1 - 2 * NU)
+grid = fields(folder, "--grid", "12,7")
+claim(len(grid) == 84, "a grid of 12 times 7 in a rectangle")
+X = sorted({row["x"] for row in grid})
+Y = sorted({row["y"] for row in grid})
+claim(len(X) == 12 and len(Y) == 7, "its points are the middles of cells")
+
+# differences around a point: strain from displacement, divergence from stress
+x, y, h = X[4], Y[3], 1e-3 * (X[1] - X[0])
+points = os.path.join(WORK, "points.csv")
+with open(points, "w") as stream:
+    stream.write("x,y\n")
+    for dx, dy in ((0, 0), (h, 0), (-h, 0), (0, h), (0, -h)):
+        stream.write("%.17g,%.17g\n" % (x + dx, y + dy))
+middle, right, left, up, down = fields(folder, "--points", points)
+xx = (right["ux"] - left["ux"]) / 2 / h
+yy = (up["uy"] - down["uy"]) / 2 / h
+xy = ((up["ux"] - down["ux"]) + (right["uy"] - left["uy"])) / 4 / h
+size = middle["von_mises"]
+for name, hooke in (("sxx", (LAMBDA + 2 * MU) * xx + LAMBDA * yy),
+                    ("syy", (LAMBDA + 2 * MU) * yy + LAMBDA * xx), ("sxy", 2 * MU * xy),
+                    ("szz", LAMBDA * (xx + yy))):
+    claim(differ(middle[name], hooke, size) < 1e-5,
+          "%s follows from the displacement by Hooke's law: %g, %g" % (name, middle[name], hooke))
+for a, b in ((("sxx", right, left), ("sxy", up, down)), (("sxy", right, left), ("syy", up, down))):
+    (n, p, m), (k, q, r) = a, b
+    divergence = (p[n] - m[n] + q[k] - r[k]) / 2 / h
+    claim(abs(divergence) * (X[1] - X[0]) < 1e-4 * size, "equilibrium: %.1e" % divergence)
+row = grid[17]
+mises = math.sqrt(((row["sxx"] - row["syy"]) ** 2 + (row["syy"] - row["szz"]) ** 2 +
+                   (row["szz"] - row["sxx"]) ** 2) / 2 + 3 * row["sxy"] ** 2)
+claim(differ(mises, row["von_mises"]) < 1e-12, "von Mises' stress")
+claim(differ(row["principal_1"] + row["principal_2"], row["sxx"] + row["syy"], size) < 1e-12 and
+      differ(row["principal_1"] * row["principal_2"],
+             row["sxx"] * row["syy"] - row["sxy"] ** 2, size ** 2) < 1e-12 and
+      row["principal_1"] >= row["principal_2"], "principal stresses: sum and product")
+
+# along the contact, just below it, the stress is the contact's
+contact = table(os.path.join(folder, "contact.csv"))
+boundary = contact[0]["boundary"]
+below = fields(folder, "--along", "block:" + boundary, "--depth", "1e-6")
+claim(len(below) > 10 and len({row["y"] for row in below}) == 1, "a line at a depth")
+nearest = min(contact, key=lambda row: abs(row["x"]))
+there = min(below, key=lambda row: abs(row["x"] - nearest["x"]))
+claim(differ(-there["syy"], nearest["lambda_n"], max(row["lambda_n"] for row in contact)) < 0.1,
+      "the stress below the contact is its pressure: %g, %g" %
+      (-there["syy"], nearest["lambda_n"]))
+
+# triangles of the whole inside
+code, text = epafi("fields", folder, "--vtk")
+claim(code == 0, text.strip())
+vtu = {array.get("Name"): [float(number) for number in array.text.split()]
+       for array in xml.parse(os.path.join(folder, "fields.vtu")).getroot().iter("DataArray")}
+corners = [int(k) for k in vtu["connectivity"]]
+place = [(vtu["Points"][3 * k], vtu["Points"][3 * k + 1]) for k in range(len(vtu["Points"]) // 3)]
+
+
+def area(a, b, c):
+    (ax, ay), (bx, by), (cx, cy) = place[a], place[b], place[c]
+    return ((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)) / 2
+
+
+areas = [area(*corners[k:k + 3]) for k in range(0, len(corners), 3)]
+width = max(x for x, y in place) - min(x for x, y in place)
+height = max(y for x, y in place) - min(y for x, y in place)
+claim(min(areas) > 0 and differ(sum(areas), width * height) < 1e-12,
+      "%d triangles fill the block" % len(areas))
+claim(min(areas) < 0.1 * max(areas), "and are small at small elements: %.1e, %.1e" %
+      (min(areas), max(areas)))
+claim(len(vtu["von_mises"]) == len(place) and all(map(math.isfinite, vtu["von_mises"])),
+      "with a finite stress at all of their %d corners" % len(place))
+code, text = epafi("plot", folder, "--field", "von_mises")
+picture = os.path.join(folder, "von_mises.png")
+claim(code == 0 and os.path.getsize(picture) > 20000, "von_mises.png is drawn: " + text.strip())
+
+# a uniform stress
+folder = solved("patch")
+row = fields(folder, "--grid", "3,2")
+for name in ("sxx", "syy", "sxy"):
+    values = [point[name] for point in row]
+    claim(max(values) - min(values) < 1e-9 * max(point["von_mises"] for point in row),
+          "%s of the patch is uniform: %.1e" % (name, max(values) - min(values)))
+
+# Interior Points are evaluated once, on the last level
+points = "Output->Interior Points=1x2:{%.17g, %.17g}" % (x, y)
+folder = solved("coulomb", *LEVELS, points)
+inside = table(os.path.join(folder, "interior.csv"))[0]
+claim(all(differ(inside[key], middle[key], size) < 1e-12 for key in middle if key != "body") and
+      inside["body"] == "block",
+      "interior.csv has the same numbers")
+
+with open(os.path.join(WORK, "outside.csv"), "w") as stream:
+    stream.write("x,y\n%g,%g\n" % (x, 1e3))
+for sentence, words, arguments in [
+        ("no folder", "no folder", ["fields", os.path.join(WORK, "nowhere")]),
+        ("no solution", "solution.hdf", ["fields", WORK]),
+        ("a point outside", "line 2", ["fields", folder, "--points",
+                                       os.path.join(WORK, "outside.csv")]),
+        ("an unknown boundary", "'block:" + boundary, ["fields", folder, "--along",
+                                                       "block:bottm", "--depth", "1"]),
+        ("a depth of 0", "> 0", ["fields", folder, "--along", "block:" + boundary,
+                                 "--depth", "0"]),
+        ("two ways", "one of", ["fields", folder, "--grid", "3,3", "--points", "x"]),
+        ("half a grid", "NX,NY", ["fields", folder, "--grid", "3"]),
+        ("an unknown field", "'von_mises'", ["plot", folder, "--field", "mises"])]:
+    code, text = epafi(*arguments)
+    claim(code == 1 and words in text, "%s is refused: %s" % (sentence, text.strip()[:150]))
+finish()
