@@ -1,6 +1,6 @@
 // Steps of a path: one problem at many times, and what friction remembers of them.
 #include "Algebra.hpp"
-#include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/Solve.hpp"
 #include "contact/path/PathMemory.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -81,7 +81,7 @@ Result follow(Form form, int steps) {
     const contact::Conditions now = conditionsAt(4.0 * k / steps);
     const contact::ContactProblem step =
         problem.at({now, memory.slip(), memory.largestLoad()});
-    const contact::Solution solution = contact::solve(step.numbers(), state, {});
+    const contact::Solution solution = test::solve(step.numbers(), state);
     result.converged =
         result.converged && solution.report.status == contact::Status::Converged;
     state = solution.state;

@@ -99,8 +99,8 @@ Vector frictionWorkDensity(const bem::Mesh& mesh, const MultiplierSpace& multipl
     const bem::Rule& rule = bem::gaussLegendre(element.degree + 1);
     for (std::size_t q = 0; q < rule.points.size(); ++q)
       lengths[t] += mesh[element.element].half * rule.weights[q] *
-                    multiplier.basis().values(element.degree,
-                                              rule.points[q])[static_cast<std::size_t>(i)];
+                    multiplier.basis().values(
+                        element.degree, rule.points[q])[static_cast<std::size_t>(i)];
   });
   Vector density(static_cast<std::size_t>(multiplier.size()), 0.0);
   for (std::size_t t = 0; t < lengths.size(); ++t)
