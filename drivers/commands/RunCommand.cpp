@@ -6,8 +6,10 @@
 #include "drivers/output/History.hpp"
 #include "drivers/output/LevelTable.hpp"
 #include "drivers/output/OutputFolder.hpp"
+#include "drivers/output/PathContact.hpp"
 #include "drivers/output/Restart.hpp"
 #include "drivers/output/SolutionFile.hpp"
+#include "drivers/output/StepsTable.hpp"
 #include "drivers/process/BlasCore.hpp"
 #include "drivers/process/Interrupt.hpp"
 #include "drivers/process/ProgressLine.hpp"
@@ -87,20 +89,30 @@ Beginning begin(const RunOptions& options, const Scene& scene) {
   return beginning;
 }
 
+/// What the steps of a path leave in files.
+struct PathRecord {
+  std::string steps;                  ///< steps.csv of all levels so far
+  std::vector<std::string> contacts;  ///< contact.csv of the steps of this level
+};
+
 /// The files of a level take the place of those of the level before, the one that a
 /// restart begins with last.
 void writeLevel(const Scene& scene, const SolvedLevel& level, const std::string& used,
                 const std::string& history, const std::string& bodies,
-                OutputFolder& folder) {
+                const PathRecord& path, OutputFolder& folder) {
   folder.stage("history.csv", history);
-  if (scene.hasContact())
+  for (std::size_t k = 0; k < path.contacts.size(); ++k)
+    folder.stage("steps/" + std::to_string(k + 1) + "/contact.csv", path.contacts[k]);
+  if (!path.contacts.empty())
+    folder.stage("contact.csv", path.contacts.back());
+  else if (scene.hasContact())
     folder.stage("contact.csv", contactCsv(scene, level.bodies));
   if (scene.output.fields)
     folder.stage("boundary.csv", boundaryCsv(scene, level));
   if (scene.hasSeveral())
     folder.stage("bodies.csv", bodies);
   if (scene.output.fields)
-    folder.stage("solution.hdf", solutionFile(scene, level, used, history));
+    folder.stage("solution.hdf", solutionFile(scene, level, used, history, path.steps));
   folder.commit();
 }
 
@@ -116,6 +128,14 @@ std::string filesWritten(const OutputFolder& folder) {
   for (const std::string& name : folder.written())
     text += " " + name;
   return text + "\n";
+}
+
+/// "behind level 2", "in level 2, behind 7 solved steps"
+std::string placeOf(const Level& level) {
+  const std::string number = std::to_string(level.number);
+  return level.complete ? "behind level " + number
+                        : "in level " + number + ", behind " +
+                              std::to_string(level.path.size()) + " solved steps";
 }
 
 /// "1 thread", "2 processes with 1 thread each"
@@ -143,7 +163,9 @@ class Recorder {
         table_(table),
         solved_(std::move(solved)),
         used_(usedXml(scene)),
-        history_(earlier ? earlier->history : historyHead()) {
+        history_(earlier ? earlier->history : historyHead()),
+        path_{earlier ? earlier->steps : "", {}},
+        contact_(scene) {
     if (!folder_)
       return;
     if (earlier_)  // without rows of levels that did not make it
@@ -172,6 +194,28 @@ class Recorder {
     writeTimings(timer);
   }
 
+  /// A step on the way to a level: what a run that is killed now goes on from.
+  void takeStep(SolvedLevel level) {
+    if (!folder_)
+      return;
+    if (earlier_) {
+      level.row.secondsTotal += earlier_->secondsTotal;
+      level.row.secondsWall += earlier_->secondsWall;
+    }
+    const StepRow& row = level.path->steps.back()->row;
+    if (path_.steps.empty())
+      path_.steps = stepsHead(row);
+    path_.steps += stepsLine(row);
+    path_.contacts.push_back(contact_.next(level));
+    folder_->stage("steps.csv", path_.steps);
+    if (scene_.output.fields)
+      folder_->stage("solution.hdf",
+                     solutionFile(scene_, level, used_, history_, path_.steps));
+    folder_->commit();
+    progress_.clear();
+    table_ << tableLine(row) << std::flush;
+  }
+
   void writeTimings(PhaseTimer& timer) {
     if (folder_)
       folder_->write("timings.txt", timer.report() + stages_);
@@ -187,7 +231,9 @@ class Recorder {
     stages_ += bem::message("level ", level.row.level, ": ",
                             contact::told(level.row.report.stages), "\n");
     bodies_ += bodiesLines(scene_, level.row);
-    writeLevel(scene_, level, used_, history_, bodies_, *folder_);
+    writeLevel(scene_, level, used_, history_, bodies_, path_, *folder_);
+    path_.contacts.clear();
+    contact_ = PathContact(scene_);
     progress_.clear();
     table_ << tableLine(level.row)
            << gamma0Note(level.row, scene_.stabilization.firstGamma0()) << std::flush;
@@ -202,6 +248,8 @@ class Recorder {
   std::string used_;
   std::string history_;
   std::string bodies_ = bodiesHead();  ///< of the levels of this run
+  PathRecord path_;
+  PathContact contact_;
   std::string stages_ = "\nSolver stages, steps, how they ended\n";
   std::optional<Level> last_;
   int levels_ = 0;
@@ -228,7 +276,8 @@ Outcome solveAndRecord(const Scene& scene, const std::optional<Checkpoint>& earl
   try {
     return solveLevels(
         scene, ranks, timer, [&](const SolvedLevel& level) { recorder.take(level); },
-        earlier ? std::optional(earlier->level) : std::nullopt);
+        earlier ? std::optional(earlier->level) : std::nullopt,
+        [&](const SolvedLevel& level) { recorder.takeStep(level); });
   } catch (...) {
     try {
       recorder.writeTimings(timer);
@@ -261,8 +310,8 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   table << scene.title << " (" << scene.file << "), BLAS core " << versions().blasCore
         << ", " << processesAndThreads(ranks.algebra().processes()) << "\n";
   if (beginning.earlier)
-    table << "goes on behind level " << beginning.earlier->level.number << " in "
-          << options.restart << "\n";
+    table << "goes on " << placeOf(beginning.earlier->level) << " in " << options.restart
+          << "\n";
   table << tableHead() << std::flush;
 
   PhaseTimer timer([&](const std::string& phase) {

@@ -35,9 +35,14 @@ class ArcLength {
 
 }  // namespace
 
-std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& bodies) {
-  Csv csv({"boundary", "element", "x", "y", "lambda_n", "lambda_t", "u_n", "u_t", "gap",
-           "bound", "contact", "friction", "body", "contact_name", "s"});
+std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& bodies,
+                       const MoreContactColumns& more) {
+  std::vector<std::string> names = {"boundary", "element",      "x",       "y",
+                                    "lambda_n", "lambda_t",     "u_n",     "u_t",
+                                    "gap",      "bound",        "contact", "friction",
+                                    "body",     "contact_name", "s"};
+  names.insert(names.end(), more.names.begin(), more.names.end());
+  Csv csv(names);
   const int samples = scene.output.contactSamples;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const contact::ContactFields fields(bodies[b]);
@@ -47,13 +52,25 @@ std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& b
         const double t = -1 + (2.0 * k + 1) / samples;
         const contact::ContactPoint p = fields.at(element, t);
         const std::string& name = element.condition->name;
-        csv.row({scene.boundaryName(b, *element.boundary),
-                 std::to_string(element.element), exactly(p.place.x), exactly(p.place.y),
-                 exactly(p.pressure), exactly(p.shear), exactly(p.normal),
-                 exactly(p.tangential), exactly(p.gap), exactly(p.bound),
-                 p.closed ? "1" : "0", std::to_string(numberOf(p.friction)),
-                 scene.bodies[b].name, name.empty() ? *element.boundary : name,
-                 exactly(arc.at(element, t))});
+        std::vector<std::string> cells = {scene.boundaryName(b, *element.boundary),
+                                          std::to_string(element.element),
+                                          exactly(p.place.x),
+                                          exactly(p.place.y),
+                                          exactly(p.pressure),
+                                          exactly(p.shear),
+                                          exactly(p.normal),
+                                          exactly(p.tangential),
+                                          exactly(p.gap),
+                                          exactly(p.bound),
+                                          p.closed ? "1" : "0",
+                                          std::to_string(numberOf(p.friction)),
+                                          scene.bodies[b].name,
+                                          name.empty() ? *element.boundary : name,
+                                          exactly(arc.at(element, t))};
+        if (more.cells)
+          for (std::string& cell : more.cells(element, t, p))
+            cells.push_back(std::move(cell));
+        csv.row(cells);
       }
   }
   return csv.text();

@@ -1,15 +1,26 @@
 #pragma once
 
+#include "contact/problem/ContactFields.hpp"
 #include "drivers/run/Level.hpp"
 #include "drivers/scene/Scene.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace epafi::drivers {
 
+/// Columns behind those of contact.csv, and their cells at a point.
+struct MoreContactColumns {
+  std::vector<std::string> names;
+  std::function<std::vector<std::string>(const contact::ContactFields::Element& element,
+                                         double t, const contact::ContactPoint& point)>
+      cells;
+};
+
 /// contact.csv: `samples` points t = -1 + (2k+1)/samples on each contact element.
-std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& bodies);
+std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& bodies,
+                       const MoreContactColumns& more = {});
 
 /// boundary.csv: displacement and traction along the whole boundary, element by element,
 /// both ends included, with the element's boundary, number and degree; the traction is

@@ -77,6 +77,22 @@ std::string tableLine(const LevelRow& row) {
   return line.str();
 }
 
+std::string tableLine(const StepRow& row) {
+  std::ostringstream line;
+  line << "        step " << std::setw(4) << row.step << "  t = " << std::left
+       << std::setw(10) << significant(row.t, 6) << std::right << std::setw(4)
+       << row.newtonIterations << " Newton steps, dissipated "
+       << significant(row.energyDissipated, 6);
+  for (const ContactRow& contact : row.contacts)
+    line << (contact.name.empty() ? "" : ", " + contact.name) << " "
+         << significant(contact.summary.forceNormal, 5) << " "
+         << significant(contact.summary.forceTangential, 5);
+  if (row.parts > 1)
+    line << ", halved: " << row.parts << " parts";
+  line << (row.converged ? "\n" : "  not converged\n");
+  return line.str();
+}
+
 std::string gamma0Note(const LevelRow& row, double wanted) {
   if (row.gamma0 == 0 || row.gamma0 == wanted)
     return "";

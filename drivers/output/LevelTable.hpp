@@ -2,6 +2,7 @@
 
 #include "drivers/output/History.hpp"
 #include "drivers/process/PhaseTimer.hpp"
+#include "drivers/run/Path.hpp"
 
 #include <string>
 #include <vector>
@@ -11,6 +12,9 @@ namespace epafi::drivers {
 /// The table that a run prints: its head, and one line per level.
 std::string tableHead();
 std::string tableLine(const LevelRow& row);
+
+/// One line per step of a path.
+std::string tableLine(const StepRow& row);
 
 /// Says of a level that it has got less than the wanted γ₀; else empty.
 std::string gamma0Note(const LevelRow& row, double wanted);

@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 /// Where a file stands in a folder while it is staged.
 std::string temporaryFile(const fs::path& folder, const std::string& name) {
-  return (folder / ("." + name + ".part")).string();
+  const fs::path file = folder / name;
+  return (file.parent_path() / ("." + file.filename().string() + ".part")).string();
 }
 
 void makeFolder(const fs::path& path) {
@@ -67,6 +68,23 @@ bool holdsSolvedLevel(const fs::path& path) {
       "elsewhere"));
 }
 
+/// steps/<k>/contact.csv, and the folders that hold nothing else.
+void deleteSteps(const fs::path& path) {
+  std::error_code ignored;
+  std::vector<fs::path> folders;
+  for (const auto& entry : fs::directory_iterator(path / "steps", ignored))
+    folders.push_back(entry.path());
+  for (const fs::path& folder : folders) {
+    const std::string name = folder.filename().string();
+    if (name.find_first_not_of("0123456789") != std::string::npos)
+      continue;
+    fs::remove(folder / "contact.csv", ignored);
+    fs::remove(temporaryFile(folder, "contact.csv"), ignored);
+    fs::remove(folder, ignored);  // an empty one only
+  }
+  fs::remove(path / "steps", ignored);
+}
+
 void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
   for (const std::string& name : outputFiles()) {
     std::error_code ignored;
@@ -74,6 +92,8 @@ void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
   }
   if (earlier == EarlierRun::Continue)
     return;
+  if (earlier == EarlierRun::Delete)
+    deleteSteps(path);
   const bool refuse = earlier == EarlierRun::Refuse && holdsSolvedLevel(path);
   for (const std::string& name : outputFiles()) {
     const fs::path file = path / name;
@@ -112,6 +132,8 @@ OutputFolder::~OutputFolder() { discard(); }
 
 void OutputFolder::stage(const std::string& name, const std::string& text) {
   staged_.push_back(name);
+  if (const fs::path inside = fs::path(name).parent_path(); !inside.empty())
+    makeFolder(fs::path(path_) / inside);
   errno = 0;
   std::ofstream stream(temporaryFile(path_, name), std::ios::binary | std::ios::trunc);
   stream << text;
@@ -158,9 +180,9 @@ void OutputFolder::discard() {
 
 const std::vector<std::string>& outputFiles() {
   static const std::vector<std::string> names = {
-      "history.csv",  "contact.csv",  "boundary.csv", "bodies.csv",
-      "interior.csv", "solution.hdf", "used.xml",     "timings.txt",
-      "study.csv",    "fields.csv",   "fields.vtu"};
+      "history.csv", "steps.csv",    "contact.csv",  "boundary.csv",
+      "bodies.csv",  "interior.csv", "solution.hdf", "used.xml",
+      "timings.txt", "study.csv",    "fields.csv",   "fields.vtu"};
   return names;
 }
 

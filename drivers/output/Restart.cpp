@@ -70,7 +70,7 @@ void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
   const ParameterList then = sceneOf(checkpoint);
   const ParameterList& now = *scene.used;
   std::string different;
-  for (const char* section : {"Bodies", "Contacts", "Discretization"})
+  for (const char* section : {"Bodies", "Contacts", "History", "Discretization"})
     if (different.empty())
       different = differenceIn(then, now, "", section);
   for (const char* key : {"Weights", "Residual Factor"})
@@ -78,10 +78,10 @@ void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
       different = differenceIn(then.sublist("Adaptivity"), now.sublist("Adaptivity"),
                                "Adaptivity", key);
   if (!different.empty())
-    throw InputError(
-        message("was written by a run of another scene: ", different,
-                " differs; Bodies, Contacts, Discretization, Adaptivity->Weights and "
-                "Adaptivity->Residual Factor must be as they were"));
+    throw InputError(message(
+        "was written by a run of another scene: ", different,
+        " differs; Bodies, Contacts, History, Discretization, Adaptivity->Weights and "
+        "Adaptivity->Residual Factor must be as they were"));
 }
 
 void checkOutlines(const Checkpoint& checkpoint, const Scene& scene) {
@@ -130,11 +130,21 @@ std::string historyBehind(const Checkpoint& checkpoint) {
     throw InputError(
         "was written by a version of Epafi whose history.csv has other "
         "columns");
-  if (std::count(text.begin(), text.end(), '\n') != checkpoint.level.number + 2)
+  const int rows = checkpoint.level.number + (checkpoint.level.complete ? 1 : 0);
+  if (std::count(text.begin(), text.end(), '\n') != rows + 1)
     throw InputError("has not one row of history.csv per level");
-  if (checkpoint.level.status == contact::Status::Converged)
+  if (checkpoint.level.status == contact::Status::Converged || !checkpoint.level.complete)
     return text;
   return text.substr(0, text.rfind('\n', text.size() - 2) + 1);
+}
+
+/// Rows of steps.csv of the levels before the one that is solved again, or of all.
+std::string stepsBehind(const Checkpoint& checkpoint) {
+  const std::string& text = checkpoint.steps;
+  if (checkpoint.level.status == contact::Status::Converged && checkpoint.level.complete)
+    return text;
+  const auto row = text.find("\n" + std::to_string(checkpoint.level.number) + ",");
+  return row == std::string::npos ? text : text.substr(0, row + 1);
 }
 
 }  // namespace
@@ -148,6 +158,7 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
       checkOutlines(checkpoint, scene);
       checkSizes(checkpoint.level, scene);
       checkpoint.history = historyBehind(checkpoint);
+      checkpoint.steps = stepsBehind(checkpoint);
     } catch (const InputError& error) {
       throw InputError(message("'", path, "' ", error.what()));
     }
@@ -169,6 +180,8 @@ std::optional<Checkpoint> readSolutionOf(const Scene& scene, const std::string& 
       return std::nullopt;
     checkOutlines(checkpoint, scene);
     checkSizes(checkpoint.level, scene);
+    if (!checkpoint.level.complete)
+      return std::nullopt;
     checkpoint.history = historyBehind(checkpoint);
     return checkpoint;
   } catch (const InputError&) {

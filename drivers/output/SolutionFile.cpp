@@ -13,6 +13,7 @@ namespace {
 
 constexpr int formatOfOne = 1;      // body
 constexpr int formatOfSeveral = 2;  // with /Epafi/bodies
+constexpr int formatOfPath = 3;     // of one body, with the steps of a path
 constexpr std::size_t positionColumns = 4;
 constexpr std::size_t sourceColumns = adaptivity::sourceCount;
 const std::string group = "/Epafi";
@@ -48,6 +49,22 @@ void forEach(AnyArrays& arrays, const Visit& visit) {
   visit("friction_state", arrays.friction, 1);
   visit("displacement", arrays.displacement, 1);
   visit("density", arrays.density, 1);
+}
+
+/// The steps of a path: all numbers one step after the other.
+struct PathArrays {
+  std::vector<double> times;
+  std::vector<int> iterations;  ///< Newton's and Coulomb's
+  std::vector<double> multiplier;
+  std::vector<double> rigid;
+};
+
+template <class AnyArrays, class Visit>
+void forEachOfPath(AnyArrays& arrays, const Visit& visit) {
+  visit("path_t", arrays.times, 1);
+  visit("path_iterations", arrays.iterations, 2);
+  visit("path_multiplier", arrays.multiplier, 1);
+  visit("path_rigid", arrays.rigid, 1);
 }
 
 /// A body's share of the arrays.
@@ -132,6 +149,41 @@ Arrays arraysOf(const Level& level, const std::vector<std::vector<EdgeEnds>>& ou
   return arrays;
 }
 
+PathArrays pathArraysOf(const Level& level) {
+  PathArrays arrays;
+  for (const PathPoint& point : level.path) {
+    arrays.times.push_back(point.t);
+    arrays.iterations.push_back(point.newtonIterations);
+    arrays.iterations.push_back(point.coulombIterations);
+    append(arrays.multiplier, point.state.multiplier);
+    append(arrays.rigid, point.state.rigid);
+  }
+  return arrays;
+}
+
+/// And back, for a state of the sizes of `last`.
+std::vector<PathPoint> pathOf(const PathArrays& arrays, const contact::State& last) {
+  const std::size_t count = arrays.times.size();
+  const std::size_t multipliers = last.multiplier.size();
+  const std::size_t motions = last.rigid.size();
+  if (arrays.iterations.size() != 2 * count ||
+      arrays.multiplier.size() != count * multipliers ||
+      arrays.rigid.size() != count * motions)
+    throw bem::InputError("/Epafi: the arrays of the path are of different lengths");
+  const auto part = [](const std::vector<double>& all, std::size_t k, std::size_t size) {
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(k * size);
+    return std::vector<double>(first, first + static_cast<std::ptrdiff_t>(size));
+  };
+  std::vector<PathPoint> path;
+  for (std::size_t k = 0; k < count; ++k)
+    path.push_back(
+        {arrays.times[k],
+         {part(arrays.multiplier, k, multipliers), part(arrays.rigid, k, motions)},
+         arrays.iterations[2 * k],
+         arrays.iterations[2 * k + 1]});
+  return path;
+}
+
 /// Fowler, Noll and Vo's 64-bit hash FNV-1a of everything that a restart is made from.
 class Checksum {
  public:
@@ -157,14 +209,22 @@ class Checksum {
 
 bool converged(const Level& level) { return level.status == contact::Status::Converged; }
 
-unsigned long long checksum(const Checkpoint& checkpoint, const Arrays& arrays) {
+bool hasPath(const Checkpoint& checkpoint) { return !checkpoint.steps.empty(); }
+
+unsigned long long checksum(const Checkpoint& checkpoint, const Arrays& arrays,
+                            const PathArrays& path) {
   const Level& level = checkpoint.level;
   Checksum sum;
   sum.add(std::vector<int>{level.number, converged(level) ? 1 : 0});
   sum.add(std::vector<double>{checkpoint.secondsTotal, checkpoint.secondsWall});
   sum.add(level.reason + checkpoint.used + checkpoint.history);
   sum.add(arrays.bodies);
-  forEach(arrays, [&](const char*, const auto& array, auto) { sum.add(array); });
+  const auto add = [&](const char*, const auto& array, auto) { sum.add(array); };
+  forEach(arrays, add);
+  if (hasPath(checkpoint)) {
+    sum.add(checkpoint.steps).add(std::vector<int>{level.complete ? 1 : 0});
+    forEachOfPath(path, add);
+  }
   return sum.value();
 }
 
@@ -208,15 +268,24 @@ void writeCheckpoint(const Checkpoint& checkpoint, Hdf5Writer& writer) {
   const auto number = [&](const char* name, auto value) {
     writer.attribute(group, name, std::vector<decltype(value)>{value});
   };
-  number("format", arrays.bodies.empty() ? formatOfOne : formatOfSeveral);
+  const PathArrays path = pathArraysOf(level);
+  number("format", hasPath(checkpoint)     ? formatOfPath
+                   : arrays.bodies.empty() ? formatOfOne
+                                           : formatOfSeveral);
   number("level", level.number);
   number("converged", converged(level) ? 1 : 0);
   number("seconds_total", checkpoint.secondsTotal);
   number("seconds_wall", checkpoint.secondsWall);
-  number("checksum", checksum(checkpoint, arrays));
-  forEach(arrays, [&](const char* name, const auto& array, long long columns) {
+  number("checksum", checksum(checkpoint, arrays, path));
+  const auto write = [&](const char* name, const auto& array, long long columns) {
     writer.array(group + "/" + name, array, columns);
-  });
+  };
+  forEach(arrays, write);
+  if (hasPath(checkpoint)) {
+    number("complete", level.complete ? 1 : 0);
+    forEachOfPath(path, write);
+    writer.text(group + "/steps", checkpoint.steps);
+  }
   if (!arrays.bodies.empty())
     writer.array(group + "/bodies", arrays.bodies, Counts);
   writer.text(group + "/reason", level.reason);
@@ -301,17 +370,18 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
   if (!reader.has(group))
     throw bem::InputError("has no group /Epafi: it was not written by epafi run");
   const int format = reader.attribute<int>(group, "format");
-  if (format != formatOfOne && format != formatOfSeveral)
+  if (format < formatOfOne || format > formatOfPath)
     throw bem::InputError(bem::message("is of format ", format,
                                        "; this version of Epafi reads formats ",
-                                       formatOfOne, " and ", formatOfSeveral));
+                                       formatOfOne, " to ", formatOfPath));
   Arrays arrays;
   if (format == formatOfSeveral)
     arrays.bodies = reader.array<int>(group + "/bodies", Counts);
-  forEach(arrays, [&](const char* name, auto& array, long long columns) {
+  const auto read = [&](const char* name, auto& array, long long columns) {
     using Number = typename std::decay_t<decltype(array)>::value_type;
     array = reader.array<Number>(group + "/" + name, columns);
-  });
+  };
+  forEach(arrays, read);
   Checkpoint checkpoint;
   for (const Arrays& part : parted(arrays)) {
     checkpoint.level.bodies.push_back(levelOf(part));
@@ -326,8 +396,15 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
   checkpoint.history = reader.text(group + "/history");
   checkpoint.secondsTotal = reader.attribute<double>(group, "seconds_total");
   checkpoint.secondsWall = reader.attribute<double>(group, "seconds_wall");
+  PathArrays path;
+  if (format == formatOfPath) {
+    forEachOfPath(path, read);
+    checkpoint.steps = reader.text(group + "/steps");
+    checkpoint.level.complete = reader.attribute<int>(group, "complete") == 1;
+    checkpoint.level.path = pathOf(path, checkpoint.level.bodies.front().state);
+  }
   if (reader.attribute<unsigned long long>(group, "checksum") !=
-      checksum(checkpoint, arrays))
+      checksum(checkpoint, arrays, path))
     throw bem::InputError("is damaged: its checksum is wrong");
   return checkpoint;
 }
@@ -345,7 +422,8 @@ std::vector<EdgeEnds> edgeEnds(const bem::Outline& outline) {
 }
 
 std::string solutionFile(const Scene& scene, const SolvedLevel& level,
-                         const std::string& used, const std::string& history) {
+                         const std::string& used, const std::string& history,
+                         const std::string& steps) {
   std::string names;
   std::vector<std::vector<EdgeEnds>> outlines;
   for (std::size_t b = 0; b < level.bodies.size(); ++b) {
@@ -357,7 +435,7 @@ std::string solutionFile(const Scene& scene, const SolvedLevel& level,
 
   Hdf5Writer writer;
   writeGrid(fieldGrid(level), writer);
-  writeCheckpoint({level.level, used, history, level.row.secondsTotal,
+  writeCheckpoint({level.level, used, history, steps, level.row.secondsTotal,
                    level.row.secondsWall, outlines},
                   writer);
   writer.text(group + "/boundaries", names);

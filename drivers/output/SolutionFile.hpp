@@ -20,6 +20,7 @@ struct Checkpoint {
   Level level;
   std::string used;     ///< used.xml
   std::string history;  ///< history.csv up to the level
+  std::string steps;    ///< steps.csv up to the step; empty without a History
   double secondsTotal = 0;
   double secondsWall = 0;
   std::vector<std::vector<EdgeEnds>> outlines;  ///< of the bodies
@@ -31,8 +32,10 @@ struct Checkpoint {
 ///   /Epafi   all numbers that the next level is made from, with a checksum
 ///
 /// Its bytes, from what every process has whole.
+/// `steps`: steps.csv so far, empty without a History.
 std::string solutionFile(const Scene& scene, const SolvedLevel& level,
-                         const std::string& used, const std::string& history);
+                         const std::string& used, const std::string& history,
+                         const std::string& steps = "");
 
 /// \throws bem::InputError naming the file, if it is not there, not complete, damaged, or
 ///   of a format that this version does not know.

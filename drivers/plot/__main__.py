@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Pictures of a finished run or study.
 
-    python3 plot DIR    convergence, time, contributions, mesh, contact, deformed of a run;
+    python3 plot DIR    convergence, time, contributions, mesh, contact, deformed of a run, path
+                        and steps of one with a History;
                         convergence, time, contact_stress, work-precision, exponential,
                         effectivity, sweep of a study, and those of a run in each variant's
                         folder
@@ -23,6 +24,7 @@ try:
     import exponential
     import inside
     import mesh
+    import path
     import study_curves
     import sweep
     import work_precision
@@ -53,6 +55,9 @@ def plot_run(folder):
     points = read(folder, "contact.csv")
     if points:
         contact.draw(points, title, pictures)
+    steps = read(folder, "steps.csv")
+    if steps:
+        path.draw(folder, steps, title, pictures)
     return pictures.names
 
 

@@ -20,6 +20,14 @@ struct BodyLevel {
   adaptivity::Indicators indicators{};
 };
 
+/// A solved step of a path.
+struct PathPoint {
+  double t = 0;
+  contact::State state;
+  int newtonIterations = 0;
+  int coulombIterations = 0;
+};
+
 /// A solved level as numbers: all that the next one is made from, and what a file keeps.
 struct Level {
   int number = 0;
@@ -31,6 +39,11 @@ struct Level {
   adaptivity::Contributions squares() const;
   double estimate() const;
   std::size_t elements() const;
+
+  /// All steps that led to the state, where the scene has a History; else empty.
+  std::vector<PathPoint> path{};
+  /// Did the path get to its end, or is this a step on the way?  True without a History.
+  bool complete = true;
 };
 
 /// What a mesh and the spaces on it are.
@@ -77,11 +90,14 @@ struct LevelRow {
   double memory = 0;        ///< peak so far [MiB]
 };
 
-/// A level as it is handed out: valid during the call only.
+struct Path;
+
+/// A level, or a step on the way to one, as it is handed out: valid during the call only.
 struct SolvedLevel {
   const std::vector<contact::Solved>& bodies;
   const Level& level;
   LevelRow row;
+  const Path* path = nullptr;  ///< its steps so far, where the scene has a History
 };
 
 }  // namespace epafi::drivers

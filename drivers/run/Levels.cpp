@@ -8,6 +8,7 @@
 #include "contact/problem/ContactSystem.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/run/BodySpaces.hpp"
+#include "drivers/run/Path.hpp"
 #include "drivers/run/Resistance.hpp"
 #include "drivers/run/Solver.hpp"
 
@@ -41,8 +42,7 @@ double gamma0Of(const contact::ContactSystem& system) {
   return smallest;
 }
 
-LevelRow makeRow(const Level& level, const Size& size,
-                 const contact::ContactSystem& system,
+LevelRow makeRow(const Level& level, const Size& size, double gamma0,
                  const std::vector<contact::Solved>& solved,
                  const contact::Report& report, const PhaseTimer& timer) {
   LevelRow row;
@@ -52,7 +52,7 @@ LevelRow makeRow(const Level& level, const Size& size,
   row.summary = contact::sumOf(row.bodies);
   row.report = report;
   row.reason = level.reason;
-  row.gamma0 = gamma0Of(system);
+  row.gamma0 = gamma0;
   row.estimate = level.estimate();
   row.squares = level.squares();
   const bem::Vector cost = largestOverRanks(
@@ -97,11 +97,89 @@ std::vector<bem::Piece> piecesOf(const bem::Mesh& mesh) {
   return pieces;
 }
 
+/// A level whose path is followed.
+struct PathLevel {
+  const Scene& scene;
+  int number;
+  const Size& size;
+  const bem::Lame& lame;
+  PhaseTimer& timer;
+};
+
+/// Receivers of the level and of its steps.
+struct HandOuts {
+  const std::function<void(const SolvedLevel&)>& level;
+  const std::function<void(const SolvedLevel&)>& step;
+};
+
+/// The level at the end of the path so far; everything but the indicators.
+Level levelOf(int number, const contact::Solved& solved, const Path& path) {
+  Level level{number, path.report.status, path.reason, {}};
+  level.bodies.push_back({piecesOf(solved.space.mesh()), solved.state,
+                          contact::classify(solved.problem.numbers(), solved.state),
+                          solved.displacement, path.steps.back()->density});
+  level.path = path.points;
+  return level;
+}
+
+/// The largest indicators over the steps.
+adaptivity::Indicators estimatePath(const Path& path, const PathLevel& ground,
+                                    const PathGround& on) {
+  std::vector<adaptivity::Indicators> all;
+  for (std::size_t k = 0; k < path.steps.size(); ++k)
+    all.push_back(adaptivity::estimateResidual(solvedStep(on, path, k),
+                                               path.steps[k]->density, ground.lame,
+                                               ground.scene.adaptivity.estimator));
+  return adaptivity::largest(all);
+}
+
+/// Levels outside, steps inside: the whole path on one mesh.
+Level solvePath(const PathLevel& ground, const bem::SteklovPoincare& stiffness,
+                const BodySpaces& spaces, const std::vector<PathPoint>& earlier,
+                const HandOuts& handOuts) {
+  const Scene& scene = ground.scene;
+  PhaseTimer& timer = ground.timer;
+  const bem::Units units = scene.units();
+  const contact::Conditions start = scene.conditionsAt(0);
+  const auto atZero = timer.run(Phase::Stabilization, [&] {
+    return contact::ContactProblem({spaces.space(0), stiffness, ground.lame, units, start,
+                                    contact::multiplierBasis(scene.multiplier),
+                                    scene.stabilization});
+  });
+  const PathGround on{scene, ground.number, spaces.space(0), stiffness, atZero, units};
+  const auto lastOf = [&](const Path& path) {
+    return std::vector<contact::Solved>{solvedStep(on, path, path.steps.size() - 1)};
+  };
+  const Path path = followPath(on, earlier, timer, [&](const Path& sofar) {
+    if (!handOuts.step)
+      return;
+    const std::vector<contact::Solved> solved = lastOf(sofar);
+    Level level = levelOf(ground.number, solved.front(), sofar);
+    level.complete = false;
+    level.bodies.front().indicators.squares.resize(
+        static_cast<std::size_t>(on.space.mesh().size()));
+    timer.run(Phase::Results, [&] { handOuts.step({solved, level, {}, &sofar}); });
+  });
+  const std::vector<contact::Solved> solved = lastOf(path);
+  Level level = levelOf(ground.number, solved.front(), path);
+  level.bodies.front().indicators =
+      timer.run(Phase::Estimate, [&] { return estimatePath(path, ground, on); });
+  timer.run(Phase::Results, [&] {
+    LevelRow row =
+        makeRow(level, ground.size, atZero.gamma0(), solved, path.report, timer);
+    row.summary.energyFriction = path.steps.back()->row.energyDissipated;
+    row.bodies.front().energyFriction = row.summary.energyFriction;
+    handOuts.level({solved, level, row, &path});
+  });
+  return level;
+}
+
 }  // namespace
 
 Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                     const std::function<void(const SolvedLevel&)>& handOut,
-                    const std::optional<Level>& earlier) {
+                    const std::optional<Level>& earlier,
+                    const std::function<void(const SolvedLevel&)>& handOutStep) {
   const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
   const bem::Units units = scene.units();
   const bem::DenseAlgebra& algebra = ranks.algebra();
@@ -140,6 +218,14 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                                        scene.stabilization, lames[b], units)));
       return all;
     });
+    if (scene.history) {
+      const Level level =
+          solvePath({scene, number, size, lames.front(), timer}, stiffness.front(),
+                    spaces, from->path, {handOut, handOutStep});
+      timer.endLevel();
+      next = nextLevel(scene, level, algebra);
+      continue;
+    }
     const auto system = timer.run(Phase::Stabilization, [&] {
       std::vector<contact::ContactProblem::Input> inputs;
       for (std::size_t b = 0; b < count; ++b)
@@ -190,8 +276,8 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
             solved[b], level.bodies[b].density, lames[b], scene.adaptivity.estimator);
     });
     timer.run(Phase::Results, [&] {
-      handOut(
-          {solved, level, makeRow(level, size, system, solved, solution.report, timer)});
+      handOut({solved, level,
+               makeRow(level, size, gamma0Of(system), solved, solution.report, timer)});
     });
     timer.endLevel();
     next = nextLevel(scene, level, algebra);

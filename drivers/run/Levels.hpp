@@ -17,11 +17,14 @@ class Ranks;
 /// `handOut` receives each level as soon as it is solved, converged or not; the first one
 /// that is not is the last.  With `earlier`, the result of a level of an earlier run, the
 /// run goes on behind that level as if it had never stopped, see levelAfterRestart.
+/// `handOutStep` receives each step of a path likewise, its level not complete, without a
+/// row and indicators.
 /// Collective; all ranks hand out the same.
 /// \throws bem::InputError, bem::NumericalError, Interrupted; levels handed out stay
 /// good.
 Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                     const std::function<void(const SolvedLevel&)>& handOut,
-                    const std::optional<Level>& earlier = {});
+                    const std::optional<Level>& earlier = {},
+                    const std::function<void(const SolvedLevel&)>& handOutStep = {});
 
 }  // namespace epafi::drivers

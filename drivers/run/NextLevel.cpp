@@ -151,7 +151,7 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
   LevelStart next{level.number + 1, {}, {}};
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     next.meshes.push_back(adaptivity::refine(prepared[b].mesh, marks[b]));
-    if (strategy.start == adaptivity::Start::Carried)
+    if (strategy.start == adaptivity::Start::Carried && !scene.history)
       next.start.push_back(adaptivity::carry(spaces.space(b).mesh(), spaces.multiplier(b),
                                              level.bodies[b].state, next.meshes.back(),
                                              scene.bodies[b].conditions));
@@ -162,8 +162,8 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
 std::variant<LevelStart, Outcome> levelAfterRestart(const Scene& scene,
                                                     const Level& level,
                                                     const bem::DenseAlgebra& algebra) {
-  if (level.status != contact::Status::Converged) {
-    LevelStart again{level.number, meshesOf(scene, level), {}};
+  if (level.status != contact::Status::Converged || !level.complete) {
+    LevelStart again{level.number, meshesOf(scene, level), {}, level.path};
     for (const BodyLevel& body : level.bodies)
       again.start.push_back(body.state);
     return again;

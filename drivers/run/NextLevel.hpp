@@ -14,6 +14,7 @@ struct LevelStart {
   int level = 0;
   std::vector<bem::Mesh> meshes;      ///< one per body
   std::vector<contact::State> start;  ///< likewise; empty: from zero
+  std::vector<PathPoint> path{};      ///< steps on this mesh that are known already
 };
 
 /// How a run ended.

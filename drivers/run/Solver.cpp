@@ -14,17 +14,18 @@ namespace {
 
 using bem::Vector;
 
-contact::Solution assembled(const contact::ContactSystem& system,
-                            const contact::State& start, const Scene::Solver& options) {
+/// solve(solver) with what the options are assembled to for a problem.
+template <class Solve>
+contact::Solution assembled(const contact::Problem& problem, const Scene::Solver& options,
+                            const Solve& solve) {
   const contact::NoxNewton newton(options.nox);
   const contact::Tresca tresca(newton, options.tresca);
-  const bool follows = system.numbers().boundDependsOnPressure();
+  const bool follows = problem.boundDependsOnPressure();
   const auto coulomb = follows ? contact::makeCoulomb(tresca, options.coulomb) : nullptr;
   const contact::NonlinearSolver* solver = &tresca;
   if (follows)
     solver = coulomb.get();
-  return contact::solveInLoadSteps(*solver, system.numbers(), system.gap(), start,
-                                   options.loadSteps);
+  return solve(*solver);
 }
 
 constexpr std::ptrdiff_t scalars = 6;
@@ -55,22 +56,13 @@ void unpack(const Vector& numbers, Solved& solved) {
                  [](double c) { return static_cast<char>(c); });
 }
 
-}  // namespace
-
-Solved solve(const contact::ContactSystem& system, const BodySpaces& spaces,
-             const contact::State& start, const Scene::Solver& options,
-             const bem::DenseAlgebra& algebra) {
+/// What rank 0 makes of it, on all ranks.
+template <class Solve>
+Solved onFirstRank(const bem::DenseAlgebra& algebra, const Solve& solve) {
   Solved solved;
   contact::State& state = solved.solution.state;
-  if (algebra.rank() == 0) {
-    try {
-      solved.solution = assembled(system, start, options);
-    } catch (const contact::NoBalance& error) {
-      throw bem::NumericalError(withAdvice(error));
-    }
-    solved.reason = reasonOf(solved.solution.report) +
-                    restlessPlaces(solved.solution.report, system, spaces);
-  }
+  if (algebra.rank() == 0)
+    solved = solve();
   if (algebra.processes() == 1)
     return solved;
   state.multiplier = algebra.broadcast(std::move(state.multiplier));
@@ -79,6 +71,44 @@ Solved solve(const contact::ContactSystem& system, const BodySpaces& spaces,
   if (algebra.rank() != 0)
     unpack(numbers, solved);
   return solved;
+}
+
+}  // namespace
+
+Solved solve(const contact::ContactSystem& system, const BodySpaces& spaces,
+             const contact::State& start, const Scene::Solver& options,
+             const bem::DenseAlgebra& algebra) {
+  return onFirstRank(algebra, [&]() -> Solved {
+    try {
+      contact::Solution solution =
+          assembled(system.numbers(), options, [&](const auto& solver) {
+            return contact::solveInLoadSteps(solver, system.numbers(), system.gap(),
+                                             start, options.loadSteps);
+          });
+      const std::string reason =
+          reasonOf(solution.report) + restlessPlaces(solution.report, system, spaces);
+      return {std::move(solution), reason};
+    } catch (const contact::NoBalance& error) {
+      throw bem::NumericalError(withAdvice(error));
+    }
+  });
+}
+
+Solved solveStep(const contact::Problem& problem, const contact::State& start,
+                 const Scene::Solver& options, const bem::DenseAlgebra& algebra) {
+  return onFirstRank(algebra, [&]() -> Solved {
+    try {
+      contact::Solution solution = assembled(problem, options, [&](const auto& solver) {
+        return solver.solve(problem, start);
+      });
+      const std::string reason = reasonOf(solution.report);
+      return {std::move(solution), reason};
+    } catch (const contact::NoBalance& error) {
+      return {{}, withAdvice(error)};
+    } catch (const bem::NumericalError& error) {
+      return {{}, error.what()};
+    }
+  });
 }
 
 }  // namespace epafi::drivers

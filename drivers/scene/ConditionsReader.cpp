@@ -16,13 +16,22 @@ using bem::InputError;
 using bem::message;
 using Teuchos::ParameterList;
 
+/// A list of the scene, and the time at which its expressions are taken.
+struct Where {
+  Place place;
+  double t = 1;
+
+  Where under(const std::string& key) const {
+    return {{place.file, place.path + "->" + key}, t};
+  }
+};
+
 /// The expression under a key; an empty function if it is not given.
 bem::Function readFunction(const ParameterList& list, const std::string& key,
-                           const Place& place) {
+                           const Where& where) {
   if (!list.isParameter(key))
     return {};
-  return makeExpression(list.get<std::string>(key),
-                        {place.file, place.path + "->" + key});
+  return makeExpression(list.get<std::string>(key), where.under(key).place, where.t);
 }
 
 /// A bound on the shear cannot be negative.
@@ -37,19 +46,18 @@ bem::Function nonNegative(const bem::Function& function, const Place& place) {
   };
 }
 
-contact::Friction readFriction(const ParameterList& list, const Place& place) {
+contact::Friction readFriction(const ParameterList& list, const Where& where) {
   const ParameterList& friction = list.sublist("Friction");
-  const Place inner{place.file, place.path + "->Friction"};
+  const Where inner = where.under("Friction");
   return contact::parseFriction(friction, [&](const std::string& key) {
-    return nonNegative(readFunction(friction, key, inner),
-                       {place.file, inner.path + "->" + key});
+    return nonNegative(readFunction(friction, key, inner), inner.under(key).place);
   });
 }
 
-contact::Conditions::Contact readContact(const ParameterList& list, const Place& place) {
+contact::Conditions::Contact readContact(const ParameterList& list, const Where& where) {
   contact::Conditions::Contact condition;
-  condition.gap = readFunction(list, "Gap", place);
-  condition.friction = readFriction(list, place);
+  condition.gap = readFunction(list, "Gap", where);
+  condition.friction = readFriction(list, where);
   return condition;
 }
 
@@ -58,9 +66,9 @@ contact::Conditions::Contact readContact(const ParameterList& list, const Place&
 contact::Conditions::Contact readContactOfBodies(const ParameterList& list,
                                                  const Place& place) {
   contact::Conditions::Contact condition;
-  const bem::Function interference = readFunction(list, "Interference", place);
+  const bem::Function interference = readFunction(list, "Interference", {place});
   condition.gap = [interference](bem::Vec2 x) { return -interference(x); };
-  condition.friction = readFriction(list, place);
+  condition.friction = readFriction(list, {place});
   return condition;
 }
 
@@ -79,35 +87,35 @@ void checkNamed(const std::string& boundary, const std::string& path,
 namespace {
 
 void readBoundary(const ParameterList& list, const std::string& boundary,
-                  const Place& place, contact::Conditions& conditions) {
+                  const Where& where, contact::Conditions& conditions) {
   const std::string type = list.get<std::string>("Type");
   if (type == "Dirichlet") {
-    const bem::Function x = readFunction(list, "Displacement X", place);
-    const bem::Function y = readFunction(list, "Displacement Y", place);
+    const bem::Function x = readFunction(list, "Displacement X", where);
+    const bem::Function y = readFunction(list, "Displacement Y", where);
     if (!x && !y)
-      throw InputError(place.path +
+      throw InputError(where.place.path +
                        ": a Dirichlet condition needs Displacement X, "
                        "Displacement Y or both");
     conditions.dirichlet[boundary] = {x, y};
   } else if (type == "Neumann") {
-    conditions.neumann[boundary] = {readFunction(list, "Traction X", place),
-                                    readFunction(list, "Traction Y", place)};
+    conditions.neumann[boundary] = {readFunction(list, "Traction X", where),
+                                    readFunction(list, "Traction Y", where)};
   } else {
-    conditions.contact[boundary] = readContact(list, place);
+    conditions.contact[boundary] = readContact(list, where);
   }
 }
 
 }  // namespace
 
 contact::Conditions readConditions(const ParameterList& body, const Place& place,
-                                   const bem::Outline& outline) {
+                                   const bem::Outline& outline, double t) {
   contact::Conditions conditions;
   const std::string path = place.path + "->Boundary Conditions";
   const ParameterList& list = body.sublist("Boundary Conditions");
   for (const auto& item : list) {
     const Place inner{place.file, path + "->" + item.first};
     checkNamed(item.first, inner.path, outline);
-    readBoundary(list.sublist(item.first), item.first, inner, conditions);
+    readBoundary(list.sublist(item.first), item.first, {inner, t}, conditions);
   }
   const ParameterList& rigid = body.sublist("Rigid Motions");
   if (rigid.isParameter("Fix"))

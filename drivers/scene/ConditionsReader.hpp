@@ -10,12 +10,12 @@ class ParameterList;
 
 namespace epafi::drivers {
 
-/// The Boundary Conditions and Rigid Motions of a body's validated list; `place` is the
-/// body's.
+/// The Boundary Conditions and Rigid Motions of a body's validated list at a time t; `place`
+/// is the body's.
 /// \throws bem::InputError for a boundary that no edge has (the nearest name is given), a
 ///   Dirichlet condition without a component, an expression that is none.
 contact::Conditions readConditions(const Teuchos::ParameterList& body, const Place& place,
-                                   const bem::Outline& outline);
+                                   const bem::Outline& outline, double t = 1);
 
 /// \throws bem::InputError for a boundary that no edge has, with the nearest name.
 void checkNamed(const std::string& boundary, const std::string& path,

@@ -30,14 +30,15 @@ std::size_t loneEqualSign(const std::string& text) {
 /// A muParser bound to variables of its own.
 class Parser {
  public:
-  explicit Parser(const std::string& text) {
+  Parser(const std::string& text, double t) {
     try {
       parser_.DefineVar("x", &point_.x);
       parser_.DefineVar("y", &point_.y);
+      parser_.DefineConst("t", t);
       parser_.DefineConst("pi", std::acos(-1.0));
       parser_.SetExpr(text);
     } catch (const mu::Parser::exception_type& error) {
-      throw InputError("is no expression in x and y: " + error.GetMsg());
+      throw InputError("is no expression in x, y and t: " + error.GetMsg());
     }
   }
   Parser(const Parser&) = delete;
@@ -54,7 +55,7 @@ class Parser {
             message("gives ", values, " values; a decimal point is written '.'"));
       return value[0];
     } catch (const mu::Parser::exception_type& error) {
-      throw InputError("is no expression in x and y: " + error.GetMsg());
+      throw InputError("is no expression in x, y and t: " + error.GetMsg());
     }
   }
 
@@ -67,8 +68,8 @@ class Parser {
 /// time.
 class Expression {
  public:
-  Expression(std::string text, Place place)
-      : text_(std::move(text)), place_(std::move(place)) {
+  Expression(std::string text, Place place, double t)
+      : text_(std::move(text)), place_(std::move(place)), t_(t) {
     if (text_.find_first_not_of(" \t\r\n") == std::string::npos)
       fail("is empty");
     if (loneEqualSign(text_) != std::string::npos)
@@ -79,8 +80,9 @@ class Expression {
   double operator()(bem::Vec2 point) const {
     const double value = evaluate(point);
     if (!std::isfinite(value))
-      fail(message("is ", value, " at (x, y) = (", point.x, ", ", point.y,
-                   "); one finite number is needed there"));
+      fail(message("is ", value, " at (x, y) = (", point.x, ", ", point.y, ")",
+                   t_ == 1 ? "" : message(", t = ", t_),
+                   "; one finite number is needed there"));
     return value;
   }
 
@@ -99,7 +101,7 @@ class Expression {
   std::unique_ptr<Parser> take() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (idle_.empty())
-      return std::make_unique<Parser>(text_);
+      return std::make_unique<Parser>(text_, t_);
     std::unique_ptr<Parser> parser = std::move(idle_.back());
     idle_.pop_back();
     return parser;
@@ -116,14 +118,15 @@ class Expression {
 
   std::string text_;
   Place place_;
+  double t_;
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<Parser>> idle_;
 };
 
 }  // namespace
 
-bem::Function makeExpression(const std::string& text, const Place& place) {
-  const auto expression = std::make_shared<const Expression>(text, place);
+bem::Function makeExpression(const std::string& text, const Place& place, double t) {
+  const auto expression = std::make_shared<const Expression>(text, place, t);
   return [expression](bem::Vec2 point) { return (*expression)(point); };
 }
 

@@ -7,6 +7,7 @@
 #include "contact/conditions/Conditions.hpp"
 #include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/problem/Stabilization.hpp"
+#include "drivers/scene/History.hpp"
 #include "drivers/scene/LinearMethod.hpp"
 #include "drivers/scene/RunLimits.hpp"
 
@@ -14,6 +15,7 @@
 #include <Teuchos_RCP.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,7 +33,7 @@ struct Body {
   std::string name;
   bem::Material material;
   std::shared_ptr<const bem::Outline> outline;
-  contact::Conditions conditions;
+  contact::Conditions conditions;  ///< at the end of the path, t = 1 without one
 
   std::vector<int>
       elementsPerEdge;  ///< one per edge of the outline, holes after the outer loop
@@ -72,6 +74,11 @@ struct Scene {
   std::vector<RigidBody> rigid;
   std::vector<ContactPair> contacts;
   double stress = 1;  ///< that all of them count in
+
+  History history;
+  /// The body's conditions at a time, where there is a History; of the same kinds on the
+  /// same boundaries at all times.
+  std::function<contact::Conditions(double t)> conditionsAt;
 
   std::string multiplier;
   contact::Stabilization stabilization;

@@ -5,6 +5,7 @@
 #include "drivers/scene/Nesting.hpp"
 #include "drivers/scene/Schema.hpp"
 
+#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterEntryXMLConverterDB.hpp>
 #include <Teuchos_StringInputSource.hpp>
 #include <Teuchos_TwoDArray.hpp>
@@ -156,6 +157,12 @@ std::string shortest(double value) {
 Spelling spell(const Teuchos::ParameterEntry& entry, const std::string& name) {
   if (entry.isType<double>())
     return {"double", shortest(Teuchos::getValue<double>(entry))};
+  if (entry.isType<Teuchos::Array<double>>()) {
+    std::string text;
+    for (const double x : Teuchos::getValue<Teuchos::Array<double>>(entry))
+      text += (text.empty() ? "{" : ", ") + shortest(x);
+    return {"Array(double)", text.empty() ? "{}" : text + "}"};
+  }
   if (entry.isType<Teuchos::TwoDArray<double>>()) {
     const auto& table = Teuchos::getValue<Teuchos::TwoDArray<double>>(entry);
     std::string text = message(table.getNumRows(), "x", table.getNumCols(), ":{");
@@ -315,7 +322,10 @@ void setAt(Teuchos::ParameterList& list, const std::string& path,
     return setList(list, path, trimmed(value));
   if (row.kind == Kind::Free)
     throw InputError(path + ": is a sublist that --set can only remove");
-  const std::string type = typeName(row.kind);
+  const bool alone = value.find('{') == std::string::npos;
+  const std::string type = alone && row.kind == Kind::Counts  ? "int"
+                           : alone && row.kind == Kind::Reals ? "double"
+                                                              : typeName(row.kind);
   const std::string text = type == "string" ? value : trimmed(value);
   try {
     checkValue(type, text);

@@ -395,6 +395,25 @@ void readBodies(ParameterList& list, const ParameterList& discretization, Scene&
     scene.stress = std::min(scene.stress, body.material.youngsModulus);
 }
 
+void readHistory(ParameterList& used, Scene& scene) {
+  scene.history = parseHistory(used.sublist("History"));
+  if (!scene.history) {
+    used.remove("History");
+    return;
+  }
+  if (scene.hasSeveral())
+    throw InputError(
+        "History: is possible with one elastic body for now, whose contact boundaries "
+        "meet obstacles at a Gap");
+  Body& body = scene.bodies.front();
+  scene.conditionsAt = [list = ParameterList(used.sublist("Bodies").sublist(body.name)),
+                        place = Place{scene.file, "Bodies->" + body.name},
+                        outline = body.outline](double t) {
+    return readConditions(list, place, *outline, t);
+  };
+  body.conditions = scene.conditionsAt(scene.history.times.back());
+}
+
 Scene build(const std::string& file, const RawScene& raw) {
   checkAnyBody(raw.list);
   Scene scene;
@@ -415,6 +434,12 @@ Scene build(const std::string& file, const RawScene& raw) {
     checkIncompressible(body, scene.stabilization,
                         "Bodies->" + body.name + "->Material->Poisson's Ratio");
   scene.solver = readSolver(used.sublist("Solver"));
+  readHistory(used, scene);
+  if (scene.history && scene.solver.loadSteps > 1)
+    throw InputError(message(
+        "Solver->Load Steps = ", scene.solver.loadSteps,
+        ": a continuation without memory does not go together with History; History->"
+        "Steps makes the steps of a path, and one that fails is halved"));
   scene.linear = parseLinear(used.sublist("Solver").sublist("Linear"));
   scene.adaptivity = readAdaptivity(used.sublist("Adaptivity"));
   scene.output = readOutput(used.sublist("Output"), scene);

@@ -5,6 +5,7 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/problem/Stabilization.hpp"
 #include "contact/solve/LoadContinuation.hpp"
+#include "drivers/scene/History.hpp"
 #include "drivers/scene/LinearMethod.hpp"
 #include "drivers/scene/RunLimits.hpp"
 #include "drivers/scene/Schema.hpp"
@@ -176,6 +177,15 @@ void addSeveralBodies(Table& table) {
   append(table, contact::frictionRows(), contact + "->Friction");
 }
 
+void addHistory(Table& table) {
+  append(
+      table,
+      {Row("History", Kind::List,
+           "the path of the loads, solved step by step; friction remembers.  Without it "
+           "one load, t = 1")});
+  append(table, historyRows(), "History");
+}
+
 void addDiscretization(Table& table) {
   const std::string stabilization = "Discretization->Stabilization";
   append(table,
@@ -252,6 +262,7 @@ const std::vector<Parameter>& parameters() {
     addBody(all);
     addConditions(all);
     addSeveralBodies(all);
+    addHistory(all);
     addDiscretization(all);
     addSolver(all);
     addAdaptivity(all);

@@ -315,6 +315,44 @@ TEUCHOS_UNIT_TEST(BadInput, unnamedEdgesAndConditionsForNoEdgeAreRefused) {
   TEST_COMPLAINT(scene.xml(), body + "Boundary Conditions->lefft", "'left'");
 }
 
+/// A scene with a History of this content.
+std::string withHistory(const std::string& content) {
+  SceneText scene;
+  scene.rest = "<ParameterList name=\"History\">" + content + "</ParameterList>";
+  return scene.xml();
+}
+
+std::string times(const std::string& value) {
+  return R"x(<Parameter name="Times" type="Array(double)" value=")x" + value + "\"/>";
+}
+
+std::string steps(const std::string& type, const std::string& value) {
+  return "<Parameter name=\"Steps\" type=\"" + type + "\" value=\"" + value + "\"/>";
+}
+
+TEUCHOS_UNIT_TEST(BadInput, aPathGoesForward) {
+  TEST_COMPLAINT(withHistory(steps("int", "3")), "History->Times", "missing", "Steps");
+  TEST_COMPLAINT(withHistory(times("{}")), "History->Times", "empty");
+  TEST_COMPLAINT(withHistory(times("{1, 2, 2}")), "History->Times", "2", "increase");
+  TEST_COMPLAINT(withHistory(times("{0, 1}")), "History->Times", "> 0");
+  TEST_COMPLAINT(withHistory(times("{-1}")), "History->Times", "> 0");
+  TEST_COMPLAINT(withHistory(times("{1, 2}") + steps("Array(int)", "{1, 2, 3}")),
+                 "History->Steps", "3", "2");
+  TEST_COMPLAINT(withHistory(times("{1}") + steps("int", "0")), "History->Steps", "0");
+  TEST_COMPLAINT(withHistory(times("{1}") + steps("int", "1000000")), "History->Steps",
+                 "100000");
+  TEST_COMPLAINT(withHistory(times("{1}") + steps("string", "many")), "History->Steps",
+                 "Array(int)");
+  TEST_COMPLAINT(withHistory(times("{1}") + real("Minimum Step", "0")),
+                 "History->Minimum Step", "> 0");
+  TEST_COMPLAINT(withHistory(times("{1}") + real("Step", "1")), "History->Step", "Steps");
+  SceneText scene;
+  scene.rest = "<ParameterList name=\"History\">" + times("{1}") +
+               "</ParameterList><ParameterList name=\"Solver\"><Parameter name=\"Load "
+               "Steps\" type=\"int\" value=\"4\"/></ParameterList>";
+  TEST_COMPLAINT(scene.xml(), "Solver->Load Steps", "4", "History");
+}
+
 TEUCHOS_UNIT_TEST(BadInput, theMeshFitsTheOutline) {
   SceneText scene;
   scene.discretization =

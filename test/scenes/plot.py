@@ -27,6 +27,11 @@ for name in ("tresca", "coulomb", "hertz", "disc"):
     claim(code == 0, "%s is drawn: %s" % (name, text.strip()))
     drawn(os.path.join(WORK, name), PICTURES, name)
 
+run(scene("fretting.xml"), "fretting", ["History->Steps={1, 2, 2, 2}"])
+code, text = epafi("plot", os.path.join(WORK, "fretting"))
+claim(code == 0, "a path is drawn: " + text.strip())
+drawn(os.path.join(WORK, "fretting"), PICTURES + ["path", "steps"], "fretting")
+
 points = table(os.path.join(WORK, "tresca", "boundary.csv"))
 claim(points[-1]["element"] == 63 and {point["degree"] for point in points} == {1},
       "boundary.csv names each point's element and degree")

@@ -58,15 +58,14 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   const bem::Element& geometry = mesh[element.element];
   const contact::MultiplierSpace& multiplier = solved.problem.multiplier();
   const int p = element.degree;
-  // what is a polynomial on a segment nearly is one on an arc, whose directions turn
-  constexpr int forTurning = 8;
-  const int degree =
-      geometry.curve.isStraight() ? p : std::min(p + forTurning, bem::largestDegree);
-  const auto component = [&](const auto& direction) {
+  const auto component = [&](const auto& direction, const Vector* before) {
     return Polynomial(
-        [&](double t) {
-          return dot(solved.space.displacementAt(solved.displacement, element.element, t),
-                     direction(t));
+        [&, before](double t) {
+          bem::Vec2 u =
+              solved.space.displacementAt(solved.displacement, element.element, t);
+          if (before != nullptr)
+            u = u - solved.space.displacementAt(*before, element.element, t);
+          return dot(u, direction(t));
         },
         degree);
   };
@@ -84,7 +83,7 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   const auto along = [&geometry](double t) { return geometry.curve.tangent(t); };
   const auto across = [&geometry](double t) { return geometry.curve.normal(t); };
   const Polynomial pressure = stress(&Value::normal, across);
-  const Polynomial normal = component(across);
+  const Polynomial normal = component(across, nullptr);
   const contact::Conditions::Contact& condition = *element.condition;
   const bem::Units units = solved.units;
   const int e = element.element;
@@ -96,7 +95,7 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
     const auto met = opposite.at(element, t);
     return met.gap + dot(motion(met), across(t)) - normal(t);
   };
-  const Polynomial own = component(along);
+  const Polynomial own = component(along, solved.displacementBefore);
   const auto tangential = [&opposite, &element, along, own, motion](double t) {
     return own(t) - dot(motion(opposite.at(element, t)), along(t));
   };

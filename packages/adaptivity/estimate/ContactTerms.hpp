@@ -32,7 +32,7 @@ class Polynomial {
 struct ContactProfiles {
   Polynomial pressure;      ///< λₙ
   Polynomial shear;         ///< λₜ
-  bem::Profile tangential;  ///< uₜ
+  bem::Profile tangential;  ///< uₜ, in a step of a path what is added to it
   bem::Profile opening;     ///< g - uₙ
   bem::Profile bound;       ///< s, for the pressure's positive part
   int degree;

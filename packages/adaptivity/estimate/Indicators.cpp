@@ -25,4 +25,18 @@ double Indicators::estimate() const {
   return std::sqrt(std::accumulate(totals.begin(), totals.end(), 0.0));
 }
 
+Indicators largest(const std::vector<Indicators>& all) {
+  Indicators result = all.front();
+  Vector totals = result.elements();
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const Vector others = all[k].elements();
+    for (std::size_t e = 0; e < totals.size(); ++e)
+      if (others[e] > totals[e]) {
+        totals[e] = others[e];
+        result.squares[e] = all[k].squares[e];
+      }
+  }
+  return result;
+}
+
 }  // namespace epafi::adaptivity

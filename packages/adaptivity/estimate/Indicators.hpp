@@ -40,4 +40,8 @@ struct Indicators {
   double estimate() const;
 };
 
+/// For each element the contributions of those whose sum on it is largest; of one mesh, at
+/// least one.
+Indicators largest(const std::vector<Indicators>& all);
+
 }  // namespace epafi::adaptivity

@@ -141,13 +141,6 @@ Teuchos::RCP<ParameterEntry> asReal(const ParameterEntry& entry) {
   return keptIf<double>(entry);
 }
 
-Teuchos::RCP<ParameterEntry> asReals(const ParameterEntry& entry) {
-  if (!holds<Teuchos::Array<int>>(entry))
-    return keptIf<Teuchos::Array<double>>(entry);
-  const auto& whole = value<Teuchos::Array<int>>(entry);
-  return kept(Teuchos::Array<double>(whole.begin(), whole.end()));
-}
-
 Teuchos::RCP<ParameterEntry> asExpression(const ParameterEntry& entry) {
   if (holds<int>(entry))
     return kept(std::to_string(value<int>(entry)));
@@ -156,6 +149,23 @@ Teuchos::RCP<ParameterEntry> asExpression(const ParameterEntry& entry) {
   if (holds<double>(entry))
     return kept(shortest(value<double>(entry)));
   return keptIf<std::string>(entry);
+}
+
+Teuchos::RCP<ParameterEntry> asCounts(const ParameterEntry& entry) {
+  if (holds<int>(entry))
+    return kept(Teuchos::Array<int>(1, value<int>(entry)));
+  return keptIf<Teuchos::Array<int>>(entry);
+}
+
+Teuchos::RCP<ParameterEntry> asReals(const ParameterEntry& entry) {
+  if (holds<Teuchos::Array<int>>(entry)) {
+    const auto& whole = value<Teuchos::Array<int>>(entry);
+    return kept(Teuchos::Array<double>(whole.begin(), whole.end()));
+  }
+  const Teuchos::RCP<ParameterEntry> one = asReal(entry);
+  if (!one.is_null())
+    return kept(Teuchos::Array<double>(1, value<double>(*one)));
+  return keptIf<Teuchos::Array<double>>(entry);
 }
 
 /// The same value in the type that the kind is kept as; null if that is not possible.
@@ -174,7 +184,7 @@ Teuchos::RCP<ParameterEntry> converted(const ParameterEntry& entry, Kind kind) {
     case Kind::Names:
       return keptIf<Teuchos::Array<std::string>>(entry);
     case Kind::Counts:
-      return keptIf<Teuchos::Array<int>>(entry);
+      return asCounts(entry);
     case Kind::Reals:
       return asReals(entry);
     case Kind::Points:

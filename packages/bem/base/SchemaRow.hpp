@@ -32,10 +32,10 @@ enum class Kind {
   Whole,       ///< int
   Flag,        ///< bool
   Text,        ///< string
-  Expression,  ///< string in x and y; a number is fine
+  Expression,  ///< string in x, y and t; a number is fine
   Names,       ///< Array(string)
-  Counts,      ///< Array(int)
-  Reals,       ///< Array(double); ints are fine
+  Counts,      ///< Array(int); an int alone is one of them
+  Reals,       ///< Array(double); ints and a number alone are fine
   Points,      ///< TwoDArray(double), n x 2; ints are fine
   List,        ///< a sublist with keys of its own
   Free         ///< a sublist that is handed on unread

@@ -127,6 +127,16 @@ Index MultiplierSpace::ContactElement::offset(EndCoefficients ends, int i) const
   return std::clamp(i - skipped, 0, last);
 }
 
+MultiplierSpace MultiplierSpace::under(const Conditions& conditions) const {
+  MultiplierSpace result = *this;
+  for (ContactElement& element : result.elements_) {
+    const auto& [name, condition] = *conditions.contact.find(*element.boundary);
+    element.boundary = &name;
+    element.condition = &condition;
+  }
+  return result;
+}
+
 MultiplierSpace::Value MultiplierSpace::at(const Vector& multiplier,
                                            const ContactElement& element,
                                            double t) const {

@@ -89,6 +89,10 @@ class MultiplierSpace {
   MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& basis,
                   const Conditions& conditions);
 
+  /// The same numbering for conditions that differ in functions only, a later time of a
+  /// path; refers to them.
+  MultiplierSpace under(const Conditions& conditions) const;
+
   const MultiplierBasis& basis() const { return *basis_; }
   const std::vector<ContactElement>& elements() const { return elements_; }
   Index normals() const { return normals_; }

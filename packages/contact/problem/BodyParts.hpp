@@ -9,16 +9,21 @@ namespace epafi::contact {
 /// What a ContactProblem is made of; a ContactSystem condenses several of them.
 struct ContactProblem::Parts {
   explicit Parts(const Input& input);
+  /// The same at a step of a path.
+  Parts(const Parts& same, const Step& step);
 
+  const bem::Space& space;
+  bem::Units units;
   Holding holding;
   MultiplierSpace multiplier;
   std::shared_ptr<const Opposite> opposite;
-  std::unique_ptr<const StabilisedBody> form;
+  std::shared_ptr<const StabilisedBody> form;
   const bem::DenseAlgebra& algebra;
   Obstacle obstacle;
   double gamma0 = 0;
   std::unique_ptr<const ElasticBody> body{};
   Problem numbers{};
+  Vector slipBefore{};  ///< in a step of a path, see ContactProblem::Step
 
   /// Size of what acts on the body, dimensionless; zero: nothing.
   double size() const;

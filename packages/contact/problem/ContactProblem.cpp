@@ -64,7 +64,9 @@ double limitGamma0(const ContactProblem::Input& input) {
 }
 
 ContactProblem::Parts::Parts(const Input& input)
-    : holding(makeHolding(input.space, input.conditions, input.units)),
+    : space(input.space),
+      units(input.units),
+      holding(makeHolding(space, input.conditions, units)),
       multiplier(input.space.mesh(), input.basis, input.conditions),
       opposite(input.opposite ? input.opposite
                               : std::make_shared<const DistantObstacle>(
@@ -126,6 +128,42 @@ ContactProblem::ContactProblem(const Input& input)
 
 ContactProblem::ContactProblem(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 
+ContactProblem::Parts::Parts(const Parts& same, const Step& step)
+    : space(same.space),
+      units(same.units),
+      holding(makeHolding(space, step.conditions, units)),
+      multiplier(same.multiplier.under(step.conditions)),
+      opposite(same.opposite),
+      form(same.form),
+      algebra(same.algebra),
+      obstacle(makeObstacle(space.mesh(), multiplier, *opposite, units)),
+      gamma0(same.gamma0),
+      body(std::make_unique<const ElasticBody>(same.body->under(holding))),
+      numbers(same.numbers.copy()),
+      slipBefore(step.slipBefore) {
+  numbers.tangentials = obstacle.tangentials;
+  numbers.offset = form->pull(body->unpushed());
+  numbers.rigidLoad = body->rigidLoad();
+  takeAway(obstacle, numbers.offset);
+  const double largest = std::max(size(), step.largestLoad);
+  numbers.stress = largest > 0 ? largest : 1;
+  if (!slipBefore.empty())
+    numbers = withSlipBefore(numbers, slipBefore);
+}
+
+ContactProblem ContactProblem::at(const Step& step) const {
+  return ContactProblem(std::make_unique<Parts>(*parts_, step));
+}
+
+Vector ContactProblem::slipSoFar(const State& state) const {
+  Vector total = slip(parts_->numbers, state);
+  for (std::size_t t = 0; t < parts_->slipBefore.size(); ++t)
+    total[t] += parts_->slipBefore[t];
+  return total;
+}
+
+double ContactProblem::loadSize() const { return parts_->size(); }
+
 ContactProblem::~ContactProblem() = default;
 ContactProblem::ContactProblem(ContactProblem&&) noexcept = default;
 
@@ -158,8 +196,29 @@ double ContactProblem::strainEnergy(const State& state,
   return parts_->form->strainEnergy(displacement, state.multiplier);
 }
 
+double ContactProblem::storedEnergy(const State& state,
+                                    const Vector& displacement) const {
+  const Vector none(displacement.size(), 0.0);
+  const Vector force = parts_->form->residual(none, displacement);  // -A u
+  double twice = 0;
+  for (std::size_t i = 0; i < force.size(); ++i)
+    twice -= force[i] * displacement[i];
+  if (!state.multiplier.empty()) {
+    const Matrix mass = parts_->form->multiplierMass();
+    for (Index j = 0; j < mass.columns(); ++j)
+      for (Index i = 0; i < mass.rows(); ++i)
+        twice += state.multiplier[static_cast<std::size_t>(i)] * mass(i, j) *
+                 state.multiplier[static_cast<std::size_t>(j)];
+  }
+  return twice / 2;
+}
+
 Vector ContactProblem::density(const State& state, const Vector& displacement) const {
   return parts_->form->density(displacement, state.multiplier);
+}
+
+Vector ContactProblem::clampForces(const State& state, const Vector& displacement) const {
+  return parts_->body->clampForces(parts_->push(state, {}), displacement);
 }
 
 Vector ContactProblem::clampWork(const State& state, const Vector& displacement,

@@ -450,6 +450,26 @@ Vector Coupling::push(const bem::DenseAlgebra& algebra, const Vector& lambda) co
   return result;
 }
 
+Vector Coupling::pull(const bem::DenseAlgebra& algebra, const Vector& u) const {
+  const auto at = [](Index i) { return static_cast<std::size_t>(i); };
+  Vector result(at(multipliers));
+  if (!weights.empty()) {
+    const Rows mine = algebra.myRows(unknowns);
+    Vector tractionOf(at(columns->columns()));  // Rᵀ u
+    for (Index k = 0; k < columns->columns(); ++k) {
+      const double* traction = columns->column(k);
+      for (Index j = 0; j < mine.size(); ++j)
+        tractionOf[at(k)] += traction[j] * u[at(j + mine.begin)];
+    }
+    tractionOf = algebra.sum(std::move(tractionOf));
+    for (const Entry& entry : weights)
+      result[at(entry.column)] -= entry.value * tractionOf[at(entry.row)];
+  }
+  for (const Entry& entry : trace)
+    result[at(entry.column)] += entry.value * u[at(entry.row)];
+  return result;
+}
+
 Matrix Coupling::stabilisationHalf(Index first, Index last) const {
   const Index rows = tractions->rows.rows();
   Matrix half(rows, last - first);

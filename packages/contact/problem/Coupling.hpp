@@ -55,6 +55,9 @@ struct Coupling {
   /// Bᵀ λ, completed ends included; replicated.
   Vector push(const bem::DenseAlgebra& algebra, const Vector& lambda) const;
 
+  /// B u of a replicated displacement.
+  Vector pull(const bem::DenseAlgebra& algebra, const Vector& u) const;
+
   /// X with S^ = X Xᵀ has so many columns, and by rows the displacements (mine).
   Index stabilisationColumns() const { return tractions->start.back(); }
   /// Its columns from `first` to before `last`.

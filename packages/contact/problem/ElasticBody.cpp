@@ -107,6 +107,16 @@ ElasticBody::ElasticBody(const StabilisedBody& form, const DenseAlgebra& algebra
       algebra.cholesky(constrained(std::move(a), mine, holding), "the stiffness matrix");
 }
 
+ElasticBody ElasticBody::under(const Holding& holding) const {
+  ElasticBody body = *this;
+  body.holding_ = &holding;
+  body.load_ = holding.loads.load;
+  if (holding.loads.largestDisplacement > 0)
+    body.load_ = form_->residual(body.load_, holding.loads.prescribed);
+  body.constant_ = withoutFixedMotions(holding);
+  return body;
+}
+
 // The unclamped, non-rigid displacement under a force.
 Vector ElasticBody::respond(Vector force) const {
   for (std::size_t j = 0; j < force.size(); ++j)
@@ -128,18 +138,29 @@ ElasticBody::Response ElasticBody::response(Matrix coupling) const {
     const Vector moved = pull(*algebra_, coupling, columnOf(rigid.allowed, k));
     std::copy(moved.begin(), moved.end(), response.motions.column(k));
   }
-  for (Index k = rigid.fixed(); k < rigid.allowed.columns(); ++k)
-    response.rigidLoad.push_back(dot(columnOf(rigid.allowed, k), load_));
-  Vector u = respond(load_);
-  axpy(1, constant_, u);
-  response.offset = pull(*algebra_, coupling, u);
-  const Rows mine = algebra_->myRows(static_cast<Index>(u.size()));
+  response.rigidLoad = rigidLoad();
+  response.offset = pull(*algebra_, coupling, unpushed());
+  const Rows mine = algebra_->myRows(static_cast<Index>(load_.size()));
   for (Index j = 0; j < coupling.columns(); ++j)
     for (Index i = 0; i < coupling.rows(); ++i)
       if (holding_->loads.clamped[at(i + mine.begin)] != 0)
         coupling(i, j) = 0;
   response.half = factor_->forward(std::move(coupling));
   return response;
+}
+
+Vector ElasticBody::unpushed() const {
+  Vector u = respond(load_);
+  axpy(1, constant_, u);
+  return u;
+}
+
+Vector ElasticBody::rigidLoad() const {
+  const RigidConstraints& rigid = holding_->rigid;
+  Vector result;
+  for (Index k = rigid.fixed(); k < rigid.allowed.columns(); ++k)
+    result.push_back(dot(columnOf(rigid.allowed, k), load_));
+  return result;
 }
 
 Vector ElasticBody::displacement(const Vector& contactForce,
@@ -157,20 +178,30 @@ Vector ElasticBody::displacement(const Vector& contactForce,
                  [&](const Vector& now) { return respond(form_->residual(whole, now)); });
 }
 
-Vector ElasticBody::clampWork(const Vector& contactForce,
-                              const Vector& displacement) const {
+Vector ElasticBody::clampForces(const Vector& contactForce,
+                                const Vector& displacement) const {
   const std::vector<char>& clamped = holding_->loads.clamped;
-  const RigidModes& modes = holding_->modes;
-  Vector work(3, 0.0);
+  Vector forces(clamped.size(), 0.0);
   if (std::none_of(clamped.begin(), clamped.end(), [](char c) { return c != 0; }))
-    return work;
+    return forces;
   Vector rest = holding_->loads.load;
   axpy(-1, contactForce, rest);
   rest = form_->residual(rest, displacement);
   rest = form_->residual(rest, onlyRounding(respond(rest), displacement));
   for (std::size_t i = 0; i < rest.size(); ++i)
-    for (Index k = 0; k < 3 && clamped[i] != 0; ++k)
-      work[at(k)] -= rest[i] * modes.motions(static_cast<Index>(i), k);
+    if (clamped[i] != 0)
+      forces[i] = -rest[i];
+  return forces;
+}
+
+Vector ElasticBody::clampWork(const Vector& contactForce,
+                              const Vector& displacement) const {
+  const RigidModes& modes = holding_->modes;
+  const Vector forces = clampForces(contactForce, displacement);
+  Vector work(3, 0.0);
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    for (Index k = 0; k < 3; ++k)
+      work[at(k)] += forces[i] * modes.motions(static_cast<Index>(i), k);
   work[2] += modes.centroid.x * work[1] - modes.centroid.y * work[0];
   return work;
 }

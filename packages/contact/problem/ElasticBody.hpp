@@ -32,6 +32,10 @@ class ElasticBody {
   ElasticBody(const StabilisedBody& form, const bem::DenseAlgebra& algebra,
               const Holding& holding);
 
+  /// The same body under other loads and prescribed displacements; A's factor is shared.
+  /// The holding clamps and fixes the same, and outlives the body.
+  ElasticBody under(const Holding& holding) const;
+
   Index freeMotions() const { return holding_->rigid.free(); }
 
   /// What the body adds to a condensed problem through a Cᵀ (my rows):
@@ -43,9 +47,17 @@ class ElasticBody {
   };
   Response response(Matrix coupling) const;
 
+  /// u for λ = 0, α = 0, and Rᵀ f of the free motions: what loads make of a response.
+  Vector unpushed() const;
+  Vector rigidLoad() const;
+
   /// u under the contact forces Cᵀ λ, the free motions' sizes from `motions` on; refined,
   /// so that the equations hold to the rounding of u.
   Vector displacement(const Vector& contactForce, const double* motions) const;
+
+  /// A u + Cᵀ λ - f on prescribed displacements, zero elsewhere, see
+  /// ContactProblem::clampForces.
+  Vector clampForces(const Vector& contactForce, const Vector& displacement) const;
 
   /// (A u + Cᵀ λ - f) · v, see ContactProblem::clampWork.
   Vector clampWork(const Vector& contactForce, const Vector& displacement) const;
@@ -61,7 +73,7 @@ class ElasticBody {
   const Holding* holding_;
   Vector load_;      ///< f - A u_D
   Vector constant_;  ///< u_D and what Fix makes of it
-  std::unique_ptr<bem::CholeskyFactor> factor_;
+  std::shared_ptr<const bem::CholeskyFactor> factor_;
 };
 
 /// The problem that all bodies make together:

@@ -19,6 +19,9 @@ struct Solved {
   /// point of an element; empty: none.
   std::function<bem::Vec2(int element, double t)> pressed{};
   const Motions* motions = nullptr;  ///< of all bodies; null: what is met does not deform
+  /// The displacement of the step before in a step of a path, friction counts slip from
+  /// there; else null, and slip counts from zero.
+  const Vector* displacementBefore = nullptr;
 
   /// [u] = u - u of what is met, dimensionless.
   bem::Vec2 relativeDisplacement(const MultiplierSpace::ContactElement& element, double t,

@@ -45,6 +45,7 @@ class Coupled final : public StabilisedBody {
   Vector push(const Vector& multiplier) const override {
     return coupling_.push(algebra_, multiplier);
   }
+  Vector pull(const Vector& u) const override { return coupling_.pull(algebra_, u); }
   Matrix multiplierMass() const override { return coupling_.multiplierMass(); }
   Vector density(const Vector& u, const Vector& multiplier) const override {
     return byDensity() ? stiffness_.density(u, coupling_.weighted(multiplier))

@@ -23,6 +23,8 @@ class StabilisedBody {
   virtual Matrix coupling() const = 0;
   /// Cᵀ λ, replicated, with what clamps and corners feel of λ.
   virtual Vector push(const Vector& multiplier) const = 0;
+  /// C u of a replicated displacement, replicated.
+  virtual Vector pull(const Vector& u) const = 0;
   virtual Matrix multiplierMass() const = 0;  ///< M, whole
   /// ψ of the displacement and the multiplier.
   virtual Vector density(const Vector& u, const Vector& multiplier) const = 0;

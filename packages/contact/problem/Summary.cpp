@@ -87,24 +87,31 @@ void addForce(const Solved& solved, const ContactFields& fields, const Element& 
   }
 }
 
-void addContact(const Solved& solved, Summary& summary) {
-  const ContactFields fields(solved);
-  for (const Element& element : fields.elements()) {
-    const int p = element.degree;
-    const double half = solved.units.length * solved.space.mesh()[element.element].half;
-    const auto normal = [&](double t) { return fields.at(element, t).pressure; };
-    const auto tangential = [&](double t) { return fields.at(element, t).shear; };
-    summary.forceNormal += half * integrate(normal, bem::gaussLegendre(p + 1));
-    summary.contactLength +=
-        half * positivePart([&](double t) { return fields.closing(element, t); }, p);
-    addForce(solved, fields, element, summary);
-    if (element.tangential < 0)
-      continue;
-    summary.forceTangential += half * integrate(tangential, bem::gaussLegendre(p + 1));
+void addElement(const Solved& solved, const ContactFields& fields, const Element& element,
+                Summary& summary) {
+  const int p = element.degree;
+  const double half = solved.units.length * solved.space.mesh()[element.element].half;
+  const auto normal = [&](double t) { return fields.at(element, t).pressure; };
+  const auto tangential = [&](double t) { return fields.at(element, t).shear; };
+  summary.forceNormal += half * integrate(normal, bem::gaussLegendre(p + 1));
+  summary.contactLength +=
+      half * positivePart([&](double t) { return fields.closing(element, t); }, p);
+  addForce(solved, fields, element, summary);
+  if (element.tangential < 0)
+    return;
+  summary.forceTangential += half * integrate(tangential, bem::gaussLegendre(p + 1));
+  if (solved.displacementBefore == nullptr)
     summary.energyFriction += half * frictionWork(fields, element);
-    summary.slipLength +=
-        half * positivePart([&](double t) { return fields.slipping(element, t); }, p);
-  }
+  summary.slipLength +=
+      half * positivePart([&](double t) { return fields.slipping(element, t); }, p);
+}
+
+/// of(element): the Summary that it is added to.
+template <class Of>
+void addContact(const Solved& solved, const Of& of) {
+  const ContactFields fields(solved);
+  for (const Element& element : fields.elements())
+    addElement(solved, fields, element, of(element));
 }
 
 double dotProduct(const Vector& a, const Vector& b) {
@@ -165,10 +172,18 @@ Summary summarize(const Solved& solved) {
   Summary summary;
   summary.energyStrain = energy * solved.problem.strainEnergy(solved.state, u);
   summary.energyLoad = energy * dotProduct(solved.problem.load(), u);
-  addContact(solved, summary);
+  addContact(solved, [&](const Element&) -> Summary& { return summary; });
   summary.load = resultantOf(loadWork(solved), solved);
   summary.reaction = resultantOf(reactionWork(solved), solved);
   return summary;
+}
+
+std::map<std::string, Summary> summarizeContacts(const Solved& solved) {
+  std::map<std::string, Summary> contacts;
+  addContact(solved, [&](const Element& element) -> Summary& {
+    return contacts[*element.boundary];
+  });
+  return contacts;
 }
 
 namespace {

@@ -2,6 +2,9 @@
 
 #include "contact/problem/Solved.hpp"
 
+#include <map>
+#include <string>
+
 namespace epafi::contact {
 
 /// Forces on the body and their moment about the origin of the user's coordinates.
@@ -15,8 +18,10 @@ struct Resultant {
 /// energies [stress length²], forces [stress length], moment [stress length²], lengths.
 struct Summary {
   double energyStrain = 0;  ///< ½ <W u, u> + ½ <V ψ, ψ>; without Form Density ½ uᵀ S u
-  double energyLoad = 0;       ///< fᵀ u
-  double energyFriction = 0;   ///< ∫ bound |uₜ| over all contact sides
+  double energyLoad = 0;  ///< fᵀ u
+  /// ∫ bound |uₜ| over all contact sides; zero for a step of a path, where PathMemory has
+  /// friction's work.
+  double energyFriction = 0;
   double forceNormal = 0;      ///< ∫ λₙ over all contact sides
   double forceTangential = 0;  ///< ∫ λₜ
   Resultant load;              ///< of the Neumann data
@@ -43,6 +48,9 @@ std::vector<Summary> summarizeAll(const std::vector<Solved>& bodies);
 
 /// Sums over all bodies, where forces between them cancel: `contact` is that of obstacles.
 Summary sumOf(const std::vector<Summary>& bodies);
+
+/// What contact sides add to a Summary, for each contact boundary alone.
+std::map<std::string, Summary> summarizeContacts(const Solved& solved);
 
 /// Which displacements a Dirichlet condition prescribes.
 std::vector<bool> prescribed(const bem::Space& space, const Conditions& conditions);

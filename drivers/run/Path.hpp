@@ -1,0 +1,87 @@
+#pragma once
+
+#include "contact/path/PathMemory.hpp"
+#include "drivers/process/PhaseTimer.hpp"
+#include "drivers/run/Level.hpp"
+#include "drivers/scene/Scene.hpp"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace epafi::drivers {
+
+/// A contact side in a row of steps.csv, in the user's units.
+struct ContactRow {
+  std::string name;
+  contact::Summary summary;
+  double dissipated = 0;  ///< friction's work so far
+};
+
+/// A row of steps.csv; energies so far, see contact::PathMemory, in the user's units.
+struct StepRow {
+  int level = 0;
+  int step = 0;  ///< 1, 2, ...: the times that the scene asks for
+  double t = 0;
+  int newtonIterations = 0;  ///< of all parts of the step
+  int parts = 1;             ///< in how many steps it was solved: more where one failed
+  bool converged = false;
+  double energyStrain = 0;
+  double energyDissipated = 0;
+  double energyTrapezoidal = 0;
+  double energyOutside = 0;        ///< work of loads, clamps and moving obstacles
+  double energyStabilisation = 0;  ///< what it stores
+  double energyError = 0;          ///< outside - trapezoidal - stored
+  std::vector<ContactRow> contacts;
+};
+
+/// A solved step with all that its fields are made from.
+struct PathStep {
+  StepRow row;
+  contact::Conditions conditions;
+  std::unique_ptr<const contact::ContactProblem> problem;
+  contact::State state;
+  bem::Vector displacement;
+  bem::Vector density;
+  bem::Vector frictionWork;  ///< so far, one per tangential coefficient, dimensionless
+};
+
+/// The steps of a path on one mesh.
+struct Path {
+  std::vector<std::unique_ptr<PathStep>> steps;  ///< those that were asked for
+  bem::Vector start;              ///< the displacement before the first: zero
+  std::vector<PathPoint> points;  ///< every step that was solved
+  contact::Report report;         ///< iterations of all; status of the last
+  std::string reason;             ///< why the path ends early; else empty
+
+  /// The displacement before a step (an index into steps).
+  const bem::Vector& before(std::size_t step) const {
+    return step == 0 ? start : steps[step - 1]->displacement;
+  }
+};
+
+/// What a path is followed on.
+struct PathGround {
+  const Scene& scene;
+  int level;
+  const bem::Space& space;
+  const bem::SteklovPoincare& stiffness;
+  const contact::ContactProblem& atZero;  ///< with the conditions at t = 0
+  bem::Units units;
+};
+
+/// A step of the path (an index into its steps) with all that its results are made from.
+contact::Solved solvedStep(const PathGround& ground, const Path& path, std::size_t step);
+
+/// Follows the scene's path; operators, factors and D are those of `atZero` for all steps.
+///
+/// Each step starts from the state of the one before; one that fails is halved, down to
+/// History->Minimum Step, and then the path ends there.  `earlier` are points that an
+/// earlier run has solved: they are taken as they are.  `handOut` receives each step asked
+/// for as soon as it is solved, and the path so far.  Collective.
+/// \throws bem::InputError, Interrupted.
+Path followPath(const PathGround& ground, const std::vector<PathPoint>& earlier,
+                PhaseTimer& timer, const std::function<void(const Path&)>& handOut);
+
+}  // namespace epafi::drivers

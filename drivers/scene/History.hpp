@@ -1,0 +1,30 @@
+#pragma once
+
+#include "bem/base/SchemaRow.hpp"
+
+#include <vector>
+
+namespace Teuchos {
+class ParameterList;
+}
+
+namespace epafi::drivers {
+
+/// The path that loads follow: it starts unloaded at t = 0 and is solved up to each of
+/// `times`, in this order.  Without times there is no path, only one load at t = 1.
+struct History {
+  std::vector<double> times;
+  /// What a step that fails is halved down to; 0: 1/64 of that step.
+  double minimumStep = 0;
+
+  explicit operator bool() const { return !times.empty(); }
+  double shortest(double step) const { return minimumStep > 0 ? minimumStep : step / 64; }
+};
+
+/// The keys of the list History, and what a list that they have completed says.
+bem::SchemaRows historyRows();
+/// \throws bem::InputError if Times do not increase from 0 on, if Steps are not one or as
+///   many as Times, or if there are other keys and no Times.
+History parseHistory(const Teuchos::ParameterList& list);
+
+}  // namespace epafi::drivers

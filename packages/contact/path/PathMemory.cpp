@@ -1,0 +1,112 @@
+#include "contact/path/PathMemory.hpp"
+
+#include "bem/quadrature/Gauss.hpp"
+#include "contact/equation/ContactState.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace epafi::contact {
+
+namespace {
+
+using Element = MultiplierSpace::ContactElement;
+
+/// ½ (a + a⁻) · (b - b⁻)
+double trapezoid(const Vector& a, const Vector& aBefore, const Vector& b,
+                 const Vector& bBefore, std::size_t count) {
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    sum += 0.5 * (a[i] + aBefore[i]) * (b[i] - bBefore[i]);
+  return sum;
+}
+
+/// visit(element, i, number of the tangential coefficient among them) of each that is the
+/// element's own.
+template <class Visit>
+void forEachTangential(const MultiplierSpace& multiplier, const Visit& visit) {
+  for (const Element& element : multiplier.elements())
+    for (int i = 0; i <= element.degree && element.tangential >= 0; ++i)
+      if (Element::isOwn(element.tangentialEnds, element.degree, i))
+        visit(element, i,
+              static_cast<std::size_t>(element.tangentialOf(i) - multiplier.normals()));
+}
+
+}  // namespace
+
+PathMemory::PathMemory(const ContactProblem& atZero)
+    : slip_(atZero.numbers().tangentials.size(), 0.0),
+      friction_(slip_.size(), 0.0),
+      multiplier_(static_cast<std::size_t>(atZero.numbers().size()), 0.0),
+      displacement_(atZero.load().size(), 0.0),
+      forces_(atZero.load().size(), 0.0),
+      gap_(atZero.gap()) {
+  // what overlaps without a displacement is pushed apart from touching on
+  for (double& gap : gap_)
+    gap = std::max(gap, 0.0);
+}
+
+void PathMemory::add(const ContactProblem& step, const State& state,
+                     const Vector& displacement) {
+  const Problem& problem = step.numbers();
+  const auto normals = static_cast<std::size_t>(problem.normals);
+  const Vector increment = contact::slip(problem, state);
+  const ContactState states = classify(problem, state);
+  for (std::size_t t = 0; t < increment.size(); ++t) {
+    const double shear = state.multiplier[normals + t];
+    const FrictionState friction = states.tangential[t];
+    if (friction == FrictionState::SlipForward || friction == FrictionState::SlipBackward)
+      // the solver's rounding may leave the other sign of nothing
+      friction_[t] += std::max(0.0, shear * increment[t]);
+    trapezoidal_ += 0.5 * (shear + multiplier_[normals + t]) * increment[t];
+  }
+  Vector forces = step.clampForces(state, displacement);
+  std::transform(forces.begin(), forces.end(), step.load().begin(), forces.begin(),
+                 std::plus<>());
+  outside_ +=
+      trapezoid(forces, forces_, displacement, displacement_, displacement.size()) -
+      trapezoid(state.multiplier, multiplier_, step.gap(), gap_, normals);
+  slip_ = step.slipSoFar(state);
+  largestLoad_ = std::max(largestLoad_, step.loadSize());
+  multiplier_ = state.multiplier;
+  displacement_ = displacement;
+  forces_ = std::move(forces);
+  gap_ = step.gap();
+}
+
+double PathMemory::friction() const {
+  return std::accumulate(friction_.begin(), friction_.end(), 0.0);
+}
+
+std::map<std::string, double> frictionWorkOfContacts(const MultiplierSpace& multiplier,
+                                                     const Vector& frictionWork) {
+  std::map<std::string, double> result;
+  for (const Element& element : multiplier.elements())
+    result[*element.boundary];
+  std::vector<char> seen(frictionWork.size(), 0);  // neighbours may share a coefficient
+  forEachTangential(multiplier, [&](const Element& element, int, std::size_t t) {
+    if (seen[t] == 0)
+      result[*element.boundary] += frictionWork[t];
+    seen[t] = 1;
+  });
+  return result;
+}
+
+Vector frictionWorkDensity(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
+                           const Vector& frictionWork) {
+  Vector lengths(frictionWork.size(), 0.0);  // ∫ χ_i
+  forEachTangential(multiplier, [&](const Element& element, int i, std::size_t t) {
+    const bem::Rule& rule = bem::gaussLegendre(element.degree + 1);
+    for (std::size_t q = 0; q < rule.points.size(); ++q)
+      lengths[t] += mesh[element.element].half * rule.weights[q] *
+                    multiplier.basis().values(
+                        element.degree, rule.points[q])[static_cast<std::size_t>(i)];
+  });
+  Vector density(static_cast<std::size_t>(multiplier.size()), 0.0);
+  for (std::size_t t = 0; t < lengths.size(); ++t)
+    density[static_cast<std::size_t>(multiplier.normals()) + t] =
+        frictionWork[t] / lengths[t];
+  return density;
+}
+
+}  // namespace epafi::contact

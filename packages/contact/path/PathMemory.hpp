@@ -1,0 +1,64 @@
+#pragma once
+
+#include "contact/problem/ContactProblem.hpp"
+
+#include <map>
+#include <string>
+
+namespace epafi::contact {
+
+/// What a path has done so far on one mesh, and what its next step must know.
+///
+/// Energies are dimensionless.  Works are sums over the steps,
+///
+///   friction      Σ λₜ,i Δrₜ,i   each term >= 0: the discrete problem's own weights
+///   trapezoidal   Σ ½ (λₜ,i + λₜ,i⁻) Δrₜ,i
+///   outside       Σ ½ (f + f⁻)·Δu + ½ (R + R⁻)·Δu - ½ (λₙ + λₙ⁻)·Δg
+///
+/// of loads f, clamps R and obstacles that move; ⁻: the step before, at first no load and no
+/// displacement.                                        [doc/theory/paths.md, Energies]
+class PathMemory {
+ public:
+  /// \param atZero the problem at t = 0, for the gaps to begin with
+  explicit PathMemory(const ContactProblem& atZero);
+
+  /// Adds a solved step.  \pre the step was told slip() and largestLoad().
+  void add(const ContactProblem& step, const State& state, const Vector& displacement);
+
+  const Vector& slip() const { return slip_; }  ///< rₜ, see ContactProblem::Step
+  double largestLoad() const { return largestLoad_; }
+
+  /// Friction's work so far, one number per tangential coefficient, none ever falls.
+  const Vector& frictionWork() const { return friction_; }
+  double friction() const;
+  double trapezoidal() const { return trapezoidal_; }
+  double outside() const { return outside_; }
+
+  /// outside - trapezoidal - what is stored: zero but for steps in which contact opens or
+  /// closes, and there of second order in the step.
+  double imbalance(double stored) const { return outside_ - trapezoidal_ - stored; }
+
+ private:
+  Vector slip_;
+  Vector friction_;
+  double trapezoidal_ = 0;
+  double outside_ = 0;
+  double largestLoad_ = 0;
+  // of the step before
+  Vector multiplier_;
+  Vector displacement_;
+  Vector forces_;  ///< f + R
+  Vector gap_;
+};
+
+/// Friction's work so far of each contact boundary, dimensionless.
+std::map<std::string, double> frictionWorkOfContacts(const MultiplierSpace& multiplier,
+                                                     const Vector& frictionWork);
+
+/// Friction's work per length as coefficients of the multiplier: w_i / ∫ χ_i, whose
+/// polynomials have the sum of all w_i as their integral.  Dimensionless; normal
+/// coefficients are zero.
+Vector frictionWorkDensity(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
+                           const Vector& frictionWork);
+
+}  // namespace epafi::contact

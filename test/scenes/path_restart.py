@@ -1,0 +1,75 @@
+"""A path that stops behind a step, or is killed at any moment, goes on to the same end.
+
+Fourth argument: how often it is killed."""
+import os
+import random
+import subprocess
+import sys
+import time
+
+from runs import EPAFI, WORK, claim, epafi, finish, fresh, scene, table
+
+SCENE = [scene("fretting.xml"), "--quiet", "--threads", "1",
+         "--set", "Discretization->Elements per Edge={2, 2, 2, 3, 20, 3, 2, 2, 2, 3, 3, 3}",
+         "--set", "History->Times={1, 2, 4, 6}", "--set", "History->Steps={1, 7, 16, 16}",
+         "--set", "Adaptivity->Strategy=Adaptive h", "--set", "Adaptivity->Maximum Levels=2"]
+MEASURED = ("seconds", "memory")
+
+
+def rows(folder, name):
+    return table(os.path.join(folder, name))
+
+
+def apart(a, b):
+    """Largest difference of two tables relative to each column's size; words and counts must
+    agree."""
+    if len(a) != len(b):
+        return 1
+    worst = 0
+    for key in a[0]:
+        if key.startswith(MEASURED):
+            continue
+        size = max([abs(row[key]) for row in a if not isinstance(row[key], str)] or [0])
+        for x, y in zip(a, b):
+            if isinstance(x[key], str):
+                worst = max(worst, x[key] != y[key])
+            elif size:
+                worst = max(worst, abs(x[key] - y[key]) / size)
+    return worst
+
+
+def same(sentence, whole, part):
+    names = ["history.csv", "steps.csv", "contact.csv"] + [
+        os.path.join("steps", str(k), "contact.csv") for k in (1, 20, 40)]
+    worst = max(apart(rows(whole, name), rows(part, name)) for name in names)
+    claim(worst < 1e-10, "%s: the same files, %.1e" % (sentence, worst))
+
+
+os.makedirs(WORK, exist_ok=True)
+whole = fresh("whole")
+began = time.monotonic()
+code, text = epafi("run", *SCENE, "--output", whole)
+duration = time.monotonic() - began
+claim(code == 0 and len(rows(whole, "steps.csv")) == 80, "40 steps on 2 levels: " + text[-100:])
+
+moments = random.Random(15)
+resumed = 0
+for k in range(int(sys.argv[4])):
+    folder = fresh("killed")
+    process = subprocess.Popen([EPAFI, "run", *SCENE, "--output", folder])
+    time.sleep(moments.uniform(0.1, 1) * duration)
+    process.kill()
+    process.wait()
+    solved = os.path.exists(os.path.join(folder, "solution.hdf"))
+    resumed += solved
+    before = len(rows(folder, "steps.csv")) if solved else 0
+    code, text = epafi("run", *SCENE, *(["--restart", folder] if solved
+                                        else ["--output", folder, "--force"]))
+    claim(code == 0, "killed behind %d steps: goes on%s" % (before, "" if code == 0 else text))
+    same("killed behind %d steps" % before, whole, folder)
+claim(resumed > 0, "%d of the folders could be gone on from" % resumed)
+
+# another path, or an idle restart
+code, text = epafi("run", *SCENE, "--restart", whole, "--set", "History->Steps={1, 7, 16, 17}")
+claim(code == 1 and "History" in text, "another path is refused: " + text.strip()[:160])
+finish()
