@@ -58,6 +58,10 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   const bem::Element& geometry = mesh[element.element];
   const contact::MultiplierSpace& multiplier = solved.problem.multiplier();
   const int p = element.degree;
+  // what is a polynomial on a segment nearly is one on an arc, whose directions turn
+  constexpr int forTurning = 8;
+  const int degree =
+      geometry.curve.isStraight() ? p : std::min(p + forTurning, bem::largestDegree);
   const auto component = [&](const auto& direction, const Vector* before) {
     return Polynomial(
         [&, before](double t) {
