@@ -63,7 +63,10 @@ bool agree(const std::vector<EdgeEnds>& a, const std::vector<EdgeEnds>& b,
 /// The scene that a file was written by.
 ParameterList sceneOf(const Checkpoint& checkpoint) {
   const RawScene scene = readSceneText(checkpoint.used);
-  return complete(scene.list, scene.title);
+  ParameterList list = complete(scene.list, scene.title);
+  if (!list.sublist("History").isParameter("Times"))
+    list.remove("History");  // as a scene without a path has none
+  return list;
 }
 
 void checkScene(const Checkpoint& checkpoint, const Scene& scene) {

@@ -5,9 +5,9 @@
 
 namespace epafi::contact {
 
-void CoulombCourse::follow(Stage stage, int most) {
+void CoulombCourse::follow(Stage stage, int most, int patience) {
   Solution solution =
-      contact::followFriction(problem(), tresca(), std::min(most, left()));
+      contact::followFriction(problem(), tresca(), std::min(most, left()), patience);
   solution.report = asOne(std::move(solution.report), stage);
   solution.report.coulombIterations = solution.report.newtonIterations;
   globalise();
@@ -25,11 +25,12 @@ void CoulombCourse::descend(Stage stage, int most) {
 }
 
 void CoulombCourse::followFriction(CoulombCourse& course, Stage stage) {
-  course.follow(stage, course.left());
+  course.follow(stage, course.left(), course.run());
 }
 
 void CoulombCourse::followBriefly(CoulombCourse& course, Stage stage) {
-  course.follow(stage, brief);
+  constexpr int patience = 8;  // corrections that succeed mostly take a few steps
+  course.follow(stage, brief, patience);
 }
 
 void CoulombCourse::meritDescent(CoulombCourse& course, Stage stage) {

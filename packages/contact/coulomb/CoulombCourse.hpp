@@ -31,7 +31,7 @@ class CoulombCourse : public NewtonCourse {
   static void updates(CoulombCourse& course, Stage stage);
 
  private:
-  void follow(Stage stage, int most);
+  void follow(Stage stage, int most, int patience);
   void descend(Stage stage, int most);
 
   CoulombOptions options_;

@@ -37,9 +37,9 @@ class ScaledFriction {
 
 // Active sets that do not return, from the state as it is or, if that fails, from one
 // that sweeps have settled; where both fail, a shorter step in θ costs less than a line
-// search, and less than patience: corrections that succeed take a few steps.
-Solution correct(const Problem& problem, const State& start, const Tresca& tresca) {
-  constexpr int patience = 8;
+// search.
+Solution correct(const Problem& problem, const State& start, const Tresca& tresca,
+                 int patience) {
   const int steps = std::min(patience, tresca.options().maximumIterations);
   NewtonCourse course(problem, start, tresca, Equation::Bound::Differentiated);
   const auto pivot = [&](const Vector& from) {
@@ -55,7 +55,8 @@ Solution correct(const Problem& problem, const State& start, const Tresca& tresc
 
 }  // namespace
 
-Solution followFriction(const Problem& problem, const Tresca& tresca, int steps) {
+Solution followFriction(const Problem& problem, const Tresca& tresca, int steps,
+                        int patience) {
   constexpr Pace pace{0.25, 1, 1.0 / 256};
   ScaledFriction friction(problem);
   Solution begin;
@@ -68,7 +69,7 @@ Solution followFriction(const Problem& problem, const Tresca& tresca, int steps)
     return begin;
   return advance(std::move(begin), pace, steps,
                  [&](double theta, const State& start) {
-                   return correct(friction.at(theta), start, tresca);
+                   return correct(friction.at(theta), start, tresca, patience);
                  })
       .solution;
 }

@@ -10,7 +10,9 @@ namespace epafi::contact {
 ///
 /// p the part of the resultant q that pressure alone cannot balance, so that there is a
 /// beginning where only friction holds the body.  The report is not converged when the
-/// path ends before θ = 1, as it does where `steps` linear systems have been solved.
-Solution followFriction(const Problem& problem, const Tresca& tresca, int steps);
+/// path ends before θ = 1, as it does where `steps` linear systems have been solved; a
+/// correction gets `patience` of them.
+Solution followFriction(const Problem& problem, const Tresca& tresca, int steps,
+                        int patience);
 
 }  // namespace epafi::contact
