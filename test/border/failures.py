@@ -15,8 +15,9 @@ FAULTY = ranks.sys.argv[5]
 
 
 def run(name, count, extra=(), scene=TRESCA, **options):
-    """A run into a fresh folder."""
-    return ranks.Run(count, ["run", scene, "--output", ranks.fresh(name), *extra], **options)
+    """A run into a fresh folder, unless the arguments name one."""
+    folder = [] if "--output" in extra else ["--output", ranks.fresh(name)]
+    return ranks.Run(count, ["run", scene, *folder, *extra], **options)
 
 
 def expect(done, code, words, sentence):
