@@ -229,7 +229,7 @@ case("thin_beam_frictionless", "the same beam without friction, p = 2", "thin_be
      [BASE + "Friction->Coefficient=0", "Discretization->Degree=2"],
      claims=[load(0, -0.1), between("contact_length", 40, 70)])
 case("wedge", "acute corner of 5 degrees, contact ends in it", "wedge",
-     claims=[dissipates, steps(20)])
+     claims=[dissipates, steps(10)])
 case("wedge_refused", "the same with gamma0 = 0.1, too large here", "wedge",
      [PROJECTED, "Discretization->Stabilization->Gamma0=0.1"], code=2,
      words=["Gamma0"])
