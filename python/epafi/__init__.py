@@ -12,11 +12,12 @@ its files.  It needs numpy, h5py for `Run.solution` and matplotlib for pictures.
 
 Numbers are in the scene's own units.
 """
-from epafi.program import EpafiError, InputError, NotConverged, NumericalError, version
+from epafi.program import (EpafiError, EpafiWarning, InputError, NotConverged, NumericalError,
+                           version)
 from epafi.runs import Run, run
 from epafi.scenes import Scene
 from epafi.sweeps import Case, Sweep, sweep
 from epafi.tables import Table
 
-__all__ = ["Case", "EpafiError", "InputError", "NotConverged", "NumericalError", "Run", "Scene",
+__all__ = ["Case", "EpafiError", "EpafiWarning", "InputError", "NotConverged", "NumericalError", "Run", "Scene",
            "Sweep", "Table", "run", "sweep", "version"]

@@ -8,6 +8,7 @@ import shutil
 import signal
 import subprocess
 import tempfile
+import warnings
 from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence
 
 if TYPE_CHECKING:
@@ -33,6 +34,10 @@ class InputError(EpafiError, ValueError):
 
 class NumericalError(EpafiError, ArithmeticError):
     """Arithmetic broke down (exit code 2)."""
+
+
+class EpafiWarning(UserWarning):
+    """What a scene probably does not mean."""
 
 
 class NotConverged(EpafiError):
@@ -86,9 +91,14 @@ def call(arguments: Sequence[str], said: Optional[Callable[[str], Any]] = None,
                 process.send_signal(signal.SIGINT)
             process.wait()
             raise
+        complaints.seek(0)
+        text = complaints.read()
+        for line in text.splitlines():
+            if line.startswith("epafi: warning: "):
+                warnings.warn(line.removeprefix("epafi: warning: "), EpafiWarning, stacklevel=3)
         if code != 0:
-            complaints.seek(0)
-            text = complaints.read()
+            text = "".join(line for line in text.splitlines(True)
+                           if not line.startswith("epafi: warning: "))
             raise failure(code, text.replace(scene + ": ", "") if scene else text)
     return "".join(lines)
 

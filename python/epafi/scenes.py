@@ -126,11 +126,12 @@ def _numbers(values: list[Any]) -> str:
 
 
 def _entry(value: Any, rules: Mapping[str, Any]) -> tuple[str, str]:
-    """Teuchos' type and text of a value."""
+    """Teuchos' type and text of a value; without rules by what it is."""
     value = _plain(value)
     kinds = rules.get("type")
     if isinstance(value, list):
-        items = rules["items"]
+        items = rules.get("items", {"type": "string" if all(isinstance(entry, str)
+                                                            for entry in value) else "number"})
         if items["type"] == "array":
             if len({len(row) for row in value}) != 1:
                 raise InputError("a table has rows of one length: %r" % (value,))
@@ -145,7 +146,7 @@ def _entry(value: Any, rules: Mapping[str, Any]) -> tuple[str, str]:
         return "bool", "true" if value else "false"
     if isinstance(value, str):
         return "string", value
-    if kinds == "integer" or (kinds is None and isinstance(value, int)):
+    if isinstance(value, int) and (kinds is None or "integer" in kinds):
         return "int", str(value)
     return "double", repr(float(value))
 
