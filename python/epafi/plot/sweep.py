@@ -100,6 +100,10 @@ def draw_forces(study, value, ends, families, key, title, pictures):
             cell.plot(value[here], numbers[here], label=family, **style_of(k))
         cell.set_ylabel(text)
         cell.margins(y=0.15)
+        shown, sizes = numbers[ends], np.abs([study.numbers(name)[ends] for name, _ in FORCES[:2]])
+        if column.startswith("force") and np.nanmax(shown) - np.nanmin(shown) < 1e-9 * np.nanmax(sizes):
+            middle, span = np.nanmean(shown), np.nanmax(sizes)  # no axis of rounding
+            cell.set_ylim(middle - 0.1 * span, middle + 0.1 * span)
     set_scale(axes[0, 0], "x", value[ends])
     for cell in axes[1]:
         cell.set_xlabel(key)
