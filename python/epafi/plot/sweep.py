@@ -1,7 +1,7 @@
 """sweep: dependence on one parameter of a study."""
 import numpy as np
 
-from figures import plt, style_of
+from epafi.plot.figures import plt, style_of
 
 
 def sweep_names(study):
