@@ -1,6 +1,6 @@
 # The Debian 12 packages that Epafi needs, and how to get them.  Sourced by ./run and ./check.
 #
-#   installPackages <group>...   installs what is missing of the groups: build, check, all
+#   installPackages <group>...   installs what is missing of the groups: build, check, site, all
 
 packagesOf() {
   case $1 in
@@ -17,6 +17,7 @@ packagesOf() {
       echo python3 python3-h5py python3-matplotlib  # epafi plot
       ;;
     check) echo clang-format-14 libxml2-utils python3-jsonschema python3-yaml ;;
+    site) echo mkdocs doxygen libjs-jquery ;;  # the documentation as a site: ninja -C build site
     all) echo clang-tidy-14 clang-14 libclang-rt-14-dev libomp-14-dev valgrind ;;
   esac
 }

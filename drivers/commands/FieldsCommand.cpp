@@ -66,12 +66,24 @@ bool isInside(const SavedRun& run, bem::Vec2 x) {
   return run.scene().bodyAt(x) < run.scene().bodies.size();
 }
 
-Points gridPoints(const std::string& text, const SavedRun& run) {
-  const auto comma = text.find(',');
-  if (comma == std::string::npos)
-    throw InputError(message("fields: --grid: '", text, "' is not NX,NY, as 60,30"));
-  const int nx = positiveNumber("--grid", text.substr(0, comma));
-  const int ny = positiveNumber("--grid", text.substr(comma + 1));
+struct Box {
+  bem::Vec2 low;
+  bem::Vec2 high;
+};
+
+Box windowOf(const std::string& text) {
+  std::istringstream pieces(text);
+  std::vector<double> ends;
+  for (std::string piece; std::getline(pieces, piece, ',');)
+    ends.push_back(numberIn(piece).value_or(std::numeric_limits<double>::quiet_NaN()));
+  if (ends.size() != 4 || !(ends[0] < ends[2]) || !(ends[1] < ends[3]))
+    throw InputError(message("--window: '", text,
+                             "' is not X0,Y0,X1,Y1, two corners, the lower left one "
+                             "first"));
+  return {{ends[0], ends[1]}, {ends[2], ends[3]}};
+}
+
+Box boxOf(const SavedRun& run) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   bem::Vec2 low{infinity, infinity};
   bem::Vec2 high{-infinity, -infinity};
@@ -82,15 +94,28 @@ Points gridPoints(const std::string& text, const SavedRun& run) {
         low = {std::min(low.x, x.x), std::min(low.y, x.y)};
         high = {std::max(high.x, x.x), std::max(high.y, x.y)};
       }
+  return {low, high};
+}
+
+/// Middles of cells that lie inside a body.
+Points cellsOf(const Box& box, int nx, int ny, const SavedRun& run) {
   Points points;
   for (int j = 0; j < ny; ++j)
     for (int i = 0; i < nx; ++i) {
-      const bem::Vec2 x{low.x + (i + 0.5) / nx * (high.x - low.x),
-                        low.y + (j + 0.5) / ny * (high.y - low.y)};
+      const bem::Vec2 x{box.low.x + (i + 0.5) / nx * (box.high.x - box.low.x),
+                        box.low.y + (j + 0.5) / ny * (box.high.y - box.low.y)};
       if (isInside(run, x))
         points.push_back(x);
     }
   return points;
+}
+
+Points gridPoints(const std::string& text, const Box& box, const SavedRun& run) {
+  const auto comma = text.find(',');
+  if (comma == std::string::npos)
+    throw InputError(message("fields: --grid: '", text, "' is not NX,NY, as 60,30"));
+  return cellsOf(box, positiveNumber("--grid", text.substr(0, comma)),
+                 positiveNumber("--grid", text.substr(comma + 1)), run);
 }
 
 Points pointsOf(const std::string& file, const SavedRun& run) {
@@ -166,10 +191,14 @@ Points chosenPoints(const Given& given, const SavedRun& run) {
     throw InputError("fields: give one of --grid, --points and --along");
   if (given.has("--along") != given.has("--depth"))
     throw InputError("fields: --along BODY:BOUNDARY and --depth D belong together");
+  if (given.has("--window") && (given.has("--points") || given.has("--along")))
+    throw InputError("fields: --window belongs to --grid");
   if (given.has("--points"))
     return pointsOf(given.value("--points"), run);
   if (!given.has("--along"))
-    return gridPoints(given.value("--grid", "60,60"), run);
+    return gridPoints(
+        given.value("--grid", "60,60"),
+        given.has("--window") ? windowOf(given.value("--window")) : boxOf(run), run);
   const auto depth = numberIn(given.value("--depth"));
   if (!depth || !(*depth > 0))
     throw InputError(
@@ -202,7 +231,7 @@ void evaluate(const Given& given, std::ostream& out) {
   const std::string& folder = given.argument;
   const SavedRun run(folder);
   if (given.has("--vtk")) {
-    for (const char* other : {"--grid", "--points", "--along", "--depth"})
+    for (const char* other : {"--grid", "--points", "--along", "--depth", "--window"})
       if (given.has(other))
         throw InputError(message("fields: --vtk covers the whole inside; ", other,
                                  " belongs to the csv"));
@@ -226,6 +255,20 @@ void evaluate(const Given& given, std::ostream& out) {
 void writeInside(const std::string& folder) {
   const SavedRun run(folder);
   write(folder + "/fields.vtu", vtuFile(fill(run.insides())));
+}
+
+void writeWindow(const std::string& folder, const std::string& window) {
+  constexpr double cells = 240;  // along the longer side
+  const SavedRun run(folder);
+  const Box box = windowOf(window);
+  const bem::Vec2 size = box.high - box.low;
+  const double cell = std::max(size.x, size.y) / cells;
+  const Points points = cellsOf(box, std::max(1, static_cast<int>(size.x / cell)),
+                                std::max(1, static_cast<int>(size.y / cell)), run);
+  if (points.empty())
+    throw InputError(message("--window: '", window, "' shows nothing of the bodies"));
+  write(folder + "/fields-window.csv",
+        run.insides().csv(points, run.insides().at(points)));
 }
 
 int fieldsCommand(const Given& given, std::ostream& out, const Ranks& ranks) {

@@ -18,4 +18,8 @@ int fieldsCommand(const Given& given, std::ostream& out, const Ranks& ranks);
 /// Writes the folder's fields.vtu.
 void writeInside(const std::string& folder);
 
+/// Writes fields-window.csv: a fine grid over a window "X0,Y0,X1,Y1" of the bodies.
+/// \throws bem::InputError for what is no window, or one beside the bodies.
+void writeWindow(const std::string& folder, const std::string& window);
+
 }  // namespace epafi::drivers

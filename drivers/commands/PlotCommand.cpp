@@ -36,12 +36,12 @@ std::string plotProgram() {
 
 }  // namespace
 
-int drawPictures(const std::string& folder, Words words, const std::string& field) {
+int drawPictures(const std::string& folder, Words words,
+                 const std::vector<std::string>& more) {
   std::vector<std::string> texts = {python, plotProgram(), folder};
   if (words == Words::Errors)
     texts.emplace_back("--quiet");
-  if (!field.empty())
-    texts.insert(texts.end(), {"--field", field});
+  texts.insert(texts.end(), more.begin(), more.end());
   std::vector<char*> arguments;
   arguments.reserve(texts.size() + 1);
   for (std::string& text : texts)
@@ -62,9 +62,19 @@ int drawPictures(const std::string& folder, Words words, const std::string& fiel
 
 int plotCommand(const Given& given, std::ostream&, const Ranks& ranks) {
   return onFirstRank(ranks, [&] {
-    if (given.has("--field"))
+    if (!given.has("--field")) {
+      if (given.has("--window"))
+        throw bem::InputError("--window belongs to a --field");
+      return drawPictures(given.argument, Words::All);
+    }
+    if (given.has("--window"))
+      writeWindow(given.argument, given.value("--window"));
+    else
       writeInside(given.argument);
-    return drawPictures(given.argument, Words::All, given.value("--field"));
+    std::vector<std::string> more = {"--field=" + given.value("--field")};
+    if (given.has("--window"))
+      more.emplace_back("--window");
+    return drawPictures(given.argument, Words::All, more);
   });
 }
 

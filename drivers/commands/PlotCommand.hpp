@@ -3,6 +3,7 @@
 #include "drivers/commands/Command.hpp"
 
 #include <string>
+#include <vector>
 
 namespace epafi::drivers {
 
@@ -16,8 +17,9 @@ enum class Words { All, Errors };
 /// or the folder's files are missing.
 /// \throws bem::InputError if the program or Python is not there.
 ///
-/// `field`: one of fieldNames() that fields.vtu shall be drawn of, or empty.
-int drawPictures(const std::string& folder, Words words, const std::string& field = "");
+/// `more`: --field with one of fieldNames() that fields.vtu shall be drawn of, --window.
+int drawPictures(const std::string& folder, Words words,
+                 const std::vector<std::string>& more = {});
 
 /// `epafi plot DIR`; the first rank draws.
 int plotCommand(const Given& given, std::ostream& out, const Ranks& ranks);

@@ -180,9 +180,9 @@ void OutputFolder::discard() {
 
 const std::vector<std::string>& outputFiles() {
   static const std::vector<std::string> names = {
-      "history.csv", "steps.csv",    "contact.csv",  "boundary.csv",
-      "bodies.csv",  "interior.csv", "solution.hdf", "used.xml",
-      "timings.txt", "study.csv",    "fields.csv",   "fields.vtu"};
+      "history.csv",  "steps.csv",    "contact.csv",      "boundary.csv", "bodies.csv",
+      "interior.csv", "solution.hdf", "used.xml",         "timings.txt",  "study.csv",
+      "fields.csv",   "fields.vtu",   "fields-window.csv"};
   return names;
 }
 

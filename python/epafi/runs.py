@@ -105,15 +105,21 @@ class Run:
 
         return h5py.File(os.path.join(self.folder, "solution.hdf"), "r")
 
-    def plot(self, field: Optional[str] = None) -> list[str]:
-        """Draws what `epafi plot` draws, and a field inside the bodies ("von_mises", ...);
-        the pictures' files (PNG; SVG beside them)."""
+    def plot(self, field: Optional[str] = None,
+             window: Optional[tuple[float, float, float, float]] = None) -> list[str]:
+        """Draws what `epafi plot` draws, and a field inside the bodies ("von_mises", ...), of a
+        window (x0, y0, x1, y1) [length] or of all; the pictures' files (PNG; SVG beside them)."""
         from epafi.plot import draw_folder
 
-        if field is not None:
-            call(["fields", self.folder, "--vtk"])
-        return [os.path.join(self.folder, name + ".png")
-                for name in draw_folder(self.folder, field)]
+        if field is not None and window is not None:
+            said = call(["plot", self.folder, "--field", field,
+                         "--window=" + ",".join(repr(float(end)) for end in window)])
+            names = said.split(": ", 1)[1].split(" (")[0].split()
+        else:
+            if field is not None:
+                call(["fields", self.folder, "--vtk"])
+            names = draw_folder(self.folder, field)
+        return [os.path.join(self.folder, name + ".png") for name in names]
 
     def __repr__(self) -> str:
         return "Run: %d levels, %s" % (self.history.size, self.history["status"][-1])

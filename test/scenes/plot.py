@@ -42,6 +42,14 @@ run(scene("patch.xml"), "one", ["Adaptivity->Strategy=None"])
 code, text = epafi("plot", os.path.join(WORK, "one"))
 claim(code == 0, "a single level can be drawn: " + text.strip())
 
+code, text = epafi("plot", os.path.join(WORK, "fretting"), "--field", "von_mises", "--window",
+                   "-3,0,3,3")
+claim(code == 0, "a window of a field is drawn: " + text.strip())
+drawn(os.path.join(WORK, "fretting"), ["von_mises"], "fretting")
+for window, words in [("3,0,-3,3", "X0,Y0,X1,Y1"), ("1,2", "X0,Y0,X1,Y1"),
+                      ("100,0,101,1", "shows nothing")]:
+    code, text = epafi("plot", os.path.join(WORK, "one"), "--field", "syy", "--window", window)
+    claim(code == 1 and words in text, "the window %s is refused: %s" % (window, text.strip()))
 for arguments, words, sentence in [
         ([], ["no folder is given"], "no folder"),
         ([os.path.join(WORK, "nowhere")], ["no folder", "nowhere"], "a missing folder"),

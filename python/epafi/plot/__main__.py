@@ -21,12 +21,13 @@ def main():
     arguments = argparse.ArgumentParser(prog="epafi plot")
     arguments.add_argument("folder")
     arguments.add_argument("--field")
+    arguments.add_argument("--window", action="store_true")
     arguments.add_argument("--quiet", action="store_true")
     given = arguments.parse_args()
     if not os.path.isdir(given.folder):
         sys.exit("epafi: plot: there is no folder '%s'" % given.folder)
     try:
-        names = draw_folder(given.folder, given.field)
+        names = draw_folder(given.folder, given.field, given.window)
     except (KeyError, ValueError, OSError) as error:
         sys.exit("epafi: plot: the files in '%s' cannot be drawn: %s" % (given.folder, error))
     if not given.quiet:

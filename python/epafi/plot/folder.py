@@ -12,7 +12,7 @@ from epafi.plot import (contact, contributions, convergence, deformed, effectivi
 from epafi.plot.boundary import Boundary
 from epafi.plot.figures import STYLE, Pictures, plt
 from epafi.plot.variants import curves_of
-from epafi.tables import read, title_of
+from epafi.tables import Table, read, title_of
 
 
 def draw_run(folder: str) -> list[str]:
@@ -55,9 +55,10 @@ def draw_study(folder: str) -> list[str]:
     return pictures.names
 
 
-def draw_folder(folder: str, field: str | None = None) -> list[str]:
-    """Draws what the folder of a run or a study holds, and a field of fields.vtu if one is named;
-    the pictures' names, without .png and .svg.
+def draw_folder(folder: str, field: str | None = None,
+                window: bool = False) -> list[str]:
+    """Draws what the folder of a run or a study holds, and a field if one is named, of
+    fields-window.csv or of fields.vtu; the pictures' names, without .png and .svg.
 
     ValueError where there is nothing to draw.
     """
@@ -71,8 +72,12 @@ def draw_folder(folder: str, field: str | None = None) -> list[str]:
         names += [name for name in draw_run(folder) if name not in names]
         if field:
             pictures = Pictures(folder)
-            inside.draw(inside.Inside(os.path.join(folder, "fields.vtu")), field,
-                        title_of(folder), pictures)
+            if window:
+                inside.draw_window(Table(os.path.join(folder, "fields-window.csv")), field,
+                                   title_of(folder), pictures)
+            else:
+                inside.draw(inside.Inside(os.path.join(folder, "fields.vtu")), field,
+                            title_of(folder), pictures)
             names += pictures.names
     if not names:
         raise ValueError("'%s' holds no history.csv, contact.csv, boundary.csv or study.csv of a "

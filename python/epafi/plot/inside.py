@@ -44,27 +44,56 @@ def range_of(values, weights):
     return (low, high) if high > low else (low - abs(low) - 1e-300, high + abs(high) + 1e-300)
 
 
+def limits(values, weights, name):
+    """Ends of the colours, their map, and which ends values lie beyond."""
+    low, high = range_of(values, weights)
+    signed = low < 0 < high and name != "von_mises"
+    if signed:
+        high = max(high, -low)
+        low = -high
+    cut = ("min" if values.min() < low else "") + ("max" if values.max() > high else "")
+    return low, high, "RdBu_r" if signed else "viridis", cut
+
+
+def finish(figure, axes, drawn, cut, largest, name, title, extent, pictures):
+    bar = figure.colorbar(drawn, ax=axes, extend={"": "neither", "minmax": "both"}.get(cut, cut),
+                          fraction=0.05, pad=0.02)
+    bar.set_label(NAMES[name] + (" (up to %.3g)" % largest if "max" in cut else ""))
+    axes.grid(False)
+    equal_axes(axes, *extent)
+    axes.set_title("%s: %s" % (title, NAMES[name]))
+    pictures.save(figure, name)
+
+
+def figure_for(extent):
+    size = shape_of(*extent, 8)
+    return plt.subplots(figsize=(size[0] + 1.6, size[1] + 1.0))
+
+
 def draw(inside, name, title, pictures):
     values = inside.values[name]
     weights = np.zeros(len(values))
     np.add.at(weights, inside.corners, inside.area()[:, None] / 3)
-    low, high = range_of(values, weights)
-    width, height = np.ptp(inside.points, axis=0)
-    size = shape_of(width, height, 8)
-    figure, axes = plt.subplots(figsize=(size[0] + 1.6, size[1] + 1.0))
+    low, high, colours, cut = limits(values, weights, name)
+    extent = np.ptp(inside.points, axis=0)
+    figure, axes = figure_for(extent)
     x, y = inside.points.T
-    signed = low < 0 < high and name not in ("von_mises",)
-    if signed:
-        high = max(high, -low)
-        low = -high
     drawn = axes.tripcolor(Triangulation(x, y, inside.corners), values, shading="gouraud",
-                           vmin=low, vmax=high, rasterized=True,
-                           cmap="RdBu_r" if signed else "viridis")
-    cut = ("min" if values.min() < low else "") + ("max" if values.max() > high else "")
-    bar = figure.colorbar(drawn, ax=axes, extend={"": "neither", "minmax": "both"}.get(cut, cut),
-                          fraction=0.05, pad=0.02)
-    bar.set_label(NAMES[name] + (" (up to %.3g)" % values.max() if "max" in cut else ""))
-    axes.grid(False)
-    equal_axes(axes, width, height)
-    axes.set_title("%s: %s" % (title, NAMES[name]))
-    pictures.save(figure, name)
+                           vmin=low, vmax=high, rasterized=True, cmap=colours)
+    finish(figure, axes, drawn, cut, values.max(), name, title, extent, pictures)
+
+
+def draw_window(cells, name, title, pictures):
+    """Of middles of equal cells; those outside of the bodies are missing."""
+    values = cells[name]
+    low, high, colours, cut = limits(values, np.ones(len(values)), name)
+    (x, column), (y, row) = (np.unique(cells[axis], return_inverse=True) for axis in ("x", "y"))
+    image = np.full((len(y), len(x)), np.nan)
+    image[row, column] = values
+    half = 0.5 * min(np.diff(axis).min() if len(axis) > 1 else 1.0 for axis in (x, y))
+    extent = (x[0] - half, x[-1] + half, y[0] - half, y[-1] + half)
+    shape = (extent[1] - extent[0], extent[3] - extent[2])
+    figure, axes = figure_for(shape)
+    drawn = axes.imshow(image, origin="lower", extent=extent, interpolation="bilinear", vmin=low,
+                        vmax=high, cmap=colours)
+    finish(figure, axes, drawn, cut, values.max(), name, title, shape, pictures)

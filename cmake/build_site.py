@@ -1,0 +1,170 @@
+"""The documentation as a site:  build_site.py ROOT FOLDER EPAFI [--headers]
+
+Puts the pages where doc/site/mkdocs.yml looks, with the list of all parameters that EPAFI prints,
+builds FOLDER/html by mkdocs, with --headers the headers by Doxygen below it, and follows every
+link and picture of the pages to where it leads.
+"""
+import glob
+import html.parser
+import os
+import re
+import shutil
+import subprocess
+import sys
+import urllib.parse
+
+# Where pages are; what they link to beyond comes along.
+SHOWN = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "doc"]
+PARAMETERS = "parameters" + ".md"  # made here
+# Debian's mkdocs names two scripts that it does not have.
+JQUERY = "/usr/share/javascript/jquery/jquery.min.js"
+# Chapters that are whole folders.
+CHAPTERS = [("Theory", "theory"), ("Benchmarks", "benchmarks"), ("Decisions", "decisions")]
+
+
+def stage(root, pages, epafi):
+    for path in SHOWN:
+        source, target = os.path.join(root, path), os.path.join(pages, path)
+        os.makedirs(os.path.dirname(target), exist_ok=True)
+        (shutil.copytree if os.path.isdir(source) else shutil.copy)(source, target)
+    with open(os.path.join(pages, PARAMETERS), "w", encoding="utf-8") as stream:
+        stream.write("# Every parameter\n\n" + subprocess.run(
+            [epafi, "parameters", "--format", "markdown"], check=True, text=True,
+            stdout=subprocess.PIPE).stdout)
+    for file in glob.glob(os.path.join(pages, "**", "*.md"), recursive=True):
+        for_mkdocs(file, root, pages)
+    os.makedirs(os.path.join(pages, "js"))
+    shutil.copy(JQUERY, os.path.join(pages, "js/jquery-3.6.0.min.js"))
+    with open(os.path.join(pages, "js/theme_extra.js"), "w", encoding="utf-8"):
+        pass
+
+
+def for_mkdocs(file, root, pages):
+    """A folder is linked by its first page or file, and what is linked comes along."""
+    with open(file, encoding="utf-8") as stream:
+        text = stream.read()
+    here = os.path.dirname(file)
+
+    def link(match):
+        path = os.path.relpath(os.path.join(here, match.group(1)), pages)
+        inside = os.path.join(root, path)
+        if os.path.isdir(inside):
+            names = sorted(os.listdir(inside), key=lambda name: (not name.endswith(".md"), name))
+            path = os.path.join(path, names[0])
+        if os.path.isfile(os.path.join(root, path)):
+            target = os.path.join(pages, path)
+            os.makedirs(os.path.dirname(target), exist_ok=True)
+            if not os.path.exists(target):
+                shutil.copy(os.path.join(root, path), target)
+        return "](%s)" % os.path.relpath(os.path.join(pages, path), here)
+    text = re.sub(r"\]\(([^)#:]+)\)", link, text)
+    with open(file, "w", encoding="utf-8") as stream:
+        stream.write(spaced(text))
+
+
+def spaced(text):
+    """Lists and tables begin behind an empty line, which forges do not ask for."""
+    lines, code = [], False
+    for line in text.split("\n"):
+        code ^= line.startswith("```")
+        before = lines[-1] if lines else ""
+        for begin in (r"[*-] ", r"\d+\. ", r"\|"):
+            if not code and re.match(begin, line) and before and not re.match(begin + r"| ", before):
+                lines.append("")
+        lines.append(line)
+    return "\n".join(lines)
+
+
+def title_of(file):
+    with open(file, encoding="utf-8") as stream:
+        return re.sub(r"\s+accepted,.*", "", stream.readline().lstrip("# ").strip())
+
+
+def configure(root, folder, headers):
+    with open(os.path.join(root, "doc/site/mkdocs.yml"), encoding="utf-8") as stream:
+        lines = [stream.read().rstrip()]
+    for chapter, name in CHAPTERS:
+        lines.append("  - %s:" % chapter)
+        for file in sorted(glob.glob(os.path.join(folder, "pages/doc", name, "*.md"))):
+            lines.append("      - '%s': doc/%s/%s" % (
+                title_of(file).replace("'", "''"), name, os.path.basename(file)))
+    lines += ["  - Project:", "      - Overview: doc/index.md", "      - Changes: CHANGELOG.md",
+              "      - Contributing: CONTRIBUTING.md"]
+    if headers:
+        lines.append("      - Headers: headers/index.html")
+    with open(os.path.join(folder, "mkdocs.yml"), "w", encoding="utf-8") as stream:
+        stream.write("\n".join(lines) + "\n")
+
+
+def document_headers(root, folder):
+    with open(os.path.join(root, "doc/site/Doxyfile"), encoding="utf-8") as stream:
+        options = stream.read()
+    options += "INPUT = %s %s\nSTRIP_FROM_PATH = %s\nSTRIP_FROM_INC_PATH = %s\n" % (
+        os.path.join(root, "packages"), os.path.join(root, "drivers/Program.hpp"),
+        root, os.path.join(root, "packages"))
+    options += "OUTPUT_DIRECTORY = %s\nHTML_OUTPUT = headers\n" % os.path.join(folder, "html")
+    subprocess.run(["doxygen", "-"], input=options, text=True, check=True)
+
+
+class Page(html.parser.HTMLParser):
+    """Where a page leads, and the places on it that can be led to."""
+
+    def __init__(self, file):
+        super().__init__()
+        self.links, self.places = [], set()
+        with open(file, encoding="utf-8") as stream:
+            self.feed(stream.read())
+
+    def handle_starttag(self, tag, attrs):
+        for name, value in attrs:
+            if name in ("id", "name") and value:
+                self.places.add(value)
+            elif value and (name == "src" or name == "href"):
+                self.links.append(value)
+
+
+def dangling(site):
+    """Sentences about links that lead nowhere, and how many there are in all."""
+    files = [file for file in glob.glob(os.path.join(site, "**", "*.html"), recursive=True)
+             if os.sep + "headers" + os.sep not in file]
+    pages = {file: Page(file) for file in files}
+    found, count = [], 0
+    for file, page in pages.items():
+        for link in page.links:
+            parts = urllib.parse.urlsplit(link)
+            if parts.scheme or parts.netloc or os.path.basename(file) == "404.html":
+                continue
+            count += 1
+            path = urllib.parse.unquote(parts.path)
+            target = os.path.normpath(os.path.join(os.path.dirname(file), path)) if path else file
+            if os.path.isdir(target):
+                target = os.path.join(target, "index.html")
+            where = os.path.relpath(file, site)
+            if not os.path.exists(target):
+                found.append("%s links to %s, which is not there" % (where, link))
+            elif parts.fragment and target in pages and \
+                    urllib.parse.unquote(parts.fragment) not in pages[target].places:
+                found.append("%s links to %s, which has no such place" % (where, link))
+    return found, count
+
+
+def main():
+    root, folder, epafi = (os.path.abspath(argument) for argument in sys.argv[1:4])
+    headers = "--headers" in sys.argv[4:]
+    shutil.rmtree(folder, ignore_errors=True)
+    os.makedirs(folder)
+    stage(root, os.path.join(folder, "pages"), epafi)
+    configure(root, folder, headers)
+    subprocess.run(["mkdocs", "build", "--quiet", "--config-file",
+                    os.path.join(folder, "mkdocs.yml")], check=True)
+    if headers:
+        document_headers(root, folder)
+    found, count = dangling(os.path.join(folder, "html"))
+    print("\n".join(found))
+    print("%s: %d links, %d lead nowhere" % (os.path.join(folder, "html/index.html"), count,
+                                             len(found)))
+    sys.exit(len(found) > 0 or count < 100)
+
+
+if __name__ == "__main__":
+    main()
