@@ -21,6 +21,7 @@ volatile std::sig_atomic_t current = 0;
 volatile std::sig_atomic_t length = 0;
 volatile std::sig_atomic_t received = 0;
 volatile std::sig_atomic_t graceSeconds = 1;
+bool speaks = true;
 int heard = STDERR_FILENO;  // where it is written
 
 bool isPipe(int file) {
@@ -55,6 +56,8 @@ void startTimer() {
 }
 
 void endNow(int) {
+  if (!speaks)
+    sleep(2);  // when one rank ends mpirun kills the others, and the first is to speak
   const auto& text = advice[static_cast<std::size_t>(current)];
   if (length > 0 && write(heard, text.data(), static_cast<std::size_t>(length)) < 0)
     _exit(128 + received);  // nobody is left to tell
@@ -70,7 +73,6 @@ void note(int signal) {
 }
 
 std::string told;
-bool speaks = true;
 
 }  // namespace
 

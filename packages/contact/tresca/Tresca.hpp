@@ -66,6 +66,9 @@ class NewtonCourse : public Course {
   /// One run of Newton's, from where the course stands or from the best point.
   void steps(Stage stage, int most);
   void pivoting(Stage stage, const Equation& equation, const Vector& from);
+  /// Through the middle of what the bounds allow, which knows no active sets, then
+  /// Newton's last digits.
+  void throughTheMiddle(Stage stage);
 
  private:
   const Tresca& tresca_;
