@@ -29,10 +29,12 @@ class CoulombCourse : public NewtonCourse {
   /// Whether following went anywhere: there is a solution without friction.
   static bool mayFollow(const CoulombCourse& course);
   static void updates(CoulombCourse& course, Stage stage);
+  static void updateBriefly(CoulombCourse& course, Stage stage);
 
  private:
   void follow(Stage stage, int most, int patience);
   void descend(Stage stage, int most);
+  void update(Stage stage, int most);
 
   CoulombOptions options_;
 };

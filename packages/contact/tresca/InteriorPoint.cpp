@@ -14,6 +14,9 @@ namespace {
 constexpr double enough = 1e-30;
 /// Share of the way to the boundary of the set.
 constexpr double interior = 0.995;
+/// So many steps that are so short, one after the other, lead nowhere.
+constexpr double shortStep = 0.1;
+constexpr int mostJams = 3;
 
 /// side λ_i + s_i >= 0, s_i the slip bound, zero for a pressure: the distance a > 0 from
 /// there and the force z > 0 that keeps it.
@@ -97,7 +100,8 @@ class Method {
       limit.correction = limit.distanceChange * limit.forceChange;
     const Vector change = direction(system, mu * std::pow(affine / mu, 3));
     const double step = std::min(1.0, interior * room());
-    if (!(step > 1e-10))
+    jams_ = step < shortStep ? jams_ + 1 : 0;
+    if (jams_ == mostJams)
       return false;
     Vector unknowns = e_.unknowns;
     for (std::size_t i = 0; i < unknowns.size(); ++i)
@@ -198,6 +202,7 @@ class Method {
   const Problem& problem_;
   std::vector<Limit> limits_;
   Evaluation e_;
+  int jams_ = 0;
 };
 
 }  // namespace
