@@ -119,6 +119,8 @@ history, contact = run(TRESCA, "unconverged", levels(3) + ["Solver->Maximum Iter
                        expect=3)
 claim(history[-1]["status"] == "not converged" and len(contact) > 0,
       "what did not converge is written and said")
+claim(0 < max(row["newton_iterations"] for row in history) <= 45,
+      "one step allowed: other methods make 20 in all, steps of the load as many")
 refused("a stabilisation that is too strong", ["Gamma0"], "run", TRESCA, "--output",
         fresh("indefinite"), "--set", "Discretization->Stabilization->Gamma0=10", "--set",
         "Discretization->Stabilization->Scaling=Stiffness", *ONE, code=2)

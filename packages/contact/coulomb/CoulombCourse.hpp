@@ -17,12 +17,10 @@ class CoulombCourse : public NewtonCourse {
   bool isCoupled() const { return problem().boundsAreCoupled(); }
   static bool always(const CoulombCourse&) { return true; }
 
-  /// What follows where Newton's steps fail.  Following friction costs a few of them each;
-  /// the descent, that costs many, and updates of the bound are for bodies that only
-  /// friction holds.
+  /// What follows where Newton's steps fail.
   static void followFriction(CoulombCourse& course, Stage stage);
   static void meritDescent(CoulombCourse& course, Stage stage);
-  /// A first try of both, of `brief` steps: where one jams the other one often needs few.
+  /// A first try of each, of `brief` steps: where one jams another often needs few.
   static constexpr int brief = 30;
   static void followBriefly(CoulombCourse& course, Stage stage);
   static void descendBriefly(CoulombCourse& course, Stage stage);

@@ -62,7 +62,7 @@ Solution followFriction(const Problem& problem, const Tresca& tresca, int steps,
   Solution begin;
   try {
     NewtonCourse course(friction.at(0), {}, tresca, Equation::Bound::Differentiated);
-    course.steps(Stage::FullSteps, steps);
+    course.steps(Stage::FullSteps, std::min(steps, course.run()));
     begin = std::move(course).solution();
   } catch (const bem::NumericalError& error) {
     begin.report = failed(error);  // without friction there is no equilibrium

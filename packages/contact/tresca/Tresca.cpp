@@ -25,7 +25,10 @@ bem::SchemaRows trescaRows() {
           .standard(defaults.tolerance)
           .range({0, 1, true, true}),
       Row("Maximum Iterations", Kind::Whole,
-          "Newton steps of one run; where one does not suffice, other methods follow")
+          bem::message(
+              "Newton steps of one run; where one does not suffice, other methods "
+              "follow, for about ",
+              Course::runs, " times as many, and steps of the load for as many"))
           .unit("1")
           .standard(defaults.maximumIterations)
           .range(bem::from(1)),
