@@ -17,6 +17,8 @@ constexpr double interior = 0.995;
 /// So many steps that are so short, one after the other, lead nowhere.
 constexpr double shortStep = 0.1;
 constexpr int mostJams = 3;
+/// So many steps without half of μ are rounding.
+constexpr int mostStale = 8;
 
 /// side λ_i + s_i >= 0, s_i the slip bound, zero for a pressure: the distance a > 0 from
 /// there and the force z > 0 that keeps it.
@@ -101,7 +103,9 @@ class Method {
     const Vector change = direction(system, mu * std::pow(affine / mu, 3));
     const double step = std::min(1.0, interior * room());
     jams_ = step < shortStep ? jams_ + 1 : 0;
-    if (jams_ == mostJams)
+    stale_ = mu > 0.5 * least_ ? stale_ + 1 : 0;
+    least_ = std::min(mu, least_);
+    if (jams_ == mostJams || stale_ == mostStale)
       return false;
     Vector unknowns = e_.unknowns;
     for (std::size_t i = 0; i < unknowns.size(); ++i)
@@ -203,6 +207,8 @@ class Method {
   std::vector<Limit> limits_;
   Evaluation e_;
   int jams_ = 0;
+  int stale_ = 0;
+  double least_ = std::numeric_limits<double>::infinity();  // μ
 };
 
 }  // namespace
