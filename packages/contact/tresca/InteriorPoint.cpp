@@ -47,7 +47,7 @@ class Method {
     for (Index i = 0; i < problem_.size(); ++i) {
       if (i < problem_.normals) {
         limits_.push_back({i, 1, problem_.stress});
-      } else if (tangential(i).carries()) {
+      } else if (tangential(i).carries() && !tangential(i).isTied()) {
         const double bound = e_.bounds[at(i - problem_.normals)];
         for (const double side : {1.0, -1.0})
           limits_.push_back({i, side, bound > 0 ? bound : problem_.stress});
