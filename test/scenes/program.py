@@ -119,6 +119,8 @@ history, contact = run(TRESCA, "unconverged", levels(3) + ["Solver->Maximum Iter
                        expect=3)
 claim(history[-1]["status"] == "not converged" and len(contact) > 0,
       "what did not converge is written and said")
+claim(0 < max(row["newton_iterations"] for row in history) <= 45,
+      "one step allowed: other methods make 20 in all, steps of the load as many")
 refused("a stabilisation that is too strong", ["Gamma0"], "run", TRESCA, "--output",
         fresh("indefinite"), "--set", "Discretization->Stabilization->Gamma0=10", "--set",
         "Discretization->Stabilization->Scaling=Stiffness", *ONE, code=2)
@@ -157,7 +159,7 @@ claim(len(rows) >= 1 and all(row["memory_mb"] is not None for row in rows),
       "rows are whole after a signal")
 
 # Ctrl-C answers soon, also in the midst of a long phase, and says how to go on
-def interrupted(sentence, name, command, ready, codes, tries=1):
+def interrupted(sentence, name, command, ready, codes):
     folder = fresh(name)
     process = subprocess.Popen([*command, "run", TRESCA, "--quiet", "--output", folder, "--set",
                                 "Adaptivity->Strategy=Uniform h", "--set",
@@ -173,9 +175,6 @@ def interrupted(sentence, name, command, ready, codes, tries=1):
     process.send_signal(signal.SIGINT)
     text = process.communicate()[1]
     took = time.time() - began
-    if text == "" and tries > 1:  # mpirun may end before it has handed on what its ranks say
-        interrupted(sentence, name, command, ready, codes, tries - 1)
-        return
     claim(process.returncode in codes and took < 2 and
           "--restart " + folder in text and text.count("--restart") == 1,
           "%s: %.2f s, exit %d, %s" % (sentence, took, process.returncode, text.strip()))
@@ -190,7 +189,7 @@ def deep(folder):
 interrupted("Ctrl-C", "ctrl-c", [EPAFI], deep, {130})
 if os.environ.get("MPIEXEC"):  # whose own exit code says nothing
     interrupted("Ctrl-C on two ranks", "ctrl-c.2",
-                [os.environ["MPIEXEC"], "-n", "2", EPAFI], deep, {1, 130}, tries=4)
+                [os.environ["MPIEXEC"], "-n", "2", EPAFI], deep, {1, 130})
 folder = fresh("patient")
 process = subprocess.Popen([EPAFI, "run", TRESCA, "--output", folder],
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,

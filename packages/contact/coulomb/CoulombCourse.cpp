@@ -3,7 +3,21 @@
 #include "contact/coulomb/CoulombFixedPoint.hpp"
 #include "contact/coulomb/FrictionContinuation.hpp"
 
+#include <algorithm>
+
 namespace epafi::contact {
+
+namespace {
+
+/// Has a path ended without friction?
+bool hasNoBeginning(const std::vector<StageRun>& stages) {
+  return std::any_of(stages.begin(), stages.end(), [](const StageRun& run) {
+    return (run.stage == Stage::FollowFriction && run.parts.size() < 2) ||
+           hasNoBeginning(run.parts);
+  });
+}
+
+}  // namespace
 
 void CoulombCourse::follow(Stage stage, int most, int patience) {
   Solution solution =
@@ -42,18 +56,23 @@ void CoulombCourse::descendBriefly(CoulombCourse& course, Stage stage) {
 }
 
 bool CoulombCourse::mayFollow(const CoulombCourse& course) {
-  for (const StageRun& run : course.report().stages)
-    if (run.stage == Stage::FollowFriction)
-      return !run.parts.empty() && run.parts.back().stage != Stage::InteriorPoint;
-  return true;
+  return !hasNoBeginning(course.report().stages);
+}
+
+void CoulombCourse::update(Stage stage, int most) {
+  const CoulombFixedPoint fixedPoint(tresca(), options());
+  Solution solution =
+      fixedPoint.updates(problem(), unpack(problem(), best()), std::min(most, left()));
+  solution.report = asOne(std::move(solution.report), stage);
+  add(std::move(solution));
 }
 
 void CoulombCourse::updates(CoulombCourse& course, Stage stage) {
-  const CoulombFixedPoint fixedPoint(course.tresca(), course.options());
-  Solution solution = fixedPoint.updates(
-      course.problem(), unpack(course.problem(), course.best()), course.left());
-  solution.report = asOne(std::move(solution.report), stage);
-  course.add(std::move(solution));
+  course.update(stage, course.left());
+}
+
+void CoulombCourse::updateBriefly(CoulombCourse& course, Stage stage) {
+  course.update(stage, brief);
 }
 
 }  // namespace epafi::contact

@@ -17,22 +17,22 @@ class CoulombCourse : public NewtonCourse {
   bool isCoupled() const { return problem().boundsAreCoupled(); }
   static bool always(const CoulombCourse&) { return true; }
 
-  /// What follows where Newton's steps fail.  Following friction costs a few of them each;
-  /// the descent, that costs many, and updates of the bound are for bodies that only
-  /// friction holds.
+  /// What follows where Newton's steps fail.
   static void followFriction(CoulombCourse& course, Stage stage);
   static void meritDescent(CoulombCourse& course, Stage stage);
-  /// A first try of both, of `brief` steps: where one jams the other one often needs few.
+  /// A first try of each, of `brief` steps: where one jams another often needs few.
   static constexpr int brief = 30;
   static void followBriefly(CoulombCourse& course, Stage stage);
   static void descendBriefly(CoulombCourse& course, Stage stage);
   /// Whether following went anywhere: there is a solution without friction.
   static bool mayFollow(const CoulombCourse& course);
   static void updates(CoulombCourse& course, Stage stage);
+  static void updateBriefly(CoulombCourse& course, Stage stage);
 
  private:
   void follow(Stage stage, int most, int patience);
   void descend(Stage stage, int most);
+  void update(Stage stage, int most);
 
   CoulombOptions options_;
 };

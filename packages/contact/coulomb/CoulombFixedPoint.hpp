@@ -9,7 +9,7 @@ namespace epafi::contact {
 class CoulombFixedPoint final : public NonlinearSolver {
  public:
   explicit CoulombFixedPoint(const Tresca& tresca, const CoulombOptions& options = {})
-      : tresca_(tresca), options_(options) {}
+      : NonlinearSolver(tresca.budget()), tresca_(tresca), options_(options) {}
 
   /// Ends with the update after which `steps` linear systems have been solved.
   Solution updates(const Problem& problem, const State& start, int steps) const;

@@ -25,6 +25,10 @@ void pivoting(CoulombCourse& course, Stage stage) {
   course.pivoting(stage, course.equation(), course.best());
 }
 
+void throughTheMiddle(CoulombCourse& course, Stage stage) {
+  course.throughTheMiddle(stage);
+}
+
 // Bounds that follow all pressures of an element make active sets wander from afar; bounds
 // that follow their own pressure alone do not, and bring near.  Sweeps from there would
 // lead away again.
@@ -43,8 +47,10 @@ constexpr PlannedStage<CoulombCourse> plan[] = {
     {Stage::Pivoting, knowsSets, pivoting},
     {Stage::Uncoupled, isCoupled, uncoupled},
     {Stage::FullSteps, isCoupled, fullSteps},
+    {Stage::FollowFriction, CoulombCourse::mayFollow, CoulombCourse::followBriefly},
+    {Stage::InteriorPoint, CoulombCourse::always, throughTheMiddle},
+    {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updateBriefly},
     {Stage::Pivoting, mayPivot, pivoting},
-    {Stage::FollowFriction, CoulombCourse::always, CoulombCourse::followBriefly},
     {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::descendBriefly},
     {Stage::FollowFriction, CoulombCourse::mayFollow, CoulombCourse::followFriction},
     {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::meritDescent},

@@ -8,7 +8,7 @@ namespace epafi::contact {
 class CoulombNewton final : public NonlinearSolver {
  public:
   explicit CoulombNewton(const Tresca& tresca, const CoulombOptions& options = {})
-      : tresca_(tresca), options_(options) {}
+      : NonlinearSolver(tresca.budget()), tresca_(tresca), options_(options) {}
 
   /// Of a problem known to be sound.
   Solution solveSound(const Problem& problem, const State& start) const override;

@@ -8,7 +8,7 @@ namespace epafi::contact {
 class CoulombOneStep final : public NonlinearSolver {
  public:
   explicit CoulombOneStep(const Tresca& tresca, const CoulombOptions& options = {})
-      : tresca_(tresca), options_(options) {}
+      : NonlinearSolver(tresca.budget()), tresca_(tresca), options_(options) {}
 
  private:
   Solution solveSound(const Problem& problem, const State& start) const override;

@@ -61,7 +61,9 @@ Solution followFriction(const Problem& problem, const Tresca& tresca, int steps,
   ScaledFriction friction(problem);
   Solution begin;
   try {
-    begin = tresca.solveSound(friction.at(0), {});
+    NewtonCourse course(friction.at(0), {}, tresca, Equation::Bound::Differentiated);
+    course.steps(Stage::FullSteps, std::min(steps, course.run()));
+    begin = std::move(course).solution();
   } catch (const bem::NumericalError& error) {
     begin.report = failed(error);  // without friction there is no equilibrium
   }

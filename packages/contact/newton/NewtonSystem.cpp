@@ -41,6 +41,8 @@ struct NewtonSystem::Impl {
 
   Matrix factor;  // Cholesky's L or LU of the bordered matrix
   std::vector<int> pivots;
+  Vector rowScale;  // what equilibrates an LU: stiff rows stand beside soft ones
+  Vector columnScale;
   Matrix border;        // Ĝ = scale G_I motionScale held
   Matrix solvedBorder;  // (M + Ĝ Ĝᵀ)⁻¹ Ĝ
   Matrix schur;         // its Cholesky factor: Ĝᵀ solvedBorder
@@ -215,16 +217,25 @@ struct NewtonSystem::Impl {
     const Teuchos::LAPACK<int, double> lapack;
     const int m = static_cast<int>(size);
     const int stride = static_cast<int>(factor.stride());
+    rowScale.resize(at(size));
+    columnScale.resize(at(size));
+    int info = 0;
+    double least = 0;
     double norm = 0;
-    for (Index j = 0; j < size; ++j) {
+    lapack.GEEQU(m, m, factor.data(), stride, rowScale.data(), columnScale.data(), &least,
+                 &least, &norm, &info);
+    norm = 0;
+    for (Index j = 0; j < size && info == 0; ++j) {
       double sum = 0;
-      for (Index i = 0; i < size; ++i)
+      for (Index i = 0; i < size; ++i) {
+        factor(i, j) *= rowScale[at(i)] * columnScale[at(j)];
         sum += std::abs(factor(i, j));
+      }
       norm = std::max(norm, sum);
     }
     pivots.resize(at(size));
-    int info = 0;
-    lapack.GETRF(m, m, factor.data(), stride, pivots.data(), &info);
+    if (info == 0)
+      lapack.GETRF(m, m, factor.data(), stride, pivots.data(), &info);
     double reciprocal = 0;
     if (info == 0) {
       Vector work(at(4 * size));
@@ -335,10 +346,14 @@ struct NewtonSystem::Impl {
   void solveGeneral(Vector& x) const {
     int info = 0;
     const int size = static_cast<int>(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] *= rowScale[i];
     if (size > 0)
       Teuchos::LAPACK<int, double>().GETRS('N', size, 1, factor.data(),
                                            static_cast<int>(factor.stride()),
                                            pivots.data(), x.data(), size, &info);
+    for (std::size_t i = 0; i < x.size(); ++i)
+      x[i] *= columnScale[i];
   }
 };
 

@@ -57,7 +57,7 @@ void StepTest::record(const Evaluation& e) {
   } else {
     run_.setChanges.push_back(differences(sets_.back(), e.set));
   }
-  if (sets_.empty() || e.scaled < 0.9 * improved_) {
+  if (sets_.empty() || e.scaled < 0.5 * improved_) {
     improved_ = e.scaled;
     progress_ = sets_.size();
   }

@@ -28,13 +28,12 @@ Solution attempt(const NonlinearSolver& solver, const Problem& problem,
 }
 
 Solution followLoad(const NonlinearSolver& solver, const ProblemFamily& family, int steps,
-                    Report before) {
+                    int most, Report before) {
   const double step = 1.0 / steps;
-  Advance path =
-      advance({{}, std::move(before)}, {step, step, 1.0 / 1024},
-              std::numeric_limits<int>::max(), [&](double load, const State& start) {
-                return attempt(solver, family.at({load, 1}), start);
-              });
+  Advance path = advance({{}, std::move(before)}, {step, step, 1.0 / 1024}, most,
+                         [&](double load, const State& start) {
+                           return attempt(solver, family.at({load, 1}), start);
+                         });
   path.solution.report.loadReached = path.reached;
   return std::move(path.solution);
 }
@@ -58,11 +57,13 @@ int parseLoadSteps(const Teuchos::ParameterList& list) {
 Solution solveInLoadSteps(const NonlinearSolver& solver, const Problem& problem,
                           const Vector& gap, const State& start, int steps) {
   if (steps > 1)
-    return followLoad(solver, {problem, gap}, steps, {});
+    return followLoad(solver, {problem, gap}, steps, std::numeric_limits<int>::max(), {});
   Solution solution = solver.solve(problem, start);
   if (solution.report.converged() || !solution.report.globalised)
     return solution;
-  Solution followed = followLoad(solver, {problem, gap}, fallbackSteps, solution.report);
+  // At once and in steps may cost the same.
+  Solution followed =
+      followLoad(solver, {problem, gap}, fallbackSteps, solver.budget(), solution.report);
   if (followed.report.converged())
     return followed;
   // At full load the state says more than one of a part of the load.

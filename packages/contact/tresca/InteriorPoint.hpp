@@ -6,20 +6,19 @@ namespace epafi::contact {
 
 /// What an interior point method found.
 struct InteriorPoint {
-  Vector unknowns;     ///< x = (λ, α), λ strictly inside the box
+  Vector unknowns;     ///< x = (λ, α), strictly inside
   int iterations = 0;  ///< linear systems factorised
 };
 
-/// Mehrotra's predictor-corrector method for the quadratic programme behind a problem
-/// with fixed slip bounds,
+/// Mehrotra's predictor-corrector method for all laws of friction.  Distances a from the
+/// bounds and the forces z that keep them are unknowns of their own,
 ///
-///   min ½ λᵀDλ - d₀ᵀλ   over the box,   Gᵀλ = q,
+///   a = λₙ,  a± = s(λₙ) ∓ λₜ,   rₙ + z = 0,  rₜ = z₊ - z₋,   c a z = μ -> 0,
 ///
-/// started in the middle of the box.  Its number of steps hardly depends on the size or
-/// the condition of D, where active sets move by a coefficient a step: thin bodies, whose
-/// pressure is all at the rims of contact.  It ends when complementarity is so small that
-/// Newton's method has only digits to add, or when no step leads on.  [Mehrotra 1992]
-/// \pre the equation's bounds do not depend on the pressure
+/// started in the middle.  With fixed bounds it solves a convex quadratic programme; a bound
+/// that follows the pressure is differentiated.  Its number of steps hardly depends on the
+/// size or the condition of D, where active sets move by a coefficient a step: thin bodies.
+/// Ends when the equation is solved, or when no step leads on.                [Mehrotra 1992]
 InteriorPoint interiorPoint(const Equation& equation, int maximumSteps = 100);
 
 }  // namespace epafi::contact

@@ -25,7 +25,10 @@ bem::SchemaRows trescaRows() {
           .standard(defaults.tolerance)
           .range({0, 1, true, true}),
       Row("Maximum Iterations", Kind::Whole,
-          "Newton steps of one run; where one does not suffice, other methods follow")
+          bem::message(
+              "Newton steps of one run; where one does not suffice, other methods "
+              "follow, for about ",
+              Course::runs, " times as many, and steps of the load for as many"))
           .unit("1")
           .standard(defaults.maximumIterations)
           .range(bem::from(1)),
@@ -59,6 +62,16 @@ void NewtonCourse::pivoting(Stage stage, const Equation& equation, const Vector&
                                   NewtonMethod::Pivoting, run()));
 }
 
+void NewtonCourse::throughTheMiddle(Stage stage) {
+  constexpr int polishing = 20;
+  const InteriorPoint middle = interiorPoint(sharp(), 2 * run());
+  NewtonRun last = tresca_.newton().run(sharp(), middle.unknowns, NewtonMethod::Newton,
+                                        std::min(polishing, run()));
+  last.iterations += middle.iterations;
+  add(stage, last);
+  globalise();
+}
+
 namespace {
 
 /// Without rigid motions D is definite, and so are all matrices of Newton's; a motion that
@@ -87,16 +100,8 @@ void pivoting(NewtonCourse& course, Stage stage) {
     requireSolvable(course);
 }
 
-/// Through the middle of the box, which knows no active sets, then Newton's last digits.
 void throughTheMiddle(NewtonCourse& course, Stage stage) {
-  constexpr int polishing = 20;
-  const Equation& sharp = course.sharp();
-  const InteriorPoint middle = interiorPoint(sharp, 2 * course.run());
-  NewtonRun run = course.tresca().newton().run(
-      sharp, middle.unknowns, NewtonMethod::Newton, std::min(polishing, course.run()));
-  run.iterations += middle.iterations;
-  course.add(stage, run);
-  course.globalise();
+  course.throughTheMiddle(stage);
 }
 
 constexpr PlannedStage<NewtonCourse> plan[] = {

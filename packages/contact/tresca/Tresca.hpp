@@ -16,8 +16,7 @@ namespace epafi::contact {
 struct TrescaOptions {
   std::string complementarity = "Projection";  ///< a name of complementarities()
   double tolerance = 1e-12;                    ///< scaled residual, relative to the load
-  int maximumIterations =
-      50;  ///< steps of one run; a solve may make Course::runs of them
+  int maximumIterations = 50;                  ///< steps of one run, see Course
 };
 
 /// The keys of a list of these, and what a list that they have completed says.
@@ -33,7 +32,9 @@ class Tresca final : public NonlinearSolver {
  public:
   /// `newton` must outlive this.
   explicit Tresca(const Newton& newton, const TrescaOptions& options = {})
-      : newton_(newton), options_(options) {}
+      : NonlinearSolver(Course::runs * options.maximumIterations),
+        newton_(newton),
+        options_(options) {}
 
   const Newton& newton() const { return newton_; }
   const TrescaOptions& options() const { return options_; }
@@ -66,6 +67,9 @@ class NewtonCourse : public Course {
   /// One run of Newton's, from where the course stands or from the best point.
   void steps(Stage stage, int most);
   void pivoting(Stage stage, const Equation& equation, const Vector& from);
+  /// Through the middle of what the bounds allow, which knows no active sets, then
+  /// Newton's last digits.
+  void throughTheMiddle(Stage stage);
 
  private:
   const Tresca& tresca_;
