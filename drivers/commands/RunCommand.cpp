@@ -207,6 +207,8 @@ class Recorder {
       path_.steps = stepsHead(row);
     path_.steps += stepsLine(row);
     path_.contacts.push_back(contact_.next(level));
+    if (scene_.hasSeveral())
+      bodies_ += bodiesLines(scene_, row.level, row.step, row.bodies, row.rigid);
     folder_->stage("steps.csv", path_.steps);
     if (scene_.output.fields)
       folder_->stage("solution.hdf",
@@ -230,7 +232,8 @@ class Recorder {
     history_ += historyLine(level.row);
     stages_ += bem::message("level ", level.row.level, ": ",
                             contact::told(level.row.report.stages), "\n");
-    bodies_ += bodiesLines(scene_, level.row);
+    if (level.path == nullptr)
+      bodies_ += bodiesLines(scene_, level.row.level, 0, level.row.bodies, level.row.rigid);
     writeLevel(scene_, level, used_, history_, bodies_, path_, *folder_);
     path_.contacts.clear();
     contact_ = PathContact(scene_);

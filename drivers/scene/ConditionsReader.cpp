@@ -64,11 +64,11 @@ contact::Conditions::Contact readContact(const ParameterList& list, const Where&
 }  // namespace
 
 contact::Conditions::Contact readContactOfBodies(const ParameterList& list,
-                                                 const Place& place) {
+                                                 const Place& place, double t) {
   contact::Conditions::Contact condition;
-  const bem::Function interference = readFunction(list, "Interference", {place});
+  const bem::Function interference = readFunction(list, "Interference", {place, t});
   condition.gap = [interference](bem::Vec2 x) { return -interference(x); };
-  condition.friction = readFriction(list, {place});
+  condition.friction = readFriction(list, {place, t});
   return condition;
 }
 

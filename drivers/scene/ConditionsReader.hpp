@@ -21,8 +21,8 @@ contact::Conditions readConditions(const Teuchos::ParameterList& body, const Pla
 void checkNamed(const std::string& boundary, const std::string& path,
                 const bem::Outline& outline);
 
-/// Interference and Friction of a validated list under Contacts.
+/// Interference and Friction of a validated list under Contacts at a time t.
 contact::Conditions::Contact readContactOfBodies(const Teuchos::ParameterList& list,
-                                                 const Place& place);
+                                                 const Place& place, double t = 1);
 
 }  // namespace epafi::drivers

@@ -29,6 +29,11 @@ bem::Mesh mesh(int degree) {
       {6, 4, 6, 4}, degree);
 }
 
+/// The conditions of the only body.
+std::vector<contact::Conditions> alone(contact::Conditions conditions) {
+  return {std::move(conditions)};
+}
+
 /// Down, then to and fro while the plane rises: t in [0, 4].
 contact::Conditions conditionsAt(double t) {
   contact::Conditions conditions;
@@ -71,26 +76,26 @@ Result follow(Form form, int steps) {
                              contact::tractionElements(multiplier, stabilization)),
       test::algebra(),
       contact::densityCompliance(space, multiplier, stabilization, lame, units));
-  const contact::ContactProblem problem(
-      {space, stiffness, lame, units, first, basis, stabilization});
+  const contact::ContactSystem problem(
+      {{space, stiffness, lame, units, first, basis, stabilization}});
   contact::PathMemory memory(problem);
   Result result;
   State state;
   double stored = 0;
   for (int k = 1; k <= steps; ++k) {
-    const contact::Conditions now = conditionsAt(4.0 * k / steps);
-    const contact::ContactProblem step =
-        problem.at({now, memory.slip(), memory.largestLoad()});
+    const auto now = alone(conditionsAt(4.0 * k / steps));
+    const contact::ContactSystem step =
+        problem.under({now, {}, memory.slip(), memory.largestLoad()});
     const contact::Solution solution = test::solve(step.numbers(), state);
     result.converged =
         result.converged && solution.report.status == contact::Status::Converged;
     state = solution.state;
-    const Vector u = step.displacement(state);
+    const contact::Configuration at = step.configuration(state);
     const Vector before = memory.frictionWork();
-    memory.add(step, state, u);
+    memory.add(step, at);
     for (std::size_t t = 0; t < before.size(); ++t)
       result.neverFalls = result.neverFalls && memory.frictionWork()[t] >= before[t];
-    stored = step.storedEnergy(state, u);
+    stored = step.storedEnergy(at);
   }
   result.imbalance = memory.imbalance(stored);
   result.outside = memory.outside();
@@ -114,10 +119,10 @@ TEUCHOS_UNIT_TEST(Path, aStepUnderTheFirstConditionsIsTheFirstProblem) {
                                contact::tractionElements(multiplier, stabilization)),
         test::algebra(),
         contact::densityCompliance(space, multiplier, stabilization, lame, units));
-    const contact::ContactProblem problem(
-        {space, stiffness, lame, units, first, basis, stabilization});
-    const contact::Conditions same = conditionsAt(2);
-    const contact::ContactProblem step = problem.at({same, {}, 0});
+    const contact::ContactSystem problem(
+        {{space, stiffness, lame, units, first, basis, stabilization}});
+    const auto same = alone(conditionsAt(2));
+    const contact::ContactSystem step = problem.under({same, {}, {}, 0});
     const contact::Problem& a = problem.numbers();
     const contact::Problem& b = step.numbers();
     TEST_EQUALITY(a.offset.size(), b.offset.size());

@@ -100,8 +100,10 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
     return met.gap + dot(motion(met), across(t)) - normal(t);
   };
   const Polynomial own = component(along, solved.displacementBefore);
-  const auto tangential = [&opposite, &element, along, own, motion](double t) {
-    return own(t) - dot(motion(opposite.at(element, t)), along(t));
+  const contact::Motions* before = solved.motionsBefore;
+  const auto tangential = [&opposite, &element, along, own, motion, before](double t) {
+    const auto met = opposite.at(element, t);
+    return own(t) - dot(motion(met) - motionAt(before, met), along(t));
   };
   const auto bound = [&mesh, &condition, units, e, pressure](double t) {
     return condition.friction.at(mesh.physicalPoint(e, t), units.stress)

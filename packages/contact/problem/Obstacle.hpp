@@ -10,14 +10,11 @@ namespace epafi::contact {
 /// g_i = <g, χ_i>, dimensionless, and what limits the tangential coefficients.
 struct Obstacle {
   Vector gap;  ///< per normal coefficient
-  /// <d_i · u, χ_i> of what moves without deforming, per coefficient.
-  Vector motion;
   std::vector<Tangential> tangentials;
   double largestPenetration = 0;  ///< max of -g
-  double largestMotion = 0;       ///< |u|
 };
 
-/// offset - g - what moves: the obstacle's part of d0.
+/// offset - g: the obstacle's part of d0.
 void takeAway(const Obstacle& obstacle, Vector& offset);
 
 /// \throws bem::InputError if a field of a friction law is negative or not finite, naming
