@@ -8,6 +8,7 @@
 #include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/problem/RigidBodies.hpp"
 #include "contact/problem/Stabilization.hpp"
+#include "drivers/scene/Expression.hpp"
 #include "drivers/scene/History.hpp"
 #include "drivers/scene/LinearMethod.hpp"
 #include "drivers/scene/RunLimits.hpp"
@@ -74,6 +75,7 @@ struct ContactPair {
 struct Scene {
   std::string title;
   std::string file;
+  Constants constants;  ///< that its expressions know
 
   std::vector<Body> bodies;
   std::vector<RigidBody> rigid;

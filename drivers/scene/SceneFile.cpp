@@ -98,7 +98,11 @@ RawScene readYaml(const std::string& text, const std::string& standardTitle) {
     if (std::string(error.what()).find("rhs.at") != std::string::npos)
       throw InputError(
           "malformed YAML: everything must stand under one title, 'My scene:'");
-    throw InputError("malformed YAML: " + complaint(error));
+    const bool nested =
+        text.find("- [") != std::string::npos || text.find("- - ") != std::string::npos;
+    throw InputError(
+        "malformed YAML: " + complaint(error) +
+        (nested ? "; arrays of arrays stand in brackets, [[0, 0], [1, 0]]" : ""));
   }
 }
 

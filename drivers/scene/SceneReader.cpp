@@ -305,7 +305,7 @@ void refuseMotion(const ParameterList& motion, const std::string& path) {
                                "have Boundary Conditions and Rigid Motions"));
 }
 
-Body readBody(ParameterList& list, const std::string& name, const std::string& file,
+Body readBody(ParameterList& list, const std::string& name, const Scene& scene,
               const Loops& loops, double length, const ParameterList& discretization) {
   const std::string path = "Bodies->" + name;
   Body body;
@@ -313,7 +313,8 @@ Body readBody(ParameterList& list, const std::string& name, const std::string& f
   body.material = readMaterial(list.sublist("Material"), path + "->Material");
   refuseMotion(list.sublist("Motion"), path);
   body.outline = makeOutline(loops, length, path + "->Geometry");
-  body.conditions = readConditions(list, {file, path}, *body.outline);
+  body.conditions =
+      readConditions(list, {scene.file, path}, *body.outline, {scene.constants});
   readMesh(list.sublist("Mesh"), discretization, path, body);
   return body;
 }
@@ -354,7 +355,7 @@ bem::Vec2 readPole(const ParameterList& motion, const std::string& path,
 }
 
 RigidBody readRigid(const ParameterList& list, const std::string& name,
-                    const std::string& file, const Loops& loops) {
+                    const Scene& scene, const Loops& loops) {
   const std::string path = "Bodies->" + name;
   refuseElasticity(list, path);
   RigidBody body;
@@ -374,9 +375,9 @@ RigidBody readRigid(const ParameterList& list, const std::string& name,
     const std::string key = free ? pushed : moved;
     if (motion.isParameter(key))
       body.components[c] = {free, [text = motion.get<std::string>(key),
-                                   place = Place{file, path + "->Motion->" + key},
-                                   pole = body.pole](double t) {
-                              return makeExpression(text, place, t)(pole);
+                                   place = Place{scene.file, path + "->Motion->" + key},
+                                   constants = scene.constants](double t) {
+                              return evaluateAt(t, text, place, constants);
                             }};
   }
   return body;
@@ -403,10 +404,10 @@ void readBodies(ParameterList& list, const ParameterList& discretization, Scene&
     ParameterList& body = list.sublist(item.first);
     const Loops& own = loops[b++];
     if (isRigid(body))
-      scene.rigid.push_back(readRigid(body, item.first, scene.file, own));
+      scene.rigid.push_back(readRigid(body, item.first, scene, own));
     else
       scene.bodies.push_back(
-          readBody(body, item.first, scene.file, own, length, discretization));
+          readBody(body, item.first, scene, own, length, discretization));
   }
   if (scene.bodies.empty())
     throw InputError("Bodies: all bodies are rigid; at least one must be elastic");
@@ -421,17 +422,19 @@ void readHistory(ParameterList& used, Scene& scene) {
     used.remove("History");
     return;
   }
-  scene.conditionsAt = [lists = scene.used, file = scene.file, bodies = scene.bodies](
-                           double t) {
+  scene.conditionsAt = [lists = scene.used, file = scene.file, bodies = scene.bodies,
+                        constants = scene.constants](double t) {
     std::vector<contact::Conditions> all;
     for (const Body& body : bodies) {
       all.push_back(readConditions(lists->sublist("Bodies").sublist(body.name),
-                                   {file, "Bodies->" + body.name}, *body.outline, t));
+                                   {file, "Bodies->" + body.name}, *body.outline,
+                                   {constants, t}));
       for (const auto& [boundary, contact] : body.conditions.contact)
         if (!contact.name.empty()) {
           contact::Conditions::Contact now =
               readContactOfBodies(lists->sublist("Contacts").sublist(contact.name),
-                                  {file, "Contacts->" + contact.name}, t);
+                                  {file, "Contacts->" + contact.name},
+                                  {constants, t, normalOn(*body.outline, boundary)});
           now.name = contact.name;
           now.parts = contact.parts;
           all.back().contact[boundary] = std::move(now);
@@ -452,6 +455,7 @@ Scene build(const std::string& file, const RawScene& raw) {
   scene.used = Teuchos::rcp(new ParameterList(complete(raw.list, raw.title)));
   ParameterList& used = *scene.used;
 
+  scene.constants = readConstants(used.sublist("Constants"), {file, "Constants"});
   const ParameterList& discretization = used.sublist("Discretization");
   readBodies(used.sublist("Bodies"), discretization, scene);
   readContacts(used.sublist("Contacts"), file, scene);

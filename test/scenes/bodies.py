@@ -182,4 +182,15 @@ refused("a body without hold", [A, B, body("d", block(3, 0, 4, 1), 1.0)],
 refused("an interference that is no number", [A, B],
         contact("c", "a:bottom", "b:top", parameter("Interference", "string", "1/0")),
         "Interference")
+
+# a force on one of the bodies, from a constant
+TOP = "Bodies->pad->Boundary Conditions->top"
+run(scene("two-blocks.xml"), "force", [
+    "Constants->push=0.0075", TOP + "={Type=Neumann, Force X=0.2*push, Force Y=-2*push*t}",
+    "Bodies->pad->Geometry->Vertices=4x2:{-0.5,0, 0.5,0, 0.25,0.5, -0.5,0.5}"])
+for row in table(os.path.join(WORK, "force", "bodies.csv")):
+    if row["body"] == "pad":
+        claim(abs(float(row["load_x"]) - 0.0015) < 1e-15 and
+              abs(float(row["load_y"]) + 0.015) < 1e-15, "the load is the force")
+claim(imbalance("force") < 1e-10, "and the bodies balance")
 finish()

@@ -371,11 +371,14 @@ State ContactSystem::joined(const std::vector<State>& states,
 
 Configuration ContactSystem::configuration(State state) const {
   Configuration result;
-  const Vector still(at(numbers().rigidMotions()), 0.0);
-  auto motions = state.rigid.empty() ? still.begin() : state.rigid.begin();
+  if (state.multiplier.empty())
+    state.multiplier.assign(at(numbering().size()), 0.0);
+  if (state.rigid.empty())
+    state.rigid.assign(at(numbers().rigidMotions()), 0.0);
+  auto motions = state.rigid.begin();
   for (std::size_t b = 0; b < size(); ++b) {
     State own;
-    for (Index i = 0; i < numbering().sizeOf(b) && !state.multiplier.empty(); ++i)
+    for (Index i = 0; i < numbering().sizeOf(b); ++i)
       own.multiplier.push_back(state.multiplier[at(numbering()(b, i))]);
     own.rigid.assign(motions, motions + body(b).freeMotions());
     motions += body(b).freeMotions();

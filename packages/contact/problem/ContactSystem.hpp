@@ -100,8 +100,8 @@ class ContactSystem {
   const Problem& numbers() const;
   const Vector& gap() const;
 
-  /// The state of all from each body's own, and back with everything that follows from it.
-  /// An empty vector stays empty.  `rigid`: motions of bodies that do not deform; empty:
+  /// The state of all from each body's own, where an empty vector stays empty, and back with
+  /// everything that follows from it, where it is zero.  `rigid`: motions of bodies that do not deform; empty:
   /// they begin where they are.
   State joined(const std::vector<State>& states,
                const std::vector<RigidMotion>& rigid = {}) const;
