@@ -233,7 +233,8 @@ class Recorder {
     stages_ += bem::message("level ", level.row.level, ": ",
                             contact::told(level.row.report.stages), "\n");
     if (level.path == nullptr)
-      bodies_ += bodiesLines(scene_, level.row.level, 0, level.row.bodies, level.row.rigid);
+      bodies_ +=
+          bodiesLines(scene_, level.row.level, 0, level.row.bodies, level.row.rigid);
     writeLevel(scene_, level, used_, history_, bodies_, path_, *folder_);
     path_.contacts.clear();
     contact_ = PathContact(scene_);

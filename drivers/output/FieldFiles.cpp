@@ -143,10 +143,11 @@ std::string bodiesLines(const Scene& scene, int level, int step,
                       {bodies[b].load, bodies[b].contact, bodies[b].reaction},
                       bodies[b].energyStrain, bodies[b].motion);
   for (const RigidRow& row : rigid)
-    lines += bodyLine(row.name, level, step,
-                      {aboutOrigin(row.load, row.pole), aboutOrigin(row.contact, row.pole),
-                       aboutOrigin(row.reaction, row.pole)},
-                      0, row.motion);
+    lines +=
+        bodyLine(row.name, level, step,
+                 {aboutOrigin(row.load, row.pole), aboutOrigin(row.contact, row.pole),
+                  aboutOrigin(row.reaction, row.pole)},
+                 0, row.motion);
   return lines;
 }
 

@@ -13,9 +13,9 @@ namespace epafi::drivers {
 /// Columns behind those of contact.csv, and their cells at a point.
 struct MoreContactColumns {
   std::vector<std::string> names;
-  std::function<std::vector<std::string>(
-      std::size_t body, const contact::ContactFields::Element& element, double t,
-      const contact::ContactPoint& point)>
+  std::function<std::vector<std::string>(std::size_t body,
+                                         const contact::ContactFields::Element& element,
+                                         double t, const contact::ContactPoint& point)>
       cells;
 };
 

@@ -56,8 +56,9 @@ std::string PathContact::next(const SolvedLevel& level) {
          here.shear = std::max(here.shear, std::abs(point.shear));
          here.tension = std::max(here.tension, stress);
          const double amplitude = (here.most - here.least) / 2;
-         const double work = solved.units.stress * solved.units.length *
-                             solved.problem.multiplier().at(densities[b], element, t).tangential;
+         const double work =
+             solved.units.stress * solved.units.length *
+             solved.problem.multiplier().at(densities[b], element, t).tangential;
          return std::vector<std::string>{exactly(point.tangential - here.first),
                                          exactly(work),
                                          exactly(amplitude),

@@ -277,7 +277,7 @@ void writeCheckpoint(const Checkpoint& checkpoint, Hdf5Writer& writer) {
   const PathArrays path = pathArraysOf(level);
   const bool several = !arrays.bodies.empty();
   const bool all = !arrays.rigidBodies.empty() || (several && hasPath(checkpoint));
-  number("format", all                     ? formatOfAll
+  number("format", all                   ? formatOfAll
                    : hasPath(checkpoint) ? formatOfPath
                    : several             ? formatOfSeveral
                                          : formatOfOne);

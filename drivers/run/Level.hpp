@@ -32,8 +32,8 @@ struct PathPoint {
 struct Level {
   int number = 0;
   contact::Status status = contact::Status::NotConverged;
-  std::string reason;             ///< empty when converged
-  std::vector<BodyLevel> bodies;  ///< as the scene has them
+  std::string reason;                         ///< empty when converged
+  std::vector<BodyLevel> bodies;              ///< as the scene has them
   std::vector<contact::RigidMotion> rigid{};  ///< likewise, dimensionless
 
   /// Over all bodies.

@@ -80,9 +80,9 @@ std::vector<adaptivity::Indicators> estimated(const Ground& ground,
                                               const SolvedBodies& solved) {
   std::vector<adaptivity::Indicators> result;
   for (std::size_t b = 0; b < solved.bodies().size(); ++b)
-    result.push_back(adaptivity::estimateResidual(
-        solved.bodies()[b], solved.densities()[b], ground.lames[b],
-        ground.scene.adaptivity.estimator));
+    result.push_back(adaptivity::estimateResidual(solved.bodies()[b],
+                                                  solved.densities()[b], ground.lames[b],
+                                                  ground.scene.adaptivity.estimator));
   return result;
 }
 
@@ -164,8 +164,9 @@ Level solveOnce(const Ground& ground, const contact::ContactSystem& system,
       level.bodies[b].indicators = std::move(indicators[b]);
   });
   timer.run(Phase::Results, [&] {
-    course.handOut({solved.bodies(), level,
-                    makeRow(level, course.size, gamma0Of(system), solved, report, timer)});
+    course.handOut(
+        {solved.bodies(), level,
+         makeRow(level, course.size, gamma0Of(system), solved, report, timer)});
   });
   return level;
 }

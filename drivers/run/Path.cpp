@@ -108,8 +108,8 @@ class Follower {
         path_.steps.empty() ? *path_.start : path_.last().solved->placement();
     PathStep& step = *latest_;
     const contact::ContactSystem& system = *step.system;
-    step.solved = std::make_unique<const SolvedBodies>(
-        ground_, system, step.conditions, std::move(latestAt_), &before);
+    step.solved = std::make_unique<const SolvedBodies>(ground_, system, step.conditions,
+                                                       std::move(latestAt_), &before);
     const contact::Configuration& at = step.solved->at();
     const bem::Units units = ground_.scene.units();
     const double energy = units.stress * units.length * units.length;

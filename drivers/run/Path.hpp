@@ -52,8 +52,8 @@ struct Path {
   std::unique_ptr<const Placement> start;        ///< before the first: nothing has moved
   std::vector<std::unique_ptr<PathStep>> steps;  ///< those that were asked for
   std::vector<PathPoint> points;                 ///< every step that was solved
-  contact::Report report;                        ///< iterations of all; status of the last
-  std::string reason;                            ///< why the path ends early; else empty
+  contact::Report report;  ///< iterations of all; status of the last
+  std::string reason;      ///< why the path ends early; else empty
 
   const PathStep& last() const { return *steps.back(); }
 };

@@ -48,8 +48,9 @@ struct Body {
 struct RigidBody {
   /// Of x, y and the rotation.
   struct Component {
-    bool free = false;                    ///< under a force
-    std::function<double(double t)> value;  ///< the force or moment, or the motion [radian]
+    bool free = false;  ///< under a force
+    std::function<double(double t)>
+        value;  ///< the force or moment, or the motion [radian]
   };
   std::string name;
   std::shared_ptr<const bem::Outline> outline;

@@ -363,8 +363,9 @@ RigidBody readRigid(const ParameterList& list, const std::string& name,
   body.outline = makeOutline(loops, 0, path + "->Geometry");
   const ParameterList& motion = list.sublist("Motion");
   body.pole = readPole(motion, path + "->Motion->Reference Point", *body.outline);
-  constexpr std::pair<const char*, const char*> keys[] = {
-      {"Displacement X", "Force X"}, {"Displacement Y", "Force Y"}, {"Rotation", "Moment"}};
+  constexpr std::pair<const char*, const char*> keys[] = {{"Displacement X", "Force X"},
+                                                          {"Displacement Y", "Force Y"},
+                                                          {"Rotation", "Moment"}};
   for (std::size_t c = 0; c < 3; ++c) {
     const auto& [moved, pushed] = keys[c];
     const bool free = motion.isParameter(pushed);

@@ -47,8 +47,9 @@ class PathMemory {
   double largestLoad_ = 0;
   // of the step before
   Vector multiplier_;
-  Vector motions_;  ///< displacements of all bodies and motions of those that do not deform
-  Vector forces_;   ///< f + R, and what moves these
+  Vector
+      motions_;  ///< displacements of all bodies and motions of those that do not deform
+  Vector forces_;  ///< f + R, and what moves these
   Vector gap_;
 };
 

@@ -98,8 +98,7 @@ struct ContactSystem::Parts {
   }
 
   /// On all multipliers.
-  RigidTraces tracesOf(int body,
-                       const std::vector<ContactProblem::Input>& inputs) const {
+  RigidTraces tracesOf(int body, const std::vector<ContactProblem::Input>& inputs) const {
     std::vector<RigidTraces> parts;
     RigidTraces all{Matrix(numbering.size(), 3)};
     for (std::size_t a = 0; a < size(); ++a) {
@@ -112,7 +111,8 @@ struct ContactSystem::Parts {
       for (Index k = 0; k < 3; ++k)
         for (Index i = 0; i < numbering.sizeOf(a); ++i)
           all.traces(numbering(a, i), k) =
-              parts[a].traces(i, k) * (k == 2 && all.lever > 0 ? parts[a].lever / all.lever : 1);
+              parts[a].traces(i, k) *
+              (k == 2 && all.lever > 0 ? parts[a].lever / all.lever : 1);
     return all;
   }
 
@@ -309,8 +309,8 @@ ContactSystem ContactSystem::under(const Step& step) const {
   assert(step.conditions.size() == size() && step.rigid.size() == drives().size());
   std::vector<ContactProblem> bodies;
   for (std::size_t b = 0; b < size(); ++b)
-    bodies.push_back(ContactProblem(std::make_unique<ContactProblem::Parts>(
-        *body(b).parts_, step.conditions[b])));
+    bodies.push_back(ContactProblem(
+        std::make_unique<ContactProblem::Parts>(*body(b).parts_, step.conditions[b])));
   auto parts = std::make_unique<Parts>(
       Parts{std::move(bodies), numbering(), step.rigid, parts_->couplings});
   parts->respondAll(*parts_);
@@ -386,8 +386,7 @@ Configuration ContactSystem::configuration(State state) const {
   }
   for (std::size_t b = 0; b < size(); ++b) {
     result.met.push_back(parts_->pressed(b, result.bodies));
-    result.displacements.push_back(
-        body(b).displacement(result.bodies[b], result.met[b]));
+    result.displacements.push_back(body(b).displacement(result.bodies[b], result.met[b]));
   }
   for (std::size_t k = 0; k < drives().size(); ++k) {
     double components[3];

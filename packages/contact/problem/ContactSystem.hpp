@@ -46,9 +46,9 @@ class Numbering {
 
 /// What a state of a system means for its bodies, dimensionless.
 struct Configuration {
-  State state;                        ///< of all
-  std::vector<State> bodies;          ///< own multipliers and motions of those that deform
-  std::vector<Vector> met;            ///< what presses on each, see ContactProblem
+  State state;                ///< of all
+  std::vector<State> bodies;  ///< own multipliers and motions of those that deform
+  std::vector<Vector> met;    ///< what presses on each, see ContactProblem
   std::vector<Vector> displacements;  ///< likewise all unknowns
   std::vector<RigidMotion> rigid;     ///< of those that do not
 };

@@ -14,12 +14,12 @@ class Opposite {
   virtual ~Opposite() = default;
 
   struct Point {
-    double gap = 0;      ///< along the side's outward normal, dimensionless
-    int element = -1;    ///< of the body that is met; -1: nothing that deforms
-    double t = 0;        ///< where on it
-    int body = 0;        ///< which of the bodies that deform
-    int rigid = -1;      ///< which of those that do not; -1: none that moves
-    bem::Vec2 arm{};     ///< on it from its reference point, dimensionless
+    double gap = 0;    ///< along the side's outward normal, dimensionless
+    int element = -1;  ///< of the body that is met; -1: nothing that deforms
+    double t = 0;      ///< where on it
+    int body = 0;      ///< which of the bodies that deform
+    int rigid = -1;    ///< which of those that do not; -1: none that moves
+    bem::Vec2 arm{};   ///< on it from its reference point, dimensionless
   };
   /// \pre -1 <= t <= 1.
   virtual Point at(const MultiplierSpace::ContactElement& element, double t) const = 0;
