@@ -440,16 +440,14 @@ std::string solutionFile(const Scene& scene, const SolvedLevel& level,
                          const std::string& used, const std::string& history,
                          const std::string& steps) {
   std::string names;
+  for (const std::string& name : gridBoundaries(scene))
+    names += name + "\n";
   std::vector<std::vector<EdgeEnds>> outlines;
-  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
-    const bem::Outline& outline = level.bodies[b].space.mesh().outline();
-    outlines.push_back(edgeEnds(outline));
-    for (const std::string& name : boundaryNames(outline))
-      names += scene.boundaryName(b, name) + "\n";
-  }
+  for (const contact::Solved& body : level.bodies)
+    outlines.push_back(edgeEnds(body.space.mesh().outline()));
 
   Hdf5Writer writer;
-  writeGrid(fieldGrid(level), writer);
+  writeGrid(fieldGrid(scene, level), writer);
   writeCheckpoint({level.level, used, history, steps, level.row.secondsTotal,
                    level.row.secondsWall, outlines},
                   writer);

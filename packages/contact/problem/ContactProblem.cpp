@@ -184,13 +184,8 @@ double ContactProblem::storedEnergy(const State& state,
   double twice = 0;
   for (std::size_t i = 0; i < force.size(); ++i)
     twice -= force[i] * displacement[i];
-  if (!state.multiplier.empty()) {
-    const Matrix mass = parts_->form->multiplierMass();
-    for (Index j = 0; j < mass.columns(); ++j)
-      for (Index i = 0; i < mass.rows(); ++i)
-        twice += state.multiplier[static_cast<std::size_t>(i)] * mass(i, j) *
-                 state.multiplier[static_cast<std::size_t>(j)];
-  }
+  if (!state.multiplier.empty())
+    twice += parts_->form->multiplierWork(state.multiplier);
   return twice / 2;
 }
 
