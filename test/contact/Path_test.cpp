@@ -1,6 +1,7 @@
 // Steps of a path: one problem at many times, and what friction remembers of them.
 #include "Algebra.hpp"
 #include "contact/Solve.hpp"
+#include "contact/equation/ProblemFamily.hpp"
 #include "contact/path/PathMemory.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -159,6 +160,63 @@ TEUCHOS_UNIT_TEST(Path, theBalanceOfEnergyIsOfSecondOrderInTheStep) {
     // 16 times less, but which points open and close in a step is up to chance
     TEST_COMPARE(std::abs(fine.imbalance), <, std::abs(coarse.imbalance) / 6);
   }
+}
+
+TEUCHOS_UNIT_TEST(Path, theIncrementLeadsFromTheStepBeforeToThisOne) {
+  const contact::Stabilization stabilization = formOf(Form::Projected);
+  const auto& basis = contact::multiplierBasis("Gauss-Legendre-Lagrange");
+  const auto before = alone(conditionsAt(1));
+  const auto now = alone(conditionsAt(1.5));
+  const bem::Lame lame{{1, 0.3, false}};
+  const bem::Space space = contact::makeSpace(mesh(2), now[0], stabilization);
+  const bem::SteklovPoincare stiffness =
+      contact::makeStiffness(space, contact::MultiplierSpace(space.mesh(), basis, now[0]),
+                             stabilization, lame, units, test::algebra());
+  const contact::ContactSystem system(
+      {{space, stiffness, lame, units, before[0], basis, stabilization}});
+  contact::PathMemory memory(system);
+  const contact::ContactSystem first = system.under({before});
+  const State state = test::solve(first.numbers(), {}).state;
+  memory.add(first, first.configuration(state));
+  const contact::ContactSystem last =
+      system.under({before, {}, memory.slip(), memory.largestLoad()});
+  const contact::ContactSystem step =
+      system.under({now, {}, memory.slip(), memory.largestLoad()});
+  const contact::ProblemFamily family(step.numbers(), step.gap(), last.numbers());
+  TEST_ASSERT(family.isStep());
+
+  // the step before is solved by its own state, friction included, and not by another part
+  const auto& function = contact::complementarities().at("Projection");
+  const auto residual = [&](double s, const Vector& x) {
+    const contact::Problem problem = family.at({1, 1, s});
+    return contact::Equation(problem, function, contact::Equation::Bound::Differentiated,
+                             0)
+        .at(x)
+        .residual;
+  };
+  const auto largest = [](const Vector& v) {
+    double size = 0;
+    for (const double x : v)
+      size = std::max(size, std::abs(x));
+    return size;
+  };
+  const Vector x = contact::pack(step.numbers(), state);
+  TEST_COMPARE(largest(residual(0, x)), <, 1e-10 * step.numbers().stress);
+  TEST_COMPARE(largest(residual(1, x)), >, 1e-4 * step.numbers().stress);
+
+  const contact::Problem middle = family.at({1, 1, 0.5});
+  const contact::Equation equation(middle, function,
+                                   contact::Equation::Bound::Differentiated, 0);
+  const contact::Evaluation e = equation.at(x);
+  const Vector derivative = family.incrementDerivative(equation, e);
+  constexpr double h = 1e-6;
+  const Vector above = residual(0.5 + h, x);
+  const Vector below = residual(0.5 - h, x);
+  for (std::size_t i = 0; i < derivative.size(); ++i)
+    TEST_COMPARE(std::abs((above[i] - below[i]) / (2 * h) - derivative[i]), <=,
+                 1e-6 * (largest(derivative) + 1e-12));
+  TEST_THROW(contact::ProblemFamily(step.numbers(), step.gap()).at({1, 1, 0.5}),
+             bem::InputError);
 }
 
 }  // namespace epafi
