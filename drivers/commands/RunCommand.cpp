@@ -17,6 +17,7 @@
 #include "drivers/process/Ranks.hpp"
 #include "drivers/process/Versions.hpp"
 #include "drivers/run/Levels.hpp"
+#include "drivers/run/Warnings.hpp"
 #include "drivers/scene/SceneReader.hpp"
 
 #include <algorithm>
@@ -92,8 +93,8 @@ Beginning begin(const RunOptions& options, const Scene& scene) {
 
 /// What the steps of a path leave in files.
 struct PathRecord {
-  std::string steps;                  ///< steps.csv of all levels so far
-  std::vector<std::string> contacts;  ///< contact.csv of the steps of this level
+  std::string steps;                    ///< steps.csv of all levels so far
+  std::vector<std::string> contacts;    ///< contact.csv of the steps of this level
   std::vector<std::string> boundaries;  ///< likewise boundary.vtu
   std::vector<double> times;            ///< likewise
 };
@@ -184,12 +185,15 @@ class Recorder {
   }
 
   int levels() const { return levels_; }
+  /// Of the last level.
+  const std::vector<std::string>& warnings() const { return warnings_; }
 
   void take(const SolvedLevel& level) {
     ++levels_;
     if (folder_) {
       write(level);
       last_ = level.level;
+      warnings_ = warningsOf(scene_, level);
     }
     solved_(level.level.number);
   }
@@ -266,6 +270,7 @@ class Recorder {
   PathContact contact_;
   std::string stages_ = "\nSolver stages, steps, how they ended\n";
   std::optional<Level> last_;
+  std::vector<std::string> warnings_;
   int levels_ = 0;
 };
 
@@ -282,6 +287,13 @@ std::string advice(const RunOptions& options, const Scene& scene,
     command += " --set '" + assignment + "'";
   return bem::message("interrupted behind level ", level, "; to go on from it: ", command,
                       " --restart ", folder);
+}
+
+/// For people, so not under --quiet.
+void warn(const std::vector<std::string>& warnings, const RunOptions& options) {
+  if (!options.quiet)
+    for (const std::string& warning : warnings)
+      std::cerr << "epafi: warning: " << warning << "\n";
 }
 
 /// timings.txt is written also if that fails.
@@ -326,6 +338,8 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   if (beginning.earlier)
     table << "goes on " << placeOf(beginning.earlier->level) << " in " << options.restart
           << "\n";
+  if (ranks.isFirst())
+    warn(warningsOf(scene), options);
   table << tableHead() << std::flush;
 
   PhaseTimer timer([&](const std::string& phase) {
@@ -340,6 +354,7 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   if (!folder)
     return code;
   recorder.finish(timer);
+  warn(recorder.warnings(), options);
   (converged ? table : std::cerr)
       << (converged ? "ended   " : "epafi: ") << outcome.reason << "\n";
   table << timeSummary(timer) << filesWritten(*folder);

@@ -21,8 +21,8 @@ std::string quoted(const std::string& cell) {
 
 std::string exactly(double value) {
   char text[32];  // as printf's %.17g, in a fraction of its time
-  const auto end = std::to_chars(text, text + sizeof text, value,
-                                 std::chars_format::general, 17);
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::general, 17);
   return {text, end.ptr};
 }
 

@@ -182,10 +182,9 @@ void OutputFolder::discard() {
 
 const std::vector<std::string>& outputFiles() {
   static const std::vector<std::string> names = {
-      "history.csv", "steps.csv",    "contact.csv",  "boundary.csv",
-      "bodies.csv",  "interior.csv", "solution.hdf", "used.xml",
-      "timings.txt", "study.csv",    "fields.csv",   "fields.vtu",
-      "steps.pvd"};
+      "history.csv",  "steps.csv",    "contact.csv", "boundary.csv", "bodies.csv",
+      "interior.csv", "solution.hdf", "used.xml",    "timings.txt",  "study.csv",
+      "fields.csv",   "fields.vtu",   "steps.pvd"};
   return names;
 }
 

@@ -76,15 +76,14 @@ std::string boundaryVtu(const Scene& scene, const SolvedLevel& level) {
          std::to_string(grid.pressure.size()) + "\" NumberOfCells=\"" +
          std::to_string(lines) + "\">\n<PointData Vectors=\"displacement\">\n" +
          dataArray("displacement", grid.displacement, 3) +
-         dataArray("traction", grid.traction, 3) +
-         dataArray("lambda_n", grid.pressure) + dataArray("lambda_t", grid.shear) +
-         dataArray("gap", grid.gap) + dataArray("contact", grid.contact) +
-         dataArray("friction", grid.friction) + "</PointData>\n<CellData>\n" +
-         dataArray("element", grid.element) + dataArray("degree", grid.degree) +
-         dataArray("boundary", grid.boundary) + dataArray("body", grid.body) +
-         "</CellData>\n<Points>\n" + dataArray("Points", grid.points, 3) +
-         "</Points>\n<Cells>\n" + dataArray("connectivity", grid.ends) +
-         dataArray("offsets", offsets) +
+         dataArray("traction", grid.traction, 3) + dataArray("lambda_n", grid.pressure) +
+         dataArray("lambda_t", grid.shear) + dataArray("gap", grid.gap) +
+         dataArray("contact", grid.contact) + dataArray("friction", grid.friction) +
+         "</PointData>\n<CellData>\n" + dataArray("element", grid.element) +
+         dataArray("degree", grid.degree) + dataArray("boundary", grid.boundary) +
+         dataArray("body", grid.body) + "</CellData>\n<Points>\n" +
+         dataArray("Points", grid.points, 3) + "</Points>\n<Cells>\n" +
+         dataArray("connectivity", grid.ends) + dataArray("offsets", offsets) +
          dataArray("types", std::vector<unsigned char>(lines, vtkLine)) +
          "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }

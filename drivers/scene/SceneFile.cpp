@@ -228,7 +228,22 @@ std::string readText(const std::string& file) {
   return text.str();
 }
 
-RawScene rawScene(const std::string& text, const std::string& file) {
+namespace {
+
+/// Editors of Windows begin files with a mark of the encoding.
+std::string withoutMark(const std::string& text) {
+  const auto begins = [&](const char* mark) { return text.rfind(mark, 0) == 0; };
+  const bool zeros = text.substr(0, 4).find('\0') != std::string::npos;
+  if (begins("\xFF\xFE") || begins("\xFE\xFF") || zeros)
+    throw InputError(
+        "its encoding is UTF-16 or UTF-32; save the file with the encoding UTF-8");
+  return begins("\xEF\xBB\xBF") ? text.substr(3) : text;
+}
+
+}  // namespace
+
+RawScene rawScene(const std::string& marked, const std::string& file) {
+  const std::string text = withoutMark(marked);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw InputError("the file is empty");
   const std::filesystem::path path(file);

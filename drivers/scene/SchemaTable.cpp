@@ -184,7 +184,7 @@ void addSeveralBodies(Table& table) {
               .required(),
           Row(contact + "->Interference", Kind::Expression,
               "overlap along the first side's outward normal, in addition to that of the "
-              "outlines as drawn")
+              "outlines as drawn; alone where Law is Tied")
               .unit("length")
               .standard("0"),
           Row(contact + "->Friction", Kind::List, "how much shear the contact carries"),

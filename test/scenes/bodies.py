@@ -2,9 +2,9 @@
 swapped sides, restart, and what is refused."""
 import os
 
-from build import (block, body, condition, contact, friction, geometry, listed, mesh, parameter,
-                   rigid, written)
 from runs import WORK, claim, epafi, finish, fresh, run, scene, table
+from written import (block, body, condition, contact, friction, geometry, listed, mesh,
+                     parameter, rigid, written)
 
 def imbalance(name):
     """Of the worst body, relative to its largest resultant."""

@@ -6,8 +6,9 @@ carry the tractions of Boussinesq's and Flamant's forces, as in fretting.xml.  a
 import math
 import os
 
-from build import block, body, condition, contact, friction, listed, parameter, rigid, written
 from runs import WORK, claim, epafi, finish, fresh, table
+from written import (block, body, condition, contact, friction, geometry, listed,
+                     parameter, rigid, written)
 
 P, P0, F = math.pi / 400, 0.005, 0.5
 PRESS = "pi/400*min(t, 1)"
@@ -40,8 +41,8 @@ def half(name, up, modulus, push, press=PRESS, ratio=0.3, side=COARSE):
     grid = listed("Mesh", parameter("Elements per Edge", "Array(int)",
                                     "{%s}" % ", ".join(map(str, counts + [6, 6, 6]))),
                   parameter("Degree", "int", 2))
-    return body(name, corners, modulus, load, "{X, Y, Rotation}" if up < 0 else "", grid, ratio,
-                "{%s}" % ", ".join(sides))
+    return body(name, geometry(corners, "{%s}" % ", ".join(sides)), modulus, load,
+                "{X, Y, Rotation}" if up < 0 else "", grid, ratio)
 
 
 def solve(name, bodies, contacts, path, form="Density", settings=(), restart=None):

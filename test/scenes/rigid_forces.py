@@ -3,8 +3,9 @@ and forces against each other, balance, and what is refused."""
 import math
 import os
 
-from build import block, body, condition, contact, friction, listed, parameter, rigid, written
 from runs import WORK, claim, epafi, finish, fresh, scene, table
+from written import (block, body, condition, contact, friction, listed, parameter,
+                     rigid, written)
 
 SCENE = scene("tilting-punch.xml")
 MOTION = "Bodies->punch->Motion->"

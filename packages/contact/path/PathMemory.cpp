@@ -70,7 +70,8 @@ PathMemory::PathMemory(const ContactSystem& atZero)
     : slip_(atZero.numbers().tangentials.size(), 0.0),
       friction_(slip_.size(), 0.0),
       multiplier_(static_cast<std::size_t>(atZero.numbers().size()), 0.0),
-      gap_(atZero.gap()) {
+      gap_(atZero.gap()),
+      jump_(multiplier_.size(), 0.0) {
   std::size_t size = 3 * atZero.drives().size();
   for (std::size_t b = 0; b < atZero.size(); ++b)
     size += atZero.body(b).load().size();
@@ -96,14 +97,17 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
   }
   Vector forces = forcesFromOutside(step, at);
   Vector motions = motionsOf(at);
-  outside_ += trapezoid(forces, forces_, motions, motions_, motions.size()) -
-              trapezoid(at.state.multiplier, multiplier_, step.gap(), gap_, normals);
+  outside_ +=
+      trapezoid(forces, forces_, motions, motions_, motions.size()) -
+      trapezoid(at.state.multiplier, multiplier_, step.gap(), gap_, normals) -
+      trapezoid(at.state.multiplier, multiplier_, step.jump(), jump_, jump_.size());
   slip_ = step.slipSoFar(at.state);
   largestLoad_ = std::max(largestLoad_, step.loadSize());
   multiplier_ = at.state.multiplier;
   motions_ = std::move(motions);
   forces_ = std::move(forces);
   gap_ = step.gap();
+  jump_ = step.jump();
 }
 
 double PathMemory::friction() const {

@@ -51,6 +51,7 @@ class PathMemory {
       motions_;  ///< displacements of all bodies and motions of those that do not deform
   Vector forces_;  ///< f + R, and what moves these
   Vector gap_;
+  Vector jump_;  ///< of bonded sides
 };
 
 /// Friction's work so far of each contact of a body, see nameOf; dimensionless, likewise its

@@ -71,6 +71,7 @@ struct ContactSystem::Parts {
   std::shared_ptr<const Couplings> couplings{};
   Problem numbers{};
   Vector gap{};
+  Vector jump{};
   Vector slipBefore{};
 
   std::size_t size() const { return bodies.size(); }
@@ -236,12 +237,17 @@ struct ContactSystem::Parts {
   /// Gaps, given motions and forces of bodies that do not deform, bounds and scales.
   void finish() {
     gap.assign(at(numbering.normals()), 0.0);
+    jump.assign(at(numbering.size()), 0.0);
     for (std::size_t b = 0; b < size(); ++b) {
       const ContactProblem::Parts& own = part(b);
       for (const Tangential& tangential : own.numbers.tangentials)
         numbers.tangentials.push_back(tangential.shifted(numbering(b, 0)));
-      for (Index i = 0; i < numbering.normalsOf(b); ++i) {
+      for (Index i = 0; i < numbering.sizeOf(b); ++i) {
         const Index k = numbering(b, i);
+        jump[at(k)] = own.obstacle.jump[at(i)];
+        numbers.offset[at(k)] -= jump[at(k)];
+        if (i >= numbering.normalsOf(b))
+          continue;
         gap[at(k)] = own.obstacle.gap[at(i)];
         numbers.offset[at(k)] -= gap[at(k)];
       }
@@ -340,6 +346,7 @@ const ContactProblem& ContactSystem::body(std::size_t b) const {
 }
 const Problem& ContactSystem::numbers() const { return parts_->numbers; }
 const Vector& ContactSystem::gap() const { return parts_->gap; }
+const Vector& ContactSystem::jump() const { return parts_->jump; }
 
 const Numbering& ContactSystem::numbering() const { return parts_->numbering; }
 

@@ -99,6 +99,8 @@ class ContactSystem {
   /// What the nonlinear solver sees, and see ContactProblem::gap.
   const Problem& numbers() const;
   const Vector& gap() const;
+  /// The jump that bonded sides are given, one number per coefficient.
+  const Vector& jump() const;
 
   /// The state of all from each body's own, where an empty vector stays empty, and back with
   /// everything that follows from it, where it is zero.  `rigid`: motions of bodies that do not deform; empty:

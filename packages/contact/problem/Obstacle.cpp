@@ -21,11 +21,13 @@ void addGap(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
     for (int q = 0; q < rule.size(); ++q) {
       const double t = middle + half * rule.points[q];
       const double gap = opposite.at(contact, t).gap;
-      obstacle.largestPenetration = std::max(obstacle.largestPenetration, -gap);
+      obstacle.largestPenetration =
+          std::max(obstacle.largestPenetration, contact.ties() ? std::abs(gap) : -gap);
       const Vector chi = multiplier.basis().values(contact.degree, t);
+      Vector& numbers = contact.ties() ? obstacle.jump : obstacle.gap;
       for (int i = 0; i <= contact.degree; ++i)
         if (!contact.holdsNothing(contact.normalCompletions, i))
-          obstacle.gap[static_cast<std::size_t>(contact.normalOf(i))] +=
+          numbers[static_cast<std::size_t>(contact.normalOf(i))] +=
               half * rule.weights[q] * element.half * gap *
               chi[static_cast<std::size_t>(i)];
     }
@@ -43,6 +45,16 @@ Vector fieldsAt(const ContactElement& contact, Vec2 x) {
 
 void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
                  const ContactElement& contact, bem::Units units, Obstacle& obstacle) {
+  const auto tangential = [&](Index k) -> Tangential& {
+    return obstacle.tangentials[static_cast<std::size_t>(k - multiplier.normals())];
+  };
+  if (contact.ties()) {
+    for (int i = 0; i <= contact.degree; ++i) {
+      tangential(contact.normalOf(i)) = Tangential::tied();
+      tangential(contact.tangentialOf(i)) = Tangential::tied();
+    }
+    return;
+  }
   std::vector<Index> normals;
   for (int i = 0; i <= contact.degree; ++i)
     normals.push_back(contact.normalOf(i));
@@ -52,8 +64,7 @@ void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
       units.stress);
   for (int i = 0; i <= contact.degree; ++i)
     if (ContactElement::isOwn(contact.tangentialEnds, contact.degree, i))
-      obstacle.tangentials[static_cast<std::size_t>(contact.tangentialOf(i) -
-                                                    multiplier.normals())] =
+      tangential(contact.tangentialOf(i)) =
           std::move(tangentials[static_cast<std::size_t>(i)]);
 }
 
@@ -62,12 +73,15 @@ void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
 void takeAway(const Obstacle& obstacle, Vector& offset) {
   for (std::size_t i = 0; i < obstacle.gap.size(); ++i)
     offset[i] -= obstacle.gap[i];
+  for (std::size_t i = 0; i < obstacle.jump.size(); ++i)
+    offset[i] -= obstacle.jump[i];
 }
 
 Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
                       const Opposite& opposite, bem::Units units) {
   Obstacle obstacle;
   obstacle.gap.assign(static_cast<std::size_t>(multiplier.normals()), 0.0);
+  obstacle.jump.assign(static_cast<std::size_t>(multiplier.size()), 0.0);
   obstacle.tangentials.resize(
       static_cast<std::size_t>(multiplier.size() - multiplier.normals()));
   for (const ContactElement& contact : multiplier.elements()) {

@@ -9,12 +9,13 @@ namespace epafi::contact {
 
 /// g_i = <g, χ_i>, dimensionless, and what limits the tangential coefficients.
 struct Obstacle {
-  Vector gap;  ///< per normal coefficient
+  Vector gap;   ///< per normal coefficient
+  Vector jump;  ///< of bonded sides likewise, per coefficient of the multiplier
   std::vector<Tangential> tangentials;
-  double largestPenetration = 0;  ///< max of -g
+  double largestPenetration = 0;  ///< max of -g, of |g| where sides are bonded
 };
 
-/// offset - g: the obstacle's part of d0.
+/// offset - g, jumps included: the obstacle's part of d0.
 void takeAway(const Obstacle& obstacle, Vector& offset);
 
 /// \throws bem::InputError if a field of a friction law is negative or not finite, naming
