@@ -9,6 +9,7 @@
 #include "drivers/output/PathContact.hpp"
 #include "drivers/output/Restart.hpp"
 #include "drivers/output/SolutionFile.hpp"
+#include "drivers/output/StepFiles.hpp"
 #include "drivers/output/StepsTable.hpp"
 #include "drivers/process/BlasCore.hpp"
 #include "drivers/process/Interrupt.hpp"
@@ -92,8 +93,10 @@ Beginning begin(const RunOptions& options, const Scene& scene) {
 
 /// What the steps of a path leave in files.
 struct PathRecord {
-  std::string steps;                  ///< steps.csv of all levels so far
-  std::vector<std::string> contacts;  ///< contact.csv of the steps of this level
+  std::string steps;                    ///< steps.csv of all levels so far
+  std::vector<std::string> contacts;    ///< contact.csv of the steps of this level
+  std::vector<std::string> boundaries;  ///< likewise boundary.vtu
+  std::vector<double> times;            ///< likewise
 };
 
 /// The files of a level take the place of those of the level before, the one that a
@@ -103,7 +106,11 @@ void writeLevel(const Scene& scene, const SolvedLevel& level, const std::string&
                 const PathRecord& path, OutputFolder& folder) {
   folder.stage("history.csv", history);
   for (std::size_t k = 0; k < path.contacts.size(); ++k)
-    folder.stage("steps/" + std::to_string(k + 1) + "/contact.csv", path.contacts[k]);
+    folder.stage(stepFile(k + 1, "contact.csv"), path.contacts[k]);
+  for (std::size_t k = 0; k < path.boundaries.size(); ++k)
+    folder.stage(stepFile(k + 1, "boundary.vtu"), path.boundaries[k]);
+  if (!path.boundaries.empty())
+    folder.stage("steps.pvd", stepsPvd(path.times));
   if (!path.contacts.empty())
     folder.stage("contact.csv", path.contacts.back());
   else if (scene.hasContact())
@@ -165,7 +172,7 @@ class Recorder {
         solved_(std::move(solved)),
         used_(usedXml(scene)),
         history_(earlier ? earlier->history : historyHead()),
-        path_{earlier ? earlier->steps : "", {}},
+        path_{earlier ? earlier->steps : "", {}, {}, {}},
         contact_(scene) {
     if (!folder_)
       return;
@@ -211,6 +218,11 @@ class Recorder {
       path_.steps = stepsHead(row);
     path_.steps += stepsLine(row);
     path_.contacts.push_back(contact_.next(level));
+    path_.times.push_back(row.t);
+    if (scene_.output.fields)
+      path_.boundaries.push_back(boundaryVtu(scene_, level));
+    if (scene_.hasSeveral())
+      bodies_ += bodiesLines(scene_, row.level, row.step, row.bodies, row.rigid);
     folder_->stage("steps.csv", path_.steps);
     if (scene_.output.fields)
       folder_->stage("solution.hdf",
@@ -234,9 +246,11 @@ class Recorder {
     history_ += historyLine(level.row);
     stages_ += bem::message("level ", level.row.level, ": ",
                             contact::told(level.row.report.stages), "\n");
-    bodies_ += bodiesLines(scene_, level.row);
+    if (level.path == nullptr)
+      bodies_ +=
+          bodiesLines(scene_, level.row.level, 0, level.row.bodies, level.row.rigid);
     writeLevel(scene_, level, used_, history_, bodies_, path_, *folder_);
-    path_.contacts.clear();
+    path_ = {path_.steps, {}, {}, {}};
     contact_ = PathContact(scene_);
     progress_.clear();
     table_ << tableLine(level.row)

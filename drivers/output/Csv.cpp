@@ -1,7 +1,7 @@
 #include "drivers/output/Csv.hpp"
 
 #include <cassert>
-#include <cstdio>
+#include <charconv>
 
 namespace epafi::drivers {
 
@@ -20,9 +20,10 @@ std::string quoted(const std::string& cell) {
 }  // namespace
 
 std::string exactly(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
+  char text[32];  // as printf's %.17g, in a fraction of its time
+  const auto end =
+      std::to_chars(text, text + sizeof text, value, std::chars_format::general, 17);
+  return {text, end.ptr};
 }
 
 std::string csvLine(const std::vector<std::string>& cells) {

@@ -4,6 +4,8 @@
 #include "drivers/output/Csv.hpp"
 #include "drivers/output/FieldGrid.hpp"
 
+#include <array>
+
 namespace epafi::drivers {
 
 namespace {
@@ -68,7 +70,7 @@ std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& b
                                           name.empty() ? *element.boundary : name,
                                           exactly(arc.at(element, t))};
         if (more.cells)
-          for (std::string& cell : more.cells(element, t, p))
+          for (std::string& cell : more.cells(b, element, t, p))
             cells.push_back(std::move(cell));
         csv.row(cells);
       }
@@ -104,21 +106,48 @@ std::string boundaryCsv(const Scene& scene, const SolvedLevel& level) {
 std::string bodiesHead() {
   return csvLine({"level", "body", "load_x", "load_y", "load_moment", "contact_x",
                   "contact_y", "contact_moment", "reaction_x", "reaction_y",
-                  "reaction_moment", "energy_strain"});
+                  "reaction_moment", "energy_strain", "step", "motion_x", "motion_y",
+                  "rotation"});
 }
 
-std::string bodiesLines(const Scene& scene, const LevelRow& row) {
+namespace {
+
+std::string bodyLine(const std::string& name, int level, int step,
+                     const std::array<contact::Resultant, 3>& sums, double energy,
+                     const contact::RigidMotion& motion) {
+  std::vector<std::string> cells = {std::to_string(level), name};
+  for (const contact::Resultant& sum : sums)
+    for (const double value : {sum.x, sum.y, sum.moment})
+      cells.push_back(exactly(value));
+  cells.push_back(exactly(energy));
+  cells.push_back(std::to_string(step));
+  for (const double value : {motion.slide.x, motion.slide.y, motion.turn})
+    cells.push_back(exactly(value));
+  return csvLine(cells);
+}
+
+/// Moments about the origin of the user's coordinates, as those of elastic bodies.
+contact::Resultant aboutOrigin(contact::Resultant sum, bem::Vec2 pole) {
+  sum.moment += cross(pole, {sum.x, sum.y});
+  return sum;
+}
+
+}  // namespace
+
+std::string bodiesLines(const Scene& scene, int level, int step,
+                        const std::vector<contact::Summary>& bodies,
+                        const std::vector<RigidRow>& rigid) {
   std::string lines;
-  for (std::size_t b = 0; b < row.bodies.size(); ++b) {
-    const contact::Summary& summary = row.bodies[b];
-    std::vector<std::string> cells = {std::to_string(row.level), scene.bodies[b].name};
-    for (const contact::Resultant& sum :
-         {summary.load, summary.contact, summary.reaction})
-      for (const double value : {sum.x, sum.y, sum.moment})
-        cells.push_back(exactly(value));
-    cells.push_back(exactly(summary.energyStrain));
-    lines += csvLine(cells);
-  }
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    lines += bodyLine(scene.bodies[b].name, level, step,
+                      {bodies[b].load, bodies[b].contact, bodies[b].reaction},
+                      bodies[b].energyStrain, bodies[b].motion);
+  for (const RigidRow& row : rigid)
+    lines +=
+        bodyLine(row.name, level, step,
+                 {aboutOrigin(row.load, row.pole), aboutOrigin(row.contact, row.pole),
+                  aboutOrigin(row.reaction, row.pole)},
+                 0, row.motion);
   return lines;
 }
 

@@ -13,7 +13,8 @@ namespace epafi::drivers {
 /// Columns behind those of contact.csv, and their cells at a point.
 struct MoreContactColumns {
   std::vector<std::string> names;
-  std::function<std::vector<std::string>(const contact::ContactFields::Element& element,
+  std::function<std::vector<std::string>(std::size_t body,
+                                         const contact::ContactFields::Element& element,
                                          double t, const contact::ContactPoint& point)>
       cells;
 };
@@ -27,9 +28,12 @@ std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& b
 /// the density ψ of Steklov-Poincaré's operator.
 std::string boundaryCsv(const Scene& scene, const SolvedLevel& level);
 
-/// bodies.csv: per level and body the resultants of loads, contact and what holds it, which
-/// add up to nothing.
+/// bodies.csv: per level, step of a path (else 0) and body the resultants of loads, contact
+/// and what holds it, which add up to nothing, and its motion: of a body that deforms the
+/// mean over its boundary, of another one that of its reference point.
 std::string bodiesHead();
-std::string bodiesLines(const Scene& scene, const LevelRow& row);
+std::string bodiesLines(const Scene& scene, int level, int step,
+                        const std::vector<contact::Summary>& bodies,
+                        const std::vector<RigidRow>& rigid);
 
 }  // namespace epafi::drivers

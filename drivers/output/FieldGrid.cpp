@@ -76,13 +76,47 @@ class Sampler {
   std::vector<const contact::ContactFields::Element*> contacts_;
 };
 
+/// Lines for every 5 degrees.
+int linesOf(const bem::Curve& curve) {
+  constexpr double degreesALine = 5;
+  const double angle = std::abs(curve.angle()) * 180 / 3.14159265358979;
+  return std::max(1, static_cast<int>(std::ceil(angle / degreesALine)));
+}
+
+/// An outline that does not deform, moved in the user's units.
+void addRigid(const RigidBody& body, const contact::RigidMotion& motion, int number,
+              int firstBoundary, FieldGrid& grid) {
+  const bem::Outline& outline = *body.outline;
+  const std::vector<std::string> names = boundaryNames(outline);
+  for (std::size_t e = 0; e < outline.edges().size(); ++e) {
+    const bem::Edge& edge = outline.edges()[e];
+    const int lines = linesOf(edge.curve);
+    const auto first = static_cast<long long>(grid.pressure.size());
+    for (int k = 0; k <= lines; ++k) {
+      const bem::Vec2 place = outline.physical(edge.curve.point(-1 + 2.0 * k / lines));
+      add(place, grid.points);
+      add(motion.at(place - body.pole), grid.displacement);
+      add({}, grid.traction);
+      for (std::vector<double>* none : {&grid.pressure, &grid.shear, &grid.gap})
+        none->push_back(nothing);
+      grid.contact.push_back(-1);
+      grid.friction.push_back(-1);
+    }
+    const auto name = std::find(names.begin(), names.end(), edge.boundary);
+    for (int k = 0; k < lines; ++k) {
+      grid.ends.insert(grid.ends.end(), {first + k, first + k + 1});
+      grid.element.push_back(static_cast<int>(e));
+      grid.degree.push_back(1);
+      grid.boundary.push_back(firstBoundary + static_cast<int>(name - names.begin()));
+      grid.body.push_back(number);
+    }
+  }
+}
+
 }  // namespace
 
 int linesOf(const bem::Element& element) {
-  constexpr double degreesALine = 5;
-  const double angle = std::abs(element.curve.angle()) * 180 / 3.14159265358979;
-  return std::max(2 * (element.degree + 1),
-                  static_cast<int>(std::ceil(angle / degreesALine)));
+  return std::max(2 * (element.degree + 1), linesOf(element.curve));
 }
 
 int numberOf(contact::FrictionKind friction) {
@@ -97,7 +131,7 @@ int numberOf(contact::FrictionKind friction) {
   return 0;
 }
 
-FieldGrid fieldGrid(const SolvedLevel& level) {
+FieldGrid fieldGrid(const Scene& scene, const SolvedLevel& level) {
   FieldGrid grid;
   int boundaries = 0;
   for (std::size_t b = 0; b < level.bodies.size(); ++b) {
@@ -108,7 +142,25 @@ FieldGrid fieldGrid(const SolvedLevel& level) {
       sampler.sample(e, grid);
     boundaries += static_cast<int>(boundaryNames(mesh.outline()).size());
   }
+  for (std::size_t k = 0; k < scene.rigid.size(); ++k) {
+    contact::RigidMotion motion = level.level.rigid[k];
+    motion.slide = scene.units().length * motion.slide;
+    addRigid(scene.rigid[k], motion, static_cast<int>(level.bodies.size() + k),
+             boundaries, grid);
+    boundaries += static_cast<int>(boundaryNames(*scene.rigid[k].outline).size());
+  }
   return grid;
+}
+
+std::vector<std::string> gridBoundaries(const Scene& scene) {
+  std::vector<std::string> all;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    for (const std::string& name : boundaryNames(*scene.bodies[b].outline))
+      all.push_back(scene.boundaryName(b, name));
+  for (const RigidBody& body : scene.rigid)
+    for (const std::string& name : boundaryNames(*body.outline))
+      all.push_back(body.name + ":" + name);
+  return all;
 }
 
 std::vector<std::string> boundaryNames(const bem::Outline& outline) {

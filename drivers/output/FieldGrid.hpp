@@ -3,6 +3,7 @@
 #include "contact/problem/ContactFields.hpp"
 #include "contact/problem/Summary.hpp"
 #include "drivers/run/Level.hpp"
+#include "drivers/scene/Scene.hpp"
 
 #include <string>
 #include <vector>
@@ -32,8 +33,10 @@ struct FieldGrid {
   std::vector<int> body;
 };
 
-/// Of all bodies, one after the other; boundaries are numbered likewise.
-FieldGrid fieldGrid(const SolvedLevel& level);
+/// Of all bodies, one after the other, those that do not deform last, their edges as elements;
+/// boundaries are numbered likewise, and named so.
+FieldGrid fieldGrid(const Scene& scene, const SolvedLevel& level);
+std::vector<std::string> gridBoundaries(const Scene& scene);
 
 /// As files number them: 0 none, 1 stick, 2 slip.
 int numberOf(contact::FrictionKind friction);

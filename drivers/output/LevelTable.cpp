@@ -87,6 +87,10 @@ std::string tableLine(const StepRow& row) {
     line << (contact.name.empty() ? "" : ", " + contact.name) << " "
          << significant(contact.summary.forceNormal, 5) << " "
          << significant(contact.summary.forceTangential, 5);
+  for (const RigidRow& body : row.rigid)
+    line << ", " << body.name << " at " << significant(body.motion.slide.x, 5) << " "
+         << significant(body.motion.slide.y, 5) << " turned "
+         << significant(body.motion.turn, 5);
   if (row.parts > 1)
     line << ", halved: " << row.parts << " parts";
   line << (row.converged ? "\n" : "  not converged\n");

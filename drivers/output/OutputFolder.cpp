@@ -68,7 +68,7 @@ bool holdsSolvedLevel(const fs::path& path) {
       "elsewhere"));
 }
 
-/// steps/<k>/contact.csv, and the folders that hold nothing else.
+/// The files of steps/<k>, and the folders that hold nothing else.
 void deleteSteps(const fs::path& path) {
   std::error_code ignored;
   std::vector<fs::path> folders;
@@ -78,8 +78,10 @@ void deleteSteps(const fs::path& path) {
     const std::string name = folder.filename().string();
     if (name.find_first_not_of("0123456789") != std::string::npos)
       continue;
-    fs::remove(folder / "contact.csv", ignored);
-    fs::remove(temporaryFile(folder, "contact.csv"), ignored);
+    for (const char* file : {"contact.csv", "boundary.vtu"}) {
+      fs::remove(folder / file, ignored);
+      fs::remove(temporaryFile(folder, file), ignored);
+    }
     fs::remove(folder, ignored);  // an empty one only
   }
   fs::remove(path / "steps", ignored);
@@ -180,9 +182,9 @@ void OutputFolder::discard() {
 
 const std::vector<std::string>& outputFiles() {
   static const std::vector<std::string> names = {
-      "history.csv",  "steps.csv",    "contact.csv",      "boundary.csv", "bodies.csv",
-      "interior.csv", "solution.hdf", "used.xml",         "timings.txt",  "study.csv",
-      "fields.csv",   "fields.vtu",   "fields-window.csv"};
+      "history.csv",  "steps.csv",    "contact.csv",       "boundary.csv", "bodies.csv",
+      "interior.csv", "solution.hdf", "used.xml",          "timings.txt",  "study.csv",
+      "fields.csv",   "fields.vtu",   "fields-window.csv", "steps.pvd"};
   return names;
 }
 

@@ -33,9 +33,6 @@ class PathContact {
     double tension = 0;  ///< largest stress along the surface, 0 where there is none
   };
 
-  double stressAlong(const contact::Solved& solved, int element, double t,
-                     double pressure) const;
-
   const Scene* scene_;
   std::vector<Trace> traces_;
 };

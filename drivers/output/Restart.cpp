@@ -109,6 +109,8 @@ void checkSizes(const Level& level, const Scene& scene) {
         throw InputError(message("has an element on edge ", piece.edge,
                                  "; the outline has ", edges, " edges"));
   }
+  if (level.rigid.size() != scene.rigid.size())
+    throw InputError("has not the motions of the scene's rigid bodies");
   const BodySpaces spaces(scene, meshesOf(scene, level));
   const auto size = [](const auto& numbers) {
     return static_cast<bem::Index>(numbers.size());

@@ -14,6 +14,7 @@ namespace {
 constexpr int formatOfOne = 1;      // body
 constexpr int formatOfSeveral = 2;  // with /Epafi/bodies
 constexpr int formatOfPath = 3;     // of one body, with the steps of a path
+constexpr int formatOfAll = 4;      // several with a path, or with bodies that are rigid
 constexpr std::size_t positionColumns = 4;
 constexpr std::size_t sourceColumns = adaptivity::sourceCount;
 const std::string group = "/Epafi";
@@ -33,6 +34,7 @@ struct Arrays {
   std::vector<int> friction;
   std::vector<double> displacement;
   std::vector<double> density;
+  std::vector<double> rigidBodies;  ///< motions; since format 4
 };
 
 /// visit(name, array, columns) for each data set, in the order of the checksum.
@@ -146,6 +148,8 @@ Arrays arraysOf(const Level& level, const std::vector<std::vector<EdgeEnds>>& ou
           body.displacement.size(), body.density.size()})
       arrays.bodies.push_back(static_cast<int>(count));
   }
+  for (const contact::RigidMotion& motion : level.rigid)
+    append(arrays.rigidBodies, {motion.slide.x, motion.slide.y, motion.turn});
   return arrays;
 }
 
@@ -161,11 +165,13 @@ PathArrays pathArraysOf(const Level& level) {
   return arrays;
 }
 
-/// And back, for a state of the sizes of `last`.
-std::vector<PathPoint> pathOf(const PathArrays& arrays, const contact::State& last) {
+/// And back.
+std::vector<PathPoint> pathOf(const PathArrays& arrays) {
   const std::size_t count = arrays.times.size();
-  const std::size_t multipliers = last.multiplier.size();
-  const std::size_t motions = last.rigid.size();
+  if (count == 0)
+    return {};
+  const std::size_t multipliers = arrays.multiplier.size() / count;
+  const std::size_t motions = arrays.rigid.size() / count;
   if (arrays.iterations.size() != 2 * count ||
       arrays.multiplier.size() != count * multipliers ||
       arrays.rigid.size() != count * motions)
@@ -218,7 +224,7 @@ unsigned long long checksum(const Checkpoint& checkpoint, const Arrays& arrays,
   sum.add(std::vector<int>{level.number, converged(level) ? 1 : 0});
   sum.add(std::vector<double>{checkpoint.secondsTotal, checkpoint.secondsWall});
   sum.add(level.reason + checkpoint.used + checkpoint.history);
-  sum.add(arrays.bodies);
+  sum.add(arrays.bodies).add(arrays.rigidBodies);
   const auto add = [&](const char*, const auto& array, auto) { sum.add(array); };
   forEach(arrays, add);
   if (hasPath(checkpoint)) {
@@ -269,9 +275,12 @@ void writeCheckpoint(const Checkpoint& checkpoint, Hdf5Writer& writer) {
     writer.attribute(group, name, std::vector<decltype(value)>{value});
   };
   const PathArrays path = pathArraysOf(level);
-  number("format", hasPath(checkpoint)     ? formatOfPath
-                   : arrays.bodies.empty() ? formatOfOne
-                                           : formatOfSeveral);
+  const bool several = !arrays.bodies.empty();
+  const bool all = !arrays.rigidBodies.empty() || (several && hasPath(checkpoint));
+  number("format", all                   ? formatOfAll
+                   : hasPath(checkpoint) ? formatOfPath
+                   : several             ? formatOfSeveral
+                                         : formatOfOne);
   number("level", level.number);
   number("converged", converged(level) ? 1 : 0);
   number("seconds_total", checkpoint.secondsTotal);
@@ -286,8 +295,10 @@ void writeCheckpoint(const Checkpoint& checkpoint, Hdf5Writer& writer) {
     forEachOfPath(path, write);
     writer.text(group + "/steps", checkpoint.steps);
   }
-  if (!arrays.bodies.empty())
+  if (several)
     writer.array(group + "/bodies", arrays.bodies, Counts);
+  if (!arrays.rigidBodies.empty())
+    writer.array(group + "/rigid_bodies", arrays.rigidBodies, 3);
   writer.text(group + "/reason", level.reason);
   writer.text(group + "/used", checkpoint.used);
   writer.text(group + "/history", checkpoint.history);
@@ -370,13 +381,15 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
   if (!reader.has(group))
     throw bem::InputError("has no group /Epafi: it was not written by epafi run");
   const int format = reader.attribute<int>(group, "format");
-  if (format < formatOfOne || format > formatOfPath)
+  if (format < formatOfOne || format > formatOfAll)
     throw bem::InputError(bem::message("is of format ", format,
                                        "; this version of Epafi reads formats ",
-                                       formatOfOne, " to ", formatOfPath));
+                                       formatOfOne, " to ", formatOfAll));
   Arrays arrays;
-  if (format == formatOfSeveral)
+  if (reader.has(group + "/bodies"))
     arrays.bodies = reader.array<int>(group + "/bodies", Counts);
+  if (reader.has(group + "/rigid_bodies"))
+    arrays.rigidBodies = reader.array<double>(group + "/rigid_bodies", 3);
   const auto read = [&](const char* name, auto& array, long long columns) {
     using Number = typename std::decay_t<decltype(array)>::value_type;
     array = reader.array<Number>(group + "/" + name, columns);
@@ -387,6 +400,8 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
     checkpoint.level.bodies.push_back(levelOf(part));
     checkpoint.outlines.push_back(rowsOf<positionColumns>(part.outline));
   }
+  for (const auto& [x, y, turn] : rowsOf<3>(arrays.rigidBodies))
+    checkpoint.level.rigid.push_back({{x, y}, turn});
   checkpoint.level.number = reader.attribute<int>(group, "level");
   checkpoint.level.status = reader.attribute<int>(group, "converged") == 1
                                 ? contact::Status::Converged
@@ -397,11 +412,11 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
   checkpoint.secondsTotal = reader.attribute<double>(group, "seconds_total");
   checkpoint.secondsWall = reader.attribute<double>(group, "seconds_wall");
   PathArrays path;
-  if (format == formatOfPath) {
+  if (reader.has(group + "/path_t")) {
     forEachOfPath(path, read);
     checkpoint.steps = reader.text(group + "/steps");
     checkpoint.level.complete = reader.attribute<int>(group, "complete") == 1;
-    checkpoint.level.path = pathOf(path, checkpoint.level.bodies.front().state);
+    checkpoint.level.path = pathOf(path);
   }
   if (reader.attribute<unsigned long long>(group, "checksum") !=
       checksum(checkpoint, arrays, path))
@@ -425,16 +440,14 @@ std::string solutionFile(const Scene& scene, const SolvedLevel& level,
                          const std::string& used, const std::string& history,
                          const std::string& steps) {
   std::string names;
+  for (const std::string& name : gridBoundaries(scene))
+    names += name + "\n";
   std::vector<std::vector<EdgeEnds>> outlines;
-  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
-    const bem::Outline& outline = level.bodies[b].space.mesh().outline();
-    outlines.push_back(edgeEnds(outline));
-    for (const std::string& name : boundaryNames(outline))
-      names += scene.boundaryName(b, name) + "\n";
-  }
+  for (const contact::Solved& body : level.bodies)
+    outlines.push_back(edgeEnds(body.space.mesh().outline()));
 
   Hdf5Writer writer;
-  writeGrid(fieldGrid(level), writer);
+  writeGrid(fieldGrid(scene, level), writer);
   writeCheckpoint({level.level, used, history, steps, level.row.secondsTotal,
                    level.row.secondsWall, outlines},
                   writer);

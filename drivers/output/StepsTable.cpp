@@ -51,6 +51,21 @@ constexpr ContactColumn contactColumns[] = {
     {"energy_dissipated", [](const ContactRow& c) { return c.dissipated; }},
 };
 
+/// A body without elasticity: where it is, and what moves or holds it there.
+struct RigidColumn {
+  const char* name;
+  double (*value)(const RigidRow& body);
+};
+
+constexpr RigidColumn rigidColumns[] = {
+    {"motion_x", [](const RigidRow& r) { return r.motion.slide.x; }},
+    {"motion_y", [](const RigidRow& r) { return r.motion.slide.y; }},
+    {"rotation", [](const RigidRow& r) { return r.motion.turn; }},
+    {"force_x", [](const RigidRow& r) { return r.load.x + r.reaction.x; }},
+    {"force_y", [](const RigidRow& r) { return r.load.y + r.reaction.y; }},
+    {"moment", [](const RigidRow& r) { return r.load.moment + r.reaction.moment; }},
+};
+
 }  // namespace
 
 std::string stepsHead(const StepRow& row) {
@@ -60,6 +75,9 @@ std::string stepsHead(const StepRow& row) {
   for (const ContactRow& contact : row.contacts)
     for (const ContactColumn& column : contactColumns)
       names.push_back(contact.name + "." + column.name);
+  for (const RigidRow& body : row.rigid)
+    for (const RigidColumn& column : rigidColumns)
+      names.push_back(body.name + "." + column.name);
   return csvLine(names);
 }
 
@@ -70,6 +88,9 @@ std::string stepsLine(const StepRow& row) {
   for (const ContactRow& contact : row.contacts)
     for (const ContactColumn& column : contactColumns)
       cells.push_back(exactly(column.value(contact)));
+  for (const RigidRow& body : row.rigid)
+    for (const RigidColumn& column : rigidColumns)
+      cells.push_back(exactly(column.value(body)));
   return csvLine(cells);
 }
 

@@ -28,8 +28,7 @@ contact::MetSide BodySpaces::metSide(const ContactPair& pair) const {
     const RigidBody& body = scene_.rigid[pair.met.body];
     const double length = scene_.units().length;
     met.curves = scene_.metEdges(pair).curves;
-    met.slide = (1 / length) * bem::Vec2{body.x(body.pole), body.y(body.pole)};
-    met.turn = body.rotation(body.pole);
+    met.rigid = static_cast<int>(pair.met.body);
     met.pole = (1 / length) * (body.pole - body.outline->scaling().origin);
     return met;
   }
@@ -64,11 +63,14 @@ Size BodySpaces::sizes() const {
 }
 
 contact::Motions BodySpaces::motions(
-    const std::vector<const bem::Vector*>& displacements) const {
+    const std::vector<bem::Vector>& displacements,
+    const std::vector<contact::RigidMotion>& rigid) const {
   contact::Motions motions;
   for (const bem::Space& space : spaces_)
     motions.spaces.push_back(&space);
-  motions.displacements = displacements;
+  for (const bem::Vector& displacement : displacements)
+    motions.displacements.push_back(&displacement);
+  motions.rigid = rigid;
   for (std::size_t b = 0; b < size(); ++b)
     motions.shearModuli.push_back(scene_.lame(b).mu);
   return motions;

@@ -31,8 +31,10 @@ class BodySpaces {
     return scene_.boundaryName(b, boundary);
   }
 
-  /// Of displacements of all bodies, which must outlive it.
-  contact::Motions motions(const std::vector<const bem::Vector*>& displacements) const;
+  /// Of displacements of all bodies, which must outlive it, and motions of those that do
+  /// not deform.
+  contact::Motions motions(const std::vector<bem::Vector>& displacements,
+                           const std::vector<contact::RigidMotion>& rigid) const;
 
  private:
   contact::MetSide metSide(const ContactPair& pair) const;

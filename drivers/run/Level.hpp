@@ -32,8 +32,9 @@ struct PathPoint {
 struct Level {
   int number = 0;
   contact::Status status = contact::Status::NotConverged;
-  std::string reason;             ///< empty when converged
-  std::vector<BodyLevel> bodies;  ///< as the scene has them
+  std::string reason;                         ///< empty when converged
+  std::vector<BodyLevel> bodies;              ///< as the scene has them
+  std::vector<contact::RigidMotion> rigid{};  ///< likewise, dimensionless
 
   /// Over all bodies.
   adaptivity::Contributions squares() const;
@@ -74,12 +75,24 @@ struct Seconds {
   double estimate = 0;  ///< indicators
 };
 
+/// A body without elasticity: its motion [length, radian], and forces on it with their
+/// moments about the reference point.
+struct RigidRow {
+  std::string name;
+  bem::Vec2 pole;
+  contact::RigidMotion motion;
+  contact::Resultant load;      ///< given with the scene
+  contact::Resultant reaction;  ///< of what gives it its motion
+  contact::Resultant contact;   ///< of all contacts; all three add up to nothing
+};
+
 /// A row of history.csv.
 struct LevelRow {
   int level = 0;
   Size size;
   contact::Summary summary;                ///< over all bodies
   std::vector<contact::Summary> bodies{};  ///< of each
+  std::vector<RigidRow> rigid{};
   contact::Report report;
   std::string reason;                   ///< empty when converged
   double gamma0 = 0;                    ///< zero without stabilisation

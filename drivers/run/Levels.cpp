@@ -4,33 +4,18 @@
 #include "bem/base/Error.hpp"
 #include "bem/operators/ExactRotation.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
-#include "contact/equation/ContactState.hpp"
 #include "contact/problem/ContactSystem.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/Forecast.hpp"
 #include "drivers/run/Path.hpp"
 #include "drivers/run/Resistance.hpp"
+#include "drivers/run/SolvedBodies.hpp"
 #include "drivers/run/Solver.hpp"
 
 namespace epafi::drivers {
 
 namespace {
-
-/// A body's own part of the states of all coefficients.
-contact::ContactState ofBody(const contact::Numbering& numbering, std::size_t b,
-                             const contact::ContactState& all) {
-  contact::ContactState own;
-  for (bem::Index i = 0; i < numbering.sizeOf(b); ++i) {
-    const bem::Index k = numbering(b, i);
-    if (k < numbering.normals())
-      own.normal.push_back(all.normal[static_cast<std::size_t>(k)]);
-    else
-      own.tangential.push_back(
-          all.tangential[static_cast<std::size_t>(k - numbering.normals())]);
-  }
-  return own;
-}
 
 /// The smallest that a body with stabilised contact has got; zero if there is none.
 double gamma0Of(const contact::ContactSystem& system) {
@@ -44,12 +29,13 @@ double gamma0Of(const contact::ContactSystem& system) {
 }
 
 LevelRow makeRow(const Level& level, const Size& size, double gamma0,
-                 const std::vector<contact::Solved>& solved,
-                 const contact::Report& report, const PhaseTimer& timer) {
+                 const SolvedBodies& solved, const contact::Report& report,
+                 const PhaseTimer& timer) {
   LevelRow row;
   row.level = level.number;
   row.size = size;
-  row.bodies = contact::summarizeAll(solved);
+  row.bodies = contact::summarizeAll(solved.bodies());
+  row.rigid = solved.rigidRows();
   row.summary = contact::sumOf(row.bodies);
   row.report = report;
   row.reason = level.reason;
@@ -57,7 +43,7 @@ LevelRow makeRow(const Level& level, const Size& size, double gamma0,
   row.estimate = level.estimate();
   row.squares = level.squares();
   const bem::Vector cost = largestOverRanks(
-      solved.front().stiffness.algebra(),
+      solved.bodies().front().stiffness.algebra(),
       {timer.levelSeconds(Phase::Assembly), timer.levelSeconds(Phase::Factorization),
        timer.levelSeconds(Phase::Stabilization), timer.levelSeconds(Phase::Newton),
        timer.levelSeconds(Phase::Estimate), cpuSeconds(), timer.wallSeconds(),
@@ -91,86 +77,97 @@ bem::SteklovPoincare stiffnessOf(bem::Operators operators,
   return bem::SteklovPoincare(std::move(operators), algebra, compliance);
 }
 
-std::vector<bem::Piece> piecesOf(const bem::Mesh& mesh) {
-  std::vector<bem::Piece> pieces;
-  for (const bem::Element& element : mesh.elements())
-    pieces.push_back(element.piece);
-  return pieces;
+std::vector<adaptivity::Indicators> estimated(const Ground& ground,
+                                              const SolvedBodies& solved) {
+  std::vector<adaptivity::Indicators> result;
+  for (std::size_t b = 0; b < solved.bodies().size(); ++b)
+    result.push_back(adaptivity::estimateResidual(solved.bodies()[b],
+                                                  solved.densities()[b], ground.lames[b],
+                                                  ground.scene.adaptivity.estimator));
+  return result;
 }
 
-/// A level whose path is followed.
-struct PathLevel {
-  const Scene& scene;
-  int number;
+/// A level that is solved now.
+struct Course {
   const Size& size;
-  const bem::Lame& lame;
   PhaseTimer& timer;
-};
-
-/// Receivers of the level and of its steps.
-struct HandOuts {
-  const std::function<void(const SolvedLevel&)>& level;
-  const std::function<void(const SolvedLevel&)>& step;
+  const std::function<void(const SolvedLevel&)>& handOut;
+  const std::function<void(const SolvedLevel&)>& handOutStep;
 };
 
 /// The level at the end of the path so far; everything but the indicators.
-Level levelOf(int number, const contact::Solved& solved, const Path& path) {
-  Level level{number, path.report.status, path.reason, {}};
-  level.bodies.push_back({piecesOf(solved.space.mesh()), solved.state,
-                          contact::classify(solved.problem.numbers(), solved.state),
-                          solved.displacement, path.steps.back()->density});
+Level levelOf(const Ground& ground, const Path& path) {
+  Level level = path.last().solved->level(ground.level);
+  level.status = path.report.status;
+  level.reason = path.reason;
   level.path = path.points;
   return level;
 }
 
-/// The largest indicators over the steps.
-adaptivity::Indicators estimatePath(const Path& path, const PathLevel& ground,
-                                    const PathGround& on) {
-  std::vector<adaptivity::Indicators> all;
-  for (std::size_t k = 0; k < path.steps.size(); ++k)
-    all.push_back(adaptivity::estimateResidual(solvedStep(on, path, k),
-                                               path.steps[k]->density, ground.lame,
-                                               ground.scene.adaptivity.estimator));
-  return adaptivity::largest(all);
+/// Of each body the largest indicators over the steps.
+void estimatePath(const Ground& ground, const Path& path, Level& level) {
+  std::vector<std::vector<adaptivity::Indicators>> all(level.bodies.size());
+  for (const auto& step : path.steps) {
+    std::vector<adaptivity::Indicators> now = estimated(ground, *step->solved);
+    for (std::size_t b = 0; b < all.size(); ++b)
+      all[b].push_back(std::move(now[b]));
+  }
+  for (std::size_t b = 0; b < all.size(); ++b)
+    level.bodies[b].indicators = adaptivity::largest(all[b]);
 }
 
 /// Levels outside, steps inside: the whole path on one mesh.
-Level solvePath(const PathLevel& ground, const bem::SteklovPoincare& stiffness,
-                const BodySpaces& spaces, const std::vector<PathPoint>& earlier,
-                const HandOuts& handOuts) {
-  const Scene& scene = ground.scene;
-  PhaseTimer& timer = ground.timer;
-  const bem::Units units = scene.units();
-  const contact::Conditions start = scene.conditionsAt(0);
-  const auto atZero = timer.run(Phase::Stabilization, [&] {
-    return contact::ContactProblem({spaces.space(0), stiffness, ground.lame, units, start,
-                                    contact::multiplierBasis(scene.multiplier),
-                                    scene.stabilization});
-  });
-  const PathGround on{scene, ground.number, spaces.space(0), stiffness, atZero, units};
-  const auto lastOf = [&](const Path& path) {
-    return std::vector<contact::Solved>{solvedStep(on, path, path.steps.size() - 1)};
-  };
-  const Path path = followPath(on, earlier, timer, [&](const Path& sofar) {
-    if (!handOuts.step)
+Level solvePath(const Ground& ground, const contact::ContactSystem& atZero,
+                const std::vector<PathPoint>& earlier, const Course& course) {
+  PhaseTimer& timer = course.timer;
+  const Path path = followPath(ground, atZero, earlier, timer, [&](const Path& sofar) {
+    if (!course.handOutStep)
       return;
-    const std::vector<contact::Solved> solved = lastOf(sofar);
-    Level level = levelOf(ground.number, solved.front(), sofar);
+    Level level = levelOf(ground, sofar);
     level.complete = false;
-    level.bodies.front().indicators.squares.resize(
-        static_cast<std::size_t>(on.space.mesh().size()));
-    timer.run(Phase::Results, [&] { handOuts.step({solved, level, {}, &sofar}); });
+    for (BodyLevel& body : level.bodies)
+      body.indicators.squares.resize(body.pieces.size());
+    timer.run(Phase::Results, [&] {
+      course.handOutStep({sofar.last().solved->bodies(), level, {}, &sofar});
+    });
   });
-  const std::vector<contact::Solved> solved = lastOf(path);
-  Level level = levelOf(ground.number, solved.front(), path);
-  level.bodies.front().indicators =
-      timer.run(Phase::Estimate, [&] { return estimatePath(path, ground, on); });
+  const SolvedBodies& solved = *path.last().solved;
+  Level level = levelOf(ground, path);
+  timer.run(Phase::Estimate, [&] { estimatePath(ground, path, level); });
   timer.run(Phase::Results, [&] {
     LevelRow row =
-        makeRow(level, ground.size, atZero.gamma0(), solved, path.report, timer);
-    row.summary.energyFriction = path.steps.back()->row.energyDissipated;
-    row.bodies.front().energyFriction = row.summary.energyFriction;
-    handOuts.level({solved, level, row, &path});
+        makeRow(level, course.size, gamma0Of(atZero), solved, path.report, timer);
+    row.summary.energyFriction = path.last().row.energyDissipated;
+    course.handOut({solved.bodies(), level, row, &path});
+  });
+  return level;
+}
+
+Level solveOnce(const Ground& ground, const contact::ContactSystem& system,
+                const LevelStart& from, const Course& course) {
+  PhaseTimer& timer = course.timer;
+  const Solved outcome = timer.run(Phase::Newton, [&] {
+    return solve(system, ground.spaces, system.joined(from.start, from.rigid),
+                 ground.scene.solver, ground.stiffness.front().algebra());
+  });
+  const contact::Report& report = outcome.solution.report;
+  std::vector<contact::Conditions> conditions;
+  for (const Body& body : ground.scene.bodies)
+    conditions.push_back(body.conditions);
+  const SolvedBodies solved(ground, system, conditions,
+                            system.configuration(outcome.solution.state));
+  Level level = solved.level(ground.level);
+  level.status = report.status;
+  level.reason = outcome.reason;
+  timer.run(Phase::Estimate, [&] {
+    std::vector<adaptivity::Indicators> indicators = estimated(ground, solved);
+    for (std::size_t b = 0; b < indicators.size(); ++b)
+      level.bodies[b].indicators = std::move(indicators[b]);
+  });
+  timer.run(Phase::Results, [&] {
+    course.handOut(
+        {solved.bodies(), level,
+         makeRow(level, course.size, gamma0Of(system), solved, report, timer)});
   });
   return level;
 }
@@ -223,67 +220,22 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                                        scene.stabilization, lames[b], units)));
       return all;
     });
-    if (scene.history) {
-      const Level level =
-          solvePath({scene, number, size, lames.front(), timer}, stiffness.front(),
-                    spaces, from->path, {handOut, handOutStep});
-      timer.endLevel();
-      next = nextLevel(scene, level, algebra);
-      continue;
-    }
+    const Ground ground{scene, number, spaces, lames, stiffness};
+    const Course course{size, timer, handOut, handOutStep};
+    // a path starts with the conditions at t = 0
+    const std::vector<contact::Conditions> first =
+        scene.history ? scene.conditionsAt(0) : std::vector<contact::Conditions>();
     const auto system = timer.run(Phase::Stabilization, [&] {
       std::vector<contact::ContactProblem::Input> inputs;
       for (std::size_t b = 0; b < count; ++b)
         inputs.push_back({spaces.space(b), stiffness[b], lames[b], units,
-                          scene.bodies[b].conditions, basis, scene.stabilization,
-                          spaces.opposite(b)});
-      return contact::ContactSystem(inputs);
+                          scene.history ? first[b] : scene.bodies[b].conditions, basis,
+                          scene.stabilization, spaces.opposite(b)});
+      return contact::ContactSystem(inputs, scene.drivesAt(scene.history ? 0 : 1));
     });
     checkResistance(scene, system);
-    const Solved outcome = timer.run(Phase::Newton, [&] {
-      return solve(system, spaces, system.joined(from->start), scene.solver, algebra);
-    });
-
-    const contact::Solution& solution = outcome.solution;
-    Level level{number, solution.report.status, outcome.reason, {}};
-    const std::vector<contact::State> states = system.split(solution.state);
-    const contact::ContactState kinds =
-        contact::classify(system.numbers(), solution.state);
-    std::vector<bem::Vector> met;
-    std::vector<const bem::Vector*> displacements;
-    level.bodies.resize(count);
-    for (std::size_t b = 0; b < count; ++b) {
-      met.push_back(system.met(b, states));
-      const bem::Vector u = system.body(b).displacement(states[b], met[b]);
-      const bem::Vector density = system.body(b).density(states[b], u);
-      level.bodies[b] = {piecesOf(spaces.space(b).mesh()), states[b],
-                         ofBody(system.numbering(), b, kinds), u, density};
-      displacements.push_back(&level.bodies[b].displacement);
-    }
-    const contact::Motions motions = spaces.motions(displacements);
-    std::vector<contact::Solved> solved;
-    for (std::size_t b = 0; b < count; ++b)
-      solved.push_back({spaces.space(b),
-                        stiffness[b],
-                        system.body(b),
-                        scene.bodies[b].conditions,
-                        units,
-                        level.bodies[b].state,
-                        level.bodies[b].displacement,
-                        met[b],
-                        {},
-                        &motions});
-    for (std::size_t b = 0; b < count; ++b)
-      solved[b].pressed = contact::pressureOn(b, solved);
-    timer.run(Phase::Estimate, [&] {
-      for (std::size_t b = 0; b < count; ++b)
-        level.bodies[b].indicators = adaptivity::estimateResidual(
-            solved[b], level.bodies[b].density, lames[b], scene.adaptivity.estimator);
-    });
-    timer.run(Phase::Results, [&] {
-      handOut({solved, level,
-               makeRow(level, size, gamma0Of(system), solved, solution.report, timer)});
-    });
+    const Level level = scene.history ? solvePath(ground, system, from->path, course)
+                                      : solveOnce(ground, system, *from, course);
     timer.endLevel();
     next = nextLevel(scene, level, algebra);
   }

@@ -82,10 +82,10 @@ std::vector<adaptivity::PreparedMesh> prepareAll(const Scene& scene,
                                                  const Level& level,
                                                  const adaptivity::Strategy& strategy,
                                                  const bem::DenseAlgebra& algebra) {
-  std::vector<const bem::Vector*> displacements;
+  std::vector<bem::Vector> displacements;
   for (const BodyLevel& body : level.bodies)
-    displacements.push_back(&body.displacement);
-  const contact::Motions motions = spaces.motions(displacements);
+    displacements.push_back(body.displacement);
+  const contact::Motions motions = spaces.motions(displacements, level.rigid);
   const std::vector<bem::Mesh> coarse = firstLevel(scene).meshes;
   std::vector<adaptivity::PreparedMesh> prepared;
   for (std::size_t b = 0; b < spaces.size(); ++b)
@@ -149,9 +149,12 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
     return converged("there is nothing to refine");
 
   LevelStart next{level.number + 1, {}, {}};
+  const bool carries = strategy.start == adaptivity::Start::Carried && !scene.history;
+  if (carries)
+    next.rigid = level.rigid;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     next.meshes.push_back(adaptivity::refine(prepared[b].mesh, marks[b]));
-    if (strategy.start == adaptivity::Start::Carried && !scene.history)
+    if (carries)
       next.start.push_back(adaptivity::carry(spaces.space(b).mesh(), spaces.multiplier(b),
                                              level.bodies[b].state, next.meshes.back(),
                                              scene.bodies[b].conditions));
@@ -163,7 +166,7 @@ std::variant<LevelStart, Outcome> levelAfterRestart(const Scene& scene,
                                                     const Level& level,
                                                     const bem::DenseAlgebra& algebra) {
   if (level.status != contact::Status::Converged || !level.complete) {
-    LevelStart again{level.number, meshesOf(scene, level), {}, level.path};
+    LevelStart again{level.number, meshesOf(scene, level), {}, level.path, level.rigid};
     for (const BodyLevel& body : level.bodies)
       again.start.push_back(body.state);
     return again;

@@ -15,6 +15,7 @@ struct LevelStart {
   std::vector<bem::Mesh> meshes;      ///< one per body
   std::vector<contact::State> start;  ///< likewise; empty: from zero
   std::vector<PathPoint> path{};      ///< steps on this mesh that are known already
+  std::vector<contact::RigidMotion> rigid{};  ///< where bodies without elasticity start
 };
 
 /// How a run ended.

@@ -12,10 +12,19 @@ namespace {
 
 class Follower {
  public:
-  Follower(const PathGround& ground, const std::vector<PathPoint>& earlier,
-           PhaseTimer& timer)
-      : ground_(ground), earlier_(earlier), timer_(timer), memory_(ground.atZero) {
-    path_.start.assign(static_cast<std::size_t>(ground.space.displacements()), 0.0);
+  Follower(const Ground& ground, const contact::ContactSystem& atZero,
+           const std::vector<PathPoint>& earlier, PhaseTimer& timer)
+      : ground_(ground),
+        atZero_(atZero),
+        earlier_(earlier),
+        timer_(timer),
+        memory_(atZero) {
+    std::vector<bem::Vector> still;
+    for (std::size_t b = 0; b < atZero.size(); ++b)
+      still.emplace_back(atZero.body(b).load().size());
+    path_.start = std::make_unique<const Placement>(
+        ground.spaces, std::move(still),
+        std::vector<contact::RigidMotion>(ground.scene.rigid.size()));
   }
 
   /// Up to a time; false where the path ends before it.
@@ -50,17 +59,6 @@ class Follower {
  private:
   contact::Report& report() { return path_.report; }
 
-  contact::ContactProblem problemAt(const contact::Conditions& conditions) const {
-    return ground_.atZero.at({conditions, memory_.slip(), memory_.largestLoad()});
-  }
-
-  Solved solution(const contact::ContactProblem& problem) {
-    return timer_.run(Phase::Newton, [&] {
-      return solveStep(problem.numbers(), state_, ground_.scene.solver,
-                       ground_.stiffness.algebra());
-    });
-  }
-
   // One step to a time; what it ends with is kept also where it fails.
   bool solve(double next) {
     Solved attempt;
@@ -70,8 +68,9 @@ class Follower {
       next = earlier_[path_.points.size()].t;
     auto now = std::make_unique<PathStep>();
     now->conditions = ground_.scene.conditionsAt(next);
-    now->problem =
-        std::make_unique<const contact::ContactProblem>(problemAt(now->conditions));
+    now->system = std::make_unique<const contact::ContactSystem>(
+        atZero_.under({now->conditions, ground_.scene.drivesAt(next), memory_.slip(),
+                       memory_.largestLoad()}));
     if (isKnown) {
       const PathPoint& point = earlier_[path_.points.size()];
       solved.state = point.state;
@@ -79,7 +78,10 @@ class Follower {
       solved.report.coulombIterations = point.coulombIterations;
       solved.report.status = contact::Status::Converged;
     } else {
-      attempt = solution(*now->problem);
+      attempt = timer_.run(Phase::Newton, [&] {
+        return solveStep(now->system->numbers(), state_, ground_.scene.solver,
+                         ground_.stiffness.front().algebra());
+      });
     }
     row_.newtonIterations += solved.report.newtonIterations;
     report() = contact::joined(solved.report, report());
@@ -87,12 +89,12 @@ class Follower {
     const bool converged = solved.report.converged();
     if (converged)
       state_ = solved.state;
-    now->state = solved.state.multiplier.empty() ? state_ : std::move(solved.state);
-    now->displacement = now->problem->displacement(now->state);
+    latestAt_ = now->system->configuration(
+        solved.state.multiplier.empty() ? state_ : std::move(solved.state));
     if (converged) {
       ++row_.parts;
-      memory_.add(*now->problem, now->state, now->displacement);
-      path_.points.push_back({next, now->state, solved.report.newtonIterations,
+      memory_.add(*now->system, latestAt_);
+      path_.points.push_back({next, latestAt_.state, solved.report.newtonIterations,
                               solved.report.coulombIterations});
       now_ = next;
     }
@@ -102,52 +104,58 @@ class Follower {
 
   // The step asked for, with everything that follows from its state.
   void finish() {
+    const Placement& before =
+        path_.steps.empty() ? *path_.start : path_.last().solved->placement();
     PathStep& step = *latest_;
-    step.density = step.problem->density(step.state, step.displacement);
-    step.frictionWork = memory_.frictionWork();
-    const bem::Units& units = ground_.units;
+    const contact::ContactSystem& system = *step.system;
+    step.solved = std::make_unique<const SolvedBodies>(ground_, system, step.conditions,
+                                                       std::move(latestAt_), &before);
+    const contact::Configuration& at = step.solved->at();
+    const bem::Units units = ground_.scene.units();
     const double energy = units.stress * units.length * units.length;
-    const double strain = step.problem->strainEnergy(step.state, step.displacement);
-    const double stored = step.problem->storedEnergy(step.state, step.displacement);
+    const double strain = system.strainEnergy(at);
+    const double stored = system.storedEnergy(at);
     row_.energyStrain = energy * strain;
     row_.energyDissipated = energy * memory_.friction();
     row_.energyTrapezoidal = energy * memory_.trapezoidal();
     row_.energyOutside = energy * memory_.outside();
     row_.energyStabilisation = energy * (stored - strain);
     row_.energyError = energy * memory_.imbalance(stored);
-    auto work =
-        contact::frictionWorkOfContacts(step.problem->multiplier(), step.frictionWork);
+    for (std::size_t b = 0; b < system.size(); ++b) {
+      step.frictionWork.push_back(
+          system.numbering().tangentialsOf(b, memory_.frictionWork()));
+      auto work = contact::frictionWorkOfContacts(system.body(b).multiplier(),
+                                                  step.frictionWork[b]);
+      for (const auto& [name, summary] :
+           contact::summarizeContacts(step.solved->bodies()[b]))
+        row_.contacts.push_back({name, summary, energy * work[name]});
+    }
+    row_.rigid = step.solved->rigidRows();
+    if (ground_.scene.hasSeveral())
+      row_.bodies = contact::summarizeAll(step.solved->bodies());
+    step.row = row_;
     path_.steps.push_back(std::move(latest_));
-    const contact::Solved solved = solvedStep(ground_, path_, path_.steps.size() - 1);
-    for (const auto& [name, summary] : contact::summarizeContacts(solved))
-      row_.contacts.push_back({name, summary, energy * work[name]});
-    path_.steps.back()->row = row_;
   }
 
-  const PathGround& ground_;
+  const Ground& ground_;
+  const contact::ContactSystem& atZero_;
   const std::vector<PathPoint>& earlier_;
   PhaseTimer& timer_;
   contact::PathMemory memory_;
   Path path_;
   StepRow row_;
   std::unique_ptr<PathStep> latest_;
+  contact::Configuration latestAt_;
   contact::State state_;
   double now_ = 0;
 };
 
 }  // namespace
 
-contact::Solved solvedStep(const PathGround& ground, const Path& path, std::size_t step) {
-  const PathStep& at = *path.steps[step];
-  contact::Solved solved{ground.space, ground.stiffness, *at.problem,    at.conditions,
-                         ground.units, at.state,         at.displacement};
-  solved.displacementBefore = &path.before(step);
-  return solved;
-}
-
-Path followPath(const PathGround& ground, const std::vector<PathPoint>& earlier,
-                PhaseTimer& timer, const std::function<void(const Path&)>& handOut) {
-  Follower follower(ground, earlier, timer);
+Path followPath(const Ground& ground, const contact::ContactSystem& atZero,
+                const std::vector<PathPoint>& earlier, PhaseTimer& timer,
+                const std::function<void(const Path&)>& handOut) {
+  Follower follower(ground, atZero, earlier, timer);
   for (const double time : ground.scene.history.times) {
     const bool reached = follower.goTo(time);
     handOut(follower.path());

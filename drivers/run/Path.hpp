@@ -2,8 +2,7 @@
 
 #include "contact/path/PathMemory.hpp"
 #include "drivers/process/PhaseTimer.hpp"
-#include "drivers/run/Level.hpp"
-#include "drivers/scene/Scene.hpp"
+#include "drivers/run/SolvedBodies.hpp"
 
 #include <functional>
 #include <memory>
@@ -12,7 +11,7 @@
 
 namespace epafi::drivers {
 
-/// A contact side in a row of steps.csv, in the user's units.
+/// A contact in a row of steps.csv, in the user's units.
 struct ContactRow {
   std::string name;
   contact::Summary summary;
@@ -34,45 +33,30 @@ struct StepRow {
   double energyStabilisation = 0;  ///< what it stores
   double energyError = 0;          ///< outside - trapezoidal - stored
   std::vector<ContactRow> contacts;
+  std::vector<RigidRow> rigid;
+  std::vector<contact::Summary> bodies;  ///< in scenes of several
 };
 
 /// A solved step with all that its fields are made from.
 struct PathStep {
   StepRow row;
-  contact::Conditions conditions;
-  std::unique_ptr<const contact::ContactProblem> problem;
-  contact::State state;
-  bem::Vector displacement;
-  bem::Vector density;
-  bem::Vector frictionWork;  ///< so far, one per tangential coefficient, dimensionless
+  std::vector<contact::Conditions> conditions;
+  std::unique_ptr<const contact::ContactSystem> system;
+  std::unique_ptr<const SolvedBodies> solved;
+  std::vector<bem::Vector> frictionWork;  ///< so far, one per body's tangential
+                                          ///< coefficient, dimensionless
 };
 
 /// The steps of a path on one mesh.
 struct Path {
+  std::unique_ptr<const Placement> start;        ///< before the first: nothing has moved
   std::vector<std::unique_ptr<PathStep>> steps;  ///< those that were asked for
-  bem::Vector start;              ///< the displacement before the first: zero
-  std::vector<PathPoint> points;  ///< every step that was solved
-  contact::Report report;         ///< iterations of all; status of the last
-  std::string reason;             ///< why the path ends early; else empty
+  std::vector<PathPoint> points;                 ///< every step that was solved
+  contact::Report report;  ///< iterations of all; status of the last
+  std::string reason;      ///< why the path ends early; else empty
 
-  /// The displacement before a step (an index into steps).
-  const bem::Vector& before(std::size_t step) const {
-    return step == 0 ? start : steps[step - 1]->displacement;
-  }
+  const PathStep& last() const { return *steps.back(); }
 };
-
-/// What a path is followed on.
-struct PathGround {
-  const Scene& scene;
-  int level;
-  const bem::Space& space;
-  const bem::SteklovPoincare& stiffness;
-  const contact::ContactProblem& atZero;  ///< with the conditions at t = 0
-  bem::Units units;
-};
-
-/// A step of the path (an index into its steps) with all that its results are made from.
-contact::Solved solvedStep(const PathGround& ground, const Path& path, std::size_t step);
 
 /// Follows the scene's path; operators, factors and D are those of `atZero` for all steps.
 ///
@@ -81,7 +65,8 @@ contact::Solved solvedStep(const PathGround& ground, const Path& path, std::size
 /// earlier run has solved: they are taken as they are.  `handOut` receives each step asked
 /// for as soon as it is solved, and the path so far.  Collective.
 /// \throws bem::InputError, Interrupted.
-Path followPath(const PathGround& ground, const std::vector<PathPoint>& earlier,
-                PhaseTimer& timer, const std::function<void(const Path&)>& handOut);
+Path followPath(const Ground& ground, const contact::ContactSystem& atZero,
+                const std::vector<PathPoint>& earlier, PhaseTimer& timer,
+                const std::function<void(const Path&)>& handOut);
 
 }  // namespace epafi::drivers

@@ -33,21 +33,28 @@ void checkResistance(const Scene& scene, const contact::ContactSystem& system) {
   }
   std::vector<Vector> basis;
   bem::Index k = 0;
+  const auto resist = [&](const std::string& name, const char* advice) {
+    Vector rest = bem::columnOf(motions, k++);
+    orthogonalise(basis, rest);
+    const double size = std::sqrt(bem::dot(rest, rest));
+    if (!(size > rounding * largest))
+      throw bem::InputError(bem::message(
+          "Bodies->", name, ": can move as a rigid body in a way that nothing resists; ",
+          advice));
+    for (double& x : rest)
+      x /= size;
+    basis.push_back(std::move(rest));
+  };
   for (std::size_t b = 0; b < system.size(); ++b)
-    for (const bem::Index end = k + system.body(b).freeMotions(); k < end; ++k) {
-      Vector rest = bem::columnOf(motions, k);
-      orthogonalise(basis, rest);
-      const double size = std::sqrt(bem::dot(rest, rest));
-      if (!(size > rounding * largest))
-        throw bem::InputError(
-            bem::message("Bodies->", scene.bodies[b].name,
-                         ": can move as a rigid body in a way that nothing resists; hold "
-                         "it by a Dirichlet "
-                         "condition, Rigid Motions->Fix, contact or friction"));
-      for (double& x : rest)
-        x /= size;
-      basis.push_back(std::move(rest));
-    }
+    for (bem::Index own = 0; own < system.body(b).freeMotions(); ++own)
+      resist(scene.bodies[b].name,
+             "hold it by a Dirichlet condition, Rigid Motions->Fix, contact or friction");
+  for (const RigidBody& body : scene.rigid)
+    for (const RigidBody::Component& component : body.components)
+      if (component.free)
+        resist(body.name,
+               "give it a Displacement or a Rotation instead of a Force or a Moment, or "
+               "contact or friction");
 }
 
 }  // namespace epafi::drivers

@@ -19,4 +19,23 @@ Scene::MetEdges Scene::metEdges(const ContactPair& pair) const {
   return met;
 }
 
+std::vector<contact::Drive> Scene::drivesAt(double t) const {
+  const double length = units().length;
+  const double force = stress * length;
+  const double forces[] = {force, force, force * length};
+  const double motions[] = {length, length, 1};
+  std::vector<contact::Drive> drives;
+  for (const RigidBody& body : rigid) {
+    contact::Drive drive;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const RigidBody::Component& component = body.components[c];
+      const double one = component.free ? forces[c] : motions[c];
+      drive.components[c] = {component.free,
+                             component.value ? component.value(t) / one : 0};
+    }
+    drives.push_back(drive);
+  }
+  return drives;
+}
+
 }  // namespace epafi::drivers

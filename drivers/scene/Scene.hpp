@@ -6,6 +6,7 @@
 #include "bem/geometry/Outline.hpp"
 #include "contact/conditions/Conditions.hpp"
 #include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/problem/RigidBodies.hpp"
 #include "contact/problem/Stabilization.hpp"
 #include "drivers/scene/Expression.hpp"
 #include "drivers/scene/History.hpp"
@@ -16,6 +17,7 @@
 #include <Teuchos_RCP.hpp>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -42,14 +44,18 @@ struct Body {
   std::vector<RequiredNode> nodes;  ///< of the mesh: where contact with others ends
 };
 
-/// A body without elasticity: held, or moved as its scene says, about its reference point.
+/// A body without elasticity: held, moved, or under a force, about its reference point.
 struct RigidBody {
+  /// Of x, y and the rotation.
+  struct Component {
+    bool free = false;  ///< under a force
+    std::function<double(double t)>
+        value;  ///< the force or moment, or the motion [radian]
+  };
   std::string name;
   std::shared_ptr<const bem::Outline> outline;
-  bem::Function x;  ///< displacement; empty: none
-  bem::Function y;
-  bem::Function rotation;  ///< [radian]
-  bem::Vec2 pole;          ///< of the rotation
+  std::array<Component, 3> components;
+  bem::Vec2 pole;  ///< reference point
 };
 
 /// A boundary of a body.
@@ -78,9 +84,9 @@ struct Scene {
   double stress = 1;  ///< that all of them count in
 
   History history;
-  /// The body's conditions at a time, where there is a History; of the same kinds on the
+  /// The bodies' conditions at a time, where there is a History; of the same kinds on the
   /// same boundaries at all times.
-  std::function<contact::Conditions(double t)> conditionsAt;
+  std::function<std::vector<contact::Conditions>(double t)> conditionsAt;
 
   std::string multiplier;
   contact::Stabilization stabilization;
@@ -107,6 +113,10 @@ struct Scene {
     std::vector<bem::Vec2> interiorPoints;
     bool fields = true;  ///< write boundary.csv and what shows fields
   } output;
+
+  /// How bodies without elasticity are moved at a time.
+  std::vector<contact::Drive> drivesAt(double t) const;
+  double endOfPath() const { return history ? history.times.back() : 1; }
 
   bem::Units units() const { return bodies.front().outline->units(stress); }
   bem::Lame lame(std::size_t b) const { return {bodies[b].material, stress}; }

@@ -344,6 +344,16 @@ bem::Vec2 centroidOf(const bem::Outline& outline) {
   return outline.physical((1 / length) * sum);
 }
 
+bem::Vec2 readPole(const ParameterList& motion, const std::string& path,
+                   const bem::Outline& outline) {
+  if (!motion.isParameter("Reference Point"))
+    return centroidOf(outline);
+  const auto& point = motion.get<Teuchos::Array<double>>("Reference Point");
+  if (point.size() != 2)
+    throw InputError(message(path, ": has ", point.size(), " numbers; a point has two"));
+  return {point[0], point[1]};
+}
+
 RigidBody readRigid(const ParameterList& list, const std::string& name,
                     const Scene& scene, const Loops& loops) {
   const std::string path = "Bodies->" + name;
@@ -351,15 +361,26 @@ RigidBody readRigid(const ParameterList& list, const std::string& name,
   RigidBody body;
   body.name = name;
   body.outline = makeOutline(loops, 0, path + "->Geometry");
-  body.pole = centroidOf(*body.outline);
   const ParameterList& motion = list.sublist("Motion");
-  const auto function = [&](const std::string& key) {
-    return makeExpression(motion.get<std::string>(key),
-                          {scene.file, path + "->Motion->" + key}, {scene.constants});
-  };
-  body.x = function("Displacement X");
-  body.y = function("Displacement Y");
-  body.rotation = function("Rotation");
+  body.pole = readPole(motion, path + "->Motion->Reference Point", *body.outline);
+  constexpr std::pair<const char*, const char*> keys[] = {{"Displacement X", "Force X"},
+                                                          {"Displacement Y", "Force Y"},
+                                                          {"Rotation", "Moment"}};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto& [moved, pushed] = keys[c];
+    const bool free = motion.isParameter(pushed);
+    if (free && motion.isParameter(moved))
+      throw InputError(message(path, "->Motion->", pushed, ": ", moved,
+                               " is given, too; a motion is prescribed, or free under a "
+                               "force, not both"));
+    const std::string key = free ? pushed : moved;
+    if (motion.isParameter(key))
+      body.components[c] = {free, [text = motion.get<std::string>(key),
+                                   place = Place{scene.file, path + "->Motion->" + key},
+                                   constants = scene.constants](double t) {
+                              return evaluateAt(t, text, place, constants);
+                            }};
+  }
   return body;
 }
 
@@ -402,17 +423,29 @@ void readHistory(ParameterList& used, Scene& scene) {
     used.remove("History");
     return;
   }
-  if (scene.hasSeveral())
-    throw InputError(
-        "History: is possible with one elastic body for now, whose contact boundaries "
-        "meet obstacles at a Gap");
-  Body& body = scene.bodies.front();
-  scene.conditionsAt = [list = ParameterList(used.sublist("Bodies").sublist(body.name)),
-                        place = Place{scene.file, "Bodies->" + body.name},
-                        outline = body.outline, constants = scene.constants](double t) {
-    return readConditions(list, place, *outline, {constants, t});
+  scene.conditionsAt = [lists = scene.used, file = scene.file, bodies = scene.bodies,
+                        constants = scene.constants](double t) {
+    std::vector<contact::Conditions> all;
+    for (const Body& body : bodies) {
+      all.push_back(readConditions(lists->sublist("Bodies").sublist(body.name),
+                                   {file, "Bodies->" + body.name}, *body.outline,
+                                   {constants, t}));
+      for (const auto& [boundary, contact] : body.conditions.contact)
+        if (!contact.name.empty()) {
+          contact::Conditions::Contact now =
+              readContactOfBodies(lists->sublist("Contacts").sublist(contact.name),
+                                  {file, "Contacts->" + contact.name},
+                                  {constants, t, normalOn(*body.outline, boundary)});
+          now.name = contact.name;
+          now.parts = contact.parts;
+          all.back().contact[boundary] = std::move(now);
+        }
+    }
+    return all;
   };
-  body.conditions = scene.conditionsAt(scene.history.times.back());
+  const std::vector<contact::Conditions> end = scene.conditionsAt(scene.endOfPath());
+  for (std::size_t b = 0; b < end.size(); ++b)
+    scene.bodies[b].conditions = end[b];
 }
 
 Scene build(const std::string& file, const RawScene& raw) {

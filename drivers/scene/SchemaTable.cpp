@@ -157,17 +157,24 @@ void addSeveralBodies(Table& table) {
               .range({1, 25}),
           Row(motion, Kind::List, "of a rigid body; without it the body is held"),
           Row(motion + "->Displacement X", Kind::Expression,
-              "prescribed, without x and y")
-              .unit("length")
-              .standard("0"),
-          Row(motion + "->Displacement Y", Kind::Expression, "likewise")
-              .unit("length")
-              .standard("0"),
+              "prescribed, without x and y; without it and Force X none")
+              .unit("length"),
+          Row(motion + "->Displacement Y", Kind::Expression, "likewise").unit("length"),
           Row(motion + "->Rotation", Kind::Expression,
-              "prescribed, counter-clockwise about the outline's centroid; small: places "
+              "prescribed, counter-clockwise about the reference point; small: places "
               "move by its tangent")
-              .unit("radian")
-              .standard("0"),
+              .unit("radian"),
+          Row(motion + "->Force X", Kind::Expression,
+              "instead of Displacement X: the motion is free, under this force")
+              .unit("stress length"),
+          Row(motion + "->Force Y", Kind::Expression, "likewise").unit("stress length"),
+          Row(motion + "->Moment", Kind::Expression,
+              "instead of Rotation: about the reference point, likewise")
+              .unit("stress length^2"),
+          Row(motion + "->Reference Point", Kind::Reals,
+              "where forces act and what rotations turn about; without it the outline's "
+              "centroid")
+              .unit("length"),
           Row("Contacts", Kind::List, "contact between bodies"),
           Row(contact, Kind::List, "a contact, under a name of your choice"),
           Row(contact + "->Between", Kind::Names,

@@ -1,6 +1,7 @@
 // Steps of a path: one problem at many times, and what friction remembers of them.
 #include "Algebra.hpp"
 #include "contact/Solve.hpp"
+#include "contact/equation/ProblemFamily.hpp"
 #include "contact/path/PathMemory.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -27,6 +28,11 @@ bem::Mesh mesh(int degree) {
           bem::Loop{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {"bottom", "right", "top", "left"}},
           std::vector<bem::Loop>{}),
       {6, 4, 6, 4}, degree);
+}
+
+/// The conditions of the only body.
+std::vector<contact::Conditions> alone(contact::Conditions conditions) {
+  return {std::move(conditions)};
 }
 
 /// Down, then to and fro while the plane rises: t in [0, 4].
@@ -71,26 +77,26 @@ Result follow(Form form, int steps) {
                              contact::tractionElements(multiplier, stabilization)),
       test::algebra(),
       contact::densityCompliance(space, multiplier, stabilization, lame, units));
-  const contact::ContactProblem problem(
-      {space, stiffness, lame, units, first, basis, stabilization});
+  const contact::ContactSystem problem(
+      {{space, stiffness, lame, units, first, basis, stabilization}});
   contact::PathMemory memory(problem);
   Result result;
   State state;
   double stored = 0;
   for (int k = 1; k <= steps; ++k) {
-    const contact::Conditions now = conditionsAt(4.0 * k / steps);
-    const contact::ContactProblem step =
-        problem.at({now, memory.slip(), memory.largestLoad()});
+    const auto now = alone(conditionsAt(4.0 * k / steps));
+    const contact::ContactSystem step =
+        problem.under({now, {}, memory.slip(), memory.largestLoad()});
     const contact::Solution solution = test::solve(step.numbers(), state);
     result.converged =
         result.converged && solution.report.status == contact::Status::Converged;
     state = solution.state;
-    const Vector u = step.displacement(state);
+    const contact::Configuration at = step.configuration(state);
     const Vector before = memory.frictionWork();
-    memory.add(step, state, u);
+    memory.add(step, at);
     for (std::size_t t = 0; t < before.size(); ++t)
       result.neverFalls = result.neverFalls && memory.frictionWork()[t] >= before[t];
-    stored = step.storedEnergy(state, u);
+    stored = step.storedEnergy(at);
   }
   result.imbalance = memory.imbalance(stored);
   result.outside = memory.outside();
@@ -114,10 +120,10 @@ TEUCHOS_UNIT_TEST(Path, aStepUnderTheFirstConditionsIsTheFirstProblem) {
                                contact::tractionElements(multiplier, stabilization)),
         test::algebra(),
         contact::densityCompliance(space, multiplier, stabilization, lame, units));
-    const contact::ContactProblem problem(
-        {space, stiffness, lame, units, first, basis, stabilization});
-    const contact::Conditions same = conditionsAt(2);
-    const contact::ContactProblem step = problem.at({same, {}, 0});
+    const contact::ContactSystem problem(
+        {{space, stiffness, lame, units, first, basis, stabilization}});
+    const auto same = alone(conditionsAt(2));
+    const contact::ContactSystem step = problem.under({same, {}, {}, 0});
     const contact::Problem& a = problem.numbers();
     const contact::Problem& b = step.numbers();
     TEST_EQUALITY(a.offset.size(), b.offset.size());
@@ -154,6 +160,63 @@ TEUCHOS_UNIT_TEST(Path, theBalanceOfEnergyIsOfSecondOrderInTheStep) {
     // 16 times less, but which points open and close in a step is up to chance
     TEST_COMPARE(std::abs(fine.imbalance), <, std::abs(coarse.imbalance) / 6);
   }
+}
+
+TEUCHOS_UNIT_TEST(Path, theIncrementLeadsFromTheStepBeforeToThisOne) {
+  const contact::Stabilization stabilization = formOf(Form::Projected);
+  const auto& basis = contact::multiplierBasis("Gauss-Legendre-Lagrange");
+  const auto before = alone(conditionsAt(1));
+  const auto now = alone(conditionsAt(1.5));
+  const bem::Lame lame{{1, 0.3, false}};
+  const bem::Space space = contact::makeSpace(mesh(2), now[0], stabilization);
+  const bem::SteklovPoincare stiffness =
+      contact::makeStiffness(space, contact::MultiplierSpace(space.mesh(), basis, now[0]),
+                             stabilization, lame, units, test::algebra());
+  const contact::ContactSystem system(
+      {{space, stiffness, lame, units, before[0], basis, stabilization}});
+  contact::PathMemory memory(system);
+  const contact::ContactSystem first = system.under({before});
+  const State state = test::solve(first.numbers(), {}).state;
+  memory.add(first, first.configuration(state));
+  const contact::ContactSystem last =
+      system.under({before, {}, memory.slip(), memory.largestLoad()});
+  const contact::ContactSystem step =
+      system.under({now, {}, memory.slip(), memory.largestLoad()});
+  const contact::ProblemFamily family(step.numbers(), step.gap(), last.numbers());
+  TEST_ASSERT(family.isStep());
+
+  // the step before is solved by its own state, friction included, and not by another part
+  const auto& function = contact::complementarities().at("Projection");
+  const auto residual = [&](double s, const Vector& x) {
+    const contact::Problem problem = family.at({1, 1, s});
+    return contact::Equation(problem, function, contact::Equation::Bound::Differentiated,
+                             0)
+        .at(x)
+        .residual;
+  };
+  const auto largest = [](const Vector& v) {
+    double size = 0;
+    for (const double x : v)
+      size = std::max(size, std::abs(x));
+    return size;
+  };
+  const Vector x = contact::pack(step.numbers(), state);
+  TEST_COMPARE(largest(residual(0, x)), <, 1e-10 * step.numbers().stress);
+  TEST_COMPARE(largest(residual(1, x)), >, 1e-4 * step.numbers().stress);
+
+  const contact::Problem middle = family.at({1, 1, 0.5});
+  const contact::Equation equation(middle, function,
+                                   contact::Equation::Bound::Differentiated, 0);
+  const contact::Evaluation e = equation.at(x);
+  const Vector derivative = family.incrementDerivative(equation, e);
+  constexpr double h = 1e-6;
+  const Vector above = residual(0.5 + h, x);
+  const Vector below = residual(0.5 - h, x);
+  for (std::size_t i = 0; i < derivative.size(); ++i)
+    TEST_COMPARE(std::abs((above[i] - below[i]) / (2 * h) - derivative[i]), <=,
+                 1e-6 * (largest(derivative) + 1e-12));
+  TEST_THROW(contact::ProblemFamily(step.numbers(), step.gap()).at({1, 1, 0.5}),
+             bem::InputError);
 }
 
 }  // namespace epafi

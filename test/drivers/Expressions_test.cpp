@@ -109,7 +109,7 @@ TEUCHOS_UNIT_TEST(Forces, areTheUniformTractionTimesTheLength) {
   const double length =
       std::acos(-1.0) / 2 + 1;  // half a circle of diameter 1, and a side
   TEST_FLOATING_EQUALITY(loadOn(scene, "load").x({0, 0.1}), 24 / length, 1e-14);
-  const auto early = scene.conditionsAt(0.5).neumann.at("load");
+  const auto early = scene.conditionsAt(0.5).front().neumann.at("load");
   TEST_FLOATING_EQUALITY(early.x({0, 0.1}), 1.5 / length, 1e-14);
   TEST_FLOATING_EQUALITY(early.y({0, 0.1}), -1 / length, 1e-14);
 

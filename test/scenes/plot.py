@@ -1,5 +1,7 @@
 """Pictures of a run: all of them, in both formats, and clear words where there are none."""
+import base64
 import os
+import struct
 import xml.etree.ElementTree as xml
 
 from runs import WORK, claim, epafi, finish, fresh, levels, run, scene, table
@@ -31,6 +33,41 @@ run(scene("fretting.xml"), "fretting", ["History->Steps={1, 2, 2, 2}"])
 code, text = epafi("plot", os.path.join(WORK, "fretting"))
 claim(code == 0, "a path is drawn: " + text.strip())
 drawn(os.path.join(WORK, "fretting"), PICTURES + ["path", "steps"], "fretting")
+
+# rigid bodies along a path: a movie, and a collection for ParaView whose files say what they hold
+run(scene("tilting-punch.xml"), "punch")
+code, text = epafi("plot", os.path.join(WORK, "punch"))
+claim(code == 0, "a punch that tilts is drawn: " + text.strip())
+drawn(os.path.join(WORK, "punch"), PICTURES + ["path", "steps", "rigid"], "punch")
+with open(os.path.join(WORK, "punch", "movie.gif"), "rb") as stream:
+    movie = stream.read()
+claim(movie[:4] == b"GIF8" and movie.count(b"\x21\xf9\x04") == 6, "a movie of a frame per step")
+parts = xml.parse(os.path.join(WORK, "punch", "steps.pvd")).getroot().findall(".//DataSet")
+claim([float(part.get("timestep")) for part in parts] ==
+      [row["t"] for row in table(os.path.join(WORK, "punch", "steps.csv"))],
+      "steps.pvd has the times of the steps")
+SIZES = {"Float64": "d", "Int64": "q", "Int32": "i", "UInt8": "B"}
+for part in parts:
+    piece = xml.parse(os.path.join(WORK, "punch", part.get("file"))).getroot().find(".//Piece")
+    counts = {"PointData": "NumberOfPoints", "Points": "NumberOfPoints"}
+    arrays = {}
+    for group in piece:
+        count = int(piece.get(counts.get(group.tag, "NumberOfCells")))
+        for item in group:
+            data = base64.b64decode(item.text)
+            letter = SIZES[item.get("type")]
+            arrays[item.get("Name")] = struct.unpack(
+                "<%d%s" % ((len(data) - 8) // struct.calcsize(letter), letter), data[8:])
+            wanted = count * int(item.get("NumberOfComponents")) * (
+                2 if item.get("Name") == "connectivity" else 1)
+            claim(len(arrays[item.get("Name")]) == wanted and
+                  struct.unpack("<Q", data[:8])[0] == len(data) - 8,
+                  "%s: %s is whole" % (part.get("file"), item.get("Name")))
+    claim(set(arrays["body"]) == {0, 1}, "%s: both bodies" % part.get("file"))
+last = table(os.path.join(WORK, "punch", "steps.csv"))[-1]
+ends = arrays["connectivity"][2 * arrays["body"].index(1)]  # a corner of the punch, (-1, 0)
+claim(abs(arrays["displacement"][3 * ends + 1] - last["punch.motion_y"] +
+          last["punch.rotation"]) < 1e-15, "the punch is where steps.csv says")
 
 points = table(os.path.join(WORK, "tresca", "boundary.csv"))
 claim(points[-1]["element"] == 63 and {point["degree"] for point in points} == {1},

@@ -8,7 +8,8 @@ SIDES = "{bottom, right, top, left}"
 
 
 def parameter(name, kind, value):
-    return '<Parameter name="%s" type="%s" value="%s"/>' % (name, kind, value)
+    return '<Parameter name="%s" type="%s" value="%s"/>' % (
+        name, kind, str(value).replace("&", "&amp;").replace("<", "&lt;"))
 
 
 def listed(name, *items):

@@ -100,10 +100,12 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
     return met.gap + dot(motion(met), across(t)) - normal(t);
   };
   // the whole jump of bonded sides is an error, not what a step adds to it
-  const Polynomial own =
-      component(along, element.ties() ? nullptr : solved.displacementBefore);
-  const auto tangential = [&opposite, &element, along, own, motion](double t) {
-    return own(t) - dot(motion(opposite.at(element, t)), along(t));
+  const bool ties = element.ties();
+  const Polynomial own = component(along, ties ? nullptr : solved.displacementBefore);
+  const contact::Motions* before = ties ? nullptr : solved.motionsBefore;
+  const auto tangential = [&opposite, &element, along, own, motion, before](double t) {
+    const auto met = opposite.at(element, t);
+    return own(t) - dot(motion(met) - motionAt(before, met), along(t));
   };
   const auto bound = [&mesh, &condition, units, e, pressure](double t) {
     return condition.friction.at(mesh.physicalPoint(e, t), units.stress)

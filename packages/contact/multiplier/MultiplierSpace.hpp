@@ -76,6 +76,11 @@ class MultiplierSpace {
                                        : tangential + offset(tangentialEnds, i);
     }
 
+    /// True of a coefficient at a clamped end: the displacement cannot be held to anything.
+    bool holdsNothing(const std::array<EndCompletion, 2>& ends, int i) const {
+      return (i == 0 && ends[0].clamped) || (i == degree && ends[1].clamped);
+    }
+
     /// False where another coefficient stands in for this one.
     static bool isOwn(EndCoefficients ends, int degree, int i) {
       return (ends.first || i > 0) && (ends.last || i < degree);
@@ -123,5 +128,10 @@ class MultiplierSpace {
   Index normals_ = 0;
   Index size_ = 0;
 };
+
+/// A contact's name: the scene's between bodies, else its boundary's.
+inline const std::string& nameOf(const MultiplierSpace::ContactElement& element) {
+  return element.condition->name.empty() ? *element.boundary : element.condition->name;
+}
 
 }  // namespace epafi::contact

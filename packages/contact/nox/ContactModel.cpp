@@ -52,12 +52,11 @@ struct ContactModel::Member {
 ContactModel::ContactModel(const ContactProblem& problem, const Options& options)
     : ContactModel(problem.numbers(), problem.gap(), options) {}
 
-ContactModel::ContactModel(const Problem& problem, const Vector& gap,
-                           const Options& options)
-    : family_(std::in_place, problem, gap),
-      stress_(problem.stress),
+ContactModel::ContactModel(ProblemFamily family, const Options& options)
+    : family_(std::move(family)),
+      stress_(family_->original().stress),
       complementarity_(&complementarities().at(options.complementarity)),
-      space_(spaceOf(problem, options)),
+      space_(spaceOf(family_->original(), options)),
       parameterSpace_(
           Thyra::locallyReplicatedDefaultSpmdVectorSpace<double>(space_->getComm(), 1)) {}
 
@@ -104,8 +103,8 @@ RCP<const Thyra::VectorSpaceBase<double>> ContactModel::get_p_space(int) const {
 }
 
 RCP<const Teuchos::Array<std::string>> ContactModel::get_p_names(int l) const {
-  const std::string name = l == Load ? "Load Factor" : "Friction Factor";
-  return Teuchos::rcp(new Teuchos::Array<std::string>(1, name));
+  constexpr const char* names[] = {"Load Factor", "Friction Factor", "Increment"};
+  return Teuchos::rcp(new Teuchos::Array<std::string>(1, names[l]));
 }
 
 Base::InArgs<double> ContactModel::createInArgs() const {
@@ -151,7 +150,8 @@ std::shared_ptr<const Equation> ContactModel::equationAt(const Factors& factors)
   if (single_ != nullptr)
     return single_;
   if (latest_ == nullptr || latest_->factors.load != factors.load ||
-      latest_->factors.friction != factors.friction)
+      latest_->factors.friction != factors.friction ||
+      latest_->factors.increment != factors.increment)
     latest_ = std::make_shared<const Member>(*family_, factors, *complementarity_);
   return {latest_, &latest_->equation};
 }
@@ -159,23 +159,25 @@ std::shared_ptr<const Equation> ContactModel::equationAt(const Factors& factors)
 void ContactModel::evalModelImpl(const Base::InArgs<double>& in,
                                  const Base::OutArgs<double>& out) const {
   const auto factor = [&](Parameter l) {
-    return !family_ || in.get_p(l).is_null() ? 1.0 : Thyra::get_ele(*in.get_p(l), 0);
+    return l >= parameters() || in.get_p(l).is_null() ? 1.0
+                                                      : Thyra::get_ele(*in.get_p(l), 0);
   };
-  const auto point = at(*in.get_x(), {factor(Load), factor(Friction)});
+  const auto point = at(*in.get_x(), {factor(Load), factor(Friction), factor(Increment)});
   const contact::Evaluation& e = point->evaluation();
 
   if (const auto f = out.get_f(); !f.is_null())
     scatter(*space_, e.residual, 1 / stress_, 0, *f);
   if (const auto w = out.get_W_op(); !w.is_null())
     Teuchos::dyn_cast<ContactJacobian>(*w).set(point);
-  if (!family_)
-    return;
-  if (const auto dfdp = out.get_DfDp(Load).getMultiVector(); !dfdp.is_null())
-    scatter(*space_, family_->loadDerivative(point->equation(), e), 1 / stress_, 0,
-            *dfdp->col(0));
-  if (const auto dfdp = out.get_DfDp(Friction).getMultiVector(); !dfdp.is_null())
-    scatter(*space_, family_->frictionDerivative(point->equation(), e), 1 / stress_, 0,
-            *dfdp->col(0));
+  using Derivative =
+      Vector (ProblemFamily::*)(const Equation&, const contact::Evaluation&) const;
+  constexpr Derivative derivatives[] = {&ProblemFamily::loadDerivative,
+                                        &ProblemFamily::frictionDerivative,
+                                        &ProblemFamily::incrementDerivative};
+  for (int l = 0; l < parameters(); ++l)
+    if (const auto dfdp = out.get_DfDp(l).getMultiVector(); !dfdp.is_null())
+      scatter(*space_, ((*family_).*derivatives[l])(point->equation(), e), 1 / stress_, 0,
+              *dfdp->col(0));
 }
 
 }  // namespace epafi::contact

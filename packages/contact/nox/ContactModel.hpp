@@ -20,16 +20,17 @@ namespace epafi::contact {
 /// F: see Equation; zero is where contact and friction hold.  A norm of f is relative to
 /// the load.
 ///
-///   parameters   p₀ load factor, p₁ friction factor (see Factors), both 1 unless given
+///   parameters   p₀ load factor, p₁ friction factor, of a step of a path p₂ the increment (see
+///                Factors), 1 unless given
 ///   f            the residual
 ///   W_op, W      an element of the generalised Jacobian; W solves with it, dense
-///   DfDp(0, 1)   of the same element, by columns; LOCA 13.2 prefers difference quotients
+///   DfDp(0, 1, 2)  of the same element, by columns; LOCA 13.2 prefers difference quotients
 ///
 /// F is semismooth: Newton's method with full steps converges locally, faster than
 /// linearly.  From far away let solve() find the point to begin with.
 class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
  public:
-  enum Parameter { Load = 0, Friction = 1 };
+  enum Parameter { Load = 0, Friction = 1, Increment = 2 };
 
   struct Options {
     std::string complementarity = "Projection";  ///< a name of complementarities()
@@ -48,7 +49,10 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
   explicit ContactModel(const ContactProblem& problem)
       : ContactModel(problem, Options()) {}
   ContactModel(const ContactProblem& problem, const Options& options);
-  ContactModel(const Problem& problem, const Vector& gap, const Options& options);
+  ContactModel(const Problem& problem, const Vector& gap, const Options& options)
+      : ContactModel(ProblemFamily(problem, gap), options) {}
+  /// Of a family, a step of a path among them.
+  ContactModel(ProblemFamily family, const Options& options);
 
   /// One equation as it is: x = (λ, α), f = F, without parameters, one process.  Its W
   /// throws SingularJacobian and NoBalance.  The equation must outlive the model.
@@ -92,7 +96,7 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
       const Thyra::ModelEvaluatorBase::OutArgs<double>& out) const override;
   std::shared_ptr<const Equation> equationAt(const Factors& factors) const;
 
-  int parameters() const { return family_ ? 2 : 0; }
+  int parameters() const { return family_ ? (family_->isStep() ? 3 : 2) : 0; }
   SolveFailure failure() const {
     return family_ ? SolveFailure::Told : SolveFailure::Thrown;
   }

@@ -1,5 +1,6 @@
 #include "contact/path/PathMemory.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "contact/equation/ContactState.hpp"
 
@@ -32,46 +33,81 @@ void forEachTangential(const MultiplierSpace& multiplier, const Visit& visit) {
               static_cast<std::size_t>(element.tangentialOf(i) - multiplier.normals()));
 }
 
+/// One after the other.
+template <class Parts>
+Vector inARow(const Parts& parts) {
+  Vector all;
+  for (const auto& part : parts)
+    all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+/// What acts on bodies from outside: on those that deform loads and clamps, on the others
+/// what moves them against the contact.
+Vector forcesFromOutside(const ContactSystem& step, const Configuration& at) {
+  std::vector<Vector> forces;
+  for (std::size_t b = 0; b < step.size(); ++b) {
+    forces.push_back(
+        step.body(b).clampForces(at.bodies[b], at.displacements[b], at.met[b]));
+    bem::axpy(1, step.body(b).load(), forces.back());
+  }
+  for (const auto& [x, y, moment] : step.rigidForces(at.state))
+    forces.push_back({-x, -y, -moment});
+  return inARow(forces);
+}
+
+/// In the same order.
+Vector motionsOf(const Configuration& at) {
+  std::vector<Vector> motions = at.displacements;
+  for (const RigidMotion& motion : at.rigid)
+    motions.push_back({motion.slide.x, motion.slide.y, motion.turn});
+  return inARow(motions);
+}
+
 }  // namespace
 
-PathMemory::PathMemory(const ContactProblem& atZero)
+PathMemory::PathMemory(const ContactSystem& atZero)
     : slip_(atZero.numbers().tangentials.size(), 0.0),
       friction_(slip_.size(), 0.0),
       multiplier_(static_cast<std::size_t>(atZero.numbers().size()), 0.0),
-      displacement_(atZero.load().size(), 0.0),
-      forces_(atZero.load().size(), 0.0),
-      gap_(atZero.gap()) {
+      gap_(atZero.gap()),
+      jump_(multiplier_.size(), 0.0) {
+  std::size_t size = 3 * atZero.drives().size();
+  for (std::size_t b = 0; b < atZero.size(); ++b)
+    size += atZero.body(b).load().size();
+  motions_.assign(size, 0.0);
+  forces_ = motions_;
   // what overlaps without a displacement is pushed apart from touching on
   for (double& gap : gap_)
     gap = std::max(gap, 0.0);
 }
 
-void PathMemory::add(const ContactProblem& step, const State& state,
-                     const Vector& displacement) {
+void PathMemory::add(const ContactSystem& step, const Configuration& at) {
   const Problem& problem = step.numbers();
   const auto normals = static_cast<std::size_t>(problem.normals);
-  const Vector increment = contact::slip(problem, state);
-  const ContactState states = classify(problem, state);
+  const Vector increment = contact::slip(problem, at.state);
+  const ContactState states = classify(problem, at.state);
   for (std::size_t t = 0; t < increment.size(); ++t) {
-    const double shear = state.multiplier[normals + t];
+    const double shear = at.state.multiplier[normals + t];
     const FrictionState friction = states.tangential[t];
     if (friction == FrictionState::SlipForward || friction == FrictionState::SlipBackward)
       // the solver's rounding may leave the other sign of nothing
       friction_[t] += std::max(0.0, shear * increment[t]);
     trapezoidal_ += 0.5 * (shear + multiplier_[normals + t]) * increment[t];
   }
-  Vector forces = step.clampForces(state, displacement);
-  std::transform(forces.begin(), forces.end(), step.load().begin(), forces.begin(),
-                 std::plus<>());
+  Vector forces = forcesFromOutside(step, at);
+  Vector motions = motionsOf(at);
   outside_ +=
-      trapezoid(forces, forces_, displacement, displacement_, displacement.size()) -
-      trapezoid(state.multiplier, multiplier_, step.gap(), gap_, normals);
-  slip_ = step.slipSoFar(state);
+      trapezoid(forces, forces_, motions, motions_, motions.size()) -
+      trapezoid(at.state.multiplier, multiplier_, step.gap(), gap_, normals) -
+      trapezoid(at.state.multiplier, multiplier_, step.jump(), jump_, jump_.size());
+  slip_ = step.slipSoFar(at.state);
   largestLoad_ = std::max(largestLoad_, step.loadSize());
-  multiplier_ = state.multiplier;
-  displacement_ = displacement;
+  multiplier_ = at.state.multiplier;
+  motions_ = std::move(motions);
   forces_ = std::move(forces);
   gap_ = step.gap();
+  jump_ = step.jump();
 }
 
 double PathMemory::friction() const {
@@ -82,11 +118,11 @@ std::map<std::string, double> frictionWorkOfContacts(const MultiplierSpace& mult
                                                      const Vector& frictionWork) {
   std::map<std::string, double> result;
   for (const Element& element : multiplier.elements())
-    result[*element.boundary];
+    result[nameOf(element)];
   std::vector<char> seen(frictionWork.size(), 0);  // neighbours may share a coefficient
   forEachTangential(multiplier, [&](const Element& element, int, std::size_t t) {
     if (seen[t] == 0)
-      result[*element.boundary] += frictionWork[t];
+      result[nameOf(element)] += frictionWork[t];
     seen[t] = 1;
   });
   return result;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/problem/ContactProblem.hpp"
+#include "contact/problem/ContactSystem.hpp"
 
 #include <map>
 #include <string>
@@ -15,17 +15,18 @@ namespace epafi::contact {
 ///   trapezoidal   Σ ½ (λₜ,i + λₜ,i⁻) Δrₜ,i
 ///   outside       Σ ½ (f + f⁻)·Δu + ½ (R + R⁻)·Δu - ½ (λₙ + λₙ⁻)·Δg
 ///
-/// of loads f, clamps R and obstacles that move; ⁻: the step before, at first no load and no
+/// over all bodies, of loads f, clamps R and obstacles that move; a body that does not deform
+/// adds what moves it times its motion.  ⁻: the step before, at first no load and no
 /// displacement.                                        [doc/theory/paths.md, Energies]
 class PathMemory {
  public:
   /// \param atZero the problem at t = 0, for the gaps to begin with
-  explicit PathMemory(const ContactProblem& atZero);
+  explicit PathMemory(const ContactSystem& atZero);
 
   /// Adds a solved step.  \pre the step was told slip() and largestLoad().
-  void add(const ContactProblem& step, const State& state, const Vector& displacement);
+  void add(const ContactSystem& step, const Configuration& at);
 
-  const Vector& slip() const { return slip_; }  ///< rₜ, see ContactProblem::Step
+  const Vector& slip() const { return slip_; }  ///< rₜ, see ContactSystem::Step
   double largestLoad() const { return largestLoad_; }
 
   /// Friction's work so far, one number per tangential coefficient, none ever falls.
@@ -46,12 +47,15 @@ class PathMemory {
   double largestLoad_ = 0;
   // of the step before
   Vector multiplier_;
-  Vector displacement_;
-  Vector forces_;  ///< f + R
+  Vector
+      motions_;  ///< displacements of all bodies and motions of those that do not deform
+  Vector forces_;  ///< f + R, and what moves these
   Vector gap_;
+  Vector jump_;  ///< of bonded sides
 };
 
-/// Friction's work so far of each contact boundary, dimensionless.
+/// Friction's work so far of each contact of a body, see nameOf; dimensionless, likewise its
+/// part of frictionWork.
 std::map<std::string, double> frictionWorkOfContacts(const MultiplierSpace& multiplier,
                                                      const Vector& frictionWork);
 

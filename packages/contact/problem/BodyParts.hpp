@@ -9,8 +9,8 @@ namespace epafi::contact {
 /// What a ContactProblem is made of; a ContactSystem condenses several of them.
 struct ContactProblem::Parts {
   explicit Parts(const Input& input);
-  /// The same at a step of a path.
-  Parts(const Parts& same, const Step& step);
+  /// The same at another time of a path; the factor of A is shared.
+  Parts(const Parts& same, const Conditions& conditions);
 
   const bem::Space& space;
   bem::Units units;
@@ -23,7 +23,6 @@ struct ContactProblem::Parts {
   double gamma0 = 0;
   std::unique_ptr<const ElasticBody> body{};
   Problem numbers{};
-  Vector slipBefore{};  ///< in a step of a path, see ContactProblem::Step
 
   /// Size of what acts on the body, dimensionless; zero: nothing.
   double size() const;

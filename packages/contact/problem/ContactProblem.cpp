@@ -82,7 +82,7 @@ ContactProblem::Parts::Parts(const Input& input)
 double ContactProblem::Parts::size() const {
   // dimensionless: strains and stresses are of one size
   return holding.loads.largestTraction + holding.loads.largestDisplacement +
-         obstacle.largestPenetration + obstacle.largestMotion;
+         obstacle.largestPenetration;
 }
 
 void ContactProblem::Parts::factor(const Input& input) {
@@ -128,38 +128,19 @@ ContactProblem::ContactProblem(const Input& input)
 
 ContactProblem::ContactProblem(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 
-ContactProblem::Parts::Parts(const Parts& same, const Step& step)
+ContactProblem::Parts::Parts(const Parts& same, const Conditions& conditions)
     : space(same.space),
       units(same.units),
-      holding(makeHolding(space, step.conditions, units)),
-      multiplier(same.multiplier.under(step.conditions)),
+      holding(makeHolding(space, conditions, units)),
+      multiplier(same.multiplier.under(conditions)),
       opposite(same.opposite),
       form(same.form),
       algebra(same.algebra),
       obstacle(makeObstacle(space.mesh(), multiplier, *opposite, units)),
       gamma0(same.gamma0),
-      body(std::make_unique<const ElasticBody>(same.body->under(holding))),
-      numbers(same.numbers.copy()),
-      slipBefore(step.slipBefore) {
+      body(std::make_unique<const ElasticBody>(same.body->under(holding))) {
+  numbers.normals = multiplier.normals();
   numbers.tangentials = obstacle.tangentials;
-  numbers.offset = form->pull(body->unpushed());
-  numbers.rigidLoad = body->rigidLoad();
-  takeAway(obstacle, numbers.offset);
-  const double largest = std::max(size(), step.largestLoad);
-  numbers.stress = largest > 0 ? largest : 1;
-  if (!slipBefore.empty())
-    numbers = withSlipBefore(numbers, slipBefore);
-}
-
-ContactProblem ContactProblem::at(const Step& step) const {
-  return ContactProblem(std::make_unique<Parts>(*parts_, step));
-}
-
-Vector ContactProblem::slipSoFar(const State& state) const {
-  Vector total = slip(parts_->numbers, state);
-  for (std::size_t t = 0; t < parts_->slipBefore.size(); ++t)
-    total[t] += parts_->slipBefore[t];
-  return total;
 }
 
 double ContactProblem::loadSize() const { return parts_->size(); }
@@ -203,13 +184,8 @@ double ContactProblem::storedEnergy(const State& state,
   double twice = 0;
   for (std::size_t i = 0; i < force.size(); ++i)
     twice -= force[i] * displacement[i];
-  if (!state.multiplier.empty()) {
-    const Matrix mass = parts_->form->multiplierMass();
-    for (Index j = 0; j < mass.columns(); ++j)
-      for (Index i = 0; i < mass.rows(); ++i)
-        twice += state.multiplier[static_cast<std::size_t>(i)] * mass(i, j) *
-                 state.multiplier[static_cast<std::size_t>(j)];
-  }
+  if (!state.multiplier.empty())
+    twice += parts_->form->multiplierWork(state.multiplier);
   return twice / 2;
 }
 
@@ -217,8 +193,9 @@ Vector ContactProblem::density(const State& state, const Vector& displacement) c
   return parts_->form->density(displacement, state.multiplier);
 }
 
-Vector ContactProblem::clampForces(const State& state, const Vector& displacement) const {
-  return parts_->body->clampForces(parts_->push(state, {}), displacement);
+Vector ContactProblem::clampForces(const State& state, const Vector& displacement,
+                                   const Vector& met) const {
+  return parts_->body->clampForces(parts_->push(state, met), displacement);
 }
 
 Vector ContactProblem::clampWork(const State& state, const Vector& displacement,

@@ -80,21 +80,6 @@ class ContactProblem {
   ~ContactProblem();
   ContactProblem(ContactProblem&&) noexcept;
 
-  /// What a step of a path changes.
-  struct Step {
-    const Conditions& conditions;  ///< of now; must outlive the problem
-    Vector slipBefore;             ///< rₜ at the end of the step before, see slipSoFar
-    double largestLoad = 0;        ///< loadSize() of the steps before, the largest
-  };
-  /// The same bodies on the same mesh at another time: conditions of the same kinds on the
-  /// same boundaries, friction that remembers.  Shares the factor of A and D, so that a
-  /// step costs one solution with the factor.  Not of a body of a system.
-  /// [doc/theory/paths.md]
-  ContactProblem at(const Step& step) const;
-
-  /// rₜ of a state from the path's beginning on: what the next step is told.
-  Vector slipSoFar(const State& state) const;
-
   /// Size of tractions, prescribed displacements and penetrations, dimensionless; zero
   /// without load.
   double loadSize() const;
@@ -130,7 +115,8 @@ class ContactProblem {
   const Vector& load() const;
 
   /// A u + Bᵀ λ - f on prescribed displacements: what clamps do to the body; zero elsewhere.
-  Vector clampForces(const State& state, const Vector& displacement) const;
+  Vector clampForces(const State& state, const Vector& displacement,
+                     const Vector& met = {}) const;
 
   /// (A u + Bᵀ λ - f) · v: work of the clamps' forces on the body on the rigid motions v
   /// of Space::rigidMotions, all but the prescribed unknowns of v set to zero; u is the

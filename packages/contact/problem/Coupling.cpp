@@ -384,6 +384,18 @@ void Coupling::weaken(double factor) {
     g *= factor;
 }
 
+double quadratic(const Matrix& symmetric, const Vector& w) {
+  double sum = 0;
+  for (Index j = 0; j < symmetric.columns(); ++j) {
+    const double* column = symmetric.column(j);
+    double inner = 0;
+    for (Index i = 0; i < symmetric.rows() && w[at(j)] != 0; ++i)
+      inner += column[i] * w[at(i)];
+    sum += w[at(j)] * inner;
+  }
+  return sum;
+}
+
 Matrix Coupling::multiplierMass() const {
   Matrix result(multipliers, multipliers);
   for (const Entry& entry : mass)
@@ -400,6 +412,14 @@ Matrix Coupling::multiplierMass() const {
     for (const Entry& entry : weights)
       result(entry.column, j) -= entry.value * half(entry.row, j);
   return result;
+}
+
+double Coupling::multiplierWork(const Vector& lambda) const {
+  double work = 0;
+  for (const Entry& entry : mass)
+    work += lambda[at(entry.row)] * entry.value * lambda[at(entry.column)];
+  return response == nullptr ? work
+                             : work - quadratic(response->density, weighted(lambda));
 }
 
 Matrix Coupling::transposed(const bem::DenseAlgebra& algebra) const {

@@ -48,6 +48,8 @@ struct Coupling {
 
   /// M, whole; with Density less Nᵀ X N.
   Matrix multiplierMass() const;
+  /// λᵀ M λ, without forming M.
+  double multiplierWork(const Vector& lambda) const;
   /// Bᵀ, my rows.
   Matrix transposed(const bem::DenseAlgebra& algebra) const;
   /// G λ: what the multiplier puts on each column of R.
@@ -63,6 +65,9 @@ struct Coupling {
   /// Its columns from `first` to before `last`.
   Matrix stabilisationHalf(Index first, Index last) const;
 };
+
+/// wᵀ X w.
+double quadratic(const Matrix& symmetric, const Vector& w);
 
 Coupling makeCoupling(const ContactProblem::Input& input,
                       const MultiplierSpace& multiplier);

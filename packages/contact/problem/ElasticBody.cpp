@@ -24,16 +24,6 @@ Vector onlyRounding(Vector correction, const Vector& u) {
   return correction;
 }
 
-/// C u for a replicated displacement.
-Vector pull(const DenseAlgebra& algebra, const Matrix& transposed, const Vector& u) {
-  const Rows mine = algebra.myRows(static_cast<Index>(u.size()));
-  Vector result(at(transposed.columns()));
-  for (Index i = 0; i < transposed.columns(); ++i)
-    for (Index j = 0; j < mine.size(); ++j)
-      result[at(i)] += transposed(j, i) * u[at(j + mine.begin)];
-  return algebra.sum(std::move(result));
-}
-
 /// What Fix makes of the prescribed displacement: the whole of u has no mean motion.
 Vector withoutFixedMotions(const Holding& holding) {
   const RigidConstraints& rigid = holding.rigid;
@@ -73,6 +63,15 @@ Holding makeHolding(const bem::Space& space, const Conditions& conditions,
   if (outline.diameter() < outline.scaling().length)
     scalePairs(rigid);
   return {std::move(loads), std::move(modes), std::move(rigid)};
+}
+
+Vector pull(const DenseAlgebra& algebra, const Matrix& transposed, const Vector& u) {
+  const Rows mine = algebra.myRows(static_cast<Index>(u.size()));
+  Vector result(at(transposed.columns()));
+  for (Index i = 0; i < transposed.columns(); ++i)
+    for (Index j = 0; j < mine.size(); ++j)
+      result[at(i)] += transposed(j, i) * u[at(j + mine.begin)];
+  return algebra.sum(std::move(result));
 }
 
 Matrix constrained(Matrix lower, const Rows& mine, const Holding& holding) {

@@ -22,6 +22,9 @@ Holding makeHolding(const bem::Space& space, const Conditions& conditions,
 /// is on all other displacements.  My rows.
 Matrix constrained(Matrix lower, const bem::Rows& mine, const Holding& holding);
 
+/// C u of a replicated displacement, replicated; Cᵀ: my rows.
+Vector pull(const bem::DenseAlgebra& algebra, const Matrix& transposed, const Vector& u);
+
 /// A body among those of a contact problem: its stiffness factored, how it answers loads
 /// and contact forces, and its free rigid motions.
 ///

@@ -73,8 +73,8 @@ Opposite::Point FacingBodies::at(const ContactElement& element, double t) const 
     point.body = side.body;
     point.element = side.elements[k];
   } else {
-    point.motion =
-        side.slide + side.turn * turnLeft(side.curves[k].point(point.t) - side.pole);
+    point.rigid = side.rigid;
+    point.arm = side.curves[k].point(point.t) - side.pole;
   }
   return point;
 }

@@ -11,16 +11,13 @@ namespace epafi::contact {
 /// The boundary of another body that a contact side meets.
 struct MetSide {
   int body = -1;                   ///< which of the bodies that deform; -1: it does not
+  int rigid = -1;                  ///< which of those that do not
   std::vector<bem::Curve> curves;  ///< elements or edges, in the scaling of that body
   std::vector<int> elements;  ///< their numbers in its mesh; empty: it does not deform
   std::vector<int> degrees;   ///< likewise
   bem::Vec2 shift;            ///< a place there less the same place on the side
   double reach = 0;           ///< how far along a normal it is looked for
-
-  /// Displacement of what does not deform: `slide` + `turn` e_z x (y - pole), dimensionless.
-  bem::Vec2 slide{};
-  double turn = 0;
-  bem::Vec2 pole{};
+  bem::Vec2 pole{};           ///< reference point of what does not deform
 };
 
 /// What the contact sides of a body meet where a scene has several: the outlines of other

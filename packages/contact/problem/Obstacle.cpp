@@ -13,25 +13,6 @@ namespace {
 using bem::Vec2;
 using ContactElement = MultiplierSpace::ContactElement;
 
-bool isClamped(const std::array<EndCompletion, 2>& ends, int degree, int i) {
-  return (i == 0 && ends[0].clamped) || (i == degree && ends[1].clamped);
-}
-
-/// `motion`: times what it is integrated with.
-void addMotion(const ContactElement& contact, const Vector& chi, Vec2 tangent,
-               Vec2 motion, Obstacle& obstacle) {
-  for (int i = 0; i <= contact.degree; ++i) {
-    const double value = chi[static_cast<std::size_t>(i)];
-    if (!isClamped(contact.normalCompletions, contact.degree, i))
-      obstacle.motion[static_cast<std::size_t>(contact.normalOf(i))] +=
-          value * dot(motion, turnRight(tangent));
-    if (contact.tangential >= 0 &&
-        !isClamped(contact.tangentialCompletions, contact.degree, i))
-      obstacle.motion[static_cast<std::size_t>(contact.tangentialOf(i))] +=
-          value * dot(motion, tangent);
-  }
-}
-
 void addGap(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
             const ContactElement& contact, const Opposite& opposite, Obstacle& obstacle) {
   const bem::Element& element = mesh[contact.element];
@@ -39,21 +20,16 @@ void addGap(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
   for (const auto& [middle, half] : stretches(opposite, contact))
     for (int q = 0; q < rule.size(); ++q) {
       const double t = middle + half * rule.points[q];
-      const Opposite::Point met = opposite.at(contact, t);
-      const double gap = contact.ties() ? 0 : met.gap;
-      const Vec2 motion =
-          contact.ties() ? met.motion + met.gap * element.curve.normal(t) : met.motion;
-      obstacle.largestPenetration = std::max(obstacle.largestPenetration, -gap);
-      obstacle.largestMotion = std::max(obstacle.largestMotion, norm(motion));
+      const double gap = opposite.at(contact, t).gap;
+      obstacle.largestPenetration =
+          std::max(obstacle.largestPenetration, contact.ties() ? std::abs(gap) : -gap);
       const Vector chi = multiplier.basis().values(contact.degree, t);
-      for (int i = 0; i <= contact.degree && gap != 0; ++i)
-        if (!isClamped(contact.normalCompletions, contact.degree, i))
-          obstacle.gap[static_cast<std::size_t>(contact.normalOf(i))] +=
+      Vector& numbers = contact.ties() ? obstacle.jump : obstacle.gap;
+      for (int i = 0; i <= contact.degree; ++i)
+        if (!contact.holdsNothing(contact.normalCompletions, i))
+          numbers[static_cast<std::size_t>(contact.normalOf(i))] +=
               half * rule.weights[q] * element.half * gap *
               chi[static_cast<std::size_t>(i)];
-      if (motion != Vec2{})
-        addMotion(contact, chi, element.curve.tangent(t),
-                  half * rule.weights[q] * element.half * motion, obstacle);
     }
 }
 
@@ -97,15 +73,15 @@ void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
 void takeAway(const Obstacle& obstacle, Vector& offset) {
   for (std::size_t i = 0; i < obstacle.gap.size(); ++i)
     offset[i] -= obstacle.gap[i];
-  for (std::size_t i = 0; i < obstacle.motion.size(); ++i)
-    offset[i] -= obstacle.motion[i];
+  for (std::size_t i = 0; i < obstacle.jump.size(); ++i)
+    offset[i] -= obstacle.jump[i];
 }
 
 Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
                       const Opposite& opposite, bem::Units units) {
   Obstacle obstacle;
   obstacle.gap.assign(static_cast<std::size_t>(multiplier.normals()), 0.0);
-  obstacle.motion.assign(static_cast<std::size_t>(multiplier.size()), 0.0);
+  obstacle.jump.assign(static_cast<std::size_t>(multiplier.size()), 0.0);
   obstacle.tangentials.resize(
       static_cast<std::size_t>(multiplier.size() - multiplier.normals()));
   for (const ContactElement& contact : multiplier.elements()) {

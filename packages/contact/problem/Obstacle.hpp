@@ -9,16 +9,13 @@ namespace epafi::contact {
 
 /// g_i = <g, χ_i>, dimensionless, and what limits the tangential coefficients.
 struct Obstacle {
-  Vector gap;  ///< per normal coefficient
-  /// <d_i · u, χ_i> of what moves without deforming, per coefficient, the given jump of
-  /// bonded sides included.
-  Vector motion;
+  Vector gap;   ///< per normal coefficient
+  Vector jump;  ///< of bonded sides likewise, per coefficient of the multiplier
   std::vector<Tangential> tangentials;
-  double largestPenetration = 0;  ///< max of -g
-  double largestMotion = 0;       ///< |u|
+  double largestPenetration = 0;  ///< max of -g, of |g| where sides are bonded
 };
 
-/// offset - g - what moves: the obstacle's part of d0.
+/// offset - g, jumps included: the obstacle's part of d0.
 void takeAway(const Obstacle& obstacle, Vector& offset);
 
 /// \throws bem::InputError if a field of a friction law is negative or not finite, naming

@@ -2,6 +2,7 @@
 
 #include "bem/base/DenseAlgebra.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
+#include "contact/problem/RigidMotion.hpp"
 
 namespace epafi::contact {
 
@@ -13,11 +14,12 @@ class Opposite {
   virtual ~Opposite() = default;
 
   struct Point {
-    double gap = 0;      ///< along the side's outward normal, dimensionless
-    int element = -1;    ///< of the body that is met; -1: nothing that deforms
-    double t = 0;        ///< where on it
-    int body = 0;        ///< which of the bodies that deform
-    bem::Vec2 motion{};  ///< of what does not deform, dimensionless
+    double gap = 0;    ///< along the side's outward normal, dimensionless
+    int element = -1;  ///< of the body that is met; -1: nothing that deforms
+    double t = 0;      ///< where on it
+    int body = 0;      ///< which of the bodies that deform
+    int rigid = -1;    ///< which of those that do not; -1: none that moves
+    bem::Vec2 arm{};   ///< on it from its reference point, dimensionless
   };
   /// \pre -1 <= t <= 1.
   virtual Point at(const MultiplierSpace::ContactElement& element, double t) const = 0;
@@ -74,13 +76,14 @@ class DistantObstacle final : public Opposite {
 struct Motions {
   std::vector<const bem::Space*> spaces;
   std::vector<const Vector*> displacements;
-  Vector shearModuli;  ///< dimensionless
+  std::vector<RigidMotion> rigid{};  ///< of bodies that do not deform, dimensionless
+  Vector shearModuli;                ///< dimensionless
 
   /// Of what is met at a point, dimensionless.
   bem::Vec2 at(const Opposite::Point& point) const;
 };
 
-/// Without the displacements of other bodies: what is met does not deform.
+/// Without the motions of other bodies: what is met stands still.
 bem::Vec2 motionAt(const Motions* motions, const Opposite::Point& point);
 
 /// The body opposite in the coupling: Cᵀ of -u_B in the normal and tangent of the side,

@@ -22,6 +22,7 @@ struct Solved {
   /// The displacement of the step before in a step of a path, friction counts slip from
   /// there; else null, and slip counts from zero.
   const Vector* displacementBefore = nullptr;
+  const Motions* motionsBefore = nullptr;  ///< likewise of all bodies
 
   /// [u] = u - u of what is met, dimensionless.
   bem::Vec2 relativeDisplacement(const MultiplierSpace::ContactElement& element, double t,

@@ -47,6 +47,9 @@ class Coupled final : public StabilisedBody {
   }
   Vector pull(const Vector& u) const override { return coupling_.pull(algebra_, u); }
   Matrix multiplierMass() const override { return coupling_.multiplierMass(); }
+  double multiplierWork(const Vector& multiplier) const override {
+    return coupling_.multiplierWork(multiplier);
+  }
   Vector density(const Vector& u, const Vector& multiplier) const override {
     return byDensity() ? stiffness_.density(u, coupling_.weighted(multiplier))
                        : stiffness_.density(u);
@@ -59,11 +62,8 @@ class Coupled final : public StabilisedBody {
     if (!byDensity())
       return 0.5 * twice;
     const Vector w = coupling_.weighted(multiplier);
-    const Matrix& x = coupling_.response->density;
     twice -= 2 * dot(u, algebra_.multiply(*coupling_.columns, coupling_.unknowns, w));
-    for (Index j = 0; j < x.columns(); ++j)
-      for (Index i = 0; i < x.rows(); ++i)
-        twice += w[at(i)] * x(i, j) * w[at(j)];
+    twice += quadratic(coupling_.response->density, w);
     const Vector psi = density(u, multiplier);
     for (std::size_t k = 0; k < coupling_.compliance.size(); ++k) {
       const double value = psi[at(coupling_.response->densities[k])];

@@ -1,5 +1,6 @@
 #include "contact/problem/Summary.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/quadrature/Piecewise.hpp"
 #include "contact/problem/ContactFields.hpp"
 #include "contact/problem/Loads.hpp"
@@ -152,6 +153,17 @@ Resultant resultantOf(const std::array<double, 3>& work, const Solved& solved) {
           force * (solved.units.length * work[2] + cross(origin, {work[0], work[1]}))};
 }
 
+/// The rigid motion with the moments of u over the boundary, [length] and radian.
+RigidMotion meanMotion(const Solved& solved) {
+  const RigidModes modes = makeRigidModes(solved.space);
+  const auto mean = [&](Index k) {
+    const Vector functional = bem::columnOf(modes.functionals, k);
+    return dotProduct(functional, solved.displacement) /
+           dotProduct(functional, bem::columnOf(modes.motions, k));
+  };
+  return {{solved.units.length * mean(0), solved.units.length * mean(1)}, mean(2)};
+}
+
 /// Work of the loads on the rigid motions, fᵀ v.
 std::array<double, 3> loadWork(const Solved& solved) {
   const bem::Matrix motions = solved.space.rigidMotions();
@@ -173,6 +185,7 @@ Summary summarize(const Solved& solved) {
   summary.energyStrain = energy * solved.problem.strainEnergy(solved.state, u);
   summary.energyLoad = energy * dotProduct(solved.problem.load(), u);
   addContact(solved, [&](const Element&) -> Summary& { return summary; });
+  summary.motion = meanMotion(solved);
   summary.load = resultantOf(loadWork(solved), solved);
   summary.reaction = resultantOf(reactionWork(solved), solved);
   return summary;
@@ -181,7 +194,7 @@ Summary summarize(const Solved& solved) {
 std::map<std::string, Summary> summarizeContacts(const Solved& solved) {
   std::map<std::string, Summary> contacts;
   addContact(solved, [&](const Element& element) -> Summary& {
-    return contacts[*element.boundary];
+    return contacts[nameOf(element)];
   });
   return contacts;
 }

@@ -29,6 +29,7 @@ struct Summary {
   /// The part of it that comes from what does not deform: obstacles and rigid bodies.
   Resultant obstacle;
   Resultant reaction;        ///< of clamps and fixed rigid motions
+  RigidMotion motion;        ///< mean of u over the whole boundary
   double contactLength = 0;  ///< where λₙ > 0
   double slipLength = 0;     ///< where |λₜ| reaches its bound
 };
@@ -49,7 +50,7 @@ std::vector<Summary> summarizeAll(const std::vector<Solved>& bodies);
 /// Sums over all bodies, where forces between them cancel: `contact` is that of obstacles.
 Summary sumOf(const std::vector<Summary>& bodies);
 
-/// What contact sides add to a Summary, for each contact boundary alone.
+/// What contact sides add to a Summary, for each contact alone, see nameOf.
 std::map<std::string, Summary> summarizeContacts(const Solved& solved);
 
 /// Which displacements a Dirichlet condition prescribes.

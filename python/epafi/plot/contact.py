@@ -45,13 +45,24 @@ def typical(values, weights, share):
     return values[order][np.searchsorted(below, share * below[-1])]
 
 
+def cap_of(stresses, weights):
+    """Where sizes of stresses are cut so that the others can be read; 0 where there are none."""
+    loaded = stresses > 1e-9 * stresses.max()
+    return 4 * typical(stresses[loaded], weights[loaded], 0.8) if loaded.any() else 0
+
+
+def say_cut(axes, largest):
+    axes.text(0.5, 0.97, "cut here: stresses reach %.3g" % largest, ha="center",
+              va="top", fontsize=8, transform=axes.transAxes,
+              bbox={"facecolor": "white", "edgecolor": "C3", "alpha": 0.85})
+
+
 def readable(axes, contact, weights):
     """Cuts stresses that are singular, so that the others can be read, and marks it."""
     stresses = np.maximum(np.abs(contact["lambda_n"]), np.abs(contact["lambda_t"]))
-    loaded = stresses > 1e-9 * stresses.max()
-    if not loaded.any():
+    cap = cap_of(stresses, weights)
+    if not stresses.any():
         return
-    cap = 4 * typical(stresses[loaded], weights[loaded], 0.8)
     shown = min(cap, stresses.max())
     low = max(min(contact["lambda_n"].min(), contact["lambda_t"].min()), -shown)
     high = min(max(contact["lambda_n"].max(), contact["lambda_t"].max()), shown)
@@ -61,9 +72,7 @@ def readable(axes, contact, weights):
     margin = 0.08 * (high - low)
     axes.set_ylim(low - margin, high + margin)
     if stresses.max() > cap:
-        axes.text(0.5, 0.97, "cut here: stresses reach %.3g" % stresses.max(), ha="center",
-                  va="top", fontsize=8, transform=axes.transAxes,
-                  bbox={"facecolor": "white", "edgecolor": "C3", "alpha": 0.85})
+        say_cut(axes, stresses.max())
 
 
 def draw(contact, title, pictures):

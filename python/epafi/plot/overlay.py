@@ -3,8 +3,24 @@ import math
 
 import numpy as np
 
-from epafi.plot.contact import abscissa, chains
+from epafi.plot.contact import abscissa, cap_of, chains, lengths, say_cut
 from epafi.plot.figures import STYLE, plt
+
+
+def cut(axes, contacts, column):
+    """Cuts stresses that are singular, so that the others can be read, and marks it."""
+    sizes = [np.abs(contact[column]) for contact in contacts]
+    weights = []
+    for contact in contacts:
+        parts = chains(contact)
+        s, _ = abscissa(contact, parts)
+        weights.append(np.concatenate([lengths(s[a:b]) for a, b in parts]))
+    cap = max(cap_of(*both) for both in zip(sizes, weights))
+    largest = max(size.max() for size in sizes)
+    if largest > cap > 0:
+        low = min(contact[column].min() for contact in contacts)
+        axes.set_ylim(max(low, -cap) - 0.05 * cap, 1.05 * cap)
+        say_cut(axes, largest)
 
 
 def figure_of(contacts, labels, title):
@@ -19,6 +35,8 @@ def figure_of(contacts, labels, title):
             axes.plot(np.insert(s, breaks, math.nan),
                       np.insert(contact[column], breaks, math.nan), color=colour, label=text)
         shear.set_xlabel(label)
+    for axes, column in ((pressure, "lambda_n"), (shear, "lambda_t")):
+        cut(axes, contacts, column)
     pressure.set_ylabel(r"pressure $\lambda_n$")
     shear.set_ylabel(r"shear $\lambda_t$")
     pressure.legend(loc="upper left", bbox_to_anchor=(1, 1))

@@ -1,10 +1,10 @@
-"""path: forces and friction's work along a load path, loops of force over slip; steps: pressure
-and shear at chosen steps, overlaid."""
+"""path: forces and friction's work along a load path, loops of force over slip; rigid: motions and
+forces of rigid bodies; steps: pressure and shear at chosen steps, overlaid."""
 import os
 
 import numpy as np
 
-from epafi.plot import overlay
+from epafi.plot import movie, overlay
 from epafi.plot.contact import chains, lengths
 from epafi.plot.figures import plt
 from epafi.tables import read
@@ -30,7 +30,7 @@ def step_file(folder, step):
 
 def mean_slip(contact, name):
     """Of u_t along one contact, weighted by length."""
-    here = contact["boundary"].astype(str) == name
+    here = contact["contact_name"].astype(str) == name
     weights = np.concatenate([lengths(np.cumsum(np.append(0, np.hypot(
         np.diff(contact["x"][a:b]), np.diff(contact["y"][a:b]))))) for a, b in chains(contact)])
     return np.average(contact["u_t"][here], weights=weights[here])
@@ -70,8 +70,34 @@ def draw(folder, steps, title, pictures):
     figure.suptitle(title + ": path")
     figure.tight_layout()
     pictures.save(figure, "path")
+    rigid(rows, t, title, pictures)
+    movie.draw(folder, rows, title, pictures)
     if loops:
         chosen = sorted({round(k) for k in np.linspace(0, len(files) - 1, SHOWN)})
         overlay.draw([files[k] for k in chosen],
                      ["step %d, t = %g" % (rows["step"][k], rows["t"][k]) for k in chosen],
                      title + ": contact along the path", "steps", pictures)
+
+
+def rigid(rows, t, title, pictures):
+    """Bodies without elasticity: their motions, and what moves or holds them there."""
+    bodies = [name[:-len(".rotation")] for name in rows if name.endswith(".rotation")]
+    if not bodies:
+        return
+    figure, axes = plt.subplots(2, 3, figsize=(12, 6.5))
+    panels = (("motion_x", "force_x"), ("motion_y", "force_y"), ("rotation", "moment"))
+    for column, (motion, force) in enumerate(panels):
+        for k, name in enumerate(bodies):
+            where, what = (np.append(0, rows[name + "." + item]) for item in (motion, force))
+            axes[0, column].plot(t, where, marker=".", label=name, color="C%d" % k)
+            axes[1, column].plot(where, what, marker=".", label=name, color="C%d" % k)
+        axes[0, column].set_xlabel("t")
+        axes[0, column].set_ylabel(motion.replace("_", " "))
+        axes[1, column].set_xlabel(motion.replace("_", " "))
+        axes[1, column].set_ylabel(force.replace("_", " "))
+        for panel in axes[:, column]:
+            panel.ticklabel_format(scilimits=(-3, 4))
+    axes[0, 0].legend()
+    figure.suptitle(title + ": rigid bodies")
+    figure.tight_layout()
+    pictures.save(figure, "rigid")

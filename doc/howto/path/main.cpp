@@ -1,0 +1,141 @@
+// A block on a rough floor, driven step by step by an application of its own: an actuator pushes its
+// top to and fro and is controlled by the force that friction gives back.
+//
+//   drive        prints t, where the actuator is, its force and friction's work so far
+
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "contact/coulomb/CoulombNewton.hpp"
+#include "contact/nox/ContactModel.hpp"
+#include "contact/nox/NoxNewton.hpp"
+#include "contact/path/PathMemory.hpp"
+
+#include <Thyra_VectorStdOps.hpp>
+
+#include <cmath>
+#include <cstdio>
+
+namespace {
+
+namespace bem = epafi::bem;
+namespace contact = epafi::contact;
+using bem::Vec2;
+using contact::ContactModel;
+
+constexpr double limit = 0.02;  // of the actuator's force
+
+/// A unit square, clamped to the actuator at its top.
+bem::Mesh mesh() {
+  const bem::Loop square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                         {"floor", "right", "actuator", "left"}};
+  return bem::makeMesh(std::make_shared<const bem::Outline>(square), {24, 8, 24, 8}, 2);
+}
+
+/// Everything that depends on the time is a value: the conditions of a step.
+std::vector<contact::Conditions> pushed(double along) {
+  contact::Conditions conditions;
+  conditions.contact["floor"] = {
+      [](Vec2 x) { return 0.01 * x.x * (1 - x.x); },
+      contact::makeFriction("Coulomb", {[](Vec2) { return 0.4; }})};
+  conditions.dirichlet["actuator"] = {[along](Vec2) { return along; },
+                                      [](Vec2) { return -0.05; }};
+  return {conditions};
+}
+
+/// The force on the top along it, in the user's units.
+double forceOf(const contact::ContactSystem& step, const contact::Configuration& at,
+               bem::Units units) {
+  return units.stress * units.length *
+         step.body(0).clampWork(at.bodies[0], at.displacements[0]).front();
+}
+
+contact::State solved(const contact::Problem& problem, const contact::State& start) {
+  const contact::NoxNewton newton;
+  const contact::Tresca tresca(newton);
+  return contact::CoulombNewton(tresca).solve(problem, start).state;
+}
+
+/// Does the state solve this part of the step?  |f| of the model, relative to the load.
+double residual(const ContactModel& model, const contact::State& state, double part) {
+  auto in = model.createInArgs();
+  auto out = model.createOutArgs();
+  in.set_x(model.point(state));
+  const auto increment = Thyra::createMember(*model.get_p_space(ContactModel::Increment));
+  Thyra::assign(increment.ptr(), part);
+  in.set_p(ContactModel::Increment, increment);
+  const auto f = Thyra::createMember(*model.get_f_space());
+  out.set_f(f);
+  model.evalModel(in, out);
+  return Thyra::norm_inf(*f);
+}
+
+int run() {
+  const bem::LapackAlgebra algebra;
+  const bem::Material steelLike{5, 0.3, false};
+  const bem::Lame lame{steelLike};
+  const contact::Stabilization stabilization;
+  const auto& basis = contact::multiplierBasis("Gauss-Legendre-Lagrange");
+  const std::vector<contact::Conditions> start = pushed(0);
+  const bem::Space space = contact::makeSpace(mesh(), start[0], stabilization);
+  const bem::Units units{space.mesh().outline().diameter(), steelLike.youngsModulus};
+  const bem::SteklovPoincare stiffness = contact::makeStiffness(
+      space, contact::MultiplierSpace(space.mesh(), basis, start[0]), stabilization, lame,
+      units, algebra);
+  // operators, factors and D: once
+  const contact::ContactSystem system(
+      {{space, stiffness, lame, units, start[0], basis, stabilization}});
+
+  contact::PathMemory memory(system);
+  contact::State state;
+  std::vector<contact::Conditions> before = start;
+  double along = 0;
+  double velocity = 0.004;
+  double work = 0;
+  int turns = 0;
+  bool good = true;
+  std::printf("# step, actuator, force, friction's work\n");
+  for (int k = 1; turns < 4 && k < 400; ++k) {
+    const std::vector<contact::Conditions> now = pushed(along);
+    const contact::ContactSystem step =
+        system.under({now, {}, memory.slip(), memory.largestLoad()});
+    // the step as a function of the state and of how much of it is done
+    const contact::ContactSystem last =
+        system.under({before, {}, memory.slip(), memory.largestLoad()});
+    const ContactModel model(
+        contact::ProblemFamily(step.numbers(), step.gap(), last.numbers()),
+        ContactModel::Options());
+    if (k > 1)
+      good = good && residual(model, state, 0) < 1e-9;
+    state = solved(step.numbers(), state);
+    good = good && residual(model, state, 1) < 1e-9;
+
+    const contact::Configuration at = step.configuration(state);
+    memory.add(step, at);
+    good = good && memory.friction() >= work;
+    work = memory.friction();
+    const double force = forceOf(step, at, units);
+    std::printf("%3d %9.6f %10.7f %.8e\n", k, along, force,
+                units.stress * units.length * units.length * work);
+    // turn back where the force is too large: what comes next depends on what comes out
+    if (force * velocity > 0 && std::abs(force) > limit) {
+      velocity = -velocity;
+      ++turns;
+    }
+    along += velocity;
+    before = now;
+  }
+  good = good && turns == 4 && work > 0;
+  if (!good)
+    std::fprintf(stderr, "drive: the results are wrong\n");
+  return good ? 0 : 1;
+}
+
+}  // namespace
+
+int main() {
+  try {
+    return run();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "drive: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,206 @@
+"""Load paths of several bodies: Cattaneo's loop of two equal ones, for any Poisson's ratio, and
+of two that differ; an interference and a rigid body that move; energies, balance, restart.
+
+Two blocks 80 half-widths of the contact wide, pressed by P and pushed by Q: their outer sides
+carry the tractions of Boussinesq's and Flamant's forces, as in fretting.xml.  a = E* = 1."""
+import math
+import os
+
+from runs import WORK, claim, epafi, finish, fresh, table
+from written import (block, body, condition, contact, friction, geometry, listed,
+                     parameter, rigid, written)
+
+P, P0, F = math.pi / 400, 0.005, 0.5
+PRESS = "pi/400*min(t, 1)"
+# edges of the contact's side, coarse, and with small elements where contact and slip end
+COARSE = ([-40, -16, -6, -2.5, -1.25, 1.25, 2.5, 6, 16, 40], [4, 4, 4, 6, 24, 6, 4, 4, 4])
+FINE = ([-40, -16, -6, -2.5, -1.25, -0.95, -0.6, 0.6, 0.95, 1.25, 2.5, 6, 16, 40],
+        [4, 4, 4, 6, 30, 88, 30, 88, 30, 6, 4, 4, 4])
+
+
+def history(times, steps):
+    return listed("History",
+                  parameter("Times", "Array(double)", "{%s}" % ", ".join(map(repr, times))),
+                  parameter("Steps", "Array(int)", "{%s}" % ", ".join(map(str, steps))))
+
+
+def half(name, up, modulus, push, press=PRESS, ratio=0.3, side=COARSE):
+    """A block above (up = 1) or below the contact, and what pushes its outer sides."""
+    cuts, counts = side
+    names = ["contact" if -2 < x < 1.2 else "free" for x in cuts[:-1]]
+    corners = [(x, 0) for x in cuts] + [(40, 80), (-40, 80)]
+    sides = names + ["right", "far", "left"]
+    if up < 0:  # counter-clockwise again
+        corners = [(-x, 0) for x in cuts] + [(-40, -80), (40, -80)]
+        sides = names + ["left", "far", "right"]
+    load = ""
+    for edge, normal in (("left", "-x"), ("right", "x"), ("far", "abs(y)")):
+        load += condition(edge, "Neumann", **{
+            "Traction_" + c: "%d*2/pi*((%s)*x - (%s)*y)*(%s)*%s/(x^2 + y^2)^2" % (
+                up, push, press, normal, c.lower()) for c in "XY"})
+    grid = listed("Mesh", parameter("Elements per Edge", "Array(int)",
+                                    "{%s}" % ", ".join(map(str, counts + [6, 6, 6]))),
+                  parameter("Degree", "int", 2))
+    return body(name, geometry(corners, "{%s}" % ", ".join(sides)), modulus, load,
+                "{X, Y, Rotation}" if up < 0 else "", grid, ratio)
+
+
+def solve(name, bodies, contacts, path, form="Density", settings=(), restart=None):
+    file = written(name, bodies, contacts, form, more=path)
+    folder = restart or fresh(name)
+    settings = [*settings, "Adaptivity->Maximum Degrees of Freedom=10000"]
+    code, text = epafi("run", file, "--restart" if restart else "--output", folder, *(x for s in settings for x in ("--set", s)))
+    claim(code == 0, name + ": solved" + ("" if code == 0 else " " + text[-400:]))
+    return folder
+
+
+def steps(folder):
+    return table(os.path.join(folder, "steps.csv"))
+
+
+def points(folder, step=None):
+    inside = ["contact.csv"] if step is None else ["steps", str(step), "contact.csv"]
+    return table(os.path.join(folder, *inside))
+
+
+def root(x):
+    return math.sqrt(max(0, 1 - x * x))
+
+
+def partial(x, c):
+    return root(x) - (c * root(x / c) if c > 0 else 0)
+
+
+def after(x, qm, q):
+    """The shear on the way back from qm to q (in f P)."""
+    return F * P0 * (partial(x, math.sqrt(1 - qm)) - 2 * partial(x, math.sqrt(1 - (qm - q) / 2)))
+
+
+def balance(folder):
+    worst = 0
+    for row in table(os.path.join(folder, "bodies.csv")):
+        parts = [[row["%s_%s" % (what, c)] for what in ("load", "contact", "reaction")]
+                 for c in ("x", "y", "moment")]
+        largest = max(abs(value) for part in parts for value in part)
+        worst = max(worst, max(abs(sum(part)) for part in parts) / largest)
+    return worst
+
+
+def neverFalls(folder):
+    end = steps(folder)[-1]["level"]
+    for column in [c for c in steps(folder)[0] if c.endswith("energy_dissipated")]:
+        work = [0] + [row[column] for row in steps(folder) if row["level"] == end]
+        claim(all(b >= a for a, b in zip(work, work[1:])),
+              "%s never falls, %.3e" % (column, work[-1]))
+
+
+def largest(values):
+    return max(abs(value) for value in values)
+
+
+PARABOLA = parameter("Interference", "string", "-x^2/200")
+LOOP = "0.5*0.5*pi/400*(t < 1 ? 0 : 2/pi*asin(sin(pi/2*(t - 1))))"
+E = 2 * (1 - 0.3**2)
+
+
+def equal(push, press=PRESS, side=COARSE):
+    return [half("upper", 1, E, push, press, side=side),
+            half("lower", -1, E, push, press, side=side)]
+
+
+PAIR = contact("fret", "upper:contact", "lower:contact", friction("0.5") + PARABOLA)
+
+# two equal bodies: pressure and shear do not mix, whatever Poisson's ratio
+folder = solve("equal", equal(LOOP, side=FINE), PAIR, history([1, 2, 3, 4], [1, 1, 1, 1]))
+claim([(row["step"], row["t"]) for row in steps(folder)] == [(k, k) for k in (1, 2, 3, 4)],
+      "a row per step")
+for step, what, exact, c in (
+        (2, "Q = Qm", lambda x: F * P0 * partial(x, math.sqrt(0.5)), math.sqrt(0.5)),
+        (3, "Q = 0 after unloading", lambda x: after(x, 0.5, 0), math.sqrt(0.75)),
+        (4, "Q = -Qm", lambda x: after(x, 0.5, -0.5), math.sqrt(0.5))):
+    here = points(folder, step)
+    worst = largest(p["lambda_t"] - exact(p["x"]) for p in here) / (F * P0)
+    claim(worst < 0.02, "%s: shear within %.2e of f p0" % (what, worst))
+    stuck = [p["x"] for p in here if p["friction"] == 1 and p["contact"] == 1]
+    width = (max(stuck) - min(stuck)) / 2
+    claim(abs(width - c) < 1e-2, "%s: stick to %.4f a, exact %.4f" % (what, width, c))
+claim(largest(p["lambda_t"] for p in points(folder, 3)) > 0.1 * F * P0,
+      "the shear at Q = 0 after unloading is not zero")
+claim(balance(folder) < 1e-10, "both bodies balance in every step, %.1e" % balance(folder))
+neverFalls(folder)
+claim(abs(steps(folder)[-1]["fret.force_y"] / P - 1) < 1e-6, "P presses the upper body up")
+
+# P, then growing Q: no point turns back, so 1 and 50 steps end alike; no creep
+GROWS = "0.25*pi/400*max(0, t - 1)"
+few = solve("one step", equal(GROWS), PAIR, history([1, 2], [1, 1]))
+many = solve("fifty steps", equal(GROWS), PAIR, history([1, 2], [1, 50]))
+difference = largest(abs(a["lambda_t"] - b["lambda_t"]) + abs(a["lambda_n"] - b["lambda_n"])
+                     for a, b in zip(points(few), points(many))) / (F * P0)
+claim(difference < 1e-8, "P, then growing Q: 1 and 50 steps differ by %.1e" % difference)
+neverFalls(many)
+
+# another material below: the pressing alone makes shear; the balance of energy, the other side
+UNLIKE = [half("upper", 1, E, LOOP), half("lower", -1, 20 * E, LOOP, ratio=0.2)]
+
+
+def unlike(count, first="upper", second="lower"):
+    return solve("unlike %d %s" % (count, first), UNLIKE, contact(
+        "fret", first + ":contact", second + ":contact", friction("0.5") + PARABOLA),
+        history([1, 2, 4], [count, count, 2 * count]))
+
+
+coarse, fine = unlike(4), unlike(12)
+claim(largest(p["lambda_t"] for p in points(coarse, 4)) > 0.02 * F * P0,
+      "unlike bodies: pressing alone makes shear")
+errors = [abs(steps(f)[-1]["energy_error"]) / steps(f)[-1]["energy_outside"]
+          for f in (coarse, fine)]
+claim(errors[1] < errors[0] / 5, "unlike bodies: balance of energy to %.1e, %.1e" % tuple(errors))
+for folder in (coarse, fine):
+    neverFalls(folder)
+    claim(balance(folder) < 1e-10, "unlike bodies balance in every step")
+other = unlike(12, "lower", "upper")
+work = [steps(f)[-1]["energy_dissipated"] for f in (fine, other)]
+claim(abs(work[1] / work[0] - 1) < 0.02,
+      "the other side first: friction's work %.4e, %.4e" % tuple(work))
+
+# what moves in t: a rigid body and an interference, against the same by a gap
+SLAB = [(-2, 0), (2, 0), (2, 1), (-2, 1)]
+HELD = condition("top", "Dirichlet", Displacement_X="0", Displacement_Y="0")
+DOWN = "0.003*min(t, 1) + 0.0005*x - 0.001*x^2"
+PATH = history([1, 2, 3], [2, 3, 3])
+PUSHED = rigid("floor", block(-3, -1, 3, 0), listed(
+    "Motion", parameter("Displacement X", "string", "0.002*sin(3*max(0, t - 1))"),
+    parameter("Displacement Y", "string", "0.001*min(t, 1)")))
+moved = solve("moved floor", [body("slab", SLAB, 1.0, HELD), PUSHED], contact(
+    "rub", "slab:bottom", "floor:top", friction("0.3") + parameter(
+        "Interference", "string", DOWN)), PATH, "Projected")
+gap = condition("bottom", "Contact", Gap="-(%s) - 0.001*min(t, 1)" % DOWN)
+lift = condition("top", "Dirichlet", Displacement_X="-0.002*sin(3*max(0, t - 1))",
+                 Displacement_Y="0")
+turned = solve("moved top", [body("slab", SLAB, 1.0, lift + gap.replace(
+    "</ParameterList>", friction("0.3") + "</ParameterList>"))], "", PATH, "Projected")
+scale = largest(p["lambda_n"] for p in points(turned))
+for step in (1, 4, 8):
+    claim(largest(a[c] - b[c] for c in ("lambda_n", "lambda_t")
+                  for a, b in zip(points(moved, step), points(turned, step))) < 1e-10 * scale,
+          "step %d: a floor that moves is a top that moves back" % step)
+ends = [steps(f)[-1] for f in (moved, turned)]
+for column in ("energy_dissipated", "energy_outside", "energy_strain"):
+    claim(abs(ends[0][column] / ends[1][column] - 1) < 1e-9,
+          "%s %.6e as there" % (column, ends[0][column]))
+claim(abs(ends[0]["floor.force_y"] + ends[0]["rub.force_y"] * -1) < 1e-12,
+      "what holds the floor is what it does to the slab")
+claim(abs(ends[0]["floor.motion_y"] - 0.001) < 1e-15, "steps.csv says where it is")
+claim(balance(moved) < 1e-10, "slab and floor balance in every step")
+
+# gone on with behind a level: the same end
+SETTINGS = ["Adaptivity->Strategy=Adaptive h"]
+whole = solve("two levels", UNLIKE, PAIR, history([1, 2], [1, 3]),
+              settings=SETTINGS + ["Adaptivity->Maximum Levels=2"])
+part = solve("first level", UNLIKE, PAIR, history([1, 2], [1, 3]),
+             settings=SETTINGS + ["Adaptivity->Maximum Levels=1"])
+part = solve("two levels", UNLIKE, PAIR, history([1, 2], [1, 3]),
+             settings=SETTINGS + ["Adaptivity->Maximum Levels=2"], restart=part)
+claim(all(a[c] == b[c] for a, b in zip(steps(whole), steps(part)) for c in a),
+      "a path of two bodies goes on behind a level with the same digits")
+finish()

@@ -1,0 +1,145 @@
+"""Rigid bodies under forces: a flat punch that tilts and lifts off (tilting-punch.xml), motions
+and forces against each other, balance, and what is refused."""
+import math
+import os
+
+from runs import WORK, claim, epafi, finish, fresh, scene, table
+from written import (block, body, condition, contact, friction, listed, parameter,
+                     rigid, written)
+
+SCENE = scene("tilting-punch.xml")
+MOTION = "Bodies->punch->Motion->"
+P = 0.001
+
+
+def solve(name, file=SCENE, settings=()):
+    folder = fresh(name)
+    code, text = epafi("run", file, "--output", folder,
+                       *(x for s in settings for x in ("--set", s)))
+    claim(code == 0, name + ": solved" + ("" if code == 0 else " " + text[-400:]))
+    return folder
+
+
+def rows(folder, file="steps.csv"):
+    return table(os.path.join(folder, file))
+
+
+def balance(folder):
+    worst = 0
+    for row in rows(folder, "bodies.csv"):
+        parts = [[row["%s_%s" % (what, c)] for what in ("load", "contact", "reaction")]
+                 for c in ("x", "y", "moment")]
+        largest = max(abs(value) for part in parts for value in part)
+        worst = max(worst, max(abs(sum(part)) for part in parts) / largest)
+    return worst
+
+
+def pressure(x, e):
+    """Of the force P at e on the half-width 1."""
+    if e <= 0.5:
+        return P / (math.pi * math.sqrt(1 - x * x)) * (1 + 2 * e * x)
+    c = 2 * (1 - e)
+    s = x - (1 - c)
+    return P / (math.pi * c) * math.sqrt((c + s) / (c - s)) if s > -c else 0
+
+
+def tilt(e):
+    return -4 * P * e / math.pi if e <= 0.5 else -2 * P / (math.pi * 2 * (1 - e))
+
+
+folder = solve("tilting")
+for step, e in ((1, 0), (2, 0.2), (3, 0.4), (5, 0.6), (6, 0.7)):
+    row = rows(folder)[step - 1]
+    off = row["punch.rotation"] - tilt(e)
+    claim(abs(off) < 1e-3 * max(abs(tilt(e)), 1e-3 * P),
+          "force at %g: tilt %.6e, exact %.6e" % (e, row["punch.rotation"], tilt(e)))
+    points = table(os.path.join(folder, "steps", str(step), "contact.csv"))
+    # away from the singular edges, and from where the lifted side ends
+    worst = max(abs(p["lambda_n"] - pressure(p["x"], e)) for p in points
+                if abs(p["x"]) < 0.85 and (e < 0.5 or abs(p["x"] - (4 * e - 3)) > 0.2))
+    claim(worst < 1e-3 * P, "pressure within %.1e of P/a" % (worst / P))
+    if e > 0.5:
+        claim(abs(row["face.contact_length"] - 4 * (1 - e)) < 0.03,
+              "contact is %.3f wide, exact %.3f" % (row["face.contact_length"], 4 * (1 - e)))
+claim(all(abs(row["punch.force_y"] + P) < 1e-18 and row["punch.force_x"] == 0
+          for row in rows(folder)), "steps.csv has the force on the punch")
+claim(balance(folder) < 1e-10, "block and punch balance, %.1e" % balance(folder))
+
+# one load, no path
+ONE = ["History->Times={1}", "History->Steps={1}", MOTION + "Force Y=-0.001", MOTION + "Moment=-0.0004"]
+once = solve("one step", settings=ONE)
+with open(SCENE) as file:
+    text = file.read()
+begin = text.index('  <ParameterList name="History">')
+end = text.index('  <ParameterList name="Discretization">')
+with open(os.path.join(WORK, "no path.xml"), "w") as file:
+    file.write(text[:begin] + text[end:])
+alone = solve("no path", os.path.join(WORK, "no path.xml"), ONE[2:] + [
+    "Adaptivity->Strategy=Adaptive h", "Adaptivity->Maximum Levels=3"])
+punch = [row for row in rows(alone, "bodies.csv") if row["body"] == "punch"]
+claim(abs(punch[0]["rotation"] / rows(once)[0]["punch.rotation"] - 1) < 1e-10,
+      "bodies.csv has the motion without a path")
+claim(abs(punch[2]["rotation"] / tilt(0.4) - 1) < 1e-3 and balance(alone) < 1e-10,
+      "and after refinement")
+
+# a rough pad: what a force makes of it, given as its motion, needs the same force
+SOFT = body("soft", block(-4, -4, 4, 0), 1.0,
+            condition("bottom", "Dirichlet", Displacement_X="0", Displacement_Y="0"))
+PATH = listed("History", parameter("Times", "Array(double)", "{1, 2, 3}"),
+              parameter("Steps", "Array(int)", "{2, 4, 4}"))
+
+
+def pad(name, **motion):
+    return written(name, [SOFT, rigid("pad", block(-1, 0, 1, 1), listed("Motion", *(
+        parameter(key.replace("_", " "), "string", value) for key, value in motion.items())))],
+        contact("rub", "soft:top", "pad:bottom", friction("0.4")), "Projected", more=PATH)
+
+
+pushed = solve("pushed", pad("pushed", Force_X="0.003*sin(pi/2*max(0, t - 1))",
+                             Force_Y="-0.01*min(t, 1)", Moment="0.001*max(0, t - 2)"))
+# straight between the steps as they were: t counts them
+given = {}
+steps = rows(pushed)
+for key, column in (("Displacement_X", "motion_x"), ("Displacement_Y", "motion_y"),
+                    ("Rotation", "rotation")):
+    text = "0"
+    for row in reversed(steps):
+        text = "(t < %r ? %r : %s)" % (row["t"] + 1e-6, row["pad." + column], text)
+    given[key] = text
+moved = solve("moved", pad("moved", **given))
+size = max(abs(row["pad.force_y"]) for row in steps)
+claim(max(abs(a["pad." + c] - b["pad." + c]) for a, b in zip(steps, rows(moved))
+          for c in ("force_x", "force_y", "moment")) < 1e-8 * size,
+      "the motions that forces make need these forces")
+claim(abs(steps[-1]["energy_dissipated"] / rows(moved)[-1]["energy_dissipated"] - 1) < 1e-6
+      and steps[-1]["energy_dissipated"] > 0, "and do the same work against friction")
+for folder in (pushed, moved):
+    work = [0] + [row["energy_dissipated"] for row in rows(folder)]
+    claim(all(b >= a for a, b in zip(work, work[1:])), "friction's work never falls")
+    claim(balance(folder) < 1e-10, "pad and ground balance in every step")
+
+
+def refused(what, settings, *words):
+    code, text = epafi("run", SCENE, "--output", fresh("bad"),
+                       *(x for s in settings for x in ("--set", s)))
+    claim(code == 1 and all(word in text for word in words),
+          "%s: exit 1 and %s; got %d, %s" % (what, words, code, text.strip()[-200:]))
+
+
+refused("nothing resists", [MOTION + "Force X=0"], "Bodies->punch", "nothing resists",
+        "Displacement")
+refused("both", [MOTION + "Displacement Y=0"], "Motion->Force Y", "not both")
+refused("half a point", [MOTION + "Reference Point={1}"], "Reference Point", "two")
+refused("no number", [MOTION + "Moment=1/0"], "Moment")
+
+def unsolved(what, code, text):
+    claim(code == 3 and "balance" in text, "%s: exit 3 and why; got %d, %s" % (
+        what, code, text.strip().splitlines()[-1] if text else ""))
+
+
+unsolved("a punch that is pulled off", *epafi(
+    "run", SCENE, "--quiet", "--output", fresh("pulled"), "--set", MOTION + "Force Y=0.001*t"))
+unsolved("a pad that is pushed beyond friction", *epafi(
+    "run", pad("slides", Force_X="0.0041*t", Force_Y="-0.01*t"), "--quiet", "--output",
+    fresh("slides")))
+finish()
