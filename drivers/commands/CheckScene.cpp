@@ -2,6 +2,8 @@
 #include "contact/problem/Loads.hpp"
 #include "contact/problem/Obstacle.hpp"
 #include "drivers/commands/Commands.hpp"
+#include "drivers/commands/PlotCommand.hpp"
+#include "drivers/output/Csv.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/NextLevel.hpp"
 #include "drivers/run/Warnings.hpp"
@@ -99,9 +101,64 @@ std::string checkScene(const Scene& scene) {
   return text.str();
 }
 
+std::string sceneCsv(const Scene& scene) {
+  Csv csv({"x", "y", "nx", "ny", "body", "boundary", "element", "condition", "tx", "ty",
+           "gap"});
+  const std::vector<bem::Mesh> meshes = firstLevel(scene).meshes;
+  const auto row = [&](bem::Vec2 x, bem::Vec2 n, const std::string& body,
+                       const std::string& boundary, int element,
+                       const std::vector<std::string>& rest) {
+    std::vector<std::string> cells = {exactly(x.x),           exactly(x.y), exactly(n.x),
+                                      exactly(n.y),           body,         boundary,
+                                      std::to_string(element)};
+    cells.insert(cells.end(), rest.begin(), rest.end());
+    csv.row(cells);
+  };
+  constexpr int lines = 4;
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    const contact::Conditions& conditions = scene.bodies[b].conditions;
+    for (int e = 0; e < meshes[b].size(); ++e)
+      for (int k = 0; k <= lines; ++k) {
+        const std::string& boundary = meshes[b].boundary(e);
+        const double t = -1 + 2.0 * k / lines;
+        const bem::Vec2 x = meshes[b].physicalPoint(e, t);
+        const auto value = [x](const bem::Function& f) {
+          return f ? exactly(f(x)) : "0";
+        };
+        std::vector<std::string> rest = {"free", "", "", ""};
+        if (conditions.dirichlet.count(boundary) != 0)
+          rest = {"Dirichlet", "", "", ""};
+        const auto load = conditions.neumann.find(boundary);
+        if (load != conditions.neumann.end() && k > 0 && k < lines)
+          rest = {"Neumann", value(load->second.x), value(load->second.y), ""};
+        else if (load != conditions.neumann.end())  // loads need not exist at corners
+          rest = {"Neumann", "", "", ""};
+        const auto contact = conditions.contact.find(boundary);
+        if (contact != conditions.contact.end())
+          rest = {"Contact", "", "",
+                  contact->second.name.empty() && k > 0 && k < lines
+                      ? value(contact->second.gap)
+                      : ""};
+        row(x, meshes[b][e].curve.normal(t), scene.bodies[b].name, boundary, e, rest);
+      }
+  }
+  for (const RigidBody& body : scene.rigid)
+    for (std::size_t e = 0; e < body.outline->edges().size(); ++e)
+      for (int k = 0; k <= 4 * lines; ++k) {
+        const bem::Edge& edge = body.outline->edges()[e];
+        const double t = -1 + 2.0 * k / (4 * lines);
+        row(body.outline->physical(edge.curve.point(t)), edge.curve.normal(t), body.name,
+            edge.boundary, static_cast<int>(e), {"rigid", "", "", ""});
+      }
+  return csv.text();
+}
+
 int checkCommand(const Given& given, std::ostream& out) {
-  out << checkScene(readScene(given.argument, given.values("--set")));
-  return 0;
+  const Scene scene = readScene(given.argument, given.values("--set"));
+  out << checkScene(scene);
+  return given.has("--plot")
+             ? drawScene(sceneCsv(scene), scene.title, given.value("--plot"))
+             : 0;
 }
 
 }  // namespace epafi::drivers

@@ -4,6 +4,7 @@
 #include "bem/base/Parameters.hpp"
 #include "drivers/commands/Commands.hpp"
 #include "drivers/commands/FieldsCommand.hpp"
+#include "drivers/commands/FirstRank.hpp"
 #include "drivers/commands/Help.hpp"
 #include "drivers/commands/PlotCommand.hpp"
 #include "drivers/commands/RunCommand.hpp"
@@ -23,6 +24,12 @@ namespace {
 template <int (*Run)(const Given&, std::ostream&)>
 int alone(const Given& given, std::ostream& out, const Ranks&) {
   return Run(given, out);
+}
+
+/// A command that writes files: the first process alone has it.
+template <int (*Run)(const Given&, std::ostream&)>
+int onFirst(const Given& given, std::ostream& out, const Ranks& ranks) {
+  return onFirstRank(ranks, [&] { return Run(given, out); });
 }
 
 std::string helpAs(const std::string& format) {
@@ -120,8 +127,10 @@ std::vector<Command> makeCommands() {
       {"check",
        "read and validate only, evaluate every expression",
        scene,
-       {set},
-       alone<checkCommand>},
+       {set,
+        {"--plot", "FILE.png",
+         "draw what was read: boundaries, conditions, loads, obstacles", Offer::Files}},
+       onFirst<checkCommand>},
       {"parameters",
        "every parameter of scenes and studies: path, type, default, range, meaning, unit",
        {},

@@ -20,6 +20,10 @@ std::string checkScene(const Scene& scene);
 std::string parametersText(const std::vector<Grammar>& grammars,
                            const std::string& format);
 
+/// What `epafi check --plot` draws, as csv: points along the first meshes with the loads and
+/// gaps there.
+std::string sceneCsv(const Scene& scene);
+
 /// The commands; they return the exit code.
 /// \throws bem::InputError for wrong scenes.
 int checkCommand(const Given& given, std::ostream& out);

@@ -141,7 +141,10 @@ class Writer {
 std::string jsonSchema(const std::vector<Grammar>& grammars) {
   std::ostringstream out;
   out << "{\n  \"$schema\": \"http://json-schema.org/draft-07/schema#\",\n"
-         "  \"title\": \"Epafi\", \"type\": \"object\", \"minProperties\": 1, "
+         "  \"title\": \"Epafi\",\n"
+         "  \"$comment\": \"names, types, words and ranges; what depends on other keys, "
+         "and what is required because of them, `epafi check` knows\",\n"
+         "  \"type\": \"object\", \"minProperties\": 1, "
          "\"maxProperties\": 1,\n"
          "  \"additionalProperties\": ";
   const auto object = [&out](const Grammar& grammar) {

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -36,12 +37,11 @@ std::string plotProgram() {
 
 }  // namespace
 
-int drawPictures(const std::string& folder, Words words,
-                 const std::vector<std::string>& more) {
-  std::vector<std::string> texts = {python, plotProgram(), folder};
-  if (words == Words::Errors)
-    texts.emplace_back("--quiet");
-  texts.insert(texts.end(), more.begin(), more.end());
+namespace {
+
+/// The plotting program with arguments; its exit code, 0 or 1.
+int callPlot(std::vector<std::string> texts) {
+  texts.insert(texts.begin(), {python, plotProgram()});
   std::vector<char*> arguments;
   arguments.reserve(texts.size() + 1);
   for (std::string& text : texts)
@@ -58,6 +58,27 @@ int drawPictures(const std::string& folder, Words words,
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int drawPictures(const std::string& folder, Words words,
+                 const std::vector<std::string>& more) {
+  std::vector<std::string> texts = {folder};
+  if (words == Words::Errors)
+    texts.emplace_back("--quiet");
+  texts.insert(texts.end(), more.begin(), more.end());
+  return callPlot(texts);
+}
+
+int drawScene(const std::string& csv, const std::string& title, const std::string& file) {
+  const std::string table = file + ".csv.part";
+  if (!(std::ofstream(table) << csv << std::flush))
+    throw bem::InputError(bem::message("--plot: '", file, "' cannot be written"));
+  const int code = callPlot({table, "--scene", file, "--title=" + title});
+  std::error_code ignored;
+  fs::remove(table, ignored);
+  return code;
 }
 
 int plotCommand(const Given& given, std::ostream&, const Ranks& ranks) {

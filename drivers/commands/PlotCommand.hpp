@@ -21,6 +21,9 @@ enum class Words { All, Errors };
 int drawPictures(const std::string& folder, Words words,
                  const std::vector<std::string>& more = {});
 
+/// Draws a scene, given as csv (sceneCsv), into a file.  Returns the exit code.
+int drawScene(const std::string& csv, const std::string& title, const std::string& file);
+
 /// `epafi plot DIR`; the first rank draws.
 int plotCommand(const Given& given, std::ostream& out, const Ranks& ranks);
 

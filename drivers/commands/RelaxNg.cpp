@@ -145,6 +145,8 @@ std::string relaxNg(const std::vector<Grammar>& grammars) {
   out << "<grammar xmlns=\"http://relaxng.org/ns/structure/1.0\"\n"
          "         xmlns:a=\"http://relaxng.org/ns/compatibility/annotations/1.0\"\n"
          "         datatypeLibrary=\"http://www.w3.org/2001/XMLSchema-datatypes\">\n"
+         "  <a:documentation>Names, types, words and ranges; what is required, given "
+         "twice, or depends on other keys, `epafi check` knows.</a:documentation>\n"
          "  <start><choice>\n";
   for (const Grammar& grammar : grammars)
     out << "    <ref name=\"" << grammar.name << "\"/>\n";

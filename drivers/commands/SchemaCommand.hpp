@@ -20,8 +20,8 @@ std::vector<Grammar> grammars(const std::string& name);
 /// depends on other keys, and what is required, the program checks.
 std::string relaxNg(const std::vector<Grammar>& grammars);
 
-/// JSON Schema (draft 7) of the YAML files: the same, and what is
-/// required whatever other keys say.
+/// JSON Schema (draft 7) of the YAML files: the same, and what is required whatever other
+/// keys say.  Keys that depend on others (a law's, a condition's) stand side by side in it.
 std::string jsonSchema(const std::vector<Grammar>& grammars);
 
 /// `epafi schema [--format rng|json] [--of scene|study]`

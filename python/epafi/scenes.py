@@ -32,13 +32,33 @@ class Scene(dict[str, Any]):
 
     @classmethod
     def read(cls, file: str | os.PathLike[str]) -> Scene:
-        """From an XML file."""
+        """From an XML file, or a YAML file (by python3-yaml)."""
+        name = os.fspath(file)
+        stem, ending = os.path.splitext(os.path.basename(name))
+        folder = os.path.dirname(name) or "."
+        if ending in (".yaml", ".yml"):
+            return cls._read_yaml(name, folder)
         try:
-            root = xml.parse(file).getroot()
+            root = xml.parse(name).getroot()
         except (OSError, xml.ParseError) as error:
-            raise InputError("%s: %s" % (os.fspath(file), error)) from None
-        stem = os.path.splitext(os.path.basename(os.fspath(file)))[0]
-        return cls(_tree(root), root.get("name") or stem, os.path.dirname(os.fspath(file)) or ".")
+            raise InputError("%s: %s" % (name, error)) from None
+        return cls(_tree(root), root.get("name") or stem, folder)
+
+    @classmethod
+    def _read_yaml(cls, name: str, folder: str) -> Scene:
+        try:
+            import yaml
+        except ImportError:
+            raise InputError("%s: YAML wants python3-yaml" % name) from None
+        try:
+            with open(name, encoding="utf-8") as stream:
+                content = yaml.safe_load(stream)
+        except (OSError, yaml.YAMLError) as error:
+            raise InputError("%s: %s" % (name, error)) from None
+        if not isinstance(content, dict) or len(content) != 1:
+            raise InputError("%s: everything must stand under one title, 'My scene:'" % name)
+        (title, tree), = content.items()
+        return cls(tree, str(title), folder)
 
     def changed(self, settings: Mapping[str, Any]) -> Scene:
         """A copy with other values: {"A->B->Key": value}; None removes a key or a list."""

@@ -479,7 +479,8 @@ TEUCHOS_UNIT_TEST(BadInput, commandsRefuseArgumentsTheyDoNotKnow) {
   TEST_EQUALITY(complaint(check, {file.path()}), "");
   TEST_INEQUALITY(complaint(check, {}), "");
   TEST_ASSERT(contains(complaint(check, {file.path(), "b.xml"}), "'b.xml'"));
-  TEST_ASSERT(contains(complaint(check, {file.path(), "--plot", "b.png"}), "--plot"));
+  TEST_ASSERT(
+      contains(complaint(check, {file.path(), "--picture", "b.png"}), "--picture"));
   TEST_ASSERT(contains(complaint(check, {file.path(), "--set"}), "--set"));
   const std::string list = "parameters";
   TEST_EQUALITY(complaint(list, {"--format", "xml"}), "");

@@ -42,6 +42,16 @@ for name in sorted(os.listdir(SHIPPED)):
         return [lines[0].split(" (")[0], *lines[1:]]
     claim(told(copy) == told(os.path.join(SHIPPED, name)), name + ": the program reads the same")
 
+try:
+    import yaml
+
+    with open(os.path.join(WORK, "patch.yaml"), "w") as stream:
+        yaml.safe_dump({"Contact patch test": dict(epafi.Scene.read(
+            os.path.join(SHIPPED, "patch.xml")))}, stream)
+    claim(epafi.Scene.read(os.path.join(WORK, "patch.yaml")) ==
+          epafi.Scene.read(os.path.join(SHIPPED, "patch.xml")), "YAML is read as well")
+except ImportError:
+    print("python3-yaml is not here: YAML not tried")
 coulomb = epafi.Scene.read(os.path.join(SHIPPED, "coulomb.xml")).changed(
     {"Adaptivity->Maximum Levels": 2})
 for settings, words in [

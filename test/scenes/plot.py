@@ -83,6 +83,13 @@ code, text = epafi("plot", os.path.join(WORK, "fretting"), "--field", "von_mises
                    "-3,0,3,3")
 claim(code == 0, "a window of a field is drawn: " + text.strip())
 drawn(os.path.join(WORK, "fretting"), ["von_mises"], "fretting")
+for name in ("tresca", "disc", "two-blocks"):
+    file = os.path.join(WORK, name + "-scene.png")
+    code, text = epafi("check", scene(name + ".xml"), "--plot", file)
+    claim(code == 0 and os.path.getsize(file) > 5000 and not os.path.exists(file + ".csv.part"),
+          "the scene %s is drawn before it is solved" % name)
+code, text = epafi("check", scene("disc.xml"), "--plot", "/nowhere/disc.png")
+claim(code == 1 and "/nowhere" in text, "a picture that cannot be written: " + text[-120:])
 for window, words in [("3,0,-3,3", "X0,Y0,X1,Y1"), ("1,2", "X0,Y0,X1,Y1"),
                       ("100,0,101,1", "shows nothing")]:
     code, text = epafi("plot", os.path.join(WORK, "one"), "--field", "syy", "--window", window)

@@ -11,7 +11,8 @@ try:
     import matplotlib
 
     matplotlib.use("Agg")
-    from epafi.plot import draw_folder
+    from epafi.plot import draw_folder, scene
+    from epafi.tables import Table
 except ImportError as error:
     sys.exit("epafi: plot: Python's matplotlib is missing (%s); install it with\n"
              "    apt-get install python3-matplotlib" % error)
@@ -23,7 +24,16 @@ def main():
     arguments.add_argument("--field")
     arguments.add_argument("--window", action="store_true")
     arguments.add_argument("--quiet", action="store_true")
+    arguments.add_argument("--scene")
+    arguments.add_argument("--title", default="")
     given = arguments.parse_args()
+    if given.scene:
+        try:
+            scene.draw(Table(given.folder), given.title, given.scene)
+        except (KeyError, ValueError, OSError) as error:
+            sys.exit("epafi: check: '%s' cannot be drawn: %s" % (given.scene, error))
+        print("picture " + given.scene)
+        return
     if not os.path.isdir(given.folder):
         sys.exit("epafi: plot: there is no folder '%s'" % given.folder)
     try:

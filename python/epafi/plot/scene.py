@@ -1,0 +1,64 @@
+"""A scene before it is solved: boundaries with their names and conditions, loads as arrows,
+obstacles where their gap puts them."""
+import numpy as np
+from matplotlib.lines import Line2D
+
+from epafi.plot.figures import STYLE, equal_axes, plt, shape_of
+
+COLOURS = {"Dirichlet": "C3", "Neumann": "C0", "Contact": "C2", "free": "black", "rigid": "grey"}
+
+
+def runs_of(table):
+    """Slices of points that follow each other on one boundary, elements together."""
+    keys = [table["body"].astype(str), table["boundary"].astype(str)]
+    step = np.hypot(np.diff(table["x"]), np.diff(table["y"]))
+    room = 1e-9 * max(np.ptp(table["x"]), np.ptp(table["y"]))
+    element = np.diff(table["element"]) != 0
+    fresh = np.any([key[1:] != key[:-1] for key in keys], axis=0) | (element & (step > room))
+    starts = np.append(0, np.flatnonzero(fresh) + 1)
+    return [slice(a, b) for a, b in zip(starts, [*starts[1:], table.size])]
+
+
+def draw(table, title, file):
+    with plt.rc_context(STYLE):
+        x, y = table["x"], table["y"]
+        extent = np.ptp(x), np.ptp(y)
+        size = shape_of(*extent, 7)
+        figure, axes = plt.subplots(figsize=(size[0] + 2.5, size[1] + 1.2))
+        larger = max(extent)
+        tx, ty, gap = (table.numbers(name) for name in ("tx", "ty", "gap"))
+        largest = max(np.nanmax(np.hypot(tx, ty), initial=0), 1e-300)
+        met = {}
+        for part in runs_of(table):
+            kind = str(table["condition"][part][0])
+            colour = met.setdefault(kind, COLOURS[kind])
+            axes.plot(x[part], y[part], color=colour, lw=2.5, zorder=2)
+            ends = table["element"][part]
+            nodes = np.append(np.flatnonzero(np.diff(ends)), len(ends) - 1)
+            axes.plot(x[part][nodes], y[part][nodes], ".", color=colour, ms=5, zorder=3)
+            middle = len(ends) // 2
+            n = table["nx"][part][middle], table["ny"][part][middle]
+            axes.annotate(str(table["boundary"][part][0]), (x[part][middle], y[part][middle]),
+                          xytext=(-9 * n[0], -9 * n[1]), textcoords="offset points",
+                          ha="left" if n[0] < -0.5 else "right" if n[0] > 0.5 else "center",
+                          va="center", fontsize=8, color=colour)
+            here = np.isfinite(gap[part])
+            if here.any():
+                near = np.minimum(gap[part][here], 0.15 * larger)  # far ones would widen the view
+                axes.plot(x[part][here] + near * table["nx"][part][here],
+                          y[part][here] + near * table["ny"][part][here], color="grey", lw=1.2)
+                met["obstacle at its gap"] = "grey"
+        loaded = np.hypot(tx, ty) > 1e-6 * largest
+        loaded[np.isnan(tx)] = False
+        if loaded.any():
+            scale = 0.12 * larger / largest
+            axes.quiver(x[loaded], y[loaded], scale * tx[loaded], scale * ty[loaded], color="C0",
+                        angles="xy", scale_units="xy", scale=1, width=0.003, zorder=4)
+            met["traction, up to %.3g" % largest] = "C0"
+        axes.margins(0.15)
+        equal_axes(axes, *extent)
+        axes.legend([Line2D([], [], color=colour, lw=2) for colour in met.values()], list(met),
+                    loc="upper left", bbox_to_anchor=(1, 1))
+        axes.set_title(title)
+        figure.savefig(file, dpi=figure.dpi)
+        plt.close(figure)
