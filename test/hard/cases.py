@@ -227,7 +227,7 @@ for L in ("1000", "0.001"):
 # ---- shapes and meshes
 # E u / L of the beam is 5000 times its load per area, and rounding of S u as much of the balance.
 case("thin_beam", "beam of 1:100 laid down on a plane by its load, p = 3", "thin_beam",
-     claims=[load(0, -0.1), between("contact_length", 40, 70)], group="long")
+     claims=[load(0, -0.1), between("contact_length", 40, 70), steps(120)], group="long")
 case("thin_beam_frictionless", "the same beam without friction, p = 2", "thin_beam",
      [BASE + "Friction->Coefficient=0", "Discretization->Degree=2"],
      claims=[load(0, -0.1), between("contact_length", 40, 70)])

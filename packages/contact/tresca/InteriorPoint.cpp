@@ -15,9 +15,10 @@ constexpr double enough = 1e-30;
 /// Share of the way to the boundary of the set.
 constexpr double interior = 0.995;
 /// So many steps that are so short, one after the other, lead nowhere.
-constexpr double shortStep = 0.1;
+constexpr double shortStep = 0.03;
 constexpr int mostJams = 3;
-/// So many steps without half of μ are rounding.
+/// Below this so many steps without half of the complementarity are rounding.
+constexpr double small = 1e-12;
 constexpr int mostStale = 8;
 
 /// side λ_i + s_i >= 0, s_i the slip bound, zero for a pressure: the distance a > 0 from
@@ -103,8 +104,9 @@ class Method {
     const Vector change = direction(system, mu * std::pow(affine / mu, 3));
     const double step = std::min(1.0, interior * room());
     jams_ = step < shortStep ? jams_ + 1 : 0;
-    stale_ = mu > 0.5 * least_ ? stale_ + 1 : 0;
-    least_ = std::min(mu, least_);
+    const double relative = mu / (problem_.stress * problem_.stress);
+    stale_ = least_ < small && relative > 0.5 * least_ ? stale_ + 1 : 0;
+    least_ = std::min(relative, least_);
     if (jams_ == mostJams || stale_ == mostStale)
       return false;
     Vector unknowns = e_.unknowns;
@@ -208,7 +210,7 @@ class Method {
   Evaluation e_;
   int jams_ = 0;
   int stale_ = 0;
-  double least_ = std::numeric_limits<double>::infinity();  // μ
+  double least_ = std::numeric_limits<double>::infinity();  // complementarity
 };
 
 }  // namespace
