@@ -3,6 +3,7 @@ import math
 import os
 
 from runs import WORK, claim, differ, finish, run, scene, table
+from written import with_sides_swapped
 
 
 def solved(name, *settings):
@@ -21,17 +22,11 @@ def solved(name, *settings):
 
 def swapped(name, *settings):
     """The same with the other side of each contact first: its last level, its points."""
-    with open(scene(name + ".xml")) as stream:
-        text = stream.read()
-    head, key, tail = text.partition('name="Between" type="Array(string)" value="{')
-    while key:
-        sides, tail = tail.split("}", 1)
-        head += key + ", ".join(reversed(sides.split(", "))) + "}"
-        more, key, tail = tail.partition('name="Between" type="Array(string)" value="{')
-        head += more
     file = os.path.join(WORK, name + "-swapped.xml")
+    with open(scene(name + ".xml")) as stream:
+        text = with_sides_swapped(stream.read())
     with open(file, "w") as stream:
-        stream.write(head)
+        stream.write(text)
     history, points = run(file, name + "-swapped", settings)
     return history[-1], points
 
