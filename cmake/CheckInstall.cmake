@@ -22,6 +22,10 @@ foreach(arguments "run;${scenes}/patch.xml" "plot;patch.out;--field;syy")
   execute_process(COMMAND ${WORK}/prefix/bin/epafi ${arguments} WORKING_DIRECTORY ${WORK}
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
+file(GLOB python ${WORK}/prefix/lib/python3.*/dist-packages)
+execute_process(COMMAND ${CMAKE_COMMAND} -E env PYTHONPATH=${python} PYTHONDONTWRITEBYTECODE=1
+  /usr/bin/python3 -c "import epafi, sys; sys.exit(not epafi.run('${scenes}/patch.xml').converged)"
+  WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
 if(NOT EXISTS ${WORK}/patch.out/syy.png)
   message(FATAL_ERROR "the installed program does not draw")
 endif()

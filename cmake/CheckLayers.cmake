@@ -9,7 +9,7 @@ cmake_minimum_required(VERSION 3.20)
 set(layers bem contact adaptivity drivers)
 # Folders of one floor, divided by |, may include each other.  A layer without floors is free.
 set(bem_floors base|simd algebra basis quadrature geometry mesh moments kernel space
-  operators|tractions fields tpetra)
+  operators|tractions compressed fields tpetra)
 set(contact_floors law conditions multiplier problem equation path newton solve
   tresca coulomb nox)
 set(adaptivity_floors singular refine mark estimate)

@@ -36,6 +36,12 @@ void dsyev_(const char* jobz, const char* uplo, const int* n, double* a, const i
 void dgesvd_(const char* jobu, const char* jobvt, const int* m, const int* n, double* a,
              const int* lda, double* s, double* u, const int* ldu, double* vt,
              const int* ldvt, double* work, const int* lwork, int* info);
+void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* pivots,
+             int* info);
+void dgetrs_(const char* trans, const int* n, const int* nrhs, const double* a,
+             const int* lda, const int* pivots, double* b, const int* ldb, int* info);
+void dgeqrf_(const int* m, const int* n, double* a, const int* lda, double* tau,
+             double* work, const int* lwork, int* info);
 void dgeqp3_(const int* m, const int* n, double* a, const int* lda, int* jpvt,
              double* tau, double* work, const int* lwork, int* info);
 }

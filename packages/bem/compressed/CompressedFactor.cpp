@@ -1,0 +1,288 @@
+#include "bem/compressed/CompressedFactor.hpp"
+
+#include "bem/base/Error.hpp"
+#include "bem/compressed/Products.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace epafi::bem {
+
+CompressedFactor::CompressedFactor(const CompressedOperators& operators,
+                                   Restriction restriction)
+    : operators_(&operators),
+      restriction_(std::move(restriction)),
+      nodes_(static_cast<std::size_t>(operators.tree().size())) {
+  restriction_.held.resize(at(operators.size()));
+  eliminate(std::vector<char>(nodes_.size(), 1));
+}
+
+int CompressedFactor::update(Restriction restriction) {
+  restriction.held.resize(at(operators_->size()));
+  std::vector<char> dirty(nodes_.size());
+  const auto mark = [&](Index unknown) {
+    dirty[static_cast<std::size_t>(operators_->leafOf(unknown))] = 1;
+  };
+  for (Index i = 0; i < operators_->size(); ++i)
+    if (restriction.held[at(i)] != restriction_.held[at(i)])
+      mark(i);
+  const auto compare = [&](const auto& before, const auto& now) {
+    for (std::size_t i = 0; i < std::max(before.size(), now.size()); ++i)
+      if (i >= before.size() || i >= now.size() || !(before[i] == now[i])) {
+        if (i < before.size())
+          mark(before[i].unknown);
+        if (i < now.size())
+          mark(now[i].unknown);
+      }
+  };
+  compare(restriction_.followers, restriction.followers);
+  compare(restriction_.springs, restriction.springs);
+  restriction_ = std::move(restriction);
+  const ClusterTree& tree = operators_->tree();
+  int count = 0;
+  for (int c = tree.size() - 1; c >= 0; --c)
+    if (dirty[static_cast<std::size_t>(c)] != 0) {
+      ++count;
+      if (c > 0)
+        dirty[static_cast<std::size_t>(tree[c].parent)] = 1;
+    }
+  eliminate(dirty);
+  return count;
+}
+
+void CompressedFactor::eliminate(const std::vector<char>& dirty) {
+  const ClusterTree& tree = operators_->tree();
+  for (Node& node : nodes_)
+    if (dirty[static_cast<std::size_t>(&node - nodes_.data())] != 0) {
+      node.kept.clear();
+      node.followers.clear();
+    }
+  // of each leaf, where unknowns stand
+  std::vector<Index> places(at(operators_->size()));
+  for (int c = 0; c < tree.size(); ++c)
+    if (tree[c].isLeaf() && dirty[static_cast<std::size_t>(c)] != 0) {
+      const std::vector<Index>& active = operators_->part(c).active;
+      Node& node = nodes_[static_cast<std::size_t>(c)];
+      for (std::size_t i = 0; i < active.size(); ++i)
+        if (restriction_.held[at(active[i])] == 0) {
+          places[at(active[i])] = static_cast<Index>(node.kept.size());
+          node.kept.push_back(static_cast<Index>(i));
+        } else {
+          places[at(active[i])] = static_cast<Index>(i);
+        }
+    }
+  for (const Restriction::Follower& follower : restriction_.followers) {
+    const auto c = static_cast<std::size_t>(operators_->leafOf(follower.unknown));
+    assert(operators_->leafOf(follower.leader) == static_cast<int>(c));
+    if (dirty[c] != 0 && restriction_.held[at(follower.leader)] == 0)
+      nodes_[c].followers.push_back(
+          {places[at(follower.unknown)], places[at(follower.leader)], follower.factor});
+  }
+  for (int l = tree.levels() - 1; l >= 0; --l) {
+    const std::vector<int>& level = tree.level(l);
+    std::string failure;
+#pragma omp parallel for schedule(dynamic, 1)
+    for (std::size_t k = 0; k < level.size(); ++k) {
+      if (dirty[static_cast<std::size_t>(level[k])] == 0)
+        continue;
+      try {
+        if (tree[level[k]].isLeaf())
+          eliminateLeaf(level[k]);
+        else
+          eliminateParent(level[k]);
+      } catch (const NumericalError& error) {
+#pragma omp critical(epafi_compressed_factor)
+        failure = error.what();
+      }
+    }
+    if (!failure.empty())
+      throw NumericalError(failure);
+  }
+}
+
+void CompressedFactor::eliminateLeaf(int c) {
+  const CompressedOperators::Part& part = operators_->part(c);
+  Node& node = nodes_[static_cast<std::size_t>(c)];
+  const auto n = static_cast<Index>(node.kept.size());
+  const Index k = part.weights.rows();
+  Matrix d(n, n);
+  Matrix in(n, k);
+  node.out = Matrix(k, n);
+  for (Index j = 0; j < n; ++j) {
+    const Index column = node.kept[at(j)];
+    for (Index i = 0; i < n; ++i)
+      d(i, j) = part.block(node.kept[at(i)], column);
+    std::copy_n(part.weights.column(column), k, node.out.column(j));
+    for (Index i = 0; i < k; ++i)
+      in(j, i) = part.weights(i, column);
+  }
+  for (const Node::Follower& follower : node.followers) {
+    for (Index i = 0; i < n; ++i)
+      d(i, follower.leader) +=
+          follower.factor * part.block(node.kept[at(i)], follower.follower);
+    for (Index i = 0; i < k; ++i)
+      node.out(i, follower.leader) +=
+          follower.factor * part.weights(i, follower.follower);
+  }
+  for (const Restriction::Spring& spring : restriction_.springs)
+    for (Index j = 0; j < n; ++j)
+      if (part.active[at(node.kept[at(j)])] == spring.unknown)
+        d(j, j) += spring.stiffness;
+  factor(c, std::move(d));
+  solveWith(node, in);
+  node.in = std::move(in);
+  node.response = product(node.out, node.in);
+}
+
+void CompressedFactor::eliminateParent(int c) {
+  const ClusterTree& tree = operators_->tree();
+  const CompressedOperators::Part& part = operators_->part(c);
+  Node& node = nodes_[static_cast<std::size_t>(c)];
+  const Matrix& first = nodes_[static_cast<std::size_t>(tree[c].children[0])].response;
+  const Matrix& second = nodes_[static_cast<std::size_t>(tree[c].children[1])].response;
+  const Index k = first.rows();
+  const Index size = k + second.rows();
+  Matrix f(size, size);
+  const Matrix right = product(first, part.block);
+  const Matrix left = product(second, transposed(part.block));
+  for (Index j = 0; j < size; ++j) {
+    if (j < k)
+      std::copy_n(left.column(j), size - k, f.column(j) + k);
+    else
+      std::copy_n(right.column(j - k), k, f.column(j));
+    f(j, j) += 1;
+  }
+  factor(c, std::move(f));
+  if (c == 0)
+    return;
+  const Matrix weights = transposed(part.weights);
+  node.in = stacked(product(first, rowsBetween(weights, 0, k)),
+                    product(second, rowsBetween(weights, k, size)));
+  solveWith(node, node.in);
+  node.response = product(part.weights, node.in);
+}
+
+void CompressedFactor::factor(int c, Matrix matrix) {
+  Node& node = nodes_[static_cast<std::size_t>(c)];
+  node.lu = std::move(matrix);
+  const int n = static_cast<int>(node.lu.rows());
+  node.pivots.resize(at(n));
+  if (n == 0)
+    return;
+  const int lda = static_cast<int>(node.lu.stride());
+  int info = 0;
+  dgetrf_(&n, &n, node.lu.data(), &lda, node.pivots.data(), &info);
+  if (info != 0)
+    throw NumericalError("the compressed system is singular");
+}
+
+void CompressedFactor::solveWith(const Node& node, Matrix& x) const {
+  const int n = static_cast<int>(node.lu.rows());
+  const int columns = static_cast<int>(x.columns());
+  if (n == 0 || columns == 0)
+    return;
+  const int lda = static_cast<int>(node.lu.stride());
+  const int ldb = static_cast<int>(x.stride());
+  int info = 0;
+  dgetrs_("N", &n, &columns, node.lu.data(), &lda, node.pivots.data(), x.data(), &ldb,
+          &info);
+}
+
+Matrix CompressedFactor::solveOnce(const Matrix& b) const {
+  const ClusterTree& tree = operators_->tree();
+  const Index columns = b.columns();
+  Matrix x(b.rows(), columns);
+  std::vector<Matrix> inner(nodes_.size());
+  std::vector<Matrix> out(nodes_.size());
+  std::vector<Matrix> in(nodes_.size());
+  const auto node = [&](int c) -> const Node& {
+    return nodes_[static_cast<std::size_t>(c)];
+  };
+  const auto of = [](std::vector<Matrix>& all, int c) -> Matrix& {
+    return all[static_cast<std::size_t>(c)];
+  };
+  for (int l = tree.levels() - 1; l >= 0; --l) {
+    const std::vector<int>& level = tree.level(l);
+#pragma omp parallel for schedule(dynamic, 1)
+    for (std::size_t k = 0; k < level.size(); ++k) {
+      const int c = level[k];
+      const CompressedOperators::Part& part = operators_->part(c);
+      if (tree[c].isLeaf()) {
+        std::vector<Index> rows;
+        for (const Index i : node(c).kept)
+          rows.push_back(part.active[at(i)]);
+        of(inner, c) = rowsOf(b, rows);
+      } else {
+        of(inner, c) =
+            stacked(of(out, tree[c].children[0]), of(out, tree[c].children[1]));
+      }
+      solveWith(node(c), of(inner, c));
+      if (l > 0)
+        of(out, c) = product(tree[c].isLeaf() ? node(c).out : part.weights, of(inner, c));
+    }
+  }
+  for (int l = 0; l < tree.levels(); ++l) {
+    const std::vector<int>& level = tree.level(l);
+#pragma omp parallel for schedule(dynamic, 1)
+    for (std::size_t k = 0; k < level.size(); ++k) {
+      const int c = level[k];
+      const CompressedOperators::Part& part = operators_->part(c);
+      Matrix& own = of(inner, c);
+      if (l > 0)
+        addProduct(-1, node(c).in, of(in, c), own);
+      if (tree[c].isLeaf()) {
+        for (Index j = 0; j < columns; ++j) {
+          for (std::size_t i = 0; i < node(c).kept.size(); ++i)
+            x(part.active[at(node(c).kept[i])], j) = own(static_cast<Index>(i), j);
+          for (const Node::Follower& follower : node(c).followers)
+            x(part.active[at(follower.follower)], j) +=
+                follower.factor * own(follower.leader, j);
+        }
+        continue;
+      }
+      const Index split = of(out, tree[c].children[0]).rows();
+      const Matrix first = rowsBetween(own, 0, split);
+      const Matrix second = rowsBetween(own, split, own.rows());
+      Matrix outside(own.rows(), columns);
+      if (l > 0)
+        addTransposedProduct(1, part.weights, of(in, c), outside);
+      of(in, tree[c].children[0]) = rowsBetween(outside, 0, split);
+      of(in, tree[c].children[1]) = rowsBetween(outside, split, own.rows());
+      addProduct(1, part.block, second, of(in, tree[c].children[0]));
+      addTransposedProduct(1, part.block, first, of(in, tree[c].children[1]));
+    }
+  }
+  return x;
+}
+
+Matrix CompressedFactor::residual(const Matrix& b, const Matrix& x) const {
+  Matrix rest = operators_->times(x);
+  for (const Restriction::Spring& spring : restriction_.springs)
+    for (Index j = 0; j < x.columns(); ++j)
+      rest(spring.unknown, j) += spring.stiffness * x(spring.unknown, j);
+  for (Index j = 0; j < b.columns(); ++j)
+    for (Index i = 0; i < b.rows(); ++i)
+      rest(i, j) = restriction_.held[at(i)] != 0 ? 0 : b(i, j) - rest(i, j);
+  return rest;
+}
+
+Matrix CompressedFactor::solve(const Matrix& b, int refinements) const {
+  Matrix x = solveOnce(b);
+  for (int step = 0; step < refinements; ++step) {
+    const Matrix correction = solveOnce(residual(b, x));
+    for (Index j = 0; j < x.columns(); ++j)
+      for (Index i = 0; i < x.rows(); ++i)
+        x(i, j) += correction(i, j);
+  }
+  return x;
+}
+
+std::size_t CompressedFactor::bytes() const {
+  std::size_t entries = 0;
+  for (const Node& node : nodes_)
+    for (const Matrix* matrix : {&node.lu, &node.in, &node.response, &node.out})
+      entries += static_cast<std::size_t>(matrix->rows() * matrix->columns());
+  return entries * sizeof(double);
+}
+
+}  // namespace epafi::bem

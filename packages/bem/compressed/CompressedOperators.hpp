@@ -1,0 +1,91 @@
+#pragma once
+
+#include "bem/base/Material.hpp"
+#include "bem/compressed/ClusterTree.hpp"
+#include "bem/compressed/LocalFunctions.hpp"
+
+#include <vector>
+
+namespace epafi::bem {
+
+struct Compression {
+  /// Of what a cluster's functions do outside it, relative to the largest.
+  double tolerance = 1e-12;
+  Index leafUnknowns = 160;
+  /// Of the radii of the circles that stand for what is far, and of the cluster's.
+  double ratio = 1.8;
+};
+
+/// Further unknowns beside displacements and densities, and entries of the symmetric
+/// system that are not those of boundary operators.  Both act between functions that
+/// touch.
+struct LocalCoupling {
+  std::vector<int> elements;  ///< of each further unknown, one that it is on
+  /// Unknowns are numbered as unknownsOf has them, further ones behind.  One of (i, j) and
+  /// (j, i).
+  struct Entry {
+    Index row;
+    Index column;
+    double value;
+  };
+  std::vector<Entry> entries;
+};
+
+/// The coupled system of the boundary operators,
+///
+///   Z = [ W        (K+1/2)ᵀ ]
+///       [ K+1/2    -V       ],
+///
+/// with what a LocalCoupling adds, by recursive skeletonisation: what a cluster of elements
+/// does to everything else goes through some of its unknowns, its skeleton,
+///
+///   Z_far,cluster ≈ Z_far,skeleton T,
+///
+/// and the skeletons of two children are the unknowns of their parent.  Memory and time
+/// grow with the number of elements times the rank, which grows with its logarithm.
+///                                                       [doc/theory/compression.md]
+class CompressedOperators {
+ public:
+  CompressedOperators(const Space& space, const Lame& lame,
+                      const Compression& options = {}, const LocalCoupling& local = {});
+
+  Index displacements() const { return displacements_; }
+  Index densities() const { return densities_; }
+  /// All unknowns.
+  Index size() const { return static_cast<Index>(unknowns_.size()); }
+
+  /// Z X
+  Matrix times(const Matrix& x) const;
+
+  struct Part {
+    std::vector<Index> active;  ///< a leaf's unknowns, or the skeletons of the children
+    std::vector<Index> skeleton;
+    Matrix weights;  ///< T: skeleton x active; of all but the root
+    Matrix
+        block;  ///< a leaf's entries, or those of one child's skeleton with the other's
+  };
+  const ClusterTree& tree() const { return tree_; }
+  const Part& part(int cluster) const {
+    return parts_[static_cast<std::size_t>(cluster)];
+  }
+  /// The leaf of an unknown.
+  int leafOf(Index unknown) const { return tree_.leafOf(unknowns_[at(unknown)].element); }
+
+  struct Ranks {
+    Index largest = 0;
+    double mean = 0;
+  };
+  Ranks ranks(int level) const;
+  std::size_t bytes() const;
+
+ private:
+  class Builder;
+
+  Index displacements_;
+  Index densities_;
+  std::vector<Unknown> unknowns_;
+  ClusterTree tree_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace epafi::bem

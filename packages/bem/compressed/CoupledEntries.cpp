@@ -1,0 +1,127 @@
+#include "bem/compressed/CoupledEntries.hpp"
+
+#include <algorithm>
+
+namespace epafi::bem {
+
+namespace {
+
+// From this distance on, in diameters, plain coordinates lose no digits that count.
+constexpr double plainDistance = 1e-2;
+
+}  // namespace
+
+CoupledEntries::CoupledEntries(const Space& space, const Lame& lame,
+                               const NearBlocks& near,
+                               const std::vector<Unknown>& unknowns)
+    : space_(space),
+      near_(near),
+      unknowns_(unknowns),
+      far_(space, lame),
+      slots_(static_cast<std::size_t>(space.mesh().size()), -1) {}
+
+std::vector<CoupledEntries::Wanted> CoupledEntries::byElements(
+    const std::vector<Index>& unknowns) {
+  std::vector<Wanted> wanted;
+  const auto add = [&](int element, int local, Index place) {
+    int& slot = slots_[static_cast<std::size_t>(element)];
+    if (slot < 0) {
+      slot = static_cast<int>(wanted.size());
+      wanted.push_back({element, {}});
+    }
+    wanted[static_cast<std::size_t>(slot)].functions.emplace_back(local, place);
+  };
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const Unknown& unknown = unknowns_[at(unknowns[i])];
+    if (unknown.local < 0)
+      continue;
+    add(unknown.element, unknown.local, static_cast<Index>(i));
+    if (unknown.isNode)
+      add(space_.mesh()[unknown.element].previous, unknown.local + 2,
+          static_cast<Index>(i));
+  }
+  for (const Wanted& element : wanted)
+    slots_[static_cast<std::size_t>(element.element)] = -1;
+  std::sort(wanted.begin(), wanted.end(),
+            [](const Wanted& a, const Wanted& b) { return a.element < b.element; });
+  return wanted;
+}
+
+Matrix CoupledEntries::operator()(const std::vector<Index>& rows,
+                                  const std::vector<Index>& columns) {
+  Matrix out(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
+  const std::vector<Wanted> tests = byElements(rows);
+  for (const Wanted& column : byElements(columns))
+    addColumn(tests, 0, column, out);
+  return out;
+}
+
+// Pairs of an element with itself and with those behind it; the others mirror them.
+Matrix CoupledEntries::symmetric(const std::vector<Index>& unknowns) {
+  const auto n = static_cast<Index>(unknowns.size());
+  Matrix own(n, n);
+  Matrix out(n, n);
+  const std::vector<Wanted> wanted = byElements(unknowns);
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    const NearBlocks::View block = near_.of(wanted[k].element, wanted[k].element);
+    for (const auto& [b, column] : wanted[k].functions)
+      for (const auto& [a, row] : wanted[k].functions)
+        own(row, column) += block(a, b);
+    addColumn(wanted, k + 1, wanted[k], out);
+  }
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i <= j; ++i) {
+      const double sum = out(i, j) + out(j, i);
+      out(i, j) = sum + own(i, j);
+      out(j, i) = out(i, j);
+    }
+  return out;
+}
+
+void CoupledEntries::addColumn(const std::vector<Wanted>& rows, std::size_t first,
+                               const Wanted& column, Matrix& out) {
+  const Mesh& mesh = space_.mesh();
+  const int f = column.element;
+  std::vector<const Wanted*> waiting;
+  const auto flush = [&] {
+    if (!waiting.empty())
+      addTests(waiting, column, out);
+    waiting.clear();
+    tests_.clear();
+  };
+  for (std::size_t k = first; k < rows.size(); ++k) {
+    const int e = rows[k].element;
+    if (!near_.isDeep(e, f)) {
+      const NearBlocks::View block = near_.of(e, f);
+      for (const auto& [b, place] : column.functions)
+        for (const auto& [a, row] : rows[k].functions)
+          out(row, place) += block(a, b);
+      continue;
+    }
+    Vec2 w = near_.middle(e) - near_.middle(f);
+    if (dot(w, w) < plainDistance * plainDistance)
+      w = mesh.difference(mesh.at(e, 0), mesh.at(f, 0));
+    waiting.push_back(&rows[k]);
+    tests_.push_back({e, w});
+    if (tests_.size() == lanes)
+      flush();
+  }
+  flush();
+}
+
+void CoupledEntries::addTests(const std::vector<const Wanted*>& rows,
+                              const Wanted& column, Matrix& out) {
+  far_.evaluate(tests_, column.element);
+  for (std::size_t t = 0; t < rows.size(); ++t) {
+    const int displacements =
+        LocalFunctions(space_.mesh()[rows[t]->element]).displacements;
+    const int shift = far_.densities() - displacements;
+    for (const auto& [b, place] : column.functions) {
+      double* to = out.column(place);
+      for (const auto& [a, row] : rows[t]->functions)
+        to[row] += far_.lane(a < displacements ? a : a + shift, b)[t];
+    }
+  }
+}
+
+}  // namespace epafi::bem

@@ -1,0 +1,248 @@
+#include "bem/compressed/FarBlocks.hpp"
+
+#include "bem/basis/Legendre.hpp"
+#include "bem/compressed/PointKernels.hpp"
+#include "bem/compressed/WeightedFunctions.hpp"
+#include "bem/simd/Dispatch.hpp"
+
+#include <algorithm>
+
+namespace epafi::bem {
+
+namespace {
+
+/// Sums over the inner points for each function of the trial element.
+struct Inner {
+  AlignedLane* v;  ///< densities x 3
+  AlignedLane* k;  ///< displacements x 4
+  AlignedLane* t;  ///< densities x 4
+  AlignedLane* w;  ///< displacements x 3
+};
+
+using Work = FarBlocks::Work;
+
+struct Integrate {
+  const KernelConstants& constants;
+  const Work& work;
+  const AlignedLane* outer;
+  const double* outerValues;
+  const AlignedLane& halves;
+  const double* inner;
+  const double* innerValues;
+  AlignedLane* sums;
+  AlignedLane* block;
+
+  template <Division How>
+  EPAFI_INLINE void run() const {
+    if (work.rowDegree == 1 && work.columnDegree == 1 && work.rowDensities == 1 &&
+        work.columnDensities == 1)
+      integrate<How, 1>();
+    else
+      integrate<How, 0>();
+  }
+
+  template <Division How, int Degree>
+  EPAFI_INLINE void integrate() const {
+    const int rowNodes = (Degree > 0 ? Degree : work.rowDegree) + 1;
+    const int rowDensities = Degree > 0 ? Degree : work.rowDensities;
+    const int nodes = (Degree > 0 ? Degree : work.columnDegree) + 1;
+    const int densities = Degree > 0 ? Degree : work.columnDensities;
+    const int columns = 2 * (nodes + densities);
+    const int count = 2 * (rowNodes + rowDensities) * columns;
+    for (int i = 0; i < count; ++i)
+      store(block[i].lane, Pack{});
+    const auto to = [&](int a, int b) { return block[a * columns + b].lane; };
+    for (int p = 0; p < work.outer; ++p) {
+      sumInner<How, Degree>(p, nodes, densities);
+      const Inner in = place(nodes, densities);
+      const double* values = outerValues + p * (rowNodes + rowDensities);
+      for (int i = 0; i < rowNodes; ++i) {
+        const Pack phi = values[i] * load(halves.lane);
+        for (int j = 0; j < nodes; ++j) {
+          const AlignedLane* w = in.w + 3 * j;
+          const Pack xy = phi * load(w[1].lane);
+          add(to(2 * i, 2 * j), phi * load(w[0].lane));
+          add(to(2 * i + 1, 2 * j), xy);
+          add(to(2 * i, 2 * j + 1), xy);
+          add(to(2 * i + 1, 2 * j + 1), phi * load(w[2].lane));
+        }
+        for (int j = 0; j < densities; ++j)
+          addFour(phi, in.t + 4 * j, to(2 * i, 2 * (nodes + j)),
+                  to(2 * i + 1, 2 * (nodes + j)));
+      }
+      for (int i = 0; i < rowDensities; ++i) {
+        const Pack chi = values[rowNodes + i] * load(halves.lane);
+        const int row = 2 * (rowNodes + i);
+        for (int j = 0; j < nodes; ++j)
+          addFour(chi, in.k + 4 * j, to(row, 2 * j), to(row + 1, 2 * j));
+        for (int j = 0; j < densities; ++j) {
+          const AlignedLane* v = in.v + 3 * j;
+          const Pack xy = chi * load(v[1].lane);
+          add(to(row, 2 * (nodes + j)), chi * load(v[0].lane));
+          add(to(row + 1, 2 * (nodes + j)), xy);
+          add(to(row, 2 * (nodes + j) + 1), xy);
+          add(to(row + 1, 2 * (nodes + j) + 1), chi * load(v[2].lane));
+        }
+      }
+    }
+  }
+
+  // xx, yx, xy, yy to two rows of one function and both of its columns
+  EPAFI_INLINE void addFour(const Pack& factor, const AlignedLane* from, double* first,
+                            double* second) const {
+    add(first, factor * load(from[0].lane));
+    add(second, factor * load(from[1].lane));
+    add(first + lanes, factor * load(from[2].lane));
+    add(second + lanes, factor * load(from[3].lane));
+  }
+
+  EPAFI_INLINE Inner place(int nodes, int densities) const {
+    AlignedLane* const k = sums + 3 * densities;
+    AlignedLane* const t = k + 4 * nodes;
+    return {sums, k, t, t + 4 * densities};
+  }
+
+  template <Division How, int Degree>
+  EPAFI_INLINE void sumInner(int p, int nodes, int densities) const {
+    const Pack x = load(outer[4 * p].lane);
+    const Pack y = load(outer[4 * p + 1].lane);
+    const Pack tx = load(outer[4 * p + 2].lane);
+    const Pack ty = load(outer[4 * p + 3].lane);
+    if (Degree == 1) {
+      Pack v[3] = {};
+      Pack t[4] = {};
+      Pack k[8] = {};
+      Pack w[6] = {};
+      for (int q = 0; q < work.inner; ++q) {
+        const double* s = inner + 4 * q;
+        const double* values = innerValues + 3 * q;
+        PointKernels g;
+        g.evaluate<How>(constants, x - s[0], y - s[1], tx, ty, s[2], s[3]);
+        for (int i = 0; i < 3; ++i) {
+          v[i] += values[2] * g.v[i];
+          w[i] += values[0] * g.w[i];
+          w[3 + i] += values[1] * g.w[i];
+        }
+        for (int i = 0; i < 4; ++i) {
+          t[i] += values[2] * g.t[i];
+          k[i] += values[0] * g.k[i];
+          k[4 + i] += values[1] * g.k[i];
+        }
+      }
+      const Inner in = place(2, 1);
+      for (int i = 0; i < 3; ++i)
+        store(in.v[i].lane, v[i]);
+      for (int i = 0; i < 4; ++i)
+        store(in.t[i].lane, t[i]);
+      for (int i = 0; i < 8; ++i)
+        store(in.k[i].lane, k[i]);
+      for (int i = 0; i < 6; ++i)
+        store(in.w[i].lane, w[i]);
+      return;
+    }
+    const Inner in = place(nodes, densities);
+    for (int i = 0; i < 7 * (nodes + densities); ++i)
+      store(sums[i].lane, Pack{});
+    for (int q = 0; q < work.inner; ++q) {
+      const double* s = inner + 4 * q;
+      const double* values = innerValues + (nodes + densities) * q;
+      PointKernels g;
+      g.evaluate<How>(constants, x - s[0], y - s[1], tx, ty, s[2], s[3]);
+      for (int j = 0; j < nodes; ++j) {
+        for (int i = 0; i < 3; ++i)
+          add(in.w[3 * j + i].lane, values[j] * g.w[i]);
+        for (int i = 0; i < 4; ++i)
+          add(in.k[4 * j + i].lane, values[j] * g.k[i]);
+      }
+      for (int j = 0; j < densities; ++j) {
+        for (int i = 0; i < 3; ++i)
+          add(in.v[3 * j + i].lane, values[nodes + j] * g.v[i]);
+        for (int i = 0; i < 4; ++i)
+          add(in.t[4 * j + i].lane, values[nodes + j] * g.t[i]);
+      }
+    }
+  }
+};
+
+}  // namespace
+
+FarBlocks::FarBlocks(const Space& space, const Lame& lame) : space_(space), lame_(lame) {}
+
+PairOrder FarBlocks::orderOf(const std::vector<Test>& tests, int trial) const {
+  PairOrder largest{1, 1};
+  for (const Test& test : tests) {
+    PairOrder order;
+    if (isNear(space_.mesh(), test.element, trial, test.offset, order))
+      continue;  // the caller does not take it
+    largest.outer = std::max(largest.outer, order.outer);
+    largest.inner = std::max(largest.inner, order.inner);
+  }
+  return largest;
+}
+
+void FarBlocks::sampleTests(const std::vector<Test>& tests) {
+  const Rule& rule = gaussLegendre(work_.outer);
+  outer_.resize(static_cast<std::size_t>(4 * work_.outer));
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const Test& test = tests[std::min(lane, tests.size() - 1)];
+    const Element& element = space_.mesh()[test.element];
+    const Curve& curve = element.curve;
+    halves_.lane[lane] = element.half;
+    const bool isStraight = curve.isStraight();
+    const Vec2 direction = curve.frame().tangent;
+    for (std::size_t p = 0; p < rule.points.size(); ++p) {
+      const double t = rule.points[p];
+      const Vec2 x =
+          test.offset + (isStraight ? element.half * t * direction : curve.fromMiddle(t));
+      const Vec2 tangent = isStraight ? direction : curve.tangent(t);
+      AlignedLane* to = outer_.data() + 4 * p;
+      to[0].lane[lane] = x.x;
+      to[1].lane[lane] = x.y;
+      to[2].lane[lane] = tangent.x;
+      to[3].lane[lane] = tangent.y;
+    }
+  }
+  outerValues_ = weightedFunctions(rule, work_.rowDegree, work_.rowDensities, 1);
+}
+
+void FarBlocks::sampleTrial(const Element& element) {
+  const Rule& rule = gaussLegendre(work_.inner);
+  inner_.resize(static_cast<std::size_t>(4 * work_.inner));
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    const Vec2 y = element.curve.fromMiddle(rule.points[q]);
+    const Vec2 tangent = element.curve.tangent(rule.points[q]);
+    double* to = inner_.data() + 4 * q;
+    to[0] = y.x;
+    to[1] = y.y;
+    to[2] = tangent.x;
+    to[3] = tangent.y;
+  }
+  innerValues_ = weightedFunctions(rule, element.degree, element.densities, element.half);
+}
+
+void FarBlocks::evaluate(const std::vector<Test>& tests, int trial, InstructionSet set) {
+  const Element& element = space_.mesh()[trial];
+  const PairOrder order = orderOf(tests, trial);
+  work_ = {};
+  for (const Test& test : tests) {
+    const Element& row = space_.mesh()[test.element];
+    work_.rowDegree = std::max(work_.rowDegree, row.degree);
+    work_.rowDensities = std::max(work_.rowDensities, row.densities);
+  }
+  work_.columnDegree = element.degree;
+  work_.columnDensities = element.densities;
+  work_.outer = gaussPoints(order.outer, work_.rowDegree, work_.rowDensities);
+  work_.inner = gaussPoints(order.inner, element.degree, element.densities);
+  sampleTests(tests);
+  sampleTrial(element);
+  columns_ = 2 * (element.degree + 1 + element.densities);
+  const int rows = 2 * (work_.rowDegree + 1 + work_.rowDensities);
+  sums_.resize(static_cast<std::size_t>(7 * columns_ / 2));
+  block_.resize(static_cast<std::size_t>(rows * columns_));
+  const KernelConstants constants(lame_);
+  dispatch(set,
+           Integrate{constants, work_, outer_.data(), outerValues_.data(), halves_,
+                     inner_.data(), innerValues_.data(), sums_.data(), block_.data()});
+}
+
+}  // namespace epafi::bem

@@ -1,0 +1,72 @@
+#pragma once
+
+#include "bem/base/Material.hpp"
+#include "bem/moments/PairOrder.hpp"
+#include "bem/moments/TileMoments.hpp"
+#include "bem/simd/InstructionSet.hpp"
+#include "bem/space/Space.hpp"
+
+#include <vector>
+
+namespace epafi::bem {
+
+/// Entries of the coupled system by its kernels themselves, at Gauss points:
+///
+///   [ W   K'+1/2 ]        displacements φ_k, which are not differentiated,
+///   [ K+1/2  -V  ]        densities P_i
+///
+/// of one trial element and up to eight test elements that are far from it.  W has its own
+/// hypersingular kernel: by parts it would have noise of ε (r/h)², which a compression
+/// takes for rank.
+///
+/// What a hat has on one of its elements is no entry by parts: both of its elements must
+/// come from here, or none.
+class FarBlocks {
+ public:
+  FarBlocks(const Space& space, const Lame& lame);
+
+  /// A test element, and its middle less the trial element's.
+  struct Test {
+    int element;
+    Vec2 offset;
+  };
+  void evaluate(const std::vector<Test>& tests, int trial,
+                InstructionSet set = largestInstructionSet());
+
+  /// Of the functions a of the tests and b of the trial element, see LocalFunctions; the
+  /// tests of an evaluation side by side.  Displacements and densities of a test are those
+  /// of the largest degree among the tests: see densities().
+  const double* lane(int a, int b) const {
+    return block_[static_cast<std::size_t>(a * columns_ + b)].lane;
+  }
+  /// Where the tests' densities begin.
+  int densities() const { return 2 * (work_.rowDegree + 1); }
+
+  struct Work {
+    int rowDegree = 0;
+    int rowDensities = 0;
+    int columnDegree = 0;
+    int columnDensities = 0;
+    int outer = 0;  ///< points
+    int inner = 0;
+  };
+
+ private:
+  PairOrder orderOf(const std::vector<Test>& tests, int trial) const;
+  void sampleTests(const std::vector<Test>& tests);
+  void sampleTrial(const Element& element);
+
+  const Space& space_;
+  Lame lame_;
+  Work work_;
+  int columns_ = 0;                  ///< functions on the trial element
+  std::vector<AlignedLane> outer_;   ///< at each point: w less y, tangent
+  std::vector<double> outerValues_;  ///< φ_k, P_i times the rule's weight
+  AlignedLane halves_{};
+  std::vector<double> inner_;  ///< at each point: y, tangent
+  std::vector<double> innerValues_;
+  std::vector<AlignedLane> sums_;
+  std::vector<AlignedLane> block_;
+};
+
+}  // namespace epafi::bem

@@ -1,0 +1,253 @@
+#include "bem/compressed/NearBlocks.hpp"
+
+#include "bem/operators/LocalTerms.hpp"
+#include "bem/operators/TileBlocks.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <memory>
+
+namespace epafi::bem {
+
+namespace {
+
+double length(Vec2 a) { return std::sqrt(dot(a, a)); }
+
+/// One pair by parts: what a tile says of it.
+class PairByParts {
+ public:
+  PairByParts(const Space& space, const Lame& lame)
+      : space_(space),
+        lame_(lame),
+        runs_(space.mesh()),
+        tile_(runs_),
+        blocks_(space, lame) {}
+
+  /// Functions of e by functions of f, row by row.
+  void evaluate(int e, int f, double* out) {
+    const int r = runs_.runOf(e);
+    tile_.evaluate(f, r, {e, e + 1});
+    blocks_.evaluate(tile_);
+    const Element& x = space_.mesh()[e];
+    const Element& y = space_.mesh()[f];
+    const LocalFunctions rows(x);
+    const LocalFunctions columns(y);
+    const int width = columns.size();
+    const ElementRun& run = runs_[r];
+    const Index densities = space_.density(e, 0, 0) - space_.density(run.first, 0, 0);
+    const Index start =
+        space_.displacement(e, 0, 0) - space_.displacement(run.first, 0, 0);
+    // the node behind comes after the bubbles
+    const Index end = start + 2 * x.degree;
+    const auto displacement = [&](int a) {
+      return a < 2 ? start + a : a < 4 ? end + a - 2 : start + a - 2;
+    };
+    for (int c = 0; c < 2; ++c) {
+      for (int i = 0; i < y.densities; ++i) {
+        const int column = columns.displacements + 2 * i + c;
+        for (int a = 0; a < rows.densities; ++a)
+          out[(rows.displacements + a) * width + column] =
+              -blocks_.singleLayer(i, c)[densities + a];
+        for (int a = 0; a < rows.displacements && e != f; ++a)
+          out[a * width + column] = blocks_.transposed(i, c)[displacement(a)];
+      }
+      for (int j = 0; j <= y.degree; ++j) {
+        const int column = 2 * j + c;
+        for (int a = 0; a < rows.densities; ++a)
+          out[(rows.displacements + a) * width + column] =
+              blocks_.doubleLayer(j, c)[densities + a];
+        const double slope = DisplacementBasis::slope(j);
+        for (int a = 0; a < rows.displacements; ++a)
+          out[a * width + column] =
+              slope * blocks_.slopeLayer(std::max(j - 1, 0), c)[displacement(a)];
+      }
+    }
+    addLocalTerms(e, f, rows, columns, out);
+  }
+
+ private:
+  void addLocalTerms(int e, int f, const LocalFunctions& rows,
+                     const LocalFunctions& columns, double* out) const {
+    const int width = columns.size();
+    // of K; blocks name the first of two components
+    const auto toK = [&](int i, int k, const Block& b) {
+      double* first = out + (rows.displacements + 2 * i) * width + 2 * k;
+      first[0] += b.xx;
+      first[1] += b.xy;
+      first[width] += b.yx;
+      first[width + 1] += b.yy;
+    };
+    const auto toTransposed = [&](int k, int i, const Block& b) {
+      double* first = out + 2 * k * width + columns.displacements + 2 * i;
+      first[0] += b.xx;
+      first[1] += b.yx;
+      first[width] += b.xy;
+      first[width + 1] += b.yy;
+    };
+    // places of the functions, from the numbers that these terms are given by
+    const auto functionOf = [&](int element, Index displacement) {
+      for (int k = 0; k <= space_.mesh()[element].degree; ++k)
+        if (space_.displacement(element, k, 0) == displacement)
+          return k;
+      assert(false);
+      return 0;
+    };
+    const auto densityOf = [&](int element, Index density) {
+      return static_cast<int>((density - space_.density(element, 0, 0)) / 2);
+    };
+    if (e == f)
+      addHalfMass(space_, {e}, [&](Index density, Index displacement, const Block& b) {
+        toK(densityOf(e, density), functionOf(e, displacement), b);
+      });
+    addEdgeEnds(space_, lame_, {e}, {f},
+                [&](Index density, Index displacement, const Block& b) {
+                  toK(densityOf(e, density), functionOf(f, displacement), b);
+                });
+    if (e == f) {
+      for (int a = 0; a < rows.displacements; ++a)
+        for (int b = 0; b < rows.densities; ++b)
+          out[a * width + rows.displacements + b] =
+              out[(rows.displacements + b) * width + a];
+      return;
+    }
+    addEdgeEnds(space_, lame_, {f}, {e},
+                [&](Index density, Index displacement, const Block& b) {
+                  toTransposed(functionOf(e, displacement), densityOf(f, density), b);
+                });
+  }
+
+  const Space& space_;
+  Lame lame_;
+  ElementRuns runs_;
+  Tile tile_;
+  TileBlocks blocks_;
+};
+
+/// Which functions of a pair have all their elements far from each other.
+class Distances {
+ public:
+  Distances(const Mesh& mesh, int e, int f) : x_(mesh[e]), y_(mesh[f]) {
+    const int tests[3] = {mesh[e].previous, e, mesh[e].next};
+    const int trials[3] = {mesh[f].previous, f, mesh[f].next};
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        const Vec2 w = mesh.difference(mesh.at(tests[i], 0), mesh.at(trials[j], 0));
+        PairOrder order;
+        far_[i][j] = !isNear(mesh, tests[i], trials[j], w, order);
+      }
+  }
+  /// Of the elements themselves.
+  bool areFar() const { return far_[1][1]; }
+  /// Of local functions.
+  bool areFar(int a, int b) const {
+    for (int i = first(x_, a); i <= last(x_, a); ++i)
+      for (int j = first(y_, b); j <= last(y_, b); ++j)
+        if (!far_[i][j])
+          return false;
+    return true;
+  }
+
+ private:
+  static int first(const Element&, int a) { return a < 2 ? 0 : 1; }
+  static int last(const Element& element, int a) {
+    return a == 2 || a == 3 ? (LocalFunctions(element).displacements > a ? 2 : 1) : 1;
+  }
+  const Element& x_;
+  const Element& y_;
+  bool far_[3][3] = {};
+};
+
+}  // namespace
+
+NearBlocks::NearBlocks(const Space& space, const Lame& lame, const ClusterTree& tree) {
+  findPairs(space, tree);
+  const Mesh& mesh = space.mesh();
+#pragma omp parallel
+  {
+    PairByParts byParts(space, lame);
+    FarBlocks far(space, lame);
+#pragma omp for schedule(dynamic, 16)
+    for (int e = 0; e < mesh.size(); ++e)
+      for (const Pair& pair : pairs_[static_cast<std::size_t>(e)]) {
+        const int f = pair.element;
+        double* out = values_.data() + pair.start;
+        byParts.evaluate(e, f, out);
+        const Distances distances(mesh, e, f);
+        if (!distances.areFar())
+          continue;
+        far.evaluate({{e, mesh.difference(mesh.at(e, 0), mesh.at(f, 0))}}, f);
+        const int rows = LocalFunctions(mesh[e]).size();
+        const int columns = LocalFunctions(mesh[f]).size();
+        for (int a = 0; a < rows; ++a)
+          for (int b = 0; b < columns; ++b)
+            if (distances.areFar(a, b))
+              out[a * columns + b] = far.lane(a, b)[0];
+      }
+  }
+}
+
+void NearBlocks::findPairs(const Space& space, const ClusterTree& tree) {
+  const Mesh& mesh = space.mesh();
+  for (int e = 0; e < mesh.size(); ++e) {
+    const Element& element = mesh[e];
+    const double before = mesh[element.previous].half;
+    const double behind = mesh[element.next].half;
+    hoods_.push_back({mesh.scaledPoint(e, 0), element.half + 2 * std::max(before, behind),
+                      std::max({element.half, before, behind})});
+    sizes_.push_back(LocalFunctions(element).size());
+  }
+  pairs_.resize(hoods_.size());
+  std::vector<Hood> around(static_cast<std::size_t>(tree.size()));
+  for (int c = 0; c < tree.size(); ++c)
+    for (int e = tree[c].first; e < tree[c].last; ++e) {
+      const Hood& hood = hoods_[static_cast<std::size_t>(e)];
+      Hood& all = around[static_cast<std::size_t>(c)];
+      all.half = std::max(all.half, hood.half);
+      all.radius =
+          std::max(all.radius, hood.radius + length(tree.fromCentre(c, mesh.at(e, 0))));
+    }
+  // a leaf against all that is not far from it
+  std::size_t next = 0;
+  for (const int leaf : tree.cut(tree.levels() - 1)) {
+    std::vector<int> waiting = {0};
+    while (!waiting.empty()) {
+      const int c = waiting.back();
+      waiting.pop_back();
+      const Hood& a = around[static_cast<std::size_t>(leaf)];
+      const Hood& b = around[static_cast<std::size_t>(c)];
+      if (tree[c].last <= tree[leaf].first ||
+          length(tree.between(leaf, c)) - a.radius - b.radius > std::max(a.half, b.half))
+        continue;
+      if (!tree[c].isLeaf()) {
+        waiting.insert(waiting.end(), {tree[c].children[0], tree[c].children[1]});
+        continue;
+      }
+      for (int e = tree[leaf].first; e < tree[leaf].last; ++e)
+        for (int f = std::max(e, tree[c].first); f < tree[c].last; ++f)
+          if (!isDeep(e, f)) {
+            pairs_[static_cast<std::size_t>(e)].push_back({f, next});
+            next += static_cast<std::size_t>(sizes_[static_cast<std::size_t>(e)] *
+                                             sizes_[static_cast<std::size_t>(f)]);
+          }
+    }
+  }
+  for (std::vector<Pair>& pairs : pairs_)
+    std::sort(pairs.begin(), pairs.end(),
+              [](const Pair& a, const Pair& b) { return a.element < b.element; });
+  values_.resize(next);
+}
+
+NearBlocks::View NearBlocks::of(int e, int f) const {
+  const std::vector<Pair>& pairs = pairs_[static_cast<std::size_t>(std::min(e, f))];
+  const int other = std::max(e, f);
+  const auto found = std::lower_bound(
+      pairs.begin(), pairs.end(), other,
+      [](const Pair& pair, int element) { return pair.element < element; });
+  assert(found != pairs.end() && found->element == other);
+  const double* data = values_.data() + found->start;
+  const Index columns = sizes_[static_cast<std::size_t>(other)];
+  return e <= f ? View{data, columns, 1} : View{data, 1, columns};
+}
+
+}  // namespace epafi::bem

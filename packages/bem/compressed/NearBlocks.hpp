@@ -1,0 +1,62 @@
+#pragma once
+
+#include "bem/base/Material.hpp"
+#include "bem/compressed/ClusterTree.hpp"
+#include "bem/compressed/FarBlocks.hpp"
+#include "bem/compressed/LocalFunctions.hpp"
+
+#include <vector>
+
+namespace epafi::bem {
+
+/// Blocks of the coupled system (see FarBlocks) for all pairs of elements of which some
+/// functions are near each other, computed once and kept: by parts from the moments of a
+/// tile, but where all elements of both functions are far from each other.
+class NearBlocks {
+ public:
+  NearBlocks(const Space& space, const Lame& lame, const ClusterTree& tree);
+
+  /// Are all functions of a pair far?  Then it is none of these.
+  bool isDeep(int e, int f) const {
+    const Hood& a = hoods_[static_cast<std::size_t>(e)];
+    const Hood& b = hoods_[static_cast<std::size_t>(f)];
+    const double reach = a.radius + b.radius + (a.half > b.half ? a.half : b.half);
+    const Vec2 w = a.middle - b.middle;
+    return dot(w, w) >= reach * reach;
+  }
+  /// The middle of an element; as exact as its coordinates.
+  Vec2 middle(int e) const { return hoods_[static_cast<std::size_t>(e)].middle; }
+
+  /// Row by row: functions of e by functions of f, see LocalFunctions.
+  struct View {
+    const double* data;
+    Index nextRow;
+    Index nextColumn;
+    double operator()(int a, int b) const { return data[a * nextRow + b * nextColumn]; }
+  };
+  /// \pre the pair is not deep.
+  View of(int e, int f) const;
+
+  std::size_t bytes() const { return values_.size() * sizeof(double); }
+
+ private:
+  /// An element with its neighbours.
+  struct Hood {
+    Vec2 middle;
+    double radius = 0;  ///< about its middle
+    double half = 0;    ///< the largest
+  };
+  struct Pair {
+    int element;  ///< the other one, not before this
+    std::size_t start;
+  };
+
+  void findPairs(const Space& space, const ClusterTree& tree);
+
+  std::vector<Hood> hoods_;
+  std::vector<std::vector<Pair>> pairs_;
+  std::vector<Index> sizes_;
+  std::vector<double> values_;
+};
+
+}  // namespace epafi::bem

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "bem/algebra/Blas.hpp"
+#include "bem/base/Matrix.hpp"
+
+#include <algorithm>
+#include <vector>
+
+namespace epafi::bem {
+
+// Products and parts of the blocks of a tree.
+
+/// C += s A B, or s Aᵀ B
+inline void addProduct(double s, const Matrix& a, const Matrix& b, Matrix& c,
+                       const char* transposed = "N") {
+  const int m = static_cast<int>(c.rows());
+  const int n = static_cast<int>(c.columns());
+  const int k = static_cast<int>(b.rows());
+  if (m == 0 || n == 0 || k == 0)
+    return;
+  const int lda = static_cast<int>(a.stride());
+  const int ldb = static_cast<int>(b.stride());
+  const int ldc = static_cast<int>(c.stride());
+  const double one = 1;
+  dgemm_(transposed, "N", &m, &n, &k, &s, a.data(), &lda, b.data(), &ldb, &one, c.data(),
+         &ldc);
+}
+inline void addTransposedProduct(double s, const Matrix& a, const Matrix& b, Matrix& c) {
+  addProduct(s, a, b, c, "T");
+}
+inline Matrix product(const Matrix& a, const Matrix& b) {
+  Matrix c(a.rows(), b.columns());
+  addProduct(1, a, b, c);
+  return c;
+}
+
+inline Matrix transposed(const Matrix& a) {
+  Matrix result(a.columns(), a.rows());
+  for (Index j = 0; j < a.columns(); ++j)
+    for (Index i = 0; i < a.rows(); ++i)
+      result(j, i) = a(i, j);
+  return result;
+}
+
+inline Matrix rowsOf(const Matrix& x, const std::vector<Index>& rows) {
+  Matrix result(static_cast<Index>(rows.size()), x.columns());
+  for (Index j = 0; j < x.columns(); ++j)
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      result(static_cast<Index>(i), j) = x(rows[i], j);
+  return result;
+}
+inline void putRows(const Matrix& from, const std::vector<Index>& rows, Matrix& x) {
+  for (Index j = 0; j < x.columns(); ++j)
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      x(rows[i], j) = from(static_cast<Index>(i), j);
+}
+inline Matrix rowsBetween(const Matrix& x, Index first, Index last) {
+  Matrix result(last - first, x.columns());
+  for (Index j = 0; j < x.columns(); ++j)
+    std::copy(x.column(j) + first, x.column(j) + last, result.column(j));
+  return result;
+}
+inline Matrix stacked(const Matrix& a, const Matrix& b) {
+  Matrix result(a.rows() + b.rows(), a.columns());
+  for (Index j = 0; j < a.columns(); ++j) {
+    std::copy_n(a.column(j), a.rows(), result.column(j));
+    std::copy_n(b.column(j), b.rows(), result.column(j) + a.rows());
+  }
+  return result;
+}
+inline Matrix columnsBetween(const Matrix& a, Index first, Index last) {
+  Matrix result(a.rows(), last - first);
+  for (Index j = first; j < last; ++j)
+    std::copy_n(a.column(j), a.rows(), result.column(j - first));
+  return result;
+}
+
+}  // namespace epafi::bem

@@ -1,0 +1,127 @@
+"""contact: stresses, gap and displacements along the contact boundaries."""
+import math
+
+import numpy as np
+
+from epafi.plot.figures import plt
+
+
+def chains(contact):
+    """Index ranges (first, last) of samples that follow each other on one boundary: a new one
+    begins where the name changes or an element is not the next one of the mesh."""
+    names, element = contact["boundary"].astype(str), contact["element"]
+    fresh = (names[1:] != names[:-1]) | (np.diff(element) > 1) | (np.diff(element) < 0)
+    starts = np.append(0, np.flatnonzero(fresh) + 1)
+    return list(zip(starts, [*starts[1:], len(names)]))
+
+
+def abscissa(contact, parts):
+    """Where each sample is drawn, and what that is: a coordinate if all boundaries lie along one
+    axis and do not overlap there, else the length along them with room between chains."""
+    for name, other in (("x", "y"), ("y", "x")):
+        s = contact[name]
+        spans = sorted((s[a:b].min(), s[a:b].max()) for a, b in parts)
+        apart = all(low >= high for (_, high), (low, _) in zip(spans, spans[1:]))
+        straight = all(np.ptp(contact[other][a:b]) <= 1e-9 * np.ptp(s) for a, b in parts)
+        one_way = all((np.diff(s[a:b]) > 0).all() or (np.diff(s[a:b]) < 0).all()
+                      for a, b in parts)
+        if straight and apart and one_way:
+            return s, name
+    s, end = np.zeros(len(contact["x"])), 0.0
+    lengths = [np.append(0, np.cumsum(np.hypot(np.diff(contact["x"][a:b]),
+                                               np.diff(contact["y"][a:b]))))
+               for a, b in parts]
+    room = 0.05 * sum(length[-1] for length in lengths)
+    for (a, b), length in zip(parts, lengths):
+        s[a:b] = end + length
+        end = s[b - 1] + room
+    return s, "length along the contact boundaries"
+
+
+def typical(values, weights, share):
+    """The value that this share of the length stays below."""
+    order = np.argsort(values)
+    below = np.cumsum(weights[order])
+    return values[order][np.searchsorted(below, share * below[-1])]
+
+
+def readable(axes, contact, weights):
+    """Cuts stresses that are singular, so that the others can be read, and marks it."""
+    stresses = np.maximum(np.abs(contact["lambda_n"]), np.abs(contact["lambda_t"]))
+    loaded = stresses > 1e-9 * stresses.max()
+    if not loaded.any():
+        return
+    cap = 4 * typical(stresses[loaded], weights[loaded], 0.8)
+    shown = min(cap, stresses.max())
+    low = max(min(contact["lambda_n"].min(), contact["lambda_t"].min()), -shown)
+    high = min(max(contact["lambda_n"].max(), contact["lambda_t"].max()), shown)
+    if contact["bound"].any():  # as far as it does not flatten the rest
+        bound = min(np.abs(contact["bound"]).max(), 1.5 * shown)
+        low, high = min(low, -bound), max(high, bound)
+    margin = 0.08 * (high - low)
+    axes.set_ylim(low - margin, high + margin)
+    if stresses.max() > cap:
+        axes.text(0.5, 0.97, "cut here: stresses reach %.3g" % stresses.max(), ha="center",
+                  va="top", fontsize=8, transform=axes.transAxes,
+                  bbox={"facecolor": "white", "edgecolor": "C3", "alpha": 0.85})
+
+
+def draw(contact, title, pictures):
+    names = contact["boundary"].astype(str)
+    parts = chains(contact)
+    s, label = abscissa(contact, parts)
+    weights = np.concatenate([lengths(s[a:b]) for a, b in parts])
+    breaks = [a for a, _ in parts[1:]]
+
+    def line(axes, values, text, **style):
+        axes.plot(np.insert(s, breaks, math.nan), np.insert(values, breaks, math.nan),
+                  label=text, **style)
+
+    figure, (stress, shift) = plt.subplots(2, 1, figsize=(8, 7.4), sharex=True)
+    line(stress, contact["lambda_n"], r"pressure $\lambda_n$", color="C0")
+    line(stress, contact["lambda_t"], r"shear $\lambda_t$", color="C1")
+    if (contact["bound"] != 0).any():
+        line(stress, contact["bound"], "friction bound, both signs", color="grey", ls="--",
+             lw=1)
+        line(stress, -contact["bound"], "_", color="grey", ls="--", lw=1)
+    readable(stress, contact, weights)
+    stress.set_ylabel("contact stress")
+    line(shift, contact["u_n"], "normal displacement $u_n$", color="C0")
+    line(shift, contact["gap"], "gap", color="black", ls="--", lw=1)
+    line(shift, contact["u_t"], "tangential displacement $u_t$", color="C1")
+    room = max(np.ptp(contact["u_n"]), np.ptp(contact["u_t"]), 1e-300)
+    reach = max(np.abs(contact["u_n"]).max(), np.abs(contact["u_t"]).max()) + 0.2 * room
+    if np.abs(contact["gap"]).max() > 3 * reach:  # a gap far off would flatten the rest
+        shift.set_ylim(-reach, 1.5 * reach)
+    shift.set_ylabel("displacement along n and t")
+    shift.set_xlabel(label)
+    for axes in (stress, shift):
+        shade(axes, s, contact, parts)
+        axes.legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    figure.suptitle("%s: contact on %s" % (title, ", ".join(dict.fromkeys(names))), y=0.94)
+    pictures.save(figure, "contact")
+
+
+def middles(s):
+    """The places between samples, the first and the last sample at the ends."""
+    return np.concatenate([[s[0]], 0.5 * (s[1:] + s[:-1]), [s[-1]]])
+
+
+def lengths(s):
+    """What of a chain each sample stands for; 1 where there is a single one."""
+    return np.abs(np.diff(middles(s))) if len(s) > 1 else np.ones(1)
+
+
+def shade(axes, s, contact, parts):
+    """Sticking and sliding parts as coloured grounds; what is open stays white."""
+    closed, friction = contact["contact"] > 0, contact["friction"]
+    kinds = [("closed, no friction", closed & (friction == 0), "#cfe3f2"),
+             ("closed, stick", closed & (friction == 1), "#cde8cd"),
+             ("closed, slip", closed & (friction == 2), "#f7dcc4")]
+    for text, here, colour in kinds:
+        for a, b in parts:
+            edge = middles(s[a:b])
+            change = np.flatnonzero(np.diff(np.concatenate([[0], here[a:b].astype(int), [0]])))
+            for first, last in zip(change[::2], change[1::2]):
+                axes.axvspan(edge[first], edge[last], color=colour, lw=0, label=text, zorder=0)
+                text = "_"  # once in the legend

@@ -1,0 +1,36 @@
+"""contributions: what the estimate of a run is made of."""
+import math
+
+import numpy as np
+
+from epafi.plot.figures import MARKERS, loglog, plain_ticks, plt
+
+CONTRIBUTIONS = [("eta_neumann", "residual on Neumann sides"),
+                 ("eta_contact", "residual on contact sides"),
+                 ("eta_density", "residual of the density"),
+                 ("eta_complementarity", "complementarity"),
+                 ("eta_penetration", "penetration"),
+                 ("eta_tension", "tension"),
+                 ("eta_bound", "shear above its bound"),
+                 ("eta_slip", "stick and slip")]
+
+
+def draw(history, title, pictures):
+    x = history.numbers("dof")
+    figure, axes = plt.subplots(figsize=(7.2, 5))
+    drawn = loglog(axes, x, history.numbers("estimate"), "estimate", color="black",
+                   marker="o", lw=2)
+    rounding = 1e-8 * history.numbers("estimate")
+    for (name, text), marker in zip(CONTRIBUTIONS, MARKERS[1:]):
+        y = history.numbers(name)
+        drawn = loglog(axes, x, np.where(y > rounding, y, math.nan), text, marker=marker,
+                       lw=1, gaps=True) or drawn
+    if not drawn:
+        plt.close(figure)
+        return
+    plain_ticks(axes.xaxis)
+    axes.set_xlabel("degrees of freedom")
+    axes.set_ylabel("contribution to the estimate")
+    axes.set_title(title + ": contributions")
+    axes.legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    pictures.save(figure, "contributions")

@@ -1,0 +1,67 @@
+"""deformed: the outline moved by the displacements, and the tractions."""
+import math
+
+import numpy as np
+from matplotlib.lines import Line2D
+
+from epafi.plot.figures import equal_axes, plt, shape_of
+
+
+def round_down(value):
+    """1, 2 or 5 times a power of ten, not above the value."""
+    power = 10.0**math.floor(math.log10(value))
+    return max(step * power for step in (1, 2, 5) if step * power <= value * (1 + 1e-12))
+
+
+def draw(boundary, title, pictures):
+    figure, axes = plt.subplots()
+    largest = max(np.hypot(*element["u"].T).max() for element in boundary.elements)
+    scale = round_down(0.1 * boundary.diameter / largest) if largest > 0 else 1
+    for k, loop in enumerate(boundary.loops()):
+        x = np.concatenate([element["x"] for element in loop])
+        u = np.concatenate([element["u"] for element in loop])
+        axes.plot(*x.T, color="grey", lw=0.8, ls="--", label="undeformed" if not k else "_")
+        axes.plot(*(x + scale * u).T, color="C0", lw=1.6,
+                  label="deformed, displacement x %g" % scale if not k else "_")
+    arrow = arrows(axes, boundary, scale)
+    shown = axes.dataLim
+    room = shape_of(shown.width, shown.height, 5.5)
+    figure.set_size_inches(room[0] + 1.1, room[1] + 1.1)
+    equal_axes(axes, shown.width, shown.height)
+    axes.set_title(title + ": deformed outline and tractions")
+    figure.tight_layout()
+    below = axes.get_tightbbox(figure.canvas.get_renderer()).transformed(
+        figure.transFigure.inverted())  # labels included: the legend hides none
+    figure.legend(handles=[*axes.get_lines()[:2], *arrow], loc="upper center",
+                  bbox_to_anchor=(0.5 * (below.x0 + below.x1), below.y0))
+    pictures.save(figure, "deformed")
+
+
+def arrows(axes, boundary, scale):
+    """Tractions at evenly spaced points; where they are singular, arrows are cut.
+    Returns what the legend shows of them."""
+    spacing, rest = 0.03 * boundary.diameter, 0
+    points, tractions = [], []
+    for element in boundary.elements:
+        length = np.hypot(*(element["x"][-1] - element["x"][0]))
+        along = np.linspace(0, length, len(element["x"]))
+        for s in np.arange(rest, length, spacing):
+            points.append([np.interp(s, along, (element["x"] + scale * element["u"])[:, c])
+                           for c in (0, 1)])
+            tractions.append([np.interp(s, along, element["t"][:, c]) for c in (0, 1)])
+        rest = (rest - length) % spacing if length < rest else spacing - (length - rest) % spacing
+    points, tractions = np.array(points), np.array(tractions)
+    sizes = np.hypot(*tractions.T)
+    if not sizes.max() > 0:
+        return []
+    cap = min(sizes.max(), 3 * np.quantile(sizes[sizes > 1e-3 * sizes.max()], 0.75))
+    shown = tractions * np.minimum(1, cap / np.maximum(sizes, 1e-300))[:, None]
+    shown *= 0.15 * boundary.diameter / cap
+    axes.quiver(*points.T, *shown.T, angles="xy", scale_units="xy", scale=1, color="C3",
+                width=0.003)
+    axes.update_datalim(points + shown)
+    axes.autoscale_view()
+    text = "traction on the body, longest arrow %.3g" % cap
+    if cap < sizes.max():
+        text += "; cut there, largest drawn from %.3g" % sizes.max()
+    return [Line2D([], [], color="C3", marker=">", lw=1, label=text)]

@@ -1,0 +1,68 @@
+"""mesh: elements, their sizes and degrees."""
+import numpy as np
+from matplotlib.colors import BoundaryNorm, ListedColormap
+
+from epafi.plot.figures import equal_axes, plain_ticks, plt, shape_of
+
+
+def outward(element):
+    """Outward normal: the body lies to the left."""
+    tangent = element["x"][-1] - element["x"][0]
+    return np.array([tangent[1], -tangent[0]]) / np.hypot(*tangent)
+
+
+def degree_colours(elements):
+    low = min(element["degree"] for element in elements)
+    high = max(element["degree"] for element in elements)
+    count = high - low + 1
+    colours = plt.get_cmap("plasma_r")(np.linspace(0.2, 1, count))
+    return (ListedColormap(colours),
+            BoundaryNorm(np.arange(low - 0.5, high + 1), count), range(low, high + 1))
+
+
+def draw(boundary, title, pictures):
+    colours, norm, degrees = degree_colours(boundary.elements)
+    width, height = boundary.extent
+    room = shape_of(width, height, 4.4)
+    beside = height > 0.4 * width  # a flat body's outline stands above its sizes
+    figure, (outline, sizes) = plt.subplots(
+        *((1, 2) if beside else (2, 1)), figsize=(room[0] + 6.6, 4.8) if beside else (9, 6.6),
+        gridspec_kw={"width_ratios": [room[0], 5.5]} if beside else {"height_ratios": [1, 2]})
+    tick = 0.015 * boundary.diameter
+    for element in boundary.elements:
+        a, b = element["x"][0], element["x"][-1]
+        colour = colours(norm(element["degree"]))
+        outline.plot(*zip(a, b), color=colour, lw=3, solid_capstyle="butt")
+        for end in (a, b):
+            outline.plot(*zip(end - tick * outward(element), end + tick * outward(element)),
+                         color="black", lw=0.6)
+    equal_axes(outline, width, height)
+    outline.grid(False)
+    outline.set_title("elements and degrees")
+
+    at = 0
+    for loop in boundary.loops():
+        for element in loop:
+            length = np.hypot(*(element["x"][-1] - element["x"][0]))
+            sizes.semilogy([at, at + length], [length, length], lw=4,
+                           color=colours(norm(element["degree"])), solid_capstyle="butt")
+            sizes.semilogy(at + length / 2, length, "o", ms=3,  # short ones too
+                           color=colours(norm(element["degree"])))
+            at += length
+        sizes.axvline(at, color="grey", lw=0.5)
+    low, high = sizes.dataLim.intervaly
+    if high < 2 * low:  # one size: rounding is no structure
+        low, high = 0.5 * low, 2 * high
+    sizes.set_ylim(0.8 * low, 1.25 * high)
+    plain_ticks(sizes.yaxis)
+    sizes.set_xlabel("length along the outline from its first vertex (holes after it)")
+    sizes.set_ylabel("element size h")
+    sizes.set_title("%d elements, %s" % (
+        len(boundary.elements), "p = %d" % degrees[0] if len(degrees) == 1 else
+        "p = %d to %d" % (degrees[0], degrees[-1])))
+    bar = figure.colorbar(plt.cm.ScalarMappable(norm, colours), ax=sizes,
+                          ticks=list(degrees), label="degree p")
+    bar.ax.minorticks_off()
+    figure.suptitle(title + ": mesh")
+    figure.tight_layout()
+    pictures.save(figure, "mesh")

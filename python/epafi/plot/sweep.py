@@ -1,0 +1,133 @@
+"""sweep, sweep_forces, sweep_contact: dependence on one parameter of a study."""
+import os
+
+import numpy as np
+
+from epafi.plot import overlay
+from epafi.plot.figures import plt, style_of
+from epafi.tables import read
+
+FORCES = [("force_normal", "normal force"), ("force_tangential", "tangential force"),
+          ("contact_length", "length in contact"), ("slip_length", "length that slips")]
+SHOWN = 9  # values whose stresses are overlaid
+
+
+def sweep_names(study):
+    """A variant of a sweep is named '<variant>, <key> = <value>'."""
+    return np.array([name.rsplit(", ", 1)[0] for name in study["variant"].astype(str)])
+
+
+def last_levels(study, value):
+    """True for the row that ends each variant with a value of the parameter."""
+    scene, variant = study["scene"].astype(str), study["variant"].astype(str)
+    last = {}
+    for row in np.flatnonzero(np.isfinite(value)):
+        last[scene[row], variant[row]] = row
+    result = np.zeros(study.size, bool)
+    result[list(last.values())] = True
+    return result
+
+
+def set_scale(axes, which, values):
+    """Logarithmic where all values are positive and spread; linear near zero where one is not,
+    so that none is lost."""
+    setter = axes.set_xscale if which == "x" else axes.set_yscale
+    sizes = np.abs(values[values != 0])
+    if not sizes.size or sizes.max() < 10 * sizes.min():
+        return
+    if (values > 0).all():
+        setter("log")
+    else:
+        setter("symlog", linthresh=sizes.min())
+
+
+def draw(study, title, pictures):
+    value = study.numbers("sweep_value")
+    if not np.isfinite(value).any():
+        return
+    ends = last_levels(study, value)
+    families = sweep_names(study)
+    if len(set(study["scene"].astype(str))) > 1:
+        families = np.array(["%s: %s" % pair for pair in zip(study["scene"], families)])
+    key = [name.rsplit(", ", 1)[1].split(" = ")[0]
+           for name in study["variant"][np.isfinite(value)].astype(str)][0]
+    eigen = study.numbers("smallest_eigenvalue")
+    has_eigen = np.isfinite(eigen).any()
+    figure, axes = plt.subplots(1 + has_eigen, 1, squeeze=False, sharex=True,
+                                figsize=(7.4, 4.2 + 2.8 * has_eigen))
+    estimate = axes[0, 0]
+    estimates = study.numbers("estimate")
+    solved = ends & np.isfinite(estimates)
+    top = np.nanmax(estimates[solved]) if solved.any() else 1
+    lows = estimates[solved & (estimates > 0)]
+    for k, family in enumerate(dict.fromkeys(families[ends])):
+        here = ends & (families == family)
+        here = np.flatnonzero(here)[np.argsort(value[here])]
+        style = style_of(k)
+        good = here[np.isfinite(estimates[here])]
+        estimate.plot(value[good], estimates[good], label=family, **style)
+        lost = here[~np.isfinite(estimates[here])]
+        if lost.size:
+            estimate.plot(value[lost], np.full(lost.size, top * (1.2 + 0.25 * k)), ls="",
+                          marker="x", ms=6, color=style["color"],
+                          label=family + ": not solved")
+        if has_eigen:
+            axes[1, 0].plot(value[here], eigen[here], label=family, **style)
+    estimate.set_ylabel("estimate on the last level")
+    if lows.size:
+        set_scale(estimate, "y", np.append(lows, estimates[solved].min()))
+    set_scale(estimate, "x", value[ends])
+    estimate.legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    if has_eigen:
+        axes[1, 0].axhline(0, color="black", lw=0.8)
+        axes[1, 0].set_yscale("symlog", linthresh=1)
+        axes[1, 0].set_ylabel("smallest eigenvalue of the\nstabilised stiffness, relative to S")
+        axes[1, 0].legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    axes[-1, 0].set_xlabel(key)
+    estimate.set_title("%s: dependence on %s" % (title, key))
+    pictures.save(figure, "sweep")
+    draw_forces(study, value, ends, families, key, title, pictures)
+    draw_contact(study, value, ends, families, key, title, pictures)
+
+
+def draw_forces(study, value, ends, families, key, title, pictures):
+    figure, axes = plt.subplots(2, 2, figsize=(9.5, 6.4), sharex=True)
+    for cell, (column, text) in zip(axes.flat, FORCES):
+        numbers = study.numbers(column)
+        for k, family in enumerate(dict.fromkeys(families[ends])):
+            here = np.flatnonzero(ends & (families == family) & np.isfinite(numbers))
+            here = here[np.argsort(value[here])]
+            cell.plot(value[here], numbers[here], label=family, **style_of(k))
+        cell.set_ylabel(text)
+        cell.margins(y=0.15)
+        shown, sizes = numbers[ends], np.abs([study.numbers(name)[ends] for name, _ in FORCES[:2]])
+        if column.startswith("force") and np.nanmax(shown) - np.nanmin(shown) < 1e-9 * np.nanmax(sizes):
+            middle, span = np.nanmean(shown), np.nanmax(sizes)  # no axis of rounding
+            cell.set_ylim(middle - 0.1 * span, middle + 0.1 * span)
+    set_scale(axes[0, 0], "x", value[ends])
+    for cell in axes[1]:
+        cell.set_xlabel(key)
+    axes[0, 1].legend(loc="upper left", bbox_to_anchor=(1, 1))
+    figure.suptitle("%s: contact against %s" % (title, key))
+    figure.tight_layout()
+    pictures.save(figure, "sweep_forces")
+
+
+def draw_contact(study, value, ends, families, key, title, pictures):
+    """Pressure and shear for the values, a picture per scene and variant."""
+    if "folder" not in study:
+        return
+    names = list(dict.fromkeys(families[ends]))
+    for number, family in enumerate(names, 1):
+        here = np.flatnonzero(ends & (families == family))
+        here = here[np.argsort(value[here])]
+        tables = [(value[row], read(os.path.join(pictures.folder, str(study["folder"][row])),
+                                    "contact.csv")) for row in here if study["folder"][row]]
+        tables = [(x, table) for x, table in tables if table]
+        if not tables:
+            continue
+        chosen = sorted({round(k) for k in np.linspace(0, len(tables) - 1, SHOWN)})
+        overlay.draw([tables[k][1] for k in chosen],
+                     ["%s = %g" % (key, tables[k][0]) for k in chosen],
+                     "%s: %s" % (title, family),
+                     "sweep_contact" if len(names) == 1 else "sweep_contact_%d" % number, pictures)

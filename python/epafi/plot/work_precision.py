@@ -1,0 +1,26 @@
+"""work-precision: the true error of each variant against CPU time."""
+from epafi.plot.figures import plain_ticks, plt, style_of
+from epafi.plot.variants import ERROR
+
+
+def draw(study, scenes, title, pictures):
+    """A column per scene, one legend for all."""
+    if not ((study.numbers("error") > 0) & (study.numbers("counted") > 0)).any():
+        return
+    figure, axes = plt.subplots(1, len(scenes), squeeze=False, dpi=80,
+                                figsize=(4.6 * len(scenes) + 2.6, 4.4))
+    names = list(dict.fromkeys(name for variants in scenes.values() for name in variants))
+    for cell, (scene, variants) in zip(axes[0], scenes.items()):
+        for variant, curve in variants.items():
+            k = names.index(variant)
+            good = (curve["error"] > 0) & (curve["counted"] > 0)
+            cell.loglog(curve["seconds_total"][good], curve["error"][good], label=variant,
+                        **style_of(k))
+        plain_ticks(cell.xaxis)
+        cell.set_xlabel("CPU seconds, all threads")
+        cell.set_title(scene)
+    axes[0, 0].set_ylabel(ERROR)
+    axes[0, -1].legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    figure.suptitle(title)
+    figure.tight_layout()
+    pictures.save(figure, "work-precision")
