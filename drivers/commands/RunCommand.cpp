@@ -120,7 +120,8 @@ void writeLevel(const Scene& scene, const SolvedLevel& level, const std::string&
   if (scene.hasSeveral())
     folder.stage("bodies.csv", bodies);
   if (scene.output.fields)
-    folder.stage("solution.hdf", solutionFile(scene, level, used, history, path.steps));
+    folder.stage("solution.hdf", solutionFile(scene, level, used, history, path.steps,
+                                              scene.hasSeveral() ? bodies : ""));
   folder.commit();
 }
 
@@ -172,6 +173,8 @@ class Recorder {
         solved_(std::move(solved)),
         used_(usedXml(scene)),
         history_(earlier ? earlier->history : historyHead()),
+        bodies_(earlier && !earlier->resultants.empty() ? earlier->resultants
+                                                        : bodiesHead()),
         path_{earlier ? earlier->steps : "", {}, {}, {}},
         contact_(scene) {
     if (!folder_)
@@ -226,7 +229,8 @@ class Recorder {
     folder_->stage("steps.csv", path_.steps);
     if (scene_.output.fields)
       folder_->stage("solution.hdf",
-                     solutionFile(scene_, level, used_, history_, path_.steps));
+                     solutionFile(scene_, level, used_, history_, path_.steps,
+                                  scene_.hasSeveral() ? bodies_ : ""));
     folder_->commit();
     progress_.clear();
     table_ << tableLine(row) << std::flush;
@@ -265,7 +269,7 @@ class Recorder {
   std::function<void(int)> solved_;
   std::string used_;
   std::string history_;
-  std::string bodies_ = bodiesHead();  ///< of the levels of this run
+  std::string bodies_;  ///< bodies.csv of all levels so far
   PathRecord path_;
   PathContact contact_;
   std::string stages_ = "\nSolver stages, steps, how they ended\n";

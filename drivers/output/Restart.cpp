@@ -143,9 +143,9 @@ std::string historyBehind(const Checkpoint& checkpoint) {
   return text.substr(0, text.rfind('\n', text.size() - 2) + 1);
 }
 
-/// Rows of steps.csv of the levels before the one that is solved again, or of all.
-std::string stepsBehind(const Checkpoint& checkpoint) {
-  const std::string& text = checkpoint.steps;
+/// Of a table whose rows begin with the level: those of the levels before the one that is
+/// solved again, or all.
+std::string rowsBehind(const std::string& text, const Checkpoint& checkpoint) {
   if (checkpoint.level.status == contact::Status::Converged && checkpoint.level.complete)
     return text;
   const auto row = text.find("\n" + std::to_string(checkpoint.level.number) + ",");
@@ -163,7 +163,8 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
       checkOutlines(checkpoint, scene);
       checkSizes(checkpoint.level, scene);
       checkpoint.history = historyBehind(checkpoint);
-      checkpoint.steps = stepsBehind(checkpoint);
+      checkpoint.steps = rowsBehind(checkpoint.steps, checkpoint);
+      checkpoint.resultants = rowsBehind(checkpoint.resultants, checkpoint);
     } catch (const InputError& error) {
       throw InputError(message("'", path, "' ", error.what()));
     }

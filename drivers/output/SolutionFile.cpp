@@ -225,6 +225,8 @@ unsigned long long checksum(const Checkpoint& checkpoint, const Arrays& arrays,
   sum.add(std::vector<double>{checkpoint.secondsTotal, checkpoint.secondsWall});
   sum.add(level.reason + checkpoint.used + checkpoint.history);
   sum.add(arrays.bodies).add(arrays.rigidBodies);
+  if (!checkpoint.resultants.empty())  // a file of an earlier version has none
+    sum.add(checkpoint.resultants);
   const auto add = [&](const char*, const auto& array, auto) { sum.add(array); };
   forEach(arrays, add);
   if (hasPath(checkpoint)) {
@@ -302,6 +304,8 @@ void writeCheckpoint(const Checkpoint& checkpoint, Hdf5Writer& writer) {
   writer.text(group + "/reason", level.reason);
   writer.text(group + "/used", checkpoint.used);
   writer.text(group + "/history", checkpoint.history);
+  if (!checkpoint.resultants.empty())
+    writer.text(group + "/resultants", checkpoint.resultants);
 }
 
 /// Rows of `columns` numbers each.
@@ -409,6 +413,8 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
   checkpoint.level.reason = reader.text(group + "/reason");
   checkpoint.used = reader.text(group + "/used");
   checkpoint.history = reader.text(group + "/history");
+  if (reader.has(group + "/resultants"))
+    checkpoint.resultants = reader.text(group + "/resultants");
   checkpoint.secondsTotal = reader.attribute<double>(group, "seconds_total");
   checkpoint.secondsWall = reader.attribute<double>(group, "seconds_wall");
   PathArrays path;
@@ -438,7 +444,7 @@ std::vector<EdgeEnds> edgeEnds(const bem::Outline& outline) {
 
 std::string solutionFile(const Scene& scene, const SolvedLevel& level,
                          const std::string& used, const std::string& history,
-                         const std::string& steps) {
+                         const std::string& steps, const std::string& resultants) {
   std::string names;
   for (const std::string& name : gridBoundaries(scene))
     names += name + "\n";
@@ -448,7 +454,7 @@ std::string solutionFile(const Scene& scene, const SolvedLevel& level,
 
   Hdf5Writer writer;
   writeGrid(fieldGrid(scene, level), writer);
-  writeCheckpoint({level.level, used, history, steps, level.row.secondsTotal,
+  writeCheckpoint({level.level, used, history, steps, resultants, level.row.secondsTotal,
                    level.row.secondsWall, outlines},
                   writer);
   writer.text(group + "/boundaries", names);

@@ -18,9 +18,10 @@ std::vector<EdgeEnds> edgeEnds(const bem::Outline& outline);
 /// goes on later, and a study for a reference.
 struct Checkpoint {
   Level level;
-  std::string used;     ///< used.xml
-  std::string history;  ///< history.csv up to the level
-  std::string steps;    ///< steps.csv up to the step; empty without a History
+  std::string used;          ///< used.xml
+  std::string history;       ///< history.csv up to the level
+  std::string steps;         ///< steps.csv up to the step; empty without a History
+  std::string resultants{};  ///< bodies.csv up to the level; empty of one body
   double secondsTotal = 0;
   double secondsWall = 0;
   std::vector<std::vector<EdgeEnds>> outlines;  ///< of the bodies
@@ -32,10 +33,12 @@ struct Checkpoint {
 ///   /Epafi   all numbers that the next level is made from, with a checksum
 ///
 /// Its bytes, from what every process has whole.
-/// `steps`: steps.csv so far, empty without a History.
+/// `steps`: steps.csv so far, empty without a History; `resultants`: bodies.csv so far,
+/// likewise without several bodies.
 std::string solutionFile(const Scene& scene, const SolvedLevel& level,
                          const std::string& used, const std::string& history,
-                         const std::string& steps = "");
+                         const std::string& steps = "",
+                         const std::string& resultants = "");
 
 /// \throws bem::InputError naming the file, if it is not there, not complete, damaged, or
 ///   of a format that this version does not know.

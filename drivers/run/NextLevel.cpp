@@ -48,8 +48,26 @@ std::optional<adaptivity::Transition> oppositeTo(const Scene& scene,
   return found;
 }
 
+/// Strong where contact between two bodies that deform ends, even at a corner: the pressure is
+/// unbounded there, or jumps.
+void markEnds(const ContactPair& pair, const contact::Conditions& conditions,
+              adaptivity::PreparedMesh& side) {
+  const auto touches = [&](int e) {
+    const auto* contact = contact::contactOn(side.mesh, e, conditions);
+    return contact != nullptr && contact->name == pair.name;
+  };
+  for (const int e : side.mesh.elementsOf(pair.side.boundary)) {
+    const bem::Element& element = side.mesh[e];
+    for (const auto& [neighbour, node] : {std::pair(element.previous, element.startNode),
+                                          std::pair(element.next, element.endNode)})
+      if (touches(e) && !touches(neighbour))
+        side.singular.nodes[static_cast<std::size_t>(node)] =
+            adaptivity::Singularity::Strong;
+  }
+}
+
 /// Where contact or friction changes its state on one side it does so on the other, and where
-/// the other one ends: singular points of both.
+/// either ends: singular points of both.
 void shareSingularPoints(const Scene& scene,
                          std::vector<adaptivity::PreparedMesh>& prepared) {
   std::vector<std::vector<adaptivity::Transition>> found(prepared.size());
@@ -59,6 +77,7 @@ void shareSingularPoints(const Scene& scene,
   for (const ContactPair& pair : scene.contacts) {
     if (pair.met.rigid)
       continue;
+    markEnds(pair, scene.bodies[pair.side.body].conditions, prepared[pair.side.body]);
     const bem::Mesh& mesh = prepared[pair.side.body].mesh;
     const adaptivity::SingularPoints& singular = prepared[pair.side.body].singular;
     const Scene::MetEdges met = scene.metEdges(pair);

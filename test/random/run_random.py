@@ -1,6 +1,7 @@
 """Runs random scenes (scenes.py): every one is solved, in few steps of Newton's method.
 
     run_random.py EPAFI WORK [--first SEED] [--count N] [--jobs N] [--seed SEED]... [--table FILE]
+                  [--bodies 2]
 
 Prints what fails with the scene's file, then steps per level by law, basis, strategy and more,
 and which stages of the solver decided.
@@ -18,7 +19,7 @@ import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from claims import absent, claim, finish, table  # noqa: E402
-from scenes import Scene  # noqa: E402
+from scenes import Scene, TwoBodies  # noqa: E402
 from stages import levels, printed  # noqa: E402
 
 FEW, MOST = 30, 100
@@ -28,8 +29,8 @@ PATIENCE = 600
 class Result:
     """What became of a scene: exit code, message, steps of each level."""
 
-    def __init__(self, seed, epafi, work):
-        self.scene = Scene(seed)
+    def __init__(self, kind, seed, epafi, work):
+        self.scene = kind(seed)
         folder = absent(os.path.join(work, "%d" % seed))
         os.makedirs(folder)
         self.file = os.path.join(folder, "scene.xml")
@@ -89,11 +90,13 @@ def main():
     parser.add_argument("--count", type=int, default=40)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--seed", type=int, action="append", default=[])
+    parser.add_argument("--bodies", type=int, default=1, choices=(1, 2))
     parser.add_argument("--table", help="a row for each scene, csv")
     options = parser.parse_args()
     seeds = options.seed or range(options.first, options.first + options.count)
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        results = list(pool.map(lambda seed: Result(seed, options.epafi, options.work), seeds))
+        kind = {1: Scene, 2: TwoBodies}[options.bodies]
+        results = list(pool.map(lambda seed: Result(kind, seed, options.epafi, options.work), seeds))
     for result in results:
         if result.code != 0 or max(result.steps, default=0) > FEW:
             print("%s: exit code %d, steps %s, %s\n        %s" % (

@@ -166,6 +166,115 @@ class Scene:
                        sublist("Output", parameter("Fields", "bool", "false")))
 
 
+class TwoBodies:
+    """One body pressed onto another, or bonded to it: the upper one's side 0 faces down, the lower
+    one's up, straight or arcs that bulge; all else of both is on its own side.  Moduli up to
+    1 : 1000, sizes 1 : 10; either side first; every law and Tied, basis and strategy; overlaps and
+    gaps.  The lower one is clamped, held in the mean, or rigid."""
+
+    LAWS = dict(LAWS, Tied=())
+
+    def __init__(self, seed):
+        self.seed = seed
+        draw = self.draw = random.Random("%d bodies" % seed)
+        self.held = draw.choice(("clamp", "mean", "rigid"))
+        self.basis = draw.choice(BASES)
+        self.strategy = draw.choice(STRATEGIES)
+        self.law = draw.choice(list(self.LAWS))
+        self.laws = [self.law]
+        self.modulus = 10 ** draw.uniform(0, 11)
+        self.size = 10 ** draw.uniform(-3, 3)
+        self.stress = self.modulus * 10 ** draw.uniform(-5, -2)
+        self.upper = self.outline(1)
+        self.lower = self.outline(-1)
+        self.first = draw.choice(("upper", "lower")) if self.held != "rigid" else "upper"
+        self.gaps = [draw.choice(("zero", "overlap", "parabola"))]
+
+    def outline(self, way):
+        """Corners and bulges; side 0 on y = 0 from right to left of its body's inside."""
+        draw = self.draw
+        size = self.size * (1 if way > 0 else 10 ** draw.uniform(-0.5, 0.5))
+        while True:
+            corners = polygon(draw)
+            (x, y), (a, b) = corners[:2]
+            angle = -math.atan2(b - y, a - x)
+            c, s = math.cos(angle), math.sin(angle)
+            corners = [(c * (p - (x + a) / 2) - s * (q - (y + b) / 2),
+                        s * (p - (x + a) / 2) + c * (q - (y + b) / 2)) for p, q in corners]
+            width = max(math.dist(p, q) for p in corners for q in corners)
+            # the angle at side 0's ends at least 10 degrees and the rest clear of it
+            if all(q > 0.02 * width + 0.2 * max(0, abs(p) - corners[1][0]) for p, q in corners[2:]):
+                break
+        bulge = draw.choice((0, 10 ** draw.uniform(-3, -1)))
+        sagitta = corners[1][0] * bulge
+        shift = draw.uniform(-0.3, 0.3) * corners[1][0] if way > 0 else 0
+        # the lower one is turned by half a turn
+        corners = [(way * size / width * p + size / width * shift,
+                    way * size / width * (q + sagitta)) for p, q in corners]
+        return corners, [bulge] + [0] * (len(corners) - 1)
+
+    def body(self, name, modulus, ratio):
+        draw = self.draw
+        corners, values = getattr(self, name)
+        count = len(corners)
+        names = ["contact"] + ["s%d" % k for k in range(1, count)]
+        rigid = name == "lower" and self.held == "rigid"
+        inner = sublist("Material", parameter("Rigid", "bool", "true") if rigid else
+                        real("Young's Modulus", modulus) + real("Poisson's Ratio", ratio))
+        inner += sublist("Geometry", parameter("Vertices", "TwoDArray(double)", "%dx2:{%s}" % (
+            count, ", ".join("%.15g,%.15g" % c for c in corners))) + parameter(
+                "Edges", "Array(string)", "{%s}" % ", ".join(names)) + parameter(
+                    "Bulges", "Array(double)", "{%s}" % ", ".join("%.9g" % b for b in values)))
+        if rigid:
+            return sublist(name, inner)
+        away = names[2]  # no neighbour of the contact side
+        condition, fix = "", ""
+        if name == "upper":
+            condition = sublist(away, text("Type", "Neumann") + text(
+                "Traction X", "%.6g" % (self.stress * draw.uniform(-0.2, 0.2))) + text(
+                    "Traction Y", "%.6g" % (-self.stress * draw.uniform(0.1, 1))))
+            fix = "X, Rotation"
+        elif self.held == "clamp":
+            condition = sublist(away, text("Type", "Dirichlet") + text("Displacement X", "0") +
+                                text("Displacement Y", "0"))
+        else:
+            fix = "X, Y, Rotation"
+        inner += sublist("Boundary Conditions", condition)
+        if fix:
+            inner += sublist("Rigid Motions", parameter("Fix", "Array(string)", "{%s}" % fix))
+        elements = [draw.randint(2, 7)] + [draw.randint(1, 4) for _ in range(count - 1)]
+        inner += sublist("Mesh", parameter("Elements per Edge", "Array(int)", "{%s}" % ", ".join(
+            map(str, elements))) + parameter("Degree", "int", "%d" % draw.randint(1, 4)))
+        return sublist(name, inner)
+
+    def xml(self):
+        draw = self.draw
+        length = self.size * self.stress / self.modulus  # of the order of what the load moves
+        if self.gaps[0] == "zero":
+            interference = "0"
+        elif self.gaps[0] == "overlap":
+            interference = "%.6g" % (length * draw.uniform(-1, 1))
+        else:
+            interference = "%.6g*(x/%.6g)^2" % (-length * 10 ** draw.uniform(-1, 1), self.size)
+        fields = {"Threshold": draw.uniform(0, 1) * self.stress, "Cap": draw.uniform(0, 1) * self.stress,
+                  "Coefficient": draw.uniform(0, 1)}
+        friction = text("Law", self.law) + "".join(
+            text(field, "%.6g" % fields[field]) for field in self.LAWS[self.law])
+        second = {"upper": "lower", "lower": "upper"}[self.first]
+        bodies = self.body("upper", self.modulus, draw.uniform(0, 0.49)) + self.body(
+            "lower", self.modulus * 10 ** draw.uniform(-3, 3), draw.uniform(0, 0.49))
+        return sublist("Random scene %d of two bodies" % self.seed, sublist("Bodies", bodies) +
+                       sublist("Contacts", sublist("joint", parameter(
+                           "Between", "Array(string)", "{%s:contact, %s:contact}" % (
+                               self.first, second)) + text("Interference", interference) +
+                           sublist("Friction", friction))) +
+                       sublist("Discretization", text("Multiplier", self.basis) +
+                               real("Mesh Size", 10 * self.size)) +
+                       sublist("Adaptivity", text("Strategy", self.strategy) +
+                               parameter("Maximum Degrees of Freedom", "int", "%d" % DOF)) +
+                       sublist("Output", parameter("Fields", "bool", "false")))
+
+
 def polygon(draw):
     """Around the origin, which sees every corner; counter-clockwise."""
     count = draw.randint(4, 9)

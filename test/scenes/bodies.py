@@ -123,6 +123,8 @@ again = table(os.path.join(WORK, "again", "history.csv"))
 claim(all(a[key] == b[key] for a, b in zip(whole, again)
           for key in a if not key.startswith("seconds") and key != "memory_mb"),
       "with the digits of the run that was not interrupted")
+claim(table(os.path.join(WORK, "again", "bodies.csv")) ==
+      table(os.path.join(WORK, "whole", "bodies.csv")), "bodies.csv has all levels, too")
 claim(whole[-1]["estimate"] < 0.75 * whole[0]["estimate"], "the estimate falls")
 claim(epafi("check", shipped)[0] == 0, "epafi check")
 

@@ -1,6 +1,7 @@
 """Scenes of several bodies as text.  Standard library only."""
 import math
 import os
+import re
 
 from runs import WORK
 
@@ -99,3 +100,21 @@ def written(name, bodies, contacts="", form="None", size=0.25, degree=2, more=""
                                      "Stabilization", parameter("Form", "string", form))),
                           more))
     return path
+
+
+def with_sides_swapped(text):
+    """A scene with the other side of each contact first."""
+    return re.sub(r'("Between"[^{]*\{)([^,}]*), ([^}]*)\}', r"\1\3, \2}", text)
+
+
+def with_moduli(text, ratio):
+    """A scene whose second body is so many times as stiff as its first."""
+    key = "Young's Modulus\" type=\"double\" value=\""
+    head, first, second = text.split(key, 2)
+    modulus = float(first.split('"')[0])
+    return key.join((head, first, "%r%s" % (ratio * modulus, second[second.index('"'):])))
+
+
+def without_friction(text):
+    return re.sub(r'value="Coulomb"/>\s*<Parameter name="Coefficient"[^>]*>', 'value="None"/>',
+                  text)

@@ -32,21 +32,20 @@ double unusedBound(double bound, double shear, double slip) {
   return bound - std::clamp(slip < 0 ? -shear : shear, -bound, bound);
 }
 
-/// Where lostWork bends: where one of its arguments is twice the other, in its units.
-void addBends(const bem::Profile& force, const bem::Profile& length, double stiffness,
-              int degree, Vector& breaks) {
-  addChanges([&](double t) { return force(t) - 2 * stiffness * length(t); }, degree,
-             breaks);
-  addChanges([&](double t) { return 2 * force(t) - stiffness * length(t); }, degree,
-             breaks);
+/// Where lostWork bends: where it takes the whole force or the whole length.
+void addBends(const bem::Profile& force, const bem::Profile& length, double soft,
+              const bem::Profile& fineness, int degree, Vector& breaks) {
+  addChanges([&](double t) { return force(t) - 2 * soft * fineness(t) * length(t); },
+             degree, breaks);
+  addChanges([&](double t) { return 2 * force(t) - soft * length(t); }, degree, breaks);
 }
 
 Vector sharpBreaks(const ContactProfiles& c, double stiffness) {
   Vector result = breaks(c);
-  addBends(c.pressure, c.opening, stiffness, c.highest, result);
+  addBends(c.pressure, c.opening, stiffness, c.fineness, c.highest, result);
   addBends([&](double t) { return unusedBound(c.bound(t), c.shear(t), c.tangential(t)); },
-           [&](double t) { return std::abs(c.tangential(t)); }, stiffness, c.highest,
-           result);
+           [&](double t) { return std::abs(c.tangential(t)); }, stiffness, c.fineness,
+           c.highest, result);
   return result;
 }
 
@@ -111,6 +110,16 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
     return condition.friction.at(mesh.physicalPoint(e, t), units.stress)
         .bound(pressure(t));
   };
+  bem::Profile fineness = [](double) { return 1.0; };
+  if (solved.motions != nullptr)
+    fineness = [&opposite, &element, &geometry, p, &solved](double t) {
+      const auto met = opposite.at(element, t);
+      if (met.element < 0)
+        return 1.0;
+      const bem::Element& other =
+          solved.motions->spaces[static_cast<std::size_t>(met.body)]->mesh()[met.element];
+      return std::max(1.0, other.degree * geometry.half / (p * other.half));
+    };
   return {pressure,
           stress(&Value::tangential, along),
           opposite.isStill() ? bem::Profile(own) : bem::Profile(tangential),
@@ -120,7 +129,8 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
           geometry.half,
           opposite.breaks(element),
           std::max(p, opposite.degree(element)),
-          element.ties()};
+          element.ties(),
+          fineness};
 }
 
 namespace {
@@ -143,12 +153,14 @@ Contributions terms(const ContactProfiles& c, const Vector& breaks,
     const double tension = positive(-pressure);
     const double penetration = positive(-opening);
     const double excess = positive(std::abs(shear) - bound);
+    const double fineness = c.fineness(t);
     of(squares, Source::Complementarity) +=
-        weight * complementarity(positive(pressure), positive(opening));
-    of(squares, Source::Penetration) += weight / size * penetration * penetration;
+        weight * complementarity(positive(pressure), positive(opening), fineness);
+    of(squares, Source::Penetration) +=
+        weight * fineness / size * penetration * penetration;
     of(squares, Source::Tension) += weight * size * tension * tension;
     of(squares, Source::Bound) += weight * size * excess * excess;
-    of(squares, Source::Slip) += weight * slip(bound, shear, c.tangential(t));
+    of(squares, Source::Slip) += weight * slip(bound, shear, c.tangential(t), fineness);
   }
   return squares;
 }
@@ -158,10 +170,11 @@ Contributions jump(const ContactProfiles& c) {
   const bem::Rule rule = bem::piecewiseRule(c.nodes, c.highest + 6);
   Contributions squares{};
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
-    const double across = c.opening(rule.points[q]);
-    const double along = c.tangential(rule.points[q]);
-    of(squares, Source::Penetration) +=
-        rule.weights[q] * 0.5 * c.degree * (across * across + along * along);
+    const double t = rule.points[q];
+    const double across = c.opening(t);
+    const double along = c.tangential(t);
+    of(squares, Source::Penetration) += rule.weights[q] * c.fineness(t) * 0.5 * c.degree *
+                                        (across * across + along * along);
   }
   return squares;
 }
@@ -173,8 +186,8 @@ Contributions contactTerms(const ContactProfiles& profiles) {
     return jump(profiles);
   return terms(
       profiles, breaks(profiles),
-      [](double pressure, double opening) { return pressure * opening; },
-      [](double bound, double shear, double slip) {
+      [](double pressure, double opening, double) { return pressure * opening; },
+      [](double bound, double shear, double slip, double) {
         return positive(bound - std::abs(shear)) * std::abs(slip) +
                2 * positive(-shear * slip);
       });
@@ -186,26 +199,28 @@ Contributions sharpContactTerms(const ContactProfiles& profiles, double shearMod
   const double stiffness = shearModulus * profiles.degree / (2 * profiles.half);
   return terms(
       profiles, sharpBreaks(profiles, stiffness),
-      [stiffness](double pressure, double opening) {
-        return lostWork(pressure, opening, stiffness);
+      [stiffness](double pressure, double opening, double fineness) {
+        return lostWork(pressure, opening, stiffness, fineness * stiffness);
       },
-      [stiffness](double bound, double shear, double slip) {
-        return lostWork(unusedBound(bound, shear, slip), std::abs(slip), stiffness);
+      [stiffness](double bound, double shear, double slip, double fineness) {
+        return lostWork(unusedBound(bound, shear, slip), std::abs(slip), stiffness,
+                        fineness * stiffness);
       });
 }
 
-double lostWork(double force, double length, double stiffness) {
-  // in units in which both squares have the factor one
-  const double f = force / std::sqrt(stiffness);
-  const double v = length * std::sqrt(stiffness);
-  if (2 * v <= f)
+double lostWork(double force, double length, double soft, double stiff) {
+  // in units in which both squares have the factor one, and work has c
+  const double f = force / std::sqrt(soft);
+  const double v = length * std::sqrt(stiff);
+  const double c = std::sqrt(soft / stiff);
+  if (2 * v <= c * f)
     return v * v;
-  if (2 * f <= v)
+  if (2 * f <= c * v)
     return f * f;
-  const double workingForce = (4 * f - 2 * v) / 3;
-  const double workingLength = (4 * v - 2 * f) / 3;
-  return workingForce * workingLength +
-         0.25 * (workingForce * workingForce + workingLength * workingLength);
+  const double workingForce = (4 * f - 2 * c * v) / (4 - c * c);
+  const double workingLength = (4 * v - 2 * c * f) / (4 - c * c);
+  return c * workingForce * workingLength +
+         0.25 * c * c * (workingForce * workingForce + workingLength * workingLength);
 }
 
 }  // namespace epafi::adaptivity

@@ -40,6 +40,8 @@ struct ContactProfiles {
   Vector nodes{};        ///< of what is met, in (-1, 1)
   int highest = degree;  ///< degree of the displacements, that of what is met included
   bool tied = false;     ///< are the sides bonded?
+  /// p/h of what is met over that of the side, where that is finer; else 1.
+  bem::Profile fineness = [](double) { return 1.0; };
 };
 
 /// Of λʰ + valueAt(correction); s is that of its pressure.
@@ -60,19 +62,25 @@ Contributions contactTerms(const ContactProfiles& profiles);
 ///
 ///   ∫ H(λₙ⁺, (g-uₙ)⁺),   ∫ H(s - λ̃ sign uₜ, |uₜ|),   λ̃ = max(-s, min(s, λₜ)),
 ///
-/// H = lostWork for the stiffness μ p/h.
+/// H = lostWork for the stiffness μ p/h, that of the finer side for lengths.
 Contributions sharpContactTerms(const ContactProfiles& profiles, double shearModulus);
 
 /// What a force along a length that excludes it adds to the squared error, split between
 /// the two:
 ///
-///   min  f₁ v₁ + (force - f₁)² / stiffness + stiffness (length - v₁)²,  f₁, v₁ >= 0.
+///   min  f₁ v₁ + (force - f₁)² / soft + stiff (length - v₁)²,  f₁, v₁ >= 0.
+///
+/// \pre soft <= stiff.  Forces live on the side that carries the multiplier, lengths are
+/// differences of displacements of both sides, the finer one's included.
 ///
 /// What is taken from the force is an error of the multiplier, what is taken from the
 /// length one of the displacement; both count squared, in the scaled L² norms of
 /// [P] sec. 8 and with Young's constants 1.  No proven bound: it stands for norms of
 /// order -1/2 and 1/2 only where force and length overlap on the scale h/p, as they do in
 /// converged states, whose coefficients exclude each other.
-double lostWork(double force, double length, double stiffness);
+double lostWork(double force, double length, double soft, double stiff);
+inline double lostWork(double force, double length, double stiffness) {
+  return lostWork(force, length, stiffness, stiffness);
+}
 
 }  // namespace epafi::adaptivity

@@ -1,0 +1,133 @@
+"""The shipped scenes of several bodies against their closed forms (doc/benchmarks/bodies.md)."""
+import math
+import os
+
+from runs import WORK, claim, differ, finish, run, scene, table
+from written import with_sides_swapped
+
+
+def solved(name, *settings):
+    """Its last level, its contact points and bodies.csv of the last level."""
+    history, points = run(scene(name + ".xml"), name, settings)
+    bodies = [row for row in table(os.path.join(WORK, name, "bodies.csv"))
+              if row["level"] == history[-1]["level"]]
+    for row in bodies:
+        parts = [[row["%s_%s" % (what, c)] for what in ("load", "contact", "reaction")]
+                 for c in ("x", "y", "moment")]
+        largest = max(abs(value) for part in parts for value in
+                      part + [history[-1]["force_normal"]])
+        claim(all(abs(sum(part)) < 1e-10 * largest for part in parts),
+              "%s: %s balances" % (name, row["body"]))
+    return history, points, bodies
+
+
+def swapped(name, *settings):
+    """The same with the other side of each contact first: its last level, its points."""
+    file = os.path.join(WORK, name + "-swapped.xml")
+    with open(scene(name + ".xml")) as stream:
+        text = with_sides_swapped(stream.read())
+    with open(file, "w") as stream:
+        stream.write(text)
+    history, points = run(file, name + "-swapped", settings)
+    return history[-1], points
+
+
+def worst(points, error):
+    return max(abs(error(point)) for point in points)
+
+
+def hertz(x):
+    return math.sqrt(max(0.0, 1 - x * x))
+
+
+def at(points, x):
+    """Pressure between two samples."""
+    behind = min((p for p in points if p["x"] >= x), key=lambda p: p["x"])
+    before = max((p for p in points if p["x"] <= x), key=lambda p: p["x"])
+    share = (x - before["x"]) / (behind["x"] - before["x"] or 1)
+    return before["lambda_n"] + share * (behind["lambda_n"] - before["lambda_n"])
+
+
+# press fit: Lame
+history, points, _ = solved("press-fit", "Adaptivity->Maximum Levels=4")
+error = worst(points, lambda p: p["lambda_n"] / 6.15234375 - 1)
+claim(error < 1e-9, "press fit: pressure within %.1e" % error)
+_, other = swapped("press-fit", "Adaptivity->Maximum Levels=4")
+error = worst(other, lambda p: p["lambda_n"] / 6.15234375 - 1)
+claim(error < 1e-6, "the other side first: within %.1e" % error)
+
+# ring on disc: exponential in the degree
+errors = []
+for count in (3, 5, 7, 9, 11):
+    history, points, _ = solved("ring-on-disc", "Adaptivity->Maximum Levels=%d" % count)
+    errors.append(worst(points, lambda p: p["lambda_n"] - 10 - 1.479262672811 * math.cos(
+        2 * math.atan2(p["y"], p["x"]))))
+claim(all(b < a / 30 for a, b in zip(errors, errors[1:])) and errors[-1] < 1e-10,
+      "ring on disc: the error falls exponentially: " + " ".join("%.1e" % e for e in errors))
+
+# bonded inclusion: uniform stress
+solved("bonded-inclusion")
+inside = table(os.path.join(WORK, "bonded-inclusion", "interior.csv"))
+for key, value in (("sxx", 1.178169078526), ("syy", -0.049486907983), ("sxy", 0)):
+    error = max(abs(row[key] - value) for row in inside)
+    claim(error < 1e-11, "bonded inclusion: %s is uniform, within %.1e" % (key, error))
+
+# two cylinders: Hertz
+a, p0 = 0.005, 3.048780487804878
+history, points, _ = solved("two-cylinders")
+error = worst([p for p in points if abs(p["x"]) < 0.95 * a],
+              lambda p: p["lambda_n"] / p0 - hertz(p["x"] / a))
+claim(error < 1e-3, "two cylinders: pressure within %.1e of the largest" % error)
+error = history[-1]["contact_length"] / (2 * a) - 1
+claim(abs(error) < 1e-3, "contact's width within %.1e" % error)
+
+# cylinder on block: Hertz, and Cattaneo's shear
+a, p0, f = 0.002, 1000 / 0.91 / 2 * 0.002 / 2, 0.3
+c = a * math.sqrt(0.5)
+history, points, _ = solved("cylinder-on-block")
+inner = [p for p in points if abs(p["x"]) < 0.9 * a]
+error = worst(inner, lambda p: p["lambda_n"] / p0 - hertz(p["x"] / a))
+claim(error < 3e-3, "cylinder on block: pressure within %.1e of the largest" % error)
+error = worst([p for p in inner if abs(abs(p["x"]) / c - 1) > 0.05],
+              lambda p: abs(p["lambda_t"]) / (f * p0) - hertz(p["x"] / a) +
+              c / a * hertz(p["x"] / c))
+claim(error < 0.015, "shear within %.1e of the largest" % error)
+stick = 1 - history[-1]["slip_length"] / history[-1]["contact_length"]
+claim(differ(stick, c / a) < 1e-2, "c/a = %.4f, closed form %.4f" % (stick, c / a))
+
+# rounded punch: within 1e-3, falling with the block's size
+def ofPunch(points):
+    return (at(points, 0) / 1.3597030051 - 1, at(points, 0.3) / 1.4854060604 - 1)
+
+
+history, points, _ = solved("rounded-punch")
+errors = ofPunch(points)
+claim(max(map(abs, errors)) < 1e-3, "rounded punch: p(0), p(0.3 a) within %.1e, %.1e" % errors)
+claim(abs(history[-1]["contact_length"] / 2 - 1) < 1e-3, "its contact ends at a")
+with open(scene("rounded-punch.xml")) as stream:
+    text = stream.read()
+for old, new in (("-20,-40, 20,-40, 20,0", "-80,-160, 80,-160, 80,0"), ("-20,0}", "-80,0}"),
+                 ("{4, 4, 6, 4, 16, 4, 6, 4}", "{4, 4, 12, 4, 16, 4, 12, 4}")):
+    claim(old in text, "the block's size, " + old)
+    text = text.replace(old, new)
+load = text.split('"Traction Y" type="string" value="')[1].split('"')[0]
+text = text.replace('value="%s"' % load, 'value="%.16g"' % (float(load) / 4))
+file = os.path.join(WORK, "large-block.xml")
+with open(file, "w") as stream:
+    stream.write(text)
+larger = ofPunch(run(file, "large-block", ["Adaptivity->Maximum Levels=22"])[1])
+claim(abs(larger[0]) < 0.5 * abs(errors[0]),
+      "four times the block: p(0) within %.1e instead of %.1e" % (larger[0], errors[0]))
+
+# incline: statics alone
+_, _, bodies = solved("incline", "Adaptivity->Maximum Levels=2")
+force = next(-row["reaction_x"] for row in bodies if row["body"] == "block")
+claim(differ(abs(force) / 0.01, 0.4 / 0.97) < 1e-9, "incline: F/G = %.10f" % (force / 0.01))
+
+# dovetail
+angle = math.radians(50)
+history, points, _ = solved("dovetail")
+claim(differ(history[-1]["force_normal"], 600 / (math.cos(angle) + 0.2 * math.sin(angle))) < 1e-9,
+      "dovetail: flanks that slip carry the pull")
+claim(history[-1]["estimate"] < 0.2 * history[0]["estimate"], "the estimate falls")
+finish()

@@ -1,0 +1,64 @@
+"""Either side of a contact may come first: solutions differ by less than the sum of their
+estimated errors, and by what the direction of the gap says (doc/benchmarks/bodies.md)."""
+import os
+import re
+
+from runs import WORK, claim, epafi, finish, fresh, scene, table
+from written import listed, parameter, with_moduli, with_sides_swapped, without_friction
+
+# With an effectivity near 3 two errors that add up are a third of the sum.
+SHARE = 0.5
+# sides that do not coincide: of the order a/R, relative to the solution
+DIRECTION = {"two-cylinders": 2e-3, "cylinder-on-block": 2e-3}
+
+
+def sets(*settings):
+    return parameter("Set", "Array(string)", "{%s}" % ", ".join(settings))
+
+
+def pair(name, text, levels):
+    """A scene whose reference is the same with its sides swapped."""
+    with open(os.path.join(WORK, name + ".xml"), "w") as stream:
+        stream.write(text)
+    between = re.findall(r'ParameterList name="([^"]*)">\s*<Parameter name="Between"[^{]*(\{[^}]*\})',
+                         with_sides_swapped(text))
+    return listed(name, parameter("File", "string", name + ".xml"), listed("Reference", sets(
+        levels, *("Contacts->%s->Between=%s" % sides for sides in between))))
+
+
+def compare(scenes, count):
+    """The energy norm of the differences, on `count` levels of all."""
+    levels = "Adaptivity->Maximum Levels=%d" % count
+    study = os.path.join(WORK, "study.xml")
+    with open(study, "w") as stream:
+        stream.write(listed("Swapped", listed("Scenes", *(
+            pair(name, text, levels) for name, text in scenes.items())),
+            listed("Variants", listed("first", sets(levels)))))
+    folder = fresh("study")
+    code, printed = epafi("study", study, "--output", folder, "--quiet")
+    claim(code == 0, "all are solved on %d levels %s" % (count, printed if code else ""))
+    rows = table(os.path.join(folder, "study.csv"))
+    for name in scenes:
+        row, other = ([row for row in rows if (row["scene"], row["variant"]) == (name, variant)][-1]
+                      for variant in ("first", "reference"))
+        difference = row["estimate"] / row["effectivity"]
+        both = row["estimate"] + other["estimate"]
+        direction = DIRECTION.get(name, 0) * difference / row["error"]
+        claim(difference < SHARE * both + direction,
+              "%s: sides differ by %.2f of the sum of the estimates, by %.1e of the solution" % (
+                  name, difference / both, row["error"]))
+
+
+os.makedirs(WORK, exist_ok=True)
+scenes = {}
+for name in ("two-blocks", "incline", "dovetail", "press-fit", "ring-on-disc",
+             "bonded-inclusion", "two-cylinders", "cylinder-on-block"):
+    with open(scene(name + ".xml")) as stream:
+        scenes[name] = stream.read()
+for name, ratio in (("two-blocks", 1000), ("two-blocks", 0.001), ("incline", 1000), ("incline", 0.001)):
+    scenes["%s E %g" % (name, ratio)] = with_moduli(scenes[name], ratio)
+for ratio in (1, 1000):
+    scenes["incline frictionless E %g" % ratio] = without_friction(
+        with_moduli(scenes["incline"], ratio))
+compare(scenes, 4)
+finish()
