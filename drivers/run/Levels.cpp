@@ -5,6 +5,7 @@
 #include "bem/operators/ExactRotation.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
 #include "contact/equation/ContactState.hpp"
+#include "contact/problem/CompressedBody.hpp"
 #include "contact/problem/ContactSystem.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/run/BodySpaces.hpp"
@@ -88,6 +89,23 @@ bem::SteklovPoincare stiffnessOf(bem::Operators operators,
   if (krylov != nullptr)
     return bem::SteklovPoincare(std::move(operators), algebra, *krylov, compliance);
   return bem::SteklovPoincare(std::move(operators), algebra, compliance);
+}
+
+/// Are a level's operators compressed?
+bool compresses(const Scene& scene, const Size& size, const Ranks& ranks) {
+  using Operators = LinearMethod::Operators;
+  const Operators wanted = linearMethods().at(scene.linear.method).operators;
+  if (wanted == Operators::Compressed && ranks.algebra().processes() > 1)
+    throw bem::InputError(bem::message(
+        "Solver->Linear->Method = ", scene.linear.method,
+        ": operators are compressed on one process only; start epafi without mpirun, or "
+        "choose Dense, Belos or Automatic"));
+  if (wanted != Operators::Cheaper)
+    return wanted == Operators::Compressed;
+  // unknowns from which compressed operators cost less, see doc/benchmarks/compression.md
+  constexpr bem::Index crossover = 6000;
+  return ranks.algebra().processes() == 1 && whyNotCompressed(scene).empty() &&
+         size.displacements + size.densities > crossover;
 }
 
 std::vector<bem::Piece> piecesOf(const bem::Mesh& mesh) {
@@ -199,9 +217,10 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
               capReached(number, size, scene.adaptivity.limits.degreesOfFreedom)};
     timer.startLevel(number);
 
+    const bool compressed = compresses(scene, size, ranks);
     auto operators = timer.run(Phase::Assembly, [&] {
       std::vector<bem::Operators> all;
-      for (std::size_t b = 0; b < count; ++b)
+      for (std::size_t b = 0; b < count && !compressed; ++b)
         all.push_back(bem::withExactRotation(
             bem::assembleOperators(
                 spaces.space(b), lames[b], algebra,
@@ -211,7 +230,11 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
     });
     const auto stiffness = timer.run(Phase::Factorization, [&] {
       std::vector<bem::SteklovPoincare> all;
-      for (std::size_t b = 0; b < count; ++b)
+      if (compressed)
+        all.push_back(contact::makeCompressedStiffness(
+            spaces.space(0), spaces.multiplier(0), scene.stabilization, lames.front(),
+            units, algebra, scene.linear.compression));
+      for (std::size_t b = 0; b < count && !compressed; ++b)
         all.push_back(stiffnessOf(
             std::move(operators[b]), algebra, krylov.get(),
             contact::densityCompliance(spaces.space(b), spaces.multiplier(b),
