@@ -32,3 +32,8 @@ add_trilinos(Teuchos trilinos_teuchosparameterlist trilinos_teuchosparser
 add_trilinos(Tpetra trilinos_tpetra trilinos_belostpetra trilinos_teuchosparameterlist MPI::MPI_CXX)
 add_trilinos(NOX trilinos_locathyra trilinos_loca trilinos_nox trilinos_thyratpetra trilinos_tpetra
   trilinos_teuchosparameterlist MPI::MPI_CXX)
+
+# Where Debian's Python looks for packages that do not come from Debian, seen from the prefix.
+execute_process(COMMAND /usr/bin/python3 -c "import sys; print('%d.%d' % sys.version_info[:2])"
+  OUTPUT_VARIABLE epafi_python_version OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+set(EPAFI_PYTHON lib/python${epafi_python_version}/dist-packages)

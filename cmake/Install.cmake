@@ -30,10 +30,16 @@ install(EXPORT EpafiTargets NAMESPACE Epafi:: DESTINATION ${epafi_config}
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/packages/
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/epafi COMPONENT development
   FILES_MATCHING PATTERN "*.hpp")
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE
-  DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc/howto
-  DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+# Side by side as in the tree, so that links among them lead somewhere.
+foreach(file CHANGELOG.md CITATION.cff CONTRIBUTING.md LICENSE README.md doc)
+  if(IS_DIRECTORY ${PROJECT_SOURCE_DIR}/${file})
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${file}
+      DESTINATION share/doc/epafi COMPONENT documentation)
+  else()
+    install(FILES ${PROJECT_SOURCE_DIR}/${file}
+      DESTINATION share/doc/epafi COMPONENT documentation)
+  endif()
+endforeach()
 
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/EpafiConfig.cmake.in
   ${PROJECT_BINARY_DIR}/EpafiConfig.cmake

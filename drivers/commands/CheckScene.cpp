@@ -4,6 +4,7 @@
 #include "drivers/commands/Commands.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/NextLevel.hpp"
+#include "drivers/run/Warnings.hpp"
 #include "drivers/scene/SceneReader.hpp"
 
 #include <ostream>
@@ -92,6 +93,8 @@ std::string checkScene(const Scene& scene) {
        << scene.adaptivity.limits.levels << " levels and "
        << scene.adaptivity.limits.degreesOfFreedom << " degrees of freedom\n"
        << "The scene is valid.\n";
+  for (const std::string& warning : warningsOf(scene))
+    text << "warning: " << warning << "\n";
   return text.str();
 }
 

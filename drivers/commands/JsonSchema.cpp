@@ -63,11 +63,11 @@ std::string typeOf(const Parameter& row) {
     case Kind::Names:
       return "\"type\": \"array\", \"items\": {\"type\": \"string\"" + words + "}";
     case Kind::Counts:
-      return "\"type\": \"array\", \"items\": {\"type\": \"integer\"" +
-             limits(row.interval) + "}";
+      return "\"type\": [\"array\", \"integer\"], \"items\": {\"type\": \"integer\"" +
+             limits(row.interval) + "}" + limits(row.interval);
     case Kind::Reals:
-      return "\"type\": \"array\", \"items\": {\"type\": \"number\"" +
-             limits(row.interval) + "}";
+      return "\"type\": [\"array\", \"number\"], \"items\": {\"type\": \"number\"" +
+             limits(row.interval) + "}" + limits(row.interval);
     case Kind::Points:
       return "\"type\": \"array\", \"items\": {\"type\": \"array\", \"minItems\": 2, "
              "\"maxItems\": 2, \"items\": {\"type\": \"number\"}}";

@@ -25,8 +25,9 @@ constexpr const char* python = "/usr/bin/python3";
 std::string plotProgram() {
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  const fs::path program = self.parent_path().parent_path() / "share" / "epafi" / "plot";
-  if (!fs::exists(program / "__main__.py", error))
+  const fs::path program =
+      self.parent_path().parent_path() / EPAFI_PYTHON / "epafi" / "plot" / "__main__.py";
+  if (!fs::exists(program, error))
     throw bem::InputError(bem::message("plot: '", program.string(),
                                        "' is missing; it is built and installed along "
                                        "with this program"));

@@ -9,8 +9,8 @@ namespace epafi::drivers {
 /// What a helper may say.
 enum class Words { All, Errors };
 
-/// Draws the pictures of a run's or a study's folder by the Python program
-/// drivers/plot, which lies in ../share/epafi/plot seen from this program.
+/// Draws the pictures of a run's or a study's folder by the Python package python/epafi/plot,
+/// which lies in ../lib/python3.<n>/dist-packages seen from this program.
 ///
 /// Its words go where this program's go.  Returns its exit code: 0, or 1 where matplotlib
 /// or the folder's files are missing.

@@ -124,6 +124,11 @@ class Writer {
         return pair(choice({"string", "double", "int"}), any, indent);
       case Kind::Points:
         return pair(choice({"TwoDArray(double)", "TwoDArray(int)"}), any, indent);
+      case Kind::Counts:
+        return pair(choice({"Array(int)", "int"}), any, indent);
+      case Kind::Reals:
+        return pair(choice({"Array(double)", "Array(int)", "double", "int"}), any,
+                    indent);
       default:  // arrays: their entries stand in one text
         return pair(choice({typeName(row.kind)}), any, indent);
     }

@@ -16,6 +16,7 @@
 #include "drivers/process/Ranks.hpp"
 #include "drivers/process/Versions.hpp"
 #include "drivers/run/Levels.hpp"
+#include "drivers/run/Warnings.hpp"
 #include "drivers/scene/SceneReader.hpp"
 
 #include <algorithm>
@@ -177,12 +178,15 @@ class Recorder {
   }
 
   int levels() const { return levels_; }
+  /// Of the last level.
+  const std::vector<std::string>& warnings() const { return warnings_; }
 
   void take(const SolvedLevel& level) {
     ++levels_;
     if (folder_) {
       write(level);
       last_ = level.level;
+      warnings_ = warningsOf(scene_, level);
     }
     solved_(level.level.number);
   }
@@ -252,6 +256,7 @@ class Recorder {
   PathContact contact_;
   std::string stages_ = "\nSolver stages, steps, how they ended\n";
   std::optional<Level> last_;
+  std::vector<std::string> warnings_;
   int levels_ = 0;
 };
 
@@ -268,6 +273,13 @@ std::string advice(const RunOptions& options, const Scene& scene,
     command += " --set '" + assignment + "'";
   return bem::message("interrupted behind level ", level, "; to go on from it: ", command,
                       " --restart ", folder);
+}
+
+/// For people, so not under --quiet.
+void warn(const std::vector<std::string>& warnings, const RunOptions& options) {
+  if (!options.quiet)
+    for (const std::string& warning : warnings)
+      std::cerr << "epafi: warning: " << warning << "\n";
 }
 
 /// timings.txt is written also if that fails.
@@ -312,6 +324,8 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   if (beginning.earlier)
     table << "goes on " << placeOf(beginning.earlier->level) << " in " << options.restart
           << "\n";
+  if (ranks.isFirst())
+    warn(warningsOf(scene), options);
   table << tableHead() << std::flush;
 
   PhaseTimer timer([&](const std::string& phase) {
@@ -326,6 +340,7 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   if (!folder)
     return code;
   recorder.finish(timer);
+  warn(recorder.warnings(), options);
   (converged ? table : std::cerr)
       << (converged ? "ended   " : "epafi: ") << outcome.reason << "\n";
   table << timeSummary(timer) << filesWritten(*folder);

@@ -151,11 +151,10 @@ class StudyRun {
   void solve(const StudiedScene& scene, const Variant& variant,
              const std::optional<Reference>& reference) {
     out_ << scene.name << ": " << variant.name << "\n" << std::flush;
-    std::optional<OutputFolder> own;  // none for sweeps: they may have hundreds
-    if (!variant.swept) {
-      own.emplace(folder_.path() + "/" + folderOf(scene, variant), EarlierRun::Delete);
-      own->write("used.xml", usedXml(variant.scene));
-    }
+    const std::string name = folderOf(scene, variant);
+    OutputFolder own(folder_.path() + "/" + name, EarlierRun::Delete);
+    const std::string used = usedXml(variant.scene);
+    own.write("used.xml", used);
     PhaseTimer timer = makeTimer();
     VariantClock clock;
     std::string history = historyHead();
@@ -167,9 +166,8 @@ class StudyRun {
         clock.exclude([&] {
           history += historyLine(row);
           ++solved;
-          note(scene, variant, reference, level, row);
-          if (own)
-            writeFiles(variant.scene, level, history, *own);
+          note(scene, variant, reference, level, row, name);
+          writeFiles(variant, level, used, history, own);
           progress_.clear();
         });
         if (row.report.status != contact::Status::Converged)
@@ -190,8 +188,9 @@ class StudyRun {
 
   void note(const StudiedScene& scene, const Variant& variant,
             const std::optional<Reference>& reference, const SolvedLevel& level,
-            const LevelRow& row) {
+            const LevelRow& row, const std::string& folder) {
     StudiedLevel studied;
+    studied.folder = folder;
     if (study_.smallestEigenvalue)
       studied.smallestEigenvalue = smallestEigenvalue(variant.scene, level);
     if (reference) {
@@ -218,18 +217,26 @@ class StudyRun {
     out_ << "  failed on level " << level << ": " << reason << "\n" << std::flush;
   }
 
-  static void writeFiles(const Scene& scene, const SolvedLevel& level,
-                         const std::string& history, OutputFolder& folder) {
-    folder.write("history.csv", history);
+  /// Of sweeps, which may have hundreds, the contact alone.
+  void writeFiles(const Variant& variant, const SolvedLevel& level,
+                  const std::string& used, const std::string& history,
+                  OutputFolder& folder) const {
+    const Scene& scene = variant.scene;
     if (scene.hasContact())
       folder.write("contact.csv", contactCsv(scene, level.bodies));
+    if (variant.swept && !study_.keepSolutions)
+      return;
+    folder.write("history.csv", history);
     if (scene.output.fields)
       folder.write("boundary.csv", boundaryCsv(scene, level));
+    if (study_.keepSolutions && scene.output.fields)
+      folder.write("solution.hdf", solutionFile(scene, level, used, history));
   }
 
   /// Different variants get different folders, even if their names differ in signs only.
   std::string folderOf(const StudiedScene& scene, const Variant& variant) {
-    std::string name = (study_.scenes.size() > 1 ? fileName(scene.name) + "-" : "") +
+    std::string name = (variant.swept ? "sweep/" : "") +
+                       (study_.scenes.size() > 1 ? fileName(scene.name) + "-" : "") +
                        fileName(variant.name);
     while (!folders_.insert(name).second)
       name += "_";

@@ -56,6 +56,7 @@ struct Size {
   int degreeMax = 0;
   double sizeMin = 0;  ///< [length]
   double sizeMax = 0;
+  double memory = 0;  ///< foretold, all processes [MiB]
 
   bem::Index dof() const { return displacements + multipliers; }
   Size& operator+=(const Size& other);

@@ -9,6 +9,7 @@
 #include "contact/problem/ContactSystem.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/run/BodySpaces.hpp"
+#include "drivers/run/Forecast.hpp"
 #include "drivers/run/Path.hpp"
 #include "drivers/run/Resistance.hpp"
 #include "drivers/run/Solver.hpp"
@@ -211,10 +212,14 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
   while (const auto* from = std::get_if<LevelStart>(&next)) {
     const int number = from->level;
     const BodySpaces spaces(scene, from->meshes);
-    const Size size = spaces.sizes();
+    Size size = spaces.sizes();
+    size.memory = forecastMemory(spaces, algebra.processes());
     if (size.dof() > scene.adaptivity.limits.degreesOfFreedom)
       return {contact::Status::Converged,
               capReached(number, size, scene.adaptivity.limits.degreesOfFreedom)};
+    if (const auto reason =
+            tooLarge(number, size, size.memory, scene.adaptivity.limits.memory, ranks))
+      return {contact::Status::Converged, *reason};
     timer.startLevel(number);
 
     const bool compressed = compresses(scene, size, ranks);

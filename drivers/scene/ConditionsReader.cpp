@@ -16,13 +16,13 @@ using bem::InputError;
 using bem::message;
 using Teuchos::ParameterList;
 
-/// A list of the scene, and the time at which its expressions are taken.
+/// A list of the scene, and what its expressions know.
 struct Where {
   Place place;
-  double t = 1;
+  Names names;
 
   Where under(const std::string& key) const {
-    return {{place.file, place.path + "->" + key}, t};
+    return {{place.file, place.path + "->" + key}, names};
   }
 };
 
@@ -31,7 +31,7 @@ bem::Function readFunction(const ParameterList& list, const std::string& key,
                            const Where& where) {
   if (!list.isParameter(key))
     return {};
-  return makeExpression(list.get<std::string>(key), where.under(key).place, where.t);
+  return makeExpression(list.get<std::string>(key), where.under(key).place, where.names);
 }
 
 /// A bound on the shear cannot be negative.
@@ -64,11 +64,11 @@ contact::Conditions::Contact readContact(const ParameterList& list, const Where&
 }  // namespace
 
 contact::Conditions::Contact readContactOfBodies(const ParameterList& list,
-                                                 const Place& place) {
+                                                 const Place& place, const Names& names) {
   contact::Conditions::Contact condition;
-  const bem::Function interference = readFunction(list, "Interference", {place});
+  const bem::Function interference = readFunction(list, "Interference", {place, names});
   condition.gap = [interference](bem::Vec2 x) { return -interference(x); };
-  condition.friction = readFriction(list, {place});
+  condition.friction = readFriction(list, {place, names});
   return condition;
 }
 
@@ -84,10 +84,51 @@ void checkNamed(const std::string& boundary, const std::string& path,
                              "'? named edges: ", bem::quotedList(names)));
 }
 
+std::function<bem::Vec2(bem::Vec2)> normalOn(const bem::Outline& outline,
+                                             const std::string& boundary) {
+  std::vector<bem::Curve> curves;
+  for (const bem::Edge& edge : outline.edges())
+    if (edge.boundary == boundary)
+      curves.push_back(edge.curve);
+  return [curves, scaling = outline.scaling()](bem::Vec2 physical) {
+    const bem::Vec2 x = (1 / scaling.length) * (physical - scaling.origin);
+    const auto nearest = std::min_element(curves.begin(), curves.end(),
+                                          [x](const bem::Curve& a, const bem::Curve& b) {
+                                            return a.distance(x) < b.distance(x);
+                                          });
+    return nearest->normal(std::clamp(nearest->seen(x).z().real(), -1.0, 1.0));
+  };
+}
+
 namespace {
 
+/// [length]
+double lengthOf(const bem::Outline& outline, const std::string& boundary) {
+  double length = 0;
+  for (const bem::Edge& edge : outline.edges())
+    if (edge.boundary == boundary)
+      length += edge.curve.length() * outline.scaling().length;
+  return length;
+}
+
+/// Along one axis, "X" or "Y": as given, or the uniform one of a given force.
+bem::Function readTraction(const ParameterList& list, const std::string& axis,
+                           const Where& where, double length) {
+  const std::string force = "Force " + axis;
+  if (!list.isParameter(force))
+    return readFunction(list, "Traction " + axis, where);
+  const Place place = where.under(force).place;
+  if (list.isParameter("Traction " + axis))
+    throw InputError(message(place.path, ": give this or Traction ", axis, ", not both"));
+  const double traction = evaluateAt(where.names.t, list.get<std::string>(force), place,
+                                     where.names.constants) /
+                          length;
+  return [traction](bem::Vec2) { return traction; };
+}
+
 void readBoundary(const ParameterList& list, const std::string& boundary,
-                  const Where& where, contact::Conditions& conditions) {
+                  const Where& where, const bem::Outline& outline,
+                  contact::Conditions& conditions) {
   const std::string type = list.get<std::string>("Type");
   if (type == "Dirichlet") {
     const bem::Function x = readFunction(list, "Displacement X", where);
@@ -98,8 +139,9 @@ void readBoundary(const ParameterList& list, const std::string& boundary,
                        "Displacement Y or both");
     conditions.dirichlet[boundary] = {x, y};
   } else if (type == "Neumann") {
-    conditions.neumann[boundary] = {readFunction(list, "Traction X", where),
-                                    readFunction(list, "Traction Y", where)};
+    const double length = lengthOf(outline, boundary);
+    conditions.neumann[boundary] = {readTraction(list, "X", where, length),
+                                    readTraction(list, "Y", where, length)};
   } else {
     conditions.contact[boundary] = readContact(list, where);
   }
@@ -108,14 +150,17 @@ void readBoundary(const ParameterList& list, const std::string& boundary,
 }  // namespace
 
 contact::Conditions readConditions(const ParameterList& body, const Place& place,
-                                   const bem::Outline& outline, double t) {
+                                   const bem::Outline& outline, const Names& names) {
   contact::Conditions conditions;
   const std::string path = place.path + "->Boundary Conditions";
   const ParameterList& list = body.sublist("Boundary Conditions");
   for (const auto& item : list) {
     const Place inner{place.file, path + "->" + item.first};
     checkNamed(item.first, inner.path, outline);
-    readBoundary(list.sublist(item.first), item.first, {inner, t}, conditions);
+    Names here = names;
+    here.normal = normalOn(outline, item.first);
+    readBoundary(list.sublist(item.first), item.first, {inner, here}, outline,
+                 conditions);
   }
   const ParameterList& rigid = body.sublist("Rigid Motions");
   if (rigid.isParameter("Fix"))

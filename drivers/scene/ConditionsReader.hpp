@@ -10,19 +10,25 @@ class ParameterList;
 
 namespace epafi::drivers {
 
-/// The Boundary Conditions and Rigid Motions of a body's validated list at a time t; `place`
-/// is the body's.
+/// The Boundary Conditions and Rigid Motions of a body's validated list; `place` is the
+/// body's, `names` without the normal, which each boundary has its own of.
 /// \throws bem::InputError for a boundary that no edge has (the nearest name is given), a
-///   Dirichlet condition without a component, an expression that is none.
+///   Dirichlet condition without a component, an expression that is none, a force beside a
+///   traction.
 contact::Conditions readConditions(const Teuchos::ParameterList& body, const Place& place,
-                                   const bem::Outline& outline, double t = 1);
+                                   const bem::Outline& outline, const Names& names = {});
 
 /// \throws bem::InputError for a boundary that no edge has, with the nearest name.
 void checkNamed(const std::string& boundary, const std::string& path,
                 const bem::Outline& outline);
 
-/// Interference and Friction of a validated list under Contacts.
+/// Interference and Friction of a validated list under Contacts; `names` with the normal.
 contact::Conditions::Contact readContactOfBodies(const Teuchos::ParameterList& list,
-                                                 const Place& place);
+                                                 const Place& place, const Names& names);
+
+/// The outward normal of a boundary at points of it, in the user's coordinates: that of the
+/// nearest of its edges.
+std::function<bem::Vec2(bem::Vec2)> normalOn(const bem::Outline& outline,
+                                             const std::string& boundary);
 
 }  // namespace epafi::drivers

@@ -2,6 +2,8 @@
 
 #include "bem/base/Error.hpp"
 
+#include <Teuchos_ParameterList.hpp>
+
 #include <cmath>
 #include <memory>
 #include <muParser.h>
@@ -27,18 +29,51 @@ std::size_t loneEqualSign(const std::string& text) {
   return std::string::npos;
 }
 
+const double pi = std::acos(-1.0);
+
+/// What an expression may be made of.
+enum class Form { Constant, OfTime, OfPoint };
+
+std::string toldOf(Form form, const Names& names) {
+  std::string text = form == Form::Constant ? "constants before it"
+                     : form == Form::OfTime ? "t"
+                     : names.normal         ? "x, y, t, nx and ny"
+                                            : "x, y and t";
+  if (!names.constants.empty()) {
+    text += form == Form::Constant ? ":" : " and the constants";
+    const char* separator = " ";
+    for (const auto& [name, value] : names.constants) {
+      text += separator + name;
+      separator = ", ";
+    }
+  }
+  return text;
+}
+
 /// A muParser bound to variables of its own.
 class Parser {
  public:
-  Parser(const std::string& text, double t) {
+  Parser(const std::string& text, const Names& names, Form form)
+      : known_(toldOf(form, names)), normalAt_(names.normal) {
     try {
-      parser_.DefineVar("x", &point_.x);
-      parser_.DefineVar("y", &point_.y);
-      parser_.DefineConst("t", t);
-      parser_.DefineConst("pi", std::acos(-1.0));
+      parser_.DefineConst("pi", pi);
+      for (const auto& [name, value] : names.constants)
+        parser_.DefineConst(name, value);
+      if (form != Form::Constant)
+        parser_.DefineConst("t", names.t);
+      if (form == Form::OfPoint) {
+        parser_.DefineVar("x", &point_.x);
+        parser_.DefineVar("y", &point_.y);
+      }
+      if (normalAt_) {
+        parser_.DefineVar("nx", &normal_.x);
+        parser_.DefineVar("ny", &normal_.y);
+      }
       parser_.SetExpr(text);
+      if (text.find("nx") == std::string::npos && text.find("ny") == std::string::npos)
+        normalAt_ = {};
     } catch (const mu::Parser::exception_type& error) {
-      throw InputError("is no expression in x, y and t: " + error.GetMsg());
+      fail(error);
     }
   }
   Parser(const Parser&) = delete;
@@ -47,6 +82,8 @@ class Parser {
   /// \throws InputError with muParser's complaint, or if there are several values.
   double operator()(bem::Vec2 point) {
     point_ = point;
+    if (normalAt_)
+      normal_ = normalAt_(point);
     try {
       int values = 0;
       const double* value = parser_.Eval(values);
@@ -55,12 +92,19 @@ class Parser {
             message("gives ", values, " values; a decimal point is written '.'"));
       return value[0];
     } catch (const mu::Parser::exception_type& error) {
-      throw InputError("is no expression in x, y and t: " + error.GetMsg());
+      fail(error);
     }
   }
 
  private:
+  [[noreturn]] void fail(const mu::Parser::exception_type& error) const {
+    throw InputError("is no expression in " + known_ + ": " + error.GetMsg());
+  }
+
+  std::string known_;
+  std::function<bem::Vec2(bem::Vec2)> normalAt_;
   bem::Vec2 point_;
+  bem::Vec2 normal_;
   mu::Parser parser_;
 };
 
@@ -68,8 +112,11 @@ class Parser {
 /// time.
 class Expression {
  public:
-  Expression(std::string text, Place place, double t)
-      : text_(std::move(text)), place_(std::move(place)), t_(t) {
+  Expression(std::string text, Place place, Names names, Form form)
+      : text_(std::move(text)),
+        place_(std::move(place)),
+        names_(std::move(names)),
+        form_(form) {
     if (text_.find_first_not_of(" \t\r\n") == std::string::npos)
       fail("is empty");
     if (loneEqualSign(text_) != std::string::npos)
@@ -79,9 +126,12 @@ class Expression {
 
   double operator()(bem::Vec2 point) const {
     const double value = evaluate(point);
+    if (!std::isfinite(value) && form_ != Form::OfPoint)
+      fail(message("is ", value, names_.t == 1 ? "" : message(" at t = ", names_.t),
+                   "; one finite number is needed"));
     if (!std::isfinite(value))
       fail(message("is ", value, " at (x, y) = (", point.x, ", ", point.y, ")",
-                   t_ == 1 ? "" : message(", t = ", t_),
+                   names_.t == 1 ? "" : message(", t = ", names_.t),
                    "; one finite number is needed there"));
     return value;
   }
@@ -101,7 +151,7 @@ class Expression {
   std::unique_ptr<Parser> take() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (idle_.empty())
-      return std::make_unique<Parser>(text_, t_);
+      return std::make_unique<Parser>(text_, names_, form_);
     std::unique_ptr<Parser> parser = std::move(idle_.back());
     idle_.pop_back();
     return parser;
@@ -118,16 +168,57 @@ class Expression {
 
   std::string text_;
   Place place_;
-  double t_;
+  Names names_;
+  Form form_;
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<Parser>> idle_;
 };
 
+/// \throws InputError for what muParser would not take for a constant of ours.
+void checkName(const std::string& name, const Constants& earlier) {
+  const char* letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
+  if (name.find_first_not_of(letters) != std::string::npos ||
+      std::string("0123456789_").find(name.front()) != std::string::npos)
+    throw InputError(
+        "is no name for expressions; letters, digits and _ make one, a "
+        "letter first");
+  const mu::Parser parser;
+  for (const char* known : {"x", "y", "t", "nx", "ny", "pi"})
+    if (name == known)
+      throw InputError("means something in expressions already");
+  if (parser.GetFunDef().count(name) != 0)
+    throw InputError("is a function of expressions already");
+  if (earlier.count(name) != 0)
+    throw InputError("is given twice");
+}
+
 }  // namespace
 
-bem::Function makeExpression(const std::string& text, const Place& place, double t) {
-  const auto expression = std::make_shared<const Expression>(text, place, t);
+bem::Function makeExpression(const std::string& text, const Place& place,
+                             const Names& names) {
+  const auto expression =
+      std::make_shared<const Expression>(text, place, names, Form::OfPoint);
   return [expression](bem::Vec2 point) { return (*expression)(point); };
+}
+
+double evaluateAt(double t, const std::string& text, const Place& place,
+                  const Constants& constants) {
+  return Expression(text, place, {constants, t}, Form::OfTime)({});
+}
+
+Constants readConstants(const Teuchos::ParameterList& list, const Place& place) {
+  Constants constants;
+  for (const auto& item : list) {
+    const Place inner{place.file, place.path + "->" + item.first};
+    try {
+      checkName(item.first, constants);
+    } catch (const InputError& error) {
+      throw InputError(inner.path + ": " + error.what());
+    }
+    constants[item.first] = Expression(list.get<std::string>(item.first), inner,
+                                       {constants}, Form::Constant)({});
+  }
+  return constants;
 }
 
 }  // namespace epafi::drivers

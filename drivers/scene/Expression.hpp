@@ -2,7 +2,13 @@
 
 #include "bem/base/Function.hpp"
 
+#include <functional>
+#include <map>
 #include <string>
+
+namespace Teuchos {
+class ParameterList;
+}
 
 namespace epafi::drivers {
 
@@ -12,14 +18,36 @@ struct Place {
   std::string path;  ///< A->B->Key
 };
 
-/// A function of x and y from its muParser expression at a time t.
+/// Numbers under names of the scene's own.
+using Constants = std::map<std::string, double>;
+
+/// What expressions know besides x, y and pi.
+struct Names {
+  Constants constants = {};
+  double t = 1;
+  /// The outward unit normal at a point, nx and ny; empty: there is none.
+  std::function<bem::Vec2(bem::Vec2)> normal = {};
+};
+
+/// A function of x and y from its muParser expression.
 ///
-/// Known: x, y, t, pi; + - * / ^, ?:, < > <= >= == !=, && ||; sin cos tan asin acos atan
+/// Known: x, y, t, pi, nx, ny on a boundary, the scene's constants; + - * / ^, ?:, < > <= >= == !=, && ||; sin cos tan asin acos atan
 /// sinh cosh tanh asinh acosh atanh, exp, sqrt, ln = log, log2, log10, abs, sign, rint,
 /// min, max, sum, avg, atan2.  Nothing can be assigned.  May be called from several
 /// threads at once.
 /// \throws bem::InputError if it is not an expression; the function throws it where the
 ///   value is not one finite number, naming file, path, expression and point.
-bem::Function makeExpression(const std::string& text, const Place& place, double t = 1);
+bem::Function makeExpression(const std::string& text, const Place& place,
+                             const Names& names = {});
+
+/// The value of an expression in t and the constants alone.
+/// \throws bem::InputError if it is none, or not one finite number.
+double evaluateAt(double t, const std::string& text, const Place& place,
+                  const Constants& constants);
+
+/// A list of constants; each may use those that stand before it.
+/// \throws bem::InputError for a name that expressions could not use, or that means
+///   something already, and for what is not one finite number.
+Constants readConstants(const Teuchos::ParameterList& list, const Place& place);
 
 }  // namespace epafi::drivers

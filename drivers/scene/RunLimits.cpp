@@ -24,12 +24,23 @@ bem::SchemaRows limitRows() {
           .unit("1")
           .standard(static_cast<double>(defaults.degreesOfFreedom))
           .range(bem::from(1)),
+      Row("Maximum Memory", Kind::Real,
+          "a level that is foretold to take more, all processes together, is not "
+          "computed; "
+          "without it what the machine and its control groups have free")
+          .unit("MiB")
+          .range(bem::above(0)),
   };
 }
 
 RunLimits parseLimits(const Teuchos::ParameterList& list) {
-  return {list.get<int>("Maximum Levels"), list.get<int>("Maximum Degrees of Freedom"),
-          list.get<double>("Target Estimate")};
+  RunLimits limits{list.get<int>("Maximum Levels"),
+                   list.get<int>("Maximum Degrees of Freedom"),
+                   list.get<double>("Target Estimate"),
+                   {}};
+  if (list.isParameter("Maximum Memory"))
+    limits.memory = list.get<double>("Maximum Memory");
+  return limits;
 }
 
 }  // namespace epafi::drivers

@@ -7,6 +7,7 @@
 #include "contact/conditions/Conditions.hpp"
 #include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/problem/Stabilization.hpp"
+#include "drivers/scene/Expression.hpp"
 #include "drivers/scene/History.hpp"
 #include "drivers/scene/LinearMethod.hpp"
 #include "drivers/scene/RunLimits.hpp"
@@ -69,6 +70,7 @@ struct ContactPair {
 struct Scene {
   std::string title;
   std::string file;
+  Constants constants;  ///< that its expressions know
 
   std::vector<Body> bodies;
   std::vector<RigidBody> rigid;

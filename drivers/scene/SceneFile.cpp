@@ -98,7 +98,11 @@ RawScene readYaml(const std::string& text, const std::string& standardTitle) {
     if (std::string(error.what()).find("rhs.at") != std::string::npos)
       throw InputError(
           "malformed YAML: everything must stand under one title, 'My scene:'");
-    throw InputError("malformed YAML: " + complaint(error));
+    const bool nested =
+        text.find("- [") != std::string::npos || text.find("- - ") != std::string::npos;
+    throw InputError(
+        "malformed YAML: " + complaint(error) +
+        (nested ? "; arrays of arrays stand in brackets, [[0, 0], [1, 0]]" : ""));
   }
 }
 
@@ -224,7 +228,22 @@ std::string readText(const std::string& file) {
   return text.str();
 }
 
-RawScene rawScene(const std::string& text, const std::string& file) {
+namespace {
+
+/// Editors of Windows begin files with a mark of the encoding.
+std::string withoutMark(const std::string& text) {
+  const auto begins = [&](const char* mark) { return text.rfind(mark, 0) == 0; };
+  const bool zeros = text.substr(0, 4).find('\0') != std::string::npos;
+  if (begins("\xFF\xFE") || begins("\xFE\xFF") || zeros)
+    throw InputError(
+        "its encoding is UTF-16 or UTF-32; save the file with the encoding UTF-8");
+  return begins("\xEF\xBB\xBF") ? text.substr(3) : text;
+}
+
+}  // namespace
+
+RawScene rawScene(const std::string& marked, const std::string& file) {
+  const std::string text = withoutMark(marked);
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw InputError("the file is empty");
   const std::filesystem::path path(file);

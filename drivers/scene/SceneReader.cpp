@@ -305,7 +305,7 @@ void refuseMotion(const ParameterList& motion, const std::string& path) {
                                "have Boundary Conditions and Rigid Motions"));
 }
 
-Body readBody(ParameterList& list, const std::string& name, const std::string& file,
+Body readBody(ParameterList& list, const std::string& name, const Scene& scene,
               const Loops& loops, double length, const ParameterList& discretization) {
   const std::string path = "Bodies->" + name;
   Body body;
@@ -313,7 +313,8 @@ Body readBody(ParameterList& list, const std::string& name, const std::string& f
   body.material = readMaterial(list.sublist("Material"), path + "->Material");
   refuseMotion(list.sublist("Motion"), path);
   body.outline = makeOutline(loops, length, path + "->Geometry");
-  body.conditions = readConditions(list, {file, path}, *body.outline);
+  body.conditions =
+      readConditions(list, {scene.file, path}, *body.outline, {scene.constants});
   readMesh(list.sublist("Mesh"), discretization, path, body);
   return body;
 }
@@ -344,7 +345,7 @@ bem::Vec2 centroidOf(const bem::Outline& outline) {
 }
 
 RigidBody readRigid(const ParameterList& list, const std::string& name,
-                    const std::string& file, const Loops& loops) {
+                    const Scene& scene, const Loops& loops) {
   const std::string path = "Bodies->" + name;
   refuseElasticity(list, path);
   RigidBody body;
@@ -354,7 +355,7 @@ RigidBody readRigid(const ParameterList& list, const std::string& name,
   const ParameterList& motion = list.sublist("Motion");
   const auto function = [&](const std::string& key) {
     return makeExpression(motion.get<std::string>(key),
-                          {file, path + "->Motion->" + key});
+                          {scene.file, path + "->Motion->" + key}, {scene.constants});
   };
   body.x = function("Displacement X");
   body.y = function("Displacement Y");
@@ -383,10 +384,10 @@ void readBodies(ParameterList& list, const ParameterList& discretization, Scene&
     ParameterList& body = list.sublist(item.first);
     const Loops& own = loops[b++];
     if (isRigid(body))
-      scene.rigid.push_back(readRigid(body, item.first, scene.file, own));
+      scene.rigid.push_back(readRigid(body, item.first, scene, own));
     else
       scene.bodies.push_back(
-          readBody(body, item.first, scene.file, own, length, discretization));
+          readBody(body, item.first, scene, own, length, discretization));
   }
   if (scene.bodies.empty())
     throw InputError("Bodies: all bodies are rigid; at least one must be elastic");
@@ -408,8 +409,8 @@ void readHistory(ParameterList& used, Scene& scene) {
   Body& body = scene.bodies.front();
   scene.conditionsAt = [list = ParameterList(used.sublist("Bodies").sublist(body.name)),
                         place = Place{scene.file, "Bodies->" + body.name},
-                        outline = body.outline](double t) {
-    return readConditions(list, place, *outline, t);
+                        outline = body.outline, constants = scene.constants](double t) {
+    return readConditions(list, place, *outline, {constants, t});
   };
   body.conditions = scene.conditionsAt(scene.history.times.back());
 }
@@ -422,6 +423,7 @@ Scene build(const std::string& file, const RawScene& raw) {
   scene.used = Teuchos::rcp(new ParameterList(complete(raw.list, raw.title)));
   ParameterList& used = *scene.used;
 
+  scene.constants = readConstants(used.sublist("Constants"), {file, "Constants"});
   const ParameterList& discretization = used.sublist("Discretization");
   readBodies(used.sublist("Bodies"), discretization, scene);
   readContacts(used.sublist("Contacts"), file, scene);

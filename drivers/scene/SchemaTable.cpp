@@ -106,6 +106,14 @@ void addConditions(Table& table) {
               "traction on the body; without it zero")
               .unit("stress")
               .only("Neumann"),
+          Row(boundary + "->Force X", Kind::Expression,
+              "instead of Traction X: the uniform traction that makes this force on the "
+              "whole boundary, per unit of thickness; in t and constants")
+              .unit("stress length")
+              .only("Neumann"),
+          Row(boundary + "->Force Y", Kind::Expression, "instead of Traction Y, likewise")
+              .unit("stress length")
+              .only("Neumann"),
           Row(boundary + "->Gap", Kind::Expression,
               "distance to the rigid obstacle along the outward normal")
               .unit("length")
@@ -169,7 +177,7 @@ void addSeveralBodies(Table& table) {
               .required(),
           Row(contact + "->Interference", Kind::Expression,
               "overlap along the first side's outward normal, in addition to that of the "
-              "outlines as drawn")
+              "outlines as drawn; alone where Law is Tied")
               .unit("length")
               .standard("0"),
           Row(contact + "->Friction", Kind::List, "how much shear the contact carries"),
@@ -259,6 +267,10 @@ void addOutput(Table& table) {
 const std::vector<Parameter>& parameters() {
   static const Table table = [] {
     Table all;
+    append(all,
+           {Row("Constants", Kind::List, "numbers that all expressions know by name"),
+            Row("Constants-><constant>", Kind::Expression,
+                "a number, or an expression in constants that stand before it")});
     addBody(all);
     addConditions(all);
     addSeveralBodies(all);

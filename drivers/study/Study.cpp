@@ -134,6 +134,7 @@ Study build(const std::string& file, const RawScene& raw) {
   Study study;
   study.title = raw.title;
   study.smallestEigenvalue = list.get<bool>("Smallest Eigenvalue");
+  study.keepSolutions = list.get<bool>("Keep Solutions");
   for (const auto& item : list.sublist("Scenes")) {
     const std::string& name = item.first;
     ParameterList& given = list.sublist("Scenes").sublist(name);
@@ -177,6 +178,10 @@ std::vector<Parameter> makeStudyParameters() {
           Row("Smallest Eigenvalue", Kind::Flag,
               "add the smallest eigenvalue of the stabilised stiffness relative to the "
               "plain one")
+              .standard("false"),
+          Row("Keep Solutions", Kind::Flag,
+              "write all files of a run for every variant, of sweeps too, as `epafi "
+              "fields` wants them")
               .standard("false"),
           Row("Scenes", Kind::List, "the scenes that are solved").required(),
           Row(scene, Kind::List, "a scene, under a name of your choice"),

@@ -28,6 +28,7 @@ struct StudiedScene {
 struct Study {
   std::string title;
   bool smallestEigenvalue = false;  ///< of the stabilised stiffness, wanted as a column
+  bool keepSolutions = false;       ///< a solution.hdf for every variant
   std::vector<StudiedScene> scenes;
   Teuchos::ParameterList used;  ///< complete, scenes by absolute paths: repeats the study
 };

@@ -13,8 +13,9 @@ std::vector<std::string> columns() {
   std::vector<std::string> names = {"scene", "variant"};
   const std::vector<std::string> history = historyColumns();
   names.insert(names.end(), history.begin(), history.end());
-  for (const char* name : {"error", "error_multiplier", "error_energy", "counted",
-                           "effectivity", "sweep_value", "smallest_eigenvalue", "reason"})
+  for (const char* name :
+       {"error", "error_multiplier", "error_energy", "counted", "effectivity",
+        "sweep_value", "smallest_eigenvalue", "reason", "folder"})
     names.emplace_back(name);
   return names;
 }
@@ -56,6 +57,7 @@ void StudyTable::level(const std::string& scene, const Variant& variant,
   more.push_back(known(variant.sweepValue));
   more.push_back(known(studied.smallestEigenvalue));
   more.push_back(levelRow.reason);
+  more.push_back(studied.folder);
   row(scene, variant.name, historyCells(levelRow), more);
 }
 
@@ -68,12 +70,13 @@ void StudyTable::failure(const std::string& scene, const Variant& variant, int l
   more.push_back(known(variant.sweepValue));
   more.push_back(known(smallestEigenvalue));
   more.push_back(reason);
+  more.emplace_back();
   row(scene, variant.name, std::move(cells), more);
 }
 
 void StudyTable::reference(const std::string& scene,
                            const std::vector<std::string>& cells) {
-  row(scene, "reference", cells, std::vector<std::string>(8));
+  row(scene, "reference", cells, std::vector<std::string>(9));
 }
 
 std::string studyHead() {

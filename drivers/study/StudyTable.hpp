@@ -14,6 +14,7 @@ struct StudiedLevel {
   std::optional<TrueError> error;
   bool counted = false;  ///< the error is at least ten times the reference's estimate
   double smallestEigenvalue = std::numeric_limits<double>::quiet_NaN();
+  std::string folder;  ///< with the variant's files, in the study's
 };
 
 /// study.csv: scene, variant, the columns of history.csv, then
@@ -22,6 +23,7 @@ struct StudiedLevel {
 ///   counted                                   1 if the error is far above the reference's
 ///   effectivity                               estimate over the absolute energy-norm error
 ///   sweep_value, smallest_eigenvalue, reason
+///   folder                                    of the variant, in the study's
 ///
 /// seconds_total is CPU time of the variant alone, without the computation of errors.
 /// What is not known is empty; `status` of a variant that failed is "failed", with the

@@ -86,8 +86,10 @@ void addRigidMotions(Problem& problem, Index count, std::mt19937& random) {
   for (Index i = 0; i < problem.normals; ++i)
     admissible.push_back(draw(random, 0, 1));
   const Vector bounds = problem.slipBounds(admissible);
-  for (const double s : bounds)
+  for (const double bound : bounds) {
+    const double s = std::isfinite(bound) ? bound : 1;
     admissible.push_back(0.5 * draw(random, -s, s));
+  }
   for (Index j = 0; j < count; ++j) {
     double sum = 0;
     for (Index i = 0; i < n; ++i)
@@ -109,6 +111,8 @@ Problem randomProblem(const Recipe& recipe, std::mt19937& random) {
                  {draw(random, 0, 1) < 0.2 ? 0.0 : draw(random, 0, recipe.strength)}));
   if (recipe.coupling > 0)
     couple(problem, recipe, random);
+  for (std::size_t t = 0; t < problem.tangentials.size() && recipe.bonded; t += 3)
+    problem.tangentials[t] = contact::Tangential::tied();
   problem.flexibility = randomFlexibility(problem, recipe, random);
   for (Index i = 0; i < problem.size(); ++i) {
     const double value =

@@ -16,7 +16,8 @@ struct Recipe {
   contact::Index rigidMotions = 0;
   /// Degree of the Bernstein polynomials whose elements couple Coulomb's bounds; 0: none.
   int coupling = 0;
-  bool ties = false;  ///< loads and gaps from a few values, many of them zero
+  bool ties = false;    ///< loads and gaps from a few values, many of them zero
+  bool bonded = false;  ///< every third tangential coefficient is of bonded sides
 };
 
 /// Contact-like: D is a logarithmic kernel on random points plus random coupling of

@@ -136,6 +136,36 @@ TEUCHOS_UNIT_TEST(Solver, coulombsThreeIterationsAgree) {
   }
 }
 
+TEUCHOS_UNIT_TEST(Solver, holdsBondedPlacesWhateverTheirForce) {
+  std::mt19937 random(29);
+  int pulling = 0;
+  for (int k = 0; k < 120; ++k) {
+    Recipe recipe;
+    recipe.bonded = true;
+    recipe.law = k % 2 == 0 ? "Tresca" : "Coulomb";
+    recipe.strength = 0.3;
+    recipe.softness = k % 4 < 2 ? 1 : 0.01;
+    recipe.normals = 4 + k % 20;
+    recipe.rigidMotions = k % 3;
+    const Problem problem = randomProblem(recipe, random);
+    for (const auto function : {projection, fischerBurmeister})
+      for (const char* iteration : {"Newton", "Inexact Fixed Point", "Fixed Point"}) {
+        SolverOptions options = with(function);
+        options.coulomb.iteration = iteration;
+        const Solution solution = solve(problem, {}, options);
+        TEST_ASSERT(solution.report.status == Status::Converged);
+        TEST_COMPARE(reference::violation(problem, solution.state), <, 1e-9);
+        const Vector slip = contact::slip(problem, solution.state);
+        for (std::size_t t = 0; t < slip.size(); t += 3) {
+          const Index i = problem.normals + static_cast<Index>(t);
+          TEST_COMPARE(std::abs(slip[t]), <, 1e-9 * problem.flexibility(i, i));
+          pulling += solution.state.multiplier[bem::at(i)] < -0.1 ? 1 : 0;
+        }
+      }
+  }
+  TEST_COMPARE(pulling, >, 500);
+}
+
 TEUCHOS_UNIT_TEST(Solver, fullStepsCycleWithPeriodThreeOnTheClassicalExample) {
   const Problem problem = test::cyclingProblem();
   const Equation equation(problem, contact::projection(), Equation::Bound::Differentiated,

@@ -222,6 +222,8 @@ TEUCHOS_UNIT_TEST(BadInput, aFileThatIsNoSceneSaysSo) {
   TEST_ASSERT(contains(complaintOf("", "scene.yaml"), "empty"));
   TEST_ASSERT(contains(complaintOf("a: 1\nb: 2\n", "scene.yaml"), "YAML"));
   TEST_ASSERT(contains(complaintOf("a:\n  b: [1, 2\n", "scene.yaml"), "YAML"));
+  TEST_ASSERT(
+      contains(complaintOf("a:\n  b:\n    - - 1.0\n", "scene.yaml"), "in brackets"));
   const std::string twice = complaintOf("a:\n  Bodies: 1\n  Bodies: 2\n", "scene.yaml");
   out << twice << "\n";
   TEST_ASSERT(contains(twice, "Bodies") && !contains(twice, "packages"));

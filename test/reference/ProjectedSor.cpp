@@ -104,7 +104,8 @@ double violation(const Problem& problem, const State& state) {
       count(std::min(std::abs(x), std::abs(y)));
     } else {
       const double s = boundOf(problem, state.multiplier, i);
-      count(std::abs(x) - s);
+      if (std::isfinite(s))  // else bonded
+        count(std::abs(x) - s);
       // Slip to one side needs full friction on that side.
       count(std::min(y, s - x));
       count(std::min(-y, s + x));

@@ -2,79 +2,9 @@
 swapped sides, restart, and what is refused."""
 import os
 
-from runs import SCENES, WORK, claim, epafi, finish, fresh, run, scene, table
-
-SIDES = "{bottom, right, top, left}"
-
-
-def parameter(name, kind, value):
-    return '<Parameter name="%s" type="%s" value="%s"/>' % (name, kind, value)
-
-
-def listed(name, *items):
-    return '<ParameterList name="%s">%s</ParameterList>' % (name, "".join(items))
-
-
-def geometry(corners, sides=SIDES):
-    numbers = ", ".join("%.17g" % c for corner in corners for c in corner)
-    return listed("Geometry",
-                  parameter("Vertices", "TwoDArray(double)",
-                            "%dx2:{%s}" % (len(corners), numbers)),
-                  parameter("Edges", "Array(string)", sides))
-
-
-def block(left, bottom, right, top):
-    return [(left, bottom), (right, bottom), (right, top), (left, top)]
-
-
-def condition(boundary, kind, **functions):
-    return listed(boundary, parameter("Type", "string", kind),
-                  *(parameter(key.replace("_", " "), "string", value)
-                    for key, value in functions.items()))
-
-
-def body(name, corners, modulus, conditions="", fix="", mesh="", ratio=0.3):
-    return listed(name,
-                  listed("Material", parameter("Young's Modulus", "double", repr(modulus)),
-                         parameter("Poisson's Ratio", "double", repr(ratio))),
-                  geometry(corners), listed("Boundary Conditions", conditions),
-                  listed("Rigid Motions", parameter("Fix", "Array(string)", fix))
-                  if fix else "", mesh)
-
-
-def mesh(across, up, degree):
-    return listed("Mesh", parameter("Elements per Edge", "Array(int)",
-                                    "{%d, %d, %d, %d}" % (across, up, across, up)),
-                  parameter("Degree", "int", degree))
-
-
-def rigid(name, corners, motion=""):
-    return listed(name, listed("Material", parameter("Rigid", "bool", "true")),
-                  geometry(corners), motion)
-
-
-def friction(coefficient):
-    return listed("Friction", parameter("Law", "string", "Coulomb"),
-                  parameter("Coefficient", "string", coefficient))
-
-
-def contact(name, first, second, more=""):
-    return listed(name, parameter("Between", "Array(string)", "{%s, %s}" % (first, second)),
-                  more)
-
-
-def written(name, bodies, contacts="", form="None", size=0.25, degree=2, more=""):
-    os.makedirs(WORK, exist_ok=True)
-    path = os.path.join(WORK, name + ".xml")
-    with open(path, "w") as file:
-        file.write(listed(name, listed("Bodies", *bodies), listed("Contacts", contacts),
-                          listed("Discretization", parameter("Mesh Size", "double", size),
-                                 parameter("Degree", "int", degree),
-                                 BIORTHOGONAL if form == "None" else listed(
-                                     "Stabilization", parameter("Form", "string", form))),
-                          more))
-    return path
-
+from runs import WORK, claim, epafi, finish, fresh, run, scene, table
+from written import (block, body, condition, contact, friction, geometry, listed, mesh,
+                     parameter, rigid, written)
 
 def imbalance(name):
     """Of the worst body, relative to its largest resultant."""
@@ -90,9 +20,6 @@ def imbalance(name):
 def largest(values):
     return max(abs(value) for value in values)
 
-
-# without stabilisation a basis that is stable by itself
-BIORTHOGONAL = parameter("Multiplier", "string", "Biorthogonal")
 
 PRESS = condition("top", "Neumann", Traction_Y="-1")
 ROLLER = condition("bottom", "Dirichlet", Displacement_Y="0")
@@ -255,4 +182,15 @@ refused("a body without hold", [A, B, body("d", block(3, 0, 4, 1), 1.0)],
 refused("an interference that is no number", [A, B],
         contact("c", "a:bottom", "b:top", parameter("Interference", "string", "1/0")),
         "Interference")
+
+# a force on one of the bodies, from a constant
+TOP = "Bodies->pad->Boundary Conditions->top"
+run(scene("two-blocks.xml"), "force", [
+    "Constants->push=0.0075", TOP + "={Type=Neumann, Force X=0.2*push, Force Y=-2*push*t}",
+    "Bodies->pad->Geometry->Vertices=4x2:{-0.5,0, 0.5,0, 0.25,0.5, -0.5,0.5}"])
+for row in table(os.path.join(WORK, "force", "bodies.csv")):
+    if row["body"] == "pad":
+        claim(abs(float(row["load_x"]) - 0.0015) < 1e-15 and
+              abs(float(row["load_y"]) + 0.015) < 1e-15, "the load is the force")
+claim(imbalance("force") < 1e-10, "and the bodies balance")
 finish()

@@ -106,13 +106,17 @@ claim(of("unconverged")[0]["status"] == "not converged" and of("unconverged")[0]
 claim([row["status"] for row in rows if row["variant"].startswith("sweep")] ==
       ["converged", "converged", "failed"], "a sweep has a row per value")
 for name in ("convergence", "time", "contact_stress", "work-precision", "exponential",
-             "effectivity", "sweep"):
+             "effectivity", "sweep", "sweep_forces", "sweep_contact"):
     for ending in (".png", ".svg"):
         picture = os.path.join(folder, name + ending)
         claim(os.path.isfile(picture) and os.path.getsize(picture) > 5000,
               name + ending + " is drawn")
 claim(os.path.isfile(os.path.join(folder, "uniform_h", "mesh.png")),
       "and a variant's own pictures")
+swept = [row for row in rows if row["variant"].startswith("sweep") and row["folder"]]
+claim(len(swept) == 2 and all(sorted(os.listdir(os.path.join(folder, row["folder"]))) ==
+                              ["contact.csv", "used.xml"] for row in swept),
+      "a value of a sweep keeps its contact: " + swept[0]["folder"])
 
 # --quiet draws, and says nothing; pictures that cannot be drawn are told
 sweep = study("sweep", HOPELESS[HOPELESS.index('    <ParameterList name="sweep">'):])
@@ -127,6 +131,17 @@ with open(sweep, "w") as stream:
 os.makedirs(os.path.join(fresh("undrawn"), "sweep.png"))
 code, text = epafi("study", sweep, "--output", os.path.join(WORK, "undrawn"))
 claim(code == 1 and "cannot be drawn" in text, "pictures that fail end with 1 (exit %d)" % code)
+
+# solutions of a sweep, if asked for
+with open(sweep, "w") as stream:
+    stream.write(good.replace('<ParameterList name="Scenes">', """<Parameter name="Keep Solutions"
+      type="bool" value="true"/><ParameterList name="Scenes">""", 1))
+kept = fresh("kept")
+code, text = epafi("study", sweep, "--output", kept, "--quiet")
+value = os.path.join(kept, table(os.path.join(kept, "study.csv"))[-1]["folder"])
+code, text = epafi("fields", value, "--grid", "3,3")
+claim(code == 0 and os.path.isfile(os.path.join(value, "fields.csv")),
+      "fields of a value of a sweep: " + text.strip())
 
 # the reference is kept and met again to the last bit
 code, text = epafi("study", file, "--output", folder)

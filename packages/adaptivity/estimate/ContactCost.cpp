@@ -32,7 +32,8 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
   const ContactProfiles profiles = contactProfiles(solved, element, {});
   const bem::Rule& rule = bem::gaussLegendre(p + 10);
   double steepest = 0;
-  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+  // the jump of bonded sides is not the multiplier's to change
+  for (std::size_t q = 0; q < rule.points.size() && !element.ties(); ++q) {
     const double t = rule.points[q];
     points_.push_back({geometry.curve.normal(t), rule.weights[q] * geometry.half,
                        endValue(p, -t) / geometry.half, endValue(p, t) / geometry.half,

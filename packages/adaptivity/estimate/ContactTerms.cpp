@@ -99,7 +99,9 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
     const auto met = opposite.at(element, t);
     return met.gap + dot(motion(met), across(t)) - normal(t);
   };
-  const Polynomial own = component(along, solved.displacementBefore);
+  // the whole jump of bonded sides is an error, not what a step adds to it
+  const Polynomial own =
+      component(along, element.ties() ? nullptr : solved.displacementBefore);
   const auto tangential = [&opposite, &element, along, own, motion](double t) {
     return own(t) - dot(motion(opposite.at(element, t)), along(t));
   };
@@ -115,7 +117,8 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
           p,
           geometry.half,
           opposite.breaks(element),
-          std::max(p, opposite.degree(element))};
+          std::max(p, opposite.degree(element)),
+          element.ties()};
 }
 
 namespace {
@@ -148,9 +151,24 @@ Contributions terms(const ContactProfiles& c, const Vector& breaks,
   return squares;
 }
 
+/// The jump of bonded sides, which ought to vanish.
+Contributions jump(const ContactProfiles& c) {
+  const bem::Rule rule = bem::piecewiseRule(c.nodes, c.highest + 6);
+  Contributions squares{};
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    const double across = c.opening(rule.points[q]);
+    const double along = c.tangential(rule.points[q]);
+    of(squares, Source::Penetration) +=
+        rule.weights[q] * 0.5 * c.degree * (across * across + along * along);
+  }
+  return squares;
+}
+
 }  // namespace
 
 Contributions contactTerms(const ContactProfiles& profiles) {
+  if (profiles.tied)
+    return jump(profiles);
   return terms(
       profiles, breaks(profiles),
       [](double pressure, double opening) { return pressure * opening; },
@@ -161,6 +179,8 @@ Contributions contactTerms(const ContactProfiles& profiles) {
 }
 
 Contributions sharpContactTerms(const ContactProfiles& profiles, double shearModulus) {
+  if (profiles.tied)
+    return jump(profiles);
   const double stiffness = shearModulus * profiles.degree / (2 * profiles.half);
   return terms(
       profiles, sharpBreaks(profiles, stiffness),

@@ -39,6 +39,7 @@ struct ContactProfiles {
   double half;           ///< of the element's length
   Vector nodes{};        ///< of what is met, in (-1, 1)
   int highest = degree;  ///< degree of the displacements, that of what is met included
+  bool tied = false;     ///< are the sides bonded?
 };
 
 /// Of λʰ + valueAt(correction); s is that of its pressure.
@@ -50,7 +51,8 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
 ///   ∫ λₙ⁺ (g-uₙ)⁺,  p/h |(g-uₙ)⁻|²,  h/p |λₙ⁻|²,  h/p |(|λₜ|-s)⁺|²,
 ///   ∫ (s-|λₜ|)⁺ |uₜ| + |λₜ||uₜ| - λₜuₜ                                   [P sec. 8]
 ///
-/// The rule breaks wherever one of the signs changes.
+/// The rule breaks wherever one of the signs changes.  Bonded sides have
+/// p/h (|g-uₙ|² + |uₜ|²) in the second place, and nothing else.
 Contributions contactTerms(const ContactProfiles& profiles);
 
 /// The same with smaller terms for the first and the last, in the scaled norms of

@@ -5,6 +5,8 @@ namespace epafi::adaptivity {
 PointState pointState(const contact::MultiplierSpace& multiplier,
                       const contact::MultiplierSpace::ContactElement& element, int i,
                       const contact::ContactState& states) {
+  if (element.ties())
+    return {contact::NormalState::Closed, contact::FrictionState::Stick};
   PointState state{states.normal[static_cast<std::size_t>(element.normalOf(i))],
                    contact::FrictionState::None};
   const bool idle = state.normal == contact::NormalState::Open &&

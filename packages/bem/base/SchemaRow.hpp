@@ -47,7 +47,7 @@ std::string typeName(Kind kind);
 /// One key of a part's list: what Teuchos' valid parameters say and what they cannot, the
 /// unit, whether it is required, under which siblings it exists.
 ///
-/// The names in `path` are literal except for <body>, <boundary>, which stand for any
+/// The names in `path` are literal except for <body>, <constant>, which stand for any
 /// name, and <k>, which stands for 1, 2, ...
 struct SchemaRow {
   std::string path;  ///< A->B->Key, from the list that the table is for

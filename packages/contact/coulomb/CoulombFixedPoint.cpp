@@ -14,7 +14,8 @@ constexpr double smallestDamping = 1.0 / 64;
 double largestDifference(const Vector& a, const Vector& b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
-    largest = std::max(largest, std::abs(a[i] - b[i]));
+    if (a[i] != b[i])  // both are infinite where sides are bonded
+      largest = std::max(largest, std::abs(a[i] - b[i]));
   return largest;
 }
 
@@ -25,8 +26,9 @@ double largestDifference(const Vector& a, const Vector& b) {
 Solution CoulombFixedPoint::firstBound(const Problem& problem, const State& start) const {
   constexpr int steps = 5;
   const Vector bounds = problem.slipBounds(start.multiplier);
-  const bool slippery =
-      std::all_of(bounds.begin(), bounds.end(), [](double s) { return s <= 0; });
+  const bool slippery = std::all_of(bounds.begin(), bounds.end(), [](double s) {
+    return s <= 0 || !std::isfinite(s);  // infinite where sides are bonded
+  });
   if (problem.rigidMotions() == 0 || !slippery)
     return {start, {}};
   const NewtonCourse course(problem, start, tresca_, Equation::Bound::Lagged);
@@ -64,8 +66,7 @@ Solution CoulombFixedPoint::updates(const Problem& problem, const State& start,
   double damping = 1;
   double change = 0;
   for (int k = 1; k <= options_.maximumIterations; ++k) {
-    for (std::size_t t = 0; t < bounds.size(); ++t)
-      tresca.tangentials[t] = {problem.tangentials[t].normal(), PointLaw(bounds[t])};
+    tresca = withSlipBounds(problem, bounds);
     solution = update(tresca, std::move(solution));
 
     const Evaluation e = coulomb.at(pack(problem, solution.state));
@@ -83,7 +84,8 @@ Solution CoulombFixedPoint::updates(const Problem& problem, const State& start,
       result.globalised = true;
     }
     for (std::size_t t = 0; t < bounds.size(); ++t)
-      bounds[t] += damping * (e.bounds[t] - bounds[t]);
+      if (e.bounds[t] != bounds[t])
+        bounds[t] += damping * (e.bounds[t] - bounds[t]);
   }
   solution.report.status = Status::NotConverged;
   solution.report.stages.push_back({Stage::FixedPoint, 0, change, End::Unsettled});

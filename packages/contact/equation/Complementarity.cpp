@@ -39,6 +39,8 @@ double oneMinusCosine(double x, double y, double h) {
 
 Phi fischer(double a, double b) {
   const double h = std::hypot(a, b);
+  if (std::isinf(a))
+    return {b, 0, 1};
   if (h == 0) {
     const double slope = 1 - std::sqrt(0.5);  // the limit along a = b > 0
     return {0, slope, slope};

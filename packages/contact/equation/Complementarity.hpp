@@ -12,7 +12,8 @@ namespace epafi::contact {
 ///   normal:       λ ≥ 0,  y ≤ 0,  λ y = 0
 ///   tangential:   |λ| ≤ s,  |λ| < s ⇒ y = 0,  λ = ± s ⇒ ± y ≥ 0
 ///
-/// F is semismooth, grows with λ, falls with y; s = 0 is allowed and means λ = 0.
+/// F is semismooth, grows with λ, falls with y; s = 0 is allowed and means λ = 0, s = ∞ means
+/// y = 0.
 struct Complementarity {
   /// F and one element of its generalised gradient, a limit of gradients from nearby.
   struct Value {

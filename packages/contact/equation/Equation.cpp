@@ -179,7 +179,8 @@ void Equation::measure(Evaluation& e, const Vector& magnitude) const {
     const double natural =
         projection == trial ? -entry(e.penetration, i) : multiplier - projection;
     e.natural.push_back(natural);
-    count(natural, rounding * (entry(magnitude, i) + std::abs(multiplier) + bound));
+    const double finite = std::isfinite(bound) ? bound : 0;  // infinite where bonded
+    count(natural, rounding * (entry(magnitude, i) + std::abs(multiplier) + finite));
   }
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {
     const double* g = problem_.rigid.column(j);

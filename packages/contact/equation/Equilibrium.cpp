@@ -53,8 +53,10 @@ std::vector<Vector> cone(const Problem& problem, const Vector& scales, bool fric
   };
   for (Index i = 0; i < problem.normals; ++i)
     add(i, -1, 0);
-  for (std::size_t t = 0; t < problem.tangentials.size() && friction; ++t) {
+  for (std::size_t t = 0; t < problem.tangentials.size(); ++t) {
     const Tangential& tangential = problem.tangentials[t];
+    if (!friction && !tangential.isTied())
+      continue;
     const Index i = problem.normals + static_cast<Index>(t);
     const double slope = tangential.steepest();
     for (const double sign : {-1.0, 1.0}) {

@@ -2,6 +2,7 @@
 
 #include "contact/law/CappedCoulombLaw.hpp"
 #include "contact/law/CoulombLaw.hpp"
+#include "contact/law/TiedLaw.hpp"
 #include "contact/law/TrescaLaw.hpp"
 
 #include <Teuchos_ParameterList.hpp>
@@ -44,6 +45,7 @@ bem::Family<FrictionLawMember>& frictionLaws() {
                           member<TrescaLaw>("Tresca"),
                           member<CoulombLaw>("Coulomb"),
                           member<CappedCoulombLaw>("Capped Coulomb"),
+                          member<TiedLaw>("Tied"),
                       });
   return laws;
 }

@@ -34,6 +34,10 @@ class FrictionLaw {
   virtual double slope(double pressure, const Vector& fields) const = 0;
 
   virtual bool dependsOnPressure() const { return true; }
+
+  /// Are the sides bonded?  Then the bound is infinite, the normal stress may have any sign,
+  /// and what the condition adds to the gap is a given jump.
+  virtual bool ties() const { return false; }
 };
 
 /// A law's row in the table of laws.
@@ -45,7 +49,7 @@ struct FrictionLawMember {
   std::function<std::shared_ptr<const FrictionLaw>(const Teuchos::ParameterList&)> make;
 };
 
-/// All laws: None, Tresca, Coulomb, and what a program adds.
+/// All laws: None, Tresca, Coulomb, Tied, and what a program adds.
 bem::Family<FrictionLawMember>& frictionLaws();
 
 /// Law, and under each law its own keys.
@@ -85,6 +89,7 @@ struct Friction {
   std::vector<bem::Function> fields;
 
   explicit operator bool() const { return law != nullptr; }
+  bool ties() const { return law != nullptr && law->ties(); }
   Vector fieldsAt(bem::Vec2 place) const;
   PointLaw at(bem::Vec2 place, double stress) const {
     return law == nullptr ? PointLaw() : PointLaw(law, fieldsAt(place), stress);

@@ -97,11 +97,11 @@ std::optional<std::size_t> MultiplierSpace::follower(std::size_t k) const {
 
 void MultiplierSpace::number() {
   const auto assign = [&](Index ContactElement::*first, Index ContactElement::*last,
-                          EndCoefficients ContactElement::*ends) {
+                          EndCoefficients ContactElement::*ends, const auto& belongs) {
     bool isOpen = false;  // the last coefficient is the next element's first
     for (std::size_t k = 0; k < elements_.size(); ++k) {
       ContactElement& element = elements_[k];
-      if (element.*first < 0)
+      if (!belongs(element))
         continue;
       element.*first = isOpen ? size_ - 1 : size_;
       const auto behind = follower(k);
@@ -114,11 +114,17 @@ void MultiplierSpace::number() {
               (closes ? 0 : 1);
     }
   };
-  assign(&ContactElement::normal, &ContactElement::normalLast,
-         &ContactElement::normalEnds);
+  const auto normals = [&](const auto& belongs) {
+    assign(&ContactElement::normal, &ContactElement::normalLast,
+           &ContactElement::normalEnds, belongs);
+  };
+  const auto ties = [](const ContactElement& element) { return element.ties(); };
+  normals([&](const ContactElement& element) { return !ties(element); });
   normals_ = size_;
+  normals(ties);
   assign(&ContactElement::tangential, &ContactElement::tangentialLast,
-         &ContactElement::tangentialEnds);
+         &ContactElement::tangentialEnds,
+         [](const ContactElement& element) { return element.tangential >= 0; });
 }
 
 Index MultiplierSpace::ContactElement::offset(EndCoefficients ends, int i) const {

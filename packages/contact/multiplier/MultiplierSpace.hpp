@@ -36,8 +36,8 @@ struct EndCompletion {
 
 /// The numbering of the multiplier: on each contact element of degree p, p+1 normal
 /// coefficients and, where there is friction, p+1 tangential ones.  No unknown exists
-/// that the scene does not need.                                              [P (12),
-/// (14), q = p]
+/// that the scene does not need.  The normal ones of bonded sides, which may have any sign,
+/// count among the tangential ones, before them.               [P (12), (14), q = p]
 ///
 /// Under a basis that shares nodes, neighbours on one smooth side have their common
 /// node's coefficient in common, all around a closed one.  At a side's end a coefficient exists only if the
@@ -63,6 +63,9 @@ class MultiplierSpace {
     EndCoefficients tangentialEnds;
     std::array<EndCompletion, 2> normalCompletions;  ///< at the first end, at the last
     std::array<EndCompletion, 2> tangentialCompletions;
+
+    /// Are the sides bonded?
+    bool ties() const { return condition->friction.ties(); }
 
     /// Numbers of the coefficients of the basis functions i = 0 ... degree.
     Index normalOf(int i) const {
@@ -95,6 +98,7 @@ class MultiplierSpace {
 
   const MultiplierBasis& basis() const { return *basis_; }
   const std::vector<ContactElement>& elements() const { return elements_; }
+  /// How many coefficients are pressures, which are the first ones.
   Index normals() const { return normals_; }
   Index size() const { return size_; }
 

@@ -19,9 +19,11 @@ Evaluation bonded(const Problem& problem, Evaluation e) {
   for (std::size_t t = 0; t < problem.tangentials.size(); ++t) {
     const Tangential& tangential = problem.tangentials[t];
     const std::size_t i = at(problem.normals) + t;
+    if (!tangential.followsPressure() || !tangential.carries())
+      continue;
     const bool closed =
         e.unknowns[at(tangential.normal())] + e.penetration[at(tangential.normal())] > 0;
-    if (!closed || !tangential.followsPressure() || !tangential.carries())
+    if (!closed)
       continue;
     e.rows[i] = {-e.penetration[i], 0, -1, 0};
     e.residual[i] = -e.penetration[i];

@@ -23,7 +23,10 @@ class Sweeper {
     for (Index j = 0; j < problem.rigidMotions(); ++j)
       add(problem.rigid.column(j), x_[at(problem.size() + j)]);
     for (std::size_t t = 0; t < problem.tangentials.size(); ++t)
-      tangentials_[at(problem.tangentials[t].normal())].push_back(static_cast<Index>(t));
+      (problem.tangentials[t].isTied()
+           ? tied_
+           : tangentials_[at(problem.tangentials[t].normal())])
+          .push_back(static_cast<Index>(t));
   }
 
   const Vector& unknowns() const { return x_; }
@@ -31,6 +34,8 @@ class Sweeper {
   void pairOfSweeps() {
     for (Index i = 0; i < problem_.normals; ++i)
       relaxPoint(i);
+    for (const Index t : tied_)
+      relax(problem_.normals + t, [](double trial) { return trial; });
     for (Index i = problem_.normals; i-- > 0;)
       relaxPoint(i);
   }
@@ -64,6 +69,7 @@ class Sweeper {
   Vector x_;
   Vector r_;
   std::vector<std::vector<Index>> tangentials_;  // of each normal coefficient
+  std::vector<Index> tied_;
 };
 
 }  // namespace

@@ -26,6 +26,8 @@ ContactFields::ContactFields(const Solved& solved)
       tolerance_(stateTolerance * solved.problem.numbers().stress) {}
 
 double ContactFields::closing(const Element& element, double t) const {
+  if (element.ties())
+    return tolerance_;
   return multiplierSpace().at(multiplier_, element, t).normal - tolerance_;
 }
 
@@ -34,7 +36,7 @@ double ContactFields::discreteBound(const Element& element, double t) const {
 }
 
 double ContactFields::slipping(const Element& element, double t) const {
-  if (element.tangential < 0)
+  if (element.tangential < 0 || element.ties())
     return -tolerance_;
   const double bound = multiplierSpace().at(bounds_, element, t).tangential;
   if (bound <= tolerance_)
@@ -63,7 +65,9 @@ ContactPoint ContactFields::at(const Element& element, double t) const {
   if (element.tangential >= 0) {
     point.bound = units_.stress *
                   condition.friction.at(point.place, units_.stress).bound(stress.normal);
-    if (space.at(bounds_, element, t).tangential > tolerance_)
+    if (element.ties())
+      point.friction = FrictionKind::Stick;
+    else if (space.at(bounds_, element, t).tangential > tolerance_)
       point.friction =
           slipping(element, t) > 0 ? FrictionKind::Slip : FrictionKind::Stick;
   }

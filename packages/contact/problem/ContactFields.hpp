@@ -27,7 +27,8 @@ struct ContactPoint {
 /// The discrete solution as functions on the contact boundaries.
 ///
 /// States follow the discrete inequalities: closed where λₙ > 0, slip where |λₜ| reaches
-/// the bound as the multiplier's basis represents it, both within 1e-9 of the load.
+/// the bound as the multiplier's basis represents it, both within 1e-9 of the load.  Bonded
+/// places are closed and stick, with an infinite bound.
 /// Refers to its arguments, which must outlive it.
 class ContactFields {
  public:

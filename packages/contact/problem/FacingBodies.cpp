@@ -64,7 +64,7 @@ Opposite::Point FacingBodies::at(const ContactElement& element, double t) const 
   const auto found = crossing(own.point(t) + side.shift, own.normal(t), side.curves[k]);
   if (!found)
     return point;
-  point.gap = found->distance;
+  point.gap = element.ties() ? 0 : found->distance;
   if (element.condition->gap)
     point.gap +=
         element.condition->gap(mesh_.physicalPoint(element.element, t)) / length_;

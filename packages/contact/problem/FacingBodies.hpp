@@ -26,8 +26,9 @@ struct MetSide {
 /// What the contact sides of a body meet where a scene has several: the outlines of other
 /// bodies, found along the side's normals, and obstacles at a distance elsewhere.
 ///
-/// The gap is the distance along the normal plus what the condition adds; breaks are the feet
-/// of the nodes opposite.                            [doc/theory/contact.md, Several bodies]
+/// The gap is the distance along the normal plus what the condition adds, the latter alone
+/// where sides are bonded: as they are drawn.  Breaks are the feet of the nodes opposite.
+///                                                    [doc/theory/contact.md, Several bodies]
 class FacingBodies final : public Opposite {
  public:
   /// \param met by the contacts' names.  Refers to the mesh.

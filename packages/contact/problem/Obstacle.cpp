@@ -40,18 +40,20 @@ void addGap(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
     for (int q = 0; q < rule.size(); ++q) {
       const double t = middle + half * rule.points[q];
       const Opposite::Point met = opposite.at(contact, t);
-      const double gap = met.gap;
+      const double gap = contact.ties() ? 0 : met.gap;
+      const Vec2 motion =
+          contact.ties() ? met.motion + met.gap * element.curve.normal(t) : met.motion;
       obstacle.largestPenetration = std::max(obstacle.largestPenetration, -gap);
-      obstacle.largestMotion = std::max(obstacle.largestMotion, norm(met.motion));
+      obstacle.largestMotion = std::max(obstacle.largestMotion, norm(motion));
       const Vector chi = multiplier.basis().values(contact.degree, t);
-      for (int i = 0; i <= contact.degree; ++i)
+      for (int i = 0; i <= contact.degree && gap != 0; ++i)
         if (!isClamped(contact.normalCompletions, contact.degree, i))
           obstacle.gap[static_cast<std::size_t>(contact.normalOf(i))] +=
               half * rule.weights[q] * element.half * gap *
               chi[static_cast<std::size_t>(i)];
-      if (met.motion != Vec2{})
+      if (motion != Vec2{})
         addMotion(contact, chi, element.curve.tangent(t),
-                  half * rule.weights[q] * element.half * met.motion, obstacle);
+                  half * rule.weights[q] * element.half * motion, obstacle);
     }
 }
 
@@ -67,6 +69,16 @@ Vector fieldsAt(const ContactElement& contact, Vec2 x) {
 
 void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
                  const ContactElement& contact, bem::Units units, Obstacle& obstacle) {
+  const auto tangential = [&](Index k) -> Tangential& {
+    return obstacle.tangentials[static_cast<std::size_t>(k - multiplier.normals())];
+  };
+  if (contact.ties()) {
+    for (int i = 0; i <= contact.degree; ++i) {
+      tangential(contact.normalOf(i)) = Tangential::tied();
+      tangential(contact.tangentialOf(i)) = Tangential::tied();
+    }
+    return;
+  }
   std::vector<Index> normals;
   for (int i = 0; i <= contact.degree; ++i)
     normals.push_back(contact.normalOf(i));
@@ -76,8 +88,7 @@ void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
       units.stress);
   for (int i = 0; i <= contact.degree; ++i)
     if (ContactElement::isOwn(contact.tangentialEnds, contact.degree, i))
-      obstacle.tangentials[static_cast<std::size_t>(contact.tangentialOf(i) -
-                                                    multiplier.normals())] =
+      tangential(contact.tangentialOf(i)) =
           std::move(tangentials[static_cast<std::size_t>(i)]);
 }
 

@@ -10,7 +10,8 @@ namespace epafi::contact {
 /// g_i = <g, χ_i>, dimensionless, and what limits the tangential coefficients.
 struct Obstacle {
   Vector gap;  ///< per normal coefficient
-  /// <d_i · u, χ_i> of what moves without deforming, per coefficient.
+  /// <d_i · u, χ_i> of what moves without deforming, per coefficient, the given jump of
+  /// bonded sides included.
   Vector motion;
   std::vector<Tangential> tangentials;
   double largestPenetration = 0;  ///< max of -g

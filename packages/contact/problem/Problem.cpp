@@ -82,8 +82,9 @@ Problem withSlipBounds(const Problem& problem, const Vector& bounds) {
   assert(bounds.size() == problem.tangentials.size());
   Problem fixed = problem.copy();
   for (std::size_t t = 0; t < bounds.size(); ++t)
-    fixed.tangentials[t] =
-        Tangential(problem.tangentials[t].normal(), PointLaw(bounds[t]));
+    if (!problem.tangentials[t].isTied())
+      fixed.tangentials[t] =
+          Tangential(problem.tangentials[t].normal(), PointLaw(bounds[t]));
   return fixed;
 }
 

@@ -18,6 +18,8 @@ namespace epafi::contact {
 ///   λₙ ≥ 0,  rₙ ≤ 0,  λₙ rₙ = 0
 ///   |λₜ| ≤ s,  |λₜ| < s ⇒ rₜ = 0,  λₜ = ± s ⇒ ± rₜ ≥ 0,   s = s(λₙ) ≥ 0, see Tangential
 ///
+/// Both components of a bonded place count as tangential ones, s = ∞.
+///
 /// D is symmetric and positive semidefinite, positive definite on {Gᵀ λ = 0} at least.
 struct Problem {
   Index normals = 0;

@@ -100,7 +100,7 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
   if (element.tangential < 0)
     return;
   summary.forceTangential += half * integrate(tangential, bem::gaussLegendre(p + 1));
-  if (solved.displacementBefore == nullptr)
+  if (solved.displacementBefore == nullptr && !element.ties())
     summary.energyFriction += half * frictionWork(fields, element);
   summary.slipLength +=
       half * positivePart([&](double t) { return fields.slipping(element, t); }, p);

@@ -95,6 +95,8 @@ Tangential::Linear Tangential::linear(const Vector& pressures) const {
 }
 
 double Tangential::bound(const Vector& pressures) const {
+  if (isTied())
+    return std::numeric_limits<double>::infinity();
   const double own = positive(pressures, normal_);
   if (element_ == nullptr)
     return factor_ * law_.bound(own);
@@ -109,6 +111,8 @@ double Tangential::bound(const Vector& pressures) const {
 }
 
 std::vector<NormalShare> Tangential::slopes(const Vector& pressures) const {
+  if (isTied())
+    return {};
   const double own = positive(pressures, normal_);
   Linear result;
   if (element_ == nullptr) {
@@ -148,7 +152,7 @@ bool Tangential::followsPressure() const {
 }
 
 bool Tangential::carries() const {
-  return largest([](const PointLaw& law) { return law.bound(1); }) > 0;
+  return isTied() || largest([](const PointLaw& law) { return law.bound(1); }) > 0;
 }
 
 double Tangential::steepest() const {
@@ -156,6 +160,8 @@ double Tangential::steepest() const {
 }
 
 double Tangential::boundWithoutPressure() const {
+  if (isTied())
+    return std::numeric_limits<double>::infinity();
   return largest([](const PointLaw& law) { return law.bound(0); });
 }
 
@@ -167,6 +173,8 @@ Tangential Tangential::uncoupled() const {
 
 Tangential Tangential::shifted(Index normals) const {
   Tangential result = *this;
+  if (isTied())
+    return result;
   result.normal_ += normals;
   if (element_) {
     std::vector<Index> shifted = element_->normals;

@@ -3,6 +3,7 @@
 #include "contact/law/FrictionLaw.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -44,10 +45,17 @@ class Tangential {
         place_(i),
         element_(std::move(element)) {}
 
+  /// Either component of a bonded place: held, with any force.
+  static Tangential tied() { return {none, {}}; }
+  bool isTied() const { return normal_ == none; }
+
+  /// \pre not tied.
   Index normal() const { return normal_; }
   /// All normal coefficients that the bound may follow.
   std::vector<Index> normals() const {
-    return element_ ? element_->normals : std::vector<Index>{normal_};
+    return element_   ? element_->normals
+           : isTied() ? std::vector<Index>{}
+                      : std::vector<Index>{normal_};
   }
 
   /// s >= 0; `pressures` begins with those of all normal coefficients.
@@ -83,6 +91,7 @@ class Tangential {
   template <class Of>
   double largest(const Of& of) const;
 
+  static constexpr Index none = std::numeric_limits<Index>::min();
   Index normal_ = 0;
   PointLaw law_;
   double factor_ = 1;  // m

@@ -64,11 +64,12 @@ class Method {
     for (Index i = 0; i < n_; ++i) {
       const bool normal = i < problem_.normals;
       const double bound = normal ? problem_.stress : bounds[at(i - problem_.normals)];
-      lower_.slack[at(i)] = bound;
+      const double distance = std::isfinite(bound) ? bound : 0;
+      lower_.slack[at(i)] = distance;
       if (normal)
-        unknowns_[at(i)] = bound;
+        unknowns_[at(i)] = distance;
       else
-        upper_.slack[at(i)] = bound;
+        upper_.slack[at(i)] = distance;
       if (bound > 0)
         free_.push_back(i);
     }
@@ -122,7 +123,7 @@ class Method {
                  (side->dual[i] + step * side->dualChange[i]);
           count += 1;
         }
-    return sum / count;
+    return count > 0 ? sum / count : 0;
   }
 
   /// D + z/s of both sides, with the balance's own stiffness: Cholesky and the Schur

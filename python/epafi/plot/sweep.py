@@ -1,7 +1,15 @@
-"""sweep: dependence on one parameter of a study."""
+"""sweep, sweep_forces, sweep_contact: dependence on one parameter of a study."""
+import os
+
 import numpy as np
 
-from figures import plt, style_of
+from epafi.plot import overlay
+from epafi.plot.figures import plt, style_of
+from epafi.tables import read
+
+FORCES = [("force_normal", "normal force"), ("force_tangential", "tangential force"),
+          ("contact_length", "length in contact"), ("slip_length", "length that slips")]
+SHOWN = 9  # values whose stresses are overlaid
 
 
 def sweep_names(study):
@@ -78,3 +86,48 @@ def draw(study, title, pictures):
     axes[-1, 0].set_xlabel(key)
     estimate.set_title("%s: dependence on %s" % (title, key))
     pictures.save(figure, "sweep")
+    draw_forces(study, value, ends, families, key, title, pictures)
+    draw_contact(study, value, ends, families, key, title, pictures)
+
+
+def draw_forces(study, value, ends, families, key, title, pictures):
+    figure, axes = plt.subplots(2, 2, figsize=(9.5, 6.4), sharex=True)
+    for cell, (column, text) in zip(axes.flat, FORCES):
+        numbers = study.numbers(column)
+        for k, family in enumerate(dict.fromkeys(families[ends])):
+            here = np.flatnonzero(ends & (families == family) & np.isfinite(numbers))
+            here = here[np.argsort(value[here])]
+            cell.plot(value[here], numbers[here], label=family, **style_of(k))
+        cell.set_ylabel(text)
+        cell.margins(y=0.15)
+        shown, sizes = numbers[ends], np.abs([study.numbers(name)[ends] for name, _ in FORCES[:2]])
+        if column.startswith("force") and np.nanmax(shown) - np.nanmin(shown) < 1e-9 * np.nanmax(sizes):
+            middle, span = np.nanmean(shown), np.nanmax(sizes)  # no axis of rounding
+            cell.set_ylim(middle - 0.1 * span, middle + 0.1 * span)
+    set_scale(axes[0, 0], "x", value[ends])
+    for cell in axes[1]:
+        cell.set_xlabel(key)
+    axes[0, 1].legend(loc="upper left", bbox_to_anchor=(1, 1))
+    figure.suptitle("%s: contact against %s" % (title, key))
+    figure.tight_layout()
+    pictures.save(figure, "sweep_forces")
+
+
+def draw_contact(study, value, ends, families, key, title, pictures):
+    """Pressure and shear for the values, a picture per scene and variant."""
+    if "folder" not in study:
+        return
+    names = list(dict.fromkeys(families[ends]))
+    for number, family in enumerate(names, 1):
+        here = np.flatnonzero(ends & (families == family))
+        here = here[np.argsort(value[here])]
+        tables = [(value[row], read(os.path.join(pictures.folder, str(study["folder"][row])),
+                                    "contact.csv")) for row in here if study["folder"][row]]
+        tables = [(x, table) for x, table in tables if table]
+        if not tables:
+            continue
+        chosen = sorted({round(k) for k in np.linspace(0, len(tables) - 1, SHOWN)})
+        overlay.draw([tables[k][1] for k in chosen],
+                     ["%s = %g" % (key, tables[k][0]) for k in chosen],
+                     "%s: %s" % (title, family),
+                     "sweep_contact" if len(names) == 1 else "sweep_contact_%d" % number, pictures)

@@ -4,7 +4,7 @@ import math
 import numpy as np
 from matplotlib.lines import Line2D
 
-from figures import equal_axes, plt, shape_of
+from epafi.plot.figures import equal_axes, plt, shape_of
 
 
 def round_down(value):

@@ -3,7 +3,7 @@ import math
 
 import numpy as np
 
-from figures import plt
+from epafi.plot.figures import plt
 
 
 def chains(contact):

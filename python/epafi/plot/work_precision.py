@@ -1,6 +1,6 @@
 """work-precision: the true error of each variant against CPU time."""
-from figures import plain_ticks, plt, style_of
-from variants import ERROR
+from epafi.plot.figures import plain_ticks, plt, style_of
+from epafi.plot.variants import ERROR
 
 
 def draw(study, scenes, title, pictures):

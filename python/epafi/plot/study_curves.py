@@ -1,6 +1,6 @@
 """convergence, time and contact_stress of a study: estimate and true errors of each variant."""
-from figures import loglog, plain_ticks, style_of
-from variants import ERROR, study_figure
+from epafi.plot.figures import loglog, plain_ticks, style_of
+from epafi.plot.variants import ERROR, study_figure
 
 DOF, SECONDS = ("dof", "degrees of freedom"), ("seconds_total", "CPU seconds, all threads")
 ERRORS = [("estimate", "estimate"), ("error", ERROR)]

@@ -2,16 +2,13 @@
 import math
 import os
 
-import matplotlib
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
-matplotlib.use("Agg")
-plt.rcParams.update({"figure.dpi": 110, "savefig.bbox": "tight", "axes.grid": True,
-                     "grid.alpha": 0.3, "legend.fontsize": 8, "axes.titlesize": 11,
-                     "lines.markersize": 4,
-                     "svg.hashsalt": "epafi"})
+STYLE = {"figure.dpi": 110, "savefig.bbox": "tight", "axes.grid": True, "grid.alpha": 0.3,
+         "legend.fontsize": 8, "axes.titlesize": 11, "lines.markersize": 4,
+         "svg.hashsalt": "epafi"}
 
 MARKERS = "os^vD<>Pph*X"
 

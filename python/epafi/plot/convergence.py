@@ -3,7 +3,7 @@ import math
 
 import numpy as np
 
-from figures import loglog, plain_ticks, plt
+from epafi.plot.figures import loglog, plain_ticks, plt
 
 
 def total_energy(history):

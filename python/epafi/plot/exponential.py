@@ -1,8 +1,8 @@
 """exponential: the error of each variant against the root of the degrees of freedom."""
 import numpy as np
 
-from figures import style_of
-from variants import ERROR, study_figure
+from epafi.plot.figures import style_of
+from epafi.plot.variants import ERROR, study_figure
 
 
 def draw(study, scenes, title, pictures):

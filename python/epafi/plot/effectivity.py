@@ -1,8 +1,8 @@
 """effectivity: estimate over true error of each variant."""
 import numpy as np
 
-from figures import plain_ticks, style_of
-from variants import study_figure
+from epafi.plot.figures import plain_ticks, style_of
+from epafi.plot.variants import study_figure
 
 
 def draw(study, scenes, title, pictures):

@@ -1,13 +1,13 @@
 """path: forces and friction's work along a load path, loops of force over slip; steps: pressure
 and shear at chosen steps, overlaid."""
-import math
 import os
 
 import numpy as np
 
-from contact import abscissa, chains, lengths
-from figures import plt
-from tables import read
+from epafi.plot import overlay
+from epafi.plot.contact import chains, lengths
+from epafi.plot.figures import plt
+from epafi.tables import read
 
 SHOWN = 6  # steps overlaid
 
@@ -71,25 +71,7 @@ def draw(folder, steps, title, pictures):
     figure.tight_layout()
     pictures.save(figure, "path")
     if loops:
-        overlay(files, rows, title, pictures)
-
-
-def overlay(files, rows, title, pictures):
-    chosen = sorted({round(k) for k in np.linspace(0, len(files) - 1, SHOWN)})
-    figure, (pressure, shear) = plt.subplots(2, 1, figsize=(8, 7.4), sharex=True)
-    for number, k in enumerate(chosen):
-        contact = files[k]
-        parts = chains(contact)
-        s, label = abscissa(contact, parts)
-        breaks = [a for a, _ in parts[1:]]
-        colour = plt.get_cmap("viridis")(number / max(1, len(chosen) - 1))
-        for axes, column in ((pressure, "lambda_n"), (shear, "lambda_t")):
-            axes.plot(np.insert(s, breaks, math.nan),
-                      np.insert(contact[column], breaks, math.nan), color=colour,
-                      label="step %d, t = %g" % (rows["step"][k], rows["t"][k]))
-        shear.set_xlabel(label)
-    pressure.set_ylabel(r"pressure $\lambda_n$")
-    shear.set_ylabel(r"shear $\lambda_t$")
-    pressure.legend(loc="center left", bbox_to_anchor=(1, 0.5))
-    figure.suptitle(title + ": contact along the path", y=0.94)
-    pictures.save(figure, "steps")
+        chosen = sorted({round(k) for k in np.linspace(0, len(files) - 1, SHOWN)})
+        overlay.draw([files[k] for k in chosen],
+                     ["step %d, t = %g" % (rows["step"][k], rows["t"][k]) for k in chosen],
+                     title + ": contact along the path", "steps", pictures)

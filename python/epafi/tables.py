@@ -3,14 +3,19 @@ import csv
 import math
 import os
 import xml.etree.ElementTree as xml
+from typing import Optional
 
 import numpy as np
 
 
 class Table:
-    """A file of comma-separated values by columns; numbers where all cells are numbers."""
+    """A file of comma-separated values by columns, arrays of shape (size,): numbers where all
+    cells are numbers or empty (NaN), else texts."""
 
-    def __init__(self, file):
+    columns: dict[str, np.ndarray]
+    size: int  # rows
+
+    def __init__(self, file: str) -> None:
         with open(file, newline="") as stream:
             rows = list(csv.DictReader(stream))
         self.size = len(rows)
@@ -23,13 +28,16 @@ class Table:
             except ValueError:
                 self.columns[name] = np.array(cells)
 
-    def __getitem__(self, name):
+    def __getitem__(self, name: str) -> np.ndarray:
         return self.columns[name]
 
-    def __contains__(self, name):
+    def __contains__(self, name: str) -> bool:
         return name in self.columns
 
-    def numbers(self, name):
+    def __repr__(self) -> str:
+        return "Table of %d rows: %s" % (self.size, ", ".join(self.columns))
+
+    def numbers(self, name: str) -> np.ndarray:
         """A numeric column; NaN where the file has none."""
         column = self.columns.get(name)
         if column is None or column.dtype.kind != "f":
@@ -37,7 +45,7 @@ class Table:
         return column
 
 
-def read(folder, name):
+def read(folder: str, name: str) -> Optional[Table]:
     """The table of a file, or None without the file or without rows in it."""
     file = os.path.join(folder, name)
     if not os.path.isfile(file):
@@ -46,9 +54,10 @@ def read(folder, name):
     return table if table.size else None
 
 
-def title_of(folder):
+def title_of(folder: str) -> str:
     """The scene's title from used.xml, else the folder's name."""
     try:
-        return xml.parse(os.path.join(folder, "used.xml")).getroot().get("name")
+        name = xml.parse(os.path.join(folder, "used.xml")).getroot().get("name")
     except (OSError, xml.ParseError):
-        return os.path.basename(os.path.abspath(folder))
+        name = None
+    return name or os.path.basename(os.path.abspath(folder))

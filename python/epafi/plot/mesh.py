@@ -2,7 +2,7 @@
 import numpy as np
 from matplotlib.colors import BoundaryNorm, ListedColormap
 
-from figures import equal_axes, plain_ticks, plt, shape_of
+from epafi.plot.figures import equal_axes, plain_ticks, plt, shape_of
 
 
 def outward(element):

@@ -3,7 +3,7 @@ import math
 
 import numpy as np
 
-from figures import MARKERS, loglog, plain_ticks, plt
+from epafi.plot.figures import MARKERS, loglog, plain_ticks, plt
 
 CONTRIBUTIONS = [("eta_neumann", "residual on Neumann sides"),
                  ("eta_contact", "residual on contact sides"),

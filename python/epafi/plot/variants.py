@@ -1,7 +1,7 @@
 """The variants of a study as curves, and axes for them."""
 import numpy as np
 
-from figures import plt
+from epafi.plot.figures import plt
 
 ERROR = "true error in the energy norm, relative"
 

@@ -4,8 +4,7 @@ import xml.etree.ElementTree as xml
 import numpy as np
 from matplotlib.tri import Triangulation
 
-import matplotlib.pyplot as plt
-from figures import equal_axes, shape_of
+from epafi.plot.figures import equal_axes, plt, shape_of
 
 NAMES = {"ux": "displacement in x", "uy": "displacement in y", "sxx": r"$\sigma_{xx}$",
          "syy": r"$\sigma_{yy}$", "sxy": r"$\sigma_{xy}$", "szz": r"$\sigma_{zz}$",

@@ -1,0 +1,131 @@
+#include "drivers/run/Warnings.hpp"
+
+#include "bem/base/Error.hpp"
+#include "drivers/run/Path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::message;
+
+constexpr double degree = 3.1415926535897932 / 180;
+
+/// From the end of a segment to the start of the next one, to the left; 0 beside arcs.
+double turnBehind(const bem::Outline& outline, const bem::Edge& edge) {
+  const bem::Edge& next = outline.edge(edge.next);
+  if (!edge.curve.isStraight() || !next.curve.isStraight() ||
+      next.boundary != edge.boundary)
+    return 0;
+  const bem::Vec2 a = edge.curve.tangent(0);
+  const bem::Vec2 b = next.curve.tangent(0);
+  return std::atan2(a.x * b.y - a.y * b.x, bem::dot(a, b));
+}
+
+/// Joints of one boundary that turn by a little, all to one side.
+void findPolygon(const bem::Outline& outline, const std::string& boundary,
+                 const std::string& name, std::vector<std::string>& warnings) {
+  constexpr double largest = 20 * degree;
+  constexpr double smallest = 1e-6;
+  constexpr int few = 3;  // joints: a chamfer has two
+  int left = 0;
+  int right = 0;
+  double turn = 0;
+  for (const bem::Edge& edge : outline.edges()) {
+    const double angle = edge.boundary == boundary ? turnBehind(outline, edge) : 0;
+    if (std::abs(angle) < smallest || std::abs(angle) > largest)
+      continue;
+    (angle > 0 ? left : right) += 1;
+    turn = std::max(turn, std::abs(angle));
+  }
+  if (std::max(left, right) >= few && std::min(left, right) == 0)
+    warnings.push_back(message(
+        name, ": ", left + right, " corners of up to ",
+        std::round(turn / degree * 10) / 10,
+        " degrees draw a curve on a side in contact; pressure then stands on the "
+        "corners.  "
+        "Arcs (Geometry->Bulges) are exact; so is a straight side with the shape in its "
+        "Gap"));
+}
+
+/// The largest displacement on a body's boundary, in its diameters.
+double largestMotion(const contact::Solved& solved, const bem::Outline& outline) {
+  double largest = 0;
+  for (int e = 0; e < solved.space.mesh().size(); ++e)
+    for (const double t : {-1.0, 0.0, 1.0})
+      largest =
+          std::max(largest, norm(solved.space.displacementAt(solved.displacement, e, t)));
+  return largest * solved.units.length / outline.diameter();
+}
+
+struct Extent {
+  double energy = 0;
+  double contact = 0;
+};
+
+/// The largest over the level or over the steps of its path.
+Extent extentOf(const SolvedLevel& level) {
+  const contact::Summary& summary = level.row.summary;
+  Extent extent{summary.energyStrain, summary.contactLength};
+  if (level.path != nullptr)
+    for (const auto& step : level.path->steps) {
+      extent.energy = std::max(extent.energy, step->row.energyStrain);
+      for (const ContactRow& row : step->row.contacts)
+        extent.contact = std::max(extent.contact, row.summary.contactLength);
+    }
+  return extent;
+}
+
+}  // namespace
+
+std::vector<std::string> warningsOf(const Scene& scene) {
+  std::vector<std::string> warnings;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    for (const auto& [boundary, condition] : scene.bodies[b].conditions.contact)
+      findPolygon(*scene.bodies[b].outline, boundary,
+                  "Bodies->" + scene.bodies[b].name + "->Geometry, '" + boundary + "'",
+                  warnings);
+  std::set<std::string> seen;
+  for (const ContactPair& pair : scene.contacts)
+    if (seen.insert(scene.nameOf(pair.met) + ":" + pair.met.boundary).second)
+      findPolygon(
+          scene.outlineOf(pair.met), pair.met.boundary,
+          "Bodies->" + scene.nameOf(pair.met) + "->Geometry, '" + pair.met.boundary + "'",
+          warnings);
+  return warnings;
+}
+
+std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level) {
+  std::vector<std::string> warnings;
+  const Extent extent = extentOf(level);
+  if (extent.energy == 0) {
+    warnings.emplace_back(
+        "nothing loads the scene: no traction, force, prescribed displacement or "
+        "overlap; "
+        "all of it stays as it is");
+    return warnings;
+  }
+  if (scene.hasContact() && extent.contact == 0)
+    warnings.emplace_back(
+        "contact never closes: nothing presses a body onto what it could meet; look at "
+        "the "
+        "signs of loads (tractions pull along x and y) and at the gap");
+  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
+    constexpr double small = 0.1;
+    const double motion = largestMotion(level.bodies[b], *scene.bodies[b].outline);
+    if (motion > small)
+      warnings.push_back(
+          message("Bodies->", scene.bodies[b].name, ": displacements reach ",
+                  std::round(100 * motion),
+                  " % of the body's size; the equations are those of small displacements "
+                  "and small "
+                  "sliding, on the outline as drawn: look at units and loads"));
+  }
+  return warnings;
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,116 @@
+"""The program behind the package, and how its failures become exceptions."""
+from __future__ import annotations
+
+import functools
+import json
+import os
+import shutil
+import signal
+import subprocess
+import tempfile
+import warnings
+from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence
+
+if TYPE_CHECKING:
+    from epafi.runs import Run
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+class EpafiError(RuntimeError):
+    """The program ended with `code`, and said why."""
+
+    def __init__(self, message: str, code: int) -> None:
+        super().__init__(message)
+        self.code = code
+
+
+class InputError(EpafiError, ValueError):
+    """A scene or an argument is wrong (exit code 1): what, where, what is allowed."""
+
+    def __init__(self, message: str, code: int = 1) -> None:
+        super().__init__(message, code)
+
+
+class NumericalError(EpafiError, ArithmeticError):
+    """Arithmetic broke down (exit code 2)."""
+
+
+class EpafiWarning(UserWarning):
+    """What a scene probably does not mean."""
+
+
+class NotConverged(EpafiError):
+    """A level is not converged (exit code 3); its files are written: see `run`."""
+
+    run: Run
+
+
+def program() -> str:
+    """Where `epafi` is: the variable EPAFI, beside this package as built or installed, the
+    build folder of the tree, PATH, in this order."""
+    places = [os.environ.get("EPAFI", ""),
+              os.path.join(HERE, "..", "..", "..", "..", "bin", "epafi"),
+              os.path.join(HERE, "..", "..", "build", "bin", "epafi"),
+              shutil.which("epafi") or ""]
+    for place in places:
+        if place and os.access(place, os.X_OK):
+            return os.path.realpath(place)
+    raise EpafiError("the program epafi is not found: put it into PATH, or its path into the "
+                     "variable EPAFI", 1)
+
+
+def failure(code: int, complaint: str) -> EpafiError:
+    """The exception for an exit code, with the program's own sentence."""
+    kinds: dict[int, type[EpafiError]] = {1: InputError, 2: NumericalError, 3: NotConverged}
+    message = complaint.strip().removeprefix("epafi: ") or "exit code %d" % code
+    return kinds.get(code, EpafiError)(message, code)
+
+
+def call(arguments: Sequence[str], said: Optional[Callable[[str], Any]] = None,
+         scene: str = "") -> str:
+    """Runs epafi; returns what it printed, each line told to `said` as it comes.
+
+    EpafiError where it fails; its sentence does not name `scene`, a file that is about to
+    vanish.  KeyboardInterrupt reaches the program, too, which then keeps what
+    is solved.
+    """
+    lines = []
+    with tempfile.TemporaryFile("w+") as complaints:
+        process = subprocess.Popen([program(), *arguments], stdout=subprocess.PIPE,
+                                   stderr=complaints, text=True)
+        assert process.stdout is not None
+        try:
+            for line in process.stdout:
+                lines.append(line)
+                if said:
+                    said(line.rstrip("\n"))
+            code = process.wait()
+        except BaseException:
+            if process.poll() is None:
+                process.send_signal(signal.SIGINT)
+            process.wait()
+            raise
+        complaints.seek(0)
+        text = complaints.read()
+        for line in text.splitlines():
+            if line.startswith("epafi: warning: "):
+                warnings.warn(line.removeprefix("epafi: warning: "), EpafiWarning, stacklevel=3)
+        if code != 0:
+            text = "".join(line for line in text.splitlines(True)
+                           if not line.startswith("epafi: warning: "))
+            raise failure(code, text.replace(scene + ": ", "") if scene else text)
+    return "".join(lines)
+
+
+@functools.lru_cache(maxsize=None)
+def schema() -> dict[str, Any]:
+    """The JSON Schema of a scene: keys, types, words, ranges."""
+    return json.loads(call(["schema", "--format", "json", "--of", "scene"]))[
+        "additionalProperties"]
+
+
+def version() -> dict[str, str]:
+    """What the program is made of: {"Epafi": "0.1.0", "Trilinos": ..., ...}."""
+    lines = call(["version"]).splitlines()
+    return dict(line.rsplit(" ", 1) for line in lines)

@@ -1,0 +1,168 @@
+"""Solving a scene, and what a run has left in its folder."""
+from __future__ import annotations
+
+import functools
+import os
+import tempfile
+import weakref
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Sequence
+
+import numpy as np
+
+from epafi.program import InputError, NotConverged, call
+from epafi.scenes import Scene
+from epafi.tables import Table, read
+
+if TYPE_CHECKING:
+    import h5py
+
+
+class Run:
+    """The folder of a run; its files are read when they are first asked for.
+
+    Columns are those of the files, as doc/tutorial.md lists them: `run.contact["lambda_n"]`.
+    """
+
+    def __init__(self, folder: str | os.PathLike[str]) -> None:
+        self.folder = os.fspath(folder)
+        if not os.path.isfile(os.path.join(self.folder, "history.csv")):
+            raise InputError("'%s' holds no history.csv of a run" % self.folder)
+
+    def _table(self, name: str) -> Table:
+        table = read(self.folder, name)
+        if table is None:
+            raise InputError("the run in '%s' has written no %s" % (self.folder, name))
+        return table
+
+    @functools.cached_property
+    def history(self) -> Table:
+        """history.csv: a row per level; energies per unit of thickness [stress length^2], forces
+        [stress length]."""
+        return self._table("history.csv")
+
+    @functools.cached_property
+    def contact(self) -> Table:
+        """contact.csv: along the contact of the last level (and step); stresses [stress], `u_n`,
+        `u_t`, `gap` [length]."""
+        return self._table("contact.csv")
+
+    @functools.cached_property
+    def boundary(self) -> Table:
+        """boundary.csv: displacement [length] and traction [stress] on the whole boundary."""
+        return self._table("boundary.csv")
+
+    @functools.cached_property
+    def bodies(self) -> Table:
+        """bodies.csv: loads, contact forces, reactions of each body and level."""
+        return self._table("bodies.csv")
+
+    @functools.cached_property
+    def steps(self) -> Table:
+        """steps.csv: a row per level and step of a path."""
+        return self._table("steps.csv")
+
+    def step(self, k: int) -> Table:
+        """contact.csv of step k = 1, 2, ... of the last level."""
+        return self._table(os.path.join("steps", str(k), "contact.csv"))
+
+    @functools.cached_property
+    def scene(self) -> Scene:
+        """used.xml: the complete scene, defaults and versions included."""
+        return Scene.read(os.path.join(self.folder, "used.xml"))
+
+    @property
+    def converged(self) -> bool:
+        return str(self.history["status"][-1]) == "converged"
+
+    def fields(self, points: Optional[Sequence[Sequence[float]] | np.ndarray] = None, *,
+               grid: Optional[tuple[int, int]] = None, along: Optional[str] = None,
+               depth: Optional[float] = None) -> Table:
+        """Displacement [length] and stress [stress] inside: at points, shape (n, 2), on the
+        middles of grid = (nx, ny) cells clipped to the bodies, or along a boundary
+        "body:boundary" at a depth.  Columns x, y, ux, uy, sxx, syy, sxy, szz, von_mises,
+        principal_1, principal_2."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "fields.csv")
+            arguments = ["fields", self.folder, "--output", file]
+            if points is not None:
+                where = os.path.join(folder, "points.csv")
+                np.savetxt(where, np.asarray(points, float).reshape(-1, 2), fmt="%.17g",
+                           delimiter=",", header="x,y", comments="")
+                arguments += ["--points", where]
+            if grid is not None:
+                arguments += ["--grid", "%d,%d" % tuple(grid)]
+            if along is not None:
+                arguments += ["--along", along]
+            if depth is not None:
+                arguments += ["--depth", repr(float(depth))]
+            call(arguments)
+            return Table(file)
+
+    @property
+    def solution(self) -> h5py.File:
+        """solution.hdf, open for reading; doc/solution-file.md says what is in it."""
+        import h5py
+
+        return h5py.File(os.path.join(self.folder, "solution.hdf"), "r")
+
+    def plot(self, field: Optional[str] = None) -> list[str]:
+        """Draws what `epafi plot` draws, and a field inside the bodies ("von_mises", ...);
+        the pictures' files (PNG; SVG beside them)."""
+        from epafi.plot import draw_folder
+
+        if field is not None:
+            call(["fields", self.folder, "--vtk"])
+        return [os.path.join(self.folder, name + ".png")
+                for name in draw_folder(self.folder, field)]
+
+    def __repr__(self) -> str:
+        return "Run: %d levels, %s" % (self.history.size, self.history["status"][-1])
+
+
+def run(scene: Scene | Mapping[str, Any] | str | os.PathLike[str],
+        output: Optional[str | os.PathLike[str]] = None, *,
+        set: Optional[Mapping[str, Any]] = None, threads: Optional[int] = None,
+        restart: Optional[str | os.PathLike[str] | Run] = None, force: bool = False,
+        progress: Optional[Callable[[str], Any]] = None) -> Run:
+    """Solves a scene: a `Scene`, a dictionary, or a file.
+
+    output    folder for the results; without it a temporary one that lives as long as the Run
+    set       {"A->B->Key": value}, as `Scene.changed`
+    threads   of OpenMP and BLAS together; all cores without it
+    restart   a run, or its folder, to go on from
+    force     replace the files of an earlier run in `output`
+    progress  is told each line that the program prints as it comes: print
+
+    InputError, NumericalError; NotConverged, whose `run` has what was reached.
+    """
+    if not isinstance(scene, Mapping):
+        scene = Scene.read(scene)
+    elif not isinstance(scene, Scene):
+        scene = Scene(scene)
+    if set:
+        scene = scene.changed(set)
+    temporary = tempfile.TemporaryDirectory(prefix="epafi-") if output is None else None
+    folder = os.path.join(temporary.name, "run") if temporary else os.fspath(output or "")
+    with tempfile.TemporaryDirectory(prefix="epafi-") as place:
+        file = os.path.join(place, "scene.xml")
+        scene.write(file)
+        arguments = ["run", file, "--output", folder]
+        if threads is not None:
+            arguments += ["--threads", str(threads)]
+        if restart is not None:
+            arguments += ["--restart", restart.folder if isinstance(restart, Run)
+                          else os.fspath(restart)]
+        if force:
+            arguments.append("--force")
+        problem = None
+        try:
+            call(arguments, progress, file)
+        except NotConverged as error:
+            problem = error
+    result = Run(folder)
+    if temporary:
+        weakref.finalize(result, temporary.cleanup)
+    if problem:
+        problem.run = result
+        raise problem
+    return result

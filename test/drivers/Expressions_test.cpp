@@ -1,0 +1,128 @@
+#include "SceneText.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+
+// What expressions of a scene know: constants, normals, forces.
+namespace {
+
+using namespace epafi;
+using test::complaintOf;
+using test::contains;
+using test::read;
+using test::SceneText;
+
+std::string parameter(const std::string& name, const std::string& value) {
+  return "<Parameter name=\"" + name + "\" type=\"string\" value=\"" + value + "\"/>";
+}
+
+std::string constants(const std::string& content) {
+  return "<ParameterList name=\"Constants\">" + content + "</ParameterList>";
+}
+
+std::string neumann(const std::string& boundary, const std::string& content) {
+  return "<ParameterList name=\"" + boundary + "\">" + parameter("Type", "Neumann") +
+         content + "</ParameterList>";
+}
+
+const contact::Conditions::Neumann& loadOn(const drivers::Scene& scene,
+                                           const std::string& boundary) {
+  return scene.bodies[0].conditions.neumann.at(boundary);
+}
+
+TEUCHOS_UNIT_TEST(Constants, areKnownToAllExpressions) {
+  SceneText text;
+  text.rest = constants(parameter("mu", "0.2") +
+                        R"(<Parameter name="depth" type="double" value="0.5"/>)" +
+                        parameter("twice", "2*depth + 0*mu*pi"));
+  text.base = parameter("Type", "Contact") + parameter("Gap", "twice*x") +
+              "<ParameterList name=\"Friction\">" + parameter("Law", "Coulomb") +
+              parameter("Coefficient", "mu") + "</ParameterList>";
+  text.conditions = neumann("right", parameter("Force X", "depth"));
+  for (const double mu : {0.2, 0.7}) {
+    const drivers::Scene scene = read(text, {"Constants->mu=" + std::to_string(mu)});
+    const auto& base = scene.bodies[0].conditions.contact.at("base");
+    TEST_EQUALITY(base.gap({3, 0}), 3.0);
+    TEST_FLOATING_EQUALITY(base.friction.fieldsAt({1, 0}).front(), mu, 1e-15);
+    TEST_FLOATING_EQUALITY(loadOn(scene, "right").x({2, 0.3}), 0.5, 1e-15);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Constants, thatCannotBeAreRefused) {
+  const auto complaint = [](const std::string& list) {
+    SceneText text;
+    text.rest = constants(list);
+    return complaintOf(text.xml());
+  };
+  for (const char* taken : {"x", "t", "ny", "pi"})
+    TEST_ASSERT(contains(complaint(parameter(taken, "1")), "already"));
+  TEST_ASSERT(
+      contains(complaint(parameter("sin", "1")), "Constants->sin: is a function"));
+  TEST_ASSERT(contains(complaint(parameter("2a", "1")), "a letter first"));
+  TEST_ASSERT(contains(complaint(parameter("a b", "1")), "Constants->a b: is no name"));
+  TEST_ASSERT(contains(complaint(parameter("a", "b") + parameter("b", "1")),
+                       "Constants->a = 'b' is no expression in constants before it"));
+  TEST_ASSERT(contains(complaint(parameter("a", "x")), "Constants->a = 'x'"));
+  TEST_ASSERT(contains(complaint(parameter("a", "t")), "Constants->a = 't'"));
+  TEST_ASSERT(contains(complaint(parameter("a", "1/0")), "one finite number is needed"));
+  SceneText text;
+  text.rest = constants(parameter("load", "1"));
+  text.conditions = neumann("right", parameter("Traction X", "laod"));
+  TEST_ASSERT(
+      contains(complaintOf(text.xml()), "x, y, t, nx and ny and the constants load"));
+}
+
+TEUCHOS_UNIT_TEST(Normals, areThoseOfSegmentsAndArcs) {
+  SceneText text;  // half a disc over the square's upper half, radius 1
+  text.geometry =
+      R"(<Parameter name="Vertices" type='TwoDArray(double)' value="4x2:{0,0, 2,0, 2,1, 0,1}"/>
+         <Parameter name="Edges" type='Array(string)' value="{base, side, top, side}"/>
+         <Parameter name="Bulges" type='Array(double)' value="{0, 0, 1, 0}"/>)";
+  text.top = parameter("Type", "Neumann") + parameter("Traction X", "-3*nx") +
+             parameter("Traction Y", "-3*ny");
+  text.conditions =
+      neumann("side", parameter("Traction X", "nx + y") + parameter("Traction Y", "ny"));
+  const drivers::Scene scene = read(text);
+  for (const double angle : {0.1, 1.0, 2.0, 3.0}) {
+    const bem::Vec2 n{std::cos(angle), std::sin(angle)};
+    const bem::Vec2 at = bem::Vec2{1, 1} + n;
+    TEST_FLOATING_EQUALITY(loadOn(scene, "top").x(at), -3 * n.x, 1e-14);
+    TEST_FLOATING_EQUALITY(loadOn(scene, "top").y(at), -3 * n.y, 1e-14);
+  }
+  TEST_FLOATING_EQUALITY(loadOn(scene, "side").x({2, 0.25}), 1.25, 1e-15);
+  TEST_FLOATING_EQUALITY(loadOn(scene, "side").x({0, 0.25}), -0.75, 1e-15);
+  TEST_EQUALITY(loadOn(scene, "side").y({0, 0.25}), 0.0);
+}
+
+TEUCHOS_UNIT_TEST(Forces, areTheUniformTractionTimesTheLength) {
+  SceneText text;
+  text.geometry =
+      R"(<Parameter name="Vertices" type='TwoDArray(double)' value="4x2:{0,0, 2,0, 2,1, 0,1}"/>
+         <Parameter name="Edges" type='Array(string)' value="{base, load, top, load}"/>
+         <Parameter name="Bulges" type='Array(double)' value="{0, 1, 0, 0}"/>)";
+  text.conditions =
+      neumann("load", parameter("Force X", "6*t^2") + parameter("Force Y", "-1"));
+  text.rest = R"(<ParameterList name="History">
+    <Parameter name="Times" type='Array(double)' value="{2}"/></ParameterList>)";
+  const drivers::Scene scene = read(text);
+  const double length =
+      std::acos(-1.0) / 2 + 1;  // half a circle of diameter 1, and a side
+  TEST_FLOATING_EQUALITY(loadOn(scene, "load").x({0, 0.1}), 24 / length, 1e-14);
+  const auto early = scene.conditionsAt(0.5).neumann.at("load");
+  TEST_FLOATING_EQUALITY(early.x({0, 0.1}), 1.5 / length, 1e-14);
+  TEST_FLOATING_EQUALITY(early.y({0, 0.1}), -1 / length, 1e-14);
+
+  const auto complaint = [&](const std::string& content) {
+    text.conditions = neumann("load", content);
+    return complaintOf(text.xml());
+  };
+  TEST_ASSERT(contains(
+      complaint(parameter("Force X", "1") + parameter("Traction X", "1")), "not both"));
+  TEST_EQUALITY(complaint(parameter("Force X", "1") + parameter("Traction Y", "x")), "");
+  TEST_ASSERT(contains(complaint(parameter("Force Y", "x")), "no expression in t"));
+  TEST_ASSERT(contains(complaint(parameter("Force Y", "1/(2-t)")),
+                       "at t = 2; one finite number is needed"));
+}
+
+}  // namespace

@@ -1,0 +1,114 @@
+"""What a scene probably does not mean is said and solved all the same; encodings; memory that is
+foretold."""
+import math
+import os
+import subprocess
+
+from runs import EPAFI, SCENES, WORK, claim, epafi, finish, fresh, levels, run, scene, table
+
+os.makedirs(WORK, exist_ok=True)
+SETTINGS = ["Adaptivity->Maximum Levels=1"]
+CONDITIONS = "Bodies->block->Boundary Conditions->"
+
+
+def told(file, name, settings=()):
+    arguments = [word for setting in [*SETTINGS, *settings] for word in ("--set", setting)]
+    code, text = epafi("run", file, "--output", fresh(name), *arguments)
+    return code, [line for line in text.splitlines() if line.startswith("epafi: warning: ")]
+
+
+for name in sorted(os.listdir(SCENES)):
+    short = ["History->Times={1, 2}", "History->Steps={1, 1}"] if name == "fretting.xml" else []
+    code, warnings = told(scene(name), name, short)
+    claim(code == 0 and not warnings, name + " is shipped without warnings: %s" % warnings)
+
+PUSHED = CONDITIONS + "top={Type=Dirichlet, Displacement X=0, Displacement Y=-0.4}"
+HELD = "Bodies->block->Rigid Motions="
+FREE = CONDITIONS + "top={Type=Neumann}"
+for sentence, settings, words in [
+        ("no load", [FREE, CONDITIONS + "side={Type=Neumann}"], "nothing loads the scene"),
+        ("a load that pulls", [CONDITIONS + "side={Type=Neumann}", CONDITIONS +
+                               "top={Type=Dirichlet, Displacement X=0, Displacement Y=0.01}", HELD], "contact never closes"),
+        ("a load beyond all bounds",
+         [PUSHED, HELD], "% of the body's size")]:
+    code, warnings = told(scene("coulomb.xml"), "odd", settings)
+    claim(code == 0 and len(warnings) == 1 and words in warnings[0],
+          "%s: %s" % (sentence, warnings))
+code, text = epafi("run", scene("coulomb.xml"), "--output", fresh("quiet"), "--quiet",
+                   "--set", PUSHED, "--set", HELD)
+claim(code == 0 and not text, "--quiet says nothing of it")
+
+corners = [(math.cos(a), 1 + math.sin(a))
+           for a in (2 * math.pi * (k + 0.5) / 64 - math.pi / 2 for k in range(64))]
+POLYGON = """<ParameterList name="A cylinder of 64 edges">
+  <ParameterList name="Bodies"><ParameterList name="cylinder">
+    <ParameterList name="Material">
+      <Parameter name="Young's Modulus" type="double" value="1"/>
+      <Parameter name="Poisson's Ratio" type="double" value="0.3"/>
+    </ParameterList>
+    <ParameterList name="Geometry">
+      <Parameter name="Vertices" type="TwoDArray(double)" value="64x2:{%s}"/>
+      <Parameter name="Edges" type="Array(string)" value="{%s}"/>
+    </ParameterList>
+    <ParameterList name="Boundary Conditions">
+      <ParameterList name="low">
+        <Parameter name="Type" type="string" value="Contact"/>
+        <Parameter name="Gap" type="string" value="y"/>
+      </ParameterList>
+      <ParameterList name="top">
+        <Parameter name="Type" type="string" value="Dirichlet"/>
+        <Parameter name="Displacement X" type="string" value="0"/>
+        <Parameter name="Displacement Y" type="string" value="-0.02"/>
+      </ParameterList>
+    </ParameterList>
+  </ParameterList></ParameterList>
+  <ParameterList name="Discretization">
+    <Parameter name="Mesh Size" type="double" value="0.1"/>
+  </ParameterList>
+</ParameterList>
+""" % (", ".join("%.17g, %.17g" % c for c in corners),
+       ", ".join("low" if k < 16 or k >= 48 else "top" for k in range(64)))
+polygon = os.path.join(WORK, "polygon.xml")
+with open(polygon, "w") as stream:
+    stream.write(POLYGON)
+code, warnings = told(polygon, "polygon")
+claim(code == 0 and len(warnings) == 1 and "31 corners of up to 5.6 degrees" in warnings[0],
+      "a polygon for a curve: %s" % warnings)
+code, text = epafi("check", polygon)
+claim(code == 0 and "warning: Bodies->cylinder->Geometry, 'low'" in text, "check says so, too")
+
+# encodings
+with open(scene("patch.xml"), encoding="utf-8") as stream:
+    text = stream.read()
+marked = os.path.join(WORK, "marked.xml")
+for encoding, code in [("utf-8-sig", 0), ("utf-16", 1), ("utf-16-le", 1), ("utf-16-be", 1)]:
+    with open(marked, "w", encoding=encoding) as stream:
+        stream.write(text)
+    done, said = epafi("check", marked)
+    claim(done == code and (code == 0 or "encoding" in said), "%s: exit %d, %s" % (
+        encoding, done, said.splitlines()[-1][-70:]))
+
+# memory: what is foretold against what is taken, and levels that would not fit
+history, _ = run(scene("coulomb.xml"), "large", levels(7))
+for row in history[-2:]:
+    share = row["memory_forecast_mb"] / row["memory_mb"]
+    claim(0.75 < share < 1.35, "%d unknowns: %.0f MiB foretold, %.0f taken" % (
+        row["dof"], row["memory_forecast_mb"], row["memory_mb"]))
+limit = "Adaptivity->Maximum Memory=%d" % history[-2]["memory_mb"]
+code, text = epafi("run", scene("coulomb.xml"), "--output", fresh("limited"),
+                   *(word for setting in [*levels(9), limit] for word in ("--set", setting)))
+claim(code == 0 and "Maximum Degrees of Freedom" in text.split("ended")[1] and
+      len(table(os.path.join(WORK, "limited", "history.csv"))) == 6,
+      "a level that would not fit ends the run: " + text.split("ended")[1].splitlines()[0])
+code, text = epafi("run", scene("coulomb.xml"), "--output", fresh("none"), "--set",
+                   "Adaptivity->Maximum Memory=10")
+claim(code == 1 and "coarser" in text, "a first one is bad input: " + text.splitlines()[-1])
+done = subprocess.run(
+    ["bash", "-c", 'ulimit -v 800000; exec "$0" "$@"', EPAFI, "run", scene("coulomb.xml"),
+     "--threads", "1", "--output", fresh("ulimit"),
+     *(word for setting in levels(20) for word in ("--set", setting))],
+    stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
+    env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
+claim(done.returncode == 0 and "that are free" in done.stdout,
+      "also where a limit on addresses is what there is: " + done.stdout.split("ended")[-1].splitlines()[0])
+finish()
