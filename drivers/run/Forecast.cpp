@@ -26,6 +26,14 @@ double forecastMemory(const BodySpaces& spaces, int processes) {
   return processes * program + bytes / mebi;
 }
 
+double forecastCompressedMemory(const BodySpaces& spaces) {
+  double unknowns = 0;
+  for (std::size_t b = 0; b < spaces.size(); ++b)
+    unknowns += static_cast<double>(spaces.space(b).displacements() +
+                                    spaces.space(b).densities());
+  return program + 36000 * unknowns / mebi;
+}
+
 std::optional<std::string> tooLarge(int level, const Size& size, double forecast,
                                     const std::optional<double>& limit,
                                     const Ranks& ranks) {

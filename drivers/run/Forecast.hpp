@@ -18,6 +18,10 @@ namespace epafi::drivers {
 /// (doc/decisions/0016), fitted to the peaks of 56 levels; 47 MiB a process for the program.
 double forecastMemory(const BodySpaces& spaces, int processes);
 
+/// The same of compressed operators on one process: 36 kB per displacement and density, as
+/// measured with degree 1 (doc/benchmarks/compression.md).
+double forecastCompressedMemory(const BodySpaces& spaces);
+
 /// Why a level is not begun that would not fit; nothing if it does.  `forecast` is its own;
 /// `limit` the scene's, else what is free.  Collective.
 std::optional<std::string> tooLarge(int level, const Size& size, double forecast,

@@ -4,6 +4,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/operators/ExactRotation.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
+#include "contact/problem/CompressedBody.hpp"
 #include "contact/problem/ContactSystem.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/run/BodySpaces.hpp"
@@ -85,6 +86,23 @@ std::vector<adaptivity::Indicators> estimated(const Ground& ground,
                                                   solved.densities()[b], ground.lames[b],
                                                   ground.scene.adaptivity.estimator));
   return result;
+}
+
+/// Are a level's operators compressed?
+bool compresses(const Scene& scene, const Size& size, const Ranks& ranks) {
+  using Operators = LinearMethod::Operators;
+  const Operators wanted = linearMethods().at(scene.linear.method).operators;
+  if (wanted == Operators::Compressed && ranks.algebra().processes() > 1)
+    throw bem::InputError(bem::message(
+        "Solver->Linear->Method = ", scene.linear.method,
+        ": operators are compressed on one process only; start epafi without mpirun, or "
+        "choose Dense, Belos or Automatic"));
+  if (wanted != Operators::Cheaper)
+    return wanted == Operators::Compressed;
+  // unknowns from which compressed operators cost less, see doc/benchmarks/compression.md
+  constexpr bem::Index crossover = 6000;
+  return ranks.algebra().processes() == 1 && whyNotCompressed(scene).empty() &&
+         size.displacements + size.densities > crossover;
 }
 
 /// A level that is solved now.
@@ -192,7 +210,9 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
     const int number = from->level;
     const BodySpaces spaces(scene, from->meshes);
     Size size = spaces.sizes();
-    size.memory = forecastMemory(spaces, algebra.processes());
+    const bool compressed = compresses(scene, size, ranks);
+    size.memory = compressed ? forecastCompressedMemory(spaces)
+                             : forecastMemory(spaces, algebra.processes());
     if (size.dof() > scene.adaptivity.limits.degreesOfFreedom)
       return {contact::Status::Converged,
               capReached(number, size, scene.adaptivity.limits.degreesOfFreedom)};
@@ -203,7 +223,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
 
     auto operators = timer.run(Phase::Assembly, [&] {
       std::vector<bem::Operators> all;
-      for (std::size_t b = 0; b < count; ++b)
+      for (std::size_t b = 0; b < count && !compressed; ++b)
         all.push_back(bem::withExactRotation(
             bem::assembleOperators(
                 spaces.space(b), lames[b], algebra,
@@ -213,7 +233,11 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
     });
     const auto stiffness = timer.run(Phase::Factorization, [&] {
       std::vector<bem::SteklovPoincare> all;
-      for (std::size_t b = 0; b < count; ++b)
+      if (compressed)
+        all.push_back(contact::makeCompressedStiffness(
+            spaces.space(0), spaces.multiplier(0), scene.stabilization, lames.front(),
+            units, algebra, scene.linear.compression));
+      for (std::size_t b = 0; b < count && !compressed; ++b)
         all.push_back(stiffnessOf(
             std::move(operators[b]), algebra, krylov.get(),
             contact::densityCompliance(spaces.space(b), spaces.multiplier(b),

@@ -1,6 +1,9 @@
 #include "drivers/scene/LinearMethod.hpp"
 
+#include "bem/base/Error.hpp"
+#include "contact/problem/CompressedBody.hpp"
 #include "drivers/process/Ranks.hpp"
+#include "drivers/scene/Scene.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -20,25 +23,60 @@ Solver belos(const Ranks& ranks, const LinearOptions& options) {
 
 bem::Family<LinearMethod>& linearMethods() {
   static bem::Family<LinearMethod> family(
-      "linear method", {
-                           {"Dense", "Cholesky's factors", factors},
-                           {"Belos", "conjugate gradients, for each column", belos},
-                       });
+      "linear method",
+      {
+          {"Dense", "Cholesky's factors", factors},
+          {"Belos", "conjugate gradients, for each column", belos},
+          {"Compressed",
+           "by skeletons, time and memory nearly proportional to the "
+           "elements; one body on straight edges, without a History, "
+           "Stabilization->Form Density or None",
+           factors, LinearMethod::Operators::Compressed},
+          {"Automatic",
+           "Compressed where that is possible and costs less, else Dense; "
+           "never changes Stabilization->Form",
+           factors, LinearMethod::Operators::Cheaper},
+      });
   return family;
 }
 
 bem::SchemaRows linearRows() {
   bem::SchemaRows rows = {
       bem::Row("Method", bem::Kind::Text,
-               "how the single layer potential is inverted; " + meanings(linearMethods()))
+               "how systems with the boundary operators are solved; " +
+                   meanings(linearMethods()))
           .standard(LinearOptions().method)
           .allowed(linearMethods().names())};
   append(rows, bem::belosRows());
+  append(rows, {bem::Row("Compression Tolerance", bem::Kind::Real,
+                         "Compressed: of what groups of elements do to others")
+                    .unit("1")
+                    .standard(LinearOptions().compression.tolerance)
+                    .range({1e-13, 1e-4, false, false})});
   return rows;
 }
 
+std::string whyNotCompressed(const Scene& scene) {
+  if (scene.hasSeveral())
+    return "the scene has several bodies";
+  if (scene.history)
+    return "the scene has a History";
+  return contact::whyNotCompressed(*scene.bodies.front().outline, scene.stabilization);
+}
+
+void checkLinear(const Scene& scene) {
+  const LinearMethod& method = linearMethods().at(scene.linear.method);
+  const std::string reason = whyNotCompressed(scene);
+  if (method.operators == LinearMethod::Operators::Compressed && !reason.empty())
+    throw bem::InputError(bem::message("Solver->Linear->Method = ", method.name, ": ",
+                                       reason,
+                                       "; Dense, Belos and Automatic are possible"));
+}
+
 LinearOptions parseLinear(const Teuchos::ParameterList& list) {
-  return {list.get<std::string>("Method"), bem::parseBelos(list)};
+  LinearOptions options{list.get<std::string>("Method"), bem::parseBelos(list), {}};
+  options.compression.tolerance = list.get<double>("Compression Tolerance");
+  return options;
 }
 
 }  // namespace epafi::drivers

@@ -2,6 +2,7 @@
 
 #include "bem/base/Family.hpp"
 #include "bem/base/SchemaRow.hpp"
+#include "bem/compressed/CompressedOperators.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
 #include "bem/tpetra/BelosOptions.hpp"
 
@@ -11,25 +12,36 @@
 namespace epafi::drivers {
 
 class Ranks;
+struct Scene;
 
 /// How linear systems are solved.
 struct LinearOptions {
   std::string method = "Dense";  ///< a name of linearMethods()
   bem::BelosOptions belos;
+  bem::Compression compression;
 };
 
 /// The keys of a list of these, and what a list that they have completed says.
 bem::SchemaRows linearRows();
 LinearOptions parseLinear(const Teuchos::ParameterList& list);
 
-/// A way to invert the single layer potential.
+/// A way to solve with the boundary operators.
 struct LinearMethod {
+  /// What it asks for: dense matrices, compressed operators, or whichever costs less.
+  enum class Operators { Dense, Compressed, Cheaper };
+
   const char* name;
   const char* meaning;
   /// Null: by Cholesky's factors.
   std::unique_ptr<const bem::SingleLayerSolver> (*solver)(const Ranks& ranks,
                                                           const LinearOptions& options);
+  Operators operators = Operators::Dense;
 };
+
+/// Why a scene's operators cannot be compressed; empty: they can.
+std::string whyNotCompressed(const Scene& scene);
+/// \throws bem::InputError where the scene asks for what it cannot have.
+void checkLinear(const Scene& scene);
 
 /// All of them; a program may add others before it reads its first scene.
 bem::Family<LinearMethod>& linearMethods();

@@ -476,6 +476,7 @@ Scene build(const std::string& file, const RawScene& raw) {
         ": a continuation without memory does not go together with History; History->"
         "Steps makes the steps of a path, and one that fails is halved"));
   scene.linear = parseLinear(used.sublist("Solver").sublist("Linear"));
+  checkLinear(scene);
   scene.adaptivity = readAdaptivity(used.sublist("Adaptivity"));
   scene.output = readOutput(used.sublist("Output"), scene);
   return scene;

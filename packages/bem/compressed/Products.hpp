@@ -22,6 +22,14 @@ inline void addProduct(double s, const Matrix& a, const Matrix& b, Matrix& c,
   const int ldb = static_cast<int>(b.stride());
   const int ldc = static_cast<int>(c.stride());
   const double one = 1;
+  if (n == 1) {
+    const int rows = static_cast<int>(a.rows());
+    const int columns = static_cast<int>(a.columns());
+    const int next = 1;
+    dgemv_(transposed, &rows, &columns, &s, a.data(), &lda, b.data(), &next, &one,
+           c.data(), &next);
+    return;
+  }
   dgemm_(transposed, "N", &m, &n, &k, &s, a.data(), &lda, b.data(), &ldb, &one, c.data(),
          &ldc);
 }

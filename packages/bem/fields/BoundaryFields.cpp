@@ -27,6 +27,7 @@ struct BoundaryFields::Sources {
   };
   struct Far {
     std::vector<Stretch> stretches;
+    std::vector<const SourceGroups::Group*> groups;
     PointSources points;  ///< places relative to the middle of the target
   };
   std::vector<int> near;
@@ -54,6 +55,7 @@ BoundaryFields::BoundaryFields(const Space& space, const Lame& lame, const Vecto
     for (int f = 0; f < mesh_.size(); ++f)
       addPoints(f, static_cast<int>(order), mesh_[f].curve.frame().middle,
                 everything_[order]);
+  groups_ = std::make_unique<const SourceGroups>(runs_, fields_);
 }
 
 /// Element f through Gauss points, `middle` its place.
@@ -71,36 +73,57 @@ void BoundaryFields::addPoints(int f, int order, Vec2 middle,
   }
 }
 
-BoundaryFields::Sources BoundaryFields::split(int element) const {
-  Sources sources;
+void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
   FarBatch batch{};
+  const ElementRun& run = runs_[r];
+  const FarLanes chosen = runs_.choose(element, r, {run.first, run.last}, batch);
+  if (chosen.atOnce) {
+    const int order = pointsOn(chosen.smooth.inner, chosen.columns);
+    const auto first = static_cast<std::size_t>(run.first * order);
+    const auto last = static_cast<std::size_t>(run.last * order);
+    // interpolation needs twice as many points as a product of two such fields
+    auto& stretches = sources.far[2 * chosen.smooth.outer].stretches;
+    if (!stretches.empty() && stretches.back().order == order &&
+        stretches.back().last == first)
+      stretches.back().last = last;
+    else
+      stretches.push_back({order, first, last});
+    return;
+  }
   const BoundaryPoint middle = mesh_.at(element, 0);
-  for (int r = 0; r < runs_.size(); ++r) {
-    const ElementRun& run = runs_[r];
-    const FarLanes chosen = runs_.choose(element, r, {run.first, run.last}, batch);
-    if (chosen.atOnce) {
-      const int order = pointsOn(chosen.smooth.inner, chosen.columns);
-      const auto first = static_cast<std::size_t>(run.first * order);
-      const auto last = static_cast<std::size_t>(run.last * order);
-      // interpolation needs twice as many points as a product of two such fields
-      auto& stretches = sources.far[2 * chosen.smooth.outer].stretches;
-      if (!stretches.empty() && stretches.back().order == order &&
-          stretches.back().last == first)
-        stretches.back().last = last;
-      else
-        stretches.push_back({order, first, last});
+  for (int f = run.first; f < run.last; ++f) {
+    const int lane = f - run.first;
+    if (!chosen.far[lane]) {
+      sources.near.push_back(f);
       continue;
     }
-    for (int f = run.first; f < run.last; ++f) {
-      const int lane = f - run.first;
-      if (!chosen.far[lane]) {
-        sources.near.push_back(f);
-        continue;
-      }
-      const PairOrder& smooth = chosen.own[lane];
-      addPoints(f, pointsOn(smooth.inner, mesh_[f].degree),
-                -mesh_.difference(middle, mesh_.at(f, 0)),
-                sources.far[2 * smooth.outer].points);
+    const PairOrder& smooth = chosen.own[lane];
+    addPoints(f, pointsOn(smooth.inner, mesh_[f].degree),
+              -mesh_.difference(middle, mesh_.at(f, 0)),
+              sources.far[2 * smooth.outer].points);
+  }
+}
+
+BoundaryFields::Sources BoundaryFields::split(int element) const {
+  Sources sources;
+  const std::vector<SourceGroups::Group>& groups = groups_->groups();
+  if (groups.empty())
+    for (int r = 0; r < runs_.size(); ++r)
+      splitRun(element, r, sources);
+  const double half = mesh_[element].half;
+  const Complex middle = asComplex(mesh_[element].curve.frame().middle);
+  std::vector<int> waiting(groups.empty() ? 0 : 1, 0);
+  while (!waiting.empty()) {
+    const SourceGroups::Group& group = groups[static_cast<std::size_t>(waiting.back())];
+    waiting.pop_back();
+    if (SourceGroups::isFar(group, middle, half) && mesh_[element].curve.isStraight()) {
+      const double z = (std::abs(middle - group.centre) - group.radius) / half;
+      sources.far[2 * smoothOrder(z)].groups.push_back(&group);
+    } else if (group.children[0] >= 0) {
+      waiting.insert(waiting.end(), {group.children[1], group.children[0]});
+    } else {
+      for (int r = group.first; r < group.last; ++r)
+        splitRun(element, r, sources);
     }
   }
   return sources;
@@ -125,6 +148,8 @@ BoundaryFields::FarSeries BoundaryFields::farSeries(int element,
       for (const Sources::Stretch& stretch : far.stretches)
         sums.add(everything_[static_cast<std::size_t>(stretch.order)].at(
             middle + offset, stretch.first, stretch.last));
+      for (const SourceGroups::Group* group : far.groups)
+        sums.add(SourceGroups::at(*group, middle + offset));
       const Complex t = traction(lame_, normal, sums);
       const Complex m = mismatchSlope(lame_, normal, sums);
       for (std::size_t k = 0; k < size; ++k) {

@@ -2,10 +2,12 @@
 
 #include "bem/base/Material.hpp"
 #include "bem/fields/PointSources.hpp"
+#include "bem/fields/SourceGroups.hpp"
 #include "bem/moments/ElementRuns.hpp"
 #include "bem/quadrature/Graded.hpp"
 #include "bem/space/LocalField.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace epafi::bem {
@@ -22,7 +24,8 @@ struct BoundaryValue {
 ///
 /// Elements nearby are integrated exactly at points graded toward the ends of the element
 /// and of its neighbours, where both fields have logarithms; far ones act through Gauss
-/// points (error 1e-12 of their field) and are interpolated.  Squares of the fields are
+/// points (error 1e-12 of their field), many of them together through their moments where
+/// meshes are large, and are interpolated.  Squares of the fields are
 /// integrated to 2e-6 of their size by the weights.
 class BoundaryFields {
  public:
@@ -40,6 +43,7 @@ class BoundaryFields {
   struct FarSeries;
 
   void addPoints(int f, int order, Vec2 middle, PointSources& points) const;
+  void splitRun(int element, int r, Sources& sources) const;
   Sources split(int element) const;
   FarSeries farSeries(int element, const Sources& sources) const;
   void evaluateAt(int element, const Sources& sources, const FarSeries& series,
@@ -51,6 +55,7 @@ class BoundaryFields {
   std::vector<LocalField> fields_;
   /// By order: all elements through that many Gauss points each, as far circles need.
   std::vector<PointSources> everything_;
+  std::unique_ptr<const SourceGroups> groups_;
 };
 
 }  // namespace epafi::bem

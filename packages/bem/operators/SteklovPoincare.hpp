@@ -15,6 +15,8 @@ struct LocalCompliance {
   Vector diagonal;               ///< one g_k > 0 each
 };
 
+class CompressedOperators;
+
 /// What the densities E of a LocalCompliance do by themselves.
 struct DensityResponse {
   std::vector<Index> densities;
@@ -42,6 +44,13 @@ class SteklovPoincare {
   SteklovPoincare(Operators operators, const DenseAlgebra& algebra,
                   const SingleLayerSolver& solver,
                   const LocalCompliance& compliance = {});
+
+  /// S that is never formed: nothing below but algebra() and compressed() is there.
+  SteklovPoincare(std::shared_ptr<const CompressedOperators> operators,
+                  const DenseAlgebra& algebra)
+      : algebra_(&algebra), compressed_(std::move(operators)) {}
+  /// Null where S is formed.
+  std::shared_ptr<const CompressedOperators> compressed() const { return compressed_; }
 
   /// S, my rows.
   const LowerTriangle& stiffness() const { return stiffness_; }
@@ -73,6 +82,7 @@ class SteklovPoincare {
   Vector unordered(const Vector& b) const;
 
   const DenseAlgebra* algebra_;
+  std::shared_ptr<const CompressedOperators> compressed_;
   Index densities_ = 0;
   std::shared_ptr<const Rotation> rotation_;
   /// Density of each row of the factor; empty: as numbered.  On one process those with a

@@ -39,6 +39,11 @@ struct NewtonSystem::Impl {
   Matrix held;         // orthonormal combinations of scaled motions that the rows hold
   Matrix loose;        // ... and that they do not
 
+  // Where D is known by what it does; its solutions for Ĝ, all coefficients, are in
+  // solvedBorder, what balances them in schur.
+  std::unique_ptr<Flexibility::Operator::Factor> byOperator;
+  std::vector<Flexibility::Operator::System::Follower> followers;
+
   Matrix factor;  // Cholesky's L or LU of the bordered matrix
   std::vector<int> pivots;
   Vector rowScale;  // what equilibrates an LU: stiff rows stand beside soft ones
@@ -55,7 +60,9 @@ struct NewtonSystem::Impl {
         k(problem.rigidMotions()) {
     chooseInactive();
     splitMotions();
-    if (symmetric)
+    if (!problem.flexibility.isFormed() && boundsFollowKnownRows())
+      factorByOperator();
+    else if (symmetric)
       factorSymmetric();
     else
       factorGeneral();
@@ -88,8 +95,95 @@ struct NewtonSystem::Impl {
       }
     }
     for (const Index i : inactive) {
-      const double d = problem.flexibility(i, i) + shift(i);
+      const double d = problem.flexibility.isFormed()
+                           ? problem.flexibility(i, i) + shift(i)
+                           : 1 / weight(i) + shift(i);
       scale.push_back(d > 0 ? 1 / std::sqrt(d) : 1);
+    }
+  }
+
+  // What a bound adds to the row of an unknown coefficient, D's operator does not know.
+  bool boundsFollowKnownRows() const {
+    for (Index i = problem.normals; i < n; ++i)
+      for (const NormalShare& part : boundParts[at(i)])
+        if (!isKnown(i) && part.value != 0)
+          return false;
+    return true;
+  }
+
+  void factorByOperator() {
+    Flexibility::Operator::System system;
+    system.rows = inactive;
+    for (const Index i : inactive)
+      system.shifts.push_back(shift(i));
+    for (Index i = problem.normals; i < n; ++i)
+      for (const NormalShare& part : boundParts[at(i)])
+        if (isKnown(i) && !isKnown(part.normal))
+          system.followers.push_back({i, part.normal, following(i, part.value)});
+    followers = system.followers;
+    byOperator = problem.flexibility.factor(system);
+    const Index c = border.columns();
+    solvedBorder = Matrix(n, c);
+    schur = Matrix(c, c);
+    for (Index j = 0; j < c; ++j) {
+      Vector right;
+      for (const Index i : inactive)
+        right.push_back(heldEntry(i, j));
+      const Vector solved = byOperator->solve(right, Vector(at(n), 0.0));
+      std::copy(solved.begin(), solved.end(), solvedBorder.column(j));
+      for (Index l = 0; l < c; ++l)
+        schur(l, j) = forceOn(l, solved);
+    }
+    pivots.resize(at(c));
+    const int size = static_cast<int>(c);
+    int info = 0;
+    if (c > 0)
+      Teuchos::LAPACK<int, double>().GETRF(size, size, schur.data(),
+                                           static_cast<int>(schur.stride()),
+                                           pivots.data(), &info);
+    if (info != 0)
+      throw SingularJacobian(
+          "singular Newton matrix: nothing balances the rigid motions");
+  }
+
+  // The work of a multiplier on a held motion.
+  double forceOn(Index motion, const Vector& multiplier) const {
+    double sum = 0;
+    for (Index i = 0; i < n; ++i)
+      if (multiplier[at(i)] != 0)
+        sum += heldEntry(i, motion) * multiplier[at(i)];
+    return sum;
+  }
+
+  Vector solveByOperator(const Vector& b) const {
+    const Vector known = knownChanges(b);
+    Vector d = byOperator->solve(rowsAfter(b, known), known);
+    const Index c = border.columns();
+    Vector added = d;
+    for (Index i = 0; i < n; ++i)
+      added[at(i)] -= known[at(i)];
+    const Vector rest = balance(b, known);
+    Vector beta;
+    for (Index j = 0; j < c; ++j)
+      beta.push_back(dot(columnOf(held, j), rest) - forceOn(j, added));
+    int info = 0;
+    if (c > 0)
+      Teuchos::LAPACK<int, double>().GETRS(
+          'N', static_cast<int>(c), 1, schur.data(), static_cast<int>(schur.stride()),
+          pivots.data(), beta.data(), static_cast<int>(c), &info);
+    for (Index j = 0; j < c; ++j)
+      for (Index i = 0; i < n; ++i)
+        d[at(i)] += beta[at(j)] * solvedBorder(i, j);
+    appendMotions(beta.data(), d);
+    return d;
+  }
+
+  void appendMotions(const double* sizes, Vector& d) const {
+    for (Index m = 0; m < k; ++m) {
+      double sum = 0;
+      for (Index j = 0; j < held.columns(); ++j)
+        sum += held(m, j) * sizes[j];
+      d.push_back(motionScale[at(m)] * sum);
     }
   }
 
@@ -276,8 +370,8 @@ struct NewtonSystem::Impl {
     return rest;
   }
 
-  // The inactive rows after the known changes d, scaled, and then the held balances.
-  Vector rightSide(const Vector& b, const Vector& d) const {
+  // The inactive rows, divided by what D has there, without D times the known changes d.
+  Vector rowsAfter(const Vector& b, const Vector& d) const {
     Vector x(at(count()), 0.0);
     for (Index p = 0; p < count(); ++p) {
       const Index i = inactive[at(p)];
@@ -287,6 +381,12 @@ struct NewtonSystem::Impl {
         if (isKnown(part.normal))
           x[at(p)] -= part.value / m * d[at(part.normal)];
     }
+    return x;
+  }
+
+  // The inactive rows after the known changes d, scaled, and then the held balances.
+  Vector rightSide(const Vector& b, const Vector& d) const {
+    Vector x = rowsAfter(b, d);
     for (Index j = 0; j < n; ++j) {
       const double* column = problem.flexibility.column(j);
       for (Index p = 0; p < count() && d[at(j)] != 0; ++p)
@@ -301,6 +401,8 @@ struct NewtonSystem::Impl {
   }
 
   Vector solveOnce(const Vector& b) const {
+    if (byOperator != nullptr)
+      return solveByOperator(b);
     Vector d = knownChanges(b);
     Vector x = rightSide(b, d);
     if (symmetric)
@@ -314,12 +416,7 @@ struct NewtonSystem::Impl {
       for (const NormalShare& part : boundParts[at(i)])
         if (isKnown(i) && !isKnown(part.normal))
           d[at(i)] += following(i, part.value) * d[at(part.normal)];
-    for (Index m = 0; m < k; ++m) {
-      double sum = 0;
-      for (Index j = 0; j < held.columns(); ++j)
-        sum += held(m, j) * x[at(count() + j)];
-      d.push_back(motionScale[at(m)] * sum);
-    }
+    appendMotions(x.data() + count(), d);
     return d;
   }
 
@@ -364,6 +461,8 @@ NewtonSystem::NewtonSystem(NewtonSystem&&) noexcept = default;
 
 Vector NewtonSystem::solve(const Vector& b) const {
   Vector d = impl_->solveOnce(b);
+  if (impl_->byOperator != nullptr)
+    return d;  // it refines its own
   const Vector product = impl_->equation.jacobianTimes(impl_->e, d);
   Vector defect(b.size());
   for (std::size_t i = 0; i < b.size(); ++i)

@@ -22,6 +22,9 @@ struct SingularJacobian : bem::NumericalError {
 /// differentiated: Cholesky with the border by its Schur complement.  Otherwise LU, of
 /// the same reduced size.
 ///
+/// Where D is not formed (Flexibility::isFormed), its operator solves with D_II instead, and
+/// coefficients at their bounds follow theirs there.
+///
 /// Rigid motions that the inactive rows do not hold (no contact yet, everything slips)
 /// are left out of the step; `unheld` tells which of them the load demands.
 class NewtonSystem {
@@ -31,7 +34,7 @@ class NewtonSystem {
   ~NewtonSystem();
   NewtonSystem(NewtonSystem&&) noexcept;
 
-  /// J⁻¹ b, refined once.
+  /// J⁻¹ b, refined.
   Vector solve(const Vector& b) const;
 
   /// The combination v of rigid motions, in units of α, that no row holds and whose

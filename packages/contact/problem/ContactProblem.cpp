@@ -94,7 +94,7 @@ void ContactProblem::Parts::factor(const Input& input) {
     body = std::make_unique<const ElasticBody>(*form, algebra, holding);
     return;
   } catch (const bem::NumericalError&) {
-    if (form->subtracted().columns() == 0)
+    if (input.stiffness.compressed() != nullptr || form->subtracted().columns() == 0)
       throw;
   }
   const double definiteBelow = limit(input, *form, holding);
@@ -117,8 +117,11 @@ ContactProblem::ContactProblem(const Input& input)
     : parts_(std::make_unique<Parts>(input)) {
   Parts& parts = *parts_;
   std::vector<ElasticBody::Response> responses;
-  responses.push_back(parts.body->response(parts.form->coupling()));
-  Problem problem = condense(parts.algebra, parts.form->multiplierMass(), responses);
+  responses.push_back(parts.body->ownResponse());
+  Problem problem = condense(
+      parts.algebra,
+      responses.front().flexibility == nullptr ? parts.form->multiplierMass() : Matrix(),
+      responses);
   problem.normals = parts.numbers.normals;
   problem.tangentials = std::move(parts.numbers.tangentials);
   takeAway(parts.obstacle, problem.offset);

@@ -155,8 +155,12 @@ struct ContactSystem::Parts {
   void condenseAll() {
     std::vector<ElasticBody::Response> responses;
     for (std::size_t b = 0; b < size(); ++b)
-      responses.push_back(part(b).body->response(coupling(b)));
-    numbers = condense(part(0).algebra, multiplierMass(), responses);
+      responses.push_back(size() == 1 ? part(b).body->ownResponse()
+                                      : part(b).body->response(coupling(b)));
+    numbers =
+        condense(part(0).algebra,
+                 responses.front().flexibility == nullptr ? multiplierMass() : Matrix(),
+                 responses);
     numbers.normals = numbering.normals();
     if (freeMotions() > 0)
       numbers.rigid = withRigidBodies(numbers.rigid);

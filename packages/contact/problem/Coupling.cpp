@@ -271,6 +271,15 @@ class CouplingWriter {
   Coupling& coupling_;
 };
 
+/// Where the densities of each contact element begin among all of them.
+std::vector<Index> densityStarts(const bem::Space& space,
+                                 const MultiplierSpace& multiplier) {
+  std::vector<Index> starts(1, 0);
+  for (const ContactElement& contact : multiplier.elements())
+    starts.push_back(starts.back() + 2 * space.mesh()[contact.element].densities);
+  return starts;
+}
+
 /// What stands for S φ in the coupling: densities' responses, or tractions.
 void chooseColumns(Coupling& coupling, const ContactProblem::Input& input,
                    const MultiplierSpace& multiplier) {
@@ -295,10 +304,28 @@ void chooseColumns(Coupling& coupling, const ContactProblem::Input& input,
   if (!expected)
     return;
   coupling.columns = {coupling.response, &coupling.response->displacements};
-  coupling.start.assign(1, 0);
-  for (const ContactElement& contact : multiplier.elements())
-    coupling.start.push_back(coupling.start.back() +
-                             2 * input.space.mesh()[contact.element].densities);
+  coupling.start = densityStarts(input.space, multiplier);
+}
+
+/// Writes what the elements have, with the columns that are chosen already.
+void writeElements(const bem::Space& space, const MultiplierSpace& multiplier,
+                   const Stabilization& stabilization, const bem::Lame& lame,
+                   bem::Units units, Coupling& coupling) {
+  const bool byDensity = stabilization.form == Stabilization::Form::Density;
+  coupling.unknowns = space.displacements();
+  coupling.multipliers = multiplier.size();
+  coupling.rotation = space.rotation();
+  for (Vector* rests : {&coupling.traceOfRotation, &coupling.completionOfRotation})
+    rests->assign(static_cast<std::size_t>(multiplier.size()), 0.0);
+  const CouplingWriter writer(space, multiplier.basis(), byDensity, coupling);
+  for (std::size_t k = 0; k < multiplier.elements().size(); ++k) {
+    const ContactElement& contact = multiplier.elements()[k];
+    coupling.gamma.push_back(
+        gammaOn(space.mesh(), contact.element, stabilization, lame.nu, units));
+    writer.write(contact, coupling.gamma.back(), coupling.start[k]);
+  }
+  coupling.compliance =
+      densityCompliance(space, multiplier, stabilization, lame, units).diagonal;
 }
 
 }  // namespace
@@ -355,24 +382,19 @@ bem::SteklovPoincare makeStiffness(const bem::Space& space,
 Coupling makeCoupling(const ContactProblem::Input& input,
                       const MultiplierSpace& multiplier) {
   Coupling coupling;
-  coupling.unknowns = input.space.displacements();
-  coupling.multipliers = multiplier.size();
-  coupling.rotation = input.space.rotation();
-  for (Vector* rests : {&coupling.traceOfRotation, &coupling.completionOfRotation})
-    rests->assign(static_cast<std::size_t>(multiplier.size()), 0.0);
   chooseColumns(coupling, input, multiplier);
-  const CouplingWriter writer(input.space, multiplier.basis(),
-                              coupling.response != nullptr, coupling);
-  for (std::size_t k = 0; k < multiplier.elements().size(); ++k) {
-    const ContactElement& contact = multiplier.elements()[k];
-    coupling.gamma.push_back(gammaOn(input.space.mesh(), contact.element,
-                                     input.stabilization, input.lame.nu, input.units));
-    writer.write(contact, coupling.gamma.back(), coupling.start[k]);
-  }
-  if (coupling.response != nullptr)
-    coupling.compliance = densityCompliance(input.space, multiplier, input.stabilization,
-                                            input.lame, input.units)
-                              .diagonal;
+  writeElements(input.space, multiplier, input.stabilization, input.lame, input.units,
+                coupling);
+  return coupling;
+}
+
+Coupling makeLocalCoupling(const bem::Space& space, const MultiplierSpace& multiplier,
+                           const Stabilization& stabilization, const bem::Lame& lame,
+                           bem::Units units) {
+  Coupling coupling;
+  coupling.tractions = noTractions(multiplier);
+  coupling.start = densityStarts(space, multiplier);
+  writeElements(space, multiplier, stabilization, lame, units, coupling);
   return coupling;
 }
 

@@ -72,4 +72,10 @@ double quadratic(const Matrix& symmetric, const Vector& w);
 Coupling makeCoupling(const ContactProblem::Input& input,
                       const MultiplierSpace& multiplier);
 
+/// Its sparse parts alone, of Form None or Density, whose `weights` have the densities of
+/// densityCompliance as rows.
+Coupling makeLocalCoupling(const bem::Space& space, const MultiplierSpace& multiplier,
+                           const Stabilization& stabilization, const bem::Lame& lame,
+                           bem::Units units);
+
 }  // namespace epafi::contact

@@ -99,11 +99,9 @@ ElasticBody::ElasticBody(const StabilisedBody& form, const DenseAlgebra& algebra
       holding_(&holding),
       load_(holding.loads.load),
       constant_(withoutFixedMotions(holding)) {
-  Matrix a = form.stiffness();
-  axpy(-1, algebra.multiplySymmetric(a, holding.loads.prescribed), load_);
-  const Rows mine = algebra.myRows(static_cast<Index>(load_.size()));
-  factor_ =
-      algebra.cholesky(constrained(std::move(a), mine, holding), "the stiffness matrix");
+  stiffness_ = form.held(holding);
+  if (holding.loads.largestDisplacement > 0)
+    load_ = form.residual(load_, holding.loads.prescribed);
 }
 
 ElasticBody ElasticBody::under(const Holding& holding) const {
@@ -121,7 +119,7 @@ Vector ElasticBody::respond(Vector force) const {
   for (std::size_t j = 0; j < force.size(); ++j)
     if (holding_->loads.clamped[j] != 0)
       force[j] = 0;
-  Vector u = factor_->solve(force);
+  Vector u = stiffness_->solve(force);
   for (Index k = 0; k < holding_->rigid.allowed.columns(); ++k) {
     const Vector r = columnOf(holding_->rigid.allowed, k);
     axpy(-dot(r, force), r, u);
@@ -144,7 +142,26 @@ ElasticBody::Response ElasticBody::response(Matrix coupling) const {
     for (Index i = 0; i < coupling.rows(); ++i)
       if (holding_->loads.clamped[at(i + mine.begin)] != 0)
         coupling(i, j) = 0;
-  response.half = factor_->forward(std::move(coupling));
+  response.half = stiffness_->forward(std::move(coupling));
+  return response;
+}
+
+ElasticBody::Response ElasticBody::ownResponse() const {
+  return stiffness_->flexibility() != nullptr ? compressedResponse()
+                                              : response(form_->coupling());
+}
+
+ElasticBody::Response ElasticBody::compressedResponse() const {
+  const RigidConstraints& rigid = holding_->rigid;
+  Response response;
+  response.flexibility = stiffness_->flexibility();
+  response.motions = Matrix(response.flexibility->size(), rigid.allowed.columns());
+  for (Index k = 0; k < rigid.allowed.columns(); ++k) {
+    const Vector moved = form_->pull(columnOf(rigid.allowed, k));
+    std::copy(moved.begin(), moved.end(), response.motions.column(k));
+  }
+  response.rigidLoad = rigidLoad();
+  response.offset = form_->pull(unpushed());
   return response;
 }
 
@@ -170,6 +187,8 @@ Vector ElasticBody::displacement(const Vector& contactForce,
   axpy(1, constant_, u);
   for (Index k = 0; k < freeMotions(); ++k)
     axpy(motions[k], columnOf(holding_->rigid.allowed, holding_->rigid.fixed() + k), u);
+  if (stiffness_->flexibility() != nullptr)
+    return u;  // refined by its own product
   // What the factor leaves is ε |A| |u|.
   Vector whole = holding_->loads.load;
   axpy(-1, contactForce, whole);
@@ -219,14 +238,16 @@ Vector ElasticBody::fixedReactions(const Vector& contactForce) const {
 Problem condense(const DenseAlgebra& algebra, Matrix multiplierMass,
                  const std::vector<ElasticBody::Response>& bodies) {
   Problem problem;
-  const Index m = multiplierMass.rows();
+  const auto m = static_cast<Index>(bodies.front().offset.size());
   const Rows mine = algebra.myRows(m);
   Index free = 0;
   for (const auto& body : bodies)
     free += static_cast<Index>(body.rigidLoad.size());
   problem.rigid = Matrix(m, free);
   problem.offset.assign(at(m), 0.0);
-  Matrix d = mine.size() == m ? std::move(multiplierMass) : rowsOf(multiplierMass, mine);
+  const bool isFormed = bodies.front().flexibility == nullptr;
+  Matrix d = mine.size() == m || !isFormed ? std::move(multiplierMass)
+                                           : rowsOf(multiplierMass, mine);
   for (const auto& body : bodies) {
     axpy(1, body.offset, problem.offset);
     const Index fixed =
@@ -236,8 +257,14 @@ Problem condense(const DenseAlgebra& algebra, Matrix multiplierMass,
                   problem.rigid.column(problem.rigidMotions() + k - fixed));
     problem.rigidLoad.insert(problem.rigidLoad.end(), body.rigidLoad.begin(),
                              body.rigidLoad.end());
+    if (!isFormed)
+      continue;
     subtractMotions(body.motions, mine, d);
     d = algebra.addGram(std::move(d), body.half);
+  }
+  if (!isFormed) {
+    problem.flexibility = Flexibility(bodies.front().flexibility);
+    return problem;
   }
   d = algebra.replicate(std::move(d), m);
   for (Index j = 0; j < m; ++j)

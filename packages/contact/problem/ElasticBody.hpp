@@ -47,8 +47,12 @@ class ElasticBody {
     Matrix motions;    ///< ... less this times its transpose: C R, fixed, then free
     Vector offset;     ///< C u for λ = 0, α = 0
     Vector rigidLoad;  ///< Rᵀ f of the free motions
+    /// In place of `half`, and with M, where no stiffness is formed; else null.
+    std::shared_ptr<const Flexibility::Operator> flexibility{};
   };
   Response response(Matrix coupling) const;
+  /// The same through its own multiplier alone.
+  Response ownResponse() const;
 
   /// u for λ = 0, α = 0, and Rᵀ f of the free motions: what loads make of a response.
   Vector unpushed() const;
@@ -70,20 +74,22 @@ class ElasticBody {
 
  private:
   Vector respond(Vector force) const;
+  Response compressedResponse() const;
 
   const StabilisedBody* form_;
   const bem::DenseAlgebra* algebra_;
   const Holding* holding_;
   Vector load_;      ///< f - A u_D
   Vector constant_;  ///< u_D and what Fix makes of it
-  std::shared_ptr<const bem::CholeskyFactor> factor_;
+  std::shared_ptr<const HeldStiffness> stiffness_;
 };
 
 /// The problem that all bodies make together:
 ///
 ///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   d₀ = Σ_b C_b u_b,   G = (C_b R_b)_b,   q = (R_bᵀ f_b)_b
 ///
-/// Its bounds, gaps and normals are the contacts' business.
+/// `multiplierMass` is M, whole; where a body's stiffness is not formed it is the only one, and
+/// M is in its response.  Bounds, gaps and normals are the contacts' business.
 Problem condense(const bem::DenseAlgebra& algebra, Matrix multiplierMass,
                  const std::vector<ElasticBody::Response>& bodies);
 

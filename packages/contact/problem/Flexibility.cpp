@@ -31,7 +31,7 @@ class Dense final : public Flexibility::Operator {
     return sum;
   }
 
-  const Matrix* entries() const override { return &entries_; }
+  const Matrix& entries() const override { return entries_; }
 
  private:
   template <class Add>
@@ -53,6 +53,7 @@ Flexibility::Flexibility(Matrix entries)
     : Flexibility(std::make_shared<const Dense>(std::move(entries))) {}
 
 Flexibility::Flexibility(std::shared_ptr<const Operator> form)
-    : operator_(std::move(form)), entries_(operator_->entries()) {}
+    : operator_(std::move(form)),
+      entries_(operator_->isFormed() ? &operator_->entries() : nullptr) {}
 
 }  // namespace epafi::contact

@@ -3,6 +3,7 @@
 #include "bem/base/Matrix.hpp"
 
 #include <memory>
+#include <vector>
 
 namespace epafi::contact {
 
@@ -28,8 +29,33 @@ class Flexibility {
     };
     virtual Product product(const Vector& x) const = 0;
     virtual Vector times(const Vector& x) const = 0;
-    /// All of D; null where it is not formed.
-    virtual const Matrix* entries() const { return nullptr; }
+    /// All of D, formed when it is asked for where isFormed() is false.
+    /// \throws bem::NumericalError where it is too large for that.
+    virtual const Matrix& entries() const = 0;
+    /// Are the entries there, so that linear systems may be made of them?
+    virtual bool isFormed() const { return true; }
+
+    /// A linear system in some of the coefficients.
+    struct System {
+      std::vector<Index> rows;  ///< the coefficients that are solved for
+      Vector shifts;            ///< one each, added to D's diagonal
+      /// A coefficient that is not, but changes with one that is.
+      struct Follower {
+        Index follower;
+        Index leader;
+        double factor;
+      };
+      std::vector<Follower> followers;
+    };
+    class Factor {
+     public:
+      virtual ~Factor() = default;
+      /// x with  Σ_j D_ij x_j + shift_i x_i = b_i  in the rows i, where all other x_j are
+      /// known_j + Σ factor x_leader; `b` by rows.
+      virtual Vector solve(const Vector& b, const Vector& known) const = 0;
+    };
+    /// \pre not isFormed().  \throws bem::NumericalError if it is singular.
+    virtual std::unique_ptr<Factor> factor(const System&) const { return nullptr; }
   };
 
   /// Of size zero.
@@ -42,10 +68,16 @@ class Flexibility {
   Operator::Product product(const Vector& x) const { return operator_->product(x); }
   Vector times(const Vector& x) const { return operator_->times(x); }
 
-  /// \pre D is formed.
-  const Matrix& entries() const { return *entries_; }
-  const double* column(Index j) const { return entries_->column(j); }
-  double operator()(Index i, Index j) const { return (*entries_)(i, j); }
+  /// D may know how to solve without its entries; they are formed when asked for.
+  bool isFormed() const { return entries_ != nullptr; }
+  std::unique_ptr<Operator::Factor> factor(const Operator::System& system) const {
+    return operator_->factor(system);
+  }
+  const Matrix& entries() const {
+    return entries_ != nullptr ? *entries_ : operator_->entries();
+  }
+  const double* column(Index j) const { return entries().column(j); }
+  double operator()(Index i, Index j) const { return entries()(i, j); }
 
  private:
   std::shared_ptr<const Operator> operator_;

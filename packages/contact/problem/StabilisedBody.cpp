@@ -3,7 +3,9 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/problem/BalancedStiffness.hpp"
+#include "contact/problem/CompressedBody.hpp"
 #include "contact/problem/Coupling.hpp"
+#include "contact/problem/ElasticBody.hpp"
 
 #include <algorithm>
 
@@ -12,6 +14,17 @@ namespace epafi::contact {
 using bem::dot;
 
 namespace {
+
+class Factored final : public HeldStiffness {
+ public:
+  explicit Factored(std::unique_ptr<const bem::CholeskyFactor> factor)
+      : factor_(std::move(factor)) {}
+  Vector solve(const Vector& force) const override { return factor_->solve(force); }
+  Matrix forward(Matrix rows) const override { return factor_->forward(std::move(rows)); }
+
+ private:
+  std::unique_ptr<const bem::CholeskyFactor> factor_;
+};
 
 /// The forms that fit into a Coupling: those of [P], which insert the traction S u, the one
 /// by the density, and no stabilisation.
@@ -27,7 +40,7 @@ class Coupled final : public StabilisedBody {
 
   // S - S^ = S - X Xᵀ.  One process takes a panel of X at a time, which saves its memory;
   // several would exchange the whole sum for every panel.
-  Matrix stiffness() const override {
+  Matrix stiffness() const {
     Matrix a = stiffness_.stiffness().unpacked();
     const Index columns = coupling_.stabilisationColumns();
     const Index width = algebra_.processes() == 1 ? 256 : std::max<Index>(1, columns);
@@ -36,6 +49,12 @@ class Coupled final : public StabilisedBody {
           std::move(a),
           coupling_.stabilisationHalf(first, std::min(first + width, columns)), -1);
     return a;
+  }
+
+  std::shared_ptr<const HeldStiffness> held(const Holding& holding) const override {
+    return std::make_shared<const Factored>(algebra_.cholesky(
+        constrained(stiffness(), algebra_.myRows(coupling_.unknowns), holding),
+        "the stiffness matrix"));
   }
 
   Vector residual(const Vector& force, const Vector& u) const override {
@@ -117,6 +136,8 @@ std::unique_ptr<const StabilisedBody> makeStabilisedBody(
   if (input.basis.sharesNodes && input.stabilization.form != Stabilization::Form::None)
     throw bem::InputError(bem::message("the multiplier '", input.basis.name,
                                        "' needs the stabilisation's form None"));
+  if (input.stiffness.compressed() != nullptr)
+    return makeCompressedBody(input, multiplier);
   return std::make_unique<const Coupled>(input.space, input.stiffness,
                                          makeCoupling(input, multiplier));
 }

@@ -4,6 +4,21 @@
 
 namespace epafi::contact {
 
+struct Holding;
+
+/// A body's stiffness, held as its conditions say, and factored.
+class HeldStiffness {
+ public:
+  virtual ~HeldStiffness() = default;
+
+  /// (A + Σ c cᵀ)⁻¹ f on what is not clamped, zero elsewhere; see constrained().
+  virtual Vector solve(const Vector& force) const = 0;
+  /// L⁻¹ Cᵀ, my rows, where A is formed.
+  virtual Matrix forward(Matrix rows) const = 0;
+  /// C A⁺ Cᵀ + M, where A is not; else null.
+  virtual std::shared_ptr<const Flexibility::Operator> flexibility() const { return {}; }
+};
+
 /// What a form of the stabilisation makes of an elastic body and of the multiplier on it:
 ///
 ///   A u + Cᵀ λ = f,   C u - M λ - g in the conditions      [doc/theory/contact.md, In numbers]
@@ -15,8 +30,8 @@ class StabilisedBody {
  public:
   virtual ~StabilisedBody() = default;
 
-  /// A, my rows of the lower triangle; held by nothing yet.
-  virtual Matrix stiffness() const = 0;
+  /// The holding outlives the result.
+  virtual std::shared_ptr<const HeldStiffness> held(const Holding& holding) const = 0;
   /// f - A u, replicated, free of what rounding of A would leave in the balance.
   virtual Vector residual(const Vector& force, const Vector& u) const = 0;
   /// Cᵀ, my rows.

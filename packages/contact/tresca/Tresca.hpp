@@ -60,9 +60,11 @@ class NewtonCourse : public Course {
 
   const State& start() const { return start_; }
   /// Whether the start is a state, not zero; whether it says which sets are active, up to
-  /// a few coefficients.
+  /// a few coefficients, and D's entries are there to pivot with.
   bool hasStart() const { return hasStart_; }
-  bool knowsSets() const { return hasStart_ && equation_.hasActiveSets(); }
+  bool knowsSets() const {
+    return hasStart_ && equation_.hasActiveSets() && problem().flexibility.isFormed();
+  }
 
   /// One run of Newton's, from where the course stands or from the best point.
   void steps(Stage stage, int most);

@@ -1,0 +1,292 @@
+#include "contact/problem/CompressedBody.hpp"
+
+#include "bem/algebra/SmallAlgebra.hpp"
+#include "contact/problem/CompressedFlexibility.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::contact {
+
+using bem::dot;
+
+namespace {
+
+/// Ĉ and M with the numbers of unknowns.
+CompressedCoupling compressedCoupling(const bem::Space& space, const Coupling& coupling,
+                                      const bem::LocalCompliance& compliance) {
+  CompressedCoupling result;
+  result.first = space.displacements() + space.densities();
+  result.multipliers = coupling.multipliers;
+  result.entries = coupling.trace;
+  result.mass = coupling.mass;
+  for (const Coupling::Entry& entry : coupling.weights)
+    result.entries.push_back({space.displacements() + compliance.densities[at(entry.row)],
+                              entry.column, -entry.value});
+  return result;
+}
+
+/// Where each coefficient of the multiplier belongs: to the element that numbers the
+/// displacement which it does most work on, so that a leaf has both.
+std::vector<int> elementsOf(const bem::Space& space, const Coupling& coupling) {
+  std::vector<int> elementOf(at(space.displacements()));
+  for (int e = 0; e < space.mesh().size(); ++e)
+    for (Index i = space.displacement(e, 0, 0);
+         i < space.displacement(e, 0, 0) + 2 * space.mesh()[e].degree; ++i)
+      elementOf[at(i)] = e;
+  std::vector<int> elements(at(coupling.multipliers), 0);
+  Vector largest(at(coupling.multipliers), -1.0);
+  for (const Coupling::Entry& entry : coupling.trace)
+    if (std::abs(entry.value) > largest[at(entry.column)]) {
+      largest[at(entry.column)] = std::abs(entry.value);
+      elements[at(entry.column)] = elementOf[at(entry.row)];
+    }
+  return elements;
+}
+
+class CompressedBody final : public StabilisedBody {
+ public:
+  CompressedBody(const bem::Space& space,
+                 std::shared_ptr<const bem::CompressedOperators> operators,
+                 Coupling coupling, bem::LocalCompliance compliance)
+      : space_(space),
+        operators_(std::move(operators)),
+        coupling_(std::move(coupling)),
+        compliance_(std::move(compliance)),
+        compressed_(compressedCoupling(space, coupling_, compliance_)) {}
+
+  std::shared_ptr<const HeldStiffness> held(const Holding& holding) const override {
+    return std::make_shared<const Held>(*this, holding);
+  }
+
+  // f - (W u + K' ψ), ψ that of u
+  Vector residual(const Vector& force, const Vector& u) const override {
+    Vector rest = force;
+    const Matrix& image = imageOf(u);
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      rest[i] -= image(static_cast<Index>(i), 0);
+    return rest;
+  }
+
+  Matrix coupling() const override { return {}; }
+
+  Vector push(const Vector& multiplier) const override {
+    Matrix x(operators_->size(), 1);
+    compressed_.push(1, multiplier, x.data());
+    if (byDensity()) {
+      // ψ = (V + G)⁻¹ (K u - N λ): what -N λ makes of it acts through K'
+      Matrix right(operators_->size(), 1);
+      for (Index i = displacements(); i < compressed_.first; ++i)
+        right(i, 0) = x(i, 0);
+      const Matrix image = operators_->times(densityFactor().solve(right));
+      for (Index i = 0; i < displacements(); ++i)
+        x(i, 0) -= image(i, 0);
+    }
+    for (const Coupling::Entry& entry : coupling_.completion)
+      x(entry.row, 0) += entry.value * multiplier[at(entry.column)];
+    return {x.data(), x.data() + displacements()};
+  }
+
+  Vector pull(const Vector& u) const override {
+    Matrix x(operators_->size(), 1);
+    std::copy(u.begin(), u.end(), x.data());
+    if (byDensity()) {
+      const Vector psi = densityOf(u, {});
+      std::copy(psi.begin(), psi.end(), x.data() + displacements());
+    }
+    return compressed_.pull(x.data());
+  }
+
+  Matrix multiplierMass() const override { return coupling_.multiplierMass(); }
+  double multiplierWork(const Vector& multiplier) const override {
+    return coupling_.multiplierWork(multiplier);
+  }
+
+  Vector density(const Vector& u, const Vector& multiplier) const override {
+    return densityOf(u, multiplier);
+  }
+
+  // 1/2 uᵀ W u + 1/2 ψᵀ V ψ from Z's products with u and ψ, -(V + G) there
+  double strainEnergy(const Vector& u, const Vector& multiplier) const override {
+    const Vector psi = densityOf(u, multiplier);
+    Matrix x(operators_->size(), 2);
+    std::copy(u.begin(), u.end(), x.column(0));
+    std::copy(psi.begin(), psi.end(), x.column(1) + displacements());
+    const Matrix image = operators_->times(x);
+    double twice = 0;
+    for (Index i = 0; i < compressed_.first; ++i)
+      twice += x(i, 0) * image(i, 0) - x(i, 1) * image(i, 1);
+    for (std::size_t k = 0; k < compliance_.densities.size(); ++k) {
+      const double value = psi[at(compliance_.densities[k])];
+      twice -= compliance_.diagonal[k] * value * value;
+    }
+    return 0.5 * twice;
+  }
+
+  bool byDensity() const override { return !compliance_.densities.empty(); }
+
+  bem::Vec2 meanSlack(std::size_t contactElement, const Vector& multiplier,
+                      const Vector& density) const override {
+    if (!byDensity())
+      return {};
+    const Vector w = coupling_.weighted(multiplier);
+    const Index first = coupling_.start[contactElement];
+    const auto integral = [&](Index k) {
+      return w[at(k)] +
+             compliance_.diagonal[at(k)] * density[at(compliance_.densities[at(k)])];
+    };
+    const double length =
+        compliance_.diagonal[at(first)] / coupling_.gamma[contactElement];
+    return (1 / length) * bem::Vec2{integral(first), integral(first + 1)};
+  }
+
+  double gamma(std::size_t contactElement) const override {
+    return coupling_.gamma[contactElement];
+  }
+  Matrix subtracted() const override { return {}; }
+  std::unique_ptr<const StabilisedBody> weakened(double) const override {
+    return nullptr;
+  }
+
+ private:
+  class Held final : public HeldStiffness {
+   public:
+    Held(const CompressedBody& body, const Holding& holding)
+        : holding_(holding),
+          held_(std::make_shared<const CompressedHolding>(*body.operators_,
+                                                          body.compressed_, holding)),
+          flexibility_(compressedFlexibility(held_)),
+          size_(body.displacements()) {}
+
+    // A⁺ f + R Rᵀ f
+    Vector solve(const Vector& force) const override {
+      Matrix forces(held_->operators().size(), 1);
+      std::copy(force.begin(), force.end(), forces.data());
+      constexpr int refinements = 2;
+      const Matrix x = held_->displaced(std::move(forces), refinements);
+      Vector u(x.data(), x.data() + size_);
+      for (Index k = 0; k < holding_.rigid.allowed.columns(); ++k) {
+        const Vector r = columnOf(holding_.rigid.allowed, k);
+        bem::axpy(dot(r, force), r, u);
+      }
+      return u;
+    }
+    Matrix forward(Matrix) const override { return {}; }
+    std::shared_ptr<const Flexibility::Operator> flexibility() const override {
+      return flexibility_;
+    }
+
+   private:
+    const Holding& holding_;
+    std::shared_ptr<const CompressedHolding> held_;
+    std::shared_ptr<const Flexibility::Operator> flexibility_;
+    Index size_;
+  };
+
+  Index displacements() const { return space_.displacements(); }
+
+  /// Of V + G: all displacements and multipliers held.
+  const bem::CompressedFactor& densityFactor() const {
+    if (densityFactor_ == nullptr) {
+      bem::Restriction restriction;
+      restriction.held.assign(at(operators_->size()), 1);
+      std::fill(restriction.held.begin() + displacements(),
+                restriction.held.begin() + compressed_.first, 0);
+      densityFactor_ =
+          std::make_unique<const bem::CompressedFactor>(*operators_, restriction);
+    }
+    return *densityFactor_;
+  }
+
+  /// (V + G)⁻¹ (K u - N λ)
+  Vector densityOf(const Vector& u, const Vector& multiplier) const {
+    Matrix x(operators_->size(), 1);
+    std::copy(u.begin(), u.end(), x.data());
+    Matrix right = operators_->times(x);
+    if (byDensity() && !multiplier.empty())
+      compressed_.push(1, multiplier, right.data());  // -N λ, in the densities' rows
+    for (Index i = 0; i < right.rows(); ++i)
+      right(i, 0) = i >= displacements() && i < compressed_.first ? -right(i, 0) : 0;
+    const Matrix psi = densityFactor().solve(right);
+    return {psi.data() + displacements(), psi.data() + compressed_.first};
+  }
+
+  /// Z (u, ψ) for ψ that of u; the last one is kept, which several results ask for.
+  const Matrix& imageOf(const Vector& u) const {
+    if (u != imaged_) {
+      const Vector psi = densityOf(u, {});
+      Matrix x(operators_->size(), 1);
+      std::copy(u.begin(), u.end(), x.data());
+      std::copy(psi.begin(), psi.end(), x.data() + displacements());
+      image_ = operators_->times(x);
+      imaged_ = u;
+    }
+    return image_;
+  }
+
+  const bem::Space& space_;
+  std::shared_ptr<const bem::CompressedOperators> operators_;
+  Coupling coupling_;
+  bem::LocalCompliance compliance_;
+  CompressedCoupling compressed_;
+  mutable std::unique_ptr<const bem::CompressedFactor> densityFactor_;
+  mutable Vector imaged_;
+  mutable Matrix image_;
+};
+
+}  // namespace
+
+std::string whyNotCompressed(const bem::Outline& outline,
+                             const Stabilization& stabilization) {
+  using Form = Stabilization::Form;
+  if (stabilization.form != Form::None && stabilization.form != Form::Density)
+    return "Discretization->Stabilization->Form must be Density, or None with the "
+           "multiplier Biorthogonal";
+  for (const bem::Edge& edge : outline.edges())
+    if (!edge.curve.isStraight())
+      return "the outline has circular arcs, whose exact rotation no cluster holds";
+  return "";
+}
+
+bem::SteklovPoincare makeCompressedStiffness(const bem::Space& space,
+                                             const MultiplierSpace& multiplier,
+                                             const Stabilization& stabilization,
+                                             const bem::Lame& lame, bem::Units units,
+                                             const bem::DenseAlgebra& algebra,
+                                             const bem::Compression& options) {
+  const std::string reason = whyNotCompressed(space.mesh().outline(), stabilization);
+  if (!reason.empty())
+    throw bem::InputError("the operators cannot be compressed: " + reason);
+  const Coupling coupling =
+      makeLocalCoupling(space, multiplier, stabilization, lame, units);
+  const bem::LocalCompliance compliance =
+      densityCompliance(space, multiplier, stabilization, lame, units);
+  const CompressedCoupling compressed = compressedCoupling(space, coupling, compliance);
+  bem::LocalCoupling local;
+  local.elements = elementsOf(space, coupling);
+  for (const Coupling::Entry& entry : compressed.entries)
+    local.entries.push_back({entry.row, compressed.first + entry.column, entry.value});
+  for (const Coupling::Entry& entry : compressed.mass)
+    if (entry.row >= entry.column)
+      local.entries.push_back(
+          {compressed.first + entry.row, compressed.first + entry.column, -entry.value});
+  for (std::size_t k = 0; k < compliance.densities.size(); ++k) {
+    const Index i = space.displacements() + compliance.densities[k];
+    local.entries.push_back({i, i, -compliance.diagonal[k]});
+  }
+  return bem::SteklovPoincare(
+      std::make_shared<const bem::CompressedOperators>(space, lame, options, local),
+      algebra);
+}
+
+std::unique_ptr<const StabilisedBody> makeCompressedBody(
+    const ContactProblem::Input& input, const MultiplierSpace& multiplier) {
+  return std::make_unique<const CompressedBody>(
+      input.space, input.stiffness.compressed(),
+      makeLocalCoupling(input.space, multiplier, input.stabilization, input.lame,
+                        input.units),
+      densityCompliance(input.space, multiplier, input.stabilization, input.lame,
+                        input.units));
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,401 @@
+#include "contact/problem/CompressedFlexibility.hpp"
+
+#include "bem/algebra/Blas.hpp"
+#include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/base/Error.hpp"
+#include "bem/compressed/Products.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::contact {
+
+using bem::axpy;
+using bem::dot;
+
+namespace {
+
+// One step suffices for what Newton's method measures: the elimination is exact to 1e-9.
+constexpr int refinements = 1;
+
+Matrix asColumn(const Vector& x) {
+  Matrix column(static_cast<Index>(x.size()), 1);
+  std::copy(x.begin(), x.end(), column.data());
+  return column;
+}
+
+/// D_M, what D is with springs in place of A⁺, and U S Uᵀ, with which it is D:
+///
+///   D = D_M - G wᵀ - w Gᵀ + G κ Gᵀ,   w = Ĉ M⁻¹ c,  κ = cᵀ M⁻¹ c,  G = Ĉ R
+struct MotionTerms {
+  Matrix u;        ///< (G, w); empty without motions
+  Matrix inverse;  ///< S⁻¹ = [0, -I; -I, -κ]
+};
+
+class CompressedFlexibility final : public Flexibility::Operator {
+ public:
+  explicit CompressedFlexibility(std::shared_ptr<const CompressedHolding> held)
+      : held_(std::move(held)) {
+    makeMotionTerms();
+    measureRows();
+  }
+
+  Index size() const override { return coupling().multipliers; }
+
+  Vector times(const Vector& x) const override {
+    const Matrix columns = timesColumns(asColumn(x), refinements);
+    return Vector(columns.column(0), columns.column(0) + size());
+  }
+
+  // |D| |x| from the rows' sums and the largest coefficients
+  Product product(const Vector& x) const override {
+    Product result{times(x), Vector(at(size()))};
+    double sizes = 0;
+    for (const double value : x)
+      sizes = std::max(sizes, std::abs(value));
+    for (Index i = 0; i < size(); ++i)
+      result.magnitude[at(i)] =
+          std::max(std::abs(result.value[at(i)]), sizes * rowSums_[at(i)]);
+    return result;
+  }
+
+  bool isFormed() const override { return false; }
+
+  const Matrix& entries() const override {
+    constexpr Index largest = 6000;
+    constexpr Index width = 256;
+    if (size() > largest)
+      throw bem::NumericalError(bem::message(
+          "Newton's steps do not converge, and what follows them needs the flexibility "
+          "of all ",
+          size(), " coefficients, at most ", largest,
+          " where operators are compressed: begin with a coarser mesh, or choose "
+          "Solver->Linear->Method = Dense"));
+    if (entries_.rows() == size())
+      return entries_;
+    entries_ = Matrix(size(), size());
+    for (Index first = 0; first < size(); first += width) {
+      const Index last = std::min(first + width, size());
+      Matrix units(size(), last - first);
+      for (Index j = first; j < last; ++j)
+        units(j, j - first) = 1;
+      const Matrix columns = timesColumns(units, refinements);
+      for (Index j = first; j < last; ++j)
+        std::copy_n(columns.column(j - first), size(), entries_.column(j));
+    }
+    for (Index j = 0; j < size(); ++j)
+      for (Index i = 0; i < j; ++i)
+        entries_(i, j) = entries_(j, i) = 0.5 * (entries_(i, j) + entries_(j, i));
+    return entries_;
+  }
+
+  std::unique_ptr<Factor> factor(const System& system) const override;
+
+  const CompressedCoupling& coupling() const { return held_->coupling(); }
+  const CompressedHolding& held() const { return *held_; }
+  const MotionTerms& motionTerms() const { return motions_; }
+
+ private:
+  friend class ReducedFlexibility;
+
+  Matrix timesColumns(const Matrix& x, int steps) const {
+    Matrix forces(held_->operators().size(), x.columns());
+    for (Index j = 0; j < x.columns(); ++j)
+      coupling().push(1, {x.column(j), x.column(j) + size()}, forces.column(j));
+    const Matrix moved = held_->displaced(std::move(forces), steps);
+    Matrix result(size(), x.columns());
+    for (Index j = 0; j < x.columns(); ++j) {
+      const Vector pulled = coupling().pull(moved.column(j));
+      std::copy(pulled.begin(), pulled.end(), result.column(j));
+      for (const Coupling::Entry& entry : coupling().mass)
+        result(entry.row, j) += entry.value * x(entry.column, j);
+    }
+    return result;
+  }
+
+  // Σ_j |D_ij|, from D's products with signs taken at random: with w_j the size of
+  // coefficient j's function, D_ij = w_j d_ij,
+  //   Σ w_j |d_ij| <= (Σ w_j)^½ (Σ w_j d_ij²)^½,
+  // and the last sum is the mean of (D x)_i² over x_j = ± w_j^-½.  The functions d_i vary
+  // slowly, so that the bound is near.
+  void measureRows() {
+    rowSums_.assign(at(size()), 0.0);
+    Vector sizes(at(size()));
+    for (const Coupling::Entry& entry : coupling().entries)
+      sizes[at(entry.column)] = std::max(sizes[at(entry.column)], std::abs(entry.value));
+    double all = 0;
+    for (double& value : sizes) {
+      value = value > 0 ? value : 1;
+      all += value;
+    }
+    constexpr Index probes = 12;
+    Matrix x(size(), probes);
+    std::uint32_t state = 12345;
+    for (Index j = 0; j < probes; ++j)
+      for (Index i = 0; i < size(); ++i) {
+        state = state * 1664525u + 1013904223u;
+        x(i, j) = ((state >> 31) != 0 ? 1 : -1) / std::sqrt(sizes[at(i)]);
+      }
+    const Matrix images = timesColumns(x, 0);
+    for (Index i = 0; i < size(); ++i) {
+      double square = 0;
+      for (Index j = 0; j < probes; ++j)
+        square += images(i, j) * images(i, j) / probes;
+      rowSums_[at(i)] = std::sqrt(all * square);
+    }
+  }
+
+  void makeMotionTerms();
+
+  std::shared_ptr<const CompressedHolding> held_;
+  MotionTerms motions_;
+  Vector rowSums_;
+  mutable Matrix entries_;
+  /// Kept from step to step, so that only what changes is eliminated anew.
+  mutable std::unique_ptr<bem::CompressedFactor> reduced_;
+};
+
+Matrix functionalsOf(const CompressedHolding& held) {
+  const Matrix& c = held.rigid().functionals;
+  Matrix forces(held.operators().size(), c.columns());
+  for (Index k = 0; k < c.columns(); ++k)
+    std::copy_n(c.column(k), c.rows(), forces.column(k));
+  return forces;
+}
+
+/// Some of the multiplier's coefficients in the tree.
+class ReducedFlexibility final : public Flexibility::Operator::Factor {
+ public:
+  using System = Flexibility::Operator::System;
+
+  ReducedFlexibility(const CompressedFlexibility& whole, bem::CompressedFactor& factor,
+                     System system)
+      : whole_(whole), factor_(factor), system_(std::move(system)) {
+    const CompressedHolding& held = whole.held();
+    bem::Restriction restriction = held.restriction();
+    const Index first = whole.coupling().first;
+    for (std::size_t k = 0; k < system_.rows.size(); ++k) {
+      restriction.held[at(first + system_.rows[k])] = 0;
+      if (system_.shifts[k] != 0)
+        restriction.springs.push_back({first + system_.rows[k], -system_.shifts[k]});
+    }
+    for (const System::Follower& follower : system_.followers)
+      restriction.followers.push_back(
+          {first + follower.follower, first + follower.leader, follower.factor});
+    factor.update(std::move(restriction));
+    makeCorrection();
+  }
+
+  Vector solve(const Vector& b, const Vector& known) const override {
+    Vector x = solveSprung(withoutMotions(b, known), known);
+    if (whole_.motionTerms().u.columns() == 0)
+      return x;
+    // D_M x = b - U S Uᵀ x  by Woodbury's formula
+    Vector sizes = moved(difference(x, known));
+    solveCorrection(sizes);
+    for (std::size_t j = 0; j < sizes.size(); ++j)
+      axpy(-sizes[j], columnOf(solved_, static_cast<Index>(j)), x);
+    return x;
+  }
+
+ private:
+  // b less what U S Uᵀ makes of the known coefficients
+  Vector withoutMotions(Vector b, const Vector& known) const {
+    const MotionTerms& terms = whole_.motionTerms();
+    const Index r = terms.u.columns() / 2;
+    if (r == 0)
+      return b;
+    const Vector sums = moved(known);
+    for (std::size_t k = 0; k < b.size(); ++k)
+      for (Index j = 0; j < r; ++j) {
+        const Index i = system_.rows[k];
+        // S = [κ, -I; -I, 0], κ the last block of -S⁻¹
+        double ofMotion = -sums[at(r + j)];
+        for (Index l = 0; l < r; ++l)
+          ofMotion -= terms.inverse(r + j, r + l) * sums[at(l)];
+        b[k] -= terms.u(i, j) * ofMotion - terms.u(i, r + j) * sums[at(j)];
+      }
+    return b;
+  }
+
+  // Uᵀ x
+  Vector moved(const Vector& x) const {
+    const Matrix& u = whole_.motionTerms().u;
+    Vector sums;
+    for (Index j = 0; j < u.columns(); ++j)
+      sums.push_back(dot(columnOf(u, j), x));
+    return sums;
+  }
+
+  static Vector difference(Vector a, const Vector& b) {
+    axpy(-1, b, a);
+    return a;
+  }
+
+  // Z y + Ĉᵀ x = 0,  Ĉ y - M x - shift x = -b  in the rows, with the known coefficients in x
+  Vector solveSprung(const Vector& b, const Vector& known) const {
+    const CompressedCoupling& coupling = whole_.coupling();
+    Matrix right(whole_.held().operators().size(), 1);
+    coupling.push(-1, known, right.column(0));
+    for (const Coupling::Entry& entry : coupling.mass)
+      right(coupling.first + entry.row, 0) += entry.value * known[at(entry.column)];
+    for (std::size_t k = 0; k < b.size(); ++k)
+      right(coupling.first + system_.rows[k], 0) -= b[k];
+    const Matrix solution = factor_.solve(right, refinements);
+    Vector x = known;
+    for (Index i = 0; i < coupling.multipliers; ++i)
+      x[at(i)] += solution(coupling.first + i, 0);
+    return x;
+  }
+
+  void makeCorrection() {
+    const MotionTerms& terms = whole_.motionTerms();
+    const Index columns = terms.u.columns();
+    solved_ = Matrix(whole_.size(), columns);
+    correction_ = terms.inverse.copy();
+    const Vector none(at(whole_.size()), 0.0);
+    for (Index j = 0; j < columns; ++j) {
+      Vector right;
+      for (const Index i : system_.rows)
+        right.push_back(terms.u(i, j));
+      const Vector x = solveSprung(right, none);
+      std::copy(x.begin(), x.end(), solved_.column(j));
+      const Vector sums = moved(x);
+      for (Index i = 0; i < columns; ++i)
+        correction_(i, j) += sums[at(i)];
+    }
+    pivots_.resize(at(columns));
+    const int n = static_cast<int>(columns);
+    const int lda = static_cast<int>(correction_.stride());
+    int info = 0;
+    if (n > 0)
+      dgetrf_(&n, &n, correction_.data(), &lda, pivots_.data(), &info);
+    if (info != 0)
+      throw bem::NumericalError("the flexibility of the active coefficients is singular");
+  }
+
+  void solveCorrection(Vector& sizes) const {
+    const int n = static_cast<int>(sizes.size());
+    const int one = 1;
+    const int lda = static_cast<int>(correction_.stride());
+    int info = 0;
+    dgetrs_("N", &n, &one, correction_.data(), &lda, pivots_.data(), sizes.data(), &n,
+            &info);
+  }
+
+  const CompressedFlexibility& whole_;
+  const bem::CompressedFactor& factor_;
+  System system_;
+  Matrix solved_;      ///< D_M⁻¹ U, all coefficients
+  Matrix correction_;  ///< LU of S⁻¹ + Uᵀ D_M⁻¹ U
+  std::vector<int> pivots_;
+};
+
+void CompressedFlexibility::makeMotionTerms() {
+  const RigidConstraints& rigid = held_->rigid();
+  const Index r = rigid.allowed.columns();
+  if (r == 0)
+    return;
+  motions_.u = Matrix(size(), 2 * r);
+  motions_.inverse = Matrix(2 * r, 2 * r);
+  const Matrix forces = functionalsOf(*held_);
+  const Matrix answers =
+      bem::CompressedFactor(held_->operators(), held_->restriction()).solve(forces);
+  for (Index k = 0; k < r; ++k) {
+    Matrix motion(held_->operators().size(), 1);
+    std::copy_n(rigid.allowed.column(k), rigid.allowed.rows(), motion.data());
+    const Vector g = coupling().pull(motion.data());
+    const Vector w = coupling().pull(answers.column(k));
+    std::copy(g.begin(), g.end(), motions_.u.column(k));
+    std::copy(w.begin(), w.end(), motions_.u.column(r + k));
+    motions_.inverse(k, r + k) = motions_.inverse(r + k, k) = -1;
+    for (Index l = 0; l < r; ++l)
+      for (Index i = 0; i < forces.rows(); ++i)
+        motions_.inverse(r + l, r + k) -= forces(i, l) * answers(i, k);
+  }
+}
+
+std::unique_ptr<Flexibility::Operator::Factor> CompressedFlexibility::factor(
+    const System& system) const {
+  if (reduced_ == nullptr)
+    reduced_ =
+        std::make_unique<bem::CompressedFactor>(held_->operators(), held_->restriction());
+  return std::make_unique<ReducedFlexibility>(*this, *reduced_, system);
+}
+
+}  // namespace
+
+void CompressedCoupling::push(double s, const Vector& multiplier, double* x) const {
+  for (const Coupling::Entry& entry : entries)
+    x[entry.row] += s * entry.value * multiplier[at(entry.column)];
+}
+
+Vector CompressedCoupling::pull(const double* x) const {
+  Vector result(at(multipliers));
+  for (const Coupling::Entry& entry : entries)
+    result[at(entry.column)] += entry.value * x[entry.row];
+  return result;
+}
+
+CompressedHolding::CompressedHolding(const bem::CompressedOperators& operators,
+                                     const CompressedCoupling& coupling,
+                                     const Holding& holding)
+    : operators_(operators), coupling_(coupling), holding_(holding) {
+  restriction_.held.assign(at(operators.size()), 0);
+  std::copy(holding.loads.clamped.begin(), holding.loads.clamped.end(),
+            restriction_.held.begin());
+  std::fill(restriction_.held.begin() + coupling.first, restriction_.held.end(), 1);
+  addSprings();
+  factor_ = std::make_unique<const bem::CompressedFactor>(operators, restriction_);
+}
+
+// One for each motion that clamps leave, where it moves most against those before: pivots
+// of the motions' rows.
+void CompressedHolding::addSprings() {
+  Matrix motions = holding_.rigid.allowed.copy();
+  for (Index k = 0; k < motions.columns(); ++k) {
+    Index row = 0;
+    Index column = k;
+    for (Index l = k; l < motions.columns(); ++l)
+      for (Index i = 0; i < motions.rows(); ++i)
+        if (std::abs(motions(i, l)) > std::abs(motions(row, column))) {
+          row = i;
+          column = l;
+        }
+    for (Index i = 0; i < motions.rows(); ++i)
+      std::swap(motions(i, k), motions(i, column));
+    restriction_.springs.push_back({row, 1.0});
+    for (Index l = k + 1; l < motions.columns(); ++l) {
+      const double factor = motions(row, l) / motions(row, k);
+      for (Index i = 0; i < motions.rows(); ++i)
+        motions(i, l) -= factor * motions(i, k);
+    }
+  }
+}
+
+// A⁺ f = (I - R cᵀ) M⁻¹ (I - c Rᵀ) f: balanced loads do not feel springs that are as many
+// as the motions
+Matrix CompressedHolding::displaced(Matrix forces, int steps) const {
+  const RigidConstraints& rigid = holding_.rigid;
+  const auto subtract = [&](const Matrix& seen, const Matrix& taken, Matrix& x) {
+    for (Index j = 0; j < x.columns(); ++j)
+      for (Index k = 0; k < taken.columns(); ++k) {
+        double sum = 0;
+        for (Index i = 0; i < seen.rows(); ++i)
+          sum += seen(i, k) * x(i, j);
+        for (Index i = 0; i < taken.rows(); ++i)
+          x(i, j) -= sum * taken(i, k);
+      }
+  };
+  subtract(rigid.allowed, rigid.functionals, forces);
+  Matrix x = factor_->solve(forces, steps);
+  subtract(rigid.functionals, rigid.allowed, x);
+  return x;
+}
+
+std::shared_ptr<const Flexibility::Operator> compressedFlexibility(
+    std::shared_ptr<const CompressedHolding> held) {
+  return std::make_shared<const CompressedFlexibility>(std::move(held));
+}
+
+}  // namespace epafi::contact

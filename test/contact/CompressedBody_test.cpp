@@ -1,0 +1,185 @@
+// A contact problem on compressed operators is the one on dense matrices: flexibility,
+// solution and number of Newton's steps, displacement, reactions, energy.
+#include "contact/problem/CompressedBody.hpp"
+
+#include "Solve.hpp"
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/compressed/CompressedOperators.hpp"
+#include "contact/equation/ContactState.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi {
+
+namespace {
+
+using bem::Index;
+using bem::Vector;
+using contact::Stabilization;
+
+const bem::LapackAlgebra algebra;
+
+struct Case {
+  std::string name;
+  Stabilization::Form form;
+  std::string basis;
+  int degree;
+  bool isClamped;
+  std::string law;
+  double friction;
+  double nu = 0.3;
+};
+
+std::vector<Case> cases() {
+  using Form = Stabilization::Form;
+  return {
+      {"Tresca", Form::None, "Biorthogonal", 1, true, "Tresca", 0.02},
+      {"frictionless", Form::None, "Biorthogonal", 2, true, "", 0},
+      {"Coulomb", Form::None, "Biorthogonal", 1, true, "Coulomb", 0.3},
+      {"Density, p = 1", Form::Density, "Gauss-Legendre-Lagrange", 1, true, "Tresca",
+       0.02},
+      {"Density, p = 3", Form::Density, "Gauss-Legendre-Lagrange", 3, true, "Coulomb",
+       0.4},
+      {"incompressible", Form::Density, "Gauss-Legendre-Lagrange", 1, true, "Coulomb",
+       0.4, 0.4999},
+      {"free to fall", Form::None, "Biorthogonal", 1, false, "Coulomb", 0.3},
+      {"free, Density", Form::Density, "Gauss-Legendre-Lagrange", 1, false, "Tresca",
+       0.02},
+  };
+}
+
+double zero(bem::Vec2) { return 0; }
+
+/// Pressed onto a parabola and pulled aside; clamped above, or free to move down.
+contact::Conditions conditionsOf(const Case& c) {
+  contact::Conditions conditions;
+  if (c.isClamped)
+    conditions.dirichlet["top"] = {zero, [](bem::Vec2) { return -0.003; }};
+  else
+    conditions.neumann["top"] = {zero, [](bem::Vec2) { return -0.02; }};
+  conditions.fix = {!c.isClamped, false, !c.isClamped};
+  conditions.neumann["left"] = {[](bem::Vec2 x) { return 0.01 * (1 - x.y); }, zero};
+  contact::Friction friction;
+  if (!c.law.empty())
+    friction = contact::makeFriction(c.law, {[&c](bem::Vec2) { return c.friction; }});
+  conditions.contact["bottom"] = {
+      [](bem::Vec2 x) { return 0.004 * (x.x - 0.5) * (x.x - 0.5); }, friction};
+  return conditions;
+}
+
+/// All that comes of a stiffness.
+struct Results {
+  contact::ContactProblem problem;
+  contact::Solution solution;
+  Vector displacement;
+  Vector density;
+
+  explicit Results(const contact::ContactProblem::Input& input)
+      : problem(input),
+        solution(test::solve(problem.numbers())),
+        displacement(problem.displacement(solution.state)),
+        density(problem.density(solution.state, displacement)) {}
+};
+
+double difference(const Vector& a, const Vector& b, double size) {
+  double worst = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double error = std::abs(a[i] - b[i]);
+    worst = error <= worst ? worst : error;
+  }
+  return worst / size;
+}
+
+double largest(const Vector& a) {
+  double size = 0;
+  for (const double x : a)
+    size = std::max(size, std::abs(x));
+  return size;
+}
+
+TEUCHOS_UNIT_TEST(CompressedBody, problemsAreTheDenseOnes) {
+  for (const Case& c : cases()) {
+    out << c.name << "\n";
+    const contact::Conditions conditions = conditionsOf(c);
+    const auto outline = std::make_shared<const bem::Outline>(
+        bem::Loop{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {"bottom", "right", "top", "left"}},
+        std::vector<bem::Loop>{});
+    const bem::Units units = outline->units(1);
+    const bem::Lame lame({1, c.nu, false});
+    Stabilization stabilization;
+    stabilization.form = c.form;
+    const int n = c.degree == 1 ? 40 : 16;
+    const bem::Space space = contact::makeSpace(
+        bem::makeMesh(outline, {n, n, n, n}, c.degree), conditions, stabilization);
+    const contact::MultiplierBasis& basis = contact::multiplierBasis(c.basis);
+    const contact::MultiplierSpace multiplier(space.mesh(), basis, conditions);
+    bem::Compression options;
+    options.leafUnknowns = 60;
+    const auto dense =
+        contact::makeStiffness(space, multiplier, stabilization, lame, units, algebra);
+    const auto compressed = contact::makeCompressedStiffness(
+        space, multiplier, stabilization, lame, units, algebra, options);
+    const Results exact({space, dense, lame, units, conditions, basis, stabilization});
+    const Results own({space, compressed, lame, units, conditions, basis, stabilization});
+
+    const contact::Problem& a = exact.problem.numbers();
+    const contact::Problem& b = own.problem.numbers();
+    TEST_ASSERT(!b.flexibility.isFormed());
+    double size = 0;
+    double error = 0;
+    for (Index j = 0; j < a.size(); ++j)
+      for (Index i = 0; i < a.size(); ++i) {
+        size = std::max(size, std::abs(a.flexibility(i, j)));
+        error = std::max(error, std::abs(a.flexibility(i, j) - b.flexibility(i, j)));
+      }
+    TEST_COMPARE(error, <, 1e-9 * size);
+    TEST_COMPARE(difference(b.offset, a.offset, largest(a.offset)), <, 1e-9);
+
+    TEST_ASSERT(exact.solution.report.converged());
+    TEST_ASSERT(own.solution.report.converged());
+    TEST_COMPARE(own.solution.report.newtonIterations, <=,
+                 exact.solution.report.newtonIterations);
+    TEST_ASSERT(contact::classify(a, exact.solution.state).normal ==
+                contact::classify(b, own.solution.state).normal);
+    TEST_ASSERT(contact::classify(a, exact.solution.state).tangential ==
+                contact::classify(b, own.solution.state).tangential);
+    const Vector& lambda = exact.solution.state.multiplier;
+    TEST_COMPARE(difference(own.solution.state.multiplier, lambda, largest(lambda)), <,
+                 1e-8);
+    TEST_COMPARE(
+        difference(own.displacement, exact.displacement, largest(exact.displacement)), <,
+        1e-9);
+    TEST_COMPARE(difference(own.density, exact.density, largest(exact.density)), <, 1e-7);
+    const double energy =
+        exact.problem.strainEnergy(exact.solution.state, exact.displacement);
+    TEST_COMPARE(
+        std::abs(own.problem.strainEnergy(own.solution.state, own.displacement) - energy),
+        <, 1e-9 * energy);
+    const Vector work = exact.problem.clampWork(exact.solution.state, exact.displacement);
+    TEST_COMPARE(difference(own.problem.clampWork(own.solution.state, own.displacement),
+                            work, 1e-2),
+                 <, 1e-9);
+    TEST_COMPARE(difference(own.problem.fixedReactions(own.solution.state),
+                            exact.problem.fixedReactions(exact.solution.state), 1e-2),
+                 <, 1e-9);
+  }
+}
+
+TEUCHOS_UNIT_TEST(CompressedBody, whatCannotBeCompressedIsRefused) {
+  const auto outline = std::make_shared<const bem::Outline>(
+      bem::Loop{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {"bottom", "right", "top", "left"}},
+      std::vector<bem::Loop>{});
+  Stabilization projected;
+  projected.form = Stabilization::Form::Projected;
+  TEST_ASSERT(!contact::whyNotCompressed(*outline, projected).empty());
+  TEST_ASSERT(contact::whyNotCompressed(*outline, Stabilization()).empty());
+  const bem::Outline disc(bem::Loop{{{-1, 0}, {1, 0}}, {"a", "b"}, {1, 1}});
+  TEST_ASSERT(!contact::whyNotCompressed(disc, Stabilization()).empty());
+}
+
+}  // namespace
+
+}  // namespace epafi
