@@ -1,6 +1,7 @@
 #include "drivers/run/Forecast.hpp"
 
 #include "bem/base/Error.hpp"
+#include "contact/problem/CompressedFlexibility.hpp"
 #include "drivers/process/Memory.hpp"
 
 #include <algorithm>
@@ -27,11 +28,14 @@ double forecastMemory(const BodySpaces& spaces, int processes) {
 }
 
 double forecastCompressedMemory(const BodySpaces& spaces) {
-  double unknowns = 0;
-  for (std::size_t b = 0; b < spaces.size(); ++b)
-    unknowns += static_cast<double>(spaces.space(b).displacements() +
-                                    spaces.space(b).densities());
-  return program + 36000 * unknowns / mebi;
+  double bytes = 0;
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    const auto m = static_cast<double>(spaces.multiplier(b).size());
+    bytes += 36000.0 * static_cast<double>(spaces.space(b).displacements() +
+                                           spaces.space(b).densities()) +
+             (m <= contact::mostCompressedColumns ? 8 * 6 * m * m : 0);
+  }
+  return program + bytes / mebi;
 }
 
 std::optional<std::string> tooLarge(int level, const Size& size, double forecast,

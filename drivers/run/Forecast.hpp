@@ -19,7 +19,7 @@ namespace epafi::drivers {
 double forecastMemory(const BodySpaces& spaces, int processes);
 
 /// The same of compressed operators on one process: 36 kB per displacement and density, as
-/// measured with degree 1 (doc/benchmarks/compression.md).
+/// measured with degree 1 (doc/benchmarks/compression.md), and D where a stage may ask for it.
 double forecastCompressedMemory(const BodySpaces& spaces);
 
 /// Why a level is not begun that would not fit; nothing if it does.  `forecast` is its own;

@@ -36,7 +36,8 @@ HOPELESS = """
     </ParameterList>
     <ParameterList name="unconverged">
       <Parameter name="Set" type="Array(string)" value="{
-        Adaptivity->Strategy=None, Solver->Maximum Iterations=1}"/>
+        Adaptivity->Strategy=None, Solver->Coulomb Iteration=Fixed Point,
+        Solver->Coulomb Maximum Iterations=1}"/>
     </ParameterList>
     <ParameterList name="sweep">
       <Parameter name="Set" type="Array(string)" value="{Adaptivity->Strategy=None}"/>

@@ -62,7 +62,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
   bool isFormed() const override { return false; }
 
   const Matrix& entries() const override {
-    constexpr Index largest = 6000;
+    constexpr Index largest = mostCompressedColumns;
     constexpr Index width = 256;
     if (size() > largest)
       throw bem::NumericalError(bem::message(
