@@ -6,7 +6,7 @@
 #include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/fields/BoundaryFields.hpp"
 #include "bem/moments/FarPairs.hpp"
-#include "bem/moments/NearPair.hpp"
+#include "bem/moments/NearPairs.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
 #include "bem/tractions/FarTractionRows.hpp"

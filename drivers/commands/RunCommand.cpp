@@ -3,7 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "drivers/output/BodyInsides.hpp"
 #include "drivers/output/FieldFiles.hpp"
-#include "drivers/output/History.hpp"
+#include "drivers/output/HistoryTable.hpp"
 #include "drivers/output/LevelTable.hpp"
 #include "drivers/output/OutputFolder.hpp"
 #include "drivers/output/PathContact.hpp"

@@ -4,7 +4,7 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/commands/PlotCommand.hpp"
 #include "drivers/output/FieldFiles.hpp"
-#include "drivers/output/History.hpp"
+#include "drivers/output/HistoryTable.hpp"
 #include "drivers/output/LevelTable.hpp"
 #include "drivers/output/OutputFolder.hpp"
 #include "drivers/output/Restart.hpp"

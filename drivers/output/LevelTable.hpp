@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/output/History.hpp"
+#include "drivers/output/HistoryTable.hpp"
 #include "drivers/process/PhaseTimer.hpp"
 #include "drivers/run/Path.hpp"
 

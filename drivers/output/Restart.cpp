@@ -1,7 +1,7 @@
 #include "drivers/output/Restart.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/output/History.hpp"
+#include "drivers/output/HistoryTable.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"

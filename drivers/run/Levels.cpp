@@ -10,9 +10,9 @@
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/Forecast.hpp"
 #include "drivers/run/Path.hpp"
-#include "drivers/run/Resistance.hpp"
 #include "drivers/run/SolvedBodies.hpp"
 #include "drivers/run/Solver.hpp"
+#include "drivers/run/UnheldMotions.hpp"
 
 namespace epafi::drivers {
 

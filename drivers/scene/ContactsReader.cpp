@@ -2,9 +2,9 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Parameters.hpp"
-#include "contact/problem/Projection.hpp"
+#include "contact/problem/NormalRay.hpp"
 #include "drivers/scene/ConditionsReader.hpp"
-#include "drivers/scene/Overlap.hpp"
+#include "drivers/scene/OverlapCheck.hpp"
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>

@@ -9,8 +9,8 @@
 #include "contact/problem/RigidBodies.hpp"
 #include "contact/problem/Stabilization.hpp"
 #include "drivers/scene/Expression.hpp"
-#include "drivers/scene/History.hpp"
 #include "drivers/scene/LinearMethod.hpp"
+#include "drivers/scene/LoadPath.hpp"
 #include "drivers/scene/RunLimits.hpp"
 
 #include <Teuchos_ParameterList.hpp>

@@ -1,8 +1,8 @@
 #include "drivers/scene/SceneFile.hpp"
 
 #include "bem/base/Error.hpp"
+#include "drivers/scene/Commas.hpp"
 #include "drivers/scene/LexicalCheck.hpp"
-#include "drivers/scene/Nesting.hpp"
 #include "drivers/scene/Schema.hpp"
 
 #include <Teuchos_Array.hpp>

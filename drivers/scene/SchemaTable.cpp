@@ -5,8 +5,8 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/problem/Stabilization.hpp"
 #include "contact/solve/LoadContinuation.hpp"
-#include "drivers/scene/History.hpp"
 #include "drivers/scene/LinearMethod.hpp"
+#include "drivers/scene/LoadPath.hpp"
 #include "drivers/scene/RunLimits.hpp"
 #include "drivers/scene/Schema.hpp"
 

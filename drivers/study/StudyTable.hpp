@@ -1,7 +1,7 @@
 #pragma once
 
 #include "drivers/output/Csv.hpp"
-#include "drivers/output/History.hpp"
+#include "drivers/output/HistoryTable.hpp"
 #include "drivers/output/Snapshot.hpp"
 #include "drivers/study/Study.hpp"
 

@@ -1,6 +1,6 @@
 // Every instruction set that this processor has gives the same moments and sums.
 #include "bem/fields/PointSources.hpp"
-#include "bem/moments/NearPair.hpp"
+#include "bem/moments/NearPairs.hpp"
 #include "bem/simd/Dispatch.hpp"
 #include "reference/SampleMeshes.hpp"
 
@@ -60,7 +60,7 @@ TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameTileMoments) {
   const auto other = std::make_unique<bem::TileMoments>();
   for (const int degree : {1, 2, 3, 8, 20}) {
     const bem::Mesh mesh = bem::makeMesh(outline, {2, 2, 2, 2}, degree);
-    const bem::PairOrder order = {degree + 5, degree + 7};
+    const bem::FarOrder order = {degree + 5, degree + 7};
     bem::farMoments(mesh[1], anyBatch(), {degree, degree}, order, *baseline,
                     bem::InstructionSet::Baseline);
     for (const bem::InstructionSet set : bem::instructionSets()) {

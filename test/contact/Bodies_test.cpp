@@ -2,6 +2,7 @@
 // On any number of ranks.
 #include "Algebra.hpp"
 #include "contact/problem/ElasticBody.hpp"
+#include "contact/problem/MortarCoupling.hpp"
 #include "contact/problem/Opposite.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -120,9 +121,9 @@ Two problems(const Block& above, const Block& below, bool held) {
   const contact::MultiplierSpace multiplier(above.space.mesh(), basis, top);
   const auto own = [](const contact::StabilisedBody& form) { return form.coupling(); };
   const auto met = [&](const contact::StabilisedBody&) {
-    return oppositeCoupling(above.space.mesh(), multiplier,
-                            BlockBelow(above.space.mesh(), below.space.mesh()),
-                            below.space, algebra);
+    return mortarCoupling(above.space.mesh(), multiplier,
+                          BlockBelow(above.space.mesh(), below.space.mesh()), below.space,
+                          algebra);
   };
   const Index m = multiplier.size();
   Two two;

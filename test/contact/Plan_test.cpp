@@ -1,7 +1,6 @@
-#include "contact/solve/Plan.hpp"
-
 #include "contact/RandomProblem.hpp"
 #include "contact/solve/Advance.hpp"
+#include "contact/solve/Course.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

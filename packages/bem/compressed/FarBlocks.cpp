@@ -168,10 +168,10 @@ struct Integrate {
 
 FarBlocks::FarBlocks(const Space& space, const Lame& lame) : space_(space), lame_(lame) {}
 
-PairOrder FarBlocks::orderOf(const std::vector<Test>& tests, int trial) const {
-  PairOrder largest{1, 1};
+FarOrder FarBlocks::orderOf(const std::vector<Test>& tests, int trial) const {
+  FarOrder largest{1, 1};
   for (const Test& test : tests) {
-    PairOrder order;
+    FarOrder order;
     if (isNear(space_.mesh(), test.element, trial, test.offset, order))
       continue;  // the caller does not take it
     largest.outer = std::max(largest.outer, order.outer);
@@ -222,7 +222,7 @@ void FarBlocks::sampleTrial(const Element& element) {
 
 void FarBlocks::evaluate(const std::vector<Test>& tests, int trial, InstructionSet set) {
   const Element& element = space_.mesh()[trial];
-  const PairOrder order = orderOf(tests, trial);
+  const FarOrder order = orderOf(tests, trial);
   work_ = {};
   for (const Test& test : tests) {
     const Element& row = space_.mesh()[test.element];

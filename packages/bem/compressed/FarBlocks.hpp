@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/base/Material.hpp"
-#include "bem/moments/PairOrder.hpp"
+#include "bem/moments/FarOrder.hpp"
 #include "bem/moments/TileMoments.hpp"
 #include "bem/simd/InstructionSet.hpp"
 #include "bem/space/Space.hpp"
@@ -52,7 +52,7 @@ class FarBlocks {
   };
 
  private:
-  PairOrder orderOf(const std::vector<Test>& tests, int trial) const;
+  FarOrder orderOf(const std::vector<Test>& tests, int trial) const;
   void sampleTests(const std::vector<Test>& tests);
   void sampleTrial(const Element& element);
 

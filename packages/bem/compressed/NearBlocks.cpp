@@ -133,7 +133,7 @@ class Distances {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
         const Vec2 w = mesh.difference(mesh.at(tests[i], 0), mesh.at(trials[j], 0));
-        PairOrder order;
+        FarOrder order;
         far_[i][j] = !isNear(mesh, tests[i], trials[j], w, order);
       }
   }

@@ -2,7 +2,7 @@
 
 #include "bem/compressed/PointKernels.hpp"
 #include "bem/compressed/WeightedFunctions.hpp"
-#include "bem/moments/PairOrder.hpp"
+#include "bem/moments/FarOrder.hpp"
 #include "bem/simd/Dispatch.hpp"
 
 #include <cmath>

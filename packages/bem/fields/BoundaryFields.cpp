@@ -97,7 +97,7 @@ void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
       sources.near.push_back(f);
       continue;
     }
-    const PairOrder& smooth = chosen.own[lane];
+    const FarOrder& smooth = chosen.own[lane];
     addPoints(f, pointsOn(smooth.inner, mesh_[f].degree),
               -mesh_.difference(middle, mesh_.at(f, 0)),
               sources.far[2 * smooth.outer].points);

@@ -8,7 +8,7 @@ namespace epafi::bem {
 /// farMoments where E or an element of the batch is an arc: tensor Gauss with a logarithm
 /// and a reciprocal per point pair, points and normals on the curves.
 void farArcMoments(const Element& e, const FarBatch& batch, PairDegrees degrees,
-                   PairOrder order, TileMoments& moments,
+                   FarOrder order, TileMoments& moments,
                    InstructionSet set = largestInstructionSet());
 
 /// NearMoments::evaluate of elements of different edges, one of them an arc at least: the

@@ -74,7 +74,7 @@ FarLanes ElementRuns::choose(int e, int r, const ElementRange& wanted, FarBatch&
       continue;
     // in one order, so that rounding cannot call a pair near once and far once
     const BoundaryPoint other = mesh_->at(f, 0);
-    PairOrder order;
+    FarOrder order;
     Vec2 w;
     if (e >= f) {
       w = mesh_->difference(middle, other);

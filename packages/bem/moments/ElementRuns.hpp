@@ -33,10 +33,10 @@ struct ElementRun {
 struct FarLanes {
   bool far[lanes] = {};
   int count = 0;
-  bool atOnce = false;   ///< by their circle, which is far enough for plain coordinates
-  int columns = 0;       ///< largest degree among the far ones
-  PairOrder smooth;      ///< without what polynomials cost on top
-  PairOrder own[lanes];  ///< of each pair, unless at once
+  bool atOnce = false;  ///< by their circle, which is far enough for plain coordinates
+  int columns = 0;      ///< largest degree among the far ones
+  FarOrder smooth;      ///< without what polynomials cost on top
+  FarOrder own[lanes];  ///< of each pair, unless at once
 };
 
 /// A mesh in runs of eight; shorter ones end loops.

@@ -159,7 +159,7 @@ struct ArcKernel {
 }  // namespace
 
 void farArcMoments(const Element& e, const FarBatch& batch, PairDegrees degrees,
-                   PairOrder order, TileMoments& moments, InstructionSet set) {
+                   FarOrder order, TileMoments& moments, InstructionSet set) {
   const int outer = order.outer + degreeShare(degrees.rows);
   const int inner = order.inner + degreeShare(degrees.columns);
   const Work work = {e,

@@ -13,7 +13,7 @@ struct Work {
   const Rule& inner;
   const WeightedLegendre& outerTable;
   const WeightedLegendre& innerTable;
-  explicit Work(PairOrder order)
+  explicit Work(FarOrder order)
       : outer(gaussLegendre(order.outer)),
         inner(gaussLegendre(order.inner)),
         outerTable(weightedLegendre(order.outer)),
@@ -143,7 +143,7 @@ struct FarKernel {
 }  // namespace
 
 void farMoments(const Element& e, const FarBatch& batch, PairDegrees degrees,
-                PairOrder order, TileMoments& moments, InstructionSet set) {
+                FarOrder order, TileMoments& moments, InstructionSet set) {
   const Work work({order.outer + degreeShare(degrees.rows),
                    order.inner + degreeShare(degrees.columns)});
   dispatch(set, FarKernel{e, batch, degrees, work, moments});

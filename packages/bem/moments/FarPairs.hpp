@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/mesh/Mesh.hpp"
-#include "bem/moments/PairOrder.hpp"
+#include "bem/moments/FarOrder.hpp"
 #include "bem/moments/TileMoments.hpp"
 #include "bem/simd/InstructionSet.hpp"
 
@@ -44,7 +44,7 @@ struct PairDegrees {
 /// with one reciprocal per point pair and one logarithm per outer point: ∫ P_j log|w| comes
 /// from ∫ P_j w·τ/|w|² by parts.
 void farMoments(const Element& e, const FarBatch& batch, PairDegrees degrees,
-                PairOrder order, TileMoments& moments,
+                FarOrder order, TileMoments& moments,
                 InstructionSet set = largestInstructionSet());
 
 }  // namespace epafi::bem

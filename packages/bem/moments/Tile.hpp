@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/moments/ElementRuns.hpp"
-#include "bem/moments/NearPair.hpp"
+#include "bem/moments/NearPairs.hpp"
 
 #include <memory>
 

@@ -111,13 +111,13 @@ class Surroundings {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
         const Vec2 w = mesh.difference(mesh.at(tests[i], 0), mesh.at(trials[j], 0));
-        PairOrder order;
+        FarOrder order;
         far_[i][j] = !isNear(mesh, tests[i], trials[j], w, order);
         if (i == 1 && j == 1)
           order_ = order;
       }
   }
-  PairOrder order() const { return order_; }
+  FarOrder order() const { return order_; }
   bool areFar(int k, int l) const {
     for (int i = Support(k).first; i <= Support(k).last; ++i)
       for (int j = Support(l).first; j <= Support(l).last; ++j)
@@ -130,7 +130,7 @@ class Surroundings {
 
  private:
   bool far_[3][3] = {};
-  PairOrder order_;
+  FarOrder order_;
 };
 
 /// W of far functions with its own kernel.

@@ -226,8 +226,7 @@ void FarTractions::evaluate(const FarBatch& batch, const FarLanes& chosen,
   }
 }
 
-void FarTractions::evaluateArc(const Element& source, Vec2 w, PairOrder smooth,
-                               int lane) {
+void FarTractions::evaluateArc(const Element& source, Vec2 w, FarOrder smooth, int lane) {
   const int columns = source.degree;
   const Rule& outer = gaussLegendre(smooth.outer + polynomialShare(moments_ - 1));
   const Rule& inner = gaussLegendre(smooth.inner + polynomialShare(columns));

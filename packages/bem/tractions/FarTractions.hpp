@@ -34,7 +34,7 @@ class FarTractions {
                 InstructionSet set = largestInstructionSet());
 
   /// The same for one source where it or E is an arc, into a lane; `w` as in FarBatch.
-  void evaluateArc(const Element& source, Vec2 w, PairOrder smooth, int lane);
+  void evaluateArc(const Element& source, Vec2 w, FarOrder smooth, int lane);
 
   /// Gauss points on E that this takes.
   static int outerPoints(const FarLanes& chosen, int moments) {

@@ -1,7 +1,7 @@
 #include "bem/tractions/ProjectedTractions.hpp"
 
 #include "bem/moments/EndMoments.hpp"
-#include "bem/moments/NearPair.hpp"
+#include "bem/moments/NearPairs.hpp"
 #include "bem/tractions/FarTractionRows.hpp"
 
 #include <cmath>

@@ -15,7 +15,7 @@ enum class TractionForm {
 /// The projected form costs dense algebra only where the assembly was asked for the
 /// kernels on just these elements; else, and for the exact form, outer points are graded
 /// to the ends of near elements, where S φ has logarithms; far sources take the orders of
-/// PairOrder.  No difference quotients.
+/// FarOrder.  No difference quotients.
 std::shared_ptr<const TractionRows> tractionRows(const Space& space, const Lame& lame,
                                                  const SteklovPoincare& stiffness,
                                                  const std::vector<int>& elements,

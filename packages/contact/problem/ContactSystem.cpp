@@ -2,6 +2,7 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/problem/BodyParts.hpp"
+#include "contact/problem/MortarCoupling.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -88,9 +89,8 @@ struct ContactSystem::Parts {
       for (const int b : opposite.bodies()) {
         checkEnds(multiplier);
         const auto k = static_cast<std::size_t>(b);
-        met[k].push_back(
-            {a, oppositeCoupling(inputs[a].space.mesh(), multiplier, opposite,
-                                 inputs[k].space, part(a).algebra, b)});
+        met[k].push_back({a, mortarCoupling(inputs[a].space.mesh(), multiplier, opposite,
+                                            inputs[k].space, part(a).algebra, b)});
       }
     }
     for (std::size_t k = 0; k < drives.size(); ++k)

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "contact/problem/NormalRay.hpp"
 #include "contact/problem/Opposite.hpp"
-#include "contact/problem/Projection.hpp"
 
 #include <map>
 #include <string>

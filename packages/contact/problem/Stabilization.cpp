@@ -4,6 +4,9 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 namespace epafi::contact {
 
 namespace {
@@ -26,6 +29,25 @@ constexpr bem::Named<Stabilization::Scaling> scalings[] = {
 };
 
 }  // namespace
+
+double gammaOn(const bem::Mesh& mesh, int e, const Stabilization& s, double nu,
+               bem::Units units) {
+  if (s.form == Stabilization::Form::None)
+    return 0;
+  const bem::Element& element = mesh[e];
+  // a coarse element beside a tiny one would lose definiteness with its own size
+  const double h =
+      2 * std::min({element.half, mesh[element.previous].half, mesh[element.next].half});
+  const double degrees = std::pow(element.degree, -2 - s.eta);
+  if (s.scaling == Stabilization::Scaling::Absolute) {
+    const double physical =
+        s.firstGamma0() * std::pow(h * units.length, 1 + s.beta) * degrees;
+    return physical * units.stress / units.length;
+  }
+  const double nearlyIncompressible =
+      s.form == Stabilization::Form::Density ? 1 : std::min(1.0, 50 * (1 - 2 * nu));
+  return s.firstGamma0() * nearlyIncompressible * std::pow(h, 1 + s.beta) * degrees;
+}
 
 bem::SchemaRows stabilizationRows() {
   const Stabilization defaults;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "bem/base/SchemaRow.hpp"
+#include "bem/base/Units.hpp"
+#include "bem/mesh/Mesh.hpp"
 
 #include <optional>
 
@@ -38,6 +40,11 @@ struct Stabilization {
     return gamma0.value_or(form == Form::Density ? 0.5 : 0.1);
   }
 };
+
+/// γ on an element, dimensionless: scaled as the inverse inequality ||S u||_E <= c p h^(-1/2) of
+/// its neighbours demands, h the smallest size among them; zero under Form::None.
+double gammaOn(const bem::Mesh& mesh, int element, const Stabilization& stabilization,
+               double nu, bem::Units units);
 
 /// The keys of a list of these, and what a list that they have completed says.
 bem::SchemaRows stabilizationRows();

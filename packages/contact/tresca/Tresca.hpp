@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bem/base/SchemaRow.hpp"
+#include "contact/solve/Course.hpp"
 #include "contact/solve/NonlinearSolver.hpp"
-#include "contact/solve/Plan.hpp"
 
 #include <string>
 

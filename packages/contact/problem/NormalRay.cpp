@@ -1,4 +1,4 @@
-#include "contact/problem/Projection.hpp"
+#include "contact/problem/NormalRay.hpp"
 
 #include <algorithm>
 #include <cmath>

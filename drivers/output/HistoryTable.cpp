@@ -1,4 +1,4 @@
-#include "drivers/output/History.hpp"
+#include "drivers/output/HistoryTable.hpp"
 
 #include "drivers/output/Csv.hpp"
 

@@ -1,4 +1,4 @@
-#include "drivers/run/Resistance.hpp"
+#include "drivers/run/UnheldMotions.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"

@@ -1,4 +1,4 @@
-#include "bem/moments/NearPair.hpp"
+#include "bem/moments/NearPairs.hpp"
 
 #include "bem/moments/ArcPairs.hpp"
 #include "bem/moments/RelativeTarget.hpp"
@@ -300,7 +300,7 @@ struct NearKernel {
 
 /// 1e-13 of the moments' norm with polynomials of both degrees: where the elements touch,
 /// integrands are like log s in the distance s, on one line like s log s.
-GradedRule outerRule(const Mesh& mesh, int outer, int inner) {
+GradedRule nearRule(const Mesh& mesh, int outer, int inner) {
   const Piece& piece = mesh[inner].piece;
   std::vector<Feature> features;
   for (const Position& end : {piece.start, piece.end}) {
@@ -350,7 +350,7 @@ void NearMoments::evaluate(const Mesh& mesh, int e, int f, TileMoments& m, int l
   const Element& y = mesh[inner];
   const Shape shape = {x.densities, y.densities};
   sums_.assign(shape.size(), AlignedLane{});
-  const GradedRule rule = outerRule(mesh, outer, inner);
+  const GradedRule rule = nearRule(mesh, outer, inner);
   if (hasArc && !onLine)
     return nearArcMoments(mesh, e, f, rule, m, lane);
   const Sight sight = sightOf(mesh, outer, inner);

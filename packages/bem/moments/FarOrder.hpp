@@ -11,7 +11,7 @@ namespace epafi::bem {
 ///   n = smoothOrder(z) + degreeShare(degree)                  [doc/theory/operators.md]
 ///
 /// Orders without the second part, which is added where points are taken.
-struct PairOrder {
+struct FarOrder {
   int outer = 0;  ///< on E
   int inner = 0;  ///< on F
 };
@@ -34,7 +34,7 @@ int smoothOrder(double z);
 
 /// True when a pair is near: the gap is below half the larger length.  Otherwise sets the
 /// orders, separately for the two elements.  `w`: the middle of E minus that of F.
-bool isNear(const Mesh& mesh, int e, int f, Vec2 w, PairOrder& order);
+bool isNear(const Mesh& mesh, int e, int f, Vec2 w, FarOrder& order);
 
 /// From this z on (in half lengths) circles around elements are far as they are, without a
 /// look at each, and from this order on what they need.

@@ -1,4 +1,4 @@
-#include "bem/moments/PairOrder.hpp"
+#include "bem/moments/FarOrder.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -133,7 +133,7 @@ int arcOrder(double z, double alpha) {
 }
 
 /// isNear of elements that are no neighbours, one of them an arc at least.
-bool isNearArc(const Element& e, const Element& f, Vec2 w, PairOrder& order) {
+bool isNearArc(const Element& e, const Element& f, Vec2 w, FarOrder& order) {
   const double distance = length(w);
   const double larger = std::max(e.half, f.half);
   if (distance - e.half - f.half < larger && sampledGap(e, f, w) < larger)
@@ -160,7 +160,7 @@ int smoothOrder(double z) {
   return base;
 }
 
-bool isNear(const Mesh& mesh, int ie, int jf, Vec2 w, PairOrder& order) {
+bool isNear(const Mesh& mesh, int ie, int jf, Vec2 w, FarOrder& order) {
   const Element& e = mesh[ie];
   const Element& f = mesh[jf];
   if (ie == jf || e.next == jf || f.next == ie)

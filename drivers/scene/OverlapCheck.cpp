@@ -1,4 +1,4 @@
-#include "drivers/scene/Overlap.hpp"
+#include "drivers/scene/OverlapCheck.hpp"
 
 #include "bem/base/Error.hpp"
 

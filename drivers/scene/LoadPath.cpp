@@ -1,4 +1,4 @@
-#include "drivers/scene/History.hpp"
+#include "drivers/scene/LoadPath.hpp"
 
 #include "bem/base/Error.hpp"
 

@@ -1,4 +1,4 @@
-#include "contact/solve/Plan.hpp"
+#include "contact/solve/Course.hpp"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "drivers/scene/Nesting.hpp"
+#include "drivers/scene/Commas.hpp"
 
 #include <cstring>
 
