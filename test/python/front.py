@@ -114,9 +114,10 @@ try:
     claim(False, "an earlier run is in the way")
 except epafi.InputError as error:
     claim("--force" in str(error), "an earlier run is not overwritten: %s" % error)
+FIXED_POINT = {"Solver->Coulomb Iteration": "Fixed Point"}
 try:
-    epafi.run(coulomb, set={"Solver->Maximum Iterations": 1})
-    claim(False, "one iteration is not enough")
+    epafi.run(coulomb, set={**FIXED_POINT, "Solver->Coulomb Maximum Iterations": 1})
+    claim(False, "one update is not enough")
 except epafi.NotConverged as error:
     claim(error.code == 3 and not error.run.converged and error.run.history.size == 1,
           "what does not converge is an exception with a run")
@@ -133,7 +134,8 @@ claim(abs(sweep["energy_friction"][:, 0]).max() == 0 < sweep["energy_friction"][
       "only friction dissipates")
 sweep.plot(os.path.join(WORK, "overlay.png"))
 claim(os.path.getsize(os.path.join(WORK, "overlay.png")) > 5000, "stresses are overlaid")
-failing = epafi.sweep(coulomb, {"Solver->Maximum Iterations": [1, 50]})
+failing = epafi.sweep(coulomb.changed(FIXED_POINT),
+                      {"Solver->Coulomb Maximum Iterations": [1, 100]})
 claim(np.isnan(failing["dof"][0]) and failing["dof"][1] > 0 and
       isinstance(failing.cases[0].error, epafi.NotConverged), "one that fails does not end it")
 
