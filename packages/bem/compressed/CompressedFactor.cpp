@@ -1,5 +1,6 @@
 #include "bem/compressed/CompressedFactor.hpp"
 
+#include "bem/algebra/SerialBlas.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/compressed/Products.hpp"
 
@@ -51,6 +52,7 @@ int CompressedFactor::update(Restriction restriction) {
 }
 
 void CompressedFactor::eliminate(const std::vector<char>& dirty) {
+  const SerialBlas serial;
   const ClusterTree& tree = operators_->tree();
   for (Node& node : nodes_)
     if (dirty[static_cast<std::size_t>(&node - nodes_.data())] != 0) {
@@ -267,6 +269,7 @@ Matrix CompressedFactor::residual(const Matrix& b, const Matrix& x) const {
 }
 
 Matrix CompressedFactor::solve(const Matrix& b, int refinements) const {
+  const SerialBlas serial;
   Matrix x = solveOnce(b);
   for (int step = 0; step < refinements; ++step) {
     const Matrix correction = solveOnce(residual(b, x));

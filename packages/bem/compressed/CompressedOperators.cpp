@@ -1,5 +1,6 @@
 #include "bem/compressed/CompressedOperators.hpp"
 
+#include "bem/algebra/SerialBlas.hpp"
 #include "bem/compressed/CoupledEntries.hpp"
 #include "bem/compressed/Interpolation.hpp"
 #include "bem/compressed/NearBlocks.hpp"
@@ -272,11 +273,13 @@ CompressedOperators::CompressedOperators(const Space& space, const Lame& lame,
       densities_(space.densities()),
       unknowns_(allUnknowns(space, local)),
       tree_(space, options.leafUnknowns) {
+  const SerialBlas serial;
   Builder(*this, space, lame, options, local).build();
 }
 
 // Upwards what leaves each cluster, downwards what comes to it from outside.
 Matrix CompressedOperators::times(const Matrix& x) const {
+  const SerialBlas serial;
   const Index columns = x.columns();
   Matrix result(x.rows(), columns);
   std::vector<Matrix> out(parts_.size());
