@@ -13,11 +13,14 @@ using bem::dot;
 namespace {
 
 /// Ĉ and M with the numbers of unknowns.
-CompressedCoupling compressedCoupling(const bem::Space& space, const Coupling& coupling,
+CompressedCoupling compressedCoupling(const bem::Space& space,
+                                      const MultiplierSpace& multiplier,
+                                      const Coupling& coupling,
                                       const bem::LocalCompliance& compliance) {
   CompressedCoupling result;
   result.first = space.displacements() + space.densities();
   result.multipliers = coupling.multipliers;
+  result.normals = multiplier.normals();
   result.entries = coupling.trace;
   result.mass = coupling.mass;
   for (const Coupling::Entry& entry : coupling.weights)
@@ -46,14 +49,14 @@ std::vector<int> elementsOf(const bem::Space& space, const Coupling& coupling) {
 
 class CompressedBody final : public StabilisedBody {
  public:
-  CompressedBody(const bem::Space& space,
+  CompressedBody(const bem::Space& space, const MultiplierSpace& multiplier,
                  std::shared_ptr<const bem::CompressedOperators> operators,
                  Coupling coupling, bem::LocalCompliance compliance)
       : space_(space),
         operators_(std::move(operators)),
         coupling_(std::move(coupling)),
         compliance_(std::move(compliance)),
-        compressed_(compressedCoupling(space, coupling_, compliance_)) {}
+        compressed_(compressedCoupling(space, multiplier, coupling_, compliance_)) {}
 
   std::shared_ptr<const HeldStiffness> held(const Holding& holding) const override {
     return std::make_shared<const Held>(*this, holding);
@@ -72,7 +75,7 @@ class CompressedBody final : public StabilisedBody {
 
   Vector push(const Vector& multiplier) const override {
     Matrix x(operators_->size(), 1);
-    compressed_.push(1, multiplier, x.data());
+    compressed_.push(1, multiplier.data(), x.data());
     if (byDensity()) {
       // ψ = (V + G)⁻¹ (K u - N λ): what -N λ makes of it acts through K'
       Matrix right(operators_->size(), 1);
@@ -162,8 +165,7 @@ class CompressedBody final : public StabilisedBody {
     Vector solve(const Vector& force) const override {
       Matrix forces(held_->operators().size(), 1);
       std::copy(force.begin(), force.end(), forces.data());
-      constexpr int refinements = 2;
-      const Matrix x = held_->displaced(std::move(forces), refinements);
+      const Matrix x = held_->displaced(std::move(forces));
       Vector u(x.data(), x.data() + size_);
       for (Index k = 0; k < holding_.rigid.allowed.columns(); ++k) {
         const Vector r = columnOf(holding_.rigid.allowed, k);
@@ -204,7 +206,8 @@ class CompressedBody final : public StabilisedBody {
     std::copy(u.begin(), u.end(), x.data());
     Matrix right = operators_->times(x);
     if (byDensity() && !multiplier.empty())
-      compressed_.push(1, multiplier, right.data());  // -N λ, in the densities' rows
+      compressed_.push(1, multiplier.data(),
+                       right.data());  // -N λ, in the densities' rows
     for (Index i = 0; i < right.rows(); ++i)
       right(i, 0) = i >= displacements() && i < compressed_.first ? -right(i, 0) : 0;
     const Matrix psi = densityFactor().solve(right);
@@ -261,7 +264,8 @@ bem::SteklovPoincare makeCompressedStiffness(const bem::Space& space,
       makeLocalCoupling(space, multiplier, stabilization, lame, units);
   const bem::LocalCompliance compliance =
       densityCompliance(space, multiplier, stabilization, lame, units);
-  const CompressedCoupling compressed = compressedCoupling(space, coupling, compliance);
+  const CompressedCoupling compressed =
+      compressedCoupling(space, multiplier, coupling, compliance);
   bem::LocalCoupling local;
   local.elements = elementsOf(space, coupling);
   for (const Coupling::Entry& entry : compressed.entries)
@@ -282,7 +286,7 @@ bem::SteklovPoincare makeCompressedStiffness(const bem::Space& space,
 std::unique_ptr<const StabilisedBody> makeCompressedBody(
     const ContactProblem::Input& input, const MultiplierSpace& multiplier) {
   return std::make_unique<const CompressedBody>(
-      input.space, input.stiffness.compressed(),
+      input.space, multiplier, input.stiffness.compressed(),
       makeLocalCoupling(input.space, multiplier, input.stabilization, input.lame,
                         input.units),
       densityCompliance(input.space, multiplier, input.stabilization, input.lame,
