@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/geometry/Outline.hpp"
+#include "drivers/scene/Loops.hpp"
 
 #include <memory>
 #include <string>
@@ -11,12 +11,6 @@ class ParameterList;
 }
 
 namespace epafi::drivers {
-
-/// A body's closed lines, as the user wrote them.
-struct Loops {
-  bem::Loop outer;
-  std::vector<bem::Loop> holes;
-};
 
 /// Of a validated list Geometry; what its File names takes the place of File in it.
 ///
