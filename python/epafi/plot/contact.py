@@ -39,12 +39,12 @@ def abscissa(contact, parts):
 
 
 def closes(contact):
-    """Does a single chain end where it begins, in contact there?"""
+    """Does a single chain end where it begins, in contact there and not all around?"""
     x = np.column_stack([contact["x"], contact["y"]])
     steps = np.hypot(*np.diff(x, axis=0).T)
     closed = contact["contact"] > 0
     return (len(steps) > 2 and np.hypot(*(x[-1] - x[0])) < 2 * max(steps[0], steps[-1])
-            and (closed[0] or closed[-1]))
+            and (closed[0] or closed[-1]) and not closed.all())
 
 
 def laid_out(contact):
@@ -137,7 +137,7 @@ def draw(contact, title, pictures):
     figure, (stress, shift) = plt.subplots(2, 1, figsize=(8, 7.4), sharex=True)
     line(stress, contact["lambda_n"], r"pressure $\lambda_n$", color="C0")
     line(stress, contact["lambda_t"], r"shear $\lambda_t$", color="C1")
-    if (contact["bound"] != 0).any():
+    if (contact["bound"] != 0).any() and np.isfinite(contact["bound"]).all():  # bonds have none
         line(stress, contact["bound"], "friction bound, both signs", color="grey", ls="--",
              lw=1)
         line(stress, -contact["bound"], "_", color="grey", ls="--", lw=1)
@@ -150,6 +150,9 @@ def draw(contact, title, pictures):
     reach = max(np.abs(contact["u_n"]).max(), np.abs(contact["u_t"]).max()) + 0.2 * room
     if np.abs(contact["gap"]).max() > 3 * reach:  # a gap far off would flatten the rest
         shift.set_ylim(-reach, 1.5 * reach)
+    rounding = 1e-12 * max(np.ptp(contact["x"]), np.ptp(contact["y"]))
+    if reach < rounding and (contact["gap"] == 0).all():  # as of bonded sides
+        shift.set_ylim(-rounding, rounding)
     shift.set_ylabel("displacement along n and t")
     shift.set_xlabel(label)
     for axes in (stress, shift):

@@ -42,7 +42,10 @@ def range_of(values, weights):
     share = np.cumsum(weights[order]) / np.sum(weights)
     low, high = (values[order[min(np.searchsorted(share, part), len(order) - 1)]]
                  for part in (BEYOND / 2, 1 - BEYOND / 2))
-    return (low, high) if high > low else (low - abs(low) - 1e-300, high + abs(high) + 1e-300)
+    size = max(abs(low), abs(high))
+    if high - low > 1e-6 * size:
+        return low, high
+    return low - size - 1e-300, high + size + 1e-300  # rounding is no field
 
 
 def limits(values, weights, name):
@@ -57,8 +60,8 @@ def limits(values, weights, name):
 
 
 def finish(figure, axes, drawn, cut, largest, name, title, extent, pictures):
-    bar = figure.colorbar(drawn, ax=axes, extend={"": "neither", "minmax": "both"}.get(cut, cut),
-                          fraction=0.05, pad=0.02)
+    place = axes.inset_axes([1.02, 0, 0.2 / axes.figure.get_figwidth(), 1])  # as high as the body
+    bar = figure.colorbar(drawn, cax=place, extend={"": "neither", "minmax": "both"}.get(cut, cut))
     bar.set_label(NAMES[name] + (" (up to %.3g)" % largest if "max" in cut else ""))
     axes.grid(False)
     equal_axes(axes, *extent)
