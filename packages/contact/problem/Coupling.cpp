@@ -261,6 +261,21 @@ std::vector<Index> densityStarts(const bem::Space& space,
   return starts;
 }
 
+/// The mean of one component of ψ on the longest element of an edge, held with a small part
+/// of its own diagonal in V: large enough for the factor, and the change of volume that it
+/// lets through is below the error.
+std::pair<Index, double> pinOn(const bem::Space& space, int edge) {
+  int longest = -1;
+  for (int e = 0; e < space.mesh().size(); ++e)
+    if (space.mesh()[e].piece.edge == edge &&
+        (longest < 0 || space.mesh()[e].half > space.mesh()[longest].half))
+      longest = e;
+  const Element& element = space.mesh()[longest];
+  const Vec2 normal = element.curve.normal(0);
+  return {space.density(longest, 0, std::abs(normal.x) > std::abs(normal.y) ? 0 : 1),
+          1e-4 * element.half * element.half};
+}
+
 /// What stands for S φ in the coupling: densities' responses, or tractions.
 void chooseColumns(Coupling& coupling, const ContactProblem::Input& input,
                    const MultiplierSpace& multiplier) {
@@ -305,8 +320,10 @@ void writeElements(const bem::Space& space, const MultiplierSpace& multiplier,
         gammaOn(space.mesh(), contact.element, stabilization, lame.nu, units));
     writer.write(contact, coupling.gamma.back(), coupling.start[k]);
   }
-  coupling.compliance =
-      densityCompliance(space, multiplier, stabilization, lame, units).diagonal;
+  const bem::LocalCompliance compliance =
+      densityCompliance(space, multiplier, stabilization, lame, units);
+  coupling.compliance = compliance.diagonal;
+  coupling.pinned = compliance.pinned;
 }
 
 }  // namespace
@@ -346,6 +363,8 @@ bem::LocalCompliance densityCompliance(const bem::Space& space,
         compliance.diagonal.push_back(gamma * 2 * element.half / (2 * i + 1));
       }
   }
+  for (const int edge : multiplier.conditions().pins)
+    compliance.pinned.push_back(pinOn(space, edge));
   return compliance;
 }
 
