@@ -105,6 +105,8 @@ class MultiplierSpace {
   /// Those that it was made for.
   const Conditions& conditions() const { return *conditions_; }
   const std::vector<ContactElement>& elements() const { return elements_; }
+  /// Their indices in the mesh.
+  std::vector<int> meshElements() const;
   /// How many coefficients are pressures, which are the first ones.
   Index normals() const { return normals_; }
   Index size() const { return size_; }
