@@ -9,6 +9,7 @@
 #include "drivers/scene/ConditionsReader.hpp"
 #include "drivers/scene/ContactsReader.hpp"
 #include "drivers/scene/GeometryReader.hpp"
+#include "drivers/scene/Incompressible.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
 
