@@ -211,8 +211,8 @@ class CompressedBody final : public StabilisedBody {
       restriction.held.assign(at(operators_->size()), 1);
       std::fill(restriction.held.begin() + displacements(),
                 restriction.held.begin() + compressed_.first, 0);
-      densityFactor_ =
-          std::make_unique<const bem::CompressedFactor>(*operators_, restriction);
+      densityFactor_ = std::make_unique<const bem::CompressedFactor>(
+          *operators_, restriction, std::vector<int>{});
     }
     return *densityFactor_;
   }
