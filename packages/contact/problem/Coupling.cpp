@@ -158,8 +158,8 @@ double Coupling::complianceWork(const Vector& density) const {
   return work;
 }
 
-Vec2 Coupling::meanSlack(std::size_t contactElement, const Vector& lambda,
-                         const Vector& density) const {
+bem::Vec2 Coupling::meanSlack(std::size_t contactElement, const Vector& lambda,
+                              const Vector& density) const {
   if (compliance.densities.empty())
     return {};
   // P_0 is 1: its rows of N λ and of G ψ are integrals
@@ -170,7 +170,7 @@ Vec2 Coupling::meanSlack(std::size_t contactElement, const Vector& lambda,
            compliance.diagonal[at(k)] * density[at(compliance.densities[at(k)])];
   };
   const double length = compliance.diagonal[at(first)] / gamma[contactElement];
-  return (1 / length) * Vec2{integral(first), integral(first + 1)};
+  return (1 / length) * bem::Vec2{integral(first), integral(first + 1)};
 }
 
 Matrix Coupling::transposed(const bem::DenseAlgebra& algebra) const {
