@@ -29,7 +29,7 @@ bem::Family<LinearMethod>& linearMethods() {
           {"Belos", "conjugate gradients, for each column", belos},
           {"Compressed",
            "by skeletons, time and memory nearly proportional to the "
-           "elements; one body on straight edges, without a History, "
+           "elements; one body that deforms, on straight edges, "
            "Stabilization->Form Density or None",
            factors, LinearMethod::Operators::Compressed},
           {"Automatic",
@@ -57,10 +57,8 @@ bem::SchemaRows linearRows() {
 }
 
 std::string whyNotCompressed(const Scene& scene) {
-  if (scene.hasSeveral())
-    return "the scene has several bodies";
-  if (scene.history)
-    return "the scene has a History";
+  if (scene.bodies.size() > 1)
+    return "the scene has several bodies that deform";
   return contact::whyNotCompressed(*scene.bodies.front().outline, scene.stabilization);
 }
 

@@ -158,6 +158,11 @@ TEUCHOS_UNIT_TEST(CompressedBody, problemsAreTheDenseOnes) {
     TEST_COMPARE(
         std::abs(own.problem.strainEnergy(own.solution.state, own.displacement) - energy),
         <, 1e-9 * energy);
+    const double stored =
+        exact.problem.storedEnergy(exact.solution.state, exact.displacement);
+    TEST_COMPARE(
+        std::abs(own.problem.storedEnergy(own.solution.state, own.displacement) - stored),
+        <, 1e-9 * energy);
     const Vector work = exact.problem.clampWork(exact.solution.state, exact.displacement);
     TEST_COMPARE(difference(own.problem.clampWork(own.solution.state, own.displacement),
                             work, 1e-2),

@@ -99,7 +99,15 @@ class CompressedBody final : public StabilisedBody {
 
   Matrix multiplierMass() const override { return coupling_.multiplierMass(); }
   double multiplierWork(const Vector& multiplier) const override {
-    return coupling_.multiplierWork(multiplier);
+    const double work = coupling_.multiplierWork(multiplier);
+    if (!byDensity())
+      return work;
+    // less (N λ)ᵀ (V + G)⁻¹ N λ
+    Matrix pushed(operators_->size(), 1);
+    compressed_.push(1, multiplier, pushed.data());
+    std::fill_n(pushed.data(), displacements(), 0.0);
+    return work +
+           bem::dot(columnOf(pushed, 0), columnOf(densityFactor().solve(pushed), 0));
   }
 
   Vector density(const Vector& u, const Vector& multiplier) const override {
