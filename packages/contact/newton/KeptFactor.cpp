@@ -55,11 +55,11 @@ double norm1(const Matrix& a) {
 Matrix rowsTimes(const Matrix& a, const Matrix& b) {
   Matrix product(a.columns(), b.columns());
   if (!product.empty())
-    Teuchos::BLAS<int, double>().GEMM(
-        Teuchos::TRANS, Teuchos::NO_TRANS, sizeOf(a), sizeOf(b),
-        static_cast<int>(a.rows()), 1.0, a.data(), static_cast<int>(a.stride()), b.data(),
-        static_cast<int>(b.stride()), 0.0, product.data(),
-        static_cast<int>(product.stride()));
+    Teuchos::BLAS<int, double>().GEMM(Teuchos::TRANS, Teuchos::NO_TRANS, sizeOf(a),
+                                      sizeOf(b), static_cast<int>(a.rows()), 1.0,
+                                      a.data(), static_cast<int>(a.stride()), b.data(),
+                                      static_cast<int>(b.stride()), 0.0, product.data(),
+                                      static_cast<int>(product.stride()));
   return product;
 }
 

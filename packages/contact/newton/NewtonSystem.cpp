@@ -50,7 +50,8 @@ struct NewtonSystem::Impl {
   std::unique_ptr<Flexibility::Operator::Factor> byOperator;
   std::vector<Flexibility::Operator::System::Follower> followers;
 
-  std::unique_ptr<const KeptFactor> kept;  // that of an earlier system, brought up to date
+  std::unique_ptr<const KeptFactor>
+      kept;  // that of an earlier system, brought up to date
 
   Matrix factor;  // Cholesky's L or LU of the bordered matrix
   std::vector<int> pivots;
@@ -106,8 +107,7 @@ struct NewtonSystem::Impl {
     Matrix motions(n, k);
     for (Index m = 0; m < k; ++m)
       std::transform(problem.rigid.column(m), problem.rigid.column(m) + n,
-                     motions.column(m),
-                     [&](double g) { return g * motionScale[at(m)]; });
+                     motions.column(m), [&](double g) { return g * motionScale[at(m)]; });
     return motions;
   }
 
