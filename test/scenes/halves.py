@@ -18,9 +18,9 @@ def history(times, steps):
                   parameter("Steps", "Array(int)", "{%s}" % ", ".join(map(str, steps))))
 
 
-def half(name, up, modulus, push, press=PRESS, ratio=0.3, side=COARSE):
+def half(name, up, modulus, push, press=PRESS, ratio=0.3, side=COARSE, uniform=False):
     """A block above (up = 1) or below the contact, as high as wide, and what pushes its outer
-    sides."""
+    sides: the half-plane's tractions, or uniform ones on the far side."""
     cuts, counts = side
     far = cuts[-1]
     names = ["contact" if -2 < x < 1.2 else "free" for x in cuts[:-1]]
@@ -29,8 +29,11 @@ def half(name, up, modulus, push, press=PRESS, ratio=0.3, side=COARSE):
     if up < 0:  # counter-clockwise again
         corners = [(-x, 0) for x in cuts] + [(-far, -2 * far), (far, -2 * far)]
         sides = names + ["left", "far", "right"]
-    load = ""
-    for edge, normal in (("left", "-x"), ("right", "x"), ("far", "abs(y)")):
+    load = "" if not uniform else condition("far", "Neumann", **{
+        "Traction_X": "%d*(%s)/%r" % (up, push, 2 * far),
+        "Traction_Y": "%d*(%s)/%r" % (-up, press, 2 * far)})
+    for edge, normal in () if uniform else (
+            ("left", "-x"), ("right", "x"), ("far", "abs(y)")):
         load += condition(edge, "Neumann", **{
             "Traction_" + c: "%d*2/pi*((%s)*x - (%s)*y)*(%s)*%s/(x^2 + y^2)^2" % (
                 up, push, press, normal, c.lower()) for c in "XY"})
@@ -38,7 +41,7 @@ def half(name, up, modulus, push, press=PRESS, ratio=0.3, side=COARSE):
                                     "{%s}" % ", ".join(map(str, counts + [6, 6, 6]))),
                   parameter("Degree", "int", 2))
     return body(name, geometry(corners, "{%s}" % ", ".join(sides)), modulus, load,
-                "{X, Y, Rotation}" if up < 0 else "", grid, ratio)
+                "{X, Y, Rotation}" if up < 0 else "{Rotation}" if uniform else "", grid, ratio)
 
 
 def root(x):
@@ -70,6 +73,14 @@ def stick(points):
     """Both ends of where friction sticks."""
     inside = [p["x"] for p in points if p["friction"] == 1 and p["contact"] == 1]
     return min(inside), max(inside)
+
+
+def rms(points, exact):
+    """The same in the mean over the contact, 2 a wide."""
+    square = sum(abs(a["x"] - b["x"]) / 2 * ((a["lambda_t"] - exact(a["x"]))**2 +
+                                             (b["lambda_t"] - exact(b["x"]))**2)
+                 for a, b in zip(points, points[1:]))
+    return math.sqrt(square / 2) / (F * P0)
 
 
 def error(points, exact):
