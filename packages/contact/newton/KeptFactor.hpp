@@ -5,7 +5,7 @@
 namespace epafi::contact {
 
 /// The factor of one linear system in D and G, kept for others that differ from it in few
-/// rows: the steps of a path, in which few coefficients open, close, stick or slip.
+/// rows: Newton's in a step of a path, in which few coefficients open, close, stick or slip.
 ///
 /// A row says what a coefficient's change d_i is:
 ///

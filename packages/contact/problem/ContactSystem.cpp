@@ -71,7 +71,6 @@ struct ContactSystem::Parts {
   std::vector<Drive> drives;
   std::shared_ptr<const Couplings> couplings{};
   Problem numbers{};
-  Flexibility ofSteps{};  ///< D for the problems of a path
   Vector gap{};
   Vector jump{};
   Vector slipBefore{};
@@ -165,15 +164,14 @@ struct ContactSystem::Parts {
     numbers.normals = numbering.normals();
     if (freeMotions() > 0)
       numbers.rigid = withRigidBodies(numbers.rigid);
-    ofSteps = numbers.flexibility.keeping();
     finish();
   }
 
   /// The numbers of another time from those of this one.
   void respondAll(const Parts& same) {
     numbers = same.numbers.copy();
-    ofSteps = same.ofSteps;
-    numbers.flexibility = ofSteps;
+    // within a step only: a run that goes on behind it shall compute the same digits
+    numbers.flexibility = same.numbers.flexibility.keeping();
     numbers.tangentials.clear();
     numbers.rigidLoad.clear();
     numbers.offset.assign(at(numbering.size()), 0.0);
