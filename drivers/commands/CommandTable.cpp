@@ -141,7 +141,9 @@ std::vector<Command> makeCommands() {
        {"DIR", "folder", Offer::Folders},
        {{"--field", "NAME", "this field inside the body, too: " + namesOf(fieldNames()),
          Offer::Words, fieldNames()},
-        {"--window", "X0,Y0,X1,Y1", "of the field this part alone"}},
+        {"--window", "X0,Y0,X1,Y1", "of the field this part alone"},
+        {"--step", "K",
+         "the field at this step of a load path: 1, 2, ...; default: the last"}},
        plotCommand},
       {"fields",
        "displacement and stress inside, after a run; csv, or all of the inside for "
@@ -156,6 +158,7 @@ std::vector<Command> makeCommands() {
         {"--output", "FILE", "default: fields.csv or fields.vtu in DIR", Offer::Files},
         {"--vtk", "",
          "triangles of the whole inside for ParaView, small at small elements"},
+        {"--step", "K", "at this step of a load path: 1, 2, ...; default: the last"},
         threads},
        fieldsCommand},
       {"schema",

@@ -31,8 +31,9 @@ using Points = std::vector<bem::Vec2>;
 /// The last level of a run, read from its folder, with the scene that it was solved for.
 class SavedRun {
  public:
-  explicit SavedRun(const std::string& folder)
-      : checkpoint_(read(folder)),
+  /// `step`: as --step gives it; empty: the last one.
+  SavedRun(const std::string& folder, const std::string& step)
+      : checkpoint_(step.empty() ? read(folder) : atStep(read(folder), folder, step)),
         scene_(sceneOf(checkpoint_.used, folder + "/used.xml", {})),
         insides_(scene_, checkpoint_.level) {}
 
@@ -46,6 +47,37 @@ class SavedRun {
       throw InputError(message("there is no folder '", folder,
                                "'; the folder of a finished run is needed"));
     return readSolution(folder + "/solution.hdf");
+  }
+
+  static Checkpoint atStep(Checkpoint run, const std::string& folder,
+                           const std::string& text) {
+    const int number = positiveNumber("--step", text);
+    Level& level = run.level;
+    if (level.path.empty())
+      throw InputError(message("--step: the run in '", folder,
+                               "' has no History, and no steps; leave --step out"));
+    if (!level.complete)
+      throw InputError(message("--step: the path in '", folder,
+                               "' was interrupted behind ", level.path.size(),
+                               " solved steps, and fields of its steps "
+                               "are kept at its end; go on with epafi run --restart, or "
+                               "leave --step out for the last one"));
+    if (level.steps.empty())
+      throw InputError(
+          message("--step: '", folder,
+                  "/solution.hdf' was written by a "
+                  "version of Epafi that kept the last step alone; solve the "
+                  "scene again"));
+    if (static_cast<std::size_t>(number) > level.steps.size())
+      throw InputError(message("--step ", number, ": the path in '", folder, "' has ",
+                               level.steps.size(),
+                               level.steps.size() == 1 ? " step" : " steps"));
+    StepFields& step = level.steps[static_cast<std::size_t>(number) - 1];
+    for (std::size_t b = 0; b < level.bodies.size(); ++b) {
+      level.bodies[b].displacement = std::move(step.displacement[b]);
+      level.bodies[b].density = std::move(step.density[b]);
+    }
+    return run;
   }
 
   Checkpoint checkpoint_;
@@ -229,7 +261,7 @@ std::string summary(const std::string& file, const Points& points,
 
 void evaluate(const Given& given, std::ostream& out) {
   const std::string& folder = given.argument;
-  const SavedRun run(folder);
+  const SavedRun run(folder, given.value("--step", ""));
   if (given.has("--vtk")) {
     for (const char* other : {"--grid", "--points", "--along", "--depth", "--window"})
       if (given.has(other))
@@ -252,14 +284,15 @@ void evaluate(const Given& given, std::ostream& out) {
 
 }  // namespace
 
-void writeInside(const std::string& folder) {
-  const SavedRun run(folder);
+void writeInside(const std::string& folder, const std::string& step) {
+  const SavedRun run(folder, step);
   write(folder + "/fields.vtu", vtuFile(fill(run.insides())));
 }
 
-void writeWindow(const std::string& folder, const std::string& window) {
+void writeWindow(const std::string& folder, const std::string& step,
+                 const std::string& window) {
   constexpr double cells = 240;  // along the longer side
-  const SavedRun run(folder);
+  const SavedRun run(folder, step);
   const Box box = windowOf(window);
   const bem::Vec2 size = box.high - box.low;
   const double cell = std::max(size.x, size.y) / cells;

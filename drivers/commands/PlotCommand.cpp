@@ -84,14 +84,15 @@ int drawScene(const std::string& csv, const std::string& title, const std::strin
 int plotCommand(const Given& given, std::ostream&, const Ranks& ranks) {
   return onFirstRank(ranks, [&] {
     if (!given.has("--field")) {
-      if (given.has("--window"))
-        throw bem::InputError("--window belongs to a --field");
+      for (const char* option : {"--window", "--step"})
+        if (given.has(option))
+          throw bem::InputError(bem::message(option, " belongs to a --field"));
       return drawPictures(given.argument, Words::All);
     }
     if (given.has("--window"))
-      writeWindow(given.argument, given.value("--window"));
+      writeWindow(given.argument, given.value("--step", ""), given.value("--window"));
     else
-      writeInside(given.argument);
+      writeInside(given.argument, given.value("--step", ""));
     std::vector<std::string> more = {"--field=" + given.value("--field")};
     if (given.has("--window"))
       more.emplace_back("--window");

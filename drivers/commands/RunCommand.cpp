@@ -122,8 +122,9 @@ void writeLevel(const Scene& scene, const SolvedLevel& level, const std::string&
   if (scene.hasSeveral())
     folder.stage("bodies.csv", bodies);
   if (scene.output.fields)
-    folder.stage("solution.hdf", solutionFile(scene, level, used, history, path.steps,
-                                              scene.hasSeveral() ? bodies : ""));
+    folder.stage("solution.hdf",
+                 solutionFile(scene, level, fieldGrid(scene, level), used, history,
+                              path.steps, scene.hasSeveral() ? bodies : ""));
   folder.commit();
 }
 
@@ -224,15 +225,16 @@ class Recorder {
     path_.steps += stepsLine(row);
     path_.contacts.push_back(contact_.next(level));
     path_.times.push_back(row.t);
-    if (scene_.output.fields)
-      path_.boundaries.push_back(boundaryVtu(scene_, level));
     if (scene_.hasSeveral())
       bodies_ += bodiesLines(scene_, row.level, row.step, row.bodies, row.rigid);
     folder_->stage("steps.csv", path_.steps);
-    if (scene_.output.fields)
+    if (scene_.output.fields) {
+      const FieldGrid grid = fieldGrid(scene_, level);
+      path_.boundaries.push_back(boundaryVtu(grid));
       folder_->stage("solution.hdf",
-                     solutionFile(scene_, level, used_, history_, path_.steps,
+                     solutionFile(scene_, level, grid, used_, history_, path_.steps,
                                   scene_.hasSeveral() ? bodies_ : ""));
+    }
     folder_->commit();
     progress_.clear();
     table_ << tableLine(row) << std::flush;

@@ -8,6 +8,7 @@
 #include "drivers/output/LevelTable.hpp"
 #include "drivers/output/OutputFolder.hpp"
 #include "drivers/output/Restart.hpp"
+#include "drivers/output/StepsTable.hpp"
 #include "drivers/process/BlasCore.hpp"
 #include "drivers/process/Interrupt.hpp"
 #include "drivers/process/ProgressLine.hpp"
@@ -74,6 +75,17 @@ double smallestEigenvalue(const Scene& scene, const SolvedLevel& level) {
   return smallest;
 }
 
+/// Of steps.csv, where the scene has a History.
+std::string stepLines(const SolvedLevel& level, bool withHead) {
+  std::string lines;
+  if (level.path == nullptr)
+    return lines;
+  for (const auto& step : level.path->steps)
+    lines +=
+        (lines.empty() && withHead ? stepsHead(step->row) : "") + stepsLine(step->row);
+  return lines;
+}
+
 class StudyRun {
  public:
   StudyRun(const Study& study, OutputFolder& folder, const Ranks& ranks,
@@ -132,13 +144,17 @@ class StudyRun {
     PhaseTimer timer = makeTimer();
     const std::string used = usedXml(*scene.reference);
     std::string history = historyHead();
+    std::string steps;
     bool solved = false;
     try {
       solveLevels(*scene.reference, ranks_, timer, [&](const SolvedLevel& level) {
         history += historyLine(level.row);
+        steps += stepLines(level, steps.empty());
         if (level.row.report.status != contact::Status::Converged)
           return;
-        folder_.write(name, solutionFile(*scene.reference, level, used, history));
+        folder_.write(
+            name, solutionFile(*scene.reference, level,
+                               fieldGrid(*scene.reference, level), used, history, steps));
         solved = true;
       });
     } catch (const bem::NumericalError& error) {
@@ -158,6 +174,7 @@ class StudyRun {
     PhaseTimer timer = makeTimer();
     VariantClock clock;
     std::string history = historyHead();
+    std::string steps;
     int solved = 0;
     try {
       solveLevels(variant.scene, ranks_, timer, [&](const SolvedLevel& level) {
@@ -165,9 +182,10 @@ class StudyRun {
         row.secondsTotal = clock.seconds();
         clock.exclude([&] {
           history += historyLine(row);
+          steps += stepLines(level, steps.empty());
           ++solved;
           note(scene, variant, reference, level, row, name);
-          writeFiles(variant, level, used, history, own);
+          writeFiles(variant, level, used, history, steps, own);
           progress_.clear();
         });
         if (row.report.status != contact::Status::Converged)
@@ -220,17 +238,20 @@ class StudyRun {
   /// Of sweeps, which may have hundreds, the contact alone.
   void writeFiles(const Variant& variant, const SolvedLevel& level,
                   const std::string& used, const std::string& history,
-                  OutputFolder& folder) const {
+                  const std::string& steps, OutputFolder& folder) const {
     const Scene& scene = variant.scene;
     if (scene.hasContact())
       folder.write("contact.csv", contactCsv(scene, level.bodies));
+    if (!steps.empty())
+      folder.write("steps.csv", steps);
     if (variant.swept && !study_.keepSolutions)
       return;
     folder.write("history.csv", history);
     if (scene.output.fields)
       folder.write("boundary.csv", boundaryCsv(scene, level));
     if (study_.keepSolutions && scene.output.fields)
-      folder.write("solution.hdf", solutionFile(scene, level, used, history));
+      folder.write("solution.hdf", solutionFile(scene, level, fieldGrid(scene, level),
+                                                used, history, steps));
   }
 
   /// Different variants get different folders, even if their names differ in signs only.

@@ -12,13 +12,24 @@ namespace epafi::drivers {
 namespace {
 
 /// Quoted where RFC 4180 wants it: boundary names are the user's.
-std::string quoted(const std::string& cell) {
-  if (cell.find_first_of(",\"\r\n") == std::string::npos)
-    return cell;
-  std::string result = "\"";
+void add(const std::string& cell, std::string& line) {
+  if (cell.find_first_of(",\"\r\n") == std::string::npos) {
+    line += cell;
+    return;
+  }
+  line += '"';
   for (const char c : cell)
-    result += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return result + "\"";
+    line.append(c == '"' ? 2 : 1, c);
+  line += '"';
+}
+
+void addLine(const std::vector<std::string>& cells, std::string& text) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0)
+      text += ',';
+    add(cells[i], text);
+  }
+  text += '\n';
 }
 
 }  // namespace
@@ -32,9 +43,8 @@ std::string exactly(double value) {
 
 std::string csvLine(const std::vector<std::string>& cells) {
   std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    line += (i == 0 ? "" : ",") + quoted(cells[i]);
-  return line + '\n';
+  addLine(cells, line);
+  return line;
 }
 
 std::vector<std::string> csvCells(const std::string& line) {
@@ -84,7 +94,7 @@ Csv::Csv(const std::vector<std::string>& columns)
 
 void Csv::row(const std::vector<std::string>& cells) {
   assert(cells.size() == columns_);
-  text_ += csvLine(cells);
+  addLine(cells, text_);
 }
 
 }  // namespace epafi::drivers

@@ -62,6 +62,32 @@ bool agree(const std::vector<EdgeEnds>& a, const std::vector<EdgeEnds>& b,
                     });
 }
 
+/// Files of earlier versions say of every body that it is displaced by 0; a motion that is not
+/// given means the same.
+ParameterList withoutStillMotions(ParameterList scene) {
+  ParameterList& bodies = scene.sublist("Bodies");
+  for (const auto& item : bodies) {
+    if (!item.second.isList())
+      continue;
+    ParameterList& motion = bodies.sublist(item.first).sublist("Motion");
+    for (const char* key : {"Displacement X", "Displacement Y", "Rotation"})
+      if (motion.isParameter(key) && motion.get<std::string>(key) == "0")
+        motion.remove(key);
+  }
+  return scene;
+}
+
+/// Rigid bodies were all moved as the scene says when files did not keep where they are.
+void addRigidMotions(const Scene& scene, Level& level) {
+  if (!level.rigid.empty() || scene.history)
+    return;
+  for (const contact::Drive& drive : scene.drivesAt(1)) {
+    const auto& [x, y, turn] = drive.components;
+    if (!x.free && !y.free && !turn.free)
+      level.rigid.push_back({{x.value, y.value}, turn.value});
+  }
+}
+
 /// The scene that a file was written by.
 ParameterList sceneOf(const Checkpoint& checkpoint) {
   const RawScene scene = readSceneText(checkpoint.used);
@@ -72,8 +98,8 @@ ParameterList sceneOf(const Checkpoint& checkpoint) {
 }
 
 void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
-  const ParameterList then = sceneOf(checkpoint);
-  const ParameterList& now = *scene.used;
+  const ParameterList then = withoutStillMotions(sceneOf(checkpoint));
+  const ParameterList now = withoutStillMotions(*scene.used);
   std::string different;
   for (const char* section : {"Bodies", "Contacts", "History", "Discretization"})
     if (different.empty())
@@ -159,6 +185,7 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
     try {
       checkScene(checkpoint, scene);
       checkOutlines(checkpoint, scene);
+      addRigidMotions(scene, checkpoint.level);
       checkSizes(checkpoint.level, scene);
       checkpoint.history = historyBehind(checkpoint);
       checkpoint.steps = rowsBehind(checkpoint.steps, checkpoint);
@@ -177,14 +204,15 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
 std::optional<Checkpoint> readSolutionOf(const Scene& scene, const std::string& path) {
   try {
     Checkpoint checkpoint = readSolution(path);
-    ParameterList then = sceneOf(checkpoint);
-    ParameterList now = *scene.used;
+    ParameterList then = withoutStillMotions(sceneOf(checkpoint));
+    ParameterList now = withoutStillMotions(*scene.used);
     for (ParameterList* list : {&then, &now})
       for (const char* section : {"Output", "Versions"})
         list->remove(section, false);
     if (!difference(then, now, "").empty())
       return std::nullopt;
     checkOutlines(checkpoint, scene);
+    addRigidMotions(scene, checkpoint.level);
     checkSizes(checkpoint.level, scene);
     if (!checkpoint.level.complete || checkpoint.history.rfind(historyHead(), 0) != 0)
       return std::nullopt;

@@ -69,6 +69,21 @@ void forEachOfPath(AnyArrays& arrays, const Visit& visit) {
   visit("path_rigid", arrays.rigid, 1);
 }
 
+/// The fields of the steps that were asked for, one step after the other, in a step one body
+/// after the other; a file of an earlier version, or of a path on its way, has none.
+struct StepArrays {
+  std::vector<double> times;
+  std::vector<double> displacement;
+  std::vector<double> density;
+};
+
+template <class AnyArrays, class Visit>
+void forEachOfSteps(AnyArrays& arrays, const Visit& visit) {
+  visit("step_t", arrays.times, 1);
+  visit("step_displacement", arrays.displacement, 1);
+  visit("step_density", arrays.density, 1);
+}
+
 /// A body's share of the arrays.
 enum Count {
   Edges,
@@ -165,6 +180,18 @@ PathArrays pathArraysOf(const Level& level) {
   return arrays;
 }
 
+StepArrays stepArraysOf(const Level& level) {
+  StepArrays arrays;
+  for (const StepFields& step : level.steps) {
+    arrays.times.push_back(step.t);
+    for (std::size_t b = 0; b < step.displacement.size(); ++b) {
+      append(arrays.displacement, step.displacement[b]);
+      append(arrays.density, step.density[b]);
+    }
+  }
+  return arrays;
+}
+
 /// And back.
 std::vector<PathPoint> pathOf(const PathArrays& arrays) {
   const std::size_t count = arrays.times.size();
@@ -218,7 +245,7 @@ bool converged(const Level& level) { return level.status == contact::Status::Con
 bool hasPath(const Checkpoint& checkpoint) { return !checkpoint.steps.empty(); }
 
 unsigned long long checksum(const Checkpoint& checkpoint, const Arrays& arrays,
-                            const PathArrays& path) {
+                            const PathArrays& path, const StepArrays& steps) {
   const Level& level = checkpoint.level;
   Checksum sum;
   sum.add(std::vector<int>{level.number, converged(level) ? 1 : 0});
@@ -232,6 +259,7 @@ unsigned long long checksum(const Checkpoint& checkpoint, const Arrays& arrays,
   if (hasPath(checkpoint)) {
     sum.add(checkpoint.steps).add(std::vector<int>{level.complete ? 1 : 0});
     forEachOfPath(path, add);
+    forEachOfSteps(steps, add);
   }
   return sum.value();
 }
@@ -277,6 +305,7 @@ void writeCheckpoint(const Checkpoint& checkpoint, Hdf5Writer& writer) {
     writer.attribute(group, name, std::vector<decltype(value)>{value});
   };
   const PathArrays path = pathArraysOf(level);
+  const StepArrays steps = stepArraysOf(level);
   const bool several = !arrays.bodies.empty();
   const bool all = !arrays.rigidBodies.empty() || (several && hasPath(checkpoint));
   number("format", all                   ? formatOfAll
@@ -287,7 +316,7 @@ void writeCheckpoint(const Checkpoint& checkpoint, Hdf5Writer& writer) {
   number("converged", converged(level) ? 1 : 0);
   number("seconds_total", checkpoint.secondsTotal);
   number("seconds_wall", checkpoint.secondsWall);
-  number("checksum", checksum(checkpoint, arrays, path));
+  number("checksum", checksum(checkpoint, arrays, path, steps));
   const auto write = [&](const char* name, const auto& array, long long columns) {
     writer.array(group + "/" + name, array, columns);
   };
@@ -295,6 +324,8 @@ void writeCheckpoint(const Checkpoint& checkpoint, Hdf5Writer& writer) {
   if (hasPath(checkpoint)) {
     number("complete", level.complete ? 1 : 0);
     forEachOfPath(path, write);
+    if (!steps.times.empty())
+      forEachOfSteps(steps, write);
     writer.text(group + "/steps", checkpoint.steps);
   }
   if (several)
@@ -340,6 +371,22 @@ std::vector<T> taken(const std::vector<T>& all, std::size_t count, std::size_t& 
   const auto begin = all.begin() + static_cast<std::ptrdiff_t>(next);
   next += count;
   return {begin, begin + static_cast<std::ptrdiff_t>(count)};
+}
+
+/// And back: of bodies whose sizes are known.
+std::vector<StepFields> stepsOf(const StepArrays& arrays, const Level& level) {
+  std::vector<StepFields> steps;
+  std::size_t displacement = 0;
+  std::size_t density = 0;
+  for (const double t : arrays.times) {
+    steps.push_back({t, {}, {}});
+    for (const BodyLevel& body : level.bodies) {
+      steps.back().displacement.push_back(
+          taken(arrays.displacement, body.displacement.size(), displacement));
+      steps.back().density.push_back(taken(arrays.density, body.density.size(), density));
+    }
+  }
+  return steps;
 }
 
 /// The arrays of each body.
@@ -418,14 +465,18 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
   checkpoint.secondsTotal = reader.attribute<double>(group, "seconds_total");
   checkpoint.secondsWall = reader.attribute<double>(group, "seconds_wall");
   PathArrays path;
+  StepArrays steps;
   if (reader.has(group + "/path_t")) {
     forEachOfPath(path, read);
     checkpoint.steps = reader.text(group + "/steps");
     checkpoint.level.complete = reader.attribute<int>(group, "complete") == 1;
     checkpoint.level.path = pathOf(path);
+    if (reader.has(group + "/step_t"))
+      forEachOfSteps(steps, read);
+    checkpoint.level.steps = stepsOf(steps, checkpoint.level);
   }
   if (reader.attribute<unsigned long long>(group, "checksum") !=
-      checksum(checkpoint, arrays, path))
+      checksum(checkpoint, arrays, path, steps))
     throw bem::InputError("is damaged: its checksum is wrong");
   return checkpoint;
 }
@@ -443,8 +494,9 @@ std::vector<EdgeEnds> edgeEnds(const bem::Outline& outline) {
 }
 
 std::string solutionFile(const Scene& scene, const SolvedLevel& level,
-                         const std::string& used, const std::string& history,
-                         const std::string& steps, const std::string& resultants) {
+                         const FieldGrid& grid, const std::string& used,
+                         const std::string& history, const std::string& steps,
+                         const std::string& resultants) {
   std::string names;
   for (const std::string& name : gridBoundaries(scene))
     names += name + "\n";
@@ -453,7 +505,7 @@ std::string solutionFile(const Scene& scene, const SolvedLevel& level,
     outlines.push_back(edgeEnds(body.space.mesh().outline()));
 
   Hdf5Writer writer;
-  writeGrid(fieldGrid(scene, level), writer);
+  writeGrid(grid, writer);
   writeCheckpoint({level.level, used, history, steps, resultants, level.row.secondsTotal,
                    level.row.secondsWall, outlines},
                   writer);

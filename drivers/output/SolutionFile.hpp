@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/geometry/Outline.hpp"
+#include "drivers/output/FieldGrid.hpp"
 #include "drivers/run/Level.hpp"
 #include "drivers/scene/Scene.hpp"
 
@@ -33,11 +34,11 @@ struct Checkpoint {
 ///   /Epafi   all numbers that the next level is made from, with a checksum
 ///
 /// Its bytes, from what every process has whole.
-/// `steps`: steps.csv so far, empty without a History; `resultants`: bodies.csv so far,
+/// `grid`: see fieldGrid; `steps`: steps.csv so far, empty without a History; `resultants`: bodies.csv so far,
 /// likewise without several bodies.
 std::string solutionFile(const Scene& scene, const SolvedLevel& level,
-                         const std::string& used, const std::string& history,
-                         const std::string& steps = "",
+                         const FieldGrid& grid, const std::string& used,
+                         const std::string& history, const std::string& steps = "",
                          const std::string& resultants = "");
 
 /// \throws bem::InputError naming the file, if it is not there, not complete, damaged, or

@@ -1,7 +1,6 @@
 #include "drivers/output/StepFiles.hpp"
 
 #include "drivers/output/Csv.hpp"
-#include "drivers/output/FieldGrid.hpp"
 
 #include <cstdint>
 #include <cstring>
@@ -64,9 +63,8 @@ const std::string head =
 
 }  // namespace
 
-std::string boundaryVtu(const Scene& scene, const SolvedLevel& level) {
+std::string boundaryVtu(const FieldGrid& grid) {
   constexpr unsigned char vtkLine = 3;
-  const FieldGrid grid = fieldGrid(scene, level);
   const std::size_t lines = grid.element.size();
   std::vector<long long> offsets;
   for (std::size_t line = 1; line <= lines; ++line)

@@ -28,6 +28,13 @@ struct PathPoint {
   int coulombIterations = 0;
 };
 
+/// What is inside the bodies at a step of a path that was asked for, of each body.
+struct StepFields {
+  double t = 0;
+  std::vector<bem::Vector> displacement;
+  std::vector<bem::Vector> density;
+};
+
 /// A solved level as numbers: all that the next one is made from, and what a file keeps.
 struct Level {
   int number = 0;
@@ -43,6 +50,9 @@ struct Level {
 
   /// All steps that led to the state, where the scene has a History; else empty.
   std::vector<PathPoint> path{};
+  /// Of each step that was asked for, at the end of a path only: a file on the way would grow
+  /// with every step that it is written after.
+  std::vector<StepFields> steps{};
   /// Did the path get to its end, or is this a step on the way?  True without a History.
   bool complete = true;
 };

@@ -122,6 +122,14 @@ Level levelOf(const Ground& ground, const Path& path) {
   return level;
 }
 
+std::vector<StepFields> fieldsOf(const Path& path) {
+  std::vector<StepFields> steps;
+  for (const auto& step : path.steps)
+    steps.push_back({step->row.t, step->solved->placement().displacements,
+                     step->solved->densities()});
+  return steps;
+}
+
 /// Of each body the largest indicators over the steps.
 void estimatePath(const Ground& ground, const Path& path, Level& level) {
   std::vector<std::vector<adaptivity::Indicators>> all(level.bodies.size());
@@ -151,6 +159,7 @@ Level solvePath(const Ground& ground, const contact::ContactSystem& atZero,
   });
   const SolvedBodies& solved = *path.last().solved;
   Level level = levelOf(ground, path);
+  level.steps = fieldsOf(path);
   timer.run(Phase::Estimate, [&] { estimatePath(ground, path, level); });
   timer.run(Phase::Results, [&] {
     LevelRow row =

@@ -125,6 +125,26 @@ claim(all(differ(inside[key], middle[key], size) < 1e-12 for key in middle if ke
       inside["body"] == "block",
       "interior.csv has the same numbers")
 
+# the steps of a load path: the fields of a step are those of the path that ends there
+COARSE = ["Discretization->Elements per Edge={2, 2, 2, 3, 20, 3, 2, 2, 2, 3, 3, 3}"]
+path = solved("fretting", *COARSE, "History->Times={1, 2, 4}", "History->Steps={1, 2, 2}")
+shorter = fresh("shorter")
+code, text = epafi("run", scene("fretting.xml"), "--output", shorter, "--quiet",
+                   *(x for setting in [*COARSE, "History->Times={1, 1.5}", "History->Steps={1, 1}"]
+                     for x in ("--set", setting)))
+claim(code == 0, "a path that ends at t = 1.5 " + text)
+ends = fields(shorter, "--grid", "9,9")
+for step, there in (("2", ends), ("5", fields(path, "--grid", "9,9"))):
+    here = fields(path, "--grid", "9,9", "--step", step)
+    sizes = {key: max(abs(point[key]) for point in there) for key in there[0] if key != "body"}
+    claim(len(here) == len(there) and all(
+        abs(a[key] - b[key]) < 1e-10 * (size or 1) for a, b in zip(here, there)
+        for key, size in sizes.items()), "step %s of 5 has the fields of the path up to it" % step)
+claim(max(abs(a["sxy"] - b["sxy"]) for a, b in zip(ends, there)) > 1e-3 * sizes["sxy"],
+      "which are not those of its end")
+code, text = epafi("plot", path, "--field", "von_mises", "--step", "2")
+claim(code == 0, "the field at a step is drawn " + text[-100:])
+
 with open(os.path.join(WORK, "outside.csv"), "w") as stream:
     stream.write("x,y\n%g,%g\n" % (x, 1e3))
 for sentence, words, arguments in [
@@ -138,6 +158,10 @@ for sentence, words, arguments in [
                                  "--depth", "0"]),
         ("two ways", "one of", ["fields", folder, "--grid", "3,3", "--points", "x"]),
         ("half a grid", "NX,NY", ["fields", folder, "--grid", "3"]),
+        ("a step behind the last", "has 5 steps", ["fields", path, "--step", "6"]),
+        ("a step of no path", "no History", ["fields", folder, "--step", "1"]),
+        ("step 0", "--step", ["fields", path, "--step", "0"]),
+        ("a step of no field", "--field", ["plot", path, "--step", "1"]),
         ("an unknown field", "'von_mises'", ["plot", folder, "--field", "mises"])]:
     code, text = epafi(*arguments)
     claim(code == 1 and words in text, "%s is refused: %s" % (sentence, text.strip()[:150]))

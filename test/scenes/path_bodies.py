@@ -6,43 +6,10 @@ carry the tractions of Boussinesq's and Flamant's forces, as in fretting.xml.  a
 import math
 import os
 
+from halves import COARSE, F, FINE, P, P0, PRESS, after, half, history, partial
 from runs import WORK, claim, epafi, finish, fresh, table
-from written import (block, body, condition, contact, friction, geometry, listed,
-                     parameter, rigid, written)
-
-P, P0, F = math.pi / 400, 0.005, 0.5
-PRESS = "pi/400*min(t, 1)"
-# edges of the contact's side, coarse, and with small elements where contact and slip end
-COARSE = ([-40, -16, -6, -2.5, -1.25, 1.25, 2.5, 6, 16, 40], [4, 4, 4, 6, 24, 6, 4, 4, 4])
-FINE = ([-40, -16, -6, -2.5, -1.25, -0.95, -0.6, 0.6, 0.95, 1.25, 2.5, 6, 16, 40],
-        [4, 4, 4, 6, 30, 88, 30, 88, 30, 6, 4, 4, 4])
-
-
-def history(times, steps):
-    return listed("History",
-                  parameter("Times", "Array(double)", "{%s}" % ", ".join(map(repr, times))),
-                  parameter("Steps", "Array(int)", "{%s}" % ", ".join(map(str, steps))))
-
-
-def half(name, up, modulus, push, press=PRESS, ratio=0.3, side=COARSE):
-    """A block above (up = 1) or below the contact, and what pushes its outer sides."""
-    cuts, counts = side
-    names = ["contact" if -2 < x < 1.2 else "free" for x in cuts[:-1]]
-    corners = [(x, 0) for x in cuts] + [(40, 80), (-40, 80)]
-    sides = names + ["right", "far", "left"]
-    if up < 0:  # counter-clockwise again
-        corners = [(-x, 0) for x in cuts] + [(-40, -80), (40, -80)]
-        sides = names + ["left", "far", "right"]
-    load = ""
-    for edge, normal in (("left", "-x"), ("right", "x"), ("far", "abs(y)")):
-        load += condition(edge, "Neumann", **{
-            "Traction_" + c: "%d*2/pi*((%s)*x - (%s)*y)*(%s)*%s/(x^2 + y^2)^2" % (
-                up, push, press, normal, c.lower()) for c in "XY"})
-    grid = listed("Mesh", parameter("Elements per Edge", "Array(int)",
-                                    "{%s}" % ", ".join(map(str, counts + [6, 6, 6]))),
-                  parameter("Degree", "int", 2))
-    return body(name, geometry(corners, "{%s}" % ", ".join(sides)), modulus, load,
-                "{X, Y, Rotation}" if up < 0 else "", grid, ratio)
+from written import (block, body, condition, contact, friction, listed, parameter, rigid,
+                     written)
 
 
 def solve(name, bodies, contacts, path, form="Density", settings=(), restart=None):
@@ -61,19 +28,6 @@ def steps(folder):
 def points(folder, step=None):
     inside = ["contact.csv"] if step is None else ["steps", str(step), "contact.csv"]
     return table(os.path.join(folder, *inside))
-
-
-def root(x):
-    return math.sqrt(max(0, 1 - x * x))
-
-
-def partial(x, c):
-    return root(x) - (c * root(x / c) if c > 0 else 0)
-
-
-def after(x, qm, q):
-    """The shear on the way back from qm to q (in f P)."""
-    return F * P0 * (partial(x, math.sqrt(1 - qm)) - 2 * partial(x, math.sqrt(1 - (qm - q) / 2)))
 
 
 def balance(folder):

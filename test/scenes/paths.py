@@ -8,14 +8,11 @@ for a half-plane (incompressible, so that pressure and shear do not mix), a = 1.
 import math
 import os
 
+from halves import F, P, P0, after, error, loading, loop, stick
 from runs import WORK, claim, epafi, finish, fresh, scene, table
 
 SCENE = scene("fretting.xml")
 BODY = "Bodies->block->Boundary Conditions->"
-P = math.pi / 400
-P0 = 0.005
-F = 0.5
-QM = 0.5 * F * P
 
 
 def solve(name, settings=(), expect=0, file=SCENE):
@@ -49,40 +46,6 @@ def path(times, counts):
             "History->Steps={%s}" % ", ".join(map(str, counts))]
 
 
-def root(x):
-    return math.sqrt(max(0, 1 - x * x))
-
-
-def partial(x, c):
-    return root(x) - (c * root(x / c) if c > 0 else 0)
-
-
-def loading(x, q):
-    return F * P0 * partial(x, math.sqrt(1 - q))
-
-
-def after(x, qm, q):
-    """The way back from qm to q (in f P)."""
-    return loading(x, qm) - 2 * F * P0 * partial(x, math.sqrt(1 - (qm - q) / 2))
-
-
-def stick(points):
-    """Half the width of where friction sticks."""
-    inside = [p["x"] for p in points if p["friction"] == 1 and p["contact"] == 1]
-    return (max(inside) - min(inside)) / 2
-
-
-def error(points, exact):
-    """Largest error of the shear over f p0.  The shear on the body is -lambda_t along x."""
-    return max(abs(p["lambda_t"] - exact(p["x"])) for p in points) / (F * P0)
-
-
-def loop(q):
-    h = (1 - q) * math.log(1 - q) + q
-    big = -1 / 4 - (1 - q)**2 * math.log(1 - q) / 2 + (1 - q)**2 / 4 + q * q / 2
-    return (4 * q * h - 8 * big) * (F * P)**2 / math.pi
-
-
 os.makedirs(WORK, exist_ok=True)
 
 # Cattaneo, and the way back to 0 and to -Qm; small elements where slip ends, a node at |x| = a
@@ -101,7 +64,8 @@ sides = [(2, "Q = Qm", lambda x: loading(x, 0.5), math.sqrt(0.5)),
          (4, "Q = -Qm", lambda x: after(x, 0.5, -0.5), math.sqrt(0.5))]
 for step, what, exact, c in sides:
     points = contact(base, step)
-    width = stick(points)
+    left, right = stick(points)
+    width = (right - left) / 2
     claim(abs(width - c) < 1e-2, "%s: stick to %.4f of a, exact %.4f" % (what, width, c))
     worst = error(points, exact)
     claim(worst < 0.02, "%s: shear within %.2e of f p0" % (what, worst))

@@ -144,6 +144,26 @@ code, text = epafi("fields", value, "--grid", "3,3")
 claim(code == 0 and os.path.isfile(os.path.join(value, "fields.csv")),
       "fields of a value of a sweep: " + text.strip())
 
+# a load path keeps its steps, and the fields of each
+with open(os.path.join(WORK, "path.xml"), "w") as stream:
+    stream.write("""<ParameterList name="Study of a path">
+  <Parameter name="Keep Solutions" type="bool" value="true"/>
+  <ParameterList name="Scenes"><ParameterList name="fretting">
+    <Parameter name="File" type="string" value="%s"/></ParameterList></ParameterList>
+  <ParameterList name="Variants"><ParameterList name="coarse">
+    <Parameter name="Set" type="Array(string)" value="{History->Times={1, 2}, History->Steps={1, 2},
+      Discretization->Elements per Edge={2, 2, 2, 3, 20, 3, 2, 2, 2, 3, 3, 3},
+      Adaptivity->Strategy=Adaptive h, Adaptivity->Maximum Levels=2}"/>
+  </ParameterList></ParameterList>
+</ParameterList>""" % os.path.abspath(os.path.join(SCENES, "fretting.xml")))
+paths = fresh("paths")
+code, text = epafi("study", os.path.join(WORK, "path.xml"), "--output", paths, "--quiet")
+steps = table(os.path.join(paths, "coarse", "steps.csv")) if code == 0 else []
+claim([(row["level"], row["step"]) for row in steps] == [(k, i) for k in (0, 1) for i in (1, 2, 3)],
+      "a study of a load path keeps steps.csv: %d rows %s" % (len(steps), text))
+code, text = epafi("fields", os.path.join(paths, "coarse"), "--grid", "4,4", "--step", "2")
+claim(code == 0, "and what is inside at each step: " + text.strip())
+
 # the reference is kept and met again to the last bit
 code, text = epafi("study", file, "--output", folder)
 claim(code == 1 and "--force" in text and "keeps its references" in text and

@@ -209,6 +209,8 @@ Contributions sharpContactTerms(const ContactProfiles& profiles, double shearMod
 }
 
 double lostWork(double force, double length, double soft, double stiff) {
+  if (soft == stiff)
+    return lostWork(force, length, soft);
   // in units in which both squares have the factor one, and work has c
   const double f = force / std::sqrt(soft);
   const double v = length * std::sqrt(stiff);

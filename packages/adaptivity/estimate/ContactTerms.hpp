@@ -79,8 +79,18 @@ Contributions sharpContactTerms(const ContactProfiles& profiles, double shearMod
 /// order -1/2 and 1/2 only where force and length overlap on the scale h/p, as they do in
 /// converged states, whose coefficients exclude each other.
 double lostWork(double force, double length, double soft, double stiff);
+/// For one stiffness of both.
 inline double lostWork(double force, double length, double stiffness) {
-  return lostWork(force, length, stiffness, stiffness);
+  const double back = stiffness * length;  // what the length opposes as a force
+  if (2 * back <= force)
+    return back * length;
+  if (2 * force <= back)
+    return force * force / stiffness;
+  const double workingForce = (4 * force - 2 * back) / 3;
+  const double workingBack = (4 * back - 2 * force) / 3;
+  return (workingForce * workingBack +
+          0.25 * (workingForce * workingForce + workingBack * workingBack)) /
+         stiffness;
 }
 
 }  // namespace epafi::adaptivity

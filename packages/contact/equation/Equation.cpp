@@ -21,16 +21,7 @@ double& entry(Vector& v, Index i) { return v[static_cast<std::size_t>(i)]; }
 // grows like 1/h²; a point that slides then jumps to the opposite bound instead of
 // sticking, and on fine meshes the sets cycle.
 Vector responseWeights(const Problem& problem) {
-  const Index n = problem.size();
-  Vector responses;
-  for (const bool normal : {true, false}) {
-    Vector kind(static_cast<std::size_t>(n), normal ? 0.0 : 1.0);
-    std::fill_n(kind.begin(), problem.normals, normal ? 1.0 : 0.0);
-    const Vector all = problem.flexibility.product(kind).magnitude;
-    const auto from = all.begin() + (normal ? 0 : problem.normals);
-    responses.insert(responses.end(), from,
-                     from + (normal ? problem.normals : n - problem.normals));
-  }
+  const Vector& responses = problem.flexibility.responses(problem.normals);
   if (!std::all_of(responses.begin(), responses.end(),
                    [](double x) { return std::isfinite(x); }))
     throw bem::NumericalError(

@@ -2,6 +2,8 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
+#include "contact/newton/KeptFactor.hpp"
+#include "contact/problem/IterativeRefinement.hpp"
 
 #include <Teuchos_BLAS.hpp>
 #include <Teuchos_LAPACK.hpp>
@@ -19,6 +21,10 @@ namespace {
 // A rigid motion counts as held when its part in the inactive rows, measured in units in
 // which the whole of it has size one, is larger than this.
 constexpr double heldThreshold = 1e-12;
+
+// How much of a solution by a kept factor its last refinement may change; another one would
+// change the square of it.
+constexpr double enoughOfKept = 1e-7;
 
 }  // namespace
 
@@ -44,6 +50,9 @@ struct NewtonSystem::Impl {
   std::unique_ptr<Flexibility::Operator::Factor> byOperator;
   std::vector<Flexibility::Operator::System::Follower> followers;
 
+  std::unique_ptr<const KeptFactor>
+      kept;  // that of an earlier system, brought up to date
+
   Matrix factor;  // Cholesky's L or LU of the bordered matrix
   std::vector<int> pivots;
   Vector rowScale;  // what equilibrates an LU: stiff rows stand beside soft ones
@@ -62,10 +71,57 @@ struct NewtonSystem::Impl {
     splitMotions();
     if (!problem.flexibility.isFormed() && boundsFollowKnownRows())
       factorByOperator();
-    else if (symmetric)
+    else if (problem.flexibility.kept() != nullptr && canKeep())
+      kept = KeptFactor::make(problem, allMotions(), keptRows());
+    if (byOperator == nullptr && kept == nullptr)
+      factorNow();
+  }
+
+  void factorNow() {
+    if (symmetric)
       factorSymmetric();
     else
       factorGeneral();
+  }
+
+  // Is the system D and G alone, whatever the point is?
+  bool canKeep() const {
+    return loose.columns() == 0 && boundsFollowKnownRows() &&
+           std::all_of(inactive.begin(), inactive.end(),
+                       [&](Index i) { return row(i).multiplier == 0; });
+  }
+
+  std::vector<KeptFactor::Row> keptRows() const {
+    std::vector<KeptFactor::Row> rows(at(n));
+    for (Index i = 0; i < n; ++i) {
+      rows[at(i)].isSolved = !isKnown(i);
+      for (const NormalShare& part : boundParts[at(i)])
+        if (isKnown(i) && !isKnown(part.normal) && part.value != 0)
+          rows[at(i)].followed.push_back({part.normal, following(i, part.value)});
+    }
+    return rows;
+  }
+
+  // G motionScale
+  Matrix allMotions() const {
+    Matrix motions(n, k);
+    for (Index m = 0; m < k; ++m)
+      std::transform(problem.rigid.column(m), problem.rigid.column(m) + n,
+                     motions.column(m), [&](double g) { return g * motionScale[at(m)]; });
+    return motions;
+  }
+
+  Vector solveKept(const Vector& b) const {
+    Vector right = knownChanges(b);
+    const Vector inRows = rowsAfter(b, right);
+    for (Index p = 0; p < count(); ++p)
+      right[at(inactive[at(p)])] = inRows[at(p)];
+    const Vector rest = balance(b, Vector(at(n), 0.0));
+    right.insert(right.end(), rest.begin(), rest.end());
+    Vector d = kept->solve(right);
+    for (Index m = 0; m < k; ++m)
+      d[at(n + m)] *= motionScale[at(m)];
+    return d;
   }
 
   const Complementarity::Value& row(Index i) const { return e.rows[at(i)]; }
@@ -403,6 +459,8 @@ struct NewtonSystem::Impl {
   Vector solveOnce(const Vector& b) const {
     if (byOperator != nullptr)
       return solveByOperator(b);
+    if (kept != nullptr)
+      return solveKept(b);
     Vector d = knownChanges(b);
     Vector x = rightSide(b, d);
     if (symmetric)
@@ -463,14 +521,22 @@ Vector NewtonSystem::solve(const Vector& b) const {
   Vector d = impl_->solveOnce(b);
   if (impl_->byOperator != nullptr)
     return d;  // it refines its own
-  const Vector product = impl_->equation.jacobianTimes(impl_->e, d);
-  Vector defect(b.size());
-  for (std::size_t i = 0; i < b.size(); ++i)
-    defect[i] = b[i] - product[i];
-  const Vector correction = impl_->solveOnce(defect);
-  for (std::size_t i = 0; i < d.size(); ++i)
-    d[i] += correction[i];
-  return d;
+  for (double last = largestEntry(d);;) {
+    Vector defect = impl_->equation.jacobianTimes(impl_->e, d);
+    for (std::size_t i = 0; i < b.size(); ++i)
+      defect[i] = b[i] - defect[i];
+    const Vector correction = impl_->solveOnce(defect);
+    bem::axpy(1, correction, d);
+    const double change = largestEntry(correction);
+    if (impl_->kept == nullptr || change <= enoughOfKept * largestEntry(d))
+      return d;
+    if (!(change <= 1e-3 * last)) {
+      impl_->factorNow();
+      impl_->kept.reset();
+      return solve(b);
+    }
+    last = change;
+  }
 }
 
 Vector NewtonSystem::unheld(const Vector& b) const {

@@ -1,6 +1,7 @@
 #include "contact/problem/BalancedStiffness.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace epafi::contact {
 
@@ -43,6 +44,13 @@ Vector BalancedStiffness::residual(const Vector& force, const Vector& u) const {
   for (std::size_t i = 0; i < rest.size(); ++i)
     rest[i] = static_cast<double>(force[i] - forces[i]);
   return rest;
+}
+
+double BalancedStiffness::stiffnessWork(const Vector& u) const {
+  const Extended inner = withoutMotions(u);
+  const Extended forces = stiffnessTimes(inner);
+  return static_cast<double>(
+      std::inner_product(inner.begin(), inner.end(), forces.begin(), 0.0L));
 }
 
 // P u

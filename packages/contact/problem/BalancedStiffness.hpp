@@ -23,6 +23,10 @@ class BalancedStiffness {
   /// f - A u, replicated.
   Vector residual(const Vector& force, const Vector& u) const;
 
+  /// uᵀ S u, to the rounding of what deforms the body: not of S's large entries where
+  /// nu -> 1/2 nor of a rigid motion in u.
+  double stiffnessWork(const Vector& u) const;
+
   const RigidModes& modes() const { return modes_; }
 
  private:

@@ -1,5 +1,6 @@
 #include "contact/problem/Flexibility.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -18,16 +19,27 @@ class Dense final : public Flexibility::Operator {
 
   Product product(const Vector& x) const override {
     Product sum{Vector(x.size(), 0.0), Vector(x.size(), 0.0)};
-    overColumns(x, [&](std::size_t i, double term) {
-      sum.value[i] += term;
-      sum.magnitude[i] += std::abs(term);
+    double* value = sum.value.data();
+    double* magnitude = sum.magnitude.data();
+    overColumns(x, [&](const double* column, double factor) {
+#pragma omp simd
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        const double term = column[i] * factor;
+        value[i] += term;
+        magnitude[i] += std::abs(term);
+      }
     });
     return sum;
   }
 
   Vector times(const Vector& x) const override {
     Vector sum(x.size(), 0.0);
-    overColumns(x, [&](std::size_t i, double term) { sum[i] += term; });
+    double* value = sum.data();
+    overColumns(x, [&](const double* column, double factor) {
+#pragma omp simd
+      for (std::size_t i = 0; i < x.size(); ++i)
+        value[i] += column[i] * factor;
+    });
     return sum;
   }
 
@@ -37,11 +49,9 @@ class Dense final : public Flexibility::Operator {
   template <class Add>
   void overColumns(const Vector& x, const Add& add) const {
     assert(static_cast<Index>(x.size()) == size());
-    for (std::size_t j = 0; j < x.size(); ++j) {
-      const double* column = entries_.column(static_cast<Index>(j));
-      for (std::size_t i = 0; i < x.size() && x[j] != 0; ++i)
-        add(i, column[i] * x[j]);
-    }
+    for (std::size_t j = 0; j < x.size(); ++j)
+      if (x[j] != 0)
+        add(entries_.column(static_cast<Index>(j)), x[j]);
   }
 
   Matrix entries_;
@@ -55,5 +65,20 @@ Flexibility::Flexibility(Matrix entries)
 Flexibility::Flexibility(std::shared_ptr<const Operator> form)
     : operator_(std::move(form)),
       entries_(operator_->isFormed() ? &operator_->entries() : nullptr) {}
+
+const Vector& Flexibility::responses(Index normals) const {
+  const std::lock_guard lock(found_->mutex);
+  Vector& responses = found_->responses[normals];
+  if (!responses.empty())
+    return responses;
+  for (const bool normal : {true, false}) {
+    Vector kind(at(size()), normal ? 0.0 : 1.0);
+    std::fill_n(kind.begin(), normals, normal ? 1.0 : 0.0);
+    const Vector all = product(kind).magnitude;
+    responses.insert(responses.end(), normal ? all.begin() : all.begin() + normals,
+                     normal ? all.begin() + normals : all.end());
+  }
+  return responses;
+}
 
 }  // namespace epafi::contact

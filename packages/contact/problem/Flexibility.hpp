@@ -2,7 +2,9 @@
 
 #include "bem/base/Matrix.hpp"
 
+#include <map>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace epafi::contact {
@@ -66,6 +68,9 @@ class Flexibility {
 
   Index size() const { return operator_->size(); }
   Operator::Product product(const Vector& x) const { return operator_->product(x); }
+  /// Σ_j |D_ij| over the coefficients of i's own kind, the first `normals` or the others: the
+  /// penetration that a uniform multiplier of size 1 makes.  Found once for all that share D.
+  const Vector& responses(Index normals) const;
   Vector times(const Vector& x) const { return operator_->times(x); }
 
   /// D may know how to solve without its entries; they are formed when asked for.
@@ -77,11 +82,33 @@ class Flexibility {
     return entries_ != nullptr ? *entries_ : operator_->entries();
   }
   const double* column(Index j) const { return entries().column(j); }
+
+  /// What a solver keeps from one problem with this D to the next.
+  class Kept {
+   public:
+    virtual ~Kept() = default;
+  };
+  /// The same D for problems that are solved one after the other, on one thread.
+  Flexibility keeping() const {
+    Flexibility same = *this;
+    same.kept_ = std::make_shared<std::unique_ptr<Kept>>();
+    return same;
+  }
+  /// Null: nothing is kept.
+  std::unique_ptr<Kept>* kept() const { return kept_.get(); }
   double operator()(Index i, Index j) const { return entries()(i, j); }
 
  private:
+  /// What is found from D once.
+  struct Found {
+    std::mutex mutex;
+    std::map<Index, Vector> responses;  ///< by the number of normals
+  };
+
   std::shared_ptr<const Operator> operator_;
+  std::shared_ptr<Found> found_ = std::make_shared<Found>();
   const Matrix* entries_ = nullptr;
+  std::shared_ptr<std::unique_ptr<Kept>> kept_;
 };
 
 }  // namespace epafi::contact

@@ -77,7 +77,7 @@ class Coupled final : public StabilisedBody {
   // With w = N λ:  uᵀ A u - 2 uᵀ R w + wᵀ X w - ψᵀ G ψ, which has no differences of what
   // grows as ν -> 1/2 while γ is there.
   double strainEnergy(const Vector& u, const Vector& multiplier) const override {
-    double twice = dot(u, stiffness_.apply(u));
+    double twice = balanced_.stiffnessWork(u);
     if (!byDensity() && coupling_.compliance.pinned.empty())
       return 0.5 * twice;
     twice -= coupling_.complianceWork(density(u, multiplier));

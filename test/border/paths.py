@@ -1,0 +1,41 @@
+"""A load path on 2 and 3 ranks is that of 1 rank: history.csv, steps.csv and contact.csv.
+
+All columns agree to 1e-10 of their scale. At nu = 1/2 the density knows the mean pressure from
+gamma alone, so that rounding of u comes back in it 1e7 times as large: what is made of it, the
+residuals of the estimate, agrees to 1e-8, the contact point by point to 1e-9."""
+import os
+import sys
+
+import ranks
+from scales import difference, worst
+
+SETTINGS = ["Discretization->Elements per Edge={2, 2, 2, 3, 40, 3, 2, 2, 2, 3, 3, 3}",
+            "History->Times={1, 2, 4}", "History->Steps={1, 2, 4}"]
+OF_DENSITY = ("eta_neumann", "eta_density", "estimate")
+
+
+def solve(count, ratio):
+    folder = ranks.fresh("%g-%d" % (ratio, count))
+    arguments = ["run", os.path.join(ranks.SCENES, "fretting.xml"), "--output", folder]
+    for setting in SETTINGS + ["Bodies->block->Material->Poisson's Ratio=%g" % ratio]:
+        arguments += ["--set", setting]
+    run = ranks.Run(count, arguments)
+    if run.codes != [0] * count:
+        sys.exit("%d ranks: %s\n%s" % (count, run.codes, run.text))
+    return [ranks.table(os.path.join(folder, name)) for name in
+            ("history.csv", "steps.csv", "contact.csv")]
+
+
+for ratio, aside, point in ((0.3, (), 1e-10), (0.5, OF_DENSITY, 1e-9)):
+    alone = solve(1, ratio)
+    for count in (2, 3):
+        together = solve(count, ratio)
+        for name, one, other, bound in zip(("history.csv", "steps.csv", "contact.csv"), alone,
+                                           together, (1e-10, 1e-10, point)):
+            apart = worst(one, other, [column for column in one[0] if column not in aside])
+            ranks.claim(apart[0] <= bound, "nu = %g, %d ranks, %s: %.1e, in %s" % (
+                ratio, count, name, *apart))
+        for column in aside:
+            apart = difference(alone[0], together[0], column)
+            ranks.claim(apart <= 1e-8, "nu = %g, %d ranks, %s: %.1e" % (ratio, count, column, apart))
+ranks.finish()

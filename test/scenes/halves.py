@@ -1,0 +1,88 @@
+"""Half-planes pressed together and pushed: blocks whose outer sides carry the tractions of
+Boussinesq's and Flamant's forces; Cattaneo's and Mindlin's closed forms.  a = E* = 1, R = 100."""
+import math
+
+from written import body, condition, geometry, listed, parameter
+
+P, P0, F = math.pi / 400, 0.005, 0.5
+PRESS = "pi/400*min(t, 1)"
+# edges of the contact's side, coarse, and with small elements where contact and slip end
+COARSE = ([-40, -16, -6, -2.5, -1.25, 1.25, 2.5, 6, 16, 40], [4, 4, 4, 6, 24, 6, 4, 4, 4])
+FINE = ([-40, -16, -6, -2.5, -1.25, -0.95, -0.6, 0.6, 0.95, 1.25, 2.5, 6, 16, 40],
+        [4, 4, 4, 6, 30, 88, 30, 88, 30, 6, 4, 4, 4])
+
+
+def history(times, steps):
+    return listed("History",
+                  parameter("Times", "Array(double)", "{%s}" % ", ".join(map(repr, times))),
+                  parameter("Steps", "Array(int)", "{%s}" % ", ".join(map(str, steps))))
+
+
+def half(name, up, modulus, push, press=PRESS, ratio=0.3, side=COARSE, uniform=False):
+    """A block above (up = 1) or below the contact, as high as wide, and what pushes its outer
+    sides: the half-plane's tractions, or uniform ones on the far side."""
+    cuts, counts = side
+    far = cuts[-1]
+    names = ["contact" if -2 < x < 1.2 else "free" for x in cuts[:-1]]
+    corners = [(x, 0) for x in cuts] + [(far, 2 * far), (-far, 2 * far)]
+    sides = names + ["right", "far", "left"]
+    if up < 0:  # counter-clockwise again
+        corners = [(-x, 0) for x in cuts] + [(-far, -2 * far), (far, -2 * far)]
+        sides = names + ["left", "far", "right"]
+    load = "" if not uniform else condition("far", "Neumann", **{
+        "Traction_X": "%d*(%s)/%r" % (up, push, 2 * far),
+        "Traction_Y": "%d*(%s)/%r" % (-up, press, 2 * far)})
+    for edge, normal in () if uniform else (
+            ("left", "-x"), ("right", "x"), ("far", "abs(y)")):
+        load += condition(edge, "Neumann", **{
+            "Traction_" + c: "%d*2/pi*((%s)*x - (%s)*y)*(%s)*%s/(x^2 + y^2)^2" % (
+                up, push, press, normal, c.lower()) for c in "XY"})
+    grid = listed("Mesh", parameter("Elements per Edge", "Array(int)",
+                                    "{%s}" % ", ".join(map(str, counts + [6, 6, 6]))),
+                  parameter("Degree", "int", 2))
+    return body(name, geometry(corners, "{%s}" % ", ".join(sides)), modulus, load,
+                "{X, Y, Rotation}" if up < 0 else "{Rotation}" if uniform else "", grid, ratio)
+
+
+def root(x):
+    return math.sqrt(max(0, 1 - x * x))
+
+
+def partial(x, c):
+    return root(x) - (c * root(x / c) if c > 0 else 0)
+
+
+def loading(x, q):
+    """The shear under the push q, in f P, after the pressing."""
+    return F * P0 * partial(x, math.sqrt(1 - q))
+
+
+def after(x, qm, q):
+    """The shear on the way back from qm to q (in f P)."""
+    return F * P0 * (partial(x, math.sqrt(1 - qm)) - 2 * partial(x, math.sqrt(1 - (qm - q) / 2)))
+
+
+def loop(q):
+    """Friction's work in a closed loop between q and -q."""
+    h = (1 - q) * math.log(1 - q) + q
+    big = -1 / 4 - (1 - q)**2 * math.log(1 - q) / 2 + (1 - q)**2 / 4 + q * q / 2
+    return (4 * q * h - 8 * big) * (F * P)**2 / math.pi
+
+
+def stick(points):
+    """Both ends of where friction sticks."""
+    inside = [p["x"] for p in points if p["friction"] == 1 and p["contact"] == 1]
+    return min(inside), max(inside)
+
+
+def rms(points, exact):
+    """The same in the mean over the contact, 2 a wide."""
+    square = sum(abs(a["x"] - b["x"]) / 2 * ((a["lambda_t"] - exact(a["x"]))**2 +
+                                             (b["lambda_t"] - exact(b["x"]))**2)
+                 for a, b in zip(points, points[1:]))
+    return math.sqrt(square / 2) / (F * P0)
+
+
+def error(points, exact):
+    """Largest error of the shear over f p0.  The shear on the body is -lambda_t along x."""
+    return max(abs(p["lambda_t"] - exact(p["x"])) for p in points) / (F * P0)

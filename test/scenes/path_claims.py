@@ -1,0 +1,193 @@
+"""Load paths against closed forms, beyond paths.py and path_bodies.py: blocks of three widths,
+other amplitudes of the loop, bulk stress, dissimilar bodies, errors in time.
+
+Fourth argument: the page that the tables are written to, doc/benchmarks/paths.md."""
+import math
+import os
+import sys
+
+from halves import F, P, P0, after, error, half, history, loading, loop, rms, stick
+from runs import WORK, claim, epafi, finish, fresh, scene, table
+from written import contact, friction, parameter, written
+
+LOOP = "%r*0.5*pi/400*(t < 1 ? 0 : 2/pi*asin(sin(pi/2*(t - 1))))"
+PARABOLA = parameter("Interference", "string", "-x^2/200")
+SIDES = [(2, "Q = Qm", lambda x: loading(x, 0.5), math.sqrt(0.5)),
+         (3, "Q = 0", lambda x: after(x, 0.5, 0), math.sqrt(0.75)),
+         (4, "Q = -Qm", lambda x: after(x, 0.5, -0.5), math.sqrt(0.5))]
+page = []
+
+
+def solve(name, file, settings=()):
+    folder = fresh(name)
+    code, text = epafi("run", file, "--output", folder, "--quiet", "--set",
+                       "Adaptivity->Maximum Degrees of Freedom=20000",
+                       *(x for s in settings for x in ("--set", s)))
+    claim(code == 0, name + ": solved" + ("" if code == 0 else " " + text[-300:]))
+    return folder
+
+
+def steps(folder):
+    return table(os.path.join(folder, "steps.csv"))
+
+
+def points(folder, step):
+    return table(os.path.join(folder, "steps", str(step), "contact.csv"))
+
+
+def neverFalls(folder):
+    work = [0] + [row["energy_dissipated"] for row in steps(folder)]
+    claim(all(b >= a for a, b in zip(work, work[1:])),
+          os.path.basename(folder) + ": friction's work never falls")
+
+
+def side(width):
+    """Edges of the contact's side of a block, small elements where contact and slip end."""
+    inner = [-1.25, -0.95, -0.6, 0.6, 0.95, 1.25]
+    outer = [x for x in (2.5, 6, 16) if x < 0.4 * width] + [width / 2]
+    counts = [6] + [4] * (len(outer) - 1)
+    return ([-x for x in reversed(outer)] + inner + outer,
+            counts[::-1] + [30, 88, 30, 88, 30] + counts)
+
+
+def pair(name, width, moduli, ratios, first="upper", second="lower", uniform=False):
+    push = LOOP % 0.5
+    bodies = [half(what, up, modulus, push, ratio=ratio, side=side(width), uniform=uniform)
+              for what, up, modulus, ratio in zip(("upper", "lower"), (1, -1), moduli, ratios)]
+    return solve(name, written(
+        name, bodies, contact("fret", first + ":contact", second + ":contact",
+                              friction("0.5") + PARABOLA), "Density",
+        more=history([1, 2, 3, 4], [1, 1, 1, 1])))
+
+
+def measured(folder):
+    """Largest errors of the stick width and of the shear at the three pushes, and in the mean."""
+    widths, worst, mean = [], [], []
+    for step, _, exact, c in SIDES:
+        here = points(folder, step)
+        left, right = stick(here)
+        widths.append(abs((right - left) / 2 - c))
+        worst.append(error(here, exact))
+        mean.append(rms(here, exact))
+    return max(widths), max(worst), max(mean)
+
+
+os.makedirs(WORK, exist_ok=True)
+
+# two equal bodies on blocks of three widths
+rows = []
+for width in (20, 40, 80):
+    errors = []
+    for uniform in (False, True):
+        folder = pair("equal %d wide, %d" % (width, uniform), width, [2 * (1 - 0.3**2)] * 2,
+                      [0.3] * 2, uniform=uniform)
+        errors += measured(folder)
+        neverFalls(folder)
+    rows.append((width, errors))
+    claim(errors[0] < 1e-2 and errors[1] < 0.02,
+          "%d a wide: stick widths within %.1e of a, shear within %.1e of f p0" % (width, *errors[:2]))
+for a, b in zip(rows, rows[1:]):
+    claim(b[1][5] < a[1][5] / 1.5, "uniform tractions: shear %.1e of f p0 on %d a, %.1e on %d a" % (
+        a[1][5], a[0], b[1][5], b[0]))
+page += ["## Two equal bodies", "",
+         "Blocks as high as wide, ν = 0.3, degree 2, elements of 0.004 a where slip ends; P, then Q = Qm = 0.5 f P, 0 and -Qm, a",
+         "step each. Errors, the largest of the three: half the stick width (a = 1), the shear over f p0 anywhere in contact, and in the",
+         "mean. With the half-plane's tractions on the outer sides the width does not matter, the largest error is that of the",
+         "elements where slip ends; with uniform ones on the far sides the error falls with the width.", "",
+         "| width | stick | shear | mean | uniform: stick | shear | mean |",
+         "|---:|---:|---:|---:|---:|---:|---:|"]
+page += ["| %d a | %s |" % (width, " | ".join("%.1e" % e for e in errors)) for width, errors in rows]
+
+# dissimilar bodies whose pressure and shear do not mix: (1 - 2 nu)(1 + nu)/E is equal
+for first, second in (("upper", "lower"), ("lower", "upper")):
+    folder = pair("1 to 6, %s first" % first, 80, [5.8301, 0.9606415], [0.1, 0.45], first, second)
+    errors = measured(folder)
+    claim(errors[0] < 1e-2 and errors[1] < 0.02,
+          "moduli 1 to 6, %s side first: stick within %.1e, shear within %.1e" % (first, *errors[:2]))
+    neverFalls(folder)
+
+# loops of other amplitudes, counted from +Qm
+page += ["", "## Loops", "", "fretting.xml, 40 steps a cycle, friction's work per cycle from +Qm on, in (f P)²/(π E*).", "",
+         "| Qm/(f P) | exact | first cycle | second less first, relative |", "|---:|---:|---:|---:|"]
+BODY = "Bodies->block->Boundary Conditions->far->"
+
+
+def loads(push, press, stress="0"):
+    return [BODY + "Traction %s=2/pi*((%s)*x - (%s)*y)*(x*nx + y*ny)*%s/(x^2 + y^2)^2 + (%s)" % (
+        component, push, press, along, "(%s)*nx" % stress if component == "X" else "0")
+        for component, along in (("X", "x"), ("Y", "y"))]
+
+
+def path(times, counts):
+    return ["History->Times={%s}" % ", ".join(map(repr, times)),
+            "History->Steps={%s}" % ", ".join(map(str, counts))]
+
+
+for q in (0.2, 0.3, 0.4, 0.5, 0.7):
+    folder = solve("loop %g" % q, scene("fretting.xml"), path([1, 2, 6, 10], [1, 10, 40, 40]) + loads(
+        LOOP % q, "pi/400*min(t, 1)"))
+    done = {row["step"]: row["energy_dissipated"] for row in steps(folder)}
+    first, second = done[51] - done[11], done[91] - done[51]
+    claim(abs(first / loop(q) - 1) < 0.01,
+          "loop of q = %g: work per cycle %.5e, exact %.5e" % (q, first, loop(q)))
+    claim(abs(second / first - 1) < 1e-6,
+          "loop of q = %g: the second cycle differs by %.1e" % (q, second / first - 1))
+    unit = (F * P)**2 / math.pi
+    page.append("| %g | %.6f | %.6f | %.1e |" % (q, loop(q) / unit, first / unit, second / first - 1))
+    neverFalls(folder)
+
+# with a bulk stress that grows along with Q the stick zone moves: [Nowell and Hills 1987]
+shift = 0.2
+CUTS = [-40, -16, -6, -2.5, -1.25, -0.95, -0.86, 0.46, 0.56, 1.25, 2.5, 6, 16, 40]
+BULK = "%r*%r*(t < 1 ? 0 : t - 1)" % (2 * shift, F * P0)
+c = math.sqrt(0.5)
+for count in (1, 8):
+    folder = solve("bulk stress, %d steps" % count, scene("fretting.xml"), path([1, 2], [1, count]) + loads(
+        "0.25*pi/400*max(0, t - 1)", "pi/400*min(t, 1)", BULK) + [
+            "Bodies->block->Geometry->Vertices=16x2:{%s, 40, 80, -40, 80}" % ", ".join(
+                "%g, 0" % x for x in CUTS),
+            "Bodies->block->Geometry->Edges={%s, far, far, far}" % ", ".join(
+                ["free"] * 4 + ["contact"] * 5 + ["free"] * 4),
+            "Discretization->Elements per Edge={4, 4, 4, 6, 30, 40, 60, 40, 60, 6, 4, 4, 4, 6, 6, 6}"])
+    here = points(folder, 1 + count)
+    left, right = stick(here)
+    side_ = 1 if right > -left else -1
+    off = max(abs(left - (side_ * shift - c)), abs(right - (side_ * shift + c)))
+    claim(off < 1e-2, "bulk stress: stick from %.4f to %.4f, exact %.4f to %.4f" % (
+        left, right, side_ * shift - c, side_ * shift + c))
+    worst = error(here, lambda x: F * P0 * (math.sqrt(max(0, 1 - x * x)) - math.sqrt(
+        max(0, c * c - (x - side_ * shift)**2))))
+    claim(worst < 0.02, "bulk stress: shear within %.1e of f p0" % worst)
+
+# errors in time
+page += ["", "## Errors in time", "",
+         "fretting.xml. The second column of friction's work, trapezoidal, from Qm to -Qm, against friction's work in 160",
+         "steps; the balance of energy while P grows, over the work from outside.", "",
+         "| steps | trapezoidal work | balance |", "|---:|---:|---:|"]
+
+
+def halfCycle(count):
+    rows = steps(solve("half a cycle, %d" % count, scene("fretting.xml"), path([1, 2, 4], [1, 5, count])))
+    return [rows[5 + count][key] - rows[5][key] for key in
+            ("energy_dissipated", "energy_dissipated_trapezoidal")]
+
+
+def pressing(count):
+    last = steps(solve("pressing, %d" % count, scene("fretting.xml"), path([1], [count])))[-1]
+    return abs(last["energy_error"]) / last["energy_outside"]
+
+
+counts = (5, 10, 20, 40)
+exact = halfCycle(160)[0]
+inTime = [(abs(halfCycle(count)[1] / exact - 1), pressing(count)) for count in counts]
+page += ["| %d | %.1e | %.1e |" % (count, *errors) for count, errors in zip(counts, inTime)]
+for (a, b), (c, d), count in zip(inTime, inTime[1:], counts[1:]):
+    claim(c < a / 3.3 and d < b / 3, "%d steps: trapezoidal work %.1e after %.1e, balance %.1e after %.1e" % (
+        count, c, a, d, b))
+
+if len(sys.argv) > 4:
+    with open(sys.argv[4], "w") as file:
+        file.write("# Load paths\n\nCattaneo's and Mindlin's closed forms ([theory](../theory/paths.md)); this page was made by\n\n"
+                   "    python3 test/scenes/path_claims.py build/bin/epafi drivers/scenes build/path_claims "
+                   "doc/benchmarks/paths.md\n\n" + "\n".join(page) + "\n")
+finish()
