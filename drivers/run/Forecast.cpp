@@ -31,7 +31,7 @@ double forecastCompressedMemory(const BodySpaces& spaces) {
   double bytes = 0;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const auto m = static_cast<double>(spaces.multiplier(b).size());
-    bytes += 36000.0 * static_cast<double>(spaces.space(b).displacements() +
+    bytes += 24000.0 * static_cast<double>(spaces.space(b).displacements() +
                                            spaces.space(b).densities()) +
              (m <= contact::mostCompressedColumns ? 8 * 6 * m * m : 0);
   }

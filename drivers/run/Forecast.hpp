@@ -18,7 +18,7 @@ namespace epafi::drivers {
 /// (doc/decisions/0016), fitted to the peaks of 56 levels; 47 MiB a process for the program.
 double forecastMemory(const BodySpaces& spaces, int processes);
 
-/// The same of compressed operators on one process: 36 kB per displacement and density, as
+/// The same of compressed operators on one process: 24 kB per displacement and density, as
 /// measured with degree 1 (doc/benchmarks/compression.md), and D where a stage may ask for it.
 double forecastCompressedMemory(const BodySpaces& spaces);
 

@@ -100,7 +100,7 @@ bool compresses(const Scene& scene, const Size& size, const Ranks& ranks) {
   if (wanted != Operators::Cheaper)
     return wanted == Operators::Compressed;
   // unknowns from which compressed operators cost less, see doc/benchmarks/compression.md
-  constexpr bem::Index crossover = 6000;
+  constexpr bem::Index crossover = 4100;
   return ranks.algebra().processes() == 1 && whyNotCompressed(scene).empty() &&
          size.displacements + size.densities > crossover;
 }

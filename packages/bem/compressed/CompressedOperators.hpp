@@ -11,7 +11,7 @@ namespace epafi::bem {
 struct Compression {
   /// Of what a cluster's functions do outside it, relative to the largest.
   double tolerance = 1e-12;
-  Index leafUnknowns = 160;
+  Index leafUnknowns = 200;
   /// Of the radii of the circles that stand for what is far, and of the cluster's.
   double ratio = 1.8;
 };
