@@ -135,6 +135,8 @@ class CompressedBody final : public StabilisedBody {
       const double value = psi[at(compliance_.densities[k])];
       twice -= compliance_.diagonal[k] * value * value;
     }
+    for (const auto& [i, value] : compliance_.pinned)
+      twice -= value * psi[at(i)] * psi[at(i)];
     return 0.5 * twice;
   }
 
@@ -209,8 +211,8 @@ class CompressedBody final : public StabilisedBody {
       restriction.held.assign(at(operators_->size()), 1);
       std::fill(restriction.held.begin() + displacements(),
                 restriction.held.begin() + compressed_.first, 0);
-      densityFactor_ =
-          std::make_unique<const bem::CompressedFactor>(*operators_, restriction);
+      densityFactor_ = std::make_unique<const bem::CompressedFactor>(
+          *operators_, restriction, std::vector<int>{});
     }
     return *densityFactor_;
   }
@@ -323,6 +325,10 @@ bem::SteklovPoincare makeCompressedStiffness(const bem::Space& space,
   for (std::size_t k = 0; k < compliance.densities.size(); ++k) {
     const Index i = space.displacements() + compliance.densities[k];
     local.entries.push_back({i, i, -compliance.diagonal[k]});
+  }
+  for (const auto& [density, value] : compliance.pinned) {
+    const Index i = space.displacements() + density;
+    local.entries.push_back({i, i, -value});
   }
   return bem::SteklovPoincare(
       std::make_shared<const bem::CompressedOperators>(space, lame, options, local),

@@ -54,8 +54,7 @@ struct MotionTerms {
 class CompressedFlexibility final : public Flexibility::Operator {
  public:
   explicit CompressedFlexibility(std::shared_ptr<const CompressedHolding> held)
-      : held_(std::move(held)) {
-    findPaths();
+      : held_(std::move(held)), paths_(held_->factor().paths(held_->contactLeaves())) {
     makeMotionTerms();
     measureRows();
   }
@@ -121,17 +120,6 @@ class CompressedFlexibility final : public Flexibility::Operator {
   friend class ReducedFlexibility;
 
   int kindOf(Index i) const { return i < coupling().normals ? 0 : 1; }
-
-  // The leaves that the multiplier acts on.
-  void findPaths() {
-    std::vector<int> leaves;
-    const bem::CompressedOperators& operators = held_->operators();
-    for (Index i = 0; i < size(); ++i)
-      leaves.push_back(operators.leafOf(coupling().first + i));
-    for (const Coupling::Entry& entry : coupling().entries)
-      leaves.push_back(operators.leafOf(entry.row));
-    paths_ = held_->factor().paths(std::move(leaves));
-  }
 
   // D X = D_M X + U S Uᵀ X
   Matrix timesColumns(const Matrix& x) const {
@@ -375,7 +363,17 @@ CompressedHolding::CompressedHolding(const bem::CompressedOperators& operators,
             restriction_.held.begin());
   std::fill(restriction_.held.begin() + coupling.first, restriction_.held.end(), 1);
   addSprings();
-  factor_ = std::make_unique<const bem::CompressedFactor>(operators, restriction_);
+  factor_ = std::make_unique<const bem::CompressedFactor>(operators, restriction_,
+                                                          contactLeaves());
+}
+
+std::vector<int> CompressedHolding::contactLeaves() const {
+  std::vector<int> leaves;
+  for (Index i = 0; i < coupling_.multipliers; ++i)
+    leaves.push_back(operators_.leafOf(coupling_.first + i));
+  for (const Coupling::Entry& entry : coupling_.entries)
+    leaves.push_back(operators_.leafOf(entry.row));
+  return leaves;
 }
 
 // One for each motion that clamps leave, where it moves most against those before: pivots

@@ -38,6 +38,9 @@ class CompressedHolding {
   const CompressedCoupling& coupling() const { return coupling_; }
   const RigidConstraints& rigid() const { return holding_.rigid; }
 
+  /// Those that the multiplier acts on.
+  std::vector<int> contactLeaves() const;
+
   /// Of M, the body with its springs.
   const bem::CompressedFactor& factor() const { return *factor_; }
 
