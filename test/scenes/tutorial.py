@@ -6,7 +6,7 @@ import re
 import shlex
 import subprocess
 
-from runs import EPAFI, SCENES, WORK, claim, finish, fresh
+from runs import EPAFI, SCENES, WORK, claim, finish, fresh, table
 
 PAGE = os.path.join(SCENES, "..", "..", "doc", "tutorial.md")
 HERE = fresh("reader")
@@ -40,6 +40,13 @@ def alike(said, shown):
         for row, line in zip(rows, shown))
 
 
+def same_rows(*folders):
+    first, second = (table(os.path.join(HERE, folder, "history.csv")) for folder in folders)
+    return len(first) == len(second) and all(
+        a[key] == b[key] or math.isclose(a[key], b[key], rel_tol=1e-9)
+        for a, b in zip(first, second) for key in ("dof", "energy_strain", "force_normal"))
+
+
 write("block.xml", "".join(re.findall(r"```xml\n(.*?)```", page, re.S)))
 write("mine.csv", "0,0.5\n0.5,0.25\n")
 answers = re.findall(r"```text\n(.*?)```", page, re.S)
@@ -58,6 +65,9 @@ for line in commands:
         claim(len(said) == 4 and alike(said, shown), "and run:\n" + text)
 claim(len(commands) >= 9, "%d commands" % len(commands))
 
+write("block.yaml", "".join(re.findall(r"```yaml\n(.*?)```", page, re.S)))
+code, text = follow(["run", "block.yaml", "--output", "yaml.out"])
+claim(code == 0 and same_rows("block.out", "yaml.out"), "YAML says the same: " + text[-80:])
 study, = re.findall(r"^    <ParameterList name=\"Friction of the block\">.*?^    </ParameterList>$",
                     page, re.S | re.M)
 write("friction.xml", study)
