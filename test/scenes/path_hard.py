@@ -1,5 +1,5 @@
-"""Friction's work never falls in any step of any hard case, led to its load, back and to the
-opposite load; what contact closes and opens on the way makes steps shorter, not wrong.
+"""Friction's work never falls in any step of any hard case, led to its load, to a tenth of it and
+back; what contact closes and opens on the way makes steps shorter, not wrong.
 
 Fourth argument: the folder of the hard scenes."""
 import glob
@@ -26,7 +26,7 @@ def path(file):
         for load in conditions.iter("Parameter"):
             if load.get("name") in LOADS and load.get("value") != "0":
                 load.set("type", "string")
-                load.set("value", "(%s)*sin(pi/2*t)" % load.get("value"))
+                load.set("value", "(%s)*(0.55 + 0.45*sin(pi/2*t))" % load.get("value"))
     for solver in root.iter("ParameterList"):
         for steps in solver.findall("Parameter[@name='Load Steps']"):
             solver.remove(steps)
@@ -55,5 +55,5 @@ for file in sorted(glob.glob(os.path.join(sys.argv[4], "*.xml")) +
     falls = [key for key in columns for a, b in zip([{key: 0}] + rows, rows) if b[key] < a[key]]
     claim(not falls, "%s: exit %d behind %d of 20 steps, friction's work %s %s" % (
         name, code, len(rows), "never falls, %.2e" % rows[-1]["energy_dissipated"] if rows else "unknown", last))
-claim(solved >= 10, "%d paths are solved to their end" % solved)
+claim(solved >= 14, "%d paths are solved to their end" % solved)
 finish()
