@@ -35,7 +35,7 @@ def compare(scenes, count):
             pair(name, text, levels) for name, text in scenes.items())),
             listed("Variants", listed("first", sets(levels)))))
     folder = fresh("study")
-    code, printed = epafi("study", study, "--output", folder, "--quiet")
+    code, printed = epafi("study", study, "--output", folder, "--quiet", "--no-plot")
     claim(code == 0, "all are solved on %d levels %s" % (count, printed if code else ""))
     rows = table(os.path.join(folder, "study.csv"))
     for name in scenes:
