@@ -39,6 +39,9 @@ class ClusterTree {
   /// The boundary cut into clusters of a level and leaves above it.
   std::vector<int> cut(int l) const;
 
+  /// By cluster: is it one of these leaves, or above one?
+  std::vector<char> paths(const std::vector<int>& leaves) const;
+
   int leafOf(int element) const { return leafOf_[static_cast<std::size_t>(element)]; }
 
   /// From the centre of one cluster to a point, and to the centre of another.

@@ -23,6 +23,25 @@ std::vector<Unknown> allUnknowns(const Space& space, const LocalCoupling& local)
   return all;
 }
 
+// Both of a node, and across the line to the node that is farthest from it.
+std::vector<Index> restingDisplacements(const Space& space) {
+  const Mesh& mesh = space.mesh();
+  if (mesh.outline().loops() == 1)
+    return {};
+  int farthest = 0;
+  Vec2 offset{};
+  for (int e = 0; mesh.outline().edge(mesh[e].piece.edge).loop == 0; ++e) {
+    const Vec2 d = mesh.difference(mesh.at(e, -1), mesh.at(0, -1));
+    if (length(d) > length(offset)) {
+      farthest = e;
+      offset = d;
+    }
+  }
+  const int across = std::abs(offset.x) > std::abs(offset.y) ? 1 : 0;
+  return {space.displacement(0, 0, 0), space.displacement(0, 0, 1),
+          space.displacement(farthest, 0, across)};
+}
+
 }  // namespace
 
 class CompressedOperators::Builder {
@@ -272,7 +291,8 @@ CompressedOperators::CompressedOperators(const Space& space, const Lame& lame,
     : displacements_(space.displacements()),
       densities_(space.densities()),
       unknowns_(allUnknowns(space, local)),
-      tree_(space, options.leafUnknowns) {
+      tree_(space, options.leafUnknowns),
+      floating_(restingDisplacements(space)) {
   const SerialBlas serial;
   Builder(*this, space, lame, options, local).build();
 }

@@ -1,10 +1,12 @@
 #include "contact/problem/CompressedBody.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/compressed/Products.hpp"
 #include "contact/problem/CompressedFlexibility.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace epafi::contact {
 
@@ -13,11 +15,14 @@ using bem::dot;
 namespace {
 
 /// Ĉ and M with the numbers of unknowns.
-CompressedCoupling compressedCoupling(const bem::Space& space, const Coupling& coupling,
+CompressedCoupling compressedCoupling(const bem::Space& space,
+                                      const MultiplierSpace& multiplier,
+                                      const Coupling& coupling,
                                       const bem::LocalCompliance& compliance) {
   CompressedCoupling result;
   result.first = space.displacements() + space.densities();
   result.multipliers = coupling.multipliers;
+  result.normals = multiplier.normals();
   result.entries = coupling.trace;
   result.mass = coupling.mass;
   for (const Coupling::Entry& entry : coupling.weights)
@@ -46,14 +51,14 @@ std::vector<int> elementsOf(const bem::Space& space, const Coupling& coupling) {
 
 class CompressedBody final : public StabilisedBody {
  public:
-  CompressedBody(const bem::Space& space,
+  CompressedBody(const bem::Space& space, const MultiplierSpace& multiplier,
                  std::shared_ptr<const bem::CompressedOperators> operators,
                  Coupling coupling, bem::LocalCompliance compliance)
       : space_(space),
         operators_(std::move(operators)),
         coupling_(std::move(coupling)),
         compliance_(std::move(compliance)),
-        compressed_(compressedCoupling(space, coupling_, compliance_)) {}
+        compressed_(compressedCoupling(space, multiplier, coupling_, compliance_)) {}
 
   std::shared_ptr<const HeldStiffness> held(const Holding& holding) const override {
     return std::make_shared<const Held>(*this, holding);
@@ -62,9 +67,9 @@ class CompressedBody final : public StabilisedBody {
   // f - (W u + K' ψ), ψ that of u
   Vector residual(const Vector& force, const Vector& u) const override {
     Vector rest = force;
-    const Matrix& image = imageOf(u);
+    const Matrix& images = fieldOf(u).images;
     for (std::size_t i = 0; i < rest.size(); ++i)
-      rest[i] -= image(static_cast<Index>(i), 0);
+      rest[i] -= images(static_cast<Index>(i), 0) + images(static_cast<Index>(i), 1);
     return rest;
   }
 
@@ -72,15 +77,15 @@ class CompressedBody final : public StabilisedBody {
 
   Vector push(const Vector& multiplier) const override {
     Matrix x(operators_->size(), 1);
-    compressed_.push(1, multiplier, x.data());
+    compressed_.push(1, multiplier.data(), x.data());
     if (byDensity()) {
-      // ψ = (V + G)⁻¹ (K u - N λ): what -N λ makes of it acts through K'
-      Matrix right(operators_->size(), 1);
-      for (Index i = displacements(); i < compressed_.first; ++i)
-        right(i, 0) = x(i, 0);
-      const Matrix image = operators_->times(densityFactor().solve(right));
+      // what (V + G)⁻¹ (-N λ) does through K'
+      Matrix psi(operators_->size(), 1);
+      const Vector& own = densityUnder(multiplier);
+      std::copy(own.begin(), own.end(), psi.data() + displacements());
+      const Matrix image = operators_->times(psi);
       for (Index i = 0; i < displacements(); ++i)
-        x(i, 0) -= image(i, 0);
+        x(i, 0) += image(i, 0);
     }
     for (const Coupling::Entry& entry : coupling_.completion)
       x(entry.row, 0) += entry.value * multiplier[at(entry.column)];
@@ -91,7 +96,7 @@ class CompressedBody final : public StabilisedBody {
     Matrix x(operators_->size(), 1);
     std::copy(u.begin(), u.end(), x.data());
     if (byDensity()) {
-      const Vector psi = densityOf(u, {});
+      const Vector& psi = fieldOf(u).psi;
       std::copy(psi.begin(), psi.end(), x.data() + displacements());
     }
     return compressed_.pull(x.data());
@@ -104,26 +109,28 @@ class CompressedBody final : public StabilisedBody {
       return work;
     // less (N λ)ᵀ (V + G)⁻¹ N λ
     Matrix pushed(operators_->size(), 1);
-    compressed_.push(1, multiplier, pushed.data());
-    std::fill_n(pushed.data(), displacements(), 0.0);
-    return work +
-           bem::dot(columnOf(pushed, 0), columnOf(densityFactor().solve(pushed), 0));
+    compressed_.push(1, multiplier.data(), pushed.data());
+    const Vector& psi = densityUnder(multiplier);
+    return work - std::inner_product(psi.begin(), psi.end(),
+                                     pushed.data() + displacements(), 0.0);
   }
 
+  // (V + G)⁻¹ (K u - N λ)
   Vector density(const Vector& u, const Vector& multiplier) const override {
-    return densityOf(u, multiplier);
+    Vector psi = fieldOf(u).psi;
+    if (byDensity() && !multiplier.empty())
+      bem::axpy(1, densityUnder(multiplier), psi);
+    return psi;
   }
 
   // 1/2 uᵀ W u + 1/2 ψᵀ V ψ from Z's products with u and ψ, -(V + G) there
   double strainEnergy(const Vector& u, const Vector& multiplier) const override {
-    const Vector psi = densityOf(u, multiplier);
-    Matrix x(operators_->size(), 2);
-    std::copy(u.begin(), u.end(), x.column(0));
-    std::copy(psi.begin(), psi.end(), x.column(1) + displacements());
-    const Matrix image = operators_->times(x);
-    double twice = 0;
-    for (Index i = 0; i < compressed_.first; ++i)
-      twice += x(i, 0) * image(i, 0) - x(i, 1) * image(i, 1);
+    const Vector psi = density(u, multiplier);
+    const Matrix own = byDensity() ? imagesOf(u, psi) : Matrix();
+    const Matrix& images = byDensity() ? own : fieldOf(u).images;
+    double twice = std::inner_product(u.begin(), u.end(), images.column(0), 0.0) -
+                   std::inner_product(psi.begin(), psi.end(),
+                                      images.column(1) + displacements(), 0.0);
     for (std::size_t k = 0; k < compliance_.densities.size(); ++k) {
       const double value = psi[at(compliance_.densities[k])];
       twice -= compliance_.diagonal[k] * value * value;
@@ -160,7 +167,8 @@ class CompressedBody final : public StabilisedBody {
   class Held final : public HeldStiffness {
    public:
     Held(const CompressedBody& body, const Holding& holding)
-        : holding_(holding),
+        : body_(body),
+          holding_(holding),
           held_(std::make_shared<const CompressedHolding>(*body.operators_,
                                                           body.compressed_, holding)),
           flexibility_(compressedFlexibility(held_)),
@@ -170,8 +178,8 @@ class CompressedBody final : public StabilisedBody {
     Vector solve(const Vector& force) const override {
       Matrix forces(held_->operators().size(), 1);
       std::copy(force.begin(), force.end(), forces.data());
-      constexpr int refinements = 2;
-      const Matrix x = held_->displaced(std::move(forces), refinements);
+      const Matrix x = held_->displaced(std::move(forces));
+      body_.solved_.assign(x.data() + size_, x.data() + body_.compressed_.first);
       Vector u(x.data(), x.data() + size_);
       for (Index k = 0; k < holding_.rigid.allowed.columns(); ++k) {
         const Vector r = columnOf(holding_.rigid.allowed, k);
@@ -185,6 +193,7 @@ class CompressedBody final : public StabilisedBody {
     }
 
    private:
+    const CompressedBody& body_;
     const Holding& holding_;
     std::shared_ptr<const CompressedHolding> held_;
     std::shared_ptr<const Flexibility::Operator> flexibility_;
@@ -206,30 +215,60 @@ class CompressedBody final : public StabilisedBody {
     return *densityFactor_;
   }
 
-  /// (V + G)⁻¹ (K u - N λ)
-  Vector densityOf(const Vector& u, const Vector& multiplier) const {
-    Matrix x(operators_->size(), 1);
-    std::copy(u.begin(), u.end(), x.data());
-    Matrix right = operators_->times(x);
-    if (byDensity() && !multiplier.empty())
-      compressed_.push(1, multiplier, right.data());  // -N λ, in the densities' rows
-    for (Index i = 0; i < right.rows(); ++i)
-      right(i, 0) = i >= displacements() && i < compressed_.first ? -right(i, 0) : 0;
+  /// -(V + G)⁻¹ N λ; the last one is kept.
+  const Vector& densityUnder(const Vector& multiplier) const {
+    if (multiplier != pushed_) {
+      Matrix right(operators_->size(), 1);
+      compressed_.push(-1, multiplier.data(), right.data());
+      densityUnder_ = densityFor(right);
+      pushed_ = multiplier;
+    }
+    return densityUnder_;
+  }
+
+  /// The densities' rows solved, all else held: -(V + G)⁻¹ of them.
+  Vector densityFor(const Matrix& right) const {
     const Matrix psi = densityFactor().solve(right);
     return {psi.data() + displacements(), psi.data() + compressed_.first};
   }
 
-  /// Z (u, ψ) for ψ that of u; the last one is kept, which several results ask for.
-  const Matrix& imageOf(const Vector& u) const {
-    if (u != imaged_) {
-      const Vector psi = densityOf(u, {});
-      Matrix x(operators_->size(), 1);
-      std::copy(u.begin(), u.end(), x.data());
-      std::copy(psi.begin(), psi.end(), x.data() + displacements());
-      image_ = operators_->times(x);
-      imaged_ = u;
+  /// Z (u, 0) and Z (0, ψ)
+  Matrix imagesOf(const Vector& u, const Vector& psi) const {
+    Matrix x(operators_->size(), 2);
+    std::copy(u.begin(), u.end(), x.column(0));
+    std::copy(psi.begin(), psi.end(), x.column(1) + displacements());
+    return operators_->times(x);
+  }
+
+  /// A displacement, its ψ without a multiplier, and imagesOf both.
+  struct Field {
+    Vector u;
+    Vector psi;
+    Matrix images;
+  };
+
+  /// That of u; the last one is kept, which several results ask for.  A solution has its ψ
+  /// with it: the last one's is tried first, and taken where K u - (V + G) ψ vanishes.
+  const Field& fieldOf(const Vector& u) const {
+    if (u == field_.u)
+      return field_;
+    Vector psi = solved_;
+    psi.resize(at(compressed_.first - displacements()));
+    Matrix images = imagesOf(u, psi);
+    double left = 0;
+    double size = 0;
+    for (Index i = displacements(); i < compressed_.first; ++i) {
+      left = std::max(left, std::abs(images(i, 0) + images(i, 1)));
+      size = std::max(size, std::abs(images(i, 0)));
     }
-    return image_;
+    if (left > 1e-12 * size) {
+      for (Index i = 0; i < images.rows(); ++i)
+        images(i, 0) = -images(i, 0);
+      psi = densityFor(bem::columnsBetween(images, 0, 1));
+      images = imagesOf(u, psi);
+    }
+    field_ = {u, std::move(psi), std::move(images)};
+    return field_;
   }
 
   const bem::Space& space_;
@@ -238,8 +277,10 @@ class CompressedBody final : public StabilisedBody {
   bem::LocalCompliance compliance_;
   CompressedCoupling compressed_;
   mutable std::unique_ptr<const bem::CompressedFactor> densityFactor_;
-  mutable Vector imaged_;
-  mutable Matrix image_;
+  mutable Vector solved_;  ///< ψ of the last solution
+  mutable Field field_;
+  mutable Vector pushed_;
+  mutable Vector densityUnder_;
 };
 
 }  // namespace
@@ -269,7 +310,8 @@ bem::SteklovPoincare makeCompressedStiffness(const bem::Space& space,
       makeLocalCoupling(space, multiplier, stabilization, lame, units);
   const bem::LocalCompliance compliance =
       densityCompliance(space, multiplier, stabilization, lame, units);
-  const CompressedCoupling compressed = compressedCoupling(space, coupling, compliance);
+  const CompressedCoupling compressed =
+      compressedCoupling(space, multiplier, coupling, compliance);
   bem::LocalCoupling local;
   local.elements = elementsOf(space, coupling);
   for (const Coupling::Entry& entry : compressed.entries)
@@ -290,7 +332,7 @@ bem::SteklovPoincare makeCompressedStiffness(const bem::Space& space,
 std::unique_ptr<const StabilisedBody> makeCompressedBody(
     const ContactProblem::Input& input, const MultiplierSpace& multiplier) {
   return std::make_unique<const CompressedBody>(
-      input.space, input.stiffness.compressed(),
+      input.space, multiplier, input.stiffness.compressed(),
       makeLocalCoupling(input.space, multiplier, input.stabilization, input.lame,
                         input.units),
       densityCompliance(input.space, multiplier, input.stabilization, input.lame,
