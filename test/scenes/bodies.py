@@ -97,6 +97,21 @@ for motion, gap in (("", "0.01*x^2"), (
     claim(abs(history[0]["contact_y"] - other[0]["contact_y"]) < 1e-12,
           "history.csv has the force of a rigid body as that of an obstacle")
 
+# a pin in a lug, on coarse arcs of low degree: what is met turns as a rigid body, too
+ROUND = "{s, s, s, s}"
+HOLE = "Hole 1 "
+lug = body("lug", geometry(block(-3, -3, 3, 3), holes=loop(circle(1), ROUND, QUARTERS, HOLE)), 1.0,
+           condition("left", "Dirichlet", Displacement_X="0", Displacement_Y="0"))
+pin = body("pin", geometry(circle(0.99), ROUND, QUARTERS, loop(
+    circle(0.5), "{in, in, in, in}", QUARTERS, HOLE)), 3.0,
+    condition("in", "Neumann", Traction_X="1e-2", Traction_Y="1e-3"), "{Rotation}")
+for sides in (("pin:s", "lug:s"), ("lug:s", "pin:s")):
+    for degree in (1, 2):
+        run(written("pin", [lug, pin], contact("c", *sides, friction("0.2")), "Projected", 0.8,
+                    degree), "pin")
+        claim(imbalance("pin") < 1e-10, "a pin in a lug, first %s, degree %d: they balance within %.0e" % (
+            sides[0], degree, imbalance("pin")))
+
 # partly covered sides, either first; the resultants are those of the load
 pad = body("a", block(0.3, 0, 0.85, 0.5), 1.0, PUSH, "", mesh(6, 4, 2))
 plate = body("b", block(0, -1, 1, 0), 2.0, CLAMP, "", mesh(5, 4, 2))
@@ -183,8 +198,6 @@ refused("behind each other", [A, body("b", block(0, -1, 1, 0), 1.0, ROLLER, "{X}
         contact("c", "a:right", "b:left"), "Contacts->c", "never meet")
 refused("a motion that a clamp holds", [A, body("b", block(0, -1, 1, 0), 1.0, CLAMP, "{X}")],
         contact("c", "a:bottom", "b:top"), "Bodies->b->Rigid Motions->Fix", "clamps")
-ROUND = "{s, s, s, s}"
-HOLE = "Hole 1 "
 for what, outline, words in (
         ("a bulge of more than any circle", geometry(block(0, 0, 1, 1), bulges=(0, 1e300, 0, 0)),
          ("Bulges", "from -10 to 10")),
