@@ -122,6 +122,7 @@ std::vector<Command> makeCommands() {
        {output,
         threads,
         {"--force", "", "replace the files of an earlier study, references are kept"},
+        {"--no-plot", "", "write the tables only; `epafi plot` draws the pictures later"},
         quiet},
        studyCommand},
       {"check",

@@ -303,7 +303,9 @@ int studyCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
               << (unsolved == 1 ? " variant was" : " variants were")
               << " not solved on every level: column reason of " << folder.path()
               << "/study.csv\n";
-  const int drawn = drawPictures(folder.path(), quiet ? Words::Errors : Words::All);
+  const int drawn = given.has("--no-plot")
+                        ? 0
+                        : drawPictures(folder.path(), quiet ? Words::Errors : Words::All);
   return unsolved > 0 ? 3 : drawn;
 }
 

@@ -163,6 +163,7 @@ contact::Conditions readConditions(const ParameterList& body, const Place& place
                  conditions);
   }
   const ParameterList& rigid = body.sublist("Rigid Motions");
+  conditions.fix.path = place.path + "->Rigid Motions";
   if (rigid.isParameter("Fix"))
     for (const std::string& motion : rigid.get<Teuchos::Array<std::string>>("Fix")) {
       conditions.fix.x |= motion == "X";

@@ -74,6 +74,18 @@ void checkCorners(const Named& a, const std::vector<Stroke>& ofA, const Named& b
   }
 }
 
+/// Edges that coincide do not cross: what lies just inside the middle of one tells.
+void checkMiddles(const Named& a, const Named& b) {
+  constexpr double inside = 1e-6;
+  for (const bem::Edge& edge : a.outline.edges()) {
+    const bem::Curve& curve = edge.curve;
+    const Vec2 where =
+        a.outline.physical(curve.point(0) - inside * curve.length() * curve.normal(0));
+    if (a.touching.count(edge.boundary) == 0 && b.outline.contains(where))
+      refuse(a, b, where);
+  }
+}
+
 void checkPair(const Named& a, const Named& b) {
   const std::vector<Stroke> ofA = strokes(a.outline, a.touching);
   const std::vector<Stroke> ofB = strokes(b.outline, b.touching);
@@ -84,6 +96,8 @@ void checkPair(const Named& a, const Named& b) {
         refuse(a, b, where);
   checkCorners(a, ofA, b);
   checkCorners(b, ofB, a);
+  checkMiddles(a, b);
+  checkMiddles(b, a);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 """Runs random scenes (scenes.py): every one is solved, in few steps of Newton's method.
 
     run_random.py EPAFI WORK [--first SEED] [--count N] [--jobs N] [--seed SEED]... [--table FILE]
-                  [--bodies 2]
+                  [--bodies 2|3|rings]
 
 Prints what fails with the scene's file, then steps per level by law, basis, strategy and more,
 and which stages of the solver decided.
@@ -19,10 +19,11 @@ import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from claims import absent, claim, finish, table  # noqa: E402
-from scenes import Scene, TwoBodies  # noqa: E402
+from scenes import Rings, Scene, ThreeBodies, TwoBodies  # noqa: E402
 from stages import levels, printed  # noqa: E402
 
 FEW, MOST = 30, 100
+KINDS = {"1": Scene, "2": TwoBodies, "3": ThreeBodies, "rings": Rings}
 PATIENCE = 600
 
 
@@ -90,13 +91,13 @@ def main():
     parser.add_argument("--count", type=int, default=40)
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--seed", type=int, action="append", default=[])
-    parser.add_argument("--bodies", type=int, default=1, choices=(1, 2))
+    parser.add_argument("--bodies", default="1", choices=KINDS)
     parser.add_argument("--table", help="a row for each scene, csv")
     options = parser.parse_args()
     seeds = options.seed or range(options.first, options.first + options.count)
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        kind = {1: Scene, 2: TwoBodies}[options.bodies]
-        results = list(pool.map(lambda seed: Result(kind, seed, options.epafi, options.work), seeds))
+        results = list(pool.map(lambda seed: Result(KINDS[options.bodies], seed, options.epafi,
+                                                    options.work), seeds))
     for result in results:
         if result.code != 0 or max(result.steps, default=0) > FEW:
             print("%s: exit code %d, steps %s, %s\n        %s" % (

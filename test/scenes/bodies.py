@@ -3,8 +3,8 @@ swapped sides, restart, and what is refused."""
 import os
 
 from runs import WORK, claim, epafi, finish, fresh, run, scene, table
-from written import (block, body, condition, contact, friction, geometry, listed, mesh,
-                     parameter, rigid, written)
+from written import (QUARTERS, block, body, circle, condition, contact, friction, geometry, listed,
+                     loop, mesh, parameter, rigid, written)
 
 def imbalance(name):
     """Of the worst body, relative to its largest resultant."""
@@ -97,6 +97,21 @@ for motion, gap in (("", "0.01*x^2"), (
     claim(abs(history[0]["contact_y"] - other[0]["contact_y"]) < 1e-12,
           "history.csv has the force of a rigid body as that of an obstacle")
 
+# a pin in a lug, on coarse arcs of low degree: what is met turns as a rigid body, too
+ROUND = "{s, s, s, s}"
+HOLE = "Hole 1 "
+lug = body("lug", geometry(block(-3, -3, 3, 3), holes=loop(circle(1), ROUND, QUARTERS, HOLE)), 1.0,
+           condition("left", "Dirichlet", Displacement_X="0", Displacement_Y="0"))
+pin = body("pin", geometry(circle(0.99), ROUND, QUARTERS, loop(
+    circle(0.5), "{in, in, in, in}", QUARTERS, HOLE)), 3.0,
+    condition("in", "Neumann", Traction_X="1e-2", Traction_Y="1e-3"), "{Rotation}")
+for sides in (("pin:s", "lug:s"), ("lug:s", "pin:s")):
+    for degree in (1, 2):
+        run(written("pin", [lug, pin], contact("c", *sides, friction("0.2")), "Projected", 0.8,
+                    degree), "pin")
+        claim(imbalance("pin") < 1e-10, "a pin in a lug, first %s, degree %d: they balance within %.0e" % (
+            sides[0], degree, imbalance("pin")))
+
 # partly covered sides, either first; the resultants are those of the load
 pad = body("a", block(0.3, 0, 0.85, 0.5), 1.0, PUSH, "", mesh(6, 4, 2))
 plate = body("b", block(0, -1, 1, 0), 2.0, CLAMP, "", mesh(5, 4, 2))
@@ -177,6 +192,51 @@ refused("no modulus", [listed("a", listed("Material"), geometry(block(0, 0, 1, 1
 refused("overlap", [A, body("b", block(0.5, 0.2, 1.5, 0.8), 1.0, CLAMP)], "", "overlap")
 refused("one inside the other", [A, body("b", block(0.4, 0.4, 0.6, 0.6), 1.0, CLAMP)], "",
         "overlap")
+refused("one in the place of the other", [A, body("b", block(0, 0, 1, 1), 1.0, CLAMP)],
+        contact("c", "a:bottom", "b:top"), "'a' and 'b'", "overlap")
+refused("behind each other", [A, body("b", block(0, -1, 1, 0), 1.0, ROLLER, "{X}")],
+        contact("c", "a:right", "b:left"), "Contacts->c", "never meet")
+refused("a motion that a clamp holds", [A, body("b", block(0, -1, 1, 0), 1.0, CLAMP, "{X}")],
+        contact("c", "a:bottom", "b:top"), "Bodies->b->Rigid Motions->Fix", "clamps")
+for what, outline, words in (
+        ("a bulge of more than any circle", geometry(block(0, 0, 1, 1), bulges=(0, 1e300, 0, 0)),
+         ("Bulges", "from -10 to 10")),
+        ("a bulge that is no number", geometry(block(0, 0, 1, 1), bulges=(0, float("nan"), 0, 0)),
+         ("Bulges", "entry 1")),
+        ("too few bulges", geometry(block(0, 0, 1, 1), bulges=(0, 0, 0)), ("Bulges", "one bulge each")),
+        ("arcs that cross", geometry(block(0, 0, 1, 1), bulges=(0, -1, -1, 0)), ("crosses itself",)),
+        ("two arcs that lie on each other", geometry([(0, 0), (1, 0)], "{bottom, top}", (1, -1)),
+         ("crosses itself",)),
+        ("a circle without arcs", geometry([(0, 0), (1, 0)], "{bottom, top}"), ("at least 3",)),
+        ("a circle the wrong way round", geometry([(0, 0), (1, 0)], "{bottom, top}", (-1, -1)),
+         ("clockwise",)),
+        ("a side without length", geometry([(0, 0), (1, 0), (1, 0), (1, 1)]), ("no length",)),
+        ("a hole outside", geometry(block(0, 0, 1, 1), holes=loop(
+            circle(0.1, 5, 5), ROUND, QUARTERS, HOLE)), ("hole 1", "inside")),
+        ("a hole that an arc makes too large", geometry(block(0, 0, 1, 1), holes=loop(
+            circle(0.5, 0.5, 0.5), ROUND, QUARTERS, HOLE)), ("hole 1", "touch or cross"))):
+    refused(what, [body("a", outline, 1.0), B], contact("c", "a:bottom", "b:top"),
+            "Bodies->a->Geometry", *words)
+SIDES = parameter("Between", "Array(string)", "{a:bottom, b:top}")
+for what, contacts, words in (
+        ("one contact twice", 2 * contact("c", "a:bottom", "b:top"), ("Contacts->c", "twice")),
+        ("the same two sides twice", contact("c", "a:bottom", "b:top") +
+         contact("d", "b:top", "a:bottom"), ("Contacts->d->Between", "different names")),
+        ("three sides", listed("c", parameter("Between", "Array(string)", "{a:bottom, b:top, a:top}")),
+         ("Contacts->c->Between", "3 sides")),
+        ("no sides", listed("c"), ("Contacts->c->Between", "missing")),
+        ("a gap between bodies", listed("c", SIDES, parameter("Gap", "string", "0")),
+         ("Contacts->c->Gap", "unknown")),
+        ("friction that drives", listed("c", SIDES, friction("-0.3")),
+         ("Contacts->c->Friction->Coefficient", ">= 0"))):
+    refused(what, [A, B], contacts, *words)
+refused("two of one name", [A, A, B], contact("c", "a:bottom", "b:top"), "Bodies->a", "twice")
+refused("a motion given twice", [A, rigid("floor", block(0, -1, 1, 0), listed(
+    "Motion", parameter("Displacement Y", "string", "0"), parameter("Force Y", "string", "1")))],
+        contact("c", "a:bottom", "floor:top"), "Bodies->floor->Motion->Force Y", "not both")
+refused("a disc that may spin", [body("d", geometry(circle(0.3, 0.5, 0.3), ROUND, QUARTERS), 1.0, "",
+                                      "{X}"), B], contact("c", "d:s", "b:top"), "Bodies->d",
+        "nothing resists")
 refused("a free motion", [body("a", block(0, 0, 1, 1), 1.0, PRESS), B],
         contact("c", "a:bottom", "b:top"), "Bodies->a", "nothing resists")
 refused("a body without hold", [A, B, body("d", block(3, 0, 4, 1), 1.0)],

@@ -63,6 +63,7 @@ struct Conditions {
     bool x = false;
     bool y = false;
     bool rotation = false;
+    std::string path = "Rigid Motions";  ///< of the list that says so, for messages
   } fix;
 
   /// Edges without load, one of each closed line without multiplier, that hold ψ at ν = 1/2

@@ -15,6 +15,13 @@ bool startsAfar(const CoulombCourse& course) {
 
 bool knowsSets(const CoulombCourse& course) { return course.knowsSets(); }
 
+// Following begins without friction, which may have to hold a body that contact holds.
+bool isHeldByContact(const CoulombCourse& course) {
+  return course.problem().rigidMotions() > 0;
+}
+
+bool isHeldOtherwise(const CoulombCourse& course) { return !isHeldByContact(course); }
+
 bool mayPivot(const CoulombCourse& course) {
   return course.isCoupled() && course.equation().hasActiveSets();
 }
@@ -47,8 +54,9 @@ constexpr PlannedStage<CoulombCourse> plan[] = {
     {Stage::Pivoting, knowsSets, pivoting},
     {Stage::Uncoupled, isCoupled, uncoupled},
     {Stage::FullSteps, isCoupled, fullSteps},
+    {Stage::InteriorPoint, isHeldByContact, throughTheMiddle},
     {Stage::FollowFriction, CoulombCourse::mayFollow, CoulombCourse::followBriefly},
-    {Stage::InteriorPoint, CoulombCourse::always, throughTheMiddle},
+    {Stage::InteriorPoint, isHeldOtherwise, throughTheMiddle},
     {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updateBriefly},
     {Stage::Pivoting, mayPivot, pivoting},
     {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::descendBriefly},

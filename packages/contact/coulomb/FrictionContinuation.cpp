@@ -69,9 +69,15 @@ Solution followFriction(const Problem& problem, const Tresca& tresca, int steps,
   }
   if (!begin.report.converged())
     return begin;
+  int spent = 0;
   return advance(std::move(begin), pace, steps,
                  [&](double theta, const State& start) {
-                   return correct(friction.at(theta), start, tresca, patience);
+                   if (spent >= steps)
+                     return Solution{start, {}};
+                   Solution corrected =
+                       correct(friction.at(theta), start, tresca, patience);
+                   spent += corrected.report.newtonIterations;
+                   return corrected;
                  })
       .solution;
 }

@@ -1,7 +1,5 @@
 #include "contact/problem/MortarCoupling.hpp"
 
-#include "bem/quadrature/Gauss.hpp"
-
 #include <array>
 
 namespace epafi::contact {
@@ -20,15 +18,22 @@ struct Acting {
 class Writer {
  public:
   Writer(const bem::Space& met, bem::Rows mine, Matrix& coupling)
-      : met_(met), mine_(mine), coupling_(coupling) {}
+      : met_(met),
+        mine_(mine),
+        coupling_(coupling),
+        rests_(static_cast<std::size_t>(coupling.columns())) {}
 
   /// Adds - weight χ(t) d · φ(P t).
   void add(const ContactElement& contact, const Vector& chi, const Acting& acting,
-           const Opposite::Point& point, double weight) const {
+           const Opposite::Point& point, double weight) {
     const int degree = met_.mesh()[point.element].degree;
     std::array<double, bem::largestDegree + 1> phi{};
     bem::DisplacementBasis::values(degree, point.t, phi.data());
     const double components[2] = {acting.direction.x, acting.direction.y};
+    const double rest = dot(acting.direction, met_.rotationRest(point.element, point.t));
+    for (int i = 0; i <= contact.degree; ++i)
+      rests_[static_cast<std::size_t>((contact.*acting.number)(i))] -=
+          weight * rest * chi[static_cast<std::size_t>(i)];
     for (int k = 0; k <= degree; ++k)
       for (int c = 0; c < 2; ++c) {
         const Index row = met_.displacement(point.element, k, c);
@@ -41,10 +46,22 @@ class Writer {
       }
   }
 
+  /// What the rotation of B has beside polynomials, see bem::Rotation.
+  void addRotation() const {
+    if (met_.rotation() == nullptr)
+      return;
+    const bem::Vector& functional = met_.rotation()->functional();
+    for (Index i = 0; i < coupling_.columns(); ++i)
+      for (Index j = 0; j < coupling_.rows(); ++j)
+        coupling_(j, i) += functional[static_cast<std::size_t>(j + mine_.begin)] *
+                           rests_[static_cast<std::size_t>(i)];
+  }
+
  private:
   const bem::Space& met_;
   bem::Rows mine_;
   Matrix& coupling_;
+  Vector rests_;  ///< - ∫ χ_i d_i · (r - r_I) of each coefficient
 };
 
 }  // namespace
@@ -54,21 +71,22 @@ Matrix mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
                       const bem::DenseAlgebra& algebra, int body) {
   const bem::Rows mine = algebra.myRows(met.displacements());
   Matrix coupling(mine.size(), multiplier.size());
-  const Writer writer(met, mine, coupling);
+  Writer writer(met, mine, coupling);
   for (const ContactElement& contact : multiplier.elements()) {
     const bem::Element& element = side[contact.element];
     for (const auto& [middle, half] : stretches(opposite, contact)) {
       const auto inside = opposite.at(contact, middle);
       if (inside.element < 0 || inside.body != body)
         continue;
-      const bem::Rule& rule = bem::gaussLegendre(
-          (contact.degree + met.mesh()[inside.element].degree) / 2 + 1);
+      const bem::Rule& rule = mortarRule(contact, element, met.mesh()[inside.element]);
       for (int q = 0; q < rule.size(); ++q) {
         const double t = middle + half * rule.points[static_cast<std::size_t>(q)];
         const double weight =
             rule.weights[static_cast<std::size_t>(q)] * half * element.half;
         const Vector chi = multiplier.basis().values(contact.degree, t);
         const auto point = opposite.at(contact, t);
+        if (point.element < 0)  // a grazing normal, but for rounding
+          continue;
         writer.add(contact, chi, {element.curve.normal(t), &ContactElement::normalOf},
                    point, weight);
         if (contact.tangential >= 0)
@@ -78,7 +96,15 @@ Matrix mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
       }
     }
   }
+  writer.addRotation();
   return coupling;
+}
+
+const bem::Rule& mortarRule(const ContactElement& contact, const bem::Element& side,
+                            const bem::Element& met) {
+  const int turning =
+      side.curve.isStraight() && met.curve.isStraight() ? 0 : bem::pointsOfTurning;
+  return bem::gaussLegendre((contact.degree + met.degree) / 2 + 1 + turning);
 }
 
 }  // namespace epafi::contact

@@ -184,7 +184,7 @@ Matrix reduced(Matrix columns, Index first) {
 /// The values of the named functionals on the allowed motions.
 /// \throws bem::InputError if clamps hold one of them already.
 Svd heldByFix(const RigidModes& modes, const Matrix& allowedCombinations,
-              const std::vector<int>& fixedModes) {
+              const std::vector<int>& fixedModes, const std::string& path) {
   const Matrix onAllowed =
       multiply(transposedTimes(modes.functionals, modes.motions), allowedCombinations);
   const auto fixed = static_cast<Index>(fixedModes.size());
@@ -199,7 +199,7 @@ Svd heldByFix(const RigidModes& modes, const Matrix& allowedCombinations,
   std::string list;
   for (const int mode : fixedModes)
     list += (list.empty() ? "" : ", ") + std::string(names[mode]);
-  throw bem::InputError("Rigid Motions->Fix = {" + list +
+  throw bem::InputError(path + "->Fix = {" + list +
                         "}: the clamps already hold at least one of these motions; name "
                         "only those that no Dirichlet condition stops");
 }
@@ -231,7 +231,8 @@ RigidConstraints makeRigidConstraints(const RigidModes& modes, const Loads& load
   constraints.fixedModes = namedModes(fix);
   const Index fixed = constraints.fixed();
 
-  const Svd held = heldByFix(modes, allowedCombinations, constraints.fixedModes);
+  const Svd held =
+      heldByFix(modes, allowedCombinations, constraints.fixedModes, fix.path);
   const Matrix inModes = reduced(
       multiply(allowedCombinations, dualCombinations(held, fixed, allowed)), fixed);
   constraints.allowed = withoutClamped(multiply(modes.motions, inModes), loads);

@@ -4,6 +4,7 @@
 #include "bem/quadrature/Piecewise.hpp"
 #include "contact/problem/ContactFields.hpp"
 #include "contact/problem/Loads.hpp"
+#include "contact/problem/MortarCoupling.hpp"
 
 #include <algorithm>
 #include <array>
@@ -208,9 +209,13 @@ void addReaction(const std::vector<Solved>& bodies, const Solved& side,
   const Opposite& opposite = side.problem.opposite();
   for (const Element& element : fields.elements()) {
     const bem::Element& curve = side.space.mesh()[element.element];
-    const bem::Rule& rule =
-        bem::gaussLegendre((element.degree + opposite.degree(element)) / 2 + 2);
-    for (const auto& [middle, half] : stretches(opposite, element))
+    for (const auto& [middle, half] : stretches(opposite, element)) {
+      const Opposite::Point inside = opposite.at(element, middle);
+      if (inside.element < 0)
+        continue;
+      const bem::Rule& rule = mortarRule(
+          element, curve,
+          bodies[static_cast<std::size_t>(inside.body)].space.mesh()[inside.element]);
       for (std::size_t k = 0; k < rule.points.size(); ++k) {
         const double t = middle + half * rule.points[k];
         const Opposite::Point met = opposite.at(element, t);
@@ -224,6 +229,7 @@ void addReaction(const std::vector<Solved>& bodies, const Solved& side,
         const Vec2 place = bodies[b].space.mesh().physicalPoint(met.element, met.t);
         add({force.x, force.y, cross(place, force)}, summaries[b].contact);
       }
+    }
   }
 }
 

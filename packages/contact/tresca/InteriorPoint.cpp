@@ -12,7 +12,8 @@ namespace {
 
 /// Complementarity relative to the load squared: less is rounding.
 constexpr double enough = 1e-30;
-/// Share of the way to the boundary of the set.
+/// Share of the way to the boundary of the set; all of it as complementarity vanishes, since
+/// a fixed share would end Newton's quadratic convergence.
 constexpr double interior = 0.995;
 /// So many steps that are so short, one after the other, lead nowhere.
 constexpr double shortStep = 0.03;
@@ -65,6 +66,7 @@ class Method {
   InteriorPoint run(int maximumSteps) {
     InteriorPoint result;
     try {
+      start();
       while (result.iterations < maximumSteps && !e_.converged && advance())
         result.iterations += 1;
     } catch (const SingularJacobian&) {
@@ -88,6 +90,30 @@ class Method {
       e_.stepBounds[t] = {e_.bounds[t], problem_.tangentials[t].slopes(e_.unknowns)};
   }
 
+  /// Where all of the predictor's step leads, with distances and forces not below their means:
+  /// of the size of the solution, which the load need not be (a small contact under a large
+  /// body).                                                           [Gertz, Wright 2003]
+  void start() {
+    setRows();
+    const Vector change = direction(NewtonSystem(equation_, e_), 0);
+    Vector unknowns = e_.unknowns;
+    for (std::size_t i = 0; i < unknowns.size(); ++i)
+      unknowns[i] += change[i];
+    double distance = 0;
+    double force = 0;
+    for (Limit& limit : limits_) {
+      limit.distance = std::abs(limit.distance + limit.distanceChange);
+      limit.force = std::abs(limit.force + limit.forceChange);
+      distance += limit.distance / static_cast<double>(limits_.size());
+      force += weight(limit) * limit.force / static_cast<double>(limits_.size());
+    }
+    for (Limit& limit : limits_) {
+      limit.distance = std::max(limit.distance, distance);
+      limit.force = std::max(limit.force, force / weight(limit));
+    }
+    move(std::move(unknowns));
+  }
+
   /// Predictor and corrector.
   bool advance() {
     const double mu = complementarity(0);
@@ -102,9 +128,9 @@ class Method {
     for (Limit& limit : limits_)
       limit.correction = limit.distanceChange * limit.forceChange;
     const Vector change = direction(system, mu * std::pow(affine / mu, 3));
-    const double step = std::min(1.0, interior * room());
-    jams_ = step < shortStep ? jams_ + 1 : 0;
     const double relative = mu / (problem_.stress * problem_.stress);
+    const double step = std::min(1.0, std::max(interior, 1 - relative) * room());
+    jams_ = step < shortStep ? jams_ + 1 : 0;
     stale_ = least_ < small && relative > 0.5 * least_ ? stale_ + 1 : 0;
     least_ = std::min(relative, least_);
     if (jams_ == mostJams || stale_ == mostStale)

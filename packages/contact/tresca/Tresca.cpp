@@ -87,6 +87,7 @@ void requireSolvable(const NewtonCourse& course) {
 
 bool always(const NewtonCourse&) { return true; }
 bool startsAfar(const NewtonCourse& course) { return !course.knowsSets(); }
+bool knowsSets(const NewtonCourse& course) { return course.knowsSets(); }
 
 void fullSteps(NewtonCourse& course, Stage stage) {
   course.steps(stage, course.run());
@@ -106,8 +107,9 @@ void throughTheMiddle(NewtonCourse& course, Stage stage) {
 
 constexpr PlannedStage<NewtonCourse> plan[] = {
     {Stage::FullSteps, startsAfar, fullSteps},
+    {Stage::InteriorPoint, startsAfar, throughTheMiddle},
     {Stage::Pivoting, always, pivoting},
-    {Stage::InteriorPoint, always, throughTheMiddle},
+    {Stage::InteriorPoint, knowsSets, throughTheMiddle},
 };
 
 }  // namespace

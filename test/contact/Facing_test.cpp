@@ -1,0 +1,227 @@
+// What lies opposite to a contact side, along its normals: single curves, and whole bodies.
+#include "bem/mesh/Mesh.hpp"
+#include "contact/problem/FacingBodies.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+
+namespace epafi {
+
+namespace {
+
+using bem::Curve;
+using bem::Vec2;
+using contact::crossing;
+using contact::facing;
+using contact::footOn;
+
+const double pi = std::acos(-1.0);
+
+/// Of a circle about the origin between two angles; inwards: the edge of a hole, run through
+/// clockwise, whose normals lead to the centre.
+Curve arc(double radius, double from, double to) {
+  const auto point = [&](double angle) {
+    return Vec2{radius * std::cos(angle), radius * std::sin(angle)};
+  };
+  return {point(from), point(to), std::tan((to - from) / 4)};
+}
+
+TEUCHOS_UNIT_TEST(NormalRay, findsASegmentThatFacesAndNoOther) {
+  const Curve below({1, -2}, {-1, -2});
+  const auto found = crossing({0.5, 0}, {0, -1}, below);
+  TEST_ASSERT(found && isOn(*found));
+  TEST_FLOATING_EQUALITY(found->distance, 2.0, 1e-15);
+  TEST_FLOATING_EQUALITY(found->t, -0.5, 1e-15);
+  TEST_ASSERT(!crossing({0.5, 0}, {0, -1}, Curve({-1, -2}, {1, -2})));  // its back
+  TEST_ASSERT(!crossing({0.5, 0}, {1, 0}, below));                      // beside it
+  TEST_ASSERT(!isOn(*crossing({3, 0}, {0, -1}, below)));                // past its end
+}
+
+/// An overlap is a negative distance.
+TEUCHOS_UNIT_TEST(NormalRay, looksBackwardsIntoAnOverlap) {
+  const auto found = crossing({0.5, 0}, {0, -1}, Curve({1, 0.25}, {-1, 0.25}));
+  TEST_FLOATING_EQUALITY(found->distance, -0.25, 1e-15);
+}
+
+/// A line meets a circle twice; the near half of it faces.
+TEUCHOS_UNIT_TEST(NormalRay, meetsTheHalfOfACircleThatFaces) {
+  const auto found = crossing({0.6, 3}, {0, -1}, arc(1, 0, pi));
+  TEST_ASSERT(found && isOn(*found));
+  TEST_FLOATING_EQUALITY(found->distance, 3 - 0.8, 1e-14);
+  TEST_ASSERT(!isOn(*crossing({0.6, 3}, {0, -1}, arc(1, pi, 2 * pi))));
+  TEST_ASSERT(!crossing({1.1, 3}, {0, -1}, arc(1, 0, pi)));
+}
+
+TEUCHOS_UNIT_TEST(NormalRay, goesByAngleBetweenArcsOfOneCentre) {
+  const Curve hole = arc(1.25, 1.5, 0.5);  // clockwise: its normals lead inwards
+  const Curve disc = arc(1, 0.25, 2);
+  for (const double t : {-1.0, -0.3, 0.0, 0.99}) {
+    const auto found = crossing(hole.point(t), hole.normal(t), disc);
+    TEST_ASSERT(found && isOn(*found));
+    TEST_FLOATING_EQUALITY(found->distance, 0.25, 1e-13);
+    const double angle = 1 - 0.5 * t;
+    TEST_COMPARE(std::abs(found->t - (angle - 1.125) / 0.875), <, 1e-14);
+  }
+}
+
+/// The foot of what a normal meets is where the normal begins.
+TEUCHOS_UNIT_TEST(NormalRay, feetAreBeginnings) {
+  const Curve sides[] = {Curve({-0.4, 0}, {0.5, 0.1}), Curve({-0.4, 0}, {0.5, 0.1}, 0.3),
+                         Curve({-0.4, 0}, {0.5, 0.1}, -0.2)};
+  const Curve met[] = {Curve({2, -0.5}, {-2, -0.75}), Curve({2, -0.5}, {-2, -0.75}, 0.1),
+                       Curve({2, -0.5}, {-2, -0.75}, -0.15)};
+  for (const Curve& side : sides)
+    for (const Curve& other : met)
+      for (const double t : {-1.0, -0.35, 0.2, 1.0}) {
+        const auto found = crossing(side.point(t), side.normal(t), other);
+        TEST_ASSERT(found && isOn(*found));
+        TEST_COMPARE(norm(side.point(t) + found->distance * side.normal(t) -
+                          other.point(found->t)),
+                     <, 1e-14);
+        TEST_COMPARE(std::abs(footOn(side, other.point(found->t)) - t), <, 1e-13);
+      }
+}
+
+TEUCHOS_UNIT_TEST(NormalRay, stretchesEndOppositeToEnds) {
+  const Curve side({-1, 0}, {1, 0});
+  const std::vector<Curve> below = {Curve({0.5, -0.1}, {0.25, -0.1}),
+                                    Curve({0.25, -0.1}, {-0.5, -0.1})};
+  const auto found = facing(side, below, 1);
+  TEST_EQUALITY(found.size(), 2u);
+  TEST_FLOATING_EQUALITY(found[0].begin, -0.5, 1e-15);
+  TEST_FLOATING_EQUALITY(found[0].end, 0.25, 1e-15);
+  TEST_EQUALITY(found[0].curve, 1);
+  TEST_FLOATING_EQUALITY(found[1].end, 0.5, 1e-15);
+  TEST_EQUALITY(found[1].curve, 0);
+  TEST_EQUALITY(facing(side, below, 0.05).size(), 0u);  // out of reach
+}
+
+/// A circle turns away where the side's normals touch it.
+TEUCHOS_UNIT_TEST(NormalRay, stretchesEndWhereACircleTurnsAway) {
+  const Curve side({-1, 0.5}, {1, 0.5});
+  const double shrink = 0.25;
+  const Curve circle({shrink, 0}, {-shrink, 0}, 1);
+  const auto found = facing(side, {circle}, 1);
+  TEST_EQUALITY(found.size(), 1u);
+  TEST_COMPARE(std::abs(found[0].begin + shrink), <, 1e-14);
+  TEST_COMPARE(std::abs(found[0].end - shrink), <, 1e-14);
+}
+
+/// Of two curves behind each other it is the nearer one.
+TEUCHOS_UNIT_TEST(NormalRay, facesTheNearer) {
+  const Curve side({-1, 0}, {1, 0});
+  const auto found =
+      facing(side, {Curve({2, -0.5}, {-2, -0.5}), Curve({0.5, -0.1}, {-0.5, -0.1})}, 1);
+  TEST_EQUALITY(found.size(), 3u);
+  TEST_EQUALITY(found[0].curve, 0);
+  TEST_EQUALITY(found[1].curve, 1);
+  TEST_EQUALITY(found[2].curve, 0);
+}
+
+bem::Loop circle(double radius, double turn) {
+  bem::Loop loop;
+  for (int k = 0; k < 4; ++k) {
+    const double angle = turn + k * pi / 2;
+    loop.vertices.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    loop.edges.emplace_back("round");
+    loop.bulges.push_back(std::tan(pi / 8));
+  }
+  return loop;
+}
+
+constexpr bem::Scaling tenth{{0, 0}, 10};
+
+/// A square with a round hole of radius 1.25, a disc of radius 1 in it whose nodes are
+/// elsewhere, and a condition that takes 0.01 off the gap.
+struct Fit {
+  bem::Mesh ring = makeMesh(
+      std::make_shared<const bem::Outline>(
+          bem::Loop{{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}}, {"out", "out", "out", "out"}},
+          std::vector<bem::Loop>{circle(1.25, 0)}, tenth),
+      {1, 1, 1, 1, 2, 2, 3, 2}, 2);
+  bem::Mesh disc = makeMesh(std::make_shared<const bem::Outline>(
+                                circle(1, 0.4), std::vector<bem::Loop>{}, tenth),
+                            {3, 2, 1, 2}, 4);
+  contact::Conditions conditions = makeConditions();
+  contact::MultiplierSpace multiplier{
+      ring, contact::multiplierBasis("Gauss-Legendre-Lagrange"), conditions};
+  contact::FacingBodies facing{ring, multiplier, tenth.length, {{"fit", metSide()}}};
+
+  static contact::Conditions makeConditions() {
+    contact::Conditions conditions;
+    contact::Conditions::Contact fit{[](Vec2) { return -0.01; },
+                                     contact::makeFriction("None", {})};
+    fit.name = "fit";
+    for (int edge = 4; edge < 8; ++edge)
+      fit.parts.push_back({edge, 0, 1});
+    conditions.contact["round"] = fit;
+    return conditions;
+  }
+
+  contact::MetSide metSide() const {
+    contact::MetSide side;
+    side.body = 3;
+    side.reach = 0.1;
+    for (int e = 0; e < disc.size(); ++e) {
+      side.curves.push_back(disc[e].curve);
+      side.elements.push_back(e);
+      side.degrees.push_back(disc[e].degree);
+    }
+    return side;
+  }
+};
+
+TEUCHOS_UNIT_TEST(FacingBodies, theGapIsTheDistanceAndWhatTheConditionAdds) {
+  const Fit fit;
+  TEST_EQUALITY(fit.multiplier.elements().size(), 9u);
+  for (const auto& element : fit.multiplier.elements()) {
+    TEST_EQUALITY(fit.facing.degree(element), 4);
+    for (const double t : {-1.0, -0.4, 0.7}) {
+      const auto point = fit.facing.at(element, t);
+      TEST_FLOATING_EQUALITY(point.gap, (0.25 - 0.01) / 10, 1e-13);
+      TEST_EQUALITY(point.body, 3);
+      const Vec2 here = fit.ring[element.element].curve.point(t);
+      const Vec2 there = fit.disc[point.element].curve.point(point.t);
+      TEST_COMPARE(norm((0.8) * here - there), <, 1e-15);
+    }
+  }
+  TEST_ASSERT(fit.facing.bodies() == std::vector<int>{3});
+  TEST_ASSERT(!fit.facing.isStill());
+}
+
+/// The element opposite changes at breaks and nowhere else.
+TEUCHOS_UNIT_TEST(FacingBodies, breaksAreTheFeetOfNodes) {
+  const Fit fit;
+  std::size_t count = 0;
+  for (const auto& element : fit.multiplier.elements()) {
+    const contact::Vector breaks = fit.facing.breaks(element);
+    count += breaks.size();
+    for (const double t : breaks)
+      TEST_INEQUALITY(fit.facing.at(element, t - 1e-9).element,
+                      fit.facing.at(element, t + 1e-9).element);
+    for (const auto& [middle, half] : stretches(fit.facing, element))
+      TEST_EQUALITY(fit.facing.at(element, middle - 0.99 * half).element,
+                    fit.facing.at(element, middle + 0.99 * half).element);
+  }
+  TEST_EQUALITY(count, 8u);  // all nodes of the disc
+}
+
+/// Back and forth, and ∫ f ds over the ring is ∫ f stretching ds over the disc.
+TEUCHOS_UNIT_TEST(FacingBodies, sourcesLeadBack) {
+  const Fit fit;
+  for (int e = 0; e < fit.disc.size(); ++e)
+    for (const double t : {-0.9, 0.1, 0.8}) {
+      const auto sources = fit.facing.sources(3, e, t);
+      TEST_EQUALITY(sources.size(), 1u);
+      TEST_FLOATING_EQUALITY(sources[0].stretching, 1.25, 1e-13);
+      const auto back = fit.facing.at(*sources[0].element, sources[0].t);
+      TEST_EQUALITY(back.element, e);
+      TEST_COMPARE(std::abs(back.t - t), <, 1e-13);
+    }
+  TEST_EQUALITY(fit.facing.sources(2, 0, 0).size(), 0u);
+}
+
+}  // namespace
+
+}  // namespace epafi
