@@ -17,8 +17,7 @@ namespace {
 /// Ĉ and M with the numbers of unknowns.
 CompressedCoupling compressedCoupling(const bem::Space& space,
                                       const MultiplierSpace& multiplier,
-                                      const Coupling& coupling,
-                                      const bem::LocalCompliance& compliance) {
+                                      const Coupling& coupling) {
   CompressedCoupling result;
   result.first = space.displacements() + space.densities();
   result.multipliers = coupling.multipliers;
@@ -26,8 +25,9 @@ CompressedCoupling compressedCoupling(const bem::Space& space,
   result.entries = coupling.trace;
   result.mass = coupling.mass;
   for (const Coupling::Entry& entry : coupling.weights)
-    result.entries.push_back({space.displacements() + compliance.densities[at(entry.row)],
-                              entry.column, -entry.value});
+    result.entries.push_back(
+        {space.displacements() + coupling.compliance.densities[at(entry.row)],
+         entry.column, -entry.value});
   return result;
 }
 
@@ -53,12 +53,11 @@ class CompressedBody final : public StabilisedBody {
  public:
   CompressedBody(const bem::Space& space, const MultiplierSpace& multiplier,
                  std::shared_ptr<const bem::CompressedOperators> operators,
-                 Coupling coupling, bem::LocalCompliance compliance)
+                 Coupling coupling)
       : space_(space),
         operators_(std::move(operators)),
         coupling_(std::move(coupling)),
-        compliance_(std::move(compliance)),
-        compressed_(compressedCoupling(space, multiplier, coupling_, compliance_)) {}
+        compressed_(compressedCoupling(space, multiplier, coupling_)) {}
 
   std::shared_ptr<const HeldStiffness> held(const Holding& holding) const override {
     return std::make_shared<const Held>(*this, holding);
@@ -128,33 +127,17 @@ class CompressedBody final : public StabilisedBody {
     const Vector psi = density(u, multiplier);
     const Matrix own = byDensity() ? imagesOf(u, psi) : Matrix();
     const Matrix& images = byDensity() ? own : fieldOf(u).images;
-    double twice = std::inner_product(u.begin(), u.end(), images.column(0), 0.0) -
-                   std::inner_product(psi.begin(), psi.end(),
-                                      images.column(1) + displacements(), 0.0);
-    for (std::size_t k = 0; k < compliance_.densities.size(); ++k) {
-      const double value = psi[at(compliance_.densities[k])];
-      twice -= compliance_.diagonal[k] * value * value;
-    }
-    for (const auto& [i, value] : compliance_.pinned)
-      twice -= value * psi[at(i)] * psi[at(i)];
-    return 0.5 * twice;
+    const double twice = std::inner_product(u.begin(), u.end(), images.column(0), 0.0) -
+                         std::inner_product(psi.begin(), psi.end(),
+                                            images.column(1) + displacements(), 0.0);
+    return 0.5 * (twice - coupling_.complianceWork(psi));
   }
 
-  bool byDensity() const override { return !compliance_.densities.empty(); }
+  bool byDensity() const override { return !coupling_.compliance.densities.empty(); }
 
   bem::Vec2 meanSlack(std::size_t contactElement, const Vector& multiplier,
                       const Vector& density) const override {
-    if (!byDensity())
-      return {};
-    const Vector w = coupling_.weighted(multiplier);
-    const Index first = coupling_.start[contactElement];
-    const auto integral = [&](Index k) {
-      return w[at(k)] +
-             compliance_.diagonal[at(k)] * density[at(compliance_.densities[at(k)])];
-    };
-    const double length =
-        compliance_.diagonal[at(first)] / coupling_.gamma[contactElement];
-    return (1 / length) * bem::Vec2{integral(first), integral(first + 1)};
+    return coupling_.meanSlack(contactElement, multiplier, density);
   }
 
   double gamma(std::size_t contactElement) const override {
@@ -276,7 +259,6 @@ class CompressedBody final : public StabilisedBody {
   const bem::Space& space_;
   std::shared_ptr<const bem::CompressedOperators> operators_;
   Coupling coupling_;
-  bem::LocalCompliance compliance_;
   CompressedCoupling compressed_;
   mutable std::unique_ptr<const bem::CompressedFactor> densityFactor_;
   mutable Vector solved_;  ///< ψ of the last solution
@@ -310,10 +292,7 @@ bem::SteklovPoincare makeCompressedStiffness(const bem::Space& space,
     throw bem::InputError("the operators cannot be compressed: " + reason);
   const Coupling coupling =
       makeLocalCoupling(space, multiplier, stabilization, lame, units);
-  const bem::LocalCompliance compliance =
-      densityCompliance(space, multiplier, stabilization, lame, units);
-  const CompressedCoupling compressed =
-      compressedCoupling(space, multiplier, coupling, compliance);
+  const CompressedCoupling compressed = compressedCoupling(space, multiplier, coupling);
   bem::LocalCoupling local;
   local.elements = elementsOf(space, coupling);
   for (const Coupling::Entry& entry : compressed.entries)
@@ -322,14 +301,14 @@ bem::SteklovPoincare makeCompressedStiffness(const bem::Space& space,
     if (entry.row >= entry.column)
       local.entries.push_back(
           {compressed.first + entry.row, compressed.first + entry.column, -entry.value});
-  for (std::size_t k = 0; k < compliance.densities.size(); ++k) {
-    const Index i = space.displacements() + compliance.densities[k];
-    local.entries.push_back({i, i, -compliance.diagonal[k]});
-  }
-  for (const auto& [density, value] : compliance.pinned) {
+  const auto comply = [&](Index density, double value) {
     const Index i = space.displacements() + density;
     local.entries.push_back({i, i, -value});
-  }
+  };
+  for (std::size_t k = 0; k < coupling.compliance.densities.size(); ++k)
+    comply(coupling.compliance.densities[k], coupling.compliance.diagonal[k]);
+  for (const auto& [density, value] : coupling.compliance.pinned)
+    comply(density, value);
   return bem::SteklovPoincare(
       std::make_shared<const bem::CompressedOperators>(space, lame, options, local),
       algebra);
@@ -340,8 +319,6 @@ std::unique_ptr<const StabilisedBody> makeCompressedBody(
   return std::make_unique<const CompressedBody>(
       input.space, multiplier, input.stiffness.compressed(),
       makeLocalCoupling(input.space, multiplier, input.stabilization, input.lame,
-                        input.units),
-      densityCompliance(input.space, multiplier, input.stabilization, input.lame,
                         input.units));
 }
 
