@@ -265,16 +265,18 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
   void makeCorrection() {
     const MotionTerms& terms = whole_.motionTerms();
     const Index columns = terms.u.columns();
+    const Index first = whole_.coupling().first;
+    Matrix right(whole_.held().operators().size(), columns);
+    for (Index j = 0; j < columns; ++j)
+      for (const Index i : system_.rows)
+        right(first + i, j) = -terms.u(i, j);
+    const Matrix answers =
+        columns > 0 ? factor_.solveAlong(whole_.paths(), right) : Matrix();
     solved_ = Matrix(whole_.size(), columns);
     correction_ = terms.inverse.copy();
-    const Vector none(at(whole_.size()), 0.0);
     for (Index j = 0; j < columns; ++j) {
-      Vector right;
-      for (const Index i : system_.rows)
-        right.push_back(terms.u(i, j));
-      const Vector x = solveSprung(right, none);
-      std::copy(x.begin(), x.end(), solved_.column(j));
-      const Vector sums = terms.seen(x.data());
+      std::copy_n(answers.column(j) + first, whole_.size(), solved_.column(j));
+      const Vector sums = terms.seen(solved_.column(j));
       for (Index i = 0; i < columns; ++i)
         correction_(i, j) += sums[at(i)];
     }
