@@ -120,8 +120,9 @@ TEUCHOS_UNIT_TEST(CompressedBody, problemsAreTheDenseOnes) {
     options.leafUnknowns = 60;
     const auto dense =
         contact::makeStiffness(space, multiplier, stabilization, lame, units, algebra);
-    const auto compressed = contact::makeCompressedStiffness(
-        space, multiplier, stabilization, lame, units, algebra, options);
+    const auto stiffness = contact::makeCompressedStiffness(
+        {{space, multiplier, lame}}, stabilization, units, algebra, options);
+    const bem::SteklovPoincare& compressed = stiffness.front();
     const Results exact({space, dense, lame, units, conditions, basis, stabilization});
     const Results own({space, compressed, lame, units, conditions, basis, stabilization});
 

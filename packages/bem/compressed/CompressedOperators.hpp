@@ -18,11 +18,12 @@ struct Compression {
 
 /// Further unknowns beside displacements and densities, and entries of the symmetric
 /// system that are not those of boundary operators.  Both act between functions that
-/// touch.
+/// touch, and alone between bodies.
 struct LocalCoupling {
   std::vector<int> elements;  ///< of each further unknown, one that it is on
-  /// Unknowns are numbered as unknownsOf has them, further ones behind.  One of (i, j) and
-  /// (j, i).
+  std::vector<int> bodies;    ///< and whose that is; empty: all are the first body's
+  /// Unknowns are numbered body by body as unknownsOf has them, further ones behind all.  One
+  /// of (i, j) and (j, i).
   struct Entry {
     Index row;
     Index column;
@@ -36,23 +37,39 @@ struct LocalCoupling {
 ///   Z = [ W        (K+1/2)ᵀ ]
 ///       [ K+1/2    -V       ],
 ///
-/// with what a LocalCoupling adds, by recursive skeletonisation: what a cluster of elements
+/// of one or several bodies, with what a LocalCoupling adds, by recursive skeletonisation: what a cluster of elements
 /// does to everything else goes through some of its unknowns, its skeleton,
 ///
 ///   Z_far,cluster ≈ Z_far,skeleton T,
 ///
 /// and the skeletons of two children are the unknowns of their parent.  Memory and time
-/// grow with the number of elements times the rank, which grows with its logarithm.
+/// grow with the number of elements times the rank, which grows with its logarithm.  Of
+/// several bodies a cluster has what face each other; each one's part has a skeleton of its
+/// own.
 ///                                                       [doc/theory/compression.md]
 class CompressedOperators {
  public:
+  struct Body {
+    const Space& space;
+    const Lame& lame;
+  };
+  explicit CompressedOperators(const std::vector<Body>& bodies,
+                               const Compression& options = {},
+                               const LocalCoupling& local = {});
   CompressedOperators(const Space& space, const Lame& lame,
-                      const Compression& options = {}, const LocalCoupling& local = {});
+                      const Compression& options = {}, const LocalCoupling& local = {})
+      : CompressedOperators(std::vector<Body>{{space, lame}}, options, local) {}
 
-  Index displacements() const { return displacements_; }
-  Index densities() const { return densities_; }
+  /// The numbers of a body's unknowns: displacements, then densities.
+  struct Range {
+    Index first;
+    Index densities;
+    Index last;
+    double young;  ///< its modulus, in what stresses are counted
+  };
+  const Range& range(std::size_t body) const { return ranges_[body]; }
   /// All unknowns.
-  Index size() const { return static_cast<Index>(unknowns_.size()); }
+  Index size() const { return static_cast<Index>(leaves_.size()); }
 
   /// Z X
   Matrix times(const Matrix& x) const;
@@ -64,12 +81,13 @@ class CompressedOperators {
     Matrix
         block;  ///< a leaf's entries, or those of one child's skeleton with the other's
   };
-  const ClusterTree& tree() const { return tree_; }
+  /// Of the first body; clusters of all have its numbers, parents and children.
+  const ClusterTree& tree() const { return trees_.front(); }
   const Part& part(int cluster) const {
     return parts_[static_cast<std::size_t>(cluster)];
   }
   /// The leaf of an unknown.
-  int leafOf(Index unknown) const { return tree_.leafOf(unknowns_[at(unknown)].element); }
+  int leafOf(Index unknown) const { return leaves_[at(unknown)]; }
 
   struct Ranks {
     Index largest = 0;
@@ -80,11 +98,13 @@ class CompressedOperators {
 
  private:
   class Builder;
+  struct Share;
 
-  Index displacements_;
-  Index densities_;
-  std::vector<Unknown> unknowns_;
-  ClusterTree tree_;
+  void join(std::vector<Share> shares, const LocalCoupling& local);
+
+  std::vector<Range> ranges_;
+  std::vector<int> leaves_;  ///< of the unknowns
+  std::vector<ClusterTree> trees_;
   std::vector<Part> parts_;
 };
 

@@ -1,7 +1,8 @@
 #include "contact/problem/CompressedBody.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/problem/CompressedFlexibility.hpp"
+#include "contact/problem/ContactSystem.hpp"
+#include "contact/problem/MortarCoupling.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,18 +13,19 @@ using bem::dot;
 
 namespace {
 
-/// Ĉ and M with the numbers of unknowns.
-CompressedCoupling compressedCoupling(const bem::Space& space, const Coupling& coupling,
-                                      const bem::LocalCompliance& compliance) {
-  CompressedCoupling result;
-  result.first = space.displacements() + space.densities();
-  result.multipliers = coupling.multipliers;
-  result.entries = coupling.trace;
-  result.mass = coupling.mass;
+/// Ĉ and M of a body's own multiplier, numbered from `first` on and as `numberOf` says.
+template <class Number>
+void addOwn(const bem::Space& space, const Coupling& coupling,
+            const bem::LocalCompliance& compliance, Index first, const Number& numberOf,
+            CompressedCoupling& to) {
+  for (const Coupling::Entry& entry : coupling.trace)
+    to.entries.push_back({first + entry.row, numberOf(entry.column), entry.value});
   for (const Coupling::Entry& entry : coupling.weights)
-    result.entries.push_back({space.displacements() + compliance.densities[at(entry.row)],
-                              entry.column, -entry.value});
-  return result;
+    to.entries.push_back(
+        {first + space.displacements() + compliance.densities[at(entry.row)],
+         numberOf(entry.column), -entry.value});
+  for (const Coupling::Entry& entry : coupling.mass)
+    to.mass.push_back({numberOf(entry.row), numberOf(entry.column), entry.value});
 }
 
 /// Where each coefficient of the multiplier belongs: to the element that numbers the
@@ -48,12 +50,17 @@ class CompressedBody final : public StabilisedBody {
  public:
   CompressedBody(const bem::Space& space,
                  std::shared_ptr<const bem::CompressedOperators> operators,
-                 Coupling coupling, bem::LocalCompliance compliance)
-      : space_(space),
-        operators_(std::move(operators)),
+                 std::size_t body, Coupling coupling, bem::LocalCompliance compliance)
+      : operators_(std::move(operators)),
+        body_(body),
+        range_(operators_->range(body)),
         coupling_(std::move(coupling)),
-        compliance_(std::move(compliance)),
-        compressed_(compressedCoupling(space, coupling_, compliance_)) {}
+        compliance_(std::move(compliance)) {
+    compressed_.multipliers = coupling_.multipliers;
+    addOwn(
+        space, coupling_, compliance_, range_.first, [](Index i) { return i; },
+        compressed_);
+  }
 
   std::shared_ptr<const HeldStiffness> held(const Holding& holding) const override {
     return std::make_shared<const Held>(*this, holding);
@@ -64,7 +71,7 @@ class CompressedBody final : public StabilisedBody {
     Vector rest = force;
     const Matrix& image = imageOf(u);
     for (std::size_t i = 0; i < rest.size(); ++i)
-      rest[i] -= image(static_cast<Index>(i), 0);
+      rest[i] -= image(range_.first + static_cast<Index>(i), 0);
     return rest;
   }
 
@@ -75,25 +82,18 @@ class CompressedBody final : public StabilisedBody {
     compressed_.push(1, multiplier, x.data());
     if (byDensity()) {
       // ψ = (V + G)⁻¹ (K u - N λ): what -N λ makes of it acts through K'
-      Matrix right(operators_->size(), 1);
-      for (Index i = displacements(); i < compressed_.first; ++i)
-        right(i, 0) = x(i, 0);
-      const Matrix image = operators_->times(densityFactor().solve(right));
-      for (Index i = 0; i < displacements(); ++i)
+      const Matrix image =
+          operators_->times(densityFactor().solve(densitiesOf(x)));
+      for (Index i = range_.first; i < range_.densities; ++i)
         x(i, 0) -= image(i, 0);
     }
     for (const Coupling::Entry& entry : coupling_.completion)
-      x(entry.row, 0) += entry.value * multiplier[at(entry.column)];
-    return {x.data(), x.data() + displacements()};
+      x(range_.first + entry.row, 0) += entry.value * multiplier[at(entry.column)];
+    return {x.data() + range_.first, x.data() + range_.densities};
   }
 
   Vector pull(const Vector& u) const override {
-    Matrix x(operators_->size(), 1);
-    std::copy(u.begin(), u.end(), x.data());
-    if (byDensity()) {
-      const Vector psi = densityOf(u, {});
-      std::copy(psi.begin(), psi.end(), x.data() + displacements());
-    }
+    const Matrix x = byDensity() ? placed(u, densityOf(u, {})) : placed(u, {});
     return compressed_.pull(x.data());
   }
 
@@ -105,9 +105,9 @@ class CompressedBody final : public StabilisedBody {
     // less (N λ)ᵀ (V + G)⁻¹ N λ
     Matrix pushed(operators_->size(), 1);
     compressed_.push(1, multiplier, pushed.data());
-    std::fill_n(pushed.data(), displacements(), 0.0);
+    pushed = densitiesOf(pushed);
     return work +
-           bem::dot(columnOf(pushed, 0), columnOf(densityFactor().solve(pushed), 0));
+           dot(columnOf(pushed, 0), columnOf(densityFactor().solve(pushed), 0));
   }
 
   Vector density(const Vector& u, const Vector& multiplier) const override {
@@ -117,13 +117,13 @@ class CompressedBody final : public StabilisedBody {
   // 1/2 uᵀ W u + 1/2 ψᵀ V ψ from Z's products with u and ψ, -(V + G) there
   double strainEnergy(const Vector& u, const Vector& multiplier) const override {
     const Vector psi = densityOf(u, multiplier);
-    Matrix x(operators_->size(), 2);
-    std::copy(u.begin(), u.end(), x.column(0));
-    std::copy(psi.begin(), psi.end(), x.column(1) + displacements());
-    const Matrix image = operators_->times(x);
+    const Matrix displaced = operators_->times(placed(u, {}));
+    const Matrix traction = operators_->times(placed({}, psi));
     double twice = 0;
-    for (Index i = 0; i < compressed_.first; ++i)
-      twice += x(i, 0) * image(i, 0) - x(i, 1) * image(i, 1);
+    for (std::size_t i = 0; i < u.size(); ++i)
+      twice += u[i] * displaced(range_.first + static_cast<Index>(i), 0);
+    for (std::size_t i = 0; i < psi.size(); ++i)
+      twice -= psi[i] * traction(range_.densities + static_cast<Index>(i), 0);
     for (std::size_t k = 0; k < compliance_.densities.size(); ++k) {
       const double value = psi[at(compliance_.densities[k])];
       twice -= compliance_.diagonal[k] * value * value;
@@ -161,18 +161,17 @@ class CompressedBody final : public StabilisedBody {
    public:
     Held(const CompressedBody& body, const Holding& holding)
         : holding_(holding),
-          held_(std::make_shared<const CompressedHolding>(*body.operators_,
-                                                          body.compressed_, holding)),
-          flexibility_(compressedFlexibility(held_)),
-          size_(body.displacements()) {}
+          held_(std::make_shared<const CompressedHolding>(*body.operators_, body.body_,
+                                                          holding)),
+          range_(body.range_) {}
 
     // A⁺ f + R Rᵀ f
     Vector solve(const Vector& force) const override {
       Matrix forces(held_->operators().size(), 1);
-      std::copy(force.begin(), force.end(), forces.data());
+      std::copy(force.begin(), force.end(), forces.data() + range_.first);
       constexpr int refinements = 2;
       const Matrix x = held_->displaced(std::move(forces), refinements);
-      Vector u(x.data(), x.data() + size_);
+      Vector u(x.data() + range_.first, x.data() + range_.densities);
       for (Index k = 0; k < holding_.rigid.allowed.columns(); ++k) {
         const Vector r = columnOf(holding_.rigid.allowed, k);
         bem::axpy(dot(r, force), r, u);
@@ -180,26 +179,33 @@ class CompressedBody final : public StabilisedBody {
       return u;
     }
     Matrix forward(Matrix) const override { return {}; }
-    std::shared_ptr<const Flexibility::Operator> flexibility() const override {
-      return flexibility_;
-    }
+    std::shared_ptr<const CompressedHolding> compressed() const override { return held_; }
 
    private:
     const Holding& holding_;
     std::shared_ptr<const CompressedHolding> held_;
-    std::shared_ptr<const Flexibility::Operator> flexibility_;
-    Index size_;
+    const bem::CompressedOperators::Range& range_;
   };
 
-  Index displacements() const { return space_.displacements(); }
+  /// A displacement and a density among all unknowns; empty: zero.
+  Matrix placed(const Vector& u, const Vector& psi) const {
+    Matrix x(operators_->size(), 1);
+    std::copy(u.begin(), u.end(), x.data() + range_.first);
+    std::copy(psi.begin(), psi.end(), x.data() + range_.densities);
+    return x;
+  }
+  /// What is the body's densities' of a vector of all unknowns.
+  Matrix densitiesOf(const Matrix& x) const {
+    return placed({}, {x.data() + range_.densities, x.data() + range_.last});
+  }
 
   /// Of V + G: all displacements and multipliers held.
   const bem::CompressedFactor& densityFactor() const {
     if (densityFactor_ == nullptr) {
       bem::Restriction restriction;
       restriction.held.assign(at(operators_->size()), 1);
-      std::fill(restriction.held.begin() + displacements(),
-                restriction.held.begin() + compressed_.first, 0);
+      std::fill(restriction.held.begin() + range_.densities,
+                restriction.held.begin() + range_.last, 0);
       densityFactor_ =
           std::make_unique<const bem::CompressedFactor>(*operators_, restriction);
     }
@@ -208,35 +214,31 @@ class CompressedBody final : public StabilisedBody {
 
   /// (V + G)⁻¹ (K u - N λ)
   Vector densityOf(const Vector& u, const Vector& multiplier) const {
-    Matrix x(operators_->size(), 1);
-    std::copy(u.begin(), u.end(), x.data());
-    Matrix right = operators_->times(x);
+    Matrix right = operators_->times(placed(u, {}));
     if (byDensity() && !multiplier.empty())
       compressed_.push(1, multiplier, right.data());  // -N λ, in the densities' rows
-    for (Index i = 0; i < right.rows(); ++i)
-      right(i, 0) = i >= displacements() && i < compressed_.first ? -right(i, 0) : 0;
+    right = densitiesOf(right);
+    for (Index i = range_.densities; i < range_.last; ++i)
+      right(i, 0) = -right(i, 0);
     const Matrix psi = densityFactor().solve(right);
-    return {psi.data() + displacements(), psi.data() + compressed_.first};
+    return {psi.data() + range_.densities, psi.data() + range_.last};
   }
 
   /// Z (u, ψ) for ψ that of u; the last one is kept, which several results ask for.
   const Matrix& imageOf(const Vector& u) const {
     if (u != imaged_) {
-      const Vector psi = densityOf(u, {});
-      Matrix x(operators_->size(), 1);
-      std::copy(u.begin(), u.end(), x.data());
-      std::copy(psi.begin(), psi.end(), x.data() + displacements());
-      image_ = operators_->times(x);
+      image_ = operators_->times(placed(u, densityOf(u, {})));
       imaged_ = u;
     }
     return image_;
   }
 
-  const bem::Space& space_;
   std::shared_ptr<const bem::CompressedOperators> operators_;
+  std::size_t body_;
+  const bem::CompressedOperators::Range& range_;
   Coupling coupling_;
   bem::LocalCompliance compliance_;
-  CompressedCoupling compressed_;
+  CompressedCoupling compressed_;  ///< the own multiplier's
   mutable std::unique_ptr<const bem::CompressedFactor> densityFactor_;
   mutable Vector imaged_;
   mutable Matrix image_;
@@ -256,41 +258,98 @@ std::string whyNotCompressed(const bem::Outline& outline,
   return "";
 }
 
-bem::SteklovPoincare makeCompressedStiffness(const bem::Space& space,
-                                             const MultiplierSpace& multiplier,
-                                             const Stabilization& stabilization,
-                                             const bem::Lame& lame, bem::Units units,
-                                             const bem::DenseAlgebra& algebra,
-                                             const bem::Compression& options) {
-  const std::string reason = whyNotCompressed(space.mesh().outline(), stabilization);
-  if (!reason.empty())
-    throw bem::InputError("the operators cannot be compressed: " + reason);
-  const Coupling coupling =
-      makeLocalCoupling(space, multiplier, stabilization, lame, units);
-  const bem::LocalCompliance compliance =
-      densityCompliance(space, multiplier, stabilization, lame, units);
-  const CompressedCoupling compressed = compressedCoupling(space, coupling, compliance);
+namespace {
+
+Numbering numberingOf(const std::vector<CompressedInput>& bodies) {
+  std::vector<Numbering::Count> counts;
+  for (const CompressedInput& body : bodies)
+    counts.push_back({body.multiplier.normals(), body.multiplier.size()});
+  return Numbering(counts);
+}
+
+}  // namespace
+
+CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bodies,
+                                          const Stabilization& stabilization,
+                                          bem::Units units) {
+  const Numbering numbering = numberingOf(bodies);
+  CompressedCoupling result;
+  result.multipliers = numbering.size();
+  std::vector<Index> starts;
+  for (const CompressedInput& body : bodies) {
+    starts.push_back(result.first);
+    result.first += body.space.displacements() + body.space.densities();
+  }
+  for (std::size_t a = 0; a < bodies.size(); ++a) {
+    const auto& [space, multiplier, lame, opposite] = bodies[a];
+    const auto numberOf = [&](Index i) { return numbering(a, i); };
+    addOwn(space, makeLocalCoupling(space, multiplier, stabilization, lame, units),
+           densityCompliance(space, multiplier, stabilization, lame, units), starts[a],
+           numberOf, result);
+    if (opposite == nullptr)
+      continue;
+    for (const int b : opposite->bodies()) {
+      const auto k = static_cast<std::size_t>(b);
+      for (const Coupling::Entry& entry : mortarCoupling(
+               space.mesh(), multiplier, *opposite, bodies[k].space, b))
+        result.entries.push_back(
+            {starts[k] + entry.row, numberOf(entry.column), entry.value});
+    }
+  }
+  return result;
+}
+
+std::vector<bem::SteklovPoincare> makeCompressedStiffness(
+    const std::vector<CompressedInput>& bodies, const Stabilization& stabilization,
+    bem::Units units, const bem::DenseAlgebra& algebra,
+    const bem::Compression& options) {
+  const CompressedCoupling coupling =
+      makeCompressedCoupling(bodies, stabilization, units);
   bem::LocalCoupling local;
-  local.elements = elementsOf(space, coupling);
-  for (const Coupling::Entry& entry : compressed.entries)
-    local.entries.push_back({entry.row, compressed.first + entry.column, entry.value});
-  for (const Coupling::Entry& entry : compressed.mass)
+  for (const Coupling::Entry& entry : coupling.entries)
+    local.entries.push_back({entry.row, coupling.first + entry.column, entry.value});
+  for (const Coupling::Entry& entry : coupling.mass)
     if (entry.row >= entry.column)
       local.entries.push_back(
-          {compressed.first + entry.row, compressed.first + entry.column, -entry.value});
-  for (std::size_t k = 0; k < compliance.densities.size(); ++k) {
-    const Index i = space.displacements() + compliance.densities[k];
-    local.entries.push_back({i, i, -compliance.diagonal[k]});
+          {coupling.first + entry.row, coupling.first + entry.column, -entry.value});
+  const Numbering numbering = numberingOf(bodies);
+  local.elements.resize(at(coupling.multipliers));
+  local.bodies.resize(at(coupling.multipliers));
+  std::vector<bem::CompressedOperators::Body> operands;
+  Index first = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto& [space, multiplier, lame, opposite] = bodies[b];
+    const std::string reason = whyNotCompressed(space.mesh().outline(), stabilization);
+    if (!reason.empty())
+      throw bem::InputError("the operators cannot be compressed: " + reason);
+    operands.push_back({space, lame});
+    const std::vector<int> elements = elementsOf(
+        space, makeLocalCoupling(space, multiplier, stabilization, lame, units));
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const Index k = numbering(b, static_cast<Index>(i));
+      local.elements[at(k)] = elements[i];
+      local.bodies[at(k)] = static_cast<int>(b);
+    }
+    const bem::LocalCompliance compliance =
+        densityCompliance(space, multiplier, stabilization, lame, units);
+    for (std::size_t k = 0; k < compliance.densities.size(); ++k) {
+      const Index i = first + space.displacements() + compliance.densities[k];
+      local.entries.push_back({i, i, -compliance.diagonal[k]});
+    }
+    first += space.displacements() + space.densities();
   }
-  return bem::SteklovPoincare(
-      std::make_shared<const bem::CompressedOperators>(space, lame, options, local),
-      algebra);
+  const auto operators =
+      std::make_shared<const bem::CompressedOperators>(operands, options, local);
+  std::vector<bem::SteklovPoincare> result;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    result.emplace_back(operators, algebra, b);
+  return result;
 }
 
 std::unique_ptr<const StabilisedBody> makeCompressedBody(
     const ContactProblem::Input& input, const MultiplierSpace& multiplier) {
   return std::make_unique<const CompressedBody>(
-      input.space, input.stiffness.compressed(),
+      input.space, input.stiffness.compressed(), input.stiffness.compressedBody(),
       makeLocalCoupling(input.space, multiplier, input.stabilization, input.lame,
                         input.units),
       densityCompliance(input.space, multiplier, input.stabilization, input.lame,

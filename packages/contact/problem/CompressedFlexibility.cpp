@@ -34,8 +34,19 @@ struct MotionTerms {
 
 class CompressedFlexibility final : public Flexibility::Operator {
  public:
-  explicit CompressedFlexibility(std::shared_ptr<const CompressedHolding> held)
-      : held_(std::move(held)) {
+  CompressedFlexibility(CompressedCoupling coupling,
+                        std::vector<std::shared_ptr<const CompressedHolding>> bodies)
+      : coupling_(std::move(coupling)), bodies_(std::move(bodies)) {
+    // what one body asks for or leaves free
+    for (const auto& body : bodies_) {
+      const bem::Restriction& own = body->restriction();
+      if (restriction_.held.empty())
+        restriction_.held = own.held;
+      for (std::size_t i = 0; i < own.held.size(); ++i)
+        restriction_.held[i] = static_cast<char>(restriction_.held[i] & own.held[i]);
+      restriction_.springs.insert(restriction_.springs.end(), own.springs.begin(),
+                                  own.springs.end());
+    }
     makeMotionTerms();
     measureRows();
   }
@@ -91,25 +102,33 @@ class CompressedFlexibility final : public Flexibility::Operator {
 
   std::unique_ptr<Factor> factor(const System& system) const override;
 
-  const CompressedCoupling& coupling() const { return held_->coupling(); }
-  const CompressedHolding& held() const { return *held_; }
+  const CompressedCoupling& coupling() const { return coupling_; }
+  const bem::CompressedOperators& operators() const {
+    return bodies_.front()->operators();
+  }
+  /// Of all bodies, every multiplier held.
+  const bem::Restriction& restriction() const { return restriction_; }
   const MotionTerms& motionTerms() const { return motions_; }
 
  private:
   friend class ReducedFlexibility;
 
   Matrix timesColumns(const Matrix& x, int steps) const {
-    Matrix forces(held_->operators().size(), x.columns());
+    Matrix forces(operators().size(), x.columns());
     for (Index j = 0; j < x.columns(); ++j)
       coupling().push(1, {x.column(j), x.column(j) + size()}, forces.column(j));
-    const Matrix moved = held_->displaced(std::move(forces), steps);
     Matrix result(size(), x.columns());
-    for (Index j = 0; j < x.columns(); ++j) {
-      const Vector pulled = coupling().pull(moved.column(j));
-      std::copy(pulled.begin(), pulled.end(), result.column(j));
+    for (const auto& body : bodies_) {
+      const Matrix moved = body->displaced(forces.copy(), steps);
+      for (Index j = 0; j < x.columns(); ++j) {
+        const Vector pulled = coupling().pull(moved.column(j));
+        for (Index i = 0; i < size(); ++i)
+          result(i, j) += pulled[at(i)];
+      }
+    }
+    for (Index j = 0; j < x.columns(); ++j)
       for (const Coupling::Entry& entry : coupling().mass)
         result(entry.row, j) += entry.value * x(entry.column, j);
-    }
     return result;
   }
 
@@ -147,21 +166,15 @@ class CompressedFlexibility final : public Flexibility::Operator {
 
   void makeMotionTerms();
 
-  std::shared_ptr<const CompressedHolding> held_;
+  CompressedCoupling coupling_;
+  std::vector<std::shared_ptr<const CompressedHolding>> bodies_;
+  bem::Restriction restriction_;
   MotionTerms motions_;
   Vector rowSums_;
   mutable Matrix entries_;
   /// Kept from step to step, so that only what changes is eliminated anew.
   mutable std::unique_ptr<bem::CompressedFactor> reduced_;
 };
-
-Matrix functionalsOf(const CompressedHolding& held) {
-  const Matrix& c = held.rigid().functionals;
-  Matrix forces(held.operators().size(), c.columns());
-  for (Index k = 0; k < c.columns(); ++k)
-    std::copy_n(c.column(k), c.rows(), forces.column(k));
-  return forces;
-}
 
 /// Some of the multiplier's coefficients in the tree.
 class ReducedFlexibility final : public Flexibility::Operator::Factor {
@@ -171,8 +184,7 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
   ReducedFlexibility(const CompressedFlexibility& whole, bem::CompressedFactor& factor,
                      System system)
       : whole_(whole), factor_(factor), system_(std::move(system)) {
-    const CompressedHolding& held = whole.held();
-    bem::Restriction restriction = held.restriction();
+    bem::Restriction restriction = whole.restriction();
     const Index first = whole.coupling().first;
     for (std::size_t k = 0; k < system_.rows.size(); ++k) {
       restriction.held[at(first + system_.rows[k])] = 0;
@@ -235,7 +247,7 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
   // Z y + Ĉᵀ x = 0,  Ĉ y - M x - shift x = -b  in the rows, with the known coefficients in x
   Vector solveSprung(const Vector& b, const Vector& known) const {
     const CompressedCoupling& coupling = whole_.coupling();
-    Matrix right(whole_.held().operators().size(), 1);
+    Matrix right(whole_.operators().size(), 1);
     coupling.push(-1, known, right.column(0));
     for (const Coupling::Entry& entry : coupling.mass)
       right(coupling.first + entry.row, 0) += entry.value * known[at(entry.column)];
@@ -292,26 +304,34 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
 };
 
 void CompressedFlexibility::makeMotionTerms() {
-  const RigidConstraints& rigid = held_->rigid();
-  const Index r = rigid.allowed.columns();
+  Index r = 0;
+  for (const auto& body : bodies_)
+    r += body->motions();
   if (r == 0)
     return;
   motions_.u = Matrix(size(), 2 * r);
   motions_.inverse = Matrix(2 * r, 2 * r);
-  const Matrix forces = functionalsOf(*held_);
-  const Matrix answers =
-      bem::CompressedFactor(held_->operators(), held_->restriction()).solve(forces);
-  for (Index k = 0; k < r; ++k) {
-    Matrix motion(held_->operators().size(), 1);
-    std::copy_n(rigid.allowed.column(k), rigid.allowed.rows(), motion.data());
-    const Vector g = coupling().pull(motion.data());
-    const Vector w = coupling().pull(answers.column(k));
-    std::copy(g.begin(), g.end(), motions_.u.column(k));
-    std::copy(w.begin(), w.end(), motions_.u.column(r + k));
-    motions_.inverse(k, r + k) = motions_.inverse(r + k, k) = -1;
-    for (Index l = 0; l < r; ++l)
-      for (Index i = 0; i < forces.rows(); ++i)
-        motions_.inverse(r + l, r + k) -= forces(i, l) * answers(i, k);
+  Index first = 0;  // of the body's
+  for (const auto& body : bodies_) {
+    const Index count = body->motions();
+    Matrix forces(operators().size(), count);
+    for (Index k = 0; k < count; ++k) {
+      const Vector c = body->functional(k);
+      std::copy(c.begin(), c.end(), forces.column(k));
+    }
+    const Matrix answers = body->factor().solve(forces);
+    for (Index k = 0; k < count; ++k) {
+      const Vector g = coupling().pull(body->motion(k).data());
+      const Vector w = coupling().pull(answers.column(k));
+      std::copy(g.begin(), g.end(), motions_.u.column(first + k));
+      std::copy(w.begin(), w.end(), motions_.u.column(r + first + k));
+      motions_.inverse(first + k, r + first + k) = -1;
+      motions_.inverse(r + first + k, first + k) = -1;
+      for (Index l = 0; l < count; ++l)
+        for (Index i = 0; i < forces.rows(); ++i)
+          motions_.inverse(r + first + l, r + first + k) -= forces(i, l) * answers(i, k);
+    }
+    first += count;
   }
 }
 
@@ -319,7 +339,7 @@ std::unique_ptr<Flexibility::Operator::Factor> CompressedFlexibility::factor(
     const System& system) const {
   if (reduced_ == nullptr)
     reduced_ =
-        std::make_unique<bem::CompressedFactor>(held_->operators(), held_->restriction());
+        std::make_unique<bem::CompressedFactor>(operators(), restriction_);
   return std::make_unique<ReducedFlexibility>(*this, *reduced_, system);
 }
 
@@ -338,15 +358,21 @@ Vector CompressedCoupling::pull(const double* x) const {
 }
 
 CompressedHolding::CompressedHolding(const bem::CompressedOperators& operators,
-                                     const CompressedCoupling& coupling,
-                                     const Holding& holding)
-    : operators_(operators), coupling_(coupling), holding_(holding) {
-  restriction_.held.assign(at(operators.size()), 0);
+                                     std::size_t body, const Holding& holding)
+    : operators_(operators), holding_(holding), range_(operators.range(body)) {
+  restriction_.held.assign(at(operators.size()), 1);
+  const auto held = restriction_.held.begin();
+  std::fill(held + range_.densities, held + range_.last, 0);
   std::copy(holding.loads.clamped.begin(), holding.loads.clamped.end(),
-            restriction_.held.begin());
-  std::fill(restriction_.held.begin() + coupling.first, restriction_.held.end(), 1);
+            held + range_.first);
   addSprings();
   factor_ = std::make_unique<const bem::CompressedFactor>(operators, restriction_);
+}
+
+Vector CompressedHolding::placed(const Matrix& columns, Index k) const {
+  Vector result(at(operators_.size()));
+  std::copy_n(columns.column(k), columns.rows(), result.begin() + range_.first);
+  return result;
 }
 
 // One for each motion that clamps leave, where it moves most against those before: pivots
@@ -364,7 +390,7 @@ void CompressedHolding::addSprings() {
         }
     for (Index i = 0; i < motions.rows(); ++i)
       std::swap(motions(i, k), motions(i, column));
-    restriction_.springs.push_back({row, 1.0});
+    restriction_.springs.push_back({range_.first + row, range_.young});
     for (Index l = k + 1; l < motions.columns(); ++l) {
       const double factor = motions(row, l) / motions(row, k);
       for (Index i = 0; i < motions.rows(); ++i)
@@ -382,9 +408,9 @@ Matrix CompressedHolding::displaced(Matrix forces, int steps) const {
       for (Index k = 0; k < taken.columns(); ++k) {
         double sum = 0;
         for (Index i = 0; i < seen.rows(); ++i)
-          sum += seen(i, k) * x(i, j);
+          sum += seen(i, k) * x(range_.first + i, j);
         for (Index i = 0; i < taken.rows(); ++i)
-          x(i, j) -= sum * taken(i, k);
+          x(range_.first + i, j) -= sum * taken(i, k);
       }
   };
   subtract(rigid.allowed, rigid.functionals, forces);
@@ -394,8 +420,10 @@ Matrix CompressedHolding::displaced(Matrix forces, int steps) const {
 }
 
 std::shared_ptr<const Flexibility::Operator> compressedFlexibility(
-    std::shared_ptr<const CompressedHolding> held) {
-  return std::make_shared<const CompressedFlexibility>(std::move(held));
+    CompressedCoupling coupling,
+    std::vector<std::shared_ptr<const CompressedHolding>> bodies) {
+  return std::make_shared<const CompressedFlexibility>(std::move(coupling),
+                                                       std::move(bodies));
 }
 
 }  // namespace epafi::contact

@@ -2,6 +2,7 @@
 
 #include "bem/quadrature/Gauss.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace epafi::contact {
@@ -19,12 +20,12 @@ struct Acting {
 
 class Writer {
  public:
-  Writer(const bem::Space& met, bem::Rows mine, Matrix& coupling)
-      : met_(met), mine_(mine), coupling_(coupling) {}
+  Writer(const bem::Space& met, std::vector<Coupling::Entry>& entries)
+      : met_(met), entries_(entries) {}
 
   /// Adds - weight χ(t) d · φ(P t).
   void add(const ContactElement& contact, const Vector& chi, const Acting& acting,
-           const Opposite::Point& point, double weight) const {
+           const Opposite::Point& point, double weight) {
     const int degree = met_.mesh()[point.element].degree;
     std::array<double, bem::largestDegree + 1> phi{};
     bem::DisplacementBasis::values(degree, point.t, phi.data());
@@ -32,29 +33,42 @@ class Writer {
     for (int k = 0; k <= degree; ++k)
       for (int c = 0; c < 2; ++c) {
         const Index row = met_.displacement(point.element, k, c);
-        if (!mine_.contain(row))
-          continue;
         for (int i = 0; i <= contact.degree; ++i)
-          coupling_(row - mine_.begin, (contact.*acting.number)(i)) -=
-              weight * components[c] * chi[static_cast<std::size_t>(i)] *
-              phi[static_cast<std::size_t>(k)];
+          entries_.push_back({row, (contact.*acting.number)(i),
+                              -weight * components[c] *
+                                  chi[static_cast<std::size_t>(i)] *
+                                  phi[static_cast<std::size_t>(k)]});
       }
   }
 
  private:
   const bem::Space& met_;
-  bem::Rows mine_;
-  Matrix& coupling_;
+  std::vector<Coupling::Entry>& entries_;
 };
+
+/// Each place once.
+std::vector<Coupling::Entry> summed(std::vector<Coupling::Entry> entries) {
+  std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
+    return a.column != b.column ? a.column < b.column : a.row < b.row;
+  });
+  std::vector<Coupling::Entry> result;
+  for (const Coupling::Entry& entry : entries)
+    if (!result.empty() && result.back().row == entry.row &&
+        result.back().column == entry.column)
+      result.back().value += entry.value;
+    else
+      result.push_back(entry);
+  return result;
+}
 
 }  // namespace
 
-Matrix mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
-                      const Opposite& opposite, const bem::Space& met,
-                      const bem::DenseAlgebra& algebra, int body) {
-  const bem::Rows mine = algebra.myRows(met.displacements());
-  Matrix coupling(mine.size(), multiplier.size());
-  const Writer writer(met, mine, coupling);
+std::vector<Coupling::Entry> mortarCoupling(const bem::Mesh& side,
+                                            const MultiplierSpace& multiplier,
+                                            const Opposite& opposite,
+                                            const bem::Space& met, int body) {
+  std::vector<Coupling::Entry> coupling;
+  Writer writer(met, coupling);
   for (const ContactElement& contact : multiplier.elements()) {
     const bem::Element& element = side[contact.element];
     for (const auto& [middle, half] : stretches(opposite, contact)) {
@@ -78,7 +92,7 @@ Matrix mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
       }
     }
   }
-  return coupling;
+  return summed(std::move(coupling));
 }
 
 }  // namespace epafi::contact

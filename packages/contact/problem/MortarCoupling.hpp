@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/DenseAlgebra.hpp"
+#include "contact/problem/Coupling.hpp"
 #include "contact/problem/Opposite.hpp"
 
 namespace epafi::contact {
@@ -9,11 +9,12 @@ namespace epafi::contact {
 ///
 ///   C_ij = - ∫ χ_i d_i · φ_j∘P ds,   d_i: n or t of the side, P: Opposite::at,
 ///
-/// my rows of the displacements of B, the body of this number.  One rule for both sides of what it couples,
+/// displacements of B, the body of this number, by multipliers.  One rule for both sides of what it couples,
 /// exact for polynomials where P is linear between its breaks, so that actio is reactio.
 /// Both bodies count in the same lengths and stresses.
-Matrix mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
-                      const Opposite& opposite, const bem::Space& met,
-                      const bem::DenseAlgebra& algebra, int body = 0);
+std::vector<Coupling::Entry> mortarCoupling(const bem::Mesh& side,
+                                            const MultiplierSpace& multiplier,
+                                            const Opposite& opposite,
+                                            const bem::Space& met, int body = 0);
 
 }  // namespace epafi::contact
