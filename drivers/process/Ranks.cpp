@@ -92,7 +92,8 @@ bem::Failure Ranks::agree(const bem::Failure& mine) const {
 }
 
 void tell(const bem::Failure& failure) {
-  std::cerr << "epafi: " << failure.message << std::endl;
+  // in one piece, or mpirun's own words fall between
+  std::cerr << "epafi: " + failure.message + "\n" << std::flush;
 }
 
 bem::Vector largestOverRanks(const bem::DenseAlgebra& algebra, const bem::Vector& mine) {

@@ -4,6 +4,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <memory>
 #include <muParser.h>
@@ -29,7 +30,7 @@ std::size_t loneEqualSign(const std::string& text) {
   return std::string::npos;
 }
 
-const double pi = std::acos(-1.0);
+constexpr double pi = boost::math::constants::pi<double>();
 
 /// What an expression may be made of.
 enum class Form { Constant, OfTime, OfPoint };

@@ -2,15 +2,14 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/geometry/Crossing.hpp"
+#include "drivers/scene/GmshMesh.hpp"
 
 #include <algorithm>
-#include <charconv>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <map>
 #include <set>
-#include <sstream>
 
 namespace epafi::drivers {
 
@@ -20,7 +19,7 @@ using bem::InputError;
 using bem::Loop;
 using bem::message;
 using bem::Vec2;
-using Tag = long;
+using Tag = GmshTag;
 
 /// Two lines whose directions differ by less (in radians) are one edge.
 constexpr double straight = 1e-9;
@@ -29,309 +28,12 @@ constexpr double straight = 1e-9;
 /// smaller share are parts of one circle: coordinates of 7 digits say no more.
 constexpr double oneCircle = 1e-6;
 
-/// A file line by line, with numbers and quoted names.
-class Lines {
- public:
-  explicit Lines(const std::string& text) : stream_(text) {}
-
-  /// False at the end of the file.
-  bool next() {
-    std::string line;
-    do {
-      if (!std::getline(stream_, line))
-        return false;
-      ++number_;
-      while (!line.empty() && (line.back() == '\r' || line.back() == ' '))
-        line.pop_back();
-    } while (line.empty());
-    words_.clear();
-    split(line);
-    at_ = 0;
-    return true;
-  }
-
-  /// The next line, which must be there.
-  void need(const char* what) {
-    if (!next())
-      throw InputError(
-          message("line ", number_, ": the file ends where ", what, " should follow"));
-  }
-
-  const std::string& word(const char* what) {
-    if (at_ == words_.size())
-      fail(message("the line ends where ", what, " should follow"));
-    return words_[at_++];
-  }
-
-  Tag whole(const char* what) {
-    const std::string& text = word(what);
-    Tag value = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || stop != end)
-      fail(message("'", text, "' is not a whole number; ", what, " is expected"));
-    return value;
-  }
-
-  /// A number that counts what follows.
-  Tag count(const char* what) {
-    const Tag value = whole(what);
-    if (value < 0)
-      fail(message(what, " is ", value));
-    return value;
-  }
-
-  double real(const char* what) {
-    const std::string& text = word(what);
-    char* end = nullptr;
-    const double value = std::strtod(text.c_str(), &end);
-    if (end != text.c_str() + text.size() || !std::isfinite(value))
-      fail(message("'", text, "' is not a finite number; ", what, " is expected"));
-    return value;
-  }
-
-  bool is(const char* keyword) const {
-    return words_.size() == 1 && words_.front() == keyword;
-  }
-  int number() const { return number_; }
-
-  [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(message("line ", number_, ": ", what));
-  }
-
- private:
-  void split(const std::string& line) {
-    for (std::size_t i = 0; i < line.size();) {
-      if (line[i] == ' ' || line[i] == '\t') {
-        ++i;
-        continue;
-      }
-      const bool quoted = line[i] == '"';
-      const std::size_t start = quoted ? i + 1 : i;
-      const std::size_t end = line.find_first_of(quoted ? "\"" : " \t", start);
-      if (quoted && end == std::string::npos)
-        fail("a quoted name has no end");
-      words_.push_back(line.substr(start, std::min(end, line.size()) - start));
-      i = end == std::string::npos ? line.size() : end + (quoted ? 1 : 0);
-    }
-  }
-
-  std::istringstream stream_;
-  std::vector<std::string> words_;
-  std::size_t at_ = 0;
-  int number_ = 0;
-};
-
-struct Node {
-  Vec2 place;
-  double z = 0;
-};
-
-struct Line {
-  Tag from = 0;
-  Tag to = 0;
-  Tag middle = 0;  ///< of a line of second order, else 0
-  Tag group = 0;
-  int fileLine = 0;
-};
-
-/// What is needed of a .msh file.
-struct MeshFile {
-  std::map<Tag, std::string> names;        // of the physical curves
-  std::map<Tag, std::vector<Tag>> groups;  // of the curves, format 4.1
-  std::map<Tag, Node> nodes;
-  std::vector<Line> lines;
-};
-
-enum class Format { V2, V4 };
-
-Format readFormat(Lines& lines) {
-  lines.need("the format");
-  const std::string version = lines.word("the format's version");
-  const Tag type = lines.whole("the file type");
-  if (type != 0)
-    lines.fail("the mesh is binary; write it as ASCII (Mesh.Binary = 0)");
-  if (version == "2.2" || version == "2.1" || version == "2")
-    return Format::V2;
-  if (version == "4.1")
-    return Format::V4;
-  lines.fail(message("format ", version, " is not read; write 2.2 or 4.1 ",
-                     "(Mesh.MshFileVersion = 4.1)"));
-}
-
-void readNames(Lines& lines, MeshFile& mesh) {
-  lines.need("the number of physical names");
-  for (Tag n = lines.count("the number of physical names"); n > 0; --n) {
-    lines.need("a physical name");
-    const Tag dimension = lines.whole("a dimension");
-    const Tag tag = lines.whole("a physical tag");
-    const std::string name = lines.word("a physical name");
-    if (dimension == 1)
-      mesh.names[tag] = name;
-  }
-}
-
-/// Gmsh marks curves that run backwards by a minus.
-Tag physical(Lines& lines) {
-  const Tag tag = lines.whole("a physical tag");
-  return tag < 0 && tag != std::numeric_limits<Tag>::min() ? -tag : tag;
-}
-
-/// Points, then curves; the rest of the section is skipped.
-void readEntities(Lines& lines, MeshFile& mesh) {
-  lines.need("the numbers of entities");
-  const Tag points = lines.count("the number of points");
-  const Tag curves = lines.count("the number of curves");
-  for (Tag n = 0; n < points; ++n)
-    lines.need("a point");
-  for (Tag n = 0; n < curves; ++n) {
-    lines.need("a curve");
-    const Tag tag = lines.whole("a curve's tag");
-    for (int i = 0; i < 6; ++i)
-      lines.real("a bounding box");
-    for (Tag g = lines.count("the number of physical tags"); g > 0; --g)
-      mesh.groups[tag].push_back(physical(lines));
-  }
-}
-
-void addNode(Lines& lines, MeshFile& mesh, Tag tag) {
-  const double x = lines.real("x");
-  const double y = lines.real("y");
-  const double z = lines.real("z");
-  if (!mesh.nodes.insert({tag, {{x, y}, z}}).second)
-    lines.fail(message("node ", tag, " is given twice"));
-}
-
-void readNodes2(Lines& lines, MeshFile& mesh) {
-  lines.need("the number of nodes");
-  for (Tag n = lines.count("the number of nodes"); n > 0; --n) {
-    lines.need("a node");
-    const Tag tag = lines.whole("a node's tag");
-    addNode(lines, mesh, tag);
-  }
-}
-
-void readNodes4(Lines& lines, MeshFile& mesh) {
-  lines.need("the numbers of nodes");
-  for (Tag blocks = lines.count("the number of blocks"); blocks > 0; --blocks) {
-    lines.need("a block of nodes");
-    lines.whole("a dimension");
-    lines.whole("an entity's tag");
-    lines.whole("'parametric'");
-    const Tag count = lines.count("the number of nodes");
-    std::vector<Tag> tags;
-    for (Tag n = 0; n < count; ++n) {
-      lines.need("a node's tag");
-      tags.push_back(lines.whole("a node's tag"));
-    }
-    for (const Tag tag : tags) {
-      lines.need("a node");
-      addNode(lines, mesh, tag);
-    }
-  }
-}
-
-constexpr Tag secondOrder = 8;
-
-bool isOfHigherOrder(Tag type) {
-  return (26 <= type && type <= 28) || (62 <= type && type <= 66);
-}
-
-/// The nodes of an element's line, if it is a line.
-void addLine(Lines& lines, MeshFile& mesh, Tag type, Tag group) {
-  constexpr Tag segment = 1;
-  if (isOfHigherOrder(type))
-    lines.fail(
-        "a line element of third or higher order; write straight ones or arcs "
-        "(Mesh.ElementOrder = 1 or 2)");
-  if ((type != segment && type != secondOrder) || group == 0)
-    return;
-  Line line;
-  line.from = lines.whole("a node's tag");
-  line.to = lines.whole("a node's tag");
-  if (type == secondOrder)
-    line.middle = lines.whole("a node's tag");
-  line.group = group;
-  line.fileLine = lines.number();
-  mesh.lines.push_back(line);
-}
-
-void readElements2(Lines& lines, MeshFile& mesh) {
-  lines.need("the number of elements");
-  for (Tag n = lines.count("the number of elements"); n > 0; --n) {
-    lines.need("an element");
-    lines.whole("an element's number");
-    const Tag type = lines.whole("an element's type");
-    const Tag tags = lines.count("the number of tags");
-    const Tag group = tags > 0 ? physical(lines) : 0;
-    for (Tag t = 1; t < tags; ++t)
-      lines.whole("a tag");
-    addLine(lines, mesh, type, group);
-  }
-}
-
-Tag groupOf(const Lines& lines, const MeshFile& mesh, Tag curve) {
-  const auto found = mesh.groups.find(curve);
-  if (found == mesh.groups.end() || found->second.empty())
-    return 0;
-  if (found->second.size() > 1)
-    lines.fail(message("curve ", curve, " belongs to ", found->second.size(),
-                       " physical groups; an edge has one name"));
-  return found->second.front();
-}
-
-void readElements4(Lines& lines, MeshFile& mesh) {
-  lines.need("the numbers of elements");
-  for (Tag blocks = lines.count("the number of blocks"); blocks > 0; --blocks) {
-    lines.need("a block of elements");
-    const Tag dimension = lines.whole("a dimension");
-    const Tag entity = lines.whole("an entity's tag");
-    const Tag type = lines.whole("an element's type");
-    const Tag count = lines.count("the number of elements");
-    const Tag group = dimension == 1 ? groupOf(lines, mesh, entity) : 0;
-    for (Tag n = 0; n < count; ++n) {
-      lines.need("an element");
-      lines.whole("an element's number");
-      addLine(lines, mesh, type, group);
-    }
-  }
-}
-
-MeshFile readFile(const std::string& text) {
-  Lines lines(text);
-  MeshFile mesh;
-  if (!lines.next() || !lines.is("$MeshFormat"))
-    throw InputError("line 1: $MeshFormat is missing; this is no Gmsh mesh");
-  const Format format = readFormat(lines);
-  const bool four = format == Format::V4;
-  bool elements = false;
-  while (lines.next()) {
-    if (lines.is("$PhysicalNames"))
-      readNames(lines, mesh);
-    else if (lines.is("$Entities") && four)
-      readEntities(lines, mesh);
-    else if (lines.is("$Nodes"))
-      four ? readNodes4(lines, mesh) : readNodes2(lines, mesh);
-    else if (lines.is("$Elements")) {
-      four ? readElements4(lines, mesh) : readElements2(lines, mesh);
-      elements = true;
-    }
-  }
-  if (!elements)
-    throw InputError(message("line ", lines.number(), ": the file has no $Elements"));
-  if (mesh.lines.empty())
-    throw InputError(
-        "no line element belongs to a physical group; name the boundary's curves "
-        "(Physical Curve(\"name\") = {...};)");
-  return mesh;
-}
-
 /// The lines at every node; exactly two where the mesh is an outline.
-std::map<Tag, std::vector<std::size_t>> incidence(const MeshFile& mesh) {
+std::map<Tag, std::vector<std::size_t>> incidence(const GmshMesh& mesh) {
   std::map<Tag, std::vector<std::size_t>> result;
   std::set<std::pair<std::pair<Tag, Tag>, Tag>> pairs;
   for (std::size_t i = 0; i < mesh.lines.size(); ++i) {
-    const Line& line = mesh.lines[i];
+    const GmshLine& line = mesh.lines[i];
     const std::string where = message("line ", line.fileLine, ": ");
     for (const Tag node : {line.from, line.to, line.middle})
       if (mesh.nodes.count(node) == 0 && (node != line.middle || node != 0))
@@ -358,16 +60,16 @@ std::map<Tag, std::vector<std::size_t>> incidence(const MeshFile& mesh) {
   return result;
 }
 
-void checkPlane(const MeshFile& mesh) {
+void checkPlane(const GmshMesh& mesh) {
   double least = 0;
   double most = 0;
   double size = 0;
   bool first = true;
-  for (const Line& line : mesh.lines)
+  for (const GmshLine& line : mesh.lines)
     for (const Tag tag : {line.from, line.to, line.middle}) {
       if (tag == 0 && tag == line.middle)
         continue;
-      const Node& node = mesh.nodes.at(tag);
+      const GmshNode& node = mesh.nodes.at(tag);
       least = first ? node.z : std::min(least, node.z);
       most = first ? node.z : std::max(most, node.z);
       size = std::max({size, std::abs(node.place.x), std::abs(node.place.y)});
@@ -378,7 +80,7 @@ void checkPlane(const MeshFile& mesh) {
         "the outline is not in a plane of constant z: from z = ", least, " to ", most));
 }
 
-std::string nameOf(const MeshFile& mesh, Tag group) {
+std::string nameOf(const GmshMesh& mesh, Tag group) {
   const auto name = mesh.names.find(group);
   return name == mesh.names.end() ? std::to_string(group) : name->second;
 }
@@ -400,7 +102,7 @@ double bulgeThrough(Vec2 from, Vec2 middle, Vec2 to, const std::string& where) {
   return std::abs(turn) < straight ? 0 : std::tan(0.5 * turn);
 }
 
-double bulgeOf(const MeshFile& mesh, const Line& line, Tag from) {
+double bulgeOf(const GmshMesh& mesh, const GmshLine& line, Tag from) {
   if (line.middle == 0)
     return 0;
   const Vec2 a = mesh.nodes.at(line.from).place;
@@ -465,7 +167,7 @@ Loop merged(const Loop& loop, const std::vector<Tag>& tags) {
       corners.empty() ? static_cast<std::size_t>(
                             std::min_element(tags.begin(), tags.end()) - tags.begin())
                       : *first;
-  constexpr double halfACircle = 3.1415926535897932 * (1 + 1e-6);
+  constexpr double halfACircle = boost::math::constants::pi<double>() * (1 + 1e-6);
   Loop result;
   double angle = 0;  // of the last edge
   for (std::size_t k = 0; k < n; ++k) {
@@ -486,7 +188,7 @@ Loop merged(const Loop& loop, const std::vector<Tag>& tags) {
   return result;
 }
 
-std::vector<Loop> chain(const MeshFile& mesh) {
+std::vector<Loop> chain(const GmshMesh& mesh) {
   const auto touching = incidence(mesh);
   std::vector<bool> used(mesh.lines.size(), false);
   std::vector<Loop> loops;
@@ -517,7 +219,7 @@ std::vector<Loop> chain(const MeshFile& mesh) {
 }  // namespace
 
 Loops readGmsh(const std::string& text) {
-  const MeshFile mesh = readFile(text);
+  const GmshMesh mesh = readGmshMesh(text);
   std::vector<Loop> loops = chain(mesh);
   checkPlane(mesh);
   for (const Loop& loop : loops)

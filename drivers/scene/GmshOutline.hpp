@@ -1,17 +1,10 @@
 #pragma once
 
-#include "bem/geometry/Outline.hpp"
+#include "drivers/scene/Loops.hpp"
 
 #include <string>
-#include <vector>
 
 namespace epafi::drivers {
-
-/// The loops of an outline, all counter-clockwise as Outline wants them.
-struct Loops {
-  bem::Loop outer;
-  std::vector<bem::Loop> holes;
-};
 
 /// The outline in a Gmsh mesh (.msh, ASCII, format 2.2 or 4.1).
 ///
@@ -19,11 +12,12 @@ struct Loops {
 /// number where it has none) is the boundary's name.  Lines of second order are the circular
 /// arcs through their three nodes.  They must chain into closed loops; the one with the
 /// largest area is the outer polygon.  Neighbouring lines of one name on one straight line
-/// become one edge, those on one circle too, up to half of it.  A loop starts at its corner with the smallest node
-/// number, which is the geometry's first point.  Other elements are skipped.
-/// \throws bem::InputError naming the line of the file for what is not a mesh, or a mesh that
-///   is no outline: lines of third or higher order, open chains, forks, a mesh that is not in a plane
-///   of constant z.
+/// become one edge, those on one circle too, up to half of it.  A loop starts at its corner
+/// with the smallest node number, which is the geometry's first point.  Other elements are
+/// skipped.
+/// \throws bem::InputError naming the line of the file for what is not a mesh, or a mesh
+///   that is no outline: lines of third or higher order, open chains, forks, a mesh that is
+///   not in a plane of constant z.
 Loops readGmsh(const std::string& text);
 
 }  // namespace epafi::drivers

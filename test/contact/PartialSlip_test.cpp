@@ -91,8 +91,8 @@ struct Manufactured {
   }
 
   contact::Conditions conditions(Law law) const {
-    const auto friction = [law](const bem::Function& field) {
-      return contact::makeFriction(law == Law::Tresca ? "Tresca" : "Coulomb", {field});
+    const auto friction = [law](const bem::Function& f) {
+      return contact::makeFriction(law == Law::Tresca ? "Tresca" : "Coulomb", {f});
     };
     contact::Conditions result;
     const auto gap = [=, *this](Vec2 normal) {

@@ -5,6 +5,7 @@
 #include "bem/moments/FarOrder.hpp"
 #include "bem/simd/Dispatch.hpp"
 
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <map>
 
@@ -71,7 +72,7 @@ ProxyRows::ProxyRows(const Space& space, const Lame& lame,
 
 Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
                              const std::vector<Index>& columns, InstructionSet set) {
-  constexpr double pi = 3.14159265358979323846;
+  constexpr double pi = boost::math::constants::pi<double>();
   const double radius = ratio_ * tree[cluster].radius;
   const int packs = points_ / lanes;
   std::vector<AlignedLane> x(static_cast<std::size_t>(packs));

@@ -1,13 +1,14 @@
 #include "bem/geometry/Crossing.hpp"
 
 #include <algorithm>
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 
 namespace epafi::bem {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
+constexpr double pi = boost::math::constants::pi<double>();
 
 bool properlyCross(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const auto opposite = [](double s, double t) {

@@ -3,6 +3,7 @@
 #include "bem/basis/Legendre.hpp"
 #include "bem/quadrature/Gauss.hpp"
 
+#include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <utility>
 
@@ -30,7 +31,7 @@ double lobattoCorrection(int degree, double t) {
 Vector lobattoPlaces(int degree) {
   if (degree == 0)
     return {0.0};
-  const double pi = std::acos(-1.0);
+  constexpr double pi = boost::math::constants::pi<double>();
   Vector places(static_cast<std::size_t>(degree + 1), 0.0);
   for (int i = 0; 2 * i < degree; ++i) {
     double t = -std::cos(pi * i / degree);

@@ -133,6 +133,13 @@ Index MultiplierSpace::ContactElement::offset(EndCoefficients ends, int i) const
   return std::clamp(i - skipped, 0, last);
 }
 
+std::vector<int> MultiplierSpace::meshElements() const {
+  std::vector<int> elements;
+  for (const ContactElement& element : elements_)
+    elements.push_back(element.element);
+  return elements;
+}
+
 MultiplierSpace MultiplierSpace::under(const Conditions& conditions) const {
   MultiplierSpace result = *this;
   for (ContactElement& element : result.elements_) {

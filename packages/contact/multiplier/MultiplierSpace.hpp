@@ -103,6 +103,8 @@ class MultiplierSpace {
 
   const MultiplierBasis& basis() const { return *basis_; }
   const std::vector<ContactElement>& elements() const { return elements_; }
+  /// Their indices in the mesh.
+  std::vector<int> meshElements() const;
   /// How many coefficients are pressures, which are the first ones.
   Index normals() const { return normals_; }
   Index size() const { return size_; }

@@ -169,11 +169,11 @@ void ContactModel::evalModelImpl(const Base::InArgs<double>& in,
     scatter(*space_, e.residual, 1 / stress_, 0, *f);
   if (const auto w = out.get_W_op(); !w.is_null())
     Teuchos::dyn_cast<ContactJacobian>(*w).set(point);
-  using Derivative =
+  using ByParameter =
       Vector (ProblemFamily::*)(const Equation&, const contact::Evaluation&) const;
-  constexpr Derivative derivatives[] = {&ProblemFamily::loadDerivative,
-                                        &ProblemFamily::frictionDerivative,
-                                        &ProblemFamily::incrementDerivative};
+  constexpr ByParameter derivatives[] = {&ProblemFamily::loadDerivative,
+                                         &ProblemFamily::frictionDerivative,
+                                         &ProblemFamily::incrementDerivative};
   for (int l = 0; l < parameters(); ++l)
     if (const auto dfdp = out.get_DfDp(l).getMultiVector(); !dfdp.is_null())
       scatter(*space_, ((*family_).*derivatives[l])(point->equation(), e), 1 / stress_, 0,

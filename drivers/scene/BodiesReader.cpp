@@ -1,0 +1,158 @@
+#include "drivers/scene/BodiesReader.hpp"
+
+#include "bem/base/Error.hpp"
+#include "bem/base/Parameters.hpp"
+#include "drivers/scene/ConditionsReader.hpp"
+#include "drivers/scene/Expression.hpp"
+#include "drivers/scene/GeometryReader.hpp"
+#include "drivers/scene/MeshReader.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::InputError;
+using bem::message;
+using Teuchos::ParameterList;
+
+bem::Material readMaterial(const ParameterList& list, const std::string& path) {
+  for (const char* key : {"Young's Modulus", "Poisson's Ratio"})
+    if (!list.isParameter(key))
+      throw InputError(message(path, "->", key,
+                               ": missing; every body that is not Rigid has "
+                               "one"));
+  bem::Material material;
+  material.youngsModulus = list.get<double>("Young's Modulus");
+  material.poissonsRatio = list.get<double>("Poisson's Ratio");
+  material.planeStress = list.get<std::string>("Plane State") == "Plane Stress";
+  return material;
+}
+
+void refuseMotion(const ParameterList& motion, const std::string& path) {
+  for (const auto& item : motion)
+    if (!item.second.isDefault())
+      throw InputError(message(path, "->Motion->", item.first,
+                               ": belongs to a body with Material->Rigid = true; others "
+                               "have Boundary Conditions and Rigid Motions"));
+}
+
+Body readBody(ParameterList& list, const std::string& name, const Scene& scene,
+              const Loops& loops, double length, const ParameterList& discretization) {
+  const std::string path = "Bodies->" + name;
+  Body body;
+  body.name = name;
+  body.material = readMaterial(list.sublist("Material"), path + "->Material");
+  refuseMotion(list.sublist("Motion"), path);
+  body.outline = makeOutline(loops, length, path + "->Geometry");
+  body.conditions =
+      readConditions(list, {scene.file, path}, *body.outline, {scene.constants});
+  readMesh(list.sublist("Mesh"), discretization, path, body);
+  return body;
+}
+
+void refuseElasticity(const ParameterList& list, const std::string& path) {
+  const auto refuse = [&](const std::string& key) {
+    throw InputError(message(path, "->", key,
+                             ": the body is rigid (Material->Rigid = true); "
+                             "it has Geometry and Motion alone"));
+  };
+  for (const char* key : {"Young's Modulus", "Poisson's Ratio"})
+    if (list.sublist("Material").isParameter(key))
+      refuse(std::string("Material->") + key);
+  for (const char* part : {"Boundary Conditions", "Mesh", "Rigid Motions"})
+    for (const auto& item : list.sublist(part))
+      if (!item.second.isDefault())
+        refuse(std::string(part) + "->" + item.first);
+}
+
+bem::Vec2 centroidOf(const bem::Outline& outline) {
+  bem::Vec2 sum;
+  double length = 0;
+  for (const bem::Edge& edge : outline.edges()) {
+    sum = sum + edge.curve.length() * edge.curve.centroid();
+    length += edge.curve.length();
+  }
+  return outline.physical((1 / length) * sum);
+}
+
+bem::Vec2 readPole(const ParameterList& motion, const std::string& path,
+                   const bem::Outline& outline) {
+  if (!motion.isParameter("Reference Point"))
+    return centroidOf(outline);
+  const auto& point = motion.get<Teuchos::Array<double>>("Reference Point");
+  if (point.size() != 2)
+    throw InputError(message(path, ": has ", point.size(), " numbers; a point has two"));
+  return {point[0], point[1]};
+}
+
+RigidBody readRigid(const ParameterList& list, const std::string& name,
+                    const Scene& scene, const Loops& loops) {
+  const std::string path = "Bodies->" + name;
+  refuseElasticity(list, path);
+  RigidBody body;
+  body.name = name;
+  body.outline = makeOutline(loops, 0, path + "->Geometry");
+  const ParameterList& motion = list.sublist("Motion");
+  body.pole = readPole(motion, path + "->Motion->Reference Point", *body.outline);
+  constexpr std::pair<const char*, const char*> keys[] = {{"Displacement X", "Force X"},
+                                                          {"Displacement Y", "Force Y"},
+                                                          {"Rotation", "Moment"}};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto& [moved, pushed] = keys[c];
+    const bool free = motion.isParameter(pushed);
+    if (free && motion.isParameter(moved))
+      throw InputError(message(path, "->Motion->", pushed, ": ", moved,
+                               " is given, too; a motion is prescribed, or free under a "
+                               "force, not both"));
+    const std::string key = free ? pushed : moved;
+    if (motion.isParameter(key))
+      body.components[c] = {free, [text = motion.get<std::string>(key),
+                                   place = Place{scene.file, path + "->Motion->" + key},
+                                   constants = scene.constants](double t) {
+                              return evaluateAt(t, text, place, constants);
+                            }};
+  }
+  return body;
+}
+
+bool isRigid(const ParameterList& body) {
+  return body.sublist("Material").get<bool>("Rigid");
+}
+
+}  // namespace
+
+void readBodies(ParameterList& list, const ParameterList& discretization, Scene& scene) {
+  std::vector<Loops> loops;
+  double length = 0;
+  for (const auto& item : list) {
+    const std::string path = "Bodies->" + item.first + "->Geometry";
+    loops.push_back(
+        readLoops(list.sublist(item.first).sublist("Geometry"), scene.file, path));
+    if (!isRigid(list.sublist(item.first)))
+      length = std::max(length, bem::scalingOf(loops.back().outer).length);
+  }
+  std::size_t b = 0;
+  for (const auto& item : list) {
+    ParameterList& body = list.sublist(item.first);
+    const Loops& own = loops[b++];
+    if (isRigid(body))
+      scene.rigid.push_back(readRigid(body, item.first, scene, own));
+    else
+      scene.bodies.push_back(
+          readBody(body, item.first, scene, own, length, discretization));
+  }
+  if (scene.bodies.empty())
+    throw InputError("Bodies: all bodies are rigid; at least one must be elastic");
+  scene.stress = std::numeric_limits<double>::infinity();
+  for (const Body& body : scene.bodies)
+    scene.stress = std::min(scene.stress, body.material.youngsModulus);
+}
+
+}  // namespace epafi::drivers

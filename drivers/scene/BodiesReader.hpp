@@ -1,0 +1,20 @@
+#pragma once
+
+#include "drivers/scene/Scene.hpp"
+
+namespace Teuchos {
+class ParameterList;
+}
+
+namespace epafi::drivers {
+
+/// Reads the validated list Bodies into a scene that has its file and constants.
+///
+/// Elastic bodies share one length, that of the largest, and one stress, that of the
+/// softest.  Rigid ones do not count: they must not change what the others do.
+/// \throws bem::InputError for a rigid body with what elastic ones have or the other way
+///   round, no elastic body, and what readLoops, readConditions, readMesh refuse.
+void readBodies(Teuchos::ParameterList& list,
+                const Teuchos::ParameterList& discretization, Scene& scene);
+
+}  // namespace epafi::drivers

@@ -1,0 +1,108 @@
+#include "drivers/scene/GeometryReader.hpp"
+
+#include "bem/base/Error.hpp"
+#include "bem/base/Parameters.hpp"
+#include "drivers/scene/GeometryFile.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <Teuchos_TwoDArray.hpp>
+
+#include <algorithm>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::InputError;
+using bem::message;
+using Teuchos::ParameterList;
+
+/// Adds where it happened to what a value's constructor complains about.
+template <class Make>
+auto at(const std::string& path, Make make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    throw InputError(path + ": " + error.what());
+  }
+}
+
+std::vector<std::string> namesOf(const ParameterList& list, const std::string& key) {
+  return list.get<Teuchos::Array<std::string>>(key).toVector();
+}
+
+/// Holes 1, 2, ... without a gap in the numbering, each with vertices and edges.
+int countHoles(const ParameterList& geometry, const std::string& path) {
+  int holes = 0;
+  while (geometry.isParameter(holeKey(holes + 1, "Vertices")) ||
+         geometry.isParameter(holeKey(holes + 1, "Edges"))) {
+    ++holes;
+    for (const char* what : {"Vertices", "Edges"})
+      if (!geometry.isParameter(holeKey(holes, what)))
+        throw InputError(message(path, "->", holeKey(holes, what), ": missing"));
+  }
+  for (const auto& item : geometry)
+    if (item.first.rfind("Hole ", 0) == 0 && std::stol(item.first.substr(5)) > holes)
+      throw InputError(message(path, "->", item.first,
+                               ": holes are numbered 1, 2, ...; hole ", holes + 1,
+                               " is missing"));
+  return holes;
+}
+
+bem::Loop readLoop(const ParameterList& geometry, const std::string& prefix,
+                   const std::string& path) {
+  bem::Loop loop{pointsOf(geometry, prefix + "Vertices"),
+                 namesOf(geometry, prefix + "Edges")};
+  if (geometry.isParameter(prefix + "Bulges"))
+    loop.bulges = geometry.get<Teuchos::Array<double>>(prefix + "Bulges").toVector();
+  const std::string key = path + "->" + prefix + "Edges";
+  if (loop.edges.size() != loop.vertices.size())
+    throw InputError(message(key, ": ", loop.vertices.size(), " vertices make ",
+                             loop.vertices.size(), " edges, but ", loop.edges.size(),
+                             " names are given; the polygon closes by itself"));
+  if (!loop.bulges.empty() && loop.bulges.size() != loop.vertices.size())
+    throw InputError(message(path, "->", prefix, "Bulges: ", loop.vertices.size(),
+                             " edges have one bulge each (0: straight), but ",
+                             loop.bulges.size(), " are given"));
+  for (std::size_t i = 0; i < loop.edges.size(); ++i)
+    if (loop.edges[i].empty() || loop.edges[i].find_first_of(",{}>") != std::string::npos)
+      throw InputError(message(key, ": edge ", i, " is named '", loop.edges[i],
+                               "'; a name is not empty and has none of , { } >"));
+  return loop;
+}
+
+}  // namespace
+
+std::vector<bem::Vec2> pointsOf(const ParameterList& list, const std::string& key) {
+  const auto& table = list.get<Teuchos::TwoDArray<double>>(key);
+  std::vector<bem::Vec2> points;
+  points.reserve(static_cast<std::size_t>(table.getNumRows()));
+  for (int i = 0; i < table.getNumRows(); ++i)
+    points.push_back({table(i, 0), table(i, 1)});
+  return points;
+}
+
+std::string holeKey(int hole, const std::string& what) {
+  return message("Hole ", hole, " ", what);
+}
+
+Loops readLoops(ParameterList& geometry, const std::string& file,
+                const std::string& path) {
+  expandGeometryFile(geometry, file, path);
+  const int holes = countHoles(geometry, path);
+  Loops loops{readLoop(geometry, "", path), {}};
+  for (int hole = 1; hole <= holes; ++hole)
+    loops.holes.push_back(readLoop(geometry, holeKey(hole, ""), path));
+  return loops;
+}
+
+std::shared_ptr<const bem::Outline> makeOutline(const Loops& loops, double length,
+                                                const std::string& path) {
+  return at(path, [&] {
+    bem::Scaling scaling = bem::scalingOf(loops.outer);
+    scaling.length = std::max(scaling.length, length);
+    return std::make_shared<const bem::Outline>(loops.outer, loops.holes, scaling);
+  });
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,120 @@
+#include "drivers/scene/MeshReader.hpp"
+
+#include "bem/base/Error.hpp"
+#include "bem/base/Parameters.hpp"
+#include "drivers/scene/GeometryReader.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <numeric>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::InputError;
+using bem::message;
+using Teuchos::ParameterList;
+
+/// Beyond this a mesh is a slip of the pen: its dense matrices would not fit anywhere.
+constexpr double largestMesh = 1e6;
+
+/// One number per edge, in the order of the user's loop.
+std::vector<int> readCounts(const ParameterList& list, const std::string& key,
+                            std::size_t edges, const std::string& parent) {
+  const std::string path = parent + "->" + key;
+  if (!list.isParameter(key))
+    throw InputError(message(path, ": missing; give ", edges,
+                             " numbers, one per edge, or ", parent, "->Mesh Size"));
+  const auto& counts = list.get<Teuchos::Array<int>>(key);
+  if (static_cast<std::size_t>(counts.size()) != edges)
+    throw InputError(message(path, ": has ", counts.size(),
+                             " numbers, but the polygon has ", edges, " edges"));
+  return counts.toVector();
+}
+
+/// From the user's order on a hole to the outline's, see Outline: last but one, ..., 0,
+/// last.
+std::vector<int> alongHole(const std::vector<int>& counts) {
+  std::vector<int> result(counts.rbegin() + 1, counts.rend());
+  result.push_back(counts.back());
+  return result;
+}
+
+std::vector<int> countsFromSize(const bem::Outline& outline, double size,
+                                const std::string& parent) {
+  std::vector<int> counts;
+  for (const bem::Edge& edge : outline.edges()) {
+    // A length that is a multiple of the size up to rounding gives that multiple.
+    const double count =
+        std::ceil(edge.curve.length() * outline.scaling().length / size * (1 - 1e-12));
+    if (count > largestMesh)
+      throw InputError(message(parent, "->Mesh Size = ", size, ": gives ", count,
+                               " elements on edge '", edge.boundary, "'; at most ",
+                               largestMesh, " are possible"));
+    // an element turns by a quarter of a circle at most
+    const double turns = std::ceil(
+        std::abs(edge.curve.angle()) / boost::math::constants::half_pi<double>() - 1e-9);
+    counts.push_back(std::max({1, static_cast<int>(count), static_cast<int>(turns)}));
+  }
+  return counts;
+}
+
+std::vector<int> readElements(const ParameterList& list, const bem::Outline& outline,
+                              const std::string& parent) {
+  const int holes = outline.loops() - 1;
+  if (list.isParameter("Mesh Size")) {
+    for (const auto& item : list)
+      if (item.first.find("Elements per Edge") != std::string::npos)
+        throw InputError(
+            message(parent, "->", item.first, ": give this or Mesh Size, not both"));
+    return countsFromSize(outline, list.get<double>("Mesh Size"), parent);
+  }
+  const auto edgesOf = [&outline](int loop) {
+    return static_cast<std::size_t>(
+        std::count_if(outline.edges().begin(), outline.edges().end(),
+                      [loop](const bem::Edge& edge) { return edge.loop == loop; }));
+  };
+  std::vector<int> counts = readCounts(list, "Elements per Edge", edgesOf(0), parent);
+  for (int hole = 1; hole <= holes; ++hole) {
+    const auto inner = alongHole(
+        readCounts(list, holeKey(hole, "Elements per Edge"), edgesOf(hole), parent));
+    counts.insert(counts.end(), inner.begin(), inner.end());
+  }
+  for (const auto& item : list)
+    if (item.first.rfind("Hole ", 0) == 0 && std::stol(item.first.substr(5)) > holes)
+      throw InputError(
+          message(parent, "->", item.first, ": the body has ", holes, " holes"));
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    const bem::Curve& curve = outline.edge(static_cast<int>(k)).curve;
+    constexpr double halfACircle = boost::math::constants::pi<double>() * (1 + 1e-12);
+    if (std::abs(curve.angle()) > halfACircle * counts[k])
+      throw InputError(
+          message(parent, "->Elements per Edge: ", counts[k], " on an edge of '",
+                  outline.edge(static_cast<int>(k)).boundary, "' that turns by ",
+                  std::abs(curve.angle()) * boost::math::constants::radian<double>(),
+                  " degrees; an element turns by 180 at most"));
+  }
+  if (std::accumulate(counts.begin(), counts.end(), 0.0) > largestMesh)
+    throw InputError(
+        message(parent, "->Elements per Edge: more than ", largestMesh, " elements"));
+  return counts;
+}
+
+}  // namespace
+
+void readMesh(const ParameterList& own, const ParameterList& discretization,
+              const std::string& path, Body& body) {
+  const bool sized = own.isParameter("Mesh Size") || own.isParameter("Elements per Edge");
+  body.elementsPerEdge =
+      sized ? readElements(own, *body.outline, path + "->Mesh")
+            : readElements(discretization, *body.outline, "Discretization");
+  body.degree = own.isParameter("Degree") ? own.get<int>("Degree")
+                                          : discretization.get<int>("Degree");
+}
+
+}  // namespace epafi::drivers

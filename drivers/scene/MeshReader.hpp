@@ -1,0 +1,21 @@
+#pragma once
+
+#include "drivers/scene/Scene.hpp"
+
+namespace Teuchos {
+class ParameterList;
+}
+
+namespace epafi::drivers {
+
+/// A body's elements and degree, of its validated list Mesh; what that does not say, the
+/// scene's Discretization does.
+///
+/// \param path  of the body, for messages
+/// \throws bem::InputError for numbers that are not one for each edge, Mesh Size beside
+///   them, elements that turn by more than 180 degrees, more than a million of them.
+void readMesh(const Teuchos::ParameterList& own,
+              const Teuchos::ParameterList& discretization, const std::string& path,
+              Body& body);
+
+}  // namespace epafi::drivers

@@ -1,0 +1,56 @@
+#include "contact/problem/StabilisedStiffness.hpp"
+
+namespace epafi::contact {
+
+using bem::Element;
+
+std::vector<int> tractionElements(const MultiplierSpace& multiplier,
+                                  const Stabilization& stabilization) {
+  if (stabilization.form != Stabilization::Form::Projected)
+    return {};
+  return multiplier.meshElements();
+}
+
+bem::Space makeSpace(const bem::Mesh& mesh, const Conditions& conditions,
+                     const Stabilization& stabilization) {
+  std::vector<int> densities;
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bool raised = stabilization.form == Stabilization::Form::Density &&
+                        stabilization.raised && mesh[e].degree < bem::largestDegree &&
+                        contactOn(mesh, e, conditions) != nullptr;
+    densities.push_back(mesh[e].degree + (raised ? 1 : 0));
+  }
+  return bem::Space(mesh.withDensities(densities));
+}
+
+bem::LocalCompliance densityCompliance(const bem::Space& space,
+                                       const MultiplierSpace& multiplier,
+                                       const Stabilization& stabilization,
+                                       const bem::Lame& lame, bem::Units units) {
+  bem::LocalCompliance compliance;
+  if (stabilization.form != Stabilization::Form::Density)
+    return compliance;
+  for (const int e : multiplier.meshElements()) {
+    const Element& element = space.mesh()[e];
+    const double gamma = gammaOn(space.mesh(), e, stabilization, lame.nu, units);
+    for (int i = 0; i < element.densities; ++i)
+      for (int c = 0; c < 2; ++c) {
+        compliance.densities.push_back(space.density(e, i, c));
+        compliance.diagonal.push_back(gamma * 2 * element.half / (2 * i + 1));
+      }
+  }
+  return compliance;
+}
+
+bem::SteklovPoincare makeStiffness(const bem::Space& space,
+                                   const MultiplierSpace& multiplier,
+                                   const Stabilization& stabilization,
+                                   const bem::Lame& lame, bem::Units units,
+                                   const bem::DenseAlgebra& algebra) {
+  return bem::SteklovPoincare(
+      bem::assembleOperators(space, lame, algebra,
+                             tractionElements(multiplier, stabilization)),
+      algebra, densityCompliance(space, multiplier, stabilization, lame, units));
+}
+
+}  // namespace epafi::contact
