@@ -359,6 +359,22 @@ TEUCHOS_UNIT_TEST(Compressed, solutionsAreTheDenseOnes) {
   }
 }
 
+/// The outer loop is a cluster of its own, which nothing holds.
+TEUCHOS_UNIT_TEST(Compressed, bodiesMayBeHeldAtTheirHolesAlone) {
+  const auto outline = squareWithHole();
+  const bem::Mesh mesh =
+      bem::makeMesh(outline, std::vector<int>(outline->edges().size(), 24), 1);
+  const bem::Space space(mesh);
+  const bem::Lame lame({1, 0.3, false});
+  const bem::CompressedOperators z(space, lame, smallLeaves());
+  const bem::Restriction clamp = clamped(space, 4 * 24, mesh.size());
+  const Matrix b = loads(space);
+  const Matrix exact = denseSolution(wholeSystem(space, lame), clamp, b.copy());
+  const bem::CompressedFactor factor(z, clamp);
+  const double error = relativeDifference(factor.solve(b, 0), exact);
+  TEST_COMPARE(error, <, 1e-9);
+}
+
 TEUCHOS_UNIT_TEST(Compressed, changedRestrictionsAreEliminatedWhereTheyChange) {
   const bem::Space space(bem::makeMesh(outlineOf(square()), {48, 48, 48, 48}, 1));
   const bem::Lame lame({1, 0.3, false});
@@ -491,9 +507,9 @@ TEUCHOS_UNIT_TEST(Compressed, bodiesThatFaceEachOtherAreCutTogether) {
             clamp.held.begin() + static_cast<std::ptrdiff_t>(pair.split()));
   const Matrix b = scaled(oscillating(pair.size(), 1), -1);
   bem::CompressedFactor factor(z, clamp);
-  const double error = relativeDifference(
-      scaled(factor.solve(b), -1),
-      scaled(denseSolution(pair.whole.copy(), clamp, b.copy()), -1));
+  const double error =
+      relativeDifference(scaled(factor.solve(b), -1),
+                         scaled(denseSolution(pair.whole.copy(), clamp, b.copy()), -1));
   out << "solution " << error << "\n";
   TEST_COMPARE(error, <, 1e-8);
 }

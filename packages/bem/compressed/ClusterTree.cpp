@@ -147,6 +147,15 @@ bool ClusterTree::contains(int whole, int part) const {
   return part == whole;
 }
 
+std::vector<char> ClusterTree::paths(const std::vector<int>& leaves) const {
+  std::vector<char> on(clusters_.size());
+  for (const int leaf : leaves)
+    for (int c = leaf; c >= 0 && on[static_cast<std::size_t>(c)] == 0;
+         c = (*this)[c].parent)
+      on[static_cast<std::size_t>(c)] = 1;
+  return on;
+}
+
 Vec2 ClusterTree::fromCentre(int c, const BoundaryPoint& x) const {
   const Cluster& cluster = (*this)[c];
   return mesh_->difference(x, cluster.anchor) - cluster.centre;

@@ -56,6 +56,9 @@ class ClusterTree {
   /// The boundary cut into clusters of a level and leaves above it.
   std::vector<int> cut(int l) const;
 
+  /// By cluster: is it one of these leaves, or above one?
+  std::vector<char> paths(const std::vector<int>& leaves) const;
+
   /// The element at a place of the order.
   int element(int place) const { return elements_[static_cast<std::size_t>(place)]; }
   int leafOf(int element) const { return leafOf_[static_cast<std::size_t>(element)]; }

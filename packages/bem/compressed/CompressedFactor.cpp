@@ -9,6 +9,16 @@
 
 namespace epafi::bem {
 
+namespace {
+
+void scaleRows(const Vector& scales, Matrix& x) {
+  for (Index j = 0; j < x.columns(); ++j)
+    for (Index i = 0; i < x.rows(); ++i)
+      x(i, j) *= scales[at(i)];
+}
+
+}  // namespace
+
 CompressedFactor::CompressedFactor(const CompressedOperators& operators,
                                    Restriction restriction)
     : operators_(&operators),
@@ -20,9 +30,9 @@ CompressedFactor::CompressedFactor(const CompressedOperators& operators,
 
 int CompressedFactor::update(Restriction restriction) {
   restriction.held.resize(at(operators_->size()));
-  std::vector<char> dirty(nodes_.size());
+  std::vector<int> changed;
   const auto mark = [&](Index unknown) {
-    dirty[static_cast<std::size_t>(operators_->leafOf(unknown))] = 1;
+    changed.push_back(operators_->leafOf(unknown));
   };
   for (Index i = 0; i < operators_->size(); ++i)
     if (restriction.held[at(i)] != restriction_.held[at(i)])
@@ -39,32 +49,21 @@ int CompressedFactor::update(Restriction restriction) {
   compare(restriction_.followers, restriction.followers);
   compare(restriction_.springs, restriction.springs);
   restriction_ = std::move(restriction);
-  const ClusterTree& tree = operators_->tree();
-  int count = 0;
-  for (int c = tree.size() - 1; c >= 0; --c)
-    if (dirty[static_cast<std::size_t>(c)] != 0) {
-      ++count;
-      if (c > 0)
-        dirty[static_cast<std::size_t>(tree[c].parent)] = 1;
-    }
+  const std::vector<char> dirty = operators_->tree().paths(changed);
   eliminate(dirty);
-  return count;
+  return static_cast<int>(std::count(dirty.begin(), dirty.end(), 1));
 }
 
-void CompressedFactor::eliminate(const std::vector<char>& dirty) {
-  const SerialBlas serial;
+std::vector<CompressedFactor::Node> CompressedFactor::restricted(
+    const std::vector<char>& dirty) const {
   const ClusterTree& tree = operators_->tree();
-  for (Node& node : nodes_)
-    if (dirty[static_cast<std::size_t>(&node - nodes_.data())] != 0) {
-      node.kept.clear();
-      node.followers.clear();
-    }
+  std::vector<Node> nodes(nodes_.size());
   // of each leaf, where unknowns stand
   std::vector<Index> places(at(operators_->size()));
   for (int c = 0; c < tree.size(); ++c)
     if (tree[c].isLeaf() && dirty[static_cast<std::size_t>(c)] != 0) {
       const std::vector<Index>& active = operators_->part(c).active;
-      Node& node = nodes_[static_cast<std::size_t>(c)];
+      Node& node = nodes[static_cast<std::size_t>(c)];
       for (std::size_t i = 0; i < active.size(); ++i)
         if (restriction_.held[at(active[i])] == 0) {
           places[at(active[i])] = static_cast<Index>(node.kept.size());
@@ -77,21 +76,30 @@ void CompressedFactor::eliminate(const std::vector<char>& dirty) {
     const auto c = static_cast<std::size_t>(operators_->leafOf(follower.unknown));
     assert(operators_->leafOf(follower.leader) == static_cast<int>(c));
     if (dirty[c] != 0 && restriction_.held[at(follower.leader)] == 0)
-      nodes_[c].followers.push_back(
+      nodes[c].followers.push_back(
           {places[at(follower.unknown)], places[at(follower.leader)], follower.factor});
   }
+  return nodes;
+}
+
+void CompressedFactor::eliminate(const std::vector<char>& dirty) {
+  const SerialBlas serial;
+  const ClusterTree& tree = operators_->tree();
+  std::vector<Node> nodes = restricted(dirty);
   for (int l = tree.levels() - 1; l >= 0; --l) {
     const std::vector<int>& level = tree.level(l);
     std::string failure;
 #pragma omp parallel for schedule(dynamic, 1)
     for (std::size_t k = 0; k < level.size(); ++k) {
-      if (dirty[static_cast<std::size_t>(level[k])] == 0)
+      const auto c = static_cast<std::size_t>(level[k]);
+      if (dirty[c] == 0)
         continue;
       try {
         if (tree[level[k]].isLeaf())
-          eliminateLeaf(level[k]);
+          eliminateLeaf(level[k], nodes[c]);
         else
-          eliminateParent(level[k]);
+          eliminateParent(level[k], nodes[c]);
+        nodes_[c] = std::make_shared<const Node>(std::move(nodes[c]));
       } catch (const NumericalError& error) {
 #pragma omp critical(epafi_compressed_factor)
         failure = error.what();
@@ -100,11 +108,35 @@ void CompressedFactor::eliminate(const std::vector<char>& dirty) {
     if (!failure.empty())
       throw NumericalError(failure);
   }
+  takeSpringsBack();
 }
 
-void CompressedFactor::eliminateLeaf(int c) {
+void CompressedFactor::takeSpringsBack() {
+  sprung_.clear();
+  for (const Index i : operators_->floating())
+    if (restriction_.held[at(i)] == 0)
+      sprung_.push_back(i);
+  const auto count = static_cast<Index>(sprung_.size());
+  Matrix units(operators_->size(), count);
+  for (Index k = 0; k < count; ++k)
+    units(sprung_[at(k)], k) = 1;
+  Matrix rest = count > 0 ? rowsOf(solveSprung(units, paths({})), sprung_) : Matrix();
+  for (Index j = 0; j < count; ++j)
+    for (Index i = 0; i < count; ++i)
+      rest(i, j) = (i == j ? 1 : 0) - rest(i, j);
+  Node springs;
+  springs.factor(std::move(rest));
+  springs_ = std::make_shared<const Node>(std::move(springs));
+}
+
+std::vector<char> CompressedFactor::paths(std::vector<int> leaves) const {
+  for (const Index i : operators_->floating())
+    leaves.push_back(operators_->leafOf(i));
+  return operators_->tree().paths(leaves);
+}
+
+void CompressedFactor::eliminateLeaf(int c, Node& node) const {
   const CompressedOperators::Part& part = operators_->part(c);
-  Node& node = nodes_[static_cast<std::size_t>(c)];
   const auto n = static_cast<Index>(node.kept.size());
   const Index k = part.weights.rows();
   Matrix d(n, n);
@@ -130,18 +162,24 @@ void CompressedFactor::eliminateLeaf(int c) {
     for (Index j = 0; j < n; ++j)
       if (part.active[at(node.kept[at(j)])] == spring.unknown)
         d(j, j) += spring.stiffness;
-  factor(c, std::move(d));
-  solveWith(node, in);
+  for (const Index i : operators_->floating())
+    for (Index j = 0; j < n; ++j)
+      if (part.active[at(node.kept[at(j)])] == i)
+        d(j, j) += 1;
+  node.factor(std::move(d));
+  node.solve(in);
   node.in = std::move(in);
   node.response = product(node.out, node.in);
 }
 
-void CompressedFactor::eliminateParent(int c) {
+void CompressedFactor::eliminateParent(int c, Node& node) const {
   const ClusterTree& tree = operators_->tree();
   const CompressedOperators::Part& part = operators_->part(c);
-  Node& node = nodes_[static_cast<std::size_t>(c)];
-  const Matrix& first = nodes_[static_cast<std::size_t>(tree[c].children[0])].response;
-  const Matrix& second = nodes_[static_cast<std::size_t>(tree[c].children[1])].response;
+  const auto responseOf = [&](int child) -> const Matrix& {
+    return nodes_[static_cast<std::size_t>(tree[c].children[child])]->response;
+  };
+  const Matrix& first = responseOf(0);
+  const Matrix& second = responseOf(1);
   const Index k = first.rows();
   const Index size = k + second.rows();
   Matrix f(size, size);
@@ -154,43 +192,66 @@ void CompressedFactor::eliminateParent(int c) {
       std::copy_n(right.column(j - k), k, f.column(j));
     f(j, j) += 1;
   }
-  factor(c, std::move(f));
+  node.factor(std::move(f));
   if (c == 0)
     return;
   const Matrix weights = transposed(part.weights);
   node.in = stacked(product(first, rowsBetween(weights, 0, k)),
                     product(second, rowsBetween(weights, k, size)));
-  solveWith(node, node.in);
+  node.solve(node.in);
   node.response = product(part.weights, node.in);
 }
 
-void CompressedFactor::factor(int c, Matrix matrix) {
-  Node& node = nodes_[static_cast<std::size_t>(c)];
-  node.lu = std::move(matrix);
-  const int n = static_cast<int>(node.lu.rows());
-  node.pivots.resize(at(n));
+void CompressedFactor::Node::factor(Matrix matrix) {
+  lu = std::move(matrix);
+  const int n = static_cast<int>(lu.rows());
+  pivots.resize(at(n));
+  scales.assign(at(n), 0.0);
   if (n == 0)
     return;
-  const int lda = static_cast<int>(node.lu.stride());
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i)
+      scales[at(i)] = std::max(scales[at(i)], std::abs(lu(i, j)));
+  for (double& scale : scales)
+    scale = scale > 0 ? 1 / scale : 1;
+  scaleRows(scales, lu);
+  const int lda = static_cast<int>(lu.stride());
   int info = 0;
-  dgetrf_(&n, &n, node.lu.data(), &lda, node.pivots.data(), &info);
+  dgetrf_(&n, &n, lu.data(), &lda, pivots.data(), &info);
   if (info != 0)
     throw NumericalError("the compressed system is singular");
 }
 
-void CompressedFactor::solveWith(const Node& node, Matrix& x) const {
-  const int n = static_cast<int>(node.lu.rows());
+void CompressedFactor::Node::solve(Matrix& x) const {
+  const int n = static_cast<int>(lu.rows());
   const int columns = static_cast<int>(x.columns());
   if (n == 0 || columns == 0)
     return;
-  const int lda = static_cast<int>(node.lu.stride());
+  scaleRows(scales, x);
+  const int lda = static_cast<int>(lu.stride());
   const int ldb = static_cast<int>(x.stride());
   int info = 0;
-  dgetrs_("N", &n, &columns, node.lu.data(), &lda, node.pivots.data(), x.data(), &ldb,
-          &info);
+  dgetrs_("N", &n, &columns, lu.data(), &lda, pivots.data(), x.data(), &ldb, &info);
 }
 
-Matrix CompressedFactor::solveOnce(const Matrix& b) const {
+// With M = Z + P Pᵀ, springs on sprung_:
+//   Z⁻¹ b = M⁻¹ (b + P s),   (I - Pᵀ M⁻¹ P) s = Pᵀ M⁻¹ b
+Matrix CompressedFactor::solveOnce(const Matrix& b,
+                                   const std::vector<char>& paths) const {
+  Matrix x = solveSprung(b, paths);
+  if (sprung_.empty())
+    return x;
+  Matrix forces = rowsOf(x, sprung_);
+  springs_->solve(forces);
+  Matrix right = b.copy();
+  for (Index j = 0; j < b.columns(); ++j)
+    for (std::size_t k = 0; k < sprung_.size(); ++k)
+      right(sprung_[k], j) += forces(static_cast<Index>(k), j);
+  return solveSprung(right, paths);
+}
+
+Matrix CompressedFactor::solveSprung(const Matrix& b,
+                                     const std::vector<char>& paths) const {
   const ClusterTree& tree = operators_->tree();
   const Index columns = b.columns();
   Matrix x(b.rows(), columns);
@@ -198,8 +259,9 @@ Matrix CompressedFactor::solveOnce(const Matrix& b) const {
   std::vector<Matrix> out(nodes_.size());
   std::vector<Matrix> in(nodes_.size());
   const auto node = [&](int c) -> const Node& {
-    return nodes_[static_cast<std::size_t>(c)];
+    return *nodes_[static_cast<std::size_t>(c)];
   };
+  const auto isOff = [&](int c) { return paths[static_cast<std::size_t>(c)] == 0; };
   const auto of = [](std::vector<Matrix>& all, int c) -> Matrix& {
     return all[static_cast<std::size_t>(c)];
   };
@@ -209,6 +271,10 @@ Matrix CompressedFactor::solveOnce(const Matrix& b) const {
     for (std::size_t k = 0; k < level.size(); ++k) {
       const int c = level[k];
       const CompressedOperators::Part& part = operators_->part(c);
+      if (isOff(c)) {
+        of(out, c) = Matrix(part.weights.rows(), columns);
+        continue;
+      }
       if (tree[c].isLeaf()) {
         std::vector<Index> rows;
         for (const Index i : node(c).kept)
@@ -218,7 +284,7 @@ Matrix CompressedFactor::solveOnce(const Matrix& b) const {
         of(inner, c) =
             stacked(of(out, tree[c].children[0]), of(out, tree[c].children[1]));
       }
-      solveWith(node(c), of(inner, c));
+      node(c).solve(of(inner, c));
       if (l > 0)
         of(out, c) = product(tree[c].isLeaf() ? node(c).out : part.weights, of(inner, c));
     }
@@ -228,6 +294,8 @@ Matrix CompressedFactor::solveOnce(const Matrix& b) const {
 #pragma omp parallel for schedule(dynamic, 1)
     for (std::size_t k = 0; k < level.size(); ++k) {
       const int c = level[k];
+      if (isOff(c))
+        continue;
       const CompressedOperators::Part& part = operators_->part(c);
       Matrix& own = of(inner, c);
       if (l > 0)
@@ -268,11 +336,18 @@ Matrix CompressedFactor::residual(const Matrix& b, const Matrix& x) const {
   return rest;
 }
 
+Matrix CompressedFactor::solveAlong(const std::vector<char>& paths,
+                                    const Matrix& b) const {
+  const SerialBlas serial;
+  return solveOnce(b, paths);
+}
+
 Matrix CompressedFactor::solve(const Matrix& b, int refinements) const {
   const SerialBlas serial;
-  Matrix x = solveOnce(b);
+  const std::vector<char> all(nodes_.size(), 1);
+  Matrix x = solveOnce(b, all);
   for (int step = 0; step < refinements; ++step) {
-    const Matrix correction = solveOnce(residual(b, x));
+    const Matrix correction = solveOnce(residual(b, x), all);
     for (Index j = 0; j < x.columns(); ++j)
       for (Index i = 0; i < x.rows(); ++i)
         x(i, j) += correction(i, j);
@@ -282,8 +357,8 @@ Matrix CompressedFactor::solve(const Matrix& b, int refinements) const {
 
 std::size_t CompressedFactor::bytes() const {
   std::size_t entries = 0;
-  for (const Node& node : nodes_)
-    for (const Matrix* matrix : {&node.lu, &node.in, &node.response, &node.out})
+  for (const std::shared_ptr<const Node>& node : nodes_)
+    for (const Matrix* matrix : {&node->lu, &node->in, &node->response, &node->out})
       entries += static_cast<std::size_t>(matrix->rows() * matrix->columns());
   return entries * sizeof(double);
 }

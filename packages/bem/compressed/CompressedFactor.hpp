@@ -44,7 +44,8 @@ struct Restriction {
 /// outside a cluster gives back; nothing is inverted that may be singular by itself.
 /// [doc/theory/compression.md]
 ///
-/// Refers to the operators, which must outlive it.
+/// Refers to the operators, which must outlive it.  A copy shares what is eliminated, until
+/// one of the two is updated.
 class CompressedFactor {
  public:
   /// \throws NumericalError where a leaf or F is singular.
@@ -55,9 +56,15 @@ class CompressedFactor {
   int update(Restriction restriction);
 
   /// X of Z X = B on what is not held; held unknowns are zero, or follow.  With
-  /// `refinements` corrections by the product; the elimination alone loses digits as
-  /// elements get many.
-  Matrix solve(const Matrix& b, int refinements = 2) const;
+  /// `refinements` corrections by the product; the elimination alone leaves some 1e-12 in
+  /// displacements, and more in densities as elements get many.
+  Matrix solve(const Matrix& b, int refinements = 1) const;
+
+  /// The same, unrefined, of a right side that is zero in other leaves than those of
+  /// `paths`, and only of the unknowns there; zero elsewhere.
+  Matrix solveAlong(const std::vector<char>& paths, const Matrix& b) const;
+  /// By cluster: these leaves, what is above them, and what each solution needs.
+  std::vector<char> paths(std::vector<int> leaves) const;
 
   const CompressedOperators& operators() const { return *operators_; }
   const Restriction& restriction() const { return restriction_; }
@@ -67,6 +74,7 @@ class CompressedFactor {
   struct Node {
     std::vector<Index> kept;  ///< of a leaf: places among its unknowns
     Matrix lu;
+    Vector scales;  ///< of the rows before: those of displacements and densities differ
     std::vector<int> pivots;
     Matrix in;        ///< D⁻¹ Tᵀ, or F⁻¹ diag(E) Tᵀ
     Matrix response;  ///< E
@@ -78,20 +86,27 @@ class CompressedFactor {
     };
     std::vector<Follower> followers;
     Matrix out;  ///< of a leaf: T of its solution, followers included
+
+    void factor(Matrix matrix);
+    void solve(Matrix& x) const;
   };
 
   void eliminate(const std::vector<char>& dirty);
-  void eliminateLeaf(int c);
-  void eliminateParent(int c);
-  void factor(int c, Matrix matrix);
-  Matrix solveOnce(const Matrix& b) const;
-  void solveWith(const Node& node, Matrix& x) const;
+  /// By cluster, empty where nothing is to be done: what of the restriction belongs to leaves.
+  std::vector<Node> restricted(const std::vector<char>& dirty) const;
+  void eliminateLeaf(int c, Node& node) const;
+  void eliminateParent(int c, Node& node) const;
+  void takeSpringsBack();
+  Matrix solveSprung(const Matrix& b, const std::vector<char>& paths) const;
+  Matrix solveOnce(const Matrix& b, const std::vector<char>& paths) const;
   /// B less Z X on what is asked for, zero elsewhere.
   Matrix residual(const Matrix& b, const Matrix& x) const;
 
   const CompressedOperators* operators_;
   Restriction restriction_;
-  std::vector<Node> nodes_;
+  std::vector<std::shared_ptr<const Node>> nodes_;
+  std::vector<Index> sprung_;  ///< CompressedOperators::floating, what is not held
+  std::shared_ptr<const Node> springs_;  ///< I - Pᵀ M⁻¹ P of them, see solveOnce
 };
 
 }  // namespace epafi::bem

@@ -9,9 +9,7 @@
 #include "bem/compressed/ProxyRows.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <tuple>
 
 namespace epafi::bem {
 
@@ -20,6 +18,25 @@ namespace {
 double length(Vec2 a) { return std::sqrt(dot(a, a)); }
 
 double youngOf(const Lame& lame) { return 2 * lame.mu * (1 + lame.nu); }
+
+// Both of a node, and across the line to the node that is farthest from it.
+std::vector<Index> restingDisplacements(const Space& space) {
+  const Mesh& mesh = space.mesh();
+  if (mesh.outline().loops() == 1)
+    return {};
+  int farthest = 0;
+  Vec2 offset{};
+  for (int e = 0; mesh.outline().edge(mesh[e].piece.edge).loop == 0; ++e) {
+    const Vec2 d = mesh.difference(mesh.at(e, -1), mesh.at(0, -1));
+    if (length(d) > length(offset)) {
+      farthest = e;
+      offset = d;
+    }
+  }
+  const int across = std::abs(offset.x) > std::abs(offset.y) ? 1 : 0;
+  return {space.displacement(0, 0, 0), space.displacement(0, 0, 1),
+          space.displacement(farthest, 0, across)};
+}
 
 }  // namespace
 
@@ -126,9 +143,9 @@ class CompressedOperators::Builder {
       const Weighting weight(builder_, part.active.size(), radius);
       const double stiffness = std::sqrt(builder_.young_);
       // a point's share of the circle
-      const double share = stiffness * std::sqrt(2 * 3.14159265358979323846 *
-                                                 options().ratio * radius /
-                                                 proxies_.points());
+      const double share =
+          stiffness * std::sqrt(2 * 3.14159265358979323846 * options().ratio * radius /
+                                proxies_.points());
       constexpr Index forces = 2;
       const Index first = fields.rows() + forces;
       Matrix a(first + entries.rows(), n);
@@ -286,7 +303,8 @@ class CompressedOperators::Builder {
     while (!waiting.empty()) {
       const int other = waiting.back();
       waiting.pop_back();
-      if (other == c || tree[other].isEmpty() || length(tree.between(c, other)) > r + slack * tree[other].radius)
+      if (other == c || tree[other].isEmpty() ||
+          length(tree.between(c, other)) > r + slack * tree[other].radius)
         continue;
       if (!tree[other].isLeaf() && tree[other].level < tree[c].level) {
         waiting.insert(waiting.end(), {tree[other].children[1], tree[other].children[0]});
@@ -330,6 +348,8 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
                        first + space.displacements() + space.densities(),
                        youngOf(bodies[b].lame)});
     spaces.push_back(&space);
+    for (const Index i : restingDisplacements(space))
+      floating_.push_back(first + i);
     for (const Unknown& unknown : unknownsOf(space))
       add(b, unknown);
   }
@@ -360,8 +380,7 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
     trees_.emplace_back(spaces, order, static_cast<int>(b), options.leafUnknowns);
   for (std::size_t i = 0; i < owners.size(); ++i) {
     const BodyElement place = elementOf(static_cast<Index>(i));
-    leaves_.push_back(
-        trees_[static_cast<std::size_t>(place.body)].leafOf(place.element));
+    leaves_.push_back(trees_[static_cast<std::size_t>(place.body)].leafOf(place.element));
   }
   for (Share& share : shares)
     share.abroad.resize(share.unknowns.size());
@@ -393,11 +412,9 @@ void CompressedOperators::join(std::vector<Share> shares, const LocalCoupling& l
     for (std::size_t i = 0; i < unknowns.size(); ++i)
       places[at(unknowns[i])] = static_cast<Index>(i);
   };
-  // one body's, rows and columns by unknowns, at their places among all
+  // one body's, columns at the places of their unknowns
   const auto place = [&](const Share& share, const Matrix& own,
-                         const std::vector<Index>& rows,
                          const std::vector<Index>& columns, Matrix& all, Index firstRow) {
-    assert(own.rows() == static_cast<Index>(rows.size()));
     for (std::size_t j = 0; j < columns.size(); ++j)
       std::copy_n(own.column(static_cast<Index>(j)), own.rows(),
                   all.column(places[at(share.numbers[at(columns[j])])]) + firstRow);
@@ -435,19 +452,17 @@ void CompressedOperators::join(std::vector<Share> shares, const LocalCoupling& l
     Index row = 0;
     for (const Share& share : shares) {
       const Part& own = of(share.parts);
-      place(share, own.weights, own.skeleton, own.active, part.weights, row);
+      place(share, own.weights, own.active, part.weights, row);
       row += static_cast<Index>(own.skeleton.size());
     }
     placesIn(columns);
     row = 0;
     for (const Share& share : shares) {
       const Part& own = of(share.parts);
-      const auto& [ownRows, ownColumns] =
-          tree[c].isLeaf()
-              ? std::tie(own.active, own.active)
-              : std::tie(child(share.parts, 0).skeleton, child(share.parts, 1).skeleton);
-      place(share, own.block, ownRows, ownColumns, part.block, row);
-      row += static_cast<Index>(ownRows.size());
+      place(share, own.block,
+            tree[c].isLeaf() ? own.active : child(share.parts, 1).skeleton, part.block,
+            row);
+      row += own.block.rows();
     }
     for (const Index i : part.active)
       places[at(i)] = -1;
@@ -515,7 +530,8 @@ CompressedOperators::Ranks CompressedOperators::ranks(int level) const {
   for (const int c : tree().level(level)) {
     const auto k = static_cast<Index>(part(c).skeleton.size());
     ranks.largest = std::max(ranks.largest, k);
-    ranks.mean += static_cast<double>(k) / static_cast<double>(tree().level(level).size());
+    ranks.mean +=
+        static_cast<double>(k) / static_cast<double>(tree().level(level).size());
   }
   return ranks;
 }

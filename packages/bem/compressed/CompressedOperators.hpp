@@ -89,6 +89,10 @@ class CompressedOperators {
   /// The leaf of an unknown.
   int leafOf(Index unknown) const { return leaves_[at(unknown)]; }
 
+  /// Three displacements of the outer loop that no rigid motion leaves at rest, where there
+  /// are holes: a factor springs them, since a cluster that is a whole loop may float.
+  const std::vector<Index>& floating() const { return floating_; }
+
   struct Ranks {
     Index largest = 0;
     double mean = 0;
@@ -106,6 +110,7 @@ class CompressedOperators {
   std::vector<int> leaves_;  ///< of the unknowns
   std::vector<ClusterTree> trees_;
   std::vector<Part> parts_;
+  std::vector<Index> floating_;
 };
 
 }  // namespace epafi::bem

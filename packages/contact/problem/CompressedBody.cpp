@@ -79,11 +79,10 @@ class CompressedBody final : public StabilisedBody {
 
   Vector push(const Vector& multiplier) const override {
     Matrix x(operators_->size(), 1);
-    compressed_.push(1, multiplier, x.data());
+    compressed_.push(1, multiplier.data(), x.data());
     if (byDensity()) {
       // ψ = (V + G)⁻¹ (K u - N λ): what -N λ makes of it acts through K'
-      const Matrix image =
-          operators_->times(densityFactor().solve(densitiesOf(x)));
+      const Matrix image = operators_->times(densityFactor().solve(densitiesOf(x)));
       for (Index i = range_.first; i < range_.densities; ++i)
         x(i, 0) -= image(i, 0);
     }
@@ -104,10 +103,9 @@ class CompressedBody final : public StabilisedBody {
       return work;
     // less (N λ)ᵀ (V + G)⁻¹ N λ
     Matrix pushed(operators_->size(), 1);
-    compressed_.push(1, multiplier, pushed.data());
+    compressed_.push(1, multiplier.data(), pushed.data());
     pushed = densitiesOf(pushed);
-    return work +
-           dot(columnOf(pushed, 0), columnOf(densityFactor().solve(pushed), 0));
+    return work + dot(columnOf(pushed, 0), columnOf(densityFactor().solve(pushed), 0));
   }
 
   Vector density(const Vector& u, const Vector& multiplier) const override {
@@ -169,8 +167,7 @@ class CompressedBody final : public StabilisedBody {
     Vector solve(const Vector& force) const override {
       Matrix forces(held_->operators().size(), 1);
       std::copy(force.begin(), force.end(), forces.data() + range_.first);
-      constexpr int refinements = 2;
-      const Matrix x = held_->displaced(std::move(forces), refinements);
+      const Matrix x = held_->displaced(std::move(forces));
       Vector u(x.data() + range_.first, x.data() + range_.densities);
       for (Index k = 0; k < holding_.rigid.allowed.columns(); ++k) {
         const Vector r = columnOf(holding_.rigid.allowed, k);
@@ -216,7 +213,8 @@ class CompressedBody final : public StabilisedBody {
   Vector densityOf(const Vector& u, const Vector& multiplier) const {
     Matrix right = operators_->times(placed(u, {}));
     if (byDensity() && !multiplier.empty())
-      compressed_.push(1, multiplier, right.data());  // -N λ, in the densities' rows
+      compressed_.push(1, multiplier.data(),
+                       right.data());  // -N λ, in the densities' rows
     right = densitiesOf(right);
     for (Index i = range_.densities; i < range_.last; ++i)
       right(i, 0) = -right(i, 0);
@@ -275,6 +273,7 @@ CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bo
   const Numbering numbering = numberingOf(bodies);
   CompressedCoupling result;
   result.multipliers = numbering.size();
+  result.normals = numbering.normals();
   std::vector<Index> starts;
   for (const CompressedInput& body : bodies) {
     starts.push_back(result.first);
@@ -290,8 +289,8 @@ CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bo
       continue;
     for (const int b : opposite->bodies()) {
       const auto k = static_cast<std::size_t>(b);
-      for (const Coupling::Entry& entry : mortarCoupling(
-               space.mesh(), multiplier, *opposite, bodies[k].space, b))
+      for (const Coupling::Entry& entry :
+           mortarCoupling(space.mesh(), multiplier, *opposite, bodies[k].space, b))
         result.entries.push_back(
             {starts[k] + entry.row, numberOf(entry.column), entry.value});
     }
@@ -301,8 +300,7 @@ CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bo
 
 std::vector<bem::SteklovPoincare> makeCompressedStiffness(
     const std::vector<CompressedInput>& bodies, const Stabilization& stabilization,
-    bem::Units units, const bem::DenseAlgebra& algebra,
-    const bem::Compression& options) {
+    bem::Units units, const bem::DenseAlgebra& algebra, const bem::Compression& options) {
   const CompressedCoupling coupling =
       makeCompressedCoupling(bodies, stabilization, units);
   bem::LocalCoupling local;

@@ -33,8 +33,7 @@ CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bo
 /// \throws bem::InputError for another form, or where an outline has arcs.
 std::vector<bem::SteklovPoincare> makeCompressedStiffness(
     const std::vector<CompressedInput>& bodies, const Stabilization& stabilization,
-    bem::Units units, const bem::DenseAlgebra& algebra,
-    const bem::Compression& options);
+    bem::Units units, const bem::DenseAlgebra& algebra, const bem::Compression& options);
 
 /// Why a body's stiffness cannot be compressed; empty: it can.
 std::string whyNotCompressed(const bem::Outline& outline,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace epafi::contact {
 
@@ -14,9 +15,6 @@ using bem::axpy;
 using bem::dot;
 
 namespace {
-
-// One step suffices for what Newton's method measures: the elimination is exact to 1e-9.
-constexpr int refinements = 1;
 
 Matrix asColumn(const Vector& x) {
   Matrix column(static_cast<Index>(x.size()), 1);
@@ -30,23 +28,37 @@ Matrix asColumn(const Vector& x) {
 struct MotionTerms {
   Matrix u;        ///< (G, w); empty without motions
   Matrix inverse;  ///< S⁻¹ = [0, -I; -I, -κ]
+
+  // Uᵀ x
+  Vector seen(const double* x) const {
+    Vector sums;
+    for (Index j = 0; j < u.columns(); ++j)
+      sums.push_back(std::inner_product(u.column(j), u.column(j) + u.rows(), x, 0.0));
+    return sums;
+  }
+  // S Uᵀ x, S = [κ, -I; -I, 0]
+  Vector sizes(const double* x) const {
+    const Vector sums = seen(x);
+    const Index r = u.columns() / 2;
+    Vector result(sums.size());
+    for (Index j = 0; j < r; ++j) {
+      result[at(j)] = -sums[at(r + j)];
+      result[at(r + j)] = -sums[at(j)];
+      for (Index l = 0; l < r; ++l)
+        result[at(j)] -= inverse(r + j, r + l) * sums[at(l)];
+    }
+    return result;
+  }
 };
 
 class CompressedFlexibility final : public Flexibility::Operator {
  public:
-  CompressedFlexibility(CompressedCoupling coupling,
-                        std::vector<std::shared_ptr<const CompressedHolding>> bodies)
-      : coupling_(std::move(coupling)), bodies_(std::move(bodies)) {
-    // what one body asks for or leaves free
-    for (const auto& body : bodies_) {
-      const bem::Restriction& own = body->restriction();
-      if (restriction_.held.empty())
-        restriction_.held = own.held;
-      for (std::size_t i = 0; i < own.held.size(); ++i)
-        restriction_.held[i] = static_cast<char>(restriction_.held[i] & own.held[i]);
-      restriction_.springs.insert(restriction_.springs.end(), own.springs.begin(),
-                                  own.springs.end());
-    }
+  CompressedFlexibility(
+      CompressedCoupling coupling,
+      const std::vector<std::shared_ptr<const CompressedHolding>>& bodies)
+      : coupling_(std::move(coupling)), bodies_(bodies) {
+    factorAll();
+    findPaths();
     makeMotionTerms();
     measureRows();
   }
@@ -54,19 +66,20 @@ class CompressedFlexibility final : public Flexibility::Operator {
   Index size() const override { return coupling().multipliers; }
 
   Vector times(const Vector& x) const override {
-    const Matrix columns = timesColumns(asColumn(x), refinements);
+    const Matrix columns = timesColumns(asColumn(x));
     return Vector(columns.column(0), columns.column(0) + size());
   }
 
-  // |D| |x| from the rows' sums and the largest coefficients
+  // |D| |x| from the rows' sums over each kind and its largest coefficient
   Product product(const Vector& x) const override {
     Product result{times(x), Vector(at(size()))};
-    double sizes = 0;
-    for (const double value : x)
-      sizes = std::max(sizes, std::abs(value));
+    double sizes[2] = {0, 0};
+    for (Index i = 0; i < size(); ++i)
+      sizes[kindOf(i)] = std::max(sizes[kindOf(i)], std::abs(x[at(i)]));
     for (Index i = 0; i < size(); ++i)
       result.magnitude[at(i)] =
-          std::max(std::abs(result.value[at(i)]), sizes * rowSums_[at(i)]);
+          std::max(std::abs(result.value[at(i)]),
+                   sizes[0] * rowSums_(i, 0) + sizes[1] * rowSums_(i, 1));
     return result;
   }
 
@@ -90,7 +103,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
       Matrix units(size(), last - first);
       for (Index j = first; j < last; ++j)
         units(j, j - first) = 1;
-      const Matrix columns = timesColumns(units, refinements);
+      const Matrix columns = timesColumns(units);
       for (Index j = first; j < last; ++j)
         std::copy_n(columns.column(j - first), size(), entries_.column(j));
     }
@@ -107,70 +120,105 @@ class CompressedFlexibility final : public Flexibility::Operator {
     return bodies_.front()->operators();
   }
   /// Of all bodies, every multiplier held.
-  const bem::Restriction& restriction() const { return restriction_; }
+  const bem::Restriction& restriction() const { return factor_->restriction(); }
   const MotionTerms& motionTerms() const { return motions_; }
+  const std::vector<char>& paths() const { return paths_; }
 
  private:
   friend class ReducedFlexibility;
 
-  Matrix timesColumns(const Matrix& x, int steps) const {
+  int kindOf(Index i) const { return i < coupling().normals ? 0 : 1; }
+
+  // Of all bodies together, every multiplier held: what one of them asks for or leaves free.
+  void factorAll() {
+    bem::Restriction restriction = bodies_.front()->restriction();
+    factor_ = std::make_unique<bem::CompressedFactor>(bodies_.front()->factor());
+    if (bodies_.size() == 1)
+      return;
+    restriction.springs.clear();
+    for (const auto& body : bodies_) {
+      const bem::Restriction& own = body->restriction();
+      for (std::size_t i = 0; i < own.held.size(); ++i)
+        restriction.held[i] = static_cast<char>(restriction.held[i] & own.held[i]);
+      restriction.springs.insert(restriction.springs.end(), own.springs.begin(),
+                                 own.springs.end());
+    }
+    factor_->update(std::move(restriction));
+  }
+
+  // The leaves that the multiplier acts on.
+  void findPaths() {
+    std::vector<int> leaves;
+    for (Index i = 0; i < size(); ++i)
+      leaves.push_back(operators().leafOf(coupling().first + i));
+    for (const Coupling::Entry& entry : coupling().entries)
+      leaves.push_back(operators().leafOf(entry.row));
+    paths_ = factor_->paths(std::move(leaves));
+  }
+
+  // D X = D_M X + U S Uᵀ X
+  Matrix timesColumns(const Matrix& x) const {
     Matrix forces(operators().size(), x.columns());
     for (Index j = 0; j < x.columns(); ++j)
-      coupling().push(1, {x.column(j), x.column(j) + size()}, forces.column(j));
+      coupling().push(1, x.column(j), forces.column(j));
+    const Matrix moved = factor_->solveAlong(paths_, forces);
     Matrix result(size(), x.columns());
-    for (const auto& body : bodies_) {
-      const Matrix moved = body->displaced(forces.copy(), steps);
-      for (Index j = 0; j < x.columns(); ++j) {
-        const Vector pulled = coupling().pull(moved.column(j));
-        for (Index i = 0; i < size(); ++i)
-          result(i, j) += pulled[at(i)];
-      }
-    }
-    for (Index j = 0; j < x.columns(); ++j)
+    for (Index j = 0; j < x.columns(); ++j) {
+      const Vector pulled = coupling().pull(moved.column(j));
+      std::copy(pulled.begin(), pulled.end(), result.column(j));
       for (const Coupling::Entry& entry : coupling().mass)
         result(entry.row, j) += entry.value * x(entry.column, j);
+      const Vector sizes = motions_.sizes(x.column(j));
+      for (std::size_t k = 0; k < sizes.size(); ++k)
+        for (Index i = 0; i < size(); ++i)
+          result(i, j) += sizes[k] * motions_.u(i, static_cast<Index>(k));
+    }
     return result;
   }
 
-  // Σ_j |D_ij|, from D's products with signs taken at random: with w_j the size of
-  // coefficient j's function, D_ij = w_j d_ij,
+  // Σ_j |D_ij| over normal and tangential coefficients j, from D's products with signs
+  // taken at random: with w_j the size of coefficient j's function, D_ij = w_j d_ij,
   //   Σ w_j |d_ij| <= (Σ w_j)^½ (Σ w_j d_ij²)^½,
   // and the last sum is the mean of (D x)_i² over x_j = ± w_j^-½.  The functions d_i vary
   // slowly, so that the bound is near.
   void measureRows() {
-    rowSums_.assign(at(size()), 0.0);
+    rowSums_ = Matrix(size(), 2);
     Vector sizes(at(size()));
     for (const Coupling::Entry& entry : coupling().entries)
       sizes[at(entry.column)] = std::max(sizes[at(entry.column)], std::abs(entry.value));
-    double all = 0;
-    for (double& value : sizes) {
-      value = value > 0 ? value : 1;
-      all += value;
+    double all[2] = {0, 0};
+    for (Index j = 0; j < size(); ++j) {
+      double& own = sizes[at(j)];
+      own = own > 0 ? own : 1;
+      all[kindOf(j)] += own;
     }
     constexpr Index probes = 12;
-    Matrix x(size(), probes);
+    Matrix x(size(), 2 * probes);
     std::uint32_t state = 12345;
-    for (Index j = 0; j < probes; ++j)
+    for (Index p = 0; p < probes; ++p)
       for (Index i = 0; i < size(); ++i) {
         state = state * 1664525u + 1013904223u;
-        x(i, j) = ((state >> 31) != 0 ? 1 : -1) / std::sqrt(sizes[at(i)]);
+        x(i, p + probes * kindOf(i)) =
+            ((state >> 31) != 0 ? 1 : -1) / std::sqrt(sizes[at(i)]);
       }
-    const Matrix images = timesColumns(x, 0);
-    for (Index i = 0; i < size(); ++i) {
-      double square = 0;
-      for (Index j = 0; j < probes; ++j)
-        square += images(i, j) * images(i, j) / probes;
-      rowSums_[at(i)] = std::sqrt(all * square);
-    }
+    const Matrix images = timesColumns(x);
+    for (Index kind = 0; kind < 2; ++kind)
+      for (Index i = 0; i < size(); ++i) {
+        double square = 0;
+        for (Index p = probes * kind; p < probes * (kind + 1); ++p)
+          square += images(i, p) * images(i, p) / probes;
+        rowSums_(i, kind) = std::sqrt(all[kind] * square);
+      }
   }
 
   void makeMotionTerms();
 
   CompressedCoupling coupling_;
   std::vector<std::shared_ptr<const CompressedHolding>> bodies_;
-  bem::Restriction restriction_;
+  std::unique_ptr<bem::CompressedFactor> factor_;
+  std::vector<char> paths_;
   MotionTerms motions_;
-  Vector rowSums_;
+  Matrix rowSums_;  ///< over each kind
   mutable Matrix entries_;
   /// Kept from step to step, so that only what changes is eliminated anew.
   mutable std::unique_ptr<bem::CompressedFactor> reduced_;
@@ -194,7 +242,7 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
     for (const System::Follower& follower : system_.followers)
       restriction.followers.push_back(
           {first + follower.follower, first + follower.leader, follower.factor});
-    factor.update(std::move(restriction));
+    factor_.update(std::move(restriction));
     makeCorrection();
   }
 
@@ -203,7 +251,7 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
     if (whole_.motionTerms().u.columns() == 0)
       return x;
     // D_M x = b - U S Uᵀ x  by Woodbury's formula
-    Vector sizes = moved(difference(x, known));
+    Vector sizes = whole_.motionTerms().seen(difference(x, known).data());
     solveCorrection(sizes);
     for (std::size_t j = 0; j < sizes.size(); ++j)
       axpy(-sizes[j], columnOf(solved_, static_cast<Index>(j)), x);
@@ -214,29 +262,11 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
   // b less what U S Uᵀ makes of the known coefficients
   Vector withoutMotions(Vector b, const Vector& known) const {
     const MotionTerms& terms = whole_.motionTerms();
-    const Index r = terms.u.columns() / 2;
-    if (r == 0)
-      return b;
-    const Vector sums = moved(known);
+    const Vector sizes = terms.sizes(known.data());
     for (std::size_t k = 0; k < b.size(); ++k)
-      for (Index j = 0; j < r; ++j) {
-        const Index i = system_.rows[k];
-        // S = [κ, -I; -I, 0], κ the last block of -S⁻¹
-        double ofMotion = -sums[at(r + j)];
-        for (Index l = 0; l < r; ++l)
-          ofMotion -= terms.inverse(r + j, r + l) * sums[at(l)];
-        b[k] -= terms.u(i, j) * ofMotion - terms.u(i, r + j) * sums[at(j)];
-      }
+      for (std::size_t j = 0; j < sizes.size(); ++j)
+        b[k] -= terms.u(system_.rows[k], static_cast<Index>(j)) * sizes[j];
     return b;
-  }
-
-  // Uᵀ x
-  Vector moved(const Vector& x) const {
-    const Matrix& u = whole_.motionTerms().u;
-    Vector sums;
-    for (Index j = 0; j < u.columns(); ++j)
-      sums.push_back(dot(columnOf(u, j), x));
-    return sums;
   }
 
   static Vector difference(Vector a, const Vector& b) {
@@ -248,12 +278,12 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
   Vector solveSprung(const Vector& b, const Vector& known) const {
     const CompressedCoupling& coupling = whole_.coupling();
     Matrix right(whole_.operators().size(), 1);
-    coupling.push(-1, known, right.column(0));
+    coupling.push(-1, known.data(), right.column(0));
     for (const Coupling::Entry& entry : coupling.mass)
       right(coupling.first + entry.row, 0) += entry.value * known[at(entry.column)];
     for (std::size_t k = 0; k < b.size(); ++k)
       right(coupling.first + system_.rows[k], 0) -= b[k];
-    const Matrix solution = factor_.solve(right, refinements);
+    const Matrix solution = factor_.solveAlong(whole_.paths(), right);
     Vector x = known;
     for (Index i = 0; i < coupling.multipliers; ++i)
       x[at(i)] += solution(coupling.first + i, 0);
@@ -272,7 +302,7 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
         right.push_back(terms.u(i, j));
       const Vector x = solveSprung(right, none);
       std::copy(x.begin(), x.end(), solved_.column(j));
-      const Vector sums = moved(x);
+      const Vector sums = terms.seen(x.data());
       for (Index i = 0; i < columns; ++i)
         correction_(i, j) += sums[at(i)];
     }
@@ -296,7 +326,7 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
   }
 
   const CompressedFlexibility& whole_;
-  const bem::CompressedFactor& factor_;
+  bem::CompressedFactor& factor_;
   System system_;
   Matrix solved_;      ///< D_M⁻¹ U, all coefficients
   Matrix correction_;  ///< LU of S⁻¹ + Uᵀ D_M⁻¹ U
@@ -338,16 +368,20 @@ void CompressedFlexibility::makeMotionTerms() {
 std::unique_ptr<Flexibility::Operator::Factor> CompressedFlexibility::factor(
     const System& system) const {
   if (reduced_ == nullptr)
-    reduced_ =
-        std::make_unique<bem::CompressedFactor>(operators(), restriction_);
-  return std::make_unique<ReducedFlexibility>(*this, *reduced_, system);
+    reduced_ = std::make_unique<bem::CompressedFactor>(*factor_);
+  try {
+    return std::make_unique<ReducedFlexibility>(*this, *reduced_, system);
+  } catch (const bem::NumericalError&) {
+    reduced_ = nullptr;  // half eliminated
+    throw;
+  }
 }
 
 }  // namespace
 
-void CompressedCoupling::push(double s, const Vector& multiplier, double* x) const {
+void CompressedCoupling::push(double s, const double* multiplier, double* x) const {
   for (const Coupling::Entry& entry : entries)
-    x[entry.row] += s * entry.value * multiplier[at(entry.column)];
+    x[entry.row] += s * entry.value * multiplier[entry.column];
 }
 
 Vector CompressedCoupling::pull(const double* x) const {
@@ -401,7 +435,7 @@ void CompressedHolding::addSprings() {
 
 // A⁺ f = (I - R cᵀ) M⁻¹ (I - c Rᵀ) f: balanced loads do not feel springs that are as many
 // as the motions
-Matrix CompressedHolding::displaced(Matrix forces, int steps) const {
+Matrix CompressedHolding::displaced(Matrix forces) const {
   const RigidConstraints& rigid = holding_.rigid;
   const auto subtract = [&](const Matrix& seen, const Matrix& taken, Matrix& x) {
     for (Index j = 0; j < x.columns(); ++j)
@@ -414,7 +448,7 @@ Matrix CompressedHolding::displaced(Matrix forces, int steps) const {
       }
   };
   subtract(rigid.allowed, rigid.functionals, forces);
-  Matrix x = factor_->solve(forces, steps);
+  Matrix x = factor_->solve(forces);
   subtract(rigid.functionals, rigid.allowed, x);
   return x;
 }

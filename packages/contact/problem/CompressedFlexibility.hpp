@@ -16,9 +16,10 @@ struct CompressedCoupling {
   std::vector<Coupling::Entry> mass;     ///< M
   Index first = 0;                       ///< number of the first multiplier's unknown
   Index multipliers = 0;
+  Index normals = 0;  ///< those of them that come first
 
   /// x += s Ĉᵀ λ on displacements and densities.
-  void push(double s, const Vector& multiplier, double* x) const;
+  void push(double s, const double* multiplier, double* x) const;
   /// Ĉ x
   Vector pull(const double* x) const;
 };
@@ -40,11 +41,12 @@ class CompressedHolding {
   Vector motion(Index k) const { return placed(holding_.rigid.allowed, k); }
   Vector functional(Index k) const { return placed(holding_.rigid.functionals, k); }
 
+  /// Of M, the body with its springs.
+  const bem::CompressedFactor& factor() const { return *factor_; }
+
   /// A⁺: displacements and densities under forces on both (columns), without the motions
   /// that clamps do not hold; zero on all else.
-  Matrix displaced(Matrix forces, int refinements) const;
-  /// The same with springs in place of ⁺.
-  const bem::CompressedFactor& factor() const { return *factor_; }
+  Matrix displaced(Matrix forces) const;
 
  private:
   void addSprings();
