@@ -19,7 +19,7 @@ PARAMETERS = "parameters" + ".md"  # made here
 # Debian's mkdocs names two scripts that it does not have.
 JQUERY = "/usr/share/javascript/jquery/jquery.min.js"
 # Chapters that are whole folders.
-CHAPTERS = [("Theory", "theory"), ("Benchmarks", "benchmarks"), ("Decisions", "decisions")]
+CHAPTERS = [("Benchmarks", "benchmarks"), ("Decisions", "decisions")]
 
 
 def stage(root, pages, epafi):
@@ -94,6 +94,11 @@ def configure(root, folder, headers):
         lines.append("      - Headers: headers/index.html")
     with open(os.path.join(folder, "mkdocs.yml"), "w", encoding="utf-8") as stream:
         stream.write("\n".join(lines) + "\n")
+    named = set(re.findall(r": (\S+\.md)", "\n".join(lines)))
+    pages = os.path.join(folder, "pages")
+    return sorted("%s is in no chapter of doc/site/mkdocs.yml" % os.path.relpath(file, pages)
+                  for file in glob.glob(os.path.join(pages, "doc/**/*.md"), recursive=True)
+                  if os.path.relpath(file, pages) not in named)
 
 
 def document_headers(root, folder):
@@ -106,21 +111,33 @@ def document_headers(root, folder):
     subprocess.run(["doxygen", "-"], input=options, text=True, check=True)
 
 
+# Elements that mkdocs and its theme write; others are a < of a formula that swallowed text.
+ELEMENTS = set("""html head meta link title script style body div nav form input button ul ol li a p
+    br hr span section footer i b em strong code pre img table thead tbody tr th td blockquote kbd
+    h1 h2 h3 h4 h5 h6 small sup sub""".split())
+
+
 class Page(html.parser.HTMLParser):
-    """Where a page leads, and the places on it that can be led to."""
+    """Where a page leads, the places on it that can be led to, and elements that are none."""
 
     def __init__(self, file):
         super().__init__()
-        self.links, self.places = [], set()
+        self.links, self.places, self.strange = [], set(), set()
         with open(file, encoding="utf-8") as stream:
             self.feed(stream.read())
 
     def handle_starttag(self, tag, attrs):
+        if tag not in ELEMENTS or tag == "a" and not attrs_of_link(attrs):
+            self.strange.add("<%s %s>" % (tag, " ".join(name for name, _ in attrs)))
         for name, value in attrs:
             if name in ("id", "name") and value:
                 self.places.add(value)
             elif value and (name == "src" or name == "href"):
                 self.links.append(value)
+
+
+def attrs_of_link(attrs):
+    return {"href", "id", "name", "class"} & {name for name, _ in attrs}
 
 
 def dangling(site):
@@ -130,6 +147,8 @@ def dangling(site):
     pages = {file: Page(file) for file in files}
     found, count = [], 0
     for file, page in pages.items():
+        found += ["%s: %s is no element of HTML" % (os.path.relpath(file, site), element)
+                  for element in sorted(page.strange)]
         for link in page.links:
             parts = urllib.parse.urlsplit(link)
             if parts.scheme or parts.netloc or os.path.basename(file) == "404.html":
@@ -154,12 +173,13 @@ def main():
     shutil.rmtree(folder, ignore_errors=True)
     os.makedirs(folder)
     stage(root, os.path.join(folder, "pages"), epafi)
-    configure(root, folder, headers)
+    lost = configure(root, folder, headers)
     subprocess.run(["mkdocs", "build", "--quiet", "--config-file",
                     os.path.join(folder, "mkdocs.yml")], check=True)
     if headers:
         document_headers(root, folder)
     found, count = dangling(os.path.join(folder, "html"))
+    found += lost
     print("\n".join(found))
     print("%s: %d links, %d lead nowhere" % (os.path.join(folder, "html/index.html"), count,
                                              len(found)))

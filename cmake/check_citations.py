@@ -4,6 +4,9 @@
      name alone or by the end of its path; names in capitals are placeholders of a usage.
   2. A relative link of a page leads to a file, and its #part to a heading.
   3. A decision cited by its number exists.
+  4. What pages say of today (decisions, the changelog and benchmarks tell of their day): `a/path` in
+     it, from the root, from a layer or its end, leads to a file or a folder; `Type::member` are words
+     of a header.
 """
 import os
 import re
@@ -12,7 +15,18 @@ import sys
 SOURCES = (".cpp", ".hpp", ".inc", ".py", ".cmake", ".sh", ".xml", ".txt", ".awk", ".in", ".md")
 PAGE = re.compile(r"(?<![\w/<>*.-])[\w./-]*[\w-]\.md\b")
 LINK = re.compile(r"\]\(([^)\s]+)\)")
+PATH = re.compile(r"`(?:\./)?((?:[\w.-]{2,}/)+[\w.-]*)`")
+MEMBER = re.compile(r"`(\w+)::(\w+)`")
+OF_THEIR_DAY = ("doc/decisions/", "doc/benchmarks/", "CHANGELOG.md")
 DECISION = re.compile(r"\b[Dd]ecisions? (\d+)")
+
+
+# What a build, an installation or a run makes.
+MADE = re.compile(r"build|share/|lib/|include/|/|steps/|sweep/|\w+\.out/")
+
+
+def of_today(path):
+    return path.endswith(".md") and not path.startswith(OF_THEIR_DAY)
 
 
 def anchors(text):
@@ -29,6 +43,12 @@ def problems(files):
     decisions = {int(match.group(1)) for match in
                  (re.search(r"decisions/(\d+)-", path) for path in files) if match}
     folders = {os.path.dirname(path) for path in files}
+    # From the root or from a folder on the way, without an ending, too.
+    known = ends | {end.rsplit(".", 1)[0] for end in ends} | {
+        folder[at:] for folder in folders for at in
+        [0] + [k + 1 for k, c in enumerate(folder) if c == "/"]}
+    words = set(re.findall(r"\w+", " ".join(
+        text or "" for path, text in files.items() if path.endswith((".hpp", "CMakeLists.txt")))))
     found = []
     for path, text in sorted(files.items()):
         if text is None:
@@ -50,6 +70,12 @@ def problems(files):
             name = os.path.basename(page)[:-3]
             if name.upper() != name and re.sub(r"^(\.*/)+", "", page) not in ends:
                 found.append("%s cites %s, which is not in the repository" % (path, page))
+        for place in PATH.findall(text) if of_today(path) else ():
+            if place.strip("/") not in known and not MADE.match(place):
+                found.append("%s names %s, which is not in the repository" % (path, place))
+        for member in MEMBER.findall(text) if of_today(path) else ():
+            if not words.issuperset(member):
+                found.append("%s names %s, which no header has" % (path, "::".join(member)))
         for number in DECISION.findall(text):
             if int(number) not in decisions:
                 found.append("%s cites decision %s, which does not exist" % (path, number))
@@ -75,12 +101,14 @@ def check_itself():
     """Each kind is found, and what is sound is not."""
     sound = {"doc/a.md": "# A b\n[x](sub/b.md#c-d) [y](#a-b) [z](https://no.where/)",
              "doc/sub/b.md": "## C: d\nsee ../a.md", "doc/decisions/0003-x.md": "",
+             "doc/d.md": "`src/x` `src/` `T::m` `build/bin/x`", "src/t.hpp": "struct T { int m; }",
              "src/x.cpp": "// [doc/a.md], [sub/b.md], decision 3; usage: x TABLE.md"}
     assert problems(sound) == [], problems(sound)
     for path, text, word in (("src/y.hpp", "/// [b.md], c.md", "c.md"),
                              ("src/y.hpp", "/// theory/a.md", "theory/a.md"),
                              ("doc/c.md", "[x](b.md)", "b.md"),
                              ("doc/c.md", "[x](a.md#b)", "a.md#b"),
+                             ("doc/c.md", "`src/z`", "src/z"), ("doc/c.md", "`T::n`", "T::n"),
                              ("src/y.hpp", "/// decision 4", "decision 4")):
         found = problems({**sound, path: text})
         assert len(found) == 1 and word in found[0], (text, found)

@@ -65,6 +65,28 @@ std::string namesOf(const Conditions& conditions) {
   return names.empty() ? " none" : names;
 }
 
+/// "base (friction), top (bonded)"
+std::string contactsOf(const contact::Conditions& conditions) {
+  std::string names;
+  for (const auto& [boundary, condition] : conditions.contact)
+    names += (names.empty() ? " " : ", ") + boundary +
+             (condition.friction.ties() ? " (bonded)"
+              : condition.friction      ? " (friction)"
+                                        : " (no friction)");
+  return names.empty() ? " none" : names;
+}
+
+/// "X moved, Y under a force, Rotation held"
+std::string motionsOf(const RigidBody& body) {
+  std::string text;
+  const char* names[] = {"X ", ", Y ", ", Rotation "};
+  for (std::size_t k = 0; k < body.components.size(); ++k)
+    text += names[k] + std::string(body.components[k].free    ? "under a force"
+                                   : body.components[k].value ? "moved"
+                                                              : "held");
+  return text;
+}
+
 std::string fixedMotions(const contact::Conditions::Fix& fix) {
   const std::string names = std::string(fix.x ? " X" : "") + (fix.y ? " Y" : "") +
                             (fix.rotation ? " Rotation" : "");
@@ -77,21 +99,35 @@ std::string checkScene(const Scene& scene) {
   evaluateAll(scene);
   std::ostringstream text;
   text << scene.title << " (" << scene.file << ")\n";
+  const auto count = [](std::size_t n, const char* one, const char* many) {
+    return std::to_string(n) + " " + (n == 1 ? one : many);
+  };
   for (const Body& body : scene.bodies) {
     const bem::Mesh mesh = firstMesh(body);
     text << "  body        " << body.name << ": E = " << body.material.youngsModulus
          << ", nu = " << body.material.poissonsRatio
          << (body.material.planeStress ? ", plane stress" : ", plane strain") << "\n"
-         << "  outline     " << body.outline->edges().size() << " edges, "
-         << body.outline->loops() - 1 << " holes, diameter " << body.outline->diameter()
-         << "\n"
+         << "  outline     " << count(body.outline->edges().size(), "edge", "edges")
+         << ", " << count(body.outline->loops() - 1, "hole", "holes") << ", diameter "
+         << body.outline->diameter() << "\n"
          << "  first mesh  " << mesh.size() << " elements of degree " << body.degree
          << "\n"
          << "  Dirichlet  " << namesOf(body.conditions.dirichlet) << "\n"
          << "  Neumann    " << namesOf(body.conditions.neumann) << "\n"
-         << "  contact    " << namesOf(body.conditions.contact) << "\n"
+         << "  contact    " << contactsOf(body.conditions) << "\n"
          << "  held       " << fixedMotions(body.conditions.fix) << "\n";
   }
+  for (const RigidBody& body : scene.rigid)
+    text << "  rigid       " << body.name << ": " << motionsOf(body) << "\n";
+  const auto end = [&](const SideOfBody& side) {
+    return scene.nameOf(side) + ":" + side.boundary;
+  };
+  for (const ContactPair& pair : scene.contacts)
+    text << "  between     " << pair.name << ": " << end(pair.side) << " on "
+         << end(pair.met) << "\n";
+  if (scene.history)
+    text << "  path        " << count(scene.history.times.size(), "step", "steps")
+         << " up to t = " << scene.endOfPath() << "\n";
   text << "  strategy    " << scene.adaptivity.strategy.name << ", at most "
        << scene.adaptivity.limits.levels << " levels and "
        << scene.adaptivity.limits.degreesOfFreedom << " degrees of freedom\n"

@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "drivers/output/BodyInsides.hpp"
+#include "drivers/output/Csv.hpp"
 #include "drivers/output/FieldFiles.hpp"
 #include "drivers/output/HistoryTable.hpp"
 #include "drivers/output/LevelTable.hpp"
@@ -217,8 +218,8 @@ class Recorder {
       level.row.secondsWall += earlier_->secondsWall;
     }
     const StepRow& row = level.path->steps.back()->row;
-    if (path_.steps.empty())
-      path_.steps = stepsHead(row);
+    const std::string head = stepsHead(row);
+    path_.steps = path_.steps.empty() ? head : underHead(path_.steps, head);
     path_.steps += stepsLine(row);
     path_.contacts.push_back(contact_.next(level));
     path_.times.push_back(row.t);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <sstream>
 
 namespace epafi::drivers {
 
@@ -119,11 +118,7 @@ std::string historyLine(const LevelRow& row) { return csvLine(historyCells(row))
 
 std::vector<std::string> lastCells(const std::string& history) {
   const std::size_t begin = history.rfind('\n', history.size() - 2) + 1;
-  std::istringstream line(history.substr(begin, history.size() - 1 - begin));
-  std::vector<std::string> cells;
-  for (std::string cell; std::getline(line, cell, ',');)
-    cells.push_back(cell);
-  return cells;
+  return csvCells(history.substr(begin));
 }
 
 double energyOf(const std::vector<std::string>& cells) {

@@ -1,6 +1,8 @@
 #include "drivers/output/Restart.hpp"
 
 #include "bem/base/Error.hpp"
+#include "drivers/output/Csv.hpp"
+#include "drivers/output/FieldFiles.hpp"
 #include "drivers/output/HistoryTable.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/SceneFile.hpp"
@@ -130,11 +132,7 @@ void checkSizes(const Level& level, const Scene& scene) {
 
 /// Rows of the levels that the run goes on behind.
 std::string historyBehind(const Checkpoint& checkpoint) {
-  const std::string& text = checkpoint.history;
-  if (text.rfind(historyHead(), 0) != 0)
-    throw InputError(
-        "was written by a version of Epafi whose history.csv has other "
-        "columns");
+  const std::string text = underHead(checkpoint.history, historyHead());
   const int rows = checkpoint.level.number + (checkpoint.level.complete ? 1 : 0);
   if (std::count(text.begin(), text.end(), '\n') != rows + 1)
     throw InputError("has not one row of history.csv per level");
@@ -165,6 +163,8 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
       checkpoint.history = historyBehind(checkpoint);
       checkpoint.steps = rowsBehind(checkpoint.steps, checkpoint);
       checkpoint.resultants = rowsBehind(checkpoint.resultants, checkpoint);
+      if (!checkpoint.resultants.empty())
+        checkpoint.resultants = underHead(checkpoint.resultants, bodiesHead());
     } catch (const InputError& error) {
       throw InputError(message("'", path, "' ", error.what()));
     }
@@ -186,7 +186,7 @@ std::optional<Checkpoint> readSolutionOf(const Scene& scene, const std::string& 
       return std::nullopt;
     checkOutlines(checkpoint, scene);
     checkSizes(checkpoint.level, scene);
-    if (!checkpoint.level.complete)
+    if (!checkpoint.level.complete || checkpoint.history.rfind(historyHead(), 0) != 0)
       return std::nullopt;
     checkpoint.history = historyBehind(checkpoint);
     return checkpoint;

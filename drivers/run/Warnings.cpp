@@ -1,11 +1,16 @@
 #include "drivers/run/Warnings.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/base/Parameters.hpp"
+#include "contact/problem/ContactFields.hpp"
 #include "drivers/run/Path.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace epafi::drivers {
 
@@ -52,6 +57,71 @@ void findPolygon(const bem::Outline& outline, const std::string& boundary,
         "Gap"));
 }
 
+/// Adds the words of all texts of a list and its sublists.
+void collectWords(const Teuchos::ParameterList& list, std::set<std::string>& words) {
+  for (const auto& item : list) {
+    const Teuchos::ParameterEntry& entry = item.second;
+    if (entry.isList()) {
+      collectWords(Teuchos::getValue<Teuchos::ParameterList>(entry), words);
+      continue;
+    }
+    if (!entry.isType<std::string>())
+      continue;
+    std::string word;
+    for (const char c : Teuchos::getValue<std::string>(entry) + " ")
+      if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_')
+        word += c;
+      else
+        words.insert(std::exchange(word, {}));
+  }
+}
+
+/// Constants that no expression knows: a misspelt one that --set made, say.
+void findUnused(const Scene& scene, std::vector<std::string>& warnings) {
+  std::set<std::string> words;
+  collectWords(*scene.used, words);
+  std::vector<std::string> used;
+  for (const auto& [name, value] : scene.constants)
+    if (words.count(name) != 0)
+      used.push_back(name);
+  for (const auto& [name, value] : scene.constants)
+    if (words.count(name) == 0) {
+      const std::string near = bem::nearest(name, used);
+      warnings.push_back(message(
+          "Constants->", name, " = ", value, " is in no expression",
+          near.empty() ? "" : "; the nearest name that is in one: '" + near + "'"));
+    }
+}
+
+/// How far the sides of each contact slide where it is closed, over its length in contact.
+void findSliding(const contact::Solved& solved, std::map<std::string, double>& shares) {
+  const contact::ContactFields fields(solved);
+  std::map<std::string, double> slides;
+  for (const auto& element : fields.elements()) {
+    const contact::ContactPoint point = fields.at(element, 0);
+    if (point.closed)
+      slides[nameOf(element)] =
+          std::max(slides[nameOf(element)], std::abs(point.tangential));
+  }
+  const auto summaries = contact::summarizeContacts(solved);
+  for (const auto& [name, slide] : slides) {
+    const double length = summaries.at(name).contactLength;
+    shares[name] = std::max(shares[name], length > 0 ? slide / length : 0);
+  }
+}
+
+/// The largest of each contact over the level or over the steps of its path.
+std::map<std::string, double> slidingOf(const SolvedLevel& level) {
+  std::map<std::string, double> shares;
+  for (const contact::Solved& solved : level.bodies)
+    findSliding(solved, shares);
+  if (level.path != nullptr)
+    for (const auto& step : level.path->steps)
+      for (const contact::Solved& solved : step->solved->bodies())
+        findSliding(solved, shares);
+  return shares;
+}
+
 /// The largest displacement on a body's boundary, in its diameters.
 double largestMotion(const contact::Solved& solved, const bem::Outline& outline) {
   double largest = 0;
@@ -96,6 +166,7 @@ std::vector<std::string> warningsOf(const Scene& scene) {
           scene.outlineOf(pair.met), pair.met.boundary,
           "Bodies->" + scene.nameOf(pair.met) + "->Geometry, '" + pair.met.boundary + "'",
           warnings);
+  findUnused(scene, warnings);
   return warnings;
 }
 
@@ -114,8 +185,15 @@ std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level
         "contact never closes: nothing presses a body onto what it could meet; look at "
         "the "
         "signs of loads (tractions pull along x and y) and at the gap");
+  constexpr double small = 0.1;
+  for (const auto& [name, share] : slidingOf(level))
+    if (share > small)
+      warnings.push_back(message(
+          "contact '", name, "': sliding reaches ", std::round(100 * share),
+          " % of the length in contact; what meets what is looked for once, on "
+          "the outlines as drawn (small sliding): stresses may belong elsewhere by as "
+          "much"));
   for (std::size_t b = 0; b < level.bodies.size(); ++b) {
-    constexpr double small = 0.1;
     const double motion = largestMotion(level.bodies[b], *scene.bodies[b].outline);
     if (motion > small)
       warnings.push_back(

@@ -8,13 +8,14 @@
 
 namespace epafi::drivers {
 
-/// What is probably not meant, a sentence each: straight edges that draw a curve on a side in
-/// contact.  A polygon meets an obstacle at its corners: 64 edges around a cylinder give 1.6
-/// times Hertz' contact length.
+/// What is probably not meant, a sentence each: constants that no expression knows, straight
+/// edges that draw a curve on a side in contact.  A polygon meets an obstacle at its corners: 64
+/// edges around a cylinder give 1.6 times Hertz' contact length.
 std::vector<std::string> warningsOf(const Scene& scene);
 
-/// The same of a solved level: nothing is loaded, contact never closes, displacements beyond
-/// a tenth of a body, where conditions on the undeformed outline mean little.
+/// The same of a solved level: nothing is loaded, contact never closes, sliding beyond a tenth of
+/// the length in contact, displacements beyond a tenth of a body: conditions on the undeformed
+/// outline mean little there.
 std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level);
 
 }  // namespace epafi::drivers

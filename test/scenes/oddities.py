@@ -23,6 +23,8 @@ for name in sorted(os.listdir(SCENES)):
     claim(code == 0 and not warnings, name + " is shipped without warnings: %s" % warnings)
 
 PUSHED = CONDITIONS + "top={Type=Dirichlet, Displacement X=0, Displacement Y=-0.4}"
+SLID = CONDITIONS + "top={Type=Dirichlet, Displacement X=0.12, Displacement Y=-0.01}"
+SMOOTH = CONDITIONS + "foundation->Friction={Law=None}"
 HELD = "Bodies->block->Rigid Motions="
 FREE = CONDITIONS + "top={Type=Neumann}"
 for sentence, settings, words in [
@@ -30,10 +32,14 @@ for sentence, settings, words in [
         ("a load that pulls", [CONDITIONS + "side={Type=Neumann}", CONDITIONS +
                                "top={Type=Dirichlet, Displacement X=0, Displacement Y=0.01}", HELD], "contact never closes"),
         ("a load beyond all bounds",
-         [PUSHED, HELD], "% of the body's size")]:
+         [PUSHED, HELD], "% of the body's size"),
+        ("a constant that none uses", ["Constants->tpo=1"], "Constants->tpo = 1 is in no expression")]:
     code, warnings = told(scene("coulomb.xml"), "odd", settings)
     claim(code == 0 and len(warnings) == 1 and words in warnings[0],
           "%s: %s" % (sentence, warnings))
+code, warnings = told(scene("coulomb.xml"), "slid", [SLID, HELD, SMOOTH])
+claim(code == 0 and any("'foundation': sliding reaches 14 %" in line for line in warnings),
+      "sliding beyond a tenth of the contact: %s" % warnings)
 code, text = epafi("run", scene("coulomb.xml"), "--output", fresh("quiet"), "--quiet",
                    "--set", PUSHED, "--set", HELD)
 claim(code == 0 and not text, "--quiet says nothing of it")

@@ -3,9 +3,11 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/problem/ContactSystem.hpp"
 #include "contact/problem/MortarCoupling.hpp"
+#include "bem/compressed/Products.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace epafi::contact {
 
@@ -50,10 +52,10 @@ class CompressedBody final : public StabilisedBody {
  public:
   CompressedBody(const bem::Space& space,
                  std::shared_ptr<const bem::CompressedOperators> operators,
-                 std::size_t body, Coupling coupling, bem::LocalCompliance compliance)
+                 std::size_t number, Coupling coupling, bem::LocalCompliance compliance)
       : operators_(std::move(operators)),
-        body_(body),
-        range_(operators_->range(body)),
+        number_(number),
+        range_(operators_->range(number)),
         coupling_(std::move(coupling)),
         compliance_(std::move(compliance)) {
     compressed_.multipliers = coupling_.multipliers;
@@ -69,9 +71,10 @@ class CompressedBody final : public StabilisedBody {
   // f - (W u + K' ψ), ψ that of u
   Vector residual(const Vector& force, const Vector& u) const override {
     Vector rest = force;
-    const Matrix& image = imageOf(u);
+    const Matrix& images = fieldOf(u).images;
     for (std::size_t i = 0; i < rest.size(); ++i)
-      rest[i] -= image(range_.first + static_cast<Index>(i), 0);
+      rest[i] -= images(range_.first + static_cast<Index>(i), 0) +
+                 images(range_.first + static_cast<Index>(i), 1);
     return rest;
   }
 
@@ -81,10 +84,10 @@ class CompressedBody final : public StabilisedBody {
     Matrix x(operators_->size(), 1);
     compressed_.push(1, multiplier.data(), x.data());
     if (byDensity()) {
-      // ψ = (V + G)⁻¹ (K u - N λ): what -N λ makes of it acts through K'
-      const Matrix image = operators_->times(densityFactor().solve(densitiesOf(x)));
+      // what (V + G)⁻¹ (-N λ) does through K'
+      const Matrix image = operators_->times(placed({}, densityUnder(multiplier)));
       for (Index i = range_.first; i < range_.densities; ++i)
-        x(i, 0) -= image(i, 0);
+        x(i, 0) += image(i, 0);
     }
     for (const Coupling::Entry& entry : coupling_.completion)
       x(range_.first + entry.row, 0) += entry.value * multiplier[at(entry.column)];
@@ -92,7 +95,7 @@ class CompressedBody final : public StabilisedBody {
   }
 
   Vector pull(const Vector& u) const override {
-    const Matrix x = byDensity() ? placed(u, densityOf(u, {})) : placed(u, {});
+    const Matrix x = placed(u, byDensity() ? fieldOf(u).psi : Vector());
     return compressed_.pull(x.data());
   }
 
@@ -104,24 +107,28 @@ class CompressedBody final : public StabilisedBody {
     // less (N λ)ᵀ (V + G)⁻¹ N λ
     Matrix pushed(operators_->size(), 1);
     compressed_.push(1, multiplier.data(), pushed.data());
-    pushed = densitiesOf(pushed);
-    return work + dot(columnOf(pushed, 0), columnOf(densityFactor().solve(pushed), 0));
+    const Vector& psi = densityUnder(multiplier);
+    return work - std::inner_product(psi.begin(), psi.end(),
+                                     pushed.data() + range_.densities, 0.0);
   }
 
+  // (V + G)⁻¹ (K u - N λ)
   Vector density(const Vector& u, const Vector& multiplier) const override {
-    return densityOf(u, multiplier);
+    Vector psi = fieldOf(u).psi;
+    if (byDensity() && !multiplier.empty())
+      bem::axpy(1, densityUnder(multiplier), psi);
+    return psi;
   }
 
   // 1/2 uᵀ W u + 1/2 ψᵀ V ψ from Z's products with u and ψ, -(V + G) there
   double strainEnergy(const Vector& u, const Vector& multiplier) const override {
-    const Vector psi = densityOf(u, multiplier);
-    const Matrix displaced = operators_->times(placed(u, {}));
-    const Matrix traction = operators_->times(placed({}, psi));
-    double twice = 0;
-    for (std::size_t i = 0; i < u.size(); ++i)
-      twice += u[i] * displaced(range_.first + static_cast<Index>(i), 0);
-    for (std::size_t i = 0; i < psi.size(); ++i)
-      twice -= psi[i] * traction(range_.densities + static_cast<Index>(i), 0);
+    const Vector psi = density(u, multiplier);
+    const Matrix own = byDensity() ? imagesOf(u, psi) : Matrix();
+    const Matrix& images = byDensity() ? own : fieldOf(u).images;
+    double twice =
+        std::inner_product(u.begin(), u.end(), images.column(0) + range_.first, 0.0) -
+        std::inner_product(psi.begin(), psi.end(), images.column(1) + range_.densities,
+                           0.0);
     for (std::size_t k = 0; k < compliance_.densities.size(); ++k) {
       const double value = psi[at(compliance_.densities[k])];
       twice -= compliance_.diagonal[k] * value * value;
@@ -158,8 +165,9 @@ class CompressedBody final : public StabilisedBody {
   class Held final : public HeldStiffness {
    public:
     Held(const CompressedBody& body, const Holding& holding)
-        : holding_(holding),
-          held_(std::make_shared<const CompressedHolding>(*body.operators_, body.body_,
+        : body_(body),
+          holding_(holding),
+          held_(std::make_shared<const CompressedHolding>(*body.operators_, body.number_,
                                                           holding)),
           range_(body.range_) {}
 
@@ -168,6 +176,7 @@ class CompressedBody final : public StabilisedBody {
       Matrix forces(held_->operators().size(), 1);
       std::copy(force.begin(), force.end(), forces.data() + range_.first);
       const Matrix x = held_->displaced(std::move(forces));
+      body_.solved_.assign(x.data() + range_.densities, x.data() + range_.last);
       Vector u(x.data() + range_.first, x.data() + range_.densities);
       for (Index k = 0; k < holding_.rigid.allowed.columns(); ++k) {
         const Vector r = columnOf(holding_.rigid.allowed, k);
@@ -179,6 +188,7 @@ class CompressedBody final : public StabilisedBody {
     std::shared_ptr<const CompressedHolding> compressed() const override { return held_; }
 
    private:
+    const CompressedBody& body_;
     const Holding& holding_;
     std::shared_ptr<const CompressedHolding> held_;
     const bem::CompressedOperators::Range& range_;
@@ -191,11 +201,6 @@ class CompressedBody final : public StabilisedBody {
     std::copy(psi.begin(), psi.end(), x.data() + range_.densities);
     return x;
   }
-  /// What is the body's densities' of a vector of all unknowns.
-  Matrix densitiesOf(const Matrix& x) const {
-    return placed({}, {x.data() + range_.densities, x.data() + range_.last});
-  }
-
   /// Of V + G: all displacements and multipliers held.
   const bem::CompressedFactor& densityFactor() const {
     if (densityFactor_ == nullptr) {
@@ -209,37 +214,73 @@ class CompressedBody final : public StabilisedBody {
     return *densityFactor_;
   }
 
-  /// (V + G)⁻¹ (K u - N λ)
-  Vector densityOf(const Vector& u, const Vector& multiplier) const {
-    Matrix right = operators_->times(placed(u, {}));
-    if (byDensity() && !multiplier.empty())
-      compressed_.push(1, multiplier.data(),
-                       right.data());  // -N λ, in the densities' rows
-    right = densitiesOf(right);
-    for (Index i = range_.densities; i < range_.last; ++i)
-      right(i, 0) = -right(i, 0);
+  /// -(V + G)⁻¹ N λ; the last one is kept.
+  const Vector& densityUnder(const Vector& multiplier) const {
+    if (multiplier != pushed_) {
+      Matrix right(operators_->size(), 1);
+      compressed_.push(-1, multiplier.data(), right.data());
+      densityUnder_ = densityFor(right);
+      pushed_ = multiplier;
+    }
+    return densityUnder_;
+  }
+
+  /// The densities' rows solved, all else held: -(V + G)⁻¹ of them.
+  Vector densityFor(const Matrix& right) const {
     const Matrix psi = densityFactor().solve(right);
     return {psi.data() + range_.densities, psi.data() + range_.last};
   }
 
-  /// Z (u, ψ) for ψ that of u; the last one is kept, which several results ask for.
-  const Matrix& imageOf(const Vector& u) const {
-    if (u != imaged_) {
-      image_ = operators_->times(placed(u, densityOf(u, {})));
-      imaged_ = u;
+  /// Z (u, 0) and Z (0, ψ)
+  Matrix imagesOf(const Vector& u, const Vector& psi) const {
+    Matrix x(operators_->size(), 2);
+    std::copy(u.begin(), u.end(), x.column(0) + range_.first);
+    std::copy(psi.begin(), psi.end(), x.column(1) + range_.densities);
+    return operators_->times(x);
+  }
+
+  /// A displacement, its ψ without a multiplier, and imagesOf both.
+  struct Field {
+    Vector u;
+    Vector psi;
+    Matrix images;
+  };
+
+  /// That of u; the last one is kept, which several results ask for.  A solution has its ψ
+  /// with it: the last one's is tried first, and taken where K u - (V + G) ψ vanishes.
+  const Field& fieldOf(const Vector& u) const {
+    if (u == field_.u)
+      return field_;
+    Vector psi = solved_;
+    psi.resize(at(range_.last - range_.densities));
+    Matrix images = imagesOf(u, psi);
+    double left = 0;
+    double size = 0;
+    for (Index i = range_.densities; i < range_.last; ++i) {
+      left = std::max(left, std::abs(images(i, 0) + images(i, 1)));
+      size = std::max(size, std::abs(images(i, 0)));
     }
-    return image_;
+    if (left > 1e-12 * size) {
+      for (Index i = 0; i < images.rows(); ++i)
+        images(i, 0) = -images(i, 0);
+      psi = densityFor(bem::columnsBetween(images, 0, 1));
+      images = imagesOf(u, psi);
+    }
+    field_ = {u, std::move(psi), std::move(images)};
+    return field_;
   }
 
   std::shared_ptr<const bem::CompressedOperators> operators_;
-  std::size_t body_;
+  std::size_t number_;
   const bem::CompressedOperators::Range& range_;
   Coupling coupling_;
   bem::LocalCompliance compliance_;
   CompressedCoupling compressed_;  ///< the own multiplier's
   mutable std::unique_ptr<const bem::CompressedFactor> densityFactor_;
-  mutable Vector imaged_;
-  mutable Matrix image_;
+  mutable Vector solved_;  ///< ψ of the last solution
+  mutable Field field_;
+  mutable Vector pushed_;
+  mutable Vector densityUnder_;
 };
 
 }  // namespace

@@ -194,7 +194,8 @@ Vector ElasticBody::clampForces(const Vector& contactForce,
   Vector rest = holding_->loads.load;
   axpy(-1, contactForce, rest);
   rest = form_->residual(rest, displacement);
-  rest = form_->residual(rest, onlyRounding(respond(rest), displacement));
+  if (compressed() == nullptr)
+    rest = form_->residual(rest, onlyRounding(respond(rest), displacement));
   for (std::size_t i = 0; i < rest.size(); ++i)
     if (clamped[i] != 0)
       forces[i] = -rest[i];

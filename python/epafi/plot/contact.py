@@ -38,6 +38,54 @@ def abscissa(contact, parts):
     return s, "length along the contact boundaries"
 
 
+def closes(contact):
+    """Does a single chain end where it begins, in contact there and not all around?"""
+    x = np.column_stack([contact["x"], contact["y"]])
+    steps = np.hypot(*np.diff(x, axis=0).T)
+    closed = contact["contact"] > 0
+    return (len(steps) > 2 and np.hypot(*(x[-1] - x[0])) < 2 * max(steps[0], steps[-1])
+            and (closed[0] or closed[-1]) and not closed.all())
+
+
+def laid_out(contact):
+    """The columns, where each sample is drawn, what that is, and the chains.  Contact that runs
+    over the end of a closed chain is in one piece: its second half comes first, at lengths
+    below 0."""
+    parts = chains(contact)
+    s, label = abscissa(contact, parts)
+    columns = {name: contact[name] for name in contact.columns}
+    if len(parts) == 1 and closes(contact):
+        turn = np.hypot(*(np.subtract([contact["x"][0], contact["y"][0]],
+                                      [contact["x"][-1], contact["y"][-1]]))) + s[-1] - s[0]
+        late = s > s[0] + turn / 2
+        order = np.concatenate([np.flatnonzero(late), np.flatnonzero(~late)])
+        s = np.where(late, s - turn, s)[order]
+        columns = {name: column[order] for name, column in columns.items()}
+    return columns, s, label, parts
+
+
+def window(laid):
+    """What is shown of (columns, s, ...) that share an axis: all, or where little of it is ever
+    closed, that and as much again on both sides."""
+    closed = np.concatenate([s[columns["contact"] > 0] for columns, s, *_ in laid])
+    low, high = (pick(s) for pick, s in ((min, [s.min() for _, s, *_ in laid]),
+                                         (max, [s.max() for _, s, *_ in laid])))
+    if not closed.size or np.ptp(closed) > 0.25 * (high - low):
+        return low, high
+    room = max(np.ptp(closed), 0.02 * (high - low))
+    return closed.min() - room, closed.max() + room
+
+
+def within(laid, low, high):
+    columns, s, label, parts = laid
+    here = (s >= low) & (s <= high)
+    if not here.any():
+        return laid
+    before = np.append(0, np.cumsum(here))
+    parts = [(before[a], before[b]) for a, b in parts if before[b] > before[a]]
+    return {name: column[here] for name, column in columns.items()}, s[here], label, parts
+
+
 def typical(values, weights, share):
     """The value that this share of the length stays below."""
     order = np.argsort(values)
@@ -77,8 +125,8 @@ def readable(axes, contact, weights):
 
 def draw(contact, title, pictures):
     names = contact["boundary"].astype(str)
-    parts = chains(contact)
-    s, label = abscissa(contact, parts)
+    laid = laid_out(contact)
+    contact, s, label, parts = within(laid, *window([laid]))
     weights = np.concatenate([lengths(s[a:b]) for a, b in parts])
     breaks = [a for a, _ in parts[1:]]
 
@@ -89,7 +137,7 @@ def draw(contact, title, pictures):
     figure, (stress, shift) = plt.subplots(2, 1, figsize=(8, 7.4), sharex=True)
     line(stress, contact["lambda_n"], r"pressure $\lambda_n$", color="C0")
     line(stress, contact["lambda_t"], r"shear $\lambda_t$", color="C1")
-    if (contact["bound"] != 0).any():
+    if (contact["bound"] != 0).any() and np.isfinite(contact["bound"]).all():  # bonds have none
         line(stress, contact["bound"], "friction bound, both signs", color="grey", ls="--",
              lw=1)
         line(stress, -contact["bound"], "_", color="grey", ls="--", lw=1)
@@ -102,6 +150,9 @@ def draw(contact, title, pictures):
     reach = max(np.abs(contact["u_n"]).max(), np.abs(contact["u_t"]).max()) + 0.2 * room
     if np.abs(contact["gap"]).max() > 3 * reach:  # a gap far off would flatten the rest
         shift.set_ylim(-reach, 1.5 * reach)
+    rounding = 1e-12 * max(np.ptp(contact["x"]), np.ptp(contact["y"]))
+    if reach < rounding and (contact["gap"] == 0).all():  # as of bonded sides
+        shift.set_ylim(-rounding, rounding)
     shift.set_ylabel("displacement along n and t")
     shift.set_xlabel(label)
     for axes in (stress, shift):

@@ -28,7 +28,8 @@ def draw(history, title, pictures):
     if not drawn:
         plt.close(figure)
         return
-    plain_ticks(axes.xaxis)
+    for axis in (axes.xaxis, axes.yaxis):
+        plain_ticks(axis)
     axes.set_xlabel("degrees of freedom")
     axes.set_ylabel("contribution to the estimate")
     axes.set_title(title + ": contributions")

@@ -32,7 +32,8 @@ def draw(history, abscissa, name, title, pictures):
         axes.text(0.5, 0.5, "a single level: nothing to compare", ha="center",
                   transform=axes.transAxes)
     else:
-        plain_ticks(axes.xaxis)
+        for axis in (axes.xaxis, axes.yaxis):
+            plain_ticks(axis)
     axes.set_xlabel("degrees of freedom" if abscissa == "dof" else
                     "CPU seconds since the start, all threads")
     axes.set_ylabel(label)

@@ -4,6 +4,7 @@ import math
 import numpy as np
 from matplotlib.lines import Line2D
 
+from epafi.plot.bodies import draw_rigid, roomy
 from epafi.plot.figures import equal_axes, plt, shape_of
 
 
@@ -13,7 +14,7 @@ def round_down(value):
     return max(step * power for step in (1, 2, 5) if step * power <= value * (1 + 1e-12))
 
 
-def draw(boundary, title, pictures):
+def draw(boundary, rigid, title, pictures):
     figure, axes = plt.subplots()
     largest = max(np.hypot(*element["u"].T).max() for element in boundary.elements)
     scale = round_down(0.1 * boundary.diameter / largest) if largest > 0 else 1
@@ -22,17 +23,18 @@ def draw(boundary, title, pictures):
         u = np.concatenate([element["u"] for element in loop])
         axes.plot(*x.T, color="grey", lw=0.8, ls="--", label="undeformed" if not k else "_")
         axes.plot(*(x + scale * u).T, color="C0", lw=1.6,
-                  label="deformed, displacement x %g" % scale if not k else "_")
+                  label="deformed, displacement x %g (gaps are not)" % scale if not k else "_")
     arrow = arrows(axes, boundary, scale)
     shown = axes.dataLim
     room = shape_of(shown.width, shown.height, 5.5)
     figure.set_size_inches(room[0] + 1.1, room[1] + 1.1)
+    solid = draw_rigid(axes, rigid, scale, roomy(shown.min, shown.max)) if rigid else []
     equal_axes(axes, shown.width, shown.height)
     axes.set_title(title + ": deformed outline and tractions")
     figure.tight_layout()
     below = axes.get_tightbbox(figure.canvas.get_renderer()).transformed(
         figure.transFigure.inverted())  # labels included: the legend hides none
-    figure.legend(handles=[*axes.get_lines()[:2], *arrow], loc="upper center",
+    figure.legend(handles=[*axes.get_lines()[:2], *solid, *arrow], loc="upper center",
                   bbox_to_anchor=(0.5 * (below.x0 + below.x1), below.y0))
     pictures.save(figure, "deformed")
 
@@ -63,5 +65,5 @@ def arrows(axes, boundary, scale):
     axes.autoscale_view()
     text = "traction on the body, longest arrow %.3g" % cap
     if cap < sizes.max():
-        text += "; cut there, largest drawn from %.3g" % sizes.max()
+        text += "; cut there (largest %.3g)" % sizes.max()
     return [Line2D([], [], color="C3", marker=">", lw=1, label=text)]

@@ -70,13 +70,21 @@ def loglog(axes, x, y, label, counted=None, gaps=False, **style):
     return True
 
 
+def power_of_ten(value):
+    """2 x 10^-4 as matplotlib sets it."""
+    exponent = math.floor(math.log10(value) + 1e-9)
+    factor = round(value / 10.0**exponent)
+    return "$%s10^{%d}$" % ("" if factor == 1 else r"%d\times" % factor, exponent)
+
+
 def plain_ticks(axis):
     """1, 2, 5, 10 ... in plain digits on a logarithmic axis, 1, 10 ... on a long one; where
     digits would grow long, powers."""
     low, high = axis.get_view_interval()
     axis.set_major_locator(LogLocator(subs=(1, 2, 5) if high < 60 * low else (1,)))
-    if low >= 9e-4 and high <= 2e5:
-        axis.set_major_formatter(FuncFormatter(lambda value, _: "%g" % value))
+    plain = low >= 9e-4 and high <= 2e5
+    axis.set_major_formatter(FuncFormatter(lambda value, _: "%g" % value if plain
+                                           else power_of_ten(value)))
     axis.set_minor_formatter(NullFormatter())
 
 

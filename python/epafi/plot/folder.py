@@ -9,10 +9,16 @@ import numpy as np
 
 from epafi.plot import (contact, contributions, convergence, deformed, effectivity, exponential,
                         inside, mesh, path, study_curves, sweep, work_precision)
+from epafi.plot.bodies import rigid_outlines
 from epafi.plot.boundary import Boundary
 from epafi.plot.figures import STYLE, Pictures, plt
 from epafi.plot.variants import curves_of
 from epafi.tables import Table, read, title_of
+
+
+def bodies_of(outline: Table) -> int:
+    """How many bodies boundary.csv has: those that deform."""
+    return len(set(outline["body"])) if "body" in outline else 1
 
 
 def draw_run(folder: str) -> list[str]:
@@ -28,7 +34,7 @@ def draw_run(folder: str) -> list[str]:
     if outline and "degree" in outline:
         elements = Boundary(outline)
         mesh.draw(elements, title, pictures)
-        deformed.draw(elements, title, pictures)
+        deformed.draw(elements, rigid_outlines(folder, bodies_of(outline)), title, pictures)
     points = read(folder, "contact.csv")
     if points:
         contact.draw(points, title, pictures)
@@ -72,11 +78,13 @@ def draw_folder(folder: str, field: str | None = None,
         names += [name for name in draw_run(folder) if name not in names]
         if field:
             pictures = Pictures(folder)
+            outline = read(folder, "boundary.csv")
+            rigid = rigid_outlines(folder, bodies_of(outline)) if outline else []
             if window:
-                inside.draw_window(Table(os.path.join(folder, "fields-window.csv")), field,
+                inside.draw_window(Table(os.path.join(folder, "fields-window.csv")), field, rigid,
                                    title_of(folder), pictures)
             else:
-                inside.draw(inside.Inside(os.path.join(folder, "fields.vtu")), field,
+                inside.draw(inside.Inside(os.path.join(folder, "fields.vtu")), field, rigid,
                             title_of(folder), pictures)
             names += pictures.names
     if not names:

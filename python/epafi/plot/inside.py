@@ -4,6 +4,7 @@ import xml.etree.ElementTree as xml
 import numpy as np
 from matplotlib.tri import Triangulation
 
+from epafi.plot.bodies import draw_rigid, roomy
 from epafi.plot.figures import equal_axes, plt, shape_of
 
 NAMES = {"ux": "displacement in x", "uy": "displacement in y", "sxx": r"$\sigma_{xx}$",
@@ -41,7 +42,10 @@ def range_of(values, weights):
     share = np.cumsum(weights[order]) / np.sum(weights)
     low, high = (values[order[min(np.searchsorted(share, part), len(order) - 1)]]
                  for part in (BEYOND / 2, 1 - BEYOND / 2))
-    return (low, high) if high > low else (low - abs(low) - 1e-300, high + abs(high) + 1e-300)
+    size = max(abs(low), abs(high))
+    if high - low > 1e-6 * size:
+        return low, high
+    return low - size - 1e-300, high + size + 1e-300  # rounding is no field
 
 
 def limits(values, weights, name):
@@ -56,8 +60,8 @@ def limits(values, weights, name):
 
 
 def finish(figure, axes, drawn, cut, largest, name, title, extent, pictures):
-    bar = figure.colorbar(drawn, ax=axes, extend={"": "neither", "minmax": "both"}.get(cut, cut),
-                          fraction=0.05, pad=0.02)
+    place = axes.inset_axes([1.02, 0, 0.2 / axes.figure.get_figwidth(), 1])  # as high as the body
+    bar = figure.colorbar(drawn, cax=place, extend={"": "neither", "minmax": "both"}.get(cut, cut))
     bar.set_label(NAMES[name] + (" (up to %.3g)" % largest if "max" in cut else ""))
     axes.grid(False)
     equal_axes(axes, *extent)
@@ -70,7 +74,7 @@ def figure_for(extent):
     return plt.subplots(figsize=(size[0] + 1.6, size[1] + 1.0))
 
 
-def draw(inside, name, title, pictures):
+def draw(inside, name, rigid, title, pictures):
     values = inside.values[name]
     weights = np.zeros(len(values))
     np.add.at(weights, inside.corners, inside.area()[:, None] / 3)
@@ -80,10 +84,12 @@ def draw(inside, name, title, pictures):
     x, y = inside.points.T
     drawn = axes.tripcolor(Triangulation(x, y, inside.corners), values, shading="gouraud",
                            vmin=low, vmax=high, rasterized=True, cmap=colours)
+    if rigid:
+        draw_rigid(axes, rigid, 0, roomy(inside.points.min(axis=0), inside.points.max(axis=0)))
     finish(figure, axes, drawn, cut, values.max(), name, title, extent, pictures)
 
 
-def draw_window(cells, name, title, pictures):
+def draw_window(cells, name, rigid, title, pictures):
     """Of middles of equal cells; those outside of the bodies are missing."""
     values = cells[name]
     low, high, colours, cut = limits(values, np.ones(len(values)), name)
@@ -96,4 +102,5 @@ def draw_window(cells, name, title, pictures):
     figure, axes = figure_for(shape)
     drawn = axes.imshow(image, origin="lower", extent=extent, interpolation="bilinear", vmin=low,
                         vmax=high, cmap=colours)
+    draw_rigid(axes, rigid, 0, extent)
     finish(figure, axes, drawn, cut, values.max(), name, title, shape, pictures)

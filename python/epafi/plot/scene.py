@@ -19,6 +19,32 @@ def runs_of(table):
     return [slice(a, b) for a, b in zip(starts, [*starts[1:], table.size])]
 
 
+def write_names(axes, table, names):
+    """Beside the middle of each (is free, part, colour), inside if there is room; free ones that
+    would stand upon others are left out."""
+    figure, taken = axes.figure, []
+    figure.canvas.draw()
+    for free, part, colour in names:
+        middle = (part.stop - part.start) // 2
+        at, n = ([float(table[column][part][middle]) for column in both]
+                 for both in (("x", "y"), ("nx", "ny")))
+        for away in (-9, 9, -20, 20, -31, 31):  # points, along the outward normal
+            side = -n[0] if away < 0 else n[0]
+            text = axes.annotate(
+                str(table["boundary"][part][0]), at, xytext=(away * n[0], away * n[1]),
+                textcoords="offset points", fontsize=8, color=colour, va="center", zorder=6,
+                ha="left" if side > 0.5 else "right" if side < -0.5 else "center",
+                bbox={"facecolor": "white", "alpha": 0.7, "lw": 0, "pad": 0.5})
+            box = text.get_window_extent()
+            if not any(box.overlaps(other) for other in taken):
+                taken.append(box)
+                break
+            text.remove()
+        else:
+            if not free:
+                axes.add_artist(text)
+
+
 def draw(table, title, file):
     with plt.rc_context(STYLE):
         x, y = table["x"], table["y"]
@@ -28,7 +54,7 @@ def draw(table, title, file):
         larger = max(extent)
         tx, ty, gap = (table.numbers(name) for name in ("tx", "ty", "gap"))
         largest = max(np.nanmax(np.hypot(tx, ty), initial=0), 1e-300)
-        met = {}
+        met, names = {}, []
         for part in runs_of(table):
             kind = str(table["condition"][part][0])
             colour = met.setdefault(kind, COLOURS[kind])
@@ -36,12 +62,7 @@ def draw(table, title, file):
             ends = table["element"][part]
             nodes = np.append(np.flatnonzero(np.diff(ends)), len(ends) - 1)
             axes.plot(x[part][nodes], y[part][nodes], ".", color=colour, ms=5, zorder=3)
-            middle = len(ends) // 2
-            n = table["nx"][part][middle], table["ny"][part][middle]
-            axes.annotate(str(table["boundary"][part][0]), (x[part][middle], y[part][middle]),
-                          xytext=(-9 * n[0], -9 * n[1]), textcoords="offset points",
-                          ha="left" if n[0] < -0.5 else "right" if n[0] > 0.5 else "center",
-                          va="center", fontsize=8, color=colour)
+            names.append((kind == "free", part, colour))
             here = np.isfinite(gap[part])
             if here.any():
                 near = np.minimum(gap[part][here], 0.15 * larger)  # far ones would widen the view
@@ -54,9 +75,11 @@ def draw(table, title, file):
             scale = 0.12 * larger / largest
             axes.quiver(x[loaded], y[loaded], scale * tx[loaded], scale * ty[loaded], color="C0",
                         angles="xy", scale_units="xy", scale=1, width=0.003, zorder=4)
+            axes.update_datalim(np.column_stack([x + scale * tx, y + scale * ty])[loaded])
             met["traction, up to %.3g" % largest] = "C0"
         axes.margins(0.15)
         equal_axes(axes, *extent)
+        write_names(axes, table, sorted(names, key=lambda name: name[0]))
         axes.legend([Line2D([], [], color=colour, lw=2) for colour in met.values()], list(met),
                     loc="upper left", bbox_to_anchor=(1, 1))
         axes.set_title(title)

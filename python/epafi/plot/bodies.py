@@ -1,0 +1,44 @@
+"""Bodies without elasticity, of solution.hdf."""
+import os
+
+import h5py
+import numpy as np
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
+
+
+def rigid_outlines(folder, elastic):
+    """(points, displacements) of each: arrays (2n, 2), the ends of n lines along its outline and
+    its holes; `elastic`: how many bodies of the file deform, they stand before the others."""
+    file = os.path.join(folder, "solution.hdf")
+    if not os.path.isfile(file):
+        return []
+    with h5py.File(file, "r") as content:
+        grid = content["VTKHDF"]
+        body = grid["CellData/body"][()]
+        ends = grid["Connectivity"][()].reshape(-1, 2)
+        x, u = grid["Points"][()][:, :2], grid["PointData/displacement"][()][:, :2]
+    return [(x[lines.ravel()], u[lines.ravel()])
+            for lines in (ends[body == b] for b in range(elastic, body.max() + 1))]
+
+
+def draw_rigid(axes, outlines, scale, view):
+    """Fills them where they are in the view (x0, x1, y0, y1), moved by scale times their
+    displacements; returns what the legend shows of them."""
+    axes.set_xlim(view[:2])
+    axes.set_ylim(view[2:])
+    patches = []
+    for x, u in outlines:
+        places = x + scale * u
+        follows = np.append(False, (places[2::2] == places[1:-1:2]).all(axis=1))
+        codes = np.full(len(places), Path.LINETO)
+        codes[::2][~follows] = Path.MOVETO
+        patches.append(axes.add_patch(PathPatch(Path(places, codes), facecolor="0.85", lw=1,
+                                                edgecolor="0.4", zorder=0.5, label="rigid")))
+    return patches[:1]
+
+
+def roomy(low, high, margin=0.08):
+    """A view around a box, its margins those of the larger side."""
+    room = margin * max(high - low)
+    return low[0] - room, high[0] + room, low[1] - room, high[1] + room

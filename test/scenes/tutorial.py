@@ -1,0 +1,67 @@
+"""The tutorial as a reader follows it: its scene, what it says the screen shows, its commands one
+after the other, its study."""
+import math
+import os
+import re
+import shlex
+import subprocess
+
+from runs import EPAFI, SCENES, WORK, claim, finish, fresh
+
+PAGE = os.path.join(SCENES, "..", "..", "doc", "tutorial.md")
+HERE = fresh("reader")
+os.makedirs(HERE)
+with open(PAGE, encoding="utf-8") as stream:
+    page = stream.read()
+
+
+def follow(words):
+    done = subprocess.run([EPAFI, *words], cwd=HERE, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, universal_newlines=True)
+    return done.returncode, done.stdout
+
+
+def write(name, text):
+    with open(os.path.join(HERE, name), "w", encoding="utf-8") as stream:
+        stream.write(text)
+
+
+def numbers(line):
+    return [float(word) for word in re.split(r"[ /]+", line.strip())
+            if re.fullmatch(r"[-+.\de]+", word)]
+
+
+def alike(said, shown):
+    """Are a page's lines those of the screen, numbers to 1e-3, columns on the right left out?"""
+    rows = [numbers(line) for line in said]
+    return len(said) == len(shown) and all(
+        len(row) <= len(numbers(line)) and all(math.isclose(a, b, rel_tol=1e-3)
+                                               for a, b in zip(row, numbers(line)))
+        for row, line in zip(rows, shown))
+
+
+write("block.xml", "".join(re.findall(r"```xml\n(.*?)```", page, re.S)))
+write("mine.csv", "0,0.5\n0.5,0.25\n")
+answers = re.findall(r"```text\n(.*?)```", page, re.S)
+commands = re.findall(r"^    (?:build/bin/epafi|\./run) ([^\n]*?\S)(?:  .*)?$", page, re.M)
+for line in commands:
+    words = shlex.split(line)
+    if words[0].endswith(".xml"):
+        words.insert(0, "run")
+    code, text = follow(words)
+    claim(code == 0, "epafi %s: exit %d %s" % (line, code, text.strip()[-100:]))
+    if words[0] == "check" and "--plot" not in words:
+        claim(text == answers[0], "check prints what the page says:\n" + text)
+    if words == ["run", "block.xml"]:
+        said = [row for row in answers[1].splitlines() if re.match(r" +\d+ ", row)]
+        shown = [row for row in text.splitlines() if re.match(r" +\d+ ", row)]
+        claim(len(said) == 4 and alike(said, shown), "and run:\n" + text)
+claim(len(commands) >= 9, "%d commands" % len(commands))
+
+study, = re.findall(r"^    <ParameterList name=\"Friction of the block\">.*?^    </ParameterList>$",
+                    page, re.S | re.M)
+write("friction.xml", study)
+code, text = follow(["study", "friction.xml"])
+claim(code == 0 and "pictures ./friction.out: sweep sweep_forces sweep_contact" in text,
+      "the study: " + text[-80:])
+finish()
