@@ -29,7 +29,7 @@ bem::Family<LinearMethod>& linearMethods() {
           {"Belos", "conjugate gradients, for each column", belos},
           {"Compressed",
            "by skeletons, time and memory nearly proportional to the "
-           "elements; straight edges, Stabilization->Form Density or None",
+           "elements; Stabilization->Form Density or None",
            factors, LinearMethod::Operators::Compressed},
           {"Automatic",
            "Compressed where that is possible and costs less, else Dense; "
@@ -56,12 +56,7 @@ bem::SchemaRows linearRows() {
 }
 
 std::string whyNotCompressed(const Scene& scene) {
-  for (const Body& body : scene.bodies) {
-    std::string reason = contact::whyNotCompressed(*body.outline, scene.stabilization);
-    if (!reason.empty())
-      return reason;
-  }
-  return "";
+  return contact::whyNotCompressed(scene.stabilization);
 }
 
 void checkLinear(const Scene& scene) {

@@ -92,6 +92,26 @@ Matrix wholeSystem(const bem::Space& space, const bem::Lame& lame) {
   return entries(all, all);
 }
 
+/// Pᵀ Z P: with arcs, displacements hold the rotation exactly.
+Matrix rotated(Matrix z, const bem::Space& space) {
+  if (space.rotation() == nullptr)
+    return z;
+  const bem::Vector& r = space.rotation()->motion();
+  const bem::Vector& q = space.rotation()->functional();
+  for (const bool transposed : {false, true})
+    for (Index i = 0; i < z.rows(); ++i) {
+      const auto entry = [&](Index j) -> double& {
+        return transposed ? z(j, i) : z(i, j);
+      };
+      double sum = 0;
+      for (std::size_t j = 0; j < r.size(); ++j)
+        sum += entry(static_cast<Index>(j)) * r[j];
+      for (std::size_t j = 0; j < r.size(); ++j)
+        entry(static_cast<Index>(j)) -= sum * q[j];
+    }
+  return z;
+}
+
 bem::Compression smallLeaves() {
   bem::Compression options;
   options.leafUnknowns = 60;
@@ -229,8 +249,8 @@ TEUCHOS_UNIT_TEST(Compressed, productsAreTheDenseOnes) {
     const bem::Lame lame({1, sample.nu, false});
     const bem::CompressedOperators z(space, lame, smallLeaves());
     const Matrix x = oscillating(z.size(), 3);
-    const double error =
-        relativeDifference(z.times(x), bem::product(wholeSystem(space, lame), x));
+    const double error = relativeDifference(
+        z.times(x), bem::product(rotated(wholeSystem(space, lame), space), x));
     out << sample.name << ": " << error << "\n";
     TEST_COMPARE(error, <, 1e-11);
   }
@@ -327,7 +347,7 @@ TEUCHOS_UNIT_TEST(Compressed, solutionsAreTheDenseOnes) {
   for (const Case& sample : cases()) {
     const bem::Space space(sample.mesh);
     const bem::Lame lame({1, sample.nu, false});
-    const Matrix whole = wholeSystem(space, lame);
+    const Matrix whole = rotated(wholeSystem(space, lame), space);
     const bem::CompressedOperators z(space, lame, smallLeaves());
     const Matrix b = loads(space);
     const bem::Restriction clamp = clamped(space, 0, sample.mesh.size() / 5);

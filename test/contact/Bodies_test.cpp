@@ -123,9 +123,9 @@ Two problems(const Block& above, const Block& below, bool held) {
   const auto met = [&](const contact::StabilisedBody&) {
     const bem::Rows mine = algebra.myRows(below.space.displacements());
     Matrix coupling(mine.size(), multiplier.size());
-    for (const auto& entry : mortarCoupling(
-             above.space.mesh(), multiplier,
-             BlockBelow(above.space.mesh(), below.space.mesh()), below.space))
+    for (const auto& entry :
+         mortarCoupling(above.space.mesh(), multiplier,
+                        BlockBelow(above.space.mesh(), below.space.mesh()), below.space))
       if (mine.contain(entry.row))
         coupling(entry.row - mine.begin, entry.column) += entry.value;
     return coupling;

@@ -12,6 +12,9 @@ SCENES = {
     "two-blocks": LEVELS,
     "incline": LEVELS,
     "dovetail": LEVELS,
+    "two-cylinders": LEVELS,
+    "press-fit": LEVELS,
+    "disc": LEVELS,
 }
 
 

@@ -85,7 +85,8 @@ class CompressedFactor {
       double factor;
     };
     std::vector<Follower> followers;
-    Matrix out;  ///< of a leaf: T of its solution, followers included
+    Matrix out;             ///< of a leaf: T of its solution, followers included
+    bool isSilent = false;  ///< all of the cluster is held: it has a response alone, zero
 
     void factor(Matrix matrix);
     void solve(Matrix& x) const;
@@ -97,7 +98,9 @@ class CompressedFactor {
   void eliminateLeaf(int c, Node& node) const;
   void eliminateParent(int c, Node& node) const;
   void takeSpringsBack();
+  void addRotations();
   Matrix solveSprung(const Matrix& b, const std::vector<char>& paths) const;
+  Matrix solveStraight(const Matrix& b, const std::vector<char>& paths) const;
   Matrix solveOnce(const Matrix& b, const std::vector<char>& paths) const;
   /// B less Z X on what is asked for, zero elsewhere.
   Matrix residual(const Matrix& b, const Matrix& x) const;
@@ -106,7 +109,13 @@ class CompressedFactor {
   Restriction restriction_;
   std::vector<std::shared_ptr<const Node>> nodes_;
   std::vector<Index> sprung_;  ///< CompressedOperators::floating, what is not held
-  std::shared_ptr<const Node> springs_;  ///< I - Pᵀ M⁻¹ P of them, see solveOnce
+  std::shared_ptr<const Node> springs_;  ///< I - Pᵀ M⁻¹ P of them, see solveStraight
+  /// Of CompressedOperators::rotations; null without any.
+  struct Rotated {
+    Matrix answers;  ///< Y = Z⁻¹ U on what is not held
+    Node rest;       ///< S⁻¹ + Uᵀ Y
+  };
+  std::shared_ptr<const Rotated> rotated_;
 };
 
 }  // namespace epafi::bem

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace epafi::bem {
 
@@ -398,6 +399,55 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
     parts_ = std::move(shares.front().parts);
   else
     join(std::move(shares), between);
+  addRotations(bodies, local);
+}
+
+// Of P = I - r_I qᵀ on displacements:  Pᵀ Z P = Z - q wᵀ - w qᵀ + q (r_I·w) qᵀ
+void CompressedOperators::addRotations(const std::vector<Body>& bodies,
+                                       const LocalCoupling& local) {
+  std::vector<std::size_t> curved;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (bodies[b].space.rotation() != nullptr)
+      curved.push_back(b);
+  const auto count = 2 * static_cast<Index>(curved.size());
+  Rotations rotations{Matrix(size(), count), Matrix(count, count)};
+  for (Index k = 0; k < count; k += 2) {
+    const std::size_t b = curved[at(k / 2)];
+    const Range& own = ranges_[b];
+    const Rotation& rotation = *bodies[b].space.rotation();
+    const Vector& r = rotation.motion();
+    const Vector& q = rotation.functional();
+    Matrix x(size(), 1);
+    std::copy(r.begin(), r.end(), x.data() + own.first);
+    const Matrix image = times(x);
+    std::copy(q.begin(), q.end(), rotations.columns.column(k) + own.first);
+    double* const w = rotations.columns.column(k + 1);
+    std::copy(image.data() + own.first, image.data() + own.last, w + own.first);
+    double work = 0;
+    for (std::size_t i = 0; i < r.size(); ++i)
+      work += r[i] * w[own.first + static_cast<Index>(i)];
+    const Index further = ranges_.back().last;
+    for (std::size_t i = 0; i < local.rotations.size(); ++i)
+      if (local.bodies.empty() || local.bodies[i] == static_cast<int>(b))
+        w[further + static_cast<Index>(i)] = -local.rotations[i];
+    rotations.inverse(k, k + 1) = rotations.inverse(k + 1, k) = -1;
+    rotations.inverse(k + 1, k + 1) = -work;
+  }
+  rotations_ = std::move(rotations);
+}
+
+// S = [r_I·w, -1; -1, 0]
+void CompressedOperators::Rotations::addTo(Matrix& y, const Matrix& x) const {
+  for (Index k = 0; k < columns.columns(); k += 2) {
+    const double* q = columns.column(k);
+    const double* w = columns.column(k + 1);
+    for (Index j = 0; j < x.columns(); ++j) {
+      const double turn = std::inner_product(q, q + x.rows(), x.column(j), 0.0);
+      const double work = std::inner_product(w, w + x.rows(), x.column(j), 0.0);
+      for (Index i = 0; i < y.rows(); ++i)
+        y(i, j) -= q[i] * (inverse(k + 1, k + 1) * turn + work) + w[i] * turn;
+    }
+  }
 }
 
 /// Unknowns side by side, and matrices that bodies alone do not fill.
@@ -522,6 +572,7 @@ Matrix CompressedOperators::times(const Matrix& x) const {
       addTransposedProduct(1, own.block, out[first], in[second]);
     }
   }
+  rotations_.addTo(result, x);
   return result;
 }
 

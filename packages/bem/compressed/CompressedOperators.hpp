@@ -22,6 +22,9 @@ struct Compression {
 struct LocalCoupling {
   std::vector<int> elements;  ///< of each further unknown, one that it is on
   std::vector<int> bodies;    ///< and whose that is; empty: all are the first body's
+  /// What it does to the exact rotation of its body less the interpolated one, where there are
+  /// arcs, see Rotation; empty: nothing.
+  Vector rotations;
   /// Unknowns are numbered body by body as unknownsOf has them, further ones behind all.  One
   /// of (i, j) and (j, i).
   struct Entry {
@@ -45,7 +48,7 @@ struct LocalCoupling {
 /// and the skeletons of two children are the unknowns of their parent.  Memory and time
 /// grow with the number of elements times the rank, which grows with its logarithm.  Of
 /// several bodies a cluster has what face each other; each one's part has a skeleton of its
-/// own.
+/// own.  Displacements of bodies with arcs hold the rotation exactly, see Rotation.
 ///                                                       [doc/theory/compression.md]
 class CompressedOperators {
  public:
@@ -93,6 +96,18 @@ class CompressedOperators {
   /// are holes: a factor springs them, since a cluster that is a whole loop may float.
   const std::vector<Index>& floating() const { return floating_; }
 
+  /// U and S⁻¹ of U S Uᵀ, which exact rotations add to what the tree holds: for each body with
+  /// arcs the columns q and w = Z r_I, of further unknowns less what they do to the rest, and
+  /// S⁻¹ = [0, -1; -1, -r_I·w].
+  struct Rotations {
+    Matrix columns;
+    Matrix inverse;
+
+    /// Y += U S Uᵀ X
+    void addTo(Matrix& y, const Matrix& x) const;
+  };
+  const Rotations& rotations() const { return rotations_; }
+
   struct Ranks {
     Index largest = 0;
     double mean = 0;
@@ -105,12 +120,14 @@ class CompressedOperators {
   struct Share;
 
   void join(std::vector<Share> shares, const LocalCoupling& local);
+  void addRotations(const std::vector<Body>& bodies, const LocalCoupling& local);
 
   std::vector<Range> ranges_;
   std::vector<int> leaves_;  ///< of the unknowns
   std::vector<ClusterTree> trees_;
   std::vector<Part> parts_;
   std::vector<Index> floating_;
+  Rotations rotations_;
 };
 
 }  // namespace epafi::bem

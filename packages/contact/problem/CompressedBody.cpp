@@ -1,9 +1,9 @@
 #include "contact/problem/CompressedBody.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/compressed/Products.hpp"
 #include "contact/problem/ContactSystem.hpp"
 #include "contact/problem/MortarCoupling.hpp"
-#include "bem/compressed/Products.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -28,11 +28,19 @@ void addOwn(const bem::Space& space, const Coupling& coupling,
          numberOf(entry.column), -entry.value});
   for (const Coupling::Entry& entry : coupling.mass)
     to.mass.push_back({numberOf(entry.row), numberOf(entry.column), entry.value});
+  if (coupling.rotation == nullptr)
+    return;
+  Vector rests(at(to.multipliers));
+  for (Index i = 0; i < coupling.multipliers; ++i)
+    rests[at(numberOf(i))] = coupling.traceOfRotation[at(i)];
+  to.rests.push_back({coupling.rotation, first, std::move(rests)});
 }
 
 /// Where each coefficient of the multiplier belongs: to the element that numbers the
-/// displacement which it does most work on, so that a leaf has both.
-std::vector<int> elementsOf(const bem::Space& space, const Coupling& coupling) {
+/// displacement which it does most work on, so that a leaf has both; tangential ones to that
+/// of the pressure which they may follow.
+std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& multiplier,
+                            const Coupling& coupling) {
   std::vector<int> elementOf(at(space.displacements()));
   for (int e = 0; e < space.mesh().size(); ++e)
     for (Index i = space.displacement(e, 0, 0);
@@ -45,6 +53,9 @@ std::vector<int> elementsOf(const bem::Space& space, const Coupling& coupling) {
       largest[at(entry.column)] = std::abs(entry.value);
       elements[at(entry.column)] = elementOf[at(entry.row)];
     }
+  for (const MultiplierSpace::ContactElement& contact : multiplier.elements())
+    for (int i = 0; i <= contact.degree && contact.tangential >= 0; ++i)
+      elements[at(contact.tangentialOf(i))] = elements[at(contact.normalOf(i))];
   return elements;
 }
 
@@ -91,7 +102,11 @@ class CompressedBody final : public StabilisedBody {
     }
     for (const Coupling::Entry& entry : coupling_.completion)
       x(range_.first + entry.row, 0) += entry.value * multiplier[at(entry.column)];
-    return {x.data() + range_.first, x.data() + range_.densities};
+    Vector force(x.data() + range_.first, x.data() + range_.densities);
+    if (coupling_.rotation != nullptr)
+      coupling_.rotation->complete(dot(coupling_.completionOfRotation, multiplier),
+                                   force);
+    return force;
   }
 
   Vector pull(const Vector& u) const override {
@@ -285,15 +300,11 @@ class CompressedBody final : public StabilisedBody {
 
 }  // namespace
 
-std::string whyNotCompressed(const bem::Outline& outline,
-                             const Stabilization& stabilization) {
+std::string whyNotCompressed(const Stabilization& stabilization) {
   using Form = Stabilization::Form;
   if (stabilization.form != Form::None && stabilization.form != Form::Density)
     return "Discretization->Stabilization->Form must be Density, or None with the "
            "multiplier Biorthogonal";
-  for (const bem::Edge& edge : outline.edges())
-    if (!edge.curve.isStraight())
-      return "the outline has circular arcs, whose exact rotation no cluster holds";
   return "";
 }
 
@@ -342,6 +353,9 @@ CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bo
 std::vector<bem::SteklovPoincare> makeCompressedStiffness(
     const std::vector<CompressedInput>& bodies, const Stabilization& stabilization,
     bem::Units units, const bem::DenseAlgebra& algebra, const bem::Compression& options) {
+  const std::string reason = whyNotCompressed(stabilization);
+  if (!reason.empty())
+    throw bem::InputError("the operators cannot be compressed: " + reason);
   const CompressedCoupling coupling =
       makeCompressedCoupling(bodies, stabilization, units);
   bem::LocalCoupling local;
@@ -352,18 +366,19 @@ std::vector<bem::SteklovPoincare> makeCompressedStiffness(
       local.entries.push_back(
           {coupling.first + entry.row, coupling.first + entry.column, -entry.value});
   const Numbering numbering = numberingOf(bodies);
+  local.rotations.assign(at(coupling.multipliers), 0.0);
+  for (const CompressedCoupling::Rest& rest : coupling.rests)
+    bem::axpy(1, rest.values, local.rotations);
   local.elements.resize(at(coupling.multipliers));
   local.bodies.resize(at(coupling.multipliers));
   std::vector<bem::CompressedOperators::Body> operands;
   Index first = 0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto& [space, multiplier, lame, opposite] = bodies[b];
-    const std::string reason = whyNotCompressed(space.mesh().outline(), stabilization);
-    if (!reason.empty())
-      throw bem::InputError("the operators cannot be compressed: " + reason);
     operands.push_back({space, lame});
-    const std::vector<int> elements = elementsOf(
-        space, makeLocalCoupling(space, multiplier, stabilization, lame, units));
+    const std::vector<int> elements =
+        elementsOf(space, multiplier,
+                   makeLocalCoupling(space, multiplier, stabilization, lame, units));
     for (std::size_t i = 0; i < elements.size(); ++i) {
       const Index k = numbering(b, static_cast<Index>(i));
       local.elements[at(k)] = elements[i];

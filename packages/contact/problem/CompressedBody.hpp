@@ -30,14 +30,13 @@ CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bo
 ///
 /// W, K and V of each body beside those of others, B₀ with the traces of what is met; G, N
 /// and M of Form Density, zero under Form None.      [doc/theory/compression.md]
-/// \throws bem::InputError for another form, or where an outline has arcs.
+/// \throws bem::InputError for another form.
 std::vector<bem::SteklovPoincare> makeCompressedStiffness(
     const std::vector<CompressedInput>& bodies, const Stabilization& stabilization,
     bem::Units units, const bem::DenseAlgebra& algebra, const bem::Compression& options);
 
-/// Why a body's stiffness cannot be compressed; empty: it can.
-std::string whyNotCompressed(const bem::Outline& outline,
-                             const Stabilization& stabilization);
+/// Why a stiffness cannot be compressed; empty: it can.
+std::string whyNotCompressed(const Stabilization& stabilization);
 
 /// \pre input.stiffness is one of these.
 std::unique_ptr<const StabilisedBody> makeCompressedBody(

@@ -382,12 +382,24 @@ std::unique_ptr<Flexibility::Operator::Factor> CompressedFlexibility::factor(
 void CompressedCoupling::push(double s, const double* multiplier, double* x) const {
   for (const Coupling::Entry& entry : entries)
     x[entry.row] += s * entry.value * multiplier[entry.column];
+  for (const Rest& rest : rests) {
+    const Vector& q = rest.rotation->functional();
+    const double work =
+        s * std::inner_product(rest.values.begin(), rest.values.end(), multiplier, 0.0);
+    for (std::size_t j = 0; j < q.size(); ++j)
+      x[rest.first + static_cast<Index>(j)] += work * q[j];
+  }
 }
 
 Vector CompressedCoupling::pull(const double* x) const {
   Vector result(at(multipliers));
   for (const Coupling::Entry& entry : entries)
     result[at(entry.column)] += entry.value * x[entry.row];
+  for (const Rest& rest : rests) {
+    const Vector& q = rest.rotation->functional();
+    axpy(std::inner_product(q.begin(), q.end(), x + rest.first, 0.0), rest.values,
+         result);
+  }
   return result;
 }
 

@@ -14,7 +14,14 @@ constexpr Index mostCompressedColumns = 6000;
 struct CompressedCoupling {
   std::vector<Coupling::Entry> entries;  ///< unknowns x multiplier
   std::vector<Coupling::Entry> mass;     ///< M
-  Index first = 0;                       ///< number of the first multiplier's unknown
+  /// What Ĉ does on a body with arcs to the exact rotation less the interpolated one.
+  struct Rest {
+    std::shared_ptr<const bem::Rotation> rotation;
+    Index first;    ///< displacement
+    Vector values;  ///< by multipliers
+  };
+  std::vector<Rest> rests;
+  Index first = 0;  ///< number of the first multiplier's unknown
   Index multipliers = 0;
   Index normals = 0;  ///< those of them that come first
 

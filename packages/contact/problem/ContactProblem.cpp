@@ -122,12 +122,12 @@ ContactProblem::ContactProblem(const Input& input)
   if (const auto held = parts.body->compressed()) {
     responses.push_back(
         parts.body->response([&](const Vector& u) { return parts.form->pull(u); }));
-    problem = condense(
-        Flexibility(compressedFlexibility(
-            makeCompressedCoupling({{parts.space, parts.multiplier, input.lame}},
-                                   input.stabilization, parts.units),
-            {held})),
-        responses);
+    problem =
+        condense(Flexibility(compressedFlexibility(
+                     makeCompressedCoupling({{parts.space, parts.multiplier, input.lame}},
+                                            input.stabilization, parts.units),
+                     {held})),
+                 responses);
   } else {
     responses.push_back(parts.body->response(parts.form->coupling()));
     problem = condense(parts.algebra, parts.form->multiplierMass(), responses);

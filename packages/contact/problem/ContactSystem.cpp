@@ -166,8 +166,7 @@ struct ContactSystem::Parts {
       all[at(numbering(b, i))] = own[at(i)];
     for (const Met& other : couplings->met[b])
       for (const Coupling::Entry& entry : other.coupling)
-        all[at(numbering(other.carrier, entry.column))] +=
-            entry.value * u[at(entry.row)];
+        all[at(numbering(other.carrier, entry.column))] += entry.value * u[at(entry.row)];
     return all;
   }
 
@@ -179,16 +178,15 @@ struct ContactSystem::Parts {
       for (std::size_t b = 0; b < size(); ++b) {
         responses.push_back(
             part(b).body->response([&](const Vector& u) { return pulled(b, u); }));
-        compressed.push_back({part(b).space, part(b).multiplier, inputs[b].lame,
-                              part(b).opposite.get()});
+        compressed.push_back(
+            {part(b).space, part(b).multiplier, inputs[b].lame, part(b).opposite.get()});
         held.push_back(part(b).body->compressed());
       }
-      numbers = condense(
-          Flexibility(compressedFlexibility(
-              makeCompressedCoupling(compressed, inputs.front().stabilization,
-                                     part(0).units),
-              std::move(held))),
-          responses);
+      numbers = condense(Flexibility(compressedFlexibility(
+                             makeCompressedCoupling(
+                                 compressed, inputs.front().stabilization, part(0).units),
+                             std::move(held))),
+                         responses);
     } else {
       for (std::size_t b = 0; b < size(); ++b)
         responses.push_back(part(b).body->response(coupling(b)));

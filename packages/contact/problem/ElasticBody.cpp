@@ -128,8 +128,8 @@ Vector ElasticBody::respond(Vector force) const {
 }
 
 ElasticBody::Response ElasticBody::response(Matrix coupling) const {
-  Response response = this->response(
-      [&](const Vector& u) { return pull(*algebra_, coupling, u); });
+  Response response =
+      this->response([&](const Vector& u) { return pull(*algebra_, coupling, u); });
   const Rows mine = algebra_->myRows(static_cast<Index>(load_.size()));
   for (Index j = 0; j < coupling.columns(); ++j)
     for (Index i = 0; i < coupling.rows(); ++i)
@@ -252,8 +252,7 @@ Problem condense(const DenseAlgebra& algebra, Matrix multiplierMass,
                  const std::vector<ElasticBody::Response>& bodies) {
   const auto m = static_cast<Index>(bodies.front().offset.size());
   const Rows mine = algebra.myRows(m);
-  Matrix d =
-      mine.size() == m ? std::move(multiplierMass) : rowsOf(multiplierMass, mine);
+  Matrix d = mine.size() == m ? std::move(multiplierMass) : rowsOf(multiplierMass, mine);
   for (const auto& body : bodies) {
     subtractMotions(body.motions, mine, d);
     d = algebra.addGram(std::move(d), body.half);

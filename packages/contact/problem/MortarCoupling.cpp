@@ -35,8 +35,7 @@ class Writer {
         const Index row = met_.displacement(point.element, k, c);
         for (int i = 0; i <= contact.degree; ++i)
           entries_.push_back({row, (contact.*acting.number)(i),
-                              -weight * components[c] *
-                                  chi[static_cast<std::size_t>(i)] *
+                              -weight * components[c] * chi[static_cast<std::size_t>(i)] *
                                   phi[static_cast<std::size_t>(k)]});
       }
   }
