@@ -76,7 +76,8 @@ void collectWords(const Teuchos::ParameterList& list, std::set<std::string>& wor
   }
 }
 
-/// Constants that no expression knows: a misspelt one that --set made, say.
+/// What has no effect: constants that no expression knows (a misspelt one that --set made,
+/// say), a path on which nothing changes, rigid bodies that nothing touches.
 void findUnused(const Scene& scene, std::vector<std::string>& warnings) {
   std::set<std::string> words;
   collectWords(*scene.used, words);
@@ -91,6 +92,16 @@ void findUnused(const Scene& scene, std::vector<std::string>& warnings) {
           "Constants->", name, " = ", value, " is in no expression",
           near.empty() ? "" : "; the nearest name that is in one: '" + near + "'"));
     }
+  if (scene.history && words.count("t") == 0)
+    warnings.emplace_back(
+        "History: no expression uses t; all steps are under the same loads");
+  for (std::size_t b = 0; b < scene.rigid.size(); ++b)
+    if (std::none_of(scene.contacts.begin(), scene.contacts.end(),
+                     [&](const ContactPair& pair) {
+                       return pair.met.rigid && pair.met.body == b;
+                     }))
+      warnings.push_back("Bodies->" + scene.rigid[b].name +
+                         ": is rigid, and no contact names it");
 }
 
 /// How far the sides of each contact slide where it is closed, over its length in contact.

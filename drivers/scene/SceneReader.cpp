@@ -9,6 +9,7 @@
 #include "drivers/scene/ConditionsReader.hpp"
 #include "drivers/scene/ContactsReader.hpp"
 #include "drivers/scene/GeometryReader.hpp"
+#include "drivers/scene/Incompressible.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
 
@@ -26,32 +27,6 @@ void checkAnyBody(const ParameterList& list) {
   if (list.isSublist("Bodies") &&
       list.sublist("Bodies").begin() == list.sublist("Bodies").end())
     throw InputError("Bodies: no body is given; at least one is needed");
-}
-
-/// V has the normals of each closed line in its kernel at ν = 1/2; only what Form Density
-/// adds on contact elements takes them out.
-void checkIncompressible(const Body& body, const contact::Stabilization& stabilization,
-                         const std::string& path) {
-  if (body.material.poissonsRatio < 0.5 || body.material.planeStress)
-    return;
-  if (stabilization.form != contact::Stabilization::Form::Density)
-    throw InputError(path +
-                     ": is 1/2, which Discretization->Stabilization->Form = "
-                     "Density allows in plane strain; other forms want less");
-  const std::vector<bem::Edge>& edges = body.outline->edges();
-  std::vector<bool> seen(edges.size(), false);
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    bool held = seen[k];
-    for (std::size_t i = k; !seen[i]; i = static_cast<std::size_t>(edges[i].next)) {
-      seen[i] = true;
-      held = held || body.conditions.contact.count(edges[i].boundary) != 0;
-    }
-    if (!held)
-      throw InputError(path +
-                       ": is 1/2, which needs a contact boundary on every closed "
-                       "line of the outline; the one with '" +
-                       edges[k].boundary + "' has none");
-  }
 }
 
 Scene::Solver readSolver(const ParameterList& list) {
@@ -137,9 +112,7 @@ Scene build(const std::string& file, const RawScene& raw) {
       contact::parseStabilization(discretization.sublist("Stabilization"));
   if (contact::multiplierBasis(scene.multiplier).sharesNodes)
     scene.stabilization.form = contact::Stabilization::Form::None;
-  for (const Body& body : scene.bodies)
-    checkIncompressible(body, scene.stabilization,
-                        "Bodies->" + body.name + "->Material->Poisson's Ratio");
+  pinIncompressible(scene);
   scene.solver = readSolver(used.sublist("Solver"));
   readHistory(used, scene);
   if (scene.history && scene.solver.loadSteps > 1)

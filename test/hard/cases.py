@@ -199,6 +199,28 @@ for nu, near in (("0.4999999", 1e-6), ("0.4999", 1e-3), ("0.49", 0.1)):
     case("rubber_" + nu, "nu = %s, stabilised by the density" % nu, "pressed_block",
          [NU + nu, DENSITY],
          claims=[like("rubber_0.5", ["force_normal", "energy_strain"], near), steps(40)])
+# A closed line without contact: psi is pinned on an edge without load.
+HOLE = ["Bodies->block->Geometry->Hole 1 Vertices=4x2:{-0.3,0.4, 0.2,0.3, 0.4,0.7, -0.1,0.8}",
+        "Bodies->block->Geometry->Hole 1 Edges={hole, hole, hole, hole}",
+        "Discretization->Hole 1 Elements per Edge={4, 4, 4, 4}", DENSITY]
+same = ["force_normal", "energy_strain", "estimate"]
+case("rubber_hole_0.5", "nu = 1/2, a hole without load", "pressed_block", [NU + "0.5", *HOLE],
+     claims=[between("force_normal", 2.5, 3.5), steps(40), dissipates])
+for nu, near in (("0.4999999", 1e-6), ("0.4999", 1e-3)):
+    case("rubber_hole_" + nu, "nu = %s, a hole without load" % nu, "pressed_block", [NU + nu, *HOLE],
+         claims=[like("rubber_hole_0.5", same, near), steps(40)])
+case("rubber_hole_compressed", "nu = 1/2, a hole without load, compressed", "pressed_block",
+     [NU + "0.5", *HOLE, "Solver->Linear->Method=Compressed"],
+     claims=[like("rubber_hole_0.5", same, 1e-10), steps(40)])
+case("rubber_hole_fixed", "nu = 1/2, a hole that is clamped", "pressed_block",
+     [NU + "0.5", *HOLE, "Bodies->block->Boundary Conditions->hole->Type=Dirichlet",
+      "Bodies->block->Boundary Conditions->hole->Displacement X=0"], code=1,
+     words=["Poisson's Ratio", "'hole'", "without any condition"])
+PLATE = "Bodies->plate->Material->Poisson's Ratio="
+case("rubber_plate_0.5", "nu = 1/2 of the body that is met", "two-blocks", [PLATE + "0.5"],
+     claims=[value("force_normal", 0.02, 1e-12)])
+case("rubber_plate_0.4999999", "nu = 0.4999999 of the body that is met", "two-blocks",
+     [PLATE + "0.4999999"], claims=[like("rubber_plate_0.5", same, 1e-6)])
 pressed = ["force_normal", "energy_strain", "contact_length", "slip_length", "energy_friction"]
 case("pressed", "pressed onto a parabola: the reference of the following", "pressed_block",
      claims=[steps(10), dissipates])

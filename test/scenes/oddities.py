@@ -33,10 +33,15 @@ for sentence, settings, words in [
                                "top={Type=Dirichlet, Displacement X=0, Displacement Y=0.01}", HELD], "contact never closes"),
         ("a load beyond all bounds",
          [PUSHED, HELD], "% of the body's size"),
+        ("a path without t", ["History->Times={1, 2}"], "no expression uses t"),
         ("a constant that none uses", ["Constants->tpo=1"], "Constants->tpo = 1 is in no expression")]:
     code, warnings = told(scene("coulomb.xml"), "odd", settings)
     claim(code == 0 and len(warnings) == 1 and words in warnings[0],
           "%s: %s" % (sentence, warnings))
+code, warnings = told(scene("tilting-punch.xml"), "untouched", ["Contacts=",
+                      "Bodies->punch->Motion=", "History->Times={1}", "History->Steps={1}"])
+claim(any("Bodies->punch: is rigid, and no contact names it" in line for line in warnings),
+      "a rigid body that nothing touches: %s" % warnings)
 code, warnings = told(scene("coulomb.xml"), "slid", [SLID, HELD, SMOOTH])
 claim(code == 0 and any("'foundation': sliding reaches 14 %" in line for line in warnings),
       "sliding beyond a tenth of the contact: %s" % warnings)

@@ -40,8 +40,8 @@ void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* pivots,
              int* info);
 void dgetrs_(const char* trans, const int* n, const int* nrhs, const double* a,
              const int* lda, const int* pivots, double* b, const int* ldb, int* info);
-void dgeqrf_(const int* m, const int* n, double* a, const int* lda, double* tau,
-             double* work, const int* lwork, int* info);
+void dgeqrt_(const int* m, const int* n, const int* nb, double* a, const int* lda,
+             double* t, const int* ldt, double* work, int* info);
 void dgeqp3_(const int* m, const int* n, double* a, const int* lda, int* jpvt,
              double* tau, double* work, const int* lwork, int* info);
 }

@@ -2,10 +2,13 @@
 
 #include "bem/algebra/SerialBlas.hpp"
 #include "bem/base/Error.hpp"
+#include "bem/compressed/ByColumns.hpp"
 #include "bem/compressed/Products.hpp"
 
 #include <algorithm>
 #include <cassert>
+#include <iterator>
+#include <stdexcept>
 
 namespace epafi::bem {
 
@@ -20,13 +23,21 @@ void scaleRows(const Vector& scales, Matrix& x) {
 }  // namespace
 
 CompressedFactor::CompressedFactor(const CompressedOperators& operators,
-                                   Restriction restriction)
+                                   Restriction restriction,
+                                   const std::vector<int>& changing)
     : operators_(&operators),
       restriction_(std::move(restriction)),
-      nodes_(static_cast<std::size_t>(operators.tree().size())) {
+      changing_(operators.tree().paths(changing)),
+      nodes_(static_cast<std::size_t>(operators.tree().size())),
+      responses_(nodes_.size()) {
   restriction_.held.resize(at(operators.size()));
   eliminate(std::vector<char>(nodes_.size(), 1));
 }
+
+CompressedFactor::CompressedFactor(const CompressedOperators& operators,
+                                   Restriction restriction)
+    : CompressedFactor(operators, std::move(restriction),
+                       operators.tree().cut(operators.tree().levels() - 1)) {}
 
 int CompressedFactor::update(Restriction restriction) {
   restriction.held.resize(at(operators_->size()));
@@ -50,6 +61,9 @@ int CompressedFactor::update(Restriction restriction) {
   compare(restriction_.springs, restriction.springs);
   restriction_ = std::move(restriction);
   const std::vector<char> dirty = operators_->tree().paths(changed);
+  for (std::size_t c = 0; c < dirty.size(); ++c)
+    if (dirty[c] > changing_[c])
+      throw std::logic_error("a leaf of the compressed system changes that may not");
   eliminate(dirty);
   return static_cast<int>(std::count(dirty.begin(), dirty.end(), 1));
 }
@@ -87,18 +101,22 @@ void CompressedFactor::eliminate(const std::vector<char>& dirty) {
   const ClusterTree& tree = operators_->tree();
   std::vector<Node> nodes = restricted(dirty);
   for (int l = tree.levels() - 1; l >= 0; --l) {
-    const std::vector<int>& level = tree.level(l);
+    std::vector<int> level;
+    std::copy_if(tree.level(l).begin(), tree.level(l).end(), std::back_inserter(level),
+                 [&](int c) { return dirty[static_cast<std::size_t>(c)] != 0; });
     std::string failure;
-#pragma omp parallel for schedule(dynamic, 1)
+    // a single cluster has the threads for itself, see byColumns
+#pragma omp parallel for schedule(dynamic, 1) if (level.size() > 1)
     for (std::size_t k = 0; k < level.size(); ++k) {
       const auto c = static_cast<std::size_t>(level[k]);
-      if (dirty[c] == 0)
-        continue;
       try {
-        if (tree[level[k]].isLeaf())
-          eliminateLeaf(level[k], nodes[c]);
-        else
-          eliminateParent(level[k], nodes[c]);
+        const bool isLeaf = tree[level[k]].isLeaf();
+        responses_[c] =
+            std::make_shared<const Matrix>(isLeaf ? eliminateLeaf(level[k], nodes[c])
+                                                  : eliminateParent(level[k], nodes[c]));
+        if (!isLeaf && changing_[c] == 0)
+          for (const int child : tree[level[k]].children)
+            responses_[static_cast<std::size_t>(child)] = nullptr;
         nodes_[c] = std::make_shared<const Node>(std::move(nodes[c]));
       } catch (const NumericalError& error) {
 #pragma omp critical(epafi_compressed_factor)
@@ -154,23 +172,24 @@ std::vector<char> CompressedFactor::paths(std::vector<int> leaves) const {
   return operators_->tree().paths(leaves);
 }
 
-void CompressedFactor::eliminateLeaf(int c, Node& node) const {
+Matrix CompressedFactor::eliminateLeaf(int c, Node& node) const {
   const CompressedOperators::Part& part = operators_->part(c);
   const auto n = static_cast<Index>(node.kept.size());
   const Index k = part.weights.rows();
   if (n == 0) {
     node.isSilent = true;
-    node.response = Matrix(k, k);
-    return;
+    return Matrix(k, k);
   }
   Matrix d(n, n);
   Matrix in(n, k);
-  node.out = Matrix(k, n);
+  node.ownOut = n < part.weights.columns() || !node.followers.empty();
+  node.out = Matrix(k, node.ownOut ? n : 0);
   for (Index j = 0; j < n; ++j) {
     const Index column = node.kept[at(j)];
     for (Index i = 0; i < n; ++i)
       d(i, j) = part.block(node.kept[at(i)], column);
-    std::copy_n(part.weights.column(column), k, node.out.column(j));
+    if (node.ownOut)
+      std::copy_n(part.weights.column(column), k, node.out.column(j));
     for (Index i = 0; i < k; ++i)
       in(j, i) = part.weights(i, column);
   }
@@ -193,22 +212,21 @@ void CompressedFactor::eliminateLeaf(int c, Node& node) const {
   node.factor(std::move(d));
   node.solve(in);
   node.in = std::move(in);
-  node.response = product(node.out, node.in);
+  return product(node.outOf(part), node.in);
 }
 
-void CompressedFactor::eliminateParent(int c, Node& node) const {
+Matrix CompressedFactor::eliminateParent(int c, Node& node) const {
   const ClusterTree& tree = operators_->tree();
   const CompressedOperators::Part& part = operators_->part(c);
   const auto responseOf = [&](int child) -> const Matrix& {
-    return nodes_[static_cast<std::size_t>(tree[c].children[child])]->response;
+    return *responses_[static_cast<std::size_t>(tree[c].children[child])];
   };
   const auto isSilent = [&](int child) {
     return nodes_[static_cast<std::size_t>(tree[c].children[child])]->isSilent;
   };
   if (isSilent(0) && isSilent(1)) {
     node.isSilent = true;
-    node.response = Matrix(part.weights.rows(), part.weights.rows());
-    return;
+    return Matrix(part.weights.rows(), part.weights.rows());
   }
   const Matrix& first = responseOf(0);
   const Matrix& second = responseOf(1);
@@ -226,12 +244,12 @@ void CompressedFactor::eliminateParent(int c, Node& node) const {
   }
   node.factor(std::move(f));
   if (c == 0)
-    return;
+    return {};
   const Matrix weights = transposed(part.weights);
   node.in = stacked(product(first, rowsBetween(weights, 0, k)),
                     product(second, rowsBetween(weights, k, size)));
   node.solve(node.in);
-  node.response = product(part.weights, node.in);
+  return product(part.weights, node.in);
 }
 
 void CompressedFactor::Node::factor(Matrix matrix) {
@@ -256,14 +274,17 @@ void CompressedFactor::Node::factor(Matrix matrix) {
 
 void CompressedFactor::Node::solve(Matrix& x) const {
   const int n = static_cast<int>(lu.rows());
-  const int columns = static_cast<int>(x.columns());
-  if (n == 0 || columns == 0)
+  if (n == 0)
     return;
   scaleRows(scales, x);
   const int lda = static_cast<int>(lu.stride());
   const int ldb = static_cast<int>(x.stride());
-  int info = 0;
-  dgetrs_("N", &n, &columns, lu.data(), &lda, pivots.data(), x.data(), &ldb, &info);
+  byColumns(x.columns(), [&](Index first, Index count) {
+    const int columns = static_cast<int>(count);
+    int info = 0;
+    dgetrs_("N", &n, &columns, lu.data(), &lda, pivots.data(), x.column(first), &ldb,
+            &info);
+  });
 }
 
 // With M = Z + P Pᵀ, springs on sprung_:
@@ -320,7 +341,7 @@ Matrix CompressedFactor::solveSprung(const Matrix& b,
       }
       node(c).solve(of(inner, c));
       if (l > 0)
-        of(out, c) = product(tree[c].isLeaf() ? node(c).out : part.weights, of(inner, c));
+        of(out, c) = product(node(c).outOf(part), of(inner, c));
     }
   }
   for (int l = 0; l < tree.levels(); ++l) {
@@ -406,9 +427,15 @@ Matrix CompressedFactor::solve(const Matrix& b, int refinements) const {
 
 std::size_t CompressedFactor::bytes() const {
   std::size_t entries = 0;
+  const auto count = [&](const Matrix& matrix) {
+    entries += static_cast<std::size_t>(matrix.rows() * matrix.columns());
+  };
   for (const std::shared_ptr<const Node>& node : nodes_)
-    for (const Matrix* matrix : {&node->lu, &node->in, &node->response, &node->out})
-      entries += static_cast<std::size_t>(matrix->rows() * matrix->columns());
+    for (const Matrix* matrix : {&node->lu, &node->in, &node->out})
+      count(*matrix);
+  for (const std::shared_ptr<const Matrix>& response : responses_)
+    if (response != nullptr)
+      count(*response);
   return entries * sizeof(double);
 }
 

@@ -48,11 +48,15 @@ struct Restriction {
 /// one of the two is updated.
 class CompressedFactor {
  public:
+  /// `changing`: leaves in which updates may differ, where memory is to be saved.
   /// \throws NumericalError where a leaf or F is singular.
+  CompressedFactor(const CompressedOperators& operators, Restriction restriction,
+                   const std::vector<int>& changing);
   CompressedFactor(const CompressedOperators& operators, Restriction restriction);
 
   /// The same with another restriction: only leaves where it differs and what is above
   /// them are eliminated anew.  Returns how many clusters that were.
+  /// \throws std::logic_error where a leaf may not change.
   int update(Restriction restriction);
 
   /// X of Z X = B on what is not held; held unknowns are zero, or follow.  With
@@ -76,8 +80,7 @@ class CompressedFactor {
     Matrix lu;
     Vector scales;  ///< of the rows before: those of displacements and densities differ
     std::vector<int> pivots;
-    Matrix in;        ///< D⁻¹ Tᵀ, or F⁻¹ diag(E) Tᵀ
-    Matrix response;  ///< E
+    Matrix in;  ///< D⁻¹ Tᵀ, or F⁻¹ diag(E) Tᵀ
     /// Followers of a leaf, by places.
     struct Follower {
       Index follower;
@@ -85,9 +88,13 @@ class CompressedFactor {
       double factor;
     };
     std::vector<Follower> followers;
-    Matrix out;             ///< of a leaf: T of its solution, followers included
-    bool isSilent = false;  ///< all of the cluster is held: it has a response alone, zero
+    bool ownOut = false;
+    Matrix out;  ///< of a leaf that holds unknowns: T of its solution, followers included
+    bool isSilent = false;  ///< all of the cluster is held: nothing but a response, zero
 
+    const Matrix& outOf(const CompressedOperators::Part& part) const {
+      return ownOut ? out : part.weights;
+    }
     void factor(Matrix matrix);
     void solve(Matrix& x) const;
   };
@@ -95,8 +102,9 @@ class CompressedFactor {
   void eliminate(const std::vector<char>& dirty);
   /// By cluster, empty where nothing is to be done: what of the restriction belongs to leaves.
   std::vector<Node> restricted(const std::vector<char>& dirty) const;
-  void eliminateLeaf(int c, Node& node) const;
-  void eliminateParent(int c, Node& node) const;
+  /// E
+  Matrix eliminateLeaf(int c, Node& node) const;
+  Matrix eliminateParent(int c, Node& node) const;
   void takeSpringsBack();
   void addRotations();
   Matrix solveSprung(const Matrix& b, const std::vector<char>& paths) const;
@@ -107,7 +115,9 @@ class CompressedFactor {
 
   const CompressedOperators* operators_;
   Restriction restriction_;
+  std::vector<char> changing_;  ///< by cluster
   std::vector<std::shared_ptr<const Node>> nodes_;
+  std::vector<std::shared_ptr<const Matrix>> responses_;  ///< E, where still needed
   std::vector<Index> sprung_;  ///< CompressedOperators::floating, what is not held
   std::shared_ptr<const Node> springs_;  ///< I - Pᵀ M⁻¹ P of them, see solveStraight
   /// Of CompressedOperators::rotations; null without any.

@@ -426,10 +426,9 @@ void CompressedOperators::addRotations(const std::vector<Body>& bodies,
     double work = 0;
     for (std::size_t i = 0; i < r.size(); ++i)
       work += r[i] * w[own.first + static_cast<Index>(i)];
-    const Index further = ranges_.back().last;
     for (std::size_t i = 0; i < local.rotations.size(); ++i)
       if (local.bodies.empty() || local.bodies[i] == static_cast<int>(b))
-        w[further + static_cast<Index>(i)] = -local.rotations[i];
+        w[further() + static_cast<Index>(i)] = -local.rotations[i];
     rotations.inverse(k, k + 1) = rotations.inverse(k + 1, k) = -1;
     rotations.inverse(k + 1, k + 1) = -work;
   }

@@ -71,6 +71,9 @@ class CompressedOperators {
     double young;  ///< its modulus, in what stresses are counted
   };
   const Range& range(std::size_t body) const { return ranges_[body]; }
+  std::size_t bodies() const { return ranges_.size(); }
+  /// Where further unknowns begin.
+  Index further() const { return ranges_.back().last; }
   /// All unknowns.
   Index size() const { return static_cast<Index>(leaves_.size()); }
 

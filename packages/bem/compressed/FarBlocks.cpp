@@ -180,6 +180,13 @@ FarOrder FarBlocks::orderOf(const std::vector<Test>& tests, int trial) const {
   return largest;
 }
 
+const std::vector<double>& FarBlocks::functions(int points, int degree, int densities) {
+  std::vector<double>& values = functions_[{points, degree, densities}];
+  if (values.empty())
+    values = weightedFunctions(gaussLegendre(points), degree, densities, 1);
+  return values;
+}
+
 void FarBlocks::sampleTests(const std::vector<Test>& tests) {
   const Rule& rule = gaussLegendre(work_.outer);
   outer_.resize(static_cast<std::size_t>(4 * work_.outer));
@@ -202,7 +209,7 @@ void FarBlocks::sampleTests(const std::vector<Test>& tests) {
       to[3].lane[lane] = tangent.y;
     }
   }
-  outerValues_ = weightedFunctions(rule, work_.rowDegree, work_.rowDensities, 1);
+  outerValues_ = functions(work_.outer, work_.rowDegree, work_.rowDensities).data();
 }
 
 void FarBlocks::sampleTrial(const Element& element) {
@@ -217,7 +224,9 @@ void FarBlocks::sampleTrial(const Element& element) {
     to[2] = tangent.x;
     to[3] = tangent.y;
   }
-  innerValues_ = weightedFunctions(rule, element.degree, element.densities, element.half);
+  innerValues_ = functions(work_.inner, element.degree, element.densities);
+  for (double& value : innerValues_)
+    value *= element.half;
 }
 
 void FarBlocks::evaluate(const std::vector<Test>& tests, int trial, InstructionSet set) {
@@ -241,7 +250,7 @@ void FarBlocks::evaluate(const std::vector<Test>& tests, int trial, InstructionS
   block_.resize(static_cast<std::size_t>(rows * columns_));
   const KernelConstants constants(lame_);
   dispatch(set,
-           Integrate{constants, work_, outer_.data(), outerValues_.data(), halves_,
+           Integrate{constants, work_, outer_.data(), outerValues_, halves_,
                      inner_.data(), innerValues_.data(), sums_.data(), block_.data()});
 }
 

@@ -6,6 +6,8 @@
 #include "bem/simd/InstructionSet.hpp"
 #include "bem/space/Space.hpp"
 
+#include <array>
+#include <map>
 #include <vector>
 
 namespace epafi::bem {
@@ -56,12 +58,16 @@ class FarBlocks {
   void sampleTests(const std::vector<Test>& tests);
   void sampleTrial(const Element& element);
 
+  /// weightedFunctions of a rule with so many points, computed once.
+  const std::vector<double>& functions(int points, int degree, int densities);
+
   const Space& space_;
   Lame lame_;
+  std::map<std::array<int, 3>, std::vector<double>> functions_;
   Work work_;
-  int columns_ = 0;                  ///< functions on the trial element
-  std::vector<AlignedLane> outer_;   ///< at each point: w less y, tangent
-  std::vector<double> outerValues_;  ///< φ_k, P_i times the rule's weight
+  int columns_ = 0;                      ///< functions on the trial element
+  std::vector<AlignedLane> outer_;       ///< at each point: w less y, tangent
+  const double* outerValues_ = nullptr;  ///< φ_k, P_i times the rule's weight
   AlignedLane halves_{};
   std::vector<double> inner_;  ///< at each point: y, tangent
   std::vector<double> innerValues_;

@@ -14,11 +14,13 @@ Matrix triangle(Matrix a) {
   const int m = static_cast<int>(a.rows());
   const int n = static_cast<int>(a.columns());
   const int lda = static_cast<int>(a.stride());
-  Vector tau(at(n));
-  Vector work(at(64 * n));
-  const int size = static_cast<int>(work.size());
+  constexpr int block = 32;
+  const int nb = std::min(block, n);
+  Matrix t(nb, n);
+  Vector work(at(nb * n));
+  const int ldt = static_cast<int>(t.stride());
   int info = 0;
-  dgeqrf_(&m, &n, a.data(), &lda, tau.data(), work.data(), &size, &info);
+  dgeqrt_(&m, &n, &nb, a.data(), &lda, t.data(), &ldt, work.data(), &info);
   Matrix r(n, n);
   for (Index j = 0; j < n; ++j)
     std::copy_n(a.column(j), j + 1, r.column(j));

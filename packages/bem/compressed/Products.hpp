@@ -10,29 +10,9 @@ namespace epafi::bem {
 
 // Products and parts of the blocks of a tree.
 
-/// C += s A B, or s Aᵀ B
-inline void addProduct(double s, const Matrix& a, const Matrix& b, Matrix& c,
-                       const char* transposed = "N") {
-  const int m = static_cast<int>(c.rows());
-  const int n = static_cast<int>(c.columns());
-  const int k = static_cast<int>(b.rows());
-  if (m == 0 || n == 0 || k == 0)
-    return;
-  const int lda = static_cast<int>(a.stride());
-  const int ldb = static_cast<int>(b.stride());
-  const int ldc = static_cast<int>(c.stride());
-  const double one = 1;
-  if (n == 1) {
-    const int rows = static_cast<int>(a.rows());
-    const int columns = static_cast<int>(a.columns());
-    const int next = 1;
-    dgemv_(transposed, &rows, &columns, &s, a.data(), &lda, b.data(), &next, &one,
-           c.data(), &next);
-    return;
-  }
-  dgemm_(transposed, "N", &m, &n, &k, &s, a.data(), &lda, b.data(), &ldb, &one, c.data(),
-         &ldc);
-}
+/// C += s A B, or s Aᵀ B; by OpenMP's threads, see byColumns
+void addProduct(double s, const Matrix& a, const Matrix& b, Matrix& c,
+                const char* transposed = "N");
 inline void addTransposedProduct(double s, const Matrix& a, const Matrix& b, Matrix& c) {
   addProduct(s, a, b, c, "T");
 }

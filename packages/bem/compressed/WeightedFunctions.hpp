@@ -25,9 +25,12 @@ inline std::vector<double> weightedFunctions(const Rule& rule, int degree, int d
 }
 
 /// Gauss points that these functions take beside smoothOrder's on an element: the
-/// polynomials' share, and one that 1/w² asks for beyond log w.
+/// polynomials' share, and where little is between the elements one that 1/w² asks for beyond
+/// log w.
 inline int gaussPoints(int smoothOrder, int degree, int densities) {
-  return smoothOrder + (std::max(degree, densities - 1) + 1) / 2 + 1;
+  constexpr int far = 4;
+  return smoothOrder + (std::max(degree, densities - 1) + 1) / 2 +
+         (smoothOrder > far ? 1 : 0);
 }
 
 }  // namespace epafi::bem

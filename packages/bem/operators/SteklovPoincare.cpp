@@ -16,6 +16,9 @@ Matrix added(Matrix lower, const Rows& mine, const LocalCompliance& compliance) 
     if (mine.contain(i))
       lower(i - mine.begin, i) += compliance.diagonal[k];
   }
+  for (const auto& [i, value] : compliance.pinned)
+    if (mine.contain(i))
+      lower(i - mine.begin, i) += value;
   return lower;
 }
 

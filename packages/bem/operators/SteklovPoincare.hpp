@@ -5,6 +5,7 @@
 #include "bem/operators/SingleLayerSolver.hpp"
 
 #include <memory>
+#include <utility>
 
 namespace epafi::bem {
 
@@ -13,6 +14,8 @@ namespace epafi::bem {
 struct LocalCompliance {
   std::vector<Index> densities;  ///< each once
   Vector diagonal;               ///< one g_k > 0 each
+  /// The same of densities that are zero in the solution: nothing asks for their response.
+  std::vector<std::pair<Index, double>> pinned;
 };
 
 class CompressedOperators;

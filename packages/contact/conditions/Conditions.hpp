@@ -64,6 +64,10 @@ struct Conditions {
     bool y = false;
     bool rotation = false;
   } fix;
+
+  /// Edges without load, one of each closed line without multiplier, that hold ψ at ν = 1/2
+  /// (doc/theory/contact.md, "ν = 1/2").
+  std::vector<int> pins{};
 };
 
 }  // namespace epafi::contact

@@ -32,7 +32,7 @@ const Conditions::Contact* contactOn(const bem::Mesh& mesh, int e,
 
 MultiplierSpace::MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& basis,
                                  const Conditions& conditions)
-    : basis_(&basis) {
+    : basis_(&basis), conditions_(&conditions) {
   for (int e = 0; e < mesh.size(); ++e) {
     const Conditions::Contact* condition = contactOn(mesh, e, conditions);
     if (condition == nullptr)
@@ -142,6 +142,7 @@ std::vector<int> MultiplierSpace::meshElements() const {
 
 MultiplierSpace MultiplierSpace::under(const Conditions& conditions) const {
   MultiplierSpace result = *this;
+  result.conditions_ = &conditions;
   for (ContactElement& element : result.elements_) {
     const auto& [name, condition] = *conditions.contact.find(*element.boundary);
     element.boundary = &name;

@@ -102,6 +102,8 @@ class MultiplierSpace {
   MultiplierSpace under(const Conditions& conditions) const;
 
   const MultiplierBasis& basis() const { return *basis_; }
+  /// Those that it was made for.
+  const Conditions& conditions() const { return *conditions_; }
   const std::vector<ContactElement>& elements() const { return elements_; }
   /// Their indices in the mesh.
   std::vector<int> meshElements() const;
@@ -123,6 +125,7 @@ class MultiplierSpace {
   std::optional<std::size_t> follower(std::size_t k) const;
 
   const MultiplierBasis* basis_;
+  const Conditions* conditions_;
   std::vector<ContactElement> elements_;
   std::vector<int> next_;     ///< in the mesh, of each contact element
   std::vector<int> place_;    ///< of each element of the mesh among these, or -1

@@ -148,6 +148,8 @@ class CompressedBody final : public StabilisedBody {
       const double value = psi[at(compliance_.densities[k])];
       twice -= compliance_.diagonal[k] * value * value;
     }
+    for (const auto& [i, value] : compliance_.pinned)
+      twice -= value * psi[at(i)] * psi[at(i)];
     return 0.5 * twice;
   }
 
@@ -223,8 +225,8 @@ class CompressedBody final : public StabilisedBody {
       restriction.held.assign(at(operators_->size()), 1);
       std::fill(restriction.held.begin() + range_.densities,
                 restriction.held.begin() + range_.last, 0);
-      densityFactor_ =
-          std::make_unique<const bem::CompressedFactor>(*operators_, restriction);
+      densityFactor_ = std::make_unique<const bem::CompressedFactor>(
+          *operators_, restriction, std::vector<int>{});
     }
     return *densityFactor_;
   }
@@ -389,6 +391,10 @@ std::vector<bem::SteklovPoincare> makeCompressedStiffness(
     for (std::size_t k = 0; k < compliance.densities.size(); ++k) {
       const Index i = first + space.displacements() + compliance.densities[k];
       local.entries.push_back({i, i, -compliance.diagonal[k]});
+    }
+    for (const auto& [density, value] : compliance.pinned) {
+      const Index i = first + space.displacements() + density;
+      local.entries.push_back({i, i, -value});
     }
     first += space.displacements() + space.densities();
   }

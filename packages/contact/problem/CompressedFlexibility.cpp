@@ -22,6 +22,14 @@ Matrix asColumn(const Vector& x) {
   return column;
 }
 
+/// Those of multipliers, which alone are held and released.
+std::vector<int> furtherLeaves(const bem::CompressedOperators& operators) {
+  std::vector<int> leaves;
+  for (Index i = operators.further(); i < operators.size(); ++i)
+    leaves.push_back(operators.leafOf(i));
+  return leaves;
+}
+
 /// D_M, what D is with springs in place of A⁺, and U S Uᵀ, with which it is D:
 ///
 ///   D = D_M - G wᵀ - w Gᵀ + G κ Gᵀ,   w = Ĉ M⁻¹ c,  κ = cᵀ M⁻¹ c,  G = Ĉ R
@@ -131,26 +139,26 @@ class CompressedFlexibility final : public Flexibility::Operator {
 
   // Of all bodies together, every multiplier held: what one of them asks for or leaves free.
   void factorAll() {
-    bem::Restriction restriction = bodies_.front()->restriction();
-    factor_ = std::make_unique<bem::CompressedFactor>(bodies_.front()->factor());
-    if (bodies_.size() == 1)
+    if (bodies_.size() == 1) {
+      factor_ = std::make_unique<bem::CompressedFactor>(bodies_.front()->factor());
       return;
-    restriction.springs.clear();
+    }
+    bem::Restriction restriction;
     for (const auto& body : bodies_) {
       const bem::Restriction& own = body->restriction();
+      restriction.held.resize(own.held.size(), 1);
       for (std::size_t i = 0; i < own.held.size(); ++i)
         restriction.held[i] = static_cast<char>(restriction.held[i] & own.held[i]);
       restriction.springs.insert(restriction.springs.end(), own.springs.begin(),
                                  own.springs.end());
     }
-    factor_->update(std::move(restriction));
+    factor_ = std::make_unique<bem::CompressedFactor>(operators(), std::move(restriction),
+                                                      furtherLeaves(operators()));
   }
 
   // The leaves that the multiplier acts on.
   void findPaths() {
-    std::vector<int> leaves;
-    for (Index i = 0; i < size(); ++i)
-      leaves.push_back(operators().leafOf(coupling().first + i));
+    std::vector<int> leaves = furtherLeaves(operators());
     for (const Coupling::Entry& entry : coupling().entries)
       leaves.push_back(operators().leafOf(entry.row));
     paths_ = factor_->paths(std::move(leaves));
@@ -412,7 +420,10 @@ CompressedHolding::CompressedHolding(const bem::CompressedOperators& operators,
   std::copy(holding.loads.clamped.begin(), holding.loads.clamped.end(),
             held + range_.first);
   addSprings();
-  factor_ = std::make_unique<const bem::CompressedFactor>(operators, restriction_);
+  // of several bodies another factor changes
+  const bool changes = operators.bodies() == 1;
+  factor_ = std::make_unique<const bem::CompressedFactor>(
+      operators, restriction_, changes ? furtherLeaves(operators) : std::vector<int>());
 }
 
 Vector CompressedHolding::placed(const Matrix& columns, Index k) const {

@@ -79,8 +79,10 @@ void writeElements(const bem::Space& space, const MultiplierSpace& multiplier,
     addElement(space, multiplier.basis(), byDensity, contact, coupling.gamma.back(),
                coupling.start[k], coupling);
   }
-  coupling.compliance =
-      densityCompliance(space, multiplier, stabilization, lame, units).diagonal;
+  const bem::LocalCompliance compliance =
+      densityCompliance(space, multiplier, stabilization, lame, units);
+  coupling.compliance = compliance.diagonal;
+  coupling.pinned = compliance.pinned;
 }
 
 }  // namespace

@@ -39,9 +39,10 @@ struct Coupling {
   Vector gamma;                ///< γ per contact element, dimensionless
   std::shared_ptr<const bem::TractionRows> tractions;    ///< S φ; empty: no S^
   std::shared_ptr<const bem::DensityResponse> response;  ///< Density; else null
-  Vector compliance;                      ///< <γ P_i, P_i> of its densities
-  std::shared_ptr<const Matrix> columns;  ///< R, my rows
-  std::vector<Index> start;               ///< of an element's columns in R
+  Vector compliance;                             ///< <γ P_i, P_i> of its densities
+  std::vector<std::pair<Index, double>> pinned;  ///< see bem::LocalCompliance
+  std::shared_ptr<const Matrix> columns;         ///< R, my rows
+  std::vector<Index> start;                      ///< of an element's columns in R
 
   /// γ becomes factor times as large, and all that is proportional to it.
   void weaken(double factor);

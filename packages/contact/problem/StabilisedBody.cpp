@@ -78,12 +78,16 @@ class Coupled final : public StabilisedBody {
   // grows as ν -> 1/2 while γ is there.
   double strainEnergy(const Vector& u, const Vector& multiplier) const override {
     double twice = dot(u, stiffness_.apply(u));
+    if (!byDensity() && coupling_.pinned.empty())
+      return 0.5 * twice;
+    const Vector psi = density(u, multiplier);
+    for (const auto& [i, value] : coupling_.pinned)
+      twice -= value * psi[at(i)] * psi[at(i)];
     if (!byDensity())
       return 0.5 * twice;
     const Vector w = coupling_.weighted(multiplier);
     twice -= 2 * dot(u, algebra_.multiply(*coupling_.columns, coupling_.unknowns, w));
     twice += quadratic(coupling_.response->density, w);
-    const Vector psi = density(u, multiplier);
     for (std::size_t k = 0; k < coupling_.compliance.size(); ++k) {
       const double value = psi[at(coupling_.response->densities[k])];
       twice -= coupling_.compliance[k] * value * value;

@@ -2,9 +2,30 @@
 
 #include "bem/operators/ExactRotation.hpp"
 
+#include <cmath>
+
 namespace epafi::contact {
 
 using bem::Element;
+
+namespace {
+
+/// The mean of one component of ψ on the longest element of an edge, held with a small part
+/// of its own diagonal in V: large enough for the factor, and the change of volume that it
+/// lets through is below the error.
+std::pair<Index, double> pinOn(const bem::Space& space, int edge) {
+  int longest = -1;
+  for (int e = 0; e < space.mesh().size(); ++e)
+    if (space.mesh()[e].piece.edge == edge &&
+        (longest < 0 || space.mesh()[e].half > space.mesh()[longest].half))
+      longest = e;
+  const Element& element = space.mesh()[longest];
+  const bem::Vec2 normal = element.curve.normal(0);
+  return {space.density(longest, 0, std::abs(normal.x) > std::abs(normal.y) ? 0 : 1),
+          1e-4 * element.half * element.half};
+}
+
+}  // namespace
 
 std::vector<int> tractionElements(const MultiplierSpace& multiplier,
                                   const Stabilization& stabilization) {
@@ -41,6 +62,8 @@ bem::LocalCompliance densityCompliance(const bem::Space& space,
         compliance.diagonal.push_back(gamma * 2 * element.half / (2 * i + 1));
       }
   }
+  for (const int edge : multiplier.conditions().pins)
+    compliance.pinned.push_back(pinOn(space, edge));
   return compliance;
 }
 
