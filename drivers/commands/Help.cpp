@@ -1,5 +1,7 @@
 #include "drivers/commands/Help.hpp"
 
+#include "drivers/process/ExitCode.hpp"
+
 #include <algorithm>
 #include <sstream>
 
@@ -9,16 +11,9 @@ namespace {
 
 const char* const title = "frictional contact of linear elastic bodies in the plane";
 
-struct ExitCode {
-  const char* code;
-  const char* meaning;
-};
-constexpr ExitCode exitCodes[] = {
-    {"0", "solved; also when a cap on levels or unknowns ends the run"},
-    {"1", "bad input or usage, a file that is missing or cannot be written"},
-    {"2", "the arithmetic broke down"},
-    {"3", "not converged: the state is written, the status says so"},
-    {"128 + signal", "interrupted; the levels that were solved are written"}};
+std::string nameOf(const ExitMeaning& exit) {
+  return std::to_string(exit.code) + exit.more;
+}
 
 std::string leftOf(const Option& option) {
   return option.name + (option.value.empty() ? "" : " " + option.value);
@@ -126,8 +121,8 @@ std::string helpOf(const std::vector<Command>& commands) {
   for (const Command& command : commands)
     text += line(usageLine(command), command.purpose, 2) + optionLines(command, 6);
   text += line("epafi COMMAND --help", "the same of one command", 2) + "\nExit codes\n";
-  for (const ExitCode& code : exitCodes)
-    text += line(code.code, code.meaning, 2);
+  for (const ExitMeaning& exit : exitCodes)
+    text += line(nameOf(exit), exit.meaning, 2);
   return text;
 }
 
@@ -151,8 +146,8 @@ std::string manPage(const std::vector<Command>& commands) {
           << roff(meaningOf(option)) << "\n";
   }
   out << ".SH EXIT STATUS\n";
-  for (const ExitCode& code : exitCodes)
-    out << ".TP\n.B " << code.code << "\n" << roff(code.meaning) << "\n";
+  for (const ExitMeaning& exit : exitCodes)
+    out << ".TP\n.B " << nameOf(exit) << "\n" << roff(exit.meaning) << "\n";
   out << ".SH FILES\nA run writes a folder, ./<scene>.out unless \\-\\-output says "
          "otherwise:\nhistory.csv, contact.csv, boundary.csv, interior.csv, "
          "solution.hdf, used.xml,\ntimings.txt; a study study.csv.\n";

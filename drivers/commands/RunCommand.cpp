@@ -13,6 +13,7 @@
 #include "drivers/output/StepFiles.hpp"
 #include "drivers/output/StepsTable.hpp"
 #include "drivers/process/BlasCore.hpp"
+#include "drivers/process/ExitCode.hpp"
 #include "drivers/process/Interrupt.hpp"
 #include "drivers/process/ProgressLine.hpp"
 #include "drivers/process/Ranks.hpp"
@@ -355,7 +356,7 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   progress.clear();
 
   const bool converged = outcome.status == contact::Status::Converged;
-  const int code = converged ? 0 : 3;
+  const int code = converged ? Solved : NotConverged;
   if (!folder)
     return code;
   recorder.finish(timer);

@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/tpetra/BelosSolver.hpp"
 #include "bem/tpetra/TpetraAlgebra.hpp"
+#include "drivers/process/ExitCode.hpp"
 #include "drivers/process/Interrupt.hpp"
 
 #include <Tpetra_Core.hpp>
@@ -15,8 +16,6 @@
 namespace epafi::drivers {
 
 namespace {
-
-enum ExitCode { BadInput = 1, Breakdown = 2 };
 
 /// Open MPI, MPICH and its kin, and Slurm's srun tell their children.
 bool startedByLauncher() {
@@ -70,7 +69,7 @@ bem::Failure Ranks::currentFailure() {
   } catch (const bem::InputError& error) {
     return {BadInput, error.what()};
   } catch (const Interrupted& interrupted) {
-    return {128 + interrupted.signal, interrupted.advice};
+    return {Signalled + interrupted.signal, interrupted.advice};
   } catch (const std::bad_alloc&) {
     return {Breakdown, "the memory does not suffice for this level"};
   } catch (const std::exception& error) {

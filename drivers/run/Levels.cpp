@@ -106,7 +106,7 @@ bool compresses(const Scene& scene, const Size& size, const Ranks& ranks) {
 }
 
 /// A level that is solved now.
-struct Course {
+struct NewLevel {
   const Size& size;
   PhaseTimer& timer;
   const std::function<void(const SolvedLevel&)>& handOut;
@@ -136,17 +136,17 @@ void estimatePath(const Ground& ground, const Path& path, Level& level) {
 
 /// Levels outside, steps inside: the whole path on one mesh.
 Level solvePath(const Ground& ground, const contact::ContactSystem& atZero,
-                const std::vector<PathPoint>& earlier, const Course& course) {
-  PhaseTimer& timer = course.timer;
+                const std::vector<PathPoint>& earlier, const NewLevel& begun) {
+  PhaseTimer& timer = begun.timer;
   const Path path = followPath(ground, atZero, earlier, timer, [&](const Path& sofar) {
-    if (!course.handOutStep)
+    if (!begun.handOutStep)
       return;
     Level level = levelOf(ground, sofar);
     level.complete = false;
     for (BodyLevel& body : level.bodies)
       body.indicators.squares.resize(body.pieces.size());
     timer.run(Phase::Results, [&] {
-      course.handOutStep({sofar.last().solved->bodies(), level, {}, &sofar});
+      begun.handOutStep({sofar.last().solved->bodies(), level, {}, &sofar});
     });
   });
   const SolvedBodies& solved = *path.last().solved;
@@ -154,16 +154,16 @@ Level solvePath(const Ground& ground, const contact::ContactSystem& atZero,
   timer.run(Phase::Estimate, [&] { estimatePath(ground, path, level); });
   timer.run(Phase::Results, [&] {
     LevelRow row =
-        makeRow(level, course.size, gamma0Of(atZero), solved, path.report, timer);
+        makeRow(level, begun.size, gamma0Of(atZero), solved, path.report, timer);
     row.summary.energyFriction = path.last().row.energyDissipated;
-    course.handOut({solved.bodies(), level, row, &path});
+    begun.handOut({solved.bodies(), level, row, &path});
   });
   return level;
 }
 
 Level solveOnce(const Ground& ground, const contact::ContactSystem& system,
-                const LevelStart& from, const Course& course) {
-  PhaseTimer& timer = course.timer;
+                const LevelStart& from, const NewLevel& begun) {
+  PhaseTimer& timer = begun.timer;
   const Solved outcome = timer.run(Phase::Newton, [&] {
     return solve(system, ground.spaces, system.joined(from.start, from.rigid),
                  ground.scene.solver, ground.stiffness.front().algebra());
@@ -183,9 +183,8 @@ Level solveOnce(const Ground& ground, const contact::ContactSystem& system,
       level.bodies[b].indicators = std::move(indicators[b]);
   });
   timer.run(Phase::Results, [&] {
-    course.handOut(
-        {solved.bodies(), level,
-         makeRow(level, course.size, gamma0Of(system), solved, report, timer)});
+    begun.handOut({solved.bodies(), level,
+                   makeRow(level, begun.size, gamma0Of(system), solved, report, timer)});
   });
   return level;
 }
@@ -249,7 +248,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
       return all;
     });
     const Ground ground{scene, number, spaces, lames, stiffness};
-    const Course course{size, timer, handOut, handOutStep};
+    const NewLevel begun{size, timer, handOut, handOutStep};
     // a path starts with the conditions at t = 0
     const std::vector<contact::Conditions> first =
         scene.history ? scene.conditionsAt(0) : std::vector<contact::Conditions>();
@@ -262,8 +261,8 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
       return contact::ContactSystem(inputs, scene.drivesAt(scene.history ? 0 : 1));
     });
     checkResistance(scene, system);
-    const Level level = scene.history ? solvePath(ground, system, from->path, course)
-                                      : solveOnce(ground, system, *from, course);
+    const Level level = scene.history ? solvePath(ground, system, from->path, begun)
+                                      : solveOnce(ground, system, *from, begun);
     timer.endLevel();
     next = nextLevel(scene, level, algebra);
   }

@@ -65,20 +65,31 @@ struct Result {
   bool converged = true;
 };
 
+/// The square's problem under the conditions at a time.
+struct Square {
+  contact::Conditions conditions;
+  contact::Stabilization stabilization;
+  bem::Lame lame{{1, 0.3, false}};
+  const contact::MultiplierBasis& basis =
+      contact::multiplierBasis("Gauss-Legendre-Lagrange");
+  bem::Space space;
+  contact::MultiplierSpace multiplier;
+  bem::SteklovPoincare stiffness;
+  contact::ContactSystem problem;
+
+  Square(Form form, double time)
+      : conditions(conditionsAt(time)),
+        stabilization(formOf(form)),
+        space(contact::makeSpace(mesh(2), conditions, stabilization)),
+        multiplier(space.mesh(), basis, conditions),
+        stiffness(contact::makeStiffness(space, multiplier, stabilization, lame, units,
+                                         test::algebra())),
+        problem({{space, stiffness, lame, units, conditions, basis, stabilization}}) {}
+};
+
 Result follow(Form form, int steps) {
-  const contact::Stabilization stabilization = formOf(form);
-  const auto& basis = contact::multiplierBasis("Gauss-Legendre-Lagrange");
-  const contact::Conditions first = conditionsAt(0);
-  const bem::Lame lame{{1, 0.3, false}};
-  const bem::Space space = contact::makeSpace(mesh(2), first, stabilization);
-  const contact::MultiplierSpace multiplier(space.mesh(), basis, first);
-  const bem::SteklovPoincare stiffness(
-      bem::assembleOperators(space, lame, test::algebra(),
-                             contact::tractionElements(multiplier, stabilization)),
-      test::algebra(),
-      contact::densityCompliance(space, multiplier, stabilization, lame, units));
-  const contact::ContactSystem problem(
-      {{space, stiffness, lame, units, first, basis, stabilization}});
+  const Square square(form, 0);
+  const contact::ContactSystem& problem = square.problem;
   contact::PathMemory memory(problem);
   Result result;
   State state;
@@ -109,19 +120,8 @@ Result follow(Form form, int steps) {
 
 TEUCHOS_UNIT_TEST(Path, aStepUnderTheFirstConditionsIsTheFirstProblem) {
   for (const Form form : {Form::None, Form::Exact, Form::Projected, Form::Density}) {
-    const contact::Stabilization stabilization = formOf(form);
-    const auto& basis = contact::multiplierBasis("Gauss-Legendre-Lagrange");
-    const contact::Conditions first = conditionsAt(2);
-    const bem::Lame lame{{1, 0.3, false}};
-    const bem::Space space = contact::makeSpace(mesh(2), first, stabilization);
-    const contact::MultiplierSpace multiplier(space.mesh(), basis, first);
-    const bem::SteklovPoincare stiffness(
-        bem::assembleOperators(space, lame, test::algebra(),
-                               contact::tractionElements(multiplier, stabilization)),
-        test::algebra(),
-        contact::densityCompliance(space, multiplier, stabilization, lame, units));
-    const contact::ContactSystem problem(
-        {{space, stiffness, lame, units, first, basis, stabilization}});
+    const Square square(form, 2);
+    const contact::ContactSystem& problem = square.problem;
     const auto same = alone(conditionsAt(2));
     const contact::ContactSystem step = problem.under({same, {}, {}, 0});
     const contact::Problem& a = problem.numbers();
@@ -163,17 +163,10 @@ TEUCHOS_UNIT_TEST(Path, theBalanceOfEnergyIsOfSecondOrderInTheStep) {
 }
 
 TEUCHOS_UNIT_TEST(Path, theIncrementLeadsFromTheStepBeforeToThisOne) {
-  const contact::Stabilization stabilization = formOf(Form::Projected);
-  const auto& basis = contact::multiplierBasis("Gauss-Legendre-Lagrange");
+  const Square square(Form::Projected, 1);
+  const contact::ContactSystem& system = square.problem;
   const auto before = alone(conditionsAt(1));
   const auto now = alone(conditionsAt(1.5));
-  const bem::Lame lame{{1, 0.3, false}};
-  const bem::Space space = contact::makeSpace(mesh(2), now[0], stabilization);
-  const bem::SteklovPoincare stiffness =
-      contact::makeStiffness(space, contact::MultiplierSpace(space.mesh(), basis, now[0]),
-                             stabilization, lame, units, test::algebra());
-  const contact::ContactSystem system(
-      {{space, stiffness, lame, units, before[0], basis, stabilization}});
   contact::PathMemory memory(system);
   const contact::ContactSystem first = system.under({before});
   const State state = test::solve(first.numbers(), {}).state;

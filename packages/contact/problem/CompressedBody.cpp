@@ -17,14 +17,13 @@ namespace {
 
 /// Ĉ and M of a body's own multiplier, numbered from `first` on and as `numberOf` says.
 template <class Number>
-void addOwn(const bem::Space& space, const Coupling& coupling,
-            const bem::LocalCompliance& compliance, Index first, const Number& numberOf,
-            CompressedCoupling& to) {
+void addOwn(const bem::Space& space, const Coupling& coupling, Index first,
+            const Number& numberOf, CompressedCoupling& to) {
   for (const Coupling::Entry& entry : coupling.trace)
     to.entries.push_back({first + entry.row, numberOf(entry.column), entry.value});
   for (const Coupling::Entry& entry : coupling.weights)
     to.entries.push_back(
-        {first + space.displacements() + compliance.densities[at(entry.row)],
+        {first + space.displacements() + coupling.compliance.densities[at(entry.row)],
          numberOf(entry.column), -entry.value});
   for (const Coupling::Entry& entry : coupling.mass)
     to.mass.push_back({numberOf(entry.row), numberOf(entry.column), entry.value});
@@ -63,16 +62,14 @@ class CompressedBody final : public StabilisedBody {
  public:
   CompressedBody(const bem::Space& space,
                  std::shared_ptr<const bem::CompressedOperators> operators,
-                 std::size_t number, Coupling coupling, bem::LocalCompliance compliance)
+                 std::size_t number, Coupling coupling)
       : operators_(std::move(operators)),
         number_(number),
         range_(operators_->range(number)),
-        coupling_(std::move(coupling)),
-        compliance_(std::move(compliance)) {
+        coupling_(std::move(coupling)) {
     compressed_.multipliers = coupling_.multipliers;
     addOwn(
-        space, coupling_, compliance_, range_.first, [](Index i) { return i; },
-        compressed_);
+        space, coupling_, range_.first, [](Index i) { return i; }, compressed_);
   }
 
   std::shared_ptr<const HeldStiffness> held(const Holding& holding) const override {
@@ -140,34 +137,18 @@ class CompressedBody final : public StabilisedBody {
     const Vector psi = density(u, multiplier);
     const Matrix own = byDensity() ? imagesOf(u, psi) : Matrix();
     const Matrix& images = byDensity() ? own : fieldOf(u).images;
-    double twice =
+    const double twice =
         std::inner_product(u.begin(), u.end(), images.column(0) + range_.first, 0.0) -
         std::inner_product(psi.begin(), psi.end(), images.column(1) + range_.densities,
                            0.0);
-    for (std::size_t k = 0; k < compliance_.densities.size(); ++k) {
-      const double value = psi[at(compliance_.densities[k])];
-      twice -= compliance_.diagonal[k] * value * value;
-    }
-    for (const auto& [i, value] : compliance_.pinned)
-      twice -= value * psi[at(i)] * psi[at(i)];
-    return 0.5 * twice;
+    return 0.5 * (twice - coupling_.complianceWork(psi));
   }
 
-  bool byDensity() const override { return !compliance_.densities.empty(); }
+  bool byDensity() const override { return !coupling_.compliance.densities.empty(); }
 
   bem::Vec2 meanSlack(std::size_t contactElement, const Vector& multiplier,
                       const Vector& density) const override {
-    if (!byDensity())
-      return {};
-    const Vector w = coupling_.weighted(multiplier);
-    const Index first = coupling_.start[contactElement];
-    const auto integral = [&](Index k) {
-      return w[at(k)] +
-             compliance_.diagonal[at(k)] * density[at(compliance_.densities[at(k)])];
-    };
-    const double length =
-        compliance_.diagonal[at(first)] / coupling_.gamma[contactElement];
-    return (1 / length) * bem::Vec2{integral(first), integral(first + 1)};
+    return coupling_.meanSlack(contactElement, multiplier, density);
   }
 
   double gamma(std::size_t contactElement) const override {
@@ -291,7 +272,6 @@ class CompressedBody final : public StabilisedBody {
   std::size_t number_;
   const bem::CompressedOperators::Range& range_;
   Coupling coupling_;
-  bem::LocalCompliance compliance_;
   CompressedCoupling compressed_;  ///< the own multiplier's
   mutable std::unique_ptr<const bem::CompressedFactor> densityFactor_;
   mutable Vector solved_;  ///< ψ of the last solution
@@ -337,8 +317,7 @@ CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bo
     const auto& [space, multiplier, lame, opposite] = bodies[a];
     const auto numberOf = [&](Index i) { return numbering(a, i); };
     addOwn(space, makeLocalCoupling(space, multiplier, stabilization, lame, units),
-           densityCompliance(space, multiplier, stabilization, lame, units), starts[a],
-           numberOf, result);
+           starts[a], numberOf, result);
     if (opposite == nullptr)
       continue;
     for (const int b : opposite->bodies()) {
@@ -378,24 +357,21 @@ std::vector<bem::SteklovPoincare> makeCompressedStiffness(
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto& [space, multiplier, lame, opposite] = bodies[b];
     operands.push_back({space, lame});
-    const std::vector<int> elements =
-        elementsOf(space, multiplier,
-                   makeLocalCoupling(space, multiplier, stabilization, lame, units));
+    const Coupling own = makeLocalCoupling(space, multiplier, stabilization, lame, units);
+    const std::vector<int> elements = elementsOf(space, multiplier, own);
     for (std::size_t i = 0; i < elements.size(); ++i) {
       const Index k = numbering(b, static_cast<Index>(i));
       local.elements[at(k)] = elements[i];
       local.bodies[at(k)] = static_cast<int>(b);
     }
-    const bem::LocalCompliance compliance =
-        densityCompliance(space, multiplier, stabilization, lame, units);
-    for (std::size_t k = 0; k < compliance.densities.size(); ++k) {
-      const Index i = first + space.displacements() + compliance.densities[k];
-      local.entries.push_back({i, i, -compliance.diagonal[k]});
-    }
-    for (const auto& [density, value] : compliance.pinned) {
+    const auto comply = [&](Index density, double value) {
       const Index i = first + space.displacements() + density;
       local.entries.push_back({i, i, -value});
-    }
+    };
+    for (std::size_t k = 0; k < own.compliance.densities.size(); ++k)
+      comply(own.compliance.densities[k], own.compliance.diagonal[k]);
+    for (const auto& [density, value] : own.compliance.pinned)
+      comply(density, value);
     first += space.displacements() + space.densities();
   }
   const auto operators =
@@ -411,8 +387,6 @@ std::unique_ptr<const StabilisedBody> makeCompressedBody(
   return std::make_unique<const CompressedBody>(
       input.space, input.stiffness.compressed(), input.stiffness.compressedBody(),
       makeLocalCoupling(input.space, multiplier, input.stabilization, input.lame,
-                        input.units),
-      densityCompliance(input.space, multiplier, input.stabilization, input.lame,
                         input.units));
 }
 

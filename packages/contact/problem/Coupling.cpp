@@ -79,10 +79,7 @@ void writeElements(const bem::Space& space, const MultiplierSpace& multiplier,
     addElement(space, multiplier.basis(), byDensity, contact, coupling.gamma.back(),
                coupling.start[k], coupling);
   }
-  const bem::LocalCompliance compliance =
-      densityCompliance(space, multiplier, stabilization, lame, units);
-  coupling.compliance = compliance.diagonal;
-  coupling.pinned = compliance.pinned;
+  coupling.compliance = densityCompliance(space, multiplier, stabilization, lame, units);
 }
 
 }  // namespace
@@ -150,6 +147,30 @@ double Coupling::multiplierWork(const Vector& lambda) const {
     work += lambda[at(entry.row)] * entry.value * lambda[at(entry.column)];
   return response == nullptr ? work
                              : work - quadratic(response->density, weighted(lambda));
+}
+
+double Coupling::complianceWork(const Vector& density) const {
+  double work = 0;
+  for (std::size_t k = 0; k < compliance.densities.size(); ++k)
+    work += compliance.diagonal[k] * std::pow(density[at(compliance.densities[k])], 2);
+  for (const auto& [i, value] : compliance.pinned)
+    work += value * std::pow(density[at(i)], 2);
+  return work;
+}
+
+bem::Vec2 Coupling::meanSlack(std::size_t contactElement, const Vector& lambda,
+                              const Vector& density) const {
+  if (compliance.densities.empty())
+    return {};
+  // P_0 is 1: its rows of N λ and of G ψ are integrals
+  const Vector w = weighted(lambda);
+  const Index first = start[contactElement];
+  const auto integral = [&](Index k) {
+    return w[at(k)] +
+           compliance.diagonal[at(k)] * density[at(compliance.densities[at(k)])];
+  };
+  const double length = compliance.diagonal[at(first)] / gamma[contactElement];
+  return (1 / length) * bem::Vec2{integral(first), integral(first + 1)};
 }
 
 Matrix Coupling::transposed(const bem::DenseAlgebra& algebra) const {

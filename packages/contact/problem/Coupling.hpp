@@ -39,10 +39,9 @@ struct Coupling {
   Vector gamma;                ///< γ per contact element, dimensionless
   std::shared_ptr<const bem::TractionRows> tractions;    ///< S φ; empty: no S^
   std::shared_ptr<const bem::DensityResponse> response;  ///< Density; else null
-  Vector compliance;                             ///< <γ P_i, P_i> of its densities
-  std::vector<std::pair<Index, double>> pinned;  ///< see bem::LocalCompliance
-  std::shared_ptr<const Matrix> columns;         ///< R, my rows
-  std::vector<Index> start;                      ///< of an element's columns in R
+  bem::LocalCompliance compliance;        ///< of the densities in X's order
+  std::shared_ptr<const Matrix> columns;  ///< R, my rows
+  std::vector<Index> start;               ///< of an element's columns in R
 
   /// γ becomes factor times as large, and all that is proportional to it.
   void weaken(double factor);
@@ -51,6 +50,11 @@ struct Coupling {
   Matrix multiplierMass() const;
   /// λᵀ M λ, without forming M.
   double multiplierWork(const Vector& lambda) const;
+  /// ψᵀ G ψ, all that V + G has beyond V.
+  double complianceWork(const Vector& density) const;
+  /// See ContactProblem; zero without densities.
+  bem::Vec2 meanSlack(std::size_t contactElement, const Vector& lambda,
+                      const Vector& density) const;
   /// Bᵀ, my rows.
   Matrix transposed(const bem::DenseAlgebra& algebra) const;
   /// G λ: what the multiplier puts on each column of R.

@@ -78,39 +78,21 @@ class Coupled final : public StabilisedBody {
   // grows as ν -> 1/2 while γ is there.
   double strainEnergy(const Vector& u, const Vector& multiplier) const override {
     double twice = dot(u, stiffness_.apply(u));
-    if (!byDensity() && coupling_.pinned.empty())
+    if (!byDensity() && coupling_.compliance.pinned.empty())
       return 0.5 * twice;
-    const Vector psi = density(u, multiplier);
-    for (const auto& [i, value] : coupling_.pinned)
-      twice -= value * psi[at(i)] * psi[at(i)];
+    twice -= coupling_.complianceWork(density(u, multiplier));
     if (!byDensity())
       return 0.5 * twice;
     const Vector w = coupling_.weighted(multiplier);
     twice -= 2 * dot(u, algebra_.multiply(*coupling_.columns, coupling_.unknowns, w));
-    twice += quadratic(coupling_.response->density, w);
-    for (std::size_t k = 0; k < coupling_.compliance.size(); ++k) {
-      const double value = psi[at(coupling_.response->densities[k])];
-      twice -= coupling_.compliance[k] * value * value;
-    }
-    return 0.5 * twice;
+    return 0.5 * (twice + quadratic(coupling_.response->density, w));
   }
 
   bool byDensity() const override { return coupling_.response != nullptr; }
 
   bem::Vec2 meanSlack(std::size_t contactElement, const Vector& multiplier,
                       const Vector& density) const override {
-    if (!byDensity())
-      return {};
-    // P_0 is 1: its rows of N λ and of G ψ are integrals
-    const Vector w = coupling_.weighted(multiplier);
-    const Index first = coupling_.start[contactElement];
-    const auto integral = [&](Index k) {
-      return w[at(k)] + coupling_.compliance[at(k)] *
-                            density[at(coupling_.response->densities[at(k)])];
-    };
-    const double length =
-        coupling_.compliance[at(first)] / coupling_.gamma[contactElement];
-    return (1 / length) * bem::Vec2{integral(first), integral(first + 1)};
+    return coupling_.meanSlack(contactElement, multiplier, density);
   }
 
   double gamma(std::size_t contactElement) const override {

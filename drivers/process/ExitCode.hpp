@@ -1,0 +1,27 @@
+#pragma once
+
+namespace epafi::drivers {
+
+/// What the program ends with, and what `epafi --help` says of it.
+enum ExitCode {
+  Solved = 0,
+  BadInput = 1,
+  Breakdown = 2,
+  NotConverged = 3,
+  Signalled = 128
+};
+
+struct ExitMeaning {
+  ExitCode code;
+  const char* more;  ///< what is added to it
+  const char* meaning;
+};
+
+inline constexpr ExitMeaning exitCodes[] = {
+    {Solved, "", "solved; also when a cap on levels or unknowns ends the run"},
+    {BadInput, "", "bad input or usage, a file that is missing or cannot be written"},
+    {Breakdown, "", "the arithmetic broke down"},
+    {NotConverged, "", "not converged: the state is written, the status says so"},
+    {Signalled, " + signal", "interrupted; the levels that were solved are written"}};
+
+}  // namespace epafi::drivers
