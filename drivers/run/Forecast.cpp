@@ -29,12 +29,14 @@ double forecastMemory(const BodySpaces& spaces, int processes) {
 
 double forecastCompressedMemory(const BodySpaces& spaces) {
   double bytes = 0;
+  double m = 0;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
-    const auto m = static_cast<double>(spaces.multiplier(b).size());
+    m += static_cast<double>(spaces.multiplier(b).size());
     bytes += 24000.0 * static_cast<double>(spaces.space(b).displacements() +
-                                           spaces.space(b).densities()) +
-             (m <= contact::mostCompressedColumns ? 8 * 6 * m * m : 0);
+                                           spaces.space(b).densities());
   }
+  if (m <= contact::mostCompressedColumns)
+    bytes += 8 * 6 * m * m;
   return program + bytes / mebi;
 }
 

@@ -241,11 +241,15 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
     });
     const auto stiffness = timer.run(Phase::Factorization, [&] {
       std::vector<bem::SteklovPoincare> all;
-      if (compressed)
-        all.push_back(contact::makeCompressedStiffness(
-            spaces.space(0), spaces.multiplier(0), scene.stabilization, lames.front(),
-            units, algebra, scene.linear.compression));
-      for (std::size_t b = 0; b < count && !compressed; ++b)
+      if (compressed) {
+        std::vector<contact::CompressedInput> bodies;
+        for (std::size_t b = 0; b < count; ++b)
+          bodies.push_back({spaces.space(b), spaces.multiplier(b), lames[b],
+                            spaces.opposite(b).get()});
+        return contact::makeCompressedStiffness(bodies, scene.stabilization, units,
+                                                algebra, scene.linear.compression);
+      }
+      for (std::size_t b = 0; b < count; ++b)
         all.push_back(stiffnessOf(
             std::move(operators[b]), algebra, krylov.get(),
             contact::densityCompliance(spaces.space(b), spaces.multiplier(b),

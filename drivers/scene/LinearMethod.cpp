@@ -29,8 +29,7 @@ bem::Family<LinearMethod>& linearMethods() {
           {"Belos", "conjugate gradients, for each column", belos},
           {"Compressed",
            "by skeletons, time and memory nearly proportional to the "
-           "elements; one body that deforms, on straight edges, "
-           "Stabilization->Form Density or None",
+           "elements; Stabilization->Form Density or None",
            factors, LinearMethod::Operators::Compressed},
           {"Automatic",
            "Compressed where that is possible and costs less, else Dense; "
@@ -57,9 +56,7 @@ bem::SchemaRows linearRows() {
 }
 
 std::string whyNotCompressed(const Scene& scene) {
-  if (scene.bodies.size() > 1)
-    return "the scene has several bodies that deform";
-  return contact::whyNotCompressed(*scene.bodies.front().outline, scene.stabilization);
+  return contact::whyNotCompressed(scene.stabilization);
 }
 
 void checkLinear(const Scene& scene) {

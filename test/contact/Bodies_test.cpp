@@ -121,9 +121,15 @@ Two problems(const Block& above, const Block& below, bool held) {
   const contact::MultiplierSpace multiplier(above.space.mesh(), basis, top);
   const auto own = [](const contact::StabilisedBody& form) { return form.coupling(); };
   const auto met = [&](const contact::StabilisedBody&) {
-    return mortarCoupling(above.space.mesh(), multiplier,
-                          BlockBelow(above.space.mesh(), below.space.mesh()), below.space,
-                          algebra);
+    const bem::Rows mine = algebra.myRows(below.space.displacements());
+    Matrix coupling(mine.size(), multiplier.size());
+    for (const auto& entry :
+         mortarCoupling(above.space.mesh(), multiplier,
+                        BlockBelow(above.space.mesh(), below.space.mesh()), below.space)
+             .entries)
+      if (mine.contain(entry.row))
+        coupling(entry.row - mine.begin, entry.column) += entry.value;
+    return coupling;
   };
   const Index m = multiplier.size();
   Two two;

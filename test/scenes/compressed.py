@@ -1,17 +1,27 @@
 """Compressed operators give what dense ones give: energies, states of contact, Newton's steps."""
-from runs import ENERGIES, claim, differ, finish, run, scene
+import os
 
-FRETTING = ["Discretization->Elements per Edge={2, 2, 2, 3, 40, 3, 2, 2, 2, 3, 3, 3}"]
+from runs import ENERGIES, WORK, claim, differ, finish, run, scene
+from written import with_moduli
+
+LEVELS = ["Adaptivity->Maximum Levels=3"]
 SCENES = {
-    "fretting": FRETTING + ["History->Times={1, 2, 3}", "History->Steps={1, 3, 3}"],
+    "fretting": ["Discretization->Elements per Edge={2, 2, 2, 3, 40, 3, 2, 2, 2, 3, 3, 3}",
+                 "History->Times={1, 2, 3}", "History->Steps={1, 3, 3}"],
     "tilting-punch": [],
+    "two-blocks": LEVELS,
+    "incline": LEVELS,
+    "dovetail": LEVELS,
+    "two-cylinders": LEVELS,
+    "press-fit": LEVELS,
+    "disc": LEVELS,
 }
 
 
-def compare(name, settings):
+def compare(name, file, settings):
     results = {}
     for method in ("Dense", "Compressed"):
-        results[method] = run(scene(name + ".xml"), name + "-" + method, [
+        results[method] = run(file, name + "-" + method, [
             *settings, "Solver->Linear->Method=" + method])
     (dense, contact), (own, met) = results["Dense"], results["Compressed"]
     worst = max(differ(a[key], b[key], a["energy_strain"])
@@ -24,7 +34,15 @@ def compare(name, settings):
     claim(steps[1] <= 1.2 * steps[0], "%s: %d Newton steps, dense %d" % (name, steps[1], steps[0]))
 
 
+os.makedirs(WORK, exist_ok=True)
 for each, choices in SCENES.items():
-    compare(each, choices)
+    compare(each, scene(each + ".xml"), choices)
+for ratio in (1000, 0.001):
+    with open(scene("two-blocks.xml")) as stream:
+        text = with_moduli(stream.read(), ratio)
+    path = os.path.join(WORK, "moduli.xml")
+    with open(path, "w") as stream:
+        stream.write(text)
+    compare("two-blocks, E %g" % ratio, path, LEVELS)
 
 finish()

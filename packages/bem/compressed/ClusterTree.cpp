@@ -5,78 +5,121 @@
 
 namespace epafi::bem {
 
-ClusterTree::ClusterTree(const Space& space, Index leafUnknowns)
-    : mesh_(&space.mesh()), leafUnknowns_(leafUnknowns), before_(1, 0) {
-  for (const Element& element : mesh_->elements())
-    before_.push_back(before_.back() + 2 * (element.degree + element.densities));
-  leafOf_.resize(static_cast<std::size_t>(mesh_->size()));
-  divide(0, mesh_->size(), 0, -1);
-  for (int c = 0; c < size(); ++c) {
-    const Cluster& cluster = clusters_[static_cast<std::size_t>(c)];
-    levels_.resize(std::max(levels_.size(), static_cast<std::size_t>(cluster.level + 1)));
-    levels_[static_cast<std::size_t>(cluster.level)].push_back(c);
-    if (cluster.isLeaf())
-      std::fill(leafOf_.begin() + cluster.first, leafOf_.begin() + cluster.last, c);
-  }
-}
-
 namespace {
 
 double length(Vec2 a) { return std::hypot(a.x, a.y); }
 
-}  // namespace
-
-int ClusterTree::divide(int first, int last, int level, int parent) {
-  const int number = size();
-  Cluster cluster;
-  cluster.first = first;
-  cluster.last = last;
-  cluster.level = level;
-  cluster.parent = parent;
-  encircle(cluster);
-  clusters_.push_back(cluster);
-  if (before_[at(last)] - before_[at(first)] <= leafUnknowns_ || last - first == 1)
-    return number;
-  const int cut = middle(first, last);
-  const int left = divide(first, cut, level + 1, number);
-  const int right = divide(cut, last, level + 1, number);
-  clusters_[static_cast<std::size_t>(number)].children[0] = left;
-  clusters_[static_cast<std::size_t>(number)].children[1] = right;
-  return number;
+std::vector<ClusterPlace> inOrder(const Mesh& mesh) {
+  std::vector<ClusterPlace> order;
+  for (int e = 0; e < mesh.size(); ++e)
+    order.push_back({0, e, mesh.outline().edge(mesh[e].piece.edge).loop});
+  return order;
 }
 
-// Half the unknowns, or the end of a loop that comes nearest to it.
-int ClusterTree::middle(int first, int last) const {
-  const double half = 0.5 * static_cast<double>(before_[at(first)] + before_[at(last)]);
-  const auto distance = [&](int e) {
-    return std::abs(static_cast<double>(before_[at(e)]) - half);
-  };
-  const auto loopOf = [&](int e) {
-    return mesh_->outline().edge((*mesh_)[e].piece.edge).loop;
-  };
-  int best = first + 1;
-  bool endsLoop = false;
-  for (int e = first + 1; e < last; ++e) {
-    const bool ends = loopOf(e) != loopOf(e - 1);
-    if (ends == endsLoop ? distance(e) < distance(best) : ends) {
-      best = e;
-      endsLoop = ends;
+/// Clusters by places in an order alone.
+class Division {
+ public:
+  Division(const std::vector<const Space*>& spaces,
+           const std::vector<ClusterPlace>& order, Index leafUnknowns)
+      : order_(order), leafUnknowns_(leafUnknowns), before_(1, 0) {
+    for (const ClusterPlace& place : order) {
+      const Element& element =
+          spaces[static_cast<std::size_t>(place.body)]->mesh()[place.element];
+      before_.push_back(before_.back() + 2 * (element.degree + element.densities));
     }
+    divide(0, static_cast<int>(order.size()), 0, -1);
   }
-  return best;
+
+  std::vector<Cluster> take() { return std::move(clusters_); }
+
+ private:
+  int divide(int first, int last, int level, int parent) {
+    const int number = static_cast<int>(clusters_.size());
+    Cluster cluster;
+    cluster.first = first;
+    cluster.last = last;
+    cluster.level = level;
+    cluster.parent = parent;
+    clusters_.push_back(cluster);
+    if (before_[at(last)] - before_[at(first)] <= leafUnknowns_ || last - first == 1)
+      return number;
+    const int cut = middle(first, last);
+    const int left = divide(first, cut, level + 1, number);
+    const int right = divide(cut, last, level + 1, number);
+    clusters_[static_cast<std::size_t>(number)].children[0] = left;
+    clusters_[static_cast<std::size_t>(number)].children[1] = right;
+    return number;
+  }
+
+  // Half the unknowns, or the end of a stretch that comes nearest to it.
+  int middle(int first, int last) const {
+    const double half = 0.5 * static_cast<double>(before_[at(first)] + before_[at(last)]);
+    const auto distance = [&](int k) {
+      return std::abs(static_cast<double>(before_[at(k)]) - half);
+    };
+    int best = first + 1;
+    bool endsStretch = false;
+    for (int k = first + 1; k < last; ++k) {
+      const bool ends = order_[at(k)].stretch != order_[at(k - 1)].stretch;
+      if (ends == endsStretch ? distance(k) < distance(best) : ends) {
+        best = k;
+        endsStretch = ends;
+      }
+    }
+    return best;
+  }
+
+  const std::vector<ClusterPlace>& order_;
+  Index leafUnknowns_;
+  std::vector<Index> before_;  ///< unknowns of the places before each
+  std::vector<Cluster> clusters_;
+};
+
+}  // namespace
+
+ClusterTree::ClusterTree(const Space& space, Index leafUnknowns)
+    : ClusterTree({&space}, inOrder(space.mesh()), 0, leafUnknowns) {}
+
+ClusterTree::ClusterTree(const std::vector<const Space*>& spaces,
+                         const std::vector<ClusterPlace>& order, int body,
+                         Index leafUnknowns)
+    : mesh_(&spaces[static_cast<std::size_t>(body)]->mesh()),
+      clusters_(Division(spaces, order, leafUnknowns).take()) {
+  std::vector<int> before(1, 0);  // own places
+  for (const ClusterPlace& place : order) {
+    if (place.body == body)
+      elements_.push_back(place.element);
+    before.push_back(static_cast<int>(elements_.size()));
+  }
+  leafOf_.resize(elements_.size());
+  for (int c = 0; c < size(); ++c) {
+    Cluster& cluster = clusters_[static_cast<std::size_t>(c)];
+    cluster.first = before[static_cast<std::size_t>(cluster.first)];
+    cluster.last = before[static_cast<std::size_t>(cluster.last)];
+    if (!cluster.isEmpty())
+      encircle(cluster);
+    levels_.resize(std::max(levels_.size(), static_cast<std::size_t>(cluster.level + 1)));
+    levels_[static_cast<std::size_t>(cluster.level)].push_back(c);
+    for (int k = cluster.first; k < cluster.last && cluster.isLeaf(); ++k)
+      leafOf_[static_cast<std::size_t>(element(k))] = c;
+  }
 }
 
 void ClusterTree::encircle(Cluster& cluster) const {
-  cluster.anchor = mesh_->at((cluster.first + cluster.last) / 2, -1);
+  cluster.anchor = mesh_->at(element((cluster.first + cluster.last) / 2), -1);
   std::vector<Vec2> points;
   const auto addPoints = [&](int e) {
     for (const double t : {-1.0, 0.0, 1.0})
       points.push_back(mesh_->difference(mesh_->at(e, t), cluster.anchor));
   };
-  for (int e = cluster.first; e < cluster.last; ++e)
+  for (int k = cluster.first; k < cluster.last; ++k) {
+    const int e = element(k);
     addPoints(e);
-  // the hat at the first node stands on the element before, too
-  addPoints((*mesh_)[cluster.first].previous);
+    // the hat at the first node stands on the element before, too
+    const int previous = (*mesh_)[e].previous;
+    if (k == cluster.first || element(k - 1) != previous)
+      addPoints(previous);
+  }
   Vec2 low = points.front();
   Vec2 high = low;
   for (const Vec2 x : points) {
@@ -96,6 +139,12 @@ std::vector<int> ClusterTree::cut(int l) const {
          clusters_[static_cast<std::size_t>(c)].isLeaf()))
       result.push_back(c);
   return result;
+}
+
+bool ClusterTree::contains(int whole, int part) const {
+  while (part > whole)
+    part = (*this)[part].parent;
+  return part == whole;
 }
 
 std::vector<char> ClusterTree::paths(const std::vector<int>& leaves) const {

@@ -6,7 +6,8 @@
 
 namespace epafi::bem {
 
-/// Elements first ... last - 1 of one or several loops, in a circle.
+/// Elements of one or several loops, at the places first ... last - 1 of the tree's order, in
+/// a circle.
 struct Cluster {
   int first = 0;
   int last = 0;
@@ -18,13 +19,29 @@ struct Cluster {
   double radius = 0;
 
   bool isLeaf() const { return children[0] < 0; }
+  bool isEmpty() const { return first == last; }
 };
 
-/// The boundary cut in two again and again, where unknowns are halved or a loop ends.
+/// An element of one of several bodies, and the stretch that a tree does not mix with others
+/// before it has to: a loop, or a part of it.
+struct ClusterPlace {
+  int body;
+  int element;
+  int stretch;
+};
+
+/// The boundary cut in two again and again, where unknowns are halved or a stretch ends.
+///
+/// Several bodies are cut as if they were one boundary, each with a tree of its own: their
+/// clusters have the same numbers, children and parents, and may be empty.
 class ClusterTree {
  public:
-  /// Leaves have at most so many unknowns, or one element.
+  /// Of one body in the order of its elements.  Leaves have at most so many unknowns, or one
+  /// element.
   ClusterTree(const Space& space, Index leafUnknowns);
+  /// What is one body's of elements of all, in an order.
+  ClusterTree(const std::vector<const Space*>& spaces,
+              const std::vector<ClusterPlace>& order, int body, Index leafUnknowns);
 
   int size() const { return static_cast<int>(clusters_.size()); }
   const Cluster& operator[](int c) const {
@@ -42,22 +59,24 @@ class ClusterTree {
   /// By cluster: is it one of these leaves, or above one?
   std::vector<char> paths(const std::vector<int>& leaves) const;
 
+  /// The element at a place of the order.
+  int element(int place) const { return elements_[static_cast<std::size_t>(place)]; }
   int leafOf(int element) const { return leafOf_[static_cast<std::size_t>(element)]; }
+  /// Is a cluster one of those that another is made of, or that one?
+  bool contains(int whole, int part) const;
 
-  /// From the centre of one cluster to a point, and to the centre of another.
+  /// From the centre of one cluster to a point, and to the centre of another, which are not
+  /// empty.
   Vec2 fromCentre(int c, const BoundaryPoint& x) const;
   Vec2 between(int from, int to) const;
 
   const Mesh& mesh() const { return *mesh_; }
 
  private:
-  int divide(int first, int last, int level, int parent);
-  int middle(int first, int last) const;
   void encircle(Cluster& cluster) const;
 
   const Mesh* mesh_;
-  Index leafUnknowns_;
-  std::vector<Index> before_;  ///< unknowns of the elements before each
+  std::vector<int> elements_;  ///< in the tree's order
   std::vector<Cluster> clusters_;
   std::vector<std::vector<int>> levels_;
   std::vector<int> leafOf_;

@@ -127,6 +127,25 @@ void CompressedFactor::eliminate(const std::vector<char>& dirty) {
       throw NumericalError(failure);
   }
   takeSpringsBack();
+  addRotations();
+}
+
+void CompressedFactor::addRotations() {
+  const CompressedOperators::Rotations& rotations = operators_->rotations();
+  rotated_ = nullptr;
+  if (rotations.columns.empty())
+    return;
+  Rotated rotated;
+  Matrix right = rotations.columns.copy();
+  for (Index j = 0; j < right.columns(); ++j)
+    for (Index i = 0; i < right.rows(); ++i)
+      if (restriction_.held[at(i)] != 0)
+        right(i, j) = 0;
+  rotated.answers = solveStraight(right, std::vector<char>(nodes_.size(), 1));
+  Matrix rest = rotations.inverse.copy();
+  addTransposedProduct(1, rotations.columns, rotated.answers, rest);
+  rotated.rest.factor(std::move(rest));
+  rotated_ = std::make_shared<const Rotated>(std::move(rotated));
 }
 
 void CompressedFactor::takeSpringsBack() {
@@ -157,6 +176,10 @@ Matrix CompressedFactor::eliminateLeaf(int c, Node& node) const {
   const CompressedOperators::Part& part = operators_->part(c);
   const auto n = static_cast<Index>(node.kept.size());
   const Index k = part.weights.rows();
+  if (n == 0) {
+    node.isSilent = true;
+    return Matrix(k, k);
+  }
   Matrix d(n, n);
   Matrix in(n, k);
   node.ownOut = n < part.weights.columns() || !node.followers.empty();
@@ -198,6 +221,13 @@ Matrix CompressedFactor::eliminateParent(int c, Node& node) const {
   const auto responseOf = [&](int child) -> const Matrix& {
     return *responses_[static_cast<std::size_t>(tree[c].children[child])];
   };
+  const auto isSilent = [&](int child) {
+    return nodes_[static_cast<std::size_t>(tree[c].children[child])]->isSilent;
+  };
+  if (isSilent(0) && isSilent(1)) {
+    node.isSilent = true;
+    return Matrix(part.weights.rows(), part.weights.rows());
+  }
   const Matrix& first = responseOf(0);
   const Matrix& second = responseOf(1);
   const Index k = first.rows();
@@ -259,8 +289,8 @@ void CompressedFactor::Node::solve(Matrix& x) const {
 
 // With M = Z + P Pᵀ, springs on sprung_:
 //   Z⁻¹ b = M⁻¹ (b + P s),   (I - Pᵀ M⁻¹ P) s = Pᵀ M⁻¹ b
-Matrix CompressedFactor::solveOnce(const Matrix& b,
-                                   const std::vector<char>& paths) const {
+Matrix CompressedFactor::solveStraight(const Matrix& b,
+                                       const std::vector<char>& paths) const {
   Matrix x = solveSprung(b, paths);
   if (sprung_.empty())
     return x;
@@ -284,7 +314,9 @@ Matrix CompressedFactor::solveSprung(const Matrix& b,
   const auto node = [&](int c) -> const Node& {
     return *nodes_[static_cast<std::size_t>(c)];
   };
-  const auto isOff = [&](int c) { return paths[static_cast<std::size_t>(c)] == 0; };
+  const auto isOff = [&](int c) {
+    return paths[static_cast<std::size_t>(c)] == 0 || node(c).isSilent;
+  };
   const auto of = [](std::vector<Matrix>& all, int c) -> Matrix& {
     return all[static_cast<std::size_t>(c)];
   };
@@ -345,6 +377,21 @@ Matrix CompressedFactor::solveSprung(const Matrix& b,
       addTransposedProduct(1, part.block, first, of(in, tree[c].children[1]));
     }
   }
+  return x;
+}
+
+// (Z + U S Uᵀ)⁻¹ b = y - Y (S⁻¹ + Uᵀ Y)⁻¹ Uᵀ y,  y = Z⁻¹ b
+Matrix CompressedFactor::solveOnce(const Matrix& b,
+                                   const std::vector<char>& paths) const {
+  if (rotated_ == nullptr)
+    return solveStraight(b, paths);
+  // a rotation is everywhere
+  Matrix x = solveStraight(b, std::vector<char>(nodes_.size(), 1));
+  const Matrix& columns = operators_->rotations().columns;
+  Matrix sizes(columns.columns(), x.columns());
+  addTransposedProduct(1, columns, x, sizes);
+  rotated_->rest.solve(sizes);
+  addProduct(-1, rotated_->answers, sizes, x);
   return x;
 }
 

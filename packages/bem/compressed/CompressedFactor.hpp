@@ -90,6 +90,7 @@ class CompressedFactor {
     std::vector<Follower> followers;
     bool ownOut = false;
     Matrix out;  ///< of a leaf that holds unknowns: T of its solution, followers included
+    bool isSilent = false;  ///< all of the cluster is held: nothing but a response, zero
 
     const Matrix& outOf(const CompressedOperators::Part& part) const {
       return ownOut ? out : part.weights;
@@ -105,7 +106,9 @@ class CompressedFactor {
   Matrix eliminateLeaf(int c, Node& node) const;
   Matrix eliminateParent(int c, Node& node) const;
   void takeSpringsBack();
+  void addRotations();
   Matrix solveSprung(const Matrix& b, const std::vector<char>& paths) const;
+  Matrix solveStraight(const Matrix& b, const std::vector<char>& paths) const;
   Matrix solveOnce(const Matrix& b, const std::vector<char>& paths) const;
   /// B less Z X on what is asked for, zero elsewhere.
   Matrix residual(const Matrix& b, const Matrix& x) const;
@@ -116,7 +119,13 @@ class CompressedFactor {
   std::vector<std::shared_ptr<const Node>> nodes_;
   std::vector<std::shared_ptr<const Matrix>> responses_;  ///< E, where still needed
   std::vector<Index> sprung_;  ///< CompressedOperators::floating, what is not held
-  std::shared_ptr<const Node> springs_;  ///< I - Pᵀ M⁻¹ P of them, see solveOnce
+  std::shared_ptr<const Node> springs_;  ///< I - Pᵀ M⁻¹ P of them, see solveStraight
+  /// Of CompressedOperators::rotations; null without any.
+  struct Rotated {
+    Matrix answers;  ///< Y = Z⁻¹ U on what is not held
+    Node rest;       ///< S⁻¹ + Uᵀ Y
+  };
+  std::shared_ptr<const Rotated> rotated_;
 };
 
 }  // namespace epafi::bem

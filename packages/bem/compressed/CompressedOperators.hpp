@@ -18,11 +18,15 @@ struct Compression {
 
 /// Further unknowns beside displacements and densities, and entries of the symmetric
 /// system that are not those of boundary operators.  Both act between functions that
-/// touch.
+/// touch, and alone between bodies.
 struct LocalCoupling {
   std::vector<int> elements;  ///< of each further unknown, one that it is on
-  /// Unknowns are numbered as unknownsOf has them, further ones behind.  One of (i, j) and
-  /// (j, i).
+  std::vector<int> bodies;    ///< and whose that is; empty: all are the first body's
+  /// Of each body: what all of them do to its exact rotation less the interpolated one, where
+  /// it has arcs, see Rotation; empty: nothing.
+  std::vector<Vector> rotations;
+  /// Unknowns are numbered body by body as unknownsOf has them, further ones behind all.  One
+  /// of (i, j) and (j, i).
   struct Entry {
     Index row;
     Index column;
@@ -36,23 +40,42 @@ struct LocalCoupling {
 ///   Z = [ W        (K+1/2)ᵀ ]
 ///       [ K+1/2    -V       ],
 ///
-/// with what a LocalCoupling adds, by recursive skeletonisation: what a cluster of elements
+/// of one or several bodies, with what a LocalCoupling adds, by recursive skeletonisation: what a cluster of elements
 /// does to everything else goes through some of its unknowns, its skeleton,
 ///
 ///   Z_far,cluster ≈ Z_far,skeleton T,
 ///
 /// and the skeletons of two children are the unknowns of their parent.  Memory and time
-/// grow with the number of elements times the rank, which grows with its logarithm.
+/// grow with the number of elements times the rank, which grows with its logarithm.  Of
+/// several bodies a cluster has what face each other; each one's part has a skeleton of its
+/// own.  Displacements of bodies with arcs hold the rotation exactly, see Rotation.
 ///                                                       [doc/theory/compression.md]
 class CompressedOperators {
  public:
+  struct Body {
+    const Space& space;
+    const Lame& lame;
+  };
+  explicit CompressedOperators(const std::vector<Body>& bodies,
+                               const Compression& options = {},
+                               const LocalCoupling& local = {});
   CompressedOperators(const Space& space, const Lame& lame,
-                      const Compression& options = {}, const LocalCoupling& local = {});
+                      const Compression& options = {}, const LocalCoupling& local = {})
+      : CompressedOperators(std::vector<Body>{{space, lame}}, options, local) {}
 
-  Index displacements() const { return displacements_; }
-  Index densities() const { return densities_; }
+  /// The numbers of a body's unknowns: displacements, then densities.
+  struct Range {
+    Index first;
+    Index densities;
+    Index last;
+    double young;  ///< its modulus, in what stresses are counted
+  };
+  const Range& range(std::size_t body) const { return ranges_[body]; }
+  std::size_t bodies() const { return ranges_.size(); }
+  /// Where further unknowns begin.
+  Index further() const { return ranges_.back().last; }
   /// All unknowns.
-  Index size() const { return static_cast<Index>(unknowns_.size()); }
+  Index size() const { return static_cast<Index>(leaves_.size()); }
 
   /// Z X
   Matrix times(const Matrix& x) const;
@@ -64,16 +87,29 @@ class CompressedOperators {
     Matrix
         block;  ///< a leaf's entries, or those of one child's skeleton with the other's
   };
-  const ClusterTree& tree() const { return tree_; }
+  /// Of the first body; clusters of all have its numbers, parents and children.
+  const ClusterTree& tree() const { return trees_.front(); }
   const Part& part(int cluster) const {
     return parts_[static_cast<std::size_t>(cluster)];
   }
   /// The leaf of an unknown.
-  int leafOf(Index unknown) const { return tree_.leafOf(unknowns_[at(unknown)].element); }
+  int leafOf(Index unknown) const { return leaves_[at(unknown)]; }
 
   /// Three displacements of the outer loop that no rigid motion leaves at rest, where there
   /// are holes: a factor springs them, since a cluster that is a whole loop may float.
   const std::vector<Index>& floating() const { return floating_; }
+
+  /// U and S⁻¹ of U S Uᵀ, which exact rotations add to what the tree holds: for each body with
+  /// arcs the columns q and w = Z r_I, of further unknowns less what they do to the rest, and
+  /// S⁻¹ = [0, -1; -1, -r_I·w].
+  struct Rotations {
+    Matrix columns;
+    Matrix inverse;
+
+    /// Y += U S Uᵀ X
+    void addTo(Matrix& y, const Matrix& x) const;
+  };
+  const Rotations& rotations() const { return rotations_; }
 
   struct Ranks {
     Index largest = 0;
@@ -84,13 +120,17 @@ class CompressedOperators {
 
  private:
   class Builder;
+  struct Share;
 
-  Index displacements_;
-  Index densities_;
-  std::vector<Unknown> unknowns_;
-  ClusterTree tree_;
+  void join(std::vector<Share> shares, const LocalCoupling& local);
+  void addRotations(const std::vector<Body>& bodies, const LocalCoupling& local);
+
+  std::vector<Range> ranges_;
+  std::vector<int> leaves_;  ///< of the unknowns
+  std::vector<ClusterTree> trees_;
   std::vector<Part> parts_;
   std::vector<Index> floating_;
+  Rotations rotations_;
 };
 
 }  // namespace epafi::bem

@@ -200,7 +200,8 @@ void NearBlocks::findPairs(const Space& space, const ClusterTree& tree) {
   pairs_.resize(hoods_.size());
   std::vector<Hood> around(static_cast<std::size_t>(tree.size()));
   for (int c = 0; c < tree.size(); ++c)
-    for (int e = tree[c].first; e < tree[c].last; ++e) {
+    for (int k = tree[c].first; k < tree[c].last; ++k) {
+      const int e = tree.element(k);
       const Hood& hood = hoods_[static_cast<std::size_t>(e)];
       Hood& all = around[static_cast<std::size_t>(c)];
       all.half = std::max(all.half, hood.half);
@@ -210,26 +211,30 @@ void NearBlocks::findPairs(const Space& space, const ClusterTree& tree) {
   // a leaf against all that is not far from it
   std::size_t next = 0;
   for (const int leaf : tree.cut(tree.levels() - 1)) {
+    if (tree[leaf].isEmpty())
+      continue;
     std::vector<int> waiting = {0};
     while (!waiting.empty()) {
       const int c = waiting.back();
       waiting.pop_back();
       const Hood& a = around[static_cast<std::size_t>(leaf)];
       const Hood& b = around[static_cast<std::size_t>(c)];
-      if (tree[c].last <= tree[leaf].first ||
+      if (tree[c].isEmpty() || tree[c].last <= tree[leaf].first ||
           length(tree.between(leaf, c)) - a.radius - b.radius > std::max(a.half, b.half))
         continue;
       if (!tree[c].isLeaf()) {
         waiting.insert(waiting.end(), {tree[c].children[0], tree[c].children[1]});
         continue;
       }
-      for (int e = tree[leaf].first; e < tree[leaf].last; ++e)
-        for (int f = std::max(e, tree[c].first); f < tree[c].last; ++f)
+      for (int k = tree[leaf].first; k < tree[leaf].last; ++k)
+        for (int l = std::max(k, tree[c].first); l < tree[c].last; ++l) {
+          const auto [e, f] = std::minmax({tree.element(k), tree.element(l)});
           if (!isDeep(e, f)) {
             pairs_[static_cast<std::size_t>(e)].push_back({f, next});
             next += static_cast<std::size_t>(sizes_[static_cast<std::size_t>(e)] *
                                              sizes_[static_cast<std::size_t>(f)]);
           }
+        }
     }
   }
   for (std::vector<Pair>& pairs : pairs_)

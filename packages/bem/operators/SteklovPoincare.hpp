@@ -48,12 +48,14 @@ class SteklovPoincare {
                   const SingleLayerSolver& solver,
                   const LocalCompliance& compliance = {});
 
-  /// S that is never formed: nothing below but algebra() and compressed() is there.
+  /// S of one of the operators' bodies, never formed: nothing below but algebra() and this is
+  /// there.
   SteklovPoincare(std::shared_ptr<const CompressedOperators> operators,
-                  const DenseAlgebra& algebra)
-      : algebra_(&algebra), compressed_(std::move(operators)) {}
+                  const DenseAlgebra& algebra, std::size_t body = 0)
+      : algebra_(&algebra), compressed_(std::move(operators)), body_(body) {}
   /// Null where S is formed.
   std::shared_ptr<const CompressedOperators> compressed() const { return compressed_; }
+  std::size_t compressedBody() const { return body_; }
 
   /// S, my rows.
   const LowerTriangle& stiffness() const { return stiffness_; }
@@ -86,6 +88,7 @@ class SteklovPoincare {
 
   const DenseAlgebra* algebra_;
   std::shared_ptr<const CompressedOperators> compressed_;
+  std::size_t body_ = 0;
   Index densities_ = 0;
   std::shared_ptr<const Rotation> rotation_;
   /// Density of each row of the factor; empty: as numbered.  On one process those with a

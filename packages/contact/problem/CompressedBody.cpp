@@ -2,7 +2,8 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/compressed/Products.hpp"
-#include "contact/problem/CompressedFlexibility.hpp"
+#include "contact/problem/ContactSystem.hpp"
+#include "contact/problem/MortarCoupling.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,26 +15,39 @@ using bem::dot;
 
 namespace {
 
-/// Ĉ and M with the numbers of unknowns.
-CompressedCoupling compressedCoupling(const bem::Space& space,
-                                      const MultiplierSpace& multiplier,
-                                      const Coupling& coupling) {
-  CompressedCoupling result;
-  result.first = space.displacements() + space.densities();
-  result.multipliers = coupling.multipliers;
-  result.normals = multiplier.normals();
-  result.entries = coupling.trace;
-  result.mass = coupling.mass;
+/// What a multiplier does to the rotation of a body with arcs.
+template <class Number>
+void addRests(const std::shared_ptr<const bem::Rotation>& rotation, std::size_t body,
+              Index first, const Vector& rests, const Number& numberOf,
+              CompressedCoupling& to) {
+  if (rotation == nullptr)
+    return;
+  Vector values(at(to.multipliers));
+  for (std::size_t i = 0; i < rests.size(); ++i)
+    values[at(numberOf(static_cast<Index>(i)))] = rests[i];
+  to.rests.push_back({rotation, body, first, std::move(values)});
+}
+
+/// Ĉ and M of a body's own multiplier, numbered from `first` on and as `numberOf` says.
+template <class Number>
+void addOwn(const bem::Space& space, const Coupling& coupling, std::size_t body,
+            Index first, const Number& numberOf, CompressedCoupling& to) {
+  for (const Coupling::Entry& entry : coupling.trace)
+    to.entries.push_back({first + entry.row, numberOf(entry.column), entry.value});
   for (const Coupling::Entry& entry : coupling.weights)
-    result.entries.push_back(
-        {space.displacements() + coupling.compliance.densities[at(entry.row)],
-         entry.column, -entry.value});
-  return result;
+    to.entries.push_back(
+        {first + space.displacements() + coupling.compliance.densities[at(entry.row)],
+         numberOf(entry.column), -entry.value});
+  for (const Coupling::Entry& entry : coupling.mass)
+    to.mass.push_back({numberOf(entry.row), numberOf(entry.column), entry.value});
+  addRests(coupling.rotation, body, first, coupling.traceOfRotation, numberOf, to);
 }
 
 /// Where each coefficient of the multiplier belongs: to the element that numbers the
-/// displacement which it does most work on, so that a leaf has both.
-std::vector<int> elementsOf(const bem::Space& space, const Coupling& coupling) {
+/// displacement which it does most work on, so that a leaf has both; tangential ones to that
+/// of the pressure which they may follow.
+std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& multiplier,
+                            const Coupling& coupling) {
   std::vector<int> elementOf(at(space.displacements()));
   for (int e = 0; e < space.mesh().size(); ++e)
     for (Index i = space.displacement(e, 0, 0);
@@ -46,18 +60,25 @@ std::vector<int> elementsOf(const bem::Space& space, const Coupling& coupling) {
       largest[at(entry.column)] = std::abs(entry.value);
       elements[at(entry.column)] = elementOf[at(entry.row)];
     }
+  for (const MultiplierSpace::ContactElement& contact : multiplier.elements())
+    for (int i = 0; i <= contact.degree && contact.tangential >= 0; ++i)
+      elements[at(contact.tangentialOf(i))] = elements[at(contact.normalOf(i))];
   return elements;
 }
 
 class CompressedBody final : public StabilisedBody {
  public:
-  CompressedBody(const bem::Space& space, const MultiplierSpace& multiplier,
+  CompressedBody(const bem::Space& space,
                  std::shared_ptr<const bem::CompressedOperators> operators,
-                 Coupling coupling)
-      : space_(space),
-        operators_(std::move(operators)),
-        coupling_(std::move(coupling)),
-        compressed_(compressedCoupling(space, multiplier, coupling_)) {}
+                 std::size_t number, Coupling coupling)
+      : operators_(std::move(operators)),
+        number_(number),
+        range_(operators_->range(number)),
+        coupling_(std::move(coupling)) {
+    compressed_.multipliers = coupling_.multipliers;
+    addOwn(
+        space, coupling_, number, range_.first, [](Index i) { return i; }, compressed_);
+  }
 
   std::shared_ptr<const HeldStiffness> held(const Holding& holding) const override {
     return std::make_shared<const Held>(*this, holding);
@@ -68,7 +89,8 @@ class CompressedBody final : public StabilisedBody {
     Vector rest = force;
     const Matrix& images = fieldOf(u).images;
     for (std::size_t i = 0; i < rest.size(); ++i)
-      rest[i] -= images(static_cast<Index>(i), 0) + images(static_cast<Index>(i), 1);
+      rest[i] -= images(range_.first + static_cast<Index>(i), 0) +
+                 images(range_.first + static_cast<Index>(i), 1);
     return rest;
   }
 
@@ -79,25 +101,21 @@ class CompressedBody final : public StabilisedBody {
     compressed_.push(1, multiplier.data(), x.data());
     if (byDensity()) {
       // what (V + G)⁻¹ (-N λ) does through K'
-      Matrix psi(operators_->size(), 1);
-      const Vector& own = densityUnder(multiplier);
-      std::copy(own.begin(), own.end(), psi.data() + displacements());
-      const Matrix image = operators_->times(psi);
-      for (Index i = 0; i < displacements(); ++i)
+      const Matrix image = operators_->times(placed({}, densityUnder(multiplier)));
+      for (Index i = range_.first; i < range_.densities; ++i)
         x(i, 0) += image(i, 0);
     }
     for (const Coupling::Entry& entry : coupling_.completion)
-      x(entry.row, 0) += entry.value * multiplier[at(entry.column)];
-    return {x.data(), x.data() + displacements()};
+      x(range_.first + entry.row, 0) += entry.value * multiplier[at(entry.column)];
+    Vector force(x.data() + range_.first, x.data() + range_.densities);
+    if (coupling_.rotation != nullptr)
+      coupling_.rotation->complete(dot(coupling_.completionOfRotation, multiplier),
+                                   force);
+    return force;
   }
 
   Vector pull(const Vector& u) const override {
-    Matrix x(operators_->size(), 1);
-    std::copy(u.begin(), u.end(), x.data());
-    if (byDensity()) {
-      const Vector& psi = fieldOf(u).psi;
-      std::copy(psi.begin(), psi.end(), x.data() + displacements());
-    }
+    const Matrix x = placed(u, byDensity() ? fieldOf(u).psi : Vector());
     return compressed_.pull(x.data());
   }
 
@@ -111,7 +129,7 @@ class CompressedBody final : public StabilisedBody {
     compressed_.push(1, multiplier.data(), pushed.data());
     const Vector& psi = densityUnder(multiplier);
     return work - std::inner_product(psi.begin(), psi.end(),
-                                     pushed.data() + displacements(), 0.0);
+                                     pushed.data() + range_.densities, 0.0);
   }
 
   // (V + G)⁻¹ (K u - N λ)
@@ -127,9 +145,10 @@ class CompressedBody final : public StabilisedBody {
     const Vector psi = density(u, multiplier);
     const Matrix own = byDensity() ? imagesOf(u, psi) : Matrix();
     const Matrix& images = byDensity() ? own : fieldOf(u).images;
-    const double twice = std::inner_product(u.begin(), u.end(), images.column(0), 0.0) -
-                         std::inner_product(psi.begin(), psi.end(),
-                                            images.column(1) + displacements(), 0.0);
+    const double twice =
+        std::inner_product(u.begin(), u.end(), images.column(0) + range_.first, 0.0) -
+        std::inner_product(psi.begin(), psi.end(), images.column(1) + range_.densities,
+                           0.0);
     return 0.5 * (twice - coupling_.complianceWork(psi));
   }
 
@@ -154,18 +173,17 @@ class CompressedBody final : public StabilisedBody {
     Held(const CompressedBody& body, const Holding& holding)
         : body_(body),
           holding_(holding),
-          held_(std::make_shared<const CompressedHolding>(*body.operators_,
-                                                          body.compressed_, holding)),
-          flexibility_(compressedFlexibility(held_)),
-          size_(body.displacements()) {}
+          held_(std::make_shared<const CompressedHolding>(*body.operators_, body.number_,
+                                                          holding)),
+          range_(body.range_) {}
 
     // A⁺ f + R Rᵀ f
     Vector solve(const Vector& force) const override {
       Matrix forces(held_->operators().size(), 1);
-      std::copy(force.begin(), force.end(), forces.data());
+      std::copy(force.begin(), force.end(), forces.data() + range_.first);
       const Matrix x = held_->displaced(std::move(forces));
-      body_.solved_.assign(x.data() + size_, x.data() + body_.compressed_.first);
-      Vector u(x.data(), x.data() + size_);
+      body_.solved_.assign(x.data() + range_.densities, x.data() + range_.last);
+      Vector u(x.data() + range_.first, x.data() + range_.densities);
       for (Index k = 0; k < holding_.rigid.allowed.columns(); ++k) {
         const Vector r = columnOf(holding_.rigid.allowed, k);
         bem::axpy(dot(r, force), r, u);
@@ -173,27 +191,29 @@ class CompressedBody final : public StabilisedBody {
       return u;
     }
     Matrix forward(Matrix) const override { return {}; }
-    std::shared_ptr<const Flexibility::Operator> flexibility() const override {
-      return flexibility_;
-    }
+    std::shared_ptr<const CompressedHolding> compressed() const override { return held_; }
 
    private:
     const CompressedBody& body_;
     const Holding& holding_;
     std::shared_ptr<const CompressedHolding> held_;
-    std::shared_ptr<const Flexibility::Operator> flexibility_;
-    Index size_;
+    const bem::CompressedOperators::Range& range_;
   };
 
-  Index displacements() const { return space_.displacements(); }
-
+  /// A displacement and a density among all unknowns; empty: zero.
+  Matrix placed(const Vector& u, const Vector& psi) const {
+    Matrix x(operators_->size(), 1);
+    std::copy(u.begin(), u.end(), x.data() + range_.first);
+    std::copy(psi.begin(), psi.end(), x.data() + range_.densities);
+    return x;
+  }
   /// Of V + G: all displacements and multipliers held.
   const bem::CompressedFactor& densityFactor() const {
     if (densityFactor_ == nullptr) {
       bem::Restriction restriction;
       restriction.held.assign(at(operators_->size()), 1);
-      std::fill(restriction.held.begin() + displacements(),
-                restriction.held.begin() + compressed_.first, 0);
+      std::fill(restriction.held.begin() + range_.densities,
+                restriction.held.begin() + range_.last, 0);
       densityFactor_ = std::make_unique<const bem::CompressedFactor>(
           *operators_, restriction, std::vector<int>{});
     }
@@ -214,14 +234,14 @@ class CompressedBody final : public StabilisedBody {
   /// The densities' rows solved, all else held: -(V + G)⁻¹ of them.
   Vector densityFor(const Matrix& right) const {
     const Matrix psi = densityFactor().solve(right);
-    return {psi.data() + displacements(), psi.data() + compressed_.first};
+    return {psi.data() + range_.densities, psi.data() + range_.last};
   }
 
   /// Z (u, 0) and Z (0, ψ)
   Matrix imagesOf(const Vector& u, const Vector& psi) const {
     Matrix x(operators_->size(), 2);
-    std::copy(u.begin(), u.end(), x.column(0));
-    std::copy(psi.begin(), psi.end(), x.column(1) + displacements());
+    std::copy(u.begin(), u.end(), x.column(0) + range_.first);
+    std::copy(psi.begin(), psi.end(), x.column(1) + range_.densities);
     return operators_->times(x);
   }
 
@@ -238,11 +258,11 @@ class CompressedBody final : public StabilisedBody {
     if (u == field_.u)
       return field_;
     Vector psi = solved_;
-    psi.resize(at(compressed_.first - displacements()));
+    psi.resize(at(range_.last - range_.densities));
     Matrix images = imagesOf(u, psi);
     double left = 0;
     double size = 0;
-    for (Index i = displacements(); i < compressed_.first; ++i) {
+    for (Index i = range_.densities; i < range_.last; ++i) {
       left = std::max(left, std::abs(images(i, 0) + images(i, 1)));
       size = std::max(size, std::abs(images(i, 0)));
     }
@@ -256,10 +276,11 @@ class CompressedBody final : public StabilisedBody {
     return field_;
   }
 
-  const bem::Space& space_;
   std::shared_ptr<const bem::CompressedOperators> operators_;
+  std::size_t number_;
+  const bem::CompressedOperators::Range& range_;
   Coupling coupling_;
-  CompressedCoupling compressed_;
+  CompressedCoupling compressed_;  ///< the own multiplier's
   mutable std::unique_ptr<const bem::CompressedFactor> densityFactor_;
   mutable Vector solved_;  ///< ψ of the last solution
   mutable Field field_;
@@ -269,55 +290,112 @@ class CompressedBody final : public StabilisedBody {
 
 }  // namespace
 
-std::string whyNotCompressed(const bem::Outline& outline,
-                             const Stabilization& stabilization) {
+std::string whyNotCompressed(const Stabilization& stabilization) {
   using Form = Stabilization::Form;
   if (stabilization.form != Form::None && stabilization.form != Form::Density)
     return "Discretization->Stabilization->Form must be Density, or None with the "
            "multiplier Biorthogonal";
-  for (const bem::Edge& edge : outline.edges())
-    if (!edge.curve.isStraight())
-      return "the outline has circular arcs, whose exact rotation no cluster holds";
   return "";
 }
 
-bem::SteklovPoincare makeCompressedStiffness(const bem::Space& space,
-                                             const MultiplierSpace& multiplier,
-                                             const Stabilization& stabilization,
-                                             const bem::Lame& lame, bem::Units units,
-                                             const bem::DenseAlgebra& algebra,
-                                             const bem::Compression& options) {
-  const std::string reason = whyNotCompressed(space.mesh().outline(), stabilization);
+namespace {
+
+Numbering numberingOf(const std::vector<CompressedInput>& bodies) {
+  std::vector<Numbering::Count> counts;
+  for (const CompressedInput& body : bodies)
+    counts.push_back({body.multiplier.normals(), body.multiplier.size()});
+  return Numbering(counts);
+}
+
+}  // namespace
+
+CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bodies,
+                                          const Stabilization& stabilization,
+                                          bem::Units units) {
+  const Numbering numbering = numberingOf(bodies);
+  CompressedCoupling result;
+  result.multipliers = numbering.size();
+  result.normals = numbering.normals();
+  std::vector<Index> starts;
+  for (const CompressedInput& body : bodies) {
+    starts.push_back(result.first);
+    result.first += body.space.displacements() + body.space.densities();
+  }
+  for (std::size_t a = 0; a < bodies.size(); ++a) {
+    const auto& [space, multiplier, lame, opposite] = bodies[a];
+    const auto numberOf = [&](Index i) { return numbering(a, i); };
+    addOwn(space, makeLocalCoupling(space, multiplier, stabilization, lame, units), a,
+           starts[a], numberOf, result);
+    if (opposite == nullptr)
+      continue;
+    for (const int b : opposite->bodies()) {
+      const auto k = static_cast<std::size_t>(b);
+      const MortarCoupling met =
+          mortarCoupling(space.mesh(), multiplier, *opposite, bodies[k].space, b);
+      for (const Coupling::Entry& entry : met.entries)
+        result.entries.push_back(
+            {starts[k] + entry.row, numberOf(entry.column), entry.value});
+      addRests(met.rotation, k, starts[k], met.rests, numberOf, result);
+    }
+  }
+  return result;
+}
+
+std::vector<bem::SteklovPoincare> makeCompressedStiffness(
+    const std::vector<CompressedInput>& bodies, const Stabilization& stabilization,
+    bem::Units units, const bem::DenseAlgebra& algebra, const bem::Compression& options) {
+  const std::string reason = whyNotCompressed(stabilization);
   if (!reason.empty())
     throw bem::InputError("the operators cannot be compressed: " + reason);
-  const Coupling coupling =
-      makeLocalCoupling(space, multiplier, stabilization, lame, units);
-  const CompressedCoupling compressed = compressedCoupling(space, multiplier, coupling);
+  const CompressedCoupling coupling =
+      makeCompressedCoupling(bodies, stabilization, units);
   bem::LocalCoupling local;
-  local.elements = elementsOf(space, coupling);
-  for (const Coupling::Entry& entry : compressed.entries)
-    local.entries.push_back({entry.row, compressed.first + entry.column, entry.value});
-  for (const Coupling::Entry& entry : compressed.mass)
+  for (const Coupling::Entry& entry : coupling.entries)
+    local.entries.push_back({entry.row, coupling.first + entry.column, entry.value});
+  for (const Coupling::Entry& entry : coupling.mass)
     if (entry.row >= entry.column)
       local.entries.push_back(
-          {compressed.first + entry.row, compressed.first + entry.column, -entry.value});
-  const auto comply = [&](Index density, double value) {
-    const Index i = space.displacements() + density;
-    local.entries.push_back({i, i, -value});
-  };
-  for (std::size_t k = 0; k < coupling.compliance.densities.size(); ++k)
-    comply(coupling.compliance.densities[k], coupling.compliance.diagonal[k]);
-  for (const auto& [density, value] : coupling.compliance.pinned)
-    comply(density, value);
-  return bem::SteklovPoincare(
-      std::make_shared<const bem::CompressedOperators>(space, lame, options, local),
-      algebra);
+          {coupling.first + entry.row, coupling.first + entry.column, -entry.value});
+  const Numbering numbering = numberingOf(bodies);
+  local.rotations.assign(bodies.size(), Vector(at(coupling.multipliers)));
+  for (const CompressedCoupling::Rest& rest : coupling.rests)
+    bem::axpy(1, rest.values, local.rotations[rest.body]);
+  local.elements.resize(at(coupling.multipliers));
+  local.bodies.resize(at(coupling.multipliers));
+  std::vector<bem::CompressedOperators::Body> operands;
+  Index first = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto& [space, multiplier, lame, opposite] = bodies[b];
+    operands.push_back({space, lame});
+    const Coupling own = makeLocalCoupling(space, multiplier, stabilization, lame, units);
+    const std::vector<int> elements = elementsOf(space, multiplier, own);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const Index k = numbering(b, static_cast<Index>(i));
+      local.elements[at(k)] = elements[i];
+      local.bodies[at(k)] = static_cast<int>(b);
+    }
+    const auto comply = [&](Index density, double value) {
+      const Index i = first + space.displacements() + density;
+      local.entries.push_back({i, i, -value});
+    };
+    for (std::size_t k = 0; k < own.compliance.densities.size(); ++k)
+      comply(own.compliance.densities[k], own.compliance.diagonal[k]);
+    for (const auto& [density, value] : own.compliance.pinned)
+      comply(density, value);
+    first += space.displacements() + space.densities();
+  }
+  const auto operators =
+      std::make_shared<const bem::CompressedOperators>(operands, options, local);
+  std::vector<bem::SteklovPoincare> result;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    result.emplace_back(operators, algebra, b);
+  return result;
 }
 
 std::unique_ptr<const StabilisedBody> makeCompressedBody(
     const ContactProblem::Input& input, const MultiplierSpace& multiplier) {
   return std::make_unique<const CompressedBody>(
-      input.space, multiplier, input.stiffness.compressed(),
+      input.space, input.stiffness.compressed(), input.stiffness.compressedBody(),
       makeLocalCoupling(input.space, multiplier, input.stabilization, input.lame,
                         input.units));
 }

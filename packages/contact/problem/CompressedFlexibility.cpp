@@ -22,6 +22,14 @@ Matrix asColumn(const Vector& x) {
   return column;
 }
 
+/// Those of multipliers, which alone are held and released.
+std::vector<int> furtherLeaves(const bem::CompressedOperators& operators) {
+  std::vector<int> leaves;
+  for (Index i = operators.further(); i < operators.size(); ++i)
+    leaves.push_back(operators.leafOf(i));
+  return leaves;
+}
+
 /// D_M, what D is with springs in place of A⁺, and U S Uᵀ, with which it is D:
 ///
 ///   D = D_M - G wᵀ - w Gᵀ + G κ Gᵀ,   w = Ĉ M⁻¹ c,  κ = cᵀ M⁻¹ c,  G = Ĉ R
@@ -53,8 +61,12 @@ struct MotionTerms {
 
 class CompressedFlexibility final : public Flexibility::Operator {
  public:
-  explicit CompressedFlexibility(std::shared_ptr<const CompressedHolding> held)
-      : held_(std::move(held)), paths_(held_->factor().paths(held_->contactLeaves())) {
+  CompressedFlexibility(
+      CompressedCoupling coupling,
+      const std::vector<std::shared_ptr<const CompressedHolding>>& bodies)
+      : coupling_(std::move(coupling)), bodies_(bodies) {
+    factorAll();
+    findPaths();
     makeMotionTerms();
     measureRows();
   }
@@ -111,8 +123,12 @@ class CompressedFlexibility final : public Flexibility::Operator {
 
   std::unique_ptr<Factor> factor(const System& system) const override;
 
-  const CompressedCoupling& coupling() const { return held_->coupling(); }
-  const CompressedHolding& held() const { return *held_; }
+  const CompressedCoupling& coupling() const { return coupling_; }
+  const bem::CompressedOperators& operators() const {
+    return bodies_.front()->operators();
+  }
+  /// Of all bodies, every multiplier held.
+  const bem::Restriction& restriction() const { return factor_->restriction(); }
   const MotionTerms& motionTerms() const { return motions_; }
   const std::vector<char>& paths() const { return paths_; }
 
@@ -121,12 +137,39 @@ class CompressedFlexibility final : public Flexibility::Operator {
 
   int kindOf(Index i) const { return i < coupling().normals ? 0 : 1; }
 
+  // Of all bodies together, every multiplier held: what one of them asks for or leaves free.
+  void factorAll() {
+    if (bodies_.size() == 1) {
+      factor_ = std::make_unique<bem::CompressedFactor>(bodies_.front()->factor());
+      return;
+    }
+    bem::Restriction restriction;
+    for (const auto& body : bodies_) {
+      const bem::Restriction& own = body->restriction();
+      restriction.held.resize(own.held.size(), 1);
+      for (std::size_t i = 0; i < own.held.size(); ++i)
+        restriction.held[i] = static_cast<char>(restriction.held[i] & own.held[i]);
+      restriction.springs.insert(restriction.springs.end(), own.springs.begin(),
+                                 own.springs.end());
+    }
+    factor_ = std::make_unique<bem::CompressedFactor>(operators(), std::move(restriction),
+                                                      furtherLeaves(operators()));
+  }
+
+  // The leaves that the multiplier acts on.
+  void findPaths() {
+    std::vector<int> leaves = furtherLeaves(operators());
+    for (const Coupling::Entry& entry : coupling().entries)
+      leaves.push_back(operators().leafOf(entry.row));
+    paths_ = factor_->paths(std::move(leaves));
+  }
+
   // D X = D_M X + U S Uᵀ X
   Matrix timesColumns(const Matrix& x) const {
-    Matrix forces(held_->operators().size(), x.columns());
+    Matrix forces(operators().size(), x.columns());
     for (Index j = 0; j < x.columns(); ++j)
       coupling().push(1, x.column(j), forces.column(j));
-    const Matrix moved = held_->factor().solveAlong(paths_, forces);
+    const Matrix moved = factor_->solveAlong(paths_, forces);
     Matrix result(size(), x.columns());
     for (Index j = 0; j < x.columns(); ++j) {
       const Vector pulled = coupling().pull(moved.column(j));
@@ -178,7 +221,9 @@ class CompressedFlexibility final : public Flexibility::Operator {
 
   void makeMotionTerms();
 
-  std::shared_ptr<const CompressedHolding> held_;
+  CompressedCoupling coupling_;
+  std::vector<std::shared_ptr<const CompressedHolding>> bodies_;
+  std::unique_ptr<bem::CompressedFactor> factor_;
   std::vector<char> paths_;
   MotionTerms motions_;
   Matrix rowSums_;  ///< over each kind
@@ -186,14 +231,6 @@ class CompressedFlexibility final : public Flexibility::Operator {
   /// Kept from step to step, so that only what changes is eliminated anew.
   mutable std::unique_ptr<bem::CompressedFactor> reduced_;
 };
-
-Matrix functionalsOf(const CompressedHolding& held) {
-  const Matrix& c = held.rigid().functionals;
-  Matrix forces(held.operators().size(), c.columns());
-  for (Index k = 0; k < c.columns(); ++k)
-    std::copy_n(c.column(k), c.rows(), forces.column(k));
-  return forces;
-}
 
 /// Some of the multiplier's coefficients in the tree.
 class ReducedFlexibility final : public Flexibility::Operator::Factor {
@@ -203,8 +240,7 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
   ReducedFlexibility(const CompressedFlexibility& whole, bem::CompressedFactor& factor,
                      System system)
       : whole_(whole), factor_(factor), system_(std::move(system)) {
-    const CompressedHolding& held = whole.held();
-    bem::Restriction restriction = held.restriction();
+    bem::Restriction restriction = whole.restriction();
     const Index first = whole.coupling().first;
     for (std::size_t k = 0; k < system_.rows.size(); ++k) {
       restriction.held[at(first + system_.rows[k])] = 0;
@@ -249,7 +285,7 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
   // Z y + Ĉᵀ x = 0,  Ĉ y - M x - shift x = -b  in the rows, with the known coefficients in x
   Vector solveSprung(const Vector& b, const Vector& known) const {
     const CompressedCoupling& coupling = whole_.coupling();
-    Matrix right(whole_.held().operators().size(), 1);
+    Matrix right(whole_.operators().size(), 1);
     coupling.push(-1, known.data(), right.column(0));
     for (const Coupling::Entry& entry : coupling.mass)
       right(coupling.first + entry.row, 0) += entry.value * known[at(entry.column)];
@@ -266,7 +302,7 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
     const MotionTerms& terms = whole_.motionTerms();
     const Index columns = terms.u.columns();
     const Index first = whole_.coupling().first;
-    Matrix right(whole_.held().operators().size(), columns);
+    Matrix right(whole_.operators().size(), columns);
     for (Index j = 0; j < columns; ++j)
       for (const Index i : system_.rows)
         right(first + i, j) = -terms.u(i, j);
@@ -308,32 +344,41 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
 };
 
 void CompressedFlexibility::makeMotionTerms() {
-  const RigidConstraints& rigid = held_->rigid();
-  const Index r = rigid.allowed.columns();
+  Index r = 0;
+  for (const auto& body : bodies_)
+    r += body->motions();
   if (r == 0)
     return;
   motions_.u = Matrix(size(), 2 * r);
   motions_.inverse = Matrix(2 * r, 2 * r);
-  const Matrix forces = functionalsOf(*held_);
-  const Matrix answers = held_->factor().solve(forces);
-  for (Index k = 0; k < r; ++k) {
-    Matrix motion(held_->operators().size(), 1);
-    std::copy_n(rigid.allowed.column(k), rigid.allowed.rows(), motion.data());
-    const Vector g = coupling().pull(motion.data());
-    const Vector w = coupling().pull(answers.column(k));
-    std::copy(g.begin(), g.end(), motions_.u.column(k));
-    std::copy(w.begin(), w.end(), motions_.u.column(r + k));
-    motions_.inverse(k, r + k) = motions_.inverse(r + k, k) = -1;
-    for (Index l = 0; l < r; ++l)
-      for (Index i = 0; i < forces.rows(); ++i)
-        motions_.inverse(r + l, r + k) -= forces(i, l) * answers(i, k);
+  Index first = 0;  // of the body's
+  for (const auto& body : bodies_) {
+    const Index count = body->motions();
+    Matrix forces(operators().size(), count);
+    for (Index k = 0; k < count; ++k) {
+      const Vector c = body->functional(k);
+      std::copy(c.begin(), c.end(), forces.column(k));
+    }
+    const Matrix answers = body->factor().solve(forces);
+    for (Index k = 0; k < count; ++k) {
+      const Vector g = coupling().pull(body->motion(k).data());
+      const Vector w = coupling().pull(answers.column(k));
+      std::copy(g.begin(), g.end(), motions_.u.column(first + k));
+      std::copy(w.begin(), w.end(), motions_.u.column(r + first + k));
+      motions_.inverse(first + k, r + first + k) = -1;
+      motions_.inverse(r + first + k, first + k) = -1;
+      for (Index l = 0; l < count; ++l)
+        for (Index i = 0; i < forces.rows(); ++i)
+          motions_.inverse(r + first + l, r + first + k) -= forces(i, l) * answers(i, k);
+    }
+    first += count;
   }
 }
 
 std::unique_ptr<Flexibility::Operator::Factor> CompressedFlexibility::factor(
     const System& system) const {
   if (reduced_ == nullptr)
-    reduced_ = std::make_unique<bem::CompressedFactor>(held_->factor());
+    reduced_ = std::make_unique<bem::CompressedFactor>(*factor_);
   try {
     return std::make_unique<ReducedFlexibility>(*this, *reduced_, system);
   } catch (const bem::NumericalError&) {
@@ -347,35 +392,46 @@ std::unique_ptr<Flexibility::Operator::Factor> CompressedFlexibility::factor(
 void CompressedCoupling::push(double s, const double* multiplier, double* x) const {
   for (const Coupling::Entry& entry : entries)
     x[entry.row] += s * entry.value * multiplier[entry.column];
+  for (const Rest& rest : rests) {
+    const Vector& q = rest.rotation->functional();
+    const double work =
+        s * std::inner_product(rest.values.begin(), rest.values.end(), multiplier, 0.0);
+    for (std::size_t j = 0; j < q.size(); ++j)
+      x[rest.first + static_cast<Index>(j)] += work * q[j];
+  }
 }
 
 Vector CompressedCoupling::pull(const double* x) const {
   Vector result(at(multipliers));
   for (const Coupling::Entry& entry : entries)
     result[at(entry.column)] += entry.value * x[entry.row];
+  for (const Rest& rest : rests) {
+    const Vector& q = rest.rotation->functional();
+    axpy(std::inner_product(q.begin(), q.end(), x + rest.first, 0.0), rest.values,
+         result);
+  }
   return result;
 }
 
 CompressedHolding::CompressedHolding(const bem::CompressedOperators& operators,
-                                     const CompressedCoupling& coupling,
-                                     const Holding& holding)
-    : operators_(operators), coupling_(coupling), holding_(holding) {
-  restriction_.held.assign(at(operators.size()), 0);
+                                     std::size_t body, const Holding& holding)
+    : operators_(operators), holding_(holding), range_(operators.range(body)) {
+  restriction_.held.assign(at(operators.size()), 1);
+  const auto held = restriction_.held.begin();
+  std::fill(held + range_.densities, held + range_.last, 0);
   std::copy(holding.loads.clamped.begin(), holding.loads.clamped.end(),
-            restriction_.held.begin());
-  std::fill(restriction_.held.begin() + coupling.first, restriction_.held.end(), 1);
+            held + range_.first);
   addSprings();
-  factor_ = std::make_unique<const bem::CompressedFactor>(operators, restriction_,
-                                                          contactLeaves());
+  // of several bodies another factor changes
+  const bool changes = operators.bodies() == 1;
+  factor_ = std::make_unique<const bem::CompressedFactor>(
+      operators, restriction_, changes ? furtherLeaves(operators) : std::vector<int>());
 }
 
-std::vector<int> CompressedHolding::contactLeaves() const {
-  std::vector<int> leaves;
-  for (Index i = 0; i < coupling_.multipliers; ++i)
-    leaves.push_back(operators_.leafOf(coupling_.first + i));
-  for (const Coupling::Entry& entry : coupling_.entries)
-    leaves.push_back(operators_.leafOf(entry.row));
-  return leaves;
+Vector CompressedHolding::placed(const Matrix& columns, Index k) const {
+  Vector result(at(operators_.size()));
+  std::copy_n(columns.column(k), columns.rows(), result.begin() + range_.first);
+  return result;
 }
 
 // One for each motion that clamps leave, where it moves most against those before: pivots
@@ -393,7 +449,7 @@ void CompressedHolding::addSprings() {
         }
     for (Index i = 0; i < motions.rows(); ++i)
       std::swap(motions(i, k), motions(i, column));
-    restriction_.springs.push_back({row, 1.0});
+    restriction_.springs.push_back({range_.first + row, range_.young});
     for (Index l = k + 1; l < motions.columns(); ++l) {
       const double factor = motions(row, l) / motions(row, k);
       for (Index i = 0; i < motions.rows(); ++i)
@@ -411,9 +467,9 @@ Matrix CompressedHolding::displaced(Matrix forces) const {
       for (Index k = 0; k < taken.columns(); ++k) {
         double sum = 0;
         for (Index i = 0; i < seen.rows(); ++i)
-          sum += seen(i, k) * x(i, j);
+          sum += seen(i, k) * x(range_.first + i, j);
         for (Index i = 0; i < taken.rows(); ++i)
-          x(i, j) -= sum * taken(i, k);
+          x(range_.first + i, j) -= sum * taken(i, k);
       }
   };
   subtract(rigid.allowed, rigid.functionals, forces);
@@ -423,8 +479,10 @@ Matrix CompressedHolding::displaced(Matrix forces) const {
 }
 
 std::shared_ptr<const Flexibility::Operator> compressedFlexibility(
-    std::shared_ptr<const CompressedHolding> held) {
-  return std::make_shared<const CompressedFlexibility>(std::move(held));
+    CompressedCoupling coupling,
+    std::vector<std::shared_ptr<const CompressedHolding>> bodies) {
+  return std::make_shared<const CompressedFlexibility>(std::move(coupling),
+                                                       std::move(bodies));
 }
 
 }  // namespace epafi::contact

@@ -3,6 +3,7 @@
 #include "bem/algebra/Blas.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/problem/BodyParts.hpp"
+#include "contact/problem/CompressedBody.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -116,12 +117,21 @@ Vector ContactProblem::Parts::push(const State& state, const Vector& met) const 
 ContactProblem::ContactProblem(const Input& input)
     : parts_(std::make_unique<Parts>(input)) {
   Parts& parts = *parts_;
+  Problem problem;
   std::vector<ElasticBody::Response> responses;
-  responses.push_back(parts.body->ownResponse());
-  Problem problem = condense(
-      parts.algebra,
-      responses.front().flexibility == nullptr ? parts.form->multiplierMass() : Matrix(),
-      responses);
+  if (const auto held = parts.body->compressed()) {
+    responses.push_back(
+        parts.body->response([&](const Vector& u) { return parts.form->pull(u); }));
+    problem =
+        condense(Flexibility(compressedFlexibility(
+                     makeCompressedCoupling({{parts.space, parts.multiplier, input.lame}},
+                                            input.stabilization, parts.units),
+                     {held})),
+                 responses);
+  } else {
+    responses.push_back(parts.body->response(parts.form->coupling()));
+    problem = condense(parts.algebra, parts.form->multiplierMass(), responses);
+  }
   problem.normals = parts.numbers.normals;
   problem.tangentials = std::move(parts.numbers.tangentials);
   takeAway(parts.obstacle, problem.offset);

@@ -2,6 +2,7 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/problem/BodyParts.hpp"
+#include "contact/problem/CompressedBody.hpp"
 #include "contact/problem/MortarCoupling.hpp"
 
 #include <algorithm>
@@ -16,10 +17,10 @@ using bem::axpy;
 
 namespace {
 
-/// A coupling to the multiplier of one body, my rows, and whose that is.
+/// A coupling of displacements to the multiplier of one body, and whose that is.
 struct Met {
   std::size_t carrier;
-  Matrix coupling;
+  MortarCoupling coupling;
 };
 
 bool completesEnds(const MultiplierSpace& multiplier) {
@@ -90,7 +91,7 @@ struct ContactSystem::Parts {
         checkEnds(multiplier);
         const auto k = static_cast<std::size_t>(b);
         met[k].push_back({a, mortarCoupling(inputs[a].space.mesh(), multiplier, opposite,
-                                            inputs[k].space, part(a).algebra, b)});
+                                            inputs[k].space, b)});
       }
     }
     for (std::size_t k = 0; k < drives.size(); ++k)
@@ -133,8 +134,19 @@ struct ContactSystem::Parts {
       return own;
     Matrix all(own.rows(), numbering.size());
     place(b, own, all);
-    for (const Met& other : couplings->met[b])
-      place(other.carrier, other.coupling, all);
+    const bem::Rows mine =
+        part(b).algebra.myRows(static_cast<Index>(bodies[b].load().size()));
+    for (const auto& [carrier, coupling] : couplings->met[b]) {
+      for (const Coupling::Entry& entry : coupling.entries)
+        if (mine.contain(entry.row))
+          all(entry.row - mine.begin, numbering(carrier, entry.column)) += entry.value;
+      if (coupling.rotation == nullptr)
+        continue;
+      const Vector& q = coupling.rotation->functional();
+      for (Index i = 0; i < numbering.sizeOf(carrier); ++i)
+        for (Index j = 0; j < mine.size(); ++j)
+          all(j, numbering(carrier, i)) += q[at(j + mine.begin)] * coupling.rests[at(i)];
+    }
     return all;
   }
 
@@ -152,15 +164,42 @@ struct ContactSystem::Parts {
     return all;
   }
 
-  void condenseAll() {
+  /// C_b u on all multipliers, of a body's displacement.
+  Vector pulled(std::size_t b, const Vector& u) const {
+    Vector all(at(numbering.size()));
+    const Vector own = part(b).form->pull(u);
+    for (Index i = 0; i < numbering.sizeOf(b); ++i)
+      all[at(numbering(b, i))] = own[at(i)];
+    for (const auto& [carrier, coupling] : couplings->met[b]) {
+      const Vector others = coupling.pull(u);
+      for (Index i = 0; i < numbering.sizeOf(carrier); ++i)
+        all[at(numbering(carrier, i))] += others[at(i)];
+    }
+    return all;
+  }
+
+  void condenseAll(const std::vector<ContactProblem::Input>& inputs) {
     std::vector<ElasticBody::Response> responses;
-    for (std::size_t b = 0; b < size(); ++b)
-      responses.push_back(size() == 1 ? part(b).body->ownResponse()
-                                      : part(b).body->response(coupling(b)));
-    numbers =
-        condense(part(0).algebra,
-                 responses.front().flexibility == nullptr ? multiplierMass() : Matrix(),
-                 responses);
+    if (part(0).body->compressed() != nullptr) {
+      std::vector<CompressedInput> compressed;
+      std::vector<std::shared_ptr<const CompressedHolding>> held;
+      for (std::size_t b = 0; b < size(); ++b) {
+        responses.push_back(
+            part(b).body->response([&](const Vector& u) { return pulled(b, u); }));
+        compressed.push_back(
+            {part(b).space, part(b).multiplier, inputs[b].lame, part(b).opposite.get()});
+        held.push_back(part(b).body->compressed());
+      }
+      numbers = condense(Flexibility(compressedFlexibility(
+                             makeCompressedCoupling(
+                                 compressed, inputs.front().stabilization, part(0).units),
+                             std::move(held))),
+                         responses);
+    } else {
+      for (std::size_t b = 0; b < size(); ++b)
+        responses.push_back(part(b).body->response(coupling(b)));
+      numbers = condense(part(0).algebra, multiplierMass(), responses);
+    }
     numbers.normals = numbering.normals();
     if (freeMotions() > 0)
       numbers.rigid = withRigidBodies(numbers.rigid);
@@ -177,15 +216,7 @@ struct ContactSystem::Parts {
     numbers.offset.assign(at(numbering.size()), 0.0);
     for (std::size_t b = 0; b < size(); ++b) {
       const ElasticBody& body = *part(b).body;
-      const Vector u = body.unpushed();
-      const Vector own = part(b).form->pull(u);
-      for (Index i = 0; i < numbering.sizeOf(b); ++i)
-        numbers.offset[at(numbering(b, i))] += own[at(i)];
-      for (const Met& other : couplings->met[b]) {
-        const Vector met = pull(part(b).algebra, other.coupling, u);
-        for (Index i = 0; i < numbering.sizeOf(other.carrier); ++i)
-          numbers.offset[at(numbering(other.carrier, i))] += met[at(i)];
-      }
+      axpy(1, pulled(b, body.unpushed()), numbers.offset);
       const Vector load = body.rigidLoad();
       numbers.rigidLoad.insert(numbers.rigidLoad.end(), load.begin(), load.end());
     }
@@ -197,11 +228,9 @@ struct ContactSystem::Parts {
     Vector force;
     for (const Met& other : couplings->met[b]) {
       const Vector& multiplier = states[other.carrier].multiplier;
-      const auto unknowns = static_cast<Index>(bodies[b].load().size());
-      if (force.empty())
-        force.assign(at(unknowns), 0.0);
+      force.resize(bodies[b].load().size());
       if (!multiplier.empty())
-        axpy(1, part(b).algebra.multiply(other.coupling, unknowns, multiplier), force);
+        other.coupling.push(multiplier, force);
     }
     return force;
   }
@@ -312,7 +341,7 @@ ContactSystem::ContactSystem(const std::vector<ContactProblem::Input>& inputs,
   }
   parts_ = std::make_unique<Parts>(Parts{std::move(bodies), Numbering(counts), rigid});
   parts_->meet(inputs);
-  parts_->condenseAll();
+  parts_->condenseAll(inputs);
 }
 
 ContactSystem::ContactSystem(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}

@@ -128,15 +128,8 @@ Vector ElasticBody::respond(Vector force) const {
 }
 
 ElasticBody::Response ElasticBody::response(Matrix coupling) const {
-  const RigidConstraints& rigid = holding_->rigid;
-  Response response;
-  response.motions = Matrix(coupling.columns(), rigid.allowed.columns());
-  for (Index k = 0; k < rigid.allowed.columns(); ++k) {
-    const Vector moved = pull(*algebra_, coupling, columnOf(rigid.allowed, k));
-    std::copy(moved.begin(), moved.end(), response.motions.column(k));
-  }
-  response.rigidLoad = rigidLoad();
-  response.offset = pull(*algebra_, coupling, unpushed());
+  Response response =
+      this->response([&](const Vector& u) { return pull(*algebra_, coupling, u); });
   const Rows mine = algebra_->myRows(static_cast<Index>(load_.size()));
   for (Index j = 0; j < coupling.columns(); ++j)
     for (Index i = 0; i < coupling.rows(); ++i)
@@ -146,22 +139,18 @@ ElasticBody::Response ElasticBody::response(Matrix coupling) const {
   return response;
 }
 
-ElasticBody::Response ElasticBody::ownResponse() const {
-  return stiffness_->flexibility() != nullptr ? compressedResponse()
-                                              : response(form_->coupling());
-}
-
-ElasticBody::Response ElasticBody::compressedResponse() const {
+ElasticBody::Response ElasticBody::response(
+    const std::function<Vector(const Vector& u)>& pull) const {
   const RigidConstraints& rigid = holding_->rigid;
   Response response;
-  response.flexibility = stiffness_->flexibility();
-  response.motions = Matrix(response.flexibility->size(), rigid.allowed.columns());
+  response.offset = pull(unpushed());
+  response.motions =
+      Matrix(static_cast<Index>(response.offset.size()), rigid.allowed.columns());
   for (Index k = 0; k < rigid.allowed.columns(); ++k) {
-    const Vector moved = form_->pull(columnOf(rigid.allowed, k));
+    const Vector moved = pull(columnOf(rigid.allowed, k));
     std::copy(moved.begin(), moved.end(), response.motions.column(k));
   }
   response.rigidLoad = rigidLoad();
-  response.offset = form_->pull(unpushed());
   return response;
 }
 
@@ -187,7 +176,7 @@ Vector ElasticBody::displacement(const Vector& contactForce,
   axpy(1, constant_, u);
   for (Index k = 0; k < freeMotions(); ++k)
     axpy(motions[k], columnOf(holding_->rigid.allowed, holding_->rigid.fixed() + k), u);
-  if (stiffness_->flexibility() != nullptr)
+  if (compressed() != nullptr)
     return u;  // refined by its own product
   // What the factor leaves is ε |A| |u|.
   Vector whole = holding_->loads.load;
@@ -205,7 +194,7 @@ Vector ElasticBody::clampForces(const Vector& contactForce,
   Vector rest = holding_->loads.load;
   axpy(-1, contactForce, rest);
   rest = form_->residual(rest, displacement);
-  if (stiffness_->flexibility() == nullptr)
+  if (compressed() == nullptr)
     rest = form_->residual(rest, onlyRounding(respond(rest), displacement));
   for (std::size_t i = 0; i < rest.size(); ++i)
     if (clamped[i] != 0)
@@ -236,19 +225,16 @@ Vector ElasticBody::fixedReactions(const Vector& contactForce) const {
   return reactions;
 }
 
-Problem condense(const DenseAlgebra& algebra, Matrix multiplierMass,
+Problem condense(Flexibility flexibility,
                  const std::vector<ElasticBody::Response>& bodies) {
   Problem problem;
+  problem.flexibility = std::move(flexibility);
   const auto m = static_cast<Index>(bodies.front().offset.size());
-  const Rows mine = algebra.myRows(m);
   Index free = 0;
   for (const auto& body : bodies)
     free += static_cast<Index>(body.rigidLoad.size());
   problem.rigid = Matrix(m, free);
   problem.offset.assign(at(m), 0.0);
-  const bool isFormed = bodies.front().flexibility == nullptr;
-  Matrix d = mine.size() == m || !isFormed ? std::move(multiplierMass)
-                                           : rowsOf(multiplierMass, mine);
   for (const auto& body : bodies) {
     axpy(1, body.offset, problem.offset);
     const Index fixed =
@@ -258,21 +244,24 @@ Problem condense(const DenseAlgebra& algebra, Matrix multiplierMass,
                   problem.rigid.column(problem.rigidMotions() + k - fixed));
     problem.rigidLoad.insert(problem.rigidLoad.end(), body.rigidLoad.begin(),
                              body.rigidLoad.end());
-    if (!isFormed)
-      continue;
+  }
+  return problem;
+}
+
+Problem condense(const DenseAlgebra& algebra, Matrix multiplierMass,
+                 const std::vector<ElasticBody::Response>& bodies) {
+  const auto m = static_cast<Index>(bodies.front().offset.size());
+  const Rows mine = algebra.myRows(m);
+  Matrix d = mine.size() == m ? std::move(multiplierMass) : rowsOf(multiplierMass, mine);
+  for (const auto& body : bodies) {
     subtractMotions(body.motions, mine, d);
     d = algebra.addGram(std::move(d), body.half);
-  }
-  if (!isFormed) {
-    problem.flexibility = Flexibility(bodies.front().flexibility);
-    return problem;
   }
   d = algebra.replicate(std::move(d), m);
   for (Index j = 0; j < m; ++j)
     for (Index i = j + 1; i < m; ++i)
       d(j, i) = d(i, j);
-  problem.flexibility = std::move(d);
-  return problem;
+  return condense(Flexibility(std::move(d)), bodies);
 }
 
 }  // namespace epafi::contact

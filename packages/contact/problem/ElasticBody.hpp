@@ -4,6 +4,8 @@
 #include "contact/problem/RigidConstraints.hpp"
 #include "contact/problem/StabilisedBody.hpp"
 
+#include <functional>
+
 namespace epafi::contact {
 
 /// How a body is loaded and held.
@@ -47,12 +49,14 @@ class ElasticBody {
     Matrix motions;    ///< ... less this times its transpose: C R, fixed, then free
     Vector offset;     ///< C u for λ = 0, α = 0
     Vector rigidLoad;  ///< Rᵀ f of the free motions
-    /// In place of `half`, and with M, where no stiffness is formed; else null.
-    std::shared_ptr<const Flexibility::Operator> flexibility{};
   };
   Response response(Matrix coupling) const;
-  /// The same through its own multiplier alone.
-  Response ownResponse() const;
+  /// The same without `half`, from C u.
+  Response response(const std::function<Vector(const Vector& u)>& pull) const;
+  /// Where no stiffness is formed; else null.
+  std::shared_ptr<const CompressedHolding> compressed() const {
+    return stiffness_->compressed();
+  }
 
   /// u for λ = 0, α = 0, and Rᵀ f of the free motions: what loads make of a response.
   Vector unpushed() const;
@@ -74,7 +78,6 @@ class ElasticBody {
 
  private:
   Vector respond(Vector force) const;
-  Response compressedResponse() const;
 
   const StabilisedBody* form_;
   const bem::DenseAlgebra* algebra_;
@@ -88,9 +91,11 @@ class ElasticBody {
 ///
 ///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   d₀ = Σ_b C_b u_b,   G = (C_b R_b)_b,   q = (R_bᵀ f_b)_b
 ///
-/// `multiplierMass` is M, whole; where a body's stiffness is not formed it is the only one, and
-/// M is in its response.  Bounds, gaps and normals are the contacts' business.
+/// `multiplierMass` is M, whole.  Bounds, gaps and normals are the contacts' business.
 Problem condense(const bem::DenseAlgebra& algebra, Matrix multiplierMass,
+                 const std::vector<ElasticBody::Response>& bodies);
+/// The same where D is given.
+Problem condense(Flexibility flexibility,
                  const std::vector<ElasticBody::Response>& bodies);
 
 }  // namespace epafi::contact

@@ -1,5 +1,8 @@
 #include "contact/problem/MortarCoupling.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
+
+#include <algorithm>
 #include <array>
 
 namespace epafi::contact {
@@ -17,61 +20,73 @@ struct Acting {
 
 class Writer {
  public:
-  Writer(const bem::Space& met, bem::Rows mine, Matrix& coupling)
-      : met_(met),
-        mine_(mine),
-        coupling_(coupling),
-        rests_(static_cast<std::size_t>(coupling.columns())) {}
+  Writer(const bem::Space& met, MortarCoupling& coupling)
+      : met_(met), coupling_(coupling) {}
 
   /// Adds - weight χ(t) d · φ(P t).
   void add(const ContactElement& contact, const Vector& chi, const Acting& acting,
-           const Opposite::Point& point, double weight) {
+           const Opposite::Point& point, double weight) const {
     const int degree = met_.mesh()[point.element].degree;
     std::array<double, bem::largestDegree + 1> phi{};
     bem::DisplacementBasis::values(degree, point.t, phi.data());
     const double components[2] = {acting.direction.x, acting.direction.y};
     const double rest = dot(acting.direction, met_.rotationRest(point.element, point.t));
     for (int i = 0; i <= contact.degree; ++i)
-      rests_[static_cast<std::size_t>((contact.*acting.number)(i))] -=
+      coupling_.rests[at((contact.*acting.number)(i))] -=
           weight * rest * chi[static_cast<std::size_t>(i)];
     for (int k = 0; k <= degree; ++k)
       for (int c = 0; c < 2; ++c) {
         const Index row = met_.displacement(point.element, k, c);
-        if (!mine_.contain(row))
-          continue;
         for (int i = 0; i <= contact.degree; ++i)
-          coupling_(row - mine_.begin, (contact.*acting.number)(i)) -=
-              weight * components[c] * chi[static_cast<std::size_t>(i)] *
-              phi[static_cast<std::size_t>(k)];
+          coupling_.entries.push_back(
+              {row, (contact.*acting.number)(i),
+               -weight * components[c] * chi[static_cast<std::size_t>(i)] *
+                   phi[static_cast<std::size_t>(k)]});
       }
-  }
-
-  /// What the rotation of B has beside polynomials, see bem::Rotation.
-  void addRotation() const {
-    if (met_.rotation() == nullptr)
-      return;
-    const bem::Vector& functional = met_.rotation()->functional();
-    for (Index i = 0; i < coupling_.columns(); ++i)
-      for (Index j = 0; j < coupling_.rows(); ++j)
-        coupling_(j, i) += functional[static_cast<std::size_t>(j + mine_.begin)] *
-                           rests_[static_cast<std::size_t>(i)];
   }
 
  private:
   const bem::Space& met_;
-  bem::Rows mine_;
-  Matrix& coupling_;
-  Vector rests_;  ///< - ∫ χ_i d_i · (r - r_I) of each coefficient
+  MortarCoupling& coupling_;
 };
+
+/// Each place once.
+std::vector<Coupling::Entry> summed(std::vector<Coupling::Entry> entries) {
+  std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
+    return a.column != b.column ? a.column < b.column : a.row < b.row;
+  });
+  std::vector<Coupling::Entry> result;
+  for (const Coupling::Entry& entry : entries)
+    if (!result.empty() && result.back().row == entry.row &&
+        result.back().column == entry.column)
+      result.back().value += entry.value;
+    else
+      result.push_back(entry);
+  return result;
+}
 
 }  // namespace
 
-Matrix mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
-                      const Opposite& opposite, const bem::Space& met,
-                      const bem::DenseAlgebra& algebra, int body) {
-  const bem::Rows mine = algebra.myRows(met.displacements());
-  Matrix coupling(mine.size(), multiplier.size());
-  Writer writer(met, mine, coupling);
+Vector MortarCoupling::pull(const Vector& u) const {
+  Vector result(rests.size());
+  for (const Coupling::Entry& entry : entries)
+    result[at(entry.column)] += entry.value * u[at(entry.row)];
+  if (rotation != nullptr)
+    bem::axpy(rotation->amount(u), rests, result);
+  return result;
+}
+
+void MortarCoupling::push(const Vector& multiplier, Vector& force) const {
+  for (const Coupling::Entry& entry : entries)
+    force[at(entry.row)] += entry.value * multiplier[at(entry.column)];
+  if (rotation != nullptr)
+    rotation->complete(bem::dot(rests, multiplier), force);
+}
+
+MortarCoupling mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
+                              const Opposite& opposite, const bem::Space& met, int body) {
+  MortarCoupling coupling{{}, met.rotation(), Vector(at(multiplier.size()))};
+  const Writer writer(met, coupling);
   for (const ContactElement& contact : multiplier.elements()) {
     const bem::Element& element = side[contact.element];
     for (const auto& [middle, half] : stretches(opposite, contact)) {
@@ -96,7 +111,7 @@ Matrix mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
       }
     }
   }
-  writer.addRotation();
+  coupling.entries = summed(std::move(coupling.entries));
   return coupling;
 }
 

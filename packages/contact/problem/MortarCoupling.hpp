@@ -1,20 +1,31 @@
 #pragma once
 
-#include "bem/base/DenseAlgebra.hpp"
 #include "bem/quadrature/Gauss.hpp"
+#include "contact/problem/Coupling.hpp"
 #include "contact/problem/Opposite.hpp"
 
 namespace epafi::contact {
 
-/// The mortar coupling, a body opposite: Cᵀ of -u_B in the normal and tangent of the side,
+/// What the multiplier that one body's side carries does to a body B that it meets:
 ///
 ///   C_ij = - ∫ χ_i d_i · φ_j∘P ds,   d_i: n or t of the side, P: Opposite::at,
 ///
-/// my rows of the displacements of B, the body of this number, with the rotation of a B that
-/// has arcs.  Both bodies count in the same lengths and stresses.
-Matrix mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
-                      const Opposite& opposite, const bem::Space& met,
-                      const bem::DenseAlgebra& algebra, int body = 0);
+/// of B's displacements, with the rotation of a B that has arcs.
+struct MortarCoupling {
+  std::vector<Coupling::Entry> entries;           ///< displacements of B by multipliers
+  std::shared_ptr<const bem::Rotation> rotation;  ///< of B; null without arcs
+  Vector rests;  ///< - ∫ χ_i d_i · (r - r_I)∘P ds, see bem::Rotation
+
+  /// C u
+  Vector pull(const Vector& u) const;
+  /// force += Cᵀ λ
+  void push(const Vector& multiplier, Vector& force) const;
+};
+
+/// For body B of this number.  Both bodies count in the same lengths and stresses.
+MortarCoupling mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
+                              const Opposite& opposite, const bem::Space& met,
+                              int body = 0);
 
 /// What integrates λ against displacements opposite, between two breaks: exact where both
 /// elements are straight, so that P is linear, and to rounding where they turn.  Forces on B

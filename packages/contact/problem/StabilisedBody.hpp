@@ -5,6 +5,7 @@
 namespace epafi::contact {
 
 struct Holding;
+class CompressedHolding;
 
 /// A body's stiffness, held as its conditions say, and factored.
 class HeldStiffness {
@@ -15,8 +16,8 @@ class HeldStiffness {
   virtual Vector solve(const Vector& force) const = 0;
   /// L⁻¹ Cᵀ, my rows, where A is formed.
   virtual Matrix forward(Matrix rows) const = 0;
-  /// C A⁺ Cᵀ + M, where A is not; else null.
-  virtual std::shared_ptr<const Flexibility::Operator> flexibility() const { return {}; }
+  /// Where A is not; else null.
+  virtual std::shared_ptr<const CompressedHolding> compressed() const { return {}; }
 };
 
 /// What a form of the stabilisation makes of an elastic body and of the multiplier on it:

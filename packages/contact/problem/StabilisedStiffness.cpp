@@ -1,5 +1,7 @@
 #include "contact/problem/StabilisedStiffness.hpp"
 
+#include "bem/operators/ExactRotation.hpp"
+
 #include <cmath>
 
 namespace epafi::contact {
@@ -71,8 +73,10 @@ bem::SteklovPoincare makeStiffness(const bem::Space& space,
                                    const bem::Lame& lame, bem::Units units,
                                    const bem::DenseAlgebra& algebra) {
   return bem::SteklovPoincare(
-      bem::assembleOperators(space, lame, algebra,
-                             tractionElements(multiplier, stabilization)),
+      bem::withExactRotation(
+          bem::assembleOperators(space, lame, algebra,
+                                 tractionElements(multiplier, stabilization)),
+          space, algebra),
       algebra, densityCompliance(space, multiplier, stabilization, lame, units));
 }
 
