@@ -34,4 +34,8 @@ struct ContactProblem::Parts {
   void factor(const Input& input);
 };
 
+/// \throws bem::InputError if the multiplier does not go with the form.
+std::unique_ptr<const StabilisedBody> makeStabilisedBody(
+    const BodyInput& input, const MultiplierSpace& multiplier);
+
 }  // namespace epafi::contact

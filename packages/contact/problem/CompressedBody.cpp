@@ -2,8 +2,8 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/compressed/Products.hpp"
-#include "contact/problem/ContactSystem.hpp"
 #include "contact/problem/MortarCoupling.hpp"
+#include "contact/problem/Numbering.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -393,7 +393,7 @@ std::vector<bem::SteklovPoincare> makeCompressedStiffness(
 }
 
 std::unique_ptr<const StabilisedBody> makeCompressedBody(
-    const ContactProblem::Input& input, const MultiplierSpace& multiplier) {
+    const BodyInput& input, const MultiplierSpace& multiplier) {
   return std::make_unique<const CompressedBody>(
       input.space, input.stiffness.compressed(), input.stiffness.compressedBody(),
       makeLocalCoupling(input.space, multiplier, input.stabilization, input.lame,

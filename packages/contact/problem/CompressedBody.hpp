@@ -40,6 +40,6 @@ std::string whyNotCompressed(const Stabilization& stabilization);
 
 /// \pre input.stiffness is one of these.
 std::unique_ptr<const StabilisedBody> makeCompressedBody(
-    const ContactProblem::Input& input, const MultiplierSpace& multiplier);
+    const BodyInput& input, const MultiplierSpace& multiplier);
 
 }  // namespace epafi::contact

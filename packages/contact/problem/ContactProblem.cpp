@@ -4,6 +4,7 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/problem/BodyParts.hpp"
 #include "contact/problem/CompressedBody.hpp"
+#include "contact/problem/CoupledBody.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -26,8 +27,7 @@ double largestEigenvalue(Matrix symmetric) {
 }
 
 /// See limitGamma0; the form has the first choice of γ₀.
-double limit(const ContactProblem::Input& input, const StabilisedBody& form,
-             const Holding& holding) {
+double limit(const BodyInput& input, const StabilisedBody& form, const Holding& holding) {
   const bem::DenseAlgebra& algebra = input.stiffness.algebra();
   const bem::Rows mine = algebra.myRows(input.space.displacements());
   Matrix half = form.subtracted();
@@ -58,7 +58,16 @@ IndefiniteStiffness::IndefiniteStiffness(double used, double limit)
       gamma0(used),
       limitGamma0(limit) {}
 
-double limitGamma0(const ContactProblem::Input& input) {
+std::unique_ptr<const StabilisedBody> makeStabilisedBody(
+    const BodyInput& input, const MultiplierSpace& multiplier) {
+  if (input.basis.sharesNodes && input.stabilization.form != Stabilization::Form::None)
+    throw bem::InputError(bem::message("the multiplier '", input.basis.name,
+                                       "' needs the stabilisation's form None"));
+  return input.stiffness.compressed() != nullptr ? makeCompressedBody(input, multiplier)
+                                                 : makeCoupledBody(input, multiplier);
+}
+
+double limitGamma0(const BodyInput& input) {
   const MultiplierSpace multiplier(input.space.mesh(), input.basis, input.conditions);
   return limit(input, *makeStabilisedBody(input, multiplier),
                makeHolding(input.space, input.conditions, input.units));

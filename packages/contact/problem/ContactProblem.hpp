@@ -1,10 +1,8 @@
 #pragma once
 
 #include "bem/base/Error.hpp"
+#include "contact/problem/BodyInput.hpp"
 #include "contact/problem/Problem.hpp"
-#include "contact/problem/StabilisedStiffness.hpp"
-
-#include <memory>
 
 namespace epafi::contact {
 
@@ -15,7 +13,6 @@ struct IndefiniteStiffness : bem::NumericalError {
   double limitGamma0;  ///< A is definite below
 };
 
-class Opposite;
 class ContactSystem;
 
 /// The stabilised mixed problem [P (13)] on the mesh of one body, condensed onto the multiplier:
@@ -31,18 +28,7 @@ class ContactSystem;
 /// D and the offset are the system's.
 class ContactProblem {
  public:
-  struct Input {
-    const bem::Space& space;                ///< must outlive the problem
-    const bem::SteklovPoincare& stiffness;  ///< must outlive the problem
-    const bem::Lame& lame;
-    bem::Units units;
-    const Conditions& conditions;  ///< must outlive the problem
-    const MultiplierBasis& basis;
-    Stabilization stabilization;
-    /// What its contact sides meet, in the order of the problem's bodies; null: obstacles at
-    /// the distances that the conditions say.
-    std::shared_ptr<const Opposite> opposite{};
-  };
+  using Input = BodyInput;
 
   /// \throws bem::InputError if the conditions contradict each other or leave a rigid
   ///   motion that is both fixed and clamped, or if `stiffness` was made for another
@@ -127,6 +113,6 @@ class ContactProblem {
 /// Gamma0 at which A loses its definiteness: 1 / the largest eigenvalue of (S^/gamma0,
 /// S). Infinite without stabilisation.  Relative to S, the smallest eigenvalue of A is 1
 /// - gamma0 / limitGamma0.                                             [P Lemma 6]
-double limitGamma0(const ContactProblem::Input& input);
+double limitGamma0(const BodyInput& input);
 
 }  // namespace epafi::contact

@@ -47,19 +47,6 @@ void checkEnds(const MultiplierSpace& multiplier) {
 
 }  // namespace
 
-Numbering::Numbering(const std::vector<Count>& bodies) {
-  for (const Count& count : bodies)
-    normals_ += count.normals;
-  Index normal = 0;
-  Index tangential = normals_;
-  for (const Count& count : bodies) {
-    starts_.push_back({count, normal, tangential});
-    normal += count.normals;
-    tangential += count.size - count.normals;
-  }
-  size_ = tangential;
-}
-
 struct ContactSystem::Parts {
   /// Of a mesh, whatever the time.
   struct Couplings {

@@ -12,7 +12,7 @@ using ContactElement = MultiplierSpace::ContactElement;
 
 namespace {
 
-std::shared_ptr<const bem::TractionRows> tractions(const ContactProblem::Input& input,
+std::shared_ptr<const bem::TractionRows> tractions(const BodyInput& input,
                                                    const MultiplierSpace& multiplier) {
   const auto form = input.stabilization.form == Stabilization::Form::Exact
                         ? bem::TractionForm::Exact
@@ -36,7 +36,7 @@ std::vector<Index> densityStarts(const bem::Space& space,
 }
 
 /// What stands for S φ in the coupling: densities' responses, or tractions.
-void chooseColumns(Coupling& coupling, const ContactProblem::Input& input,
+void chooseColumns(Coupling& coupling, const BodyInput& input,
                    const MultiplierSpace& multiplier) {
   const Stabilization::Form form = input.stabilization.form;
   coupling.response = input.stiffness.response();
@@ -84,8 +84,7 @@ void writeElements(const bem::Space& space, const MultiplierSpace& multiplier,
 
 }  // namespace
 
-Coupling makeCoupling(const ContactProblem::Input& input,
-                      const MultiplierSpace& multiplier) {
+Coupling makeCoupling(const BodyInput& input, const MultiplierSpace& multiplier) {
   Coupling coupling;
   chooseColumns(coupling, input, multiplier);
   writeElements(input.space, multiplier, input.stabilization, input.lame, input.units,

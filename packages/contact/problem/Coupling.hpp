@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/tractions/TractionRows.hpp"
-#include "contact/problem/ContactProblem.hpp"
+#include "contact/problem/BodyInput.hpp"
 #include "contact/problem/Loads.hpp"
 
 namespace epafi::contact {
@@ -74,8 +74,7 @@ struct Coupling {
 /// wᵀ X w.
 double quadratic(const Matrix& symmetric, const Vector& w);
 
-Coupling makeCoupling(const ContactProblem::Input& input,
-                      const MultiplierSpace& multiplier);
+Coupling makeCoupling(const BodyInput& input, const MultiplierSpace& multiplier);
 
 /// Its sparse parts alone, of Form None or Density, whose `weights` have the densities of
 /// densityCompliance as rows.

@@ -1,8 +1,13 @@
 #pragma once
 
-#include "contact/problem/ContactProblem.hpp"
+#include "bem/base/DenseAlgebra.hpp"
+
+#include <memory>
 
 namespace epafi::contact {
+
+using bem::Matrix;
+using bem::Vector;
 
 struct Holding;
 class CompressedHolding;
@@ -59,9 +64,5 @@ class StabilisedBody {
   /// The same with a γ that is factor times as large.
   virtual std::unique_ptr<const StabilisedBody> weakened(double factor) const = 0;
 };
-
-/// \throws bem::InputError if the multiplier does not go with the form.
-std::unique_ptr<const StabilisedBody> makeStabilisedBody(
-    const ContactProblem::Input& input, const MultiplierSpace& multiplier);
 
 }  // namespace epafi::contact

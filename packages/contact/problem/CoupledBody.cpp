@@ -1,9 +1,7 @@
-#include "contact/problem/StabilisedBody.hpp"
+#include "contact/problem/CoupledBody.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "bem/base/Error.hpp"
 #include "contact/problem/BalancedStiffness.hpp"
-#include "contact/problem/CompressedBody.hpp"
 #include "contact/problem/Coupling.hpp"
 #include "contact/problem/ElasticBody.hpp"
 
@@ -117,13 +115,8 @@ class Coupled final : public StabilisedBody {
 
 }  // namespace
 
-std::unique_ptr<const StabilisedBody> makeStabilisedBody(
-    const ContactProblem::Input& input, const MultiplierSpace& multiplier) {
-  if (input.basis.sharesNodes && input.stabilization.form != Stabilization::Form::None)
-    throw bem::InputError(bem::message("the multiplier '", input.basis.name,
-                                       "' needs the stabilisation's form None"));
-  if (input.stiffness.compressed() != nullptr)
-    return makeCompressedBody(input, multiplier);
+std::unique_ptr<const StabilisedBody> makeCoupledBody(const BodyInput& input,
+                                                      const MultiplierSpace& multiplier) {
   return std::make_unique<const Coupled>(input.space, input.stiffness,
                                          makeCoupling(input, multiplier));
 }
