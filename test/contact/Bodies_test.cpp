@@ -1,10 +1,10 @@
 // A problem of two bodies: what the one that carries the multiplier meets gives way, too.
 // On any number of ranks.
 #include "Algebra.hpp"
-#include "contact/problem/CoupledBody.hpp"
-#include "contact/problem/ElasticBody.hpp"
-#include "contact/problem/MortarCoupling.hpp"
-#include "contact/problem/Opposite.hpp"
+#include "contact/body/CoupledBody.hpp"
+#include "contact/body/ElasticBody.hpp"
+#include "contact/opposite/MortarCoupling.hpp"
+#include "contact/opposite/Opposite.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
