@@ -1,6 +1,6 @@
 // A contact problem on compressed operators is the one on dense matrices: flexibility,
 // solution and number of Newton's steps, displacement, reactions, energy.
-#include "contact/problem/CompressedBody.hpp"
+#include "contact/compressed/CompressedBody.hpp"
 
 #include "Solve.hpp"
 #include "bem/algebra/LapackAlgebra.hpp"
