@@ -111,8 +111,8 @@ Two problems(const Block& above, const Block& below, bool held) {
   const contact::Conditions bottom = lower(held);
   const auto body = [&](const Block& block, const contact::Conditions& conditions,
                         const auto& coupling) {
-    const contact::ContactProblem::Input input{
-        block.space, block.stiffness, block.lame, units, conditions, basis, none};
+    const contact::BodyInput input{block.space, block.stiffness, block.lame, units,
+                                   conditions,  basis,           none};
     const contact::MultiplierSpace own(block.space.mesh(), basis, conditions);
     const auto form = makeCoupledBody(input, own);
     const auto holding = contact::makeHolding(block.space, conditions, units);

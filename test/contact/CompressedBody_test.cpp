@@ -6,6 +6,7 @@
 #include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/compressed/CompressedOperators.hpp"
 #include "contact/equation/ContactState.hpp"
+#include "contact/system/ContactProblem.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
