@@ -85,13 +85,18 @@ void findUnused(const Scene& scene, std::vector<std::string>& warnings) {
   for (const auto& [name, value] : scene.constants)
     if (words.count(name) != 0)
       used.push_back(name);
+  const auto tell = [&](const std::string& what, const std::string& name) {
+    const std::string near = bem::nearest(name, used);
+    warnings.push_back(
+        what + " is in no expression" +
+        (near.empty() ? "" : "; the nearest name that is in one: '" + near + "'"));
+  };
   for (const auto& [name, value] : scene.constants)
-    if (words.count(name) == 0) {
-      const std::string near = bem::nearest(name, used);
-      warnings.push_back(message(
-          "Constants->", name, " = ", value, " is in no expression",
-          near.empty() ? "" : "; the nearest name that is in one: '" + near + "'"));
-    }
+    if (words.count(name) == 0)
+      tell(message("Constants->", name, " = ", value), name);
+  for (const auto& [name, table] : scene.tables)
+    if (words.count(name) == 0)
+      tell("Tables->" + name, name);
   if (scene.history && words.count("t") == 0)
     warnings.emplace_back(
         "History: no expression uses t; all steps are under the same loads");
