@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
+#include "contact/system/Definiteness.hpp"
 #include "drivers/commands/PlotCommand.hpp"
 #include "drivers/output/FieldFiles.hpp"
 #include "drivers/output/HistoryTable.hpp"
@@ -9,7 +10,7 @@
 #include "drivers/output/OutputFolder.hpp"
 #include "drivers/output/Restart.hpp"
 #include "drivers/output/StepsTable.hpp"
-#include "drivers/process/BlasCore.hpp"
+#include "drivers/process/Threads.hpp"
 #include "drivers/process/Interrupt.hpp"
 #include "drivers/process/ProgressLine.hpp"
 #include "drivers/process/Ranks.hpp"
