@@ -12,7 +12,7 @@
 #include "drivers/output/SolutionFile.hpp"
 #include "drivers/output/StepFiles.hpp"
 #include "drivers/output/StepsTable.hpp"
-#include "drivers/process/BlasCore.hpp"
+#include "drivers/process/Threads.hpp"
 #include "drivers/process/ExitCode.hpp"
 #include "drivers/process/Interrupt.hpp"
 #include "drivers/process/ProgressLine.hpp"
