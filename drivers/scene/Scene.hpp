@@ -11,6 +11,7 @@
 #include "drivers/scene/Expression.hpp"
 #include "drivers/scene/LinearMethod.hpp"
 #include "drivers/scene/LoadPath.hpp"
+#include "drivers/scene/OutputOptions.hpp"
 #include "drivers/scene/RunLimits.hpp"
 
 #include <Teuchos_ParameterList.hpp>
@@ -109,11 +110,7 @@ struct Scene {
     RunLimits limits;
   } adaptivity;
 
-  struct Output {
-    int contactSamples = 8;  ///< per element
-    std::vector<bem::Vec2> interiorPoints;
-    bool fields = true;  ///< write boundary.csv and what shows fields
-  } output;
+  OutputOptions output;
 
   /// How bodies without elasticity are moved at a time.
   std::vector<contact::Drive> drivesAt(double t) const;
