@@ -32,7 +32,10 @@ Function* blasFunction(const char* name) {
 const char* fittingCore() {
 #if defined(__x86_64__)
   __builtin_cpu_init();
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+  // AMD's family 19h has AVX-512 in halves: products as fast, triangular solves with
+  // OpenBLAS' kernels for it at 0.65 of the speed of those for AVX2.
+  const bool hasHalves = __builtin_cpu_is("amdfam19h");
+  if (!hasHalves && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
       __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl") &&
       __builtin_cpu_supports("avx512cd"))
     return "SkylakeX";
