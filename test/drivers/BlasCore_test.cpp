@@ -38,8 +38,10 @@ TEUCHOS_UNIT_TEST(BlasCore, takesTheUsersKernelsAndShortWaitsWhileRunning) {
   if (threads() > 1)
     TEST_EQUALITY(timeout(), 16u);
 
+  setenv("OPENBLAS_THREAD_TIMEOUT", "20", 1);
   unsetenv("OPENBLAS_CORETYPE");
   tuneBlas();
+  TEST_EQUALITY(timeout(), 20u);  // likewise
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
     TEST_INEQUALITY(std::string(core()), "Prescott");

@@ -177,12 +177,4 @@ interrupted("Ctrl-C", "ctrl-c", [EPAFI], deep, {130})
 if os.environ.get("MPIEXEC"):  # whose own exit code says nothing
     interrupted("Ctrl-C on two ranks", "ctrl-c.2",
                 [os.environ["MPIEXEC"], "-n", "2", EPAFI], deep, {1, 130})
-folder = fresh("patient")
-process = subprocess.Popen([EPAFI, "run", TRESCA, "--output", folder],
-                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                           env={**threads, WAIT: "20"})
-wait_for_a_level(folder)
-claim(environment_of(process).get(WAIT) == "20", "the user's own value is kept")
-process.kill()
-process.wait()
 finish()
