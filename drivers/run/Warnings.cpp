@@ -119,9 +119,9 @@ void findSliding(const contact::Solved& solved, std::map<std::string, double>& s
       slides[nameOf(element)] =
           std::max(slides[nameOf(element)], std::abs(point.tangential));
   }
-  const auto summaries = contact::summarizeContacts(solved);
+  const auto lengths = contact::contactLengths(solved);
   for (const auto& [name, slide] : slides) {
-    const double length = summaries.at(name).contactLength;
+    const double length = lengths.at(name);
     shares[name] = std::max(shares[name], length > 0 ? slide / length : 0);
   }
 }
