@@ -78,6 +78,7 @@ struct Scene {
   std::string title;
   std::string file;
   Constants constants;  ///< that its expressions know
+  Tables tables;        ///< likewise
 
   std::vector<Body> bodies;
   std::vector<RigidBody> rigid;
@@ -122,6 +123,9 @@ struct Scene {
   std::string boundaryName(std::size_t b, const std::string& boundary) const {
     return !hasSeveral() ? boundary : bodies[b].name + ":" + boundary;
   }
+  /// What its expressions know at t = 1, where no boundary is meant.
+  Names names() const { return {constants, 1, {}, tables}; }
+
   /// The body that a point lies inside; their number if there is none.
   std::size_t bodyAt(bem::Vec2 point) const {
     std::size_t b = 0;

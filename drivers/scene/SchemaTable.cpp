@@ -6,6 +6,7 @@
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/solve/LoadContinuation.hpp"
 #include "contact/stabilization/Stabilization.hpp"
+#include "drivers/scene/Interpolant.hpp"
 #include "drivers/scene/LinearMethod.hpp"
 #include "drivers/scene/LoadPath.hpp"
 #include "drivers/scene/MeshReader.hpp"
@@ -232,10 +233,16 @@ void addOutput(Table& table) {
 const std::vector<Parameter>& parameters() {
   static const Table table = [] {
     Table all;
-    append(all,
-           {Row("Constants", Kind::List, "numbers that all expressions know by name"),
-            Row("Constants-><constant>", Kind::Expression,
-                "a number, or an expression in constants that stand before it")});
+    append(
+        all,
+        {Row("Constants", Kind::List, "numbers that all expressions know by name"),
+         Row("Constants-><constant>", Kind::Expression,
+             "a number, or an expression in constants that stand before it, and tables"),
+         Row("Tables", Kind::List,
+             "functions of one variable through points, such as measured profiles; "
+             "expressions know them by name: Gap = profile(x) + 0.1"),
+         Row("Tables-><table>", Kind::List, "one function")});
+    append(all, tableRows(), "Tables-><table>");
     addBody(all);
     addConditions(all);
     addSeveralBodies(all);
