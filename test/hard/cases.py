@@ -3,6 +3,8 @@
 Every case that is solved must also be in balance, on every level: loads, contact forces and
 reactions add up to nothing in x, y and moment.
 """
+import math
+
 BASE = "Bodies->block->Boundary Conditions->base->"
 TOP = "Bodies->block->Boundary Conditions->top->"
 ONCE = ["Adaptivity->Strategy=None"]
@@ -250,6 +252,11 @@ for L in ("1000", "0.001"):
 # E u / L of the beam is 5000 times its load per area, and rounding of S u as much of the balance.
 case("thin_beam", "beam of 1:100 laid down on a plane by its load, p = 3", "thin_beam",
      claims=[load(0, -0.1), between("contact_length", 40, 70), steps(120)], group="long")
+# Interior points' predictor reaches a hundredth of its way here; all of its second order leads in circles.
+case("thin_beam_path", "the same beam, its load growing in three steps", "thin_beam",
+     [TOP + "Traction Y=-0.001*(0.55 + 0.45*sin(pi/2*t))", "History->Times={0.25, 0.5, 0.75}",
+      "Adaptivity->Maximum Levels=1"],
+     claims=[load(0, -0.1 * (0.55 + 0.45 * math.sin(3 * math.pi / 8))), dissipates], group="long")
 case("thin_beam_frictionless", "the same beam without friction, p = 2", "thin_beam",
      [BASE + "Friction->Coefficient=0", "Discretization->Degree=2"],
      claims=[load(0, -0.1), between("contact_length", 40, 70)])

@@ -31,7 +31,7 @@ struct Limit {
   double force = 0;
   double distanceChange = 0;
   double forceChange = 0;
-  double correction = 0;  ///< Mehrotra's second order term
+  double correction = 0;  ///< Mehrotra's second order term, weighted
 
   double product(double step) const {
     return (distance + step * distanceChange) * (force + step * forceChange);
@@ -125,9 +125,12 @@ class Method {
     for (Limit& limit : limits_)
       limit.correction = 0;
     direction(system, 0);
-    const double affine = complementarity(std::min(1.0, room()));
+    const double reach = std::min(1.0, room());
+    const double affine = complementarity(reach);
+    // A predictor that does not reach far says little of second order: with all of it steps
+    // stay short, and lead in circles.
     for (Limit& limit : limits_)
-      limit.correction = limit.distanceChange * limit.forceChange;
+      limit.correction = reach * limit.distanceChange * limit.forceChange;
     const Vector change = direction(system, mu * std::pow(affine / mu, 3));
     const double relative = mu / (problem_.stress * problem_.stress);
     const double step = std::min(1.0, std::max(interior, 1 - relative) * room());

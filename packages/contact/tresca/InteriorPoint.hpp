@@ -18,6 +18,7 @@ struct InteriorPoint {
 /// started in the middle.  With fixed bounds it solves a convex quadratic programme; a bound
 /// that follows the pressure is differentiated.  Its number of steps hardly depends on the
 /// size or the condition of D, where active sets move by a coefficient a step: thin bodies.
+/// The second order is weighted by what the predictor reaches.        [Colombo, Gondzio 2008]
 /// Ends when the equation is solved, or when no step leads on.                [Mehrotra 1992]
 InteriorPoint interiorPoint(const Equation& equation, int maximumSteps = 100);
 
