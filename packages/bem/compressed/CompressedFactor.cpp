@@ -9,6 +9,8 @@
 #include <cassert>
 #include <iterator>
 #include <stdexcept>
+#include <tuple>
+#include <type_traits>
 
 namespace epafi::bem {
 
@@ -42,23 +44,26 @@ CompressedFactor::CompressedFactor(const CompressedOperators& operators,
 int CompressedFactor::update(Restriction restriction) {
   restriction.held.resize(at(operators_->size()));
   std::vector<int> changed;
-  const auto mark = [&](Index unknown) {
-    changed.push_back(operators_->leafOf(unknown));
-  };
   for (Index i = 0; i < operators_->size(); ++i)
     if (restriction.held[at(i)] != restriction_.held[at(i)])
-      mark(i);
-  const auto compare = [&](const auto& before, const auto& now) {
-    for (std::size_t i = 0; i < std::max(before.size(), now.size()); ++i)
-      if (i >= before.size() || i >= now.size() || !(before[i] == now[i])) {
-        if (i < before.size())
-          mark(before[i].unknown);
-        if (i < now.size())
-          mark(now[i].unknown);
-      }
+      changed.push_back(operators_->leafOf(i));
+  const auto compare = [&](auto before, auto now, const auto& key) {
+    const auto less = [&](const auto& a, const auto& b) { return key(a) < key(b); };
+    std::sort(before.begin(), before.end(), less);
+    std::sort(now.begin(), now.end(), less);
+    std::remove_reference_t<decltype(now)> differing;
+    std::set_symmetric_difference(before.begin(), before.end(), now.begin(), now.end(),
+                                  std::back_inserter(differing), less);
+    for (const auto& each : differing)
+      changed.push_back(operators_->leafOf(std::get<0>(key(each))));
   };
-  compare(restriction_.followers, restriction.followers);
-  compare(restriction_.springs, restriction.springs);
+  compare(restriction_.followers, restriction.followers,
+          [](const Restriction::Follower& f) {
+            return std::tuple(f.unknown, f.leader, f.factor);
+          });
+  compare(restriction_.entries, restriction.entries, [](const Restriction::Entry& e) {
+    return std::tuple(e.row, e.column, e.value);
+  });
   restriction_ = std::move(restriction);
   const std::vector<char> dirty = operators_->tree().paths(changed);
   for (std::size_t c = 0; c < dirty.size(); ++c)
@@ -93,6 +98,17 @@ std::vector<CompressedFactor::Node> CompressedFactor::restricted(
       nodes[c].followers.push_back(
           {places[at(follower.unknown)], places[at(follower.leader)], follower.factor});
   }
+  const auto add = [&](const Restriction::Entry& entry) {
+    const auto c = static_cast<std::size_t>(operators_->leafOf(entry.row));
+    assert(operators_->leafOf(entry.column) == static_cast<int>(c));
+    if (dirty[c] != 0 && restriction_.held[at(entry.row)] == 0 &&
+        restriction_.held[at(entry.column)] == 0)
+      nodes[c].added.push_back(
+          {places[at(entry.row)], places[at(entry.column)], entry.value});
+  };
+  std::for_each(restriction_.entries.begin(), restriction_.entries.end(), add);
+  for (const Index i : operators_->floating())
+    add({i, i, 1});
   return nodes;
 }
 
@@ -201,14 +217,8 @@ Matrix CompressedFactor::eliminateLeaf(int c, Node& node) const {
       node.out(i, follower.leader) +=
           follower.factor * part.weights(i, follower.follower);
   }
-  for (const Restriction::Spring& spring : restriction_.springs)
-    for (Index j = 0; j < n; ++j)
-      if (part.active[at(node.kept[at(j)])] == spring.unknown)
-        d(j, j) += spring.stiffness;
-  for (const Index i : operators_->floating())
-    for (Index j = 0; j < n; ++j)
-      if (part.active[at(node.kept[at(j)])] == i)
-        d(j, j) += 1;
+  for (const Restriction::Entry& entry : node.added)
+    d(entry.row, entry.column) += entry.value;
   node.factor(std::move(d));
   node.solve(in);
   node.in = std::move(in);
@@ -397,9 +407,9 @@ Matrix CompressedFactor::solveOnce(const Matrix& b,
 
 Matrix CompressedFactor::residual(const Matrix& b, const Matrix& x) const {
   Matrix rest = operators_->times(x);
-  for (const Restriction::Spring& spring : restriction_.springs)
+  for (const Restriction::Entry& entry : restriction_.entries)
     for (Index j = 0; j < x.columns(); ++j)
-      rest(spring.unknown, j) += spring.stiffness * x(spring.unknown, j);
+      rest(entry.row, j) += entry.value * x(entry.column, j);
   for (Index j = 0; j < b.columns(); ++j)
     for (Index i = 0; i < b.rows(); ++i)
       rest(i, j) = restriction_.held[at(i)] != 0 ? 0 : b(i, j) - rest(i, j);

@@ -17,21 +17,16 @@ struct Restriction {
     Index unknown;
     Index leader;
     double factor;
-    bool operator==(const Follower& o) const {
-      return unknown == o.unknown && leader == o.leader && factor == o.factor;
-    }
   };
   std::vector<Follower> followers;
 
-  /// Added to diagonal entries: springs.
-  struct Spring {
-    Index unknown;
-    double stiffness;
-    bool operator==(const Spring& o) const {
-      return unknown == o.unknown && stiffness == o.stiffness;
-    }
+  /// Added to an entry between unknowns of one leaf; on the diagonal a spring.
+  struct Entry {
+    Index row;
+    Index column;
+    double value;
   };
-  std::vector<Spring> springs;
+  std::vector<Entry> entries;
 };
 
 /// Solves the compressed system by elimination in its tree, without pivots beyond a
@@ -70,6 +65,14 @@ class CompressedFactor {
   /// By cluster: these leaves, what is above them, and what each solution needs.
   std::vector<char> paths(std::vector<int> leaves) const;
 
+  /// Of held unknowns, by leaves in which updates may differ: what each would find on its
+  /// diagonal if it were eliminated after all that is not held,
+  ///
+  ///   Z_ii - z_iᵀ Z⁻¹ z_i,
+  ///
+  /// but for exact rotations and floating springs.  Others are zero.
+  Vector lastPivots() const;
+
   const CompressedOperators& operators() const { return *operators_; }
   const Restriction& restriction() const { return restriction_; }
   std::size_t bytes() const;
@@ -88,6 +91,7 @@ class CompressedFactor {
       double factor;
     };
     std::vector<Follower> followers;
+    std::vector<Restriction::Entry> added;  ///< to the matrix of a leaf, by places
     bool ownOut = false;
     Matrix out;  ///< of a leaf that holds unknowns: T of its solution, followers included
     bool isSilent = false;  ///< all of the cluster is held: nothing but a response, zero
@@ -105,6 +109,7 @@ class CompressedFactor {
   /// E
   Matrix eliminateLeaf(int c, Node& node) const;
   Matrix eliminateParent(int c, Node& node) const;
+  void addLastPivots(int leaf, const Matrix& matrix, Vector& pivots) const;
   void takeSpringsBack();
   void addRotations();
   Matrix solveSprung(const Matrix& b, const std::vector<char>& paths) const;

@@ -48,7 +48,6 @@ struct NewtonSystem::Impl {
   // Where D is known by what it does; its solutions for Ĝ, all coefficients, are in
   // solvedBorder, what balances them in schur.
   std::unique_ptr<Flexibility::Operator::Factor> byOperator;
-  std::vector<Flexibility::Operator::System::Follower> followers;
 
   std::unique_ptr<const KeptFactor>
       kept;  // that of an earlier system, brought up to date
@@ -69,7 +68,7 @@ struct NewtonSystem::Impl {
         k(problem.rigidMotions()) {
     chooseInactive();
     splitMotions();
-    if (!problem.flexibility.isFormed() && boundsFollowKnownRows())
+    if (!problem.flexibility.isFormed())
       factorByOperator();
     else if (problem.flexibility.kept() != nullptr && canKeep())
       kept = KeptFactor::make(problem, allMotions(), keptRows());
@@ -158,7 +157,6 @@ struct NewtonSystem::Impl {
     }
   }
 
-  // What a bound adds to the row of an unknown coefficient, D's operator does not know.
   bool boundsFollowKnownRows() const {
     for (Index i = problem.normals; i < n; ++i)
       for (const NormalShare& part : boundParts[at(i)])
@@ -176,7 +174,9 @@ struct NewtonSystem::Impl {
       for (const NormalShare& part : boundParts[at(i)])
         if (isKnown(i) && !isKnown(part.normal))
           system.followers.push_back({i, part.normal, following(i, part.value)});
-    followers = system.followers;
+        else if (!isKnown(i) && !isKnown(part.normal))
+          system.entries.push_back(
+              {i, part.normal, part.value / (-row(i).penetration * weight(i))});
     byOperator = problem.flexibility.factor(system);
     const Index c = border.columns();
     solvedBorder = Matrix(n, c);
