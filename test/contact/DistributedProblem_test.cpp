@@ -3,7 +3,7 @@
 #include "Projected.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/tpetra/DistributedRows.hpp"
-#include "contact/problem/Summary.hpp"
+#include "contact/results/Summary.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

@@ -2,8 +2,8 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
+#include "contact/body/IterativeRefinement.hpp"
 #include "contact/newton/KeptFactor.hpp"
-#include "contact/problem/IterativeRefinement.hpp"
 
 #include <Teuchos_BLAS.hpp>
 #include <Teuchos_LAPACK.hpp>

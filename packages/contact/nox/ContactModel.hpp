@@ -2,7 +2,7 @@
 
 #include "contact/equation/ProblemFamily.hpp"
 #include "contact/nox/ContactJacobian.hpp"
-#include "contact/problem/ContactProblem.hpp"
+#include "contact/system/ContactProblem.hpp"
 
 #include <Thyra_StateFuncModelEvaluatorBase.hpp>
 
