@@ -165,14 +165,15 @@ Matrix nestedWeights(const bem::CompressedOperators& z, int c,
   const auto& part = z.part(c);
   if (z.tree()[c].isLeaf()) {
     unknowns.insert(unknowns.end(), part.active.begin(), part.active.end());
-    return part.weights.copy();
+    return part.weights.full();
   }
   const Matrix first = nestedWeights(z, z.tree()[c].children[0], unknowns);
   const Matrix second = nestedWeights(z, z.tree()[c].children[1], unknowns);
   const Index split = first.rows();
-  const Matrix left = bem::product(bem::columnsBetween(part.weights, 0, split), first);
+  const Matrix left =
+      bem::product(bem::columnsBetween(part.weights.full(), 0, split), first);
   const Matrix right = bem::product(
-      bem::columnsBetween(part.weights, split, part.weights.columns()), second);
+      bem::columnsBetween(part.weights.full(), split, part.weights.columns()), second);
   Matrix all(left.rows(), left.columns() + right.columns());
   for (Index j = 0; j < all.columns(); ++j)
     std::copy_n(j < left.columns() ? left.column(j) : right.column(j - left.columns()),

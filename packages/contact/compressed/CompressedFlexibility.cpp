@@ -152,6 +152,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
     std::vector<int> leaves = furtherLeaves(operators());
     for (const Coupling::Entry& entry : coupling().entries)
       leaves.push_back(operators().leafOf(entry.row));
+    *factor_ = factor_->within(leaves);
     paths_ = factor_->paths(std::move(leaves));
   }
 
