@@ -1,6 +1,7 @@
 #include "drivers/run/Solver.hpp"
 
 #include "contact/equation/Equilibrium.hpp"
+#include "contact/newton/KeptFactor.hpp"
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/solve/LoadContinuation.hpp"
 #include "drivers/run/Reasons.hpp"
@@ -14,11 +15,12 @@ namespace {
 
 using bem::Vector;
 
-/// solve(solver) with what the options are assembled to for a problem.
+/// solve(solver) with what the options are assembled to for a problem; `memory`: see
+/// contact::NoxNewton.
 template <class Solve>
 contact::Solution assembled(const contact::Problem& problem, const Scene::Solver& options,
-                            const Solve& solve) {
-  const contact::NoxNewton newton(options.nox);
+                            contact::FactorMemory* memory, const Solve& solve) {
+  const contact::NoxNewton newton(options.nox, memory);
   const contact::Tresca tresca(newton, options.tresca);
   const bool follows = problem.boundDependsOnPressure();
   const auto coulomb = follows ? contact::makeCoulomb(tresca, options.coulomb) : nullptr;
@@ -81,7 +83,7 @@ Solved solve(const contact::ContactSystem& system, const BodySpaces& spaces,
   return onFirstRank(algebra, [&]() -> Solved {
     try {
       contact::Solution solution =
-          assembled(system.numbers(), options, [&](const auto& solver) {
+          assembled(system.numbers(), options, nullptr, [&](const auto& solver) {
             return contact::solveInLoadSteps(solver, system.numbers(), system.gap(),
                                              start, options.loadSteps);
           });
@@ -98,9 +100,11 @@ Solved solveStep(const contact::Problem& problem, const contact::State& start,
                  const Scene::Solver& options, const bem::DenseAlgebra& algebra) {
   return onFirstRank(algebra, [&]() -> Solved {
     try {
-      contact::Solution solution = assembled(problem, options, [&](const auto& solver) {
-        return solver.solve(problem, start);
-      });
+      // of this step only: a run that goes on behind it shall compute the same digits
+      contact::FactorMemory memory;
+      contact::Solution solution =
+          assembled(problem, options, &memory,
+                    [&](const auto& solver) { return solver.solve(problem, start); });
       const std::string reason = reasonOf(solution.report);
       return {std::move(solution), reason};
     } catch (const contact::NoBalance& error) {

@@ -31,10 +31,11 @@ Vector steepestDescent(const Equation& equation, const Vector& gradient) {
 
 }  // namespace
 
-Vector meritDescentStep(const Equation& equation, const Evaluation& e) {
+Vector meritDescentStep(const Equation& equation, const Evaluation& e,
+                        FactorMemory* memory) {
   const Vector gradient = equation.meritGradient(e);
   try {
-    Vector d = newtonStep(equation, e);
+    Vector d = newtonStep(equation, e, memory);
     const double size = std::sqrt(dot(gradient, gradient) * dot(d, d));
     if (dot(gradient, d) < -1e-10 * size)
       return d;

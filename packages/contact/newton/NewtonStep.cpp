@@ -33,10 +33,11 @@ Evaluation bonded(const Problem& problem, Evaluation e) {
 
 }  // namespace
 
-Vector placingStep(const Equation& equation, const Evaluation& e, const Vector& motion) {
+Vector placingStep(const Equation& equation, const Evaluation& e, const Vector& motion,
+                   FactorMemory* memory) {
   if (equation.problem().boundDependsOnPressure()) {
     const Evaluation sticking = bonded(equation.problem(), e);
-    const NewtonSystem bondedSystem(equation, sticking);
+    const NewtonSystem bondedSystem(equation, sticking, memory);
     const Vector bondedRight = negative(sticking.residual);
     if (bondedSystem.unheld(bondedRight).empty())
       return bondedSystem.solve(bondedRight);
@@ -44,11 +45,11 @@ Vector placingStep(const Equation& equation, const Evaluation& e, const Vector& 
   return rigidPlacement(equation, e, motion);
 }
 
-Vector newtonStep(const Equation& equation, const Evaluation& e) {
-  const NewtonSystem system(equation, e);
+Vector newtonStep(const Equation& equation, const Evaluation& e, FactorMemory* memory) {
+  const NewtonSystem system(equation, e, memory);
   const Vector right = negative(e.residual);
   const Vector motion = system.unheld(right);
-  return motion.empty() ? system.solve(right) : placingStep(equation, e, motion);
+  return motion.empty() ? system.solve(right) : placingStep(equation, e, motion, memory);
 }
 
 }  // namespace epafi::contact

@@ -48,7 +48,7 @@ Vector transposeTimes(const Linearisation& point, const Vector& v) {
 
 const NewtonSystem& Linearisation::system() const {
   if (system_ == nullptr)
-    system_ = std::make_unique<NewtonSystem>(*equation_, evaluation_);
+    system_ = std::make_unique<NewtonSystem>(*equation_, evaluation_, memory_);
   return *system_;
 }
 
@@ -84,7 +84,7 @@ Vector ContactJacobian::solved(const Vector& b) const {
       throw NoBalance(
           "neither contact nor friction holds a rigid motion that the right-hand side "
           "demands: begin nearer to the solution");
-  Vector x = placingStep(at().equation(), e, motion);
+  Vector x = placingStep(at().equation(), e, motion, at().memory());
   for (double& value : x)
     value *= -scale_;
   return x;

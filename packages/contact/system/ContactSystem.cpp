@@ -196,8 +196,6 @@ struct ContactSystem::Parts {
   /// The numbers of another time from those of this one.
   void respondAll(const Parts& same) {
     numbers = same.numbers.copy();
-    // within a step only: a run that goes on behind it shall compute the same digits
-    numbers.flexibility = same.numbers.flexibility.keeping();
     numbers.tangentials.clear();
     numbers.rigidLoad.clear();
     numbers.offset.assign(at(numbering.size()), 0.0);
