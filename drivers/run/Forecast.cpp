@@ -1,7 +1,6 @@
 #include "drivers/run/Forecast.hpp"
 
 #include "bem/base/Error.hpp"
-#include "contact/compressed/CompressedFlexibility.hpp"
 #include "drivers/process/Memory.hpp"
 
 #include <algorithm>
@@ -29,14 +28,9 @@ double forecastMemory(const BodySpaces& spaces, int processes) {
 
 double forecastCompressedMemory(const BodySpaces& spaces) {
   double bytes = 0;
-  double m = 0;
-  for (std::size_t b = 0; b < spaces.size(); ++b) {
-    m += static_cast<double>(spaces.multiplier(b).size());
+  for (std::size_t b = 0; b < spaces.size(); ++b)
     bytes += 24000.0 * static_cast<double>(spaces.space(b).displacements() +
                                            spaces.space(b).densities());
-  }
-  if (m <= contact::mostCompressedColumns)
-    bytes += 8 * 6 * m * m;
   return program + bytes / mebi;
 }
 

@@ -165,14 +165,15 @@ Matrix nestedWeights(const bem::CompressedOperators& z, int c,
   const auto& part = z.part(c);
   if (z.tree()[c].isLeaf()) {
     unknowns.insert(unknowns.end(), part.active.begin(), part.active.end());
-    return part.weights.copy();
+    return part.weights.full();
   }
   const Matrix first = nestedWeights(z, z.tree()[c].children[0], unknowns);
   const Matrix second = nestedWeights(z, z.tree()[c].children[1], unknowns);
   const Index split = first.rows();
-  const Matrix left = bem::product(bem::columnsBetween(part.weights, 0, split), first);
+  const Matrix left =
+      bem::product(bem::columnsBetween(part.weights.full(), 0, split), first);
   const Matrix right = bem::product(
-      bem::columnsBetween(part.weights, split, part.weights.columns()), second);
+      bem::columnsBetween(part.weights.full(), split, part.weights.columns()), second);
   Matrix all(left.rows(), left.columns() + right.columns());
   for (Index j = 0; j < all.columns(); ++j)
     std::copy_n(j < left.columns() ? left.column(j) : right.column(j - left.columns()),
@@ -273,8 +274,8 @@ Matrix loads(const bem::Space& space) {
 /// Of the kept equations, by pivoted elimination, unknowns and equations scaled by their
 /// diagonal entries.
 Matrix denseSolution(Matrix z, const bem::Restriction& restriction, Matrix b) {
-  for (const auto& spring : restriction.springs)
-    z(spring.unknown, spring.unknown) += spring.stiffness;
+  for (const auto& entry : restriction.entries)
+    z(entry.row, entry.column) += entry.value;
   std::vector<Index> kept;
   for (Index i = 0; i < z.rows(); ++i)
     if (restriction.held[at(i)] == 0)
@@ -354,16 +355,21 @@ TEUCHOS_UNIT_TEST(Compressed, solutionsAreTheDenseOnes) {
     const bem::Restriction dirichlet = clamped(space, 0, sample.mesh.size());
     bem::Restriction sprung;
     sprung.held.resize(at(z.size()));
-    sprung.springs = {{space.displacement(0, 0, 0), 1.0},
-                      {space.displacement(0, 0, 1), 1.0},
-                      {space.displacement(sample.mesh.size() / 2, 0, 0), 1.0},
-                      {space.displacement(sample.mesh.size() / 2, 0, 1), 1.0}};
+    for (const int e : {0, sample.mesh.size() / 2})
+      for (int c = 0; c < 2; ++c)
+        sprung.entries.push_back(
+            {space.displacement(e, 0, c), space.displacement(e, 0, c), 1.0});
+    // one component in the other's equation, but not the other way
+    bem::Restriction skew = clamp;
+    skew.entries = {{space.displacement(sample.mesh.size() - 1, 0, 1),
+                     space.displacement(sample.mesh.size() - 1, 0, 0), 0.3}};
     bem::Restriction following = clamp;
     const int last = sample.mesh.size() - 1;
     following.held[at(space.displacement(last, 0, 0))] = 1;
     following.followers = {
         {space.displacement(last, 0, 0), space.displacement(last, 0, 1), 0.4}};
-    for (const bem::Restriction& restriction : {clamp, dirichlet, sprung, following}) {
+    for (const bem::Restriction& restriction :
+         {clamp, dirichlet, sprung, skew, following}) {
       const bem::CompressedFactor factor(z, restriction);
       const Matrix exact = denseSolution(whole.copy(), restriction, b.copy());
       const Matrix x = factor.solve(b);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/compressed/CompressedOperators.hpp"
+#include "bem/compressed/EliminatedCluster.hpp"
 
 #include <memory>
 #include <vector>
@@ -17,21 +18,16 @@ struct Restriction {
     Index unknown;
     Index leader;
     double factor;
-    bool operator==(const Follower& o) const {
-      return unknown == o.unknown && leader == o.leader && factor == o.factor;
-    }
   };
   std::vector<Follower> followers;
 
-  /// Added to diagonal entries: springs.
-  struct Spring {
-    Index unknown;
-    double stiffness;
-    bool operator==(const Spring& o) const {
-      return unknown == o.unknown && stiffness == o.stiffness;
-    }
+  /// Added to an entry between unknowns of one leaf; on the diagonal a spring.
+  struct Entry {
+    Index row;
+    Index column;
+    double value;
   };
-  std::vector<Spring> springs;
+  std::vector<Entry> entries;
 };
 
 /// Solves the compressed system by elimination in its tree, without pivots beyond a
@@ -54,6 +50,11 @@ class CompressedFactor {
                    const std::vector<int>& changing);
   CompressedFactor(const CompressedOperators& operators, Restriction restriction);
 
+  /// The same for right sides and unknowns of these leaves alone, which may all change:
+  /// everything outside their lowest common cluster is eliminated once, in what it answers
+  /// to that cluster.
+  CompressedFactor within(const std::vector<int>& leaves) const;
+
   /// The same with another restriction: only leaves where it differs and what is above
   /// them are eliminated anew.  Returns how many clusters that were.
   /// \throws std::logic_error where a leaf may not change.
@@ -62,6 +63,7 @@ class CompressedFactor {
   /// X of Z X = B on what is not held; held unknowns are zero, or follow.  With
   /// `refinements` corrections by the product; the elimination alone leaves some 1e-12 in
   /// displacements, and more in densities as elements get many.
+  /// \pre not of within().
   Matrix solve(const Matrix& b, int refinements = 1) const;
 
   /// The same, unrefined, of a right side that is zero in other leaves than those of
@@ -70,60 +72,57 @@ class CompressedFactor {
   /// By cluster: these leaves, what is above them, and what each solution needs.
   std::vector<char> paths(std::vector<int> leaves) const;
 
+  /// Of held unknowns, by leaves in which updates may differ: what each would find on its
+  /// diagonal if it were eliminated after all that is not held,
+  ///
+  ///   Z_ii - z_iᵀ Z⁻¹ z_i,
+  ///
+  /// but for exact rotations and floating springs.  Others are zero.
+  Vector lastPivots() const;
+
   const CompressedOperators& operators() const { return *operators_; }
   const Restriction& restriction() const { return restriction_; }
   std::size_t bytes() const;
 
  private:
-  struct Node {
-    std::vector<Index> kept;  ///< of a leaf: places among its unknowns
-    Matrix lu;
-    Vector scales;  ///< of the rows before: those of displacements and densities differ
-    std::vector<int> pivots;
-    Matrix in;  ///< D⁻¹ Tᵀ, or F⁻¹ diag(E) Tᵀ
-    /// Followers of a leaf, by places.
-    struct Follower {
-      Index follower;
-      Index leader;  ///< among the kept
-      double factor;
-    };
-    std::vector<Follower> followers;
-    bool ownOut = false;
-    Matrix out;  ///< of a leaf that holds unknowns: T of its solution, followers included
-    bool isSilent = false;  ///< all of the cluster is held: nothing but a response, zero
-
-    const Matrix& outOf(const CompressedOperators::Part& part) const {
-      return ownOut ? out : part.weights;
-    }
-    void factor(Matrix matrix);
-    void solve(Matrix& x) const;
-  };
-
   void eliminate(const std::vector<char>& dirty);
+  EliminatedCluster eliminated(int c, LeafRestriction restriction) const;
   /// By cluster, empty where nothing is to be done: what of the restriction belongs to leaves.
-  std::vector<Node> restricted(const std::vector<char>& dirty) const;
-  /// E
-  Matrix eliminateLeaf(int c, Node& node) const;
-  Matrix eliminateParent(int c, Node& node) const;
+  std::vector<LeafRestriction> restricted(const std::vector<char>& dirty) const;
   void takeSpringsBack();
   void addRotations();
+
+  /// What the unknowns of a cluster do to each other, P of a parent and D of a leaf, where
+  /// the outside answers O to what leaves it: with Tᵀ O T.
+  Matrix inside(int c, const Matrix* outside) const;
+  /// O of a child, from P of its parent.
+  Matrix outsideOf(int child, const Matrix& p) const;
+  void addLastPivots(int leaf, const Matrix& d, Vector& pivots) const;
+
   Matrix solveSprung(const Matrix& b, const std::vector<char>& paths) const;
   Matrix solveStraight(const Matrix& b, const std::vector<char>& paths) const;
   Matrix solveOnce(const Matrix& b, const std::vector<char>& paths) const;
   /// B less Z X on what is asked for, zero elsewhere.
   Matrix residual(const Matrix& b, const Matrix& x) const;
 
+  const EliminatedCluster& node(int c) const {
+    return *nodes_[static_cast<std::size_t>(c)];
+  }
+  const Matrix& response(int c) const { return *responses_[static_cast<std::size_t>(c)]; }
+
   const CompressedOperators* operators_;
   Restriction restriction_;
   std::vector<char> changing_;  ///< by cluster
-  std::vector<std::shared_ptr<const Node>> nodes_;
+  int top_ = 0;                 ///< the highest cluster that solutions go through
+  std::shared_ptr<const Matrix> whole_;  ///< inside() of it, unless it is the root
+  std::vector<std::shared_ptr<const EliminatedCluster>> nodes_;
   std::vector<std::shared_ptr<const Matrix>> responses_;  ///< E, where still needed
   std::vector<Index> sprung_;  ///< CompressedOperators::floating, what is not held
-  std::shared_ptr<const Node> springs_;  ///< I - Pᵀ M⁻¹ P of them, see solveStraight
+  std::shared_ptr<const ScaledLu> springs_;  ///< I - Pᵀ M⁻¹ P of them, see solveStraight
   /// Of CompressedOperators::rotations; null without any.
   struct Rotated {
     Matrix answers;  ///< Y = Z⁻¹ U on what is not held
-    Node rest;       ///< S⁻¹ + Uᵀ Y
+    ScaledLu rest;   ///< S⁻¹ + Uᵀ Y
   };
   std::shared_ptr<const Rotated> rotated_;
 };

@@ -1,39 +1,14 @@
 #pragma once
 
 #include "bem/base/Material.hpp"
+#include "bem/compressed/ClusterPart.hpp"
 #include "bem/compressed/ClusterTree.hpp"
-#include "bem/compressed/LocalFunctions.hpp"
+#include "bem/compressed/LocalCoupling.hpp"
+#include "bem/compressed/Skeletons.hpp"
 
 #include <vector>
 
 namespace epafi::bem {
-
-struct Compression {
-  /// Of what a cluster's functions do outside it, relative to the largest.
-  double tolerance = 1e-12;
-  Index leafUnknowns = 200;
-  /// Of the radii of the circles that stand for what is far, and of the cluster's.
-  double ratio = 1.8;
-};
-
-/// Further unknowns beside displacements and densities, and entries of the symmetric
-/// system that are not those of boundary operators.  Both act between functions that
-/// touch, and alone between bodies.
-struct LocalCoupling {
-  std::vector<int> elements;  ///< of each further unknown, one that it is on
-  std::vector<int> bodies;    ///< and whose that is; empty: all are the first body's
-  /// Of each body: what all of them do to its exact rotation less the interpolated one, where
-  /// it has arcs, see Rotation; empty: nothing.
-  std::vector<Vector> rotations;
-  /// Unknowns are numbered body by body as unknownsOf has them, further ones behind all.  One
-  /// of (i, j) and (j, i).
-  struct Entry {
-    Index row;
-    Index column;
-    double value;
-  };
-  std::vector<Entry> entries;
-};
 
 /// The coupled system of the boundary operators,
 ///
@@ -80,13 +55,7 @@ class CompressedOperators {
   /// Z X
   Matrix times(const Matrix& x) const;
 
-  struct Part {
-    std::vector<Index> active;  ///< a leaf's unknowns, or the skeletons of the children
-    std::vector<Index> skeleton;
-    Matrix weights;  ///< T: skeleton x active; of all but the root
-    Matrix
-        block;  ///< a leaf's entries, or those of one child's skeleton with the other's
-  };
+  using Part = ClusterPart;
   /// Of the first body; clusters of all have its numbers, parents and children.
   const ClusterTree& tree() const { return trees_.front(); }
   const Part& part(int cluster) const {
@@ -119,10 +88,6 @@ class CompressedOperators {
   std::size_t bytes() const;
 
  private:
-  class Builder;
-  struct Share;
-
-  void join(std::vector<Share> shares, const LocalCoupling& local);
   void addRotations(const std::vector<Body>& bodies, const LocalCoupling& local);
 
   std::vector<Range> ranges_;

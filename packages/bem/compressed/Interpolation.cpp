@@ -1,9 +1,11 @@
 #include "bem/compressed/Interpolation.hpp"
 
 #include "bem/algebra/Blas.hpp"
+#include "bem/compressed/Products.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace epafi::bem {
 
@@ -28,6 +30,35 @@ Matrix triangle(Matrix a) {
 }
 
 }  // namespace
+
+Matrix Interpolation::times(const Matrix& x) const {
+  Matrix y = rowsOf(x, skeleton);
+  addProduct(1, weights, rowsOf(x, rest), y);
+  return y;
+}
+
+void Interpolation::addTransposed(const Matrix& x, Matrix& y) const {
+  Matrix parts(weights.columns(), x.columns());
+  addTransposedProduct(1, weights, x, parts);
+  for (Index j = 0; j < x.columns(); ++j) {
+    for (std::size_t i = 0; i < skeleton.size(); ++i)
+      y(skeleton[i], j) += x(static_cast<Index>(i), j);
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      y(rest[i], j) += parts(static_cast<Index>(i), j);
+  }
+}
+
+Matrix Interpolation::full() const { return bem::transposed(transposed()); }
+
+Matrix Interpolation::transposed() const {
+  Matrix result(columns(), rows());
+  for (Index j = 0; j < rows(); ++j) {
+    result(skeleton[at(j)], j) = 1;
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      result(rest[i], j) = weights(j, static_cast<Index>(i));
+  }
+  return result;
+}
 
 Interpolation interpolateColumns(Matrix a, double threshold) {
   const Index columns = a.columns();
@@ -58,15 +89,17 @@ Interpolation interpolateColumns(Matrix a, double threshold) {
     const double one = 1;
     dtrsm_("L", "U", "N", "N", &k, &others, &one, a.data(), &lda, rest.data(), &ldb);
   }
-  result.weights = Matrix(rank, columns);
-  for (Index j = 0; j < columns; ++j) {
-    const Index column = pivots[at(j)] - 1;
-    if (j < rank) {
-      result.skeleton.push_back(column);
-      result.weights(j, column) = 1;
-    } else {
-      std::copy_n(rest.column(j - rank), rank, result.weights.column(column));
-    }
+  for (Index j = 0; j < rank; ++j)
+    result.skeleton.push_back(pivots[at(j)] - 1);
+  std::vector<std::pair<Index, Index>> places;  // of the rest, and where it stands
+  for (Index j = rank; j < columns; ++j)
+    places.emplace_back(pivots[at(j)] - 1, j - rank);
+  std::sort(places.begin(), places.end());
+  result.weights = Matrix(rank, columns - rank);
+  for (std::size_t j = 0; j < places.size(); ++j) {
+    result.rest.push_back(places[j].first);
+    std::copy_n(rest.column(places[j].second), rank,
+                result.weights.column(static_cast<Index>(j)));
   }
   return result;
 }

@@ -6,10 +6,23 @@
 
 namespace epafi::bem {
 
-/// All columns of a matrix by some of them:  A ≈ A_S T,  T the identity on S.
+/// All columns of a matrix by some of them:  A ≈ A_S T,  T the identity on the skeleton S and
+/// weights on the rest.
 struct Interpolation {
-  std::vector<Index> skeleton;  ///< S
-  Matrix weights;               ///< T, skeleton x columns
+  std::vector<Index> skeleton;  ///< S: places among the columns
+  std::vector<Index> rest;      ///< all others, in ascending order
+  Matrix weights;               ///< skeleton x rest
+
+  Index rows() const { return static_cast<Index>(skeleton.size()); }
+  Index columns() const { return static_cast<Index>(skeleton.size() + rest.size()); }
+
+  /// T X
+  Matrix times(const Matrix& x) const;
+  /// Y += Tᵀ X
+  void addTransposed(const Matrix& x, Matrix& y) const;
+  /// T and Tᵀ themselves.
+  Matrix full() const;
+  Matrix transposed() const;
 };
 
 /// By pivoted QR: what is left of each column outside the span of the skeleton is smaller

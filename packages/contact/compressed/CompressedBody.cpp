@@ -45,15 +45,25 @@ void addOwn(const bem::Space& space, const Coupling& coupling, std::size_t body,
 
 /// Where each coefficient of the multiplier belongs: to the element that numbers the
 /// displacement which it does most work on, so that a leaf has both; tangential ones to that
-/// of the pressure which they may follow.
+/// of the pressure which they may follow.  Control points, whose bounds follow all
+/// pressures of an element, belong to it.
 std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& multiplier,
                             const Coupling& coupling) {
+  std::vector<int> elements(at(coupling.multipliers), 0);
+  if (multiplier.basis().controlPoints) {
+    for (const MultiplierSpace::ContactElement& contact : multiplier.elements())
+      for (int i = 0; i <= contact.degree; ++i) {
+        elements[at(contact.normalOf(i))] = contact.element;
+        if (contact.tangential >= 0)
+          elements[at(contact.tangentialOf(i))] = contact.element;
+      }
+    return elements;
+  }
   std::vector<int> elementOf(at(space.displacements()));
   for (int e = 0; e < space.mesh().size(); ++e)
     for (Index i = space.displacement(e, 0, 0);
          i < space.displacement(e, 0, 0) + 2 * space.mesh()[e].degree; ++i)
       elementOf[at(i)] = e;
-  std::vector<int> elements(at(coupling.multipliers), 0);
   Vector largest(at(coupling.multipliers), -1.0);
   for (const Coupling::Entry& entry : coupling.trace)
     if (std::abs(entry.value) > largest[at(entry.column)]) {

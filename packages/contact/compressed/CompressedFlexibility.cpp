@@ -22,6 +22,13 @@ Matrix asColumn(const Vector& x) {
   return column;
 }
 
+Vector rowOf(const Matrix& a, Index i) {
+  Vector row;
+  for (Index j = 0; j < a.columns(); ++j)
+    row.push_back(a(i, j));
+  return row;
+}
+
 /// Those of multipliers, which alone are held and released.
 std::vector<int> furtherLeaves(const bem::CompressedOperators& operators) {
   std::vector<int> leaves;
@@ -44,9 +51,10 @@ struct MotionTerms {
       sums.push_back(std::inner_product(u.column(j), u.column(j) + u.rows(), x, 0.0));
     return sums;
   }
-  // S Uᵀ x, S = [κ, -I; -I, 0]
-  Vector sizes(const double* x) const {
-    const Vector sums = seen(x);
+  // S Uᵀ x
+  Vector sizes(const double* x) const { return scaled(seen(x)); }
+  // S s, S = [κ, -I; -I, 0]
+  Vector scaled(const Vector& sums) const {
     const Index r = u.columns() / 2;
     Vector result(sums.size());
     for (Index j = 0; j < r; ++j) {
@@ -91,34 +99,17 @@ class CompressedFlexibility final : public Flexibility::Operator {
     return result;
   }
 
-  bool isFormed() const override { return false; }
-
-  const Matrix& entries() const override {
-    constexpr Index largest = mostCompressedColumns;
-    constexpr Index width = 256;
-    if (size() > largest)
-      throw bem::NumericalError(bem::message(
-          "Newton's steps do not converge, and what follows them needs the flexibility "
-          "of all ",
-          size(), " coefficients, at most ", largest,
-          " where operators are compressed: begin with a coarser mesh, or choose "
-          "Solver->Linear->Method = Dense"));
-    if (entries_.rows() == size())
-      return entries_;
-    entries_ = Matrix(size(), size());
-    for (Index first = 0; first < size(); first += width) {
-      const Index last = std::min(first + width, size());
-      Matrix units(size(), last - first);
-      for (Index j = first; j < last; ++j)
-        units(j, j - first) = 1;
-      const Matrix columns = timesColumns(units);
-      for (Index j = first; j < last; ++j)
-        std::copy_n(columns.column(j - first), size(), entries_.column(j));
+  Vector diagonal() const override {
+    const Vector pivots = factor_->lastPivots();
+    Vector result;
+    for (Index i = 0; i < size(); ++i) {
+      const Vector sizes = motions_.scaled(rowOf(motions_.u, i));
+      double entry = -pivots[at(coupling().first + i)];
+      for (Index j = 0; j < motions_.u.columns(); ++j)
+        entry += motions_.u(i, j) * sizes[at(j)];
+      result.push_back(entry);
     }
-    for (Index j = 0; j < size(); ++j)
-      for (Index i = 0; i < j; ++i)
-        entries_(i, j) = entries_(j, i) = 0.5 * (entries_(i, j) + entries_(j, i));
-    return entries_;
+    return result;
   }
 
   std::unique_ptr<Factor> factor(const System& system) const override;
@@ -149,8 +140,8 @@ class CompressedFlexibility final : public Flexibility::Operator {
       restriction.held.resize(own.held.size(), 1);
       for (std::size_t i = 0; i < own.held.size(); ++i)
         restriction.held[i] = static_cast<char>(restriction.held[i] & own.held[i]);
-      restriction.springs.insert(restriction.springs.end(), own.springs.begin(),
-                                 own.springs.end());
+      restriction.entries.insert(restriction.entries.end(), own.entries.begin(),
+                                 own.entries.end());
     }
     factor_ = std::make_unique<bem::CompressedFactor>(operators(), std::move(restriction),
                                                       furtherLeaves(operators()));
@@ -161,6 +152,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
     std::vector<int> leaves = furtherLeaves(operators());
     for (const Coupling::Entry& entry : coupling().entries)
       leaves.push_back(operators().leafOf(entry.row));
+    *factor_ = factor_->within(leaves);
     paths_ = factor_->paths(std::move(leaves));
   }
 
@@ -227,7 +219,6 @@ class CompressedFlexibility final : public Flexibility::Operator {
   std::vector<char> paths_;
   MotionTerms motions_;
   Matrix rowSums_;  ///< over each kind
-  mutable Matrix entries_;
   /// Kept from step to step, so that only what changes is eliminated anew.
   mutable std::unique_ptr<bem::CompressedFactor> reduced_;
 };
@@ -245,8 +236,12 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
     for (std::size_t k = 0; k < system_.rows.size(); ++k) {
       restriction.held[at(first + system_.rows[k])] = 0;
       if (system_.shifts[k] != 0)
-        restriction.springs.push_back({first + system_.rows[k], -system_.shifts[k]});
+        restriction.entries.push_back(
+            {first + system_.rows[k], first + system_.rows[k], -system_.shifts[k]});
     }
+    for (const System::Entry& entry : system_.entries)
+      restriction.entries.push_back(
+          {first + entry.row, first + entry.column, -entry.value});
     for (const System::Follower& follower : system_.followers)
       restriction.followers.push_back(
           {first + follower.follower, first + follower.leader, follower.factor});
@@ -449,7 +444,8 @@ void CompressedHolding::addSprings() {
         }
     for (Index i = 0; i < motions.rows(); ++i)
       std::swap(motions(i, k), motions(i, column));
-    restriction_.springs.push_back({range_.first + row, range_.young});
+    restriction_.entries.push_back(
+        {range_.first + row, range_.first + row, range_.young});
     for (Index l = k + 1; l < motions.columns(); ++l) {
       const double factor = motions(row, l) / motions(row, k);
       for (Index i = 0; i < motions.rows(); ++i)

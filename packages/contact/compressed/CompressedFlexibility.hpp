@@ -6,9 +6,6 @@
 
 namespace epafi::contact {
 
-/// Multipliers up to which a stage may ask for D's entries.
-constexpr Index mostCompressedColumns = 6000;
-
 /// The sparse rows Ĉ = [B₀, -Nᵀ] by which the multiplier acts on displacements and densities,
 /// of its own body and of those that it meets, and -M: what a compressed system has of it.
 struct CompressedCoupling {

@@ -26,10 +26,9 @@ constexpr double progressOfKept = 1e-3;
 NewtonSystem::NewtonSystem(const Equation& equation, const LinearRows& at,
                            FactorMemory* memory)
     : reduction_(equation, at) {
-  const bool isFormed = reduction_.problem.flexibility.isFormed();
-  if (!isFormed && reduction_.boundsFollowKnownRows())
+  if (!reduction_.problem.flexibility.isFormed())
     byOperator_ = operatorFactoring(reduction_);
-  else if (isFormed && memory != nullptr)
+  else if (memory != nullptr)
     byKept_ = keptFactoring(reduction_, *memory);
   if (byOperator_ == nullptr && byKept_ == nullptr)
     byEntries_ = denseFactoring(reduction_);

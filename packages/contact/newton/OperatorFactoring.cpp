@@ -22,6 +22,10 @@ class ByOperator final : public Factoring {
     r_.forEachFollower([&](Index i, Index leader, double factor) {
       system.followers.push_back({i, leader, factor});
     });
+    for (Index i = r_.problem.normals; i < r_.n; ++i)
+      for (const NormalShare& part : r_.boundParts[at(i)])
+        if (!r_.isKnown(i) && !r_.isKnown(part.normal) && part.value != 0)
+          system.entries.push_back({i, part.normal, part.value / r_.divisor(i)});
     factor_ = r_.problem.flexibility.factor(system);
 
     const Index held = responses_.columns();

@@ -43,8 +43,7 @@ std::vector<std::size_t> differences(const ActiveSet& a, const ActiveSet& b) {
 // what closes its gap alone.
 double violation(const Equation& equation, const Evaluation& e, std::size_t i) {
   const double natural = std::abs(e.natural[i]);
-  const auto k = static_cast<Index>(i);
-  const double flexibility = equation.problem().flexibility(k, k);
+  const double flexibility = equation.problem().flexibility.diagonal()[i];
   const bool byGap = natural == std::abs(e.penetration[i]) && flexibility > 0;
   return byGap ? natural / (equation.weights()[i] * flexibility) : natural;
 }

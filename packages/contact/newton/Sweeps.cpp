@@ -75,6 +75,8 @@ class Sweeper {
 }  // namespace
 
 Vector smoothed(const Equation& equation, Vector unknowns) {
+  if (!equation.problem().flexibility.isFormed())
+    return unknowns;
   Evaluation e = equation.at(unknowns);
   if (e.converged)
     return unknowns;

@@ -20,6 +20,7 @@ Vector transposeTimes(const Linearisation& point, const Vector& v) {
   const Problem& problem = equation.problem();
   const Index n = problem.size();
   Vector result(v.size(), 0.0);
+  Vector factors;
   for (Index i = 0; i < n; ++i) {
     const Complementarity::Value& row = e.linear.rows[at(i)];
     result[at(i)] += row.multiplier * v[at(i)];
@@ -28,13 +29,13 @@ Vector transposeTimes(const Linearisation& point, const Vector& v) {
       for (const NormalShare& slope : e.linear.stepBounds[t].slopes)
         result[at(slope.normal)] += row.bound * slope.value * v[at(i)];
     }
-    const double factor = row.penetration * equation.weights()[at(i)] * v[at(i)];
-    const double* column = problem.flexibility.column(i);
-    for (Index j = 0; j < n && factor != 0; ++j)
-      result[at(j)] -= factor * column[j];
+    factors.push_back(row.penetration * equation.weights()[at(i)] * v[at(i)]);
     for (Index j = 0; j < problem.rigidMotions(); ++j)
-      result[at(n + j)] += factor * problem.rigid(i, j);
+      result[at(n + j)] += factors.back() * problem.rigid(i, j);
   }
+  const Vector throughD = problem.flexibility.times(factors);
+  for (Index i = 0; i < n; ++i)
+    result[at(i)] -= throughD[at(i)];
   for (Index j = 0; j < problem.rigidMotions(); ++j) {
     const double factor = v[at(n + j)] / equation.balanceScales()[at(j)];
     for (Index i = 0; i < n; ++i)

@@ -16,6 +16,7 @@ constexpr double growthLimit = 1e6;
 constexpr double hasFallen = 0.999;       // a cycle repeats its residual up to rounding
 constexpr std::size_t patientSteps = 12;  // without progress
 constexpr std::size_t pivotingSteps = 20;
+constexpr int many = 16;           // changes of sets that are settling as a whole
 constexpr std::size_t memory = 4;  // steps looked at for restless coefficients
 
 int differences(const ActiveSet& a, const ActiveSet& b) {
@@ -60,6 +61,11 @@ void StepTest::record(const Evaluation& e) {
   if (sets_.empty() || e.scaled < 0.5 * improved_) {
     improved_ = e.scaled;
     progress_ = sets_.size();
+  }
+  if (!sets_.empty() && run_.setChanges.back() < settling_ / 2) {
+    settling_ = run_.setChanges.back();
+    if (settling_ >= many)
+      progress_ = sets_.size();
   }
   if (e.scaled < least_) {
     least_ = e.scaled;

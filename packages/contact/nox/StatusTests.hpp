@@ -5,6 +5,7 @@
 
 #include <NOX_StatusTest_Generic.H>
 
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -44,6 +45,7 @@ class StepTest final : public NOX::StatusTest::Generic {
   double least_ = 0;
   double improved_ = 0;       // the residual at the last real progress
   std::size_t progress_ = 0;  // and the step
+  int settling_ = std::numeric_limits<int>::max();  // fewest changes of a step
 };
 
 }  // namespace epafi::contact

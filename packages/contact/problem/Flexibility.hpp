@@ -31,11 +31,10 @@ class Flexibility {
     };
     virtual Product product(const Vector& x) const = 0;
     virtual Vector times(const Vector& x) const = 0;
-    /// All of D, formed when it is asked for where isFormed() is false.
-    /// \throws bem::NumericalError where it is too large for that.
-    virtual const Matrix& entries() const = 0;
-    /// Are the entries there, so that linear systems may be made of them?
-    virtual bool isFormed() const { return true; }
+    /// D_ii
+    virtual Vector diagonal() const = 0;
+    /// All of D; null where it is not formed.
+    virtual const Matrix* entries() const { return nullptr; }
 
     /// A linear system in some of the coefficients.
     struct System {
@@ -48,15 +47,22 @@ class Flexibility {
         double factor;
       };
       std::vector<Follower> followers;
+      /// Added to D between two of the rows, whose coefficients belong to one element.
+      struct Entry {
+        Index row;
+        Index column;
+        double value;
+      };
+      std::vector<Entry> entries;
     };
     class Factor {
      public:
       virtual ~Factor() = default;
-      /// x with  Σ_j D_ij x_j + shift_i x_i = b_i  in the rows i, where all other x_j are
+      /// x with  Σ_j (D + entries)_ij x_j + shift_i x_i = b_i  in the rows i, where all other x_j are
       /// known_j + Σ factor x_leader; `b` by rows.
       virtual Vector solve(const Vector& b, const Vector& known) const = 0;
     };
-    /// \pre not isFormed().  \throws bem::NumericalError if it is singular.
+    /// \pre entries() are not there.  \throws bem::NumericalError if it is singular.
     virtual std::unique_ptr<Factor> factor(const System&) const { return nullptr; }
   };
 
@@ -73,14 +79,16 @@ class Flexibility {
   const Vector& responses(Index normals) const;
   Vector times(const Vector& x) const { return operator_->times(x); }
 
-  /// D may know how to solve without its entries; they are formed when asked for.
+  /// D_ii; found once for all that share D.
+  const Vector& diagonal() const;
+
+  /// Are the entries there?  D may know how to solve without.
   bool isFormed() const { return entries_ != nullptr; }
   std::unique_ptr<Operator::Factor> factor(const Operator::System& system) const {
     return operator_->factor(system);
   }
-  const Matrix& entries() const {
-    return entries_ != nullptr ? *entries_ : operator_->entries();
-  }
+  /// \pre isFormed()
+  const Matrix& entries() const { return *entries_; }
   const double* column(Index j) const { return entries().column(j); }
 
   double operator()(Index i, Index j) const { return entries()(i, j); }
@@ -90,6 +98,7 @@ class Flexibility {
   struct Found {
     std::mutex mutex;
     std::map<Index, Vector> responses;  ///< by the number of normals
+    Vector diagonal;
   };
 
   std::shared_ptr<const Operator> operator_;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "bem/compressed/ClusterPart.hpp"
+#include "bem/compressed/ClusterTree.hpp"
+#include "bem/compressed/LocalCoupling.hpp"
+#include "bem/compressed/LocalFunctions.hpp"
+
+namespace epafi::bem {
+
+/// What one body has in a compressed system, its unknowns in an order of their own: those of
+/// its space and then further ones.
+struct BodyShare {
+  std::vector<Index> numbers;  ///< of its unknowns among all
+  std::vector<Unknown> unknowns;
+  std::vector<LocalCoupling::Entry> entries;  ///< between its own
+  /// Of each unknown, the leaves of others on which it acts.
+  std::vector<std::vector<int>> abroad;
+  std::vector<ClusterPart> parts;  ///< by cluster
+};
+
+/// Bodies' shares side by side, their unknowns numbered among all: skeletons one behind the
+/// other, and with the entries between bodies.  Clusters have the same numbers in all trees,
+/// of which this is one.
+std::vector<ClusterPart> joined(std::vector<BodyShare> shares,
+                                const std::vector<LocalCoupling::Entry>& between,
+                                const ClusterTree& tree, Index unknowns);
+
+}  // namespace epafi::bem

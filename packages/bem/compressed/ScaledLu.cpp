@@ -1,0 +1,55 @@
+#include "bem/compressed/ScaledLu.hpp"
+
+#include "bem/algebra/Blas.hpp"
+#include "bem/base/Error.hpp"
+#include "bem/compressed/ByColumns.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::bem {
+
+namespace {
+
+void scaleRows(const Vector& scales, Matrix& x) {
+  for (Index j = 0; j < x.columns(); ++j)
+    for (Index i = 0; i < x.rows(); ++i)
+      x(i, j) *= scales[at(i)];
+}
+
+}  // namespace
+
+ScaledLu::ScaledLu(Matrix matrix)
+    : lu_(std::move(matrix)), scales_(at(lu_.rows())), pivots_(at(lu_.rows())) {
+  const int n = static_cast<int>(lu_.rows());
+  if (n == 0)
+    return;
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i)
+      scales_[at(i)] = std::max(scales_[at(i)], std::abs(lu_(i, j)));
+  for (double& scale : scales_)
+    scale = scale > 0 ? 1 / scale : 1;
+  scaleRows(scales_, lu_);
+  const int lda = static_cast<int>(lu_.stride());
+  int info = 0;
+  dgetrf_(&n, &n, lu_.data(), &lda, pivots_.data(), &info);
+  if (info != 0)
+    throw NumericalError("the compressed system is singular");
+}
+
+void ScaledLu::solve(Matrix& x) const {
+  const int n = static_cast<int>(lu_.rows());
+  if (n == 0)
+    return;
+  scaleRows(scales_, x);
+  const int lda = static_cast<int>(lu_.stride());
+  const int ldb = static_cast<int>(x.stride());
+  byColumns(x.columns(), [&](Index first, Index count) {
+    const int columns = static_cast<int>(count);
+    int info = 0;
+    dgetrs_("N", &n, &columns, lu_.data(), &lda, pivots_.data(), x.column(first), &ldb,
+            &info);
+  });
+}
+
+}  // namespace epafi::bem

@@ -1,0 +1,312 @@
+#include "bem/compressed/Skeletons.hpp"
+
+#include "bem/compressed/CoupledEntries.hpp"
+#include "bem/compressed/NearBlocks.hpp"
+#include "bem/compressed/ProxyRows.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::bem {
+
+namespace {
+
+double length(Vec2 a) { return std::sqrt(dot(a, a)); }
+
+/// An interpolation of some places among all, of which others stay as they are.
+Interpolation spread(Interpolation some, const std::vector<Index>& places,
+                     const std::vector<Index>& staying) {
+  for (std::vector<Index>* own : {&some.skeleton, &some.rest})
+    for (Index& place : *own)
+      place = places[at(place)];
+  if (staying.empty())
+    return some;
+  some.skeleton.insert(some.skeleton.end(), staying.begin(), staying.end());
+  Matrix weights(some.rows(), some.weights.columns());
+  for (Index j = 0; j < weights.columns(); ++j)
+    std::copy_n(some.weights.column(j), some.weights.rows(), weights.column(j));
+  some.weights = std::move(weights);
+  return some;
+}
+
+class Builder {
+ public:
+  Builder(BodyShare& out, const Space& space, const Lame& lame, const ClusterTree& tree,
+          const Compression& options)
+      : out_(out),
+        tree_(tree),
+        space_(space),
+        lame_(lame),
+        young_(youngOf(lame_)),
+        options_(options),
+        near_(space_, lame_, tree),
+        added_(out.unknowns.size()),
+        largestAdded_(out.unknowns.size()) {
+    for (const LocalCoupling::Entry& entry : out.entries) {
+      added_[at(entry.row)].push_back({entry.column, entry.value});
+      if (entry.row != entry.column)
+        added_[at(entry.column)].push_back({entry.row, entry.value});
+      for (const Index i : {entry.row, entry.column})
+        largestAdded_[at(i)] = std::max(largestAdded_[at(i)], std::abs(entry.value));
+    }
+  }
+
+  void build() {
+    out_.parts.resize(static_cast<std::size_t>(tree_.size()));
+    fillLeaves();
+    for (int l = tree_.levels() - 1; l >= 0; --l) {
+      const std::vector<int>& level = tree_.level(l);
+      for (const int c : level)
+        if (!tree_[c].isLeaf())
+          gather(c);
+#pragma omp parallel
+      {
+        Worker worker(*this);
+#pragma omp for schedule(dynamic, 1)
+        for (std::size_t k = 0; k < level.size(); ++k) {
+          worker.fillBlock(level[k]);
+          if (l > 0 && !tree_[level[k]].isEmpty())
+            worker.compress(level[k]);
+        }
+      }
+    }
+  }
+
+ private:
+  struct Added {
+    Index other;
+    double value;
+  };
+
+  /// One for each thread.
+  class Worker {
+   public:
+    explicit Worker(const Builder& builder)
+        : builder_(builder),
+          entries_(builder.space_, builder.lame_, builder.near_, builder.out_.unknowns),
+          proxies_(builder.space_, builder.lame_, builder.out_.unknowns,
+                   builder.options_.ratio, builder.options_.tolerance),
+          places_(builder.out_.unknowns.size(), -1) {}
+
+    void fillBlock(int c) {
+      const Cluster& cluster = builder_.tree_[c];
+      ClusterPart& part = builder_.part(c);
+      if (cluster.isLeaf()) {
+        part.block = entries_.symmetric(part.active);
+        addLocal(part.active, part.active, part.block);
+      } else {
+        part.block = entriesOf(builder_.part(cluster.children[0]).skeleton,
+                               builder_.part(cluster.children[1]).skeleton);
+      }
+    }
+
+    void compress(int c) {
+      ClusterPart& part = builder_.part(c);
+      const std::vector<Index> near = builder_.nearUnknowns(c);
+      const double radius = builder_.tree_[c].radius;
+      // what acts on another body outside the cluster stays as it is
+      std::vector<Index> staying;
+      std::vector<Index> places;
+      std::vector<Index> active;
+      for (std::size_t j = 0; j < part.active.size(); ++j)
+        if (builder_.actsOutside(part.active[j], c)) {
+          staying.push_back(static_cast<Index>(j));
+        } else {
+          places.push_back(static_cast<Index>(j));
+          active.push_back(part.active[j]);
+        }
+      const auto n = static_cast<Index>(active.size());
+      const Matrix entries = entriesOf(near, active);
+      const Matrix fields = proxies_(builder_.tree_, c, active);
+      const Weighting weight(builder_, part.active.size(), radius);
+      const double stiffness = std::sqrt(builder_.young_);
+      // a point's share of the circle
+      const double share =
+          stiffness * std::sqrt(2 * 3.14159265358979323846 * options().ratio * radius /
+                                proxies_.points());
+      constexpr Index forces = 2;
+      const Index first = fields.rows() + forces;
+      Matrix a(first + entries.rows(), n);
+      Vector sizes;
+      double largest = 0;
+      for (const Index row : near)
+        sizes.push_back(weight(row));
+      for (Index j = 0; j < n; ++j) {
+        const Index unknown = active[at(j)];
+        const double own = weight(unknown);
+        double square = 0;
+        for (Index i = 0; i < fields.rows(); ++i) {
+          a(i, j) = own * share * fields(i, j);
+          square += a(i, j) * a(i, j);
+        }
+        largest = std::max(largest, square);
+        const auto [component, force] = builder_.netForce(unknown);
+        a(fields.rows() + component, j) = own / stiffness * std::sqrt(radius) * force;
+        for (Index i = 0; i < entries.rows(); ++i)
+          a(first + i, j) = own * sizes[at(i)] * entries(i, j);
+      }
+      Interpolation kept;
+      if (n > 0)
+        kept = interpolateColumns(std::move(a), options().tolerance * std::sqrt(largest));
+      part.weights = spread(std::move(kept), places, staying);
+      for (const Index k : part.weights.skeleton)
+        part.skeleton.push_back(part.active[at(k)]);
+      // from scaled columns to those of the unknowns
+      Vector own;
+      for (const Index unknown : part.active)
+        own.push_back(weight(unknown));
+      Matrix& weights = part.weights.weights;
+      for (Index j = 0; j < weights.columns(); ++j)
+        for (Index i = 0; i < weights.rows(); ++i)
+          weights(i, j) *=
+              own[at(part.weights.skeleton[at(i)])] / own[at(part.weights.rest[at(j)])];
+    }
+
+   private:
+    const Compression& options() const { return builder_.options_; }
+
+    Matrix entriesOf(const std::vector<Index>& rows, const std::vector<Index>& columns) {
+      Matrix result = entries_(rows, columns);
+      addLocal(rows, columns, result);
+      return result;
+    }
+
+    void addLocal(const std::vector<Index>& rows, const std::vector<Index>& columns,
+                  Matrix& result) {
+      const auto& added = builder_.added_;
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        places_[at(rows[i])] = static_cast<Index>(i);
+      for (std::size_t j = 0; j < columns.size(); ++j)
+        for (const Added& entry : added[at(columns[j])])
+          if (places_[at(entry.other)] >= 0)
+            result(places_[at(entry.other)], static_cast<Index>(j)) += entry.value;
+      for (const Index row : rows)
+        places_[at(row)] = -1;
+    }
+
+    const Builder& builder_;
+    CoupledEntries entries_;
+    ProxyRows proxies_;
+    std::vector<Index> places_;
+  };
+
+  /// What makes unknowns of a cluster comparable: functions of size one in L², densities in
+  /// stresses of Young's modulus, displacements over the cluster's radius.  Elements much shorter than the
+  /// cluster's unknowns are apart count as longer; with their own sizes graded meshes would
+  /// have larger ranks.
+  class Weighting {
+   public:
+    Weighting(const Builder& builder, std::size_t count, double radius)
+        : builder_(builder),
+          radius_(radius),
+          stiffness_(std::sqrt(builder.young_)),
+          shortest_(4 * radius / static_cast<double>(count)) {}
+
+    double operator()(Index unknown) const {
+      const Mesh& mesh = builder_.space_.mesh();
+      const Unknown& u = builder_.out_.unknowns[at(unknown)];
+      const Element& element = mesh[u.element];
+      const double own = 2 * element.half;
+      if (u.local < 0)
+        return stiffness_ * std::sqrt(std::max(own, shortest_)) /
+               builder_.largestAdded_[at(unknown)];
+      const LocalFunctions local(element);
+      if (u.local >= local.displacements) {
+        const int i = (u.local - local.displacements) / 2;
+        return stiffness_ * std::sqrt(std::max(own, shortest_) * (2 * i + 1)) / own;
+      }
+      const double size = u.isNode ? element.half + mesh[element.previous].half : own;
+      // ∫ φ_k² dt on [-1, 1] over that of a hat
+      const int k = u.local / 2;
+      const double square = k < 2 ? 1 : 3.0 / ((2 * k + 1) * (2 * k - 3));
+      return radius_ / stiffness_ / std::sqrt(std::max(size, shortest_) * square);
+    }
+
+   private:
+    const Builder& builder_;
+    double radius_;
+    double stiffness_;
+    double shortest_;
+  };
+
+  ClusterPart& part(int c) const { return out_.parts[static_cast<std::size_t>(c)]; }
+
+  void fillLeaves() {
+    for (std::size_t i = 0; i < out_.unknowns.size(); ++i)
+      part(tree_.leafOf(out_.unknowns[i].element))
+          .active.push_back(static_cast<Index>(i));
+  }
+
+  bool actsOutside(Index unknown, int c) const {
+    const std::vector<int>& leaves = out_.abroad[at(unknown)];
+    return std::any_of(leaves.begin(), leaves.end(),
+                       [&](int leaf) { return !tree_.contains(c, leaf); });
+  }
+
+  void gather(int c) {
+    for (const int child : tree_[c].children)
+      part(c).active.insert(part(c).active.end(), part(child).skeleton.begin(),
+                            part(child).skeleton.end());
+  }
+
+  /// The force that a unit of an unknown puts on the body, and its component.
+  std::pair<Index, double> netForce(Index unknown) const {
+    const Unknown& u = out_.unknowns[at(unknown)];
+    const Element& element = space_.mesh()[u.element];
+    const int i = u.local - LocalFunctions(element).displacements;
+    return {i == 1 ? 1 : 0, i == 0 || i == 1 ? 2 * element.half : 0};
+  }
+
+  /// Does an unknown's function reach into the circle of radius r around a cluster?
+  bool reaches(Index unknown, int c, double r) const {
+    const Mesh& mesh = space_.mesh();
+    const Unknown& u = out_.unknowns[at(unknown)];
+    const auto touches = [&](int e) {
+      return length(tree_.fromCentre(c, mesh.at(e, 0))) - mesh[e].half < r;
+    };
+    return touches(u.element) || (u.isNode && touches(mesh[u.element].previous));
+  }
+
+  /// Those of other clusters of the level that proxies do not stand for.
+  std::vector<Index> nearUnknowns(int c) const {
+    const ClusterTree& tree = tree_;
+    const double r = options_.ratio * tree[c].radius;
+    std::vector<Index> near;
+    std::vector<int> waiting = {0};
+    constexpr double slack = 2;  // circles of children may stick out of their parents'
+    while (!waiting.empty()) {
+      const int other = waiting.back();
+      waiting.pop_back();
+      if (other == c || tree[other].isEmpty() ||
+          length(tree.between(c, other)) > r + slack * tree[other].radius)
+        continue;
+      if (!tree[other].isLeaf() && tree[other].level < tree[c].level) {
+        waiting.insert(waiting.end(), {tree[other].children[1], tree[other].children[0]});
+        continue;
+      }
+      for (const Index unknown : part(other).active)
+        if (reaches(unknown, c, r))
+          near.push_back(unknown);
+    }
+    return near;
+  }
+
+  BodyShare& out_;
+  const ClusterTree& tree_;
+  const Space& space_;
+  Lame lame_;
+  double young_;
+  const Compression& options_;
+  NearBlocks near_;
+  std::vector<std::vector<Added>> added_;
+  Vector largestAdded_;
+};
+
+}  // namespace
+
+void skeletonise(BodyShare& share, const Space& space, const Lame& lame,
+                 const ClusterTree& tree, const Compression& options) {
+  Builder(share, space, lame, tree, options).build();
+}
+
+}  // namespace epafi::bem
