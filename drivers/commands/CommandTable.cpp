@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Parameters.hpp"
+#include "drivers/commands/BashCompletion.hpp"
 #include "drivers/commands/Commands.hpp"
 #include "drivers/commands/FieldsCommand.hpp"
 #include "drivers/commands/FirstRank.hpp"

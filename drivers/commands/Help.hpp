@@ -19,8 +19,7 @@ std::string helpOf(const std::vector<Command>& commands);
 /// The commands with their purposes, a line each.
 std::string listOf(const std::vector<Command>& commands);
 
-/// The same as a page for man(1), as a completion for bash.
+/// The same as a page for man(1).
 std::string manPage(const std::vector<Command>& commands);
-std::string bashCompletion(const std::vector<Command>& commands);
 
 }  // namespace epafi::drivers

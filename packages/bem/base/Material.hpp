@@ -7,7 +7,7 @@ namespace epafi::bem {
 /// A linear elastic, isotropic, homogeneous material in the plane.
 struct Material {
   double youngsModulus = 1;    ///< E > 0 [stress]
-  double poissonsRatio = 0.3;  ///< -1 < nu < 1/2 [-]
+  double poissonsRatio = 0.3;  ///< -1 < nu <= 1/2 [-]
   bool planeStress = false;    ///< else plane strain
 };
 

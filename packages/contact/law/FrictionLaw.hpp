@@ -49,7 +49,7 @@ struct FrictionLawMember {
   std::function<std::shared_ptr<const FrictionLaw>(const Teuchos::ParameterList&)> make;
 };
 
-/// All laws: None, Tresca, Coulomb, Tied, and what a program adds.
+/// All laws: Epafi's own, and what a program adds.
 bem::Family<FrictionLawMember>& frictionLaws();
 
 /// Law, and under each law its own keys.
