@@ -66,54 +66,55 @@ struct Moved {
   std::string words;  ///< "drives Bodies->pad in the direction (0, 1)"
 };
 
+/// To three digits of a unit, zero without a sign.
 double tidy(double x, double unit) {
-  return std::round(1000 * x / unit) / 1000 * unit + 0.0;  // no -0 }
+  return std::round(1000 * x / unit) / 1000 * unit + 0.0;
+}
 
-  std::string direction(bem::Vec2 u) {
-    const double size = norm(u);
-    return bem::message(" in the direction (", tidy(u.x / size, 1), ", ",
-                        tidy(u.y / size, 1), ")");
-  }
+std::string direction(bem::Vec2 u) {
+  const double size = norm(u);
+  return bem::message(" in the direction (", tidy(u.x / size, 1), ", ",
+                      tidy(u.y / size, 1), ")");
+}
 
-  /// Of a rigid displacement: U + θ e_z x (x - c), c the nodes' mean.
-  Moved movedBy(const Vector& u, const bem::Space& space, const Body& body) {
-    const bem::Mesh& mesh = space.mesh();
-    bem::Vec2 centre;
-    bem::Vec2 mean;
-    for (int e = 0; e < mesh.size(); ++e) {
-      centre = centre + (1.0 / mesh.size()) * mesh.scaledPoint(e, -1);
-      mean = mean + (1.0 / mesh.size()) * space.displacementAt(u, e, -1);
-    }
-    double turn = 0;
-    double squares = 0;
-    double farthest = 0;
-    for (int e = 0; e < mesh.size(); ++e) {
-      const bem::Vec2 arm = mesh.scaledPoint(e, -1) - centre;
-      turn += cross(arm, space.displacementAt(u, e, -1) - mean);
-      squares += dot(arm, arm);
-      farthest = std::max(farthest, norm(arm));
-    }
-    turn /= squares;
-    const double arc = std::abs(turn) * farthest;
-    const bool turns = arc > 1e-6 * norm(mean);
-    std::string how = direction(mean);
-    if (turns) {
-      const bem::Vec2 pole = body.outline->physical(centre + (1 / turn) * turnLeft(mean));
-      const double length = body.outline->diameter();
-      how =
-          bem::message(" about (", tidy(pole.x, length), ", ", tidy(pole.y, length), ")");
-    }
-    return {norm(mean) + arc,
-            (turns ? "turns Bodies->" : "drives Bodies->") + body.name + how};
+/// Of a rigid displacement: U + θ e_z x (x - c), c the nodes' mean.
+Moved movedBy(const Vector& u, const bem::Space& space, const Body& body) {
+  const bem::Mesh& mesh = space.mesh();
+  bem::Vec2 centre;
+  bem::Vec2 mean;
+  for (int e = 0; e < mesh.size(); ++e) {
+    centre = centre + (1.0 / mesh.size()) * mesh.scaledPoint(e, -1);
+    mean = mean + (1.0 / mesh.size()) * space.displacementAt(u, e, -1);
   }
+  double turn = 0;
+  double squares = 0;
+  double farthest = 0;
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bem::Vec2 arm = mesh.scaledPoint(e, -1) - centre;
+    turn += cross(arm, space.displacementAt(u, e, -1) - mean);
+    squares += dot(arm, arm);
+    farthest = std::max(farthest, norm(arm));
+  }
+  turn /= squares;
+  const double arc = std::abs(turn) * farthest;
+  const bool turns = arc > 1e-6 * norm(mean);
+  std::string how = direction(mean);
+  if (turns) {
+    const bem::Vec2 pole = body.outline->physical(centre + (1 / turn) * turnLeft(mean));
+    const double length = body.outline->diameter();
+    how = bem::message(" about (", tidy(pole.x, length), ", ", tidy(pole.y, length), ")");
+  }
+  return {norm(mean) + arc,
+          (turns ? "turns Bodies->" : "drives Bodies->") + body.name + how};
+}
 
-  Moved movedBy(const std::array<double, 3>& components, const RigidBody& body) {
-    const bem::Vec2 slide{components[0], components[1]};
-    const double turn = std::abs(components[2]);
-    return {norm(slide) + turn, turn > 1e-6 * norm(slide)
-                                    ? "turns Bodies->" + body.name
-                                    : "drives Bodies->" + body.name + direction(slide)};
-  }
+Moved movedBy(const std::array<double, 3>& components, const RigidBody& body) {
+  const bem::Vec2 slide{components[0], components[1]};
+  const double turn = std::abs(components[2]);
+  return {norm(slide) + turn, turn > 1e-6 * norm(slide)
+                                  ? "turns Bodies->" + body.name
+                                  : "drives Bodies->" + body.name + direction(slide)};
+}
 
 }  // namespace
 
@@ -139,7 +140,8 @@ std::string unresisted(const Scene& scene, const BodySpaces& spaces,
         components[c] = *next++;
     keepLarger(movedBy(components, body));
   }
-  return "the load " + most.words + ", and neither contact nor friction holds it";
+  return "the load " + most.words +
+         ", a rigid motion that neither contact nor friction holds";
 }
 
 }  // namespace epafi::drivers

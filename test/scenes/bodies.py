@@ -258,6 +258,11 @@ refused("an interference that is no number", [A, B],
         contact("c", "a:bottom", "b:top", parameter("Interference", "string", "1/0")),
         "Interference")
 
+# a bulge far below rounding is none
+flat = [run(shipped, "flat", ["Adaptivity->Maximum Levels=1", "Bodies->pad->Geometry->Bulges={0, %g, 0, 0}" %
+                              bulge])[0][0]["estimate"] for bulge in (0, 1e-16, 1e-160, 1e-300)]
+claim(largest(estimate / flat[0] - 1 for estimate in flat) < 1e-10, "bulges of nothing: %s" % flat)
+
 # what no contact holds is named
 PAD = "Bodies->pad->Boundary Conditions->top={Type=Neumann, Traction X=%g, Traction Y=%g}"
 PUNCH = "Bodies->punch->Motion={Force Y=%s, Moment=%s}"
