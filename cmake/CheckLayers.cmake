@@ -10,8 +10,8 @@ set(layers bem contact adaptivity drivers)
 # Folders of one floor, divided by |, may include each other.  A layer without floors is free.
 set(bem_floors base|simd algebra basis quadrature geometry mesh moments kernel space
   operators|tractions compressed fields tpetra)
-set(contact_floors law conditions multiplier problem equation path newton solve
-  tresca coulomb nox)
+set(contact_floors law conditions multiplier problem stabilization body opposite compressed system
+  results equation path newton solve tresca coulomb nox)
 set(adaptivity_floors singular refine mark estimate)
 set(drivers_floors triangulate process scene run output study commands bench)
 set(border "^(packages/bem/tpetra/|packages/contact/nox/|drivers/)")

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Runs the studies behind doc/benchmarks and writes their tables and the picture.
 
-    study_tables.py EPAFI [--study work-precision] [--study ablation] [--output DIR]
-                    [--threads N] [--tables-only]
+    study_tables.py EPAFI [--study work-precision] [--study ablation] [--study stabilization]
+                    [--output DIR] [--threads N] [--tables-only]
 
-Without --study both.  A study goes to DIR/<name>; with --tables-only that of an earlier run is
+Without --study all.  A study goes to DIR/<name>; with --tables-only that of an earlier run is
 read.  Between the lines "<!-- table NAME -->" and "<!-- end -->" of README.md and
 doc/benchmarks/*.md the tables are replaced, doc/benchmarks/work-precision.png is copied.
 
@@ -139,7 +139,68 @@ def write_ablation(folder):
         "failures": failure_lines(study)})
 
 
-WRITERS = {"work-precision": write_work_precision, "ablation": write_ablation}
+def finest_table(study, kind):
+    """The last level of the variants with that strategy in their names."""
+    def numbers(rows):
+        last = rows[-1]
+        effectivity = [float(row["effectivity"]) for row in rows if row["effectivity"]]
+        return [last["dof"], "%.2e" % float(last["error"]),
+                "%.2e" % float(last["error_multiplier"]),
+                "%.1f to %.1f" % (min(effectivity), max(effectivity)),
+                "%d" % max(int(row["newton_iterations"]) for row in rows)]
+
+    return markdown(["%s, finest mesh" % kind, "unknowns", "u, ψ", "λ",
+                     "estimate / error, all levels", "Newton, most"],
+                    [[scene + ", " + variant.replace(", " + kind, "")]
+                     + numbers(study.levels(scene, variant))
+                     for scene in study.scenes for variant in study.variants
+                     if kind in variant and study.levels(scene, variant)])
+
+
+def reached_table(study, kind, bounds):
+    """Unknowns of the first level below each bound."""
+    def dof(scene, variant, bound):
+        level = study.first(scene, variant, bound)
+        return "-" if level is None else level["dof"]
+
+    return markdown(["%s, unknowns for an error of u, ψ of" % kind]
+                    + ["%.0e" % bound for bound in bounds],
+                    [[scene + ", " + variant.replace(", " + kind, "")]
+                     + [dof(scene, variant, bound) for bound in bounds]
+                     for scene in study.scenes for variant in study.variants
+                     if kind in variant]).replace("e-0", "e-")
+
+
+def sweep_table(study):
+    """Errors of u, psi and of lambda at each value of the swept key."""
+    def cell(row):
+        if row["status"] != "converged":
+            return "fails"
+        return "%.3g, %.3g" % (float(row["error"]), float(row["error_multiplier"]))
+
+    swept = [row for row in study.rows if row["sweep_value"]]
+    values = unique(row["sweep_value"] for row in swept)
+    cells = {}
+    for row in swept:
+        name = row["scene"] + ", " + row["variant"].rsplit(", ", 1)[0].replace(", gamma0", "")
+        cells.setdefault(name, {})[row["sweep_value"]] = cell(row)
+    return markdown(["u, ψ and λ at γ₀ ="] + ["%g" % float(value) for value in values],
+                    [[name] + [row.get(value, "-") for value in values]
+                     for name, row in cells.items()])
+
+
+def write_stabilization(folder):
+    study = Study(folder)
+    replace(os.path.join(BENCHMARKS, "stabilization.md"), {
+        "uniform": "\n\n".join(finest_table(study, kind)
+                               for kind in ("uniform h, p=1", "uniform h, p=2")),
+        "graded": reached_table(study, "graded hp", [1e-3, 1e-4, 1e-5]),
+        "sweep": sweep_table(study),
+        "references": reference_lines(study)})
+
+
+WRITERS = {"work-precision": write_work_precision, "ablation": write_ablation,
+           "stabilization": write_stabilization}
 
 
 def main():

@@ -1,6 +1,6 @@
 #include "bem/base/Error.hpp"
-#include "contact/problem/Loads.hpp"
-#include "contact/problem/Obstacle.hpp"
+#include "contact/body/Loads.hpp"
+#include "contact/opposite/Obstacle.hpp"
 #include "drivers/commands/Commands.hpp"
 #include "drivers/commands/PlotCommand.hpp"
 #include "drivers/output/Csv.hpp"

@@ -1,6 +1,6 @@
 #include "drivers/output/FieldFiles.hpp"
 
-#include "contact/problem/ContactFields.hpp"
+#include "contact/results/ContactFields.hpp"
 #include "drivers/output/Csv.hpp"
 #include "drivers/output/FieldGrid.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/problem/ContactFields.hpp"
+#include "contact/results/ContactFields.hpp"
 #include "drivers/run/Level.hpp"
 #include "drivers/scene/Scene.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "contact/problem/ContactFields.hpp"
-#include "contact/problem/Summary.hpp"
+#include "contact/results/ContactFields.hpp"
+#include "contact/results/Summary.hpp"
 #include "drivers/run/Level.hpp"
 #include "drivers/scene/Scene.hpp"
 

@@ -2,17 +2,14 @@
 
 #include "bem/geometry/Outline.hpp"
 #include "drivers/output/FieldGrid.hpp"
-#include "drivers/run/Level.hpp"
+#include "drivers/output/SolutionArrays.hpp"
 #include "drivers/scene/Scene.hpp"
 
-#include <array>
 #include <string>
 #include <vector>
 
 namespace epafi::drivers {
 
-/// The ends of the outline's edges, in the user's coordinates.
-using EdgeEnds = std::array<double, 4>;
 std::vector<EdgeEnds> edgeEnds(const bem::Outline& outline);
 
 /// A level with what stands around it in its run: what solution.hdf keeps for a run that
@@ -34,8 +31,8 @@ struct Checkpoint {
 ///   /Epafi   all numbers that the next level is made from, with a checksum
 ///
 /// Its bytes, from what every process has whole.
-/// `grid`: see fieldGrid; `steps`: steps.csv so far, empty without a History; `resultants`: bodies.csv so far,
-/// likewise without several bodies.
+/// `grid`: see fieldGrid; `steps`: steps.csv so far, empty without a History; `resultants`:
+/// bodies.csv so far, likewise without several bodies.
 std::string solutionFile(const Scene& scene, const SolvedLevel& level,
                          const FieldGrid& grid, const std::string& used,
                          const std::string& history, const std::string& steps = "",

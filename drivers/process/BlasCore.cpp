@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <dlfcn.h>
 #include <iterator>
-#include <omp.h>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -76,13 +75,5 @@ void restartWithFastBlas(char* const argv[]) {
   for (const char* variable : set)  // no /proc: go on as we are
     unsetenv(variable);
 }
-
-void setThreads(int threads) {
-  omp_set_num_threads(threads);
-  if (const auto set = blasFunction<void(int)>("openblas_set_num_threads"))
-    set(threads);
-}
-
-int threads() { return omp_get_max_threads(); }
 
 }  // namespace epafi::drivers

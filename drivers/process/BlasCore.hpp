@@ -15,10 +15,4 @@ namespace epafi::drivers {
 /// Returns if there is nothing to do, or if the restart fails.
 void restartWithFastBlas(char* const argv[]);
 
-/// Threads of OpenMP and BLAS together.
-void setThreads(int threads);
-
-/// What OpenMP will use.
-int threads();
-
 }  // namespace epafi::drivers

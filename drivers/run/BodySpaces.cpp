@@ -1,6 +1,6 @@
 #include "drivers/run/BodySpaces.hpp"
 
-#include "contact/problem/ContactProblem.hpp"
+#include "contact/system/ContactProblem.hpp"
 
 #include <algorithm>
 #include <cmath>

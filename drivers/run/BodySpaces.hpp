@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/problem/FacingBodies.hpp"
+#include "contact/opposite/FacingBodies.hpp"
 #include "drivers/run/Level.hpp"
 #include "drivers/scene/Scene.hpp"
 

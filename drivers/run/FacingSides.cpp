@@ -2,7 +2,7 @@
 
 #include "adaptivity/singular/Transitions.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
-#include "contact/problem/NormalRay.hpp"
+#include "contact/opposite/NormalRay.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "drivers/run/Forecast.hpp"
 
 #include "bem/base/Error.hpp"
-#include "contact/problem/CompressedFlexibility.hpp"
+#include "contact/compressed/CompressedFlexibility.hpp"
 #include "drivers/process/Memory.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "adaptivity/estimate/Indicators.hpp"
 #include "contact/equation/ContactState.hpp"
-#include "contact/problem/Summary.hpp"
+#include "contact/results/Summary.hpp"
 #include "contact/solve/Report.hpp"
 
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "contact/equation/Equilibrium.hpp"
-#include "contact/problem/ContactSystem.hpp"
 #include "contact/solve/Report.hpp"
+#include "contact/system/ContactSystem.hpp"
 #include "drivers/run/BodySpaces.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/problem/ContactSystem.hpp"
+#include "contact/system/ContactSystem.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/Level.hpp"
 #include "drivers/scene/Scene.hpp"

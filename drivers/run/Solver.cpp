@@ -1,6 +1,7 @@
 #include "drivers/run/Solver.hpp"
 
 #include "contact/equation/Equilibrium.hpp"
+#include "contact/newton/KeptFactor.hpp"
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/solve/LoadContinuation.hpp"
 #include "drivers/run/Reasons.hpp"
@@ -15,11 +16,12 @@ namespace {
 
 using bem::Vector;
 
-/// solve(solver) with what the options are assembled to for a problem.
+/// solve(solver) with what the options are assembled to for a problem; `memory`: see
+/// contact::NoxNewton.
 template <class Solve>
 contact::Solution assembled(const contact::Problem& problem, const Scene::Solver& options,
-                            const Solve& solve) {
-  const contact::NoxNewton newton(options.nox);
+                            contact::FactorMemory* memory, const Solve& solve) {
+  const contact::NoxNewton newton(options.nox, memory);
   const contact::Tresca tresca(newton, options.tresca);
   const bool follows = problem.boundDependsOnPressure();
   const auto coulomb = follows ? contact::makeCoulomb(tresca, options.coulomb) : nullptr;
@@ -82,7 +84,11 @@ Solved solve(const Scene& scene, const contact::ContactSystem& system,
   return onFirstRank(algebra, [&]() -> Solved {
     try {
       contact::Solution solution =
+<<<<<<< HEAD
           assembled(system.numbers(), scene.solver, [&](const auto& solver) {
+=======
+          assembled(system.numbers(), options, nullptr, [&](const auto& solver) {
+>>>>>>> main
             return contact::solveInLoadSteps(solver, system.numbers(), system.gap(),
                                              start, scene.solver.loadSteps);
           });
@@ -100,9 +106,17 @@ Solved solveStep(const Scene& scene, const contact::ContactSystem& system,
                  const bem::DenseAlgebra& algebra) {
   return onFirstRank(algebra, [&]() -> Solved {
     try {
+<<<<<<< HEAD
       contact::Solution solution = assembled(
           system.numbers(), scene.solver,
           [&](const auto& solver) { return solver.solve(system.numbers(), start); });
+=======
+      // of this step only: a run that goes on behind it shall compute the same digits
+      contact::FactorMemory memory;
+      contact::Solution solution =
+          assembled(problem, options, &memory,
+                    [&](const auto& solver) { return solver.solve(problem, start); });
+>>>>>>> main
       const std::string reason = reasonOf(solution.report);
       return {std::move(solution), reason};
     } catch (const contact::NoBalance& error) {

@@ -2,7 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Parameters.hpp"
-#include "contact/problem/ContactFields.hpp"
+#include "contact/results/ContactFields.hpp"
 #include "drivers/run/Path.hpp"
 
 #include <algorithm>

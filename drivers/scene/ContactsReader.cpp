@@ -2,7 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Parameters.hpp"
-#include "contact/problem/NormalRay.hpp"
+#include "contact/opposite/NormalRay.hpp"
 #include "drivers/scene/ConditionsReader.hpp"
 #include "drivers/scene/OverlapCheck.hpp"
 

@@ -6,11 +6,12 @@
 #include "bem/geometry/Outline.hpp"
 #include "contact/conditions/Conditions.hpp"
 #include "contact/coulomb/CoulombIteration.hpp"
-#include "contact/problem/RigidBodies.hpp"
-#include "contact/problem/Stabilization.hpp"
+#include "contact/opposite/RigidBodies.hpp"
+#include "contact/stabilization/Stabilization.hpp"
 #include "drivers/scene/Expression.hpp"
 #include "drivers/scene/LinearMethod.hpp"
 #include "drivers/scene/LoadPath.hpp"
+#include "drivers/scene/OutputOptions.hpp"
 #include "drivers/scene/RunLimits.hpp"
 
 #include <Teuchos_ParameterList.hpp>
@@ -108,11 +109,7 @@ struct Scene {
     RunLimits limits;
   } adaptivity;
 
-  struct Output {
-    int contactSamples = 8;  ///< per element
-    std::vector<bem::Vec2> interiorPoints;
-    bool fields = true;  ///< write boundary.csv and what shows fields
-  } output;
+  OutputOptions output;
 
   /// How bodies without elasticity are moved at a time.
   std::vector<contact::Drive> drivesAt(double t) const;

@@ -48,12 +48,8 @@ Scene::Adaptivity readAdaptivity(const ParameterList& list) {
   return adaptivity;
 }
 
-Scene::Output readOutput(const ParameterList& list, const Scene& scene) {
-  Scene::Output output;
-  output.contactSamples = list.get<int>("Contact Samples per Element");
-  output.fields = list.get<bool>("Fields");
-  if (list.isParameter("Interior Points"))
-    output.interiorPoints = pointsOf(list, "Interior Points");
+OutputOptions readOutput(const ParameterList& list, const Scene& scene) {
+  OutputOptions output = parseOutput(list);
   for (std::size_t i = 0; i < output.interiorPoints.size(); ++i)
     if (scene.bodyAt(output.interiorPoints[i]) == scene.bodies.size())
       throw InputError(message("Output->Interior Points: point ", i, " = (",

@@ -2,7 +2,7 @@
 
 #include "Algebra.hpp"
 #include "contact/Solve.hpp"
-#include "contact/problem/Summary.hpp"
+#include "contact/results/Summary.hpp"
 
 namespace epafi::test {
 

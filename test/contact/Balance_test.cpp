@@ -2,9 +2,9 @@
 // on any number of ranks.
 #include "Algebra.hpp"
 #include "Projected.hpp"
-#include "contact/problem/BalancedStiffness.hpp"
-#include "contact/problem/IterativeRefinement.hpp"
-#include "contact/problem/Summary.hpp"
+#include "contact/body/BalancedStiffness.hpp"
+#include "contact/body/IterativeRefinement.hpp"
+#include "contact/results/Summary.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

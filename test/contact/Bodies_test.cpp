@@ -1,9 +1,10 @@
 // A problem of two bodies: what the one that carries the multiplier meets gives way, too.
 // On any number of ranks.
 #include "Algebra.hpp"
-#include "contact/problem/ElasticBody.hpp"
-#include "contact/problem/MortarCoupling.hpp"
-#include "contact/problem/Opposite.hpp"
+#include "contact/body/CoupledBody.hpp"
+#include "contact/body/ElasticBody.hpp"
+#include "contact/opposite/MortarCoupling.hpp"
+#include "contact/opposite/Opposite.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -110,10 +111,10 @@ Two problems(const Block& above, const Block& below, bool held) {
   const contact::Conditions bottom = lower(held);
   const auto body = [&](const Block& block, const contact::Conditions& conditions,
                         const auto& coupling) {
-    const contact::ContactProblem::Input input{
-        block.space, block.stiffness, block.lame, units, conditions, basis, none};
+    const contact::BodyInput input{block.space, block.stiffness, block.lame, units,
+                                   conditions,  basis,           none};
     const contact::MultiplierSpace own(block.space.mesh(), basis, conditions);
-    const auto form = makeStabilisedBody(input, own);
+    const auto form = makeCoupledBody(input, own);
     const auto holding = contact::makeHolding(block.space, conditions, units);
     const contact::ElasticBody elastic(*form, algebra, holding);
     return elastic.response(coupling(*form));

@@ -1,11 +1,12 @@
 // A contact problem on compressed operators is the one on dense matrices: flexibility,
 // solution and number of Newton's steps, displacement, reactions, energy.
-#include "contact/problem/CompressedBody.hpp"
+#include "contact/compressed/CompressedBody.hpp"
 
 #include "Solve.hpp"
 #include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/compressed/CompressedOperators.hpp"
 #include "contact/equation/ContactState.hpp"
+#include "contact/system/ContactProblem.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

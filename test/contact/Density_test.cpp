@@ -5,7 +5,7 @@
 #include "bem/algebra/Blas.hpp"
 #include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/problem/Summary.hpp"
+#include "contact/results/Summary.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

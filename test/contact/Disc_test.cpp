@@ -3,7 +3,7 @@
 #include "Algebra.hpp"
 #include "bem/operators/ExactRotation.hpp"
 #include "contact/Solve.hpp"
-#include "contact/problem/Summary.hpp"
+#include "contact/results/Summary.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

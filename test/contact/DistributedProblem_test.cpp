@@ -3,7 +3,8 @@
 #include "Projected.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/tpetra/DistributedRows.hpp"
-#include "contact/problem/Summary.hpp"
+#include "contact/results/Summary.hpp"
+#include "contact/system/Definiteness.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

@@ -1,6 +1,6 @@
 // What lies opposite to a contact side, along its normals: single curves, and whole bodies.
 #include "bem/mesh/Mesh.hpp"
-#include "contact/problem/FacingBodies.hpp"
+#include "contact/opposite/FacingBodies.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

@@ -1,7 +1,7 @@
 #include "Algebra.hpp"
 #include "contact/Solve.hpp"
 #include "contact/equation/ProblemFamily.hpp"
-#include "contact/problem/ContactProblem.hpp"
+#include "contact/system/ContactProblem.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

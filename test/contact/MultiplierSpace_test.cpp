@@ -5,7 +5,7 @@
 #include "bem/basis/Legendre.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "contact/multiplier/SharedNodes.hpp"
-#include "contact/problem/Obstacle.hpp"
+#include "contact/opposite/Obstacle.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

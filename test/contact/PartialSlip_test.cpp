@@ -4,8 +4,8 @@
 #include "bem/quadrature/Gauss.hpp"
 #include "contact/Solve.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
-#include "contact/problem/ContactFields.hpp"
-#include "contact/problem/ContactProblem.hpp"
+#include "contact/results/ContactFields.hpp"
+#include "contact/system/ContactProblem.hpp"
 #include "reference/ExactFields.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

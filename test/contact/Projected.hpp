@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/problem/Stabilization.hpp"
+#include "contact/stabilization/Stabilization.hpp"
 
 namespace epafi::test {
 

@@ -3,7 +3,7 @@
 #include "bem/base/Units.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
 #include "bem/space/Space.hpp"
-#include "contact/problem/ContactProblem.hpp"
+#include "contact/system/ContactProblem.hpp"
 
 namespace embed {
 

@@ -1,7 +1,7 @@
 #include "Elastic.hpp"
 
 #include "bem/tpetra/SymmetricOperator.hpp"
-#include "contact/problem/Loads.hpp"
+#include "contact/body/Loads.hpp"
 
 #include <BelosLinearProblem.hpp>
 #include <BelosPseudoBlockCGSolMgr.hpp>

@@ -5,6 +5,7 @@
 
 #include "bem/algebra/LapackAlgebra.hpp"
 #include "contact/coulomb/CoulombNewton.hpp"
+#include "contact/newton/KeptFactor.hpp"
 #include "contact/nox/ContactModel.hpp"
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/path/PathMemory.hpp"
@@ -49,7 +50,8 @@ double forceOf(const contact::ContactSystem& step, const contact::Configuration&
 }
 
 contact::State solved(const contact::Problem& problem, const contact::State& start) {
-  const contact::NoxNewton newton;
+  contact::FactorMemory memory;  // its systems differ in few rows
+  const contact::NoxNewton newton(nullptr, &memory);
   const contact::Tresca tresca(newton);
   return contact::CoulombNewton(tresca).solve(problem, start).state;
 }

@@ -4,7 +4,7 @@
 #include "adaptivity/estimate/Indicators.hpp"
 #include "bem/quadrature/LegendreSeries.hpp"
 #include "bem/quadrature/Piecewise.hpp"
-#include "contact/problem/Summary.hpp"
+#include "contact/results/Summary.hpp"
 
 #include <algorithm>
 

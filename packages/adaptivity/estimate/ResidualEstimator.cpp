@@ -3,7 +3,7 @@
 #include "adaptivity/estimate/EquivalentMultiplier.hpp"
 #include "adaptivity/estimate/Weights.hpp"
 #include "bem/fields/BoundaryFields.hpp"
-#include "contact/problem/Loads.hpp"
+#include "contact/body/Loads.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include "adaptivity/estimate/Indicators.hpp"
 #include "bem/base/SchemaRow.hpp"
-#include "contact/problem/Summary.hpp"
+#include "contact/results/Summary.hpp"
 
 #include <string>
 

@@ -7,7 +7,7 @@
 #include "bem/base/SchemaRow.hpp"
 #include "bem/basis/Legendre.hpp"
 #include "bem/space/Space.hpp"
-#include "contact/problem/Opposite.hpp"
+#include "contact/opposite/Opposite.hpp"
 
 #include <string>
 #include <vector>

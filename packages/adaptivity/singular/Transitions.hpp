@@ -1,7 +1,7 @@
 #pragma once
 
 #include "adaptivity/singular/SingularPoints.hpp"
-#include "contact/problem/Opposite.hpp"
+#include "contact/opposite/Opposite.hpp"
 
 namespace epafi::adaptivity {
 

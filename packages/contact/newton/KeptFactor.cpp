@@ -3,7 +3,6 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 
 #include <Teuchos_BLAS.hpp>
-#include <Teuchos_LAPACK.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,36 +19,6 @@ constexpr double mostChanges = 0.15;
 constexpr double nearlySingular = 1e-13;
 
 int sizeOf(const Matrix& a) { return static_cast<int>(a.columns()); }
-
-/// Returns whether it could be done.
-bool luFactor(Matrix& a, std::vector<int>& pivots) {
-  pivots.resize(at(a.columns()));
-  int info = 0;
-  if (!a.empty())
-    Teuchos::LAPACK<int, double>().GETRF(sizeOf(a), sizeOf(a), a.data(),
-                                         static_cast<int>(a.stride()), pivots.data(),
-                                         &info);
-  return info == 0;
-}
-
-void luSolve(const Matrix& lu, const std::vector<int>& pivots, Matrix& x) {
-  int info = 0;
-  if (!lu.empty())
-    Teuchos::LAPACK<int, double>().GETRS('N', sizeOf(lu), sizeOf(x), lu.data(),
-                                         static_cast<int>(lu.stride()), pivots.data(),
-                                         x.data(), static_cast<int>(x.stride()), &info);
-}
-
-double norm1(const Matrix& a) {
-  double largest = 0;
-  for (Index j = 0; j < a.columns(); ++j) {
-    double sum = 0;
-    for (Index i = 0; i < a.rows(); ++i)
-      sum += std::abs(a(i, j));
-    largest = std::max(largest, sum);
-  }
-  return largest;
-}
 
 /// Aᵀ B by BLAS.
 Matrix rowsTimes(const Matrix& a, const Matrix& b) {
@@ -74,8 +43,9 @@ Matrix asColumn(const Vector& v) {
 /// The system that was factored.
 class KeptFactor::Base {
  public:
-  Base(const Problem& problem, const Matrix& motions, std::vector<Row> rows)
-      : flexibility_(problem.flexibility.entries()),
+  Base(const Flexibility& flexibility, const Matrix& motions, std::vector<Row> rows)
+      : shared_(flexibility),
+        flexibility_(shared_.entries()),
         motions_(motions.copy()),
         rows_(std::move(rows)) {
     for (Index i = 0; i < size(); ++i)
@@ -83,12 +53,17 @@ class KeptFactor::Base {
         solved_.push_back(i);
     for (const Index i : solved_)
       scale_.push_back(flexibility_(i, i) > 0 ? 1 / std::sqrt(flexibility_(i, i)) : 1);
-    factor_ = matrix();
-    const double norm = norm1(factor_);
-    isSound_ = luFactor(factor_, pivots_) && condition(norm) > nearlySingular;
+    factor_ = bem::LuFactor(matrix());
   }
 
-  bool isSound() const { return isSound_; }
+  bool isSound() const { return factor_.reciprocalCondition() > nearlySingular; }
+  bool isOf(const Flexibility& flexibility, const Matrix& motions) const {
+    return &flexibility.entries() == &flexibility_ &&
+           motions.columns() == motions_.columns() &&
+           std::equal(motions.data(),
+                      motions.data() + motions.stride() * motions.columns(),
+                      motions_.data());
+  }
   const Matrix& flexibility() const { return flexibility_; }
   const Matrix& motions() const { return motions_; }
 
@@ -126,7 +101,7 @@ class KeptFactor::Base {
       for (Index p = 0; p < m; ++p)
         to[p] *= scale_[at(p)];
     }
-    luSolve(factor_, pivots_, x);
+    factor_.solve(x);
     for (Index c = 0; c < b.columns(); ++c) {
       double* to = b.column(c);
       for (Index p = 0; p < m; ++p)
@@ -192,58 +167,39 @@ class KeptFactor::Base {
       a(m + j, q) += scaled * motions_(i, j);
   }
 
-  double condition(double norm) const {
-    if (factor_.empty())
-      return 1;
-    Vector work(at(4 * factor_.columns()));
-    std::vector<int> integers(at(factor_.columns()));
-    double reciprocal = 0;
-    int info = 0;
-    Teuchos::LAPACK<int, double>().GECON(
-        '1', sizeOf(factor_), factor_.data(), static_cast<int>(factor_.stride()), norm,
-        &reciprocal, work.data(), integers.data(), &info);
-    return info == 0 ? reciprocal : 0;
-  }
-
-  const Matrix& flexibility_;  ///< outlives what it keeps
+  Flexibility shared_;  ///< keeps D alive
+  const Matrix& flexibility_;
   Matrix motions_;
   std::vector<Row> rows_;
   std::vector<Index> solved_;
   Vector scale_;
-  Matrix factor_;
-  std::vector<int> pivots_;
-  bool isSound_ = false;
+  bem::LuFactor factor_;
   std::map<Index, Vector> responses_;
 };
 
-struct KeptFactor::Slot final : Flexibility::Kept {
-  std::shared_ptr<Base> base;
-};
-
-std::unique_ptr<const KeptFactor> KeptFactor::make(const Problem& problem,
+std::unique_ptr<const KeptFactor> KeptFactor::make(const Flexibility& flexibility,
                                                    const Matrix& motions,
-                                                   std::vector<Row> rows) {
-  std::unique_ptr<Flexibility::Kept>* kept = problem.flexibility.kept();
-  if (kept == nullptr)
-    return nullptr;
-  if (*kept == nullptr)
-    *kept = std::make_unique<Slot>();
-  std::shared_ptr<Base>& base = static_cast<Slot&>(**kept).base;
+                                                   std::vector<Row> rows,
+                                                   FactorMemory& memory) {
+  std::shared_ptr<Base>& base = memory.base_;
+  if (base != nullptr && !base->isOf(flexibility, motions))
+    base.reset();
   std::vector<Index> changed;
   if (base != nullptr)
     changed = base->changed(rows);
   if (base == nullptr || !base->isNear(changed)) {
     changed.clear();
-    base = std::make_shared<Base>(problem, motions, rows);
+    base = std::make_shared<Base>(flexibility, motions, rows);
+    if (!base->isSound()) {
+      base.reset();
+      return nullptr;
+    }
   }
-  std::unique_ptr<KeptFactor> factor;
-  if (base->isSound())
-    factor.reset(new KeptFactor(base, rows, changed));
-  if (factor == nullptr || factor->pivots_.size() != changed.size()) {
-    base.reset();
-    return nullptr;
-  }
-  return factor;
+  std::unique_ptr<KeptFactor> factor(new KeptFactor(base, rows, changed));
+  if (factor->factor_.isRegular())
+    return factor;
+  base.reset();
+  return nullptr;
 }
 
 KeptFactor::KeptFactor(std::shared_ptr<Base> base, const std::vector<Row>& rows,
@@ -268,9 +224,7 @@ KeptFactor::KeptFactor(std::shared_ptr<Base> base, const std::vector<Row>& rows,
         row[share.leader] -= share.factor;
     }
   }
-  factor_ = rowsTimes(rows_, responses_);
-  if (!luFactor(factor_, pivots_))
-    pivots_.clear();
+  factor_ = bem::LuFactor(rowsTimes(rows_, responses_));
 }
 
 Vector KeptFactor::solve(const Vector& b) const {
@@ -281,7 +235,7 @@ Vector KeptFactor::solve(const Vector& b) const {
       double& value = rest(static_cast<Index>(c), 0);
       value = rowScale_[c] * b[at(changed_[c])] - value;
     }
-    luSolve(factor_, pivots_, rest);
+    factor_.solve(rest);
     for (Index c = 0; c < responses_.columns(); ++c)
       for (Index i = 0; i < z.rows(); ++i)
         z(i, 0) += rest(c, 0) * responses_(i, c);

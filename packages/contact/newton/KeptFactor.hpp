@@ -1,8 +1,11 @@
 #pragma once
 
-#include "contact/problem/Problem.hpp"
+#include "bem/algebra/LuFactor.hpp"
+#include "contact/problem/Flexibility.hpp"
 
 namespace epafi::contact {
+
+class FactorMemory;
 
 /// The factor of one linear system in D and G, kept for others that differ from it in few
 /// rows: Newton's in a step of a path, in which few coefficients open, close, stick or slip.
@@ -32,30 +35,39 @@ class KeptFactor {
     }
   };
 
-  /// By the factor that the problem's D keeps, or by a new one, which it keeps from now on.
-  /// Null if it keeps none or if the system is near to singular.
-  /// \pre motions, Ĝ, are those of all systems in this D.
-  static std::unique_ptr<const KeptFactor> make(const Problem& problem,
+  /// By the factor in a memory where it is of the same D and Ĝ and few rows differ, else by a
+  /// new one, which the memory has from now on.  Null, and nothing is kept, if the system is
+  /// near to singular.
+  static std::unique_ptr<const KeptFactor> make(const Flexibility& flexibility,
                                                 const Matrix& motions,
-                                                std::vector<Row> rows);
+                                                std::vector<Row> rows,
+                                                FactorMemory& memory);
 
   /// d, then α.
   Vector solve(const Vector& b) const;
 
  private:
+  friend class FactorMemory;
   class Base;
-  struct Slot;
 
   KeptFactor(std::shared_ptr<Base> base, const std::vector<Row>& rows,
              const std::vector<Index>& changed);
 
   std::shared_ptr<const Base> base_;
   std::vector<Index> changed_;
-  Vector rowScale_;   ///< of C
-  Matrix rows_;       ///< Cᵀ
-  Matrix responses_;  ///< Y
-  Matrix factor_;     ///< C Y as LU
-  std::vector<int> pivots_;
+  Vector rowScale_;       ///< of C
+  Matrix rows_;           ///< Cᵀ
+  Matrix responses_;      ///< Y
+  bem::LuFactor factor_;  ///< of C Y
+};
+
+/// The factor that a sequence of solves in one D goes on with, on one thread.  Whoever begins
+/// the sequence has it and passes it on; a new sequence that shall not depend on what was solved
+/// before begins with a new one.
+class FactorMemory {
+ private:
+  friend class KeptFactor;
+  std::shared_ptr<KeptFactor::Base> base_;
 };
 
 }  // namespace epafi::contact

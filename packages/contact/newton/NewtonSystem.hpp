@@ -1,40 +1,26 @@
 #pragma once
 
-#include "bem/base/Error.hpp"
-#include "contact/equation/Equation.hpp"
-
-#include <memory>
+#include "contact/newton/Factoring.hpp"
 
 namespace epafi::contact {
 
-/// The linear system of a Newton step has no solution that could be trusted.
-struct SingularJacobian : bem::NumericalError {
-  using bem::NumericalError::NumericalError;
-};
+class FactorMemory;
 
-/// The factorised linear system of one semismooth Newton step:  J d = b.
+/// The factorised linear system of one semismooth Newton step:  J d = b, see Reduction.
 ///
-/// Rows whose coefficient's change is known (open, slipping) are eliminated.  The rest,
-///
-///   D_II + diag(a/(-b c)) ,   bordered by the free rigid motions G_I,
-///
-/// is symmetric positive definite on {G_Iᵀ d = 0} as long as no slip bound is
-/// differentiated: Cholesky with the border by its Schur complement.  Otherwise LU, of
-/// the same reduced size.
-///
-/// Where D is not formed (Flexibility::isFormed), its operator solves with D_II instead, and
-/// coefficients at their bounds follow theirs there.
+/// Factored by D's operator where D is not formed and bounds let it; by a factor from a memory,
+/// where there is one, as far as refinement then converges; else by D's entries.
 ///
 /// Rigid motions that the inactive rows do not hold (no contact yet, everything slips)
 /// are left out of the step; `unheld` tells which of them the load demands.
 class NewtonSystem {
  public:
+  /// `memory`: the factor of systems before this one; null: there is none.  All outlive this.
   /// \throws SingularJacobian if the Jacobian is singular.
-  NewtonSystem(const Equation& equation, const Evaluation& at);
-  ~NewtonSystem();
-  NewtonSystem(NewtonSystem&&) noexcept;
+  NewtonSystem(const Equation& equation, const LinearRows& at,
+               FactorMemory* memory = nullptr);
 
-  /// J⁻¹ b, refined.
+  /// J⁻¹ b, refined.  \throws SingularJacobian
   Vector solve(const Vector& b) const;
 
   /// The combination v of rigid motions, in units of α, that no row holds and whose
@@ -42,8 +28,14 @@ class NewtonSystem {
   Vector unheld(const Vector& b) const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  /// Adds to d what a factor makes of what d leaves of b; returns the largest change.
+  double refine(const Factoring& factoring, const Vector& b, Vector& d) const;
+
+  const Reduction reduction_;
+  std::unique_ptr<const Factoring> byOperator_;
+  std::unique_ptr<const Factoring> byKept_;
+  /// Also made once the kept factor has failed.
+  mutable std::unique_ptr<const Factoring> byEntries_;
 };
 
 }  // namespace epafi::contact

@@ -13,11 +13,15 @@ namespace epafi::contact {
 /// The contact equation at one point: what a generalised Jacobian is made from.
 class Linearisation {
  public:
-  Linearisation(std::shared_ptr<const Equation> equation, Evaluation evaluation)
-      : equation_(std::move(equation)), evaluation_(std::move(evaluation)) {}
+  Linearisation(std::shared_ptr<const Equation> equation, Evaluation evaluation,
+                FactorMemory* memory)
+      : equation_(std::move(equation)),
+        evaluation_(std::move(evaluation)),
+        memory_(memory) {}
 
   const Equation& equation() const { return *equation_; }
   const Evaluation& evaluation() const { return evaluation_; }
+  FactorMemory* memory() const { return memory_; }  ///< see NewtonSystem
 
   /// Factorised by the first call.
   /// \throws SingularJacobian
@@ -26,6 +30,7 @@ class Linearisation {
  private:
   std::shared_ptr<const Equation> equation_;
   Evaluation evaluation_;
+  FactorMemory* memory_;
   mutable std::unique_ptr<NewtonSystem> system_;
 };
 

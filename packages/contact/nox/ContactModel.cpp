@@ -58,12 +58,14 @@ ContactModel::ContactModel(ProblemFamily family, const Options& options)
       complementarity_(&complementarities().at(options.complementarity)),
       space_(spaceOf(family_->original(), options)),
       parameterSpace_(
-          Thyra::locallyReplicatedDefaultSpmdVectorSpace<double>(space_->getComm(), 1)) {}
+          Thyra::locallyReplicatedDefaultSpmdVectorSpace<double>(space_->getComm(), 1)),
+      memory_(options.memory) {}
 
-ContactModel::ContactModel(const Equation& equation)
+ContactModel::ContactModel(const Equation& equation, FactorMemory* memory)
     : stress_(1),
       space_(spaceOf(equation.problem(), {})),
-      single_(std::shared_ptr<const void>(), &equation) {}
+      single_(std::shared_ptr<const void>(), &equation),
+      memory_(memory) {}
 
 RCP<Thyra::VectorBase<double>> ContactModel::vector(const Vector& unknowns) const {
   const RCP<Thyra::VectorBase<double>> x = Thyra::createMember(*get_x_space());
@@ -86,8 +88,8 @@ std::shared_ptr<const Linearisation> ContactModel::at(const Thyra::VectorBase<do
         known->evaluation().unknowns == unknowns)
       return known;
   points_[1] = std::move(points_[0]);
-  points_[0] =
-      std::make_shared<const Linearisation>(equation, equation->at(std::move(unknowns)));
+  points_[0] = std::make_shared<const Linearisation>(
+      equation, equation->at(std::move(unknowns)), memory_);
   return points_[0];
 }
 
@@ -166,7 +168,7 @@ void ContactModel::evalModelImpl(const Base::InArgs<double>& in,
   const contact::Evaluation& e = point->evaluation();
 
   if (const auto f = out.get_f(); !f.is_null())
-    scatter(*space_, e.residual, 1 / stress_, 0, *f);
+    scatter(*space_, e.linear.residual, 1 / stress_, 0, *f);
   if (const auto w = out.get_W_op(); !w.is_null())
     Teuchos::dyn_cast<ContactJacobian>(*w).set(point);
   using ByParameter =

@@ -2,7 +2,7 @@
 
 #include "contact/equation/ProblemFamily.hpp"
 #include "contact/nox/ContactJacobian.hpp"
-#include "contact/problem/ContactProblem.hpp"
+#include "contact/system/ContactProblem.hpp"
 
 #include <Thyra_StateFuncModelEvaluatorBase.hpp>
 
@@ -38,6 +38,9 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
     /// as Thyra::createVectorSpace<double>(map) has it for a Tpetra map.  Null: one
     /// process, no MPI.  The equation is replicated, and evaluating it is collective.
     Teuchos::RCP<const Thyra::VectorSpaceBase<double>> space;
+    /// The factor of the solves before, see NewtonSystem: a step of a path goes on with it.
+    /// Null: each Jacobian is factored anew.  It must outlive the model.
+    FactorMemory* memory = nullptr;
   };
 
   /// Number of unknowns of a problem: λ and α.
@@ -55,8 +58,8 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
   ContactModel(ProblemFamily family, const Options& options);
 
   /// One equation as it is: x = (λ, α), f = F, without parameters, one process.  Its W
-  /// throws SingularJacobian and NoBalance.  The equation must outlive the model.
-  explicit ContactModel(const Equation& equation);
+  /// throws SingularJacobian and NoBalance.  Both must outlive the model.
+  explicit ContactModel(const Equation& equation, FactorMemory* memory = nullptr);
 
   /// All that has been computed at x; the latest two points are kept.  Collective.
   std::shared_ptr<const Linearisation> at(const Thyra::VectorBase<double>& x,
@@ -107,6 +110,7 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
   Teuchos::RCP<const SpmdSpace> space_;
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> parameterSpace_;
   std::shared_ptr<const Equation> single_;
+  FactorMemory* memory_;
   mutable std::shared_ptr<const Member> latest_;  // parameters change seldom
   mutable std::array<std::shared_ptr<const Linearisation>, 2> points_;
 };

@@ -74,13 +74,14 @@ void forgetUse(ParameterList& list) {
 StepDirection::Step stepOf(NewtonMethod method) {
   if (method == NewtonMethod::MeritDescent)
     return [](const Linearisation& point) {
-      return meritDescentStep(point.equation(), point.evaluation());
+      return meritDescentStep(point.equation(), point.evaluation(), point.memory());
     };
   if (method == NewtonMethod::Pivoting)
     return [pivoting = Pivoting()](const Linearisation& point) mutable {
       const Equation& equation = point.equation();
       const Evaluation& e = point.evaluation();
-      return newtonStep(equation, holding(equation, e, pivoting.next(equation, e)));
+      return newtonStep(equation, e, holding(equation, e, pivoting.next(equation, e)),
+                        point.memory());
     };
   return {};
 }
@@ -149,10 +150,15 @@ auto withNoxErrors(const std::string& list, const std::ostringstream& log,
 
 }  // namespace
 
+bem::SchemaRow noxRow() {
+  return bem::Row("NOX", bem::Kind::Free,
+                  "handed to NOX; empty means Epafi's own choice");
+}
+
 NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
                          NewtonMethod method, int maximumIterations) const {
   const auto log = rcp(new std::ostringstream);
-  const auto model = rcp(new ContactModel(equation));
+  const auto model = rcp(new ContactModel(equation, memory_));
   const auto list = runList(list_.get(), model, method, log);
   const RCP<NOX::Abstract::Group> group =
       rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(*model->vector(start)), model));

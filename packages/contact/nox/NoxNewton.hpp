@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/base/SchemaRow.hpp"
 #include "contact/newton/Newton.hpp"
 
 #include <memory>
@@ -10,14 +11,21 @@ class ParameterList;
 
 namespace epafi::contact {
 
+class FactorMemory;
+
+/// The list that NOX gets.
+bem::SchemaRow noxRow();
+
 /// Newton's method by NOX.
 class NoxNewton final : public Newton {
  public:
   /// The list acts whatever the method: what it says of Direction, Line Search and Printing
   /// replaces the method's own choice.  Null: full steps (a line search under
   /// MeritDescent), nothing printed.  It is never written to.
-  explicit NoxNewton(std::shared_ptr<const Teuchos::ParameterList> list = nullptr)
-      : list_(std::move(list)) {}
+  /// `memory`: the factor that all runs go on with, see NewtonSystem; it outlives this.
+  explicit NoxNewton(std::shared_ptr<const Teuchos::ParameterList> list = nullptr,
+                     FactorMemory* memory = nullptr)
+      : list_(std::move(list)), memory_(memory) {}
 
   /// \throws bem::InputError for what NOX refuses in the list, or does not use of it; the
   ///   path begins with the list's name.
@@ -26,6 +34,7 @@ class NoxNewton final : public Newton {
 
  private:
   std::shared_ptr<const Teuchos::ParameterList> list_;
+  FactorMemory* memory_;
 };
 
 }  // namespace epafi::contact

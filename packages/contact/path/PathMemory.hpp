@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/problem/ContactSystem.hpp"
+#include "contact/system/ContactSystem.hpp"
 
 #include <map>
 #include <string>

@@ -83,19 +83,6 @@ class Flexibility {
   }
   const double* column(Index j) const { return entries().column(j); }
 
-  /// What a solver keeps from one problem with this D to the next.
-  class Kept {
-   public:
-    virtual ~Kept() = default;
-  };
-  /// The same D for problems that are solved one after the other, on one thread.
-  Flexibility keeping() const {
-    Flexibility same = *this;
-    same.kept_ = std::make_shared<std::unique_ptr<Kept>>();
-    return same;
-  }
-  /// Null: nothing is kept.
-  std::unique_ptr<Kept>* kept() const { return kept_.get(); }
   double operator()(Index i, Index j) const { return entries()(i, j); }
 
  private:
@@ -108,7 +95,6 @@ class Flexibility {
   std::shared_ptr<const Operator> operator_;
   std::shared_ptr<Found> found_ = std::make_shared<Found>();
   const Matrix* entries_ = nullptr;
-  std::shared_ptr<std::unique_ptr<Kept>> kept_;
 };
 
 }  // namespace epafi::contact

@@ -40,30 +40,41 @@ def draw(boundary, rigid, title, pictures):
 
 
 def arrows(axes, boundary, scale):
-    """Tractions at evenly spaced points; where they are singular, arrows are cut.
-    Returns what the legend shows of them."""
-    spacing, rest = 0.03 * boundary.diameter, 0
-    points, tractions = [], []
-    for element in boundary.elements:
-        length = np.hypot(*(element["x"][-1] - element["x"][0]))
-        along = np.linspace(0, length, len(element["x"]))
-        for s in np.arange(rest, length, spacing):
-            points.append([np.interp(s, along, (element["x"] + scale * element["u"])[:, c])
-                           for c in (0, 1)])
-            tractions.append([np.interp(s, along, element["t"][:, c]) for c in (0, 1)])
-        rest = (rest - length) % spacing if length < rest else spacing - (length - rest) % spacing
+    """The force on each piece of the boundary, by the length of a piece; where it is larger than
+    could be drawn, arrows are cut.  Returns what the legend shows of them."""
+    points, tractions = zip(*(piece for side in boundary.sides()
+                              for piece in pieces(side, 0.03 * boundary.diameter, scale)))
     points, tractions = np.array(points), np.array(tractions)
     sizes = np.hypot(*tractions.T)
     if not sizes.max() > 0:
         return []
-    cap = min(sizes.max(), 3 * np.quantile(sizes[sizes > 1e-3 * sizes.max()], 0.75))
+    cap = min(sizes.max(), 5 * np.quantile(sizes[sizes > 1e-3 * sizes.max()], 0.75))
     shown = tractions * np.minimum(1, cap / np.maximum(sizes, 1e-300))[:, None]
     shown *= 0.15 * boundary.diameter / cap
     axes.quiver(*points.T, *shown.T, angles="xy", scale_units="xy", scale=1, color="C3",
                 width=0.003)
     axes.update_datalim(points + shown)
     axes.autoscale_view()
-    text = "traction on the body, longest arrow %.3g" % cap
+    text = "mean traction on the body, longest arrow %.3g" % cap
     if cap < sizes.max():
         text += "; cut there (largest %.3g)" % sizes.max()
     return [Line2D([], [], color="C3", marker=">", lw=1, label=text)]
+
+
+def pieces(side, length, scale):
+    """Middle and mean traction of the equal pieces, about as long as asked, of a chain of
+    elements.  Of a chain shorter than that, what gives its force on the length asked."""
+    x = np.concatenate([element["x"] for element in side])
+    u = np.concatenate([element["u"] for element in side])
+    t = np.concatenate([element["t"] for element in side])
+    steps = np.hypot(*np.diff(x, axis=0).T)
+    along = np.append(0, np.cumsum(steps))
+    force = np.vstack([[0, 0], np.cumsum(steps[:, None] * (t[1:] + t[:-1]) / 2, axis=0)])
+
+    def at(values, s):
+        return np.column_stack([np.interp(s, along, column) for column in values.T])
+
+    ends = np.linspace(0, along[-1], max(1, round(along[-1] / length)) + 1)
+    middles = (ends[1:] + ends[:-1]) / 2
+    mean = np.diff(at(force, ends), axis=0) / max(length, ends[1])
+    return zip(at(x + scale * u, middles), mean)

@@ -1,7 +1,7 @@
 """effectivity: estimate over true error of each variant."""
 import numpy as np
 
-from epafi.plot.figures import plain_ticks, style_of
+from epafi.plot.figures import plain_ticks, styles_of
 from epafi.plot.variants import study_figure
 
 
@@ -10,10 +10,11 @@ def draw(study, scenes, title, pictures):
         return
     figure, axes = study_figure(scenes, ["effectivity"])
     for (cell,), (scene, variants) in zip(axes, scenes.items()):
-        for k, (variant, curve) in enumerate(variants.items()):
+        styles = styles_of(variants)
+        for variant, curve in variants.items():
             good = (curve["effectivity"] > 0) & (curve["counted"] > 0)
             cell.semilogx(curve["dof"][good], curve["effectivity"][good], label=variant,
-                          **style_of(k))
+                          **styles[variant])
         if np.isfinite(cell.dataLim.y1):  # else this scene has nothing that counts
             cell.set_ylim(0, 1.1 * cell.dataLim.y1)
         plain_ticks(cell.xaxis)

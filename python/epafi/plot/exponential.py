@@ -1,7 +1,7 @@
 """exponential: the error of each variant against the root of the degrees of freedom."""
 import numpy as np
 
-from epafi.plot.figures import style_of
+from epafi.plot.figures import styles_of
 from epafi.plot.variants import ERROR, study_figure
 
 
@@ -11,13 +11,14 @@ def draw(study, scenes, title, pictures):
         "estimate", "estimate")
     figure, axes = study_figure(scenes, [column])
     for (cell,), (scene, variants) in zip(axes, scenes.items()):
-        for k, (variant, curve) in enumerate(variants.items()):
+        styles = styles_of(variants)
+        for variant, curve in variants.items():
             y = curve[column]
             good = y > 0
             if column == "error":
                 good &= curve["counted"] > 0
             cell.semilogy(np.sqrt(curve["dof"][good]), y[good], label=variant,
-                          **style_of(k))
+                          **styles[variant])
         cell.set_xlabel("square root of the degrees of freedom")
         cell.set_ylabel(text)
         cell.set_title(scene)

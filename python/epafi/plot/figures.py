@@ -28,12 +28,24 @@ class Pictures:
         self.names.append(name)
 
 
-def style_of(k):
-    """How the k-th variant of a study is drawn."""
-    strong, light = 2 * (k % 10), 2 * (k % 10) + 1
-    return {"marker": MARKERS[k % len(MARKERS)],
-            "color": plt.get_cmap("tab20")(strong if k < 10 else light),
-            "ls": "-" if k < 10 else "--"}
+LINES = ("-", "--", ":", "-.")
+
+
+def styles_of(names):
+    """{name: how it is drawn} for the variants of a study.  Names that share what stands before
+    their first comma ("graded hp", "graded hp, projected") share colour and marker."""
+    split = {name: name.partition(", ") for name in names}
+    families = list(dict.fromkeys(family for family, _, _ in split.values()))
+    kinds = list(dict.fromkeys(kind for _, _, kind in split.values()))
+    return {name: family_style(families.index(family), kinds.index(kind))
+            for name, (family, _, kind) in split.items()}
+
+
+def family_style(family, kind):
+    strong = family < 10
+    return {"marker": MARKERS[family % len(MARKERS)],
+            "color": plt.get_cmap("tab20")(2 * (family % 10) + (0 if strong else 1)),
+            "ls": LINES[(kind + (0 if strong else 1)) % len(LINES)]}
 
 
 def slope(x, y):

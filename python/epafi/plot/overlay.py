@@ -19,24 +19,35 @@ def cut(axes, shown, column):
         say_cut(axes, largest)
 
 
+STRESSES = (("lambda_n", r"pressure $\lambda_n$"), ("lambda_t", r"shear $\lambda_t$"))
+
+
+def has_friction(contacts):
+    pressure, shear = (max(np.abs(contact[column]).max() for contact in contacts)
+                       for column, _ in STRESSES)
+    return shear > 1e-12 * pressure
+
+
 def figure_of(contacts, labels, title):
-    """Of tables of contact.csv, coloured in their order."""
-    figure, (pressure, shear) = plt.subplots(2, 1, figsize=(8, 7.4), sharex=True)
+    """Of tables of contact.csv, coloured in their order; shear where there is any."""
+    stresses = STRESSES if has_friction(contacts) else STRESSES[:1]
+    figure, panels = plt.subplots(len(stresses), 1, figsize=(8, 0.4 + 3.5 * len(stresses)),
+                                  sharex=True, squeeze=False)
+    panels = panels[:, 0]
     shown = [laid_out(contact) for contact in contacts]
     shown = [within(laid, *window(shown)) for laid in shown]
     for number, ((contact, s, label, parts), text) in enumerate(zip(shown, labels)):
         breaks = [a for a, _ in parts[1:]]
         colour = plt.get_cmap("viridis")(0.95 * number / max(1, len(labels) - 1))
-        for axes, column in ((pressure, "lambda_n"), (shear, "lambda_t")):
+        for axes, (column, _) in zip(panels, stresses):
             axes.plot(np.insert(s, breaks, math.nan),
                       np.insert(contact[column], breaks, math.nan), color=colour, label=text)
-        shear.set_xlabel(label)
-    for axes, column in ((pressure, "lambda_n"), (shear, "lambda_t")):
+        panels[-1].set_xlabel(label)
+    for axes, (column, text) in zip(panels, stresses):
         cut(axes, shown, column)
-    pressure.set_ylabel(r"pressure $\lambda_n$")
-    shear.set_ylabel(r"shear $\lambda_t$")
-    pressure.legend(loc="upper left", bbox_to_anchor=(1, 1))
-    figure.suptitle(title, y=0.94)
+        axes.set_ylabel(text)
+    panels[0].legend(loc="upper left", bbox_to_anchor=(1, 1))
+    panels[0].set_title(title, fontsize=12)
     return figure
 
 

@@ -1,5 +1,5 @@
 """convergence, time and contact_stress of a study: estimate and true errors of each variant."""
-from epafi.plot.figures import loglog, plain_ticks, style_of
+from epafi.plot.figures import loglog, plain_ticks, styles_of
 from epafi.plot.variants import ERROR, study_figure
 
 DOF, SECONDS = ("dof", "degrees of freedom"), ("seconds_total", "CPU seconds, all threads")
@@ -20,13 +20,14 @@ def draw(study, scenes, name, title, pictures):
         return
     figure, axes = study_figure(scenes, shown)
     for row, (scene, variants) in zip(axes, scenes.items()):
-        for k, (variant, curve) in enumerate(variants.items()):
+        styles = styles_of(variants)
+        for variant, curve in variants.items():
             for cell, (column, text) in zip(row, shown):
                 counted = None
                 if column != "estimate":
                     counted = curve["counted"] > 0
                 loglog(cell, curve[abscissa], curve[column], variant, counted,
-                       **style_of(k))
+                       **styles[variant])
         for cell, (column, text) in zip(row, shown):
             plain_ticks(cell.xaxis)
             cell.set_xlabel(what)

@@ -4,7 +4,7 @@ import os
 import numpy as np
 
 from epafi.plot import overlay
-from epafi.plot.figures import plt, style_of
+from epafi.plot.figures import plt, styles_of
 from epafi.tables import read
 
 FORCES = [("force_normal", "normal force"), ("force_tangential", "tangential force"),
@@ -60,10 +60,11 @@ def draw(study, title, pictures):
     solved = ends & np.isfinite(estimates)
     top = np.nanmax(estimates[solved]) if solved.any() else 1
     lows = estimates[solved & (estimates > 0)]
-    for k, family in enumerate(dict.fromkeys(families[ends])):
+    styles = styles_of(dict.fromkeys(families[ends]))
+    for k, family in enumerate(styles):
         here = ends & (families == family)
         here = np.flatnonzero(here)[np.argsort(value[here])]
-        style = style_of(k)
+        style = styles[family]
         good = here[np.isfinite(estimates[here])]
         estimate.plot(value[good], estimates[good], label=family, **style)
         lost = here[~np.isfinite(estimates[here])]
@@ -94,10 +95,10 @@ def draw_forces(study, value, ends, families, key, title, pictures):
     figure, axes = plt.subplots(2, 2, figsize=(9.5, 6.4), sharex=True)
     for cell, (column, text) in zip(axes.flat, FORCES):
         numbers = study.numbers(column)
-        for k, family in enumerate(dict.fromkeys(families[ends])):
+        for family, style in styles_of(dict.fromkeys(families[ends])).items():
             here = np.flatnonzero(ends & (families == family) & np.isfinite(numbers))
             here = here[np.argsort(value[here])]
-            cell.plot(value[here], numbers[here], label=family, **style_of(k))
+            cell.plot(value[here], numbers[here], label=family, **style)
         cell.set_ylabel(text)
         cell.margins(y=0.15)
         shown, sizes = numbers[ends], np.abs([study.numbers(name)[ends] for name, _ in FORCES[:2]])

@@ -1,5 +1,5 @@
 """work-precision: the true error of each variant against CPU time."""
-from epafi.plot.figures import plain_ticks, plt, style_of
+from epafi.plot.figures import plain_ticks, plt, styles_of
 from epafi.plot.variants import ERROR
 
 
@@ -10,12 +10,12 @@ def draw(study, scenes, title, pictures):
     figure, axes = plt.subplots(1, len(scenes), squeeze=False, dpi=80,
                                 figsize=(4.6 * len(scenes) + 2.6, 4.4))
     names = list(dict.fromkeys(name for variants in scenes.values() for name in variants))
+    styles = styles_of(names)
     for cell, (scene, variants) in zip(axes[0], scenes.items()):
         for variant, curve in variants.items():
-            k = names.index(variant)
             good = (curve["error"] > 0) & (curve["counted"] > 0)
             cell.loglog(curve["seconds_total"][good], curve["error"][good], label=variant,
-                        **style_of(k))
+                        **styles[variant])
         plain_ticks(cell.xaxis)
         cell.set_xlabel("CPU seconds, all threads")
         cell.set_title(scene)

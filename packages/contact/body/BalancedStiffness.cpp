@@ -1,0 +1,165 @@
+#include "contact/body/BalancedStiffness.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace epafi::contact {
+
+namespace {
+
+constexpr Index motions = 3;
+
+// Rows that a thread sums up: each in one order, whatever the number of threads.
+constexpr Index rowsAtOnce = 128;
+
+/// Adds `factor` times entries to sums.
+void addMultiple(long double factor, const double* entries, Index size,
+                 long double* sums) {
+  for (Index i = 0; i < size; ++i)
+    sums[i] += entries[i] * factor;
+}
+
+}  // namespace
+
+BalancedStiffness::BalancedStiffness(const bem::SteklovPoincare& stiffness,
+                                     RigidModes modes, const Coupling& coupling)
+    : stiffness_(&stiffness),
+      modes_(std::move(modes)),
+      tractions_(coupling.tractions),
+      gamma_(coupling.gamma) {
+  for (Index k = 0; k < motions; ++k) {
+    long double square = 0;
+    for (Index i = 0; i < modes_.motions.rows(); ++i)
+      square += static_cast<long double>(modes_.functionals(i, k)) * modes_.motions(i, k);
+    squares_.push_back(static_cast<double>(square));
+  }
+}
+
+Vector BalancedStiffness::residual(const Vector& force, const Vector& u) const {
+  const Extended inner = withoutMotions(u);
+  Extended forces = stiffnessTimes(inner);
+  subtractStabilisation(inner, forces);
+  forces = balanced(std::move(forces));
+  Vector rest(u.size());
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    rest[i] = static_cast<double>(force[i] - forces[i]);
+  return rest;
+}
+
+double BalancedStiffness::stiffnessWork(const Vector& u) const {
+  const Extended inner = withoutMotions(u);
+  const Extended forces = stiffnessTimes(inner);
+  return static_cast<double>(
+      std::inner_product(inner.begin(), inner.end(), forces.begin(), 0.0L));
+}
+
+// P u
+BalancedStiffness::Extended BalancedStiffness::withoutMotions(const Vector& u) const {
+  Extended result(u.begin(), u.end());
+  for (Index k = 0; k < motions; ++k) {
+    const double* functional = modes_.functionals.column(k);
+    const double* motion = modes_.motions.column(k);
+    long double mean = 0;
+    for (std::size_t i = 0; i < u.size(); ++i)
+      mean += functional[i] * result[i];
+    mean /= squares_[at(k)];
+    for (std::size_t i = 0; i < u.size(); ++i)
+      result[i] -= mean * motion[i];
+  }
+  return result;
+}
+
+// Pᵀ f
+BalancedStiffness::Extended BalancedStiffness::balanced(Extended forces) const {
+  for (Index k = motions; k-- > 0;) {
+    const double* functional = modes_.functionals.column(k);
+    const double* motion = modes_.motions.column(k);
+    long double work = 0;
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      work += motion[i] * forces[i];
+    work /= squares_[at(k)];
+    for (std::size_t i = 0; i < forces.size(); ++i)
+      forces[i] -= work * functional[i];
+  }
+  return forces;
+}
+
+// S u from the lower triangle's rows that are mine: what stands below the diagonal in a
+// column, then what stands before it in a row.
+BalancedStiffness::Extended BalancedStiffness::stiffnessTimes(const Extended& u) const {
+  const bem::LowerTriangle& lower = stiffness_->stiffness();
+  const bem::Rows mine = lower.rows();
+  Extended result(u.size());
+#pragma omp parallel for schedule(dynamic, 16)
+  for (Index j = 0; j < mine.end; ++j) {
+    const double* entry = lower.column(j);
+    long double sum = 0;
+    for (Index i = lower.firstRow(j); i < mine.end; ++i, ++entry)
+      sum += *entry * u[at(i)];
+    result[at(j)] = sum;
+  }
+#pragma omp parallel for schedule(dynamic, 1)
+  for (Index first = mine.begin; first < mine.end; first += rowsAtOnce) {
+    const Index last = std::min(first + rowsAtOnce, mine.end);
+    for (Index j = 0; j < last; ++j) {
+      const Index from = std::max(j + 1, first);
+      if (from < last)
+        addMultiple(u[at(j)], lower.column(j) + (from - lower.firstRow(j)), last - from,
+                    result.data() + from);
+    }
+  }
+  return sum(result);
+}
+
+// S^ u = R γ Rᵀ u with the tractions R.
+void BalancedStiffness::subtractStabilisation(const Extended& u, Extended& forces) const {
+  const bem::Matrix& rows = tractions_->rows;
+  const bem::Rows mine = stiffness_->algebra().myRows(static_cast<Index>(u.size()));
+  const Index columns = tractions_->start.back();
+  if (columns == 0)
+    return;
+  Extended tractions(at(columns));
+#pragma omp parallel for
+  for (Index c = 0; c < columns; ++c)
+    for (Index i = 0; i < mine.size(); ++i)
+      tractions[at(c)] += rows(i, c) * u[at(i + mine.begin)];
+  tractions = sum(tractions);
+  for (std::size_t k = 0; k < gamma_.size(); ++k)
+    for (Index c = tractions_->start[k]; c < tractions_->start[k + 1]; ++c)
+      tractions[at(c)] *= gamma_[k];
+  Extended stabilisation(u.size());
+#pragma omp parallel for
+  for (Index first = 0; first < mine.size(); first += rowsAtOnce) {
+    const Index last = std::min(first + rowsAtOnce, mine.size());
+    for (Index c = 0; c < columns; ++c)
+      addMultiple(tractions[at(c)], rows.column(c) + first, last - first,
+                  stabilisation.data() + mine.begin + first);
+  }
+  stabilisation = sum(stabilisation);
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    forces[i] -= stabilisation[i];
+}
+
+/// Over all processes, each number as a double and what that leaves, brought together
+/// before they are added: a sum in doubles would round at the size of what cancels.
+BalancedStiffness::Extended BalancedStiffness::sum(const Extended& mine) const {
+  const bem::DenseAlgebra& algebra = stiffness_->algebra();
+  if (algebra.processes() == 1 || mine.empty())
+    return mine;
+  const std::size_t n = mine.size();
+  const auto processes = at(algebra.processes());
+  Vector parts(2 * n * processes);
+  const std::size_t own = 2 * n * at(algebra.rank());
+  for (std::size_t i = 0; i < n; ++i) {
+    parts[own + i] = static_cast<double>(mine[i]);
+    parts[own + n + i] = static_cast<double>(mine[i] - parts[own + i]);
+  }
+  parts = algebra.sum(std::move(parts));
+  Extended result(n);
+  for (std::size_t part = 0; part < parts.size(); part += n)
+    for (std::size_t i = 0; i < n; ++i)
+      result[i] += parts[part + i];
+  return result;
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "contact/stabilization/StabilisedStiffness.hpp"
+
+#include <memory>
+
+namespace epafi::contact {
+
+class Opposite;
+
+/// What a body and the multiplier on it are made of.
+struct BodyInput {
+  const bem::Space& space;                ///< must outlive the problem
+  const bem::SteklovPoincare& stiffness;  ///< must outlive the problem
+  const bem::Lame& lame;
+  bem::Units units;
+  const Conditions& conditions;  ///< must outlive the problem
+  const MultiplierBasis& basis;
+  Stabilization stabilization;
+  /// What its contact sides meet, in the order of the problem's bodies; null: obstacles at
+  /// the distances that the conditions say.
+  std::shared_ptr<const Opposite> opposite{};
+};
+
+}  // namespace epafi::contact

@@ -1,0 +1,256 @@
+#include "contact/body/Coupling.hpp"
+
+#include "bem/base/Error.hpp"
+#include "contact/body/ElementCoupling.hpp"
+
+#include <algorithm>
+
+namespace epafi::contact {
+
+using bem::Rows;
+using ContactElement = MultiplierSpace::ContactElement;
+
+namespace {
+
+std::shared_ptr<const bem::TractionRows> tractions(const BodyInput& input,
+                                                   const MultiplierSpace& multiplier) {
+  const auto form = input.stabilization.form == Stabilization::Form::Exact
+                        ? bem::TractionForm::Exact
+                        : bem::TractionForm::Projected;
+  return bem::tractionRows(input.space, input.lame, input.stiffness,
+                           multiplier.meshElements(), form);
+}
+
+std::shared_ptr<const bem::TractionRows> noTractions(const MultiplierSpace& multiplier) {
+  return std::make_shared<const bem::TractionRows>(
+      bem::TractionRows{{}, std::vector<Index>(multiplier.elements().size() + 1, 0)});
+}
+
+/// Where the densities of each contact element begin among all of them.
+std::vector<Index> densityStarts(const bem::Space& space,
+                                 const MultiplierSpace& multiplier) {
+  std::vector<Index> starts(1, 0);
+  for (const ContactElement& contact : multiplier.elements())
+    starts.push_back(starts.back() + 2 * space.mesh()[contact.element].densities);
+  return starts;
+}
+
+/// What stands for S φ in the coupling: densities' responses, or tractions.
+void chooseColumns(Coupling& coupling, const BodyInput& input,
+                   const MultiplierSpace& multiplier) {
+  const Stabilization::Form form = input.stabilization.form;
+  coupling.response = input.stiffness.response();
+  coupling.tractions =
+      form == Stabilization::Form::Projected || form == Stabilization::Form::Exact
+          ? tractions(input, multiplier)
+          : noTractions(multiplier);
+  coupling.start = coupling.tractions->start;
+  coupling.columns = {coupling.tractions, &coupling.tractions->rows};
+  const bool expected =
+      form == Stabilization::Form::Density && !multiplier.elements().empty();
+  const auto compliant = densityCompliance(input.space, multiplier, input.stabilization,
+                                           input.lame, input.units)
+                             .densities;
+  if (expected ? coupling.response == nullptr || coupling.response->densities != compliant
+               : coupling.response != nullptr)
+    throw bem::InputError(
+        "the stiffness was made for another stabilisation than the contact problem: take "
+        "it from contact::makeStiffness");
+  if (!expected)
+    return;
+  coupling.columns = {coupling.response, &coupling.response->displacements};
+  coupling.start = densityStarts(input.space, multiplier);
+}
+
+/// Writes what the elements have, with the columns that are chosen already.
+void writeElements(const bem::Space& space, const MultiplierSpace& multiplier,
+                   const Stabilization& stabilization, const bem::Lame& lame,
+                   bem::Units units, Coupling& coupling) {
+  const bool byDensity = stabilization.form == Stabilization::Form::Density;
+  coupling.unknowns = space.displacements();
+  coupling.multipliers = multiplier.size();
+  coupling.rotation = space.rotation();
+  for (Vector* rests : {&coupling.traceOfRotation, &coupling.completionOfRotation})
+    rests->assign(static_cast<std::size_t>(multiplier.size()), 0.0);
+  for (std::size_t k = 0; k < multiplier.elements().size(); ++k) {
+    const ContactElement& contact = multiplier.elements()[k];
+    coupling.gamma.push_back(
+        gammaOn(space.mesh(), contact.element, stabilization, lame.nu, units));
+    addElement(space, multiplier.basis(), byDensity, contact, coupling.gamma.back(),
+               coupling.start[k], coupling);
+  }
+  coupling.compliance = densityCompliance(space, multiplier, stabilization, lame, units);
+}
+
+}  // namespace
+
+Coupling makeCoupling(const BodyInput& input, const MultiplierSpace& multiplier) {
+  Coupling coupling;
+  chooseColumns(coupling, input, multiplier);
+  writeElements(input.space, multiplier, input.stabilization, input.lame, input.units,
+                coupling);
+  return coupling;
+}
+
+Coupling makeLocalCoupling(const bem::Space& space, const MultiplierSpace& multiplier,
+                           const Stabilization& stabilization, const bem::Lame& lame,
+                           bem::Units units) {
+  Coupling coupling;
+  coupling.tractions = noTractions(multiplier);
+  coupling.start = densityStarts(space, multiplier);
+  writeElements(space, multiplier, stabilization, lame, units, coupling);
+  return coupling;
+}
+
+void Coupling::weaken(double factor) {
+  for (auto* entries : {&weights, &mass})
+    for (Entry& entry : *entries)
+      entry.value *= factor;
+  for (double& g : gamma)
+    g *= factor;
+}
+
+double quadratic(const Matrix& symmetric, const Vector& w) {
+  double sum = 0;
+  for (Index j = 0; j < symmetric.columns(); ++j) {
+    const double* column = symmetric.column(j);
+    double inner = 0;
+    for (Index i = 0; i < symmetric.rows() && w[at(j)] != 0; ++i)
+      inner += column[i] * w[at(i)];
+    sum += w[at(j)] * inner;
+  }
+  return sum;
+}
+
+Matrix Coupling::multiplierMass() const {
+  Matrix result(multipliers, multipliers);
+  for (const Entry& entry : mass)
+    result(entry.row, entry.column) += entry.value;
+  if (response == nullptr)
+    return result;
+  // - Nᵀ X N, N by columns
+  const Matrix& x = response->density;
+  Matrix half(x.rows(), multipliers);
+  for (const Entry& entry : weights)
+    for (Index i = 0; i < x.rows(); ++i)
+      half(i, entry.column) += entry.value * x(i, entry.row);
+  for (Index j = 0; j < multipliers; ++j)
+    for (const Entry& entry : weights)
+      result(entry.column, j) -= entry.value * half(entry.row, j);
+  return result;
+}
+
+double Coupling::multiplierWork(const Vector& lambda) const {
+  double work = 0;
+  for (const Entry& entry : mass)
+    work += lambda[at(entry.row)] * entry.value * lambda[at(entry.column)];
+  return response == nullptr ? work
+                             : work - quadratic(response->density, weighted(lambda));
+}
+
+double Coupling::complianceWork(const Vector& density) const {
+  double work = 0;
+  for (std::size_t k = 0; k < compliance.densities.size(); ++k)
+    work += compliance.diagonal[k] * std::pow(density[at(compliance.densities[k])], 2);
+  for (const auto& [i, value] : compliance.pinned)
+    work += value * std::pow(density[at(i)], 2);
+  return work;
+}
+
+bem::Vec2 Coupling::meanSlack(std::size_t contactElement, const Vector& lambda,
+                              const Vector& density) const {
+  if (compliance.densities.empty())
+    return {};
+  // P_0 is 1: its rows of N λ and of G ψ are integrals
+  const Vector w = weighted(lambda);
+  const Index first = start[contactElement];
+  const auto integral = [&](Index k) {
+    return w[at(k)] +
+           compliance.diagonal[at(k)] * density[at(compliance.densities[at(k)])];
+  };
+  const double length = compliance.diagonal[at(first)] / gamma[contactElement];
+  return (1 / length) * bem::Vec2{integral(first), integral(first + 1)};
+}
+
+Matrix Coupling::transposed(const bem::DenseAlgebra& algebra) const {
+  const Rows mine = algebra.myRows(unknowns);
+  Matrix result(mine.size(), multipliers);
+  for (const Entry& entry : trace)
+    if (mine.contain(entry.row))
+      result(entry.row - mine.begin, entry.column) += entry.value;
+  for (const Entry& entry : weights) {
+    const double* traction = columns->column(entry.row);
+    double* column = result.column(entry.column);
+    for (Index j = 0; j < mine.size(); ++j)
+      column[j] -= entry.value * traction[j];
+  }
+  if (rotation != nullptr)
+    for (Index i = 0; i < multipliers; ++i)
+      for (Index j = 0; j < mine.size(); ++j)
+        result(j, i) += traceOfRotation[static_cast<std::size_t>(i)] *
+                        rotation->functional()[static_cast<std::size_t>(j + mine.begin)];
+  return result;
+}
+
+Vector Coupling::weighted(const Vector& lambda) const {
+  Vector result(static_cast<std::size_t>(start.back()));
+  for (const Entry& entry : weights)
+    result[static_cast<std::size_t>(entry.row)] +=
+        entry.value * lambda[static_cast<std::size_t>(entry.column)];
+  return result;
+}
+
+Vector Coupling::push(const bem::DenseAlgebra& algebra, const Vector& lambda) const {
+  Vector result(static_cast<std::size_t>(unknowns));
+  if (!weights.empty()) {
+    result = algebra.multiply(*columns, unknowns, weighted(lambda));
+    for (double& x : result)
+      x = -x;
+  }
+  for (const auto* entries : {&trace, &completion})
+    for (const Entry& entry : *entries)
+      result[static_cast<std::size_t>(entry.row)] +=
+          entry.value * lambda[static_cast<std::size_t>(entry.column)];
+  if (rotation != nullptr) {
+    double rest = 0;
+    for (std::size_t i = 0; i < lambda.size(); ++i)
+      rest += (traceOfRotation[i] + completionOfRotation[i]) * lambda[i];
+    rotation->complete(rest, result);
+  }
+  return result;
+}
+
+Vector Coupling::pull(const bem::DenseAlgebra& algebra, const Vector& u) const {
+  const auto at = [](Index i) { return static_cast<std::size_t>(i); };
+  Vector result(at(multipliers));
+  if (!weights.empty()) {
+    const Rows mine = algebra.myRows(unknowns);
+    Vector tractionOf(at(columns->columns()));  // Rᵀ u
+    for (Index k = 0; k < columns->columns(); ++k) {
+      const double* traction = columns->column(k);
+      for (Index j = 0; j < mine.size(); ++j)
+        tractionOf[at(k)] += traction[j] * u[at(j + mine.begin)];
+    }
+    tractionOf = algebra.sum(std::move(tractionOf));
+    for (const Entry& entry : weights)
+      result[at(entry.column)] -= entry.value * tractionOf[at(entry.row)];
+  }
+  for (const Entry& entry : trace)
+    result[at(entry.column)] += entry.value * u[at(entry.row)];
+  return result;
+}
+
+Matrix Coupling::stabilisationHalf(Index first, Index last) const {
+  const Index rows = tractions->rows.rows();
+  Matrix half(rows, last - first);
+  for (std::size_t k = 0; k < gamma.size(); ++k) {
+    const double root = std::sqrt(gamma[k]);
+    const Index end = std::min(last, tractions->start[k + 1]);
+    for (Index c = std::max(first, tractions->start[k]); c < end; ++c)
+      for (Index j = 0; j < rows; ++j)
+        half(j, c - first) = root * tractions->rows(j, c);
+  }
+  return half;
+}
+
+}  // namespace epafi::contact

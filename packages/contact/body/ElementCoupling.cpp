@@ -1,0 +1,240 @@
+#include "contact/body/ElementCoupling.hpp"
+
+#include "bem/basis/Legendre.hpp"
+#include "bem/quadrature/Gauss.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace epafi::contact {
+
+using bem::Element;
+using bem::Rule;
+using bem::Vec2;
+using ContactElement = MultiplierSpace::ContactElement;
+
+namespace {
+
+/// Column i: the coefficients of χ_i in the orthonormal Legendre polynomials on the
+/// element.
+Matrix orthonormalCoefficients(const MultiplierBasis& basis, const Element& element) {
+  const int p = element.degree;
+  const Rule& rule = bem::gaussLegendre(p + 1);
+  Matrix coefficients(p + 1, p + 1);
+  std::array<double, bem::largestDegree + 1> legendre{};
+  for (int q = 0; q < rule.size(); ++q) {
+    const Vector chi = basis.values(p, rule.points[q]);
+    bem::legendreValues(p, rule.points[q], legendre.data());
+    for (int i = 0; i <= p; ++i)
+      for (int k = 0; k <= p; ++k)
+        coefficients(k, i) += rule.weights[q] *
+                              std::sqrt(element.half * (2 * k + 1) / 2) * legendre[k] *
+                              chi[i];
+  }
+  return coefficients;
+}
+
+/// Column k: the coefficients of φ_k in the same polynomials.
+Matrix displacementCoefficients(const Element& element) {
+  Matrix coefficients = bem::DisplacementBasis::legendreCoefficients(element.degree);
+  for (Index k = 0; k < coefficients.columns(); ++k)
+    for (Index i = 0; i < coefficients.rows(); ++i)
+      coefficients(i, k) *=
+          std::sqrt(2 * element.half / (2 * static_cast<double>(i) + 1));
+  return coefficients;
+}
+
+/// Adds the normal or tangential coefficients of one element.
+class CouplingWriter {
+ public:
+  CouplingWriter(const bem::Space& space, const MultiplierBasis& basis, bool density,
+                 Coupling& coupling)
+      : space_(space), basis_(basis), density_(density), coupling_(coupling) {}
+
+  void write(const ContactElement& contact, double gamma, Index firstTraction) const {
+    const Element& element = space_.mesh()[contact.element];
+    if (!element.curve.isStraight())
+      return writeArc(contact, gamma, firstTraction);
+    writeDirection(contact, &ContactElement::normalOf, contact.normalCompletions,
+                   element.segment().normal, gamma, firstTraction);
+    if (contact.tangential >= 0)
+      writeDirection(contact, &ContactElement::tangentialOf,
+                     contact.tangentialCompletions, turnLeft(element.segment().normal),
+                     gamma, firstTraction);
+  }
+
+ private:
+  using Numbering = Index (ContactElement::*)(int) const;
+  using Completions = std::array<EndCompletion, 2>;
+
+  void writeDirection(const ContactElement& contact, Numbering number,
+                      const Completions& completions, Vec2 direction, double gamma,
+                      Index firstTraction) const {
+    const Element& element = space_.mesh()[contact.element];
+    const int p = element.degree;
+    const Matrix chi = orthonormalCoefficients(basis_, element);
+    const Matrix phi = displacementCoefficients(element);
+    const double components[2] = {direction.x, direction.y};
+    for (int i = 0; i <= p; ++i) {
+      const Index column = (contact.*number)(i);
+      for (int k = 0; k <= p; ++k) {
+        double product = 0;
+        double mass = 0;
+        for (int l = 0; l <= p; ++l) {
+          product += chi(l, i) * phi(l, k);
+          mass += chi(l, i) * chi(l, k);
+        }
+        for (int c = 0; c < 2; ++c)
+          writeTrace(space_.displacement(contact.element, k, c), column,
+                     components[c] * product, completionOf(completions, i, p));
+        if (gamma > 0)
+          coupling_.mass.push_back({column, (contact.*number)(k), gamma * mass});
+      }
+      if (gamma == 0)
+        continue;
+      // S φ by orthonormal polynomials, densities by Legendre's
+      for (int l = 0; l < std::min(p + 1, terms(element)); ++l) {
+        const double norm = density_ ? std::sqrt(2 * element.half / (2 * l + 1)) : 1;
+        for (int c = 0; c < 2; ++c)
+          coupling_.weights.push_back({firstTraction + 2 * l + c, column,
+                                       gamma * norm * chi(l, i) * components[c]});
+      }
+    }
+  }
+
+  /// The columns of an element's tractions, or its densities, by components.
+  int terms(const Element& element) const {
+    return density_ ? element.densities : element.degree + 1;
+  }
+
+  /// A coefficient of an element, in a direction that turns.
+  struct Turning {
+    Index column;
+    const EndCompletion* completion;
+    bool tangential;
+    int function;
+  };
+
+  std::vector<Turning> turningOf(const ContactElement& contact) const {
+    std::vector<Turning> result;
+    const int p = contact.degree;
+    for (const bool tangential : {false, true})
+      for (int i = 0; i <= p && (!tangential || contact.tangential >= 0); ++i)
+        result.push_back({tangential ? contact.tangentialOf(i) : contact.normalOf(i),
+                          completionOf(tangential ? contact.tangentialCompletions
+                                                  : contact.normalCompletions,
+                                       i, p),
+                          tangential, i});
+    return result;
+  }
+
+  // All by Gauss points: ∫ χ_i d·φ_k, ∫ χ_i d·(r - r_I), and χ_i d in orthonormal
+  // polynomials.  Where S u is projected on these, so is λ: M is the product of what is
+  // left.
+  void writeArc(const ContactElement& contact, double gamma, Index firstTraction) const {
+    const Element& element = space_.mesh()[contact.element];
+    const int p = element.degree;
+    const int count = terms(element);
+    const Rule& rule = bem::gaussLegendre(p + bem::pointsOfTurning);
+    const std::vector<Turning> unknowns = turningOf(contact);
+    std::vector<Matrix> traces;  // displacement functions x components
+    std::vector<Matrix> parts;   // orthonormal polynomials x components
+    Vector rests(unknowns.size());
+    Matrix mass(static_cast<Index>(unknowns.size()), static_cast<Index>(unknowns.size()));
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+      traces.emplace_back(p + 1, 2);
+      parts.emplace_back(count, 2);
+    }
+    std::array<double, bem::largestDegree + 2> legendre{};
+    std::array<double, bem::largestDegree + 1> phi{};
+    for (std::size_t q = 0; q < rule.points.size(); ++q) {
+      const double t = rule.points[q];
+      const double weight = element.half * rule.weights[q];
+      const Vector chi = basis_.values(p, t);
+      bem::DisplacementBasis::values(p, t, phi.data());
+      bem::legendreValues(count - 1, t, legendre.data());
+      const Vec2 rest = space_.rotationRest(contact.element, t);
+      for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        const Turning& unknown = unknowns[i];
+        const Vec2 direction =
+            unknown.tangential ? element.curve.tangent(t) : element.curve.normal(t);
+        const double value = weight * chi[static_cast<std::size_t>(unknown.function)];
+        const double components[2] = {value * direction.x, value * direction.y};
+        for (Index c = 0; c < 2; ++c) {
+          for (Index k = 0; k <= p; ++k)
+            traces[i](k, c) += components[c] * phi[static_cast<std::size_t>(k)];
+          for (Index l = 0; l < count; ++l)
+            parts[i](l, c) +=
+                components[c] * legendre[static_cast<std::size_t>(l)] *
+                std::sqrt((2 * static_cast<double>(l) + 1) / (2 * element.half));
+        }
+        rests[i] += value * dot(direction, rest);
+        for (std::size_t k = 0; density_ && k < unknowns.size(); ++k)
+          if (unknowns[k].tangential == unknown.tangential)
+            mass(static_cast<Index>(i), static_cast<Index>(k)) +=
+                value * chi[static_cast<std::size_t>(unknowns[k].function)];
+      }
+    }
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+      const auto& [column, completion, tangential, function] = unknowns[i];
+      for (Index k = 0; k <= p; ++k)
+        for (int c = 0; c < 2; ++c)
+          writeTrace(space_.displacement(contact.element, static_cast<int>(k), c), column,
+                     traces[i](k, c), completion);
+      writeRest(column, rests[i], completion);
+      if (gamma == 0)
+        continue;
+      for (std::size_t k = 0; k < unknowns.size(); ++k) {
+        double product = mass(static_cast<Index>(i), static_cast<Index>(k));
+        for (Index l = 0; !density_ && l < count; ++l)
+          for (Index c = 0; c < 2; ++c)
+            product += parts[i](l, c) * parts[k](l, c);
+        coupling_.mass.push_back({column, unknowns[k].column, gamma * product});
+      }
+      for (int l = 0; l < count; ++l) {
+        const double norm = density_ ? std::sqrt(2 * element.half / (2 * l + 1)) : 1;
+        for (int c = 0; c < 2; ++c)
+          coupling_.weights.push_back(
+              {firstTraction + 2 * l + c, column, gamma * norm * parts[i](l, c)});
+      }
+    }
+  }
+
+  void writeRest(Index column, double value, const EndCompletion* completion) const {
+    const bool clamped = completion != nullptr && completion->clamped;
+    Vector& rests = clamped ? coupling_.completionOfRotation : coupling_.traceOfRotation;
+    rests[static_cast<std::size_t>(column)] += value;
+    if (completion != nullptr)
+      for (const auto& [k, factor] : completion->added)
+        coupling_.completionOfRotation[static_cast<std::size_t>(k)] += factor * value;
+  }
+
+  static const EndCompletion* completionOf(const Completions& completions, int i, int p) {
+    return i == 0 ? &completions[0] : i == p ? &completions[1] : nullptr;
+  }
+
+  void writeTrace(Index row, Index column, double value,
+                  const EndCompletion* completion) const {
+    const bool clamped = completion != nullptr && completion->clamped;
+    (clamped ? coupling_.completion : coupling_.trace).push_back({row, column, value});
+    if (completion != nullptr)
+      for (const auto& [k, factor] : completion->added)
+        coupling_.completion.push_back({row, k, factor * value});
+  }
+
+  const bem::Space& space_;
+  const MultiplierBasis& basis_;
+  bool density_;
+  Coupling& coupling_;
+};
+
+}  // namespace
+
+void addElement(const bem::Space& space, const MultiplierBasis& basis, bool byDensity,
+                const ContactElement& contact, double gamma, Index firstRow,
+                Coupling& coupling) {
+  CouplingWriter(space, basis, byDensity, coupling).write(contact, gamma, firstRow);
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,169 @@
+#include "contact/body/Loads.hpp"
+
+#include "bem/base/Error.hpp"
+#include "bem/basis/Legendre.hpp"
+#include "bem/quadrature/Gauss.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+namespace epafi::contact {
+
+using bem::Element;
+using bem::Function;
+using bem::Vec2;
+
+namespace {
+
+double valueOr0(const Function& f, Vec2 x) { return f ? f(x) : 0.0; }
+
+void checkBoundaries(const bem::Mesh& mesh, const Conditions& conditions) {
+  std::set<std::string> known;
+  for (const bem::Edge& edge : mesh.outline().edges())
+    known.insert(edge.boundary);
+  std::set<std::string> seen;
+  const auto check = [&](const auto& family) {
+    for (const auto& [name, condition] : family) {
+      if (known.count(name) == 0)
+        throw bem::InputError(bem::message("a condition on '", name,
+                                           "', which is no boundary of the outline"));
+      if (!seen.insert(name).second)
+        throw bem::InputError(bem::message("two conditions on boundary '", name, "'"));
+    }
+  };
+  check(conditions.dirichlet);
+  check(conditions.neumann);
+  check(conditions.contact);
+}
+
+/// Returns what the rest of the rotation adds, see bem::Rotation.
+double addNeumann(const bem::Space& space, int e, const Conditions::Neumann& neumann,
+                  bem::Units units, Loads& loads) {
+  const Element& element = space.mesh()[e];
+  const bem::Rule& rule = bem::gaussLegendre(element.degree + 12);
+  std::array<double, bem::largestDegree + 1> phi{};
+  double rest = 0;
+  for (int q = 0; q < rule.size(); ++q) {
+    const Vec2 x = space.mesh().physicalPoint(e, rule.points[q]);
+    const Vec2 traction =
+        (1 / units.stress) * Vec2{valueOr0(neumann.x, x), valueOr0(neumann.y, x)};
+    loads.largestTraction = std::max(loads.largestTraction, norm(traction));
+    bem::DisplacementBasis::values(element.degree, rule.points[q], phi.data());
+    for (int k = 0; k <= element.degree; ++k) {
+      const double weight = rule.weights[q] * element.half * phi[k];
+      loads.load[space.displacement(e, k, 0)] += weight * traction.x;
+      loads.load[space.displacement(e, k, 1)] += weight * traction.y;
+    }
+    rest += rule.weights[q] * element.half *
+            dot(traction, space.rotationRest(e, rule.points[q]));
+  }
+  return rest;
+}
+
+void clamp(const bem::Space& space, int e, const Vector& values, int component,
+           Loads& loads) {
+  for (int k = 0; k <= space.mesh()[e].degree; ++k) {
+    const Index unknown = space.displacement(e, k, component);
+    loads.clamped[unknown] = 1;
+    loads.prescribed[unknown] = values[unknown];
+    loads.largestDisplacement =
+        std::max(loads.largestDisplacement, std::abs(values[unknown]));
+  }
+}
+
+void addDirichlet(const bem::Space& space, const std::string& name,
+                  const Conditions::Dirichlet& dirichlet, bem::Units units,
+                  Loads& loads) {
+  const bem::Mesh& mesh = space.mesh();
+  const std::vector<int> elements = mesh.elementsOf(name);
+  // interpolates on every element; only the named ones are used, where the functions
+  // exist
+  const auto values = [&](const Function& f, int component) {
+    return space.interpolateOn(elements, [&](Vec2 scaled) {
+      const double value = f(mesh.outline().physical(scaled)) / units.length;
+      return component == 0 ? Vec2{value, 0} : Vec2{0, value};
+    });
+  };
+  for (int component = 0; component < 2; ++component) {
+    const Function& f = component == 0 ? dirichlet.x : dirichlet.y;
+    if (!f)
+      continue;
+    const Vector given = values(f, component);
+    for (const int e : elements)
+      clamp(space, e, given, component, loads);
+  }
+}
+
+}  // namespace
+
+Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Units units) {
+  checkBoundaries(space.mesh(), conditions);
+  const auto size = static_cast<std::size_t>(space.displacements());
+  Loads loads;
+  loads.load.assign(size, 0.0);
+  loads.prescribed.assign(size, 0.0);
+  loads.clamped.assign(size, 0);
+  double rest = 0;
+  for (int e = 0; e < space.mesh().size(); ++e) {
+    const auto neumann = conditions.neumann.find(space.mesh().boundary(e));
+    if (neumann != conditions.neumann.end())
+      rest += addNeumann(space, e, neumann->second, units, loads);
+  }
+  if (space.rotation() != nullptr)
+    space.rotation()->complete(rest, loads.load);
+  for (const auto& [name, dirichlet] : conditions.dirichlet)
+    addDirichlet(space, name, dirichlet, units, loads);
+  return loads;
+}
+
+RigidModes makeRigidModes(const bem::Space& space) {
+  const bem::Mesh& mesh = space.mesh();
+  RigidModes modes;
+  double length = 0;
+  for (const Element& element : mesh.elements()) {
+    modes.centroid = modes.centroid + 2 * element.half * element.curve.centroid();
+    length += 2 * element.half;
+  }
+  modes.centroid = (1 / length) * modes.centroid;
+
+  modes.motions = space.rigidMotions();
+  for (Index j = 0; j < space.displacements(); ++j)  // move the pole to the centroid
+    modes.motions(j, 2) +=
+        modes.centroid.y * modes.motions(j, 0) - modes.centroid.x * modes.motions(j, 1);
+
+  modes.functionals = Matrix(space.displacements(), 3);
+  std::array<double, bem::largestDegree + 1> phi{};
+  double rest[3] = {};  // of the rotation, see bem::Rotation
+  for (int e = 0; e < mesh.size(); ++e) {
+    const Element& element = mesh[e];
+    const bem::Rule& rule = bem::gaussLegendre(
+        element.degree + (element.curve.isStraight() ? 2 : bem::pointsOfTurning));
+    for (int q = 0; q < rule.size(); ++q) {
+      const Vec2 x = mesh.scaledPoint(e, rule.points[q]) - modes.centroid;
+      const Vec2 r =
+          rule.weights[q] * element.half * space.rotationRest(e, rule.points[q]);
+      rest[0] += r.x;
+      rest[1] += r.y;
+      rest[2] += dot(r, turnLeft(x));
+      bem::DisplacementBasis::values(element.degree, rule.points[q], phi.data());
+      for (int k = 0; k <= element.degree; ++k) {
+        const double weight = rule.weights[q] * element.half * phi[k];
+        const Index ux = space.displacement(e, k, 0);
+        const Index uy = space.displacement(e, k, 1);
+        modes.functionals(ux, 0) += weight;
+        modes.functionals(uy, 1) += weight;
+        modes.functionals(ux, 2) -= weight * x.y;
+        modes.functionals(uy, 2) += weight * x.x;
+      }
+    }
+  }
+  if (space.rotation() != nullptr)
+    for (Index k = 0; k < 3; ++k)
+      for (Index j = 0; j < space.displacements(); ++j)
+        modes.functionals(j, k) +=
+            rest[k] * space.rotation()->functional()[static_cast<std::size_t>(j)];
+  return modes;
+}
+
+}  // namespace epafi::contact

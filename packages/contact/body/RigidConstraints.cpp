@@ -1,0 +1,266 @@
+#include "contact/body/RigidConstraints.hpp"
+
+#include "bem/algebra/Blas.hpp"
+#include "bem/algebra/LuFactor.hpp"
+#include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/base/Error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::contact {
+
+using bem::axpy;
+using bem::dot;
+
+namespace {
+
+/// A = U diag(s) Vᵀ; V whole, so that its last columns span the kernel.
+struct Svd {
+  Matrix u;   ///< rows x min(rows, columns)
+  Vector s;   ///< min(rows, columns), descending
+  Matrix vt;  ///< columns x columns
+};
+
+Svd singularValues(Matrix a) {
+  const int m = static_cast<int>(a.rows());
+  const int n = static_cast<int>(a.columns());
+  const int k = std::min(m, n);
+  Svd svd{Matrix(m, std::max(1, k)), Vector(at(k)), Matrix(n, n)};
+  if (k == 0) {
+    for (Index i = 0; i < n; ++i)
+      svd.vt(i, i) = 1;
+    return svd;
+  }
+  Matrix u(m, m);
+  Vector work(static_cast<std::size_t>(16 * (m + n)));
+  const int size = static_cast<int>(work.size());
+  const int lda = static_cast<int>(a.stride());
+  const int ldu = static_cast<int>(u.stride());
+  const int ldvt = static_cast<int>(svd.vt.stride());
+  int info = 0;
+  dgesvd_("A", "A", &m, &n, a.data(), &lda, svd.s.data(), u.data(), &ldu, svd.vt.data(),
+          &ldvt, work.data(), &size, &info);
+  if (info != 0)
+    throw bem::NumericalError("the singular values of the rigid motions do not converge");
+  for (Index j = 0; j < k; ++j)
+    std::copy_n(u.column(j), m, svd.u.column(j));
+  return svd;
+}
+
+int rank(const Svd& svd, double threshold) {
+  return static_cast<int>(
+      std::count_if(svd.s.begin(), svd.s.end(), [&](double s) { return s > threshold; }));
+}
+
+/// Columns first ... last-1 of Vᵀ's transpose.
+Matrix rightVectors(const Svd& svd, Index first, Index last) {
+  Matrix result(svd.vt.columns(), last - first);
+  for (Index j = first; j < last; ++j)
+    for (Index i = 0; i < result.rows(); ++i)
+      result(i, j - first) = svd.vt(j, i);
+  return result;
+}
+
+/// R of Q R by Gram-Schmidt, done twice.
+Matrix triangle(std::vector<Vector> columns) {
+  const auto size = static_cast<Index>(columns.size());
+  Matrix r(size, size);
+  for (Index c = 0; c < size; ++c) {
+    Vector& column = columns[at(c)];
+    for (Index k = 0; k < c; ++k)
+      for (int twice = 0; twice < 2; ++twice) {
+        const double projection = dot(columns[at(k)], column);
+        axpy(-projection, columns[at(k)], column);
+        r(k, c) += projection;
+      }
+    const double length = std::sqrt(dot(column, column));
+    r(c, c) = length;
+    for (double& value : column)
+      value = length > 0 ? value / length : 0;
+  }
+  return r;
+}
+
+/// What the motions do at the clamped unknowns, reduced to 3 x 3 by Gram-Schmidt so that
+/// its singular values are accurate.
+Matrix clampedMotions(const RigidModes& modes, const Loads& loads) {
+  std::vector<Vector> columns(3);
+  for (Index j = 0; j < modes.motions.rows(); ++j)
+    if (loads.clamped[at(j)] != 0)
+      for (Index c = 0; c < 3; ++c)
+        columns[at(c)].push_back(modes.motions(j, c));
+  return triangle(std::move(columns));
+}
+
+std::vector<int> namedModes(const Conditions::Fix& fix) {
+  std::vector<int> modes;
+  if (fix.x)
+    modes.push_back(0);
+  if (fix.y)
+    modes.push_back(1);
+  if (fix.rotation)
+    modes.push_back(2);
+  return modes;
+}
+
+/// Without what clamps take: the functionals act on what is left of u.
+Matrix withoutClamped(Matrix columns, const Loads& loads) {
+  for (Index c = 0; c < columns.columns(); ++c)
+    for (Index j = 0; j < columns.rows(); ++j)
+      if (loads.clamped[at(j)] != 0)
+        columns(j, c) = 0;
+  return columns;
+}
+
+/// Keeps the first `fixed` functionals, which are dual to the first motions already, and
+/// changes the others so that all are dual to all.
+Matrix dualTo(const Matrix& motions, Matrix functionals, Index fixed) {
+  const Matrix pairing = transposedTimes(functionals, motions);
+  const Index free = motions.columns() - fixed;
+  const Index n = functionals.rows();
+  for (Index k = fixed; k < motions.columns(); ++k)
+    for (Index l = 0; l < fixed; ++l)
+      for (Index j = 0; j < n; ++j)
+        functionals(j, k) -= pairing(k, l) * functionals(j, l);
+  if (free == 0)
+    return functionals;
+  Matrix gram(free, free);
+  Matrix right(free, n);
+  for (Index k = 0; k < free; ++k) {
+    for (Index l = 0; l < free; ++l)
+      gram(k, l) = pairing(fixed + k, fixed + l);
+    for (Index j = 0; j < n; ++j)
+      right(k, j) = functionals(j, fixed + k);
+  }
+  const bem::LuFactor factor(std::move(gram));
+  if (!factor.isRegular())
+    throw bem::NumericalError(
+        "the free rigid motions cannot be told apart on this boundary");
+  factor.solve(right);
+  for (Index k = 0; k < free; ++k)
+    for (Index j = 0; j < n; ++j)
+      functionals(j, fixed + k) = right(k, j);
+  return functionals;
+}
+
+Index largestInRow(const Matrix& columns, Index row, Index first) {
+  Index best = first;
+  for (Index k = first; k < columns.columns(); ++k)
+    if (std::abs(columns(row, k)) > std::abs(columns(row, best)))
+      best = k;
+  return best;
+}
+
+/// The columns from `first` on in reduced echelon form: one basis of their span, whatever
+/// signs and rotations the singular vectors came with.  The amplitudes of free motions
+/// then mean the same on every mesh, and can be carried from one to the next.
+Matrix reduced(Matrix columns, Index first) {
+  const Index rows = columns.rows();
+  Index pivot = first;
+  for (Index row = 0; row < rows && pivot < columns.columns(); ++row) {
+    const Index best = largestInRow(columns, row, pivot);
+    if (std::abs(columns(row, best)) < 1e-9)
+      continue;
+    for (Index i = 0; i < rows; ++i)
+      std::swap(columns(i, pivot), columns(i, best));
+    const double scale = 1 / columns(row, pivot);
+    for (Index i = 0; i < rows; ++i)
+      columns(i, pivot) *= scale;
+    for (Index k = first; k < columns.columns(); ++k) {
+      const double factor = k == pivot ? 0 : columns(row, k);
+      for (Index i = 0; i < rows; ++i)
+        columns(i, k) -= factor * columns(i, pivot);
+    }
+    ++pivot;
+  }
+  return columns;
+}
+
+/// The values of the named functionals on the allowed motions.
+/// \throws bem::InputError if clamps hold one of them already.
+Svd heldByFix(const RigidModes& modes, const Matrix& allowedCombinations,
+              const std::vector<int>& fixedModes, const std::string& path) {
+  const Matrix onAllowed =
+      multiply(transposedTimes(modes.functionals, modes.motions), allowedCombinations);
+  const auto fixed = static_cast<Index>(fixedModes.size());
+  Matrix named(fixed, onAllowed.columns());
+  for (Index k = 0; k < fixed; ++k)
+    for (Index a = 0; a < onAllowed.columns(); ++a)
+      named(k, a) = onAllowed(fixedModes[at(k)], a);
+  Svd held = singularValues(std::move(named));
+  if (rank(held, 1e-10) == fixed)
+    return held;
+  constexpr const char* names[] = {"X", "Y", "Rotation"};
+  std::string list;
+  for (const int mode : fixedModes)
+    list += (list.empty() ? "" : ", ") + std::string(names[mode]);
+  throw bem::InputError(path + "->Fix = {" + list +
+                        "}: the clamps already hold at least one of these motions; name "
+                        "only those that no Dirichlet condition stops");
+}
+
+/// Combinations of the allowed motions: pseudo-inverse for the fixed, kernel for the
+/// free.
+Matrix dualCombinations(const Svd& held, Index fixed, Index allowed) {
+  Matrix combinations(allowed, allowed);
+  for (Index k = 0; k < fixed; ++k)
+    for (Index a = 0; a < allowed; ++a)
+      for (Index s = 0; s < fixed; ++s)
+        combinations(a, k) += held.vt(s, a) / held.s[at(s)] * held.u(k, s);
+  for (Index k = fixed; k < allowed; ++k)
+    for (Index a = 0; a < allowed; ++a)
+      combinations(a, k) = held.vt(k, a);
+  return combinations;
+}
+
+}  // namespace
+
+RigidConstraints makeRigidConstraints(const RigidModes& modes, const Loads& loads,
+                                      const Conditions::Fix& fix) {
+  const Svd clamps = singularValues(clampedMotions(modes, loads));
+  // motions are of size 1, coordinates known to 1e-16
+  const Matrix allowedCombinations = rightVectors(clamps, rank(clamps, 1e-12), 3);
+  const Index allowed = allowedCombinations.columns();
+
+  RigidConstraints constraints;
+  constraints.fixedModes = namedModes(fix);
+  const Index fixed = constraints.fixed();
+
+  const Svd held =
+      heldByFix(modes, allowedCombinations, constraints.fixedModes, fix.path);
+  const Matrix inModes = reduced(
+      multiply(allowedCombinations, dualCombinations(held, fixed, allowed)), fixed);
+  constraints.allowed = withoutClamped(multiply(modes.motions, inModes), loads);
+
+  // functionals of the free motions: ∫ u · r ds, made dual to all allowed motions
+  Matrix functionals(modes.functionals.rows(), allowed);
+  for (Index k = 0; k < fixed; ++k)
+    std::copy_n(modes.functionals.column(constraints.fixedModes[at(k)]),
+                functionals.rows(), functionals.column(k));
+  for (Index k = fixed; k < allowed; ++k)
+    for (Index m = 0; m < 3; ++m)
+      for (Index j = 0; j < functionals.rows(); ++j)
+        functionals(j, k) += inModes(m, k) * modes.functionals(j, m);
+  functionals = withoutClamped(std::move(functionals), loads);
+  constraints.functionals = dualTo(constraints.allowed, std::move(functionals), fixed);
+  return constraints;
+}
+
+void scalePairs(RigidConstraints& constraints) {
+  constraints.scales.clear();
+  for (Index k = 0; k < constraints.allowed.columns(); ++k) {
+    double* motion = constraints.allowed.column(k);
+    double* functional = constraints.functionals.column(k);
+    double largest = 0;
+    for (Index j = 0; j < constraints.allowed.rows(); ++j)
+      largest = std::max(largest, std::abs(motion[j]));
+    for (Index j = 0; j < constraints.allowed.rows(); ++j) {
+      motion[j] /= largest;
+      functional[j] *= largest;
+    }
+    constraints.scales.push_back(largest);
+  }
+}
+
+}  // namespace epafi::contact

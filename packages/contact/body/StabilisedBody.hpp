@@ -1,0 +1,68 @@
+#pragma once
+
+#include "bem/base/DenseAlgebra.hpp"
+
+#include <memory>
+
+namespace epafi::contact {
+
+using bem::Matrix;
+using bem::Vector;
+
+struct Holding;
+class CompressedHolding;
+
+/// A body's stiffness, held as its conditions say, and factored.
+class HeldStiffness {
+ public:
+  virtual ~HeldStiffness() = default;
+
+  /// (A + Σ c cᵀ)⁻¹ f on what is not clamped, zero elsewhere; see constrained().
+  virtual Vector solve(const Vector& force) const = 0;
+  /// L⁻¹ Cᵀ, my rows, where A is formed.
+  virtual Matrix forward(Matrix rows) const = 0;
+  /// Where A is not; else null.
+  virtual std::shared_ptr<const CompressedHolding> compressed() const { return {}; }
+};
+
+/// What a form of the stabilisation makes of an elastic body and of the multiplier on it:
+///
+///   A u + Cᵀ λ = f,   C u - M λ - g in the conditions      [doc/theory/contact.md, In numbers]
+///
+/// All that differs from form to form is here; whoever condenses, solves or goes back to
+/// the displacement needs no more.  A new form is one more class and one line in
+/// makeStabilisedBody.
+class StabilisedBody {
+ public:
+  virtual ~StabilisedBody() = default;
+
+  /// The holding outlives the result.
+  virtual std::shared_ptr<const HeldStiffness> held(const Holding& holding) const = 0;
+  /// f - A u, replicated, free of what rounding of A would leave in the balance.
+  virtual Vector residual(const Vector& force, const Vector& u) const = 0;
+  /// Cᵀ, my rows.
+  virtual Matrix coupling() const = 0;
+  /// Cᵀ λ, replicated, with what clamps and corners feel of λ.
+  virtual Vector push(const Vector& multiplier) const = 0;
+  /// C u of a replicated displacement, replicated.
+  virtual Vector pull(const Vector& u) const = 0;
+  virtual Matrix multiplierMass() const = 0;                          ///< M, whole
+  virtual double multiplierWork(const Vector& multiplier) const = 0;  ///< λᵀ M λ
+  /// ψ of the displacement and the multiplier.
+  virtual Vector density(const Vector& u, const Vector& multiplier) const = 0;
+  /// 1/2 <W u, u> + 1/2 <V ψ, ψ>
+  virtual double strainEnergy(const Vector& u, const Vector& multiplier) const = 0;
+  /// See ContactProblem.
+  virtual bool byDensity() const = 0;
+  virtual bem::Vec2 meanSlack(std::size_t contactElement, const Vector& multiplier,
+                              const Vector& density) const = 0;
+  /// γ on a contact element (index into MultiplierSpace::elements()), dimensionless.
+  virtual double gamma(std::size_t contactElement) const = 0;
+
+  /// X, my rows, of A = S - X Xᵀ, which has no columns where γ cannot be too large.
+  virtual Matrix subtracted() const = 0;
+  /// The same with a γ that is factor times as large.
+  virtual std::unique_ptr<const StabilisedBody> weakened(double factor) const = 0;
+};
+
+}  // namespace epafi::contact

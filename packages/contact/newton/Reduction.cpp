@@ -1,0 +1,149 @@
+#include "contact/newton/Reduction.hpp"
+
+#include "bem/algebra/SmallAlgebra.hpp"
+
+#include <Teuchos_LAPACK.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::contact {
+
+namespace {
+
+// A rigid motion counts as held when its part in the inactive rows, measured in units in
+// which the whole of it has size one, is larger than this.
+constexpr double heldThreshold = 1e-12;
+
+}  // namespace
+
+Reduction::Reduction(const Equation& equation_, const LinearRows& at_)
+    : equation(equation_),
+      e(at_),
+      problem(equation_.problem()),
+      n(problem.size()),
+      k(problem.rigidMotions()) {
+  chooseInactive();
+  splitMotions();
+}
+
+void Reduction::chooseInactive() {
+  position.assign(at(n), -1);
+  boundParts.resize(at(n));
+  for (Index i = 0; i < n; ++i) {
+    const bool known = -row(i).penetration <= 1e-15 * row(i).multiplier;
+    if (!known) {
+      position[at(i)] = count();
+      inactive.push_back(i);
+    }
+    if (i < problem.normals || row(i).bound == 0)
+      continue;
+    for (const NormalShare& slope : e.stepBounds[at(i - problem.normals)].slopes) {
+      boundParts[at(i)].push_back({slope.normal, row(i).bound * slope.value});
+      // A bound that follows an open contact is known, too.
+      symmetric = symmetric && isKnown(slope.normal);
+    }
+  }
+  for (const Index i : inactive) {
+    const double d = problem.flexibility.isFormed() ? problem.flexibility(i, i) + shift(i)
+                                                    : 1 / weight(i) + shift(i);
+    scale.push_back(d > 0 ? 1 / std::sqrt(d) : 1);
+  }
+}
+
+void Reduction::splitMotions() {
+  motionScale.assign(at(k), 1.0);
+  for (Index j = 0; j < k; ++j) {
+    double sum = 0;
+    for (Index i = 0; i < n; ++i)
+      sum += problem.rigid(i, j) * problem.rigid(i, j) * weight(i);
+    motionScale[at(j)] = sum > 0 ? 1 / std::sqrt(sum) : 1;
+  }
+  Matrix motions(count(), k);
+  for (Index m = 0; m < k; ++m)
+    for (Index p = 0; p < count(); ++p)
+      motions(p, m) =
+          scale[at(p)] * problem.rigid(inactive[at(p)], m) * motionScale[at(m)];
+  Matrix gram = transposedTimes(motions, motions);
+  Vector eigenvalues(at(k));
+  Vector work(at(8 * k + 8));
+  int info = 0;
+  if (k > 0)
+    Teuchos::LAPACK<int, double>().SYEV(
+        'V', 'L', static_cast<int>(k), gram.data(), static_cast<int>(gram.stride()),
+        eigenvalues.data(), work.data(), static_cast<int>(work.size()), &info);
+  const auto looseCount = std::count_if(eigenvalues.begin(), eigenvalues.end(),
+                                        [](double v) { return !(v > heldThreshold); });
+  loose = Matrix(k, looseCount);
+  held = Matrix(k, k - looseCount);
+  for (Index j = 0; j < k; ++j)
+    std::copy_n(gram.column(j), k,
+                j < looseCount ? loose.column(j) : held.column(j - looseCount));
+  border = multiply(motions, held);
+}
+
+bool Reduction::boundsFollowKnownRows() const {
+  return std::all_of(inactive.begin(), inactive.end(), [&](Index i) {
+    const auto& parts = boundParts[at(i)];
+    return std::all_of(parts.begin(), parts.end(),
+                       [](const NormalShare& part) { return part.value == 0; });
+  });
+}
+
+double Reduction::heldEntry(Index i, Index j) const {
+  double sum = 0;
+  for (Index m = 0; m < k; ++m)
+    sum += problem.rigid(i, m) * motionScale[at(m)] * held(m, j);
+  return sum;
+}
+
+Vector Reduction::knownChanges(const Vector& b) const {
+  Vector d(at(n), 0.0);
+  for (Index i = 0; i < n; ++i)
+    if (isKnown(i)) {
+      d[at(i)] = b[at(i)] / row(i).multiplier;
+      for (const NormalShare& part : boundParts[at(i)])
+        if (isKnown(part.normal))
+          d[at(i)] += following(i, part.value) * d[at(part.normal)];
+    }
+  return d;
+}
+
+void Reduction::follow(Vector& d) const {
+  forEachFollower(
+      [&](Index i, Index leader, double factor) { d[at(i)] += factor * d[at(leader)]; });
+}
+
+Vector Reduction::balance(const Vector& b, const Vector& known) const {
+  Vector rest;
+  for (Index j = 0; j < k; ++j) {
+    double sum = b[at(n + j)] * equation.balanceScales()[at(j)];
+    for (Index i = 0; i < n; ++i)
+      sum -= problem.rigid(i, j) * known[at(i)];
+    rest.push_back(sum * motionScale[at(j)]);
+  }
+  return rest;
+}
+
+Vector Reduction::rowsAfter(const Vector& b, const Vector& known) const {
+  Vector x;
+  for (const Index i : inactive) {
+    const double m = divisor(i);
+    x.push_back(b[at(i)] / m);
+    for (const NormalShare& part : boundParts[at(i)])
+      if (isKnown(part.normal))
+        x.back() -= part.value / m * known[at(part.normal)];
+  }
+  return x;
+}
+
+void Reduction::appendMotions(const double* sizes, Vector& d) const {
+  for (Index m = 0; m < k; ++m) {
+    double sum = 0;
+    for (Index j = 0; j < held.columns(); ++j)
+      sum += held(m, j) * sizes[j];
+    d.push_back(motionScale[at(m)] * sum);
+  }
+}
+
+}  // namespace epafi::contact

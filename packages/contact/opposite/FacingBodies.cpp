@@ -1,0 +1,136 @@
+#include "contact/opposite/FacingBodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::contact {
+
+using bem::Vec2;
+using ContactElement = MultiplierSpace::ContactElement;
+
+namespace {
+
+const Facing* stretchAt(const std::vector<Facing>& stretches, double t) {
+  const Facing* nearest = nullptr;
+  double distance = 0;
+  for (const Facing& stretch : stretches) {
+    const double off = std::max({0.0, stretch.begin - t, t - stretch.end});
+    if (nearest == nullptr || off < distance) {
+      nearest = &stretch;
+      distance = off;
+    }
+  }
+  return nearest;
+}
+
+bem::Curve moved(const bem::Curve& curve, Vec2 shift) {
+  // an arc keeps its bulge: tan of a quarter of its angle
+  return {curve.from() + shift, curve.to() + shift, curve.to() - curve.from(),
+          std::tan(curve.angle() / 4)};
+}
+
+}  // namespace
+
+FacingBodies::FacingBodies(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
+                           double length, const std::map<std::string, MetSide>& met)
+    : mesh_(mesh),
+      length_(length),
+      distant_(mesh, length),
+      met_(met),
+      sights_(static_cast<std::size_t>(mesh.size())) {
+  for (const ContactElement& element : multiplier.elements()) {
+    if (element.condition->name.empty())
+      continue;
+    const MetSide& side = met_.at(element.condition->name);
+    Sight& sight = sights_[static_cast<std::size_t>(element.element)];
+    sight.side = &side;
+    sight.element = &element;
+    sight.stretches =
+        facing(moved(mesh[element.element].curve, side.shift), side.curves, side.reach);
+  }
+}
+
+Opposite::Point FacingBodies::at(const ContactElement& element, double t) const {
+  const Sight& here = sight(element);
+  if (here.side == nullptr)
+    return distant_.at(element, t);
+  Point point;
+  const Facing* stretch = stretchAt(here.stretches, t);
+  if (stretch == nullptr)
+    return point;
+  const MetSide& side = *here.side;
+  const auto k = static_cast<std::size_t>(stretch->curve);
+  const bem::Curve& own = mesh_[element.element].curve;
+  const auto found = crossing(own.point(t) + side.shift, own.normal(t), side.curves[k]);
+  if (!found)
+    return point;
+  point.gap = element.ties() ? 0 : found->distance;
+  if (element.condition->gap)
+    point.gap +=
+        element.condition->gap(mesh_.physicalPoint(element.element, t)) / length_;
+  point.t = std::clamp(found->t, -1.0, 1.0);
+  if (side.body >= 0) {
+    point.body = side.body;
+    point.element = side.elements[k];
+  } else {
+    point.rigid = side.rigid;
+    point.arm = side.curves[k].point(point.t) - side.pole;
+  }
+  return point;
+}
+
+Vector FacingBodies::breaks(const ContactElement& element) const {
+  Vector result;
+  for (const Facing& stretch : sight(element).stretches)
+    if (stretch.end < 1)
+      result.push_back(stretch.end);
+  return result;
+}
+
+int FacingBodies::degree(const ContactElement& element) const {
+  const Sight& here = sight(element);
+  int degree = 0;
+  for (const Facing& stretch : here.stretches)
+    if (here.side->body >= 0)
+      degree =
+          std::max(degree, here.side->degrees[static_cast<std::size_t>(stretch.curve)]);
+  return degree;
+}
+
+std::vector<int> FacingBodies::bodies() const {
+  std::vector<int> result;
+  for (const auto& [name, side] : met_)
+    if (side.body >= 0 &&
+        std::find(result.begin(), result.end(), side.body) == result.end())
+      result.push_back(side.body);
+  return result;
+}
+
+std::vector<Opposite::Source> FacingBodies::sources(int body, int element,
+                                                    double t) const {
+  std::vector<Source> result;
+  for (const Sight& here : sights_) {
+    if (here.side == nullptr || here.side->body != body)
+      continue;
+    for (const Facing& stretch : here.stretches) {
+      const auto k = static_cast<std::size_t>(stretch.curve);
+      if (here.side->elements[k] != element)
+        continue;
+      const bem::Curve& met = here.side->curves[k];
+      const bem::Curve& own = mesh_[here.element->element].curve;
+      const double foot = footOn(own, met.point(t) - here.side->shift);
+      if (foot < stretch.begin - 1e-12 || foot > stretch.end + 1e-12)
+        continue;
+      // the foot runs along the side with the part of the way that is along it, which an arc
+      // draws in or out by the distance from its centre
+      const double distance =
+          dot(met.point(t) - here.side->shift - own.point(foot), own.normal(foot));
+      const double along = std::abs(dot(met.tangent(t), own.tangent(foot))) /
+                           std::abs(1 + own.curvature() * distance);
+      result.push_back({here.element, std::clamp(foot, -1.0, 1.0), along});
+    }
+  }
+  return result;
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,88 @@
+#include "contact/opposite/Obstacle.hpp"
+
+#include "bem/base/Error.hpp"
+#include "bem/quadrature/Gauss.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::contact {
+
+namespace {
+
+using bem::Vec2;
+using ContactElement = MultiplierSpace::ContactElement;
+
+void addGap(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
+            const ContactElement& contact, const Opposite& opposite, Obstacle& obstacle) {
+  const bem::Element& element = mesh[contact.element];
+  const bem::Rule& rule = bem::gaussLegendre(contact.degree + 12);
+  for (const auto& [middle, half] : stretches(opposite, contact))
+    for (int q = 0; q < rule.size(); ++q) {
+      const double t = middle + half * rule.points[q];
+      const double gap = opposite.at(contact, t).gap;
+      obstacle.largestPenetration =
+          std::max(obstacle.largestPenetration, contact.ties() ? std::abs(gap) : -gap);
+      const Vector chi = multiplier.basis().values(contact.degree, t);
+      Vector& numbers = contact.ties() ? obstacle.jump : obstacle.gap;
+      for (int i = 0; i <= contact.degree; ++i)
+        if (!contact.holdsNothing(contact.normalCompletions, i))
+          numbers[static_cast<std::size_t>(contact.normalOf(i))] +=
+              half * rule.weights[q] * element.half * gap *
+              chi[static_cast<std::size_t>(i)];
+    }
+}
+
+Vector fieldsAt(const ContactElement& contact, Vec2 x) {
+  Vector fields = contact.condition->friction.fieldsAt(x);
+  for (const double value : fields)
+    if (!(value >= 0 && std::isfinite(value)))
+      throw bem::InputError(bem::message(
+          "boundary '", *contact.boundary, "': a field of the friction law is ", value,
+          " at (", x.x, ", ", x.y, "); it must be finite and not negative"));
+  return fields;
+}
+
+void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
+                 const ContactElement& contact, bem::Units units, Obstacle& obstacle) {
+  const auto tangential = [&](Index k) -> Tangential& {
+    return obstacle.tangentials[static_cast<std::size_t>(k - multiplier.normals())];
+  };
+  if (contact.ties()) {
+    for (int i = 0; i <= contact.degree; ++i) {
+      tangential(contact.normalOf(i)) = Tangential::tied();
+      tangential(contact.tangentialOf(i)) = Tangential::tied();
+    }
+    return;
+  }
+  std::vector<Index> normals;
+  for (int i = 0; i <= contact.degree; ++i)
+    normals.push_back(contact.normalOf(i));
+  std::vector<Tangential> tangentials = elementTangentials(
+      multiplier.basis(), normals, contact.condition->friction.law,
+      [&](double t) { return fieldsAt(contact, mesh.physicalPoint(contact.element, t)); },
+      units.stress);
+  for (int i = 0; i <= contact.degree; ++i)
+    if (ContactElement::isOwn(contact.tangentialEnds, contact.degree, i))
+      tangential(contact.tangentialOf(i)) =
+          std::move(tangentials[static_cast<std::size_t>(i)]);
+}
+
+}  // namespace
+
+Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
+                      const Opposite& opposite, bem::Units units) {
+  Obstacle obstacle;
+  obstacle.gap.assign(static_cast<std::size_t>(multiplier.normals()), 0.0);
+  obstacle.jump.assign(static_cast<std::size_t>(multiplier.size()), 0.0);
+  obstacle.tangentials.resize(
+      static_cast<std::size_t>(multiplier.size() - multiplier.normals()));
+  for (const ContactElement& contact : multiplier.elements()) {
+    addGap(mesh, multiplier, contact, opposite, obstacle);
+    if (contact.tangential >= 0)
+      setFriction(mesh, multiplier, contact, units, obstacle);
+  }
+  return obstacle;
+}
+
+}  // namespace epafi::contact

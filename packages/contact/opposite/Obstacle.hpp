@@ -1,0 +1,23 @@
+#pragma once
+
+#include "bem/base/Units.hpp"
+#include "contact/multiplier/MultiplierSpace.hpp"
+#include "contact/opposite/Opposite.hpp"
+#include "contact/problem/Problem.hpp"
+
+namespace epafi::contact {
+
+/// g_i = <g, χ_i>, dimensionless, and what limits the tangential coefficients.
+struct Obstacle {
+  Vector gap;   ///< per normal coefficient
+  Vector jump;  ///< of bonded sides likewise, per coefficient of the multiplier
+  std::vector<Tangential> tangentials;
+  double largestPenetration = 0;  ///< max of -g, of |g| where sides are bonded
+};
+
+/// \throws bem::InputError if a field of a friction law is negative or not finite, naming
+/// boundary and point.
+Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
+                      const Opposite& opposite, bem::Units units);
+
+}  // namespace epafi::contact

@@ -1,0 +1,38 @@
+#include "contact/opposite/Opposite.hpp"
+
+namespace epafi::contact {
+
+using bem::Vec2;
+using ContactElement = MultiplierSpace::ContactElement;
+
+std::vector<Stretch> stretches(const Opposite& opposite, const ContactElement& element) {
+  Vector ends = opposite.breaks(element);
+  ends.push_back(1);
+  std::vector<Stretch> result;
+  double start = -1;
+  for (const double end : ends) {
+    result.push_back({(start + end) / 2, (end - start) / 2});
+    start = end;
+  }
+  return result;
+}
+
+Opposite::Point DistantObstacle::at(const ContactElement& element, double t) const {
+  const bem::Function& gap = element.condition->gap;
+  return {gap ? gap(mesh_.physicalPoint(element.element, t)) / length_ : 0.0};
+}
+
+Vec2 Motions::at(const Opposite::Point& point) const {
+  if (point.rigid >= 0)
+    return rigid[static_cast<std::size_t>(point.rigid)].at(point.arm);
+  if (point.element < 0)
+    return {};
+  const auto b = static_cast<std::size_t>(point.body);
+  return spaces[b]->displacementAt(*displacements[b], point.element, point.t);
+}
+
+Vec2 motionAt(const Motions* motions, const Opposite::Point& point) {
+  return motions == nullptr ? Vec2{} : motions->at(point);
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,77 @@
+#include "contact/results/ContactFields.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::contact {
+
+namespace {
+
+constexpr double stateTolerance = 1e-9;  // of the load; Newton stops far below
+
+Vector boundsAsCoefficients(const Problem& numbers, const Vector& multiplier) {
+  Vector result(static_cast<std::size_t>(numbers.normals), 0.0);
+  const Vector bounds = numbers.slipBounds(multiplier);
+  result.insert(result.end(), bounds.begin(), bounds.end());
+  return result;
+}
+
+}  // namespace
+
+ContactFields::ContactFields(const Solved& solved)
+    : solved_(solved),
+      units_(solved.units),
+      multiplier_(solved.state.multiplier),
+      bounds_(boundsAsCoefficients(solved.problem.numbers(), solved.state.multiplier)),
+      tolerance_(stateTolerance * solved.problem.numbers().stress) {}
+
+double ContactFields::closing(const Element& element, double t) const {
+  if (element.ties())
+    return tolerance_;
+  return multiplierSpace().at(multiplier_, element, t).normal - tolerance_;
+}
+
+double ContactFields::discreteBound(const Element& element, double t) const {
+  return units_.stress * multiplierSpace().at(bounds_, element, t).tangential;
+}
+
+double ContactFields::slipping(const Element& element, double t) const {
+  if (element.tangential < 0 || element.ties())
+    return -tolerance_;
+  const double bound = multiplierSpace().at(bounds_, element, t).tangential;
+  if (bound <= tolerance_)
+    return -tolerance_;
+  const double shear = multiplierSpace().at(multiplier_, element, t).tangential;
+  return std::abs(shear) - bound + tolerance_;
+}
+
+ContactPoint ContactFields::at(const Element& element, double t) const {
+  const MultiplierSpace& space = multiplierSpace();
+  const auto stress = space.at(multiplier_, element, t);
+  const bem::Mesh& mesh = solved_.space.mesh();
+  const bem::Element& geometry = mesh[element.element];
+  const Opposite::Point opposite = solved_.problem.opposite().at(element, t);
+  const bem::Vec2 u = solved_.relativeDisplacement(element, t, opposite);
+
+  ContactPoint point;
+  point.place = mesh.physicalPoint(element.element, t);
+  point.pressure = units_.stress * stress.normal;
+  point.shear = units_.stress * stress.tangential;
+  point.normal = units_.length * dot(u, geometry.curve.normal(t));
+  point.tangential = units_.length * dot(u, geometry.curve.tangent(t));
+  const Conditions::Contact& condition = *element.condition;
+  point.gap = units_.length * opposite.gap;
+  point.closed = closing(element, t) > 0;
+  if (element.tangential >= 0) {
+    point.bound = units_.stress *
+                  condition.friction.at(point.place, units_.stress).bound(stress.normal);
+    if (element.ties())
+      point.friction = FrictionKind::Stick;
+    else if (space.at(bounds_, element, t).tangential > tolerance_)
+      point.friction =
+          slipping(element, t) > 0 ? FrictionKind::Slip : FrictionKind::Stick;
+  }
+  return point;
+}
+
+}  // namespace epafi::contact

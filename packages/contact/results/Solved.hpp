@@ -1,0 +1,39 @@
+#pragma once
+
+#include "contact/opposite/Opposite.hpp"
+#include "contact/system/ContactProblem.hpp"
+
+namespace epafi::contact {
+
+/// Everything that the results of a body are computed from.
+struct Solved {
+  const bem::Space& space;
+  const bem::SteklovPoincare& stiffness;
+  const ContactProblem& problem;
+  const Conditions& conditions;
+  bem::Units units;
+  const State& state;          ///< of the body's own multiplier and rigid motions
+  const Vector& displacement;  ///< all unknowns, dimensionless
+  Vector met{};                ///< see ContactProblem::displacement
+  /// Tractions on its boundary that come from other bodies' multipliers, dimensionless, at a
+  /// point of an element; empty: none.
+  std::function<bem::Vec2(int element, double t)> pressed{};
+  const Motions* motions = nullptr;  ///< of all bodies; null: what is met does not deform
+  /// The displacement of the step before in a step of a path, friction counts slip from
+  /// there; else null, and slip counts from zero.
+  const Vector* displacementBefore = nullptr;
+  const Motions* motionsBefore = nullptr;  ///< likewise of all bodies
+
+  /// [u] = u - u of what is met, dimensionless.
+  bem::Vec2 relativeDisplacement(const MultiplierSpace::ContactElement& element, double t,
+                                 const Opposite::Point& opposite) const {
+    return space.displacementAt(displacement, element.element, t) -
+           motionAt(motions, opposite);
+  }
+};
+
+/// Solved::pressed of body b among all of them, which must outlive it.
+std::function<bem::Vec2(int element, double t)> pressureOn(
+    std::size_t b, const std::vector<Solved>& bodies);
+
+}  // namespace epafi::contact

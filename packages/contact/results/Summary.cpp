@@ -1,0 +1,283 @@
+#include "contact/results/Summary.hpp"
+
+#include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/quadrature/Piecewise.hpp"
+#include "contact/body/Loads.hpp"
+#include "contact/opposite/MortarCoupling.hpp"
+#include "contact/results/ContactFields.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+namespace epafi::contact {
+
+namespace {
+
+using bem::Vec2;
+using Element = MultiplierSpace::ContactElement;
+using bem::Profile;
+
+/// Enough to separate the zeros of a polynomial of this degree in practice.
+int samples(int degree) { return 8 * (degree + 1); }
+
+double integrate(const Profile& f, const bem::Rule& rule) {
+  double sum = 0;
+  for (std::size_t q = 0; q < rule.points.size(); ++q)
+    sum += rule.weights[q] * f(rule.points[q]);
+  return sum;
+}
+
+/// Length of {f > 0} as a part of [-1, 1].
+double positivePart(const Profile& f, int degree) {
+  double sum = 0;
+  const bem::Rule pieces = bem::piecewiseRule(bem::signChanges(f, samples(degree)), 1);
+  for (std::size_t k = 0; k < pieces.points.size(); ++k)
+    if (f(pieces.points[k]) > 0)
+      sum += pieces.weights[k];
+  return sum;
+}
+
+/// ∫ bound |uₜ| over one contact element, dt.  Kinks: where uₜ or λₙ changes its sign.
+double frictionWork(const ContactFields& fields, const Element& element) {
+  const auto slip = [&](double t) { return fields.at(element, t).tangential; };
+  const auto pressure = [&](double t) { return fields.at(element, t).pressure; };
+  bem::Vector breaks = bem::signChanges(slip, samples(element.degree));
+  const bem::Vector more = bem::signChanges(pressure, samples(element.degree));
+  breaks.insert(breaks.end(), more.begin(), more.end());
+  const Opposite& opposite = fields.opposite();
+  const bem::Vector nodes = opposite.breaks(element);
+  breaks.insert(breaks.end(), nodes.begin(), nodes.end());
+  for (int i = 1; i < 4; ++i)  // the bound is the user's: it may bend anywhere
+    breaks.push_back(-1 + 0.5 * i);
+  // A bound that follows the pressure is taken as the discrete problem has it: the
+  // pressure's positive part at a point errs where the contact ends, by 3e-4 of the
+  // result in [P] 8.2.
+  const bool discrete = element.condition->friction.law->dependsOnPressure();
+  const auto work = [&](double t) {
+    const ContactPoint point = fields.at(element, t);
+    const double bound = discrete ? fields.discreteBound(element, t) : point.bound;
+    return bound * std::abs(point.tangential);
+  };
+  const int degree = std::max(element.degree, opposite.degree(element));
+  return integrate(work, bem::piecewiseRule(breaks, degree + 4));
+}
+
+void add(const Resultant& more, Resultant& sum) {
+  sum.x += more.x;
+  sum.y += more.y;
+  sum.moment += more.moment;
+}
+
+/// Adds the force on the body, -λₙ n - λₜ t, of one contact element, and its moment.
+void addForce(const Solved& solved, const ContactFields& fields, const Element& element,
+              Summary& summary) {
+  const bem::Element& side = solved.space.mesh()[element.element];
+  const bem::Rule& rule = bem::gaussLegendre(
+      element.degree + (side.curve.isStraight() ? 2 : bem::pointsOfTurning));
+  for (int i = 0; i < rule.size(); ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const ContactPoint point = fields.at(element, rule.points[k]);
+    const double weight = solved.units.length * side.half * rule.weights[k];
+    const Vec2 force = -weight * (point.pressure * side.curve.normal(rule.points[k]) +
+                                  point.shear * side.curve.tangent(rule.points[k]));
+    add({force.x, force.y, cross(point.place, force)}, summary.contact);
+    if (solved.problem.opposite().at(element, rule.points[k]).element < 0)
+      add({force.x, force.y, cross(point.place, force)}, summary.obstacle);
+  }
+}
+
+void addElement(const Solved& solved, const ContactFields& fields, const Element& element,
+                Summary& summary) {
+  const int p = element.degree;
+  const double half = solved.units.length * solved.space.mesh()[element.element].half;
+  const auto normal = [&](double t) { return fields.at(element, t).pressure; };
+  const auto tangential = [&](double t) { return fields.at(element, t).shear; };
+  summary.forceNormal += half * integrate(normal, bem::gaussLegendre(p + 1));
+  summary.contactLength +=
+      half * positivePart([&](double t) { return fields.closing(element, t); }, p);
+  addForce(solved, fields, element, summary);
+  if (element.tangential < 0)
+    return;
+  summary.forceTangential += half * integrate(tangential, bem::gaussLegendre(p + 1));
+  if (solved.displacementBefore == nullptr && !element.ties())
+    summary.energyFriction += half * frictionWork(fields, element);
+  summary.slipLength +=
+      half * positivePart([&](double t) { return fields.slipping(element, t); }, p);
+}
+
+/// of(element): the Summary that it is added to.
+template <class Of>
+void addContact(const Solved& solved, const Of& of) {
+  const ContactFields fields(solved);
+  for (const Element& element : fields.elements())
+    addElement(solved, fields, element, of(element));
+}
+
+double dotProduct(const Vector& a, const Vector& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+/// Work of the reactions on the rigid motions v of Space::rigidMotions, dimensionless:
+///
+///   R·v = (A u + Bᵀ λ - f)·v_c + Σ_k ρ_k ∫ r_k · (v - v_c) ds,
+///
+/// v_c: v at the prescribed unknowns, r_k: the fixed modes.  A clamp that lies where the
+/// traction ρ_k r_k acts takes that up again, hence v - v_c.
+std::array<double, 3> reactionWork(const Solved& solved) {
+  const std::vector<bool> isPrescribed = prescribed(solved.space, solved.conditions);
+  const bem::Matrix motions = solved.space.rigidMotions();
+  const bem::Matrix modes = makeRigidModes(solved.space).functionals;
+  const Vector clamps =
+      solved.problem.clampWork(solved.state, solved.displacement, solved.met);
+  const Vector amplitudes = solved.problem.fixedReactions(solved.state, solved.met);
+  std::array<double, 3> work{};
+  for (Index v = 0; v < 3; ++v) {
+    double& sum = work[static_cast<std::size_t>(v)];
+    sum = clamps[static_cast<std::size_t>(v)];
+    for (Index i = 0; i < motions.rows(); ++i)
+      if (!isPrescribed[static_cast<std::size_t>(i)])
+        for (Index k = 0; k < 3; ++k)
+          sum += amplitudes[static_cast<std::size_t>(k)] * modes(i, k) * motions(i, v);
+  }
+  return work;
+}
+
+/// From work on the rigid motions of the scaled outline to forces and their moment about
+/// the user's origin: M = M_scaled d + origin x force.
+Resultant resultantOf(const std::array<double, 3>& work, const Solved& solved) {
+  const Vec2 origin = solved.space.mesh().outline().physical({0, 0});
+  const double force = solved.units.stress * solved.units.length;
+  return {force * work[0], force * work[1],
+          force * (solved.units.length * work[2] + cross(origin, {work[0], work[1]}))};
+}
+
+/// The rigid motion with the moments of u over the boundary, [length] and radian.
+RigidMotion meanMotion(const Solved& solved) {
+  const RigidModes modes = makeRigidModes(solved.space);
+  const auto mean = [&](Index k) {
+    const Vector functional = bem::columnOf(modes.functionals, k);
+    return dotProduct(functional, solved.displacement) /
+           dotProduct(functional, bem::columnOf(modes.motions, k));
+  };
+  return {{solved.units.length * mean(0), solved.units.length * mean(1)}, mean(2)};
+}
+
+/// Work of the loads on the rigid motions, fᵀ v.
+std::array<double, 3> loadWork(const Solved& solved) {
+  const bem::Matrix motions = solved.space.rigidMotions();
+  const Vector& load = solved.problem.load();
+  std::array<double, 3> work{};
+  for (Index v = 0; v < 3; ++v)
+    for (Index i = 0; i < motions.rows(); ++i)
+      work[static_cast<std::size_t>(v)] +=
+          load[static_cast<std::size_t>(i)] * motions(i, v);
+  return work;
+}
+
+}  // namespace
+
+Summary summarize(const Solved& solved) {
+  const double energy = solved.units.stress * solved.units.length * solved.units.length;
+  const Vector& u = solved.displacement;
+  Summary summary;
+  summary.energyStrain = energy * solved.problem.strainEnergy(solved.state, u);
+  summary.energyLoad = energy * dotProduct(solved.problem.load(), u);
+  addContact(solved, [&](const Element&) -> Summary& { return summary; });
+  summary.motion = meanMotion(solved);
+  summary.load = resultantOf(loadWork(solved), solved);
+  summary.reaction = resultantOf(reactionWork(solved), solved);
+  return summary;
+}
+
+std::map<std::string, Summary> summarizeContacts(const Solved& solved) {
+  std::map<std::string, Summary> contacts;
+  addContact(solved, [&](const Element& element) -> Summary& {
+    return contacts[nameOf(element)];
+  });
+  return contacts;
+}
+
+namespace {
+
+/// The force of one body's multiplier on the bodies that it meets, where it acts on them.
+void addReaction(const std::vector<Solved>& bodies, const Solved& side,
+                 std::vector<Summary>& summaries) {
+  const ContactFields fields(side);
+  const Opposite& opposite = side.problem.opposite();
+  for (const Element& element : fields.elements()) {
+    const bem::Element& curve = side.space.mesh()[element.element];
+    for (const auto& [middle, half] : stretches(opposite, element)) {
+      const Opposite::Point inside = opposite.at(element, middle);
+      if (inside.element < 0)
+        continue;
+      const bem::Rule& rule = mortarRule(
+          element, curve,
+          bodies[static_cast<std::size_t>(inside.body)].space.mesh()[inside.element]);
+      for (std::size_t k = 0; k < rule.points.size(); ++k) {
+        const double t = middle + half * rule.points[k];
+        const Opposite::Point met = opposite.at(element, t);
+        if (met.element < 0)
+          continue;
+        const auto b = static_cast<std::size_t>(met.body);
+        const ContactPoint point = fields.at(element, t);
+        const double weight = side.units.length * curve.half * half * rule.weights[k];
+        const Vec2 force = weight * (point.pressure * curve.curve.normal(t) +
+                                     point.shear * curve.curve.tangent(t));
+        const Vec2 place = bodies[b].space.mesh().physicalPoint(met.element, met.t);
+        add({force.x, force.y, cross(place, force)}, summaries[b].contact);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Summary> summarizeAll(const std::vector<Solved>& bodies) {
+  std::vector<Summary> summaries;
+  for (const Solved& solved : bodies)
+    summaries.push_back(summarize(solved));
+  for (const Solved& solved : bodies)
+    if (!solved.problem.opposite().bodies().empty())
+      addReaction(bodies, solved, summaries);
+  return summaries;
+}
+
+Summary sumOf(const std::vector<Summary>& bodies) {
+  if (bodies.size() == 1)
+    return bodies.front();
+  Summary sum;
+  for (const Summary& body : bodies) {
+    for (const auto member :
+         {&Summary::energyStrain, &Summary::energyLoad, &Summary::energyFriction,
+          &Summary::forceNormal, &Summary::forceTangential, &Summary::contactLength,
+          &Summary::slipLength})
+      sum.*member += body.*member;
+    for (const auto member : {&Summary::load, &Summary::reaction, &Summary::obstacle})
+      add(body.*member, sum.*member);
+  }
+  sum.contact = sum.obstacle;
+  return sum;
+}
+
+std::vector<bool> prescribed(const bem::Space& space, const Conditions& conditions) {
+  std::vector<bool> result(static_cast<std::size_t>(space.displacements()), false);
+  for (const auto& [boundary, condition] : conditions.dirichlet)
+    for (const int e : space.mesh().elementsOf(boundary))
+      for (int k = 0; k <= space.mesh()[e].degree; ++k) {
+        if (condition.x)
+          result[static_cast<std::size_t>(space.displacement(e, k, 0))] = true;
+        if (condition.y)
+          result[static_cast<std::size_t>(space.displacement(e, k, 1))] = true;
+      }
+  return result;
+}
+
+Index freeDisplacements(const bem::Space& space, const Conditions& conditions) {
+  const std::vector<bool> isPrescribed = prescribed(space, conditions);
+  return std::count(isPrescribed.begin(), isPrescribed.end(), false);
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "contact/results/Solved.hpp"
+
+#include <map>
+#include <string>
+
+namespace epafi::contact {
+
+/// Forces on the body and their moment about the origin of the user's coordinates.
+struct Resultant {
+  double x = 0;
+  double y = 0;
+  double moment = 0;
+};
+
+/// The scalar results of a solved problem, per unit thickness, in the user's units:
+/// energies [stress length²], forces [stress length], moment [stress length²], lengths.
+struct Summary {
+  double energyStrain = 0;  ///< ½ <W u, u> + ½ <V ψ, ψ>; without Form Density ½ uᵀ S u
+  double energyLoad = 0;  ///< fᵀ u
+  /// ∫ bound |uₜ| over all contact sides; zero for a step of a path, where PathMemory has
+  /// friction's work.
+  double energyFriction = 0;
+  double forceNormal = 0;      ///< ∫ λₙ over all contact sides
+  double forceTangential = 0;  ///< ∫ λₜ
+  Resultant load;              ///< of the Neumann data
+  Resultant contact;           ///< of all contact sides: ∫ -λₙ n - λₜ t
+  /// The part of it that comes from what does not deform: obstacles and rigid bodies.
+  Resultant obstacle;
+  Resultant reaction;        ///< of clamps and fixed rigid motions
+  RigidMotion motion;        ///< mean of u over the whole boundary
+  double contactLength = 0;  ///< where λₙ > 0
+  double slipLength = 0;     ///< where |λₜ| reaches its bound
+};
+
+/// Reactions come from the residual of the discrete equations at the constrained
+/// unknowns, paired with rigid motions, contact forces from the multiplier as a function,
+/// loads from the data: none knows of the others, so that
+///
+///   load + contact + reaction = 0    in x, y and moment
+///
+/// tests the whole solution.
+Summary summarize(const Solved& solved);
+
+/// The same of every body; a force between two bodies is in the `contact` of both, what they
+/// do to each other in the lengths and energies of the one that carries the multiplier.
+std::vector<Summary> summarizeAll(const std::vector<Solved>& bodies);
+
+/// Sums over all bodies, where forces between them cancel: `contact` is that of obstacles.
+Summary sumOf(const std::vector<Summary>& bodies);
+
+/// What contact sides add to a Summary, for each contact alone, see nameOf.
+std::map<std::string, Summary> summarizeContacts(const Solved& solved);
+
+/// Which displacements a Dirichlet condition prescribes.
+std::vector<bool> prescribed(const bem::Space& space, const Conditions& conditions);
+
+/// Number of displacements that no Dirichlet condition prescribes.
+Index freeDisplacements(const bem::Space& space, const Conditions& conditions);
+
+}  // namespace epafi::contact

@@ -1,0 +1,83 @@
+#include "contact/stabilization/StabilisedStiffness.hpp"
+
+#include "bem/operators/ExactRotation.hpp"
+
+#include <cmath>
+
+namespace epafi::contact {
+
+using bem::Element;
+
+namespace {
+
+/// The mean of one component of ψ on the longest element of an edge, held with a small part
+/// of its own diagonal in V: large enough for the factor, and the change of volume that it
+/// lets through is below the error.
+std::pair<Index, double> pinOn(const bem::Space& space, int edge) {
+  int longest = -1;
+  for (int e = 0; e < space.mesh().size(); ++e)
+    if (space.mesh()[e].piece.edge == edge &&
+        (longest < 0 || space.mesh()[e].half > space.mesh()[longest].half))
+      longest = e;
+  const Element& element = space.mesh()[longest];
+  const bem::Vec2 normal = element.curve.normal(0);
+  return {space.density(longest, 0, std::abs(normal.x) > std::abs(normal.y) ? 0 : 1),
+          1e-4 * element.half * element.half};
+}
+
+}  // namespace
+
+std::vector<int> tractionElements(const MultiplierSpace& multiplier,
+                                  const Stabilization& stabilization) {
+  if (stabilization.form != Stabilization::Form::Projected)
+    return {};
+  return multiplier.meshElements();
+}
+
+bem::Space makeSpace(const bem::Mesh& mesh, const Conditions& conditions,
+                     const Stabilization& stabilization) {
+  std::vector<int> densities;
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bool raised = stabilization.form == Stabilization::Form::Density &&
+                        stabilization.raised && mesh[e].degree < bem::largestDegree &&
+                        contactOn(mesh, e, conditions) != nullptr;
+    densities.push_back(mesh[e].degree + (raised ? 1 : 0));
+  }
+  return bem::Space(mesh.withDensities(densities));
+}
+
+bem::LocalCompliance densityCompliance(const bem::Space& space,
+                                       const MultiplierSpace& multiplier,
+                                       const Stabilization& stabilization,
+                                       const bem::Lame& lame, bem::Units units) {
+  bem::LocalCompliance compliance;
+  if (stabilization.form != Stabilization::Form::Density)
+    return compliance;
+  for (const int e : multiplier.meshElements()) {
+    const Element& element = space.mesh()[e];
+    const double gamma = gammaOn(space.mesh(), e, stabilization, lame.nu, units);
+    for (int i = 0; i < element.densities; ++i)
+      for (int c = 0; c < 2; ++c) {
+        compliance.densities.push_back(space.density(e, i, c));
+        compliance.diagonal.push_back(gamma * 2 * element.half / (2 * i + 1));
+      }
+  }
+  for (const int edge : multiplier.conditions().pins)
+    compliance.pinned.push_back(pinOn(space, edge));
+  return compliance;
+}
+
+bem::SteklovPoincare makeStiffness(const bem::Space& space,
+                                   const MultiplierSpace& multiplier,
+                                   const Stabilization& stabilization,
+                                   const bem::Lame& lame, bem::Units units,
+                                   const bem::DenseAlgebra& algebra) {
+  return bem::SteklovPoincare(
+      bem::withExactRotation(
+          bem::assembleOperators(space, lame, algebra,
+                                 tractionElements(multiplier, stabilization)),
+          space, algebra),
+      algebra, densityCompliance(space, multiplier, stabilization, lame, units));
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,77 @@
+#include "contact/system/ContactProblem.hpp"
+
+#include "contact/system/BodyParts.hpp"
+
+namespace epafi::contact {
+
+ContactProblem::ContactProblem(std::unique_ptr<BodyParts> parts)
+    : parts_(std::move(parts)) {}
+
+double ContactProblem::loadSize() const { return parts_->size(); }
+
+ContactProblem::~ContactProblem() = default;
+ContactProblem::ContactProblem(ContactProblem&&) noexcept = default;
+
+const Problem& ContactProblem::numbers() const { return parts_->numbers; }
+const MultiplierSpace& ContactProblem::multiplier() const { return parts_->multiplier; }
+const Opposite& ContactProblem::opposite() const { return *parts_->opposite; }
+Index ContactProblem::freeMotions() const { return parts_->body->freeMotions(); }
+Vector ContactProblem::moved(const double* motions) const {
+  return parts_->body->moved(motions);
+}
+const Vector& ContactProblem::gap() const { return parts_->obstacle.gap; }
+const Vector& ContactProblem::load() const { return parts_->holding.loads.load; }
+double ContactProblem::gamma0() const { return parts_->gamma0; }
+double ContactProblem::gamma(std::size_t contactElement) const {
+  return parts_->form->gamma(contactElement);
+}
+
+Vector ContactProblem::displacement(const State& state, const Vector& met) const {
+  const Vector still(static_cast<std::size_t>(parts_->body->freeMotions()), 0.0);
+  return parts_->body->displacement(
+      parts_->push(state, met), state.rigid.empty() ? still.data() : state.rigid.data());
+}
+
+bool ContactProblem::byDensity() const { return parts_->form->byDensity(); }
+
+bem::Vec2 ContactProblem::meanSlack(std::size_t contactElement, const State& state,
+                                    const Vector& density) const {
+  return parts_->form->meanSlack(contactElement, state.multiplier, density);
+}
+
+double ContactProblem::strainEnergy(const State& state,
+                                    const Vector& displacement) const {
+  return parts_->form->strainEnergy(displacement, state.multiplier);
+}
+
+double ContactProblem::storedEnergy(const State& state,
+                                    const Vector& displacement) const {
+  const Vector none(displacement.size(), 0.0);
+  const Vector force = parts_->form->residual(none, displacement);  // -A u
+  double twice = 0;
+  for (std::size_t i = 0; i < force.size(); ++i)
+    twice -= force[i] * displacement[i];
+  if (!state.multiplier.empty())
+    twice += parts_->form->multiplierWork(state.multiplier);
+  return twice / 2;
+}
+
+Vector ContactProblem::density(const State& state, const Vector& displacement) const {
+  return parts_->form->density(displacement, state.multiplier);
+}
+
+Vector ContactProblem::clampForces(const State& state, const Vector& displacement,
+                                   const Vector& met) const {
+  return parts_->body->clampForces(parts_->push(state, met), displacement);
+}
+
+Vector ContactProblem::clampWork(const State& state, const Vector& displacement,
+                                 const Vector& met) const {
+  return parts_->body->clampWork(parts_->push(state, met), displacement);
+}
+
+Vector ContactProblem::fixedReactions(const State& state, const Vector& met) const {
+  return parts_->body->fixedReactions(parts_->push(state, met));
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,243 @@
+#include "contact/system/ContactSystem.hpp"
+
+#include "bem/algebra/SmallAlgebra.hpp"
+#include "contact/compressed/CompressedBody.hpp"
+#include "contact/system/RigidDrives.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace epafi::contact {
+
+using bem::at;
+using bem::axpy;
+
+struct ContactSystem::Parts {
+  std::vector<ContactProblem> bodies;
+  Numbering numbering;
+  std::shared_ptr<const Couplings> couplings;
+  RigidDrives rigid;
+  Problem numbers{};
+  Vector gap{};
+  Vector jump{};
+  Vector slipBefore{};
+
+  std::size_t size() const { return bodies.size(); }
+  const BodyParts& part(std::size_t b) const { return *bodies[b].parts_; }
+  static AllBodyParts partsOf(const std::vector<ContactProblem>& bodies) {
+    AllBodyParts parts;
+    for (const ContactProblem& body : bodies)
+      parts.push_back(body.parts_.get());
+    return parts;
+  }
+
+  void condenseAll(const std::vector<BodyInput>& inputs) {
+    std::vector<ElasticBody::Response> responses;
+    if (part(0).body->compressed() != nullptr) {
+      std::vector<CompressedInput> compressed;
+      std::vector<std::shared_ptr<const CompressedHolding>> held;
+      for (std::size_t b = 0; b < size(); ++b) {
+        responses.push_back(part(b).body->response(
+            [&](const Vector& u) { return couplings->pull(b, part(b), u); }));
+        compressed.push_back(
+            {part(b).space, part(b).multiplier, inputs[b].lame, part(b).opposite.get()});
+        held.push_back(part(b).body->compressed());
+      }
+      numbers = condense(Flexibility(compressedFlexibility(
+                             makeCompressedCoupling(
+                                 compressed, inputs.front().stabilization, part(0).units),
+                             std::move(held))),
+                         responses);
+    } else {
+      for (std::size_t b = 0; b < size(); ++b)
+        responses.push_back(part(b).body->response(couplings->transposed(b, part(b))));
+      numbers = condense(part(0).algebra, couplings->multiplierMass(partsOf(bodies)),
+                         responses);
+    }
+    numbers.normals = numbering.normals();
+    if (rigid.freeMotions() > 0)
+      numbers.rigid = rigid.withFreeMotions(numbers.rigid);
+    finish();
+  }
+
+  /// The numbers of another time from those of this one.
+  void respondAll(const Parts& same) {
+    numbers = same.numbers.copy();
+    numbers.tangentials.clear();
+    numbers.rigidLoad.clear();
+    numbers.offset.assign(at(numbering.size()), 0.0);
+    for (std::size_t b = 0; b < size(); ++b) {
+      const ElasticBody& body = *part(b).body;
+      axpy(1, couplings->pull(b, part(b), body.unpushed()), numbers.offset);
+      const Vector load = body.rigidLoad();
+      numbers.rigidLoad.insert(numbers.rigidLoad.end(), load.begin(), load.end());
+    }
+    finish();
+  }
+
+  /// Gaps, given motions and forces of bodies that do not deform, bounds and scales.
+  void finish() {
+    gap.assign(at(numbering.normals()), 0.0);
+    jump.assign(at(numbering.size()), 0.0);
+    for (std::size_t b = 0; b < size(); ++b) {
+      const BodyParts& own = part(b);
+      for (const Tangential& tangential : own.numbers.tangentials)
+        numbers.tangentials.push_back(tangential.shifted(numbering(b, 0)));
+      for (Index i = 0; i < numbering.sizeOf(b); ++i) {
+        const Index k = numbering(b, i);
+        jump[at(k)] = own.obstacle.jump[at(i)];
+        numbers.offset[at(k)] -= jump[at(k)];
+        if (i >= numbering.normalsOf(b))
+          continue;
+        gap[at(k)] = own.obstacle.gap[at(i)];
+        numbers.offset[at(k)] -= gap[at(k)];
+      }
+    }
+    rigid.act(numbers.offset, numbers.rigidLoad);
+    setScale(loadSize());
+  }
+
+  void setScale(double load) {
+    numbers.stress = load > 0 ? load : 1;
+    for (const ContactProblem& body : bodies)
+      body.parts_->numbers.stress = numbers.stress;
+  }
+
+  double loadSize() const {
+    double load = rigid.loadSize();
+    for (std::size_t b = 0; b < size(); ++b)
+      load += part(b).size();
+    return load;
+  }
+};
+
+ContactSystem::ContactSystem(const std::vector<BodyInput>& inputs,
+                             const std::vector<Drive>& rigid) {
+  assert(!inputs.empty());
+  std::vector<ContactProblem> bodies;
+  std::vector<Numbering::Count> counts;
+  for (const BodyInput& input : inputs) {
+    bodies.push_back(ContactProblem(std::make_unique<BodyParts>(input)));
+    const MultiplierSpace& multiplier = bodies.back().multiplier();
+    counts.push_back({multiplier.normals(), multiplier.size()});
+  }
+  const Numbering numbering(counts);
+  const AllBodyParts all = Parts::partsOf(bodies);
+  parts_ =
+      std::make_unique<Parts>(Parts{std::move(bodies),
+                                    numbering,
+                                    std::make_shared<const Couplings>(all, numbering),
+                                    {rigid, all, numbering}});
+  parts_->condenseAll(inputs);
+}
+
+ContactSystem::ContactSystem(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+
+ContactProblem::ContactProblem(const BodyInput& input) {
+  ContactSystem alone({input});
+  parts_ = std::move(alone.parts_->bodies.front().parts_);
+  parts_->numbers = std::move(alone.parts_->numbers);
+}
+
+ContactSystem ContactSystem::under(const Step& step) const {
+  assert(step.conditions.size() == size() && step.rigid.size() == drives().size());
+  std::vector<ContactProblem> bodies;
+  for (std::size_t b = 0; b < size(); ++b)
+    bodies.push_back(
+        ContactProblem(std::make_unique<BodyParts>(*body(b).parts_, step.conditions[b])));
+  auto parts =
+      std::make_unique<Parts>(Parts{std::move(bodies), numbering(), parts_->couplings,
+                                    parts_->rigid.under(step.rigid)});
+  parts->respondAll(*parts_);
+  parts->setScale(std::max(parts->loadSize(), step.largestLoad));
+  if (!step.slipBefore.empty()) {
+    parts->numbers = withSlipBefore(parts->numbers, step.slipBefore);
+    parts->slipBefore = step.slipBefore;
+  }
+  return ContactSystem(std::move(parts));
+}
+
+Vector ContactSystem::slipSoFar(const State& state) const {
+  Vector total = slip(parts_->numbers, state);
+  if (!parts_->slipBefore.empty())
+    axpy(1, parts_->slipBefore, total);
+  return total;
+}
+
+double ContactSystem::loadSize() const { return parts_->loadSize(); }
+
+ContactSystem::~ContactSystem() = default;
+ContactSystem::ContactSystem(ContactSystem&&) noexcept = default;
+
+std::size_t ContactSystem::size() const { return parts_->size(); }
+const ContactProblem& ContactSystem::body(std::size_t b) const {
+  return parts_->bodies[b];
+}
+const Problem& ContactSystem::numbers() const { return parts_->numbers; }
+const Vector& ContactSystem::gap() const { return parts_->gap; }
+const Vector& ContactSystem::jump() const { return parts_->jump; }
+const Numbering& ContactSystem::numbering() const { return parts_->numbering; }
+const std::vector<Drive>& ContactSystem::drives() const { return parts_->rigid.drives(); }
+
+State ContactSystem::joined(const std::vector<State>& states,
+                            const std::vector<RigidMotion>& rigid) const {
+  State all;
+  const bool empty = std::all_of(states.begin(), states.end(),
+                                 [](const State& s) { return s.multiplier.empty(); });
+  if (!empty)
+    all.multiplier.assign(at(numbering().size()), 0.0);
+  for (std::size_t b = 0; b < states.size(); ++b) {
+    for (std::size_t i = 0; i < states[b].multiplier.size(); ++i)
+      all.multiplier[at(numbering()(b, static_cast<Index>(i)))] = states[b].multiplier[i];
+    all.rigid.insert(all.rigid.end(), states[b].rigid.begin(), states[b].rigid.end());
+  }
+  if (!all.rigid.empty() || !rigid.empty()) {
+    all.rigid.resize(at(numbers().rigidMotions() - parts_->rigid.freeMotions()), 0.0);
+    parts_->rigid.append(rigid, all.rigid);
+  }
+  return all;
+}
+
+Configuration ContactSystem::configuration(State state) const {
+  Configuration result;
+  if (state.multiplier.empty())
+    state.multiplier.assign(at(numbering().size()), 0.0);
+  if (state.rigid.empty())
+    state.rigid.assign(at(numbers().rigidMotions()), 0.0);
+  const double* motions = state.rigid.data();
+  for (std::size_t b = 0; b < size(); ++b) {
+    State own;
+    for (Index i = 0; i < numbering().sizeOf(b); ++i)
+      own.multiplier.push_back(state.multiplier[at(numbering()(b, i))]);
+    own.rigid.assign(motions, motions + body(b).freeMotions());
+    motions += body(b).freeMotions();
+    result.bodies.push_back(std::move(own));
+  }
+  for (std::size_t b = 0; b < size(); ++b) {
+    result.met.push_back(parts_->couplings->pressOn(b, parts_->part(b), result.bodies));
+    result.displacements.push_back(body(b).displacement(result.bodies[b], result.met[b]));
+  }
+  result.rigid = parts_->rigid.motions(motions);
+  result.state = std::move(state);
+  return result;
+}
+
+std::vector<std::array<double, 3>> ContactSystem::rigidForces(const State& state) const {
+  return parts_->rigid.forces(state.multiplier);
+}
+
+double ContactSystem::strainEnergy(const Configuration& at) const {
+  double sum = 0;
+  for (std::size_t b = 0; b < size(); ++b)
+    sum += body(b).strainEnergy(at.bodies[b], at.displacements[b]);
+  return sum;
+}
+
+double ContactSystem::storedEnergy(const Configuration& at) const {
+  double sum = 0;
+  for (std::size_t b = 0; b < size(); ++b)
+    sum += body(b).storedEnergy(at.bodies[b], at.displacements[b]);
+  return sum;
+}
+
+}  // namespace epafi::contact

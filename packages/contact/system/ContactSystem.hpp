@@ -1,0 +1,93 @@
+#pragma once
+
+#include "contact/opposite/RigidBodies.hpp"
+#include "contact/problem/Numbering.hpp"
+#include "contact/system/ContactProblem.hpp"
+
+namespace epafi::contact {
+
+/// What a state of a system means for its bodies, dimensionless.
+struct Configuration {
+  State state;                ///< of all
+  std::vector<State> bodies;  ///< own multipliers and motions of those that deform
+  std::vector<Vector> met;    ///< what presses on each, see ContactProblem
+  std::vector<Vector> displacements;  ///< likewise all unknowns
+  std::vector<RigidMotion> rigid;     ///< of those that do not
+};
+
+/// The contact problem of all bodies of a scene, condensed onto all multipliers together:
+///
+///   λ = (λₙ of body 0, of body 1, ..., λₜ of body 0, of body 1, ...),
+///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   C_b = (own coupling of b, - mortar traces of what meets b)
+///
+/// Bodies that do not deform are a part of the offset where their motion is given; where a
+/// force is, their motion is one more column of G, and the force its balance.
+///
+/// Bodies count in one length and one stress.                  [doc/theory/contact.md]
+class ContactSystem {
+ public:
+  /// \pre All inputs have the same units and the same algebra; their opposites' points
+  ///   number the bodies as they come here.
+  /// \throws see ContactProblem, and bem::InputError for a multiplier that shares nodes where
+  ///   contact with another body meets a clamp or another contact side.
+  explicit ContactSystem(const std::vector<BodyInput>& bodies,
+                         const std::vector<Drive>& rigid = {});
+  ~ContactSystem();
+  ContactSystem(ContactSystem&&) noexcept;
+
+  /// What a step of a path changes.
+  struct Step {
+    const std::vector<Conditions>& conditions;  ///< of now; must outlive the system
+    std::vector<Drive> rigid{};                 ///< of now
+    Vector slipBefore{};     ///< rₜ at the end of the step before, see slipSoFar
+    double largestLoad = 0;  ///< loadSize() of the steps before, the largest
+  };
+  /// The same bodies on the same meshes at another time: conditions of the same kinds on the
+  /// same boundaries, the same motions free, friction that remembers.  Shares factors, D and
+  /// couplings, so that a step costs one solution with the factors.
+  /// [doc/theory/paths.md]
+  ContactSystem under(const Step& step) const;
+
+  /// rₜ of a state from the path's beginning on: what the next step is told.
+  Vector slipSoFar(const State& state) const;
+
+  /// Size of tractions, prescribed displacements, penetrations and forces, dimensionless;
+  /// zero without load.
+  double loadSize() const;
+
+  std::size_t size() const;
+  const ContactProblem& body(std::size_t b) const;
+
+  /// What the nonlinear solver sees, and see ContactProblem::gap.
+  const Problem& numbers() const;
+  const Vector& gap() const;
+  /// The jump that bonded sides are given, one number per coefficient.
+  const Vector& jump() const;
+
+  /// The state of all from each body's own, where an empty vector stays empty, and back with
+  /// everything that follows from it, where it is zero.  `rigid`: motions of bodies that do not deform; empty:
+  /// they begin where they are.
+  State joined(const std::vector<State>& states,
+               const std::vector<RigidMotion>& rigid = {}) const;
+  Configuration configuration(State state) const;
+  const Numbering& numbering() const;
+
+  /// How many bodies do not deform, how they are moved now, which of their motions are free
+  /// (behind those of bodies that deform), and what contact does to each: forces in x and
+  /// y, and the moment about the reference point.
+  const std::vector<Drive>& drives() const;
+  std::vector<std::array<double, 3>> rigidForces(const State& state) const;
+
+  /// ½ <W u, u> + ½ <V ψ, ψ> of all bodies, and with what the stabilisation adds, see
+  /// ContactProblem.
+  double strainEnergy(const Configuration& at) const;
+  double storedEnergy(const Configuration& at) const;
+
+ private:
+  friend class ContactProblem;  // is a system of one body
+  struct Parts;
+  explicit ContactSystem(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace epafi::contact
