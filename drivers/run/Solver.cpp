@@ -84,11 +84,7 @@ Solved solve(const Scene& scene, const contact::ContactSystem& system,
   return onFirstRank(algebra, [&]() -> Solved {
     try {
       contact::Solution solution =
-<<<<<<< HEAD
-          assembled(system.numbers(), scene.solver, [&](const auto& solver) {
-=======
-          assembled(system.numbers(), options, nullptr, [&](const auto& solver) {
->>>>>>> main
+          assembled(system.numbers(), scene.solver, nullptr, [&](const auto& solver) {
             return contact::solveInLoadSteps(solver, system.numbers(), system.gap(),
                                              start, scene.solver.loadSteps);
           });
@@ -106,17 +102,11 @@ Solved solveStep(const Scene& scene, const contact::ContactSystem& system,
                  const bem::DenseAlgebra& algebra) {
   return onFirstRank(algebra, [&]() -> Solved {
     try {
-<<<<<<< HEAD
-      contact::Solution solution = assembled(
-          system.numbers(), scene.solver,
-          [&](const auto& solver) { return solver.solve(system.numbers(), start); });
-=======
       // of this step only: a run that goes on behind it shall compute the same digits
       contact::FactorMemory memory;
-      contact::Solution solution =
-          assembled(problem, options, &memory,
-                    [&](const auto& solver) { return solver.solve(problem, start); });
->>>>>>> main
+      contact::Solution solution = assembled(
+          system.numbers(), scene.solver, &memory,
+          [&](const auto& solver) { return solver.solve(system.numbers(), start); });
       const std::string reason = reasonOf(solution.report);
       return {std::move(solution), reason};
     } catch (const contact::NoBalance& error) {

@@ -1,26 +1,21 @@
 #pragma once
 
-<<<<<<< HEAD
 #include "contact/system/ContactSystem.hpp"
 #include "drivers/run/BodySpaces.hpp"
 
 #include <string>
-    =======
-#include "contact/system/ContactSystem.hpp"
-#include "drivers/scene/Scene.hpp"
-    >>>>>>> main
 
-    namespace epafi::drivers {
+namespace epafi::drivers {
 
-  /// In a scene of several bodies every free rigid motion must move some contact: what leaves
-  /// all of them as they are, nothing resists and no load decides.
-  /// \throws bem::InputError naming the body.
-  void checkResistance(const Scene& scene, const contact::ContactSystem& system);
+/// In a scene of several bodies every free rigid motion must move some contact: what leaves
+/// all of them as they are, nothing resists and no load decides.
+/// \throws bem::InputError naming the body.
+void checkResistance(const Scene& scene, const contact::ContactSystem& system);
 
-  /// "the load drives Bodies->pad in the direction (0, 1), a rigid motion that neither contact nor
-  /// friction holds": of contact::unresistedMotion, what moves the farthest; empty if there is
-  /// none.
-  std::string unresisted(const Scene& scene, const BodySpaces& spaces,
-                         const contact::ContactSystem& system);
+/// "the load drives Bodies->pad in the direction (0, 1), a rigid motion that neither contact nor
+/// friction holds": of contact::unresistedMotion, what moves the farthest; empty if there is
+/// none.
+std::string unresisted(const Scene& scene, const BodySpaces& spaces,
+                       const contact::ContactSystem& system);
 
 }  // namespace epafi::drivers
