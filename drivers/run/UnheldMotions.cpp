@@ -141,7 +141,7 @@ std::string unresisted(const Scene& scene, const BodySpaces& spaces,
     keepLarger(movedBy(components, body));
   }
   return "the load " + most.words +
-         ", a rigid motion that neither contact nor friction holds";
+         ", a rigid motion in which neither contact nor friction can balance it";
 }
 
 }  // namespace epafi::drivers

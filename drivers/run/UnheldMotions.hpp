@@ -12,9 +12,9 @@ namespace epafi::drivers {
 /// \throws bem::InputError naming the body.
 void checkResistance(const Scene& scene, const contact::ContactSystem& system);
 
-/// "the load drives Bodies->pad in the direction (0, 1), a rigid motion that neither contact nor
-/// friction holds": of contact::unresistedMotion, what moves the farthest; empty if there is
-/// none.
+/// "the load drives Bodies->pad in the direction (0, 1), a rigid motion in which neither contact
+/// nor friction can balance it": of contact::unresistedMotion, what moves the farthest; empty if
+/// there is none.
 std::string unresisted(const Scene& scene, const BodySpaces& spaces,
                        const contact::ContactSystem& system);
 
