@@ -174,8 +174,9 @@ Level solveOnce(const Ground& ground, const contact::ContactSystem& system,
                 const LevelStart& from, const NewLevel& begun) {
   PhaseTimer& timer = begun.timer;
   const Solved outcome = timer.run(Phase::Newton, [&] {
-    return solve(system, ground.spaces, system.joined(from.start, from.rigid),
-                 ground.scene.solver, ground.stiffness.front().algebra());
+    return solve(ground.scene, system, ground.spaces,
+                 system.joined(from.start, from.rigid),
+                 ground.stiffness.front().algebra());
   });
   const contact::Report& report = outcome.solution.report;
   std::vector<contact::Conditions> conditions;

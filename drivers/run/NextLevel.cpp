@@ -4,14 +4,11 @@
 #include "adaptivity/mark/Doerfler.hpp"
 #include "adaptivity/mark/Strategy.hpp"
 #include "adaptivity/refine/Refine.hpp"
-#include "adaptivity/singular/Transitions.hpp"
 #include "bem/base/Error.hpp"
-#include "contact/multiplier/MultiplierSpace.hpp"
 #include "drivers/run/BodySpaces.hpp"
+#include "drivers/run/FacingSides.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <optional>
 
 namespace epafi::drivers {
 
@@ -28,72 +25,6 @@ adaptivity::GradingOptions gradingOf(const Scene& scene) {
   adaptivity::GradingOptions grading = scene.adaptivity.strategy.grading;
   grading.largestDegree = contact::multiplierBasis(scene.multiplier).largestDegree;
   return grading;
-}
-
-/// The place on the edges that a contact meets which lies opposite to a place on the side.
-std::optional<adaptivity::Transition> oppositeTo(const Scene& scene,
-                                                 const ContactPair& pair,
-                                                 const Scene::MetEdges& met,
-                                                 const bem::Curve& curve, double t) {
-  std::optional<adaptivity::Transition> found;
-  double smallest = scene.reach(pair);
-  for (std::size_t k = 0; k < met.curves.size(); ++k) {
-    const auto there = contact::crossing(curve.point(t) + scene.shift(pair),
-                                         curve.normal(t), met.curves[k]);
-    if (!there || !contact::isOn(*there) || std::abs(there->distance) > smallest)
-      continue;
-    smallest = std::abs(there->distance);
-    found = adaptivity::Transition{met.edges[k], met.curves[k].half() * (1 + there->t)};
-  }
-  return found;
-}
-
-/// Strong where contact between two bodies that deform ends, even at a corner: the pressure is
-/// unbounded there, or jumps.
-void markEnds(const ContactPair& pair, const contact::Conditions& conditions,
-              adaptivity::PreparedMesh& side) {
-  const auto touches = [&](int e) {
-    const auto* contact = contact::contactOn(side.mesh, e, conditions);
-    return contact != nullptr && contact->name == pair.name;
-  };
-  for (const int e : side.mesh.elementsOf(pair.side.boundary)) {
-    const bem::Element& element = side.mesh[e];
-    for (const auto& [neighbour, node] : {std::pair(element.previous, element.startNode),
-                                          std::pair(element.next, element.endNode)})
-      if (touches(e) && !touches(neighbour))
-        side.singular.nodes[static_cast<std::size_t>(node)] =
-            adaptivity::Singularity::Strong;
-  }
-}
-
-/// Where contact or friction changes its state on one side it does so on the other, and where
-/// either ends: singular points of both.
-void shareSingularPoints(const Scene& scene,
-                         std::vector<adaptivity::PreparedMesh>& prepared) {
-  std::vector<std::vector<adaptivity::Transition>> found(prepared.size());
-  for (std::size_t b = 0; b < prepared.size(); ++b)
-    for (const RequiredNode& node : scene.bodies[b].nodes)
-      found[b].push_back({node.edge, node.place});
-  for (const ContactPair& pair : scene.contacts) {
-    if (pair.met.rigid)
-      continue;
-    markEnds(pair, scene.bodies[pair.side.body].conditions, prepared[pair.side.body]);
-    const bem::Mesh& mesh = prepared[pair.side.body].mesh;
-    const adaptivity::SingularPoints& singular = prepared[pair.side.body].singular;
-    const Scene::MetEdges met = scene.metEdges(pair);
-    for (const int e : mesh.elementsOf(pair.side.boundary)) {
-      bem::Vector places = singular.inside[static_cast<std::size_t>(e)];
-      if (singular.at(mesh, e, false) == adaptivity::Singularity::Strong)
-        places.push_back(-1);
-      for (const double t : places)
-        if (const auto there = oppositeTo(scene, pair, met, mesh[e].curve, t))
-          found[pair.met.body].push_back(*there);
-    }
-  }
-  for (std::size_t b = 0; b < prepared.size(); ++b)
-    if (!found[b].empty())
-      prepared[b].singular =
-          adaptivity::placeOn(prepared[b].mesh, {found[b], prepared[b].singular});
 }
 
 std::vector<adaptivity::PreparedMesh> prepareAll(const Scene& scene,
@@ -118,7 +49,8 @@ std::vector<adaptivity::PreparedMesh> prepareAll(const Scene& scene,
   return prepared;
 }
 
-/// The elements that carry most of the estimate are chosen among those of all bodies.
+/// The elements that carry most of the estimate are chosen among those of all bodies; where
+/// Graded hp cuts one side of a contact, the other follows.
 std::vector<adaptivity::Marks> marksOf(
     const Scene& scene, const BodySpaces& spaces, const Level& level,
     const adaptivity::Strategy& strategy,
@@ -127,8 +59,9 @@ std::vector<adaptivity::Marks> marksOf(
   std::vector<bem::Vector> squares;
   for (const BodyLevel& body : level.bodies)
     squares.push_back(body.indicators.elements());
-  const auto worst =
-      adaptivity::doerfler(squares, scene.adaptivity.strategy.markingFraction);
+  auto worst = adaptivity::doerfler(squares, scene.adaptivity.strategy.markingFraction);
+  if (strategy.grading == adaptivity::Grading::Obeyed)
+    worst = withFacing(scene, prepared, std::move(worst));
   std::vector<adaptivity::Marks> marks;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const adaptivity::LevelData data{

@@ -79,7 +79,7 @@ class Follower {
       solved.report.status = contact::Status::Converged;
     } else {
       attempt = timer_.run(Phase::Newton, [&] {
-        return solveStep(now->system->numbers(), state_, ground_.scene.solver,
+        return solveStep(ground_.scene, *now->system, ground_.spaces, state_,
                          ground_.stiffness.front().algebra());
       });
     }

@@ -86,8 +86,8 @@ std::string reasonOf(const Report& report) {
   return report.converged() ? "" : worded(report, report.stages);
 }
 
-std::string withAdvice(const contact::NoBalance& error) {
-  return message(error.what(), holdTheMotion);
+std::string withAdvice(const contact::NoBalance& error, const std::string& unresisted) {
+  return message(unresisted.empty() ? error.what() : unresisted, holdTheMotion);
 }
 
 std::string restlessPlaces(const contact::Report& report,

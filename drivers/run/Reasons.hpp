@@ -12,8 +12,9 @@ namespace epafi::drivers {
 /// Why a solve did not converge and what in the scene might help; empty if it did.
 std::string reasonOf(const contact::Report& report);
 
-/// What nothing balances, and what in the scene might.
-std::string withAdvice(const contact::NoBalance& error);
+/// What nothing balances, in words of `unresisted` if there are any, and what in the scene
+/// might.
+std::string withAdvice(const contact::NoBalance& error, const std::string& unresisted);
 
 /// "; contact points that still change state: (0.31, 0) on foundation, ...": where a
 /// solve that did not converge is undecided, at most five; empty if it is nowhere.

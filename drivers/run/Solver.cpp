@@ -5,6 +5,7 @@
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/solve/LoadContinuation.hpp"
 #include "drivers/run/Reasons.hpp"
+#include "drivers/run/UnheldMotions.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -77,38 +78,39 @@ Solved onFirstRank(const bem::DenseAlgebra& algebra, const Solve& solve) {
 
 }  // namespace
 
-Solved solve(const contact::ContactSystem& system, const BodySpaces& spaces,
-             const contact::State& start, const Scene::Solver& options,
+Solved solve(const Scene& scene, const contact::ContactSystem& system,
+             const BodySpaces& spaces, const contact::State& start,
              const bem::DenseAlgebra& algebra) {
   return onFirstRank(algebra, [&]() -> Solved {
     try {
       contact::Solution solution =
-          assembled(system.numbers(), options, nullptr, [&](const auto& solver) {
+          assembled(system.numbers(), scene.solver, nullptr, [&](const auto& solver) {
             return contact::solveInLoadSteps(solver, system.numbers(), system.gap(),
-                                             start, options.loadSteps);
+                                             start, scene.solver.loadSteps);
           });
       const std::string reason =
           reasonOf(solution.report) + restlessPlaces(solution.report, system, spaces);
       return {std::move(solution), reason};
     } catch (const contact::NoBalance& error) {
-      throw bem::NumericalError(withAdvice(error));
+      throw bem::NumericalError(withAdvice(error, unresisted(scene, spaces, system)));
     }
   });
 }
 
-Solved solveStep(const contact::Problem& problem, const contact::State& start,
-                 const Scene::Solver& options, const bem::DenseAlgebra& algebra) {
+Solved solveStep(const Scene& scene, const contact::ContactSystem& system,
+                 const BodySpaces& spaces, const contact::State& start,
+                 const bem::DenseAlgebra& algebra) {
   return onFirstRank(algebra, [&]() -> Solved {
     try {
       // of this step only: a run that goes on behind it shall compute the same digits
       contact::FactorMemory memory;
-      contact::Solution solution =
-          assembled(problem, options, &memory,
-                    [&](const auto& solver) { return solver.solve(problem, start); });
+      contact::Solution solution = assembled(
+          system.numbers(), scene.solver, &memory,
+          [&](const auto& solver) { return solver.solve(system.numbers(), start); });
       const std::string reason = reasonOf(solution.report);
       return {std::move(solution), reason};
     } catch (const contact::NoBalance& error) {
-      return {{}, withAdvice(error)};
+      return {{}, withAdvice(error, unresisted(scene, spaces, system))};
     } catch (const bem::NumericalError& error) {
       return {{}, error.what()};
     }

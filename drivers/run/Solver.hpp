@@ -23,13 +23,14 @@ struct Solved {
 /// state, status, iterations, residual, tolerance and reason; the histories of the steps
 /// stay where they are.
 /// \throws see contact::NonlinearSolver
-Solved solve(const contact::ContactSystem& system, const BodySpaces& spaces,
-             const contact::State& start, const Scene::Solver& options,
+Solved solve(const Scene& scene, const contact::ContactSystem& system,
+             const BodySpaces& spaces, const contact::State& start,
              const bem::DenseAlgebra& algebra);
 
 /// The same for a step of a path, without Load Steps.  It may fail and be tried in parts: a
 /// bem::NumericalError is the reason of a report without a state.
-Solved solveStep(const contact::Problem& problem, const contact::State& start,
-                 const Scene::Solver& options, const bem::DenseAlgebra& algebra);
+Solved solveStep(const Scene& scene, const contact::ContactSystem& system,
+                 const BodySpaces& spaces, const contact::State& start,
+                 const bem::DenseAlgebra& algebra);
 
 }  // namespace epafi::drivers

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "contact/system/ContactSystem.hpp"
-#include "drivers/scene/Scene.hpp"
+#include "drivers/run/BodySpaces.hpp"
+
+#include <string>
 
 namespace epafi::drivers {
 
@@ -9,5 +11,11 @@ namespace epafi::drivers {
 /// all of them as they are, nothing resists and no load decides.
 /// \throws bem::InputError naming the body.
 void checkResistance(const Scene& scene, const contact::ContactSystem& system);
+
+/// "the load drives Bodies->pad in the direction (0, 1), a rigid motion in which neither contact
+/// nor friction can balance it": of contact::unresistedMotion, what moves the farthest; empty if
+/// there is none.
+std::string unresisted(const Scene& scene, const BodySpaces& spaces,
+                       const contact::ContactSystem& system);
 
 }  // namespace epafi::drivers

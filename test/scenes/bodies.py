@@ -143,6 +143,19 @@ claim(table(os.path.join(WORK, "again", "bodies.csv")) ==
 claim(whole[-1]["estimate"] < 0.75 * whole[0]["estimate"], "the estimate falls")
 claim(epafi("check", shipped)[0] == 0, "epafi check")
 
+# both sides are graded alike toward where contact ends
+run(shipped, "graded")
+sizes = {}
+for row in table(os.path.join(WORK, "graded", "boundary.csv")):
+    sizes.setdefault((row["boundary"], row["element"]), []).append(float(row["x"]))
+for sign in (-1, 1):
+    ends = [min(max(x) - min(x) for (boundary, _), x in sizes.items()
+                if boundary == side and max(sign * place for place in x) < 0.5001 and
+                max(sign * place for place in x) > 0.4999)
+            for side in ("pad:bottom", "plate:top")]
+    claim(abs(ends[0] / ends[1] - 1) < 1e-3, "elements of %.3g and %.3g meet at x = %g" % (
+        *ends, 0.5 * sign))
+
 
 # what is refused, with the key and the reason
 def refused(what, bodies, contacts, *words):
@@ -244,6 +257,26 @@ refused("a body without hold", [A, B, body("d", block(3, 0, 4, 1), 1.0)],
 refused("an interference that is no number", [A, B],
         contact("c", "a:bottom", "b:top", parameter("Interference", "string", "1/0")),
         "Interference")
+
+# a bulge far below rounding is none
+flat = [run(shipped, "flat", ["Adaptivity->Maximum Levels=1", "Bodies->pad->Geometry->Bulges={0, %g, 0, 0}" %
+                              bulge])[0][0]["estimate"] for bulge in (0, 1e-16, 1e-160, 1e-300)]
+claim(largest(estimate / flat[0] - 1 for estimate in flat) < 1e-10, "bulges of nothing: %s" % flat)
+
+# what no contact holds is named
+PAD = "Bodies->pad->Boundary Conditions->top={Type=Neumann, Traction X=%g, Traction Y=%g}"
+PUNCH = "Bodies->punch->Motion={Force Y=%s, Moment=%s}"
+SHORT = ("History->Times={1}", "History->Steps={1}", "History->Minimum Step=1")
+for file, settings, code, words in (
+        ("two-blocks", [PAD % (0, 1)], 2, "drives Bodies->pad in the direction (0, 1)"),
+        ("two-blocks", [PAD % (1, -1)], 2, "drives Bodies->pad in the direction (0.928, 0.371)"),
+        ("two-blocks", [PAD.replace("%g}", "-0.01*(1+20*x)}") % 0], 2, "turns Bodies->pad about ("),
+        ("tilting-punch", [PUNCH % (1, 0), *SHORT], 3, "drives Bodies->punch in the direction (0, 1)"),
+        ("tilting-punch", [PUNCH % (-1, 3), *SHORT], 3, "turns Bodies->punch")):
+    done, text = epafi("run", scene(file + ".xml"), "--output", fresh("unheld"), *(
+        word for setting in settings for word in ("--set", setting)))
+    claim(done == code and "the load " + words in text and "neither contact nor friction" in text,
+          "%s %s: exit %d, %s" % (file, settings[0], done, text.splitlines()[-1]))
 
 # a force on one of the bodies, from a constant
 TOP = "Bodies->pad->Boundary Conditions->top"

@@ -87,7 +87,7 @@ c = a * math.sqrt(0.5)
 history, points, _ = solved("cylinder-on-block")
 inner = [p for p in points if abs(p["x"]) < 0.9 * a]
 error = worst(inner, lambda p: p["lambda_n"] / p0 - hertz(p["x"] / a))
-claim(error < 3e-3, "cylinder on block: pressure within %.1e of the largest" % error)
+claim(error < 5e-4, "cylinder on block: pressure within %.1e of the largest" % error)
 error = worst([p for p in inner if abs(abs(p["x"]) / c - 1) > 0.05],
               lambda p: abs(p["lambda_t"]) / (f * p0) - hertz(p["x"] / a) +
               c / a * hertz(p["x"] / c))

@@ -34,10 +34,16 @@ Complex logOf1Plus(Complex u) {
           std::atan2(u.imag(), 1 + u.real())};
 }
 
+/// A bulge far below rounding is none: curvatures and their reciprocals shall stay finite.
+double halfAngle(double bulge) {
+  constexpr double flat = 1e-20;
+  return std::abs(bulge) < flat ? 0 : 2 * std::atan(bulge);
+}
+
 }  // namespace
 
 Curve::Curve(Vec2 from, Vec2 to, Vec2 chord, double bulge)
-    : from_(from), to_(to), alpha_(2 * std::atan(bulge)) {
+    : from_(from), to_(to), alpha_(halfAngle(bulge)) {
   const double length = norm(chord);
   frame_.tangent = (1 / length) * chord;
   frame_.normal = turnRight(frame_.tangent);

@@ -168,14 +168,20 @@ Vector ElasticBody::rigidLoad() const {
   return result;
 }
 
+Vector ElasticBody::moved(const double* motions) const {
+  Vector u(load_.size(), 0.0);
+  for (Index k = 0; k < freeMotions(); ++k)
+    axpy(motions[k], columnOf(holding_->rigid.allowed, holding_->rigid.fixed() + k), u);
+  return u;
+}
+
 Vector ElasticBody::displacement(const Vector& contactForce,
                                  const double* motions) const {
   Vector force = load_;
   axpy(-1, contactForce, force);
   Vector u = respond(std::move(force));
   axpy(1, constant_, u);
-  for (Index k = 0; k < freeMotions(); ++k)
-    axpy(motions[k], columnOf(holding_->rigid.allowed, holding_->rigid.fixed() + k), u);
+  axpy(1, moved(motions), u);
   if (compressed() != nullptr)
     return u;  // refined by its own product
   // What the factor leaves is ε |A| |u|.

@@ -42,6 +42,8 @@ class ElasticBody {
   ElasticBody under(const Holding& holding) const;
 
   Index freeMotions() const { return holding_->rigid.free(); }
+  /// R α of their sizes.
+  Vector moved(const double* motions) const;
 
   /// What the body adds to a condensed problem through a Cᵀ (my rows):
   struct Response {

@@ -184,21 +184,29 @@ Vector loadOfFriction(const Problem& problem) {
   return rest;
 }
 
-void requireEquilibrium(const Problem& problem) {
+Vector unresistedMotion(const Problem& problem) {
   constexpr double clear = 1e-10;
   const ScaledLoad load(problem);
   const double size = std::sqrt(dot(load.values, load.values));
   // A load without a resultant is balanced; rounding is no resultant.
   if (!(size > clear * problem.stress))
-    return;
+    return {};
   const std::vector<Vector> columns = cone(problem, load.scales, true);
-  const Vector v = NearestPoint(columns, load.values).separation();
+  Vector v = NearestPoint(columns, load.values).separation();
   const double length = std::sqrt(dot(v, v));
   const bool separates =
       length > clear * size && dot(v, load.values) > 0 &&
       std::all_of(columns.begin(), columns.end(),
                   [&](const Vector& column) { return dot(v, column) <= 1e-12 * size; });
-  if (separates)
+  if (!separates)
+    return {};
+  for (std::size_t j = 0; j < v.size(); ++j)
+    v[j] *= load.scales[j];
+  return v;
+}
+
+void requireEquilibrium(const Problem& problem) {
+  if (!unresistedMotion(problem).empty())
     throw NoBalance();
 }
 

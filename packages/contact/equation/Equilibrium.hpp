@@ -12,15 +12,17 @@ struct NoBalance : bem::NumericalError {
   using bem::NumericalError::NumericalError;
 };
 
-/// Throws if no contact forces at all balance the load: q must lie in the cone of
+/// Sizes v of the rigid motions along which the load drives and no contact forces at all
+/// resist; empty if there are none, or no clear ones.  Contact forces are the cone of
 ///
 ///   λₙ (Gₙ ± s'(0) Gₜ),  λₙ >= 0,     s' the slope of the slip bound
 ///
-/// over all places; Tresca's friction counts as unlimited here.  The proof is a rigid
-/// motion v with v·c <= 0 for every column c of the cone and v·q > 0, found by
-/// non-negative least squares [Lawson & Hanson 1974]; without a clear one nothing is
-/// thrown.
-/// \throws NoBalance
+/// over all places; Tresca's friction counts as unlimited here.  v has v·c <= 0 for every
+/// column c of the cone and v·q > 0 and proves that q lies outside; it is found by
+/// non-negative least squares [Lawson & Hanson 1974].
+Vector unresistedMotion(const Problem& problem);
+
+/// \throws NoBalance if there is one.
 void requireEquilibrium(const Problem& problem);
 
 /// The part of q that pressure alone cannot balance, at least nearly: q minus the nearest

@@ -16,6 +16,9 @@ const Problem& ContactProblem::numbers() const { return parts_->numbers; }
 const MultiplierSpace& ContactProblem::multiplier() const { return parts_->multiplier; }
 const Opposite& ContactProblem::opposite() const { return *parts_->opposite; }
 Index ContactProblem::freeMotions() const { return parts_->body->freeMotions(); }
+Vector ContactProblem::moved(const double* motions) const {
+  return parts_->body->moved(motions);
+}
 const Vector& ContactProblem::gap() const { return parts_->obstacle.gap; }
 const Vector& ContactProblem::load() const { return parts_->holding.loads.load; }
 double ContactProblem::gamma0() const { return parts_->gamma0; }

@@ -95,6 +95,8 @@ class ContactProblem {
   Vector fixedReactions(const State& state, const Vector& met = {}) const;
 
   Index freeMotions() const;
+  /// The displacement that their sizes make.
+  Vector moved(const double* motions) const;
 
  private:
   friend class ContactSystem;
