@@ -7,7 +7,7 @@
 namespace epafi {
 
 int program(int argc, char* argv[]) {
-  drivers::restartWithFastBlas(argv);
+  drivers::tuneBlas();
   const drivers::Ranks ranks;
   int code = 0;
   const auto failure = ranks.attempt([&] {

@@ -5,7 +5,7 @@
 #include "drivers/commands/FirstRank.hpp"
 #include "drivers/output/InsideFile.hpp"
 #include "drivers/output/SolutionFile.hpp"
-#include "drivers/process/BlasCore.hpp"
+#include "drivers/process/Threads.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/SceneReader.hpp"
 

@@ -85,13 +85,18 @@ void findUnused(const Scene& scene, std::vector<std::string>& warnings) {
   for (const auto& [name, value] : scene.constants)
     if (words.count(name) != 0)
       used.push_back(name);
+  const auto tell = [&](const std::string& what, const std::string& name) {
+    const std::string near = bem::nearest(name, used);
+    warnings.push_back(
+        what + " is in no expression" +
+        (near.empty() ? "" : "; the nearest name that is in one: '" + near + "'"));
+  };
   for (const auto& [name, value] : scene.constants)
-    if (words.count(name) == 0) {
-      const std::string near = bem::nearest(name, used);
-      warnings.push_back(message(
-          "Constants->", name, " = ", value, " is in no expression",
-          near.empty() ? "" : "; the nearest name that is in one: '" + near + "'"));
-    }
+    if (words.count(name) == 0)
+      tell(message("Constants->", name, " = ", value), name);
+  for (const auto& [name, table] : scene.tables)
+    if (words.count(name) == 0)
+      tell("Tables->" + name, name);
   if (scene.history && words.count("t") == 0)
     warnings.emplace_back(
         "History: no expression uses t; all steps are under the same loads");
@@ -114,9 +119,9 @@ void findSliding(const contact::Solved& solved, std::map<std::string, double>& s
       slides[nameOf(element)] =
           std::max(slides[nameOf(element)], std::abs(point.tangential));
   }
-  const auto summaries = contact::summarizeContacts(solved);
+  const auto lengths = contact::contactLengths(solved);
   for (const auto& [name, slide] : slides) {
-    const double length = summaries.at(name).contactLength;
+    const double length = lengths.at(name);
     shares[name] = std::max(shares[name], length > 0 ? slide / length : 0);
   }
 }

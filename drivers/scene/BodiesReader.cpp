@@ -52,7 +52,7 @@ Body readBody(ParameterList& list, const std::string& name, const Scene& scene,
   refuseMotion(list.sublist("Motion"), path);
   body.outline = makeOutline(loops, length, path + "->Geometry");
   body.conditions =
-      readConditions(list, {scene.file, path}, *body.outline, {scene.constants});
+      readConditions(list, {scene.file, path}, *body.outline, scene.names());
   readMesh(list.sublist("Mesh"), discretization, path, body);
   return body;
 }
@@ -115,8 +115,8 @@ RigidBody readRigid(const ParameterList& list, const std::string& name,
     if (motion.isParameter(key))
       body.components[c] = {free, [text = motion.get<std::string>(key),
                                    place = Place{scene.file, path + "->Motion->" + key},
-                                   constants = scene.constants](double t) {
-                              return evaluateAt(t, text, place, constants);
+                                   names = scene.names()](double t) {
+                              return evaluateAt(t, text, place, names);
                             }};
   }
   return body;

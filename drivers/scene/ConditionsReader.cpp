@@ -120,9 +120,9 @@ bem::Function readTraction(const ParameterList& list, const std::string& axis,
   const Place place = where.under(force).place;
   if (list.isParameter("Traction " + axis))
     throw InputError(message(place.path, ": give this or Traction ", axis, ", not both"));
-  const double traction = evaluateAt(where.names.t, list.get<std::string>(force), place,
-                                     where.names.constants) /
-                          length;
+  const double traction =
+      evaluateAt(where.names.t, list.get<std::string>(force), place, where.names) /
+      length;
   return [traction](bem::Vec2) { return traction; };
 }
 

@@ -176,9 +176,10 @@ void readContacts(const ParameterList& contacts, const std::string& file, Scene&
     checkFree(pair.side, path, scene);
     checkFree(pair.met, path, scene);
     checkNotMet(pair.side, path, scene);
-    contact::Conditions::Contact condition = readContactOfBodies(
-        list, {file, path},
-        {scene.constants, 1, normalOn(scene.outlineOf(pair.side), pair.side.boundary)});
+    Names names = scene.names();
+    names.normal = normalOn(scene.outlineOf(pair.side), pair.side.boundary);
+    contact::Conditions::Contact condition =
+        readContactOfBodies(list, {file, path}, names);
     condition.name = pair.name;
     condition.parts = meet(pair, scene);
     if (condition.parts.empty())

@@ -35,20 +35,26 @@ constexpr double pi = boost::math::constants::pi<double>();
 /// What an expression may be made of.
 enum class Form { Constant, OfTime, OfPoint };
 
-std::string toldOf(Form form, const Names& names) {
-  std::string text = form == Form::Constant ? "constants before it"
-                     : form == Form::OfTime ? "t"
-                     : names.normal         ? "x, y, t, nx and ny"
-                                            : "x, y and t";
-  if (!names.constants.empty()) {
-    text += form == Form::Constant ? ":" : " and the constants";
-    const char* separator = " ";
-    for (const auto& [name, value] : names.constants) {
-      text += separator + name;
-      separator = ", ";
-    }
-  }
+double valueIn(void* table, double at) {
+  return (*static_cast<const Interpolant*>(table))(at);
+}
+
+template <class Map>
+std::string namesIn(const Map& map, const char* before) {
+  std::string text;
+  for (const auto& item : map)
+    text += (text.empty() ? before : ", ") + item.first;
   return text;
+}
+
+std::string toldOf(Form form, const Names& names) {
+  const std::string text = form == Form::Constant ? "constants before it"
+                           : form == Form::OfTime ? "t"
+                           : names.normal         ? "x, y, t, nx and ny"
+                                                  : "x, y and t";
+  return text +
+         namesIn(names.constants, form == Form::Constant ? ": " : " and the constants ") +
+         namesIn(names.tables, " and the tables ");
 }
 
 /// A muParser bound to variables of its own.
@@ -60,6 +66,8 @@ class Parser {
       parser_.DefineConst("pi", pi);
       for (const auto& [name, value] : names.constants)
         parser_.DefineConst(name, value);
+      for (const auto& [name, table] : names.tables)
+        parser_.DefineFunUserData(name, valueIn, const_cast<Interpolant*>(table.get()));
       if (form != Form::Constant)
         parser_.DefineConst("t", names.t);
       if (form == Form::OfPoint) {
@@ -129,11 +137,11 @@ class Expression {
     const double value = evaluate(point);
     if (!std::isfinite(value) && form_ != Form::OfPoint)
       fail(message("is ", value, names_.t == 1 ? "" : message(" at t = ", names_.t),
-                   "; one finite number is needed"));
+                   "; one finite number is needed", ends()));
     if (!std::isfinite(value))
       fail(message("is ", value, " at (x, y) = (", point.x, ", ", point.y, ")",
                    names_.t == 1 ? "" : message(", t = ", names_.t),
-                   "; one finite number is needed there"));
+                   "; one finite number is needed there", ends()));
     return value;
   }
 
@@ -163,6 +171,16 @@ class Expression {
     idle_.push_back(std::move(parser));
   }
 
+  /// Where the tables begin and end that the text names: beyond, they have no value.
+  std::string ends() const {
+    std::string told;
+    for (const auto& [name, table] : names_.tables)
+      if (text_.find(name) != std::string::npos)
+        told +=
+            message("; ", name, " is given from ", table->low(), " to ", table->high());
+    return told;
+  }
+
   [[noreturn]] void fail(const std::string& what) const {
     throw InputError(message(place_.file, ": ", place_.path, " = '", text_, "' ", what));
   }
@@ -176,7 +194,7 @@ class Expression {
 };
 
 /// \throws InputError for what muParser would not take for a constant of ours.
-void checkName(const std::string& name, const Constants& earlier) {
+void checkName(const std::string& name, const Names& earlier) {
   const char* letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
   if (name.find_first_not_of(letters) != std::string::npos ||
       std::string("0123456789_").find(name.front()) != std::string::npos)
@@ -189,7 +207,7 @@ void checkName(const std::string& name, const Constants& earlier) {
       throw InputError("means something in expressions already");
   if (parser.GetFunDef().count(name) != 0)
     throw InputError("is a function of expressions already");
-  if (earlier.count(name) != 0)
+  if (earlier.constants.count(name) != 0 || earlier.tables.count(name) != 0)
     throw InputError("is given twice");
 }
 
@@ -203,23 +221,49 @@ bem::Function makeExpression(const std::string& text, const Place& place,
 }
 
 double evaluateAt(double t, const std::string& text, const Place& place,
-                  const Constants& constants) {
-  return Expression(text, place, {constants, t}, Form::OfTime)({});
+                  const Names& names) {
+  Names now = names;
+  now.t = t;
+  return Expression(text, place, now, Form::OfTime)({});
 }
 
-Constants readConstants(const Teuchos::ParameterList& list, const Place& place) {
-  Constants constants;
+namespace {
+
+/// read(name, place) for each item of a list whose names expressions shall know.
+template <class Read>
+void forEachName(const Teuchos::ParameterList& list, const Place& place,
+                 const Names& earlier, const Read& read) {
   for (const auto& item : list) {
     const Place inner{place.file, place.path + "->" + item.first};
     try {
-      checkName(item.first, constants);
+      checkName(item.first, earlier);
+      read(item.first, inner);
     } catch (const InputError& error) {
-      throw InputError(inner.path + ": " + error.what());
+      const std::string what = error.what();
+      throw InputError(what.rfind(place.file, 0) == 0 ? what : inner.path + ": " + what);
     }
-    constants[item.first] = Expression(list.get<std::string>(item.first), inner,
-                                       {constants}, Form::Constant)({});
   }
-  return constants;
+}
+
+}  // namespace
+
+Constants readConstants(const Teuchos::ParameterList& list, const Place& place,
+                        const Tables& tables) {
+  Names names;
+  names.tables = tables;
+  forEachName(list, place, names, [&](const std::string& name, const Place& inner) {
+    names.constants[name] =
+        Expression(list.get<std::string>(name), inner, names, Form::Constant)({});
+  });
+  return names.constants;
+}
+
+Tables readTables(Teuchos::ParameterList& list, const Place& place) {
+  Names names;
+  forEachName(list, place, names, [&](const std::string& name, const Place& inner) {
+    names.tables[name] = readTable(list.sublist(name), inner.file);
+  });
+  return names.tables;
 }
 
 }  // namespace epafi::drivers

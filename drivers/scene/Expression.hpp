@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/base/Function.hpp"
+#include "drivers/scene/Interpolant.hpp"
 
 #include <functional>
 #include <map>
@@ -27,11 +28,12 @@ struct Names {
   double t = 1;
   /// The outward unit normal at a point, nx and ny; empty: there is none.
   std::function<bem::Vec2(bem::Vec2)> normal = {};
+  Tables tables = {};
 };
 
 /// A function of x and y from its muParser expression.
 ///
-/// Known: x, y, t, pi, nx, ny on a boundary, the scene's constants; + - * / ^, ?:, < > <= >= == !=, && ||; sin cos tan asin acos atan
+/// Known: x, y, t, pi, nx, ny on a boundary, the scene's constants and tables; + - * / ^, ?:, < > <= >= == !=, && ||; sin cos tan asin acos atan
 /// sinh cosh tanh asinh acosh atanh, exp, sqrt, ln = log, log2, log10, abs, sign, rint,
 /// min, max, sum, avg, atan2.  Nothing can be assigned.  May be called from several
 /// threads at once.
@@ -40,14 +42,19 @@ struct Names {
 bem::Function makeExpression(const std::string& text, const Place& place,
                              const Names& names = {});
 
-/// The value of an expression in t and the constants alone.
+/// The value of an expression in t, the constants and the tables alone.
 /// \throws bem::InputError if it is none, or not one finite number.
 double evaluateAt(double t, const std::string& text, const Place& place,
-                  const Constants& constants);
+                  const Names& names);
 
-/// A list of constants; each may use those that stand before it.
+/// A list of constants; each may use those that stand before it, and the tables.
 /// \throws bem::InputError for a name that expressions could not use, or that means
 ///   something already, and for what is not one finite number.
-Constants readConstants(const Teuchos::ParameterList& list, const Place& place);
+Constants readConstants(const Teuchos::ParameterList& list, const Place& place,
+                        const Tables& tables);
+
+/// Reads the list Tables of a scene; points take the place of files' names in it.
+/// \throws bem::InputError for names as readConstants, and what readTable throws.
+Tables readTables(Teuchos::ParameterList& list, const Place& place);
 
 }  // namespace epafi::drivers

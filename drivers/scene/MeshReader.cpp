@@ -17,7 +17,9 @@ namespace epafi::drivers {
 namespace {
 
 using bem::InputError;
+using bem::Kind;
 using bem::message;
+using bem::Row;
 using Teuchos::ParameterList;
 
 /// Beyond this a mesh is a slip of the pen: its dense matrices would not fit anywhere.
@@ -106,6 +108,27 @@ std::vector<int> readElements(const ParameterList& list, const bem::Outline& out
 }
 
 }  // namespace
+
+bem::SchemaRows meshRows(const char* degree) {
+  Row ownDegree = Row("Degree", Kind::Whole, "polynomial degree of the displacement")
+                      .unit("1")
+                      .range({1, 25});
+  return {
+      Row("Elements per Edge", Kind::Counts,
+          "equal elements on each edge of the outer polygon; or give Mesh Size")
+          .unit("1")
+          .range(bem::from(1)),
+      Row("Hole <k> Elements per Edge", Kind::Counts,
+          "equal elements on each edge of hole k")
+          .unit("1")
+          .range(bem::from(1)),
+      Row("Mesh Size", Kind::Real,
+          "largest element; each edge gets the smallest number of equal ones")
+          .unit("length")
+          .range(bem::above(0)),
+      degree != nullptr ? ownDegree.standard(degree) : ownDegree,
+  };
+}
 
 void readMesh(const ParameterList& own, const ParameterList& discretization,
               const std::string& path, Body& body) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/base/SchemaRow.hpp"
 #include "drivers/scene/Scene.hpp"
 
 namespace Teuchos {
@@ -7,6 +8,10 @@ class ParameterList;
 }
 
 namespace epafi::drivers {
+
+/// The keys of a list of these; `degree` is what it has for a Degree that is not given, null:
+/// another list says it.
+bem::SchemaRows meshRows(const char* degree = nullptr);
 
 /// A body's elements and degree, of its validated list Mesh; what that does not say, the
 /// scene's Discretization does.

@@ -11,6 +11,7 @@
 #include "drivers/scene/Expression.hpp"
 #include "drivers/scene/LinearMethod.hpp"
 #include "drivers/scene/LoadPath.hpp"
+#include "drivers/scene/OutputOptions.hpp"
 #include "drivers/scene/RunLimits.hpp"
 
 #include <Teuchos_ParameterList.hpp>
@@ -77,6 +78,7 @@ struct Scene {
   std::string title;
   std::string file;
   Constants constants;  ///< that its expressions know
+  Tables tables;        ///< likewise
 
   std::vector<Body> bodies;
   std::vector<RigidBody> rigid;
@@ -108,11 +110,7 @@ struct Scene {
     RunLimits limits;
   } adaptivity;
 
-  struct Output {
-    int contactSamples = 8;  ///< per element
-    std::vector<bem::Vec2> interiorPoints;
-    bool fields = true;  ///< write boundary.csv and what shows fields
-  } output;
+  OutputOptions output;
 
   /// How bodies without elasticity are moved at a time.
   std::vector<contact::Drive> drivesAt(double t) const;
@@ -125,6 +123,9 @@ struct Scene {
   std::string boundaryName(std::size_t b, const std::string& boundary) const {
     return !hasSeveral() ? boundary : bodies[b].name + ":" + boundary;
   }
+  /// What its expressions know at t = 1, where no boundary is meant.
+  Names names() const { return {constants, 1, {}, tables}; }
+
   /// The body that a point lies inside; their number if there is none.
   std::size_t bodyAt(bem::Vec2 point) const {
     std::size_t b = 0;

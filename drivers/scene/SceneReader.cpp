@@ -48,12 +48,8 @@ Scene::Adaptivity readAdaptivity(const ParameterList& list) {
   return adaptivity;
 }
 
-Scene::Output readOutput(const ParameterList& list, const Scene& scene) {
-  Scene::Output output;
-  output.contactSamples = list.get<int>("Contact Samples per Element");
-  output.fields = list.get<bool>("Fields");
-  if (list.isParameter("Interior Points"))
-    output.interiorPoints = pointsOf(list, "Interior Points");
+OutputOptions readOutput(const ParameterList& list, const Scene& scene) {
+  OutputOptions output = parseOutput(list);
   for (std::size_t i = 0; i < output.interiorPoints.size(); ++i)
     if (scene.bodyAt(output.interiorPoints[i]) == scene.bodies.size())
       throw InputError(message("Output->Interior Points: point ", i, " = (",
@@ -71,21 +67,22 @@ void readHistory(ParameterList& used, Scene& scene) {
     return;
   }
   scene.conditionsAt = [lists = scene.used, file = scene.file, bodies = scene.bodies,
-                        constants = scene.constants](double t) {
+                        names = scene.names()](double t) {
+    Names now = names;
+    now.t = t;
     std::vector<contact::Conditions> all;
     for (const Body& body : bodies) {
       all.push_back(readConditions(lists->sublist("Bodies").sublist(body.name),
-                                   {file, "Bodies->" + body.name}, *body.outline,
-                                   {constants, t}));
+                                   {file, "Bodies->" + body.name}, *body.outline, now));
       for (const auto& [boundary, contact] : body.conditions.contact)
         if (!contact.name.empty()) {
-          contact::Conditions::Contact now =
+          now.normal = normalOn(*body.outline, boundary);
+          contact::Conditions::Contact condition =
               readContactOfBodies(lists->sublist("Contacts").sublist(contact.name),
-                                  {file, "Contacts->" + contact.name},
-                                  {constants, t, normalOn(*body.outline, boundary)});
-          now.name = contact.name;
-          now.parts = contact.parts;
-          all.back().contact[boundary] = std::move(now);
+                                  {file, "Contacts->" + contact.name}, now);
+          condition.name = contact.name;
+          condition.parts = contact.parts;
+          all.back().contact[boundary] = std::move(condition);
         }
     }
     return all;
@@ -103,7 +100,9 @@ Scene build(const std::string& file, const RawScene& raw) {
   scene.used = Teuchos::rcp(new ParameterList(complete(raw.list, raw.title)));
   ParameterList& used = *scene.used;
 
-  scene.constants = readConstants(used.sublist("Constants"), {file, "Constants"});
+  scene.tables = readTables(used.sublist("Tables"), {file, "Tables"});
+  scene.constants =
+      readConstants(used.sublist("Constants"), {file, "Constants"}, scene.tables);
   const ParameterList& discretization = used.sublist("Discretization");
   readBodies(used.sublist("Bodies"), discretization, scene);
   readContacts(used.sublist("Contacts"), file, scene);

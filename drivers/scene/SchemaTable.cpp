@@ -3,10 +3,14 @@
 #include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/law/FrictionLaw.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
+#include "contact/nox/NoxNewton.hpp"
 #include "contact/solve/LoadContinuation.hpp"
 #include "contact/stabilization/Stabilization.hpp"
+#include "drivers/scene/Interpolant.hpp"
 #include "drivers/scene/LinearMethod.hpp"
 #include "drivers/scene/LoadPath.hpp"
+#include "drivers/scene/MeshReader.hpp"
+#include "drivers/scene/OutputOptions.hpp"
 #include "drivers/scene/RunLimits.hpp"
 #include "drivers/scene/Schema.hpp"
 
@@ -138,23 +142,12 @@ void addSeveralBodies(Table& table) {
   const std::string mesh = "Bodies-><body>->Mesh";
   const std::string motion = "Bodies-><body>->Motion";
   const std::string contact = "Contacts-><contact>";
+  append(table,
+         {Row(mesh, Kind::List, "the body's own first mesh, before Discretization")});
+  append(table, meshRows(), mesh);
   append(
       table,
       {
-          Row(mesh, Kind::List, "the body's own first mesh, before Discretization"),
-          Row(mesh + "->Elements per Edge", Kind::Counts, "as under Discretization")
-              .unit("1")
-              .range(from(1)),
-          Row(mesh + "->Hole <k> Elements per Edge", Kind::Counts,
-              "equal elements on each edge of hole k")
-              .unit("1")
-              .range(from(1)),
-          Row(mesh + "->Mesh Size", Kind::Real, "largest element, instead of these")
-              .unit("length")
-              .range(above(0)),
-          Row(mesh + "->Degree", Kind::Whole, "polynomial degree of the displacement")
-              .unit("1")
-              .range({1, 25}),
           Row(motion, Kind::List, "of a rigid body; without it the body is held"),
           Row(motion + "->Displacement X", Kind::Expression,
               "prescribed, without x and y; without it and Force X none")
@@ -203,32 +196,11 @@ void addHistory(Table& table) {
 
 void addDiscretization(Table& table) {
   const std::string stabilization = "Discretization->Stabilization";
-  append(table,
-         {
-             Row("Discretization", Kind::List, "the first mesh and the spaces on it")
-                 .required(),
-             Row("Discretization->Elements per Edge", Kind::Counts,
-                 "equal elements on each edge of the outer polygon; or give Mesh Size")
-                 .unit("1")
-                 .range(from(1)),
-             Row("Discretization->Hole <k> Elements per Edge", Kind::Counts,
-                 "equal elements on each edge of hole k")
-                 .unit("1")
-                 .range(from(1)),
-             Row("Discretization->Mesh Size", Kind::Real,
-                 "largest element; each edge gets the smallest number of equal ones")
-                 .unit("length")
-                 .range(above(0)),
-             Row("Discretization->Degree", Kind::Whole,
-                 "polynomial degree of the displacement")
-                 .unit("1")
-                 .standard("1")
-                 .range({1, 25}),
-         });
+  append(table, {Row("Discretization", Kind::List, "the first mesh and the spaces on it")
+                     .required()});
+  append(table, meshRows("1"), "Discretization");
   append(table, {contact::multiplierRow()}, "Discretization");
-  append(table, {
-                    Row(stabilization, Kind::List, "stabilisation of the mixed method"),
-                });
+  append(table, {Row(stabilization, Kind::List, "stabilisation of the mixed method")});
   append(table, contact::stabilizationRows(), stabilization);
 }
 
@@ -237,9 +209,8 @@ void addSolver(Table& table) {
   append(table, contact::coulombRows(), "Solver");
   append(table, contact::trescaRows(), "Solver");
   append(table, contact::loadRows(), "Solver");
-  append(table,
-         {Row("Solver->NOX", Kind::Free, "handed to NOX; empty means Epafi's own choice"),
-          Row("Solver->Linear", Kind::List, "how linear systems are solved")});
+  append(table, {contact::noxRow()}, "Solver");
+  append(table, {Row("Solver->Linear", Kind::List, "how linear systems are solved")});
   append(table, linearRows(), "Solver->Linear");
 }
 
@@ -251,22 +222,10 @@ void addAdaptivity(Table& table) {
 }
 
 void addOutput(Table& table) {
-  append(
-      table,
-      {
-          Row("Output", Kind::List, "what is written"),
-          Row("Output->Fields", Kind::Flag, "write boundary.csv and the pictures' data")
-              .standard("true"),
-          Row("Output->Contact Samples per Element", Kind::Whole, "points in contact.csv")
-              .unit("1")
-              .standard("8")
-              .range({1, 1000}),
-          Row("Output->Interior Points", Kind::Points,
-              "points inside the body for interior.csv")
-              .unit("length"),
-          Row("Versions", Kind::Free,
-              "written into used.xml, ignored when it is read again"),
-      });
+  append(table, {Row("Output", Kind::List, "what is written")});
+  append(table, outputRows(), "Output");
+  append(table, {Row("Versions", Kind::Free,
+                     "written into used.xml, ignored when it is read again")});
 }
 
 }  // namespace
@@ -274,10 +233,16 @@ void addOutput(Table& table) {
 const std::vector<Parameter>& parameters() {
   static const Table table = [] {
     Table all;
-    append(all,
-           {Row("Constants", Kind::List, "numbers that all expressions know by name"),
-            Row("Constants-><constant>", Kind::Expression,
-                "a number, or an expression in constants that stand before it")});
+    append(
+        all,
+        {Row("Constants", Kind::List, "numbers that all expressions know by name"),
+         Row("Constants-><constant>", Kind::Expression,
+             "a number, or an expression in constants that stand before it, and tables"),
+         Row("Tables", Kind::List,
+             "functions of one variable through points, such as measured profiles; "
+             "expressions know them by name: Gap = profile(x) + 0.1"),
+         Row("Tables-><table>", Kind::List, "one function")});
+    append(all, tableRows(), "Tables-><table>");
     addBody(all);
     addConditions(all);
     addSeveralBodies(all);

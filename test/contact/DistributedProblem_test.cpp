@@ -4,6 +4,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/tpetra/DistributedRows.hpp"
 #include "contact/results/Summary.hpp"
+#include "contact/system/Definiteness.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

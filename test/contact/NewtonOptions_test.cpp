@@ -1,6 +1,7 @@
 #include "bem/base/Error.hpp"
 #include "contact/RandomProblem.hpp"
 #include "contact/Solve.hpp"
+#include "contact/equation/SmoothMerit.hpp"
 #include "contact/newton/NewtonSystem.hpp"
 #include "reference/ProjectedSor.hpp"
 
@@ -76,9 +77,9 @@ TEUCHOS_UNIT_TEST(Equation, jacobianIsTheDifferenceQuotient) {
       const Vector x = randomVector(static_cast<std::size_t>(equation.size()), random);
       const Vector d = randomVector(x.size(), random);
       const double h = 1e-7;
-      const Vector up = equation.at(combined(x, h, d)).residual;
-      const Vector down = equation.at(combined(x, -h, d)).residual;
-      const Vector product = equation.jacobianTimes(equation.at(x), d);
+      const Vector up = equation.at(combined(x, h, d)).linear.residual;
+      const Vector down = equation.at(combined(x, -h, d)).linear.residual;
+      const Vector product = equation.jacobianTimes(equation.at(x).linear, d);
       for (std::size_t i = 0; i < x.size(); ++i)
         TEST_COMPARE(std::abs(product[i] - (up[i] - down[i]) / (2 * h)), <, 1e-5);
     }
@@ -93,10 +94,10 @@ TEUCHOS_UNIT_TEST(Equation, meritGradientIsTheDifferenceQuotient) {
     const Vector x = randomVector(static_cast<std::size_t>(equation.size()), random);
     const Vector d = randomVector(x.size(), random);
     const double h = 1e-6;
-    const double quotient = (equation.merit(equation.at(combined(x, h, d))) -
-                             equation.merit(equation.at(combined(x, -h, d)))) /
+    const double quotient = (merit(equation, equation.at(combined(x, h, d))) -
+                             merit(equation, equation.at(combined(x, -h, d)))) /
                             (2 * h);
-    const Vector gradient = equation.meritGradient(equation.at(x));
+    const Vector gradient = meritGradient(equation, equation.at(x));
     double slope = 0;
     for (std::size_t i = 0; i < d.size(); ++i)
       slope += gradient[i] * d[i];
@@ -117,12 +118,12 @@ TEUCHOS_UNIT_TEST(NewtonSystem, invertsTheJacobian) {
           const auto e = equation.at(
               randomVector(static_cast<std::size_t>(equation.size()), random));
           const Vector b = randomVector(e.unknowns.size(), random);
-          const contact::NewtonSystem system(equation, e);
+          const contact::NewtonSystem system(equation, e.linear);
           if (!system.unheld(b).empty())
             continue;
           ++solved;
           const Vector d = system.solve(b);
-          const Vector defect = combined(equation.jacobianTimes(e, d), -1, b);
+          const Vector defect = combined(equation.jacobianTimes(e.linear, d), -1, b);
           TEST_COMPARE(largest(defect), <, 1e-11 * (1 + largest(d)));
         }
       }

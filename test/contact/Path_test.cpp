@@ -185,7 +185,7 @@ TEUCHOS_UNIT_TEST(Path, theIncrementLeadsFromTheStepBeforeToThisOne) {
     return contact::Equation(problem, function, contact::Equation::Bound::Differentiated,
                              0)
         .at(x)
-        .residual;
+        .linear.residual;
   };
   const auto largest = [](const Vector& v) {
     double size = 0;

@@ -174,7 +174,7 @@ TEUCHOS_UNIT_TEST(Solver, fullStepsCycleWithPeriodThreeOnTheClassicalExample) {
   std::vector<contact::ActiveSet> sets;
   for (int step = 0; step < 9; ++step) {
     Vector x = e.unknowns;
-    const Vector d = contact::newtonStep(equation, e);
+    const Vector d = contact::newtonStep(equation, e, e.linear);
     for (std::size_t i = 0; i < x.size(); ++i)
       x[i] += d[i];
     e = equation.at(x);

@@ -73,6 +73,75 @@ TEUCHOS_UNIT_TEST(Constants, thatCannotBeAreRefused) {
       contains(complaintOf(text.xml()), "x, y, t, nx and ny and the constants load"));
 }
 
+std::string table(const std::string& name, const std::string& content) {
+  return "<ParameterList name=\"Tables\"><ParameterList name=\"" + name + "\">" +
+         content + "</ParameterList></ParameterList>";
+}
+
+std::string points(const std::string& value) {
+  return R"(<Parameter name="Points" type='TwoDArray(double)' value=")" + value + "\"/>";
+}
+
+bem::Function gapOf(const SceneText& text) {
+  return read(text, {}).bodies[0].conditions.contact.at("base").gap;
+}
+
+TEUCHOS_UNIT_TEST(Tables, areFunctionsOfExpressions) {
+  for (const bool cubic : {false, true}) {
+    SceneText text;
+    text.rest =
+        table("profile", points("7x2:{-3,9, -2,4, -1,1, 0,0, 1,1, 2,4, 3,9}") +
+                             parameter("Interpolation", cubic ? "Cubic" : "Linear"));
+    text.base = parameter("Type", "Contact") + parameter("Gap", "profile(x) + 1");
+    const bem::Function gap = gapOf(text);
+    for (const double x : {-3.0, -1.0, 0.0, 2.0, 3.0})
+      TEST_FLOATING_EQUALITY(gap({x, 0}), x * x + 1, 1e-15);
+    if (!cubic)
+      TEST_FLOATING_EQUALITY(gap({0.75, 0}), 1.75, 1e-15);
+    constexpr double step = 1e-6;
+    const double kink =
+        (gap({1 + step, 0}) - 2 * gap({1, 0}) + gap({1 - step, 0})) / step;
+    TEST_COMPARE(std::abs(kink - (cubic ? 0 : 2)), <, 1e-4);
+    TEST_THROW(gap({3.1, 0}), bem::InputError);
+  }
+}
+
+TEUCHOS_UNIT_TEST(Tables, areReadFromFiles) {
+  const test::TemporaryFile file(
+      "profile.csv", "x in mm, gap in mm\n# measured\n0, 1\n1; 2 # end\n\n2 4e0\n");
+  SceneText text;
+  text.rest = table("profile", parameter("File", file.path()));
+  text.base = parameter("Type", "Contact") + parameter("Gap", "profile(x)");
+  TEST_FLOATING_EQUALITY(gapOf(text)({1.5, 0}), 3.0, 1e-15);
+  for (const char* spoilt :
+       {"0, 1\nhigh\n1, 2\n", "0, 1\n1\n", "0, 1, 2\n", "0, 1\n1, nan\n"}) {
+    const test::TemporaryFile bad("spoilt.csv", spoilt);
+    text.rest = table("profile", parameter("File", bad.path()));
+    TEST_ASSERT(contains(complaintOf(text.xml()), "is not two numbers"));
+  }
+}
+
+TEUCHOS_UNIT_TEST(Tables, thatCannotBeAreRefused) {
+  const auto complaint = [](const std::string& list) {
+    SceneText text;
+    text.rest = list;
+    return complaintOf(text.xml());
+  };
+  const std::string good = points("2x2:{0,0, 1,1}");
+  TEST_ASSERT(contains(complaint(table("sin", good)), "Tables->sin: is a function"));
+  TEST_ASSERT(contains(complaint(table("a", good) + constants(parameter("a", "1"))),
+                       "Constants->a: is given twice"));
+  TEST_ASSERT(contains(complaint(table("a", points("1x2:{0,0}"))), "at least 2"));
+  TEST_ASSERT(contains(complaint(table("a", points("2x2:{0,0, 0,1}"))), "must rise"));
+  TEST_ASSERT(contains(complaint(table("a", points("2x3:{0,0,0, 1,1,1}"))), "Tables->a"));
+  TEST_ASSERT(contains(complaint(table("a", good + parameter("Interpolation", "Cubic"))),
+                       "at least 4"));
+  TEST_ASSERT(contains(complaint(table("a", good + parameter("File", "a.csv"))),
+                       "give Points or File"));
+  TEST_ASSERT(
+      contains(complaint(table("a", parameter("File", "a.csv"))), "no such file"));
+}
+
 TEUCHOS_UNIT_TEST(Normals, areThoseOfSegmentsAndArcs) {
   SceneText text;  // half a disc over the square's upper half, radius 1
   text.geometry =

@@ -7,11 +7,8 @@ namespace epafi::adaptivity {
 
 namespace {
 
-/// Enough to separate the zeros of a polynomial of this degree in practice.
-int samples(int degree) { return 8 * (degree + 1); }
-
 void addChanges(const bem::Profile& f, int degree, Vector& breaks) {
-  const Vector changes = bem::signChanges(f, samples(degree));
+  const Vector changes = bem::signChanges(f, degree);
   breaks.insert(breaks.end(), changes.begin(), changes.end());
 }
 

@@ -1,6 +1,6 @@
 #include "bem/fields/BoundaryFields.hpp"
 
-#include "bem/kernel/ElementSums.hpp"
+#include "bem/fields/NearField.hpp"
 #include "bem/moments/RelativeTarget.hpp"
 
 #include <algorithm>
@@ -163,46 +163,37 @@ BoundaryFields::FarSeries BoundaryFields::farSeries(int element,
   return series;
 }
 
-void BoundaryFields::evaluateAt(int element, const Sources& sources,
-                                const FarSeries& series, BoundaryValue& value) const {
+std::vector<BoundaryValue> BoundaryFields::at(int element, const Sources& sources,
+                                              const std::vector<EndPoint>& points) const {
+  const FarSeries series = farSeries(element, sources);
+  NearField near(mesh_, element, points);
+  for (const int f : sources.near)
+    near.add(f, fields_[static_cast<std::size_t>(f)]);
+  std::vector<BoundaryValue> values;
+  for (std::size_t q = 0; q < points.size(); ++q)
+    values.push_back(valueAt(element, points[q], near.at(q), series));
+  return values;
+}
+
+BoundaryValue BoundaryFields::valueAt(int element, const EndPoint& point,
+                                      const FieldSums& sums,
+                                      const FarSeries& series) const {
   const Element& target = mesh_[element];
-  const Complex normal = asComplex(target.curve.normal(value.place.t));
-  const BoundaryPoint x = mesh_.at(element, value.place.fromStart, value.place.toEnd);
-  FieldSums sums;
-  ElementSums ofElement;
-  for (const int f : sources.near) {
-    const Element& source = mesh_[f];
-    const LocalField& values = fields_[static_cast<std::size_t>(f)];
-    const int highest = std::max(source.degree, source.densities);
-    ofElement.evaluate(source.curve, seenFrom(mesh_, f, x), highest);
-    for (int j = 0; j < highest; ++j) {
-      const SourceSums in = ofElement[j];
-      sums.add({values.density[j] * in, values.slope[j] * in});
-    }
-  }
+  const Complex normal = asComplex(target.curve.normal(point.t));
   const LocalField& own = fields_[static_cast<std::size_t>(element)];
-  const double place = value.place.t;
   const int last = static_cast<int>(series.traction.size()) - 1;
   const Complex t = traction(lame_, normal, sums) +
-                    evaluate(series.traction, last, place) +
-                    0.5 * evaluate(own.density, target.densities - 1, place);
+                    evaluate(series.traction, last, point.t) +
+                    0.5 * evaluate(own.density, target.densities - 1, point.t);
   const Complex m = mismatchSlope(lame_, normal, sums) +
-                    evaluate(series.mismatch, last, place) -
-                    0.5 * evaluate(own.slope, target.degree - 1, place);
-  value.traction = asVector(t);
-  value.mismatch = asVector(m);
+                    evaluate(series.mismatch, last, point.t) -
+                    0.5 * evaluate(own.slope, target.degree - 1, point.t);
+  return {point, 0, asVector(t), asVector(m)};
 }
 
 std::vector<BoundaryValue> BoundaryFields::at(int element,
                                               const std::vector<EndPoint>& points) const {
-  const Sources sources = split(element);
-  const FarSeries series = farSeries(element, sources);
-  std::vector<BoundaryValue> values(points.size());
-  for (std::size_t q = 0; q < points.size(); ++q) {
-    values[q].place = points[q];
-    evaluateAt(element, sources, series, values[q]);
-  }
-  return values;
+  return at(element, split(element), points);
 }
 
 std::vector<BoundaryValue> BoundaryFields::on(int element) const {
@@ -218,13 +209,9 @@ std::vector<BoundaryValue> BoundaryFields::on(int element) const {
     }
   }
   const GradedRule rule = softenedRule(features, degree + smoothPoints);
-  const FarSeries series = farSeries(element, sources);
-  std::vector<BoundaryValue> values(rule.points.size());
-  for (std::size_t q = 0; q < values.size(); ++q) {
-    values[q].place = rule.points[q];
+  std::vector<BoundaryValue> values = at(element, sources, rule.points);
+  for (std::size_t q = 0; q < values.size(); ++q)
     values[q].weight = mesh_[element].half * rule.weights[q];
-    evaluateAt(element, sources, series, values[q]);
-  }
   return values;
 }
 

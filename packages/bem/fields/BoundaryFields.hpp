@@ -46,8 +46,10 @@ class BoundaryFields {
   void splitRun(int element, int r, Sources& sources) const;
   Sources split(int element) const;
   FarSeries farSeries(int element, const Sources& sources) const;
-  void evaluateAt(int element, const Sources& sources, const FarSeries& series,
-                  BoundaryValue& value) const;
+  std::vector<BoundaryValue> at(int element, const Sources& sources,
+                                const std::vector<EndPoint>& points) const;
+  BoundaryValue valueAt(int element, const EndPoint& point, const FieldSums& sums,
+                        const FarSeries& series) const;
 
   Mesh mesh_;
   ElementRuns runs_;  ///< of mesh_

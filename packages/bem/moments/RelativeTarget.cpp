@@ -14,4 +14,19 @@ RelativeTarget seenFrom(const Mesh& mesh, int e, const BoundaryPoint& x) {
   return target;
 }
 
+Sight sightOf(const Mesh& mesh, int outer, int inner) {
+  const Element& x = mesh[outer];
+  const Element& y = mesh[inner];
+  const double ratio = x.half / y.half;
+  const bool onLine = x.piece.edge == y.piece.edge;
+  const Vec2 direction = x.curve.frame().tangent;
+  const Curve::Frame& frame = y.curve.frame();
+  return {seenFrom(mesh, inner, mesh.at(outer, -1)),
+          seenFrom(mesh, inner, mesh.at(outer, 1)),
+          onLine && !y.curve.isStraight()  // by arc length
+              ? ratio
+              : ratio * Complex(dot(direction, frame.tangent),
+                                onLine ? 0.0 : dot(direction, frame.normal))};
+}
+
 }  // namespace epafi::bem

@@ -7,11 +7,6 @@
 
 namespace epafi::bem {
 
-/// Numbers of eight lanes, for containers.
-struct alignas(64) AlignedLane {
-  double lane[lanes];
-};
-
 /// All that V, K and W need of a trial element E and eight test elements F, one in each
 /// lane: double integrals of Legendre polynomials, w = x - y, x on E, y on F, both mapped
 /// to [-1, 1].

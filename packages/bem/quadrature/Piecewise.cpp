@@ -2,24 +2,27 @@
 
 #include <algorithm>
 #include <boost/math/tools/roots.hpp>
+#include <cstdint>
 
 namespace epafi::bem {
 
-Vector signChanges(const Profile& f, int intervals) {
-  const auto sign = [&f](double t) { return f(t) < 0 ? -1 : 1; };
+Vector signChanges(const Profile& f, int degree) {
+  const int intervals = 8 * (degree + 1);
+  const auto isSmall = [](double a, double b) { return b - a <= 1e-15; };
   Vector changes;
   double low = -1;
-  bool lowNegative = f(low) < 0;
+  double valueLow = f(low);
   for (int i = 0; i < intervals; ++i) {
     const double next = i + 1 == intervals ? 1 : -1 + 2.0 * (i + 1) / intervals;
-    const bool nextNegative = f(next) < 0;
-    if (nextNegative != lowNegative) {
-      const auto [before, behind] = boost::math::tools::bisect(
-          sign, low, next, [](double a, double b) { return b - a <= 1e-15; });
+    const double valueNext = f(next);
+    if ((valueLow < 0) != (valueNext < 0)) {
+      std::uintmax_t steps = 100;
+      const auto [before, behind] = boost::math::tools::toms748_solve(
+          f, low, next, valueLow, valueNext, isSmall, steps);
       changes.push_back(0.5 * (before + behind));
     }
     low = next;
-    lowNegative = nextNegative;
+    valueLow = valueNext;
   }
   return changes;
 }

@@ -9,9 +9,9 @@ namespace epafi::bem {
 /// A function on [-1, 1].
 using Profile = std::function<double(double)>;
 
-/// Where a continuous function changes its sign inside (-1, 1), found by sampling
-/// `intervals` equal pieces and bisection to rounding.
-Vector signChanges(const Profile& f, int intervals);
+/// Where a continuous function changes its sign inside (-1, 1), to rounding, found by as
+/// many samples as separate the zeros of a polynomial of this degree in practice.
+Vector signChanges(const Profile& f, int degree);
 
 /// A rule over [-1, 1] with `order` Gauss points on each piece between the given breaks,
 /// which may come in any order.

@@ -18,6 +18,11 @@ constexpr int lanes = 8;
 /// ABI.
 using Pack = double __attribute__((vector_size(8 * lanes)));
 
+/// Numbers of eight lanes, for containers.
+struct alignas(64) AlignedLane {
+  double lane[lanes];
+};
+
 /// Of memory aligned to 64 bytes.
 EPAFI_INLINE const Pack& load(const double* p) {
   return *reinterpret_cast<const Pack*>(p);

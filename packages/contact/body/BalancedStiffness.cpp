@@ -1,5 +1,7 @@
 #include "contact/body/BalancedStiffness.hpp"
 
+#include "bem/algebra/DoubledSums.hpp"
+
 #include <algorithm>
 #include <numeric>
 
@@ -11,13 +13,6 @@ constexpr Index motions = 3;
 
 // Rows that a thread sums up: each in one order, whatever the number of threads.
 constexpr Index rowsAtOnce = 128;
-
-/// Adds `factor` times entries to sums.
-void addMultiple(long double factor, const double* entries, Index size,
-                 long double* sums) {
-  for (Index i = 0; i < size; ++i)
-    sums[i] += entries[i] * factor;
-}
 
 }  // namespace
 
@@ -89,26 +84,24 @@ BalancedStiffness::Extended BalancedStiffness::balanced(Extended forces) const {
 BalancedStiffness::Extended BalancedStiffness::stiffnessTimes(const Extended& u) const {
   const bem::LowerTriangle& lower = stiffness_->stiffness();
   const bem::Rows mine = lower.rows();
-  Extended result(u.size());
+  const bem::Doubled x(u);
+  Extended below(u.size());
 #pragma omp parallel for schedule(dynamic, 16)
-  for (Index j = 0; j < mine.end; ++j) {
-    const double* entry = lower.column(j);
-    long double sum = 0;
-    for (Index i = lower.firstRow(j); i < mine.end; ++i, ++entry)
-      sum += *entry * u[at(i)];
-    result[at(j)] = sum;
-  }
+  for (Index j = 0; j < mine.end; ++j)
+    below[at(j)] = bem::dotDoubled(lower.column(j), mine.end - lower.firstRow(j), x,
+                                   lower.firstRow(j));
+  bem::Doubled result(below);
 #pragma omp parallel for schedule(dynamic, 1)
   for (Index first = mine.begin; first < mine.end; first += rowsAtOnce) {
     const Index last = std::min(first + rowsAtOnce, mine.end);
     for (Index j = 0; j < last; ++j) {
       const Index from = std::max(j + 1, first);
       if (from < last)
-        addMultiple(u[at(j)], lower.column(j) + (from - lower.firstRow(j)), last - from,
-                    result.data() + from);
+        bem::addDoubled(u[at(j)], lower.column(j) + (from - lower.firstRow(j)),
+                        last - from, result, from);
     }
   }
-  return sum(result);
+  return sum(result.joined());
 }
 
 // S^ u = R γ Rᵀ u with the tractions R.
@@ -118,26 +111,26 @@ void BalancedStiffness::subtractStabilisation(const Extended& u, Extended& force
   const Index columns = tractions_->start.back();
   if (columns == 0)
     return;
+  const bem::Doubled x(u);
   Extended tractions(at(columns));
 #pragma omp parallel for
   for (Index c = 0; c < columns; ++c)
-    for (Index i = 0; i < mine.size(); ++i)
-      tractions[at(c)] += rows(i, c) * u[at(i + mine.begin)];
+    tractions[at(c)] = bem::dotDoubled(rows.column(c), mine.size(), x, mine.begin);
   tractions = sum(tractions);
   for (std::size_t k = 0; k < gamma_.size(); ++k)
     for (Index c = tractions_->start[k]; c < tractions_->start[k + 1]; ++c)
       tractions[at(c)] *= gamma_[k];
-  Extended stabilisation(u.size());
+  bem::Doubled stabilisation(u.size());
 #pragma omp parallel for
   for (Index first = 0; first < mine.size(); first += rowsAtOnce) {
     const Index last = std::min(first + rowsAtOnce, mine.size());
     for (Index c = 0; c < columns; ++c)
-      addMultiple(tractions[at(c)], rows.column(c) + first, last - first,
-                  stabilisation.data() + mine.begin + first);
+      bem::addDoubled(tractions[at(c)], rows.column(c) + first, last - first,
+                      stabilisation, mine.begin + first);
   }
-  stabilisation = sum(stabilisation);
+  const Extended all = sum(stabilisation.joined());
   for (std::size_t i = 0; i < forces.size(); ++i)
-    forces[i] -= stabilisation[i];
+    forces[i] -= all[i];
 }
 
 /// Over all processes, each number as a double and what that leaves, brought together

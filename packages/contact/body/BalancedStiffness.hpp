@@ -12,8 +12,8 @@ namespace epafi::contact {
 /// In exact arithmetic rigid motions r are in the kernel of S and of S^, and P changes
 /// nothing.  The entries of S know it to ε |S| only; that is a force of ε |S| |u|, as
 /// large as the load times 1e-10 for a beam of 1:100 (u is 5000 times the load) or for nu
-/// = 0.4999999 (|S| is 5e6 times Young's modulus).  Sums are long double for the same
-/// reason.
+/// = 0.4999999 (|S| is 5e6 times Young's modulus).  Sums have twice a double's digits for
+/// the same reason.
 class BalancedStiffness {
  public:
   /// Refers to the stiffness, which must outlive it.

@@ -1,6 +1,7 @@
 #include "contact/body/RigidConstraints.hpp"
 
 #include "bem/algebra/Blas.hpp"
+#include "bem/algebra/LuFactor.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 
@@ -132,16 +133,11 @@ Matrix dualTo(const Matrix& motions, Matrix functionals, Index fixed) {
     for (Index j = 0; j < n; ++j)
       right(k, j) = functionals(j, fixed + k);
   }
-  const int size = static_cast<int>(free);
-  const int columns = static_cast<int>(n);
-  const int lda = static_cast<int>(gram.stride());
-  const int ldb = static_cast<int>(right.stride());
-  std::vector<int> pivots(at(free));
-  int info = 0;
-  dgesv_(&size, &columns, gram.data(), &lda, pivots.data(), right.data(), &ldb, &info);
-  if (info != 0)
+  const bem::LuFactor factor(std::move(gram));
+  if (!factor.isRegular())
     throw bem::NumericalError(
         "the free rigid motions cannot be told apart on this boundary");
+  factor.solve(right);
   for (Index k = 0; k < free; ++k)
     for (Index j = 0; j < n; ++j)
       functionals(j, fixed + k) = right(k, j);

@@ -49,7 +49,7 @@ void uncoupled(CoulombCourse& course, Stage stage) {
   course.add(std::move(near));
 }
 
-constexpr PlannedStage<CoulombCourse> plan[] = {
+constexpr PlannedStage<CoulombCourse> newtonPlan[] = {
     {Stage::FullSteps, startsAfar, fullSteps},
     {Stage::Pivoting, knowsSets, pivoting},
     {Stage::Uncoupled, isCoupled, uncoupled},
@@ -68,8 +68,8 @@ constexpr PlannedStage<CoulombCourse> plan[] = {
 }  // namespace
 
 Solution CoulombNewton::solveSound(const Problem& problem, const State& start) const {
-  return follow(plan, CoulombCourse(problem, start, tresca_,
-                                    Equation::Bound::Differentiated, options_));
+  return follow(newtonPlan, CoulombCourse(problem, start, tresca_,
+                                          Equation::Bound::Differentiated, options_));
 }
 
 }  // namespace epafi::contact

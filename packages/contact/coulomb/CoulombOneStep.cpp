@@ -10,7 +10,7 @@ void fullSteps(CoulombCourse& course, Stage stage) {
   course.steps(stage, std::max(course.run(), course.options().maximumIterations));
 }
 
-constexpr PlannedStage<CoulombCourse> plan[] = {
+constexpr PlannedStage<CoulombCourse> oneStepPlan[] = {
     {Stage::FullSteps, CoulombCourse::always, fullSteps},
     {Stage::FollowFriction, CoulombCourse::always, CoulombCourse::followFriction},
     {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::meritDescent},
@@ -20,8 +20,8 @@ constexpr PlannedStage<CoulombCourse> plan[] = {
 }  // namespace
 
 Solution CoulombOneStep::solveSound(const Problem& problem, const State& start) const {
-  return follow(
-      plan, CoulombCourse(problem, start, tresca_, Equation::Bound::Lagged, options_));
+  return follow(oneStepPlan, CoulombCourse(problem, start, tresca_,
+                                           Equation::Bound::Lagged, options_));
 }
 
 }  // namespace epafi::contact

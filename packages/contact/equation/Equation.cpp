@@ -1,7 +1,6 @@
 #include "contact/equation/Equation.hpp"
 
 #include "bem/base/Error.hpp"
-#include "contact/equation/ContactState.hpp"
 
 #include <algorithm>
 #include <cassert>
@@ -13,8 +12,8 @@ namespace epafi::contact {
 namespace {
 
 // A vector as numbers with signed indices.
-double entry(const Vector& v, Index i) { return v[static_cast<std::size_t>(i)]; }
-double& entry(Vector& v, Index i) { return v[static_cast<std::size_t>(i)]; }
+double entry(const Vector& v, Index i) { return v[at(i)]; }
+double& entry(Vector& v, Index i) { return v[at(i)]; }
 
 // c_i = 1 / Σ |D_ij| over the coefficients of i's own kind: r_i over the penetration that
 // a uniform multiplier of size 1 makes.  1/D_ii, the response to one coefficient alone,
@@ -74,7 +73,7 @@ Evaluation Equation::at(Vector unknowns) const {
     entry(magnitude, i) *= entry(weights_, i);
   }
   e.bounds = problem_.slipBounds(e.unknowns);
-  e.stepBounds = stepBounds(e, problem_.tangentials);
+  e.linear.stepBounds = stepBounds(e, problem_.tangentials);
   evaluateRows(e);
   measure(e, magnitude);
   return e;
@@ -96,7 +95,7 @@ StepBound extrapolated(const Tangential& tangential, const Vector& pressures,
 Complementarity::Value Equation::tangentialRow(const Evaluation& e, Index t) const {
   const double multiplier = entry(e.unknowns, problem_.normals + t);
   const double y = entry(e.penetration, problem_.normals + t);
-  const double bound = e.stepBounds[static_cast<std::size_t>(t)].value;
+  const double bound = e.linear.stepBounds[static_cast<std::size_t>(t)].value;
   if (bound >= 0)
     return function_.tangential(multiplier, y, bound);
   // a negative pressure about to become positive: which way it slips shows already
@@ -126,20 +125,21 @@ std::vector<StepBound> Equation::stepBounds(
 
 void Equation::evaluateRows(Evaluation& e) const {
   const Index n = problem_.size();
-  e.rows.reserve(static_cast<std::size_t>(n));
+  e.linear.rows.reserve(static_cast<std::size_t>(n));
   for (Index i = 0; i < n; ++i) {
     const double multiplier = entry(e.unknowns, i);
     const double y = entry(e.penetration, i);
-    e.rows.push_back(i < problem_.normals ? function_.normal(multiplier, y)
-                                          : tangentialRow(e, i - problem_.normals));
-    e.residual.push_back(e.rows.back().value);
+    e.linear.rows.push_back(i < problem_.normals
+                                ? function_.normal(multiplier, y)
+                                : tangentialRow(e, i - problem_.normals));
+    e.linear.residual.push_back(e.linear.rows.back().value);
   }
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {
     const double* g = problem_.rigid.column(j);
     double sum = -entry(problem_.rigidLoad, j);
     for (Index i = 0; i < n; ++i)
       sum += g[i] * entry(e.unknowns, i);
-    e.residual.push_back(sum / entry(balanceScales_, j));
+    e.linear.residual.push_back(sum / entry(balanceScales_, j));
   }
 }
 
@@ -178,13 +178,13 @@ void Equation::measure(Evaluation& e, const Vector& magnitude) const {
     double sum = std::abs(entry(problem_.rigidLoad, j));
     for (Index i = 0; i < problem_.size(); ++i)
       sum += std::abs(g[i] * entry(e.unknowns, i));
-    count(entry(e.residual, problem_.size() + j),
+    count(entry(e.linear.residual, problem_.size() + j),
           rounding * sum / entry(balanceScales_, j));
   }
   e.tolerance = std::max(tolerance_, largestFloor);
 }
 
-Vector Equation::jacobianTimes(const Evaluation& e, const Vector& direction) const {
+Vector Equation::jacobianTimes(const LinearRows& e, const Vector& direction) const {
   const Index n = problem_.size();
   const Vector dDirection =
       problem_.flexibility.times({direction.begin(), direction.begin() + n});
@@ -225,62 +225,8 @@ Vector Equation::projected(const Evaluation& e) const {
   return x;
 }
 
-double Equation::merit(const Evaluation& e) const {
-  const Complementarity& smooth = fischerBurmeister();
-  double sum = 0;
-  for (Index i = 0; i < size(); ++i) {
-    double f = entry(e.residual, i);
-    if (i < problem_.size()) {
-      const double multiplier = entry(e.unknowns, i);
-      const double y = entry(e.penetration, i);
-      f = i < problem_.normals
-              ? smooth.normal(multiplier, y).value
-              : smooth.tangential(multiplier, y, entry(e.bounds, i - problem_.normals))
-                    .value;
-    }
-    sum += 0.5 * f * f;
-  }
-  return sum;
-}
-
-Vector Equation::meritGradient(const Evaluation& e) const {
-  const Complementarity& smooth = fischerBurmeister();
-  const Index n = problem_.size();
-  Vector gradient(static_cast<std::size_t>(size()), 0.0);
-  Vector factors;
-  for (Index i = 0; i < n; ++i) {
-    const double multiplier = entry(e.unknowns, i);
-    const double y = entry(e.penetration, i);
-    Complementarity::Value row{};
-    if (i < problem_.normals) {
-      row = smooth.normal(multiplier, y);
-    } else {
-      const Index t = i - problem_.normals;
-      const Tangential& tangential = problem_.tangentials[static_cast<std::size_t>(t)];
-      row = smooth.tangential(multiplier, y, entry(e.bounds, t));
-      for (const NormalShare& slope : tangential.slopes(e.unknowns))
-        entry(gradient, slope.normal) += row.value * row.bound * slope.value;
-    }
-    entry(gradient, i) += row.value * row.multiplier;
-    const double factor = row.value * row.penetration * entry(weights_, i);
-    for (Index j = 0; j < problem_.rigidMotions(); ++j)
-      entry(gradient, n + j) += factor * problem_.rigid(i, j);
-    factors.push_back(factor);
-  }
-  // the rows' part through r; D is symmetric
-  const Vector throughD = problem_.flexibility.times(factors);
-  for (Index i = 0; i < n; ++i)
-    entry(gradient, i) -= entry(throughD, i);
-  for (Index j = 0; j < problem_.rigidMotions(); ++j) {
-    const double factor = entry(e.residual, n + j) / entry(balanceScales_, j);
-    for (Index i = 0; i < n; ++i)
-      entry(gradient, i) += factor * problem_.rigid(i, j);
-  }
-  return gradient;
-}
-
 Vector pack(const Problem& problem, const State& state) {
-  Vector x(static_cast<std::size_t>(problem.size() + problem.rigidMotions()), 0.0);
+  Vector x(at(problem.size() + problem.rigidMotions()), 0.0);
   assert(state.multiplier.empty() ||
          static_cast<Index>(state.multiplier.size()) == problem.size());
   assert(state.rigid.empty() || state.rigid.size() == problem.rigidLoad.size());
@@ -292,25 +238,6 @@ Vector pack(const Problem& problem, const State& state) {
 State unpack(const Problem& problem, const Vector& unknowns) {
   return {Vector(unknowns.begin(), unknowns.begin() + problem.size()),
           Vector(unknowns.begin() + problem.size(), unknowns.end())};
-}
-
-ContactState classify(const Problem& problem, const State& state) {
-  const Equation equation(problem, projection(), Equation::Bound::Lagged, 0);
-  const Evaluation e = equation.at(pack(problem, state));
-  ContactState result;
-  for (Index i = 0; i < problem.normals; ++i)
-    result.normal.push_back(e.set[static_cast<std::size_t>(i)] == 1 ? NormalState::Closed
-                                                                    : NormalState::Open);
-  for (std::size_t t = 0; t < e.bounds.size(); ++t) {
-    const auto set = e.set[static_cast<std::size_t>(problem.normals) + t];
-    FrictionState friction = FrictionState::Stick;
-    if (e.bounds[t] <= 0)
-      friction = FrictionState::None;
-    else if (set != 0)
-      friction = set > 0 ? FrictionState::SlipForward : FrictionState::SlipBackward;
-    result.tangential.push_back(friction);
-  }
-  return result;
 }
 
 }  // namespace epafi::contact

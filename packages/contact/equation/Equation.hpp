@@ -20,15 +20,22 @@ struct StepBound {
 StepBound extrapolated(const Tangential& tangential, const Vector& pressures,
                        const Vector& change);
 
-/// The nonsmooth equation at one point x = (λ, α), with all that Newton's method needs.
-struct Evaluation {
-  Vector unknowns;                           ///< x
-  Vector penetration;                        ///< y = c r
-  Vector bounds;                             ///< s, one per tangential
-  std::vector<StepBound> stepBounds;         ///< what the rows hold the shear to
+/// F at a point with one element of its generalised Jacobian: what a Newton step makes zero.
+struct LinearRows {
   std::vector<Complementarity::Value> rows;  ///< one per coefficient
+  std::vector<StepBound> stepBounds;         ///< what the rows hold the shear to
   Vector residual;                           ///< F: the rows' values, then the balance
-  Vector natural;                            ///< λ - P(λ + c r), one per coefficient
+};
+
+/// The nonsmooth equation at one point x = (λ, α).
+struct Evaluation {
+  Vector unknowns;     ///< x
+  Vector penetration;  ///< y = c r
+  Vector bounds;       ///< s, one per tangential
+  LinearRows linear;
+
+  // How far x is from a solution.
+  Vector natural;  ///< λ - P(λ + c r), one per coefficient
   ActiveSet set;
   double scaled = 0;     ///< largest natural residual / Problem::stress
   double tolerance = 0;  ///< what `scaled` is compared with: rounding floor included
@@ -80,16 +87,11 @@ class Equation {
   std::vector<StepBound> stepBounds(const Evaluation& e,
                                     const std::vector<Tangential>& tangentials) const;
 
-  /// J d, J the generalised Jacobian at e.
-  Vector jacobianTimes(const Evaluation& e, const Vector& direction) const;
+  /// J d, J the generalised Jacobian that has these rows.
+  Vector jacobianTimes(const LinearRows& at, const Vector& direction) const;
 
   /// P(λ) onto the box of the slip bounds at e; α is kept.
   Vector projected(const Evaluation& e) const;
-
-  /// ½ |F|² with Fischer-Burmeister's function.
-  double merit(const Evaluation& e) const;
-  /// Its gradient: continuous as long as the slip bound is differentiable.
-  Vector meritGradient(const Evaluation& e) const;
 
  private:
   Complementarity::Value tangentialRow(const Evaluation& e, Index t) const;

@@ -1,9 +1,7 @@
 #include "contact/multiplier/Collocation.hpp"
 
-#include "bem/algebra/Blas.hpp"
 #include "bem/base/Error.hpp"
 
-#include <algorithm>
 #include <utility>
 
 namespace epafi::contact {
@@ -21,30 +19,21 @@ Collocation::Collocation(const MultiplierBasis& basis, Vector places)
     for (Index j = 0; j < n; ++j)
       values_(i, j) = row[static_cast<std::size_t>(j)];
   }
+  factor_ = bem::LuFactor(values_.copy());
+  if (!factor_.isRegular())
+    throw bem::NumericalError("the multiplier's basis is linearly dependent");
 }
 
 Vector Collocation::coefficients(Vector values) const {
-  bem::Matrix factor = values_.copy();
-  const int n = static_cast<int>(places_.size());
-  const int stride = static_cast<int>(factor.stride());
-  const int one = 1;
-  std::vector<int> pivots(places_.size());
-  int info = 0;
-  dgesv_(&n, &one, factor.data(), &stride, pivots.data(), values.data(), &n, &info);
-  if (info != 0)
-    throw bem::NumericalError("the multiplier's basis is linearly dependent");
+  factor_.solve(values);
   return values;
 }
 
 bem::Matrix Collocation::inverse() const {
-  const auto n = static_cast<Index>(places_.size());
-  bem::Matrix result(n, n);
-  for (Index j = 0; j < n; ++j) {
-    Vector unit(places_.size(), 0.0);
-    unit[static_cast<std::size_t>(j)] = 1;
-    unit = coefficients(std::move(unit));
-    std::copy(unit.begin(), unit.end(), result.column(j));
-  }
+  bem::Matrix result(values_.rows(), values_.rows());
+  for (Index i = 0; i < result.rows(); ++i)
+    result(i, i) = 1;
+  factor_.solve(result);
   return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/algebra/LuFactor.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 
 namespace epafi::contact {
@@ -9,22 +10,22 @@ namespace epafi::contact {
 class Collocation {
  public:
   /// \pre `places` differ; there are as many as coefficients, one more than the degree.
+  /// \throws bem::NumericalError if the basis is none.
   Collocation(const MultiplierBasis& basis, bem::Vector places);
 
   const bem::Vector& places() const { return places_; }
 
   /// Coefficients of the polynomial with these values at the places.
-  /// \throws bem::NumericalError if the basis is none.
   bem::Vector coefficients(bem::Vector values) const;
 
   /// E_kj = χ_j at place k, and what makes coefficients of values.
-  /// \throws bem::NumericalError if the basis is none.
   bem::Matrix values() const { return values_.copy(); }
   bem::Matrix inverse() const;
 
  private:
   bem::Vector places_;
   bem::Matrix values_;  // of the basis at the places, a row each
+  bem::LuFactor factor_;
 };
 
 }  // namespace epafi::contact

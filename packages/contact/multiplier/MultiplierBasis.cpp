@@ -47,34 +47,62 @@ Vector lobattoPlaces(int degree) {
   return places;
 }
 
-// Lagrange's functions by the barycentric formula, stable for every degree.
-//                                                              [Berrut & Trefethen 2004,
-//                                                              (4.2)]
-Vector lagrange(const Vector& nodes, double t) {
-  Vector values(nodes.size(), 0.0);
-  double sum = 0;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (t == nodes[i]) {
-      values.assign(nodes.size(), 0.0);
-      values[i] = 1;
-      return values;
-    }
-    double weight = 1;
+/// Lagrange's functions by the barycentric formula, stable for every degree.
+///                                                              [Berrut & Trefethen 2004,
+///                                                              (4.2)]
+class Lagrange {
+ public:
+  explicit Lagrange(Vector nodes) : nodes_(std::move(nodes)), weights_(nodes_.size(), 1) {
     // Factors of mean size one: [-1, 1] has capacity 1/2.
-    for (std::size_t j = 0; j < nodes.size(); ++j)
-      if (j != i)
-        weight /= 2 * (nodes[i] - nodes[j]);
-    values[i] = weight / (t - nodes[i]);
-    sum += values[i];
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+      for (std::size_t j = 0; j < nodes_.size(); ++j)
+        if (j != i)
+          weights_[i] /= 2 * (nodes_[i] - nodes_[j]);
   }
-  for (double& value : values)
-    value /= sum;
-  return values;
+
+  const Vector& nodes() const { return nodes_; }
+
+  Vector at(double t) const {
+    Vector values(nodes_.size());
+    double sum = 0;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      if (t == nodes_[i]) {
+        values.assign(nodes_.size(), 0.0);
+        values[i] = 1;
+        return values;
+      }
+      values[i] = weights_[i] / (t - nodes_[i]);
+      sum += values[i];
+    }
+    for (double& value : values)
+      value /= sum;
+    return values;
+  }
+
+ private:
+  Vector nodes_;
+  Vector weights_;
+};
+
+/// Of every degree that meshes may carry.
+std::vector<Lagrange> lagrangeAt(Vector (*places)(int degree)) {
+  std::vector<Lagrange> all;
+  for (int degree = 0; degree <= bem::largestDegree; ++degree)
+    all.emplace_back(places(degree));
+  return all;
 }
 
-Vector gaussValues(int degree, double t) { return lagrange(gaussPlaces(degree), t); }
+Vector gaussValues(int degree, double t) {
+  static const std::vector<Lagrange> functions = lagrangeAt(gaussPlaces);
+  return functions[static_cast<std::size_t>(degree)].at(t);
+}
 
-Vector lobattoValues(int degree, double t) { return lagrange(lobattoPlaces(degree), t); }
+const Lagrange& lobatto(int degree) {
+  static const std::vector<Lagrange> functions = lagrangeAt(lobattoPlaces);
+  return functions[static_cast<std::size_t>(degree)];
+}
+
+Vector lobattoValues(int degree, double t) { return lobatto(degree).at(t); }
 
 // Dual to Lagrange's functions θ_j at the Gauss-Lobatto points x_i with weights w_i:
 //   ∫ χ_i θ_j dt = w_i δ_ij,   χ_i = w_i Σ_k (k + 1/2) P_k(x_i) P_k(t),  k = 0 ... q,
@@ -82,7 +110,7 @@ Vector lobattoValues(int degree, double t) { return lagrange(lobattoPlaces(degre
 //                                                       [Banz & Stephan 2015;
 //                                                       DLMF 3.5(v)]
 Vector dualValues(int degree, double t) {
-  const Vector nodes = lobattoPlaces(degree);
+  const Vector& nodes = lobatto(degree).nodes();
   Vector atNode(nodes.size());
   Vector here(nodes.size());
   bem::legendreValues(degree, t, here.data());

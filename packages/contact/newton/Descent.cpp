@@ -1,6 +1,7 @@
 #include "contact/newton/Descent.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "contact/equation/SmoothMerit.hpp"
 #include "contact/newton/NewtonStep.hpp"
 #include "contact/newton/NewtonSystem.hpp"
 
@@ -33,9 +34,9 @@ Vector steepestDescent(const Equation& equation, const Vector& gradient) {
 
 Vector meritDescentStep(const Equation& equation, const Evaluation& e,
                         FactorMemory* memory) {
-  const Vector gradient = equation.meritGradient(e);
+  const Vector gradient = meritGradient(equation, e);
   try {
-    Vector d = newtonStep(equation, e, memory);
+    Vector d = newtonStep(equation, e, e.linear, memory);
     const double size = std::sqrt(dot(gradient, gradient) * dot(d, d));
     if (dot(gradient, d) < -1e-10 * size)
       return d;

@@ -13,9 +13,9 @@ Vector negative(Vector v) {
   return v;
 }
 
-// The same point with every closed place of Coulomb friction taken to stick: from there
+// A point's rows with every closed place of Coulomb friction taken to stick: from there
 // the pressure, and with it the bound, can be found although everything slips now.
-Evaluation bonded(const Problem& problem, Evaluation e) {
+LinearRows bonded(const Problem& problem, const Evaluation& e, LinearRows rows) {
   for (std::size_t t = 0; t < problem.tangentials.size(); ++t) {
     const Tangential& tangential = problem.tangentials[t];
     const std::size_t i = at(problem.normals) + t;
@@ -25,18 +25,18 @@ Evaluation bonded(const Problem& problem, Evaluation e) {
         e.unknowns[at(tangential.normal())] + e.penetration[at(tangential.normal())] > 0;
     if (!closed)
       continue;
-    e.rows[i] = {-e.penetration[i], 0, -1, 0};
-    e.residual[i] = -e.penetration[i];
+    rows.rows[i] = {-e.penetration[i], 0, -1, 0};
+    rows.residual[i] = -e.penetration[i];
   }
-  return e;
+  return rows;
 }
 
 }  // namespace
 
-Vector placingStep(const Equation& equation, const Evaluation& e, const Vector& motion,
-                   FactorMemory* memory) {
+Vector placingStep(const Equation& equation, const Evaluation& e, const LinearRows& rows,
+                   const Vector& motion, FactorMemory* memory) {
   if (equation.problem().boundDependsOnPressure()) {
-    const Evaluation sticking = bonded(equation.problem(), e);
+    const LinearRows sticking = bonded(equation.problem(), e, rows);
     const NewtonSystem bondedSystem(equation, sticking, memory);
     const Vector bondedRight = negative(sticking.residual);
     if (bondedSystem.unheld(bondedRight).empty())
@@ -45,11 +45,13 @@ Vector placingStep(const Equation& equation, const Evaluation& e, const Vector& 
   return rigidPlacement(equation, e, motion);
 }
 
-Vector newtonStep(const Equation& equation, const Evaluation& e, FactorMemory* memory) {
-  const NewtonSystem system(equation, e, memory);
-  const Vector right = negative(e.residual);
+Vector newtonStep(const Equation& equation, const Evaluation& e, const LinearRows& rows,
+                  FactorMemory* memory) {
+  const NewtonSystem system(equation, rows, memory);
+  const Vector right = negative(rows.residual);
   const Vector motion = system.unheld(right);
-  return motion.empty() ? system.solve(right) : placingStep(equation, e, motion, memory);
+  return motion.empty() ? system.solve(right)
+                        : placingStep(equation, e, rows, motion, memory);
 }
 
 }  // namespace epafi::contact

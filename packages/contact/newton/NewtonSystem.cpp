@@ -23,7 +23,7 @@ constexpr double progressOfKept = 1e-3;
 
 }  // namespace
 
-NewtonSystem::NewtonSystem(const Equation& equation, const Evaluation& at,
+NewtonSystem::NewtonSystem(const Equation& equation, const LinearRows& at,
                            FactorMemory* memory)
     : reduction_(equation, at) {
   if (!reduction_.problem.flexibility.isFormed())

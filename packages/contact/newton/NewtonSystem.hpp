@@ -17,7 +17,7 @@ class NewtonSystem {
  public:
   /// `memory`: the factor of systems before this one; null: there is none.  All outlive this.
   /// \throws SingularJacobian if the Jacobian is singular.
-  NewtonSystem(const Equation& equation, const Evaluation& at,
+  NewtonSystem(const Equation& equation, const LinearRows& at,
                FactorMemory* memory = nullptr);
 
   /// J⁻¹ b, refined.  \throws SingularJacobian

@@ -59,10 +59,10 @@ bool solvesItsProblem(const Equation& equation, const Evaluation& e,
 }  // namespace
 
 ActiveSet rowSet(const Evaluation& e) {
-  const std::size_t normals = e.rows.size() - e.bounds.size();
+  const std::size_t normals = e.linear.rows.size() - e.bounds.size();
   ActiveSet set;
-  for (std::size_t i = 0; i < e.rows.size(); ++i) {
-    const Complementarity::Value& row = e.rows[i];
+  for (std::size_t i = 0; i < e.linear.rows.size(); ++i) {
+    const Complementarity::Value& row = e.linear.rows[i];
     const bool open = row.penetration == 0;
     if (i < normals)
       set.push_back(open ? 0 : 1);
@@ -72,25 +72,26 @@ ActiveSet rowSet(const Evaluation& e) {
   return set;
 }
 
-Evaluation holding(const Equation& equation, Evaluation e, const ActiveSet& set) {
+LinearRows holding(const Equation& equation, const Evaluation& e, const ActiveSet& set) {
   const Problem& problem = equation.problem();
-  e.stepBounds = boundsHeld(problem, e, set);
+  LinearRows held = e.linear;
+  held.stepBounds = boundsHeld(problem, e, set);
   for (Index i = 0; i < problem.size(); ++i) {
     const double multiplier = e.unknowns[at(i)];
-    Complementarity::Value& row = e.rows[at(i)];
+    Complementarity::Value& row = held.rows[at(i)];
     const bool tangential = i >= problem.normals;
     if (tangential) {
       const double side = set[at(i)];
-      row = {multiplier - side * e.stepBounds[at(i - problem.normals)].value, 1, 0,
+      row = {multiplier - side * held.stepBounds[at(i - problem.normals)].value, 1, 0,
              -side};
     } else {
       row = {multiplier, 1, 0, 0};
     }
     if (tangential == (set[at(i)] == 0))
       row = {-e.penetration[at(i)], 0, -1, 0};
-    e.residual[at(i)] = row.value;
+    held.residual[at(i)] = row.value;
   }
-  return e;
+  return held;
 }
 
 ActiveSet Pivoting::next(const Equation& equation, const Evaluation& e) {

@@ -11,9 +11,9 @@ namespace epafi::contact {
 /// the linear problem that it says.  Rows must be those of the projection.
 ActiveSet rowSet(const Evaluation& e);
 
-/// The same point with its rows linearised by another set: a step from there solves that
-/// set's linear problem.
-Evaluation holding(const Equation& equation, Evaluation e, const ActiveSet& set);
+/// A point's rows linearised by another set: a step with these solves that set's linear
+/// problem.
+LinearRows holding(const Equation& equation, const Evaluation& e, const ActiveSet& set);
 
 /// Which set each step solves for, so that sets do not come back for ever.
 ///

@@ -17,7 +17,7 @@ constexpr double heldThreshold = 1e-12;
 
 }  // namespace
 
-Reduction::Reduction(const Equation& equation_, const Evaluation& at_)
+Reduction::Reduction(const Equation& equation_, const LinearRows& at_)
     : equation(equation_),
       e(at_),
       problem(equation_.problem()),

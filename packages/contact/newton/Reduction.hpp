@@ -18,10 +18,10 @@ namespace epafi::contact {
 ///
 /// Refers to what it is made from.
 struct Reduction {
-  Reduction(const Equation& equation, const Evaluation& at);
+  Reduction(const Equation& equation, const LinearRows& at);
 
   const Equation& equation;
-  const Evaluation& e;
+  const LinearRows& e;
   const Problem& problem;
   Index n;  ///< coefficients
   Index k;  ///< rigid motions

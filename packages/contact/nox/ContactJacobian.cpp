@@ -22,11 +22,11 @@ Vector transposeTimes(const Linearisation& point, const Vector& v) {
   Vector result(v.size(), 0.0);
   Vector factors;
   for (Index i = 0; i < n; ++i) {
-    const Complementarity::Value& row = e.rows[at(i)];
+    const Complementarity::Value& row = e.linear.rows[at(i)];
     result[at(i)] += row.multiplier * v[at(i)];
     if (i >= problem.normals) {
       const std::size_t t = at(i - problem.normals);
-      for (const NormalShare& slope : e.stepBounds[t].slopes)
+      for (const NormalShare& slope : e.linear.stepBounds[t].slopes)
         result[at(slope.normal)] += row.bound * slope.value * v[at(i)];
     }
     factors.push_back(row.penetration * equation.weights()[at(i)] * v[at(i)]);
@@ -48,7 +48,7 @@ Vector transposeTimes(const Linearisation& point, const Vector& v) {
 
 const NewtonSystem& Linearisation::system() const {
   if (system_ == nullptr)
-    system_ = std::make_unique<NewtonSystem>(*equation_, evaluation_, memory_);
+    system_ = std::make_unique<NewtonSystem>(*equation_, evaluation_.linear, memory_);
   return *system_;
 }
 
@@ -64,8 +64,9 @@ void ContactJacobian::applyImpl(Thyra::EOpTransp transpose, const MultiVector& x
   const bool forward = Thyra::real_trans(transpose) == Thyra::NOTRANS;
   for (Teuchos::Ordinal j = 0; j < x.domain()->dim(); ++j) {
     const Vector v = gathered(*space_, *x.col(j));
-    const Vector product = forward ? at().equation().jacobianTimes(at().evaluation(), v)
-                                   : transposeTimes(at(), v);
+    const Vector product =
+        forward ? at().equation().jacobianTimes(at().evaluation().linear, v)
+                : transposeTimes(at(), v);
     scatter(*space_, product, alpha, beta, *y->col(j));
   }
 }
@@ -80,11 +81,11 @@ Vector ContactJacobian::solved(const Vector& b) const {
     return system.solve(b);
   const Evaluation& e = at().evaluation();
   for (std::size_t i = 0; i < b.size(); ++i)
-    if (b[i] != scale_ * e.residual[i])
+    if (b[i] != scale_ * e.linear.residual[i])
       throw NoBalance(
           "neither contact nor friction holds a rigid motion that the right-hand side "
           "demands: begin nearer to the solution");
-  Vector x = placingStep(at().equation(), e, motion, at().memory());
+  Vector x = placingStep(at().equation(), e, e.linear, motion, at().memory());
   for (double& value : x)
     value *= -scale_;
   return x;

@@ -1,5 +1,6 @@
 #include "contact/nox/Merit.hpp"
 
+#include "contact/equation/SmoothMerit.hpp"
 #include "contact/nox/ContactJacobian.hpp"
 #include "contact/nox/StepDirection.hpp"
 
@@ -11,13 +12,13 @@ namespace epafi::contact {
 
 double Merit::computef(const NOX::Abstract::Group& group) const {
   const auto point = pointOf(*model_, group);
-  return point->equation().merit(point->evaluation());
+  return merit(point->equation(), point->evaluation());
 }
 
 void Merit::computeGradient(const NOX::Abstract::Group& group,
                             NOX::Abstract::Vector& result) const {
   const auto point = pointOf(*model_, group);
-  assign(result, point->equation().meritGradient(point->evaluation()));
+  assign(result, meritGradient(point->equation(), point->evaluation()));
 }
 
 double Merit::computeSlope(const NOX::Abstract::Vector& direction,

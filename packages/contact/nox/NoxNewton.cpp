@@ -80,7 +80,7 @@ StepDirection::Step stepOf(NewtonMethod method) {
     return [pivoting = Pivoting()](const Linearisation& point) mutable {
       const Equation& equation = point.equation();
       const Evaluation& e = point.evaluation();
-      return newtonStep(equation, holding(equation, e, pivoting.next(equation, e)),
+      return newtonStep(equation, e, holding(equation, e, pivoting.next(equation, e)),
                         point.memory());
     };
   return {};
@@ -149,6 +149,11 @@ auto withNoxErrors(const std::string& list, const std::ostringstream& log,
 }
 
 }  // namespace
+
+bem::SchemaRow noxRow() {
+  return bem::Row("NOX", bem::Kind::Free,
+                  "handed to NOX; empty means Epafi's own choice");
+}
 
 NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
                          NewtonMethod method, int maximumIterations) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/base/SchemaRow.hpp"
 #include "contact/newton/Newton.hpp"
 
 #include <memory>
@@ -11,6 +12,9 @@ class ParameterList;
 namespace epafi::contact {
 
 class FactorMemory;
+
+/// The list that NOX gets.
+bem::SchemaRow noxRow();
 
 /// Newton's method by NOX.
 class NoxNewton final : public Newton {

@@ -29,7 +29,7 @@ int differences(const ActiveSet& a, const ActiveSet& b) {
 // The set, and which bounds follow several pressures: what a step's linear problem is.
 ActiveSet linearProblem(const Evaluation& e) {
   ActiveSet result = e.set;
-  for (const StepBound& bound : e.stepBounds)
+  for (const StepBound& bound : e.linear.stepBounds)
     result.push_back(bound.slopes.size() > 1 ? 1 : 0);
   return result;
 }

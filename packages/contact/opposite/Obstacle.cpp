@@ -70,13 +70,6 @@ void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
 
 }  // namespace
 
-void takeAway(const Obstacle& obstacle, Vector& offset) {
-  for (std::size_t i = 0; i < obstacle.gap.size(); ++i)
-    offset[i] -= obstacle.gap[i];
-  for (std::size_t i = 0; i < obstacle.jump.size(); ++i)
-    offset[i] -= obstacle.jump[i];
-}
-
 Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
                       const Opposite& opposite, bem::Units units) {
   Obstacle obstacle;

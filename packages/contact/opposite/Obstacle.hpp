@@ -15,9 +15,6 @@ struct Obstacle {
   double largestPenetration = 0;  ///< max of -g, of |g| where sides are bonded
 };
 
-/// offset - g, jumps included: the obstacle's part of d0.
-void takeAway(const Obstacle& obstacle, Vector& offset);
-
 /// \throws bem::InputError if a field of a friction law is negative or not finite, naming
 /// boundary and point.
 Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,

@@ -45,6 +45,17 @@ double ContactFields::slipping(const Element& element, double t) const {
   return std::abs(shear) - bound + tolerance_;
 }
 
+MultiplierSpace::Value ContactFields::stress(const Element& element, double t) const {
+  const auto stress = multiplierSpace().at(multiplier_, element, t);
+  return {units_.stress * stress.normal, units_.stress * stress.tangential};
+}
+
+double ContactFields::slip(const Element& element, double t) const {
+  const bem::Vec2 u = solved_.relativeDisplacement(
+      element, t, opposite().isStill() ? Opposite::Point{} : opposite().at(element, t));
+  return units_.length * dot(u, solved_.space.mesh()[element.element].curve.tangent(t));
+}
+
 ContactPoint ContactFields::at(const Element& element, double t) const {
   const MultiplierSpace& space = multiplierSpace();
   const auto stress = space.at(multiplier_, element, t);

@@ -41,6 +41,10 @@ class ContactFields {
 
   ContactPoint at(const Element& element, double t) const;
 
+  /// λ [stress] and uₜ [length] of at(), which costs more.
+  MultiplierSpace::Value stress(const Element& element, double t) const;
+  double slip(const Element& element, double t) const;
+
   /// The slip bound as the multiplier's basis represents it: what the discrete problem
   /// holds λₜ to.  [stress]
   double discreteBound(const Element& element, double t) const;

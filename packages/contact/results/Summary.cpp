@@ -20,9 +20,6 @@ using bem::Vec2;
 using Element = MultiplierSpace::ContactElement;
 using bem::Profile;
 
-/// Enough to separate the zeros of a polynomial of this degree in practice.
-int samples(int degree) { return 8 * (degree + 1); }
-
 double integrate(const Profile& f, const bem::Rule& rule) {
   double sum = 0;
   for (std::size_t q = 0; q < rule.points.size(); ++q)
@@ -33,7 +30,7 @@ double integrate(const Profile& f, const bem::Rule& rule) {
 /// Length of {f > 0} as a part of [-1, 1].
 double positivePart(const Profile& f, int degree) {
   double sum = 0;
-  const bem::Rule pieces = bem::piecewiseRule(bem::signChanges(f, samples(degree)), 1);
+  const bem::Rule pieces = bem::piecewiseRule(bem::signChanges(f, degree), 1);
   for (std::size_t k = 0; k < pieces.points.size(); ++k)
     if (f(pieces.points[k]) > 0)
       sum += pieces.weights[k];
@@ -42,10 +39,10 @@ double positivePart(const Profile& f, int degree) {
 
 /// ∫ bound |uₜ| over one contact element, dt.  Kinks: where uₜ or λₙ changes its sign.
 double frictionWork(const ContactFields& fields, const Element& element) {
-  const auto slip = [&](double t) { return fields.at(element, t).tangential; };
-  const auto pressure = [&](double t) { return fields.at(element, t).pressure; };
-  bem::Vector breaks = bem::signChanges(slip, samples(element.degree));
-  const bem::Vector more = bem::signChanges(pressure, samples(element.degree));
+  const auto slip = [&](double t) { return fields.slip(element, t); };
+  const auto pressure = [&](double t) { return fields.stress(element, t).normal; };
+  bem::Vector breaks = bem::signChanges(slip, element.degree);
+  const bem::Vector more = bem::signChanges(pressure, element.degree);
   breaks.insert(breaks.end(), more.begin(), more.end());
   const Opposite& opposite = fields.opposite();
   const bem::Vector nodes = opposite.breaks(element);
@@ -79,25 +76,31 @@ void addForce(const Solved& solved, const ContactFields& fields, const Element& 
       element.degree + (side.curve.isStraight() ? 2 : bem::pointsOfTurning));
   for (int i = 0; i < rule.size(); ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const ContactPoint point = fields.at(element, rule.points[k]);
+    const double t = rule.points[k];
+    const auto stress = fields.stress(element, t);
     const double weight = solved.units.length * side.half * rule.weights[k];
-    const Vec2 force = -weight * (point.pressure * side.curve.normal(rule.points[k]) +
-                                  point.shear * side.curve.tangent(rule.points[k]));
-    add({force.x, force.y, cross(point.place, force)}, summary.contact);
-    if (solved.problem.opposite().at(element, rule.points[k]).element < 0)
-      add({force.x, force.y, cross(point.place, force)}, summary.obstacle);
+    const Vec2 force = -weight * (stress.normal * side.curve.normal(t) +
+                                  stress.tangential * side.curve.tangent(t));
+    const Vec2 place = solved.space.mesh().physicalPoint(element.element, t);
+    add({force.x, force.y, cross(place, force)}, summary.contact);
+    if (solved.problem.opposite().at(element, t).element < 0)
+      add({force.x, force.y, cross(place, force)}, summary.obstacle);
   }
+}
+
+double closedPart(const ContactFields& fields, const Element& element) {
+  return positivePart([&](double t) { return fields.closing(element, t); },
+                      element.degree);
 }
 
 void addElement(const Solved& solved, const ContactFields& fields, const Element& element,
                 Summary& summary) {
   const int p = element.degree;
   const double half = solved.units.length * solved.space.mesh()[element.element].half;
-  const auto normal = [&](double t) { return fields.at(element, t).pressure; };
-  const auto tangential = [&](double t) { return fields.at(element, t).shear; };
+  const auto normal = [&](double t) { return fields.stress(element, t).normal; };
+  const auto tangential = [&](double t) { return fields.stress(element, t).tangential; };
   summary.forceNormal += half * integrate(normal, bem::gaussLegendre(p + 1));
-  summary.contactLength +=
-      half * positivePart([&](double t) { return fields.closing(element, t); }, p);
+  summary.contactLength += half * closedPart(fields, element);
   addForce(solved, fields, element, summary);
   if (element.tangential < 0)
     return;
@@ -200,6 +203,16 @@ std::map<std::string, Summary> summarizeContacts(const Solved& solved) {
   return contacts;
 }
 
+std::map<std::string, double> contactLengths(const Solved& solved) {
+  std::map<std::string, double> lengths;
+  const ContactFields fields(solved);
+  for (const Element& element : fields.elements())
+    lengths[nameOf(element)] += solved.units.length *
+                                solved.space.mesh()[element.element].half *
+                                closedPart(fields, element);
+  return lengths;
+}
+
 namespace {
 
 /// The force of one body's multiplier on the bodies that it meets, where it acts on them.
@@ -222,10 +235,10 @@ void addReaction(const std::vector<Solved>& bodies, const Solved& side,
         if (met.element < 0)
           continue;
         const auto b = static_cast<std::size_t>(met.body);
-        const ContactPoint point = fields.at(element, t);
+        const auto stress = fields.stress(element, t);
         const double weight = side.units.length * curve.half * half * rule.weights[k];
-        const Vec2 force = weight * (point.pressure * curve.curve.normal(t) +
-                                     point.shear * curve.curve.tangent(t));
+        const Vec2 force = weight * (stress.normal * curve.curve.normal(t) +
+                                     stress.tangential * curve.curve.tangent(t));
         const Vec2 place = bodies[b].space.mesh().physicalPoint(met.element, met.t);
         add({force.x, force.y, cross(place, force)}, summaries[b].contact);
       }

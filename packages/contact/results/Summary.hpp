@@ -52,6 +52,8 @@ Summary sumOf(const std::vector<Summary>& bodies);
 
 /// What contact sides add to a Summary, for each contact alone, see nameOf.
 std::map<std::string, Summary> summarizeContacts(const Solved& solved);
+/// Their contactLength alone.
+std::map<std::string, double> contactLengths(const Solved& solved);
 
 /// Which displacements a Dirichlet condition prescribes.
 std::vector<bool> prescribed(const bem::Space& space, const Conditions& conditions);

@@ -1,16 +1,16 @@
 #pragma once
 
+#include "contact/body/BodyInput.hpp"
 #include "contact/body/ElasticBody.hpp"
 #include "contact/opposite/Obstacle.hpp"
-#include "contact/system/ContactProblem.hpp"
 
 namespace epafi::contact {
 
 /// What a ContactProblem is made of; a ContactSystem condenses several of them.
-struct ContactProblem::Parts {
-  explicit Parts(const Input& input);
+struct BodyParts {
+  explicit BodyParts(const BodyInput& input);
   /// The same at another time of a path; the factor of A is shared.
-  Parts(const Parts& same, const Conditions& conditions);
+  BodyParts(const BodyParts& same, const Conditions& conditions);
 
   const bem::Space& space;
   bem::Units units;
@@ -31,7 +31,7 @@ struct ContactProblem::Parts {
  private:
   /// Factors A, with a smaller gamma0 where the default is too large.
   /// \throws IndefiniteStiffness if it is not the default that is.
-  void factor(const Input& input);
+  void factor(const BodyInput& input);
 };
 
 /// \throws bem::InputError if the multiplier does not go with the form.

@@ -1,18 +1,11 @@
 #pragma once
 
-#include "bem/base/Error.hpp"
 #include "contact/body/BodyInput.hpp"
 #include "contact/problem/Problem.hpp"
 
 namespace epafi::contact {
 
-/// The stabilised stiffness A = S - S^ is not positive definite with the γ₀ that was given.
-struct IndefiniteStiffness : bem::NumericalError {
-  IndefiniteStiffness(double used, double limit);
-  double gamma0;       ///< what was asked for
-  double limitGamma0;  ///< A is definite below
-};
-
+struct BodyParts;
 class ContactSystem;
 
 /// The stabilised mixed problem [P (13)] on the mesh of one body, condensed onto the multiplier:
@@ -105,14 +98,8 @@ class ContactProblem {
 
  private:
   friend class ContactSystem;
-  struct Parts;
-  explicit ContactProblem(std::unique_ptr<Parts> parts);
-  std::unique_ptr<Parts> parts_;
+  explicit ContactProblem(std::unique_ptr<BodyParts> parts);
+  std::unique_ptr<BodyParts> parts_;
 };
-
-/// Gamma0 at which A loses its definiteness: 1 / the largest eigenvalue of (S^/gamma0,
-/// S). Infinite without stabilisation.  Relative to S, the smallest eigenvalue of A is 1
-/// - gamma0 / limitGamma0.                                             [P Lemma 6]
-double limitGamma0(const BodyInput& input);
 
 }  // namespace epafi::contact

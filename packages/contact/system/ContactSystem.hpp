@@ -30,7 +30,7 @@ class ContactSystem {
   ///   number the bodies as they come here.
   /// \throws see ContactProblem, and bem::InputError for a multiplier that shares nodes where
   ///   contact with another body meets a clamp or another contact side.
-  explicit ContactSystem(const std::vector<ContactProblem::Input>& bodies,
+  explicit ContactSystem(const std::vector<BodyInput>& bodies,
                          const std::vector<Drive>& rigid = {});
   ~ContactSystem();
   ContactSystem(ContactSystem&&) noexcept;
@@ -84,6 +84,7 @@ class ContactSystem {
   double storedEnergy(const Configuration& at) const;
 
  private:
+  friend class ContactProblem;  // is a system of one body
   struct Parts;
   explicit ContactSystem(std::unique_ptr<Parts> parts);
   std::unique_ptr<Parts> parts_;

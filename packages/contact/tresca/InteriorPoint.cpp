@@ -86,8 +86,9 @@ class Method {
 
   void move(Vector unknowns) {
     e_ = equation_.at(std::move(unknowns));
+    rows_ = e_.linear;
     for (std::size_t t = 0; t < e_.bounds.size(); ++t)
-      e_.stepBounds[t] = {e_.bounds[t], problem_.tangentials[t].slopes(e_.unknowns)};
+      rows_.stepBounds[t] = {e_.bounds[t], problem_.tangentials[t].slopes(e_.unknowns)};
   }
 
   /// Where all of the predictor's step leads, with distances and forces not below their means:
@@ -95,7 +96,7 @@ class Method {
   /// body).                                                           [Gertz, Wright 2003]
   void start() {
     setRows();
-    const Vector change = direction(NewtonSystem(equation_, e_), 0);
+    const Vector change = direction(NewtonSystem(equation_, rows_), 0);
     Vector unknowns = e_.unknowns;
     for (std::size_t i = 0; i < unknowns.size(); ++i)
       unknowns[i] += change[i];
@@ -120,7 +121,7 @@ class Method {
     if (!(mu > enough * problem_.stress * problem_.stress))
       return false;
     setRows();
-    const NewtonSystem system(equation_, e_);
+    const NewtonSystem system(equation_, rows_);
     for (Limit& limit : limits_)
       limit.correction = 0;
     direction(system, 0);
@@ -171,15 +172,15 @@ class Method {
   /// The rows  r + Σ side z = 0  with z's change eliminated:
   ///   c (D dλ - G dα + Σ z/a (dλ_i + side ds_i)) = ...,  over 1 + c Σ z/a.
   void setRows() {
-    for (Complementarity::Value& row : e_.rows)
+    for (Complementarity::Value& row : rows_.rows)
       row = {0, 0, -1, 0};
     for (const Limit& limit : limits_) {
-      Complementarity::Value& row = e_.rows[at(limit.coefficient)];
+      Complementarity::Value& row = rows_.rows[at(limit.coefficient)];
       row.multiplier += weight(limit) * limit.stiffness();
       row.bound += limit.side * weight(limit) * limit.stiffness();
     }
     for (Index i = 0; i < problem_.size(); ++i) {
-      Complementarity::Value& row = e_.rows[at(i)];
+      Complementarity::Value& row = rows_.rows[at(i)];
       if (i >= problem_.normals && !tangential(i).carries())
         row = {0, 1, 0, 0};
       const double size = 1 + (row.penetration == 0 ? 0 : row.multiplier);
@@ -191,11 +192,12 @@ class Method {
   Vector direction(const NewtonSystem& system, double target) {
     Vector right;
     for (std::size_t i = 0; i < e_.unknowns.size(); ++i)
-      right.push_back(i < e_.rows.size() ? -e_.rows[i].penetration * e_.penetration[i]
-                                         : -e_.residual[i]);
+      right.push_back(i < rows_.rows.size()
+                          ? -rows_.rows[i].penetration * e_.penetration[i]
+                          : -e_.linear.residual[i]);
     for (const Limit& limit : limits_) {
       const std::size_t i = at(limit.coefficient);
-      right[i] -= e_.rows[i].penetration * weight(limit) * limit.side *
+      right[i] -= rows_.rows[i].penetration * weight(limit) * limit.side *
                   (goal(limit, target) - limit.force * gap(limit)) / limit.distance;
     }
     Vector change = system.solve(right);
@@ -225,7 +227,7 @@ class Method {
     const Index t = limit.coefficient - problem_.normals;
     double sum = 0;
     if (t >= 0)
-      for (const NormalShare& slope : e_.stepBounds[at(t)].slopes)
+      for (const NormalShare& slope : rows_.stepBounds[at(t)].slopes)
         sum += slope.value * change[at(slope.normal)];
     return sum;
   }
@@ -234,6 +236,7 @@ class Method {
   const Problem& problem_;
   std::vector<Limit> limits_;
   Evaluation e_;
+  LinearRows rows_;  // of the limits
   int jams_ = 0;
   int stale_ = 0;
   double least_ = std::numeric_limits<double>::infinity();  // complementarity

@@ -105,7 +105,7 @@ void throughTheMiddle(NewtonCourse& course, Stage stage) {
   course.throughTheMiddle(stage);
 }
 
-constexpr PlannedStage<NewtonCourse> plan[] = {
+constexpr PlannedStage<NewtonCourse> trescaPlan[] = {
     {Stage::FullSteps, startsAfar, fullSteps},
     {Stage::InteriorPoint, startsAfar, throughTheMiddle},
     {Stage::Pivoting, always, pivoting},
@@ -115,7 +115,7 @@ constexpr PlannedStage<NewtonCourse> plan[] = {
 }  // namespace
 
 Solution Tresca::solveSound(const Problem& problem, const State& start) const {
-  return follow(plan,
+  return follow(trescaPlan,
                 NewtonCourse(problem, start, *this, Equation::Bound::Differentiated));
 }
 

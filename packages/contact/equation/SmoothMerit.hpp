@@ -1,0 +1,12 @@
+#pragma once
+
+#include "contact/equation/Equation.hpp"
+
+namespace epafi::contact {
+
+/// ½ |F|² with Fischer-Burmeister's function, whatever the equation's own is.
+double merit(const Equation& equation, const Evaluation& at);
+/// Its gradient: continuous as long as the slip bound is differentiable.
+Vector meritGradient(const Equation& equation, const Evaluation& at);
+
+}  // namespace epafi::contact

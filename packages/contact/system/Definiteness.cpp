@@ -1,0 +1,62 @@
+#include "contact/system/Definiteness.hpp"
+
+#include "bem/algebra/Blas.hpp"
+#include "contact/system/BodyParts.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace epafi::contact {
+
+namespace {
+
+double largestEigenvalue(Matrix symmetric) {
+  const int n = static_cast<int>(symmetric.rows());
+  const int ld = static_cast<int>(symmetric.stride());
+  Vector values(static_cast<std::size_t>(n));
+  Vector work(static_cast<std::size_t>(std::max(1, 34 * n)));
+  const int size = static_cast<int>(work.size());
+  int info = 0;
+  dsyev_("N", "L", &n, symmetric.data(), &ld, values.data(), work.data(), &size, &info);
+  return info == 0 && n > 0 ? values.back() : 0;
+}
+
+}  // namespace
+
+IndefiniteStiffness::IndefiniteStiffness(double used, double limit)
+    : bem::NumericalError(
+          bem::message("the stabilised stiffness S - S^ is not positive definite: "
+                       "Discretization->Stabilization->",
+                       "Gamma0 = ", used, " is too large for this mesh; below ", limit,
+                       " it is definite, and a quarter of that is safe")),
+      gamma0(used),
+      limitGamma0(limit) {}
+
+double limitGamma0(const BodyInput& input, const StabilisedBody& form,
+                   const Holding& holding) {
+  const bem::DenseAlgebra& algebra = input.stiffness.algebra();
+  const bem::Rows mine = algebra.myRows(input.space.displacements());
+  Matrix half = form.subtracted();
+  const Index columns = half.columns();
+  if (columns == 0)
+    return std::numeric_limits<double>::infinity();
+  for (Index j = 0; j < columns; ++j)
+    for (Index i = 0; i < half.rows(); ++i)
+      if (holding.loads.clamped[static_cast<std::size_t>(i + mine.begin)] != 0)
+        half(i, j) = 0;
+  const auto stiffness = algebra.cholesky(
+      constrained(input.stiffness.stiffness().unpacked(), mine, holding), "S");
+  const Matrix reduced = stiffness->forward(std::move(half));
+  const Matrix gram = algebra.replicate(
+      algebra.addGram(Matrix(algebra.myRows(columns).size(), columns), reduced), columns);
+  const double largest = largestEigenvalue(gram.copy());
+  return algebra.broadcast({input.stabilization.firstGamma0() / largest}).front();
+}
+
+double limitGamma0(const BodyInput& input) {
+  const MultiplierSpace multiplier(input.space.mesh(), input.basis, input.conditions);
+  return limitGamma0(input, *makeStabilisedBody(input, multiplier),
+                     makeHolding(input.space, input.conditions, input.units));
+}
+
+}  // namespace epafi::contact

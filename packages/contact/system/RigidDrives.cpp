@@ -1,0 +1,128 @@
+#include "contact/system/RigidDrives.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace epafi::contact {
+
+namespace {
+
+/// Of one body, on all multipliers.
+RigidTraces tracesOf(int body, const AllBodyParts& bodies, const Numbering& numbering) {
+  std::vector<RigidTraces> parts;
+  RigidTraces all{Matrix(numbering.size(), 3)};
+  for (const BodyParts* met : bodies) {
+    parts.push_back(
+        rigidTraces(met->space.mesh(), met->multiplier, *met->opposite, body));
+    all.lever = std::max(all.lever, parts.back().lever);
+    all.length += parts.back().length;
+  }
+  for (std::size_t a = 0; a < bodies.size(); ++a)
+    for (Index k = 0; k < 3; ++k)
+      for (Index i = 0; i < numbering.sizeOf(a); ++i)
+        all.traces(numbering(a, i), k) =
+            parts[a].traces(i, k) *
+            (k == 2 && all.lever > 0 ? parts[a].lever / all.lever : 1);
+  return all;
+}
+
+}  // namespace
+
+RigidDrives::RigidDrives(std::vector<Drive> drives, const AllBodyParts& bodies,
+                         const Numbering& numbering)
+    : drives_(std::move(drives)) {
+  std::vector<RigidTraces> traces;
+  for (std::size_t k = 0; k < drives_.size(); ++k)
+    traces.push_back(tracesOf(static_cast<int>(k), bodies, numbering));
+  traces_ = std::make_shared<const std::vector<RigidTraces>>(std::move(traces));
+}
+
+RigidDrives RigidDrives::under(std::vector<Drive> drives) const {
+  RigidDrives result = *this;
+  result.drives_ = std::move(drives);
+  return result;
+}
+
+Index RigidDrives::freeMotions() const {
+  Index count = 0;
+  forEachFree([&](std::size_t, std::size_t) { ++count; });
+  return count;
+}
+
+double RigidDrives::loadSize() const {
+  double load = 0;
+  for (std::size_t k = 0; k < drives_.size(); ++k) {
+    const RigidTraces& met = (*traces_)[k];
+    bem::Vec2 slide;
+    double others = 0;  // turning, and forces as pressures on what is met
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto& [free, value] = drives_[k].components[c];
+      if (free)
+        others += met.length > 0 ? std::abs(value) / scaleOf(k, c) / met.length : 0;
+      else if (c == 2)
+        others += met.lever * std::abs(value);
+      else
+        (c == 0 ? slide.x : slide.y) = value;
+    }
+    load += norm(slide) + others;
+  }
+  return load;
+}
+
+Matrix RigidDrives::withFreeMotions(const Matrix& elastic) const {
+  Matrix all(traces_->front().traces.rows(), elastic.columns() + freeMotions());
+  Index column = 0;
+  for (; column < elastic.columns(); ++column)
+    std::copy_n(elastic.column(column), elastic.rows(), all.column(column));
+  forEachFree([&](std::size_t k, std::size_t c) {
+    std::transform(trace(k, c), trace(k, c) + all.rows(), all.column(column++),
+                   std::negate<>());
+  });
+  return all;
+}
+
+void RigidDrives::act(Vector& offset, Vector& rigidLoad) const {
+  for (std::size_t k = 0; k < drives_.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Drive::Component& component = drives_[k].components[c];
+      if (component.free)
+        rigidLoad.push_back(component.value / scaleOf(k, c));
+      else if (component.value != 0)
+        for (std::size_t i = 0; i < offset.size(); ++i)
+          offset[i] -= scaleOf(k, c) * component.value * trace(k, c)[i];
+    }
+}
+
+void RigidDrives::append(const std::vector<RigidMotion>& motions, Vector& alpha) const {
+  forEachFree([&](std::size_t k, std::size_t c) {
+    const RigidMotion motion = motions.empty() ? RigidMotion{} : motions[k];
+    const double components[] = {motion.slide.x, motion.slide.y, motion.turn};
+    alpha.push_back(scaleOf(k, c) * components[c]);
+  });
+}
+
+std::vector<RigidMotion> RigidDrives::motions(const double* alpha) const {
+  std::vector<RigidMotion> result;
+  for (std::size_t k = 0; k < drives_.size(); ++k) {
+    double components[3];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Drive::Component& drive = drives_[k].components[c];
+      components[c] = drive.free ? *alpha++ / scaleOf(k, c) : drive.value;
+    }
+    result.push_back({{components[0], components[1]}, components[2]});
+  }
+  return result;
+}
+
+std::vector<std::array<double, 3>> RigidDrives::forces(const Vector& multiplier) const {
+  std::vector<std::array<double, 3>> result(drives_.size());
+  for (std::size_t k = 0; k < result.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c)
+      result[k][c] =
+          scaleOf(k, c) *
+          std::inner_product(multiplier.begin(), multiplier.end(), trace(k, c), 0.0);
+  return result;
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "contact/opposite/RigidBodies.hpp"
+#include "contact/problem/Numbering.hpp"
+#include "contact/system/Couplings.hpp"
+
+#include <memory>
+
+namespace epafi::contact {
+
+/// The bodies of a system that do not deform: how they are driven now, and what their motions
+/// do to all multipliers.
+class RigidDrives {
+ public:
+  RigidDrives(std::vector<Drive> drives, const AllBodyParts& bodies,
+              const Numbering& numbering);
+  /// The same bodies at another time of a path.
+  RigidDrives under(std::vector<Drive> drives) const;
+
+  const std::vector<Drive>& drives() const { return drives_; }
+  Index freeMotions() const;
+  /// Σ over bodies: of given motions and, as pressures on what is met, of forces.
+  double loadSize() const;
+
+  /// Elastic bodies' columns of G, then one -T m for each free motion m.
+  Matrix withFreeMotions(const Matrix& elastic) const;
+  /// Takes given motions from the offset, and appends the forces of free ones to q.
+  void act(Vector& offset, Vector& rigidLoad) const;
+
+  /// Appends what motions of all bodies are as entries of α; none: they stand still.
+  void append(const std::vector<RigidMotion>& motions, Vector& alpha) const;
+  /// And back, with those that are given.  \param alpha the first free one's
+  std::vector<RigidMotion> motions(const double* alpha) const;
+  /// What a multiplier does to each: forces in x and y, moment about the reference point.
+  std::vector<std::array<double, 3>> forces(const Vector& multiplier) const;
+
+ private:
+  /// What a motion about the reference point has in the units of its trace, or a moment.
+  double scaleOf(std::size_t k, std::size_t c) const {
+    const double lever = (*traces_)[k].lever;
+    return c == 2 && lever > 0 ? lever : 1;
+  }
+  const double* trace(std::size_t k, std::size_t c) const {
+    return (*traces_)[k].traces.column(static_cast<Index>(c));
+  }
+  /// visit(body, component) of each free motion.
+  template <class Visit>
+  void forEachFree(const Visit& visit) const {
+    for (std::size_t k = 0; k < drives_.size(); ++k)
+      for (std::size_t c = 0; c < 3; ++c)
+        if (drives_[k].components[c].free)
+          visit(k, c);
+  }
+
+  std::vector<Drive> drives_;
+  std::shared_ptr<const std::vector<RigidTraces>> traces_;  // on all multipliers
+};
+
+}  // namespace epafi::contact
