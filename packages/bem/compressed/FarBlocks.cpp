@@ -6,6 +6,8 @@
 #include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace epafi::bem {
 
@@ -168,15 +170,34 @@ struct Integrate {
 
 FarBlocks::FarBlocks(const Space& space, const Lame& lame) : space_(space), lame_(lame) {}
 
+// Elements whose circles are far from each other need the order of the nearest of them.
 FarOrder FarBlocks::orderOf(const std::vector<Test>& tests, int trial) const {
+  const Mesh& mesh = space_.mesh();
+  const Element& f = mesh[trial];
   FarOrder largest{1, 1};
+  constexpr double afar = std::numeric_limits<double>::infinity();
+  double outer = afar;
+  double inner = afar;
   for (const Test& test : tests) {
+    const Element& e = mesh[test.element];
+    const double distance = std::sqrt(dot(test.offset, test.offset));
+    const double zE = (distance - f.half) / e.half;
+    const double zF = (distance - e.half) / f.half;
+    if (e.curve.isStraight() && f.curve.isStraight() && zE >= zOfCircles &&
+        zF >= zOfCircles) {
+      outer = std::min(outer, zE);
+      inner = std::min(inner, zF);
+      continue;
+    }
     FarOrder order;
-    if (isNear(space_.mesh(), test.element, trial, test.offset, order))
+    if (isNear(mesh, test.element, trial, test.offset, order))
       continue;  // the caller does not take it
     largest.outer = std::max(largest.outer, order.outer);
     largest.inner = std::max(largest.inner, order.inner);
   }
+  if (outer < afar)
+    largest = {std::max(largest.outer, smoothOrder(outer)),
+               std::max(largest.inner, smoothOrder(inner))};
   return largest;
 }
 
