@@ -69,8 +69,15 @@ struct Dot {
       fetch(low + i, size - i, y);
       addProduct(factor, x, y, sum, rest);
     }
-    for (int lane = 0; lane < lanes; ++lane)
-      result += static_cast<long double>(sum[lane]) + rest[lane];
+    double whole = 0;
+    double left = 0;
+    for (int lane = 0; lane < lanes; ++lane) {
+      const double next = whole + sum[lane];
+      const double part = next - whole;
+      left += ((whole - (next - part)) + (sum[lane] - part)) + rest[lane];
+      whole = next;
+    }
+    result = static_cast<long double>(whole) + left;
   }
 };
 

@@ -1,6 +1,6 @@
 #include "bem/fields/PointSources.hpp"
 
-#include "bem/simd/Pack.hpp"
+#include "bem/simd/Dispatch.hpp"
 
 namespace epafi::bem {
 
@@ -60,39 +60,33 @@ EPAFI_INLINE double total(const Pack& p) {
   return sum;
 }
 
-template <Division How>
-EPAFI_INLINE void sum(const Columns& c, double x, double y, double (&result)[2][6]) {
-  LaneSums fields[2];
-  std::size_t k = 0;
-  for (; k + lanes <= c.size; k += lanes)
-    addEight<How>(c, k, x, y, fields);
-  if (k < c.size) {  // the rest among points that carry nothing, away from x
-    double rest[6][lanes] = {};
-    for (int lane = 0; lane < lanes; ++lane)
-      rest[0][lane] = x + 1;
-    for (int array = 0; array < 6; ++array)
-      for (std::size_t at = k; at < c.size; ++at)
-        rest[array][at - k] = c.array[array][at];
-    addEight<How>({{rest[0], rest[1], rest[2], rest[3], rest[4], rest[5]}, lanes}, 0, x,
-                  y, fields);
+struct Summation {
+  const Columns& c;
+  double x;
+  double y;
+  double (&result)[2][6];
+
+  template <Division How>
+  EPAFI_INLINE void run() const {
+    LaneSums fields[2];
+    std::size_t k = 0;
+    for (; k + lanes <= c.size; k += lanes)
+      addEight<How>(c, k, x, y, fields);
+    if (k < c.size) {  // the rest among points that carry nothing, away from x
+      double rest[6][lanes] = {};
+      for (int lane = 0; lane < lanes; ++lane)
+        rest[0][lane] = x + 1;
+      for (int array = 0; array < 6; ++array)
+        for (std::size_t at = k; at < c.size; ++at)
+          rest[array][at - k] = c.array[array][at];
+      addEight<How>({{rest[0], rest[1], rest[2], rest[3], rest[4], rest[5]}, lanes}, 0, x,
+                    y, fields);
+    }
+    for (int field = 0; field < 2; ++field)
+      for (int part = 0; part < 6; ++part)
+        result[field][part] = total(fields[field].sum[part]);
   }
-  for (int field = 0; field < 2; ++field)
-    for (int part = 0; part < 6; ++part)
-      result[field][part] = total(fields[field].sum[part]);
-}
-
-EPAFI_AVX512 void sumAvx512(const Columns& c, double x, double y,
-                            double (&result)[2][6]) {
-  sum<Division::Fused>(c, x, y, result);
-}
-
-EPAFI_AVX2 void sumAvx2(const Columns& c, double x, double y, double (&result)[2][6]) {
-  sum<Division::Fused>(c, x, y, result);
-}
-
-void sumBaseline(const Columns& c, double x, double y, double (&result)[2][6]) {
-  sum<Division::Exact>(c, x, y, result);
-}
+};
 
 /// ∫ g/w, ∫ g/conj(w) and the cubic part from the products' sums.
 SourceSums sourceSums(const double (&s)[6]) {
@@ -116,17 +110,7 @@ FieldSums PointSources::at(Complex x, std::size_t first, std::size_t last,
   for (int array = 0; array < Arrays; ++array)
     columns.array[array] = data_[array].data() + first;
   double sums[2][6];
-  switch (set) {
-    case InstructionSet::Avx512:
-      sumAvx512(columns, x.real(), x.imag(), sums);
-      break;
-    case InstructionSet::Avx2:
-      sumAvx2(columns, x.real(), x.imag(), sums);
-      break;
-    case InstructionSet::Baseline:
-      sumBaseline(columns, x.real(), x.imag(), sums);
-      break;
-  }
+  dispatch(set, Summation{columns, x.real(), x.imag(), sums});
   return {sourceSums(sums[0]), sourceSums(sums[1])};
 }
 

@@ -3,6 +3,7 @@
 #include "bem/kernel/Elasticity.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/quadrature/WeightedLegendre.hpp"
+#include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -149,30 +150,21 @@ EPAFI_INLINE void kernel(const Work& work, const std::array<double, 32>* map,
                  values + (i * largestDegree + j) * 8 * lanes);
 }
 
-template <Division How>
-EPAFI_INLINE void kernelOfSize(const Work& work, const std::array<double, 32>* map,
-                               double* values) {
-  if (work.moments == 2 && work.columns == 1)
-    kernel<2, 1, How>(work, map, values);
-  else if (work.moments == 3 && work.columns == 2)
-    kernel<3, 2, How>(work, map, values);
-  else
-    kernel<0, 0, How>(work, map, values);
-}
+struct TractionKernel {
+  const Work& work;
+  const std::array<double, 32>* map;
+  double* values;
 
-EPAFI_AVX512 void kernelAvx512(const Work& work, const std::array<double, 32>* map,
-                               double* values) {
-  kernelOfSize<Division::Fused>(work, map, values);
-}
-
-EPAFI_AVX2 void kernelAvx2(const Work& work, const std::array<double, 32>* map,
-                           double* values) {
-  kernelOfSize<Division::Fused>(work, map, values);
-}
-
-void kernelBaseline(const Work& work, const std::array<double, 32>* map, double* values) {
-  kernelOfSize<Division::Exact>(work, map, values);
-}
+  template <Division How>
+  EPAFI_INLINE void run() const {
+    if (work.moments == 2 && work.columns == 1)
+      kernel<2, 1, How>(work, map, values);
+    else if (work.moments == 3 && work.columns == 2)
+      kernel<3, 2, How>(work, map, values);
+    else
+      kernel<0, 0, How>(work, map, values);
+  }
+};
 
 }  // namespace
 
@@ -216,14 +208,7 @@ void FarTractions::evaluate(const FarBatch& batch, const FarLanes& chosen,
                      gaussLegendre(inner),
                      weightedLegendre(outer),
                      weightedLegendre(inner)};
-  switch (set) {
-    case InstructionSet::Avx512:
-      return kernelAvx512(work, map_.data(), values_.data());
-    case InstructionSet::Avx2:
-      return kernelAvx2(work, map_.data(), values_.data());
-    case InstructionSet::Baseline:
-      return kernelBaseline(work, map_.data(), values_.data());
-  }
+  dispatch(set, TractionKernel{work, map_.data(), values_.data()});
 }
 
 void FarTractions::evaluateArc(const Element& source, Vec2 w, FarOrder smooth, int lane) {
