@@ -220,7 +220,8 @@ void NearBlocks::findPairs(const Space& space, const ClusterTree& tree) {
       const Hood& a = around[static_cast<std::size_t>(leaf)];
       const Hood& b = around[static_cast<std::size_t>(c)];
       if (tree[c].isEmpty() || tree[c].last <= tree[leaf].first ||
-          length(tree.between(leaf, c)) - a.radius - b.radius > std::max(a.half, b.half))
+          length(tree.between(leaf, c)) >
+              clearly * clearly * (a.radius + b.radius + std::max(a.half, b.half)))
         continue;
       if (!tree[c].isLeaf()) {
         waiting.insert(waiting.end(), {tree[c].children[0], tree[c].children[1]});

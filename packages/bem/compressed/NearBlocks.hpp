@@ -20,7 +20,8 @@ class NearBlocks {
   bool isDeep(int e, int f) const {
     const Hood& a = hoods_[static_cast<std::size_t>(e)];
     const Hood& b = hoods_[static_cast<std::size_t>(f)];
-    const double reach = a.radius + b.radius + (a.half > b.half ? a.half : b.half);
+    const double reach =
+        clearly * (a.radius + b.radius + (a.half > b.half ? a.half : b.half));
     const Vec2 w = a.middle - b.middle;
     return dot(w, w) >= reach * reach;
   }
@@ -40,6 +41,10 @@ class NearBlocks {
   std::size_t bytes() const { return values_.size() * sizeof(double); }
 
  private:
+  // Rounding may call elements near whose distance is the limit's, which meshes of halved
+  // elements are full of; a pair beside them must not count as deep then.
+  static constexpr double clearly = 1 + 1e-6;
+
   /// An element with its neighbours.
   struct Hood {
     Vec2 middle;
