@@ -231,7 +231,9 @@ for E in ("2.1e11", "2.1e5", "1e-3"):
          ["Bodies->block->Material->Young's Modulus=" + E],
          claims=[like("pressed", ["force_normal", "energy_strain", "energy_friction"], 1e-8,
                       float(E) / 100, "the same digits as with E = 100 (1e-8)"),
-                 like("pressed", ["contact_length", "newton_iterations"], 1e-12)])
+                 like("pressed", ["contact_length"], 1e-12),
+                 # rounding alone may ask for one more than three
+                 like("pressed", ["newton_iterations"], 0.34, text="Newton's steps but for one")])
 # 1 N/mm = 1e3 N/m
 case("units_mpa_mm", "E = 2.1e5 MPa, lengths in mm: E = 2.1e11 Pa, lengths in m",
      "pressed_block",

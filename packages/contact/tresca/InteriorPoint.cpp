@@ -41,8 +41,8 @@ struct Limit {
 
 class Method {
  public:
-  explicit Method(const Equation& equation)
-      : equation_(equation), problem_(equation.problem()) {
+  Method(const Equation& equation, SecondOrder order)
+      : equation_(equation), problem_(equation.problem()), order_(order) {
     Vector unknowns(at(equation.size()), 0.0);
     std::fill_n(unknowns.begin(), problem_.normals, problem_.stress);
     move(std::move(unknowns));
@@ -127,10 +127,9 @@ class Method {
     direction(system, 0);
     const double reach = std::min(1.0, room());
     const double affine = complementarity(reach);
-    // A predictor that does not reach far says little of second order: with all of it steps
-    // stay short, and lead in circles.
+    const double share = order_ == SecondOrder::ByReach ? reach : 1;
     for (Limit& limit : limits_)
-      limit.correction = reach * limit.distanceChange * limit.forceChange;
+      limit.correction = share * limit.distanceChange * limit.forceChange;
     const Vector change = direction(system, mu * std::pow(affine / mu, 3));
     const double relative = mu / (problem_.stress * problem_.stress);
     const double step = std::min(1.0, std::max(interior, 1 - relative) * room());
@@ -237,6 +236,7 @@ class Method {
 
   const Equation& equation_;
   const Problem& problem_;
+  SecondOrder order_;
   std::vector<Limit> limits_;
   Evaluation e_;
   LinearRows rows_;  // of the limits
@@ -247,8 +247,9 @@ class Method {
 
 }  // namespace
 
-InteriorPoint interiorPoint(const Equation& equation, int maximumSteps) {
-  return Method(equation).run(maximumSteps);
+InteriorPoint interiorPoint(const Equation& equation, SecondOrder order,
+                            int maximumSteps) {
+  return Method(equation, order).run(maximumSteps);
 }
 
 }  // namespace epafi::contact

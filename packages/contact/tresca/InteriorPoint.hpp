@@ -10,6 +10,14 @@ struct InteriorPoint {
   int iterations = 0;  ///< linear systems factorised
 };
 
+/// How much of the predictor's second order its corrector takes.
+enum class SecondOrder {
+  /// As much as the predictor reaches: one that does not reach far says little of second order,
+  /// and with all of it steps stay short and lead in circles.      [Colombo, Gondzio 2008]
+  ByReach,
+  Full  ///< Mehrotra's own
+};
+
 /// Mehrotra's predictor-corrector method for all laws of friction.  Distances a from the
 /// bounds and the forces z that keep them are unknowns of their own,
 ///
@@ -18,8 +26,9 @@ struct InteriorPoint {
 /// started in the middle.  With fixed bounds it solves a convex quadratic programme; a bound
 /// that follows the pressure is differentiated.  Its number of steps hardly depends on the
 /// size or the condition of D, where active sets move by a coefficient a step: thin bodies.
-/// The second order is weighted by what the predictor reaches.        [Colombo, Gondzio 2008]
 /// Ends when the equation is solved, or when no step leads on.                [Mehrotra 1992]
-InteriorPoint interiorPoint(const Equation& equation, int maximumSteps = 100);
+InteriorPoint interiorPoint(const Equation& equation,
+                            SecondOrder order = SecondOrder::ByReach,
+                            int maximumSteps = 100);
 
 }  // namespace epafi::contact

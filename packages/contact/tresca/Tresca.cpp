@@ -64,12 +64,17 @@ void NewtonCourse::pivoting(Stage stage, const Equation& equation, const Vector&
 
 void NewtonCourse::throughTheMiddle(Stage stage) {
   constexpr int polishing = 20;
-  const InteriorPoint middle = interiorPoint(sharp(), 2 * run());
-  NewtonRun last = tresca_.newton().run(sharp(), middle.unknowns, NewtonMethod::Newton,
-                                        std::min(polishing, run()));
-  last.iterations += middle.iterations;
-  add(stage, last);
-  globalise();
+  // Rarely one of them jams, and then the other one seldom does.
+  for (const SecondOrder order : {SecondOrder::ByReach, SecondOrder::Full}) {
+    const InteriorPoint middle = interiorPoint(sharp(), order, 2 * run());
+    NewtonRun last = tresca_.newton().run(sharp(), middle.unknowns, NewtonMethod::Newton,
+                                          std::min(polishing, run()));
+    last.iterations += middle.iterations;
+    add(stage, last);
+    globalise();
+    if (report().converged() || left() == 0)
+      return;
+  }
 }
 
 namespace {
