@@ -5,10 +5,13 @@ from matplotlib.colors import BoundaryNorm, ListedColormap
 from epafi.plot.figures import equal_axes, plain_ticks, plt, shape_of
 
 
-def outward(element):
-    """Outward normal: the body lies to the left."""
-    tangent = element["x"][-1] - element["x"][0]
-    return np.array([tangent[1], -tangent[0]]) / np.hypot(*tangent)
+def outward(tangent):
+    """Outward normal: the body lies to the left.  Zero of a tangent that rounding made zero."""
+    return np.array([tangent[1], -tangent[0]]) / (np.hypot(*tangent) or 1)
+
+
+def arc_length(element):
+    return np.hypot(*np.diff(element["x"], axis=0).T).sum()
 
 
 def degree_colours(elements):
@@ -30,12 +33,11 @@ def draw(boundary, title, pictures):
         gridspec_kw={"width_ratios": [room[0], 5.5]} if beside else {"height_ratios": [1, 2]})
     tick = 0.015 * boundary.diameter
     for element in boundary.elements:
-        a, b = element["x"][0], element["x"][-1]
-        colour = colours(norm(element["degree"]))
-        outline.plot(*zip(a, b), color=colour, lw=3, solid_capstyle="butt")
-        for end in (a, b):
-            outline.plot(*zip(end - tick * outward(element), end + tick * outward(element)),
-                         color="black", lw=0.6)
+        x = element["x"]
+        outline.plot(*x.T, color=colours(norm(element["degree"])), lw=3, solid_capstyle="butt")
+        for end, tangent in ((x[0], x[1] - x[0]), (x[-1], x[-1] - x[-2])):
+            normal = outward(tangent)
+            outline.plot(*zip(end - tick * normal, end + tick * normal), color="black", lw=0.6)
     equal_axes(outline, width, height)
     outline.grid(False)
     outline.set_title("elements and degrees")
@@ -43,7 +45,7 @@ def draw(boundary, title, pictures):
     at = 0
     for loop in boundary.loops():
         for element in loop:
-            length = np.hypot(*(element["x"][-1] - element["x"][0]))
+            length = arc_length(element)
             sizes.semilogy([at, at + length], [length, length], lw=4,
                            color=colours(norm(element["degree"])), solid_capstyle="butt")
             sizes.semilogy(at + length / 2, length, "o", ms=3,  # short ones too
