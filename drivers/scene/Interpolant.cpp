@@ -4,10 +4,12 @@
 #include "bem/base/Named.hpp"
 #include "drivers/scene/SceneFile.hpp"
 
+#include <Teuchos_LAPACK.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_TwoDArray.hpp>
 
 #include <algorithm>
+#include <boost/math/interpolators/cubic_hermite.hpp>
 #include <boost/math/interpolators/makima.hpp>
 #include <filesystem>
 #include <limits>
@@ -33,6 +35,60 @@ std::function<double(double)> linear(std::vector<double> x, std::vector<double> 
 std::function<double(double)> cubic(std::vector<double> x, std::vector<double> values) {
   using boost::math::interpolators::makima;
   return makima<std::vector<double>>(std::move(x), std::move(values));
+}
+
+/// Slopes with which second derivatives are continuous at all points, and third ones at the
+/// second and the last but one ("not a knot": exact for cubic functions).
+std::vector<double> splineSlopes(const std::vector<double>& x,
+                                 const std::vector<double>& values) {
+  const std::size_t last = x.size() - 1;
+  const auto width = [&x](std::size_t i) { return x[i + 1] - x[i]; };
+  const auto slope = [&](std::size_t i) {
+    return (values[i + 1] - values[i]) / width(i);
+  };
+  // an end's equation, h the widths of the end's interval and of its neighbour, s their slopes
+  const auto atEnd = [](double h, double next, double s, double nextS) {
+    return ((3 * h + 2 * next) * next * s + h * h * nextS) / (h + next);
+  };
+  std::vector<double> below(last);
+  std::vector<double> diagonal(last + 1);
+  std::vector<double> above(last);
+  std::vector<double> slopes(last + 1);
+  diagonal[0] = width(1);
+  above[0] = width(0) + width(1);
+  slopes[0] = atEnd(width(0), width(1), slope(0), slope(1));
+  for (std::size_t i = 1; i < last; ++i) {
+    below[i - 1] = width(i);
+    diagonal[i] = 2 * (width(i - 1) + width(i));
+    above[i] = width(i - 1);
+    slopes[i] = 3 * (width(i) * slope(i - 1) + width(i - 1) * slope(i));
+  }
+  diagonal[last] = width(last - 2);
+  below[last - 1] = width(last - 1) + width(last - 2);
+  slopes[last] =
+      atEnd(width(last - 1), width(last - 2), slope(last - 1), slope(last - 2));
+
+  const int n = static_cast<int>(x.size());
+  std::vector<double> second(x.size());
+  std::vector<int> pivots(x.size());
+  int info = 0;
+  const Teuchos::LAPACK<int, double> lapack;
+  lapack.GTTRF(n, below.data(), diagonal.data(), above.data(), second.data(),
+               pivots.data(), &info);
+  if (info == 0)
+    lapack.GTTRS('N', n, 1, below.data(), diagonal.data(), above.data(), second.data(),
+                 pivots.data(), slopes.data(), n, &info);
+  if (info != 0)
+    throw InputError(
+        "has points too unevenly spaced for a spline; choose Linear or Cubic");
+  return slopes;
+}
+
+std::function<double(double)> spline(std::vector<double> x, std::vector<double> values) {
+  using boost::math::interpolators::cubic_hermite;
+  std::vector<double> slopes = splineSlopes(x, values);
+  return cubic_hermite<std::vector<double>>(std::move(x), std::move(values),
+                                            std::move(slopes));
 }
 
 void check(const std::vector<double>& x, const std::vector<double>& values,
@@ -104,18 +160,20 @@ void expandFile(Teuchos::ParameterList& list, const std::string& sceneFile) {
 constexpr bem::Named<Interpolant::Interpolation> interpolations[] = {
     {"Linear", Interpolant::Interpolation::Linear},
     {"Cubic", Interpolant::Interpolation::Cubic},
+    {"Spline", Interpolant::Interpolation::Spline},
 };
 
 }  // namespace
 
 Interpolant::Interpolant(std::vector<double> x, std::vector<double> values,
                          Interpolation interpolation) {
-  const bool isCubic = interpolation == Interpolation::Cubic;
-  check(x, values, isCubic ? 4 : 2);
+  check(x, values, interpolation == Interpolation::Linear ? 2 : 4);
   low_ = x.front();
   high_ = x.back();
-  inside_ = isCubic ? cubic(std::move(x), std::move(values))
-                    : linear(std::move(x), std::move(values));
+  const auto through = interpolation == Interpolation::Linear  ? linear
+                       : interpolation == Interpolation::Cubic ? cubic
+                                                               : spline;
+  inside_ = through(std::move(x), std::move(values));
 }
 
 double Interpolant::operator()(double x) const {
@@ -131,7 +189,9 @@ bem::SchemaRows tableRows() {
           "under a heading or none; relative to the scene"),
       Row("Points", Kind::Points, "instead of File: argument and value of each point"),
       Row("Interpolation", Kind::Text,
-          "between the points; Cubic is smooth (modified Akima)")
+          "between the points; Cubic (modified Akima) has no corners and hardly "
+          "overshoots; "
+          "Spline has continuous curvature, which the pressure under a profile asks for")
           .standard(interpolations[0].name)
           .allowed(bem::namesOf(interpolations)),
   };

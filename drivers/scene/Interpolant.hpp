@@ -19,11 +19,12 @@ class Interpolant {
  public:
   enum class Interpolation {
     Linear,
-    Cubic  ///< once continuously differentiable, with slopes of the modified Akima kind
+    Cubic,  ///< once continuously differentiable, with slopes of the modified Akima kind
+    Spline  ///< cubic, twice continuously differentiable; exact for cubic functions
   };
 
   /// \throws bem::InputError unless x rises from point to point, all numbers are finite and
-  ///   there are at least two points, four for Cubic.
+  ///   there are at least two points, four but for Linear.
   Interpolant(std::vector<double> x, std::vector<double> values,
               Interpolation interpolation);
 

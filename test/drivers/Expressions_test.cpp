@@ -1,13 +1,17 @@
 #include "SceneText.hpp"
+#include "drivers/scene/Interpolant.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 // What expressions of a scene know: constants, normals, forces.
 namespace {
 
 using namespace epafi;
+using drivers::Interpolant;
 using test::complaintOf;
 using test::contains;
 using test::read;
@@ -87,21 +91,20 @@ bem::Function gapOf(const SceneText& text) {
 }
 
 TEUCHOS_UNIT_TEST(Tables, areFunctionsOfExpressions) {
-  for (const bool cubic : {false, true}) {
+  for (const std::string kind : {"Linear", "Cubic", "Spline"}) {
     SceneText text;
-    text.rest =
-        table("profile", points("7x2:{-3,9, -2,4, -1,1, 0,0, 1,1, 2,4, 3,9}") +
-                             parameter("Interpolation", cubic ? "Cubic" : "Linear"));
+    text.rest = table("profile", points("7x2:{-3,9, -2,4, -1,1, 0,0, 1,1, 2,4, 3,9}") +
+                                     parameter("Interpolation", kind));
     text.base = parameter("Type", "Contact") + parameter("Gap", "profile(x) + 1");
     const bem::Function gap = gapOf(text);
     for (const double x : {-3.0, -1.0, 0.0, 2.0, 3.0})
       TEST_FLOATING_EQUALITY(gap({x, 0}), x * x + 1, 1e-15);
-    if (!cubic)
-      TEST_FLOATING_EQUALITY(gap({0.75, 0}), 1.75, 1e-15);
+    if (kind != "Cubic")
+      TEST_FLOATING_EQUALITY(gap({0.75, 0}), kind == "Linear" ? 1.75 : 1.5625, 1e-15);
     constexpr double step = 1e-6;
     const double kink =
         (gap({1 + step, 0}) - 2 * gap({1, 0}) + gap({1 - step, 0})) / step;
-    TEST_COMPARE(std::abs(kink - (cubic ? 0 : 2)), <, 1e-4);
+    TEST_COMPARE(std::abs(kink - (kind == "Linear" ? 2 : 0)), <, 1e-4);
     TEST_THROW(gap({3.1, 0}), bem::InputError);
   }
 }
@@ -140,6 +143,25 @@ TEUCHOS_UNIT_TEST(Tables, thatCannotBeAreRefused) {
                        "give Points or File"));
   TEST_ASSERT(
       contains(complaint(table("a", parameter("File", "a.csv"))), "no such file"));
+}
+
+TEUCHOS_UNIT_TEST(Tables, splinesAreExactForCubicsAndSmooth) {
+  const std::vector<double> x = {-1, -0.9, -0.2, 0.1, 0.7, 1.5};
+  const auto cubic = [](double t) { return 2 * t * t * t - t * t + 0.5; };
+  std::vector<double> values;
+  std::transform(x.begin(), x.end(), std::back_inserter(values), cubic);
+  const Interpolant exact(x, values, Interpolant::Interpolation::Spline);
+  for (const double t : {-1.0, -0.95, -0.5, 0.0, 0.3, 1.2, 1.5})
+    TEST_COMPARE(std::abs(exact(t) - cubic(t)), <, 2e-15);
+
+  values = {0, 1, -1, 2, 0.5, 3};
+  const Interpolant wild(x, values, Interpolant::Interpolation::Spline);
+  constexpr double h = 1e-5;
+  const auto curvature = [&wild](double t) {
+    return (wild(t - h) - 2 * wild(t) + wild(t + h)) / (h * h);
+  };
+  for (std::size_t i = 1; i + 1 < x.size(); ++i)
+    TEST_COMPARE(std::abs(curvature(x[i] - h) - curvature(x[i] + h)), <, 1e-2);
 }
 
 TEUCHOS_UNIT_TEST(Normals, areThoseOfSegmentsAndArcs) {
