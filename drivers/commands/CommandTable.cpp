@@ -11,7 +11,7 @@
 #include "drivers/commands/RunCommand.hpp"
 #include "drivers/commands/SchemaCommand.hpp"
 #include "drivers/commands/StudyCommand.hpp"
-#include "drivers/output/InsideFile.hpp"
+#include "drivers/output/InsideVtu.hpp"
 #include "drivers/process/Ranks.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Parameters.hpp"
 #include "drivers/commands/FirstRank.hpp"
-#include "drivers/output/InsideFile.hpp"
+#include "drivers/output/InsideVtu.hpp"
 #include "drivers/output/SolutionFile.hpp"
 #include "drivers/process/Threads.hpp"
 #include "drivers/scene/SceneFile.hpp"

@@ -1,16 +1,18 @@
 #include "drivers/commands/RunCommand.hpp"
 
 #include "bem/base/Error.hpp"
+#include "drivers/output/BodiesTable.hpp"
 #include "drivers/output/BodyInsides.hpp"
+#include "drivers/output/BoundaryTable.hpp"
+#include "drivers/output/BoundaryVtu.hpp"
+#include "drivers/output/ContactTable.hpp"
 #include "drivers/output/Csv.hpp"
-#include "drivers/output/FieldFiles.hpp"
 #include "drivers/output/HistoryTable.hpp"
-#include "drivers/output/LevelTable.hpp"
 #include "drivers/output/OutputFolder.hpp"
-#include "drivers/output/PathContact.hpp"
+#include "drivers/output/PathContactTable.hpp"
+#include "drivers/output/PrintedTable.hpp"
 #include "drivers/output/Restart.hpp"
 #include "drivers/output/SolutionFile.hpp"
-#include "drivers/output/StepFiles.hpp"
 #include "drivers/output/StepsTable.hpp"
 #include "drivers/process/ExitCode.hpp"
 #include "drivers/process/Interrupt.hpp"
@@ -123,7 +125,7 @@ void writeLevel(const Scene& scene, const SolvedLevel& level, const std::string&
     folder.stage("bodies.csv", bodies);
   if (scene.output.fields)
     folder.stage("solution.hdf",
-                 solutionFile(scene, level, fieldGrid(scene, level), used, history,
+                 solutionFile(scene, level, boundaryLines(scene, level), used, history,
                               path.steps, scene.hasSeveral() ? bodies : ""));
   folder.commit();
 }
@@ -229,7 +231,7 @@ class Recorder {
       bodies_ += bodiesLines(scene_, row.level, row.step, row.bodies, row.rigid);
     folder_->stage("steps.csv", path_.steps);
     if (scene_.output.fields) {
-      const FieldGrid grid = fieldGrid(scene_, level);
+      const BoundaryLines grid = boundaryLines(scene_, level);
       path_.boundaries.push_back(boundaryVtu(grid));
       folder_->stage("solution.hdf",
                      solutionFile(scene_, level, grid, used_, history_, path_.steps,

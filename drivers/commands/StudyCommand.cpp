@@ -4,10 +4,11 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/system/Definiteness.hpp"
 #include "drivers/commands/PlotCommand.hpp"
-#include "drivers/output/FieldFiles.hpp"
+#include "drivers/output/BoundaryTable.hpp"
+#include "drivers/output/ContactTable.hpp"
 #include "drivers/output/HistoryTable.hpp"
-#include "drivers/output/LevelTable.hpp"
 #include "drivers/output/OutputFolder.hpp"
+#include "drivers/output/PrintedTable.hpp"
 #include "drivers/output/Restart.hpp"
 #include "drivers/output/StepsTable.hpp"
 #include "drivers/process/Interrupt.hpp"
@@ -153,9 +154,9 @@ class StudyRun {
         steps += stepLines(level, steps.empty());
         if (level.row.report.status != contact::Status::Converged)
           return;
-        folder_.write(
-            name, solutionFile(*scene.reference, level,
-                               fieldGrid(*scene.reference, level), used, history, steps));
+        folder_.write(name, solutionFile(*scene.reference, level,
+                                         boundaryLines(*scene.reference, level), used,
+                                         history, steps));
         solved = true;
       });
     } catch (const bem::NumericalError& error) {
@@ -251,7 +252,7 @@ class StudyRun {
     if (scene.output.fields)
       folder.write("boundary.csv", boundaryCsv(scene, level));
     if (study_.keepSolutions && scene.output.fields)
-      folder.write("solution.hdf", solutionFile(scene, level, fieldGrid(scene, level),
+      folder.write("solution.hdf", solutionFile(scene, level, boundaryLines(scene, level),
                                                 used, history, steps));
   }
 

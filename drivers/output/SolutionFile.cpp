@@ -162,11 +162,11 @@ std::vector<EdgeEnds> edgeEnds(const bem::Outline& outline) {
 }
 
 std::string solutionFile(const Scene& scene, const SolvedLevel& level,
-                         const FieldGrid& grid, const std::string& used,
+                         const BoundaryLines& grid, const std::string& used,
                          const std::string& history, const std::string& steps,
                          const std::string& resultants) {
   std::string names;
-  for (const std::string& name : gridBoundaries(scene))
+  for (const std::string& name : namesOfBoundaries(scene))
     names += name + "\n";
   std::vector<std::vector<EdgeEnds>> outlines;
   for (const contact::Solved& body : level.bodies)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/geometry/Outline.hpp"
-#include "drivers/output/FieldGrid.hpp"
+#include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/SolutionArrays.hpp"
 #include "drivers/scene/Scene.hpp"
 
@@ -31,10 +31,10 @@ struct Checkpoint {
 ///   /Epafi   all numbers that the next level is made from, with a checksum
 ///
 /// Its bytes, from what every process has whole.
-/// `grid`: see fieldGrid; `steps`: steps.csv so far, empty without a History; `resultants`:
+/// `grid`: see boundaryLines; `steps`: steps.csv so far, empty without a History; `resultants`:
 /// bodies.csv so far, likewise without several bodies.
 std::string solutionFile(const Scene& scene, const SolvedLevel& level,
-                         const FieldGrid& grid, const std::string& used,
+                         const BoundaryLines& grid, const std::string& used,
                          const std::string& history, const std::string& steps = "",
                          const std::string& resultants = "");
 

@@ -8,7 +8,7 @@
 #include "contact/system/ContactSystem.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/run/BodySpaces.hpp"
-#include "drivers/run/Forecast.hpp"
+#include "drivers/run/MemoryForecast.hpp"
 #include "drivers/run/Path.hpp"
 #include "drivers/run/SolvedBodies.hpp"
 #include "drivers/run/Solver.hpp"

@@ -2,7 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Parameters.hpp"
-#include "drivers/scene/Commas.hpp"
+#include "drivers/scene/ArrayText.hpp"
 
 #include <Teuchos_XMLObject.hpp>
 

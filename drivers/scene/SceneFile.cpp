@@ -1,7 +1,7 @@
 #include "drivers/scene/SceneFile.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/scene/Commas.hpp"
+#include "drivers/scene/ArrayText.hpp"
 #include "drivers/scene/LexicalCheck.hpp"
 #include "drivers/scene/Schema.hpp"
 

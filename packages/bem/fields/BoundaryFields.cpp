@@ -1,6 +1,6 @@
 #include "bem/fields/BoundaryFields.hpp"
 
-#include "bem/fields/NearField.hpp"
+#include "bem/fields/NearElements.hpp"
 #include "bem/moments/RelativeTarget.hpp"
 
 #include <algorithm>
@@ -166,7 +166,7 @@ BoundaryFields::FarSeries BoundaryFields::farSeries(int element,
 std::vector<BoundaryValue> BoundaryFields::at(int element, const Sources& sources,
                                               const std::vector<EndPoint>& points) const {
   const FarSeries series = farSeries(element, sources);
-  NearField near(mesh_, element, points);
+  NearElements near(mesh_, element, points);
   for (const int f : sources.near)
     near.add(f, fields_[static_cast<std::size_t>(f)]);
   std::vector<BoundaryValue> values;

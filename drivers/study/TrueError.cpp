@@ -1,4 +1,4 @@
-#include "drivers/output/Snapshot.hpp"
+#include "drivers/study/TrueError.hpp"
 
 #include "bem/operators/EnergyNorm.hpp"
 #include "bem/quadrature/Gauss.hpp"

@@ -1,4 +1,4 @@
-#include "drivers/output/FieldGrid.hpp"
+#include "drivers/output/BoundaryLines.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,7 +30,7 @@ class Sampler {
       contacts_[static_cast<std::size_t>(element.element)] = &element;
   }
 
-  void sample(int e, FieldGrid& grid) const {
+  void sample(int e, BoundaryLines& grid) const {
     const bem::Element& element = mesh()[e];
     const auto first = static_cast<long long>(grid.pressure.size());
     const int lines = linesOf(element);
@@ -50,7 +50,7 @@ class Sampler {
  private:
   const bem::Mesh& mesh() const { return solved_.space.mesh(); }
 
-  void samplePoint(int e, double t, FieldGrid& grid) const {
+  void samplePoint(int e, double t, BoundaryLines& grid) const {
     add(mesh().physicalPoint(e, t), grid.points);
     add(solved_.units.length * solved_.space.displacementAt(solved_.displacement, e, t),
         grid.displacement);
@@ -85,7 +85,7 @@ int linesOf(const bem::Curve& curve) {
 
 /// An outline that does not deform, moved in the user's units.
 void addRigid(const RigidBody& body, const contact::RigidMotion& motion, int number,
-              int firstBoundary, FieldGrid& grid) {
+              int firstBoundary, BoundaryLines& grid) {
   const bem::Outline& outline = *body.outline;
   const std::vector<std::string> names = boundaryNames(outline);
   for (std::size_t e = 0; e < outline.edges().size(); ++e) {
@@ -131,8 +131,8 @@ int numberOf(contact::FrictionKind friction) {
   return 0;
 }
 
-FieldGrid fieldGrid(const Scene& scene, const SolvedLevel& level) {
-  FieldGrid grid;
+BoundaryLines boundaryLines(const Scene& scene, const SolvedLevel& level) {
+  BoundaryLines grid;
   int boundaries = 0;
   for (std::size_t b = 0; b < level.bodies.size(); ++b) {
     const bem::Mesh& mesh = level.bodies[b].space.mesh();
@@ -152,7 +152,7 @@ FieldGrid fieldGrid(const Scene& scene, const SolvedLevel& level) {
   return grid;
 }
 
-std::vector<std::string> gridBoundaries(const Scene& scene) {
+std::vector<std::string> namesOfBoundaries(const Scene& scene) {
   std::vector<std::string> all;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     for (const std::string& name : boundaryNames(*scene.bodies[b].outline))

@@ -1,4 +1,4 @@
-#include "drivers/scene/LoadPath.hpp"
+#include "drivers/scene/History.hpp"
 
 #include "bem/base/Error.hpp"
 

@@ -1,4 +1,4 @@
-#include "drivers/output/LevelTable.hpp"
+#include "drivers/output/PrintedTable.hpp"
 
 #include <iomanip>
 #include <sstream>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "contact/results/ContactFields.hpp"
-#include "drivers/run/Level.hpp"
 #include "drivers/scene/Scene.hpp"
 
 #include <functional>
@@ -22,18 +21,5 @@ struct MoreContactColumns {
 /// contact.csv: `samples` points t = -1 + (2k+1)/samples on each contact element.
 std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& bodies,
                        const MoreContactColumns& more = {});
-
-/// boundary.csv: displacement and traction along the whole boundary, element by element,
-/// both ends included, with the element's boundary, number and degree; the traction is
-/// the density ψ of Steklov-Poincaré's operator.
-std::string boundaryCsv(const Scene& scene, const SolvedLevel& level);
-
-/// bodies.csv: per level, step of a path (else 0) and body the resultants of loads, contact
-/// and what holds it, which add up to nothing, and its motion: of a body that deforms the
-/// mean over its boundary, of another one that of its reference point.
-std::string bodiesHead();
-std::string bodiesLines(const Scene& scene, int level, int step,
-                        const std::vector<contact::Summary>& bodies,
-                        const std::vector<RigidRow>& rigid);
 
 }  // namespace epafi::drivers

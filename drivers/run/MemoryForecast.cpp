@@ -1,4 +1,4 @@
-#include "drivers/run/Forecast.hpp"
+#include "drivers/run/MemoryForecast.hpp"
 
 #include "bem/base/Error.hpp"
 #include "drivers/process/Memory.hpp"

@@ -12,9 +12,9 @@
 namespace epafi::bem {
 
 /// What elements do at points of another one, in closed form.  Refers to its arguments.
-class NearField {
+class NearElements {
  public:
-  NearField(const Mesh& mesh, int element, const std::vector<EndPoint>& points);
+  NearElements(const Mesh& mesh, int element, const std::vector<EndPoint>& points);
 
   /// Adds an element: a segment's field at points of a segment eight points at a time.
   void add(int source, const LocalField& field,

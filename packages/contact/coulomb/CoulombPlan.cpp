@@ -1,10 +1,13 @@
-#include "contact/coulomb/CoulombNewton.hpp"
+#include "contact/coulomb/CoulombPlan.hpp"
 
-#include "contact/coulomb/CoulombCourse.hpp"
+#include "contact/coulomb/CoulombStages.hpp"
 
 namespace epafi::contact {
 
 namespace {
+
+Solution byNewton(const Problem& problem, const State& start, const Tresca& tresca,
+                  const CoulombOptions& options);
 
 bool isCoupled(const CoulombCourse& course) { return course.isCoupled(); }
 
@@ -28,6 +31,10 @@ bool mayPivot(const CoulombCourse& course) {
 
 void fullSteps(CoulombCourse& course, Stage stage) { course.steps(stage, course.run()); }
 
+void stepsOfUpdates(CoulombCourse& course, Stage stage) {
+  course.steps(stage, std::max(course.run(), course.options().maximumIterations));
+}
+
 void pivoting(CoulombCourse& course, Stage stage) {
   course.pivoting(stage, course.equation(), course.best());
 }
@@ -41,8 +48,7 @@ void throughTheMiddle(CoulombCourse& course, Stage stage) {
 // lead away again.
 void uncoupled(CoulombCourse& course, Stage stage) {
   const Problem single = withUncoupledBounds(course.problem());
-  Solution near =
-      CoulombNewton(course.tresca(), course.options()).solveSound(single, course.start());
+  Solution near = byNewton(single, course.start(), course.tresca(), course.options());
   near.report = asOne(std::move(near.report), stage);
   near.report.coulombIterations = near.report.newtonIterations;
   near.report.status = Status::NotConverged;
@@ -65,11 +71,28 @@ constexpr PlannedStage<CoulombCourse> newtonPlan[] = {
     {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updates},
 };
 
+constexpr PlannedStage<CoulombCourse> oneStepPlan[] = {
+    {Stage::FullSteps, CoulombCourse::always, stepsOfUpdates},
+    {Stage::FollowFriction, CoulombCourse::always, CoulombCourse::followFriction},
+    {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::meritDescent},
+    {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updates},
+};
+
+Solution byNewton(const Problem& problem, const State& start, const Tresca& tresca,
+                  const CoulombOptions& options) {
+  return follow(newtonPlan, CoulombCourse(problem, start, tresca,
+                                          Equation::Bound::Differentiated, options));
+}
+
 }  // namespace
 
 Solution CoulombNewton::solveSound(const Problem& problem, const State& start) const {
-  return follow(newtonPlan, CoulombCourse(problem, start, tresca_,
-                                          Equation::Bound::Differentiated, options_));
+  return byNewton(problem, start, tresca_, options_);
+}
+
+Solution CoulombOneStep::solveSound(const Problem& problem, const State& start) const {
+  return follow(oneStepPlan, CoulombCourse(problem, start, tresca_,
+                                           Equation::Bound::Lagged, options_));
 }
 
 }  // namespace epafi::contact

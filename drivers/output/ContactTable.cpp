@@ -1,10 +1,7 @@
-#include "drivers/output/FieldFiles.hpp"
+#include "drivers/output/ContactTable.hpp"
 
-#include "contact/results/ContactFields.hpp"
+#include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/Csv.hpp"
-#include "drivers/output/FieldGrid.hpp"
-
-#include <array>
 
 namespace epafi::drivers {
 
@@ -76,79 +73,6 @@ std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& b
       }
   }
   return csv.text();
-}
-
-std::string boundaryCsv(const Scene& scene, const SolvedLevel& level) {
-  Csv csv({"x", "y", "ux", "uy", "tx", "ty", "boundary", "element", "degree", "body"});
-  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
-    const contact::Solved& solved = level.bodies[b];
-    const bem::Vector& density = level.level.bodies[b].density;
-    const bem::Mesh& mesh = solved.space.mesh();
-    for (int e = 0; e < mesh.size(); ++e) {
-      const int intervals = linesOf(mesh[e]);
-      for (int k = 0; k <= intervals; ++k) {
-        const double t = -1 + 2.0 * k / intervals;
-        const bem::Vec2 x = mesh.physicalPoint(e, t);
-        const bem::Vec2 u =
-            solved.units.length * solved.space.displacementAt(solved.displacement, e, t);
-        const bem::Vec2 traction =
-            solved.units.stress * solved.space.densityAt(density, e, t);
-        csv.row({exactly(x.x), exactly(x.y), exactly(u.x), exactly(u.y),
-                 exactly(traction.x), exactly(traction.y),
-                 scene.boundaryName(b, mesh.boundary(e)), std::to_string(e),
-                 std::to_string(mesh[e].degree), scene.bodies[b].name});
-      }
-    }
-  }
-  return csv.text();
-}
-
-std::string bodiesHead() {
-  return csvLine({"level", "body", "load_x", "load_y", "load_moment", "contact_x",
-                  "contact_y", "contact_moment", "reaction_x", "reaction_y",
-                  "reaction_moment", "energy_strain", "step", "motion_x", "motion_y",
-                  "rotation"});
-}
-
-namespace {
-
-std::string bodyLine(const std::string& name, int level, int step,
-                     const std::array<contact::Resultant, 3>& sums, double energy,
-                     const contact::RigidMotion& motion) {
-  std::vector<std::string> cells = {std::to_string(level), name};
-  for (const contact::Resultant& sum : sums)
-    for (const double value : {sum.x, sum.y, sum.moment})
-      cells.push_back(exactly(value));
-  cells.push_back(exactly(energy));
-  cells.push_back(std::to_string(step));
-  for (const double value : {motion.slide.x, motion.slide.y, motion.turn})
-    cells.push_back(exactly(value));
-  return csvLine(cells);
-}
-
-/// Moments about the origin of the user's coordinates, as those of elastic bodies.
-contact::Resultant aboutOrigin(contact::Resultant sum, bem::Vec2 pole) {
-  sum.moment += cross(pole, {sum.x, sum.y});
-  return sum;
-}
-
-}  // namespace
-
-std::string bodiesLines(const Scene& scene, int level, int step,
-                        const std::vector<contact::Summary>& bodies,
-                        const std::vector<RigidRow>& rigid) {
-  std::string lines;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    lines += bodyLine(scene.bodies[b].name, level, step,
-                      {bodies[b].load, bodies[b].contact, bodies[b].reaction},
-                      bodies[b].energyStrain, bodies[b].motion);
-  for (const RigidRow& row : rigid)
-    lines +=
-        bodyLine(row.name, level, step,
-                 {aboutOrigin(row.load, row.pole), aboutOrigin(row.contact, row.pole),
-                  aboutOrigin(row.reaction, row.pole)},
-                 0, row.motion);
-  return lines;
 }
 
 }  // namespace epafi::drivers

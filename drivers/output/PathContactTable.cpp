@@ -1,8 +1,8 @@
-#include "drivers/output/PathContact.hpp"
+#include "drivers/output/PathContactTable.hpp"
 
 #include "bem/space/LocalField.hpp"
+#include "drivers/output/ContactTable.hpp"
 #include "drivers/output/Csv.hpp"
-#include "drivers/output/FieldFiles.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -16,7 +16,7 @@ namespace epafi::drivers {
 /// An element of degree p has 2(p+1) lines and its own points at both ends, since
 /// tractions jump from element to element.  Points without contact have no pressure,
 /// shear and gap (NaN) and -1 as states; states are numbered as in contact.csv.
-struct FieldGrid {
+struct BoundaryLines {
   std::vector<double> points;        ///< x, y, 0, not displaced
   std::vector<double> displacement;  ///< ux, uy, 0
   std::vector<double> traction;      ///< tx, ty, 0
@@ -35,8 +35,8 @@ struct FieldGrid {
 
 /// Of all bodies, one after the other, those that do not deform last, their edges as elements;
 /// boundaries are numbered likewise, and named so.
-FieldGrid fieldGrid(const Scene& scene, const SolvedLevel& level);
-std::vector<std::string> gridBoundaries(const Scene& scene);
+BoundaryLines boundaryLines(const Scene& scene, const SolvedLevel& level);
+std::vector<std::string> namesOfBoundaries(const Scene& scene);
 
 /// As files number them: 0 none, 1 stick, 2 slip.
 int numberOf(contact::FrictionKind friction);

@@ -1,4 +1,4 @@
-#include "drivers/run/FacingSides.hpp"
+#include "drivers/run/FacingMarks.hpp"
 
 #include "adaptivity/singular/Transitions.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"

@@ -1,4 +1,4 @@
-#include "drivers/output/InsideFile.hpp"
+#include "drivers/output/InsideVtu.hpp"
 
 #include "drivers/output/Csv.hpp"
 

@@ -1,4 +1,4 @@
-#include "contact/coulomb/CoulombCourse.hpp"
+#include "contact/coulomb/CoulombStages.hpp"
 
 #include "contact/coulomb/CoulombFixedPoint.hpp"
 #include "contact/coulomb/FrictionContinuation.hpp"

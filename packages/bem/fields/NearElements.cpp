@@ -1,4 +1,4 @@
-#include "bem/fields/NearField.hpp"
+#include "bem/fields/NearElements.hpp"
 
 #include "bem/kernel/ElementSums.hpp"
 #include "bem/moments/LegendreLanes.hpp"
@@ -25,13 +25,13 @@ struct FieldKernel {
   const LocalField& field;
   int terms;
   Complex tangent;
-  NearField::Lanes* sums;
+  NearElements::Lanes* sums;
 
   template <Division How>
   EPAFI_INLINE void run() const {
     const Complex cube = tangent * tangent * tangent;
     LegendreLanes<Parts> legendre;
-    NearField::Lanes* to = sums;
+    NearElements::Lanes* to = sums;
     for (std::size_t first = 0; first < points.size(); first += lanes, ++to) {
       const PointLanes at(points, first);
       const TargetLanes x(sight, at);
@@ -85,14 +85,15 @@ struct FieldKernel {
 
 }  // namespace
 
-NearField::NearField(const Mesh& mesh, int element, const std::vector<EndPoint>& points)
+NearElements::NearElements(const Mesh& mesh, int element,
+                           const std::vector<EndPoint>& points)
     : mesh_(mesh),
       element_(element),
       points_(points),
       ofSegments_((points.size() + lanes - 1) / lanes),
       ofArcs_(points.size()) {}
 
-void NearField::add(int source, const LocalField& field, InstructionSet set) {
+void NearElements::add(int source, const LocalField& field, InstructionSet set) {
   const Element& y = mesh_[source];
   const int terms = std::max(y.degree, y.densities);
   if (y.curve.isStraight() && mesh_[element_].curve.isStraight()) {
@@ -115,7 +116,7 @@ void NearField::add(int source, const LocalField& field, InstructionSet set) {
   }
 }
 
-FieldSums NearField::at(std::size_t point) const {
+FieldSums NearElements::at(std::size_t point) const {
   const Lanes& eight = ofSegments_[point / lanes];
   const auto sums = [&](const AlignedLane* of) {
     const auto number = [&](int k) {

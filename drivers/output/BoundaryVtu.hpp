@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/output/FieldGrid.hpp"
+#include "drivers/output/BoundaryLines.hpp"
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@ namespace epafi::drivers {
 
 /// steps/<k>/boundary.vtu: the boundaries of all bodies at a step with the fields of
 /// solution.hdf, as an UnstructuredGrid of VTK's XML (binary, Base64).
-std::string boundaryVtu(const FieldGrid& grid);
+std::string boundaryVtu(const BoundaryLines& grid);
 
 /// steps.pvd: the files of the steps at their times, one collection that ParaView opens.
 std::string stepsPvd(const std::vector<double>& times);

@@ -1,4 +1,4 @@
-#include "drivers/output/StepFiles.hpp"
+#include "drivers/output/BoundaryVtu.hpp"
 
 #include "drivers/output/Csv.hpp"
 
@@ -63,7 +63,7 @@ const std::string head =
 
 }  // namespace
 
-std::string boundaryVtu(const FieldGrid& grid) {
+std::string boundaryVtu(const BoundaryLines& grid) {
   constexpr unsigned char vtkLine = 3;
   const std::size_t lines = grid.element.size();
   std::vector<long long> offsets;

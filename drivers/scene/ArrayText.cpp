@@ -1,4 +1,4 @@
-#include "drivers/scene/Commas.hpp"
+#include "drivers/scene/ArrayText.hpp"
 
 #include <cstring>
 
