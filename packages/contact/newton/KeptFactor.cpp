@@ -179,7 +179,7 @@ class KeptFactor::Base {
 
 std::unique_ptr<const KeptFactor> KeptFactor::make(const Flexibility& flexibility,
                                                    const Matrix& motions,
-                                                   std::vector<Row> rows,
+                                                   const std::vector<Row>& rows,
                                                    FactorMemory& memory) {
   std::shared_ptr<Base>& base = memory.base_;
   if (base != nullptr && !base->isOf(flexibility, motions))
@@ -202,7 +202,7 @@ std::unique_ptr<const KeptFactor> KeptFactor::make(const Flexibility& flexibilit
   return nullptr;
 }
 
-KeptFactor::KeptFactor(std::shared_ptr<Base> base, const std::vector<Row>& rows,
+KeptFactor::KeptFactor(const std::shared_ptr<Base>& base, const std::vector<Row>& rows,
                        const std::vector<Index>& changed)
     : base_(base), changed_(changed), responses_(base->responses(changed)) {
   const Matrix& flexibility = base->flexibility();

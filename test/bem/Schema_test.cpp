@@ -1,8 +1,9 @@
-#include "bem/base/Parameters.hpp"
+#include "bem/base/Schema.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/base/Suggestion.hpp"
 
-#include <Teuchos_Array.hpp>
+#include <Teuchos_ParameterList.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include <cmath>
@@ -13,18 +14,21 @@ namespace {
 
 using Teuchos::ParameterList;
 
-ParameterList valid() {
-  ParameterList list("valid");
-  list.set("Tolerance", 1e-6, "accuracy", bem::inInterior(0, 1));
-  list.set("Steps", 10, "how many", bem::atLeast(1));
-  list.sublist("Inner").set<std::string>("Law", "None", "law",
-                                         bem::oneOf({"None", "Tresca"}));
-  return list;
+const bem::SchemaRows& rows() {
+  using bem::Kind;
+  using bem::Row;
+  static const bem::SchemaRows table = {
+      Row("Tolerance", Kind::Real, "accuracy").standard(1e-6).range({0, 1, true, true}),
+      Row("Steps", Kind::Whole, "how many").standard(10).range(bem::from(1)),
+      Row("Inner", Kind::List, "of its own"),
+      Row("Inner->Law", Kind::Text, "law").standard("None").allowed({"None", "Tresca"}),
+  };
+  return table;
 }
 
-std::string complaint(ParameterList list) {
+std::string complaint(const ParameterList& list) {
   try {
-    bem::validate(list, valid());
+    bem::complete(rows(), list, "list");
   } catch (const bem::InputError& error) {
     return error.what();
   }
@@ -44,7 +48,7 @@ ParameterList with(const std::string& name, const T& value) {
 
 }  // namespace
 
-TEUCHOS_UNIT_TEST(Parameters, editDistanceCountsTheFewestChanges) {
+TEUCHOS_UNIT_TEST(Schema, editDistanceCountsTheFewestChanges) {
   TEST_EQUALITY(bem::editDistance("Degree", "Degree"), 0.0);
   TEST_EQUALITY(bem::editDistance("Degre", "Degree"), 1.0);
   TEST_EQUALITY(bem::editDistance("Dergee", "Degree"), 1.0);  // neighbours swapped
@@ -60,17 +64,16 @@ TEUCHOS_UNIT_TEST(Parameters, editDistanceCountsTheFewestChanges) {
   TEST_EQUALITY(bem::nearest("x", {}), "");
 }
 
-TEUCHOS_UNIT_TEST(Parameters, validationFillsInDefaultsOnAllLevels) {
-  ParameterList list;
-  bem::validate(list, valid());
+TEUCHOS_UNIT_TEST(Schema, validationFillsInDefaultsOnAllLevels) {
+  const ParameterList list = bem::complete(rows(), {}, "list");
   TEST_EQUALITY(list.get<int>("Steps"), 10);
   TEST_EQUALITY(list.sublist("Inner").get<std::string>("Law"), "None");
 }
 
-TEUCHOS_UNIT_TEST(Parameters, validationNamesTheNearestKeyTypeAndRange) {
+TEUCHOS_UNIT_TEST(Schema, validationNamesTheNearestKeyTypeAndRange) {
   TEST_ASSERT(contains(complaint(with("Tolerence", 0.5)), "'Tolerance'"));
-  const std::string type = complaint(with("Tolerance", 1));
-  TEST_ASSERT(contains(type, "Tolerance") && contains(type, "int") &&
+  const std::string type = complaint(with("Steps", 0.5));
+  TEST_ASSERT(contains(type, "Steps") && contains(type, "int") &&
               contains(type, "double"));
   for (const double outside : {1.0, std::nan("")}) {
     const std::string range = complaint(with("Tolerance", outside));
@@ -84,7 +87,7 @@ TEUCHOS_UNIT_TEST(Parameters, validationNamesTheNearestKeyTypeAndRange) {
   TEST_ASSERT(contains(text, "Inner->Law") && contains(text, "'Tresca'"));
 }
 
-TEUCHOS_UNIT_TEST(Parameters, intervalsIncludeTheirClosedEndsOnly) {
+TEUCHOS_UNIT_TEST(Schema, intervalsIncludeTheirClosedEndsOnly) {
   const bem::Interval halfOpen{0, 1, true, false};
   TEST_ASSERT(!halfOpen.contains(0) && halfOpen.contains(1) && !halfOpen.contains(2));
   TEST_ASSERT(!halfOpen.contains(std::nan("")));
