@@ -153,9 +153,10 @@ class StudyRun {
         steps += stepLines(level, steps.empty());
         if (level.row.report.status != contact::Status::Converged)
           return;
-        folder_.write(
-            name, solutionFile(*scene.reference, level,
-                               fieldGrid(*scene.reference, level), used, history, steps));
+        folder_.write(name, solutionFile(*scene.reference,
+                                         {level.level, used, history, steps, "",
+                                          level.row.secondsTotal, level.row.secondsWall},
+                                         fieldGrid(*scene.reference, level)));
         solved = true;
       });
     } catch (const bem::NumericalError& error) {
@@ -248,11 +249,16 @@ class StudyRun {
     if (variant.swept && !study_.keepSolutions)
       return;
     folder.write("history.csv", history);
-    if (scene.output.fields)
-      folder.write("boundary.csv", boundaryCsv(scene, level));
-    if (study_.keepSolutions && scene.output.fields)
-      folder.write("solution.hdf", solutionFile(scene, level, fieldGrid(scene, level),
-                                                used, history, steps));
+    if (!scene.output.fields)
+      return;
+    const FieldGrid grid = fieldGrid(scene, level);
+    folder.write("boundary.csv", boundaryCsv(scene, grid));
+    if (study_.keepSolutions)
+      folder.write("solution.hdf",
+                   solutionFile(scene,
+                                {level.level, used, history, steps, "",
+                                 level.row.secondsTotal, level.row.secondsWall},
+                                grid));
   }
 
   /// Different variants get different folders, even if their names differ in signs only.

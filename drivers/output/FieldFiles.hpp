@@ -1,7 +1,6 @@
 #pragma once
 
-#include "contact/results/ContactFields.hpp"
-#include "drivers/run/Level.hpp"
+#include "drivers/output/FieldGrid.hpp"
 #include "drivers/scene/Scene.hpp"
 
 #include <functional>
@@ -23,10 +22,10 @@ struct MoreContactColumns {
 std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& bodies,
                        const MoreContactColumns& more = {});
 
-/// boundary.csv: displacement and traction along the whole boundary, element by element,
-/// both ends included, with the element's boundary, number and degree; the traction is
-/// the density ψ of Steklov-Poincaré's operator.
-std::string boundaryCsv(const Scene& scene, const SolvedLevel& level);
+/// boundary.csv: displacement and traction along the whole boundary of what deforms, element
+/// by element, both ends included, with the element's boundary, number and degree; the
+/// traction is the density ψ of Steklov-Poincaré's operator.
+std::string boundaryCsv(const Scene& scene, const FieldGrid& grid);
 
 /// bodies.csv: per level, step of a path (else 0) and body the resultants of loads, contact
 /// and what holds it, which add up to nothing, and its motion: of a body that deforms the
