@@ -109,8 +109,8 @@ struct LevelFiles {
   double secondsWall = 0;
 };
 
-/// How long levels may wait for their files [s]: so much of a run is lost at most if it is
-/// killed, on small levels files would cost as much as solving.
+/// How much work may wait for its files [CPU seconds]: so much of a run is lost at most if it
+/// is killed, and files of small levels cost as much as solving them.
 constexpr double longestWait = 0.5;
 
 /// On the level that ends a run only: many points cost more than the levels.
@@ -186,7 +186,7 @@ class Recorder {
       return;
     note(level);
     warnings_ = warningsOf(scene_, level);
-    if (level.path != nullptr || sinceWritten_.seconds() > longestWait)
+    if (level.path != nullptr || cpuSeconds() - writtenAt_ > longestWait)
       write();
   }
 
@@ -214,7 +214,7 @@ class Recorder {
     folder_->commit();
     path_ = {path_.steps, {}, {}, {}};
     waiting_.reset();
-    sinceWritten_ = {};
+    writtenAt_ = cpuSeconds();
     written_(last_->number);
   }
 
@@ -312,7 +312,7 @@ class Recorder {
   std::string stages_ = "\nSolver stages, steps, how they ended\n";
   std::optional<Level> last_;
   std::optional<LevelFiles> waiting_;  ///< of the last level, until they are written
-  WallClock sinceWritten_;
+  double writtenAt_ = cpuSeconds();
   std::vector<std::string> warnings_;
   int levels_ = 0;
 };
