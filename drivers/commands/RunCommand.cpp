@@ -103,32 +103,17 @@ struct PathRecord {
   std::vector<double> times;            ///< likewise
 };
 
-/// The files of a level take the place of those of the level before, the one that a
-/// restart begins with last.
-void writeLevel(const Scene& scene, const SolvedLevel& level, const std::string& used,
-                const std::string& history, const std::string& bodies,
-                const PathRecord& path, OutputFolder& folder) {
-  folder.stage("history.csv", history);
-  for (std::size_t k = 0; k < path.contacts.size(); ++k)
-    folder.stage(stepFile(k + 1, "contact.csv"), path.contacts[k]);
-  for (std::size_t k = 0; k < path.boundaries.size(); ++k)
-    folder.stage(stepFile(k + 1, "boundary.vtu"), path.boundaries[k]);
-  if (!path.boundaries.empty())
-    folder.stage("steps.pvd", stepsPvd(path.times));
-  if (!path.contacts.empty())
-    folder.stage("contact.csv", path.contacts.back());
-  else if (scene.hasContact())
-    folder.stage("contact.csv", contactCsv(scene, level.bodies));
-  if (scene.output.fields)
-    folder.stage("boundary.csv", boundaryCsv(scene, level));
-  if (scene.hasSeveral())
-    folder.stage("bodies.csv", bodies);
-  if (scene.output.fields)
-    folder.stage("solution.hdf",
-                 solutionFile(scene, level, boundaryLines(scene, level), used, history,
-                              path.steps, scene.hasSeveral() ? bodies : ""));
-  folder.commit();
-}
+/// What a solved level leaves in files, good after its operators are gone.
+struct LevelFiles {
+  std::string contact;
+  BoundaryLines grid;
+  double secondsTotal = 0;
+  double secondsWall = 0;
+};
+
+/// How much work may wait for its files [CPU seconds]: so much of a run is lost at most if it
+/// is killed, and files of small levels cost as much as solving them.
+constexpr double longestWait = 0.5;
 
 /// On the level that ends a run only: many points cost more than the levels.
 void writeInterior(const Scene& scene, const Level& level, OutputFolder& folder) {
@@ -163,19 +148,20 @@ std::string processesAndThreads(int processes) {
              : count(processes, "process", "processes") + " with " + text + " each";
 }
 
-/// Takes the levels of a run as they are solved: into the files of the folder, which the
-/// first process alone has, and as lines of the table; `solved` is told their numbers.
+/// Takes the levels of a run as they are solved: as lines of the table, and into the files of
+/// the folder, which the first process alone has; `written` is told the number of the level
+/// whose files these are.
 class Recorder {
  public:
   Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
            std::optional<OutputFolder>& folder, const ProgressLine& progress,
-           std::ostream& table, std::function<void(int)> solved)
+           std::ostream& table, std::function<void(int)> written)
       : scene_(scene),
         earlier_(earlier),
         folder_(folder),
         progress_(progress),
         table_(table),
-        solved_(std::move(solved)),
+        written_(std::move(written)),
         used_(usedXml(scene)),
         history_(earlier ? earlier->history : historyHead()),
         bodies_(earlier && !earlier->resultants.empty() ? earlier->resultants
@@ -198,18 +184,50 @@ class Recorder {
 
   void take(const SolvedLevel& level) {
     ++levels_;
-    if (folder_) {
-      write(level);
-      last_ = level.level;
-      warnings_ = warningsOf(scene_, level);
-    }
-    solved_(level.level.number);
+    if (!folder_)
+      return;
+    note(level);
+    warnings_ = warningsOf(scene_, level);
+    if (level.path != nullptr || cpuSeconds() - writtenAt_ > longestWait)
+      write();
+  }
+
+  /// The files of the level taken last, if they wait: they take the place of those of the level
+  /// before, the one that a restart begins with last.
+  void write() {
+    if (!waiting_)
+      return;
+    folder_->stage("history.csv", history_);
+    for (std::size_t k = 0; k < path_.contacts.size(); ++k)
+      folder_->stage(stepFile(k + 1, "contact.csv"), path_.contacts[k]);
+    for (std::size_t k = 0; k < path_.boundaries.size(); ++k)
+      folder_->stage(stepFile(k + 1, "boundary.vtu"), path_.boundaries[k]);
+    if (!path_.boundaries.empty())
+      folder_->stage("steps.pvd", stepsPvd(path_.times));
+    if (scene_.hasContact())
+      folder_->stage("contact.csv", waiting_->contact);
+    if (scene_.output.fields)
+      folder_->stage("boundary.csv", boundaryCsv(scene_, waiting_->grid));
+    if (scene_.hasSeveral())
+      folder_->stage("bodies.csv", bodies_);
+    if (scene_.output.fields)
+      folder_->stage("solution.hdf", solution(*last_, waiting_->secondsTotal,
+                                              waiting_->secondsWall, waiting_->grid));
+    folder_->commit();
+    path_ = {path_.steps, {}, {}, {}};
+    waiting_.reset();
+    writtenAt_ = cpuSeconds();
+    written_(last_->number);
   }
 
   /// What is written once, from the last level that there is.
   void finish(PhaseTimer& timer) {
-    if (folder_ && last_ && !scene_.output.interiorPoints.empty())
-      timer.run(Phase::Results, [&] { writeInterior(scene_, *last_, *folder_); });
+    if (folder_)
+      timer.run(Phase::Results, [&] {
+        write();
+        if (last_ && !scene_.output.interiorPoints.empty())
+          writeInterior(scene_, *last_, *folder_);
+      });
     writeTimings(timer);
   }
 
@@ -233,9 +251,8 @@ class Recorder {
     if (scene_.output.fields) {
       const BoundaryLines grid = boundaryLines(scene_, level);
       path_.boundaries.push_back(boundaryVtu(grid));
-      folder_->stage("solution.hdf",
-                     solutionFile(scene_, level, grid, used_, history_, path_.steps,
-                                  scene_.hasSeveral() ? bodies_ : ""));
+      folder_->stage("solution.hdf", solution(level.level, level.row.secondsTotal,
+                                              level.row.secondsWall, grid));
     }
     folder_->commit();
     progress_.clear();
@@ -248,7 +265,15 @@ class Recorder {
   }
 
  private:
-  void write(SolvedLevel level) {
+  std::string solution(const Level& level, double secondsTotal, double secondsWall,
+                       const BoundaryLines& grid) const {
+    return solutionFile(scene_,
+                        {level, used_, history_, path_.steps,
+                         scene_.hasSeveral() ? bodies_ : "", secondsTotal, secondsWall},
+                        grid);
+  }
+
+  void note(SolvedLevel level) {
     if (earlier_) {
       level.row.secondsTotal += earlier_->secondsTotal;
       level.row.secondsWall += earlier_->secondsWall;
@@ -259,8 +284,16 @@ class Recorder {
     if (level.path == nullptr)
       bodies_ +=
           bodiesLines(scene_, level.row.level, 0, level.row.bodies, level.row.rigid);
-    writeLevel(scene_, level, used_, history_, bodies_, path_, *folder_);
-    path_ = {path_.steps, {}, {}, {}};
+    waiting_ = LevelFiles();
+    if (!path_.contacts.empty())
+      waiting_->contact = path_.contacts.back();
+    else if (scene_.hasContact())
+      waiting_->contact = contactCsv(scene_, level.bodies);
+    if (scene_.output.fields)
+      waiting_->grid = boundaryLines(scene_, level);
+    waiting_->secondsTotal = level.row.secondsTotal;
+    waiting_->secondsWall = level.row.secondsWall;
+    last_ = level.level;
     contact_ = PathContact(scene_);
     progress_.clear();
     table_ << tableLine(level.row)
@@ -272,7 +305,7 @@ class Recorder {
   std::optional<OutputFolder>& folder_;
   const ProgressLine& progress_;
   std::ostream& table_;
-  std::function<void(int)> solved_;
+  std::function<void(int)> written_;
   std::string used_;
   std::string history_;
   std::string bodies_;  ///< bodies.csv of all levels so far
@@ -280,6 +313,8 @@ class Recorder {
   PathContact contact_;
   std::string stages_ = "\nSolver stages, steps, how they ended\n";
   std::optional<Level> last_;
+  std::optional<LevelFiles> waiting_;  ///< of the last level, until they are written
+  double writtenAt_ = cpuSeconds();
   std::vector<std::string> warnings_;
   int levels_ = 0;
 };
@@ -288,7 +323,7 @@ class Recorder {
 std::string advice(const RunOptions& options, const Scene& scene,
                    const std::string& folder, int level) {
   if (level < 0)
-    return "interrupted before the first level was solved; nothing is kept";
+    return "interrupted before a level was written; nothing is kept";
   if (!scene.output.fields)
     return bem::message("interrupted behind level ", level, "; its files are in ", folder,
                         ", but Output->Fields = false leaves nothing to go on from");
@@ -306,7 +341,7 @@ void warn(const std::vector<std::string>& warnings, const RunOptions& options) {
       std::cerr << "epafi: warning: " << warning << "\n";
 }
 
-/// timings.txt is written also if that fails.
+/// The last level and timings.txt are written also if a later one fails or is interrupted.
 Outcome solveAndRecord(const Scene& scene, const std::optional<Checkpoint>& earlier,
                        const Ranks& ranks, PhaseTimer& timer, Recorder& recorder) {
   try {
@@ -316,9 +351,11 @@ Outcome solveAndRecord(const Scene& scene, const std::optional<Checkpoint>& earl
         [&](const SolvedLevel& level) { recorder.takeStep(level); });
   } catch (...) {
     try {
+      recorder.write();
       recorder.writeTimings(timer);
     } catch (const bem::InputError&) {  // what went wrong first is what is told
     }
+    throwIfInterrupted();  // with the advice of what is written now
     throw;
   }
 }

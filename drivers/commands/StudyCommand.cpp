@@ -154,9 +154,10 @@ class StudyRun {
         steps += stepLines(level, steps.empty());
         if (level.row.report.status != contact::Status::Converged)
           return;
-        folder_.write(name, solutionFile(*scene.reference, level,
-                                         boundaryLines(*scene.reference, level), used,
-                                         history, steps));
+        folder_.write(name, solutionFile(*scene.reference,
+                                         {level.level, used, history, steps, "",
+                                          level.row.secondsTotal, level.row.secondsWall},
+                                         boundaryLines(*scene.reference, level)));
         solved = true;
       });
     } catch (const bem::NumericalError& error) {
@@ -249,11 +250,16 @@ class StudyRun {
     if (variant.swept && !study_.keepSolutions)
       return;
     folder.write("history.csv", history);
-    if (scene.output.fields)
-      folder.write("boundary.csv", boundaryCsv(scene, level));
-    if (study_.keepSolutions && scene.output.fields)
-      folder.write("solution.hdf", solutionFile(scene, level, boundaryLines(scene, level),
-                                                used, history, steps));
+    if (!scene.output.fields)
+      return;
+    const BoundaryLines grid = boundaryLines(scene, level);
+    folder.write("boundary.csv", boundaryCsv(scene, grid));
+    if (study_.keepSolutions)
+      folder.write("solution.hdf",
+                   solutionFile(scene,
+                                {level.level, used, history, steps, "",
+                                 level.row.secondsTotal, level.row.secondsWall},
+                                grid));
   }
 
   /// Different variants get different folders, even if their names differ in signs only.

@@ -1,31 +1,34 @@
 #include "drivers/output/BoundaryTable.hpp"
 
-#include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/Csv.hpp"
 
 namespace epafi::drivers {
 
-std::string boundaryCsv(const Scene& scene, const SolvedLevel& level) {
+std::string boundaryCsv(const Scene& scene, const BoundaryLines& grid) {
   Csv csv({"x", "y", "ux", "uy", "tx", "ty", "boundary", "element", "degree", "body"});
-  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
-    const contact::Solved& solved = level.bodies[b];
-    const bem::Vector& density = level.level.bodies[b].density;
-    const bem::Mesh& mesh = solved.space.mesh();
-    for (int e = 0; e < mesh.size(); ++e) {
-      const int intervals = linesOf(mesh[e]);
-      for (int k = 0; k <= intervals; ++k) {
-        const double t = -1 + 2.0 * k / intervals;
-        const bem::Vec2 x = mesh.physicalPoint(e, t);
-        const bem::Vec2 u =
-            solved.units.length * solved.space.displacementAt(solved.displacement, e, t);
-        const bem::Vec2 traction =
-            solved.units.stress * solved.space.densityAt(density, e, t);
-        csv.row({exactly(x.x), exactly(x.y), exactly(u.x), exactly(u.y),
-                 exactly(traction.x), exactly(traction.y),
-                 scene.boundaryName(b, mesh.boundary(e)), std::to_string(e),
-                 std::to_string(mesh[e].degree), scene.bodies[b].name});
-      }
-    }
+  const std::vector<std::string> names = namesOfBoundaries(scene);
+  const auto addPoint = [&](std::size_t line, long long point) {
+    std::vector<std::string> cells;
+    for (const auto* field : {&grid.points, &grid.displacement, &grid.traction})
+      for (const long long component : {0, 1})
+        cells.push_back(
+            exactly((*field)[static_cast<std::size_t>(3 * point + component)]));
+    cells.push_back(names[static_cast<std::size_t>(grid.boundary[line])]);
+    cells.push_back(std::to_string(grid.element[line]));
+    cells.push_back(std::to_string(grid.degree[line]));
+    cells.push_back(scene.bodies[static_cast<std::size_t>(grid.body[line])].name);
+    csv.row(cells);
+  };
+  const std::size_t lines = grid.element.size();
+  const auto deforms = [&](std::size_t line) {
+    return line < lines && grid.body[line] < static_cast<int>(scene.bodies.size());
+  };
+  for (std::size_t line = 0; deforms(line); ++line) {
+    addPoint(line, grid.ends[2 * line]);
+    const bool endsElement =
+        !deforms(line + 1) || grid.ends[2 * line + 2] != grid.ends[2 * line + 1];
+    if (endsElement)
+      addPoint(line, grid.ends[2 * line + 1]);
   }
   return csv.text();
 }

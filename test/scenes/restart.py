@@ -223,7 +223,7 @@ for name in (SOLUTION, "boundary.csv") if alone else ():
     kilobytes = len(before[name]) // 1024
     full = copy(base, "full")
     code, text = run_limited(RESTART[:-1] + [full] + options(
-        HP + ["Adaptivity->Maximum Levels=6"]), kilobytes)
+        HP + ["Adaptivity->Maximum Levels=4"]), kilobytes)
     claim(code == 1 and name in text and "\n" not in text,
           "files of %d KiB at most (exit %d: %s)" % (kilobytes, code, text))
     claim(content(full) == before and not any(".part" in n for n in os.listdir(full)),
