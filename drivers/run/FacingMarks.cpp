@@ -113,7 +113,7 @@ void shareSingularPoints(const Scene& scene, std::vector<PreparedMesh>& prepared
 std::vector<std::vector<int>> withFacing(const Scene& scene,
                                          const std::vector<PreparedMesh>& prepared,
                                          std::vector<std::vector<int>> worst) {
-  constexpr double shortest = 0.5;
+  constexpr double shortest = 0.5 + 1e-6;  // half as long is common, and no more
   const std::vector<std::vector<int>> chosen = worst;
   for (const ContactPair& pair : scene.contacts) {
     if (pair.met.rigid)

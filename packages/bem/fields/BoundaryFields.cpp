@@ -196,7 +196,7 @@ std::vector<BoundaryValue> BoundaryFields::at(int element,
   return at(element, split(element), points);
 }
 
-std::vector<BoundaryValue> BoundaryFields::on(int element) const {
+std::vector<BoundaryValue> BoundaryFields::on(int element, const Vector& cuts) const {
   const Sources sources = split(element);
   std::vector<Feature> features;
   int degree = mesh_[element].degree;
@@ -208,7 +208,7 @@ std::vector<BoundaryValue> BoundaryFields::on(int element) const {
       features.push_back({seen.z().real(), std::abs(seen.b())});
     }
   }
-  const GradedRule rule = softenedRule(features, degree + smoothPoints);
+  const GradedRule rule = softenedRule(features, degree + smoothPoints, cuts);
   std::vector<BoundaryValue> values = at(element, sources, rule.points);
   for (std::size_t q = 0; q < values.size(); ++q)
     values[q].weight = mesh_[element].half * rule.weights[q];
