@@ -39,10 +39,6 @@ void pivoting(CoulombCourse& course, Stage stage) {
   course.pivoting(stage, course.equation(), course.best());
 }
 
-void throughTheMiddle(CoulombCourse& course, Stage stage) {
-  course.throughTheMiddle(stage);
-}
-
 // Bounds that follow all pressures of an element make active sets wander from afar; bounds
 // that follow their own pressure alone do not, and bring near.  Sweeps from there would
 // lead away again.
@@ -60,9 +56,9 @@ constexpr PlannedStage<CoulombCourse> newtonPlan[] = {
     {Stage::Pivoting, knowsSets, pivoting},
     {Stage::Uncoupled, isCoupled, uncoupled},
     {Stage::FullSteps, isCoupled, fullSteps},
-    {Stage::InteriorPoint, isHeldByContact, throughTheMiddle},
+    {Stage::InteriorPoint, isHeldByContact, CoulombCourse::throughTheMiddle},
     {Stage::FollowFriction, CoulombCourse::mayFollow, CoulombCourse::followBriefly},
-    {Stage::InteriorPoint, isHeldOtherwise, throughTheMiddle},
+    {Stage::InteriorPoint, isHeldOtherwise, CoulombCourse::throughTheMiddle},
     {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updateBriefly},
     {Stage::Pivoting, mayPivot, pivoting},
     {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::descendBriefly},

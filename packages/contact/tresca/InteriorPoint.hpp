@@ -8,6 +8,7 @@ namespace epafi::contact {
 struct InteriorPoint {
   Vector unknowns;     ///< x = (λ, α), strictly inside
   int iterations = 0;  ///< linear systems factorised
+  bool jammed = false;  ///< steps became too short to lead anywhere
 };
 
 /// How much of the predictor's second order its corrector takes.
