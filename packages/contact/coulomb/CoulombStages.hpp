@@ -10,8 +10,8 @@ namespace epafi::contact {
 class CoulombCourse : public NewtonCourse {
  public:
   CoulombCourse(const Problem& problem, const State& start, const Tresca& tresca,
-                Equation::Bound bound, const CoulombOptions& options)
-      : NewtonCourse(problem, start, tresca, bound), options_(options) {}
+                Equation::Bound bound, CoulombOptions options)
+      : NewtonCourse(problem, start, tresca, bound), options_(std::move(options)) {}
 
   const CoulombOptions& options() const { return options_; }
 
