@@ -41,7 +41,7 @@ struct RunOptions {
   std::string output;
   std::string restart;  ///< folder of the run to go on from; empty: begin anew
   std::vector<std::string> overrides;
-  int threads = 0;  ///< 0: all cores, or what the environment says
+  int threads = 0;  ///< 0: the default
   bool force = false;
   bool quiet = false;
 };
@@ -365,8 +365,7 @@ Outcome solveAndRecord(const Scene& scene, const std::optional<Checkpoint>& earl
 int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   const RunOptions options = optionsOf(given);
   const Scene scene = readScene(options.scene, options.overrides);
-  if (options.threads > 0 || ranks.underMpirun())
-    setThreads(std::max(options.threads, 1));
+  chooseThreads(options.threads, ranks);
   const Beginning beginning = begin(options, scene);
   std::optional<OutputFolder> folder;  // the first rank's
   if (ranks.isFirst())

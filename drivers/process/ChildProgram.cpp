@@ -15,6 +15,7 @@ bool runChild(const std::string& program, std::vector<std::string> arguments,
               const std::string& what, const std::string& remedy) {
   arguments.insert(arguments.begin(), program);
   std::vector<char*> words;
+  words.reserve(arguments.size() + 1);
   for (std::string& argument : arguments)
     words.push_back(argument.data());
   words.push_back(nullptr);

@@ -23,6 +23,10 @@ bool isHeldByContact(const CoulombCourse& course) {
   return course.problem().rigidMotions() > 0;
 }
 
+bool isPressedAsBefore(const CoulombCourse& course) {
+  return course.knowsSets() && isHeldByContact(course);
+}
+
 bool isHeldOtherwise(const CoulombCourse& course) { return !isHeldByContact(course); }
 
 bool mayPivot(const CoulombCourse& course) {
@@ -39,8 +43,15 @@ void pivoting(CoulombCourse& course, Stage stage) {
   course.pivoting(stage, course.equation(), course.best());
 }
 
-void throughTheMiddle(CoulombCourse& course, Stage stage) {
-  course.throughTheMiddle(stage);
+// From the start as it was: sets that do not return end somewhere, also where a thin body lifts
+// by so little that other methods cannot tell it from rounding.
+void pivotingAtLength(CoulombCourse& course, Stage stage) {
+  constexpr int runs = 3;
+  const Problem& problem = course.problem();
+  course.add(stage,
+             course.tresca().newton().run(course.sharp(), pack(problem, course.start()),
+                                          NewtonMethod::Pivoting,
+                                          std::min(runs * course.run(), course.left())));
 }
 
 // Bounds that follow all pressures of an element make active sets wander from afar; bounds
@@ -60,9 +71,10 @@ constexpr PlannedStage<CoulombCourse> newtonPlan[] = {
     {Stage::Pivoting, knowsSets, pivoting},
     {Stage::Uncoupled, isCoupled, uncoupled},
     {Stage::FullSteps, isCoupled, fullSteps},
-    {Stage::InteriorPoint, isHeldByContact, throughTheMiddle},
+    {Stage::Pivoting, isPressedAsBefore, pivotingAtLength},
+    {Stage::InteriorPoint, isHeldByContact, CoulombCourse::throughTheMiddle},
     {Stage::FollowFriction, CoulombCourse::mayFollow, CoulombCourse::followBriefly},
-    {Stage::InteriorPoint, isHeldOtherwise, throughTheMiddle},
+    {Stage::InteriorPoint, isHeldOtherwise, CoulombCourse::throughTheMiddle},
     {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updateBriefly},
     {Stage::Pivoting, mayPivot, pivoting},
     {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::descendBriefly},

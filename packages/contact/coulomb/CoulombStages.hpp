@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/tresca/InteriorPoint.hpp"
 
 namespace epafi::contact {
 
@@ -9,8 +10,8 @@ namespace epafi::contact {
 class CoulombCourse : public NewtonCourse {
  public:
   CoulombCourse(const Problem& problem, const State& start, const Tresca& tresca,
-                Equation::Bound bound, const CoulombOptions& options)
-      : NewtonCourse(problem, start, tresca, bound), options_(options) {}
+                Equation::Bound bound, CoulombOptions options)
+      : NewtonCourse(problem, start, tresca, bound), options_(std::move(options)) {}
 
   const CoulombOptions& options() const { return options_; }
 
@@ -26,6 +27,8 @@ class CoulombCourse : public NewtonCourse {
   static void descendBriefly(CoulombCourse& course, Stage stage);
   /// Whether following went anywhere: there is a solution without friction.
   static bool mayFollow(const CoulombCourse& course);
+  /// As NewtonCourse's, and where that ends at a fold of the path by way of a few updates.
+  static void throughTheMiddle(CoulombCourse& course, Stage stage);
   static void updates(CoulombCourse& course, Stage stage);
   static void updateBriefly(CoulombCourse& course, Stage stage);
 
@@ -33,6 +36,7 @@ class CoulombCourse : public NewtonCourse {
   void follow(Stage stage, int most, int patience);
   void descend(Stage stage, int most);
   void update(Stage stage, int most);
+  void pass(Stage stage, SecondOrder order);
 
   CoulombOptions options_;
 };
