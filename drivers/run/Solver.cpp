@@ -88,8 +88,8 @@ Solved solve(const Scene& scene, const contact::ContactSystem& system,
             return contact::solveInLoadSteps(solver, system.numbers(), system.gap(),
                                              start, scene.solver.loadSteps);
           });
-      const std::string reason =
-          reasonOf(solution.report) + restlessPlaces(solution.report, system, spaces);
+      const std::string reason = reasonOf(solution.report, scene) +
+                                 restlessPlaces(solution.report, system, spaces);
       return {std::move(solution), reason};
     } catch (const contact::NoBalance& error) {
       throw bem::NumericalError(withAdvice(error, unresisted(scene, spaces, system)));
@@ -107,7 +107,7 @@ Solved solveStep(const Scene& scene, const contact::ContactSystem& system,
       contact::Solution solution = assembled(
           system.numbers(), scene.solver, &memory,
           [&](const auto& solver) { return solver.solve(system.numbers(), start); });
-      const std::string reason = reasonOf(solution.report);
+      const std::string reason = reasonOf(solution.report, scene);
       return {std::move(solution), reason};
     } catch (const contact::NoBalance& error) {
       return {{}, withAdvice(error, unresisted(scene, spaces, system))};

@@ -20,6 +20,8 @@ IMAGES = {"mirrored at x = 0": Image(MIRROR_X), "turned": Image(QUARTER),
           "shifted": Image(IDENTITY, (1000, -300))}
 if EVERY:
     IMAGES.update({"mirrored at y = 0": Image(MIRROR_Y), "mirrored at x = y": Image(DIAGONAL)})
+# A shift by 1000 leaves their gaps of 1e-5 eight digits.
+FINE = ("two-cylinders",)
 # Of the size of all.  Beside the corner of coulomb's clamp the shear is as good as that.
 STRESS = {"coulomb": 1e-6}
 
@@ -85,6 +87,8 @@ for name, levels in SCENES.items():
         text = stream.read()
     results = {}
     for what, image in {"": Image(), **IMAGES}.items():
+        if name in FINE and what == "shifted":
+            continue
         os.makedirs(WORK, exist_ok=True)
         file = os.path.join(WORK, name + ".xml")
         with open(file, "w") as stream:
