@@ -4,7 +4,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/operators/ExactRotation.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
-#include "contact/compressed/CompressedBody.hpp"
+#include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/system/ContactSystem.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/run/BodySpaces.hpp"

@@ -1,7 +1,7 @@
 #include "drivers/scene/LinearMethod.hpp"
 
 #include "bem/base/Error.hpp"
-#include "contact/compressed/CompressedBody.hpp"
+#include "contact/compressed/CompressedStiffness.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/scene/Scene.hpp"
 

@@ -1,10 +1,9 @@
 // A contact problem on compressed operators is the one on dense matrices: flexibility,
 // solution and number of Newton's steps, displacement, reactions, energy.
-#include "contact/compressed/CompressedBody.hpp"
-
 #include "Solve.hpp"
 #include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/compressed/CompressedOperators.hpp"
+#include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/equation/ContactState.hpp"
 #include "contact/system/ContactProblem.hpp"
 #include "contact/tresca/InteriorPoint.hpp"

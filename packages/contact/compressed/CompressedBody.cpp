@@ -2,8 +2,8 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/compressed/Products.hpp"
-#include "contact/opposite/MortarCoupling.hpp"
-#include "contact/problem/Numbering.hpp"
+#include "contact/compressed/CompressedCoupling.hpp"
+#include "contact/compressed/CompressedHolding.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,82 +15,6 @@ using bem::dot;
 
 namespace {
 
-/// What a multiplier does to the rotation of a body with arcs.
-template <class Number>
-void addRests(const std::shared_ptr<const bem::Rotation>& rotation, std::size_t body,
-              Index first, const Vector& rests, const Number& numberOf,
-              CompressedCoupling& to) {
-  if (rotation == nullptr)
-    return;
-  Vector values(at(to.multipliers));
-  for (std::size_t i = 0; i < rests.size(); ++i)
-    values[at(numberOf(static_cast<Index>(i)))] = rests[i];
-  to.rests.push_back({rotation, body, first, std::move(values)});
-}
-
-/// Ĉ and M of a body's own multiplier, numbered from `first` on and as `numberOf` says.
-template <class Number>
-void addOwn(const bem::Space& space, const Coupling& coupling, std::size_t body,
-            Index first, const Number& numberOf, CompressedCoupling& to) {
-  for (const Coupling::Entry& entry : coupling.trace)
-    to.entries.push_back({first + entry.row, numberOf(entry.column), entry.value});
-  for (const Coupling::Entry& entry : coupling.weights)
-    to.entries.push_back(
-        {first + space.displacements() + coupling.compliance.densities[at(entry.row)],
-         numberOf(entry.column), -entry.value});
-  for (const Coupling::Entry& entry : coupling.mass)
-    to.mass.push_back({numberOf(entry.row), numberOf(entry.column), entry.value});
-  addRests(coupling.rotation, body, first, coupling.traceOfRotation, numberOf, to);
-}
-
-/// Where each coefficient of the multiplier belongs, so that a leaf has as many as it has
-/// displacements which they act on: to an element of its function where it does work on what
-/// that one numbers, on most of it if there are two; else, as at the end of a contact, to the
-/// one that numbers what it does most work on.  Tangential ones go to that of the pressure
-/// which they may follow.  Control points, whose bounds follow all pressures of an element,
-/// belong to it.
-std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& multiplier,
-                            const Coupling& coupling) {
-  std::vector<int> elements(at(coupling.multipliers), 0);
-  if (multiplier.basis().controlPoints) {
-    for (const MultiplierSpace::ContactElement& contact : multiplier.elements())
-      for (int i = 0; i <= contact.degree; ++i) {
-        elements[at(contact.normalOf(i))] = contact.element;
-        if (contact.tangential >= 0)
-          elements[at(contact.tangentialOf(i))] = contact.element;
-      }
-    return elements;
-  }
-  std::vector<int> elementOf(at(space.displacements()));
-  for (int e = 0; e < space.mesh().size(); ++e)
-    for (Index i = space.displacement(e, 0, 0);
-         i < space.displacement(e, 0, 0) + 2 * space.mesh()[e].degree; ++i)
-      elementOf[at(i)] = e;
-  std::vector<std::vector<int>> homes(elements.size());
-  for (const MultiplierSpace::ContactElement& contact : multiplier.elements())
-    for (int i = 0; i <= contact.degree; ++i) {
-      homes[at(contact.normalOf(i))].push_back(contact.element);
-      if (contact.tangential >= 0)
-        homes[at(contact.tangentialOf(i))].push_back(contact.element);
-    }
-  constexpr double rounding = 1e-6;
-  Vector largest(at(coupling.multipliers), 0.0);
-  for (const Coupling::Entry& entry : coupling.trace) {
-    const int e = elementOf[at(entry.row)];
-    const std::vector<int>& own = homes[at(entry.column)];
-    const double work = std::abs(entry.value) *
-                        (std::count(own.begin(), own.end(), e) > 0 ? 1 : rounding);
-    if (work > largest[at(entry.column)]) {
-      largest[at(entry.column)] = work;
-      elements[at(entry.column)] = e;
-    }
-  }
-  for (const MultiplierSpace::ContactElement& contact : multiplier.elements())
-    for (int i = 0; i <= contact.degree && contact.tangential >= 0; ++i)
-      elements[at(contact.tangentialOf(i))] = elements[at(contact.normalOf(i))];
-  return elements;
-}
-
 class CompressedBody final : public StabilisedBody {
  public:
   CompressedBody(const bem::Space& space,
@@ -101,8 +25,7 @@ class CompressedBody final : public StabilisedBody {
         range_(operators_->range(number)),
         coupling_(std::move(coupling)) {
     compressed_.multipliers = coupling_.multipliers;
-    addOwn(
-        space, coupling_, number, range_.first, [](Index i) { return i; }, compressed_);
+    compressed_.addOwn(space, coupling_, number, range_.first, [](Index i) { return i; });
   }
 
   std::shared_ptr<const HeldStiffness> held(const Holding& holding) const override {
@@ -314,108 +237,6 @@ class CompressedBody final : public StabilisedBody {
 };
 
 }  // namespace
-
-std::string whyNotCompressed(const Stabilization& stabilization) {
-  using Form = Stabilization::Form;
-  if (stabilization.form != Form::None && stabilization.form != Form::Density)
-    return "Discretization->Stabilization->Form must be Density, or None with the "
-           "multiplier Biorthogonal";
-  return "";
-}
-
-namespace {
-
-Numbering numberingOf(const std::vector<CompressedInput>& bodies) {
-  std::vector<Numbering::Count> counts;
-  for (const CompressedInput& body : bodies)
-    counts.push_back({body.multiplier.normals(), body.multiplier.size()});
-  return Numbering(counts);
-}
-
-}  // namespace
-
-CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bodies,
-                                          const Stabilization& stabilization,
-                                          bem::Units units) {
-  const Numbering numbering = numberingOf(bodies);
-  CompressedCoupling result;
-  result.multipliers = numbering.size();
-  result.normals = numbering.normals();
-  std::vector<Index> starts;
-  for (const CompressedInput& body : bodies) {
-    starts.push_back(result.first);
-    result.first += body.space.displacements() + body.space.densities();
-  }
-  for (std::size_t a = 0; a < bodies.size(); ++a) {
-    const auto& [space, multiplier, lame, opposite] = bodies[a];
-    const auto numberOf = [&](Index i) { return numbering(a, i); };
-    addOwn(space, makeLocalCoupling(space, multiplier, stabilization, lame, units), a,
-           starts[a], numberOf, result);
-    if (opposite == nullptr)
-      continue;
-    for (const int b : opposite->bodies()) {
-      const auto k = static_cast<std::size_t>(b);
-      const MortarCoupling met =
-          mortarCoupling(space.mesh(), multiplier, *opposite, bodies[k].space, b);
-      for (const Coupling::Entry& entry : met.entries)
-        result.entries.push_back(
-            {starts[k] + entry.row, numberOf(entry.column), entry.value});
-      addRests(met.rotation, k, starts[k], met.rests, numberOf, result);
-    }
-  }
-  return result;
-}
-
-std::vector<bem::SteklovPoincare> makeCompressedStiffness(
-    const std::vector<CompressedInput>& bodies, const Stabilization& stabilization,
-    bem::Units units, const bem::DenseAlgebra& algebra, const bem::Compression& options) {
-  const std::string reason = whyNotCompressed(stabilization);
-  if (!reason.empty())
-    throw bem::InputError("the operators cannot be compressed: " + reason);
-  const CompressedCoupling coupling =
-      makeCompressedCoupling(bodies, stabilization, units);
-  bem::LocalCoupling local;
-  for (const Coupling::Entry& entry : coupling.entries)
-    local.entries.push_back({entry.row, coupling.first + entry.column, entry.value});
-  for (const Coupling::Entry& entry : coupling.mass)
-    if (entry.row >= entry.column)
-      local.entries.push_back(
-          {coupling.first + entry.row, coupling.first + entry.column, -entry.value});
-  const Numbering numbering = numberingOf(bodies);
-  local.rotations.assign(bodies.size(), Vector(at(coupling.multipliers)));
-  for (const CompressedCoupling::Rest& rest : coupling.rests)
-    bem::axpy(1, rest.values, local.rotations[rest.body]);
-  local.elements.resize(at(coupling.multipliers));
-  local.bodies.resize(at(coupling.multipliers));
-  std::vector<bem::CompressedOperators::Body> operands;
-  Index first = 0;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const auto& [space, multiplier, lame, opposite] = bodies[b];
-    operands.push_back({space, lame});
-    const Coupling own = makeLocalCoupling(space, multiplier, stabilization, lame, units);
-    const std::vector<int> elements = elementsOf(space, multiplier, own);
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      const Index k = numbering(b, static_cast<Index>(i));
-      local.elements[at(k)] = elements[i];
-      local.bodies[at(k)] = static_cast<int>(b);
-    }
-    const auto comply = [&](Index density, double value) {
-      const Index i = first + space.displacements() + density;
-      local.entries.push_back({i, i, -value});
-    };
-    for (std::size_t k = 0; k < own.compliance.densities.size(); ++k)
-      comply(own.compliance.densities[k], own.compliance.diagonal[k]);
-    for (const auto& [density, value] : own.compliance.pinned)
-      comply(density, value);
-    first += space.displacements() + space.densities();
-  }
-  const auto operators =
-      std::make_shared<const bem::CompressedOperators>(operands, options, local);
-  std::vector<bem::SteklovPoincare> result;
-  for (std::size_t b = 0; b < bodies.size(); ++b)
-    result.emplace_back(operators, algebra, b);
-  return result;
-}
 
 std::unique_ptr<const StabilisedBody> makeCompressedBody(
     const BodyInput& input, const MultiplierSpace& multiplier) {

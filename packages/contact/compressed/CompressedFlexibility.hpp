@@ -1,72 +1,52 @@
 #pragma once
 
-#include "bem/compressed/CompressedFactor.hpp"
-#include "contact/body/Coupling.hpp"
-#include "contact/body/ElasticBody.hpp"
+#include "contact/compressed/MotionTerms.hpp"
+#include "contact/problem/Flexibility.hpp"
+
+#include <memory>
+#include <vector>
 
 namespace epafi::contact {
 
-/// The sparse rows Ĉ = [B₀, -Nᵀ] by which the multiplier acts on displacements and densities,
-/// of its own body and of those that it meets, and -M: what a compressed system has of it.
-struct CompressedCoupling {
-  std::vector<Coupling::Entry> entries;  ///< unknowns x multiplier
-  std::vector<Coupling::Entry> mass;     ///< M
-  /// What Ĉ does on a body with arcs to the exact rotation less the interpolated one.
-  struct Rest {
-    std::shared_ptr<const bem::Rotation> rotation;
-    std::size_t body;
-    Index first;    ///< displacement of it
-    Vector values;  ///< by multipliers
-  };
-  std::vector<Rest> rests;
-  Index first = 0;  ///< number of the first multiplier's unknown
-  Index multipliers = 0;
-  Index normals = 0;  ///< those of them that come first
-
-  /// x += s Ĉᵀ λ on displacements and densities.
-  void push(double s, const double* multiplier, double* x) const;
-  /// Ĉ x
-  Vector pull(const double* x) const;
-};
-
-/// A held body whose stiffness is compressed.  Where rigid motions are free or fixed, springs
-/// make the system regular; what they change is taken back, see displaced().
-class CompressedHolding {
+/// D = Ĉ A⁺ Ĉᵀ + M by solutions in the tree, A of all bodies.
+class CompressedFlexibility final : public Flexibility::Operator {
  public:
-  /// One of the operators' bodies.  All outlive it.
-  CompressedHolding(const bem::CompressedOperators& operators, std::size_t body,
-                    const Holding& holding);
+  CompressedFlexibility(
+      CompressedCoupling coupling,
+      const std::vector<std::shared_ptr<const CompressedHolding>>& bodies);
 
-  /// The held unknowns and springs of the body, all multipliers and all others held.
-  const bem::Restriction& restriction() const { return restriction_; }
-  const bem::CompressedOperators& operators() const { return operators_; }
+  Index size() const override { return coupling_.multipliers; }
+  Vector times(const Vector& x) const override;
+  /// |D| |x| from the rows' sums over each kind and its largest coefficient.
+  Product product(const Vector& x) const override;
+  Vector diagonal() const override;
+  std::unique_ptr<Factor> factor(const System& system) const override;
 
-  /// R and c, rigid motions that clamps do not hold and their functionals, by all unknowns.
-  Index motions() const { return holding_.rigid.allowed.columns(); }
-  Vector motion(Index k) const { return placed(holding_.rigid.allowed, k); }
-  Vector functional(Index k) const { return placed(holding_.rigid.functionals, k); }
-
-  /// Of M, the body with its springs.
-  const bem::CompressedFactor& factor() const { return *factor_; }
-
-  /// A⁺: displacements and densities under forces on both (columns), without the motions
-  /// that clamps do not hold; zero on all else.
-  Matrix displaced(Matrix forces) const;
+  const CompressedCoupling& coupling() const { return coupling_; }
+  const bem::CompressedOperators& operators() const {
+    return bodies_.front()->operators();
+  }
+  /// Of all bodies, every multiplier held.
+  const bem::Restriction& restriction() const { return factor_->restriction(); }
+  const MotionTerms& motionTerms() const { return motions_; }
+  /// Of the leaves that the multiplier acts on.
+  const std::vector<char>& paths() const { return paths_; }
 
  private:
-  void addSprings();
-  Vector placed(const Matrix& columns, Index k) const;
+  int kindOf(Index i) const { return i < coupling_.normals ? 0 : 1; }
+  void factorAll();
+  void findPaths();
+  void measureRows();
+  Matrix timesColumns(const Matrix& x) const;
 
-  const bem::CompressedOperators& operators_;
-  const Holding& holding_;
-  const bem::CompressedOperators::Range& range_;
-  bem::Restriction restriction_;
-  std::unique_ptr<const bem::CompressedFactor> factor_;
+  CompressedCoupling coupling_;
+  std::vector<std::shared_ptr<const CompressedHolding>> bodies_;
+  std::unique_ptr<bem::CompressedFactor> factor_;
+  std::vector<char> paths_;
+  MotionTerms motions_;
+  Matrix rowSums_;  ///< over each kind
+  /// Kept from step to step, so that only what changes is eliminated anew.
+  mutable std::unique_ptr<bem::CompressedFactor> reduced_;
 };
-
-/// D = Ĉ A⁺ Ĉᵀ + M by solutions in the tree, A of all bodies.
-std::shared_ptr<const Flexibility::Operator> compressedFlexibility(
-    CompressedCoupling coupling,
-    std::vector<std::shared_ptr<const CompressedHolding>> bodies);
 
 }  // namespace epafi::contact

@@ -1,7 +1,8 @@
 #include "contact/system/ContactSystem.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "contact/compressed/CompressedBody.hpp"
+#include "contact/compressed/CompressedFlexibility.hpp"
+#include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/system/RigidDrives.hpp"
 
 #include <algorithm>
@@ -43,7 +44,7 @@ struct ContactSystem::Parts {
             {part(b).space, part(b).multiplier, inputs[b].lame, part(b).opposite.get()});
         held.push_back(part(b).body->compressed());
       }
-      numbers = condense(Flexibility(compressedFlexibility(
+      numbers = condense(Flexibility(std::make_shared<const CompressedFlexibility>(
                              makeCompressedCoupling(
                                  compressed, inputs.front().stabilization, part(0).units),
                              std::move(held))),

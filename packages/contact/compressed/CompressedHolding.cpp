@@ -1,0 +1,83 @@
+#include "contact/compressed/CompressedHolding.hpp"
+
+#include "bem/algebra/SmallAlgebra.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::contact {
+
+std::vector<int> furtherLeaves(const bem::CompressedOperators& operators) {
+  std::vector<int> leaves;
+  for (Index i = operators.further(); i < operators.size(); ++i)
+    leaves.push_back(operators.leafOf(i));
+  return leaves;
+}
+
+CompressedHolding::CompressedHolding(const bem::CompressedOperators& operators,
+                                     std::size_t body, const Holding& holding)
+    : operators_(operators), holding_(holding), range_(operators.range(body)) {
+  restriction_.held.assign(at(operators.size()), 1);
+  const auto held = restriction_.held.begin();
+  std::fill(held + range_.densities, held + range_.last, 0);
+  std::copy(holding.loads.clamped.begin(), holding.loads.clamped.end(),
+            held + range_.first);
+  addSprings();
+  // of several bodies another factor changes
+  const bool changes = operators.bodies() == 1;
+  factor_ = std::make_unique<const bem::CompressedFactor>(
+      operators, restriction_, changes ? furtherLeaves(operators) : std::vector<int>());
+}
+
+Vector CompressedHolding::placed(const Matrix& columns, Index k) const {
+  Vector result(at(operators_.size()));
+  std::copy_n(columns.column(k), columns.rows(), result.begin() + range_.first);
+  return result;
+}
+
+// One for each motion that clamps leave, where it moves most against those before: pivots
+// of the motions' rows.
+void CompressedHolding::addSprings() {
+  Matrix motions = holding_.rigid.allowed.copy();
+  for (Index k = 0; k < motions.columns(); ++k) {
+    Index row = 0;
+    Index column = k;
+    for (Index l = k; l < motions.columns(); ++l)
+      for (Index i = 0; i < motions.rows(); ++i)
+        if (std::abs(motions(i, l)) > std::abs(motions(row, column))) {
+          row = i;
+          column = l;
+        }
+    for (Index i = 0; i < motions.rows(); ++i)
+      std::swap(motions(i, k), motions(i, column));
+    restriction_.entries.push_back(
+        {range_.first + row, range_.first + row, range_.young});
+    for (Index l = k + 1; l < motions.columns(); ++l) {
+      const double factor = motions(row, l) / motions(row, k);
+      for (Index i = 0; i < motions.rows(); ++i)
+        motions(i, l) -= factor * motions(i, k);
+    }
+  }
+}
+
+// A⁺ f = (I - R cᵀ) M⁻¹ (I - c Rᵀ) f: balanced loads do not feel springs that are as many
+// as the motions
+Matrix CompressedHolding::displaced(Matrix forces) const {
+  const RigidConstraints& rigid = holding_.rigid;
+  const auto subtract = [&](const Matrix& seen, const Matrix& taken, Matrix& x) {
+    for (Index j = 0; j < x.columns(); ++j)
+      for (Index k = 0; k < taken.columns(); ++k) {
+        double sum = 0;
+        for (Index i = 0; i < seen.rows(); ++i)
+          sum += seen(i, k) * x(range_.first + i, j);
+        for (Index i = 0; i < taken.rows(); ++i)
+          x(range_.first + i, j) -= sum * taken(i, k);
+      }
+  };
+  subtract(rigid.allowed, rigid.functionals, forces);
+  Matrix x = factor_->solve(forces);
+  subtract(rigid.functionals, rigid.allowed, x);
+  return x;
+}
+
+}  // namespace epafi::contact

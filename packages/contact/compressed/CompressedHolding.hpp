@@ -1,0 +1,46 @@
+#pragma once
+
+#include "bem/compressed/CompressedFactor.hpp"
+#include "contact/body/ElasticBody.hpp"
+
+namespace epafi::contact {
+
+/// Leaves of multipliers, which alone are held and released.
+std::vector<int> furtherLeaves(const bem::CompressedOperators& operators);
+
+/// A held body whose stiffness is compressed.  Where rigid motions are free or fixed, springs
+/// make the system regular; what they change is taken back, see displaced().
+class CompressedHolding {
+ public:
+  /// One of the operators' bodies.  All outlive it.
+  CompressedHolding(const bem::CompressedOperators& operators, std::size_t body,
+                    const Holding& holding);
+
+  /// The held unknowns and springs of the body, all multipliers and all others held.
+  const bem::Restriction& restriction() const { return restriction_; }
+  const bem::CompressedOperators& operators() const { return operators_; }
+
+  /// R and c, rigid motions that clamps do not hold and their functionals, by all unknowns.
+  Index motions() const { return holding_.rigid.allowed.columns(); }
+  Vector motion(Index k) const { return placed(holding_.rigid.allowed, k); }
+  Vector functional(Index k) const { return placed(holding_.rigid.functionals, k); }
+
+  /// Of M, the body with its springs.
+  const bem::CompressedFactor& factor() const { return *factor_; }
+
+  /// A⁺: displacements and densities under forces on both (columns), without the motions
+  /// that clamps do not hold; zero on all else.
+  Matrix displaced(Matrix forces) const;
+
+ private:
+  void addSprings();
+  Vector placed(const Matrix& columns, Index k) const;
+
+  const bem::CompressedOperators& operators_;
+  const Holding& holding_;
+  const bem::CompressedOperators::Range& range_;
+  bem::Restriction restriction_;
+  std::unique_ptr<const bem::CompressedFactor> factor_;
+};
+
+}  // namespace epafi::contact
