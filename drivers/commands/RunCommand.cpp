@@ -200,6 +200,9 @@ class Recorder {
       write(level);
       last_ = level.level;
       warnings_ = warningsOf(scene_, level);
+      if (level.row.operators == denseInstead)
+        told_.push_back(bem::message("level ", level.row.level, ": ", level.row.note));
+      warnings_.insert(warnings_.begin(), told_.begin(), told_.end());
     }
     solved_(level.level.number);
   }
@@ -262,7 +265,8 @@ class Recorder {
     contact_ = PathContact(scene_);
     progress_.clear();
     table_ << tableLine(level.row)
-           << gamma0Note(level.row, scene_.stabilization.firstGamma0()) << std::flush;
+           << gamma0Note(level.row, scene_.stabilization.firstGamma0())
+           << operatorsNote(level.row) << std::flush;
   }
 
   const Scene& scene_;
@@ -279,6 +283,7 @@ class Recorder {
   std::string stages_ = "\nSolver stages, steps, how they ended\n";
   std::optional<Level> last_;
   std::vector<std::string> warnings_;
+  std::vector<std::string> told_;  ///< likewise, of all levels
   int levels_ = 0;
 };
 
