@@ -188,6 +188,9 @@ class Recorder {
       return;
     note(level);
     warnings_ = warningsOf(scene_, level);
+    if (level.row.operators == denseInstead)
+      told_.push_back(bem::message("level ", level.row.level, ": ", level.row.note));
+    warnings_.insert(warnings_.begin(), told_.begin(), told_.end());
     if (level.path != nullptr || cpuSeconds() - writtenAt_ > longestWait)
       write();
   }
@@ -297,7 +300,8 @@ class Recorder {
     contact_ = PathContact(scene_);
     progress_.clear();
     table_ << tableLine(level.row)
-           << gamma0Note(level.row, scene_.stabilization.firstGamma0()) << std::flush;
+           << gamma0Note(level.row, scene_.stabilization.firstGamma0())
+           << operatorsNote(level.row) << std::flush;
   }
 
   const Scene& scene_;
@@ -316,6 +320,7 @@ class Recorder {
   std::optional<LevelFiles> waiting_;  ///< of the last level, until they are written
   double writtenAt_ = cpuSeconds();
   std::vector<std::string> warnings_;
+  std::vector<std::string> told_;  ///< likewise, of all levels
   int levels_ = 0;
 };
 

@@ -223,7 +223,8 @@ class StudyRun {
     table_.level(scene.name, variant, row, studied);
     folder_.write("study.csv", table_.text());
     out_ << studyLine(row, studied)
-         << gamma0Note(row, variant.scene.stabilization.firstGamma0());
+         << gamma0Note(row, variant.scene.stabilization.firstGamma0())
+         << operatorsNote(row);
     if (row.report.status != contact::Status::Converged)
       out_ << "  not converged: " << row.reason << "\n";
     out_ << std::flush;

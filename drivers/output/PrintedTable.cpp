@@ -105,6 +105,12 @@ std::string gamma0Note(const LevelRow& row, double wanted) {
          ", would make its stiffness indefinite\n";
 }
 
+std::string operatorsNote(const LevelRow& row) {
+  return row.note.empty()
+             ? ""
+             : "        level " + std::to_string(row.level) + ": " + row.note + "\n";
+}
+
 std::string timeSummary(const PhaseTimer& timer) {
   std::ostringstream text;
   text << "time    " << fixed(cpuSeconds(), 2) << " s of CPU, "

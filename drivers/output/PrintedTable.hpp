@@ -19,6 +19,9 @@ std::string tableLine(const StepRow& row);
 /// Says of a level that it has got less than the wanted γ₀; else empty.
 std::string gamma0Note(const LevelRow& row, double wanted);
 
+/// Says what became of a level's operators, or what would cost less; else empty.
+std::string operatorsNote(const LevelRow& row);
+
 /// Where the time went, for the end of a run.
 std::string timeSummary(const PhaseTimer& timer);
 

@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "drivers/process/Memory.hpp"
+#include "drivers/scene/LinearCost.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,51 +11,97 @@ namespace epafi::drivers {
 
 namespace {
 
-constexpr double mebi = 1024.0 * 1024.0;
-constexpr double program = 47;  ///< MiB of a process without matrices
+std::vector<BodySize> sizesOf(const BodySpaces& spaces) {
+  std::vector<BodySize> sizes;
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    const bem::Space& space = spaces.space(b);
+    double smallest = space.mesh()[0].half;
+    double largest = smallest;
+    for (const bem::Element& element : space.mesh().elements()) {
+      smallest = std::min(smallest, element.half);
+      largest = std::max(largest, element.half);
+    }
+    sizes.push_back({static_cast<double>(space.displacements()),
+                     static_cast<double>(space.densities()),
+                     static_cast<double>(spaces.multiplier(b).size()),
+                     static_cast<double>(space.mesh().size()), largest / smallest,
+                     !spaces.opposite(b)->bodies().empty()});
+  }
+  return sizes;
+}
+
+/// Maximum Memory, or what is free; what this process holds now is in a forecast, too.
+double allowedMemory(const Scene& scene, const Ranks& ranks) {
+  const bem::DenseAlgebra& algebra = ranks.algebra();
+  const double free =
+      algebra.broadcast({freeMemory() + ownMemory() * algebra.processes()}).front();
+  return scene.adaptivity.limits.memory.value_or(free);
+}
 
 }  // namespace
 
-double forecastMemory(const BodySpaces& spaces, int processes) {
-  double bytes = 0;
-  for (std::size_t b = 0; b < spaces.size(); ++b) {
-    const auto u = static_cast<double>(spaces.space(b).displacements());
-    const auto d = static_cast<double>(spaces.space(b).densities());
-    const auto m = static_cast<double>(spaces.multiplier(b).size());
-    bytes += 8 * (3.85 * u * d + 2.4 * m * m) + 13000.0 * spaces.space(b).mesh().size();
+Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks) {
+  using Operators = LinearMethod::Operators;
+  const Operators wanted = linearMethods().at(scene.linear.method).operators;
+  const int processes = ranks.algebra().processes();
+  if (wanted == Operators::Compressed && processes > 1)
+    throw bem::InputError(bem::message(
+        "Solver->Linear->Method = ", scene.linear.method,
+        ": operators are compressed on one process only; start epafi without mpirun, or "
+        "choose Dense, Belos or Automatic"));
+  const std::vector<BodySize> sizes = sizesOf(spaces);
+  const int steps = scene.history ? static_cast<int>(scene.history.times.size()) : 1;
+  const Cost dense = denseCost(sizes, steps, processes);
+  const Cost compressed = compressedCost(sizes, steps);
+  if (wanted == Operators::Dense || processes > 1)
+    return {false, dense.memory};
+  if (wanted == Operators::Compressed)
+    return {true, compressed.memory};
+
+  const double allowed = allowedMemory(scene, ranks);
+  const bool denseFits = dense.memory <= allowed;
+  const bool compressedFits = compressed.memory <= allowed;
+  const auto isBetter = [&](double gain) {
+    return denseFits && compressedFits   ? gain * compressed.seconds < dense.seconds
+           : denseFits == compressedFits ? compressed.memory < dense.memory
+                                         : compressedFits;
+  };
+  if (whyNotCompressed(scene).empty()) {
+    if (isBetter(1))
+      return {true, compressed.memory,
+              denseFits ? std::optional(dense.memory) : std::nullopt};
+    return {false, dense.memory};
   }
-  return processes * program + bytes / mebi;
+  constexpr double worthTelling = 2;
+  Plan plan{false, dense.memory};
+  if (isBetter(worthTelling))
+    plan.advice = bem::message(
+        "with Discretization->Stabilization->Form = Density operators could be "
+        "compressed: "
+        "about ",
+        std::ceil(100 * compressed.seconds / dense.seconds), " % of the time and ",
+        std::ceil(compressed.memory), " in place of ", std::ceil(dense.memory), " MiB");
+  return plan;
 }
 
-double forecastCompressedMemory(const BodySpaces& spaces) {
-  double bytes = 0;
-  for (std::size_t b = 0; b < spaces.size(); ++b)
-    bytes += 24000.0 * static_cast<double>(spaces.space(b).displacements() +
-                                           spaces.space(b).densities());
-  return program + bytes / mebi;
-}
-
-std::optional<std::string> tooLarge(int level, const Size& size, double forecast,
-                                    const std::optional<double>& limit,
-                                    const Ranks& ranks) {
-  const bem::DenseAlgebra& algebra = ranks.algebra();
-  // what this process holds now is in the forecast, too
-  const double free =
-      algebra.broadcast({freeMemory() + ownMemory() * algebra.processes()}).front();
-  const double allowed = limit.value_or(free);
-  if (forecast <= allowed)
+std::optional<std::string> tooLarge(int level, const Size& size, const Plan& plan,
+                                    const Scene& scene, const Ranks& ranks) {
+  const std::optional<double>& limit = scene.adaptivity.limits.memory;
+  const double allowed = allowedMemory(scene, ranks);
+  if (plan.memory <= allowed)
     return std::nullopt;
+  const double program = programMemory * ranks.algebra().processes();
+  const double share = std::max((allowed - program) / (plan.memory - program), 0.0);
   // matrices grow with the square
-  const double share = (allowed - program * algebra.processes()) /
-                       (forecast - program * algebra.processes());
-  const long cap = static_cast<long>(std::sqrt(std::max(share, 0.0)) *
+  const long cap = static_cast<long>((plan.compressed ? share : std::sqrt(share)) *
                                      static_cast<double>(size.dof()));
   const std::string text = bem::message(
       "level ", level, " with ", size.dof(), " degrees of freedom would take about ",
-      std::ceil(forecast), " MiB; ",
+      std::ceil(plan.memory), " MiB; ",
       limit ? "Adaptivity->Maximum Memory = " : "MiB that are free: ",
       std::floor(allowed), limit ? "" : " (Adaptivity->Maximum Memory overrules them)",
-      "; about ", cap, " degrees of freedom fit: ");
+      "; ", plan.advice, plan.advice.empty() ? "" : "; ", "about ", cap,
+      " degrees of freedom fit: ");
   if (level == 0)
     throw bem::InputError(text + "make the first mesh coarser");
   return text + "set Adaptivity->Maximum Degrees of Freedom";

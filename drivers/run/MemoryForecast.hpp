@@ -8,24 +8,24 @@
 
 namespace epafi::drivers {
 
-/// What solving a level will take at its peak, all processes together [MiB].
-///
-/// Per body with u displacements, d densities, m multipliers, n elements
-///
-///   8 (3.85 u d + 2.4 m²) + 13000 n  bytes,
-///
-/// K with its transpose, V and S in halves, traction rows, D and what is made on the way
-/// (doc/decisions/0016), fitted to the peaks of 56 levels; 47 MiB a process for the program.
-double forecastMemory(const BodySpaces& spaces, int processes);
+/// How a level's operators are to be known, and what that takes.
+struct Plan {
+  bool compressed = false;
+  double memory = 0;  ///< at the peak, all processes together [MiB]
+  /// Of dense operators, which may take the place of compressed ones that fail: under Method
+  /// "Automatic" where they fit.
+  std::optional<double> denseInstead{};
+  std::string advice{};  ///< what another Form would save; empty: nothing to speak of
+};
 
-/// The same of compressed operators on one process: 24 kB per displacement and density, as
-/// measured with degree 1 (doc/benchmarks/compression.md), and D where a stage may ask for it.
-double forecastCompressedMemory(const BodySpaces& spaces);
+/// As Solver->Linear->Method wants it; "Automatic": compressed where the scene and one
+/// process allow it and less time is foretold, or dense matrices do not fit.  Collective.
+/// \throws bem::InputError for several processes that ask for "Compressed".
+Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks);
 
-/// Why a level is not begun that would not fit; nothing if it does.  `forecast` is its own;
-/// `limit` the scene's, else what is free.  Collective.
-std::optional<std::string> tooLarge(int level, const Size& size, double forecast,
-                                    const std::optional<double>& limit,
-                                    const Ranks& ranks);
+/// Why a level is not begun that would not fit into Maximum Memory, or else into what is
+/// free; nothing if it does.  Collective.
+std::optional<std::string> tooLarge(int level, const Size& size, const Plan& plan,
+                                    const Scene& scene, const Ranks& ranks);
 
 }  // namespace epafi::drivers
