@@ -64,11 +64,20 @@ void BoundaryFields::addPoints(int f, int order, Vec2 middle,
   const Element& source = mesh_[f];
   const LocalField& values = fields_[static_cast<std::size_t>(f)];
   const Rule& rule = gaussLegendre(order);
+  const auto known = static_cast<std::size_t>(order) < everything_.size()
+                         ? &everything_[static_cast<std::size_t>(order)]
+                         : nullptr;
+  const auto first = static_cast<std::size_t>(f) * static_cast<std::size_t>(order);
   for (int q = 0; q < rule.size(); ++q) {
     const double t = rule.points[q];
+    const Complex place = asComplex(middle + source.curve.fromMiddle(t));
+    const std::size_t k = first + static_cast<std::size_t>(q);
+    if (known != nullptr && k < known->size()) {
+      points.add(place, *known, k);
+      continue;
+    }
     const double weight = source.half * rule.weights[q];
-    points.add(asComplex(middle + source.curve.fromMiddle(t)),
-               weight * evaluate(values.density, source.densities - 1, t),
+    points.add(place, weight * evaluate(values.density, source.densities - 1, t),
                weight * evaluate(values.slope, source.degree - 1, t));
   }
 }
