@@ -92,11 +92,6 @@ std::vector<adaptivity::Indicators> estimated(const Ground& ground,
 bool compresses(const Scene& scene, const Size& size, const Ranks& ranks) {
   using Operators = LinearMethod::Operators;
   const Operators wanted = linearMethods().at(scene.linear.method).operators;
-  if (wanted == Operators::Compressed && ranks.algebra().processes() > 1)
-    throw bem::InputError(bem::message(
-        "Solver->Linear->Method = ", scene.linear.method,
-        ": operators are compressed on one process only; start epafi without mpirun, or "
-        "choose Dense, Belos or Automatic"));
   if (wanted != Operators::Cheaper)
     return wanted == Operators::Compressed;
   // unknowns from which compressed operators cost less, see doc/benchmarks/compression.md

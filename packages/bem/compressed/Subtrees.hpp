@@ -1,0 +1,86 @@
+#pragma once
+
+#include "bem/base/DenseAlgebra.hpp"
+#include "bem/compressed/ClusterPart.hpp"
+#include "bem/compressed/ClusterTree.hpp"
+
+#include <string>
+#include <vector>
+
+namespace epafi::bem {
+
+/// Numbers and matrices on their way to other processes.
+class Parcel {
+ public:
+  Parcel() = default;
+  explicit Parcel(Vector numbers) : numbers_(std::move(numbers)) {}
+
+  void put(double number) { numbers_.push_back(number); }
+  void put(const std::vector<Index>& list);
+  void put(const std::string& text);
+  void put(const Matrix& matrix);
+
+  double number() { return numbers_[next_++]; }
+  std::vector<Index> list();
+  std::string text();
+  Matrix matrix();
+
+  Vector take() { return std::move(numbers_); }
+
+ private:
+  Vector numbers_;
+  std::size_t next_ = 0;
+};
+
+/// What each process has of a tree: whole subtrees below some clusters, its roots; what is
+/// above them everybody computes.  One process has all above and no subtrees.
+///
+/// Vectors are replicated.  Whatever is computed from them runs on all processes in the same
+/// steps, with what comes from a subtree sent around; each message says what it is and carries
+/// a check of the numbers that all should agree in.
+class Subtrees {
+ public:
+  /// `weights`: of the clusters, by which the work is balanced.  The algebra outlives it.
+  Subtrees(const ClusterTree& tree, const std::vector<Index>& weights,
+           const DenseAlgebra& algebra);
+
+  const DenseAlgebra& algebra() const { return *algebra_; }
+  bool isAlone() const { return algebra_->processes() == 1; }
+
+  /// Does this process compute with a cluster?
+  bool isMine(int c) const { return isEverybodys(c) || ownerOf(c) == algebra_->rank(); }
+  bool isEverybodys(int c) const { return ownerOf(c) < 0; }
+  /// -1: everybody
+  int ownerOf(int c) const { return owners_[static_cast<std::size_t>(c)]; }
+  /// Of the clusters that one process has those whose parents are everybody's.
+  const std::vector<int>& roots() const { return roots_; }
+
+  /// Each process's parcel, in the order of the processes.  Collective.
+  /// \throws NumericalError where `kind` or `check` are not the same on all.
+  std::vector<Parcel> exchange(double kind, double check, Parcel mine) const;
+
+  /// Others' matrices of the roots of `on`.
+  void exchangeRoots(const std::vector<char>& on, double check,
+                     std::vector<Matrix>& matrices) const;
+
+  /// Replaces others' rows of X by theirs, of the unknowns in the leaves of `paths`.
+  void exchangeRows(const ClusterTree& tree, const std::vector<ClusterPart>& parts,
+                    const std::vector<char>& paths, double check, Matrix& x) const;
+
+  /// Throws the NumericalError that one of the processes has met; nothing where all messages
+  /// are empty.
+  void agree(const std::string& failure) const;
+
+ private:
+  const DenseAlgebra* algebra_;
+  std::vector<int> owners_;  ///< of the clusters
+  std::vector<int> roots_;
+};
+
+/// That of whoever names none.
+const DenseAlgebra& oneProcess();
+
+/// A number that hardly any other numbers have.
+double checkOf(const Matrix& x);
+
+}  // namespace epafi::bem
