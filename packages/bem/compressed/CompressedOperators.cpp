@@ -201,8 +201,10 @@ Matrix CompressedOperators::times(const Matrix& x) const {
   };
   const std::vector<char> everywhere(parts_.size(), 1);
   const double check = subtrees_->isAlone() ? 0 : checkOf(x);
-  upwards(tree(), *subtrees_, everywhere, up,
-          [&] { subtrees_->exchangeRoots(everywhere, check, out); });
+  upwards(tree(), *subtrees_, everywhere, up, [&] {
+    subtrees_->exchangeRoots(
+        everywhere, check, [&](int c) { return skeletonOf(c); }, columns, out);
+  });
   downwards(tree(), *subtrees_, everywhere, down);
   exchangeRows(everywhere, check, result);
   rotations_.addTo(result, x);

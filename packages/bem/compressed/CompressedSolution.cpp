@@ -81,7 +81,8 @@ Matrix CompressedFactor::solveSprung(const Matrix& b,
   const double check = subtrees.isAlone() ? 0 : checkOf(b);
   upwards(tree, subtrees, on, up, [&] {
     if (subtrees.isEverybodys(top_))
-      subtrees.exchangeRoots(on, check, out);
+      subtrees.exchangeRoots(
+          on, check, [&](int c) { return operators_->skeletonOf(c); }, columns, out);
   });
   downwards(tree, subtrees, on, down);
   operators_->exchangeRows(paths, check, x);

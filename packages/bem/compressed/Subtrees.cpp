@@ -9,29 +9,6 @@
 
 namespace epafi::bem {
 
-namespace {
-
-/// What each process has, by rank: sums with zeros, so that all have the same bits.
-std::vector<Vector> gathered(const DenseAlgebra& algebra, const Vector& mine) {
-  const auto count = static_cast<std::size_t>(algebra.processes());
-  const auto rank = static_cast<std::size_t>(algebra.rank());
-  Vector sizes(count);
-  sizes[rank] = static_cast<double>(mine.size());
-  sizes = algebra.sum(std::move(sizes));
-  std::vector<std::size_t> starts(1, 0);
-  for (const double size : sizes)
-    starts.push_back(starts.back() + static_cast<std::size_t>(size));
-  Vector all(starts.back());
-  std::copy(mine.begin(), mine.end(), all.data() + starts[rank]);
-  all = algebra.sum(std::move(all));
-  std::vector<Vector> result;
-  for (std::size_t r = 0; r < count; ++r)
-    result.emplace_back(all.data() + starts[r], all.data() + starts[r + 1]);
-  return result;
-}
-
-}  // namespace
-
 void Parcel::put(const std::vector<Index>& list) {
   put(static_cast<double>(list.size()));
   numbers_.insert(numbers_.end(), list.begin(), list.end());
@@ -96,54 +73,52 @@ Subtrees::Subtrees(const ClusterTree& tree, const std::vector<Index>& weights,
     owners_[static_cast<std::size_t>(c)] = std::max(ownerOf(c), ownerOf(tree[c].parent));
 }
 
-std::vector<Parcel> Subtrees::exchange(double kind, double check, Parcel mine) const {
-  Vector numbers = mine.take();
-  numbers.insert(numbers.end(), {kind, check});
-  std::vector<Parcel> result;
-  for (Vector& theirs : gathered(*algebra_, numbers)) {
-    const double itsCheck = theirs.back();
-    theirs.pop_back();
-    if (theirs.back() != kind || itsCheck != check)
+// Sums with zeros, so that all have the same bits.  What each process is about comes behind.
+Vector Subtrees::summed(double kind, double check, Vector numbers) const {
+  const std::size_t count = numbers.size();
+  const auto processes = static_cast<std::size_t>(algebra_->processes());
+  numbers.resize(count + 2 * processes);
+  const std::size_t own = count + 2 * static_cast<std::size_t>(algebra_->rank());
+  numbers[own] = kind;
+  numbers[own + 1] = check;
+  numbers = algebra_->sum(std::move(numbers));
+  for (std::size_t r = count; r < numbers.size(); r += 2)
+    if (numbers[r] != kind || numbers[r + 1] != check)
       throw NumericalError(
           "the processes do not compute the same; they need processors of one kind");
-    theirs.pop_back();
-    result.emplace_back(std::move(theirs));
-  }
-  return result;
+  numbers.resize(count);
+  return numbers;
 }
 
-void Subtrees::exchangeRoots(const std::vector<char>& on, double check,
-                             std::vector<Matrix>& matrices) const {
-  Parcel mine;
-  for (const int root : roots_)
-    if (on[static_cast<std::size_t>(root)] != 0 && isMine(root))
-      mine.put(matrices[static_cast<std::size_t>(root)]);
-  std::vector<Parcel> all = exchange(3, check, std::move(mine));
-  for (const int root : roots_)
-    if (on[static_cast<std::size_t>(root)] != 0)
-      matrices[static_cast<std::size_t>(root)] = all[at(ownerOf(root))].matrix();
+std::vector<Parcel> Subtrees::exchange(double kind, double check, Parcel parcel) const {
+  const Vector mine = parcel.take();
+  const auto rank = static_cast<std::size_t>(algebra_->rank());
+  Vector sizes(static_cast<std::size_t>(algebra_->processes()));
+  sizes[rank] = static_cast<double>(mine.size());
+  sizes = summed(kind, check, std::move(sizes));
+  std::vector<std::size_t> starts(1, 0);
+  for (const double size : sizes)
+    starts.push_back(starts.back() + static_cast<std::size_t>(size));
+  Vector all(starts.back());
+  std::copy(mine.begin(), mine.end(), all.data() + starts[rank]);
+  all = summed(kind, check, std::move(all));
+  std::vector<Parcel> result;
+  for (std::size_t r = 0; r < sizes.size(); ++r)
+    result.emplace_back(Vector(all.data() + starts[r], all.data() + starts[r + 1]));
+  return result;
 }
 
 void Subtrees::exchangeRows(const ClusterTree& tree,
                             const std::vector<ClusterPart>& parts,
                             const std::vector<char>& paths, double check,
                             Matrix& x) const {
-  if (isAlone())
-    return;
-  const auto forRows = [&](int owner, const auto& action) {
+  exchangeNumbers(1, check, [&](const auto& action) {
     for (int c = 0; c < tree.size(); ++c)
-      if (tree[c].isLeaf() && paths[static_cast<std::size_t>(c)] != 0 &&
-          ownerOf(c) == owner)
+      if (tree[c].isLeaf() && paths[static_cast<std::size_t>(c)] != 0)
         for (const Index i : parts[static_cast<std::size_t>(c)].active)
           for (Index j = 0; j < x.columns(); ++j)
-            action(x(i, j));
-  };
-  Parcel mine;
-  forRows(algebra_->rank(), [&](double& number) { mine.put(number); });
-  std::vector<Parcel> all = exchange(1, check, std::move(mine));
-  for (int r = 0; r < algebra_->processes(); ++r)
-    forRows(r,
-            [&](double& number) { number = all[static_cast<std::size_t>(r)].number(); });
+            action(c, x(i, j));
+  });
 }
 
 void Subtrees::agree(const std::string& failure) const {
@@ -152,6 +127,9 @@ void Subtrees::agree(const std::string& failure) const {
       throw NumericalError(failure);
     return;
   }
+  const Vector failing = summed(2, 0, {failure.empty() ? 0.0 : 1.0});
+  if (failing.front() == 0)
+    return;
   Parcel mine;
   mine.put(failure);
   for (Parcel& theirs : exchange(2, 0, std::move(mine))) {

@@ -55,15 +55,33 @@ class Subtrees {
   /// Of the clusters that one process has those whose parents are everybody's.
   const std::vector<int>& roots() const { return roots_; }
 
-  /// Each process's parcel, in the order of the processes.  Collective.
+  /// Each process's parcel, in the order of the processes.  Collective, as all below.
   /// \throws NumericalError where `kind` or `check` are not the same on all.
   std::vector<Parcel> exchange(double kind, double check, Parcel mine) const;
 
-  /// Others' matrices of the roots of `on`.
-  void exchangeRoots(const std::vector<char>& on, double check,
-                     std::vector<Matrix>& matrices) const;
+  /// Others' matrices of the roots of `on`; rows(root) are so many.
+  template <class Rows>
+  void exchangeRoots(const std::vector<char>& on, double check, const Rows& rows,
+                     Index columns, std::vector<Matrix>& matrices) const {
+    const auto forRoots = [&](const auto& action) {
+      for (const int root : roots_)
+        if (on[static_cast<std::size_t>(root)] != 0)
+          action(root, matrices[static_cast<std::size_t>(root)]);
+    };
+    forRoots([&](int root, Matrix& matrix) {
+      if (!isMine(root))
+        matrix = Matrix(rows(root), columns);
+    });
+    exchangeNumbers(3, check, [&](const auto& action) {
+      forRoots([&](int root, Matrix& matrix) {
+        for (Index j = 0; j < columns; ++j)
+          for (Index i = 0; i < matrix.rows(); ++i)
+            action(root, matrix(i, j));
+      });
+    });
+  }
 
-  /// Replaces others' rows of X by theirs, of the unknowns in the leaves of `paths`.
+  /// Others' rows of X in place of what stands there, of the unknowns in the leaves of `paths`.
   void exchangeRows(const ClusterTree& tree, const std::vector<ClusterPart>& parts,
                     const std::vector<char>& paths, double check, Matrix& x) const;
 
@@ -72,6 +90,26 @@ class Subtrees {
   void agree(const std::string& failure) const;
 
  private:
+  /// forNumbers(action) calls action(c, number) for numbers of clusters, on all processes in
+  /// one order: each is replaced by that of the cluster's owner.
+  template <class ForNumbers>
+  void exchangeNumbers(double kind, double check, const ForNumbers& forNumbers) const {
+    if (isAlone())
+      return;
+    Vector numbers;
+    forNumbers([&](int c, double number) {
+      numbers.push_back(ownerOf(c) == algebra_->rank() ? number : 0);
+    });
+    numbers = summed(kind, check, std::move(numbers));
+    auto next = numbers.begin();
+    forNumbers([&](int c, double& number) {
+      if (!isEverybodys(c))
+        number = *next;
+      ++next;
+    });
+  }
+  Vector summed(double kind, double check, Vector numbers) const;
+
   const DenseAlgebra* algebra_;
   std::vector<int> owners_;  ///< of the clusters
   std::vector<int> roots_;
