@@ -26,12 +26,13 @@ double forecastMemory(const BodySpaces& spaces, int processes) {
   return processes * program + bytes / mebi;
 }
 
-double forecastCompressedMemory(const BodySpaces& spaces) {
+double forecastCompressedMemory(const BodySpaces& spaces, int processes) {
+  const double each = 24000.0 + 3000.0 * (processes - 1);
   double bytes = 0;
   for (std::size_t b = 0; b < spaces.size(); ++b)
-    bytes += 24000.0 * static_cast<double>(spaces.space(b).displacements() +
-                                           spaces.space(b).densities());
-  return program + bytes / mebi;
+    bytes += each * static_cast<double>(spaces.space(b).displacements() +
+                                        spaces.space(b).densities());
+  return processes * program + bytes / mebi;
 }
 
 std::optional<std::string> tooLarge(int level, const Size& size, double forecast,

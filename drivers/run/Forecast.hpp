@@ -18,9 +18,9 @@ namespace epafi::drivers {
 /// (doc/decisions/0016), fitted to the peaks of 56 levels; 47 MiB a process for the program.
 double forecastMemory(const BodySpaces& spaces, int processes);
 
-/// The same of compressed operators on one process: 24 kB per displacement and density, as
-/// measured with degree 1 (doc/benchmarks/compression.md), and D where a stage may ask for it.
-double forecastCompressedMemory(const BodySpaces& spaces);
+/// The same of compressed operators: 24 kB per displacement and density, and 3 kB more for each
+/// further process, as measured with degree 1 (doc/benchmarks/compression.md, mpi.md).
+double forecastCompressedMemory(const BodySpaces& spaces, int processes);
 
 /// Why a level is not begun that would not fit; nothing if it does.  `forecast` is its own;
 /// `limit` the scene's, else what is free.  Collective.

@@ -89,14 +89,15 @@ std::vector<adaptivity::Indicators> estimated(const Ground& ground,
 }
 
 /// Are a level's operators compressed?
-bool compresses(const Scene& scene, const Size& size, const Ranks& ranks) {
+bool compresses(const Scene& scene, const Size& size) {
   using Operators = LinearMethod::Operators;
   const Operators wanted = linearMethods().at(scene.linear.method).operators;
   if (wanted != Operators::Cheaper)
     return wanted == Operators::Compressed;
-  // unknowns from which compressed operators cost less, see doc/benchmarks/compression.md
+  // unknowns from which compressed operators cost less, on one process and on two, see
+  // doc/benchmarks/compression.md
   constexpr bem::Index crossover = 4100;
-  return ranks.algebra().processes() == 1 && whyNotCompressed(scene).empty() &&
+  return whyNotCompressed(scene).empty() &&
          size.displacements + size.densities > crossover;
 }
 
@@ -214,8 +215,8 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
     const int number = from->level;
     const BodySpaces spaces(scene, from->meshes);
     Size size = spaces.sizes();
-    const bool compressed = compresses(scene, size, ranks);
-    size.memory = compressed ? forecastCompressedMemory(spaces)
+    const bool compressed = compresses(scene, size);
+    size.memory = compressed ? forecastCompressedMemory(spaces, algebra.processes())
                              : forecastMemory(spaces, algebra.processes());
     if (size.dof() > scene.adaptivity.limits.degreesOfFreedom)
       return {contact::Status::Converged,
