@@ -192,10 +192,8 @@ void CompressedFactor::eliminate(const std::vector<char>& dirty) {
       fails = true;
     }
   };
-  upwards(tree, operators_->subtrees(), dirty, visit, [&] {
-    operators_->subtrees().agree(failure);
-    exchangeResponses(dirty);
-  });
+  upwards(tree, operators_->subtrees(), dirty, visit,
+          [&] { exchangeResponses(dirty, failure); });
   if (fails)  // of what is everybody's, or of one process
     throw NumericalError(failure);
   if (top_ != 0)
@@ -205,28 +203,47 @@ void CompressedFactor::eliminate(const std::vector<char>& dirty) {
 }
 
 // What the processes have eliminated of the roots of their subtrees.
-void CompressedFactor::exchangeResponses(const std::vector<char>& dirty) {
+void CompressedFactor::exchangeResponses(const std::vector<char>& dirty,
+                                         const std::string& failure) {
   const Subtrees& subtrees = operators_->subtrees();
-  const auto asked = [&](int root) { return dirty[static_cast<std::size_t>(root)] != 0; };
-  Parcel mine;
-  for (const int root : subtrees.roots())
-    if (asked(root) && subtrees.isMine(root)) {
-      mine.put(node(root).isSilent() ? 1 : 0);
-      if (root != top_)
-        mine.put(response(root));
-    }
+  std::vector<double> silent(nodes_.size());
+  std::vector<Matrix> responses(nodes_.size());
+  const auto forRoots = [&](const auto& action) {
+    for (const int root : subtrees.roots())
+      if (dirty[static_cast<std::size_t>(root)] != 0)
+        action(root, silent[static_cast<std::size_t>(root)],
+               responses[static_cast<std::size_t>(root)]);
+  };
+  forRoots([&](int root, double& isSilent, Matrix& response) {
+    const Index size = root == top_ ? 0 : operators_->skeletonOf(root);
+    response = Matrix(size, size);
+    if (!subtrees.isMine(root) || !failure.empty())
+      return;
+    isSilent = node(root).isSilent() ? 1 : 0;
+    if (root != top_)
+      response = this->response(root).copy();
+  });
   constexpr double kind = 4;
-  std::vector<Parcel> all = subtrees.exchange(kind, 0, std::move(mine));
-  for (const int root : subtrees.roots())
-    if (asked(root) && !subtrees.isMine(root)) {
-      Parcel& theirs = all[at(subtrees.ownerOf(root))];
-      const auto c = static_cast<std::size_t>(root);
-      nodes_[c] = std::make_shared<const EliminatedCluster>(
-          theirs.number() != 0 ? EliminatedCluster::silent()
-                               : EliminatedCluster::elsewhere());
-      if (root != top_)
-        responses_[c] = std::make_shared<const Matrix>(theirs.matrix());
-    }
+  subtrees.exchangeNumbers(
+      kind, 0,
+      [&](const auto& action) {
+        forRoots([&](int root, double& isSilent, Matrix& response) {
+          action(root, isSilent);
+          for (Index j = 0; j < response.columns(); ++j)
+            for (Index i = 0; i < response.rows(); ++i)
+              action(root, response(i, j));
+        });
+      },
+      failure);
+  forRoots([&](int root, double isSilent, Matrix& response) {
+    if (subtrees.isMine(root))
+      return;
+    const auto c = static_cast<std::size_t>(root);
+    nodes_[c] = std::make_shared<const EliminatedCluster>(
+        isSilent != 0 ? EliminatedCluster::silent() : EliminatedCluster::elsewhere());
+    if (root != top_)
+      responses_[c] = std::make_shared<const Matrix>(std::move(response));
+  });
 }
 
 void CompressedFactor::addRotations() {

@@ -4,6 +4,7 @@
 #include "bem/compressed/EliminatedCluster.hpp"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace epafi::bem {
@@ -90,7 +91,7 @@ class CompressedFactor {
 
  private:
   void eliminate(const std::vector<char>& dirty);
-  void exchangeResponses(const std::vector<char>& dirty);
+  void exchangeResponses(const std::vector<char>& dirty, const std::string& failure);
   EliminatedCluster eliminated(int c, LeafRestriction restriction) const;
   /// By cluster, empty where nothing is to be done here: what of the restriction belongs to
   /// leaves.

@@ -294,14 +294,30 @@ class Builder {
   void exchangeSkeletons(int level) {
     if (subtrees_.roots().empty())
       return;
-    Parcel own;
-    for (const int c : tree_.level(level))
-      if (!subtrees_.isEverybodys(c) && subtrees_.isMine(c))
-        own.put(part(c).skeleton);
-    std::vector<Parcel> all = subtrees_.exchange(level, 0, std::move(own));
-    for (const int c : tree_.level(level))
-      if (!subtrees_.isEverybodys(c))
-        part(c).skeleton = all[at(subtrees_.ownerOf(c))].list();
+    // the skeleton's size and itself; there is room for all that is active
+    std::vector<Vector> lists(static_cast<std::size_t>(tree_.size()));
+    const auto forLists = [&](const auto& action) {
+      for (const int c : tree_.level(level))
+        if (!subtrees_.isEverybodys(c))
+          action(c, lists[static_cast<std::size_t>(c)]);
+    };
+    forLists([&](int c, Vector& list) {
+      const std::vector<Index>& skeleton = part(c).skeleton;
+      list.push_back(static_cast<double>(skeleton.size()));
+      list.insert(list.end(), skeleton.begin(), skeleton.end());
+      list.resize(part(c).active.size() + 1);
+    });
+    constexpr double kind = 5;
+    subtrees_.exchangeNumbers(kind, level, [&](const auto& action) {
+      forLists([&](int c, Vector& list) {
+        for (double& number : list)
+          action(c, number);
+      });
+    });
+    forLists([&](int c, const Vector& list) {
+      const auto size = static_cast<std::ptrdiff_t>(list.front());
+      part(c).skeleton.assign(list.begin() + 1, list.begin() + 1 + size);
+    });
   }
 
   bool actsOutside(Index unknown, int c) const {

@@ -6,48 +6,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
 
 namespace epafi::bem {
-
-void Parcel::put(const std::vector<Index>& list) {
-  put(static_cast<double>(list.size()));
-  numbers_.insert(numbers_.end(), list.begin(), list.end());
-}
-
-void Parcel::put(const std::string& text) {
-  put(std::vector<Index>(text.begin(), text.end()));
-}
-
-void Parcel::put(const Matrix& matrix) {
-  put(static_cast<double>(matrix.rows()));
-  put(static_cast<double>(matrix.columns()));
-  for (Index j = 0; j < matrix.columns(); ++j)
-    numbers_.insert(numbers_.end(), matrix.column(j), matrix.column(j) + matrix.rows());
-}
-
-std::vector<Index> Parcel::list() {
-  std::vector<Index> result(static_cast<std::size_t>(number()));
-  for (Index& i : result)
-    i = static_cast<Index>(number());
-  return result;
-}
-
-std::string Parcel::text() {
-  const std::vector<Index> list = this->list();
-  std::string result;
-  for (const Index i : list)
-    result += static_cast<char>(i);
-  return result;
-}
-
-Matrix Parcel::matrix() {
-  const auto rows = static_cast<Index>(number());
-  const auto columns = static_cast<Index>(number());
-  Matrix result(rows, columns);
-  for (Index j = 0; j < columns; ++j, next_ += at(rows))
-    std::copy_n(numbers_.data() + next_, rows, result.column(j));
-  return result;
-}
 
 // The highest level that has four clusters for each process; each goes to the process that
 // has least so far.  Neighbours are on different processes then, and so is what changes
@@ -74,38 +35,44 @@ Subtrees::Subtrees(const ClusterTree& tree, const std::vector<Index>& weights,
 }
 
 // Sums with zeros, so that all have the same bits.  What each process is about comes behind.
-Vector Subtrees::summed(double kind, double check, Vector numbers) const {
+Vector Subtrees::summed(double kind, double check, const std::string& failure,
+                        Vector numbers) const {
   const std::size_t count = numbers.size();
-  const auto processes = static_cast<std::size_t>(algebra_->processes());
-  numbers.resize(count + 2 * processes);
-  const std::size_t own = count + 2 * static_cast<std::size_t>(algebra_->rank());
-  numbers[own] = kind;
-  numbers[own + 1] = check;
+  const double own[3] = {kind, check, failure.empty() ? 0.0 : 1.0};
+  numbers.resize(count +
+                 std::size(own) * static_cast<std::size_t>(algebra_->processes()));
+  std::copy(std::begin(own), std::end(own),
+            numbers.end() - static_cast<std::ptrdiff_t>(std::size(own)) *
+                                (algebra_->processes() - algebra_->rank()));
   numbers = algebra_->sum(std::move(numbers));
-  for (std::size_t r = count; r < numbers.size(); r += 2)
+  bool fails = false;
+  for (std::size_t r = count; r < numbers.size(); r += std::size(own)) {
     if (numbers[r] != kind || numbers[r + 1] != check)
       throw NumericalError(
           "the processes do not compute the same; they need processors of one kind");
+    fails = fails || numbers[r + 2] != 0;
+  }
+  if (fails)
+    throwFirst(failure);
   numbers.resize(count);
   return numbers;
 }
 
-std::vector<Parcel> Subtrees::exchange(double kind, double check, Parcel parcel) const {
-  const Vector mine = parcel.take();
-  const auto rank = static_cast<std::size_t>(algebra_->rank());
+// That of the lowest rank which has one.
+void Subtrees::throwFirst(const std::string& failure) const {
   Vector sizes(static_cast<std::size_t>(algebra_->processes()));
-  sizes[rank] = static_cast<double>(mine.size());
-  sizes = summed(kind, check, std::move(sizes));
-  std::vector<std::size_t> starts(1, 0);
-  for (const double size : sizes)
-    starts.push_back(starts.back() + static_cast<std::size_t>(size));
-  Vector all(starts.back());
-  std::copy(mine.begin(), mine.end(), all.data() + starts[rank]);
-  all = summed(kind, check, std::move(all));
-  std::vector<Parcel> result;
-  for (std::size_t r = 0; r < sizes.size(); ++r)
-    result.emplace_back(Vector(all.data() + starts[r], all.data() + starts[r + 1]));
-  return result;
+  sizes[static_cast<std::size_t>(algebra_->rank())] = static_cast<double>(failure.size());
+  sizes = algebra_->sum(std::move(sizes));
+  const auto first =
+      std::find_if(sizes.begin(), sizes.end(), [](double size) { return size > 0; });
+  Vector text(static_cast<std::size_t>(*first));
+  if (first - sizes.begin() == algebra_->rank())
+    std::copy(failure.begin(), failure.end(), text.begin());
+  text = algebra_->sum(std::move(text));
+  std::string message;
+  for (const double c : text)
+    message += static_cast<char>(c);
+  throw NumericalError(message);
 }
 
 void Subtrees::exchangeRows(const ClusterTree& tree,
@@ -119,24 +86,6 @@ void Subtrees::exchangeRows(const ClusterTree& tree,
           for (Index j = 0; j < x.columns(); ++j)
             action(c, x(i, j));
   });
-}
-
-void Subtrees::agree(const std::string& failure) const {
-  if (isAlone()) {
-    if (!failure.empty())
-      throw NumericalError(failure);
-    return;
-  }
-  const Vector failing = summed(2, 0, {failure.empty() ? 0.0 : 1.0});
-  if (failing.front() == 0)
-    return;
-  Parcel mine;
-  mine.put(failure);
-  for (Parcel& theirs : exchange(2, 0, std::move(mine))) {
-    const std::string text = theirs.text();
-    if (!text.empty())
-      throw NumericalError(text);
-  }
 }
 
 const DenseAlgebra& oneProcess() {

@@ -9,29 +9,6 @@
 
 namespace epafi::bem {
 
-/// Numbers and matrices on their way to other processes.
-class Parcel {
- public:
-  Parcel() = default;
-  explicit Parcel(Vector numbers) : numbers_(std::move(numbers)) {}
-
-  void put(double number) { numbers_.push_back(number); }
-  void put(const std::vector<Index>& list);
-  void put(const std::string& text);
-  void put(const Matrix& matrix);
-
-  double number() { return numbers_[next_++]; }
-  std::vector<Index> list();
-  std::string text();
-  Matrix matrix();
-
-  Vector take() { return std::move(numbers_); }
-
- private:
-  Vector numbers_;
-  std::size_t next_ = 0;
-};
-
 /// What each process has of a tree: whole subtrees below some clusters, its roots; what is
 /// above them everybody computes.  One process has all above and no subtrees.
 ///
@@ -55,9 +32,28 @@ class Subtrees {
   /// Of the clusters that one process has those whose parents are everybody's.
   const std::vector<int>& roots() const { return roots_; }
 
-  /// Each process's parcel, in the order of the processes.  Collective, as all below.
-  /// \throws NumericalError where `kind` or `check` are not the same on all.
-  std::vector<Parcel> exchange(double kind, double check, Parcel mine) const;
+  /// forNumbers(action) calls action(c, number) for numbers of clusters, on all processes in
+  /// one order: each is replaced by that of the cluster's owner.  `failure`: why this process
+  /// cannot go on; empty: it can.  Collective, as all below.
+  /// \throws NumericalError with the failure of one of the processes, or where `kind` or
+  /// `check` are not the same on all.
+  template <class ForNumbers>
+  void exchangeNumbers(double kind, double check, const ForNumbers& forNumbers,
+                       const std::string& failure = "") const {
+    if (isAlone() && failure.empty())
+      return;
+    Vector numbers;
+    forNumbers([&](int c, double number) {
+      numbers.push_back(ownerOf(c) == algebra_->rank() ? number : 0);
+    });
+    numbers = summed(kind, check, failure, std::move(numbers));
+    auto next = numbers.begin();
+    forNumbers([&](int c, double& number) {
+      if (!isEverybodys(c))
+        number = *next;
+      ++next;
+    });
+  }
 
   /// Others' matrices of the roots of `on`; rows(root) are so many.
   template <class Rows>
@@ -87,28 +83,15 @@ class Subtrees {
 
   /// Throws the NumericalError that one of the processes has met; nothing where all messages
   /// are empty.
-  void agree(const std::string& failure) const;
+  void agree(const std::string& failure) const {
+    exchangeNumbers(
+        2, 0, [](const auto&) {}, failure);
+  }
 
  private:
-  /// forNumbers(action) calls action(c, number) for numbers of clusters, on all processes in
-  /// one order: each is replaced by that of the cluster's owner.
-  template <class ForNumbers>
-  void exchangeNumbers(double kind, double check, const ForNumbers& forNumbers) const {
-    if (isAlone())
-      return;
-    Vector numbers;
-    forNumbers([&](int c, double number) {
-      numbers.push_back(ownerOf(c) == algebra_->rank() ? number : 0);
-    });
-    numbers = summed(kind, check, std::move(numbers));
-    auto next = numbers.begin();
-    forNumbers([&](int c, double& number) {
-      if (!isEverybodys(c))
-        number = *next;
-      ++next;
-    });
-  }
-  Vector summed(double kind, double check, Vector numbers) const;
+  Vector summed(double kind, double check, const std::string& failure,
+                Vector numbers) const;
+  [[noreturn]] void throwFirst(const std::string& failure) const;
 
   const DenseAlgebra* algebra_;
   std::vector<int> owners_;  ///< of the clusters
