@@ -1,7 +1,7 @@
 """Compressed operators on 2 and 3 ranks write what 1 rank writes, to 1e-9: subtrees on ranks.
 
 Trees of several levels: Tresca and Coulomb, without stabilisation and by the density, two
-bodies and arcs, rigid bodies on load paths, clamps at holes, refined levels from warm starts."""
+bodies, arcs, a rigid body on a load path, refined levels from warm starts."""
 import os
 import sys
 
@@ -21,9 +21,7 @@ CASES = {
     "tresca": NONE + UNIFORM + ["Adaptivity->Maximum Levels=2", edges(32, 32, 8, 16, 8, 32)],
     "coulomb": DENSITY + UNIFORM + ["Adaptivity->Maximum Levels=1", edges(40, 40, 40, 40)],
     "two-blocks": DENSITY + UNIFORM + ["Adaptivity->Maximum Levels=3"],
-    "disc": DENSITY + UNIFORM + ["Adaptivity->Maximum Levels=2"],
     "press-fit": DENSITY + ["Adaptivity->Maximum Levels=3"],
-    "fretting": ["History->Times={1, 2}", "History->Steps={1, 2}"],
     "tilting-punch": ["Adaptivity->Maximum Levels=1"],
 }
 
