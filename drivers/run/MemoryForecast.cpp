@@ -44,16 +44,11 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks) {
   using Operators = LinearMethod::Operators;
   const Operators wanted = linearMethods().at(scene.linear.method).operators;
   const int processes = ranks.algebra().processes();
-  if (wanted == Operators::Compressed && processes > 1)
-    throw bem::InputError(bem::message(
-        "Solver->Linear->Method = ", scene.linear.method,
-        ": operators are compressed on one process only; start epafi without mpirun, or "
-        "choose Dense, Belos or Automatic"));
   const std::vector<BodySize> sizes = sizesOf(spaces);
   const int steps = scene.history ? static_cast<int>(scene.history.times.size()) : 1;
   const Cost dense = denseCost(sizes, steps, processes);
-  const Cost compressed = compressedCost(sizes, steps);
-  if (wanted == Operators::Dense || processes > 1)
+  const Cost compressed = compressedCost(sizes, steps, processes);
+  if (wanted == Operators::Dense)
     return {false, dense.memory};
   if (wanted == Operators::Compressed)
     return {true, compressed.memory};

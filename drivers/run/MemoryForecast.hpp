@@ -18,9 +18,8 @@ struct Plan {
   std::string advice{};  ///< what another Form would save; empty: nothing to speak of
 };
 
-/// As Solver->Linear->Method wants it; "Automatic": compressed where the scene and one
-/// process allow it and less time is foretold, or dense matrices do not fit.  Collective.
-/// \throws bem::InputError for several processes that ask for "Compressed".
+/// As Solver->Linear->Method wants it; "Automatic": compressed where the scene allows it and
+/// less time is foretold, or dense matrices do not fit.  Collective.
 Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks);
 
 /// Why a level is not begun that would not fit into Maximum Memory, or else into what is

@@ -59,9 +59,13 @@ void unpack(const Vector& numbers, Solved& solved) {
                  [](double c) { return static_cast<char>(c); });
 }
 
-/// What rank 0 makes of it, on all ranks.
+/// What rank 0 makes of it, on all ranks; where D is not formed all of them have a part in
+/// it, and take the same steps.
 template <class Solve>
-Solved onFirstRank(const bem::DenseAlgebra& algebra, const Solve& solve) {
+Solved onFirstRank(const contact::ContactSystem& system, const bem::DenseAlgebra& algebra,
+                   const Solve& solve) {
+  if (!system.numbers().flexibility.isFormed())
+    return solve();
   Solved solved;
   contact::State& state = solved.solution.state;
   if (algebra.rank() == 0)
@@ -81,7 +85,7 @@ Solved onFirstRank(const bem::DenseAlgebra& algebra, const Solve& solve) {
 Solved solve(const Scene& scene, const contact::ContactSystem& system,
              const BodySpaces& spaces, const contact::State& start,
              const bem::DenseAlgebra& algebra) {
-  return onFirstRank(algebra, [&]() -> Solved {
+  return onFirstRank(system, algebra, [&]() -> Solved {
     try {
       contact::Solution solution =
           assembled(system.numbers(), scene.solver, nullptr, [&](const auto& solver) {
@@ -100,7 +104,7 @@ Solved solve(const Scene& scene, const contact::ContactSystem& system,
 Solved solveStep(const Scene& scene, const contact::ContactSystem& system,
                  const BodySpaces& spaces, const contact::State& start,
                  const bem::DenseAlgebra& algebra) {
-  return onFirstRank(algebra, [&]() -> Solved {
+  return onFirstRank(system, algebra, [&]() -> Solved {
     try {
       // of this step only: a run that goes on behind it shall compute the same digits
       contact::FactorMemory memory;

@@ -28,7 +28,7 @@ Cost denseCost(const std::vector<BodySize>& bodies, int steps, int processes) {
   return {seconds, processes * programMemory + bytes / mebi};
 }
 
-Cost compressedCost(const std::vector<BodySize>& bodies, int steps) {
+Cost compressedCost(const std::vector<BodySize>& bodies, int steps, int processes) {
   const bool meet = std::any_of(bodies.begin(), bodies.end(),
                                 [](const BodySize& body) { return body.meetsElastic; });
   double seconds = 0;
@@ -39,9 +39,10 @@ Cost compressedCost(const std::vector<BodySize>& bodies, int steps) {
     seconds += (meet ? 2e-4 : 1.3e-4) * (1 + 0.085 * halvings) * unknowns +
                (meet ? 1.3e-3 : 2.8e-4) * steps * body.multipliers;
     bytes += (meet ? 20e3 : 14e3) * (1 + 0.13 * halvings) * unknowns +
-             (meet ? 180e3 : 36e3) * body.multipliers + 450.0 * (steps - 1) * unknowns;
+             (meet ? 180e3 : 36e3) * body.multipliers + 450.0 * (steps - 1) * unknowns +
+             3e3 * (processes - 1) * unknowns;
   }
-  return {seconds, programMemory + bytes / mebi};
+  return {seconds, processes * programMemory + bytes / mebi};
 }
 
 }  // namespace epafi::drivers

@@ -40,8 +40,9 @@ Cost denseCost(const std::vector<BodySize>& bodies, int steps, int processes);
 ///
 /// where meshes graded l times by two have larger ranks, g = 1 + 0.085 l, g' = 1 + 0.13 l.  Where
 /// bodies meet, what faces another body stays in skeletons: 2e-4 and 1.3e-3 s, 20e3 and 180e3
-/// bytes.  Of a path everything that results are made from is kept, 450 (u + d) bytes a step.
+/// bytes.  Of a path everything that results are made from is kept, 450 (u + d) bytes a step;
+/// every process but the first adds 3e3 (u + d), the top of the tree and vectors.
 ///                                                          [doc/benchmarks/compression.md]
-Cost compressedCost(const std::vector<BodySize>& bodies, int steps);
+Cost compressedCost(const std::vector<BodySize>& bodies, int steps, int processes);
 
 }  // namespace epafi::drivers

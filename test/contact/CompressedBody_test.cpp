@@ -1,5 +1,6 @@
 // A contact problem on compressed operators is the one on dense matrices: flexibility,
 // solution and number of Newton's steps, displacement, reactions, energy.
+#include "Algebra.hpp"
 #include "Solve.hpp"
 #include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/compressed/CompressedOperators.hpp"
@@ -157,8 +158,9 @@ struct Pair {
         multiplier(space.mesh(), basis, conditions),
         dense(contact::makeStiffness(space, multiplier, stabilization, lame, units,
                                      algebra)),
-        compressed(contact::makeCompressedStiffness(
-            {{space, multiplier, lame}}, stabilization, units, algebra, smallLeaves())) {}
+        compressed(contact::makeCompressedStiffness({{space, multiplier, lame}},
+                                                    stabilization, units, test::algebra(),
+                                                    smallLeaves())) {}
 
   static std::shared_ptr<const bem::Outline> outlineOf(const Case& c) {
     bem::Loop loop{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {"bottom", "right", "top", "left"}};

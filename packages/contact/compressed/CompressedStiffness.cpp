@@ -152,7 +152,7 @@ std::vector<bem::SteklovPoincare> makeCompressedStiffness(
     first += space.displacements() + space.densities();
   }
   const auto operators =
-      std::make_shared<const bem::CompressedOperators>(operands, options, local);
+      std::make_shared<const bem::CompressedOperators>(operands, options, local, algebra);
   std::vector<bem::SteklovPoincare> result;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     result.emplace_back(operators, algebra, b);
