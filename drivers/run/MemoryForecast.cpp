@@ -48,8 +48,6 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks) {
   const int steps = scene.history ? static_cast<int>(scene.history.times.size()) : 1;
   const Cost dense = denseCost(sizes, steps, processes);
   const Cost compressed = compressedCost(sizes, steps, processes);
-  if (wanted == Operators::Dense)
-    return {false, dense.memory};
   if (wanted == Operators::Compressed)
     return {true, compressed.memory};
 
@@ -61,7 +59,8 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks) {
            : denseFits == compressedFits ? compressed.memory < dense.memory
                                          : compressedFits;
   };
-  if (whyNotCompressed(scene).empty()) {
+  const bool isPossible = whyNotCompressed(scene).empty();
+  if (wanted == Operators::Cheaper && isPossible) {
     if (isBetter(1))
       return {true, compressed.memory,
               denseFits ? std::optional(dense.memory) : std::nullopt};
@@ -71,9 +70,10 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks) {
   Plan plan{false, dense.memory};
   if (isBetter(worthTelling))
     plan.advice = bem::message(
-        "with Discretization->Stabilization->Form = Density operators could be "
-        "compressed: "
-        "about ",
+        "with ", wanted == Operators::Cheaper ? "" : "Solver->Linear->Method = Automatic",
+        wanted == Operators::Cheaper || isPossible ? "" : " and ",
+        isPossible ? "" : "Discretization->Stabilization->Form = Density",
+        " operators could be compressed: about ",
         std::ceil(100 * compressed.seconds / dense.seconds), " % of the time and ",
         std::ceil(compressed.memory), " in place of ", std::ceil(dense.memory), " MiB");
   return plan;

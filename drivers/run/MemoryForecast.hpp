@@ -15,7 +15,8 @@ struct Plan {
   /// Of dense operators, which may take the place of compressed ones that fail: under Method
   /// "Automatic" where they fit.
   std::optional<double> denseInstead{};
-  std::string advice{};  ///< what another Form would save; empty: nothing to speak of
+  /// What another Method or Form would save; empty: nothing to speak of.
+  std::string advice{};
 };
 
 /// As Solver->Linear->Method wants it; "Automatic": compressed where the scene allows it and

@@ -52,13 +52,14 @@ DENSITY = ["Discretization->Stabilization="]
 
 
 def chosen(name, file, elements, settings):
-    """What a level of a scene was solved with by default, and what was printed."""
+    """What a level of a scene was solved with under "Automatic", and what was printed."""
     folder = fresh("automatic-" + name)
     code, text = epafi("run", scene(file), "--output", folder, "--threads", "1", *(
         word for setting in [
             "Adaptivity->Strategy=None", "Adaptivity->Maximum Degrees of Freedom=100000",
-            "Output->Fields=false", "Discretization->Elements per Edge={%s}" % ", ".join(
-                map(str, elements)), *settings] for word in ("--set", setting)))
+            "Solver->Linear->Method=Automatic", "Output->Fields=false",
+            "Discretization->Elements per Edge={%s}" % ", ".join(map(str, elements)),
+            *settings] for word in ("--set", setting)))
     return (table(os.path.join(folder, "history.csv"))[-1]["operators"] if code == 0 else "none"), text
 
 
@@ -70,6 +71,9 @@ claim(chosen("narrow", "tresca.xml", FOUNDATION, [*NONE, "Adaptivity->Maximum Me
       "compressed", "but compressed where dense matrices do not fit")
 claim(chosen("none", "tresca.xml", FOUNDATION, [*NONE, "Adaptivity->Maximum Memory=80"])[0] == "none",
       "and refused where neither fits")
+method, said = chosen("dense", "coulomb.xml", [256] * 4, [*DENSITY, "Solver->Linear->Method=Dense"])
+claim(method == "dense" and "Method = Automatic operators could be compressed" in said,
+      "where dense is asked for, a large level names Automatic")
 method, said = chosen("form", "coulomb.xml", [320] * 4, [])
 claim(method == "dense" and "Form = Density operators could be compressed" in said,
       "a Form that cannot be compressed stays; another one is named")
