@@ -4,7 +4,7 @@
 #      folder includes only itself, its floor, and the floors to its left.
 #   2. Solver, MPI, HDF5 and muParser headers live at the border only.
 #   3. Other headers of the packages take nothing but the standard library (their .cpp files
-#      Boost, too); Teuchos is forward declared, except in bem/base/Parameters.hpp.
+#      Boost, too); Teuchos is forward declared.
 cmake_minimum_required(VERSION 3.20)
 set(layers bem contact adaptivity drivers)
 # Folders of one floor, divided by |, may include each other.  A layer without floors is free.
@@ -76,9 +76,7 @@ while(layers)
           message(SEND_ERROR "${file} includes ${header}, which belongs into bem/tpetra, contact/nox or drivers")
         elseif(NOT file MATCHES "\\.cpp$" AND include MATCHES "<")
           if(header MATCHES "^Teuchos")
-            if(NOT file STREQUAL "packages/bem/base/Parameters.hpp")
-              message(SEND_ERROR "${file} includes ${header}: forward declare Teuchos in a core header")
-            endif()
+            message(SEND_ERROR "${file} includes ${header}: forward declare Teuchos in a core header")
           elseif(header MATCHES "[./]" AND NOT header MATCHES "intrin\\.h$")
             message(SEND_ERROR "${file} includes ${header}: core headers use the standard library only")
           endif()

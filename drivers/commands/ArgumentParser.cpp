@@ -1,5 +1,5 @@
 #include "bem/base/Error.hpp"
-#include "bem/base/Parameters.hpp"
+#include "bem/base/Suggestion.hpp"
 #include "drivers/commands/Command.hpp"
 #include "drivers/commands/Help.hpp"
 

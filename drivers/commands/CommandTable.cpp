@@ -1,7 +1,7 @@
 #include "drivers/commands/CommandTable.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/Parameters.hpp"
+#include "bem/base/Suggestion.hpp"
 #include "drivers/commands/BashCompletion.hpp"
 #include "drivers/commands/Commands.hpp"
 #include "drivers/commands/FieldsCommand.hpp"
@@ -11,7 +11,7 @@
 #include "drivers/commands/RunCommand.hpp"
 #include "drivers/commands/SchemaCommand.hpp"
 #include "drivers/commands/StudyCommand.hpp"
-#include "drivers/output/InsideFile.hpp"
+#include "drivers/output/InsideVtu.hpp"
 #include "drivers/process/Ranks.hpp"
 
 #include <algorithm>

@@ -1,15 +1,16 @@
 #include "drivers/commands/FieldsCommand.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/Parameters.hpp"
+#include "bem/base/Suggestion.hpp"
 #include "drivers/commands/FirstRank.hpp"
-#include "drivers/output/InsideFile.hpp"
+#include "drivers/output/InsideVtu.hpp"
 #include "drivers/output/SolutionFile.hpp"
 #include "drivers/process/Threads.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/SceneReader.hpp"
 
 #include <algorithm>
+#include <boost/algorithm/string/trim.hpp>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
@@ -86,8 +87,7 @@ class SavedRun {
 };
 
 std::optional<double> numberIn(std::string text) {
-  text.erase(0, text.find_first_not_of(" \t"));
-  text.erase(text.find_last_not_of(" \t\r") + 1);
+  boost::algorithm::trim(text);
   double value = 0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);

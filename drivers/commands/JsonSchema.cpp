@@ -1,3 +1,4 @@
+#include "bem/base/Error.hpp"
 #include "drivers/commands/SchemaCommand.hpp"
 
 #include <cmath>
@@ -18,13 +19,6 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-std::string number(double value) {
-  std::ostringstream text;
-  text.precision(17);
-  text << value;
-  return text.str();
-}
-
 std::string listed(const std::vector<std::string>& words) {
   std::string text = "[";
   for (const std::string& word : words)
@@ -37,11 +31,11 @@ std::string limits(const bem::Interval& interval) {
   if (std::isfinite(interval.low))
     text += std::string(", ") +
             (interval.lowOpen ? "\"exclusiveMinimum\": " : "\"minimum\": ") +
-            number(interval.low);
+            bem::message(interval.low);
   if (std::isfinite(interval.high))
     text += std::string(", ") +
             (interval.highOpen ? "\"exclusiveMaximum\": " : "\"maximum\": ") +
-            number(interval.high);
+            bem::message(interval.high);
   return text;
 }
 
@@ -87,12 +81,10 @@ class Writer {
     std::vector<std::string> required;
     std::vector<const Parameter*> literal;
     std::vector<const Parameter*> patterns;
-    for (const Parameter& row : rows_) {
-      if (row.parent() != parent)
-        continue;
-      (row.name().find('<') == std::string::npos ? literal : patterns).push_back(&row);
-      if (row.required && row.only.empty())
-        required.push_back(row.name());
+    for (const Parameter* row : childrenOf(rows_, parent)) {
+      (row->name().find('<') == std::string::npos ? literal : patterns).push_back(row);
+      if (row->required && row->only.empty())
+        required.push_back(row->name());
     }
     out_ << "\"type\": \"object\", \"additionalProperties\": false";
     if (!required.empty())

@@ -3,15 +3,11 @@
 #include "bem/base/Error.hpp"
 #include "drivers/commands/FieldsCommand.hpp"
 #include "drivers/commands/FirstRank.hpp"
+#include "drivers/process/ChildProgram.hpp"
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <vector>
 
 namespace epafi::drivers {
@@ -23,41 +19,16 @@ namespace fs = std::filesystem;
 // Debian's own: matplotlib belongs to it, whatever else PATH may offer first.
 constexpr const char* python = "/usr/bin/python3";
 
-std::string plotProgram() {
-  std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  const fs::path program =
-      self.parent_path().parent_path() / EPAFI_PYTHON / "epafi" / "plot" / "__main__.py";
-  if (!fs::exists(program, error))
-    throw bem::InputError(bem::message("plot: '", program.string(),
+/// The plotting program with arguments; its exit code, 0 or 1.
+int callPlot(std::vector<std::string> arguments) {
+  const std::string program = besideProgram(EPAFI_PYTHON "/epafi/plot/__main__.py");
+  if (!fs::exists(program))
+    throw bem::InputError(bem::message("plot: '", program,
                                        "' is missing; it is built and installed along "
                                        "with this program"));
-  return program.string();
-}
-
-}  // namespace
-
-namespace {
-
-/// The plotting program with arguments; its exit code, 0 or 1.
-int callPlot(std::vector<std::string> texts) {
-  texts.insert(texts.begin(), {python, plotProgram()});
-  std::vector<char*> arguments;
-  arguments.reserve(texts.size() + 1);
-  for (std::string& text : texts)
-    arguments.push_back(text.data());
-  arguments.push_back(nullptr);
+  arguments.insert(arguments.begin(), program);
   std::cout << std::flush;
-  pid_t child = 0;
-  const int failed =
-      posix_spawn(&child, python, nullptr, nullptr, arguments.data(), environ);
-  if (failed != 0)
-    throw bem::InputError(bem::message("plot: ", python, " cannot be started: ",
-                                       std::strerror(failed), "; install python3"));
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? 0 : 1;
+  return runChild(python, std::move(arguments), "plot", "install python3") ? 0 : 1;
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 #include "bem/base/Error.hpp"
-#include "bem/base/Parameters.hpp"
+#include "bem/base/Suggestion.hpp"
 #include "drivers/commands/Commands.hpp"
+#include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
 
 #include <algorithm>
+#include <boost/algorithm/string/predicate.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <functional>
 #include <ostream>
 #include <sstream>
@@ -12,27 +15,12 @@ namespace epafi::drivers {
 
 namespace {
 
-using Replacements = std::vector<std::pair<char, const char*>>;
-
-std::string replaced(const std::string& text, const Replacements& replacements) {
-  std::string result;
-  for (char c : text) {
-    const auto found = std::find_if(replacements.begin(), replacements.end(),
-                                    [c](const auto& pair) { return pair.first == c; });
-    if (found == replacements.end())
-      result += c;
-    else
-      result += found->second;
-  }
-  return result;
-}
-
-std::string xmlText(const std::string& text) {
-  return replaced(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
-}
-
-std::string markdownText(const std::string& text) {
-  return replaced(text, {{'|', "\\|"}, {'<', "&lt;"}, {'>', "&gt;"}, {'*', "\\*"}});
+std::string markdownText(std::string text) {
+  constexpr std::pair<const char*, const char*> signs[] = {
+      {"|", "\\|"}, {"<", "&lt;"}, {">", "&gt;"}, {"*", "\\*"}};
+  for (const auto& [sign, replacement] : signs)
+    boost::algorithm::replace_all(text, sign, replacement);
+  return text;
 }
 
 bool isList(const Parameter& row) {
@@ -56,10 +44,7 @@ std::string typeOf(const Parameter& row) {
 std::string restriction(const Parameter& row) {
   if (row.only.empty())
     return "";
-  const std::string parent = row.parent();
-  const bool friction =
-      parent.substr(parent.size() - std::min<std::size_t>(parent.size(), 8)) ==
-      "Friction";
+  const bool friction = boost::algorithm::ends_with(row.parent(), "Friction");
   return bem::message("only with ", friction ? "Law" : "Type", " ",
                       bem::quotedList(row.only));
 }
@@ -95,14 +80,13 @@ std::string markdown(const Grammar& grammar) {
   const auto table = [&](const std::string& parent) {
     out << "\n| key | type | default | range | meaning | unit "
            "|\n|---|---|---|---|---|---|\n";
-    for (const Parameter& row : rows)
-      if (row.parent() == parent) {
-        const std::string only = restriction(row);
-        out << "| " << markdownText(row.name()) << " | " << typeOf(row) << " | "
-            << markdownText(standardOf(row)) << " | " << markdownText(row.range())
-            << " | " << markdownText(row.meaning + (only.empty() ? "" : "; " + only))
-            << " | " << row.unit << " |\n";
-      }
+    for (const Parameter* row : childrenOf(rows, parent)) {
+      const std::string only = restriction(*row);
+      out << "| " << markdownText(row->name()) << " | " << typeOf(*row) << " | "
+          << markdownText(standardOf(*row)) << " | " << markdownText(row->range())
+          << " | " << markdownText(row->meaning + (only.empty() ? "" : "; " + only))
+          << " | " << row->unit << " |\n";
+    }
   };
   out << "\n## The " << grammar.name << "\n";
   table("");
@@ -143,9 +127,8 @@ std::string xml(const bem::SchemaRows& rows) {
   std::ostringstream out;
   const std::function<void(const std::string&, const std::string&)> write =
       [&](const std::string& parent, const std::string& indent) {
-        for (const Parameter& row : rows) {
-          if (row.parent() != parent)
-            continue;
+        for (const Parameter* child : childrenOf(rows, parent)) {
+          const Parameter& row = *child;
           // Two hyphens in a row would end the comment.
           out << indent << "<!-- " << remarks(row)
               << (row.range().empty() ? "" : "; " + row.range());

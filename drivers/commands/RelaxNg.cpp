@@ -1,4 +1,6 @@
+#include "bem/base/Error.hpp"
 #include "drivers/commands/SchemaCommand.hpp"
+#include "drivers/scene/SceneFile.hpp"
 
 #include <cmath>
 #include <sstream>
@@ -6,28 +8,6 @@
 namespace epafi::drivers {
 
 namespace {
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text)
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else if (c == '>')
-      result += "&gt;";
-    else
-      result += c;
-  return result;
-}
-
-/// Shortest text that reads back.
-std::string number(double value) {
-  std::ostringstream text;
-  text.precision(17);
-  text << value;
-  return text.str();
-}
 
 bool standsForNames(const std::string& name) {
   return !name.empty() && name.front() == '<' && name.back() == '>';
@@ -42,9 +22,8 @@ class Writer {
   /// once" of elements that differ in an attribute only.
   void content(const std::string& parent, const std::string& indent) {
     out_ << indent << "<zeroOrMore><choice>\n";
-    for (const Parameter& row : rows_)
-      if (row.parent() == parent)
-        entry(row, indent + "  ");
+    for (const Parameter* row : childrenOf(rows_, parent))
+      entry(*row, indent + "  ");
     out_ << indent << "</choice></zeroOrMore>\n";
   }
 
@@ -53,8 +32,8 @@ class Writer {
     const bool list = row.kind == Kind::List || row.kind == Kind::Free;
     out_ << indent << "<element name=\"" << (list ? "ParameterList" : "Parameter")
          << "\">\n"
-         << indent << "  <a:documentation>" << escaped(row.meaning)
-         << (row.unit.empty() ? "" : escaped(" [" + row.unit + "]"))
+         << indent << "  <a:documentation>" << xmlText(row.meaning)
+         << (row.unit.empty() ? "" : xmlText(" [" + row.unit + "]"))
          << "</a:documentation>\n"
          << indent << "  <attribute name=\"name\">" << nameOf(row) << "</attribute>\n"
          << indent << "  <ref name=\"marks\"/>\n";
@@ -73,7 +52,7 @@ class Writer {
       return "<text/>";
     const auto k = name.find("<k>");
     if (k == std::string::npos)
-      return "<value>" + escaped(name) + "</value>";
+      return "<value>" + xmlText(name) + "</value>";
     return "<data type=\"string\"><param name=\"pattern\">" + name.substr(0, k) +
            "[1-9][0-9]*" + name.substr(k + 3) + "</param></data>";
   }
@@ -87,7 +66,7 @@ class Writer {
   static std::string choice(const std::vector<std::string>& words) {
     std::string text = "<choice>";
     for (const std::string& word : words)
-      text += "<value>" + escaped(word) + "</value>";
+      text += "<value>" + xmlText(word) + "</value>";
     return text + "</choice>";
   }
 
@@ -96,11 +75,11 @@ class Writer {
     if (std::isfinite(interval.low))
       text += std::string("<param name=\"min") +
               (interval.lowOpen ? "Exclusive" : "Inclusive") + "\">" +
-              number(interval.low) + "</param>";
+              bem::message(interval.low) + "</param>";
     if (std::isfinite(interval.high))
       text += std::string("<param name=\"max") +
               (interval.highOpen ? "Exclusive" : "Inclusive") + "\">" +
-              number(interval.high) + "</param>";
+              bem::message(interval.high) + "</param>";
     return text;
   }
 

@@ -1,16 +1,18 @@
 #include "drivers/commands/RunCommand.hpp"
 
 #include "bem/base/Error.hpp"
+#include "drivers/output/BodiesTable.hpp"
 #include "drivers/output/BodyInsides.hpp"
+#include "drivers/output/BoundaryTable.hpp"
+#include "drivers/output/BoundaryVtu.hpp"
+#include "drivers/output/ContactTable.hpp"
 #include "drivers/output/Csv.hpp"
-#include "drivers/output/FieldFiles.hpp"
 #include "drivers/output/HistoryTable.hpp"
-#include "drivers/output/LevelTable.hpp"
 #include "drivers/output/OutputFolder.hpp"
-#include "drivers/output/PathContact.hpp"
+#include "drivers/output/PathContactTable.hpp"
+#include "drivers/output/PrintedTable.hpp"
 #include "drivers/output/Restart.hpp"
 #include "drivers/output/SolutionFile.hpp"
-#include "drivers/output/StepFiles.hpp"
 #include "drivers/output/StepsTable.hpp"
 #include "drivers/process/ExitCode.hpp"
 #include "drivers/process/Interrupt.hpp"
@@ -39,7 +41,7 @@ struct RunOptions {
   std::string output;
   std::string restart;  ///< folder of the run to go on from; empty: begin anew
   std::vector<std::string> overrides;
-  int threads = 0;  ///< 0: all cores, or what the environment says
+  int threads = 0;  ///< 0: the default
   bool force = false;
   bool quiet = false;
 };
@@ -101,32 +103,17 @@ struct PathRecord {
   std::vector<double> times;            ///< likewise
 };
 
-/// The files of a level take the place of those of the level before, the one that a
-/// restart begins with last.
-void writeLevel(const Scene& scene, const SolvedLevel& level, const std::string& used,
-                const std::string& history, const std::string& bodies,
-                const PathRecord& path, OutputFolder& folder) {
-  folder.stage("history.csv", history);
-  for (std::size_t k = 0; k < path.contacts.size(); ++k)
-    folder.stage(stepFile(k + 1, "contact.csv"), path.contacts[k]);
-  for (std::size_t k = 0; k < path.boundaries.size(); ++k)
-    folder.stage(stepFile(k + 1, "boundary.vtu"), path.boundaries[k]);
-  if (!path.boundaries.empty())
-    folder.stage("steps.pvd", stepsPvd(path.times));
-  if (!path.contacts.empty())
-    folder.stage("contact.csv", path.contacts.back());
-  else if (scene.hasContact())
-    folder.stage("contact.csv", contactCsv(scene, level.bodies));
-  if (scene.output.fields)
-    folder.stage("boundary.csv", boundaryCsv(scene, level));
-  if (scene.hasSeveral())
-    folder.stage("bodies.csv", bodies);
-  if (scene.output.fields)
-    folder.stage("solution.hdf",
-                 solutionFile(scene, level, fieldGrid(scene, level), used, history,
-                              path.steps, scene.hasSeveral() ? bodies : ""));
-  folder.commit();
-}
+/// What a solved level leaves in files, good after its operators are gone.
+struct LevelFiles {
+  std::string contact;
+  BoundaryLines grid;
+  double secondsTotal = 0;
+  double secondsWall = 0;
+};
+
+/// How much work may wait for its files [CPU seconds]: so much of a run is lost at most if it
+/// is killed, and files of small levels cost as much as solving them.
+constexpr double longestWait = 0.5;
 
 /// On the level that ends a run only: many points cost more than the levels.
 void writeInterior(const Scene& scene, const Level& level, OutputFolder& folder) {
@@ -161,19 +148,20 @@ std::string processesAndThreads(int processes) {
              : count(processes, "process", "processes") + " with " + text + " each";
 }
 
-/// Takes the levels of a run as they are solved: into the files of the folder, which the
-/// first process alone has, and as lines of the table; `solved` is told their numbers.
+/// Takes the levels of a run as they are solved: as lines of the table, and into the files of
+/// the folder, which the first process alone has; `written` is told the number of the level
+/// whose files these are.
 class Recorder {
  public:
   Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
            std::optional<OutputFolder>& folder, const ProgressLine& progress,
-           std::ostream& table, std::function<void(int)> solved)
+           std::ostream& table, std::function<void(int)> written)
       : scene_(scene),
         earlier_(earlier),
         folder_(folder),
         progress_(progress),
         table_(table),
-        solved_(std::move(solved)),
+        written_(std::move(written)),
         used_(usedXml(scene)),
         history_(earlier ? earlier->history : historyHead()),
         bodies_(earlier && !earlier->resultants.empty() ? earlier->resultants
@@ -196,18 +184,53 @@ class Recorder {
 
   void take(const SolvedLevel& level) {
     ++levels_;
-    if (folder_) {
-      write(level);
-      last_ = level.level;
-      warnings_ = warningsOf(scene_, level);
-    }
-    solved_(level.level.number);
+    if (!folder_)
+      return;
+    note(level);
+    warnings_ = warningsOf(scene_, level);
+    if (level.row.operators == denseInstead)
+      told_.push_back(bem::message("level ", level.row.level, ": ", level.row.note));
+    warnings_.insert(warnings_.begin(), told_.begin(), told_.end());
+    if (level.path != nullptr || cpuSeconds() - writtenAt_ > longestWait)
+      write();
+  }
+
+  /// The files of the level taken last, if they wait: they take the place of those of the level
+  /// before, the one that a restart begins with last.
+  void write() {
+    if (!waiting_)
+      return;
+    folder_->stage("history.csv", history_);
+    for (std::size_t k = 0; k < path_.contacts.size(); ++k)
+      folder_->stage(stepFile(k + 1, "contact.csv"), path_.contacts[k]);
+    for (std::size_t k = 0; k < path_.boundaries.size(); ++k)
+      folder_->stage(stepFile(k + 1, "boundary.vtu"), path_.boundaries[k]);
+    if (!path_.boundaries.empty())
+      folder_->stage("steps.pvd", stepsPvd(path_.times));
+    if (scene_.hasContact())
+      folder_->stage("contact.csv", waiting_->contact);
+    if (scene_.output.fields)
+      folder_->stage("boundary.csv", boundaryCsv(scene_, waiting_->grid));
+    if (scene_.hasSeveral())
+      folder_->stage("bodies.csv", bodies_);
+    if (scene_.output.fields)
+      folder_->stage("solution.hdf", solution(*last_, waiting_->secondsTotal,
+                                              waiting_->secondsWall, waiting_->grid));
+    folder_->commit();
+    path_ = {path_.steps, {}, {}, {}};
+    waiting_.reset();
+    writtenAt_ = cpuSeconds();
+    written_(last_->number);
   }
 
   /// What is written once, from the last level that there is.
   void finish(PhaseTimer& timer) {
-    if (folder_ && last_ && !scene_.output.interiorPoints.empty())
-      timer.run(Phase::Results, [&] { writeInterior(scene_, *last_, *folder_); });
+    if (folder_)
+      timer.run(Phase::Results, [&] {
+        write();
+        if (last_ && !scene_.output.interiorPoints.empty())
+          writeInterior(scene_, *last_, *folder_);
+      });
     writeTimings(timer);
   }
 
@@ -229,11 +252,10 @@ class Recorder {
       bodies_ += bodiesLines(scene_, row.level, row.step, row.bodies, row.rigid);
     folder_->stage("steps.csv", path_.steps);
     if (scene_.output.fields) {
-      const FieldGrid grid = fieldGrid(scene_, level);
+      const BoundaryLines grid = boundaryLines(scene_, level);
       path_.boundaries.push_back(boundaryVtu(grid));
-      folder_->stage("solution.hdf",
-                     solutionFile(scene_, level, grid, used_, history_, path_.steps,
-                                  scene_.hasSeveral() ? bodies_ : ""));
+      folder_->stage("solution.hdf", solution(level.level, level.row.secondsTotal,
+                                              level.row.secondsWall, grid));
     }
     folder_->commit();
     progress_.clear();
@@ -246,7 +268,15 @@ class Recorder {
   }
 
  private:
-  void write(SolvedLevel level) {
+  std::string solution(const Level& level, double secondsTotal, double secondsWall,
+                       const BoundaryLines& grid) const {
+    return solutionFile(scene_,
+                        {level, used_, history_, path_.steps,
+                         scene_.hasSeveral() ? bodies_ : "", secondsTotal, secondsWall},
+                        grid);
+  }
+
+  void note(SolvedLevel level) {
     if (earlier_) {
       level.row.secondsTotal += earlier_->secondsTotal;
       level.row.secondsWall += earlier_->secondsWall;
@@ -257,12 +287,21 @@ class Recorder {
     if (level.path == nullptr)
       bodies_ +=
           bodiesLines(scene_, level.row.level, 0, level.row.bodies, level.row.rigid);
-    writeLevel(scene_, level, used_, history_, bodies_, path_, *folder_);
-    path_ = {path_.steps, {}, {}, {}};
+    waiting_ = LevelFiles();
+    if (!path_.contacts.empty())
+      waiting_->contact = path_.contacts.back();
+    else if (scene_.hasContact())
+      waiting_->contact = contactCsv(scene_, level.bodies);
+    if (scene_.output.fields)
+      waiting_->grid = boundaryLines(scene_, level);
+    waiting_->secondsTotal = level.row.secondsTotal;
+    waiting_->secondsWall = level.row.secondsWall;
+    last_ = level.level;
     contact_ = PathContact(scene_);
     progress_.clear();
     table_ << tableLine(level.row)
-           << gamma0Note(level.row, scene_.stabilization.firstGamma0()) << std::flush;
+           << gamma0Note(level.row, scene_.stabilization.firstGamma0())
+           << operatorsNote(level.row) << std::flush;
   }
 
   const Scene& scene_;
@@ -270,7 +309,7 @@ class Recorder {
   std::optional<OutputFolder>& folder_;
   const ProgressLine& progress_;
   std::ostream& table_;
-  std::function<void(int)> solved_;
+  std::function<void(int)> written_;
   std::string used_;
   std::string history_;
   std::string bodies_;  ///< bodies.csv of all levels so far
@@ -278,7 +317,10 @@ class Recorder {
   PathContact contact_;
   std::string stages_ = "\nSolver stages, steps, how they ended\n";
   std::optional<Level> last_;
+  std::optional<LevelFiles> waiting_;  ///< of the last level, until they are written
+  double writtenAt_ = cpuSeconds();
   std::vector<std::string> warnings_;
+  std::vector<std::string> told_;  ///< likewise, of all levels
   int levels_ = 0;
 };
 
@@ -286,7 +328,7 @@ class Recorder {
 std::string advice(const RunOptions& options, const Scene& scene,
                    const std::string& folder, int level) {
   if (level < 0)
-    return "interrupted before the first level was solved; nothing is kept";
+    return "interrupted before a level was written; nothing is kept";
   if (!scene.output.fields)
     return bem::message("interrupted behind level ", level, "; its files are in ", folder,
                         ", but Output->Fields = false leaves nothing to go on from");
@@ -304,7 +346,7 @@ void warn(const std::vector<std::string>& warnings, const RunOptions& options) {
       std::cerr << "epafi: warning: " << warning << "\n";
 }
 
-/// timings.txt is written also if that fails.
+/// The last level and timings.txt are written also if a later one fails or is interrupted.
 Outcome solveAndRecord(const Scene& scene, const std::optional<Checkpoint>& earlier,
                        const Ranks& ranks, PhaseTimer& timer, Recorder& recorder) {
   try {
@@ -314,9 +356,11 @@ Outcome solveAndRecord(const Scene& scene, const std::optional<Checkpoint>& earl
         [&](const SolvedLevel& level) { recorder.takeStep(level); });
   } catch (...) {
     try {
+      recorder.write();
       recorder.writeTimings(timer);
     } catch (const bem::InputError&) {  // what went wrong first is what is told
     }
+    throwIfInterrupted();  // with the advice of what is written now
     throw;
   }
 }
@@ -326,8 +370,7 @@ Outcome solveAndRecord(const Scene& scene, const std::optional<Checkpoint>& earl
 int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   const RunOptions options = optionsOf(given);
   const Scene scene = readScene(options.scene, options.overrides);
-  if (options.threads > 0 || ranks.underMpirun())
-    setThreads(std::max(options.threads, 1));
+  chooseThreads(options.threads, ranks);
   const Beginning beginning = begin(options, scene);
   std::optional<OutputFolder> folder;  // the first rank's
   if (ranks.isFirst())

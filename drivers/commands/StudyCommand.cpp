@@ -4,10 +4,11 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/system/Definiteness.hpp"
 #include "drivers/commands/PlotCommand.hpp"
-#include "drivers/output/FieldFiles.hpp"
+#include "drivers/output/BoundaryTable.hpp"
+#include "drivers/output/ContactTable.hpp"
 #include "drivers/output/HistoryTable.hpp"
-#include "drivers/output/LevelTable.hpp"
 #include "drivers/output/OutputFolder.hpp"
+#include "drivers/output/PrintedTable.hpp"
 #include "drivers/output/Restart.hpp"
 #include "drivers/output/StepsTable.hpp"
 #include "drivers/process/Interrupt.hpp"
@@ -153,9 +154,10 @@ class StudyRun {
         steps += stepLines(level, steps.empty());
         if (level.row.report.status != contact::Status::Converged)
           return;
-        folder_.write(
-            name, solutionFile(*scene.reference, level,
-                               fieldGrid(*scene.reference, level), used, history, steps));
+        folder_.write(name, solutionFile(*scene.reference,
+                                         {level.level, used, history, steps, "",
+                                          level.row.secondsTotal, level.row.secondsWall},
+                                         boundaryLines(*scene.reference, level)));
         solved = true;
       });
     } catch (const bem::NumericalError& error) {
@@ -221,7 +223,8 @@ class StudyRun {
     table_.level(scene.name, variant, row, studied);
     folder_.write("study.csv", table_.text());
     out_ << studyLine(row, studied)
-         << gamma0Note(row, variant.scene.stabilization.firstGamma0());
+         << gamma0Note(row, variant.scene.stabilization.firstGamma0())
+         << operatorsNote(row);
     if (row.report.status != contact::Status::Converged)
       out_ << "  not converged: " << row.reason << "\n";
     out_ << std::flush;
@@ -248,11 +251,16 @@ class StudyRun {
     if (variant.swept && !study_.keepSolutions)
       return;
     folder.write("history.csv", history);
-    if (scene.output.fields)
-      folder.write("boundary.csv", boundaryCsv(scene, level));
-    if (study_.keepSolutions && scene.output.fields)
-      folder.write("solution.hdf", solutionFile(scene, level, fieldGrid(scene, level),
-                                                used, history, steps));
+    if (!scene.output.fields)
+      return;
+    const BoundaryLines grid = boundaryLines(scene, level);
+    folder.write("boundary.csv", boundaryCsv(scene, grid));
+    if (study_.keepSolutions)
+      folder.write("solution.hdf",
+                   solutionFile(scene,
+                                {level.level, used, history, steps, "",
+                                 level.row.secondsTotal, level.row.secondsWall},
+                                grid));
   }
 
   /// Different variants get different folders, even if their names differ in signs only.

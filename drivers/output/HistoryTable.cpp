@@ -94,6 +94,7 @@ constexpr Column columns[] = {
     {"contact_moment", sum<&Summary::contact, &Resultant::moment>},
     {"gamma0", cell<&LevelRow::gamma0>},
     {"memory_forecast_mb", size<&Size::memory>},
+    {"operators", [](const LevelRow& r) { return r.operators; }},
 };
 
 }  // namespace

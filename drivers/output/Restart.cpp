@@ -1,8 +1,8 @@
 #include "drivers/output/Restart.hpp"
 
 #include "bem/base/Error.hpp"
+#include "drivers/output/BodiesTable.hpp"
 #include "drivers/output/Csv.hpp"
-#include "drivers/output/FieldFiles.hpp"
 #include "drivers/output/HistoryTable.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/SceneFile.hpp"

@@ -57,8 +57,8 @@ enum BodyCount {
 /// One of the arrays, its rows of a body: the counts from `first` to `last` together.
 template <class Number>
 struct DataSet {
-  const char* name;
-  std::vector<Number> SolutionArrays::*array;
+  const char* name = nullptr;
+  std::vector<Number> SolutionArrays::*array = nullptr;
   int columns = 1;
   BodyCount first = Elements;
   BodyCount last = first;

@@ -161,22 +161,18 @@ std::vector<EdgeEnds> edgeEnds(const bem::Outline& outline) {
   return result;
 }
 
-std::string solutionFile(const Scene& scene, const SolvedLevel& level,
-                         const FieldGrid& grid, const std::string& used,
-                         const std::string& history, const std::string& steps,
-                         const std::string& resultants) {
+std::string solutionFile(const Scene& scene, Checkpoint checkpoint,
+                         const BoundaryLines& grid) {
   std::string names;
-  for (const std::string& name : gridBoundaries(scene))
+  for (const std::string& name : namesOfBoundaries(scene))
     names += name + "\n";
-  std::vector<std::vector<EdgeEnds>> outlines;
-  for (const contact::Solved& body : level.bodies)
-    outlines.push_back(edgeEnds(body.space.mesh().outline()));
+  checkpoint.outlines.clear();
+  for (const Body& body : scene.bodies)
+    checkpoint.outlines.push_back(edgeEnds(*body.outline));
 
   Hdf5Writer writer;
   writeVtkHdf(grid, writer);
-  writeCheckpoint({level.level, used, history, steps, resultants, level.row.secondsTotal,
-                   level.row.secondsWall, outlines},
-                  writer);
+  writeCheckpoint(checkpoint, writer);
   writer.text(group + "/boundaries", names);
   return writer.bytes();
 }

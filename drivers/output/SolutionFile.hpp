@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/geometry/Outline.hpp"
-#include "drivers/output/FieldGrid.hpp"
+#include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/SolutionArrays.hpp"
 #include "drivers/scene/Scene.hpp"
 
@@ -22,7 +22,7 @@ struct Checkpoint {
   std::string resultants{};  ///< bodies.csv up to the level; empty of one body
   double secondsTotal = 0;
   double secondsWall = 0;
-  std::vector<std::vector<EdgeEnds>> outlines;  ///< of the bodies
+  std::vector<std::vector<EdgeEnds>> outlines{};  ///< of the bodies
 };
 
 /// solution.hdf: a level to look at and to go on from.             [doc/solution-file.md]
@@ -30,13 +30,10 @@ struct Checkpoint {
 ///   /VTKHDF  the boundary as lines with the fields on them, which ParaView opens
 ///   /Epafi   all numbers that the next level is made from, with a checksum
 ///
-/// Its bytes, from what every process has whole.
-/// `grid`: see fieldGrid; `steps`: steps.csv so far, empty without a History; `resultants`:
-/// bodies.csv so far, likewise without several bodies.
-std::string solutionFile(const Scene& scene, const SolvedLevel& level,
-                         const FieldGrid& grid, const std::string& used,
-                         const std::string& history, const std::string& steps = "",
-                         const std::string& resultants = "");
+/// Its bytes, from what every process has whole: a checkpoint, whose outlines are the scene's,
+/// and its boundaryLines.
+std::string solutionFile(const Scene& scene, Checkpoint checkpoint,
+                         const BoundaryLines& grid);
 
 /// \throws bem::InputError naming the file, if it is not there, not complete, damaged, or
 ///   of a format that this version does not know.

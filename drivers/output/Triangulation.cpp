@@ -1,6 +1,7 @@
 #include "drivers/output/Triangulation.hpp"
 
 #include "bem/base/Error.hpp"
+#include "drivers/process/ChildProgram.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -9,8 +10,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace epafi::drivers {
@@ -79,29 +78,6 @@ void write(const std::string& file, const std::vector<std::vector<bem::Vec2>>& l
   }
 }
 
-void run(const std::string& in, const std::string& out) {
-  std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  std::string program =
-      (self.parent_path().parent_path() / "libexec" / "epafi" / "triangulate").string();
-  std::string from = in;
-  std::string to = out;
-  char* arguments[] = {program.data(), from.data(), to.data(), nullptr};
-  pid_t child = 0;
-  const int failed =
-      posix_spawn(&child, program.c_str(), nullptr, nullptr, arguments, environ);
-  if (failed != 0)
-    throw bem::InputError(bem::message("fields: '", program,
-                                       "' cannot be started: ", std::strerror(failed),
-                                       "; it is built and installed along with epafi"));
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw bem::InputError(bem::message(
-        "fields: the inside cannot be cut into triangles: '", program, "' failed"));
-}
-
 Triangulation read(const std::string& file, const bem::Outline& outline) {
   std::ifstream in(file);
   std::size_t points = 0;
@@ -132,7 +108,11 @@ Triangulation triangulate(const bem::Mesh& mesh) {
   const std::string in = scratch.file("outline");
   const std::string out = scratch.file("triangles");
   write(in, polygons(mesh));
-  run(in, out);
+  const std::string program = besideProgram("libexec/epafi/triangulate");
+  if (!runChild(program, {in, out}, "fields",
+                "it is built and installed along with epafi"))
+    throw bem::InputError(bem::message(
+        "fields: the inside cannot be cut into triangles: '", program, "' failed"));
   return read(out, mesh.outline());
 }
 

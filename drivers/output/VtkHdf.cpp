@@ -2,7 +2,7 @@
 
 namespace epafi::drivers {
 
-void writeVtkHdf(const FieldGrid& grid, Hdf5Writer& writer) {
+void writeVtkHdf(const BoundaryLines& grid, Hdf5Writer& writer) {
   constexpr unsigned char vtkLine = 3;
   writer.attribute("/VTKHDF", "Version", std::vector<int>{1, 0});
   writer.attribute("/VTKHDF", "Type", "UnstructuredGrid");

@@ -96,6 +96,9 @@ struct RigidRow {
   contact::Resultant contact;   ///< of all contacts; all three add up to nothing
 };
 
+/// Says of a level that compressed operators failed on it.
+constexpr const char* denseInstead = "dense instead";
+
 /// A row of history.csv.
 struct LevelRow {
   int level = 0;
@@ -109,9 +112,11 @@ struct LevelRow {
   double estimate = 0;                  ///< [(stress length²)^½] under Weights "Energy"
   adaptivity::Contributions squares{};  ///< of which it is made
   Seconds seconds;
-  double secondsTotal = 0;  ///< CPU since the program's start
-  double secondsWall = 0;   ///< likewise by the clock on the wall
-  double memory = 0;        ///< peak so far [MiB]
+  double secondsTotal = 0;          ///< CPU since the program's start
+  double secondsWall = 0;           ///< likewise by the clock on the wall
+  double memory = 0;                ///< peak so far [MiB]
+  std::string operators = "dense";  ///< or "compressed", or denseInstead
+  std::string note{};               ///< what to tell about them; mostly empty
 };
 
 struct Path;

@@ -8,7 +8,7 @@
 #include "contact/system/ContactSystem.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/run/BodySpaces.hpp"
-#include "drivers/run/Forecast.hpp"
+#include "drivers/run/MemoryForecast.hpp"
 #include "drivers/run/Path.hpp"
 #include "drivers/run/SolvedBodies.hpp"
 #include "drivers/run/Solver.hpp"
@@ -27,37 +27,6 @@ double gamma0Of(const contact::ContactSystem& system) {
       smallest = own;
   }
   return smallest;
-}
-
-LevelRow makeRow(const Level& level, const Size& size, double gamma0,
-                 const SolvedBodies& solved, const contact::Report& report,
-                 const PhaseTimer& timer) {
-  LevelRow row;
-  row.level = level.number;
-  row.size = size;
-  row.bodies = contact::summarizeAll(solved.bodies());
-  row.rigid = solved.rigidRows();
-  row.summary = contact::sumOf(row.bodies);
-  row.report = report;
-  row.reason = level.reason;
-  row.gamma0 = gamma0;
-  row.estimate = level.estimate();
-  row.squares = level.squares();
-  const bem::Vector cost = largestOverRanks(
-      solved.bodies().front().stiffness.algebra(),
-      {timer.levelSeconds(Phase::Assembly), timer.levelSeconds(Phase::Factorization),
-       timer.levelSeconds(Phase::Stabilization), timer.levelSeconds(Phase::Newton),
-       timer.levelSeconds(Phase::Estimate), cpuSeconds(), timer.wallSeconds(),
-       peakMemory()});
-  row.seconds.assembly = cost[0];
-  row.seconds.factorization = cost[1];
-  row.seconds.stabilization = cost[2];
-  row.seconds.newton = cost[3];
-  row.seconds.estimate = cost[4];
-  row.secondsTotal = cost[5];
-  row.secondsWall = cost[6];
-  row.memory = cost[7];
-  return row;
 }
 
 std::string capReached(int level, const Size& size, long cap) {
@@ -88,30 +57,59 @@ std::vector<adaptivity::Indicators> estimated(const Ground& ground,
   return result;
 }
 
-/// Are a level's operators compressed?
-bool compresses(const Scene& scene, const Size& size, const Ranks& ranks) {
-  using Operators = LinearMethod::Operators;
-  const Operators wanted = linearMethods().at(scene.linear.method).operators;
-  if (wanted == Operators::Compressed && ranks.algebra().processes() > 1)
-    throw bem::InputError(bem::message(
-        "Solver->Linear->Method = ", scene.linear.method,
-        ": operators are compressed on one process only; start epafi without mpirun, or "
-        "choose Dense, Belos or Automatic"));
-  if (wanted != Operators::Cheaper)
-    return wanted == Operators::Compressed;
-  // unknowns from which compressed operators cost less, see doc/benchmarks/compression.md
-  constexpr bem::Index crossover = 4100;
-  return ranks.algebra().processes() == 1 && whyNotCompressed(scene).empty() &&
-         size.displacements + size.densities > crossover;
-}
-
 /// A level that is solved now.
 struct NewLevel {
   const Size& size;
+  const Plan& plan;
   PhaseTimer& timer;
   const std::function<void(const SolvedLevel&)>& handOut;
   const std::function<void(const SolvedLevel&)>& handOutStep;
+  std::string note{};
+  bool insteadOfCompressed = false;
+
+  const char* operators() const {
+    return plan.compressed       ? "compressed"
+           : insteadOfCompressed ? "dense instead"
+                                 : "dense";
+  }
 };
+
+/// What comes of one: a level, or why another one has to take its place, of which nothing is
+/// handed out.
+using Attempt = std::variant<Level, std::string>;
+
+LevelRow makeRow(const Level& level, const NewLevel& begun, double gamma0,
+                 const SolvedBodies& solved, const contact::Report& report) {
+  const PhaseTimer& timer = begun.timer;
+  LevelRow row;
+  row.level = level.number;
+  row.size = begun.size;
+  row.operators = begun.operators();
+  row.note = begun.note;
+  row.bodies = contact::summarizeAll(solved.bodies());
+  row.rigid = solved.rigidRows();
+  row.summary = contact::sumOf(row.bodies);
+  row.report = report;
+  row.reason = level.reason;
+  row.gamma0 = gamma0;
+  row.estimate = level.estimate();
+  row.squares = level.squares();
+  const bem::Vector cost = largestOverRanks(
+      solved.bodies().front().stiffness.algebra(),
+      {timer.levelSeconds(Phase::Assembly), timer.levelSeconds(Phase::Factorization),
+       timer.levelSeconds(Phase::Stabilization), timer.levelSeconds(Phase::Newton),
+       timer.levelSeconds(Phase::Estimate), cpuSeconds(), timer.wallSeconds(),
+       peakMemory()});
+  row.seconds.assembly = cost[0];
+  row.seconds.factorization = cost[1];
+  row.seconds.stabilization = cost[2];
+  row.seconds.newton = cost[3];
+  row.seconds.estimate = cost[4];
+  row.secondsTotal = cost[5];
+  row.secondsWall = cost[6];
+  row.memory = cost[7];
+  return row;
+}
 
 /// The level at the end of the path so far; everything but the indicators.
 Level levelOf(const Ground& ground, const Path& path) {
@@ -143,11 +141,12 @@ void estimatePath(const Ground& ground, const Path& path, Level& level) {
 }
 
 /// Levels outside, steps inside: the whole path on one mesh.
-Level solvePath(const Ground& ground, const contact::ContactSystem& atZero,
-                const std::vector<PathPoint>& earlier, const NewLevel& begun) {
+Attempt solvePath(const Ground& ground, const contact::ContactSystem& atZero,
+                  const std::vector<PathPoint>& earlier, const NewLevel& begun) {
   PhaseTimer& timer = begun.timer;
   const Path path = followPath(ground, atZero, earlier, timer, [&](const Path& sofar) {
-    if (!begun.handOutStep)
+    const bool another = begun.plan.denseInstead && !sofar.last().row.converged;
+    if (!begun.handOutStep || another)
       return;
     Level level = levelOf(ground, sofar);
     level.complete = false;
@@ -157,21 +156,22 @@ Level solvePath(const Ground& ground, const contact::ContactSystem& atZero,
       begun.handOutStep({sofar.last().solved->bodies(), level, {}, &sofar});
     });
   });
+  if (begun.plan.denseInstead && !path.report.converged())
+    return path.reason;
   const SolvedBodies& solved = *path.last().solved;
   Level level = levelOf(ground, path);
   level.steps = fieldsOf(path);
   timer.run(Phase::Estimate, [&] { estimatePath(ground, path, level); });
   timer.run(Phase::Results, [&] {
-    LevelRow row =
-        makeRow(level, begun.size, gamma0Of(atZero), solved, path.report, timer);
+    LevelRow row = makeRow(level, begun, gamma0Of(atZero), solved, path.report);
     row.summary.energyFriction = path.last().row.energyDissipated;
     begun.handOut({solved.bodies(), level, row, &path});
   });
   return level;
 }
 
-Level solveOnce(const Ground& ground, const contact::ContactSystem& system,
-                const LevelStart& from, const NewLevel& begun) {
+Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
+                  const LevelStart& from, const NewLevel& begun) {
   PhaseTimer& timer = begun.timer;
   const Solved outcome = timer.run(Phase::Newton, [&] {
     return solve(ground.scene, system, ground.spaces,
@@ -179,6 +179,8 @@ Level solveOnce(const Ground& ground, const contact::ContactSystem& system,
                  ground.stiffness.front().algebra());
   });
   const contact::Report& report = outcome.solution.report;
+  if (begun.plan.denseInstead && !report.converged())
+    return outcome.reason;
   std::vector<contact::Conditions> conditions;
   for (const Body& body : ground.scene.bodies)
     conditions.push_back(body.conditions);
@@ -194,9 +196,85 @@ Level solveOnce(const Ground& ground, const contact::ContactSystem& system,
   });
   timer.run(Phase::Results, [&] {
     begun.handOut({solved.bodies(), level,
-                   makeRow(level, begun.size, gamma0Of(system), solved, report, timer)});
+                   makeRow(level, begun, gamma0Of(system), solved, report)});
   });
   return level;
+}
+
+/// A level's operators, its system and its solution.
+Attempt solveLevel(const Scene& scene, const BodySpaces& spaces,
+                   const std::vector<bem::Lame>& lames, const bem::DenseAlgebra& algebra,
+                   const bem::SingleLayerSolver* krylov, const LevelStart& from,
+                   const NewLevel& begun) {
+  const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
+  const bem::Units units = scene.units();
+  const std::size_t count = spaces.size();
+  const bool compressed = begun.plan.compressed;
+  PhaseTimer& timer = begun.timer;
+  auto operators = timer.run(Phase::Assembly, [&] {
+    std::vector<bem::Operators> all;
+    for (std::size_t b = 0; b < count && !compressed; ++b)
+      all.push_back(bem::withExactRotation(
+          bem::assembleOperators(
+              spaces.space(b), lames[b], algebra,
+              contact::tractionElements(spaces.multiplier(b), scene.stabilization)),
+          spaces.space(b), algebra));
+    return all;
+  });
+  const auto stiffness = timer.run(Phase::Factorization, [&] {
+    std::vector<bem::SteklovPoincare> all;
+    if (compressed) {
+      std::vector<contact::CompressedInput> bodies;
+      for (std::size_t b = 0; b < count; ++b)
+        bodies.push_back(
+            {spaces.space(b), spaces.multiplier(b), lames[b], spaces.opposite(b).get()});
+      return contact::makeCompressedStiffness(bodies, scene.stabilization, units, algebra,
+                                              scene.linear.compression);
+    }
+    for (std::size_t b = 0; b < count; ++b)
+      all.push_back(
+          stiffnessOf(std::move(operators[b]), algebra, krylov,
+                      contact::densityCompliance(spaces.space(b), spaces.multiplier(b),
+                                                 scene.stabilization, lames[b], units)));
+    return all;
+  });
+  const Ground ground{scene, from.level, spaces, lames, stiffness};
+  // a path starts with the conditions at t = 0
+  const std::vector<contact::Conditions> first =
+      scene.history ? scene.conditionsAt(0) : std::vector<contact::Conditions>();
+  const auto system = timer.run(Phase::Stabilization, [&] {
+    std::vector<contact::ContactProblem::Input> inputs;
+    for (std::size_t b = 0; b < count; ++b)
+      inputs.push_back({spaces.space(b), stiffness[b], lames[b], units,
+                        scene.history ? first[b] : scene.bodies[b].conditions, basis,
+                        scene.stabilization, spaces.opposite(b)});
+    return contact::ContactSystem(inputs, scene.drivesAt(scene.history ? 0 : 1));
+  });
+  checkResistance(scene, system);
+  return scene.history ? solvePath(ground, system, from.path, begun)
+                       : solveOnce(ground, system, from, begun);
+}
+
+/// With dense operators where compressed ones fail and the plan lets it: which is told.
+template <class Attempts>
+Level solveAnyhow(const Attempts& attempt, const NewLevel& begun) {
+  std::string failure;
+  try {
+    Attempt first = attempt(begun);
+    if (auto* level = std::get_if<Level>(&first))
+      return std::move(*level);
+    failure = std::get<std::string>(first);
+  } catch (const bem::NumericalError& error) {
+    if (!begun.plan.denseInstead)
+      throw;
+    failure = error.what();
+  }
+  const Plan dense{false, *begun.plan.denseInstead};
+  Size size = begun.size;
+  size.memory = dense.memory;
+  return std::get<Level>(attempt(NewLevel{
+      size, dense, begun.timer, begun.handOut, begun.handOutStep,
+      "compressed operators failed, dense ones took their place: " + failure, true}));
 }
 
 }  // namespace
@@ -205,74 +283,44 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                     const std::function<void(const SolvedLevel&)>& handOut,
                     const std::optional<Level>& earlier,
                     const std::function<void(const SolvedLevel&)>& handOutStep) {
-  const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
-  const bem::Units units = scene.units();
   const bem::DenseAlgebra& algebra = ranks.algebra();
   const auto krylov = linearMethods().at(scene.linear.method).solver(ranks, scene.linear);
-  const std::size_t count = scene.bodies.size();
   std::vector<bem::Lame> lames;
-  for (std::size_t b = 0; b < count; ++b)
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     lames.push_back(scene.lame(b));
 
+  std::string advice;  // as it was given, once
   auto next = earlier ? levelAfterRestart(scene, *earlier, algebra) : firstLevel(scene);
   while (const auto* from = std::get_if<LevelStart>(&next)) {
     const int number = from->level;
     const BodySpaces spaces(scene, from->meshes);
     Size size = spaces.sizes();
-    const bool compressed = compresses(scene, size, ranks);
-    size.memory = compressed ? forecastCompressedMemory(spaces)
-                             : forecastMemory(spaces, algebra.processes());
     if (size.dof() > scene.adaptivity.limits.degreesOfFreedom)
       return {contact::Status::Converged,
               capReached(number, size, scene.adaptivity.limits.degreesOfFreedom)};
-    if (const auto reason =
-            tooLarge(number, size, size.memory, scene.adaptivity.limits.memory, ranks))
+    const Plan plan = planOf(scene, spaces, ranks);
+    size.memory = plan.memory;
+    if (const auto reason = tooLarge(number, size, plan, scene, ranks))
       return {contact::Status::Converged, *reason};
     timer.startLevel(number);
 
-    auto operators = timer.run(Phase::Assembly, [&] {
-      std::vector<bem::Operators> all;
-      for (std::size_t b = 0; b < count && !compressed; ++b)
-        all.push_back(bem::withExactRotation(
-            bem::assembleOperators(
-                spaces.space(b), lames[b], algebra,
-                contact::tractionElements(spaces.multiplier(b), scene.stabilization)),
-            spaces.space(b), algebra));
-      return all;
-    });
-    const auto stiffness = timer.run(Phase::Factorization, [&] {
-      std::vector<bem::SteklovPoincare> all;
-      if (compressed) {
-        std::vector<contact::CompressedInput> bodies;
-        for (std::size_t b = 0; b < count; ++b)
-          bodies.push_back({spaces.space(b), spaces.multiplier(b), lames[b],
-                            spaces.opposite(b).get()});
-        return contact::makeCompressedStiffness(bodies, scene.stabilization, units,
-                                                algebra, scene.linear.compression);
-      }
-      for (std::size_t b = 0; b < count; ++b)
-        all.push_back(stiffnessOf(
-            std::move(operators[b]), algebra, krylov.get(),
-            contact::densityCompliance(spaces.space(b), spaces.multiplier(b),
-                                       scene.stabilization, lames[b], units)));
-      return all;
-    });
-    const Ground ground{scene, number, spaces, lames, stiffness};
-    const NewLevel begun{size, timer, handOut, handOutStep};
-    // a path starts with the conditions at t = 0
-    const std::vector<contact::Conditions> first =
-        scene.history ? scene.conditionsAt(0) : std::vector<contact::Conditions>();
-    const auto system = timer.run(Phase::Stabilization, [&] {
-      std::vector<contact::ContactProblem::Input> inputs;
-      for (std::size_t b = 0; b < count; ++b)
-        inputs.push_back({spaces.space(b), stiffness[b], lames[b], units,
-                          scene.history ? first[b] : scene.bodies[b].conditions, basis,
-                          scene.stabilization, spaces.opposite(b)});
-      return contact::ContactSystem(inputs, scene.drivesAt(scene.history ? 0 : 1));
-    });
-    checkResistance(scene, system);
-    const Level level = scene.history ? solvePath(ground, system, from->path, begun)
-                                      : solveOnce(ground, system, *from, begun);
+    std::size_t handed = 0;  // steps, which another attempt does not hand out again
+    std::function<void(const SolvedLevel&)> handOutNew;
+    if (handOutStep)
+      handOutNew = [&](const SolvedLevel& level) {
+        if (level.path->steps.size() > handed) {
+          ++handed;
+          handOutStep(level);
+        }
+      };
+    const Level level = solveAnyhow(
+        [&](const NewLevel& begun) {
+          return solveLevel(scene, spaces, lames, algebra, krylov.get(), *from, begun);
+        },
+        NewLevel{size, plan, timer, handOut, handOutNew,
+                 advice.empty() ? plan.advice : ""});
+    if (advice.empty())
+      advice = plan.advice;
     timer.endLevel();
     next = nextLevel(scene, level, algebra);
   }

@@ -6,7 +6,7 @@
 #include "adaptivity/refine/Refine.hpp"
 #include "bem/base/Error.hpp"
 #include "drivers/run/BodySpaces.hpp"
-#include "drivers/run/FacingSides.hpp"
+#include "drivers/run/FacingMarks.hpp"
 
 #include <algorithm>
 

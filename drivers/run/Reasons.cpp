@@ -1,6 +1,7 @@
 #include "drivers/run/Reasons.hpp"
 
 #include "bem/base/Error.hpp"
+#include "contact/multiplier/MultiplierBasis.hpp"
 
 #include <algorithm>
 #include <set>
@@ -82,8 +83,16 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
 
 }  // namespace
 
-std::string reasonOf(const Report& report) {
-  return report.converged() ? "" : worded(report, report.stages);
+std::string reasonOf(const Report& report, const Scene& scene) {
+  if (report.converged())
+    return "";
+  const bool unstable = scene.stabilization.form == contact::Stabilization::Form::None &&
+                        !contact::multiplierBasis(scene.multiplier).sharesNodes;
+  return worded(report, report.stages) +
+         (unstable ? message("; Discretization->Stabilization->Form = 'None' is stable "
+                             "with Multiplier 'Biorthogonal' only, not with '",
+                             scene.multiplier, "'")
+                   : "");
 }
 
 std::string withAdvice(const contact::NoBalance& error, const std::string& unresisted) {

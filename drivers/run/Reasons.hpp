@@ -10,7 +10,7 @@
 namespace epafi::drivers {
 
 /// Why a solve did not converge and what in the scene might help; empty if it did.
-std::string reasonOf(const contact::Report& report);
+std::string reasonOf(const contact::Report& report, const Scene& scene);
 
 /// What nothing balances, in words of `unresisted` if there are any, and what in the scene
 /// might.

@@ -58,7 +58,7 @@ SolvedBodies::SolvedBodies(const Ground& ground, const contact::ContactSystem& s
     }
   }
   for (std::size_t b = 0; b < count; ++b)
-    bodies_[b].pressed = contact::pressureOn(b, bodies_);
+    bodies_[b].pressed = contact::ForeignPressure(b, bodies_);
 }
 
 Level SolvedBodies::level(int number) const {

@@ -59,9 +59,13 @@ void unpack(const Vector& numbers, Solved& solved) {
                  [](double c) { return static_cast<char>(c); });
 }
 
-/// What rank 0 makes of it, on all ranks.
+/// What rank 0 makes of it, on all ranks; where D is not formed all of them have a part in
+/// it, and take the same steps.
 template <class Solve>
-Solved onFirstRank(const bem::DenseAlgebra& algebra, const Solve& solve) {
+Solved onFirstRank(const contact::ContactSystem& system, const bem::DenseAlgebra& algebra,
+                   const Solve& solve) {
+  if (!system.numbers().flexibility.isFormed())
+    return solve();
   Solved solved;
   contact::State& state = solved.solution.state;
   if (algebra.rank() == 0)
@@ -81,15 +85,15 @@ Solved onFirstRank(const bem::DenseAlgebra& algebra, const Solve& solve) {
 Solved solve(const Scene& scene, const contact::ContactSystem& system,
              const BodySpaces& spaces, const contact::State& start,
              const bem::DenseAlgebra& algebra) {
-  return onFirstRank(algebra, [&]() -> Solved {
+  return onFirstRank(system, algebra, [&]() -> Solved {
     try {
       contact::Solution solution =
           assembled(system.numbers(), scene.solver, nullptr, [&](const auto& solver) {
             return contact::solveInLoadSteps(solver, system.numbers(), system.gap(),
                                              start, scene.solver.loadSteps);
           });
-      const std::string reason =
-          reasonOf(solution.report) + restlessPlaces(solution.report, system, spaces);
+      const std::string reason = reasonOf(solution.report, scene) +
+                                 restlessPlaces(solution.report, system, spaces);
       return {std::move(solution), reason};
     } catch (const contact::NoBalance& error) {
       throw bem::NumericalError(withAdvice(error, unresisted(scene, spaces, system)));
@@ -100,14 +104,14 @@ Solved solve(const Scene& scene, const contact::ContactSystem& system,
 Solved solveStep(const Scene& scene, const contact::ContactSystem& system,
                  const BodySpaces& spaces, const contact::State& start,
                  const bem::DenseAlgebra& algebra) {
-  return onFirstRank(algebra, [&]() -> Solved {
+  return onFirstRank(system, algebra, [&]() -> Solved {
     try {
       // of this step only: a run that goes on behind it shall compute the same digits
       contact::FactorMemory memory;
       contact::Solution solution = assembled(
           system.numbers(), scene.solver, &memory,
           [&](const auto& solver) { return solver.solve(system.numbers(), start); });
-      const std::string reason = reasonOf(solution.report);
+      const std::string reason = reasonOf(solution.report, scene);
       return {std::move(solution), reason};
     } catch (const contact::NoBalance& error) {
       return {{}, withAdvice(error, unresisted(scene, spaces, system))};

@@ -1,7 +1,7 @@
 #include "drivers/run/Warnings.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/Parameters.hpp"
+#include "bem/base/Suggestion.hpp"
 #include "contact/results/ContactFields.hpp"
 #include "drivers/run/Path.hpp"
 

@@ -1,7 +1,7 @@
 #include "drivers/scene/BodiesReader.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/Parameters.hpp"
+#include "bem/base/Suggestion.hpp"
 #include "drivers/scene/ConditionsReader.hpp"
 #include "drivers/scene/Expression.hpp"
 #include "drivers/scene/GeometryReader.hpp"

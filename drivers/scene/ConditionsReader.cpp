@@ -1,7 +1,7 @@
 #include "drivers/scene/ConditionsReader.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/Parameters.hpp"
+#include "bem/base/Suggestion.hpp"
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>

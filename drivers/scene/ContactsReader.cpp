@@ -1,7 +1,7 @@
 #include "drivers/scene/ContactsReader.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/Parameters.hpp"
+#include "bem/base/Suggestion.hpp"
 #include "contact/opposite/NormalRay.hpp"
 #include "drivers/scene/ConditionsReader.hpp"
 #include "drivers/scene/OverlapCheck.hpp"

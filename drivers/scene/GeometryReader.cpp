@@ -1,10 +1,11 @@
 #include "drivers/scene/GeometryReader.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/Parameters.hpp"
+#include "bem/base/Suggestion.hpp"
 #include "drivers/scene/GeometryFile.hpp"
 
 #include <Teuchos_Array.hpp>
+#include <Teuchos_ParameterList.hpp>
 #include <Teuchos_TwoDArray.hpp>
 
 #include <algorithm>

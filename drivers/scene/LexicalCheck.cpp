@@ -1,12 +1,13 @@
 #include "drivers/scene/LexicalCheck.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/Parameters.hpp"
-#include "drivers/scene/Commas.hpp"
+#include "bem/base/Suggestion.hpp"
+#include "drivers/scene/ArrayText.hpp"
 
 #include <Teuchos_XMLObject.hpp>
 
 #include <algorithm>
+#include <boost/algorithm/string/trim.hpp>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -21,55 +22,19 @@ namespace {
 using bem::InputError;
 using bem::message;
 
-std::string trimmed(const std::string& text) {
-  const char* blank = " \t\r\n";
-  const auto first = text.find_first_not_of(blank);
-  if (first == std::string::npos)
-    return "";
-  return text.substr(first, text.find_last_not_of(blank) - first + 1);
-}
+using boost::algorithm::trim_copy;
 
-bool isDigit(char c) { return '0' <= c && c <= '9'; }
-
-/// Length of the digits that start at `at`.
-std::size_t digits(const std::string& text, std::size_t at) {
-  std::size_t end = at;
-  while (end < text.size() && isDigit(text[end]))
-    ++end;
-  return end - at;
-}
-
-std::size_t sign(const std::string& text, std::size_t at) {
-  return at < text.size() && (text[at] == '+' || text[at] == '-') ? 1 : 0;
-}
-
-/// [+-] digits [. digits] [e [+-] digits], at least one digit before the exponent.
-bool spellsReal(const std::string& text) {
-  std::size_t at = sign(text, 0);
-  const std::size_t whole = digits(text, at);
-  at += whole;
-  std::size_t fraction = 0;
-  if (at < text.size() && text[at] == '.') {
-    fraction = digits(text, ++at);
-    at += fraction;
-  }
-  if (whole + fraction == 0)
-    return false;
-  if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
-    ++at;
-    at += sign(text, at);
-    const std::size_t exponent = digits(text, at);
-    if (exponent == 0)
-      return false;
-    at += exponent;
-  }
-  return at == text.size();
+bool isCount(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
 void checkReal(const std::string& text, double largest) {
-  if (!spellsReal(text))
+  char* stop = nullptr;
+  const double value = std::strtod(text.c_str(), &stop);
+  // strtod knows infinities and hexadecimal digits, too
+  if (text.empty() || stop != text.c_str() + text.size() ||
+      text.find_first_not_of("0123456789+-.eE") != std::string::npos)
     throw InputError(message("'", text, "' is not a number; write 0.5, -3 or 1e-3"));
-  const double value = std::strtod(text.c_str(), nullptr);
   if (!(std::abs(value) <= largest))
     throw InputError(message("'", text, "' is too large for a number"));
   const std::string mantissa = text.substr(0, text.find_first_of("eE"));
@@ -87,7 +52,7 @@ void checkWhole(const std::string& text) {
     throw InputError(message("'", text, "' is out of range; from ",
                              std::numeric_limits<Integer>::min(), " to ",
                              std::numeric_limits<Integer>::max()));
-  if (error != std::errc() || stop != end || (start == 1 && !isDigit(text[1])))
+  if (error != std::errc() || stop != end || (start == 1 && text[1] == '-'))
     throw InputError(message("'", text, "' is not a whole number"));
 }
 
@@ -134,13 +99,13 @@ std::vector<std::string> typeNames() {
 long checkEntries(const Scalar& scalar, const std::string& text) {
   if (text.size() < 2 || text.front() != '{' || text.back() != '}')
     throw InputError(message("'", text, "' is not an array; write {a, b, c}"));
-  const std::string inner = trimmed(text.substr(1, text.size() - 2));
+  const std::string inner = trim_copy(text.substr(1, text.size() - 2));
   if (inner.empty())
     return 0;
   long count = 0;
   const bool texts = std::string(scalar.type) == "string";  // may hold arrays: A={4, 4}
   for (const std::string& piece : pieces(inner)) {
-    const std::string entry = trimmed(piece);
+    const std::string entry = trim_copy(piece);
     const bool brace = entry.find_first_of("{}") != std::string::npos;
     if (entry.empty() || (brace && !(texts && isBalanced(entry))))
       throw InputError(message("entry ", count, " = '", entry,
@@ -158,21 +123,19 @@ long checkEntries(const Scalar& scalar, const std::string& text) {
 
 /// RxC:{a, b, ...}
 void checkTable(const Scalar& scalar, const std::string& text) {
-  const std::size_t rows = digits(text, 0);
-  const std::size_t columns = rows < text.size() ? digits(text, rows + 1) : 0;
-  const std::size_t colon = rows + 1 + columns;
-  if (rows == 0 || columns == 0 || text[rows] != 'x' || colon >= text.size() ||
-      text[colon] != ':')
+  const std::string size = text.substr(0, text.find(':'));
+  const std::string rows = size.substr(0, size.find('x'));
+  const std::string columns = size.substr(std::min(rows.size() + 1, size.size()));
+  if (!isCount(rows) || !isCount(columns) || size.size() == text.size())
     throw InputError(
         message("'", text, "' is not a table; write 4x2:{a, b, ...}, row by row"));
-  checkWhole<int>(text.substr(0, rows));
-  checkWhole<int>(text.substr(rows + 1, columns));
-  const long wanted =
-      std::stol(text.substr(0, rows)) * std::stol(text.substr(rows + 1, columns));
-  const long found = checkEntries(scalar, trimmed(text.substr(colon + 1)));
+  checkWhole<int>(rows);
+  checkWhole<int>(columns);
+  const long wanted = std::stol(rows) * std::stol(columns);
+  const long found = checkEntries(scalar, trim_copy(text.substr(size.size() + 1)));
   if (found != wanted)
-    throw InputError(message("a table ", text.substr(0, colon), " has ", wanted,
-                             " entries; ", found, " are given"));
+    throw InputError(
+        message("a table ", size, " has ", wanted, " entries; ", found, " are given"));
 }
 
 std::string between(const std::string& text, const std::string& before) {
@@ -201,9 +164,9 @@ void checkParameter(const Teuchos::XMLObject& object) {
 void checkList(const Teuchos::XMLObject& list, const std::string& path) {
   const std::string start = path.empty() ? "" : path + ": ";
   for (int i = 0; i < list.numContentLines(); ++i)
-    if (!trimmed(list.getContentLine(i)).empty())
+    if (!trim_copy(list.getContentLine(i)).empty())
       throw InputError(
-          message(start, "stray text '", trimmed(list.getContentLine(i)), "'"));
+          message(start, "stray text '", trim_copy(list.getContentLine(i)), "'"));
   std::set<std::string> names;
   for (int i = 0; i < list.numChildren(); ++i) {
     const Teuchos::XMLObject& child = list.getChild(i);
@@ -231,11 +194,11 @@ void checkList(const Teuchos::XMLObject& list, const std::string& path) {
 
 void checkValue(const std::string& type, const std::string& value) {
   if (const Scalar* scalar = findScalar(type))
-    scalar->check(type == "string" ? value : trimmed(value));
+    scalar->check(type == "string" ? value : trim_copy(value));
   else if (const Scalar* entry = findScalar(between(type, "Array(")))
-    checkEntries(*entry, trimmed(value));
+    checkEntries(*entry, trim_copy(value));
   else if (const Scalar* cell = findScalar(between(type, "TwoDArray(")))
-    checkTable(*cell, trimmed(value));
+    checkTable(*cell, trim_copy(value));
   else
     throw InputError(
         message("unknown type '", type, "'", bem::suggestion(type, typeNames())));

@@ -32,8 +32,9 @@ bem::Family<LinearMethod>& linearMethods() {
            "elements; Stabilization->Form Density or None",
            factors, LinearMethod::Operators::Compressed},
           {"Automatic",
-           "Compressed where that is possible and costs less, else Dense; "
-           "never changes Stabilization->Form",
+           "Compressed where that is possible and costs less, by a forecast from sizes, "
+           "or where "
+           "Dense would not fit, else Dense; never changes Stabilization->Form",
            factors, LinearMethod::Operators::Cheaper},
       });
   return family;

@@ -1,7 +1,7 @@
 #include "drivers/scene/MeshReader.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/Parameters.hpp"
+#include "bem/base/Suggestion.hpp"
 #include "drivers/scene/GeometryReader.hpp"
 
 #include <Teuchos_Array.hpp>

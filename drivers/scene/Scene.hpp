@@ -9,8 +9,8 @@
 #include "contact/opposite/RigidBodies.hpp"
 #include "contact/stabilization/Stabilization.hpp"
 #include "drivers/scene/Expression.hpp"
+#include "drivers/scene/History.hpp"
 #include "drivers/scene/LinearMethod.hpp"
-#include "drivers/scene/LoadPath.hpp"
 #include "drivers/scene/OutputOptions.hpp"
 #include "drivers/scene/RunLimits.hpp"
 

@@ -1,7 +1,7 @@
 #include "drivers/scene/SceneFile.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/scene/Commas.hpp"
+#include "drivers/scene/ArrayText.hpp"
 #include "drivers/scene/LexicalCheck.hpp"
 #include "drivers/scene/Schema.hpp"
 
@@ -13,8 +13,9 @@
 #include <Teuchos_XMLParameterListReader.hpp>
 #include <Teuchos_YamlParameterListCoreHelpers.hpp>
 
+#include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -26,6 +27,8 @@ namespace {
 
 using bem::InputError;
 using bem::message;
+using bem::shortest;
+using boost::algorithm::trim_copy;
 
 /// What Teuchos complains about, without where in its sources it did.
 std::string complaint(const std::exception& error) {
@@ -106,32 +109,6 @@ RawScene readYaml(const std::string& text, const std::string& standardTitle) {
   }
 }
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\n':
-        result += "&#10;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
-
 /// An entry through Teuchos' own reader, so that --set reads what a file would.
 Teuchos::ParameterEntry entryOf(const std::string& type, const std::string& value) {
   if (type == "string")
@@ -151,12 +128,6 @@ struct Spelling {
   std::string type;
   std::string value;
 };
-
-std::string shortest(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value);
-  return {text, end.ptr};
-}
 
 Spelling spell(const Teuchos::ParameterEntry& entry, const std::string& name) {
   if (entry.isType<double>())
@@ -193,7 +164,7 @@ void collect(const Teuchos::ParameterList& list, const std::string& prefix,
 
 void write(const Teuchos::ParameterList& list, const std::string& name,
            const std::string& indent, std::ostream& out) {
-  out << indent << "<ParameterList name=\"" << escaped(name) << "\">\n";
+  out << indent << "<ParameterList name=\"" << xmlText(name) << "\">\n";
   const std::string inner = indent + "  ";
   for (const auto& item : list) {
     if (item.second.isList()) {
@@ -202,14 +173,22 @@ void write(const Teuchos::ParameterList& list, const std::string& name,
       continue;
     }
     const Spelling spelling = spell(item.second, item.first);
-    out << inner << "<Parameter name=\"" << escaped(item.first) << "\" type=\""
-        << spelling.type << "\" value=\"" << escaped(spelling.value)
+    out << inner << "<Parameter name=\"" << xmlText(item.first) << "\" type=\""
+        << spelling.type << "\" value=\"" << xmlText(spelling.value)
         << (item.second.isDefault() ? "\" isDefault=\"true\"/>\n" : "\"/>\n");
   }
   out << indent << "</ParameterList>\n";
 }
 
 }  // namespace
+
+std::string xmlText(std::string text) {
+  constexpr std::pair<const char*, const char*> entities[] = {
+      {"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}, {"\n", "&#10;"}};
+  for (const auto& [sign, entity] : entities)
+    boost::algorithm::replace_all(text, sign, entity);
+  return text;
+}
 
 std::string readText(const std::string& file) {
   namespace fs = std::filesystem;
@@ -259,25 +238,29 @@ RawScene readRawScene(const std::string& file) { return rawScene(readText(file),
 
 namespace {
 
-std::string trimmed(const std::string& text) {
-  const auto first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos)
-    return "";
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
-/// The list that a path stands in, made if it is not there.
-Teuchos::ParameterList& parentOf(Teuchos::ParameterList& list, const std::string& path) {
+/// The list that a path stands in; `missing(list, name, path)` where it has no such sublist.
+template <class Missing>
+Teuchos::ParameterList& parentOf(Teuchos::ParameterList& list, const std::string& path,
+                                 const Missing& missing) {
   Teuchos::ParameterList* target = &list;
   std::size_t at = 0;
   for (auto end = path.find("->"); end != std::string::npos; end = path.find("->", at)) {
     const std::string name = path.substr(at, end - at);
-    if (target->isParameter(name) && !target->isSublist(name))
-      throw InputError(path.substr(0, end) + ": is no sublist in the scene");
+    if (!target->isSublist(name))
+      missing(*target, name, path.substr(0, end));
     target = &target->sublist(name);
     at = end + 2;
   }
   return *target;
+}
+
+/// The same, made if it is not there.
+Teuchos::ParameterList& madeParentOf(Teuchos::ParameterList& list,
+                                     const std::string& path) {
+  return parentOf(list, path, [](const auto& parent, const auto& name, const auto& at) {
+    if (parent.isParameter(name))
+      throw InputError(at + ": is no sublist in the scene");
+  });
 }
 
 std::string lastOf(const std::string& path) {
@@ -285,28 +268,16 @@ std::string lastOf(const std::string& path) {
   return at == std::string::npos ? path : path.substr(at + 2);
 }
 
-/// As parentOf, but makes nothing; nullptr if there is none.
-Teuchos::ParameterList* findParent(Teuchos::ParameterList& list,
-                                   const std::string& path) {
-  Teuchos::ParameterList* target = &list;
-  std::size_t at = 0;
-  for (auto end = path.find("->"); end != std::string::npos; end = path.find("->", at)) {
-    const std::string name = path.substr(at, end - at);
-    if (!target->isSublist(name))
-      return nullptr;
-    target = &target->sublist(name);
-    at = end + 2;
-  }
-  return target;
-}
-
 void removeAt(Teuchos::ParameterList& list, const std::string& path) {
-  Teuchos::ParameterList* parent = findParent(list, path);
-  if (parent == nullptr || !parent->isParameter(lastOf(path)))
+  const auto refuse = [&path](const auto&...) {
     throw InputError(path +
                      ": is not in the scene, so it cannot be removed; a value is "
                      "written behind the =");
-  parent->remove(lastOf(path));
+  };
+  Teuchos::ParameterList& parent = parentOf(list, path, refuse);
+  if (!parent.isParameter(lastOf(path)))
+    refuse();
+  parent.remove(lastOf(path));
 }
 
 void setAt(Teuchos::ParameterList& list, const std::string& path,
@@ -319,39 +290,39 @@ void setList(Teuchos::ParameterList& list, const std::string& path,
     throw InputError(path +
                      ": is a sublist; name a key in it, or replace the whole by "
                      "{Key=value, Key=value}");
-  Teuchos::ParameterList& parent = parentOf(list, path);
+  Teuchos::ParameterList& parent = madeParentOf(list, path);
   parent.remove(lastOf(path), false);
   parent.sublist(lastOf(path));
   for (const std::string& piece : pieces(value.substr(1, value.size() - 2))) {
-    if (trimmed(piece).empty())
+    if (trim_copy(piece).empty())
       continue;
     const auto equal = piece.find('=');
     if (equal == std::string::npos)
-      throw InputError(message(path, ": '", trimmed(piece), "' is no Key=value"));
-    setAt(list, path + "->" + trimmed(piece.substr(0, equal)), piece.substr(equal + 1));
+      throw InputError(message(path, ": '", trim_copy(piece), "' is no Key=value"));
+    setAt(list, path + "->" + trim_copy(piece.substr(0, equal)), piece.substr(equal + 1));
   }
 }
 
 void setAt(Teuchos::ParameterList& list, const std::string& path,
            const std::string& value) {
   const Parameter& row = declared(path);
-  if (trimmed(value).empty())
+  if (trim_copy(value).empty())
     return removeAt(list, path);
   if (row.kind == Kind::List)
-    return setList(list, path, trimmed(value));
+    return setList(list, path, trim_copy(value));
   if (row.kind == Kind::Free)
     throw InputError(path + ": is a sublist that --set can only remove");
   const bool alone = value.find('{') == std::string::npos;
   const std::string type = alone && row.kind == Kind::Counts  ? "int"
                            : alone && row.kind == Kind::Reals ? "double"
                                                               : typeName(row.kind);
-  const std::string text = type == "string" ? value : trimmed(value);
+  const std::string text = type == "string" ? value : trim_copy(value);
   try {
     checkValue(type, text);
   } catch (const InputError& error) {
     throw InputError(path + ": " + error.what());
   }
-  parentOf(list, path).setEntry(lastOf(path), entryOf(type, text));
+  madeParentOf(list, path).setEntry(lastOf(path), entryOf(type, text));
 }
 
 }  // namespace

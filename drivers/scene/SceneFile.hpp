@@ -14,6 +14,9 @@ struct RawScene {
   Teuchos::ParameterList list;
 };
 
+/// A text as XML has it between quotes.
+std::string xmlText(std::string text);
+
 /// A whole file.
 /// \throws bem::InputError for a file that is missing, a folder, a device or not
 ///   readable; without the file's name.

@@ -1,7 +1,7 @@
 #include "drivers/scene/SceneReader.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/Parameters.hpp"
+#include "bem/base/Suggestion.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/solve/LoadContinuation.hpp"
 #include "drivers/process/Versions.hpp"

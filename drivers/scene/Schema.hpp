@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bem/base/Parameters.hpp"
 #include "bem/base/Schema.hpp"
+#include "bem/base/Suggestion.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 

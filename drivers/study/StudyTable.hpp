@@ -2,8 +2,8 @@
 
 #include "drivers/output/Csv.hpp"
 #include "drivers/output/HistoryTable.hpp"
-#include "drivers/output/Snapshot.hpp"
 #include "drivers/study/Study.hpp"
+#include "drivers/study/TrueError.hpp"
 
 #include <optional>
 

@@ -75,9 +75,10 @@ TEUCHOS_UNIT_TEST(Doerfler, marksTheSmallestSetOfAll) {
   }
 }
 
-TEUCHOS_UNIT_TEST(Doerfler, marksWhatIsEqualUpToRoundingTogether) {
-  const double tie = 1 - 1e-12;
-  const bem::Vector squares = {1, 0.1, tie, 0.2, 1, tie, 0.999999};
+TEUCHOS_UNIT_TEST(Doerfler, marksWhatIsEqualUpToQuadratureTogether) {
+  // what ought to be equal differs by the quadrature of indicators
+  const double tie = 1 - 4e-6;
+  const bem::Vector squares = {1, 0.1, tie, 0.2, 1, tie, 0.9999};
   TEST_ASSERT((adaptivity::doerfler(squares, 0.05) == std::vector<int>{0, 2, 4, 5}));
 }
 

@@ -140,6 +140,15 @@ TEUCHOS_UNIT_TEST(BoundaryFields, areLimitsOfTheFieldsInside) {
   }
 }
 
+TEUCHOS_UNIT_TEST(SoftenedRule, integratesWhatJumpsAtItsCuts) {
+  const bem::Vector cuts = {0.3, -1, -0.999, 0.3 + 1e-9};
+  double sum = 0;
+  const bem::GradedRule rule = bem::softenedRule({{-1, 0}, {1, 0}}, 7, cuts);
+  for (std::size_t q = 0; q < rule.points.size(); ++q)
+    sum += rule.weights[q] * (rule.points[q].t < 0.3 ? 1 : 5);
+  TEST_FLOATING_EQUALITY(sum, 1.3 + 5 * 0.7, 1e-13);
+}
+
 // Nodes of neighbours, tiny ones too, and of a side that lies opposite.
 TEUCHOS_UNIT_TEST(SoftenedRule, integratesSquaresOfLogarithms) {
   using Profile = std::function<double(const bem::EndPoint&)>;

@@ -1,6 +1,8 @@
 // The compressed system: its entries are those of the operators, every cluster's skeleton
 // stands for it before everything else, products and solutions are the dense ones.
+#include "Algebra.hpp"
 #include "bem/algebra/Blas.hpp"
+#include "bem/base/Error.hpp"
 #include "bem/compressed/CompressedFactor.hpp"
 #include "bem/compressed/CoupledEntries.hpp"
 #include "bem/compressed/Products.hpp"
@@ -85,7 +87,8 @@ std::vector<Case> cases() {
 Matrix wholeSystem(const bem::Space& space, const bem::Lame& lame) {
   const std::vector<bem::Unknown> unknowns = bem::unknownsOf(space);
   const bem::ClusterTree tree(space, 60);
-  const bem::NearBlocks near(space, lame, tree);
+  const std::vector<char> everywhere(at(space.mesh().size()), 1);
+  const bem::NearBlocks near(space, lame, tree, everywhere, everywhere);
   bem::CoupledEntries entries(space, lame, near, unknowns);
   std::vector<Index> all(unknowns.size());
   std::iota(all.begin(), all.end(), 0);
@@ -248,7 +251,7 @@ TEUCHOS_UNIT_TEST(Compressed, productsAreTheDenseOnes) {
   for (const Case& sample : cases()) {
     const bem::Space space(sample.mesh);
     const bem::Lame lame({1, sample.nu, false});
-    const bem::CompressedOperators z(space, lame, smallLeaves());
+    const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::algebra());
     const Matrix x = oscillating(z.size(), 3);
     const double error = relativeDifference(
         z.times(x), bem::product(rotated(wholeSystem(space, lame), space), x));
@@ -349,7 +352,7 @@ TEUCHOS_UNIT_TEST(Compressed, solutionsAreTheDenseOnes) {
     const bem::Space space(sample.mesh);
     const bem::Lame lame({1, sample.nu, false});
     const Matrix whole = rotated(wholeSystem(space, lame), space);
-    const bem::CompressedOperators z(space, lame, smallLeaves());
+    const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::algebra());
     const Matrix b = loads(space);
     const bem::Restriction clamp = clamped(space, 0, sample.mesh.size() / 5);
     const bem::Restriction dirichlet = clamped(space, 0, sample.mesh.size());
@@ -392,7 +395,7 @@ TEUCHOS_UNIT_TEST(Compressed, bodiesMayBeHeldAtTheirHolesAlone) {
       bem::makeMesh(outline, std::vector<int>(outline->edges().size(), 24), 1);
   const bem::Space space(mesh);
   const bem::Lame lame({1, 0.3, false});
-  const bem::CompressedOperators z(space, lame, smallLeaves());
+  const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::algebra());
   const bem::Restriction clamp = clamped(space, 4 * 24, mesh.size());
   const Matrix b = loads(space);
   const Matrix exact = denseSolution(wholeSystem(space, lame), clamp, b.copy());
@@ -404,7 +407,7 @@ TEUCHOS_UNIT_TEST(Compressed, bodiesMayBeHeldAtTheirHolesAlone) {
 TEUCHOS_UNIT_TEST(Compressed, changedRestrictionsAreEliminatedWhereTheyChange) {
   const bem::Space space(bem::makeMesh(outlineOf(square()), {48, 48, 48, 48}, 1));
   const bem::Lame lame({1, 0.3, false});
-  const bem::CompressedOperators z(space, lame, smallLeaves());
+  const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::algebra());
   const Matrix b = oscillating(z.size(), 1);
   const bem::Restriction before = clamped(space, 0, 48);
   const bem::Restriction after = clamped(space, 0, 50);
@@ -416,6 +419,63 @@ TEUCHOS_UNIT_TEST(Compressed, changedRestrictionsAreEliminatedWhereTheyChange) {
       relativeDifference(factor.solve(b), bem::CompressedFactor(z, after).solve(b)), <,
       1e-13);
   TEST_EQUALITY(factor.update(after), 0);
+}
+
+/// A process that has a part of the tree alone, and one that has all of it: the same bits.
+TEUCHOS_UNIT_TEST(Compressed, processesTogetherAreOne) {
+  const bem::Space space(bem::makeMesh(outlineOf(square()), {48, 48, 48, 48}, 1));
+  const bem::Lame lame({1, 0.3, false});
+  const bem::CompressedOperators alone(space, lame, smallLeaves());
+  const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::algebra());
+  const Matrix x = oscillating(z.size(), 2);
+  TEST_EQUALITY(relativeDifference(z.times(x), alone.times(x)), 0);
+  // leaves at the end of a side, and a side
+  for (const int last : {54, 96}) {
+    std::vector<int> leaves;
+    for (int e = 48; e < last; ++e)
+      leaves.push_back(z.leafOf(space.displacement(e, 0, 0)));
+    const bem::Restriction clamp = clamped(space, 0, 48);
+    bem::Restriction changed = clamp;
+    changed.held[at(space.displacement(50, 0, 1))] = 1;
+    changed.held[at(space.displacement(last - 2, 0, 0))] = 1;
+    const auto made = [&](const bem::CompressedOperators& from) {
+      bem::CompressedFactor factor = bem::CompressedFactor(from, clamp).within(leaves);
+      factor.update(changed);
+      return factor;
+    };
+    const bem::CompressedFactor one = made(alone);
+    const bem::CompressedFactor several = made(z);
+    Matrix b(z.size(), 2);
+    for (int e = 49; e < last; ++e)
+      b(space.displacement(e, 0, 0), e % 2) = std::sin(1.7 * e);
+    const std::vector<char> paths = one.paths(leaves);
+    TEST_ASSERT(paths == several.paths(leaves));
+    TEST_EQUALITY(
+        relativeDifference(several.solveAlong(paths, b), one.solveAlong(paths, b)), 0);
+    TEST_ASSERT(several.lastPivots() == one.lastPivots());
+  }
+  if (test::algebra().processes() > 1)
+    TEST_COMPARE(z.bytes(), <, alone.bytes());
+}
+
+/// A leaf that one process alone has is singular: all of them say so, and go on.
+TEUCHOS_UNIT_TEST(Compressed, singularLeavesAreEverybodys) {
+  const bem::Space space(bem::makeMesh(outlineOf(square()), {48, 48, 48, 48}, 1));
+  const bem::Lame lame({1, 0.3, false});
+  bem::LocalCoupling local;
+  local.elements = {100};
+  local.entries = {
+      {space.displacement(100, 0, 0), space.displacements() + space.densities(), 1}};
+  const bem::CompressedOperators z(space, lame, smallLeaves(), local, test::algebra());
+  bem::Restriction clamp = clamped(space, 0, 48);
+  clamp.held.resize(at(z.size()));
+  bem::Restriction all;
+  all.held.assign(at(z.size()), 1);
+  all.held.back() = 0;
+  TEST_THROW(bem::CompressedFactor(z, all), bem::NumericalError);
+  clamp.held.back() = 1;
+  const Matrix b = oscillating(z.size(), 1);
+  TEST_COMPARE(largest(bem::CompressedFactor(z, clamp).solve(b)), >, 0);
 }
 
 /// Two squares of different stiffness, the upper side of the first along the lower side of the
@@ -511,6 +571,9 @@ TEUCHOS_UNIT_TEST(Compressed, bodiesThatFaceEachOtherAreCutTogether) {
   TEST_COMPARE(worst, <, 1e-11);
   TEST_COMPARE(most, <=, 8);
 
+  const bem::CompressedOperators shared(
+      {{pair.first, pair.soft}, {pair.second, pair.stiff}}, smallLeaves(), pair.local,
+      test::algebra());
   Matrix x = oscillating(pair.size(), 2);
   for (Index j = 0; j < 2; ++j)
     for (Index i = 0; i < pair.size(); ++i)
@@ -521,9 +584,9 @@ TEUCHOS_UNIT_TEST(Compressed, bodiesThatFaceEachOtherAreCutTogether) {
         a(i, j) *= std::pow(scales[at(i)], power);
     return a;
   };
-  TEST_COMPARE(
-      relativeDifference(scaled(z.times(x), 1), scaled(bem::product(pair.whole, x), 1)),
-      <, 1e-11);
+  TEST_COMPARE(relativeDifference(scaled(shared.times(x), 1),
+                                  scaled(bem::product(pair.whole, x), 1)),
+               <, 1e-11);
 
   // the lower side of the first and the upper one of the second held: 0 to 23, 16 to 31
   bem::Restriction clamp = clamped(pair.first, 0, 24);
@@ -532,7 +595,7 @@ TEUCHOS_UNIT_TEST(Compressed, bodiesThatFaceEachOtherAreCutTogether) {
   std::copy(above.held.begin(), above.held.end(),
             clamp.held.begin() + static_cast<std::ptrdiff_t>(pair.split()));
   const Matrix b = scaled(oscillating(pair.size(), 1), -1);
-  bem::CompressedFactor factor(z, clamp);
+  bem::CompressedFactor factor(shared, clamp);
   const double error =
       relativeDifference(scaled(factor.solve(b), -1),
                          scaled(denseSolution(pair.whole.copy(), clamp, b.copy()), -1));

@@ -48,6 +48,10 @@ for count in (1, 2, 3):
     plain = run("plain", count, scene="nowhere.xml", plain=True)
     ranks.claim(plain.code == 1, "mpirun itself returns the code" + on)
 
+COMPRESSED = ["--set", "Solver->Linear->Method=Compressed",
+              "--set", "Discretization->Stabilization->Form=Density",
+              "--set", "Discretization->Elements per Edge={24, 24, 6, 12, 6, 24}"]
+
 ranks.EPAFI = FAULTY
 for count in (2, 3):
     for victim in range(count):
@@ -55,6 +59,10 @@ for count in (2, 3):
             fault = {"EPAFI_FAULT": "%d %d error" % (phase, victim)}
             expect(run("fault", count, environment=fault), 2, "injected fault",
                    "rank %d of %d in phase %d" % (victim, count, phase))
+        for phase in range(1, 7) if count == 2 else (3,):
+            fault = {"EPAFI_FAULT": "%d %d error" % (phase, victim)}
+            expect(run("subtrees", count, COMPRESSED, environment=fault), 2, "injected fault",
+                   "rank %d of %d in phase %d, compressed" % (victim, count, phase))
         fault = {"EPAFI_FAULT": "1 %d memory" % victim}
         expect(run("fault", count, environment=fault), 2, "memory",
                "rank %d of %d without memory" % (victim, count))

@@ -222,6 +222,23 @@ TEUCHOS_UNIT_TEST(FacingBodies, sourcesLeadBack) {
   TEST_EQUALITY(fit.facing.sources(2, 0, 0).size(), 0u);
 }
 
+/// Another element of the ring on either side of them.
+TEUCHOS_UNIT_TEST(FacingBodies, sourcesBreakWhereTheSidesElementsEnd) {
+  const Fit fit;
+  std::size_t count = 0;
+  for (int e = 0; e < fit.disc.size(); ++e)
+    for (const double t : fit.facing.sourceBreaks(3, e)) {
+      if (std::abs(t) > 1 - 1e-6)
+        continue;
+      TEST_INEQUALITY(fit.facing.sources(3, e, t - 1e-9)[0].element,
+                      fit.facing.sources(3, e, t + 1e-9)[0].element);
+      ++count;
+    }
+  // each node of the ring ends two of its elements
+  TEST_EQUALITY(count, 2 * fit.multiplier.elements().size());
+  TEST_EQUALITY(fit.facing.sourceBreaks(2, 0).size(), 0u);
+}
+
 }  // namespace
 
 }  // namespace epafi

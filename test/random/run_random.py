@@ -1,7 +1,7 @@
 """Runs random scenes (scenes.py): every one is solved, in few steps of Newton's method.
 
     run_random.py EPAFI WORK [--first SEED] [--count N] [--jobs N] [--seed SEED]... [--table FILE]
-                  [--bodies 2|3|rings]
+                  [--bodies 2|3|rings] [--set KEY=VALUE]...
 
 Prints what fails with the scene's file, then steps per level by law, basis, strategy and more,
 and which stages of the solver decided.
@@ -30,7 +30,7 @@ PATIENCE = 600
 class Result:
     """What became of a scene: exit code, message, steps of each level."""
 
-    def __init__(self, kind, seed, epafi, work):
+    def __init__(self, kind, seed, epafi, work, settings=()):
         self.scene = kind(seed)
         folder = absent(os.path.join(work, "%d" % seed))
         os.makedirs(folder)
@@ -41,9 +41,9 @@ class Result:
         start = time.monotonic()
         try:
             done = subprocess.run([epafi, "run", self.file, "--quiet", "--threads", "1",
-                                   "--output", out], stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT, universal_newlines=True,
-                                  timeout=PATIENCE)
+                                   "--output", out, *("--set=" + each for each in settings)],
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                  universal_newlines=True, timeout=PATIENCE)
             self.code, self.text = done.returncode, done.stdout.strip()
         except subprocess.TimeoutExpired:
             self.code, self.text = -1, "no end within %d s" % PATIENCE
@@ -92,12 +92,13 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--seed", type=int, action="append", default=[])
     parser.add_argument("--bodies", default="1", choices=KINDS)
+    parser.add_argument("--set", action="append", default=[], help="said to every scene")
     parser.add_argument("--table", help="a row for each scene, csv")
     options = parser.parse_args()
     seeds = options.seed or range(options.first, options.first + options.count)
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         results = list(pool.map(lambda seed: Result(KINDS[options.bodies], seed, options.epafi,
-                                                    options.work), seeds))
+                                                    options.work, options.set), seeds))
     for result in results:
         if result.code != 0 or max(result.steps, default=0) > FEW:
             print("%s: exit code %d, steps %s, %s\n        %s" % (

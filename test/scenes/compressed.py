@@ -1,7 +1,9 @@
-"""Compressed operators give what dense ones give: energies, states of contact, Newton's steps."""
+"""Compressed operators give what dense ones give: energies, states of contact, Newton's steps.
+Method "Automatic" takes them where a forecast says so."""
 import os
 
-from runs import ENERGIES, WORK, claim, differ, finish, run, scene
+from runs import ENERGIES, WORK, claim, differ, epafi, finish, fresh, run, scene
+from claims import table
 from written import with_moduli
 
 LEVELS = ["Adaptivity->Maximum Levels=3"]
@@ -44,5 +46,36 @@ for ratio in (1000, 0.001):
     with open(path, "w") as stream:
         stream.write(text)
     compare("two-blocks, E %g" % ratio, path, LEVELS)
+
+NONE = ["Discretization->Multiplier=Biorthogonal", "Discretization->Stabilization->Form=None"]
+DENSITY = ["Discretization->Stabilization="]
+
+
+def chosen(name, file, elements, settings):
+    """What a level of a scene was solved with under "Automatic", and what was printed."""
+    folder = fresh("automatic-" + name)
+    code, text = epafi("run", scene(file), "--output", folder, "--threads", "1", *(
+        word for setting in [
+            "Adaptivity->Strategy=None", "Adaptivity->Maximum Degrees of Freedom=100000",
+            "Solver->Linear->Method=Automatic", "Output->Fields=false",
+            "Discretization->Elements per Edge={%s}" % ", ".join(map(str, elements)),
+            *settings] for word in ("--set", setting)))
+    return (table(os.path.join(folder, "history.csv"))[-1]["operators"] if code == 0 else "none"), text
+
+
+claim(chosen("small", "coulomb.xml", [64] * 4, DENSITY)[0] == "dense", "small levels are dense")
+claim(chosen("large", "coulomb.xml", [256] * 4, DENSITY)[0] == "compressed", "large ones are compressed")
+FOUNDATION = [192, 192, 48, 96, 48, 192]
+claim(chosen("fits", "tresca.xml", FOUNDATION, NONE)[0] == "dense", "a level of 768 elements is dense")
+claim(chosen("narrow", "tresca.xml", FOUNDATION, [*NONE, "Adaptivity->Maximum Memory=112"])[0] ==
+      "compressed", "but compressed where dense matrices do not fit")
+claim(chosen("none", "tresca.xml", FOUNDATION, [*NONE, "Adaptivity->Maximum Memory=80"])[0] == "none",
+      "and refused where neither fits")
+method, said = chosen("dense", "coulomb.xml", [256] * 4, [*DENSITY, "Solver->Linear->Method=Dense"])
+claim(method == "dense" and "Method = Automatic operators could be compressed" in said,
+      "where dense is asked for, a large level names Automatic")
+method, said = chosen("form", "coulomb.xml", [320] * 4, [])
+claim(method == "dense" and "Form = Density operators could be compressed" in said,
+      "a Form that cannot be compressed stays; another one is named")
 
 finish()

@@ -9,7 +9,7 @@ import time
 
 from runs import EPAFI, claim, epafi, finish, fresh, scene, table
 
-LEVELS = 16
+LEVELS = 24  # so many that files are written on the way
 SCENE = ["run", scene("tresca.xml"), "--quiet", "--threads", "1",
          "--set", "Adaptivity->Strategy=Adaptive hp",
          "--set", "Adaptivity->Maximum Levels=%d" % LEVELS,

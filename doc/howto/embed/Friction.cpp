@@ -1,7 +1,7 @@
 #include "Friction.hpp"
 
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/coulomb/CoulombNewton.hpp"
+#include "contact/coulomb/CoulombPlan.hpp"
 #include "contact/equation/ContactState.hpp"
 #include "contact/nox/ContactModel.hpp"
 #include "contact/nox/NoxNewton.hpp"

@@ -4,7 +4,7 @@
 //   drive        prints t, where the actuator is, its force and friction's work so far
 
 #include "bem/algebra/LapackAlgebra.hpp"
-#include "contact/coulomb/CoulombNewton.hpp"
+#include "contact/coulomb/CoulombPlan.hpp"
 #include "contact/newton/KeptFactor.hpp"
 #include "contact/nox/ContactModel.hpp"
 #include "contact/nox/NoxNewton.hpp"

@@ -51,7 +51,9 @@ class Residuals {
         fields_(solved.space, lame, solved.displacement, density),
         fixed_(solved) {}
 
-  std::vector<bem::BoundaryValue> fields(int e) const { return fields_.on(e); }
+  std::vector<bem::BoundaryValue> fields(int e) const {
+    return fields_.on(e, solved_.pressed.breaks(e));
+  }
 
   // From here on functions of the user's are evaluated, which are not safe to call from
   // several threads.
@@ -72,8 +74,7 @@ class Residuals {
     for (const bem::BoundaryValue& value : values) {
       const double t = value.place.t;
       const Vec2 load = loaded ? loadAt(neumann->second, e, t) : Vec2{};
-      const Vec2 pressed = solved_.pressed ? solved_.pressed(e, t) : Vec2{};
-      const Vec2 r = load + pressed + fixed_.at(e, t) - value.traction;
+      const Vec2 r = load + solved_.pressed.at(e, t) + fixed_.at(e, t) - value.traction;
       of(squares, Source::Neumann) += value.weight * h / mesh_[e].degree *
                                       (given.x * r.x * r.x + given.y * r.y * r.y);
     }

@@ -6,7 +6,7 @@
 namespace epafi::adaptivity {
 
 std::vector<int> doerfler(const bem::Vector& squares, double fraction) {
-  constexpr double tie = 1e-10;
+  constexpr double tie = 1e-5;
   bem::Vector sorted = squares;
   std::sort(sorted.begin(), sorted.end(), std::greater<>());
   // summed from the small ones: the total is then reached exactly when fraction is 1

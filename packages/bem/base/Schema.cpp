@@ -1,13 +1,14 @@
 #include "bem/base/Schema.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/Parameters.hpp"
+#include "bem/base/Suggestion.hpp"
 
 #include <Teuchos_Array.hpp>
+#include <Teuchos_ParameterList.hpp>
 #include <Teuchos_TwoDArray.hpp>
 
 #include <algorithm>
-#include <charconv>
+#include <cmath>
 
 namespace epafi::bem {
 
@@ -50,28 +51,12 @@ std::string example(const std::string& pattern) {
                                 : pattern.substr(0, k) + "1" + pattern.substr(k + 3);
 }
 
-using Table = SchemaRows;
-
-std::vector<const SchemaRow*> childrenOf(const Table& table, const std::string& pattern) {
-  std::vector<const SchemaRow*> rows;
-  for (const SchemaRow& row : table)
-    if (row.parent() == pattern)
-      rows.push_back(&row);
-  return rows;
-}
-
 const SchemaRow* find(const std::vector<const SchemaRow*>& rows,
                       const std::string& name) {
   for (const SchemaRow* row : rows)
     if (matches(row->name(), name))
       return row;
   return nullptr;
-}
-
-std::string shortest(double value) {
-  char text[32];
-  const auto end = std::to_chars(text, text + sizeof text, value);
-  return {text, end.ptr};
 }
 
 std::string describe(const ParameterEntry& entry) {
@@ -199,12 +184,55 @@ Teuchos::RCP<ParameterEntry> converted(const ParameterEntry& entry, Kind kind) {
   return Teuchos::null;
 }
 
+/// The numbers of an entry: one, or those of an array; empty if it holds none.
+std::vector<double> numbersOf(const ParameterEntry& entry) {
+  if (entry.isType<double>())
+    return {Teuchos::getValue<double>(entry)};
+  if (entry.isType<int>())
+    return {static_cast<double>(Teuchos::getValue<int>(entry))};
+  if (entry.isType<Teuchos::Array<int>>()) {
+    const auto& array = Teuchos::getValue<Teuchos::Array<int>>(entry);
+    return {array.begin(), array.end()};
+  }
+  if (entry.isType<Teuchos::Array<double>>()) {
+    const auto& array = Teuchos::getValue<Teuchos::Array<double>>(entry);
+    return {array.begin(), array.end()};
+  }
+  return {};
+}
+
+std::vector<std::string> stringsOf(const ParameterEntry& entry) {
+  if (entry.isType<std::string>())
+    return {Teuchos::getValue<std::string>(entry)};
+  if (entry.isType<Teuchos::Array<std::string>>()) {
+    const auto& array = Teuchos::getValue<Teuchos::Array<std::string>>(entry);
+    return {array.begin(), array.end()};
+  }
+  return {};
+}
+
+void checkWithin(const Interval& interval, const ParameterEntry& entry,
+                 const std::string& place) {
+  for (const double number : numbersOf(entry))
+    if (!interval.contains(number) || !std::isfinite(number))
+      throw InputError(
+          message(place, " = ", shortest(number), "; allowed: ", interval.text()));
+}
+
+void checkOneOf(const std::vector<std::string>& names, const ParameterEntry& entry,
+                const std::string& place) {
+  for (const std::string& text : stringsOf(entry))
+    if (std::find(names.begin(), names.end(), text) == names.end())
+      throw InputError(message(place, " = '", text, "'; did you mean '",
+                               nearest(text, names), "'? allowed: ", quotedList(names)));
+}
+
 void checkRange(const ParameterEntry& entry, const SchemaRow& row,
                 const std::string& name, const std::string& path) {
   if (!row.allowed.empty())
-    oneOf(row.allowed)->validate(entry, name, path);
+    checkOneOf(row.allowed, entry, join(path, name));
   else
-    within(row.interval)->validate(entry, name, path);
+    checkWithin(row.interval, entry, join(path, name));
   if (row.kind == Kind::Points &&
       value<Teuchos::TwoDArray<double>>(entry).getNumCols() != 2)
     throw InputError(
@@ -244,7 +272,7 @@ ParameterEntry checked(const ParameterEntry& entry, const SchemaRow& row,
 /// One level of the list against the rows under one pattern.
 class Level {
  public:
-  Level(const Table& table, const ParameterList& given, const std::string& pattern,
+  Level(const SchemaRows& table, const ParameterList& given, const std::string& pattern,
         std::string path)
       : table_(table),
         given_(given),
@@ -336,7 +364,7 @@ class Level {
       result.setEntry(row.name(), standardOf(row));
   }
 
-  const Table& table_;
+  const SchemaRows& table_;
   const ParameterList& given_;
   std::string path_;
   std::vector<const SchemaRow*> rows_;
@@ -372,10 +400,6 @@ ParameterList complete(const SchemaRows& table, const ParameterList& given,
   ParameterList result(title);
   Level(table, given, "", "").complete(result);
   return result;
-}
-
-ParameterList validParameters(const SchemaRows& table, const std::string& title) {
-  return complete(table, ParameterList(), title);
 }
 
 }  // namespace epafi::bem

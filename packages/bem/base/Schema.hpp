@@ -20,7 +20,4 @@ Teuchos::ParameterList complete(const SchemaRows& table,
                                 const Teuchos::ParameterList& given,
                                 const std::string& title);
 
-/// Every key with its default, of a table that requires none.
-Teuchos::ParameterList validParameters(const SchemaRows& table, const std::string& title);
-
 }  // namespace epafi::bem

@@ -1,12 +1,30 @@
 #include "bem/base/SchemaRow.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/Parameters.hpp"
+#include "bem/base/Suggestion.hpp"
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace epafi::bem {
+
+bool Interval::contains(double value) const {
+  return (lowOpen ? value > low : value >= low) &&
+         (highOpen ? value < high : value <= high);
+}
+
+std::string Interval::text() const {
+  if (std::isinf(high) && std::isinf(low))
+    return "any finite number";
+  if (std::isinf(high))
+    return message(lowOpen ? "> " : ">= ", low);
+  if (std::isinf(low))
+    return message(highOpen ? "< " : "<= ", high);
+  if (!lowOpen && !highOpen)
+    return message("from ", low, " to ", high);
+  return message("in ", lowOpen ? "(" : "[", low, ", ", high, highOpen ? ")" : "]");
+}
 
 namespace {
 
@@ -40,10 +58,10 @@ std::string typeName(Kind kind) {
   return "ParameterList";
 }
 
-Row& Row::standard(double value) {
+std::string shortest(double value) {
   char text[32];
   const auto end = std::to_chars(text, text + sizeof text, value);
-  return standard(std::string(text, end.ptr));
+  return {text, end.ptr};
 }
 
 std::string SchemaRow::parent() const {
@@ -63,6 +81,15 @@ std::string SchemaRow::range() const {
       kind == Kind::Reals)
     return interval.text();
   return "";
+}
+
+std::vector<const SchemaRow*> childrenOf(const SchemaRows& table,
+                                         const std::string& parent) {
+  std::vector<const SchemaRow*> rows;
+  for (const SchemaRow& row : table)
+    if (row.parent() == parent)
+      rows.push_back(&row);
+  return rows;
 }
 
 void append(SchemaRows& table, const SchemaRows& rows, const std::string& parent) {

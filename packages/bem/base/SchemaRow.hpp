@@ -68,6 +68,9 @@ struct SchemaRow {
   std::string range() const;
 };
 
+/// The shortest text that reads back to the same number.
+std::string shortest(double value);
+
 /// A row under construction: the constructor says what every key has, the rest is named.
 class Row {
  public:
@@ -78,7 +81,7 @@ class Row {
   }
   Row& unit(const std::string& unit) { return row_.unit = unit, *this; }
   Row& standard(const std::string& text) { return row_.standard = text, *this; }
-  Row& standard(double value);
+  Row& standard(double value) { return standard(shortest(value)); }
   Row& required() { return row_.required = true, *this; }
   Row& only(const std::string& selector) { return row_.only = {selector}, *this; }
   Row& range(const Interval& interval) { return row_.interval = interval, *this; }
@@ -94,6 +97,10 @@ class Row {
 };
 
 using SchemaRows = std::vector<SchemaRow>;
+
+/// The rows of a list's own keys.
+std::vector<const SchemaRow*> childrenOf(const SchemaRows& table,
+                                         const std::string& parent);
 
 /// Appends rows to a table, their paths below `parent`; rows of one path that exist under
 /// different siblings become one.

@@ -63,7 +63,8 @@ Interpolation joinedWeights(const std::vector<BodyShare>& shares, std::size_t c,
 
 std::vector<ClusterPart> joined(std::vector<BodyShare> shares,
                                 const std::vector<LocalCoupling::Entry>& between,
-                                const ClusterTree& tree, Index unknowns) {
+                                const ClusterTree& tree, const Subtrees& subtrees,
+                                Index unknowns) {
   std::vector<std::vector<std::pair<Index, double>>> added(at(unknowns));
   for (const LocalCoupling::Entry& entry : between) {
     added[at(entry.row)].emplace_back(entry.column, entry.value);
@@ -88,6 +89,8 @@ std::vector<ClusterPart> joined(std::vector<BodyShare> shares,
     for (int k = 0; k < 2 && !cluster.isLeaf(); ++k)
       part.active.insert(part.active.end(), child(parts, k).skeleton.begin(),
                          child(parts, k).skeleton.end());
+    if (!subtrees.isMine(static_cast<int>(c)))
+      continue;
     places.set(part.active);
     part.weights = joinedWeights(shares, c, places);
 

@@ -4,6 +4,7 @@
 #include "bem/compressed/ClusterTree.hpp"
 #include "bem/compressed/LocalCoupling.hpp"
 #include "bem/compressed/LocalFunctions.hpp"
+#include "bem/compressed/Subtrees.hpp"
 
 namespace epafi::bem {
 
@@ -20,9 +21,10 @@ struct BodyShare {
 
 /// Bodies' shares side by side, their unknowns numbered among all: skeletons one behind the
 /// other, and with the entries between bodies.  Clusters have the same numbers in all trees,
-/// of which this is one.
+/// of which this is one.  Of other processes' clusters the lists of unknowns alone.
 std::vector<ClusterPart> joined(std::vector<BodyShare> shares,
                                 const std::vector<LocalCoupling::Entry>& between,
-                                const ClusterTree& tree, Index unknowns);
+                                const ClusterTree& tree, const Subtrees& subtrees,
+                                Index unknowns);
 
 }  // namespace epafi::bem

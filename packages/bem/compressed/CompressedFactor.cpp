@@ -3,8 +3,10 @@
 #include "bem/algebra/SerialBlas.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/compressed/Products.hpp"
+#include "bem/compressed/TreeSweeps.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <iterator>
 #include <stdexcept>
@@ -77,16 +79,24 @@ CompressedFactor CompressedFactor::within(const std::vector<int>& leaves) const 
                        [&](int leaf) { return tree.contains(c, leaf); });
   };
   Matrix whole = inside(0, nullptr);
-  while (!tree[result.top_].isLeaf()) {
-    const auto& children = tree[result.top_].children;
-    const auto child =
-        std::find_if(std::begin(children), std::end(children), containsAll);
-    if (child == std::end(children))
-      break;
-    const Matrix outside = outsideOf(*child, whole);
-    whole = inside(*child, &outside);
-    result.top_ = *child;
+  std::string failure;
+  try {
+    while (!tree[result.top_].isLeaf()) {
+      const auto& children = tree[result.top_].children;
+      const auto child =
+          std::find_if(std::begin(children), std::end(children), containsAll);
+      if (child == std::end(children))
+        break;
+      if (operators_->subtrees().isMine(*child)) {
+        const Matrix outside = outsideOf(*child, whole);
+        whole = inside(*child, &outside);
+      }
+      result.top_ = *child;
+    }
+  } catch (const NumericalError& error) {
+    failure = error.what();
   }
+  operators_->subtrees().agree(failure);
   if (result.top_ == 0)
     return result;
   result.whole_ = std::make_shared<const Matrix>(std::move(whole));
@@ -100,9 +110,11 @@ CompressedFactor CompressedFactor::within(const std::vector<int>& leaves) const 
   return result;
 }
 
-std::vector<LeafRestriction> CompressedFactor::restricted(
-    const std::vector<char>& dirty) const {
+std::vector<LeafRestriction> CompressedFactor::restricted(std::vector<char> dirty) const {
   const ClusterTree& tree = operators_->tree();
+  for (int c = 0; c < tree.size(); ++c)
+    if (!operators_->subtrees().isMine(c))
+      dirty[static_cast<std::size_t>(c)] = 0;
   std::vector<LeafRestriction> leaves(nodes_.size());
   // of each leaf, where unknowns stand
   std::vector<Index> places(at(operators_->size()));
@@ -142,7 +154,7 @@ std::vector<LeafRestriction> CompressedFactor::restricted(
 EliminatedCluster CompressedFactor::eliminated(int c, LeafRestriction restriction) const {
   const Cluster& cluster = operators_->tree()[c];
   const ClusterPart& part = operators_->part(c);
-  const bool isNarrowed = c == top_ && whole_ != nullptr;
+  const bool isNarrowed = c == top_ && top_ != 0;
   if (cluster.isLeaf())
     return {part, std::move(restriction), isNarrowed ? *whole_ : part.block};
   const int first = cluster.children[0];
@@ -158,37 +170,80 @@ void CompressedFactor::eliminate(const std::vector<char>& dirty) {
   const SerialBlas serial;
   const ClusterTree& tree = operators_->tree();
   std::vector<LeafRestriction> leaves = restricted(dirty);
-  for (int l = tree.levels() - 1; l >= 0; --l) {
-    std::vector<int> level;
-    std::copy_if(tree.level(l).begin(), tree.level(l).end(), std::back_inserter(level),
-                 [&](int c) { return dirty[static_cast<std::size_t>(c)] != 0; });
-    std::string failure;
-    // a single cluster has the threads for itself, see byColumns
-#pragma omp parallel for schedule(dynamic, 1) if (level.size() > 1)
-    for (std::size_t k = 0; k < level.size(); ++k) {
-      const auto c = static_cast<std::size_t>(level[k]);
-      try {
-        auto own = std::make_shared<const EliminatedCluster>(
-            eliminated(level[k], std::move(leaves[c])));
-        if (level[k] != top_)
-          responses_[c] =
-              std::make_shared<const Matrix>(own->response(operators_->part(level[k])));
-        if (!tree[level[k]].isLeaf() && changing_[c] == 0)
-          for (const int child : tree[level[k]].children)
-            responses_[static_cast<std::size_t>(child)] = nullptr;
-        nodes_[c] = std::move(own);
-      } catch (const NumericalError& error) {
+  std::atomic<bool> fails = false;
+  std::string failure;
+  const auto visit = [&](int cluster) {
+    const auto c = static_cast<std::size_t>(cluster);
+    if (fails)
+      return;
+    try {
+      auto own = std::make_shared<const EliminatedCluster>(
+          eliminated(cluster, std::move(leaves[c])));
+      if (cluster != top_)
+        responses_[c] =
+            std::make_shared<const Matrix>(own->response(operators_->part(cluster)));
+      if (!tree[cluster].isLeaf() && changing_[c] == 0)
+        for (const int child : tree[cluster].children)
+          responses_[static_cast<std::size_t>(child)] = nullptr;
+      nodes_[c] = std::move(own);
+    } catch (const NumericalError& error) {
 #pragma omp critical(epafi_compressed_factor)
-        failure = error.what();
-      }
+      failure = error.what();
+      fails = true;
     }
-    if (!failure.empty())
-      throw NumericalError(failure);
-  }
-  if (whole_ != nullptr)
+  };
+  upwards(tree, operators_->subtrees(), dirty, visit,
+          [&] { exchangeResponses(dirty, failure); });
+  if (fails)  // of what is everybody's, or of one process
+    throw NumericalError(failure);
+  if (top_ != 0)
     return;
   takeSpringsBack();
   addRotations();
+}
+
+// What the processes have eliminated of the roots of their subtrees.
+void CompressedFactor::exchangeResponses(const std::vector<char>& dirty,
+                                         const std::string& failure) {
+  const Subtrees& subtrees = operators_->subtrees();
+  std::vector<double> silent(nodes_.size());
+  std::vector<Matrix> responses(nodes_.size());
+  const auto forRoots = [&](const auto& action) {
+    for (const int root : subtrees.roots())
+      if (dirty[static_cast<std::size_t>(root)] != 0)
+        action(root, silent[static_cast<std::size_t>(root)],
+               responses[static_cast<std::size_t>(root)]);
+  };
+  forRoots([&](int root, double& isSilent, Matrix& response) {
+    const Index size = root == top_ ? 0 : operators_->skeletonOf(root);
+    response = Matrix(size, size);
+    if (!subtrees.isMine(root) || !failure.empty())
+      return;
+    isSilent = node(root).isSilent() ? 1 : 0;
+    if (root != top_)
+      response = this->response(root).copy();
+  });
+  constexpr double kind = 4;
+  subtrees.exchangeNumbers(
+      kind, 0,
+      [&](const auto& action) {
+        forRoots([&](int root, double& isSilent, Matrix& response) {
+          action(root, isSilent);
+          for (Index j = 0; j < response.columns(); ++j)
+            for (Index i = 0; i < response.rows(); ++i)
+              action(root, response(i, j));
+        });
+      },
+      failure);
+  forRoots([&](int root, double isSilent, Matrix& response) {
+    if (subtrees.isMine(root))
+      return;
+    const auto c = static_cast<std::size_t>(root);
+    nodes_[c] = std::make_shared<const EliminatedCluster>(
+        isSilent != 0 ? EliminatedCluster::silent() : EliminatedCluster::elsewhere());
+    if (root != top_)
+      responses_[c] = std::make_shared<const Matrix>(std::move(response));
+  });
 }
 
 void CompressedFactor::addRotations() {
@@ -239,7 +294,8 @@ std::vector<char> CompressedFactor::paths(std::vector<int> leaves) const {
 std::size_t CompressedFactor::bytes() const {
   std::size_t entries = 0;
   for (const std::shared_ptr<const EliminatedCluster>& node : nodes_)
-    entries += node->entries();
+    if (node != nullptr)
+      entries += node->entries();
   for (const std::shared_ptr<const Matrix>& response : responses_)
     if (response != nullptr)
       entries += static_cast<std::size_t>(response->rows() * response->columns());

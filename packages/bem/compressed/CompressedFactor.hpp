@@ -4,6 +4,7 @@
 #include "bem/compressed/EliminatedCluster.hpp"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace epafi::bem {
@@ -39,6 +40,10 @@ struct Restriction {
 /// S the entries between the children's skeletons.  E says how much of a field from
 /// outside a cluster gives back; nothing is inverted that may be singular by itself.
 /// [doc/theory/compression.md]
+///
+/// On several processes each eliminates its subtrees, and everybody what is above them; right
+/// sides and solutions are whole everywhere.  What computes is collective, and throws
+/// everywhere if it does anywhere.
 ///
 /// Refers to the operators, which must outlive it.  A copy shares what is eliminated, until
 /// one of the two is updated.
@@ -86,9 +91,11 @@ class CompressedFactor {
 
  private:
   void eliminate(const std::vector<char>& dirty);
+  void exchangeResponses(const std::vector<char>& dirty, const std::string& failure);
   EliminatedCluster eliminated(int c, LeafRestriction restriction) const;
-  /// By cluster, empty where nothing is to be done: what of the restriction belongs to leaves.
-  std::vector<LeafRestriction> restricted(const std::vector<char>& dirty) const;
+  /// By cluster, empty where nothing is to be done here: what of the restriction belongs to
+  /// leaves.
+  std::vector<LeafRestriction> restricted(std::vector<char> dirty) const;
   void takeSpringsBack();
   void addRotations();
 
@@ -97,7 +104,7 @@ class CompressedFactor {
   Matrix inside(int c, const Matrix* outside) const;
   /// O of a child, from P of its parent.
   Matrix outsideOf(int child, const Matrix& p) const;
-  void addLastPivots(int leaf, const Matrix& d, Vector& pivots) const;
+  void addLastPivots(int leaf, const Matrix& d, Matrix& pivots) const;
 
   Matrix solveSprung(const Matrix& b, const std::vector<char>& paths) const;
   Matrix solveStraight(const Matrix& b, const std::vector<char>& paths) const;
@@ -114,7 +121,8 @@ class CompressedFactor {
   Restriction restriction_;
   std::vector<char> changing_;  ///< by cluster
   int top_ = 0;                 ///< the highest cluster that solutions go through
-  std::shared_ptr<const Matrix> whole_;  ///< inside() of it, unless it is the root
+  std::shared_ptr<const Matrix>
+      whole_;  ///< inside() of it, where it is mine and not the root
   std::vector<std::shared_ptr<const EliminatedCluster>> nodes_;
   std::vector<std::shared_ptr<const Matrix>> responses_;  ///< E, where still needed
   std::vector<Index> sprung_;  ///< CompressedOperators::floating, what is not held

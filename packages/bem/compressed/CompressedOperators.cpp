@@ -4,6 +4,7 @@
 #include "bem/compressed/BodyShare.hpp"
 #include "bem/compressed/FacingOrder.hpp"
 #include "bem/compressed/Products.hpp"
+#include "bem/compressed/TreeSweeps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +40,8 @@ std::vector<Index> restingDisplacements(const Space& space) {
 
 CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
                                          const Compression& options,
-                                         const LocalCoupling& local) {
+                                         const LocalCoupling& local,
+                                         const DenseAlgebra& algebra) {
   const SerialBlas serial;
   std::vector<const Space*> spaces;
   std::vector<BodyShare> shares(bodies.size());
@@ -91,6 +93,11 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
     const BodyElement place = elementOf(static_cast<Index>(i));
     leaves_.push_back(trees_[static_cast<std::size_t>(place.body)].leafOf(place.element));
   }
+  std::vector<Index> unknowns(static_cast<std::size_t>(tree().size()));
+  for (const int leaf : leaves_)
+    for (int c = leaf; c >= 0; c = tree()[c].parent)
+      ++unknowns[static_cast<std::size_t>(c)];
+  subtrees_ = std::make_unique<const Subtrees>(tree(), unknowns, algebra);
   for (BodyShare& share : shares)
     share.abroad.resize(share.unknowns.size());
   for (const LocalCoupling::Entry& entry : between.entries)
@@ -102,11 +109,12 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
         abroad.push_back(leafOf(j));
     }
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    skeletonise(shares[b], bodies[b].space, bodies[b].lame, trees_[b], options);
+    skeletonise(shares[b], bodies[b].space, bodies[b].lame, trees_[b], options,
+                *subtrees_);
   if (shares.size() == 1)
     parts_ = std::move(shares.front().parts);
   else
-    parts_ = joined(std::move(shares), between.entries, trees_.front(), size());
+    parts_ = joined(std::move(shares), between.entries, tree(), *subtrees_, size());
   addRotations(bodies, local);
 }
 
@@ -170,35 +178,35 @@ Matrix CompressedOperators::times(const Matrix& x) const {
                             : stacked(out[static_cast<std::size_t>(cluster.children[0])],
                                       out[static_cast<std::size_t>(cluster.children[1])]);
   };
-  for (int l = tree().levels() - 1; l > 0; --l) {
-    const std::vector<int>& level = tree().level(l);
-#pragma omp parallel for schedule(dynamic, 1)
-    for (std::size_t k = 0; k < level.size(); ++k)
-      out[static_cast<std::size_t>(level[k])] =
-          part(level[k]).weights.times(active(level[k]));
-  }
-  for (int l = 0; l < tree().levels(); ++l) {
-    const std::vector<int>& level = tree().level(l);
-#pragma omp parallel for schedule(dynamic, 1)
-    for (std::size_t k = 0; k < level.size(); ++k) {
-      const int c = level[k];
-      const Part& own = part(c);
-      Matrix all(static_cast<Index>(own.active.size()), columns);
-      if (l > 0)
-        own.weights.addTransposed(in[static_cast<std::size_t>(c)], all);
-      if (tree()[c].isLeaf()) {
-        addProduct(1, own.block, rowsOf(x, own.active), all);
-        putRows(all, own.active, result);
-        continue;
-      }
-      const auto first = static_cast<std::size_t>(tree()[c].children[0]);
-      const auto second = static_cast<std::size_t>(tree()[c].children[1]);
-      in[first] = rowsBetween(all, 0, out[first].rows());
-      in[second] = rowsBetween(all, out[first].rows(), all.rows());
-      addProduct(1, own.block, out[second], in[first]);
-      addTransposedProduct(1, own.block, out[first], in[second]);
+  const auto up = [&](int c) {
+    if (c > 0)
+      out[static_cast<std::size_t>(c)] = part(c).weights.times(active(c));
+  };
+  const auto down = [&](int c) {
+    const Part& own = part(c);
+    Matrix all(static_cast<Index>(own.active.size()), columns);
+    if (c > 0)
+      own.weights.addTransposed(in[static_cast<std::size_t>(c)], all);
+    if (tree()[c].isLeaf()) {
+      addProduct(1, own.block, rowsOf(x, own.active), all);
+      putRows(all, own.active, result);
+      return;
     }
-  }
+    const auto first = static_cast<std::size_t>(tree()[c].children[0]);
+    const auto second = static_cast<std::size_t>(tree()[c].children[1]);
+    in[first] = rowsBetween(all, 0, out[first].rows());
+    in[second] = rowsBetween(all, out[first].rows(), all.rows());
+    addProduct(1, own.block, out[second], in[first]);
+    addTransposedProduct(1, own.block, out[first], in[second]);
+  };
+  const std::vector<char> everywhere(parts_.size(), 1);
+  const double check = subtrees_->isAlone() ? 0 : checkOf(x);
+  upwards(tree(), *subtrees_, everywhere, up, [&] {
+    subtrees_->exchangeRoots(
+        everywhere, check, [&](int c) { return skeletonOf(c); }, columns, out);
+  });
+  downwards(tree(), *subtrees_, everywhere, down);
+  exchangeRows(everywhere, check, result);
   rotations_.addTo(result, x);
   return result;
 }

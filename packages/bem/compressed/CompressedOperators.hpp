@@ -5,7 +5,9 @@
 #include "bem/compressed/ClusterTree.hpp"
 #include "bem/compressed/LocalCoupling.hpp"
 #include "bem/compressed/Skeletons.hpp"
+#include "bem/compressed/Subtrees.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace epafi::bem {
@@ -24,6 +26,9 @@ namespace epafi::bem {
 /// grow with the number of elements times the rank, which grows with its logarithm.  Of
 /// several bodies a cluster has what face each other; each one's part has a skeleton of its
 /// own.  Displacements of bodies with arcs hold the rotation exactly, see Rotation.
+///
+/// On several processes each has some subtrees, and everybody what is above them; vectors are
+/// whole everywhere, and what is made of them is collective.
 ///                                                       [doc/theory/compression.md]
 class CompressedOperators {
  public:
@@ -33,10 +38,12 @@ class CompressedOperators {
   };
   explicit CompressedOperators(const std::vector<Body>& bodies,
                                const Compression& options = {},
-                               const LocalCoupling& local = {});
+                               const LocalCoupling& local = {},
+                               const DenseAlgebra& algebra = oneProcess());
   CompressedOperators(const Space& space, const Lame& lame,
-                      const Compression& options = {}, const LocalCoupling& local = {})
-      : CompressedOperators(std::vector<Body>{{space, lame}}, options, local) {}
+                      const Compression& options = {}, const LocalCoupling& local = {},
+                      const DenseAlgebra& algebra = oneProcess())
+      : CompressedOperators(std::vector<Body>{{space, lame}}, options, local, algebra) {}
 
   /// The numbers of a body's unknowns: displacements, then densities.
   struct Range {
@@ -58,8 +65,18 @@ class CompressedOperators {
   using Part = ClusterPart;
   /// Of the first body; clusters of all have its numbers, parents and children.
   const ClusterTree& tree() const { return trees_.front(); }
+  const Subtrees& subtrees() const { return *subtrees_; }
+  /// Of other processes' clusters the lists of unknowns alone.
   const Part& part(int cluster) const {
     return parts_[static_cast<std::size_t>(cluster)];
+  }
+  /// How many unknowns a cluster's skeleton has.
+  Index skeletonOf(int cluster) const {
+    return static_cast<Index>(part(cluster).skeleton.size());
+  }
+  /// Others' rows of X in place of zeros, of the leaves of `paths`.  Collective.
+  void exchangeRows(const std::vector<char>& paths, double check, Matrix& x) const {
+    subtrees_->exchangeRows(tree(), parts_, paths, check, x);
   }
   /// The leaf of an unknown.
   int leafOf(Index unknown) const { return leaves_[at(unknown)]; }
@@ -93,6 +110,7 @@ class CompressedOperators {
   std::vector<Range> ranges_;
   std::vector<int> leaves_;  ///< of the unknowns
   std::vector<ClusterTree> trees_;
+  std::unique_ptr<const Subtrees> subtrees_;
   std::vector<Part> parts_;
   std::vector<Index> floating_;
   Rotations rotations_;

@@ -1,6 +1,7 @@
 #include "bem/algebra/SerialBlas.hpp"
 #include "bem/compressed/CompressedFactor.hpp"
 #include "bem/compressed/Products.hpp"
+#include "bem/compressed/TreeSweeps.hpp"
 
 #include <cassert>
 
@@ -25,69 +26,66 @@ Matrix CompressedFactor::solveStraight(const Matrix& b,
 Matrix CompressedFactor::solveSprung(const Matrix& b,
                                      const std::vector<char>& paths) const {
   const ClusterTree& tree = operators_->tree();
+  const Subtrees& subtrees = operators_->subtrees();
   const Index columns = b.columns();
   Matrix x(b.rows(), columns);
   std::vector<Matrix> inner(nodes_.size());
   std::vector<Matrix> out(nodes_.size());
   std::vector<Matrix> in(nodes_.size());
-  const auto isOn = [&](int c) {
-    return paths[static_cast<std::size_t>(c)] != 0 && !node(c).isSilent();
-  };
+  // what nobody has here is on no path that is followed
+  std::vector<char> on = paths;
+  for (int c = 0; c < tree.size(); ++c)
+    if (nodes_[static_cast<std::size_t>(c)] == nullptr || node(c).isSilent())
+      on[static_cast<std::size_t>(c)] = 0;
   const auto of = [](std::vector<Matrix>& all, int c) -> Matrix& {
     return all[static_cast<std::size_t>(c)];
   };
   const auto outOf = [&](int c) {
-    Matrix result = isOn(c) ? std::move(of(out, c))
-                            : Matrix(operators_->part(c).weights.rows(), columns);
-    return result;
+    return on[static_cast<std::size_t>(c)] != 0
+               ? std::move(of(out, c))
+               : Matrix(operators_->skeletonOf(c), columns);
   };
-  for (int l = tree.levels() - 1; l >= tree[top_].level; --l) {
-    const std::vector<int>& level = tree.level(l);
-#pragma omp parallel for schedule(dynamic, 1)
-    for (std::size_t k = 0; k < level.size(); ++k) {
-      const int c = level[k];
-      if (!isOn(c))
-        continue;
-      const ClusterPart& part = operators_->part(c);
-      of(inner, c) = tree[c].isLeaf() ? node(c).reduced(rowsOf(b, part.active))
-                                      : stacked(outOf(tree[c].children[0]),
-                                                outOf(tree[c].children[1]));
-      node(c).solve(of(inner, c));
-      if (c != top_)
-        of(out, c) = node(c).outgoing(part, of(inner, c));
+  const auto up = [&](int c) {
+    const ClusterPart& part = operators_->part(c);
+    of(inner, c) = tree[c].isLeaf()
+                       ? node(c).reduced(rowsOf(b, part.active))
+                       : stacked(outOf(tree[c].children[0]), outOf(tree[c].children[1]));
+    node(c).solve(of(inner, c));
+    if (c != top_)
+      of(out, c) = node(c).outgoing(part, of(inner, c));
+  };
+  const auto down = [&](int c) {
+    const ClusterPart& part = operators_->part(c);
+    Matrix& own = of(inner, c);
+    if (c != top_)
+      node(c).subtractOutside(of(in, c), own);
+    if (tree[c].isLeaf()) {
+      putRows(node(c).expanded(own), part.active, x);
+      return;
     }
-  }
-  for (int l = tree[top_].level; l < tree.levels(); ++l) {
-    const std::vector<int>& level = tree.level(l);
-#pragma omp parallel for schedule(dynamic, 1)
-    for (std::size_t k = 0; k < level.size(); ++k) {
-      const int c = level[k];
-      if (!isOn(c))
-        continue;
-      const ClusterPart& part = operators_->part(c);
-      Matrix& own = of(inner, c);
-      if (c != top_)
-        node(c).subtractOutside(of(in, c), own);
-      if (tree[c].isLeaf()) {
-        putRows(node(c).expanded(own), part.active, x);
-        continue;
-      }
-      const Index split = part.block.rows();
-      Matrix outside(own.rows(), columns);
-      if (c == top_ && whole_ != nullptr)
-        addProduct(1, *whole_, own, outside);
-      else if (c != top_)
-        part.weights.addTransposed(of(in, c), outside);
-      Matrix& first = of(in, tree[c].children[0]);
-      Matrix& second = of(in, tree[c].children[1]);
-      first = rowsBetween(outside, 0, split);
-      second = rowsBetween(outside, split, own.rows());
-      if (c == top_ && whole_ != nullptr)
-        continue;
-      addProduct(1, part.block, rowsBetween(own, split, own.rows()), first);
-      addTransposedProduct(1, part.block, rowsBetween(own, 0, split), second);
-    }
-  }
+    const Index split = part.block.rows();
+    Matrix outside(own.rows(), columns);
+    if (c == top_ && top_ != 0)
+      addProduct(1, *whole_, own, outside);
+    else if (c != top_)
+      part.weights.addTransposed(of(in, c), outside);
+    Matrix& first = of(in, tree[c].children[0]);
+    Matrix& second = of(in, tree[c].children[1]);
+    first = rowsBetween(outside, 0, split);
+    second = rowsBetween(outside, split, own.rows());
+    if (c == top_ && top_ != 0)
+      return;
+    addProduct(1, part.block, rowsBetween(own, split, own.rows()), first);
+    addTransposedProduct(1, part.block, rowsBetween(own, 0, split), second);
+  };
+  const double check = subtrees.isAlone() ? 0 : checkOf(b);
+  upwards(tree, subtrees, on, up, [&] {
+    if (subtrees.isEverybodys(top_))
+      subtrees.exchangeRoots(
+          on, check, [&](int c) { return operators_->skeletonOf(c); }, columns, out);
+  });
+  downwards(tree, subtrees, on, down);
+  operators_->exchangeRows(paths, check, x);
   return x;
 }
 
@@ -124,7 +122,7 @@ Matrix CompressedFactor::solveAlong(const std::vector<char>& paths,
 }
 
 Matrix CompressedFactor::solve(const Matrix& b, int refinements) const {
-  assert(whole_ == nullptr);
+  assert(top_ == 0);
   const SerialBlas serial;
   const std::vector<char> all(nodes_.size(), 1);
   Matrix x = solveOnce(b, all);

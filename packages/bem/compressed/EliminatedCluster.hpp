@@ -34,7 +34,9 @@ class EliminatedCluster {
   /// F = I + diag(E₁, E₂) P.
   EliminatedCluster(const Matrix& first, const Matrix& second, const Matrix& p);
   /// All of it is held: a response, zero, and nothing else.
-  static EliminatedCluster silent() { return EliminatedCluster(); }
+  static EliminatedCluster silent() { return EliminatedCluster(true); }
+  /// Another process has it.
+  static EliminatedCluster elsewhere() { return EliminatedCluster(false); }
   bool isSilent() const { return isSilent_; }
 
   /// E, of all but the highest.
@@ -56,7 +58,7 @@ class EliminatedCluster {
   std::size_t entries() const;
 
  private:
-  EliminatedCluster() : isSilent_(true) {}
+  explicit EliminatedCluster(bool isSilent) : isSilent_(isSilent) {}
 
   LeafRestriction leaf_;
   bool isLeaf_ = false;

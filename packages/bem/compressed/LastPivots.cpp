@@ -1,4 +1,5 @@
 #include "bem/algebra/SerialBlas.hpp"
+#include "bem/base/Error.hpp"
 #include "bem/compressed/CompressedFactor.hpp"
 #include "bem/compressed/Products.hpp"
 
@@ -41,7 +42,7 @@ Matrix CompressedFactor::inside(int c, const Matrix* outside) const {
 Matrix CompressedFactor::outsideOf(int child, const Matrix& p) const {
   const Cluster& parent = operators_->tree()[operators_->tree()[child].parent];
   const bool isFirst = parent.children[0] == child;
-  const Index split = operators_->part(parent.children[0]).weights.rows();
+  const Index split = operators_->skeletonOf(parent.children[0]);
   const auto block = [&](bool first, bool second) {
     return rowsBetween(
         columnsBetween(p, second ? 0 : split, second ? split : p.columns()),
@@ -61,24 +62,34 @@ Matrix CompressedFactor::outsideOf(int child, const Matrix& p) const {
 Vector CompressedFactor::lastPivots() const {
   const SerialBlas serial;
   const ClusterTree& tree = operators_->tree();
+  const Subtrees& subtrees = operators_->subtrees();
   std::vector<Matrix> outside(nodes_.size());
-  Vector pivots(at(operators_->size()));
-  for (int c = top_; c < tree.size(); ++c) {
-    if (changing_[static_cast<std::size_t>(c)] == 0 || !tree.contains(top_, c))
-      continue;
-    const Matrix own = c == top_ ? whole_ != nullptr ? whole_->copy() : inside(c, nullptr)
-                                 : inside(c, &outside[static_cast<std::size_t>(c)]);
-    if (tree[c].isLeaf())
-      addLastPivots(c, own, pivots);
-    else
-      for (const int child : tree[c].children)
-        outside[static_cast<std::size_t>(child)] = outsideOf(child, own);
+  Matrix pivots(operators_->size(), 1);
+  std::string failure;
+  try {
+    for (int c = top_; c < tree.size(); ++c) {
+      if (changing_[static_cast<std::size_t>(c)] == 0 || !subtrees.isMine(c) ||
+          !tree.contains(top_, c))
+        continue;
+      const Matrix own = c == top_ ? top_ != 0 ? whole_->copy() : inside(c, nullptr)
+                                   : inside(c, &outside[static_cast<std::size_t>(c)]);
+      if (tree[c].isLeaf())
+        addLastPivots(c, own, pivots);
+      else
+        for (const int child : tree[c].children)
+          if (subtrees.isMine(child))
+            outside[static_cast<std::size_t>(child)] = outsideOf(child, own);
+    }
+  } catch (const NumericalError& error) {
+    failure = error.what();
   }
-  return pivots;
+  subtrees.agree(failure);
+  operators_->exchangeRows(changing_, 0, pivots);
+  return Vector(pivots.data(), pivots.data() + pivots.rows());
 }
 
 // Of a leaf with the matrix D:  D_ii - D_iK D_KK⁻¹ D_Ki,  K what is not held.
-void CompressedFactor::addLastPivots(int c, const Matrix& leaf, Vector& pivots) const {
+void CompressedFactor::addLastPivots(int c, const Matrix& leaf, Matrix& pivots) const {
   const LeafRestriction& restriction = node(c).restriction();
   const std::vector<Index>& active = operators_->part(c).active;
   std::vector<Index> held;
@@ -96,7 +107,7 @@ void CompressedFactor::addLastPivots(int c, const Matrix& leaf, Vector& pivots) 
     double pivot = leaf(held[k], held[k]);
     for (Index i = 0; i < answers.rows(); ++i)
       pivot -= columns(i, static_cast<Index>(k)) * answers(i, static_cast<Index>(k));
-    pivots[at(active[at(held[k])])] = pivot;
+    pivots(active[at(held[k])], 0) = pivot;
   }
 }
 

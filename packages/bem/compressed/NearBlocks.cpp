@@ -160,8 +160,9 @@ class Distances {
 
 }  // namespace
 
-NearBlocks::NearBlocks(const Space& space, const Lame& lame, const ClusterTree& tree) {
-  findPairs(space, tree);
+NearBlocks::NearBlocks(const Space& space, const Lame& lame, const ClusterTree& tree,
+                       const std::vector<char>& first, const std::vector<char>& second) {
+  findPairs(space, tree, first, second);
   const Mesh& mesh = space.mesh();
 #pragma omp parallel
   {
@@ -187,7 +188,14 @@ NearBlocks::NearBlocks(const Space& space, const Lame& lame, const ClusterTree& 
   }
 }
 
-void NearBlocks::findPairs(const Space& space, const ClusterTree& tree) {
+void NearBlocks::findPairs(const Space& space, const ClusterTree& tree,
+                           const std::vector<char>& first,
+                           const std::vector<char>& second) {
+  const auto areAsked = [&](int e, int f) {
+    const auto a = static_cast<std::size_t>(e);
+    const auto b = static_cast<std::size_t>(f);
+    return (first[a] & second[b]) != 0 || (first[b] & second[a]) != 0;
+  };
   const Mesh& mesh = space.mesh();
   for (int e = 0; e < mesh.size(); ++e) {
     const Element& element = mesh[e];
@@ -230,7 +238,7 @@ void NearBlocks::findPairs(const Space& space, const ClusterTree& tree) {
       for (int k = tree[leaf].first; k < tree[leaf].last; ++k)
         for (int l = std::max(k, tree[c].first); l < tree[c].last; ++l) {
           const auto [e, f] = std::minmax({tree.element(k), tree.element(l)});
-          if (!isDeep(e, f)) {
+          if (areAsked(e, f) && !isDeep(e, f)) {
             pairs_[static_cast<std::size_t>(e)].push_back({f, next});
             next += static_cast<std::size_t>(sizes_[static_cast<std::size_t>(e)] *
                                              sizes_[static_cast<std::size_t>(f)]);

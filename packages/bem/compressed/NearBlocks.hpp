@@ -14,7 +14,9 @@ namespace epafi::bem {
 /// tile, but where all elements of both functions are far from each other.
 class NearBlocks {
  public:
-  NearBlocks(const Space& space, const Lame& lame, const ClusterTree& tree);
+  /// Of pairs with one element among the first (by element) and one among the second.
+  NearBlocks(const Space& space, const Lame& lame, const ClusterTree& tree,
+             const std::vector<char>& first, const std::vector<char>& second);
 
   /// Are all functions of a pair far?  Then it is none of these.
   bool isDeep(int e, int f) const {
@@ -35,7 +37,7 @@ class NearBlocks {
     Index nextColumn;
     double operator()(int a, int b) const { return data[a * nextRow + b * nextColumn]; }
   };
-  /// \pre the pair is not deep.
+  /// \pre the pair is not deep, and one of those asked for.
   View of(int e, int f) const;
 
   std::size_t bytes() const { return values_.size() * sizeof(double); }
@@ -56,7 +58,8 @@ class NearBlocks {
     std::size_t start;
   };
 
-  void findPairs(const Space& space, const ClusterTree& tree);
+  void findPairs(const Space& space, const ClusterTree& tree,
+                 const std::vector<char>& first, const std::vector<char>& second);
 
   std::vector<Hood> hoods_;
   std::vector<std::vector<Pair>> pairs_;

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 
 namespace epafi::bem {
 
@@ -32,14 +34,14 @@ Interpolation spread(Interpolation some, const std::vector<Index>& places,
 class Builder {
  public:
   Builder(BodyShare& out, const Space& space, const Lame& lame, const ClusterTree& tree,
-          const Compression& options)
+          const Compression& options, const Subtrees& subtrees)
       : out_(out),
         tree_(tree),
+        subtrees_(subtrees),
         space_(space),
         lame_(lame),
         young_(youngOf(lame_)),
         options_(options),
-        near_(space_, lame_, tree),
         added_(out.unknowns.size()),
         largestAdded_(out.unknowns.size()) {
     for (const LocalCoupling::Entry& entry : out.entries) {
@@ -54,21 +56,30 @@ class Builder {
   void build() {
     out_.parts.resize(static_cast<std::size_t>(tree_.size()));
     fillLeaves();
+    if (!subtrees_.roots().empty())
+      own_ = std::make_unique<const NearBlocks>(space_, lame_, tree_, ownElements(),
+                                                allElements());
     for (int l = tree_.levels() - 1; l >= 0; --l) {
-      const std::vector<int>& level = tree_.level(l);
-      for (const int c : level)
+      std::vector<int> mine;
+      for (const int c : tree_.level(l)) {
         if (!tree_[c].isLeaf())
           gather(c);
+        if (subtrees_.isMine(c))
+          mine.push_back(c);
+        if (subtrees_.isEverybodys(c) && top_ == nullptr)
+          makeTop(l);
+      }
 #pragma omp parallel
       {
         Worker worker(*this);
 #pragma omp for schedule(dynamic, 1)
-        for (std::size_t k = 0; k < level.size(); ++k) {
-          worker.fillBlock(level[k]);
-          if (l > 0 && !tree_[level[k]].isEmpty())
-            worker.compress(level[k]);
+        for (std::size_t k = 0; k < mine.size(); ++k) {
+          worker.fillBlock(mine[k]);
+          if (l > 0 && !tree_[mine[k]].isEmpty())
+            worker.compress(mine[k]);
         }
       }
+      exchangeSkeletons(l);
     }
   }
 
@@ -83,19 +94,23 @@ class Builder {
    public:
     explicit Worker(const Builder& builder)
         : builder_(builder),
-          entries_(builder.space_, builder.lame_, builder.near_, builder.out_.unknowns),
           proxies_(builder.space_, builder.lame_, builder.out_.unknowns,
                    builder.options_.ratio, builder.options_.tolerance),
-          places_(builder.out_.unknowns.size(), -1) {}
+          places_(builder.out_.unknowns.size(), -1) {
+      if (builder.own_ != nullptr)
+        own_.emplace(builder.space_, builder.lame_, *builder.own_, builder.out_.unknowns);
+      if (builder.top_ != nullptr)
+        top_.emplace(builder.space_, builder.lame_, *builder.top_, builder.out_.unknowns);
+    }
 
     void fillBlock(int c) {
       const Cluster& cluster = builder_.tree_[c];
       ClusterPart& part = builder_.part(c);
       if (cluster.isLeaf()) {
-        part.block = entries_.symmetric(part.active);
+        part.block = entries(c).symmetric(part.active);
         addLocal(part.active, part.active, part.block);
       } else {
-        part.block = entriesOf(builder_.part(cluster.children[0]).skeleton,
+        part.block = entriesOf(c, builder_.part(cluster.children[0]).skeleton,
                                builder_.part(cluster.children[1]).skeleton);
       }
     }
@@ -116,7 +131,7 @@ class Builder {
           active.push_back(part.active[j]);
         }
       const auto n = static_cast<Index>(active.size());
-      const Matrix entries = entriesOf(near, active);
+      const Matrix entries = entriesOf(c, near, active);
       const Matrix fields = proxies_(builder_.tree_, c, active);
       const Weighting weight(builder_, part.active.size(), radius);
       const double stiffness = std::sqrt(builder_.young_);
@@ -165,8 +180,13 @@ class Builder {
    private:
     const Compression& options() const { return builder_.options_; }
 
-    Matrix entriesOf(const std::vector<Index>& rows, const std::vector<Index>& columns) {
-      Matrix result = entries_(rows, columns);
+    CoupledEntries& entries(int c) {
+      return builder_.subtrees_.isEverybodys(c) ? *top_ : *own_;
+    }
+
+    Matrix entriesOf(int c, const std::vector<Index>& rows,
+                     const std::vector<Index>& columns) {
+      Matrix result = entries(c)(rows, columns);
       addLocal(rows, columns, result);
       return result;
     }
@@ -185,7 +205,8 @@ class Builder {
     }
 
     const Builder& builder_;
-    CoupledEntries entries_;
+    std::optional<CoupledEntries> own_;
+    std::optional<CoupledEntries> top_;
     ProxyRows proxies_;
     std::vector<Index> places_;
   };
@@ -235,6 +256,68 @@ class Builder {
     for (std::size_t i = 0; i < out_.unknowns.size(); ++i)
       part(tree_.leafOf(out_.unknowns[i].element))
           .active.push_back(static_cast<Index>(i));
+  }
+
+  std::vector<char> allElements() const {
+    return std::vector<char>(static_cast<std::size_t>(space_.mesh().size()), 1);
+  }
+  void mark(const std::vector<Index>& unknowns, std::vector<char>& elements) const {
+    for (const Index i : unknowns) {
+      const Unknown& unknown = out_.unknowns[at(i)];
+      elements[static_cast<std::size_t>(unknown.element)] = 1;
+      elements[static_cast<std::size_t>(space_.mesh()[unknown.element].previous)] = 1;
+    }
+  }
+  /// Those that unknowns of this process's subtrees live on.
+  std::vector<char> ownElements() const {
+    std::vector<char> elements(static_cast<std::size_t>(space_.mesh().size()));
+    for (int c = 0; c < tree_.size(); ++c)
+      if (tree_[c].isLeaf() && subtrees_.isMine(c))
+        mark(part(c).active, elements);
+    return elements;
+  }
+
+  // Clusters from this level upwards have what roots below have left, and roots that are
+  // leaves.
+  void makeTop(int level) {
+    if (subtrees_.roots().empty()) {
+      top_ = std::make_unique<const NearBlocks>(space_, lame_, tree_, allElements(),
+                                                allElements());
+      return;
+    }
+    std::vector<char> elements(static_cast<std::size_t>(space_.mesh().size()));
+    for (const int root : subtrees_.roots())
+      mark(tree_[root].level > level ? part(root).skeleton : part(root).active, elements);
+    top_ = std::make_unique<const NearBlocks>(space_, lame_, tree_, elements, elements);
+  }
+
+  void exchangeSkeletons(int level) {
+    if (subtrees_.roots().empty())
+      return;
+    // the skeleton's size and itself; there is room for all that is active
+    std::vector<Vector> lists(static_cast<std::size_t>(tree_.size()));
+    const auto forLists = [&](const auto& action) {
+      for (const int c : tree_.level(level))
+        if (!subtrees_.isEverybodys(c))
+          action(c, lists[static_cast<std::size_t>(c)]);
+    };
+    forLists([&](int c, Vector& list) {
+      const std::vector<Index>& skeleton = part(c).skeleton;
+      list.push_back(static_cast<double>(skeleton.size()));
+      list.insert(list.end(), skeleton.begin(), skeleton.end());
+      list.resize(part(c).active.size() + 1);
+    });
+    constexpr double kind = 5;
+    subtrees_.exchangeNumbers(kind, level, [&](const auto& action) {
+      forLists([&](int c, Vector& list) {
+        for (double& number : list)
+          action(c, number);
+      });
+    });
+    forLists([&](int c, const Vector& list) {
+      const auto size = static_cast<std::ptrdiff_t>(list.front());
+      part(c).skeleton.assign(list.begin() + 1, list.begin() + 1 + size);
+    });
   }
 
   bool actsOutside(Index unknown, int c) const {
@@ -293,11 +376,13 @@ class Builder {
 
   BodyShare& out_;
   const ClusterTree& tree_;
+  const Subtrees& subtrees_;
   const Space& space_;
   Lame lame_;
   double young_;
   const Compression& options_;
-  NearBlocks near_;
+  std::unique_ptr<const NearBlocks> own_;  ///< of this process's subtrees
+  std::unique_ptr<const NearBlocks> top_;  ///< of clusters that are everybody's
   std::vector<std::vector<Added>> added_;
   Vector largestAdded_;
 };
@@ -305,8 +390,9 @@ class Builder {
 }  // namespace
 
 void skeletonise(BodyShare& share, const Space& space, const Lame& lame,
-                 const ClusterTree& tree, const Compression& options) {
-  Builder(share, space, lame, tree, options).build();
+                 const ClusterTree& tree, const Compression& options,
+                 const Subtrees& subtrees) {
+  Builder(share, space, lame, tree, options, subtrees).build();
 }
 
 }  // namespace epafi::bem

@@ -2,6 +2,7 @@
 
 #include "bem/base/Material.hpp"
 #include "bem/compressed/BodyShare.hpp"
+#include "bem/compressed/Subtrees.hpp"
 
 namespace epafi::bem {
 
@@ -17,8 +18,10 @@ struct Compression {
 inline double youngOf(const Lame& lame) { return 2 * lame.mu * (1 + lame.nu); }
 
 /// Fills a body's parts from the leaves up: each cluster's skeleton from what it does to
-/// unknowns nearby and to points that stand for all others.  [doc/theory/compression.md]
+/// unknowns nearby and to points that stand for all others; of other processes' clusters the
+/// lists of unknowns alone.  Collective.                     [doc/theory/compression.md]
 void skeletonise(BodyShare& share, const Space& space, const Lame& lame,
-                 const ClusterTree& tree, const Compression& options);
+                 const ClusterTree& tree, const Compression& options,
+                 const Subtrees& subtrees);
 
 }  // namespace epafi::bem

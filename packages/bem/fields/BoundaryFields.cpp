@@ -1,6 +1,6 @@
 #include "bem/fields/BoundaryFields.hpp"
 
-#include "bem/fields/NearField.hpp"
+#include "bem/fields/NearElements.hpp"
 #include "bem/moments/RelativeTarget.hpp"
 
 #include <algorithm>
@@ -64,11 +64,20 @@ void BoundaryFields::addPoints(int f, int order, Vec2 middle,
   const Element& source = mesh_[f];
   const LocalField& values = fields_[static_cast<std::size_t>(f)];
   const Rule& rule = gaussLegendre(order);
+  const auto known = static_cast<std::size_t>(order) < everything_.size()
+                         ? &everything_[static_cast<std::size_t>(order)]
+                         : nullptr;
+  const auto first = static_cast<std::size_t>(f) * static_cast<std::size_t>(order);
   for (int q = 0; q < rule.size(); ++q) {
     const double t = rule.points[q];
+    const Complex place = asComplex(middle + source.curve.fromMiddle(t));
+    const std::size_t k = first + static_cast<std::size_t>(q);
+    if (known != nullptr && k < known->size()) {
+      points.add(place, *known, k);
+      continue;
+    }
     const double weight = source.half * rule.weights[q];
-    points.add(asComplex(middle + source.curve.fromMiddle(t)),
-               weight * evaluate(values.density, source.densities - 1, t),
+    points.add(place, weight * evaluate(values.density, source.densities - 1, t),
                weight * evaluate(values.slope, source.degree - 1, t));
   }
 }
@@ -166,7 +175,7 @@ BoundaryFields::FarSeries BoundaryFields::farSeries(int element,
 std::vector<BoundaryValue> BoundaryFields::at(int element, const Sources& sources,
                                               const std::vector<EndPoint>& points) const {
   const FarSeries series = farSeries(element, sources);
-  NearField near(mesh_, element, points);
+  NearElements near(mesh_, element, points);
   for (const int f : sources.near)
     near.add(f, fields_[static_cast<std::size_t>(f)]);
   std::vector<BoundaryValue> values;
@@ -196,7 +205,7 @@ std::vector<BoundaryValue> BoundaryFields::at(int element,
   return at(element, split(element), points);
 }
 
-std::vector<BoundaryValue> BoundaryFields::on(int element) const {
+std::vector<BoundaryValue> BoundaryFields::on(int element, const Vector& cuts) const {
   const Sources sources = split(element);
   std::vector<Feature> features;
   int degree = mesh_[element].degree;
@@ -208,7 +217,7 @@ std::vector<BoundaryValue> BoundaryFields::on(int element) const {
       features.push_back({seen.z().real(), std::abs(seen.b())});
     }
   }
-  const GradedRule rule = softenedRule(features, degree + smoothPoints);
+  const GradedRule rule = softenedRule(features, degree + smoothPoints, cuts);
   std::vector<BoundaryValue> values = at(element, sources, rule.points);
   for (std::size_t q = 0; q < values.size(); ++q)
     values[q].weight = mesh_[element].half * rule.weights[q];

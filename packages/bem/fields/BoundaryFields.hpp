@@ -32,8 +32,9 @@ class BoundaryFields {
   BoundaryFields(const Space& space, const Lame& lame, const Vector& u,
                  const Vector& psi);
 
-  /// Values on one element; calls are independent of each other.
-  std::vector<BoundaryValue> on(int element) const;
+  /// Values on one element; calls are independent of each other.  The rule is cut at some
+  /// places, where what the fields are compared with is not smooth.
+  std::vector<BoundaryValue> on(int element, const Vector& cuts = {}) const;
 
   /// Values at chosen points, weights zero.
   std::vector<BoundaryValue> at(int element, const std::vector<EndPoint>& points) const;

@@ -12,6 +12,8 @@ namespace epafi::bem {
 class PointSources {
  public:
   void add(Complex place, Complex density, Complex slope);
+  /// A point of others at another place.
+  void add(Complex place, const PointSources& others, std::size_t k);
   std::size_t size() const { return data_[X].size(); }
 
   /// Their sums at x, in about 1 ns a point.

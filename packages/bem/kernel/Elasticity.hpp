@@ -3,8 +3,9 @@
 #include "bem/base/Complex.hpp"
 #include "bem/base/Material.hpp"
 
-// Kelvin's kernels and their derivatives, each of them once.  In complex numbers, w = x -
-// y, N and τ = iN unit normal and tangent:                       [doc/theory/operators.md]
+// Kelvin's kernels and their derivatives (PointKernels has the first four in real numbers, at
+// eight pairs of points).  In complex numbers, w = x - y, N and τ = iN unit normal and tangent:
+//                                                                [doc/theory/operators.md]
 //
 //   V f = ∫ -A log|w| f + B (f + conj(f) w/conj(w))/2 ds
 //   K v = μ ∫ 2B Re(conj(N_y) v)/conj(w) + A N_y v/w + B conj(N_y v) w/conj(w)² ds

@@ -95,9 +95,14 @@ void TileWriter::append(const Target& target, Index first, Index column,
                         const double* from, Index size, double scale) {
   const Index begin = std::max(first, target.mine.begin);
   const Index end = std::min(first + size, target.mine.end);
-  if (begin < end)
-    stretches_.push_back({target.matrix.column(column) + (begin - target.mine.begin),
-                          from + (begin - first), end - begin, scale});
+  if (begin >= end)
+    return;
+  // in its place: copying a fresh one by wider words than it was written by waits for these
+  Stretch& stretch = stretches_.emplace_back();
+  stretch.to = target.matrix.column(column) + (begin - target.mine.begin);
+  stretch.from = from + (begin - first);
+  stretch.size = end - begin;
+  stretch.scale = scale;
 }
 
 void TileWriter::add(const Tile& tile) {

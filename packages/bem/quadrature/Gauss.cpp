@@ -1,6 +1,7 @@
 #include "bem/quadrature/Gauss.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/quadrature/MadeOnce.hpp"
 
 #include <boost/math/special_functions/legendre.hpp>
 
@@ -26,21 +27,14 @@ Rule makeRule(int n) {
   return rule;
 }
 
-std::vector<Rule> makeRules() {
-  std::vector<Rule> rules;
-  for (int n = 1; n <= largestRule; ++n)
-    rules.push_back(makeRule(n));
-  return rules;
-}
-
 }  // namespace
 
 const Rule& gaussLegendre(int n) {
-  static const std::vector<Rule> rules = makeRules();
+  static MadeOnce<Rule, largestRule> rules(makeRule);
   if (n < 1 || n > largestRule)
     throw InputError(
         message("Gauss rule with ", n, " points; 1 to ", largestRule, " exist"));
-  return rules[static_cast<std::size_t>(n - 1)];
+  return rules[n];
 }
 
 }  // namespace epafi::bem

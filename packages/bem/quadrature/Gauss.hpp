@@ -19,4 +19,8 @@ struct Rule {
 /// \throws InputError unless 1 <= n <= 96.
 const Rule& gaussLegendre(int n);
 
+/// The rule for polynomials of a degree times what a scene gives as a function of place (loads,
+/// gaps, bounds): smooth, and no polynomial.
+inline const Rule& gaussForGiven(int degree) { return gaussLegendre(degree + 12); }
+
 }  // namespace epafi::bem

@@ -122,14 +122,22 @@ Touches touchesAny(const Interval& leaf, const std::vector<Feature>& features,
 
 }  // namespace
 
-GradedRule softenedRule(const std::vector<Feature>& features, int order) {
+GradedRule softenedRule(const std::vector<Feature>& features, int order, Vector cuts) {
   std::vector<double> smallest;
   for (const Feature& feature : features) {
     const bool atEnd = std::hypot(1 - std::abs(feature.t), feature.distance) < 1e-9;
     smallest.push_back(atEnd ? 0.02 : 1e-6);
   }
+  std::sort(cuts.begin(), cuts.end());
   std::vector<Interval> leaves;
-  refine({fromStart(0), toEnd(0)}, features, smallest, leaves);
+  EndPoint from = fromStart(0);
+  for (const double t : cuts)
+    if (t > from.t + closest && t < 1 - closest) {
+      const EndPoint to = t < 0 ? fromStart(1 + t) : toEnd(1 - t);
+      refine({from, to}, features, smallest, leaves);
+      from = to;
+    }
+  refine({from, toEnd(0)}, features, smallest, leaves);
   GradedRule rule;
   for (const Interval& leaf : leaves)
     append(leaf, touchesAny(leaf, features, 0.01 * leaf.length()), 4, order, rule);

@@ -50,6 +50,8 @@ GradedRule touchingRule(const std::vector<Feature>& features, int order,
 /// grading ends at intervals of 1 % of [-1, 1], on which t runs with the fourth power of
 /// the distance, which makes powers of logarithms smooth.  With order 7 integrals of log²
 /// are met to 1e-5, those of differences of two logarithms close together to 1e-6.
-GradedRule softenedRule(const std::vector<Feature>& features, int order);
+/// `cuts`, within [-1, 1]: where the integrand jumps or bends, smooth on both sides.
+GradedRule softenedRule(const std::vector<Feature>& features, int order,
+                        Vector cuts = {});
 
 }  // namespace epafi::bem

@@ -41,7 +41,7 @@ void checkBoundaries(const bem::Mesh& mesh, const Conditions& conditions) {
 double addNeumann(const bem::Space& space, int e, const Conditions::Neumann& neumann,
                   bem::Units units, Loads& loads) {
   const Element& element = space.mesh()[e];
-  const bem::Rule& rule = bem::gaussLegendre(element.degree + 12);
+  const bem::Rule& rule = bem::gaussForGiven(element.degree);
   std::array<double, bem::largestDegree + 1> phi{};
   double rest = 0;
   for (int q = 0; q < rule.size(); ++q) {

@@ -114,39 +114,23 @@ Matrix CompressedFlexibility::timesColumns(const Matrix& x) const {
   return result;
 }
 
-// Σ_j |D_ij| over normal and tangential coefficients j, from D's products with signs
-// taken at random: with w_j the size of coefficient j's function, D_ij = w_j d_ij,
-//   Σ w_j |d_ij| <= (Σ w_j)^½ (Σ w_j d_ij²)^½,
-// and the last sum is the mean of (D x)_i² over x_j = ± w_j^-½.  The functions d_i vary
-// slowly, so that the bound is near.
+// Σ_j |D_ij| over normal and tangential coefficients j, each kind in so many groups of
+// neighbours: within one the entries have one sign, but for small ones where it changes and
+// for those of the other kind beside i, so that the group's sum has their size.
 void CompressedFlexibility::measureRows() {
-  rowSums_ = Matrix(size(), 2);
-  Vector sizes(at(size()));
-  for (const Coupling::Entry& entry : coupling_.entries)
-    sizes[at(entry.column)] = std::max(sizes[at(entry.column)], std::abs(entry.value));
-  double all[2] = {0, 0};
+  constexpr Index groups = 16;
+  const Index counts[] = {coupling_.normals, size() - coupling_.normals};
+  Matrix ones(size(), 2 * groups);
   for (Index j = 0; j < size(); ++j) {
-    double& own = sizes[at(j)];
-    own = own > 0 ? own : 1;
-    all[kindOf(j)] += own;
+    const Index kind = kindOf(j);
+    const Index place = kind == 0 ? j : j - counts[0];
+    ones(j, groups * kind + place * groups / counts[kind]) = 1;
   }
-  constexpr Index probes = 12;
-  Matrix x(size(), 2 * probes);
-  std::uint32_t state = 12345;
-  for (Index p = 0; p < probes; ++p)
-    for (Index i = 0; i < size(); ++i) {
-      state = state * 1664525u + 1013904223u;
-      x(i, p + probes * kindOf(i)) =
-          ((state >> 31) != 0 ? 1 : -1) / std::sqrt(sizes[at(i)]);
-    }
-  const Matrix images = timesColumns(x);
-  for (Index kind = 0; kind < 2; ++kind)
-    for (Index i = 0; i < size(); ++i) {
-      double square = 0;
-      for (Index p = probes * kind; p < probes * (kind + 1); ++p)
-        square += images(i, p) * images(i, p) / probes;
-      rowSums_(i, kind) = std::sqrt(all[kind] * square);
-    }
+  const Matrix images = timesColumns(ones);
+  rowSums_ = Matrix(size(), 2);
+  for (Index g = 0; g < 2 * groups; ++g)
+    for (Index i = 0; i < size(); ++i)
+      rowSums_(i, g / groups) += std::abs(images(i, g));
 }
 
 std::unique_ptr<Flexibility::Operator::Factor> CompressedFlexibility::factor(

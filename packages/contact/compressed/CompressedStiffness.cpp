@@ -11,10 +11,12 @@ namespace epafi::contact {
 
 namespace {
 
-/// Where each coefficient of the multiplier belongs: to the element that numbers the
-/// displacement which it does most work on, so that a leaf has both; tangential ones to that
-/// of the pressure which they may follow.  Control points, whose bounds follow all
-/// pressures of an element, belong to it.
+/// Where each coefficient of the multiplier belongs, so that a leaf has as many as it has
+/// displacements which they act on: to an element of its function where it does work on what
+/// that one numbers, on most of it if there are two; else, as at the end of a contact, to the
+/// one that numbers what it does most work on.  Tangential ones go to that of the pressure
+/// which they may follow.  Control points, whose bounds follow all pressures of an element,
+/// belong to it.
 std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& multiplier,
                             const Coupling& coupling) {
   std::vector<int> elements(at(coupling.multipliers), 0);
@@ -32,12 +34,25 @@ std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& mult
     for (Index i = space.displacement(e, 0, 0);
          i < space.displacement(e, 0, 0) + 2 * space.mesh()[e].degree; ++i)
       elementOf[at(i)] = e;
-  Vector largest(at(coupling.multipliers), -1.0);
-  for (const Coupling::Entry& entry : coupling.trace)
-    if (std::abs(entry.value) > largest[at(entry.column)]) {
-      largest[at(entry.column)] = std::abs(entry.value);
-      elements[at(entry.column)] = elementOf[at(entry.row)];
+  std::vector<std::vector<int>> homes(elements.size());
+  for (const MultiplierSpace::ContactElement& contact : multiplier.elements())
+    for (int i = 0; i <= contact.degree; ++i) {
+      homes[at(contact.normalOf(i))].push_back(contact.element);
+      if (contact.tangential >= 0)
+        homes[at(contact.tangentialOf(i))].push_back(contact.element);
     }
+  constexpr double rounding = 1e-6;
+  Vector largest(at(coupling.multipliers), 0.0);
+  for (const Coupling::Entry& entry : coupling.trace) {
+    const int e = elementOf[at(entry.row)];
+    const std::vector<int>& own = homes[at(entry.column)];
+    const double work = std::abs(entry.value) *
+                        (std::count(own.begin(), own.end(), e) > 0 ? 1 : rounding);
+    if (work > largest[at(entry.column)]) {
+      largest[at(entry.column)] = work;
+      elements[at(entry.column)] = e;
+    }
+  }
   for (const MultiplierSpace::ContactElement& contact : multiplier.elements())
     for (int i = 0; i <= contact.degree && contact.tangential >= 0; ++i)
       elements[at(contact.tangentialOf(i))] = elements[at(contact.normalOf(i))];
@@ -137,7 +152,7 @@ std::vector<bem::SteklovPoincare> makeCompressedStiffness(
     first += space.displacements() + space.densities();
   }
   const auto operators =
-      std::make_shared<const bem::CompressedOperators>(operands, options, local);
+      std::make_shared<const bem::CompressedOperators>(operands, options, local, algebra);
   std::vector<bem::SteklovPoincare> result;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     result.emplace_back(operators, algebra, b);

@@ -6,10 +6,9 @@ namespace epafi::contact {
 
 /// A whole Tresca problem per update of the slip bound; the update is shortened where the
 /// bound's change does not fall.
-class CoulombFixedPoint final : public NonlinearSolver {
+class CoulombFixedPoint final : public CoulombSolver {
  public:
-  explicit CoulombFixedPoint(const Tresca& tresca, const CoulombOptions& options = {})
-      : NonlinearSolver(tresca.budget()), tresca_(tresca), options_(options) {}
+  using CoulombSolver::CoulombSolver;
 
   /// Ends with the update after which `steps` linear systems have been solved.
   Solution updates(const Problem& problem, const State& start, int steps) const;
@@ -18,9 +17,6 @@ class CoulombFixedPoint final : public NonlinearSolver {
   Solution solveSound(const Problem& problem, const State& start) const override;
   Solution firstBound(const Problem& problem, const State& start) const;
   Solution update(const Problem& problem, Solution before) const;
-
-  const Tresca& tresca_;
-  CoulombOptions options_;
 };
 
 }  // namespace epafi::contact

@@ -1,8 +1,7 @@
 #include "contact/coulomb/CoulombIteration.hpp"
 
 #include "contact/coulomb/CoulombFixedPoint.hpp"
-#include "contact/coulomb/CoulombNewton.hpp"
-#include "contact/coulomb/CoulombOneStep.hpp"
+#include "contact/coulomb/CoulombPlan.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 

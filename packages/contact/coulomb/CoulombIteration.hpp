@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace Teuchos {
 class ParameterList;
@@ -23,6 +24,18 @@ struct CoulombOptions {
 /// The keys of a list of these, and what a list that they have completed says.
 bem::SchemaRows coulombRows();
 CoulombOptions parseCoulomb(const Teuchos::ParameterList& list);
+
+/// Solves problems whose slip bound depends on the pressure.
+class CoulombSolver : public NonlinearSolver {
+ public:
+  /// `tresca` must outlive this.
+  explicit CoulombSolver(const Tresca& tresca, CoulombOptions options = {})
+      : NonlinearSolver(tresca.budget()), tresca_(tresca), options_(std::move(options)) {}
+
+ protected:
+  const Tresca& tresca_;
+  CoulombOptions options_;
+};
 
 /// A way to solve problems whose slip bound depends on the pressure, built on Newton's
 /// method and on Tresca's problem, which must outlive it.

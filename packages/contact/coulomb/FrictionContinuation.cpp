@@ -39,16 +39,16 @@ class ScaledFriction {
 // that sweeps have settled; where both fail, a shorter step in θ costs less than a line
 // search.
 Solution correct(const Problem& problem, const State& start, const Tresca& tresca,
-                 int patience) {
-  const int steps = std::min(patience, tresca.options().maximumIterations);
+                 int patience, int most) {
   NewtonCourse course(problem, start, tresca, Equation::Bound::Differentiated);
+  const int steps = std::min(patience, tresca.options().maximumIterations);
   const auto pivot = [&](const Vector& from) {
     course.add(Stage::Pivoting,
                tresca.newton().run(course.sharp(), from, NewtonMethod::Pivoting, steps));
   };
   const Vector from = course.best();
   pivot(from);
-  if (!course.report().converged())
+  if (!course.report().converged() && course.report().newtonIterations < most)
     pivot(smoothed(course.sharp(), from));
   return std::move(course).solution();
 }
@@ -74,8 +74,8 @@ Solution followFriction(const Problem& problem, const Tresca& tresca, int steps,
                  [&](double theta, const State& start) {
                    if (spent >= steps)
                      return Solution{start, {}};
-                   Solution corrected =
-                       correct(friction.at(theta), start, tresca, patience);
+                   Solution corrected = correct(friction.at(theta), start, tresca,
+                                                patience, steps - spent);
                    spent += corrected.report.newtonIterations;
                    return corrected;
                  })

@@ -80,7 +80,7 @@ Choice choose(const MultiplierBasis& basis, int degree, const Bound& bound) {
   for (double& coefficient : choice.closer)
     coefficient = std::max(coefficient, 0.0);
 
-  const Vector& places = bem::gaussLegendre(degree + 12).points;
+  const Vector& places = bem::gaussForGiven(degree).points;
   const Samples samples{places, valuesAt(places, bound)};
   const double first = choice.atNodes.front();
   choice.hull = join(join({first, first}, choice.atNodes), samples.values);

@@ -43,8 +43,8 @@ Matrix asColumn(const Vector& v) {
 /// The system that was factored.
 class KeptFactor::Base {
  public:
-  Base(const Flexibility& flexibility, const Matrix& motions, std::vector<Row> rows)
-      : shared_(flexibility),
+  Base(Flexibility flexibility, const Matrix& motions, std::vector<Row> rows)
+      : shared_(std::move(flexibility)),
         flexibility_(shared_.entries()),
         motions_(motions.copy()),
         rows_(std::move(rows)) {
@@ -83,24 +83,8 @@ class KeptFactor::Base {
   Matrix solve(Matrix b) const {
     const Index m = solvedCount();
     Matrix x(m + motions_.columns(), b.columns());
-    for (Index c = 0; c < b.columns(); ++c) {
-      double* to = x.column(c);
-      const double* from = b.column(c);
-      for (Index p = 0; p < m; ++p)
-        to[p] = from[solved_[at(p)]];
-      std::copy_n(from + size(), motions_.columns(), to + m);
-      for (Index j = 0; j < size(); ++j) {
-        if (rows_[at(j)].isSolved || from[j] == 0)
-          continue;
-        const double* column = flexibility_.column(j);
-        for (Index p = 0; p < m; ++p)
-          to[p] -= column[solved_[at(p)]] * from[j];
-        for (Index k = 0; k < motions_.columns(); ++k)
-          to[m + k] -= motions_(j, k) * from[j];
-      }
-      for (Index p = 0; p < m; ++p)
-        to[p] *= scale_[at(p)];
-    }
+    for (Index c = 0; c < b.columns(); ++c)
+      reduce(b.column(c), x.column(c));
     factor_.solve(x);
     for (Index c = 0; c < b.columns(); ++c) {
       double* to = b.column(c);
@@ -135,6 +119,25 @@ class KeptFactor::Base {
   }
 
  private:
+  /// A right side without what is known, scaled.
+  void reduce(const double* from, double* to) const {
+    const Index m = solvedCount();
+    for (Index p = 0; p < m; ++p)
+      to[p] = from[solved_[at(p)]];
+    std::copy_n(from + size(), motions_.columns(), to + m);
+    for (Index j = 0; j < size(); ++j) {
+      if (rows_[at(j)].isSolved || from[j] == 0)
+        continue;
+      const double* column = flexibility_.column(j);
+      for (Index p = 0; p < m; ++p)
+        to[p] -= column[solved_[at(p)]] * from[j];
+      for (Index k = 0; k < motions_.columns(); ++k)
+        to[m + k] -= motions_(j, k) * from[j];
+    }
+    for (Index p = 0; p < m; ++p)
+      to[p] *= scale_[at(p)];
+  }
+
   Index size() const { return flexibility_.columns(); }
   Index solvedCount() const { return static_cast<Index>(solved_.size()); }
 
@@ -179,7 +182,7 @@ class KeptFactor::Base {
 
 std::unique_ptr<const KeptFactor> KeptFactor::make(const Flexibility& flexibility,
                                                    const Matrix& motions,
-                                                   std::vector<Row> rows,
+                                                   const std::vector<Row>& rows,
                                                    FactorMemory& memory) {
   std::shared_ptr<Base>& base = memory.base_;
   if (base != nullptr && !base->isOf(flexibility, motions))
@@ -202,7 +205,7 @@ std::unique_ptr<const KeptFactor> KeptFactor::make(const Flexibility& flexibilit
   return nullptr;
 }
 
-KeptFactor::KeptFactor(std::shared_ptr<Base> base, const std::vector<Row>& rows,
+KeptFactor::KeptFactor(const std::shared_ptr<Base>& base, const std::vector<Row>& rows,
                        const std::vector<Index>& changed)
     : base_(base), changed_(changed), responses_(base->responses(changed)) {
   const Matrix& flexibility = base->flexibility();

@@ -40,7 +40,7 @@ class KeptFactor {
   /// near to singular.
   static std::unique_ptr<const KeptFactor> make(const Flexibility& flexibility,
                                                 const Matrix& motions,
-                                                std::vector<Row> rows,
+                                                const std::vector<Row>& rows,
                                                 FactorMemory& memory);
 
   /// d, then α.
@@ -50,7 +50,7 @@ class KeptFactor {
   friend class FactorMemory;
   class Base;
 
-  KeptFactor(std::shared_ptr<Base> base, const std::vector<Row>& rows,
+  KeptFactor(const std::shared_ptr<Base>& base, const std::vector<Row>& rows,
              const std::vector<Index>& changed);
 
   std::shared_ptr<const Base> base_;

@@ -162,8 +162,12 @@ NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
   const auto list = runList(list_.get(), model, method, log);
   const RCP<NOX::Abstract::Group> group =
       rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(*model->vector(start)), model));
-  // With a lagged bound the residual may rise for a step while the bound settles.
-  const int patience = equation.bound() == Equation::Bound::Lagged ? 5 : 1;
+  // Who allows pivoting more steps than a run has knows that it takes its time.  With a
+  // lagged bound the residual may rise for a step while the bound settles.
+  const int patience = method == NewtonMethod::Pivoting
+                           ? std::max(20, 2 * maximumIterations / 5)
+                       : equation.bound() == Equation::Bound::Lagged ? 5
+                                                                     : 1;
   const auto test = rcp(new StepTest(model, method, patience));
   const RCP<NOX::Solver::Generic> solver = withNoxErrors(
       list->name(), *log, [&] { return build(group, test, maximumIterations, list); });

@@ -15,9 +15,8 @@ namespace {
 constexpr double growthLimit = 1e6;
 constexpr double hasFallen = 0.999;       // a cycle repeats its residual up to rounding
 constexpr std::size_t patientSteps = 12;  // without progress
-constexpr std::size_t pivotingSteps = 20;
-constexpr int many = 16;           // changes of sets that are settling as a whole
-constexpr std::size_t memory = 4;  // steps looked at for restless coefficients
+constexpr int many = 16;                  // changes of sets that are settling as a whole
+constexpr std::size_t memory = 4;         // steps looked at for restless coefficients
 
 int differences(const ActiveSet& a, const ActiveSet& b) {
   int count = 0;
@@ -93,7 +92,7 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
     status_ = NOX::StatusTest::Converged;
   } else if (method_ == NewtonMethod::Pivoting) {
     // Its sets do not come back; the residual says nothing on the way.
-    if (sets_.size() > progress_ + pivotingSteps)
+    if (sets_.size() > progress_ + static_cast<std::size_t>(patience_))
       fail(End::Restless);
     else if (e.scaled > growthLimit * std::max(first_, 1.0))
       fail(End::Growth);

@@ -18,7 +18,8 @@ namespace epafi::contact {
 /// cycle of active sets), the residual grew a million times, or it is no number.
 class StepTest final : public NOX::StatusTest::Generic {
  public:
-  /// `patience`: how many returning sets end the run.
+  /// `patience`: how many returning sets end the run; of pivoting, whose sets do not return,
+  /// how many steps without progress.
   StepTest(Teuchos::RCP<const ContactModel> model, NewtonMethod method, int patience)
       : model_(std::move(model)), method_(method), patience_(patience) {}
 

@@ -133,4 +133,23 @@ std::vector<Opposite::Source> FacingBodies::sources(int body, int element,
   return result;
 }
 
+Vector FacingBodies::sourceBreaks(int body, int element) const {
+  Vector result;
+  for (const Sight& here : sights_) {
+    if (here.side == nullptr || here.side->body != body)
+      continue;
+    const bem::Curve& own = mesh_[here.element->element].curve;
+    for (const Facing& stretch : here.stretches) {
+      const auto k = static_cast<std::size_t>(stretch.curve);
+      if (here.side->elements[k] != element)
+        continue;
+      for (const double t : {stretch.begin, stretch.end})
+        if (const auto met = crossing(own.point(t) + here.side->shift, own.normal(t),
+                                      here.side->curves[k]))
+          result.push_back(std::clamp(met->t, -1.0, 1.0));
+    }
+  }
+  return result;
+}
+
 }  // namespace epafi::contact

@@ -38,6 +38,7 @@ class FacingBodies final : public Opposite {
   bool isStill() const override { return met_.empty(); }
   std::vector<int> bodies() const override;
   std::vector<Source> sources(int body, int element, double t) const override;
+  Vector sourceBreaks(int body, int element) const override;
 
  private:
   struct Sight {

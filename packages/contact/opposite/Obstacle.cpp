@@ -16,7 +16,7 @@ using ContactElement = MultiplierSpace::ContactElement;
 void addGap(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
             const ContactElement& contact, const Opposite& opposite, Obstacle& obstacle) {
   const bem::Element& element = mesh[contact.element];
-  const bem::Rule& rule = bem::gaussLegendre(contact.degree + 12);
+  const bem::Rule& rule = bem::gaussForGiven(contact.degree);
   for (const auto& [middle, half] : stretches(opposite, contact))
     for (int q = 0; q < rule.size(); ++q) {
       const double t = middle + half * rule.points[q];

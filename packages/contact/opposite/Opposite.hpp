@@ -44,6 +44,8 @@ class Opposite {
   virtual std::vector<Source> sources(int /*body*/, int /*element*/, double /*t*/) const {
     return {};
   }
+  /// Where these bend or jump inside that element, within [-1, 1], in any order.
+  virtual Vector sourceBreaks(int /*body*/, int /*element*/) const { return {}; }
 
   /// Does nothing that is met move at all?
   virtual bool isStill() const { return true; }

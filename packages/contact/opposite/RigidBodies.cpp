@@ -30,7 +30,7 @@ RigidTraces rigidTraces(const bem::Mesh& side, const MultiplierSpace& multiplier
   RigidTraces result{Matrix(multiplier.size(), 3)};
   for (const ContactElement& contact : multiplier.elements()) {
     const bem::Element& element = side[contact.element];
-    const bem::Rule& rule = bem::gaussLegendre(contact.degree + 12);
+    const bem::Rule& rule = bem::gaussForGiven(contact.degree);
     for (const auto& [middle, half] : stretches(opposite, contact)) {
       if (opposite.at(contact, middle).rigid != body)
         continue;

@@ -38,8 +38,8 @@ class Numbering {
  private:
   struct Start {
     Count count;
-    Index normal;
-    Index tangential;
+    Index normal = 0;
+    Index tangential = 0;
   };
   std::vector<Start> starts_;
   Index normals_ = 0;

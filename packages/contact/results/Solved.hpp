@@ -5,6 +5,24 @@
 
 namespace epafi::contact {
 
+struct Solved;
+
+/// Tractions on a body that come from other bodies' multipliers, dimensionless.
+class ForeignPressure {
+ public:
+  ForeignPressure() = default;
+  /// On body b among all of them, which must outlive it.
+  ForeignPressure(std::size_t b, const std::vector<Solved>& bodies);
+
+  bem::Vec2 at(int element, double t) const;
+  /// Where it jumps inside an element, within [-1, 1], in any order.
+  Vector breaks(int element) const;
+
+ private:
+  std::vector<const Solved*> carriers_;
+  int body_ = -1;
+};
+
 /// Everything that the results of a body are computed from.
 struct Solved {
   const bem::Space& space;
@@ -15,9 +33,7 @@ struct Solved {
   const State& state;          ///< of the body's own multiplier and rigid motions
   const Vector& displacement;  ///< all unknowns, dimensionless
   Vector met{};                ///< see ContactProblem::displacement
-  /// Tractions on its boundary that come from other bodies' multipliers, dimensionless, at a
-  /// point of an element; empty: none.
-  std::function<bem::Vec2(int element, double t)> pressed{};
+  ForeignPressure pressed{};
   const Motions* motions = nullptr;  ///< of all bodies; null: what is met does not deform
   /// The displacement of the step before in a step of a path, friction counts slip from
   /// there; else null, and slip counts from zero.
@@ -31,9 +47,5 @@ struct Solved {
            motionAt(motions, opposite);
   }
 };
-
-/// Solved::pressed of body b among all of them, which must outlive it.
-std::function<bem::Vec2(int element, double t)> pressureOn(
-    std::size_t b, const std::vector<Solved>& bodies);
 
 }  // namespace epafi::contact

@@ -29,7 +29,7 @@ class Couplings {
  private:
   /// A coupling to the multiplier of one body, and whose that is.
   struct Met {
-    std::size_t carrier;
+    std::size_t carrier = 0;
     MortarCoupling coupling;
   };
 

@@ -73,6 +73,7 @@ class Method {
       // as far as it went
     }
     result.unknowns = e_.unknowns;
+    result.jammed = jams_ == mostJams;
     return result;
   }
 

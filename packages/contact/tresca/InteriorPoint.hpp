@@ -6,8 +6,9 @@ namespace epafi::contact {
 
 /// What an interior point method found.
 struct InteriorPoint {
-  Vector unknowns;     ///< x = (λ, α), strictly inside
-  int iterations = 0;  ///< linear systems factorised
+  Vector unknowns;      ///< x = (λ, α), strictly inside
+  int iterations = 0;   ///< linear systems factorised
+  bool jammed = false;  ///< steps became too short to lead anywhere
 };
 
 /// How much of the predictor's second order its corrector takes.

@@ -129,6 +129,7 @@ def draw(contact, title, pictures):
     contact, s, label, parts = within(laid, *window([laid]))
     weights = np.concatenate([lengths(s[a:b]) for a, b in parts])
     breaks = [a for a, _ in parts[1:]]
+    names_of = contact["boundary"].astype(str)
 
     def line(axes, values, text, **style):
         axes.plot(np.insert(s, breaks, math.nan), np.insert(values, breaks, math.nan),
@@ -142,6 +143,9 @@ def draw(contact, title, pictures):
              lw=1)
         line(stress, -contact["bound"], "_", color="grey", ls="--", lw=1)
     readable(stress, contact, weights)
+    for a, b in parts if len(parts) > 1 else ():  # which of the sides is which
+        stress.annotate(names_of[a], ((s[a] + s[b - 1]) / 2, 1.01), ha="center", fontsize=8,
+                        xycoords=stress.get_xaxis_transform())
     stress.set_ylabel("contact stress")
     line(shift, contact["u_n"], "normal displacement $u_n$", color="C0")
     line(shift, contact["gap"], "gap", color="black", ls="--", lw=1)

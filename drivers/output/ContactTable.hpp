@@ -1,0 +1,25 @@
+#pragma once
+
+#include "contact/results/ContactFields.hpp"
+#include "drivers/scene/Scene.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace epafi::drivers {
+
+/// Columns behind those of contact.csv, and their cells at a point.
+struct MoreContactColumns {
+  std::vector<std::string> names;
+  std::function<std::vector<std::string>(std::size_t body,
+                                         const contact::ContactFields::Element& element,
+                                         double t, const contact::ContactPoint& point)>
+      cells;
+};
+
+/// contact.csv: `samples` points t = -1 + (2k+1)/samples on each contact element.
+std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& bodies,
+                       const MoreContactColumns& more = {});
+
+}  // namespace epafi::drivers

@@ -1,0 +1,168 @@
+#include "drivers/output/InsideVtu.hpp"
+
+#include "drivers/output/Csv.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace epafi::drivers {
+
+namespace {
+
+struct Field {
+  const char* name;
+  double (*of)(const InsideValue& value);
+};
+
+constexpr Field fields[] = {
+    {"ux", [](const InsideValue& v) { return v.displacement.x; }},
+    {"uy", [](const InsideValue& v) { return v.displacement.y; }},
+    {"sxx", [](const InsideValue& v) { return v.xx; }},
+    {"syy", [](const InsideValue& v) { return v.yy; }},
+    {"sxy", [](const InsideValue& v) { return v.xy; }},
+    {"szz", [](const InsideValue& v) { return v.zz; }},
+    {"von_mises", [](const InsideValue& v) { return v.vonMises; }},
+    {"principal_1", [](const InsideValue& v) { return v.principal1; }},
+    {"principal_2", [](const InsideValue& v) { return v.principal2; }},
+};
+
+/// Where a point of the boundary lies.
+struct Foot {
+  int element = 0;
+  double t = 0;
+};
+
+Foot nearestFoot(const bem::Mesh& mesh, bem::Vec2 point) {
+  const bem::Vec2 x = mesh.outline().scaled(point);
+  Foot foot;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bem::Complex z = mesh[e].curve.seen(x).z();
+    const double over = std::max(0.0, std::abs(z.real()) - 1);
+    const double distance = mesh[e].half * std::hypot(over, z.imag());
+    if (distance < nearest) {
+      nearest = distance;
+      foot = {e, std::min(1.0, std::max(-1.0, z.real()))};
+    }
+  }
+  return foot;
+}
+
+InsideValue mean(const InsideValue& a, const InsideValue& b) {
+  const auto half = [](double x, double y) { return 0.5 * (x + y); };
+  InsideValue m;
+  m.displacement = 0.5 * (a.displacement + b.displacement);
+  m.xx = half(a.xx, b.xx);
+  m.yy = half(a.yy, b.yy);
+  m.xy = half(a.xy, b.xy);
+  m.zz = half(a.zz, b.zz);
+  m.vonMises = half(a.vonMises, b.vonMises);
+  m.principal1 = half(a.principal1, b.principal1);
+  m.principal2 = half(a.principal2, b.principal2);
+  return m;
+}
+
+InsideValue onBoundary(const Inside& inside, bem::Vec2 point) {
+  constexpr double node = 0.999;
+  const bem::Mesh& mesh = inside.space().mesh();
+  const Foot foot = nearestFoot(mesh, point);
+  const InsideValue own = inside.atBoundary(foot.element, foot.t);
+  if (foot.t > node)
+    return mean(own, inside.atBoundary(mesh[foot.element].next, -1));
+  if (foot.t < -node)
+    return mean(own, inside.atBoundary(mesh[foot.element].previous, 1));
+  return own;
+}
+
+template <class Value>
+std::string array(const char* name, int components, std::size_t size,
+                  const Value& value) {
+  std::string text = std::string("<DataArray type=\"Float64\" Name=\"") + name +
+                     "\" NumberOfComponents=\"" + std::to_string(components) +
+                     "\" format=\"ascii\">\n";
+  for (std::size_t i = 0; i < size; ++i)
+    text += value(i) + "\n";
+  return text + "</DataArray>\n";
+}
+
+template <class Value>
+std::string whole(const char* type, const char* name, std::size_t size,
+                  const Value& value) {
+  std::string text = std::string("<DataArray type=\"") + type + "\" Name=\"" + name +
+                     "\" format=\"ascii\">\n";
+  for (std::size_t i = 0; i < size; ++i)
+    text += value(i) + "\n";
+  return text + "</DataArray>\n";
+}
+
+std::string vector(bem::Vec2 v) { return exactly(v.x) + " " + exactly(v.y) + " 0"; }
+
+}  // namespace
+
+FilledBodies fill(const BodyInsides& insides) {
+  FilledBodies all;
+  for (std::size_t b = 0; b < insides.size(); ++b) {
+    const Triangulation own = triangulate(insides.mesh(b));
+    std::vector<InsideValue> values(own.points.size());
+    const auto n = static_cast<long>(values.size());
+#pragma omp parallel for schedule(dynamic, 16)
+    for (long k = 0; k < n; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      const bool boundary =
+          own.onBoundary[i] || !insides.mesh(b).outline().contains(own.points[i]);
+      values[i] =
+          boundary ? onBoundary(insides[b], own.points[i]) : insides[b].at(own.points[i]);
+    }
+    const auto first = static_cast<int>(all.values.size());
+    for (const auto& c : own.corners)
+      all.triangles.corners.push_back({first + c[0], first + c[1], first + c[2]});
+    all.triangles.points.insert(all.triangles.points.end(), own.points.begin(),
+                                own.points.end());
+    all.values.insert(all.values.end(), values.begin(), values.end());
+    all.body.insert(all.body.end(), values.size(), static_cast<int>(b));
+  }
+  return all;
+}
+
+std::string vtuFile(const FilledBodies& bodies) {
+  const Triangulation& triangles = bodies.triangles;
+  const std::vector<InsideValue>& values = bodies.values;
+  const std::size_t points = triangles.points.size();
+  const std::size_t cells = triangles.corners.size();
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+      "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
+      std::to_string(points) + "\" NumberOfCells=\"" + std::to_string(cells) +
+      "\">\n<PointData Scalars=\"von_mises\" Vectors=\"displacement\">\n";
+  text += array("displacement", 3, points,
+                [&](std::size_t i) { return vector(values[i].displacement); });
+  for (const Field& field : fields)
+    text += array(field.name, 1, points,
+                  [&](std::size_t i) { return exactly(field.of(values[i])); });
+  text += whole("Int64", "body", points,
+                [&](std::size_t i) { return std::to_string(bodies.body[i]); });
+  text += "</PointData>\n<Points>\n" +
+          array("Points", 3, points,
+                [&](std::size_t i) { return vector(triangles.points[i]); }) +
+          "</Points>\n<Cells>\n" +
+          whole("Int64", "connectivity", cells,
+                [&](std::size_t i) {
+                  const auto& c = triangles.corners[i];
+                  return std::to_string(c[0]) + " " + std::to_string(c[1]) + " " +
+                         std::to_string(c[2]);
+                }) +
+          whole("Int64", "offsets", cells,
+                [](std::size_t i) { return std::to_string(3 * (i + 1)); }) +
+          whole("UInt8", "types", cells, [](std::size_t) { return std::string("5"); });
+  return text + "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
+
+std::vector<std::string> fieldNames() {
+  std::vector<std::string> names;
+  for (const Field& field : fields)
+    names.emplace_back(field.name);
+  return names;
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "drivers/output/HistoryTable.hpp"
+#include "drivers/process/PhaseTimer.hpp"
+#include "drivers/run/Path.hpp"
+
+#include <string>
+#include <vector>
+
+namespace epafi::drivers {
+
+/// The table that a run prints: its head, and one line per level.
+std::string tableHead();
+std::string tableLine(const LevelRow& row);
+
+/// One line per step of a path.
+std::string tableLine(const StepRow& row);
+
+/// Says of a level that it has got less than the wanted γ₀; else empty.
+std::string gamma0Note(const LevelRow& row, double wanted);
+
+/// Says what became of a level's operators, or what would cost less; else empty.
+std::string operatorsNote(const LevelRow& row);
+
+/// Where the time went, for the end of a run.
+std::string timeSummary(const PhaseTimer& timer);
+
+}  // namespace epafi::drivers

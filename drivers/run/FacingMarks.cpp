@@ -1,0 +1,144 @@
+#include "drivers/run/FacingMarks.hpp"
+
+#include "adaptivity/singular/Transitions.hpp"
+#include "contact/multiplier/MultiplierSpace.hpp"
+#include "contact/opposite/NormalRay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace epafi::drivers {
+
+namespace {
+
+using adaptivity::PreparedMesh;
+using adaptivity::Singularity;
+
+/// A place on one of several curves.
+struct Place {
+  std::size_t curve = 0;
+  double t = 0;
+};
+
+/// That opposite to a place on the side of a contact.
+std::optional<Place> oppositeTo(const Scene& scene, const ContactPair& pair,
+                                const bem::Curve& side, double t,
+                                const std::vector<bem::Curve>& met) {
+  std::optional<Place> found;
+  double smallest = scene.reach(pair);
+  for (std::size_t k = 0; k < met.size(); ++k) {
+    const auto there =
+        contact::crossing(side.point(t) + scene.shift(pair), side.normal(t), met[k]);
+    if (!there || !contact::isOn(*there) || std::abs(there->distance) > smallest)
+      continue;
+    smallest = std::abs(there->distance);
+    found = Place{k, there->t};
+  }
+  return found;
+}
+
+/// Strong where contact between two bodies that deform ends, even at a corner: the pressure is
+/// unbounded there, or jumps.
+void markEnds(const ContactPair& pair, const contact::Conditions& conditions,
+              PreparedMesh& side) {
+  const auto touches = [&](int e) {
+    const auto* contact = contact::contactOn(side.mesh, e, conditions);
+    return contact != nullptr && contact->name == pair.name;
+  };
+  for (const int e : side.mesh.elementsOf(pair.side.boundary)) {
+    const bem::Element& element = side.mesh[e];
+    for (const auto& [neighbour, node] : {std::pair(element.previous, element.startNode),
+                                          std::pair(element.next, element.endNode)})
+      if (touches(e) && !touches(neighbour))
+        side.singular.nodes[static_cast<std::size_t>(node)] = Singularity::Strong;
+  }
+}
+
+/// Places of an element that lie beside strong singular points.
+bem::Vector besideSingular(const PreparedMesh& side, int e) {
+  constexpr double close = 1e-6;
+  bem::Vector places;
+  if (side.singular.at(side.mesh, e, false) == Singularity::Strong)
+    places.push_back(-1 + close);
+  for (const double t : side.singular.inside[static_cast<std::size_t>(e)]) {
+    places.push_back(t - close);
+    places.push_back(t + close);
+  }
+  if (side.singular.at(side.mesh, e, true) == Singularity::Strong)
+    places.push_back(1 - close);
+  return places;
+}
+
+bool has(const std::vector<int>& elements, int e) {
+  return std::binary_search(elements.begin(), elements.end(), e);
+}
+
+void add(int e, std::vector<int>& elements) {
+  if (!has(elements, e))
+    elements.insert(std::upper_bound(elements.begin(), elements.end(), e), e);
+}
+
+}  // namespace
+
+void shareSingularPoints(const Scene& scene, std::vector<PreparedMesh>& prepared) {
+  std::vector<std::vector<adaptivity::Transition>> found(prepared.size());
+  for (std::size_t b = 0; b < prepared.size(); ++b)
+    for (const RequiredNode& node : scene.bodies[b].nodes)
+      found[b].push_back({node.edge, node.place});
+  for (const ContactPair& pair : scene.contacts) {
+    if (pair.met.rigid)
+      continue;
+    markEnds(pair, scene.bodies[pair.side.body].conditions, prepared[pair.side.body]);
+    const bem::Mesh& mesh = prepared[pair.side.body].mesh;
+    const adaptivity::SingularPoints& singular = prepared[pair.side.body].singular;
+    const Scene::MetEdges met = scene.metEdges(pair);
+    for (const int e : mesh.elementsOf(pair.side.boundary)) {
+      bem::Vector places = singular.inside[static_cast<std::size_t>(e)];
+      if (singular.at(mesh, e, false) == Singularity::Strong)
+        places.push_back(-1);
+      for (const double t : places)
+        if (const auto there = oppositeTo(scene, pair, mesh[e].curve, t, met.curves))
+          found[pair.met.body].push_back(
+              {met.edges[there->curve],
+               met.curves[there->curve].half() * (1 + there->t)});
+    }
+  }
+  for (std::size_t b = 0; b < prepared.size(); ++b)
+    if (!found[b].empty())
+      prepared[b].singular =
+          adaptivity::placeOn(prepared[b].mesh, {found[b], prepared[b].singular});
+}
+
+std::vector<std::vector<int>> withFacing(const Scene& scene,
+                                         const std::vector<PreparedMesh>& prepared,
+                                         std::vector<std::vector<int>> worst) {
+  constexpr double shortest = 0.5 + 1e-6;  // half as long is common, and no more
+  const std::vector<std::vector<int>> chosen = worst;
+  for (const ContactPair& pair : scene.contacts) {
+    if (pair.met.rigid)
+      continue;
+    const std::size_t a = pair.side.body;
+    const std::size_t b = pair.met.body;
+    const bem::Mesh& side = prepared[a].mesh;
+    const bem::Mesh& met = prepared[b].mesh;
+    const std::vector<int> numbers = met.elementsOf(pair.met.boundary);
+    std::vector<bem::Curve> curves;
+    for (const int e : numbers)
+      curves.push_back(met[e].curve);
+    for (const int e : side.elementsOf(pair.side.boundary))
+      for (const double t : besideSingular(prepared[a], e)) {
+        const auto there = oppositeTo(scene, pair, side[e].curve, t, curves);
+        if (!there)
+          continue;
+        const int facing = numbers[there->curve];
+        if (has(chosen[a], e) && met[facing].half > shortest * side[e].half)
+          add(facing, worst[b]);
+        if (has(chosen[b], facing) && side[e].half > shortest * met[facing].half)
+          add(e, worst[a]);
+      }
+  }
+  return worst;
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,105 @@
+#include "drivers/run/MemoryForecast.hpp"
+
+#include "bem/base/Error.hpp"
+#include "drivers/process/Memory.hpp"
+#include "drivers/scene/LinearCost.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::drivers {
+
+namespace {
+
+std::vector<BodySize> sizesOf(const BodySpaces& spaces) {
+  std::vector<BodySize> sizes;
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    const bem::Space& space = spaces.space(b);
+    double smallest = space.mesh()[0].half;
+    double largest = smallest;
+    for (const bem::Element& element : space.mesh().elements()) {
+      smallest = std::min(smallest, element.half);
+      largest = std::max(largest, element.half);
+    }
+    sizes.push_back({static_cast<double>(space.displacements()),
+                     static_cast<double>(space.densities()),
+                     static_cast<double>(spaces.multiplier(b).size()),
+                     static_cast<double>(space.mesh().size()), largest / smallest,
+                     !spaces.opposite(b)->bodies().empty()});
+  }
+  return sizes;
+}
+
+/// Maximum Memory, or what is free; what this process holds now is in a forecast, too.
+double allowedMemory(const Scene& scene, const Ranks& ranks) {
+  const bem::DenseAlgebra& algebra = ranks.algebra();
+  const double free =
+      algebra.broadcast({freeMemory() + ownMemory() * algebra.processes()}).front();
+  return scene.adaptivity.limits.memory.value_or(free);
+}
+
+}  // namespace
+
+Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks) {
+  using Operators = LinearMethod::Operators;
+  const Operators wanted = linearMethods().at(scene.linear.method).operators;
+  const int processes = ranks.algebra().processes();
+  const std::vector<BodySize> sizes = sizesOf(spaces);
+  const int steps = scene.history ? static_cast<int>(scene.history.times.size()) : 1;
+  const Cost dense = denseCost(sizes, steps, processes);
+  const Cost compressed = compressedCost(sizes, steps, processes);
+  if (wanted == Operators::Compressed)
+    return {true, compressed.memory};
+
+  const double allowed = allowedMemory(scene, ranks);
+  const bool denseFits = dense.memory <= allowed;
+  const bool compressedFits = compressed.memory <= allowed;
+  const auto isBetter = [&](double gain) {
+    return denseFits && compressedFits   ? gain * compressed.seconds < dense.seconds
+           : denseFits == compressedFits ? compressed.memory < dense.memory
+                                         : compressedFits;
+  };
+  const bool isPossible = whyNotCompressed(scene).empty();
+  if (wanted == Operators::Cheaper && isPossible) {
+    if (isBetter(1))
+      return {true, compressed.memory,
+              denseFits ? std::optional(dense.memory) : std::nullopt};
+    return {false, dense.memory};
+  }
+  constexpr double worthTelling = 2;
+  Plan plan{false, dense.memory};
+  if (isBetter(worthTelling))
+    plan.advice = bem::message(
+        "with ", wanted == Operators::Cheaper ? "" : "Solver->Linear->Method = Automatic",
+        wanted == Operators::Cheaper || isPossible ? "" : " and ",
+        isPossible ? "" : "Discretization->Stabilization->Form = Density",
+        " operators could be compressed: about ",
+        std::ceil(100 * compressed.seconds / dense.seconds), " % of the time and ",
+        std::ceil(compressed.memory), " in place of ", std::ceil(dense.memory), " MiB");
+  return plan;
+}
+
+std::optional<std::string> tooLarge(int level, const Size& size, const Plan& plan,
+                                    const Scene& scene, const Ranks& ranks) {
+  const std::optional<double>& limit = scene.adaptivity.limits.memory;
+  const double allowed = allowedMemory(scene, ranks);
+  if (plan.memory <= allowed)
+    return std::nullopt;
+  const double program = programMemory * ranks.algebra().processes();
+  const double share = std::max((allowed - program) / (plan.memory - program), 0.0);
+  // matrices grow with the square
+  const long cap = static_cast<long>((plan.compressed ? share : std::sqrt(share)) *
+                                     static_cast<double>(size.dof()));
+  const std::string text = bem::message(
+      "level ", level, " with ", size.dof(), " degrees of freedom would take about ",
+      std::ceil(plan.memory), " MiB; ",
+      limit ? "Adaptivity->Maximum Memory = " : "MiB that are free: ",
+      std::floor(allowed), limit ? "" : " (Adaptivity->Maximum Memory overrules them)",
+      "; ", plan.advice, plan.advice.empty() ? "" : "; ", "about ", cap,
+      " degrees of freedom fit: ");
+  if (level == 0)
+    throw bem::InputError(text + "make the first mesh coarser");
+  return text + "set Adaptivity->Maximum Degrees of Freedom";
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "drivers/process/Ranks.hpp"
+#include "drivers/run/BodySpaces.hpp"
+
+#include <optional>
+#include <string>
+
+namespace epafi::drivers {
+
+/// How a level's operators are to be known, and what that takes.
+struct Plan {
+  bool compressed = false;
+  double memory = 0;  ///< at the peak, all processes together [MiB]
+  /// Of dense operators, which may take the place of compressed ones that fail: under Method
+  /// "Automatic" where they fit.
+  std::optional<double> denseInstead{};
+  /// What another Method or Form would save; empty: nothing to speak of.
+  std::string advice{};
+};
+
+/// As Solver->Linear->Method wants it; "Automatic": compressed where the scene allows it and
+/// less time is foretold, or dense matrices do not fit.  Collective.
+Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks);
+
+/// Why a level is not begun that would not fit into Maximum Memory, or else into what is
+/// free; nothing if it does.  Collective.
+std::optional<std::string> tooLarge(int level, const Size& size, const Plan& plan,
+                                    const Scene& scene, const Ranks& ranks);
+
+}  // namespace epafi::drivers

@@ -1,0 +1,70 @@
+#include "drivers/scene/ArrayText.hpp"
+
+#include <cstring>
+
+namespace epafi::drivers {
+
+namespace {
+
+constexpr const char* signs = "{},";
+constexpr const char* standIns = "\x01\x02\x03";  // no XML text holds these
+
+int change(char c) {
+  if (c == '(' || c == '{')
+    return 1;
+  return c == ')' || c == '}' ? -1 : 0;
+}
+
+}  // namespace
+
+bool isBalanced(const std::string& text) {
+  int depth = 0;
+  for (const char c : text) {
+    depth += change(c);
+    if (depth < 0)
+      return false;
+  }
+  return depth == 0;
+}
+
+std::vector<std::string> pieces(const std::string& text) {
+  const bool nested = isBalanced(text);
+  std::vector<std::string> result(1);
+  int depth = 0;
+  for (const char c : text) {
+    depth += nested ? change(c) : 0;
+    if (c == ',' && depth == 0)
+      result.emplace_back();
+    else
+      result.back() += c;
+  }
+  return result;
+}
+
+std::string hidden(const std::string& array) {
+  const auto first = array.find('{');
+  const auto last = array.rfind('}');
+  if (first == std::string::npos || last <= first ||
+      array.find_first_of("{(", first + 1) == std::string::npos)
+    return array;
+  std::string result = array.substr(0, first) + "{";
+  const char* separator = "";
+  for (std::string entry : pieces(array.substr(first + 1, last - first - 1))) {
+    for (char& c : entry)
+      if (const char* sign = std::strchr(signs, c))
+        c = standIns[sign - signs];
+    result += separator + entry;
+    separator = ",";
+  }
+  return result + array.substr(last);
+}
+
+std::string shown(const std::string& entry) {
+  std::string result = entry;
+  for (char& c : result)
+    if (const char* sign = std::strchr(standIns, c))
+      c = signs[sign - standIns];
+  return result;
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,88 @@
+#include "drivers/scene/History.hpp"
+
+#include "bem/base/Error.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <Teuchos_ParameterList.hpp>
+
+#include <numeric>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::InputError;
+using bem::message;
+
+constexpr double mostSteps = 100000;
+
+/// One number for each time.
+std::vector<int> stepsOf(const Teuchos::ParameterList& list, std::size_t times) {
+  if (!list.isParameter("Steps"))
+    return std::vector<int>(times, 1);
+  std::vector<int> steps = list.get<Teuchos::Array<int>>("Steps").toVector();
+  if (steps.size() == 1)
+    steps.resize(times, steps.front());
+  if (steps.size() != times)
+    throw InputError(message("History->Steps: has ", steps.size(),
+                             " numbers, but History->Times has ", times,
+                             "; give one for all or one for each"));
+  if (std::accumulate(steps.begin(), steps.end(), 0.0) > mostSteps)
+    throw InputError(message("History->Steps: more than ", mostSteps, " steps"));
+  return steps;
+}
+
+}  // namespace
+
+bem::SchemaRows historyRows() {
+  using bem::Kind;
+  using bem::Row;
+  return {
+      Row("Times", Kind::Reals,
+          "the path starts unloaded at t = 0 and is solved up to each of these, in this "
+          "order; expressions know t")
+          .unit("that of t in the expressions")
+          .range(bem::above(0)),
+      Row("Steps", Kind::Counts,
+          "equal steps up to each time, one number for all or one for each; without it "
+          "one")
+          .unit("1")
+          .range({1, mostSteps}),
+      Row("Minimum Step", Kind::Real,
+          "a step that fails is halved down to this; without it to 1/64 of the step")
+          .unit("that of t in the expressions")
+          .range(bem::above(0)),
+  };
+}
+
+History parseHistory(const Teuchos::ParameterList& list) {
+  History history;
+  if (!list.isParameter("Times")) {
+    if (list.numParams() > 0)
+      throw InputError(message("History->Times: missing; History->", list.begin()->first,
+                               " says nothing without it"));
+    return history;
+  }
+  const auto& times = list.get<Teuchos::Array<double>>("Times");
+  if (times.size() == 0)
+    throw InputError("History->Times: is empty; at least one time is needed");
+  const std::vector<int> steps = stepsOf(list, static_cast<std::size_t>(times.size()));
+  double start = 0;
+  for (int k = 0; k < times.size(); ++k) {
+    const double end = times[k];
+    if (!(end > start))
+      throw InputError(message("History->Times: number ", k, " = ", end,
+                               " is not above the one before, ", start,
+                               "; times increase"));
+    const int count = steps[static_cast<std::size_t>(k)];
+    for (int i = 1; i < count; ++i)
+      history.times.push_back(start + (end - start) * i / count);
+    history.times.push_back(end);
+    start = end;
+  }
+  if (list.isParameter("Minimum Step"))
+    history.minimumStep = list.get<double>("Minimum Step");
+  return history;
+}
+
+}  // namespace epafi::drivers

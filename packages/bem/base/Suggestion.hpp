@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace epafi::bem {
+
+/// Fewest insertions, deletions, replacements and swaps of neighbours that turn one word
+/// into the other; upper and lower case count as equal half. [Damerau64]
+double editDistance(const std::string& a, const std::string& b);
+
+/// The candidate with the smallest editDistance; empty if there is none.
+std::string nearest(const std::string& name, const std::vector<std::string>& candidates);
+
+/// "'A', 'B' or 'C'"
+std::string quotedList(const std::vector<std::string>& names);
+
+/// "; did you mean 'X'? known: 'X', 'Y'", for the end of a message about an unknown name.
+std::string suggestion(const std::string& name,
+                       const std::vector<std::string>& candidates);
+
+}  // namespace epafi::bem

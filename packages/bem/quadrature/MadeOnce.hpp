@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <mutex>
+
+namespace epafi::bem {
+
+/// Values for n = 1 ... Count, each made when it is first asked for and then kept, by whatever
+/// thread: a small run needs a third of all rules, and making all takes as long as a level.
+template <class Value, int Count>
+class MadeOnce {
+ public:
+  explicit MadeOnce(Value (*make)(int n)) : make_(make) {}
+
+  const Value& operator[](int n) {
+    const auto k = static_cast<std::size_t>(n - 1);
+    if (!isMade_[k].load(std::memory_order_acquire)) {
+      const std::lock_guard<std::mutex> lock(making_);
+      if (!isMade_[k].load(std::memory_order_relaxed)) {
+        values_[k] = make_(n);
+        isMade_[k].store(true, std::memory_order_release);
+      }
+    }
+    return values_[k];
+  }
+
+ private:
+  Value (*make_)(int n);
+  std::mutex making_;
+  std::array<std::atomic<bool>, Count> isMade_{};
+  std::array<Value, Count> values_{};
+};
+
+}  // namespace epafi::bem

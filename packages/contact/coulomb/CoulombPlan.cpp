@@ -1,0 +1,110 @@
+#include "contact/coulomb/CoulombPlan.hpp"
+
+#include "contact/coulomb/CoulombStages.hpp"
+
+namespace epafi::contact {
+
+namespace {
+
+Solution byNewton(const Problem& problem, const State& start, const Tresca& tresca,
+                  const CoulombOptions& options);
+
+bool isCoupled(const CoulombCourse& course) { return course.isCoupled(); }
+
+// From zero, coupled bounds are uncoupled first.
+bool startsAfar(const CoulombCourse& course) {
+  return !course.knowsSets() && (!course.isCoupled() || course.hasStart());
+}
+
+bool knowsSets(const CoulombCourse& course) { return course.knowsSets(); }
+
+// Following begins without friction, which may have to hold a body that contact holds.
+bool isHeldByContact(const CoulombCourse& course) {
+  return course.problem().rigidMotions() > 0;
+}
+
+bool isPressedAsBefore(const CoulombCourse& course) {
+  return course.knowsSets() && isHeldByContact(course);
+}
+
+bool isHeldOtherwise(const CoulombCourse& course) { return !isHeldByContact(course); }
+
+bool mayPivot(const CoulombCourse& course) {
+  return course.isCoupled() && course.equation().hasActiveSets();
+}
+
+void fullSteps(CoulombCourse& course, Stage stage) { course.steps(stage, course.run()); }
+
+void stepsOfUpdates(CoulombCourse& course, Stage stage) {
+  course.steps(stage, std::max(course.run(), course.options().maximumIterations));
+}
+
+void pivoting(CoulombCourse& course, Stage stage) {
+  course.pivoting(stage, course.equation(), course.best());
+}
+
+// From the start as it was: sets that do not return end somewhere, also where a thin body lifts
+// by so little that other methods cannot tell it from rounding.
+void pivotingAtLength(CoulombCourse& course, Stage stage) {
+  constexpr int runs = 3;
+  const Problem& problem = course.problem();
+  course.add(stage,
+             course.tresca().newton().run(course.sharp(), pack(problem, course.start()),
+                                          NewtonMethod::Pivoting,
+                                          std::min(runs * course.run(), course.left())));
+}
+
+// Bounds that follow all pressures of an element make active sets wander from afar; bounds
+// that follow their own pressure alone do not, and bring near.  Sweeps from there would
+// lead away again.
+void uncoupled(CoulombCourse& course, Stage stage) {
+  const Problem single = withUncoupledBounds(course.problem());
+  Solution near = byNewton(single, course.start(), course.tresca(), course.options());
+  near.report = asOne(std::move(near.report), stage);
+  near.report.coulombIterations = near.report.newtonIterations;
+  near.report.status = Status::NotConverged;
+  course.add(std::move(near));
+}
+
+constexpr PlannedStage<CoulombCourse> newtonPlan[] = {
+    {Stage::FullSteps, startsAfar, fullSteps},
+    {Stage::Pivoting, knowsSets, pivoting},
+    {Stage::Uncoupled, isCoupled, uncoupled},
+    {Stage::FullSteps, isCoupled, fullSteps},
+    {Stage::Pivoting, isPressedAsBefore, pivotingAtLength},
+    {Stage::InteriorPoint, isHeldByContact, CoulombCourse::throughTheMiddle},
+    {Stage::FollowFriction, CoulombCourse::mayFollow, CoulombCourse::followBriefly},
+    {Stage::InteriorPoint, isHeldOtherwise, CoulombCourse::throughTheMiddle},
+    {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updateBriefly},
+    {Stage::Pivoting, mayPivot, pivoting},
+    {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::descendBriefly},
+    {Stage::FollowFriction, CoulombCourse::mayFollow, CoulombCourse::followFriction},
+    {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::meritDescent},
+    {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updates},
+};
+
+constexpr PlannedStage<CoulombCourse> oneStepPlan[] = {
+    {Stage::FullSteps, CoulombCourse::always, stepsOfUpdates},
+    {Stage::FollowFriction, CoulombCourse::always, CoulombCourse::followFriction},
+    {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::meritDescent},
+    {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updates},
+};
+
+Solution byNewton(const Problem& problem, const State& start, const Tresca& tresca,
+                  const CoulombOptions& options) {
+  return follow(newtonPlan, CoulombCourse(problem, start, tresca,
+                                          Equation::Bound::Differentiated, options));
+}
+
+}  // namespace
+
+Solution CoulombNewton::solveSound(const Problem& problem, const State& start) const {
+  return byNewton(problem, start, tresca_, options_);
+}
+
+Solution CoulombOneStep::solveSound(const Problem& problem, const State& start) const {
+  return follow(oneStepPlan, CoulombCourse(problem, start, tresca_,
+                                           Equation::Bound::Lagged, options_));
+}
+
+}  // namespace epafi::contact

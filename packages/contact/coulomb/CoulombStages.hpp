@@ -1,0 +1,44 @@
+#pragma once
+
+#include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/tresca/InteriorPoint.hpp"
+
+namespace epafi::contact {
+
+/// A course of Newton's method on Coulomb's problem, every step of which updates the bound,
+/// and the stages that its plans share.
+class CoulombCourse : public NewtonCourse {
+ public:
+  CoulombCourse(const Problem& problem, const State& start, const Tresca& tresca,
+                Equation::Bound bound, CoulombOptions options)
+      : NewtonCourse(problem, start, tresca, bound), options_(std::move(options)) {}
+
+  const CoulombOptions& options() const { return options_; }
+
+  bool isCoupled() const { return problem().boundsAreCoupled(); }
+  static bool always(const CoulombCourse&) { return true; }
+
+  /// What follows where Newton's steps fail.
+  static void followFriction(CoulombCourse& course, Stage stage);
+  static void meritDescent(CoulombCourse& course, Stage stage);
+  /// A first try of each, of `brief` steps: where one jams another often needs few.
+  static constexpr int brief = 30;
+  static void followBriefly(CoulombCourse& course, Stage stage);
+  static void descendBriefly(CoulombCourse& course, Stage stage);
+  /// Whether following went anywhere: there is a solution without friction.
+  static bool mayFollow(const CoulombCourse& course);
+  /// As NewtonCourse's, and where that ends at a fold of the path by way of a few updates.
+  static void throughTheMiddle(CoulombCourse& course, Stage stage);
+  static void updates(CoulombCourse& course, Stage stage);
+  static void updateBriefly(CoulombCourse& course, Stage stage);
+
+ private:
+  void follow(Stage stage, int most, int patience);
+  void descend(Stage stage, int most);
+  void update(Stage stage, int most);
+  void pass(Stage stage, SecondOrder order);
+
+  CoulombOptions options_;
+};
+
+}  // namespace epafi::contact

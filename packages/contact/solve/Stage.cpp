@@ -1,0 +1,67 @@
+#include "contact/solve/Stage.hpp"
+
+namespace epafi::contact {
+
+namespace {
+
+const char* nameOf(Stage stage) {
+  switch (stage) {
+    case Stage::FullSteps:
+      return "full steps";
+    case Stage::Pivoting:
+      return "pivoting";
+    case Stage::InteriorPoint:
+      return "interior point";
+    case Stage::MeritDescent:
+      return "merit descent";
+    case Stage::NearStart:
+      return "near start";
+    case Stage::FollowFriction:
+      return "follow friction";
+    case Stage::FixedPoint:
+      return "fixed point";
+    case Stage::Uncoupled:
+      return "uncoupled";
+    default:
+      return "load";
+  }
+}
+
+const char* nameOf(End end) {
+  switch (end) {
+    case End::Converged:
+      return "converged";
+    case End::Iterations:
+      return "unfinished";
+    case End::Restless:
+      return "restless";
+    case End::Growth:
+      return "grows";
+    case End::NotFinite:
+      return "not finite";
+    case End::Stalled:
+      return "stalled";
+    case End::Singular:
+      return "singular";
+    case End::NoBalance:
+      return "no balance";
+    default:
+      return "unsettled";
+  }
+}
+
+}  // namespace
+
+std::string told(const std::vector<StageRun>& stages) {
+  std::string text;
+  for (const StageRun& run : stages) {
+    text += text.empty() ? "" : ", ";
+    text += nameOf(run.stage);
+    text += " " + std::to_string(run.steps) + " " + nameOf(run.end);
+    if (!run.parts.empty())
+      text += " (" + told(run.parts) + ")";
+  }
+  return text;
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "contact/newton/Newton.hpp"
+
+#include <string>
+#include <vector>
+
+namespace epafi::contact {
+
+/// The methods of which a solve is made; those that others are part of come first.
+enum class Stage {
+  FullSteps,      ///< Newton's steps from the start
+  Pivoting,       ///< sweeps, then chosen active sets
+  InteriorPoint,  ///< the middle of the box, then Newton's last digits
+  MeritDescent,   ///< Armijo's rule on the smooth merit function
+  NearStart,      ///< a few steps to a slip bound to begin with
+  FollowFriction,
+  FixedPoint,  ///< updates of the slip bound
+  Uncoupled,   ///< every slip bound follows its own pressure alone
+  Load         ///< a part of the load
+};
+
+/// What one of them did.
+struct StageRun {
+  Stage stage = Stage::FullSteps;
+  int steps = 0;  ///< linear systems solved, those of its parts included
+  double residual = 0;
+  End end = End::Iterations;
+  std::vector<StageRun> parts{};  ///< other methods that it ran
+};
+
+/// "full steps 17 restless, follow friction 23 converged (pivoting 9 converged, ...)"
+std::string told(const std::vector<StageRun>& stages);
+
+}  // namespace epafi::contact

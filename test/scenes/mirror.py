@@ -1,0 +1,102 @@
+"""Images of scenes: mirrored, turned by a right angle or shifted they give the image of the
+solution, on the same meshes, after all levels of refinement.
+
+With a fourth argument, all: every shipped scene."""
+import os
+import sys
+
+from images import DIAGONAL, IDENTITY, MIRROR_X, MIRROR_Y, QUARTER, Image
+from runs import WORK, claim, finish, run, scene, table
+
+EVERY = sys.argv[4:] == ["all"]
+# name: levels (None: as shipped)
+SCENES = {"rounded-punch": None, "two-blocks": 8, "dovetail": 10, "incline": None, "coulomb": 14}
+if EVERY:
+    SCENES = dict.fromkeys(
+        ("rounded-punch", "two-blocks", "dovetail", "incline", "coulomb", "tresca", "press-fit",
+         "ring-on-disc", "bonded-inclusion", "two-cylinders", "disc", "punch", "fretting",
+         "tilting-punch"))
+IMAGES = {"mirrored at x = 0": Image(MIRROR_X), "turned": Image(QUARTER),
+          "shifted": Image(IDENTITY, (1000, -300))}
+if EVERY:
+    IMAGES.update({"mirrored at y = 0": Image(MIRROR_Y), "mirrored at x = y": Image(DIAGONAL)})
+# A shift by 1000 leaves their gaps of 1e-5 eight digits.
+FINE = ("two-cylinders",)
+# Of the size of all.  Beside the corner of coulomb's clamp the shear is as good as that.
+STRESS = {"coulomb": 1e-6}
+
+
+def along(rows, image):
+    """The points of each side in the scene's order; a closed one may start at another."""
+    sides = {}
+    for row in rows:
+        sides.setdefault((row["boundary"], row.get("contact_name")), []).append(row)
+    if image.reflects:
+        sides = {key: side[::-1] for key, side in sides.items()}
+    return sides
+
+
+def started(side, first, second):
+    """A side from the two points on."""
+    def off(k):
+        return sum(abs(side[(k + i) % len(side)][c] - place[j])
+                   for i, place in enumerate((first, second)) for j, c in enumerate("xy"))
+    k = min(range(len(side)), key=off)
+    return side[k:] + side[:k]
+
+
+def pairs(rows, others, image):
+    """Points of the scene and of its image that belong together."""
+    sides = along(rows, Image())
+    images = along(others, image)
+    for key, side in sides.items():
+        ends = [image.point(row["x"], row["y"]) for row in (side + side)[:2]]
+        yield from zip(side, started(images[key], *ends))
+
+
+def size(rows, *columns):
+    return max(abs(row[column]) for row in rows for column in columns)
+
+
+def compare(name, what, image, here, there, shift):
+    (history, contact, boundary), (other, contacts, boundaries) = here, there
+    claim([row["dof"] for row in history] == [row["dof"] for row in other],
+          "%s, %s: the same unknowns on %d levels" % (name, what, len(history)))
+    claim(len(boundary) == len(boundaries) and len(contact) == len(contacts), "as many points")
+    length, way, stress = (size(boundary, "x", "y"), size(boundary, "ux", "uy"),
+                           size(contact, "lambda_n", "lambda_t"))
+    off = degrees = displacement = 0
+    for p, q in pairs(boundary, boundaries, image):
+        degrees += p["degree"] != q["degree"]
+        off = max(off, *(abs(a - q[c]) for a, c in zip(image.point(p["x"], p["y"]), "xy")))
+        displacement = max(displacement, *(abs(a - q["u" + c]) for a, c in
+                                           zip(image.vector(p["ux"], p["uy"]), "xy")))
+    sign = -1 if image.reflects else 1
+    shear = max(max(abs(p["lambda_n"] - q["lambda_n"]), abs(p["lambda_t"] - sign * q["lambda_t"]))
+                for p, q in pairs(contact, contacts, image))
+    claim(degrees == 0 and off < 1e-12 * (length + shift), "the same mesh, off by %.0e" % (
+        off / length))
+    claim(displacement < 1e-10 * (1 + shift) * way, "displacements differ by %.0e" % (
+        displacement / way))
+    claim(shear < STRESS.get(name, 1e-8) * (1 + shift) * stress, "stresses by %.0e" % (
+        shear / stress))
+
+
+for name, levels in SCENES.items():
+    with open(scene(name + ".xml")) as stream:
+        text = stream.read()
+    results = {}
+    for what, image in {"": Image(), **IMAGES}.items():
+        if name in FINE and what == "shifted":
+            continue
+        os.makedirs(WORK, exist_ok=True)
+        file = os.path.join(WORK, name + ".xml")
+        with open(file, "w") as stream:
+            stream.write(image.scene(text))
+        history, contact = run(file, name, ["Adaptivity->Maximum Levels=%d" % levels]
+                               if levels else [])
+        results[what] = history, contact, table(os.path.join(WORK, name, "boundary.csv"))
+        if what:
+            compare(name, what, image, results[""], results[what],
+                    max(map(abs, image.shift)) / size(results[""][2], "x", "y"))
+finish()
