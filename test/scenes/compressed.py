@@ -71,7 +71,7 @@ claim(chosen("narrow", "tresca.xml", FOUNDATION, [*NONE, "Adaptivity->Maximum Me
       "compressed", "but compressed where dense matrices do not fit")
 claim(chosen("none", "tresca.xml", FOUNDATION, [*NONE, "Adaptivity->Maximum Memory=80"])[0] == "none",
       "and refused where neither fits")
-method, said = chosen("dense", "coulomb.xml", [256] * 4, [*DENSITY, "Solver->Linear->Method=Dense"])
+method, said = chosen("dense", "coulomb.xml", [320] * 4, [*DENSITY, "Solver->Linear->Method=Dense"])
 claim(method == "dense" and "Method = Automatic operators could be compressed" in said,
       "where dense is asked for, a large level names Automatic")
 method, said = chosen("form", "coulomb.xml", [320] * 4, [])

@@ -105,7 +105,7 @@ for row in history[-2:]:
     share = row["memory_forecast_mb"] / row["memory_mb"]
     claim(0.75 < share < 1.35, "%d unknowns: %.0f MiB foretold, %.0f taken" % (
         row["dof"], row["memory_forecast_mb"], row["memory_mb"]))
-limit = "Adaptivity->Maximum Memory=%d" % history[-2]["memory_mb"]
+limit = "Adaptivity->Maximum Memory=%d" % (history[-2]["memory_forecast_mb"] + 1)
 code, text = epafi("run", scene("coulomb.xml"), "--output", fresh("limited"),
                    *(word for setting in [*levels(9), limit] for word in ("--set", setting)))
 claim(code == 0 and "Maximum Degrees of Freedom" in text.split("ended")[1] and

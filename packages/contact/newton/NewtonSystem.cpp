@@ -45,8 +45,11 @@ double NewtonSystem::refine(const Factoring& factoring, const Vector& b,
 }
 
 Vector NewtonSystem::solve(const Vector& b) const {
-  if (byOperator_ != nullptr)
-    return byOperator_->solve(b);
+  if (byOperator_ != nullptr) {
+    Vector d = byOperator_->solve(b);
+    refine(*byOperator_, b, d);
+    return d;
+  }
   if (byEntries_ == nullptr) {
     Vector d = byKept_->solve(b);
     double last = largestEntry(d);
