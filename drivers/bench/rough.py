@@ -39,7 +39,7 @@ def profile(seed):
 def scene(seed, elements):
     """The block on its plane; t is the mean pressure over (plane strain modulus times slope)."""
     return epafi.Scene({
-        "Tables": {"profile": {"Points": profile(seed), "Interpolation": "Cubic"}},
+        "Tables": {"profile": {"Points": profile(seed), "Interpolation": "Spline"}},
         "Constants": {"slope": SLOPE},
         "Bodies": {"block": {
             "Material": {"Young's Modulus": 0.91, "Poisson's Ratio": 0.3},
