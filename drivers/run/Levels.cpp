@@ -8,7 +8,7 @@
 #include "contact/system/ContactSystem.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/run/BodySpaces.hpp"
-#include "drivers/run/MemoryForecast.hpp"
+#include "drivers/run/LevelPlan.hpp"
 #include "drivers/run/Path.hpp"
 #include "drivers/run/SolvedBodies.hpp"
 #include "drivers/run/Solver.hpp"
@@ -68,9 +68,7 @@ struct NewLevel {
   bool insteadOfCompressed = false;
 
   const char* operators() const {
-    return plan.compressed       ? "compressed"
-           : insteadOfCompressed ? "dense instead"
-                                 : "dense";
+    return plan.compressed ? "compressed" : insteadOfCompressed ? denseInstead : "dense";
   }
 };
 

@@ -1,4 +1,4 @@
-#include "drivers/run/MemoryForecast.hpp"
+#include "drivers/run/LevelPlan.hpp"
 
 #include "bem/base/Error.hpp"
 #include "drivers/process/Memory.hpp"

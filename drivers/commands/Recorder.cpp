@@ -1,0 +1,178 @@
+#include "drivers/commands/Recorder.hpp"
+
+#include "bem/base/Error.hpp"
+#include "drivers/output/BodiesTable.hpp"
+#include "drivers/output/BodyInsides.hpp"
+#include "drivers/output/BoundaryTable.hpp"
+#include "drivers/output/BoundaryVtu.hpp"
+#include "drivers/output/ContactTable.hpp"
+#include "drivers/output/Csv.hpp"
+#include "drivers/output/HistoryTable.hpp"
+#include "drivers/output/PrintedTable.hpp"
+#include "drivers/output/SolutionFile.hpp"
+#include "drivers/output/StepsTable.hpp"
+#include "drivers/run/Warnings.hpp"
+#include "drivers/scene/SceneReader.hpp"
+
+#include <ostream>
+#include <utility>
+
+namespace epafi::drivers {
+
+namespace {
+
+/// How much work may wait for its files [CPU seconds]: so much of a run is lost at most if it
+/// is killed, and files of small levels cost as much as solving them.
+constexpr double longestWait = 0.5;
+
+/// On the level that ends a run only: many points cost more than the levels.
+void writeInterior(const Scene& scene, const Level& level, OutputFolder& folder) {
+  const BodyInsides insides(scene, level);
+  const std::vector<bem::Vec2>& points = scene.output.interiorPoints;
+  folder.write("interior.csv", insides.csv(points, insides.at(points)));
+}
+
+}  // namespace
+
+Recorder::Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
+                   std::optional<OutputFolder>& folder, const ProgressLine& progress,
+                   std::ostream& table, std::function<void(int)> written)
+    : scene_(scene),
+      earlier_(earlier),
+      folder_(folder),
+      progress_(progress),
+      table_(table),
+      written_(std::move(written)),
+      used_(usedXml(scene)),
+      history_(earlier ? earlier->history : historyHead()),
+      bodies_(earlier && !earlier->resultants.empty() ? earlier->resultants
+                                                      : bodiesHead()),
+      path_{earlier ? earlier->steps : "", {}, {}, {}},
+      contact_(scene) {
+  if (!folder_)
+    return;
+  if (earlier_)  // without rows of levels that did not make it
+    folder_->write("history.csv", history_);
+  folder_->write("used.xml", used_);
+  folder_->drop("interior.csv");  // of an earlier level
+  if (earlier_)
+    last_ = earlier_->level;
+}
+
+void Recorder::take(const SolvedLevel& level) {
+  ++levels_;
+  if (!folder_)
+    return;
+  note(level);
+  warnings_ = warningsOf(scene_, level);
+  if (level.row.operators == denseInstead)
+    told_.push_back(bem::message("level ", level.row.level, ": ", level.row.note));
+  warnings_.insert(warnings_.begin(), told_.begin(), told_.end());
+  if (level.path != nullptr || cpuSeconds() - writtenAt_ > longestWait)
+    write();
+}
+
+void Recorder::write() {
+  if (!waiting_)
+    return;
+  folder_->stage("history.csv", history_);
+  for (std::size_t k = 0; k < path_.contacts.size(); ++k)
+    folder_->stage(stepFile(k + 1, "contact.csv"), path_.contacts[k]);
+  for (std::size_t k = 0; k < path_.boundaries.size(); ++k)
+    folder_->stage(stepFile(k + 1, "boundary.vtu"), path_.boundaries[k]);
+  if (!path_.boundaries.empty())
+    folder_->stage("steps.pvd", stepsPvd(path_.times));
+  if (scene_.hasContact())
+    folder_->stage("contact.csv", waiting_->contact);
+  if (scene_.output.fields)
+    folder_->stage("boundary.csv", boundaryCsv(scene_, waiting_->grid));
+  if (scene_.hasSeveral())
+    folder_->stage("bodies.csv", bodies_);
+  if (scene_.output.fields)
+    folder_->stage("solution.hdf", solution(*last_, waiting_->secondsTotal,
+                                            waiting_->secondsWall, waiting_->grid));
+  folder_->commit();
+  path_ = {path_.steps, {}, {}, {}};
+  waiting_.reset();
+  writtenAt_ = cpuSeconds();
+  written_(last_->number);
+}
+
+void Recorder::finish(PhaseTimer& timer) {
+  if (folder_)
+    timer.run(Phase::Results, [&] {
+      write();
+      if (last_ && !scene_.output.interiorPoints.empty())
+        writeInterior(scene_, *last_, *folder_);
+    });
+  writeTimings(timer);
+}
+
+void Recorder::takeStep(SolvedLevel level) {
+  if (!folder_)
+    return;
+  if (earlier_) {
+    level.row.secondsTotal += earlier_->secondsTotal;
+    level.row.secondsWall += earlier_->secondsWall;
+  }
+  const StepRow& row = level.path->steps.back()->row;
+  const std::string head = stepsHead(row);
+  path_.steps = path_.steps.empty() ? head : underHead(path_.steps, head);
+  path_.steps += stepsLine(row);
+  path_.contacts.push_back(contact_.next(level));
+  path_.times.push_back(row.t);
+  if (scene_.hasSeveral())
+    bodies_ += bodiesLines(scene_, row.level, row.step, row.bodies, row.rigid);
+  folder_->stage("steps.csv", path_.steps);
+  if (scene_.output.fields) {
+    const BoundaryLines grid = boundaryLines(scene_, level);
+    path_.boundaries.push_back(boundaryVtu(grid));
+    folder_->stage("solution.hdf", solution(level.level, level.row.secondsTotal,
+                                            level.row.secondsWall, grid));
+  }
+  folder_->commit();
+  progress_.clear();
+  table_ << tableLine(row) << std::flush;
+}
+
+void Recorder::writeTimings(PhaseTimer& timer) {
+  if (folder_)
+    folder_->write("timings.txt", timer.report() + stages_);
+}
+
+std::string Recorder::solution(const Level& level, double secondsTotal,
+                               double secondsWall, const BoundaryLines& grid) const {
+  return solutionFile(scene_,
+                      {level, used_, history_, path_.steps,
+                       scene_.hasSeveral() ? bodies_ : "", secondsTotal, secondsWall},
+                      grid);
+}
+
+void Recorder::note(SolvedLevel level) {
+  if (earlier_) {
+    level.row.secondsTotal += earlier_->secondsTotal;
+    level.row.secondsWall += earlier_->secondsWall;
+  }
+  history_ += historyLine(level.row);
+  stages_ += bem::message("level ", level.row.level, ": ",
+                          contact::told(level.row.report.stages), "\n");
+  if (level.path == nullptr)
+    bodies_ += bodiesLines(scene_, level.row.level, 0, level.row.bodies, level.row.rigid);
+  waiting_ = LevelFiles();
+  if (!path_.contacts.empty())
+    waiting_->contact = path_.contacts.back();
+  else if (scene_.hasContact())
+    waiting_->contact = contactCsv(scene_, level.bodies);
+  if (scene_.output.fields)
+    waiting_->grid = boundaryLines(scene_, level);
+  waiting_->secondsTotal = level.row.secondsTotal;
+  waiting_->secondsWall = level.row.secondsWall;
+  last_ = level.level;
+  contact_ = PathContact(scene_);
+  progress_.clear();
+  table_ << tableLine(level.row)
+         << gamma0Note(level.row, scene_.stabilization.firstGamma0())
+         << operatorsNote(level.row) << std::flush;
+}
+
+}  // namespace epafi::drivers

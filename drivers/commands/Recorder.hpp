@@ -1,0 +1,86 @@
+#pragma once
+
+#include "drivers/output/BoundaryLines.hpp"
+#include "drivers/output/OutputFolder.hpp"
+#include "drivers/output/PathContactTable.hpp"
+#include "drivers/output/Restart.hpp"
+#include "drivers/process/PhaseTimer.hpp"
+#include "drivers/process/ProgressLine.hpp"
+#include "drivers/run/Level.hpp"
+#include "drivers/scene/Scene.hpp"
+
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace epafi::drivers {
+
+/// Takes the levels of a run as they are solved: as lines of the table, and into the files of
+/// the folder, which the first process alone has; `written` is told the number of the level
+/// whose files these are.
+class Recorder {
+ public:
+  Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
+           std::optional<OutputFolder>& folder, const ProgressLine& progress,
+           std::ostream& table, std::function<void(int)> written);
+
+  /// A solved level; its files are written now or, if they were written a moment ago, later.
+  void take(const SolvedLevel& level);
+  /// A step on the way to a level: what a run that is killed now goes on from.
+  void takeStep(SolvedLevel level);
+  /// The files of the level taken last, if they wait: they take the place of those of the level
+  /// before, the one that a restart begins with last.
+  /// \throws bem::InputError for a file that cannot be written.
+  void write();
+  /// What is written once, from the last level that there is.
+  void finish(PhaseTimer& timer);
+  void writeTimings(PhaseTimer& timer);
+
+  int levels() const { return levels_; }
+  /// Of the last level.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  /// What the steps of a path leave in files.
+  struct PathRecord {
+    std::string steps;                    ///< steps.csv of all levels so far
+    std::vector<std::string> contacts;    ///< contact.csv of the steps of this level
+    std::vector<std::string> boundaries;  ///< likewise boundary.vtu
+    std::vector<double> times;            ///< likewise
+  };
+
+  /// What a solved level leaves in files, good after its operators are gone.
+  struct LevelFiles {
+    std::string contact;
+    BoundaryLines grid;
+    double secondsTotal = 0;
+    double secondsWall = 0;
+  };
+
+  std::string solution(const Level& level, double secondsTotal, double secondsWall,
+                       const BoundaryLines& grid) const;
+  void note(SolvedLevel level);
+
+  const Scene& scene_;
+  const std::optional<Checkpoint>& earlier_;
+  std::optional<OutputFolder>& folder_;
+  const ProgressLine& progress_;
+  std::ostream& table_;
+  std::function<void(int)> written_;
+  std::string used_;
+  std::string history_;
+  std::string bodies_;  ///< bodies.csv of all levels so far
+  PathRecord path_;
+  PathContact contact_;
+  std::string stages_ = "\nSolver stages, steps, how they ended\n";
+  std::optional<Level> last_;
+  std::optional<LevelFiles> waiting_;  ///< of the last level, until they are written
+  double writtenAt_ = cpuSeconds();
+  std::vector<std::string> warnings_;
+  std::vector<std::string> told_;  ///< likewise, of all levels
+  int levels_ = 0;
+};
+
+}  // namespace epafi::drivers
