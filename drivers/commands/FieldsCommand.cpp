@@ -253,7 +253,7 @@ std::string summary(const std::string& file, const Points& points,
   const auto largest = std::max_element(
       values.begin(), values.end(),
       [](const InsideValue& a, const InsideValue& b) { return a.vonMises < b.vonMises; });
-  const bem::Vec2 x = points[static_cast<std::size_t>(largest - values.begin())];
+  const bem::Vec2 x = points[largest - values.begin()];
   return message("fields  ", file, ": ", points.size(),
                  " points, largest von Mises stress ", largest->vonMises, " at (", x.x,
                  ", ", x.y, ")\n");

@@ -45,7 +45,7 @@ SideOfBody readSide(const std::string& text, const std::string& path,
     throw InputError(message(path, ": there is no body '", name, "'; did you mean '",
                              bem::nearest(name, names),
                              "'? bodies: ", bem::quotedList(names)));
-  const auto index = static_cast<std::size_t>(found - names.begin());
+  const std::size_t index = found - names.begin();
   side.rigid = index >= scene.bodies.size();
   side.body = side.rigid ? index - scene.bodies.size() : index;
   checkNamed(side.boundary, path, scene.outlineOf(side));
@@ -148,7 +148,7 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
       if (pair.met.rigid)
         continue;
       // where a stretch begins or ends what is opposite may get a node
-      const auto k = static_cast<std::size_t>(stretch.curve);
+      const std::size_t k = stretch.curve;
       for (const double t : {stretch.begin, stretch.end}) {
         const auto there = contact::crossing(edge.curve.point(t) + shift,
                                              edge.curve.normal(t), met.curves[k]);

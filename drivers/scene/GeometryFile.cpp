@@ -22,8 +22,8 @@ void setLoop(Teuchos::ParameterList& geometry, const std::string& prefix,
       static_cast<Teuchos::TwoDArray<double>::size_type>(loop.vertices.size());
   Teuchos::TwoDArray<double> table(size, 2);
   for (Teuchos::TwoDArray<double>::size_type i = 0; i < size; ++i) {
-    table(i, 0) = loop.vertices[static_cast<std::size_t>(i)].x;
-    table(i, 1) = loop.vertices[static_cast<std::size_t>(i)].y;
+    table(i, 0) = loop.vertices[i].x;
+    table(i, 1) = loop.vertices[i].y;
   }
   geometry.set(prefix + "Vertices", table);
   geometry.set(prefix + "Edges", Teuchos::Array<std::string>(loop.edges));

@@ -77,7 +77,7 @@ bem::Loop readLoop(const ParameterList& geometry, const std::string& prefix,
 std::vector<bem::Vec2> pointsOf(const ParameterList& list, const std::string& key) {
   const auto& table = list.get<Teuchos::TwoDArray<double>>(key);
   std::vector<bem::Vec2> points;
-  points.reserve(static_cast<std::size_t>(table.getNumRows()));
+  points.reserve(table.getNumRows());
   for (int i = 0; i < table.getNumRows(); ++i)
     points.push_back({table(i, 0), table(i, 1)});
   return points;

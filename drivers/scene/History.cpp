@@ -74,7 +74,7 @@ History parseHistory(const Teuchos::ParameterList& list) {
       throw InputError(message("History->Times: number ", k, " = ", end,
                                " is not above the one before, ", start,
                                "; times increase"));
-    const int count = steps[static_cast<std::size_t>(k)];
+    const int count = steps[k];
     for (int i = 1; i < count; ++i)
       history.times.push_back(start + (end - start) * i / count);
     history.times.push_back(end);

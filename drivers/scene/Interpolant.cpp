@@ -26,7 +26,7 @@ using Points = Teuchos::TwoDArray<double>;
 std::function<double(double)> linear(std::vector<double> x, std::vector<double> values) {
   return [x = std::move(x), values = std::move(values)](double at) {
     const auto next = std::upper_bound(x.begin() + 1, x.end() - 1, at);
-    const auto i = static_cast<std::size_t>(next - x.begin());
+    const std::size_t i = next - x.begin();
     const double share = (at - x[i - 1]) / (x[i] - x[i - 1]);
     return (1 - share) * values[i - 1] + share * values[i];
   };

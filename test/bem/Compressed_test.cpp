@@ -57,7 +57,7 @@ std::vector<double> graded(int steps, double smallest) {
   for (int k = 0; k <= steps; ++k)
     fractions.push_back(0.5 * std::pow(2 * smallest, 1 - static_cast<double>(k) / steps));
   for (int k = steps - 1; k >= 0; --k)
-    fractions.push_back(1 - fractions[static_cast<std::size_t>(k)]);
+    fractions.push_back(1 - fractions[k]);
   return fractions;
 }
 
@@ -134,7 +134,7 @@ TEUCHOS_UNIT_TEST(Compressed, entriesAreThoseOfTheOperators) {
     const bem::Space space(sample.mesh);
     const bem::Lame lame({1, sample.nu, false});
     const Matrix z = wholeSystem(space, lame);
-    std::vector<int> elements(static_cast<std::size_t>(sample.mesh.size()));
+    std::vector<int> elements(sample.mesh.size());
     std::iota(elements.begin(), elements.end(), 0);
     const bem::EntryBlocks blocks = bem::entries(space, lame, elements, elements);
     const Index n = space.displacements();
@@ -210,13 +210,13 @@ TEUCHOS_UNIT_TEST(Compressed, skeletonsStandForTheirClustersBeforeAllOthers) {
       Matrix kept(static_cast<Index>(others.size()), weights.rows());
       for (Index j = 0; j < kept.columns(); ++j)
         for (Index i = 0; i < kept.rows(); ++i)
-          kept(i, j) = whole(others[at(i)], skeleton[at(j)]);
+          kept(i, j) = whole(others[i], skeleton[j]);
       const Matrix approximation = bem::product(kept, weights);
       double error = 0;
       double size = 0;
       for (std::size_t j = 0; j < own.size(); ++j)
         for (std::size_t i = 0; i < others.size(); ++i) {
-          const double scale = scales[at(others[i])] * scales[at(own[j])];
+          const double scale = scales[others[i]] * scales[own[j]];
           const double exact = whole(others[i], own[j]);
           size = std::max(size, scale * std::abs(exact));
           error = std::max(
@@ -281,7 +281,7 @@ Matrix denseSolution(Matrix z, const bem::Restriction& restriction, Matrix b) {
     z(entry.row, entry.column) += entry.value;
   std::vector<Index> kept;
   for (Index i = 0; i < z.rows(); ++i)
-    if (restriction.held[at(i)] == 0)
+    if (restriction.held[i] == 0)
       kept.push_back(i);
   const int n = static_cast<int>(kept.size());
   Matrix a(n, n);
@@ -290,23 +290,23 @@ Matrix denseSolution(Matrix z, const bem::Restriction& restriction, Matrix b) {
     scales.push_back(z(i, i) == 0 ? 1 : 1 / std::sqrt(std::abs(z(i, i))));
   for (Index j = 0; j < n; ++j)
     for (Index i = 0; i < n; ++i)
-      a(i, j) = z(kept[at(i)], kept[at(j)]);
+      a(i, j) = z(kept[i], kept[j]);
   for (const auto& follower : restriction.followers)
     for (Index j = 0; j < n; ++j)
-      if (kept[at(j)] == follower.leader)
+      if (kept[j] == follower.leader)
         for (Index i = 0; i < n; ++i)
-          a(i, j) += follower.factor * z(kept[at(i)], follower.unknown);
+          a(i, j) += follower.factor * z(kept[i], follower.unknown);
   Matrix right = bem::rowsOf(b, kept);
   const auto scale = [&](Matrix& x) {
     for (Index j = 0; j < x.columns(); ++j)
       for (Index i = 0; i < n; ++i)
-        x(i, j) *= scales[at(i)];
+        x(i, j) *= scales[i];
   };
   scale(a);
   scale(right);
   for (Index j = 0; j < n; ++j)
     for (Index i = 0; i < n; ++i)
-      a(i, j) *= scales[at(j)];
+      a(i, j) *= scales[j];
   const int columns = static_cast<int>(b.columns());
   const int lda = static_cast<int>(a.stride());
   const int ldb = static_cast<int>(right.stride());
@@ -329,7 +329,7 @@ bem::Restriction clamped(const bem::Space& space, int first, int last) {
   for (int e = first; e < last; ++e)
     for (int k = 0; k <= space.mesh()[e].degree; ++k)
       for (int c = 0; c < 2; ++c)
-        restriction.held[at(space.displacement(e, k, c))] = 1;
+        restriction.held[space.displacement(e, k, c)] = 1;
   return restriction;
 }
 
@@ -368,7 +368,7 @@ TEUCHOS_UNIT_TEST(Compressed, solutionsAreTheDenseOnes) {
                      space.displacement(sample.mesh.size() - 1, 0, 0), 0.3}};
     bem::Restriction following = clamp;
     const int last = sample.mesh.size() - 1;
-    following.held[at(space.displacement(last, 0, 0))] = 1;
+    following.held[space.displacement(last, 0, 0)] = 1;
     following.followers = {
         {space.displacement(last, 0, 0), space.displacement(last, 0, 1), 0.4}};
     for (const bem::Restriction& restriction :
@@ -436,8 +436,8 @@ TEUCHOS_UNIT_TEST(Compressed, processesTogetherAreOne) {
       leaves.push_back(z.leafOf(space.displacement(e, 0, 0)));
     const bem::Restriction clamp = clamped(space, 0, 48);
     bem::Restriction changed = clamp;
-    changed.held[at(space.displacement(50, 0, 1))] = 1;
-    changed.held[at(space.displacement(last - 2, 0, 0))] = 1;
+    changed.held[space.displacement(50, 0, 1)] = 1;
+    changed.held[space.displacement(last - 2, 0, 0)] = 1;
     const auto made = [&](const bem::CompressedOperators& from) {
       bem::CompressedFactor factor = bem::CompressedFactor(from, clamp).within(leaves);
       factor.update(changed);
@@ -546,24 +546,23 @@ TEUCHOS_UNIT_TEST(Compressed, bodiesThatFaceEachOtherAreCutTogether) {
     const std::vector<Index>& skeleton = z.part(c).skeleton;
     std::vector<char> isOwn(at(pair.size()));
     for (const Index i : own)
-      isOwn[at(i)] = 1;
+      isOwn[i] = 1;
     double error = 0;
     double size = 0;
     for (Index i = 0; i < pair.size(); ++i)
-      for (std::size_t j = 0; j < own.size() && isOwn[at(i)] == 0; ++j) {
+      for (std::size_t j = 0; j < own.size() && isOwn[i] == 0; ++j) {
         double sum = pair.whole(i, own[j]);
-        size = std::max(size, scales[at(i)] * scales[at(own[j])] * std::abs(sum));
+        size = std::max(size, scales[i] * scales[own[j]] * std::abs(sum));
         for (std::size_t k = 0; k < skeleton.size(); ++k)
           sum -= pair.whole(i, skeleton[k]) *
                  weights(static_cast<Index>(k), static_cast<Index>(j));
-        error = std::max(error, scales[at(i)] * scales[at(own[j])] * std::abs(sum));
+        error = std::max(error, scales[i] * scales[own[j]] * std::abs(sum));
       }
     worst = std::max(worst, error / size);
     // what acts across the cluster's end; all 80 where a side is alone
     std::set<Index> across;
     for (const auto& entry : pair.local.entries)
-      if (isOwn[at(entry.column)] != 0 && isOwn[at(entry.row)] == 0 &&
-          entry.row >= pair.split())
+      if (isOwn[entry.column] != 0 && isOwn[entry.row] == 0 && entry.row >= pair.split())
         across.insert(entry.column);
     most = std::max(most, across.size());
   }
@@ -577,11 +576,11 @@ TEUCHOS_UNIT_TEST(Compressed, bodiesThatFaceEachOtherAreCutTogether) {
   Matrix x = oscillating(pair.size(), 2);
   for (Index j = 0; j < 2; ++j)
     for (Index i = 0; i < pair.size(); ++i)
-      x(i, j) *= scales[at(i)];
+      x(i, j) *= scales[i];
   const auto scaled = [&](Matrix a, double power) {
     for (Index j = 0; j < a.columns(); ++j)
       for (Index i = 0; i < a.rows(); ++i)
-        a(i, j) *= std::pow(scales[at(i)], power);
+        a(i, j) *= std::pow(scales[i], power);
     return a;
   };
   TEST_COMPARE(relativeDifference(scaled(shared.times(x), 1),

@@ -156,7 +156,7 @@ Matrix LapackAlgebra::addTransposeTimes(Matrix c, const Matrix& x,
 }
 
 Vector LapackAlgebra::multiply(const Matrix& a, Index n, const Vector& x) const {
-  Vector y(static_cast<std::size_t>(n));
+  Vector y(n);
   const int rows = asInt(a.rows());
   const int columns = asInt(a.columns());
   const int ld = asInt(a.stride());

@@ -245,7 +245,7 @@ Outline::Outline(const Loop& outer, const std::vector<Loop>& holes,
     const int first = static_cast<int>(edges_.size());
     const int n = static_cast<int>(loop.vertices.size());
     for (int i = 0; i < n; ++i) {
-      const auto k = static_cast<std::size_t>(i);
+      const std::size_t k = i;
       Edge edge;
       const Vec2 from = loop.vertices[k];
       const Vec2 to = loop.vertices[after(k, loop)];

@@ -84,11 +84,11 @@ Mesh::Mesh(std::shared_ptr<const Outline> outline, const std::vector<Piece>& pie
 Mesh Mesh::withDensities(const std::vector<int>& densities) const {
   Mesh result = *this;
   for (int e = 0; e < size(); ++e) {
-    const int count = densities[static_cast<std::size_t>(e)];
+    const int count = densities[e];
     if (count < (*this)[e].degree || count > largestDegree + 1)
       throw InputError(message(count, " functions of a density on an element of degree ",
                                (*this)[e].degree));
-    result.elements_[static_cast<std::size_t>(e)].densities = count;
+    result.elements_[e].densities = count;
   }
   return result;
 }

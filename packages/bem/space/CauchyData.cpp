@@ -43,7 +43,7 @@ Series restricted(const Series& series, int degree, const Origin& origin) {
 }
 
 LocalField restricted(const CauchyData& data, const Origin& origin) {
-  const LocalField& field = data.fields[static_cast<std::size_t>(origin.element)];
+  const LocalField& field = data.fields[origin.element];
   const int p = data.mesh[origin.element].degree;
   return {restricted(field.value, p, origin), restricted(field.slope, p - 1, origin),
           restricted(field.density, data.mesh[origin.element].densities - 1, origin)};

@@ -47,9 +47,9 @@ MultiplierSpace::MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& b
     elements_.push_back(element);
   }
   joined_.assign(elements_.size(), false);
-  place_.assign(static_cast<std::size_t>(mesh.size()), -1);
+  place_.assign(mesh.size(), -1);
   for (std::size_t k = 0; k < elements_.size(); ++k) {
-    place_[static_cast<std::size_t>(elements_[k].element)] = static_cast<int>(k);
+    place_[elements_[k].element] = static_cast<int>(k);
     next_.push_back(mesh[elements_[k].element].next);
   }
   if (basis.sharesNodes)
@@ -91,7 +91,7 @@ void MultiplierSpace::shareNodes(const bem::Mesh& mesh, const Conditions& condit
 }
 
 std::optional<std::size_t> MultiplierSpace::follower(std::size_t k) const {
-  const int place = place_[static_cast<std::size_t>(next_[k])];
+  const int place = place_[next_[k]];
   return place < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(place));
 }
 
@@ -155,12 +155,10 @@ MultiplierSpace::Value MultiplierSpace::at(const Vector& multiplier,
                                            const ContactElement& element,
                                            double t) const {
   const Vector chi = basis_->values(element.degree, t);
-  const auto coefficient = [&](Index k) {
-    return multiplier[static_cast<std::size_t>(k)];
-  };
+  const auto coefficient = [&](Index k) { return multiplier[k]; };
   Value value;
   for (int i = 0; i <= element.degree; ++i) {
-    const double weight = chi[static_cast<std::size_t>(i)];
+    const double weight = chi[i];
     value.normal += weight * coefficient(element.normalOf(i));
     if (element.tangential >= 0)
       value.tangential += weight * coefficient(element.tangentialOf(i));

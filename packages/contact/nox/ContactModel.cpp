@@ -119,7 +119,7 @@ Base::InArgs<double> ContactModel::createInArgs() const {
 
 Base::InArgs<double> ContactModel::getNominalValues() const {
   Base::InArgs<double> in = createInArgs();
-  in.set_x(vector(Vector(static_cast<std::size_t>(space_->dim()), 0.0)));
+  in.set_x(vector(Vector(space_->dim(), 0.0)));
   for (int l = 0; l < parameters(); ++l) {
     const RCP<Thyra::VectorBase<double>> one = Thyra::createMember(*parameterSpace_);
     Thyra::assign(one.ptr(), 1.0);
