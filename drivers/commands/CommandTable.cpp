@@ -70,14 +70,13 @@ const Option threads{"--threads", "N",
                      "OpenMP and BLAS together; default: all cores, 1 under mpirun"};
 const Option force{"--force", "", "replace the files of an earlier run"};
 const Option quiet{"--quiet", "", "print nothing but errors"};
-const Option set{
-    "--set",
-    "'A->B->Key=value'",
-    "replace a value of the scene; a list by {Key=value, Key=value}, nothing "
-    "behind the = removes a key or a list",
-    Offer::Nothing,
-    {},
-    true};
+const Option set{"--set",
+                 "'A->B->Key=value'",
+                 "replace a value of the scene; a list by {Key=value, Key=value}, "
+                 "nothing behind the = removes a key or a list",
+                 Offer::Nothing,
+                 {},
+                 true};
 
 std::string namesOf(const std::vector<std::string>& words) {
   std::string names;

@@ -58,17 +58,14 @@ class SavedRun {
       throw InputError(message("--step: the run in '", folder,
                                "' has no History, and no steps; leave --step out"));
     if (!level.complete)
-      throw InputError(message("--step: the path in '", folder,
-                               "' was interrupted behind ", level.path.size(),
-                               " solved steps, and fields of its steps "
-                               "are kept at its end; go on with epafi run --restart, or "
-                               "leave --step out for the last one"));
+      throw InputError(message(
+          "--step: the path in '", folder, "' was interrupted behind ", level.path.size(),
+          " solved steps, and fields of its steps are kept at its end; go on with epafi "
+          "run --restart, or leave --step out for the last one"));
     if (level.steps.empty())
-      throw InputError(
-          message("--step: '", folder,
-                  "/solution.hdf' was written by a "
-                  "version of Epafi that kept the last step alone; solve the "
-                  "scene again"));
+      throw InputError(message("--step: '", folder,
+                               "/solution.hdf' was written by a version of Epafi that "
+                               "kept the last step alone; solve the scene again"));
     if (static_cast<std::size_t>(number) > level.steps.size())
       throw InputError(message("--step ", number, ": the path in '", folder, "' has ",
                                level.steps.size(),
@@ -109,9 +106,9 @@ Box windowOf(const std::string& text) {
   for (std::string piece; std::getline(pieces, piece, ',');)
     ends.push_back(numberIn(piece).value_or(std::numeric_limits<double>::quiet_NaN()));
   if (ends.size() != 4 || !(ends[0] < ends[2]) || !(ends[1] < ends[3]))
-    throw InputError(message("--window: '", text,
-                             "' is not X0,Y0,X1,Y1, two corners, the lower left one "
-                             "first"));
+    throw InputError(
+        message("--window: '", text,
+                "' is not X0,Y0,X1,Y1, two corners, the lower left one first"));
   return {{ends[0], ends[1]}, {ends[2], ends[3]}};
 }
 

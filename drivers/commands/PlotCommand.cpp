@@ -23,9 +23,9 @@ constexpr const char* python = "/usr/bin/python3";
 int callPlot(std::vector<std::string> arguments) {
   const std::string program = besideProgram(EPAFI_PYTHON "/epafi/plot/__main__.py");
   if (!fs::exists(program))
-    throw bem::InputError(bem::message("plot: '", program,
-                                       "' is missing; it is built and installed along "
-                                       "with this program"));
+    throw bem::InputError(
+        bem::message("plot: '", program,
+                     "' is missing; it is built and installed along with this program"));
   arguments.insert(arguments.begin(), program);
   std::cout << std::flush;
   return runChild(python, std::move(arguments), "plot", "install python3") ? 0 : 1;

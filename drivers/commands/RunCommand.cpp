@@ -74,8 +74,8 @@ Beginning begin(const RunOptions& options, const Scene& scene) {
     return beginning;
   if (options.force)
     throw bem::InputError(
-        "--force would delete the run that --restart goes on from; "
-        "leave one of them out or give another --output");
+        "--force would delete the run that --restart goes on from; leave one of them out "
+        "or give another --output");
   if (!scene.output.fields)
     throw bem::InputError(bem::message(
         scene.file,

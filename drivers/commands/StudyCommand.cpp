@@ -288,8 +288,8 @@ class StudyRun {
 int studyCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   if (ranks.algebra().processes() > 1)
     throw bem::InputError(
-        "study: runs on one process, so that its times mean something; --threads N "
-        "uses more cores");
+        "study: runs on one process, so that its times mean something; --threads N uses "
+        "more cores");
   const bool quiet = given.has("--quiet");
   const Study study = readStudy(given.argument);
   if (given.has("--threads"))

@@ -25,9 +25,8 @@ using Teuchos::ParameterList;
 bem::Material readMaterial(const ParameterList& list, const std::string& path) {
   for (const char* key : {"Young's Modulus", "Poisson's Ratio"})
     if (!list.isParameter(key))
-      throw InputError(message(path, "->", key,
-                               ": missing; every body that is not Rigid has "
-                               "one"));
+      throw InputError(
+          message(path, "->", key, ": missing; every body that is not Rigid has one"));
   bem::Material material;
   material.youngsModulus = list.get<double>("Young's Modulus");
   material.poissonsRatio = list.get<double>("Poisson's Ratio");
@@ -60,8 +59,8 @@ Body readBody(ParameterList& list, const std::string& name, const Scene& scene,
 void refuseElasticity(const ParameterList& list, const std::string& path) {
   const auto refuse = [&](const std::string& key) {
     throw InputError(message(path, "->", key,
-                             ": the body is rigid (Material->Rigid = true); "
-                             "it has Geometry and Motion alone"));
+                             ": the body is rigid (Material->Rigid = true); it has "
+                             "Geometry and Motion alone"));
   };
   for (const char* key : {"Young's Modulus", "Poisson's Ratio"})
     if (list.sublist("Material").isParameter(key))
@@ -108,9 +107,9 @@ RigidBody readRigid(const ParameterList& list, const std::string& name,
     const auto& [moved, pushed] = keys[c];
     const bool free = motion.isParameter(pushed);
     if (free && motion.isParameter(moved))
-      throw InputError(message(path, "->Motion->", pushed, ": ", moved,
-                               " is given, too; a motion is prescribed, or free under a "
-                               "force, not both"));
+      throw InputError(message(
+          path, "->Motion->", pushed, ": ", moved,
+          " is given, too; a motion is prescribed, or free under a force, not both"));
     const std::string key = free ? pushed : moved;
     if (motion.isParameter(key))
       body.components[c] = {free, [text = motion.get<std::string>(key),

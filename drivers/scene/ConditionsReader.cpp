@@ -134,9 +134,9 @@ void readBoundary(const ParameterList& list, const std::string& boundary,
     const bem::Function x = readFunction(list, "Displacement X", where);
     const bem::Function y = readFunction(list, "Displacement Y", where);
     if (!x && !y)
-      throw InputError(where.place.path +
-                       ": a Dirichlet condition needs Displacement X, "
-                       "Displacement Y or both");
+      throw InputError(
+          where.place.path +
+          ": a Dirichlet condition needs Displacement X, Displacement Y or both");
     conditions.dirichlet[boundary] = {x, y};
   } else if (type == "Neumann") {
     const double length = lengthOf(outline, boundary);

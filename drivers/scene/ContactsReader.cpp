@@ -34,9 +34,9 @@ SideOfBody readSide(const std::string& text, const std::string& path,
                     const Scene& scene) {
   const auto colon = text.find(':');
   if (colon == std::string::npos)
-    throw InputError(message(path, ": '", text,
-                             "' is no side; write body:boundary, as in {\"pad:bottom\", "
-                             "\"plate:top\"}"));
+    throw InputError(message(
+        path, ": '", text,
+        "' is no side; write body:boundary, as in {\"pad:bottom\", \"plate:top\"}"));
   const std::string name = text.substr(0, colon);
   SideOfBody side{false, 0, text.substr(colon + 1)};
   const std::vector<std::string> names = bodyNames(scene);
@@ -66,10 +66,9 @@ std::pair<SideOfBody, SideOfBody> readBetween(const ParameterList& list,
   if (first.rigid && second.rigid)
     throw InputError(key + ": both bodies are rigid; at least one must be elastic");
   if (first.rigid == second.rigid && first.body == second.body)
-    throw InputError(key +
-                     ": contact of a body with itself is not possible; both sides "
-                     "belong to '" +
-                     scene.bodies[first.body].name + "'");
+    throw InputError(
+        key + ": contact of a body with itself is not possible; both sides belong to '" +
+        scene.bodies[first.body].name + "'");
   if (first.rigid)
     std::swap(first, second);
   return {first, second};
@@ -184,8 +183,8 @@ void readContacts(const ParameterList& contacts, const std::string& file, Scene&
     condition.parts = meet(pair, scene);
     if (condition.parts.empty())
       throw InputError(message(path,
-                               ": no point of the first side finds the second one "
-                               "along its outward normal; the sides never meet"));
+                               ": no point of the first side finds the second one along "
+                               "its outward normal; the sides never meet"));
     scene.bodies[pair.side.body].conditions.contact[pair.side.boundary] =
         std::move(condition);
     scene.contacts.push_back(std::move(pair));

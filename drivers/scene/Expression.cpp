@@ -199,8 +199,7 @@ void checkName(const std::string& name, const Names& earlier) {
   if (name.find_first_not_of(letters) != std::string::npos ||
       std::string("0123456789_").find(name.front()) != std::string::npos)
     throw InputError(
-        "is no name for expressions; letters, digits and _ make one, a "
-        "letter first");
+        "is no name for expressions; letters, digits and _ make one, a letter first");
   const mu::Parser parser;
   for (const char* known : {"x", "y", "t", "nx", "ny", "pi"})
     if (name == known)

@@ -190,8 +190,8 @@ bem::SchemaRows tableRows() {
       Row("Points", Kind::Points, "instead of File: argument and value of each point"),
       Row("Interpolation", Kind::Text,
           "between the points; Cubic (modified Akima) has no corners and hardly "
-          "overshoots; "
-          "Spline has continuous curvature, which the pressure under a profile asks for")
+          "overshoots; Spline has continuous curvature, which the pressure under a "
+          "profile asks for")
           .standard(interpolations[0].name)
           .allowed(bem::namesOf(interpolations)),
   };

@@ -28,13 +28,12 @@ bem::Family<LinearMethod>& linearMethods() {
           {"Dense", "Cholesky's factors", factors},
           {"Belos", "conjugate gradients, for each column", belos},
           {"Compressed",
-           "by skeletons, time and memory nearly proportional to the "
-           "elements; Stabilization->Form Density or None",
+           "by skeletons, time and memory nearly proportional to the elements; "
+           "Stabilization->Form Density or None",
            factors, LinearMethod::Operators::Compressed},
           {"Automatic",
            "Compressed where that is possible and costs less, by a forecast from sizes, "
-           "or where "
-           "Dense would not fit, else Dense; never changes Stabilization->Form",
+           "or where Dense would not fit, else Dense; never changes Stabilization->Form",
            factors, LinearMethod::Operators::Cheaper},
       });
   return family;

@@ -271,8 +271,8 @@ std::string lastOf(const std::string& path) {
 void removeAt(Teuchos::ParameterList& list, const std::string& path) {
   const auto refuse = [&path](const auto&...) {
     throw InputError(path +
-                     ": is not in the scene, so it cannot be removed; a value is "
-                     "written behind the =");
+                     ": is not in the scene, so it cannot be removed; a value is written "
+                     "behind the =");
   };
   Teuchos::ParameterList& parent = parentOf(list, path, refuse);
   if (!parent.isParameter(lastOf(path)))

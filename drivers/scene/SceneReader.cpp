@@ -117,8 +117,8 @@ Scene build(const std::string& file, const RawScene& raw) {
   if (scene.history && scene.solver.loadSteps > 1)
     throw InputError(message(
         "Solver->Load Steps = ", scene.solver.loadSteps,
-        ": a continuation without memory does not go together with History; History->"
-        "Steps makes the steps of a path, and one that fails is halved"));
+        ": a continuation without memory does not go together with History; "
+        "History->Steps makes the steps of a path, and one that fails is halved"));
   scene.linear = parseLinear(used.sublist("Solver").sublist("Linear"));
   checkLinear(scene);
   scene.adaptivity = readAdaptivity(used.sublist("Adaptivity"));

@@ -27,59 +27,55 @@ void addBody(Table& table) {
   const std::string body = "Bodies-><body>";
   const std::string material = body + "->Material";
   const std::string geometry = body + "->Geometry";
-  append(
-      table,
-      {
-          Row("Bodies", Kind::List, "one body or several").required(),
-          Row(body, Kind::List, "a body, under a name of your choice"),
-          Row(material, Kind::List, "linear elastic, isotropic, homogeneous; or rigid")
-              .required(),
-          Row(material + "->Rigid", Kind::Flag,
-              "an outline without elasticity, of which nothing else is said but "
-              "Geometry and "
-              "Motion")
-              .standard("false"),
-          Row(material + "->Young's Modulus", Kind::Real,
-              "Young's modulus E; every body has one unless it is Rigid")
-              .unit("stress")
-              .range(above(0)),
-          Row(material + "->Poisson's Ratio", Kind::Real,
-              "Poisson's ratio nu, likewise; 1/2 in plane strain wants Form Density")
-              .unit("1")
-              .range({-1, 0.5, true, false}),
-          Row(material + "->Plane State", Kind::Text,
-              "no strain or no stress across the plane")
-              .standard("Plane Strain")
-              .allowed({"Plane Strain", "Plane Stress"}),
-          Row(geometry, Kind::List,
-              "the outline: a polygon of segments and arcs, with holes")
-              .required(),
-          Row(geometry + "->Vertices", Kind::Points,
-              "corners of the outer polygon, counter-clockwise; it closes by itself")
-              .unit("length"),
-          Row(geometry + "->Edges", Kind::Names,
-              "the boundary's name for each edge; edge i leads from vertex i to i+1"),
-          Row(geometry + "->Bulges", Kind::Reals,
-              "tan(angle/4) of the circular arc from vertex i to i+1, one for each edge: "
-              "0 "
-              "straight, 1 half a circle, > 0 curved outwards (to the right of the "
-              "chord); "
-              "two vertices are enough with arcs")
-              .unit("1")
-              .range({-10, 10, false, false}),
-          Row(geometry + "->Hole <k> Vertices", Kind::Points,
-              "corners of hole k = 1, 2, ..., counter-clockwise too")
-              .unit("length"),
-          Row(geometry + "->Hole <k> Edges", Kind::Names,
-              "the boundary's name for each edge of hole k"),
-          Row(geometry + "->Hole <k> Bulges", Kind::Reals,
-              "the same for hole k: > 0 away from its middle")
-              .unit("1")
-              .range({-10, 10, false, false}),
-          Row(geometry + "->File", Kind::Text,
-              "instead of vertices and edges: a Gmsh mesh (.msh, ASCII 2.2 or 4.1), "
-              "relative to the scene; its physical curves name the boundaries"),
-      });
+  append(table,
+         {
+             Row("Bodies", Kind::List, "one body or several").required(),
+             Row(body, Kind::List, "a body, under a name of your choice"),
+             Row(material, Kind::List, "linear elastic, isotropic, homogeneous; or rigid")
+                 .required(),
+             Row(material + "->Rigid", Kind::Flag,
+                 "an outline without elasticity, of which nothing else is said but "
+                 "Geometry and Motion")
+                 .standard("false"),
+             Row(material + "->Young's Modulus", Kind::Real,
+                 "Young's modulus E; every body has one unless it is Rigid")
+                 .unit("stress")
+                 .range(above(0)),
+             Row(material + "->Poisson's Ratio", Kind::Real,
+                 "Poisson's ratio nu, likewise; 1/2 in plane strain wants Form Density")
+                 .unit("1")
+                 .range({-1, 0.5, true, false}),
+             Row(material + "->Plane State", Kind::Text,
+                 "no strain or no stress across the plane")
+                 .standard("Plane Strain")
+                 .allowed({"Plane Strain", "Plane Stress"}),
+             Row(geometry, Kind::List,
+                 "the outline: a polygon of segments and arcs, with holes")
+                 .required(),
+             Row(geometry + "->Vertices", Kind::Points,
+                 "corners of the outer polygon, counter-clockwise; it closes by itself")
+                 .unit("length"),
+             Row(geometry + "->Edges", Kind::Names,
+                 "the boundary's name for each edge; edge i leads from vertex i to i+1"),
+             Row(geometry + "->Bulges", Kind::Reals,
+                 "tan(angle/4) of the circular arc from vertex i to i+1, one for each "
+                 "edge: 0 straight, 1 half a circle, > 0 curved outwards (to the right "
+                 "of the chord); two vertices are enough with arcs")
+                 .unit("1")
+                 .range({-10, 10, false, false}),
+             Row(geometry + "->Hole <k> Vertices", Kind::Points,
+                 "corners of hole k = 1, 2, ..., counter-clockwise too")
+                 .unit("length"),
+             Row(geometry + "->Hole <k> Edges", Kind::Names,
+                 "the boundary's name for each edge of hole k"),
+             Row(geometry + "->Hole <k> Bulges", Kind::Reals,
+                 "the same for hole k: > 0 away from its middle")
+                 .unit("1")
+                 .range({-10, 10, false, false}),
+             Row(geometry + "->File", Kind::Text,
+                 "instead of vertices and edges: a Gmsh mesh (.msh, ASCII 2.2 or 4.1), "
+                 "relative to the scene; its physical curves name the boundaries"),
+         });
 }
 
 void addConditions(Table& table) {
@@ -127,15 +123,14 @@ void addConditions(Table& table) {
               .only("Contact"),
       });
   append(table, contact::frictionRows(), boundary + "->Friction");
-  append(table,
-         {
-             Row("Bodies-><body>->Rigid Motions", Kind::List,
-                 "how a body without a clamp is held"),
-             Row("Bodies-><body>->Rigid Motions->Fix", Kind::Names,
-                 "motions whose mean over the boundary is zero; their reaction acts as a "
-                 "uniform traction of that mode")
-                 .allowed({"X", "Y", "Rotation"}),
-         });
+  append(table, {
+                    Row("Bodies-><body>->Rigid Motions", Kind::List,
+                        "how a body without a clamp is held"),
+                    Row("Bodies-><body>->Rigid Motions->Fix", Kind::Names,
+                        "motions whose mean over the boundary is zero; their reaction "
+                        "acts as a uniform traction of that mode")
+                        .allowed({"X", "Y", "Rotation"}),
+                });
 }
 
 void addSeveralBodies(Table& table) {
@@ -172,8 +167,7 @@ void addSeveralBodies(Table& table) {
           Row(contact, Kind::List, "a contact, under a name of your choice"),
           Row(contact + "->Between", Kind::Names,
               "two sides, body:boundary; the first one carries the contact stresses, or "
-              "the "
-              "elastic one if the other is rigid")
+              "the elastic one if the other is rigid")
               .required(),
           Row(contact + "->Interference", Kind::Expression,
               "overlap along the first side's outward normal, in addition to that of the "
@@ -186,11 +180,9 @@ void addSeveralBodies(Table& table) {
 }
 
 void addHistory(Table& table) {
-  append(
-      table,
-      {Row("History", Kind::List,
-           "the path of the loads, solved step by step; friction remembers.  Without it "
-           "one load, t = 1")});
+  append(table, {Row("History", Kind::List,
+                     "the path of the loads, solved step by step; friction remembers.  "
+                     "Without it one load, t = 1")});
   append(table, historyRows(), "History");
 }
 

@@ -93,10 +93,10 @@ void checkBulges(const Loop& loop) {
   if (loop.bulges.empty())
     return;
   if (loop.bulges.size() != loop.vertices.size())
-    throw InputError(message("a polygon of ", loop.vertices.size(),
-                             " vertices has as many bulges, one for each edge (0: "
-                             "straight); ",
-                             loop.bulges.size(), " are given"));
+    throw InputError(
+        message("a polygon of ", loop.vertices.size(),
+                " vertices has as many bulges, one for each edge (0: straight); ",
+                loop.bulges.size(), " are given"));
   for (std::size_t i = 0; i < loop.bulges.size(); ++i)
     if (!(std::abs(loop.bulges[i]) <= largestBulge))
       throw InputError(message("the bulge of edge ", i, " is ", loop.bulges[i],
@@ -143,12 +143,11 @@ void checkSimple(const Loop& loop) {
   const auto& v = loop.vertices;
   for (std::size_t i = 0; i < n; ++i)
     if (!(norm(v[after(i, loop)] - v[i]) > tolerance))
-      throw InputError(message(nameOf(loop, i), " has no length: vertices ", i, " and ",
-                               after(i, loop), " are both ", pointText(v[i]),
-                               i + 1 == n
-                                   ? "; the polygon closes by itself, do not repeat "
-                                     "the first vertex"
-                                   : ""));
+      throw InputError(message(
+          nameOf(loop, i), " has no length: vertices ", i, " and ", after(i, loop),
+          " are both ", pointText(v[i]),
+          i + 1 == n ? "; the polygon closes by itself, do not repeat the first vertex"
+                     : ""));
   const std::vector<Curve> curves = curvesOf(loop);
   for (std::size_t i = 0; i < n; ++i) {
     checkFold(loop, i, tolerance);

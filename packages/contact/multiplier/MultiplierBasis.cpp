@@ -167,9 +167,7 @@ bem::Family<MultiplierBasis>& multiplierBases() {
            controlPoints, bernsteinValues, false, true, 14, bernsteinAmplification},
           {"Biorthogonal",
            "dual to the displacement at Gauss-Lobatto points, one coefficient for each "
-           "of "
-           "its "
-           "free nodes; implies Form None",
+           "of its free nodes; implies Form None",
            lobattoPlaces, dualValues, true},
       });
   return bases;

@@ -78,8 +78,7 @@ void MultiplierSpace::shareNodes(const bem::Mesh& mesh, const Conditions& condit
     if (elements_[k].degree == 1 && !ends.first && !ends.last)
       throw bem::InputError(bem::message(
           "boundary '", *elements_[k].boundary,
-          "': an element of degree 1 without a free "
-          "node cannot carry the multiplier '",
+          "': an element of degree 1 without a free node cannot carry the multiplier '",
           basis_->name, "'; use more elements, a higher degree or another multiplier"));
     return ends;
   };

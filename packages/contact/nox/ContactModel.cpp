@@ -28,8 +28,8 @@ RCP<const SpmdSpace> spaceOf(const Problem& problem,
   const auto space = Teuchos::rcp_dynamic_cast<const SpmdSpace>(options.space);
   if (space.is_null())
     throw bem::InputError(
-        "the space for the contact problem's unknowns must give each "
-        "process a contiguous piece (Thyra::SpmdVectorSpaceBase)");
+        "the space for the contact problem's unknowns must give each process a "
+        "contiguous piece (Thyra::SpmdVectorSpaceBase)");
   return space;
 }
 
