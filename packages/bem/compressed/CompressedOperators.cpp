@@ -210,17 +210,6 @@ Matrix CompressedOperators::times(const Matrix& x) const {
   return result;
 }
 
-CompressedOperators::Ranks CompressedOperators::ranks(int level) const {
-  Ranks ranks;
-  for (const int c : tree().level(level)) {
-    const auto k = static_cast<Index>(part(c).skeleton.size());
-    ranks.largest = std::max(ranks.largest, k);
-    ranks.mean +=
-        static_cast<double>(k) / static_cast<double>(tree().level(level).size());
-  }
-  return ranks;
-}
-
 std::size_t CompressedOperators::bytes() const {
   std::size_t entries = 0;
   for (const Part& part : parts_)

@@ -95,11 +95,6 @@ class CompressedOperators {
   };
   const Rotations& rotations() const { return rotations_; }
 
-  struct Ranks {
-    Index largest = 0;
-    double mean = 0;
-  };
-  Ranks ranks(int level) const;
   std::size_t bytes() const;
 
  private:
