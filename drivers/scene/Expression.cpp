@@ -97,8 +97,7 @@ class Parser {
       int values = 0;
       const double* value = parser_.Eval(values);
       if (values != 1)
-        throw InputError(
-            message("gives ", values, " values; a decimal point is written '.'"));
+        throw InputError("gives ", values, " values; a decimal point is written '.'");
       return value[0];
     } catch (const mu::Parser::exception_type& error) {
       fail(error);
@@ -182,7 +181,7 @@ class Expression {
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(message(place_.file, ": ", place_.path, " = '", text_, "' ", what));
+    throw InputError(place_.file, ": ", place_.path, " = '", text_, "' ", what);
   }
 
   std::string text_;

@@ -20,7 +20,6 @@ namespace epafi::drivers {
 namespace {
 
 using bem::InputError;
-using bem::message;
 using Points = Teuchos::TwoDArray<double>;
 
 std::function<double(double)> linear(std::vector<double> x, std::vector<double> values) {
@@ -94,15 +93,13 @@ std::function<double(double)> spline(std::vector<double> x, std::vector<double> 
 void check(const std::vector<double>& x, const std::vector<double>& values,
            std::size_t fewest) {
   if (x.size() < fewest)
-    throw InputError(
-        message("has ", x.size(), " points; at least ", fewest, " are needed"));
+    throw InputError("has ", x.size(), " points; at least ", fewest, " are needed");
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (!std::isfinite(x[i]) || !std::isfinite(values[i]))
-      throw InputError(
-          message("point ", i, " = (", x[i], ", ", values[i], ") is not finite"));
+      throw InputError("point ", i, " = (", x[i], ", ", values[i], ") is not finite");
     if (i > 0 && !(x[i] > x[i - 1]))
-      throw InputError(message("point ", i, " is at ", x[i], ", the one before it at ",
-                               x[i - 1], "; they must rise"));
+      throw InputError("point ", i, " is at ", x[i], ", the one before it at ", x[i - 1],
+                       "; they must rise");
   }
 }
 
@@ -131,7 +128,7 @@ Points readPoints(const std::string& text) {
     if (isHeading || (numbers.empty() && !isText))
       continue;
     if (isText || numbers.size() != 2)
-      throw InputError(message("line ", number, " is not two numbers: '", line, "'"));
+      throw InputError("line ", number, " is not two numbers: '", line, "'");
     all.insert(all.end(), numbers.begin(), numbers.end());
   }
   Points points(static_cast<Points::size_type>(all.size() / 2), 2);
@@ -152,7 +149,7 @@ void expandFile(Teuchos::ParameterList& list, const std::string& sceneFile) {
   try {
     list.set("Points", readPoints(readText(file)));
   } catch (const InputError& error) {
-    throw InputError(message("File = '", name, "' (", file, "): ", error.what()));
+    throw InputError("File = '", name, "' (", file, "): ", error.what());
   }
   list.remove("File");
 }

@@ -63,9 +63,8 @@ void checkLinear(const Scene& scene) {
   const LinearMethod& method = linearMethods().at(scene.linear.method);
   const std::string reason = whyNotCompressed(scene);
   if (method.operators == LinearMethod::Operators::Compressed && !reason.empty())
-    throw bem::InputError(bem::message("Solver->Linear->Method = ", method.name, ": ",
-                                       reason,
-                                       "; Dense, Belos and Automatic are possible"));
+    throw bem::InputError("Solver->Linear->Method = ", method.name, ": ", reason,
+                          "; Dense, Belos and Automatic are possible");
 }
 
 LinearOptions parseLinear(const Teuchos::ParameterList& list) {

@@ -105,8 +105,8 @@ void checkSceneNames(const ParameterList& study) {
     for (const std::string& name :
          namesOf(study.sublist("Variants").sublist(variant.first), "Scenes"))
       if (std::find(known.begin(), known.end(), name) == known.end())
-        throw InputError(message("Variants->", variant.first, "->Scenes: there is no '",
-                                 name, "'", bem::suggestion(name, known)));
+        throw InputError("Variants->", variant.first, "->Scenes: there is no '", name,
+                         "'", bem::suggestion(name, known));
 }
 
 std::optional<Scene> readReference(const std::string& scene, const ParameterList& list,

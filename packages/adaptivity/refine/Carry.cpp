@@ -4,8 +4,6 @@
 #include "bem/quadrature/Gauss.hpp"
 #include "contact/multiplier/Collocation.hpp"
 
-#include <algorithm>
-
 namespace epafi::adaptivity {
 
 namespace {

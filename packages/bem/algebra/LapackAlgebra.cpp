@@ -108,9 +108,8 @@ std::unique_ptr<CholeskyFactor> LapackAlgebra::cholesky(Matrix lower,
   if (n > 0)
     dpotrf_("L", &n, lower.data(), &ld, &info);
   if (info != 0)
-    throw NumericalError(message(name,
-                                 " is not positive definite: Cholesky's factorisation ",
-                                 "breaks down in row ", info, " of ", n));
+    throw NumericalError(name, " is not positive definite: Cholesky's factorisation ",
+                         "breaks down in row ", info, " of ", n);
   return std::make_unique<LapackFactor>(std::move(lower));
 }
 

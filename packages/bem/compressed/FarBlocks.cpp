@@ -1,8 +1,8 @@
 #include "bem/compressed/FarBlocks.hpp"
 
 #include "bem/basis/Legendre.hpp"
-#include "bem/compressed/PointKernels.hpp"
 #include "bem/compressed/WeightedFunctions.hpp"
+#include "bem/kernel/PointKernels.hpp"
 #include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>

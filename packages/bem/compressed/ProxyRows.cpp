@@ -1,7 +1,7 @@
 #include "bem/compressed/ProxyRows.hpp"
 
-#include "bem/compressed/PointKernels.hpp"
 #include "bem/compressed/WeightedFunctions.hpp"
+#include "bem/kernel/PointKernels.hpp"
 #include "bem/moments/FarOrder.hpp"
 #include "bem/simd/Dispatch.hpp"
 

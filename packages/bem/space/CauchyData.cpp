@@ -67,9 +67,8 @@ CauchyData makeCauchyData(const Space& space, const Vector& u, const Vector& psi
 UnionMesh unite(const Mesh& first, const Mesh& second) {
   const std::size_t edges = first.outline().edges().size();
   if (second.outline().edges().size() != edges)
-    throw InputError(message("meshes of outlines with ", edges, " and ",
-                             second.outline().edges().size(),
-                             " edges cannot be compared"));
+    throw InputError("meshes of outlines with ", edges, " and ",
+                     second.outline().edges().size(), " edges cannot be compared");
   std::vector<Piece> pieces;
   std::vector<int> densities;
   std::vector<Origin> inFirst;

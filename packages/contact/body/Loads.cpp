@@ -26,10 +26,10 @@ void checkBoundaries(const bem::Mesh& mesh, const Conditions& conditions) {
   const auto check = [&](const auto& family) {
     for (const auto& [name, condition] : family) {
       if (known.count(name) == 0)
-        throw bem::InputError(bem::message("a condition on '", name,
-                                           "', which is no boundary of the outline"));
+        throw bem::InputError("a condition on '", name,
+                              "', which is no boundary of the outline");
       if (!seen.insert(name).second)
-        throw bem::InputError(bem::message("two conditions on boundary '", name, "'"));
+        throw bem::InputError("two conditions on boundary '", name, "'");
     }
   };
   check(conditions.dirichlet);

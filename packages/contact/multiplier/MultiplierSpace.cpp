@@ -76,10 +76,10 @@ void MultiplierSpace::shareNodes(const bem::Mesh& mesh, const Conditions& condit
     if (!behind || !joined_[*behind])
       ends.last = nodes.take(element.endNode, direction(1));
     if (elements_[k].degree == 1 && !ends.first && !ends.last)
-      throw bem::InputError(bem::message(
+      throw bem::InputError(
           "boundary '", *elements_[k].boundary,
           "': an element of degree 1 without a free node cannot carry the multiplier '",
-          basis_->name, "'; use more elements, a higher degree or another multiplier"));
+          basis_->name, "'; use more elements, a higher degree or another multiplier");
     return ends;
   };
   for (std::size_t k = 0; k < elements_.size(); ++k)

@@ -22,9 +22,8 @@ RCP<const SpmdSpace> spaceOf(const Problem& problem,
   if (options.space.is_null())
     return Thyra::defaultSpmdVectorSpace<double>(n);
   if (options.space->dim() != n)
-    throw bem::InputError(bem::message("the contact problem has ", n,
-                                       " unknowns, but the space for them has ",
-                                       options.space->dim()));
+    throw bem::InputError("the contact problem has ", n,
+                          " unknowns, but the space for them has ", options.space->dim());
   const auto space = Teuchos::rcp_dynamic_cast<const SpmdSpace>(options.space);
   if (space.is_null())
     throw bem::InputError(

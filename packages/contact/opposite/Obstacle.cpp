@@ -36,9 +36,9 @@ Vector fieldsAt(const ContactElement& contact, Vec2 x) {
   Vector fields = contact.condition->friction.fieldsAt(x);
   for (const double value : fields)
     if (!(value >= 0 && std::isfinite(value)))
-      throw bem::InputError(bem::message(
-          "boundary '", *contact.boundary, "': a field of the friction law is ", value,
-          " at (", x.x, ", ", x.y, "); it must be finite and not negative"));
+      throw bem::InputError("boundary '", *contact.boundary,
+                            "': a field of the friction law is ", value, " at (", x.x,
+                            ", ", x.y, "); it must be finite and not negative");
   return fields;
 }
 

@@ -1,6 +1,5 @@
 #include "contact/results/ContactFields.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace epafi::contact {

@@ -25,9 +25,9 @@ bool completesEnds(const MultiplierSpace& multiplier) {
 void checkEnds(const MultiplierSpace& multiplier) {
   if (completesEnds(multiplier))
     throw bem::InputError(
-        bem::message("the multiplier '", multiplier.basis().name,
-                     "' cannot end at a clamp or at another contact side where it stands "
-                     "between two bodies; use Gauss-Legendre-Lagrange or Bernstein"));
+        "the multiplier '", multiplier.basis().name,
+        "' cannot end at a clamp or at another contact side where it stands "
+        "between two bodies; use Gauss-Legendre-Lagrange or Bernstein");
 }
 
 }  // namespace

@@ -24,11 +24,11 @@ double largestEigenvalue(Matrix symmetric) {
 }  // namespace
 
 IndefiniteStiffness::IndefiniteStiffness(double used, double limit)
-    : bem::NumericalError(bem::message("the stabilised stiffness S - S^ is not positive "
-                                       "definite: Discretization->Stabilization->",
-                                       "Gamma0 = ", used,
-                                       " is too large for this mesh; below ", limit,
-                                       " it is definite, and a quarter of that is safe")),
+    : bem::NumericalError(
+          "the stabilised stiffness S - S^ is not positive "
+          "definite: Discretization->Stabilization->",
+          "Gamma0 = ", used, " is too large for this mesh; below ", limit,
+          " it is definite, and a quarter of that is safe"),
       gamma0(used),
       limitGamma0(limit) {}
 
