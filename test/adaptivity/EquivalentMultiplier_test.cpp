@@ -149,7 +149,7 @@ TEUCHOS_UNIT_TEST(ContactCost, hasTheResidualsSquareExactly) {
   const SolvedScene solvedScene(scene("Gauss-Legendre-Lagrange", false));
   const contact::Solved solved = solvedScene.solved();
   Contributions factors{};
-  factors[adaptivity::Source::Contact] = 3;
+  factors[static_cast<std::size_t>(adaptivity::Source::Contact)] = 3;
   int trial = 0;
   for (const auto& contact : solved.problem.multiplier().elements()) {
     const bem::Element& element = solved.space.mesh()[contact.element];
@@ -190,7 +190,7 @@ TEUCHOS_UNIT_TEST(ContactCost, differsFromTheTermsByAConstant) {
   const contact::Solved solved = solvedScene.solved();
   Contributions factors;
   factors.fill(1);
-  factors[adaptivity::Source::Contact] = 0;
+  factors[static_cast<std::size_t>(adaptivity::Source::Contact)] = 0;
   for (const auto& element : solved.problem.multiplier().elements()) {
     const ContactCost cost(solved, element, {}, factors, shearModulus);
     const auto terms = [&](const AtEnds& correction) {
