@@ -10,11 +10,11 @@ namespace epafi::contact {
 
 namespace {
 
-constexpr double softness = 1e5;  // of the springs, relative to the flexibility
-constexpr double farthest = 100;  // t, in units of the start's
-constexpr double sameBound = 1e-9;
-constexpr double nearBound = 1e-3;
-constexpr double noise = 1e-12;  // of a bound, relative to the load
+constexpr double softness = 1e5;    // of the springs, relative to the flexibility
+constexpr double farthest = 100;    // t, in units of the start's
+constexpr double sameBound = 1e-9;  // on a piece, or so small that it begins
+constexpr double nearBound = 1e-3;  // of a curved bound
+constexpr double noise = 1e-12;     // of a bound, relative to the load
 constexpr double never = std::numeric_limits<double>::infinity();
 
 // Between 1 and 2, another one for each coefficient: no two change at once.
@@ -130,6 +130,9 @@ class Path {
       result.pivots += 1;
     }
     result.unknowns = scaled_.unknowns(tableau_, result.arrived ? 0 : t);
+    if (!std::all_of(result.unknowns.begin(), result.unknowns.end(),
+                     [](double x) { return std::isfinite(x); }))
+      result = {{}, result.pivots, false};
     return result;
   }
 

@@ -6,7 +6,7 @@ namespace epafi::contact {
 
 /// Where a path of offsets ended.
 struct OffsetPath {
-  Vector unknowns;       ///< x = (λ, α)
+  Vector unknowns;       ///< x = (λ, α); empty where rounding has left no numbers
   int pivots = 0;        ///< changes of a set or of a bound's piece, one at a time
   bool arrived = false;  ///< at the problem's own offset
 };

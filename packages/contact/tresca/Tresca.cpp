@@ -88,6 +88,8 @@ void NewtonCourse::followOffset(Stage stage) {
   for (int direction = 0; direction < directions && !isOver(); ++direction) {
     const OffsetPath path =
         contact::followOffset(problem(), placement, direction, run() * size / price);
+    if (path.unknowns.empty())
+      continue;
     NewtonRun last = tresca_.newton().run(sharp(), path.unknowns, NewtonMethod::Newton,
                                           std::min(polishing, run()));
     last.iterations += price * path.pivots / size;
