@@ -165,6 +165,8 @@ Vector ContactSystem::slipSoFar(const State& state) const {
   return total;
 }
 
+const Vector& ContactSystem::slipBefore() const { return parts_->slipBefore; }
+
 double ContactSystem::loadSize() const { return parts_->loadSize(); }
 
 ContactSystem::~ContactSystem() = default;
