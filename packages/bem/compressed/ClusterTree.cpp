@@ -7,8 +7,6 @@ namespace epafi::bem {
 
 namespace {
 
-double length(Vec2 a) { return std::hypot(a.x, a.y); }
-
 std::vector<ClusterPlace> inOrder(const Mesh& mesh) {
   std::vector<ClusterPlace> order;
   for (int e = 0; e < mesh.size(); ++e)
@@ -127,7 +125,7 @@ void ClusterTree::encircle(Cluster& cluster) const {
   }
   cluster.centre = 0.5 * (low + high);
   for (const Vec2 x : points)
-    cluster.radius = std::max(cluster.radius, length(x - cluster.centre));
+    cluster.radius = std::max(cluster.radius, norm(x - cluster.centre));
 }
 
 std::vector<int> ClusterTree::cut(int l) const {
