@@ -9,6 +9,7 @@ namespace {
 
 std::vector<ClusterPlace> inOrder(const Mesh& mesh) {
   std::vector<ClusterPlace> order;
+  order.reserve(mesh.size());
   for (int e = 0; e < mesh.size(); ++e)
     order.push_back({0, e, mesh.outline().edge(mesh[e].piece.edge).loop});
   return order;
