@@ -35,13 +35,15 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
   // the jump of bonded sides is not the multiplier's to change
   for (std::size_t q = 0; q < rule.points.size() && !element.ties(); ++q) {
     const double t = rule.points[q];
+    const double pressure = profiles.pressure(t);
+    const contact::PointLaw friction = element.condition->friction.at(
+        mesh.physicalPoint(element.element, t), solved.units.stress);
     points_.push_back({geometry.curve.normal(t), rule.weights[q] * geometry.half,
                        endValue(p, -t) / geometry.half, endValue(p, t) / geometry.half,
-                       profiles.pressure(t), profiles.shear(t), profiles.opening(t),
-                       profiles.tangential(t),
-                       element.condition->friction.at(
-                           mesh.physicalPoint(element.element, t), solved.units.stress)});
-    steepest = std::max(steepest, points_.back().friction.slope(points_.back().pressure));
+                       pressure, profiles.shear(t), profiles.opening(t),
+                       profiles.tangential(t), friction, friction.followsPressure(),
+                       friction.bound(pressure)});
+    steepest = std::max(steepest, friction.slope(pressure));
   }
   const Vec2 along = turnLeft(across);
   directions_ = {across, along};
@@ -49,6 +51,9 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
     directions_.push_back(across + steepest * along);
     directions_.push_back(across - steepest * along);
   }
+  scale_ = (*this)({}) +
+           weight_ / self_ *
+               (dot(moments_.start, moments_.start) + dot(moments_.end, moments_.end));
 }
 
 AtEnds ContactCost::slope(const AtEnds& c) const {
@@ -68,7 +73,7 @@ double ContactCost::operator()(const AtEnds& c) const {
     const Vec2 change = point.start * c.start + point.end * c.end;
     const double pressure = point.pressure + dot(change, point.normal);
     const double shear = point.shear + dot(change, turnLeft(point.normal));
-    const double s = point.friction.bound(pressure);
+    const double s = point.followsPressure ? point.friction.bound(pressure) : point.bound;
     const double along = std::clamp(point.slip < 0 ? -shear : shear, -s, s);
     const double gap = lostWork(positive(pressure), positive(point.opening), stiffness_);
     const double slip = lostWork(s - along, std::abs(point.slip), stiffness_);

@@ -22,11 +22,7 @@ class ContactCost {
 
   /// What of the cost corrections can change: the other terms without any, and the most
   /// that one at an end takes from h/p |λ̃ + S u|².
-  double scale() const {
-    return (*this)({}) +
-           weight_ / self_ *
-               (dot(moments_.start, moments_.start) + dot(moments_.end, moments_.end));
-  }
+  double scale() const { return scale_; }
 
   /// Along these a correction leaves some term as it is: pressure, shear, and the two in
   /// the ratio of friction; on an arc those of its middle.
@@ -43,6 +39,8 @@ class ContactCost {
     double opening;
     double slip;
     contact::PointLaw friction;
+    bool followsPressure;
+    double bound;  ///< where it does not follow the pressure
   };
 
   double size_;       ///< h/p
@@ -50,6 +48,7 @@ class ContactCost {
   double weight_;
   double self_;
   double other_;
+  double scale_;
   AtEnds moments_;
   Contributions factors_;
   std::vector<Point> points_;
