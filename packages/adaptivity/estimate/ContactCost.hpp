@@ -1,6 +1,10 @@
 #pragma once
 
 #include "adaptivity/estimate/ContactTerms.hpp"
+#include "bem/simd/Pack.hpp"
+
+#include <array>
+#include <vector>
 
 namespace epafi::adaptivity {
 
@@ -29,19 +33,26 @@ class ContactCost {
   const std::vector<bem::Vec2>& directions() const { return directions_; }
 
  private:
-  struct Point {
-    bem::Vec2 normal;
-    double weight;
-    double start;  ///< e(-t)/half
-    double end;    ///< e(t)/half
-    double pressure;
-    double shear;
-    double opening;
-    double slip;
-    contact::PointLaw friction;
-    bool followsPressure;
-    double bound;  ///< where it does not follow the pressure
+  /// What stands at a point of the rule.  Ends: e(-t)/half and e(t)/half; Slack: (g-uₙ)⁺; Bound:
+  /// s where it does not follow the pressure.
+  enum Number {
+    NormalX,
+    NormalY,
+    Weight,
+    Start,
+    End,
+    Pressure,
+    Shear,
+    Slack,
+    Slip,
+    Bound,
+    Numbers
   };
+  /// Of eight points; those beyond the last have no weight.
+  using Eight = std::array<bem::AlignedLane, Numbers>;
+  struct Kernel;
+
+  void add(std::size_t q, const std::array<double, Numbers>& point);
 
   double size_;       ///< h/p
   double stiffness_;  ///< μ p/h
@@ -51,7 +62,9 @@ class ContactCost {
   double scale_;
   AtEnds moments_;
   Contributions factors_;
-  std::vector<Point> points_;
+  std::vector<Eight> points_;
+  std::vector<contact::PointLaw>
+      laws_;  ///< of the points, where they follow the pressure
   std::vector<bem::Vec2> directions_;
 };
 
