@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <malloc.h>
 #include <sstream>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -92,6 +93,11 @@ double freeMemory(const std::string& root) {
       1024 * numberBehind(root + "/proc/meminfo", "MemAvailable:", unlimited);
   const double left = std::min({machine, leftInGroups(root), leftOfAddresses()});
   return std::max(left, 0.0) / mebi;
+}
+
+void keepFreedMemory() {
+  mallopt(M_MMAP_THRESHOLD, 4 << 20);
+  mallopt(M_TRIM_THRESHOLD, 16 << 20);
 }
 
 double ownMemory() {
