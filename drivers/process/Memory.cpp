@@ -27,7 +27,8 @@ double numberBehind(const std::string& file, const std::string& word, double oth
   std::string first;
   double value = 0;
   for (std::string line; std::getline(lines, line);)
-    if (std::istringstream(line) >> first >> value && first == word)
+    if (line.rfind(word, 0) == 0 && std::istringstream(line) >> first >> value &&
+        first == word)
       return value;
   return otherwise;
 }
