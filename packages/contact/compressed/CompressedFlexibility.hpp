@@ -8,6 +8,13 @@
 
 namespace epafi::contact {
 
+/// D of all bodies.  With few multipliers it is formed by its columns: sweeps, pivots and
+/// Newton's steps with entries then cost less than eliminations in the tree, and are those of
+/// dense operators.  Collective.
+Flexibility compressedFlexibility(
+    CompressedCoupling coupling,
+    const std::vector<std::shared_ptr<const CompressedHolding>>& bodies);
+
 /// D = Ĉ A⁺ Ĉᵀ + M by solutions in the tree, A of all bodies.
 class CompressedFlexibility final : public Flexibility::Operator {
  public:
@@ -21,6 +28,8 @@ class CompressedFlexibility final : public Flexibility::Operator {
   Product product(const Vector& x) const override;
   Vector diagonal() const override;
   std::unique_ptr<Factor> factor(const System& system) const override;
+  /// All of D, symmetric.
+  Matrix formed() const;
 
   const CompressedCoupling& coupling() const { return coupling_; }
   const bem::CompressedOperators& operators() const {
@@ -36,7 +45,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
   int kindOf(Index i) const { return i < coupling_.normals ? 0 : 1; }
   void factorAll();
   void findPaths();
-  void measureRows();
+  void measureRows() const;
   Matrix timesColumns(const Matrix& x) const;
 
   CompressedCoupling coupling_;
@@ -44,7 +53,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
   std::unique_ptr<bem::CompressedFactor> factor_;
   std::vector<char> paths_;
   MotionTerms motions_;
-  Matrix rowSums_;  ///< over each kind
+  mutable Matrix rowSums_;  ///< over each kind, once asked for
   /// Kept from step to step, so that only what changes is eliminated anew.
   mutable std::unique_ptr<bem::CompressedFactor> reduced_;
 };
