@@ -129,6 +129,27 @@ double largest(const Matrix& a) {
   return size;
 }
 
+// Of pairs whose gap is the limit between near and far rounding decides.  Whatever it says, both
+// elements of a hat must be taken alike, also those where the loop closes.
+TEUCHOS_UNIT_TEST(Compressed, rigidMotionsMakeNoTractionsAtTheLimitOfNearness) {
+  const bem::Lame lame({1, 0.3, false});
+  double worst = 0;
+  for (int k = 1; k <= 64; ++k) {
+    const double height = 0.6 + 0.01 * k;
+    // the gap between the first element and the third is half of that
+    const bem::Space space(
+        cutAlike(outlineOf(polygon({{0, 0}, {1, 0}, {1, height}, {0, height}})),
+                 {0.003125, 0.00625, 0.0125, 0.25, 0.5, 0.75, 0.9875, 0.996875}, {1}));
+    const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::algebra());
+    const Matrix rigid = space.rigidMotions();
+    Matrix motions(z.size(), rigid.columns());
+    for (Index j = 0; j < rigid.columns(); ++j)
+      std::copy_n(rigid.column(j), rigid.rows(), motions.column(j));
+    worst = std::max(worst, largest(z.times(motions)));
+  }
+  TEST_COMPARE(worst, <, 1e-11);
+}
+
 TEUCHOS_UNIT_TEST(Compressed, entriesAreThoseOfTheOperators) {
   for (const Case& sample : cases()) {
     const bem::Space space(sample.mesh);

@@ -183,9 +183,8 @@ def combinations(large):
     kinds = ("block", "hole", "arcs", "two")
     turn = [(law, form) for law in LAWS for form in FORMS]
     chosen = [Combination(kind, "uniform", law, form, 256) for kind in kinds for law, form in turn]
-    # left out: the graded block under Coulomb's law, where compressed levels end elsewhere (compression.md)
     chosen += [Combination(kind, "graded", law, form, 16) for kind in kinds for law, form in turn
-               if (kind, law) != ("block", "Coulomb")]
+               ]
     for degree in range(2, 13):
         for k, kind in enumerate(kinds):
             law, form = turn[(4 * degree + 7 * k) % len(turn)]
