@@ -24,19 +24,7 @@ Vector rowOf(const Matrix& a, Index i) {
   return row;
 }
 
-/// As many multipliers as D may have entries of: beyond, their square costs more than trees.
-constexpr Index few = 1000;
-
 }  // namespace
-
-Flexibility compressedFlexibility(
-    CompressedCoupling coupling,
-    const std::vector<std::shared_ptr<const CompressedHolding>>& bodies) {
-  const auto flexibility =
-      std::make_shared<const CompressedFlexibility>(std::move(coupling), bodies);
-  return flexibility->size() <= few ? Flexibility(flexibility->formed())
-                                    : Flexibility(flexibility);
-}
 
 CompressedFlexibility::CompressedFlexibility(
     CompressedCoupling coupling,

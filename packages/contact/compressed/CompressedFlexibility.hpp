@@ -8,13 +8,6 @@
 
 namespace epafi::contact {
 
-/// D of all bodies.  With few multipliers it is formed by its columns: sweeps, pivots and
-/// Newton's steps with entries then cost less than eliminations in the tree, and are those of
-/// dense operators.  Collective.
-Flexibility compressedFlexibility(
-    CompressedCoupling coupling,
-    const std::vector<std::shared_ptr<const CompressedHolding>>& bodies);
-
 /// D = Ĉ A⁺ Ĉᵀ + M by solutions in the tree, A of all bodies.
 class CompressedFlexibility final : public Flexibility::Operator {
  public:

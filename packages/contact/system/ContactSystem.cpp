@@ -44,12 +44,13 @@ struct ContactSystem::Parts {
             {part(b).space, part(b).multiplier, inputs[b].lame, part(b).opposite.get()});
         held.push_back(part(b).body->compressed());
       }
-      numbers = condense(
-          compressedFlexibility(
-              makeCompressedCoupling(compressed, inputs.front().stabilization,
-                                     part(0).units),
-              held),
-          responses);
+      const auto flexibility = std::make_shared<const CompressedFlexibility>(
+          makeCompressedCoupling(compressed, inputs.front().stabilization, part(0).units),
+          std::move(held));
+      numbers = condense(flexibility->size() <= inputs.front().formedUpTo
+                             ? Flexibility(flexibility->formed())
+                             : Flexibility(flexibility),
+                         responses);
     } else {
       for (std::size_t b = 0; b < size(); ++b)
         responses.push_back(part(b).body->response(couplings->transposed(b, part(b))));
