@@ -207,10 +207,10 @@ TEUCHOS_UNIT_TEST(Operators, onPolygonsConvergeToTheDiscsSingleLayer) {
   const auto error = [&](int sides) {
     const auto shape = std::make_shared<const bem::Outline>(regularPolygon(sides, 0.5));
     const bem::Space space(bem::makeMesh(shape, std::vector<int>(sides, 1), 1));
-    Vector ones(static_cast<std::size_t>(space.densities()));
+    Vector ones(space.densities());
     double length = 0;
     for (int e = 0; e < sides; ++e) {
-      ones[static_cast<std::size_t>(space.density(e, 0, 0))] = 1;
+      ones[space.density(e, 0, 0)] = 1;
       length += 2 * space.mesh()[e].half;
     }
     const Vector v = algebra.multiplySymmetric(
@@ -272,11 +272,11 @@ TEUCHOS_UNIT_TEST(Operators, moreDensitiesAreThoseOfAHigherDegree) {
   double apart = 0;
   int compared = 0;
   for (int e = 0; e < plain.size(); ++e)
-    for (int i = 0; i < 2 * densities[static_cast<std::size_t>(e)]; ++i) {
+    for (int i = 0; i < 2 * densities[e]; ++i) {
       const bem::Index row = space.density(e, i / 2, i % 2);
       const bem::Index theirRow = higher.density(e, i / 2, i % 2);
       for (int f = 0; f < plain.size(); ++f) {
-        for (int j = 0; j < 2 * densities[static_cast<std::size_t>(f)]; ++j) {
+        for (int j = 0; j < 2 * densities[f]; ++j) {
           const bem::Index column = space.density(f, j / 2, j % 2);
           const bem::Index theirColumn = higher.density(f, j / 2, j % 2);
           const double theirEntry = theirs.singleLayer(std::max(theirRow, theirColumn),

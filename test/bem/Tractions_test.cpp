@@ -21,7 +21,7 @@ using bem::Vector;
 const bem::LapackAlgebra algebra;
 
 std::vector<int> allElements(const bem::Mesh& mesh) {
-  std::vector<int> elements(static_cast<std::size_t>(mesh.size()));
+  std::vector<int> elements(mesh.size());
   std::iota(elements.begin(), elements.end(), 0);
   return elements;
 }

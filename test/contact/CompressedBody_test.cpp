@@ -110,7 +110,7 @@ bem::Matrix entriesOf(const contact::Flexibility& flexibility) {
   bem::Matrix result(flexibility.size(), flexibility.size());
   for (Index j = 0; j < flexibility.size(); ++j) {
     Vector unit(bem::at(flexibility.size()));
-    unit[bem::at(j)] = 1;
+    unit[j] = 1;
     const Vector column = flexibility.times(unit);
     std::copy(column.begin(), column.end(), result.column(j));
   }
@@ -214,7 +214,7 @@ TEUCHOS_UNIT_TEST(CompressedBody, problemsAreTheDenseOnes) {
     const Vector& sums = a.flexibility.responses(a.normals);
     const Vector& estimates = b.flexibility.responses(b.normals);
     for (Index i = 0; i < a.size(); ++i)
-      TEST_COMPARE(std::abs(estimates[bem::at(i)] / sums[bem::at(i)] - 1), <, 0.05);
+      TEST_COMPARE(std::abs(estimates[i] / sums[i] - 1), <, 0.05);
     TEST_COMPARE(difference(b.offset, a.offset, largest(a.offset)), <, 1e-9);
 
     TEST_ASSERT(exact.solution.report.converged());

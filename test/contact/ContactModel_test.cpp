@@ -194,10 +194,9 @@ TEUCHOS_UNIT_TEST(ContactModel, loadFactorScalesLoadsButNotTheGap) {
   const Problem unloaded = family.at({0, 1});
   const Problem doubled = family.at({2, 1});
   for (Index i = 0; i < s.problem.size(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const double gap = i < s.problem.normals ? s.gap[k] : 0;
-    TEST_COMPARE(std::abs(unloaded.offset[k] + gap), <, 1e-15);
-    TEST_COMPARE(std::abs(doubled.offset[k] - (2 * s.problem.offset[k] + gap)), <, 1e-14);
+    const double gap = i < s.problem.normals ? s.gap[i] : 0;
+    TEST_COMPARE(std::abs(unloaded.offset[i] + gap), <, 1e-15);
+    TEST_COMPARE(std::abs(doubled.offset[i] - (2 * s.problem.offset[i] + gap)), <, 1e-14);
   }
   TEST_COMPARE(std::abs(doubled.rigidLoad[0] - 2 * s.problem.rigidLoad[0]), <, 1e-15);
   TEST_EQUALITY(unloaded.rigidLoad[0], 0.0);
@@ -286,7 +285,7 @@ TEUCHOS_UNIT_TEST(ContactModel, aMotionThatNothingHoldsIsReportedByTheSolve) {
   const Sample s = sample("None", 1, 1, random);
   const ContactModel model(s.problem, s.gap, {});
   State open;
-  open.multiplier.assign(static_cast<std::size_t>(s.problem.size()), -100.0);
+  open.multiplier.assign(s.problem.size(), -100.0);
   const auto w = jacobian(model, model.point(open), {});
   const auto inverse = Thyra::linearOpWithSolve<double>(*model.get_W_factory(), w);
   const RCP<ThyraVector> b = randomVector(model, random);

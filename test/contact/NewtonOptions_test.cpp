@@ -74,7 +74,7 @@ TEUCHOS_UNIT_TEST(Equation, jacobianIsTheDifferenceQuotient) {
     for (contact::Index rigidMotions : {0, 2}) {
       const Problem problem = someProblem("Coulomb", rigidMotions);
       const Equation equation(problem, function, Equation::Bound::Differentiated, 1e-12);
-      const Vector x = randomVector(static_cast<std::size_t>(equation.size()), random);
+      const Vector x = randomVector(equation.size(), random);
       const Vector d = randomVector(x.size(), random);
       const double h = 1e-7;
       const Vector up = equation.at(combined(x, h, d)).linear.residual;
@@ -91,7 +91,7 @@ TEUCHOS_UNIT_TEST(Equation, meritGradientIsTheDifferenceQuotient) {
     const Problem problem = someProblem("Coulomb", rigidMotions);
     const Equation equation(problem, contact::projection(),
                             Equation::Bound::Differentiated, 1e-12);
-    const Vector x = randomVector(static_cast<std::size_t>(equation.size()), random);
+    const Vector x = randomVector(equation.size(), random);
     const Vector d = randomVector(x.size(), random);
     const double h = 1e-6;
     const double quotient = (merit(equation, equation.at(combined(x, h, d))) -
@@ -115,8 +115,7 @@ TEUCHOS_UNIT_TEST(NewtonSystem, invertsTheJacobian) {
         const Problem problem = someProblem("Coulomb", rigidMotions);
         const Equation equation(problem, function, bound, 1e-12);
         for (int k = 0; k < 10; ++k) {
-          const auto e = equation.at(
-              randomVector(static_cast<std::size_t>(equation.size()), random));
+          const auto e = equation.at(randomVector(equation.size(), random));
           const Vector b = randomVector(e.unknowns.size(), random);
           const contact::NewtonSystem system(equation, e.linear);
           if (!system.unheld(b).empty())

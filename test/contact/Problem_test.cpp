@@ -104,12 +104,12 @@ TEUCHOS_UNIT_TEST(Flexibility, itsProductsAreThoseOfItsEntries) {
     double sum = 0;
     double size = 0;
     for (Index j = 0; j < n; ++j) {
-      const double term = problem.flexibility(i, j) * x[static_cast<std::size_t>(j)];
+      const double term = problem.flexibility(i, j) * x[j];
       sum += term;
       size += std::abs(term);
     }
-    TEST_COMPARE(std::abs(value[static_cast<std::size_t>(i)] - sum), <=, 1e-15 * size);
-    TEST_FLOATING_EQUALITY(magnitude[static_cast<std::size_t>(i)], size, 1e-14);
+    TEST_COMPARE(std::abs(value[i] - sum), <=, 1e-15 * size);
+    TEST_FLOATING_EQUALITY(magnitude[i], size, 1e-14);
   }
 }
 

@@ -159,7 +159,7 @@ TEUCHOS_UNIT_TEST(Solver, holdsBondedPlacesWhateverTheirForce) {
         for (std::size_t t = 0; t < slip.size(); t += 3) {
           const Index i = problem.normals + static_cast<Index>(t);
           TEST_COMPARE(std::abs(slip[t]), <, 1e-9 * problem.flexibility(i, i));
-          pulling += solution.state.multiplier[bem::at(i)] < -0.1 ? 1 : 0;
+          pulling += solution.state.multiplier[i] < -0.1 ? 1 : 0;
         }
       }
   }
@@ -204,10 +204,9 @@ TEUCHOS_UNIT_TEST(Solver, theMeritFunctionFallsWithEachStepOfTheDescent) {
     const Problem problem = randomProblem(recipe, random);
     const Equation equation(problem, contact::fischerBurmeister(),
                             Equation::Bound::Differentiated, 1e-12);
-    Vector start(static_cast<std::size_t>(equation.size()), 0.0);
+    Vector start(equation.size(), 0.0);
     for (Index i = 0; i < problem.size(); ++i)
-      start[static_cast<std::size_t>(i)] =
-          std::uniform_real_distribution<double>(-3, 3)(random);
+      start[i] = std::uniform_real_distribution<double>(-3, 3)(random);
     const auto run = contact::NoxNewton().run(equation, start,
                                               contact::NewtonMethod::MeritDescent, 100);
     TEST_EQUALITY(static_cast<int>(run.merits.size()), run.iterations + 1);
@@ -257,8 +256,7 @@ TEUCHOS_UNIT_TEST(Solver, aBoundOfZeroIsNoFriction) {
       const Solution solution = solve(problem, {}, with(function));
       TEST_ASSERT(solution.report.status == Status::Converged);
       for (Index i = problem.normals; i < problem.size(); ++i)
-        TEST_COMPARE(std::abs(solution.state.multiplier[static_cast<std::size_t>(i)]), <,
-                     1e-12);
+        TEST_COMPARE(std::abs(solution.state.multiplier[i]), <, 1e-12);
       for (const auto friction : classify(problem, solution.state).tangential)
         TEST_ASSERT(friction == contact::FrictionState::None);
     }

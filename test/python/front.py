@@ -99,6 +99,17 @@ import matplotlib  # noqa: E402
 
 claim(matplotlib.rcParams["axes.grid"] == matplotlib.rcParamsDefault["axes.grid"],
       "and leave matplotlib's style alone")
+from epafi.plot.layout import places  # noqa: E402
+
+both = epafi.Table.__new__(epafi.Table)  # two boundaries, each touching over a tenth
+x, half = np.linspace(0, 1, 101), np.repeat(["left", "right"], 101)
+both.columns = {"x": np.concatenate([x, x + 2]), "y": np.zeros(202), "boundary": half,
+                "element": np.repeat([1.0, 5.0], 101),
+                "contact": (abs(np.tile(x, 2) - 0.5) < 0.051).astype(float)}
+shown = [(label, s.min(), s.max()) for _, s, label, _ in places(both)]
+windows = [pair[1:] for pair in shown]
+claim(len(shown) == 2 and np.allclose(windows, [[0.35, 0.65], [2.35, 2.65]], atol=0.02) and
+      len(places(run.contact)) == 1, "small places are drawn side by side: %s" % shown)
 try:
     run.steps
     claim(False, "steps.csv of a scene without a History")

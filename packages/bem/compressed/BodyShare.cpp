@@ -9,15 +9,15 @@ namespace {
 /// Where unknowns stand in a list, -1: nowhere.
 class Places {
  public:
-  explicit Places(Index unknowns) : places_(at(unknowns), -1) {}
+  explicit Places(Index unknowns) : places_(unknowns, -1) {}
 
-  Index operator[](Index unknown) const { return places_[at(unknown)]; }
+  Index operator[](Index unknown) const { return places_[unknown]; }
   void set(const std::vector<Index>& list) {
     for (const Index i : listed_)
-      places_[at(i)] = -1;
+      places_[i] = -1;
     listed_ = list;
     for (std::size_t i = 0; i < list.size(); ++i)
-      places_[at(list[i])] = static_cast<Index>(i);
+      places_[list[i]] = static_cast<Index>(i);
   }
 
  private:
@@ -39,7 +39,7 @@ Interpolation joinedWeights(const std::vector<BodyShare>& shares, std::size_t c,
   for (const BodyShare& share : shares) {
     const ClusterPart& part = share.parts[c];
     const auto placeOf = [&](Index own) {
-      return places[share.numbers[at(part.active[at(own)])]];
+      return places[share.numbers[part.active[own]]];
     };
     for (std::size_t j = 0; j < part.weights.rest.size(); ++j)
       rest.push_back({placeOf(part.weights.rest[j]),
@@ -65,26 +65,26 @@ std::vector<ClusterPart> joined(std::vector<BodyShare> shares,
                                 const std::vector<LocalCoupling::Entry>& between,
                                 const ClusterTree& tree, const Subtrees& subtrees,
                                 Index unknowns) {
-  std::vector<std::vector<std::pair<Index, double>>> added(at(unknowns));
+  std::vector<std::vector<std::pair<Index, double>>> added(unknowns);
   for (const LocalCoupling::Entry& entry : between) {
-    added[at(entry.row)].emplace_back(entry.column, entry.value);
-    added[at(entry.column)].emplace_back(entry.row, entry.value);
+    added[entry.row].emplace_back(entry.column, entry.value);
+    added[entry.column].emplace_back(entry.row, entry.value);
   }
   Places places(unknowns);
-  std::vector<ClusterPart> parts(static_cast<std::size_t>(tree.size()));
+  std::vector<ClusterPart> parts(tree.size());
   // from the leaves up: children come behind their parents
   for (std::size_t c = parts.size(); c-- > 0;) {
     const Cluster& cluster = tree[static_cast<int>(c)];
     const auto child = [&](auto& all, int k) -> auto& {
-      return all[static_cast<std::size_t>(cluster.children[k])];
+      return all[cluster.children[k]];
     };
     ClusterPart& part = parts[c];
     for (const BodyShare& share : shares) {
       for (const Index i : share.parts[c].skeleton)
-        part.skeleton.push_back(share.numbers[at(i)]);
+        part.skeleton.push_back(share.numbers[i]);
       for (const Index i : share.parts[c].active)
         if (cluster.isLeaf())
-          part.active.push_back(share.numbers[at(i)]);
+          part.active.push_back(share.numbers[i]);
     }
     for (int k = 0; k < 2 && !cluster.isLeaf(); ++k)
       part.active.insert(part.active.end(), child(parts, k).skeleton.begin(),
@@ -108,12 +108,12 @@ std::vector<ClusterPart> joined(std::vector<BodyShare> shares,
           cluster.isLeaf() ? own.active : child(share.parts, 1).skeleton;
       for (std::size_t j = 0; j < ownColumns.size(); ++j)
         std::copy_n(own.block.column(static_cast<Index>(j)), own.block.rows(),
-                    part.block.column(places[share.numbers[at(ownColumns[j])]]) + row);
+                    part.block.column(places[share.numbers[ownColumns[j]]]) + row);
       row += own.block.rows();
     }
     places.set(rows);
     for (std::size_t j = 0; j < columns.size(); ++j)
-      for (const auto& [other, value] : added[at(columns[j])])
+      for (const auto& [other, value] : added[columns[j]])
         if (places[other] >= 0)
           part.block(places[other], static_cast<Index>(j)) += value;
     for (BodyShare& share : shares) {

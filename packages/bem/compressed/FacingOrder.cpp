@@ -19,13 +19,12 @@ std::vector<ClusterPlace> facingOrder(const std::vector<const Space*>& spaces,
                                       const std::vector<Link>& links) {
   std::vector<std::vector<Standing>> standings;
   for (const Space* space : spaces)
-    standings.emplace_back(static_cast<std::size_t>(space->mesh().size()));
+    standings.emplace_back(space->mesh().size());
   const auto of = [&](const BodyElement& e) -> Standing& {
-    return standings[static_cast<std::size_t>(e.body)]
-                    [static_cast<std::size_t>(e.element)];
+    return standings[e.body][e.element];
   };
   const auto loopOf = [&](const BodyElement& e) {
-    const Mesh& mesh = spaces[static_cast<std::size_t>(e.body)]->mesh();
+    const Mesh& mesh = spaces[e.body]->mesh();
     return mesh.outline().edge(mesh[e.element].piece.edge).loop;
   };
   constexpr int carries = 0;
@@ -64,7 +63,7 @@ std::vector<ClusterPlace> facingOrder(const std::vector<const Space*>& spaces,
       continue;
     const BodyElement e{key.first, key.second};
     of(e) = {most->first, most->second.moment / most->second.size};
-    zones[static_cast<std::size_t>(most->first)].push_back(e);
+    zones[most->first].push_back(e);
   }
   for (std::vector<BodyElement>& zone : zones)
     std::stable_sort(zone.begin(), zone.end(),
@@ -85,10 +84,10 @@ std::vector<ClusterPlace> facingOrder(const std::vector<const Space*>& spaces,
                             of({now.body, e - 1}).zone < 0 &&
                             loopOf({now.body, e - 1}) == loopOf(now);
         order.push_back({now.body, e, goesOn ? stretch : ++stretch});
-      } else if (isPlaced[static_cast<std::size_t>(zone)] == 0) {
-        isPlaced[static_cast<std::size_t>(zone)] = 1;
+      } else if (isPlaced[zone] == 0) {
+        isPlaced[zone] = 1;
         ++stretch;
-        for (const BodyElement& other : zones[static_cast<std::size_t>(zone)])
+        for (const BodyElement& other : zones[zone])
           order.push_back({other.body, other.element, stretch});
       }
     }

@@ -29,7 +29,7 @@ void upwards(const ClusterTree& tree, const Subtrees& subtrees,
       visitLevel(
           tree, l,
           [&](int c) {
-            return on[static_cast<std::size_t>(c)] != 0 && subtrees.isMine(c) &&
+            return on[c] != 0 && subtrees.isMine(c) &&
                    subtrees.isEverybodys(c) == everybodys;
           },
           visit);
@@ -44,9 +44,7 @@ void downwards(const ClusterTree& tree, const Subtrees& subtrees,
                const std::vector<char>& on, const Visit& visit) {
   for (int l = 0; l < tree.levels(); ++l)
     visitLevel(
-        tree, l,
-        [&](int c) { return on[static_cast<std::size_t>(c)] != 0 && subtrees.isMine(c); },
-        visit);
+        tree, l, [&](int c) { return on[c] != 0 && subtrees.isMine(c); }, visit);
 }
 
 }  // namespace epafi::bem

@@ -62,10 +62,10 @@ BoundaryFields::BoundaryFields(const Space& space, const Lame& lame, const Vecto
 void BoundaryFields::addPoints(int f, int order, Vec2 middle,
                                PointSources& points) const {
   const Element& source = mesh_[f];
-  const LocalField& values = fields_[static_cast<std::size_t>(f)];
+  const LocalField& values = fields_[f];
   const Rule& rule = gaussLegendre(order);
   const auto known = static_cast<std::size_t>(order) < everything_.size()
-                         ? &everything_[static_cast<std::size_t>(order)]
+                         ? &everything_[order]
                          : nullptr;
   const auto first = static_cast<std::size_t>(f) * static_cast<std::size_t>(order);
   for (int q = 0; q < rule.size(); ++q) {
@@ -88,8 +88,8 @@ void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
   const FarLanes chosen = runs_.choose(element, r, {run.first, run.last}, batch);
   if (chosen.atOnce) {
     const int order = pointsOn(chosen.smooth.inner, chosen.columns);
-    const auto first = static_cast<std::size_t>(run.first * order);
-    const auto last = static_cast<std::size_t>(run.last * order);
+    const std::size_t first = run.first * order;
+    const std::size_t last = run.last * order;
     // interpolation needs twice as many points as a product of two such fields
     auto& stretches = sources.far[2 * chosen.smooth.outer].stretches;
     if (!stretches.empty() && stretches.back().order == order &&
@@ -123,7 +123,7 @@ BoundaryFields::Sources BoundaryFields::split(int element) const {
   const Complex middle = asComplex(mesh_[element].curve.frame().middle);
   std::vector<int> waiting(groups.empty() ? 0 : 1, 0);
   while (!waiting.empty()) {
-    const SourceGroups::Group& group = groups[static_cast<std::size_t>(waiting.back())];
+    const SourceGroups::Group& group = groups[waiting.back()];
     waiting.pop_back();
     if (SourceGroups::isFar(group, middle, half) && mesh_[element].curve.isStraight()) {
       const double z = (std::abs(middle - group.centre) - group.radius) / half;
@@ -144,7 +144,7 @@ BoundaryFields::FarSeries BoundaryFields::farSeries(int element,
   const Complex middle = asComplex(target.curve.frame().middle);
   FarSeries series;
   for (const auto& [order, far] : sources.far) {
-    const auto size = static_cast<std::size_t>(order);
+    const std::size_t size = order;
     series.traction.resize(std::max(series.traction.size(), size));
     series.mismatch.resize(series.traction.size());
     const Rule& rule = gaussLegendre(order);
@@ -155,8 +155,8 @@ BoundaryFields::FarSeries BoundaryFields::farSeries(int element,
       const Complex offset = asComplex(target.curve.fromMiddle(rule.points[q]));
       FieldSums sums = far.points.at(offset);
       for (const Sources::Stretch& stretch : far.stretches)
-        sums.add(everything_[static_cast<std::size_t>(stretch.order)].at(
-            middle + offset, stretch.first, stretch.last));
+        sums.add(
+            everything_[stretch.order].at(middle + offset, stretch.first, stretch.last));
       for (const SourceGroups::Group* group : far.groups)
         sums.add(SourceGroups::at(*group, middle + offset));
       const Complex t = traction(lame_, normal, sums);
@@ -177,7 +177,7 @@ std::vector<BoundaryValue> BoundaryFields::at(int element, const Sources& source
   const FarSeries series = farSeries(element, sources);
   NearElements near(mesh_, element, points);
   for (const int f : sources.near)
-    near.add(f, fields_[static_cast<std::size_t>(f)]);
+    near.add(f, fields_[f]);
   std::vector<BoundaryValue> values;
   for (std::size_t q = 0; q < points.size(); ++q)
     values.push_back(valueAt(element, points[q], near.at(q), series));
@@ -189,7 +189,7 @@ BoundaryValue BoundaryFields::valueAt(int element, const EndPoint& point,
                                       const FarSeries& series) const {
   const Element& target = mesh_[element];
   const Complex normal = asComplex(target.curve.normal(point.t));
-  const LocalField& own = fields_[static_cast<std::size_t>(element)];
+  const LocalField& own = fields_[element];
   const int last = static_cast<int>(series.traction.size()) - 1;
   const Complex t = traction(lame_, normal, sums) +
                     evaluate(series.traction, last, point.t) +

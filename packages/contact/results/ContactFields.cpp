@@ -1,6 +1,5 @@
 #include "contact/results/ContactFields.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace epafi::contact {
@@ -10,7 +9,7 @@ namespace {
 constexpr double stateTolerance = 1e-9;  // of the load; Newton stops far below
 
 Vector boundsAsCoefficients(const Problem& numbers, const Vector& multiplier) {
-  Vector result(static_cast<std::size_t>(numbers.normals), 0.0);
+  Vector result(numbers.normals, 0.0);
   const Vector bounds = numbers.slipBounds(multiplier);
   result.insert(result.end(), bounds.begin(), bounds.end());
   return result;

@@ -9,13 +9,12 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path = [os.path.dirname(os.path.dirname(HERE)), *(p for p in sys.path if p != HERE)]
 try:
     import matplotlib
-
-    matplotlib.use("Agg")
-    from epafi.plot import draw_folder, scene
-    from epafi.tables import Table
 except ImportError as error:
     sys.exit("epafi: plot: Python's matplotlib is missing (%s); install it with\n"
              "    apt-get install python3-matplotlib" % error)
+matplotlib.use("Agg")
+from epafi.plot import draw_folder, scene  # noqa: E402
+from epafi.tables import Table  # noqa: E402
 
 
 def main():

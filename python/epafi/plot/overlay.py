@@ -1,10 +1,9 @@
 """Pressure and shear of several solutions of one contact, one upon the other."""
-import math
-
 import numpy as np
 
-from epafi.plot.contact import cap_of, laid_out, lengths, say_cut, window, within
+from epafi.plot.contact import cap_of, line, say_cut
 from epafi.plot.figures import STYLE, plt
+from epafi.plot.layout import laid_out, lengths, window, within
 
 
 def cut(axes, shown, column):
@@ -36,12 +35,11 @@ def figure_of(contacts, labels, title):
     panels = panels[:, 0]
     shown = [laid_out(contact) for contact in contacts]
     shown = [within(laid, *window(shown)) for laid in shown]
-    for number, ((contact, s, label, parts), text) in enumerate(zip(shown, labels)):
-        breaks = [a for a, _ in parts[1:]]
+    for number, (laid, text) in enumerate(zip(shown, labels)):
+        contact, _, label, _ = laid
         colour = plt.get_cmap("viridis")(0.95 * number / max(1, len(labels) - 1))
         for axes, (column, _) in zip(panels, stresses):
-            axes.plot(np.insert(s, breaks, math.nan),
-                      np.insert(contact[column], breaks, math.nan), color=colour, label=text)
+            line(axes, laid, contact[column], text, color=colour)
         panels[-1].set_xlabel(label)
     for axes, (column, text) in zip(panels, stresses):
         cut(axes, shown, column)

@@ -5,8 +5,8 @@ import os
 import numpy as np
 
 from epafi.plot import movie, overlay
-from epafi.plot.contact import chains, lengths
 from epafi.plot.figures import plt
+from epafi.plot.layout import chains, lengths
 from epafi.tables import read
 
 SHOWN = 6  # steps overlaid

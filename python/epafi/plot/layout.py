@@ -1,0 +1,106 @@
+"""Where samples of contact are drawn: along an axis or the length of their boundaries, cut to where
+something touches."""
+import numpy as np
+
+
+def chains(contact):
+    """Index ranges (first, last) of samples that follow each other on one boundary: a new one
+    begins where the name changes or an element is not the next one of the mesh."""
+    names, element = contact["boundary"].astype(str), contact["element"]
+    fresh = (names[1:] != names[:-1]) | (np.diff(element) > 1) | (np.diff(element) < 0)
+    starts = np.append(0, np.flatnonzero(fresh) + 1)
+    return list(zip(starts, [*starts[1:], len(names)]))
+
+
+def abscissa(contact, parts):
+    """Where each sample is drawn, and what that is: a coordinate if all boundaries lie along one
+    axis and do not overlap there, else the length along them with room between chains."""
+    for name, other in (("x", "y"), ("y", "x")):
+        s = contact[name]
+        spans = sorted((s[a:b].min(), s[a:b].max()) for a, b in parts)
+        apart = all(low >= high for (_, high), (low, _) in zip(spans, spans[1:]))
+        straight = all(np.ptp(contact[other][a:b]) <= 1e-9 * np.ptp(s) for a, b in parts)
+        one_way = all((np.diff(s[a:b]) > 0).all() or (np.diff(s[a:b]) < 0).all()
+                      for a, b in parts)
+        if straight and apart and one_way:
+            return s, name
+    s, end = np.zeros(len(contact["x"])), 0.0
+    lengths = [np.append(0, np.cumsum(np.hypot(np.diff(contact["x"][a:b]),
+                                               np.diff(contact["y"][a:b]))))
+               for a, b in parts]
+    room = 0.05 * sum(length[-1] for length in lengths)
+    for (a, b), length in zip(parts, lengths):
+        s[a:b] = end + length
+        end = s[b - 1] + room
+    return s, "length along the contact boundaries"
+
+
+def closes(contact):
+    """Does a single chain end where it begins, in contact there and not all around?"""
+    x = np.column_stack([contact["x"], contact["y"]])
+    steps = np.hypot(*np.diff(x, axis=0).T)
+    closed = contact["contact"] > 0
+    return (len(steps) > 2 and np.hypot(*(x[-1] - x[0])) < 2 * max(steps[0], steps[-1])
+            and (closed[0] or closed[-1]) and not closed.all())
+
+
+def laid_out(contact, first=0, last=None):
+    """The columns of the samples first <= k < last, where each is drawn, what that is, and the
+    chains.  Contact that runs over the end of a closed chain is in one piece: its second half comes
+    first, at lengths below 0."""
+    columns = {name: contact[name][first:last] for name in contact.columns}
+    parts = chains(columns)
+    s, label = abscissa(columns, parts)
+    if len(parts) == 1 and closes(columns):
+        x, y = columns["x"], columns["y"]
+        turn = np.hypot(x[0] - x[-1], y[0] - y[-1]) + s[-1] - s[0]
+        late = s > s[0] + turn / 2
+        order = np.concatenate([np.flatnonzero(late), np.flatnonzero(~late)])
+        s = np.where(late, s - turn, s)[order]
+        columns = {name: column[order] for name, column in columns.items()}
+    return columns, s, label, parts
+
+
+def window(laid):
+    """What is shown of (columns, s, ...) that share an axis: all, or where little of it is ever
+    closed, that and as much again on both sides."""
+    closed = np.concatenate([s[columns["contact"] > 0] for columns, s, *_ in laid])
+    low, high = (pick(s) for pick, s in ((min, [s.min() for _, s, *_ in laid]),
+                                         (max, [s.max() for _, s, *_ in laid])))
+    if not closed.size or np.ptp(closed) > 0.25 * (high - low):
+        return low, high
+    room = max(np.ptp(closed), 0.02 * (high - low))
+    return closed.min() - room, closed.max() + room
+
+
+def within(laid, low, high):
+    columns, s, label, parts = laid
+    here = (s >= low) & (s <= high)
+    if not here.any():
+        return laid
+    before = np.append(0, np.cumsum(here))
+    parts = [(before[a], before[b]) for a, b in parts if before[b] > before[a]]
+    return {name: column[here] for name, column in columns.items()}, s[here], label, parts
+
+
+def places(contact):
+    """What is drawn side by side, each as from laid_out and cut to its window: all of the contact,
+    or, where up to four boundaries touch over a small share of their lengths, each by itself."""
+    parts = chains(contact)
+    each = [laid_out(contact, a, b) for a, b in parts]
+    touching = [laid for laid in each if (laid[0]["contact"] > 0).any()]
+    small = touching and all(window([laid])[1] - window([laid])[0] < np.ptp(laid[1])
+                             for laid in touching)
+    if not (small and 1 < len(parts) <= 4):
+        each = [laid_out(contact)]
+    return [within(laid, *window([laid])) for laid in each]
+
+
+def middles(s):
+    """The places between samples, the first and the last sample at the ends."""
+    return np.concatenate([[s[0]], 0.5 * (s[1:] + s[:-1]), [s[-1]]])
+
+
+def lengths(s):
+    """What of a chain each sample stands for; 1 where there is a single one."""
+    return np.abs(np.diff(middles(s))) if len(s) > 1 else np.ones(1)
