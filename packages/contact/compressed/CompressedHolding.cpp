@@ -40,13 +40,17 @@ Vector CompressedHolding::placed(const Matrix& columns, Index k) const {
 // short elements makes densities in proportion to 1/h, and with them the rounding of all.
 void CompressedHolding::addSprings() {
   Matrix motions = holding_.rigid.allowed.copy();
+  if (motions.columns() == 0)
+    return;
   const Matrix& functionals = holding_.rigid.functionals;
   Vector lengths(at(motions.rows()));
   for (Index k = 0; k < functionals.columns(); ++k)
     for (Index i = 0; i < functionals.rows(); ++i)
       lengths[at(i)] += std::abs(functionals(i, k));
+  // from a quarter of the longest on all are alike
+  const double longest = *std::max_element(lengths.begin(), lengths.end());
   const auto moved = [&](Index i, Index k) {
-    return lengths[at(i)] * std::abs(motions(i, k));
+    return std::min(lengths[at(i)], 0.25 * longest) * std::abs(motions(i, k));
   };
   for (Index k = 0; k < motions.columns(); ++k) {
     Index row = 0;
