@@ -74,4 +74,32 @@ for count in (2, 3):
         ranks.claim(len(done.messages) == 1 and "injected" in done.messages[0],
                     "and there is one message, here %s" % done.messages)
         ranks.claim(done.seconds < limit(), "and it takes %.1f s" % done.seconds)
+
+# A compressed level that breaks down, in its operators, its system, its solution or its
+# estimate: dense matrices take its place, unless the scene asks for compressed ones by name.
+LARGE = ["--set", "Discretization->Stabilization=", "--set", "Adaptivity->Strategy=None",
+         "--set", "Discretization->Elements per Edge={192, 192, 192, 192}",
+         "--set", "Adaptivity->Maximum Degrees of Freedom=100000", "--set", "Output->Fields=false"]
+COULOMB = os.path.join(ranks.SCENES, "coulomb.xml")
+
+
+def level(method, fault, code=0):
+    """A run's only level, and what was said."""
+    folder = ranks.fresh("instead")
+    done = run("instead", 1, [*LARGE, "--set", "Solver->Linear->Method=" + method, "--output", folder],
+               COULOMB, environment={"EPAFI_FAULT": fault})
+    ranks.claim(done.codes == [code], "%s, fault %s: exit %s" % (method, fault, done.codes))
+    return ranks.table(os.path.join(folder, "history.csv"))[-1] if code == 0 else {}, done.text
+
+
+whole = level("Dense", "")[0]
+ranks.claim(level("Automatic", "")[0]["operators"] == "compressed", "a level that is compressed")
+for phase in (1, 2, 3, 4):
+    row, text = level("Automatic", "%d 0 error" % phase)
+    ranks.claim(row.get("operators") == "dense instead", "dense instead, fault in phase %d" % phase)
+    ranks.claim("compressed operators failed" in text and "injected fault" in text,
+                "and that is told")
+    ranks.claim(all(row.get(key) == whole[key] for key in ("energy_strain", "energy_load")),
+                "with the digits of dense matrices")
+level("Compressed", "2 0 error", code=2)
 ranks.finish()
