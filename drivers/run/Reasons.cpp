@@ -73,8 +73,9 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
         ".  Try Solver->Coulomb Iteration = 'Newton'");
   if (stages.size() > 1)
     text +=
-        ".  Newton's method, following friction from zero, an interior point method, a "
-        "line search and updates of the slip bound were tried; with a large friction "
+        ".  Newton's method, complementary pivoting, following friction from zero, an "
+        "interior point method, a line search and updates of the slip bound were tried; "
+        "with a large friction "
         "coefficient there may be "
         "several solutions, or none: try a smaller one, a finer mesh, or Solver->Load "
         "Steps";

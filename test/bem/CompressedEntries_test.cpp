@@ -1,6 +1,7 @@
 // Entries of the compressed system are those of the operators, and far ones of W accurate in
 // themselves; every cluster's skeleton stands for it before everything else.
 #include "CompressedSamples.hpp"
+#include "Largest.hpp"
 #include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/compressed/Products.hpp"
 #include "bem/operators/Assembly.hpp"
@@ -17,6 +18,7 @@ namespace {
 
 using bem::Index;
 using bem::Matrix;
+using test::largest;
 
 TEUCHOS_UNIT_TEST(CompressedEntries, areThoseOfTheOperators) {
   for (const CompressedSample& sample : compressedSamples()) {

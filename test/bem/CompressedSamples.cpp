@@ -1,5 +1,6 @@
 #include "CompressedSamples.hpp"
 
+#include "Largest.hpp"
 #include "bem/algebra/Blas.hpp"
 #include "bem/compressed/CoupledEntries.hpp"
 #include "bem/compressed/Products.hpp"
@@ -11,6 +12,7 @@ namespace epafi::reference {
 
 using bem::Index;
 using bem::Matrix;
+using test::largest;
 
 std::shared_ptr<const bem::Outline> outlineOf(const bem::Loop& loop) {
   return std::make_shared<const bem::Outline>(loop);
@@ -103,14 +105,6 @@ bem::Compression smallLeaves() {
   bem::Compression options;
   options.leafUnknowns = 60;
   return options;
-}
-
-double largest(const Matrix& a) {
-  double size = 0;
-  for (Index j = 0; j < a.columns(); ++j)
-    for (Index i = 0; i < a.rows(); ++i)
-      size = std::abs(a(i, j)) <= size ? size : std::abs(a(i, j));
-  return size;
 }
 
 Matrix nestedWeights(const bem::CompressedOperators& z, int c,

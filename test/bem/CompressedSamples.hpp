@@ -29,8 +29,6 @@ bem::Matrix rotated(bem::Matrix z, const bem::Space& space);
 bem::Matrix nestedWeights(const bem::CompressedOperators& z, int c,
                           std::vector<bem::Index>& unknowns);
 
-/// The entry of largest size; NaN if one is.
-double largest(const bem::Matrix& a);
 /// The largest difference over the largest entry of b.
 double relativeDifference(const bem::Matrix& a, const bem::Matrix& b);
 

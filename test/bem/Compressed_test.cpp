@@ -2,6 +2,7 @@
 // processes.
 #include "Algebra.hpp"
 #include "CompressedSamples.hpp"
+#include "Largest.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/compressed/Products.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 
 using bem::Index;
 using bem::Matrix;
+using test::largest;
 
 TEUCHOS_UNIT_TEST(Compressed, productsAreTheDenseOnes) {
   for (const CompressedSample& sample : compressedSamples()) {

@@ -1,5 +1,6 @@
 // The Galerkin matrices against 33 digits (a sample; all of it in
 // OperatorsConvergence_test) and against identities that hold for whole problems.
+#include "Largest.hpp"
 #include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "reference/ExactFields.hpp"
@@ -17,25 +18,11 @@ namespace {
 
 using bem::Vec2;
 using bem::Vector;
+using test::largest;
 
 const bem::LapackAlgebra algebra;
 
 bem::Lame lameOf(double nu) { return bem::Lame({1, nu, false}); }
-
-double largest(const Vector& v) {
-  double size = 0;
-  for (double x : v)
-    size = std::max(size, std::abs(x));
-  return size;
-}
-
-double largest(const bem::Matrix& m) {
-  double size = 0;
-  for (bem::Index j = 0; j < m.columns(); ++j)
-    for (bem::Index i = 0; i < m.rows(); ++i)
-      size = std::max(size, std::abs(m(i, j)));
-  return size;
-}
 
 Vector minus(Vector a, const Vector& b) {
   for (std::size_t i = 0; i < a.size(); ++i)

@@ -1,6 +1,7 @@
 // A contact problem on compressed operators is the one on dense matrices: flexibility,
 // solution and number of Newton's steps, displacement, reactions, energy.
 #include "Algebra.hpp"
+#include "Largest.hpp"
 #include "Solve.hpp"
 #include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/compressed/CompressedOperators.hpp"
@@ -21,6 +22,7 @@ namespace {
 using bem::Index;
 using bem::Vector;
 using contact::Stabilization;
+using test::largest;
 
 const bem::LapackAlgebra algebra;
 
@@ -97,15 +99,6 @@ struct Results {
         density(problem.density(solution.state, displacement)) {}
 };
 
-double difference(const Vector& a, const Vector& b, double size) {
-  double worst = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double error = std::abs(a[i] - b[i]);
-    worst = error <= worst ? worst : error;
-  }
-  return worst / size;
-}
-
 bem::Matrix entriesOf(const contact::Flexibility& flexibility) {
   bem::Matrix result(flexibility.size(), flexibility.size());
   for (Index j = 0; j < flexibility.size(); ++j) {
@@ -117,11 +110,8 @@ bem::Matrix entriesOf(const contact::Flexibility& flexibility) {
   return result;
 }
 
-double largest(const Vector& a) {
-  double size = 0;
-  for (const double x : a)
-    size = std::max(size, std::abs(x));
-  return size;
+double difference(const Vector& a, const Vector& b, double size) {
+  return test::largestDifference(a, b) / size;
 }
 
 /// What both ways to know a stiffness make of a case.

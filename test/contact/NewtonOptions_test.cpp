@@ -1,3 +1,4 @@
+#include "Largest.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/RandomProblem.hpp"
 #include "contact/Solve.hpp"
@@ -27,6 +28,7 @@ using contact::Equation;
 using contact::Problem;
 using contact::Status;
 using contact::Vector;
+using test::largest;
 using test::solve;
 using test::SolverOptions;
 
@@ -58,13 +60,6 @@ Vector combined(const Vector& a, double factor, const Vector& b) {
   Vector result = a;
   for (std::size_t i = 0; i < a.size(); ++i)
     result[i] += factor * b[i];
-  return result;
-}
-
-double largest(const Vector& v) {
-  double result = 0;
-  for (const double value : v)
-    result = std::max(result, std::abs(value));
   return result;
 }
 

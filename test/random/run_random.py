@@ -1,4 +1,4 @@
-"""Runs random scenes (scenes.py): every one is solved, in few steps of Newton's method.
+"""Runs random scenes (scenes.py, bodies.py): every one is solved, in few steps of Newton's method.
 
     run_random.py EPAFI WORK [--first SEED] [--count N] [--jobs N] [--seed SEED]... [--table FILE]
                   [--bodies 2|3|rings] [--set KEY=VALUE]...
@@ -19,7 +19,8 @@ import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from claims import absent, claim, finish, table  # noqa: E402
-from scenes import Rings, Scene, ThreeBodies, TwoBodies  # noqa: E402
+from bodies import Rings, ThreeBodies, TwoBodies  # noqa: E402
+from scenes import Scene  # noqa: E402
 from stages import levels, printed  # noqa: E402
 
 FEW, MOST = 30, 100

@@ -7,10 +7,9 @@ namespace epafi::bem {
 
 namespace {
 
-double length(Vec2 a) { return std::hypot(a.x, a.y); }
-
 std::vector<ClusterPlace> inOrder(const Mesh& mesh) {
   std::vector<ClusterPlace> order;
+  order.reserve(mesh.size());
   for (int e = 0; e < mesh.size(); ++e)
     order.push_back({0, e, mesh.outline().edge(mesh[e].piece.edge).loop});
   return order;
@@ -127,7 +126,7 @@ void ClusterTree::encircle(Cluster& cluster) const {
   }
   cluster.centre = 0.5 * (low + high);
   for (const Vec2 x : points)
-    cluster.radius = std::max(cluster.radius, length(x - cluster.centre));
+    cluster.radius = std::max(cluster.radius, norm(x - cluster.centre));
 }
 
 std::vector<int> ClusterTree::cut(int l) const {

@@ -29,7 +29,7 @@ class FarBlocks {
 
   /// A test element, and its middle less the trial element's.
   struct Test {
-    int element;
+    int element = 0;
     Vec2 offset;
   };
   void evaluate(const std::vector<Test>& tests, int trial,

@@ -58,6 +58,9 @@ class NearBlocks {
     std::size_t start;
   };
 
+  void measure(const Mesh& mesh);
+  /// Of clusters: about their centres.
+  std::vector<Hood> around(const ClusterTree& tree, const Mesh& mesh) const;
   void findPairs(const Space& space, const ClusterTree& tree,
                  const std::vector<char>& first, const std::vector<char>& second);
 

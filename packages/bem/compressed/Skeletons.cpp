@@ -73,6 +73,7 @@ class Builder {
       {
         Worker worker(*this);
 #pragma omp for schedule(dynamic, 1)
+        // NOLINTNEXTLINE(modernize-loop-convert): OpenMP divides it
         for (std::size_t k = 0; k < mine.size(); ++k) {
           worker.fillBlock(mine[k]);
           if (l > 0 && !tree_[mine[k]].isEmpty())

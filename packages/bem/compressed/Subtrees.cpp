@@ -65,7 +65,7 @@ void Subtrees::throwFirst(const std::string& failure) const {
   sizes = algebra_->sum(std::move(sizes));
   const auto first =
       std::find_if(sizes.begin(), sizes.end(), [](double size) { return size > 0; });
-  Vector text(*first);
+  Vector text(static_cast<std::size_t>(*first));
   if (first - sizes.begin() == algebra_->rank())
     std::copy(failure.begin(), failure.end(), text.begin());
   text = algebra_->sum(std::move(text));

@@ -14,6 +14,7 @@ void visitLevel(const ClusterTree& tree, int level, const Asked& asked,
     if (asked(c))
       clusters.push_back(c);
 #pragma omp parallel for schedule(dynamic, 1) if (clusters.size() > 1)
+  // NOLINTNEXTLINE(modernize-loop-convert): OpenMP divides it
   for (std::size_t k = 0; k < clusters.size(); ++k)
     visit(clusters[k]);
 }

@@ -18,20 +18,14 @@ bool startsAfar(const CoulombCourse& course) {
 
 bool knowsSets(const CoulombCourse& course) { return course.knowsSets(); }
 
+bool mayFollowOffset(const CoulombCourse& course) { return course.mayFollowOffset(); }
+
 // Following begins without friction, which may have to hold a body that contact holds.
 bool isHeldByContact(const CoulombCourse& course) {
   return course.problem().rigidMotions() > 0;
 }
 
-bool isPressedAsBefore(const CoulombCourse& course) {
-  return course.knowsSets() && isHeldByContact(course);
-}
-
 bool isHeldOtherwise(const CoulombCourse& course) { return !isHeldByContact(course); }
-
-bool mayPivot(const CoulombCourse& course) {
-  return course.isCoupled() && course.equation().hasActiveSets();
-}
 
 void fullSteps(CoulombCourse& course, Stage stage) { course.steps(stage, course.run()); }
 
@@ -43,16 +37,7 @@ void pivoting(CoulombCourse& course, Stage stage) {
   course.pivoting(stage, course.equation(), course.best());
 }
 
-// From the start as it was: sets that do not return end somewhere, also where a thin body lifts
-// by so little that other methods cannot tell it from rounding.
-void pivotingAtLength(CoulombCourse& course, Stage stage) {
-  constexpr int runs = 3;
-  const Problem& problem = course.problem();
-  course.add(stage,
-             course.tresca().newton().run(course.sharp(), pack(problem, course.start()),
-                                          NewtonMethod::Pivoting,
-                                          std::min(runs * course.run(), course.left())));
-}
+void followOffset(CoulombCourse& course, Stage stage) { course.followOffset(stage); }
 
 // Bounds that follow all pressures of an element make active sets wander from afar; bounds
 // that follow their own pressure alone do not, and bring near.  Sweeps from there would
@@ -71,12 +56,11 @@ constexpr PlannedStage<CoulombCourse> newtonPlan[] = {
     {Stage::Pivoting, knowsSets, pivoting},
     {Stage::Uncoupled, isCoupled, uncoupled},
     {Stage::FullSteps, isCoupled, fullSteps},
+    {Stage::FollowOffset, mayFollowOffset, followOffset},
     {Stage::InteriorPoint, isHeldByContact, CoulombCourse::throughTheMiddle},
-    {Stage::Pivoting, isPressedAsBefore, pivotingAtLength},
     {Stage::FollowFriction, CoulombCourse::mayFollow, CoulombCourse::followBriefly},
     {Stage::InteriorPoint, isHeldOtherwise, CoulombCourse::throughTheMiddle},
     {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updateBriefly},
-    {Stage::Pivoting, mayPivot, pivoting},
     {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::descendBriefly},
     {Stage::FollowFriction, CoulombCourse::mayFollow, CoulombCourse::followFriction},
     {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::meritDescent},
@@ -85,6 +69,7 @@ constexpr PlannedStage<CoulombCourse> newtonPlan[] = {
 
 constexpr PlannedStage<CoulombCourse> oneStepPlan[] = {
     {Stage::FullSteps, CoulombCourse::always, stepsOfUpdates},
+    {Stage::FollowOffset, mayFollowOffset, followOffset},
     {Stage::FollowFriction, CoulombCourse::always, CoulombCourse::followFriction},
     {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::meritDescent},
     {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updates},

@@ -12,6 +12,8 @@ const char* nameOf(Stage stage) {
       return "pivoting";
     case Stage::InteriorPoint:
       return "interior point";
+    case Stage::FollowOffset:
+      return "follow offset";
     case Stage::MeritDescent:
       return "merit descent";
     case Stage::NearStart:

@@ -1,6 +1,7 @@
 #include "contact/tresca/Tresca.hpp"
 
 #include "contact/equation/Equilibrium.hpp"
+#include "contact/newton/OffsetPath.hpp"
 #include "contact/newton/Sweeps.hpp"
 #include "contact/tresca/InteriorPoint.hpp"
 
@@ -77,6 +78,26 @@ void NewtonCourse::throughTheMiddle(Stage stage) {
   }
 }
 
+void NewtonCourse::followOffset(Stage stage) {
+  constexpr int polishing = 12;
+  constexpr int directions = 4;
+  constexpr int price = 3;  // of as many pivots as there are coefficients
+  const auto size = static_cast<int>(problem().size());
+  globalise();
+  Vector placement = state().rigid;
+  for (int direction = 0; direction < directions && !isOver(); ++direction) {
+    const OffsetPath path =
+        contact::followOffset(problem(), placement, direction, run() * size / price);
+    if (path.unknowns.empty())
+      continue;
+    NewtonRun last = tresca_.newton().run(sharp(), path.unknowns, NewtonMethod::Newton,
+                                          std::min(polishing, run()));
+    last.iterations += price * path.pivots / size;
+    add(stage, last);
+    placement = unpack(problem(), path.unknowns).rigid;
+  }
+}
+
 namespace {
 
 /// Without rigid motions D is definite, and so are all matrices of Newton's; a motion that
@@ -110,11 +131,16 @@ void throughTheMiddle(NewtonCourse& course, Stage stage) {
   course.throughTheMiddle(stage);
 }
 
+bool mayFollowOffset(const NewtonCourse& course) { return course.mayFollowOffset(); }
+
+void followOffset(NewtonCourse& course, Stage stage) { course.followOffset(stage); }
+
 constexpr PlannedStage<NewtonCourse> trescaPlan[] = {
     {Stage::FullSteps, startsAfar, fullSteps},
-    {Stage::InteriorPoint, startsAfar, throughTheMiddle},
-    {Stage::Pivoting, always, pivoting},
-    {Stage::InteriorPoint, knowsSets, throughTheMiddle},
+    {Stage::Pivoting, knowsSets, pivoting},
+    {Stage::FollowOffset, mayFollowOffset, followOffset},
+    {Stage::InteriorPoint, always, throughTheMiddle},
+    {Stage::Pivoting, startsAfar, pivoting},
 };
 
 }  // namespace
