@@ -74,4 +74,36 @@ for count in (2, 3):
         ranks.claim(len(done.messages) == 1 and "injected" in done.messages[0],
                     "and there is one message, here %s" % done.messages)
         ranks.claim(done.seconds < limit(), "and it takes %.1f s" % done.seconds)
+
+# A compressed level that breaks down, in its operators, its system, its solution or its
+# estimate: dense matrices take its place, unless the scene asks for compressed ones by name.
+LARGE = [*COMPRESSED[2:], "--set", "Discretization->Degree=9", "--set", "Adaptivity->Strategy=None",
+         "--set", "Adaptivity->Maximum Degrees of Freedom=10000", "--set", "Output->Fields=false"]
+
+
+def level(method, fault):
+    """A run of one level: exit codes, its row of history.csv without columns of time and memory,
+    messages."""
+    folder = ranks.fresh("instead")
+    done = run("instead", 1, [*LARGE, "--set", "Solver->Linear->Method=" + method,
+                              "--output", folder], environment={"EPAFI_FAULT": fault})
+    file = os.path.join(folder, "history.csv")
+    row = ranks.table(file)[-1] if os.path.exists(file) else {"operators": "none"}
+    return done.codes, {key: value for key, value in row.items()
+                        if not key.startswith(("seconds", "memory"))}, done.messages
+
+
+_, dense, _ = level("Dense", "")
+codes, row, messages = level("Automatic", "")
+ranks.claim((codes, row["operators"], messages) == ([0], "compressed", []),
+            "without a fault Automatic compresses this level: %s" % row["operators"])
+for phase in (1, 2, 3, 4):
+    on = ", fault in phase %d" % phase
+    codes, row, messages = level("Automatic", "%d 0 error" % phase)
+    ranks.claim(codes == [0] and row == {**dense, "operators": "dense instead"},
+                "the row of dense operators, and it says so" + on)
+    ranks.claim(len(messages) == 1 and "compressed operators failed" in messages[0]
+                and "injected fault" in messages[0], "one warning, here %s" % messages + on)
+expect(run("named", 1, [*LARGE, "--set", "Solver->Linear->Method=Compressed"],
+           environment={"EPAFI_FAULT": "2 0 error"}), 2, "injected fault", "compressed by name")
 ranks.finish()
