@@ -157,7 +157,10 @@ void checkSimple(const Loop& loop) {
         throw InputError(message("the polygon touches or crosses itself: ",
                                  nameOf(loop, i), " and ", nameOf(loop, j)));
   }
-  if (!(twiceArea(loop) > 0))
+  const double area = twiceArea(loop);
+  if (area == 0)
+    throw InputError("the polygon has no area; write it in a larger unit of length");
+  if (!(area > 0))
     throw InputError(
         "the polygon runs clockwise; list its vertices counter-clockwise (holes too)");
 }
