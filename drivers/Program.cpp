@@ -2,11 +2,13 @@
 
 #include "drivers/commands/CommandTable.hpp"
 #include "drivers/process/BlasCore.hpp"
+#include "drivers/process/Memory.hpp"
 #include "drivers/process/Ranks.hpp"
 
 namespace epafi {
 
 int program(int argc, char* argv[]) {
+  drivers::keepFreedMemory();
   drivers::tuneBlas();
   const drivers::Ranks ranks;
   int code = 0;

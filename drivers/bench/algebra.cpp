@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 #include <map>
 #include <string>
 
@@ -45,8 +44,8 @@ class Stopwatch {
     algebra_.sum({0});
     const double start = MPI_Wtime();
     auto result = operation();
-    bem::Vector seconds(static_cast<std::size_t>(algebra_.processes()));
-    seconds[static_cast<std::size_t>(algebra_.rank())] = MPI_Wtime() - start;
+    bem::Vector seconds(algebra_.processes());
+    seconds[algebra_.rank()] = MPI_Wtime() - start;
     seconds = algebra_.sum(std::move(seconds));
     const double slowest = *std::max_element(seconds.begin(), seconds.end());
     const auto [entry, isNew] = least_.try_emplace(name, Cost{slowest, flops});
@@ -94,9 +93,8 @@ void measure(const bem::TpetraAlgebra& algebra, Index n, int repetitions) {
                    [&] { return algebra.transposeTimes(half, thin); });
     stopwatch.time("6 C - XX', n/4 columns", cube / 4,
                    [&] { return algebra.addOuter(std::move(sum), thin, -1); });
-    stopwatch.time("7 A^-1 b", 2 * size * size, [&] {
-      return factor->solve(bem::Vector(static_cast<std::size_t>(n)));
-    });
+    stopwatch.time("7 A^-1 b", 2 * size * size,
+                   [&] { return factor->solve(bem::Vector(n)); });
   }
   stopwatch.print();
 }

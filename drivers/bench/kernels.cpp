@@ -55,8 +55,7 @@ Mesh graded(int layers, int largest) {
     node(1, 0);
     const int count = static_cast<int>(nodes.size()) - 1;
     for (int k = 0; k < count; ++k)
-      pieces.push_back({edge, nodes[static_cast<std::size_t>(k)],
-                        nodes[static_cast<std::size_t>(k) + 1],
+      pieces.push_back({edge, nodes[k], nodes[static_cast<std::size_t>(k) + 1],
                         std::min(largest, 1 + std::min(k, count - 1 - k) / 4)});
   }
   return Mesh(outline, pieces);
@@ -238,8 +237,8 @@ void boundaryFields(benchmark::State& state) {
       uniform(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))));
   std::mt19937 random(1);
   std::uniform_real_distribution<double> between(-1, 1);
-  Vector u(static_cast<std::size_t>(space.displacements()));
-  Vector psi(static_cast<std::size_t>(space.densities()));
+  Vector u(space.displacements());
+  Vector psi(space.densities());
   for (double& value : u)
     value = between(random);
   for (double& value : psi)

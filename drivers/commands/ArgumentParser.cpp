@@ -14,7 +14,6 @@ namespace epafi::drivers {
 namespace {
 
 using bem::InputError;
-using bem::message;
 
 [[noreturn]] void refuseOption(const Command& command, const std::string& text) {
   std::vector<std::string> known;
@@ -22,8 +21,8 @@ using bem::message;
     known.push_back(option.name);
   known.emplace_back("--help");
   const std::string name = text.substr(0, text.find('='));
-  throw InputError(message(command.name, ": unknown option '", name, "'",
-                           bem::suggestion(name, known)));
+  throw InputError(command.name, ": unknown option '", name, "'",
+                   bem::suggestion(name, known));
 }
 
 /// What CLI11 would say in words of its own.
@@ -32,18 +31,18 @@ void checkValues(const Command& command, const std::vector<std::string>& argumen
     const bool wanted = !option.value.empty();
     if (wanted && !arguments.empty() &&
         (arguments.back() == option.name || arguments.back() == option.name + "="))
-      throw InputError(message(command.name, ": ", option.name,
-                               " needs a value: ", option.name, " ", option.value));
+      throw InputError(command.name, ": ", option.name, " needs a value: ", option.name,
+                       " ", option.value);
     int given = 0;
     for (const std::string& argument : arguments) {
       const bool withValue = argument.rfind(option.name + "=", 0) == 0;
       if (withValue && !wanted)
-        throw InputError(message(command.name, ": ", option.name, " takes no value"));
+        throw InputError(command.name, ": ", option.name, " takes no value");
       given += withValue || argument == option.name ? 1 : 0;
     }
     if (given > 1 && wanted && !option.repeatable)
-      throw InputError(message(command.name, ": ", option.name, " is given ", given,
-                               " times; once is allowed"));
+      throw InputError(command.name, ": ", option.name, " is given ", given,
+                       " times; once is allowed");
   }
 }
 
@@ -51,13 +50,13 @@ void checkWords(const Command& command, const Given& given) {
   for (const Option& option : command.options)
     for (const std::string& value : given.values(option.name)) {
       if (value.empty())
-        throw InputError(message(command.name, ": ", option.name,
-                                 ": the value is empty; ", option.value, " is needed"));
+        throw InputError(command.name, ": ", option.name, ": the value is empty; ",
+                         option.value, " is needed");
       if (!option.words.empty() && std::find(option.words.begin(), option.words.end(),
                                              value) == option.words.end())
-        throw InputError(message(command.name, ": ", option.name, ": unknown ",
-                                 option.name.substr(2), " '", value, "'",
-                                 bem::suggestion(value, option.words)));
+        throw InputError(command.name, ": ", option.name, ": unknown ",
+                         option.name.substr(2), " '", value, "'",
+                         bem::suggestion(value, option.words));
     }
 }
 
@@ -67,18 +66,17 @@ void takeArgument(const Command& command, const std::vector<std::string>& rest,
     if (text.size() > 1 && text[0] == '-')
       refuseOption(command, text);
     if (command.argument.name.empty())
-      throw InputError(message(command.name, ": argument '", text,
-                               "' is not understood; usage: ", usageLine(command)));
+      throw InputError(command.name, ": argument '", text,
+                       "' is not understood; usage: ", usageLine(command));
     if (!given.argument.empty())
-      throw InputError(message(command.name, ": two arguments, '", given.argument,
-                               "' and '", text, "'; one ", command.argument.what,
-                               " is allowed"));
+      throw InputError(command.name, ": two arguments, '", given.argument, "' and '",
+                       text, "'; one ", command.argument.what, " is allowed");
     given.argument = text;
   }
   if (given.argument.empty() && !command.argument.name.empty() &&
       command.argument.required && !given.has("--help"))
-    throw InputError(message(command.name, ": no ", command.argument.what,
-                             " is given; usage: ", usageLine(command)));
+    throw InputError(command.name, ": no ", command.argument.what,
+                     " is given; usage: ", usageLine(command));
 }
 
 }  // namespace
@@ -112,8 +110,7 @@ Given parseArguments(const Command& command, const std::vector<std::string>& arg
     // CLI11 takes them from the end
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
   } catch (const CLI::ParseError& error) {
-    throw InputError(
-        message(command.name, ": ", error.what(), "; usage: ", usageLine(command)));
+    throw InputError(command.name, ": ", error.what(), "; usage: ", usageLine(command));
   }
   Given given;
   for (const CLI::Option* option : app.get_options())
@@ -129,9 +126,9 @@ int positiveNumber(const std::string& option, const std::string& text, int most)
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || stop != end || value < 1)
-    throw InputError(message(option, ": '", text, "' is not a whole number >= 1"));
+    throw InputError(option, ": '", text, "' is not a whole number >= 1");
   if (value > most)
-    throw InputError(message(option, " = ", value, "; allowed: from 1 to ", most));
+    throw InputError(option, " = ", value, "; allowed: from 1 to ", most);
   return value;
 }
 

@@ -1,5 +1,6 @@
 #include "drivers/commands/BashCompletion.hpp"
 
+#include <boost/algorithm/string/join.hpp>
 #include <sstream>
 
 namespace epafi::drivers {
@@ -15,12 +16,9 @@ std::string offered(Offer offer, const std::vector<std::string>& words) {
       return "mapfile -t COMPREPLY < <(compgen -d -- \"$word\")";
     case Offer::Files:
       return "mapfile -t COMPREPLY < <(compgen -f -- \"$word\")";
-    case Offer::Words: {
-      std::string list;
-      for (const std::string& word : words)
-        list += (list.empty() ? "" : " ") + word;
-      return "mapfile -t COMPREPLY < <(compgen -W '" + list + "' -- \"$word\")";
-    }
+    case Offer::Words:
+      return "mapfile -t COMPREPLY < <(compgen -W '" +
+             boost::algorithm::join(words, " ") + "' -- \"$word\")";
     case Offer::Nothing:
       break;
   }

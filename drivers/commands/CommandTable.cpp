@@ -14,12 +14,14 @@
 #include "drivers/output/InsideVtu.hpp"
 #include "drivers/process/Ranks.hpp"
 
-#include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <iostream>
 
 namespace epafi::drivers {
 
 namespace {
+
+using boost::algorithm::join;
 
 /// A command that needs one process only: each has it, the first one is heard.
 template <int (*Run)(const Given&, std::ostream&)>
@@ -50,11 +52,10 @@ const Command& commandNamed(const std::string& name) {
   }
   const bool scene =
       name.find(".xml") != std::string::npos || name.find(".yaml") != std::string::npos;
-  throw bem::InputError(
-      bem::message("unknown command '", name, "'",
-                   scene ? "; to solve a scene: epafi run " + name
-                         : "; did you mean '" + bem::nearest(name, known) + "'?",
-                   "\n\n", listOf(commands())));
+  throw bem::InputError("unknown command '", name, "'",
+                        scene ? "; to solve a scene: epafi run " + name
+                              : "; did you mean '" + bem::nearest(name, known) + "'?",
+                        "\n\n", listOf(commands()));
 }
 
 int helpCommand(const Given& given, std::ostream& out) {
@@ -70,27 +71,16 @@ const Option threads{"--threads", "N",
                      "OpenMP and BLAS together; default: all cores, 1 under mpirun"};
 const Option force{"--force", "", "replace the files of an earlier run"};
 const Option quiet{"--quiet", "", "print nothing but errors"};
-const Option set{
-    "--set",
-    "'A->B->Key=value'",
-    "replace a value of the scene; a list by {Key=value, Key=value}, nothing "
-    "behind the = removes a key or a list",
-    Offer::Nothing,
-    {},
-    true};
-
-std::string namesOf(const std::vector<std::string>& words) {
-  std::string names;
-  for (const std::string& word : words)
-    names += (names.empty() ? "" : ", ") + word;
-  return names;
-}
+const Option set{"--set",
+                 "'A->B->Key=value'",
+                 "replace a value of the scene; a list by {Key=value, Key=value}, "
+                 "nothing behind the = removes a key or a list",
+                 Offer::Nothing,
+                 {},
+                 true};
 
 Option format(const std::vector<std::string>& words) {
-  std::string names;
-  for (const std::string& word : words)
-    names += (names.empty() ? "" : "|") + word;
-  return {"--format", names, "default: " + words.front(), Offer::Words, words};
+  return {"--format", join(words, "|"), "default: " + words.front(), Offer::Words, words};
 }
 
 Option of(const std::string& standard) {
@@ -141,8 +131,9 @@ std::vector<Command> makeCommands() {
       {"plot",
        "pictures of a finished run or study, PNG and SVG",
        {"DIR", "folder", Offer::Folders},
-       {{"--field", "NAME", "this field inside the body, too: " + namesOf(fieldNames()),
-         Offer::Words, fieldNames()},
+       {{"--field", "NAME",
+         "this field inside the body, too: " + join(fieldNames(), ", "), Offer::Words,
+         fieldNames()},
         {"--window", "X0,Y0,X1,Y1", "of the field this part alone"},
         {"--step", "K",
          "the field at this step of a load path: 1, 2, ...; default: the last"}},

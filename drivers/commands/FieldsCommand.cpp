@@ -45,8 +45,8 @@ class SavedRun {
   static Checkpoint read(const std::string& folder) {
     std::error_code ignored;
     if (!std::filesystem::is_directory(folder, ignored))
-      throw InputError(message("there is no folder '", folder,
-                               "'; the folder of a finished run is needed"));
+      throw InputError("there is no folder '", folder,
+                       "'; the folder of a finished run is needed");
     return readSolution(folder + "/solution.hdf");
   }
 
@@ -55,24 +55,20 @@ class SavedRun {
     const int number = positiveNumber("--step", text);
     Level& level = run.level;
     if (level.path.empty())
-      throw InputError(message("--step: the run in '", folder,
-                               "' has no History, and no steps; leave --step out"));
+      throw InputError("--step: the run in '", folder,
+                       "' has no History, and no steps; leave --step out");
     if (!level.complete)
-      throw InputError(message("--step: the path in '", folder,
-                               "' was interrupted behind ", level.path.size(),
-                               " solved steps, and fields of its steps "
-                               "are kept at its end; go on with epafi run --restart, or "
-                               "leave --step out for the last one"));
-    if (level.steps.empty())
       throw InputError(
-          message("--step: '", folder,
-                  "/solution.hdf' was written by a "
-                  "version of Epafi that kept the last step alone; solve the "
-                  "scene again"));
+          "--step: the path in '", folder, "' was interrupted behind ", level.path.size(),
+          " solved steps, and fields of its steps are kept at its end; go on with epafi "
+          "run --restart, or leave --step out for the last one");
+    if (level.steps.empty())
+      throw InputError("--step: '", folder,
+                       "/solution.hdf' was written by a version of Epafi that "
+                       "kept the last step alone; solve the scene again");
     if (static_cast<std::size_t>(number) > level.steps.size())
-      throw InputError(message("--step ", number, ": the path in '", folder, "' has ",
-                               level.steps.size(),
-                               level.steps.size() == 1 ? " step" : " steps"));
+      throw InputError("--step ", number, ": the path in '", folder, "' has ",
+                       level.steps.size(), level.steps.size() == 1 ? " step" : " steps");
     StepFields& step = level.steps[static_cast<std::size_t>(number) - 1];
     for (std::size_t b = 0; b < level.bodies.size(); ++b) {
       level.bodies[b].displacement = std::move(step.displacement[b]);
@@ -109,9 +105,8 @@ Box windowOf(const std::string& text) {
   for (std::string piece; std::getline(pieces, piece, ',');)
     ends.push_back(numberIn(piece).value_or(std::numeric_limits<double>::quiet_NaN()));
   if (ends.size() != 4 || !(ends[0] < ends[2]) || !(ends[1] < ends[3]))
-    throw InputError(message("--window: '", text,
-                             "' is not X0,Y0,X1,Y1, two corners, the lower left one "
-                             "first"));
+    throw InputError("--window: '", text,
+                     "' is not X0,Y0,X1,Y1, two corners, the lower left one first");
   return {{ends[0], ends[1]}, {ends[2], ends[3]}};
 }
 
@@ -145,7 +140,7 @@ Points cellsOf(const Box& box, int nx, int ny, const SavedRun& run) {
 Points gridPoints(const std::string& text, const Box& box, const SavedRun& run) {
   const auto comma = text.find(',');
   if (comma == std::string::npos)
-    throw InputError(message("fields: --grid: '", text, "' is not NX,NY, as 60,30"));
+    throw InputError("fields: --grid: '", text, "' is not NX,NY, as 60,30");
   return cellsOf(box, positiveNumber("--grid", text.substr(0, comma)),
                  positiveNumber("--grid", text.substr(comma + 1)), run);
 }
@@ -155,7 +150,7 @@ Points pointsOf(const std::string& file, const SavedRun& run) {
   try {
     text = readText(file);
   } catch (const InputError& error) {
-    throw InputError(message("fields: --points: '", file, "' ", error.what()));
+    throw InputError("fields: --points: '", file, "' ", error.what());
   }
   std::istringstream lines(text);
   Points points;
@@ -173,15 +168,15 @@ Points pointsOf(const std::string& file, const SavedRun& run) {
     if (number == 1 && !x && !y)
       continue;  // the names of the columns
     if (!x || !y)
-      throw InputError(message("fields: --points: '", file, "', line ", number, " = '",
-                               line, "' does not begin with x,y"));
+      throw InputError("fields: --points: '", file, "', line ", number, " = '", line,
+                       "' does not begin with x,y");
     if (!isInside(run, {*x, *y}))
-      throw InputError(message("fields: --points: '", file, "', line ", number, ": (", *x,
-                               ", ", *y, ") is not inside a body"));
+      throw InputError("fields: --points: '", file, "', line ", number, ": (", *x, ", ",
+                       *y, ") is not inside a body");
     points.push_back({*x, *y});
   }
   if (points.empty())
-    throw InputError(message("fields: --points: '", file, "' has no points"));
+    throw InputError("fields: --points: '", file, "' has no points");
   return points;
 }
 
@@ -207,11 +202,11 @@ Points alongPoints(const std::string& where, double depth, const SavedRun& run) 
     }
   }
   if (std::find(known.begin(), known.end(), where) == known.end())
-    throw InputError(message("fields: --along: there is no '", where, "'",
-                             bem::suggestion(where, known)));
+    throw InputError("fields: --along: there is no '", where, "'",
+                     bem::suggestion(where, known));
   if (points.empty())
-    throw InputError(message("fields: --depth ", depth,
-                             ": no point at this depth lies inside the body"));
+    throw InputError("fields: --depth ", depth,
+                     ": no point at this depth lies inside the body");
   return points;
 }
 
@@ -233,8 +228,8 @@ Points chosenPoints(const Given& given, const SavedRun& run) {
         given.has("--window") ? windowOf(given.value("--window")) : boxOf(run), run);
   const auto depth = numberIn(given.value("--depth"));
   if (!depth || !(*depth > 0))
-    throw InputError(
-        message("fields: --depth: '", given.value("--depth"), "' is not a length > 0"));
+    throw InputError("fields: --depth: '", given.value("--depth"),
+                     "' is not a length > 0");
   return alongPoints(given.value("--along"), *depth, run);
 }
 
@@ -244,8 +239,7 @@ void write(const std::string& file, const std::string& text) {
   stream << text;
   stream.close();
   if (!stream)
-    throw InputError(
-        message("fields: '", file, "' cannot be written: ", std::strerror(errno)));
+    throw InputError("fields: '", file, "' cannot be written: ", std::strerror(errno));
 }
 
 std::string summary(const std::string& file, const Points& points,
@@ -253,7 +247,7 @@ std::string summary(const std::string& file, const Points& points,
   const auto largest = std::max_element(
       values.begin(), values.end(),
       [](const InsideValue& a, const InsideValue& b) { return a.vonMises < b.vonMises; });
-  const bem::Vec2 x = points[static_cast<std::size_t>(largest - values.begin())];
+  const bem::Vec2 x = points[largest - values.begin()];
   return message("fields  ", file, ": ", points.size(),
                  " points, largest von Mises stress ", largest->vonMises, " at (", x.x,
                  ", ", x.y, ")\n");
@@ -265,8 +259,8 @@ void evaluate(const Given& given, std::ostream& out) {
   if (given.has("--vtk")) {
     for (const char* other : {"--grid", "--points", "--along", "--depth", "--window"})
       if (given.has(other))
-        throw InputError(message("fields: --vtk covers the whole inside; ", other,
-                                 " belongs to the csv"));
+        throw InputError("fields: --vtk covers the whole inside; ", other,
+                         " belongs to the csv");
     const std::string file = given.value("--output", folder + "/fields.vtu");
     const FilledBodies filled = fill(run.insides());
     write(file, vtuFile(filled));
@@ -299,7 +293,7 @@ void writeWindow(const std::string& folder, const std::string& step,
   const Points points = cellsOf(box, std::max(1, static_cast<int>(size.x / cell)),
                                 std::max(1, static_cast<int>(size.y / cell)), run);
   if (points.empty())
-    throw InputError(message("--window: '", window, "' shows nothing of the bodies"));
+    throw InputError("--window: '", window, "' shows nothing of the bodies");
   write(folder + "/fields-window.csv",
         run.insides().csv(points, run.insides().at(points)));
 }

@@ -2,7 +2,6 @@
 
 #include "drivers/process/ExitCode.hpp"
 
-#include <algorithm>
 #include <sstream>
 
 namespace epafi::drivers {

@@ -136,8 +136,7 @@ std::string jsonSchema(const std::vector<Grammar>& grammars) {
          "  \"title\": \"Epafi\",\n"
          "  \"$comment\": \"names, types, words and ranges; what depends on other keys, "
          "and what is required because of them, `epafi check` knows\",\n"
-         "  \"type\": \"object\", \"minProperties\": 1, "
-         "\"maxProperties\": 1,\n"
+         "  \"type\": \"object\", \"minProperties\": 1, \"maxProperties\": 1,\n"
          "  \"additionalProperties\": ";
   const auto object = [&out](const Grammar& grammar) {
     out << "{\"title\": " << quoted("a " + grammar.name) << ", ";

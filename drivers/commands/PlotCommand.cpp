@@ -23,9 +23,9 @@ constexpr const char* python = "/usr/bin/python3";
 int callPlot(std::vector<std::string> arguments) {
   const std::string program = besideProgram(EPAFI_PYTHON "/epafi/plot/__main__.py");
   if (!fs::exists(program))
-    throw bem::InputError(bem::message("plot: '", program,
-                                       "' is missing; it is built and installed along "
-                                       "with this program"));
+    throw bem::InputError(
+        "plot: '", program,
+        "' is missing; it is built and installed along with this program");
   arguments.insert(arguments.begin(), program);
   std::cout << std::flush;
   return runChild(python, std::move(arguments), "plot", "install python3") ? 0 : 1;
@@ -45,7 +45,7 @@ int drawPictures(const std::string& folder, Words words,
 int drawScene(const std::string& csv, const std::string& title, const std::string& file) {
   const std::string table = file + ".csv.part";
   if (!(std::ofstream(table) << csv << std::flush))
-    throw bem::InputError(bem::message("--plot: '", file, "' cannot be written"));
+    throw bem::InputError("--plot: '", file, "' cannot be written");
   const int code = callPlot({table, "--scene", file, "--title=" + title});
   std::error_code ignored;
   fs::remove(table, ignored);
@@ -57,7 +57,7 @@ int plotCommand(const Given& given, std::ostream&, const Ranks& ranks) {
     if (!given.has("--field")) {
       for (const char* option : {"--window", "--step"})
         if (given.has(option))
-          throw bem::InputError(bem::message(option, " belongs to a --field"));
+          throw bem::InputError(option, " belongs to a --field");
       return drawPictures(given.argument, Words::All);
     }
     if (given.has("--window"))

@@ -4,7 +4,6 @@
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
 
-#include <algorithm>
 #include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <functional>
@@ -37,7 +36,8 @@ std::string standardOf(const Parameter& row) {
 }
 
 std::string typeOf(const Parameter& row) {
-  return row.kind == Kind::Expression ? "string: expression in x, y" : typeName(row.kind);
+  const std::string type = textOf(row.kind).type;
+  return row.kind == Kind::Expression ? type + ": expression in x, y" : type;
 }
 
 /// "only with Law 'Tresca'"
@@ -106,20 +106,7 @@ std::string sample(const Parameter& row) {
   if (!row.allowed.empty())
     return row.kind == Kind::Names ? "{" + row.allowed.front() + "}"
                                    : row.allowed.front();
-  switch (row.kind) {
-    case Kind::Real:
-      return "0.25";
-    case Kind::Names:
-      return "{bottom, right, left}";
-    case Kind::Counts:
-      return "{1, 1, 1}";
-    case Kind::Reals:
-      return "{0, 0, 0.5}";
-    case Kind::Points:
-      return "3x2:{0, 0, 1, 0, 0, 1}";
-    default:
-      return "0";
-  }
+  return textOf(row.kind).sample;
 }
 
 /// A list that Teuchos can read: every key, with its default or a sample value.
@@ -142,7 +129,7 @@ std::string xml(const bem::SchemaRows& rows) {
             out << indent << "</ParameterList>\n";
           } else {
             out << indent << "<Parameter name=\"" << name << "\" type=\""
-                << typeName(row.kind) << "\" value=\"" << xmlText(sample(row))
+                << textOf(row.kind).type << "\" value=\"" << xmlText(sample(row))
                 << "\"/>\n";
           }
         }

@@ -109,7 +109,7 @@ class Writer {
         return pair(choice({"Array(double)", "Array(int)", "double", "int"}), any,
                     indent);
       default:  // arrays: their entries stand in one text
-        return pair(choice({typeName(row.kind)}), any, indent);
+        return pair(choice({textOf(row.kind).type}), any, indent);
     }
   }
 

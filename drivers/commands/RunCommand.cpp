@@ -15,12 +15,9 @@
 #include "drivers/run/Warnings.hpp"
 #include "drivers/scene/SceneReader.hpp"
 
-#include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <iostream>
 #include <optional>
-#include <utility>
 
 namespace epafi::drivers {
 
@@ -74,13 +71,13 @@ Beginning begin(const RunOptions& options, const Scene& scene) {
     return beginning;
   if (options.force)
     throw bem::InputError(
-        "--force would delete the run that --restart goes on from; "
-        "leave one of them out or give another --output");
+        "--force would delete the run that --restart goes on from; leave one of them out "
+        "or give another --output");
   if (!scene.output.fields)
-    throw bem::InputError(bem::message(
+    throw bem::InputError(
         scene.file,
         ": Output->Fields = false writes no solution.hdf; --restart needs a new one in '",
-        options.restart, "', or another --output"));
+        options.restart, "', or another --output");
   beginning.folder = options.restart;
   beginning.earlierRun = EarlierRun::Continue;
   return beginning;

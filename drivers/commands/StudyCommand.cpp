@@ -77,16 +77,27 @@ double smallestEigenvalue(const Scene& scene, const SolvedLevel& level) {
   return smallest;
 }
 
-/// Of steps.csv, where the scene has a History.
-std::string stepLines(const SolvedLevel& level, bool withHead) {
-  std::string lines;
-  if (level.path == nullptr)
-    return lines;
-  for (const auto& step : level.path->steps)
-    lines +=
-        (lines.empty() && withHead ? stepsHead(step->row) : "") + stepsLine(step->row);
-  return lines;
-}
+/// What the levels so far leave in files.
+struct Record {
+  const Scene& scene;
+  std::string used = usedXml(scene);
+  std::string history = historyHead();
+  std::string steps{};  ///< where the scene has a History
+
+  void add(const SolvedLevel& level, const LevelRow& row) {
+    history += historyLine(row);
+    if (level.path != nullptr)
+      for (const auto& step : level.path->steps)
+        steps += (steps.empty() ? stepsHead(step->row) : "") + stepsLine(step->row);
+  }
+  /// solution.hdf
+  std::string solution(const SolvedLevel& level, const BoundaryLines& grid) const {
+    return solutionFile(scene,
+                        {level.level, used, history, steps, "", level.row.secondsTotal,
+                         level.row.secondsWall},
+                        grid);
+  }
+};
 
 class StudyRun {
  public:
@@ -144,20 +155,15 @@ class StudyRun {
   /// Writes the last converged level; whether there is one.
   bool compute(const StudiedScene& scene, const std::string& name) {
     PhaseTimer timer = makeTimer();
-    const std::string used = usedXml(*scene.reference);
-    std::string history = historyHead();
-    std::string steps;
+    Record record{*scene.reference};
     bool solved = false;
     try {
       solveLevels(*scene.reference, ranks_, timer, [&](const SolvedLevel& level) {
-        history += historyLine(level.row);
-        steps += stepLines(level, steps.empty());
+        record.add(level, level.row);
         if (level.row.report.status != contact::Status::Converged)
           return;
-        folder_.write(name, solutionFile(*scene.reference,
-                                         {level.level, used, history, steps, "",
-                                          level.row.secondsTotal, level.row.secondsWall},
-                                         boundaryLines(*scene.reference, level)));
+        folder_.write(name,
+                      record.solution(level, boundaryLines(*scene.reference, level)));
         solved = true;
       });
     } catch (const bem::NumericalError& error) {
@@ -172,23 +178,20 @@ class StudyRun {
     out_ << scene.name << ": " << variant.name << "\n" << std::flush;
     const std::string name = folderOf(scene, variant);
     OutputFolder own(folder_.path() + "/" + name, EarlierRun::Delete);
-    const std::string used = usedXml(variant.scene);
-    own.write("used.xml", used);
+    Record record{variant.scene};
+    own.write("used.xml", record.used);
     PhaseTimer timer = makeTimer();
     VariantClock clock;
-    std::string history = historyHead();
-    std::string steps;
     int solved = 0;
     try {
       solveLevels(variant.scene, ranks_, timer, [&](const SolvedLevel& level) {
         LevelRow row = level.row;
         row.secondsTotal = clock.seconds();
         clock.exclude([&] {
-          history += historyLine(row);
-          steps += stepLines(level, steps.empty());
+          record.add(level, row);
           ++solved;
           note(scene, variant, reference, level, row, name);
-          writeFiles(variant, level, used, history, steps, own);
+          writeFiles(variant, level, record, own);
           progress_.clear();
         });
         if (row.report.status != contact::Status::Converged)
@@ -240,27 +243,22 @@ class StudyRun {
   }
 
   /// Of sweeps, which may have hundreds, the contact alone.
-  void writeFiles(const Variant& variant, const SolvedLevel& level,
-                  const std::string& used, const std::string& history,
-                  const std::string& steps, OutputFolder& folder) const {
+  void writeFiles(const Variant& variant, const SolvedLevel& level, const Record& record,
+                  OutputFolder& folder) const {
     const Scene& scene = variant.scene;
     if (scene.hasContact())
       folder.write("contact.csv", contactCsv(scene, level.bodies));
-    if (!steps.empty())
-      folder.write("steps.csv", steps);
+    if (!record.steps.empty())
+      folder.write("steps.csv", record.steps);
     if (variant.swept && !study_.keepSolutions)
       return;
-    folder.write("history.csv", history);
+    folder.write("history.csv", record.history);
     if (!scene.output.fields)
       return;
     const BoundaryLines grid = boundaryLines(scene, level);
     folder.write("boundary.csv", boundaryCsv(scene, grid));
     if (study_.keepSolutions)
-      folder.write("solution.hdf",
-                   solutionFile(scene,
-                                {level.level, used, history, steps, "",
-                                 level.row.secondsTotal, level.row.secondsWall},
-                                grid));
+      folder.write("solution.hdf", record.solution(level, grid));
   }
 
   /// Different variants get different folders, even if their names differ in signs only.
@@ -288,8 +286,8 @@ class StudyRun {
 int studyCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   if (ranks.algebra().processes() > 1)
     throw bem::InputError(
-        "study: runs on one process, so that its times mean something; --threads N "
-        "uses more cores");
+        "study: runs on one process, so that its times mean something; --threads N uses "
+        "more cores");
   const bool quiet = given.has("--quiet");
   const Study study = readStudy(given.argument);
   if (given.has("--threads"))

@@ -13,7 +13,10 @@ namespace {
 
 /// Quoted where RFC 4180 wants it: boundary names are the user's.
 void add(const std::string& cell, std::string& line) {
-  if (cell.find_first_of(",\"\r\n") == std::string::npos) {
+  const auto isSpecial = [](char c) {
+    return c == ',' || c == '"' || c == '\r' || c == '\n';
+  };
+  if (std::none_of(cell.begin(), cell.end(), isSpecial)) {
     line += cell;
     return;
   }

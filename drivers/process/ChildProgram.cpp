@@ -23,8 +23,8 @@ bool runChild(const std::string& program, std::vector<std::string> arguments,
   const int failed =
       posix_spawn(&child, program.c_str(), nullptr, nullptr, words.data(), environ);
   if (failed != 0)
-    throw bem::InputError(bem::message(what, ": '", program, "' cannot be started: ",
-                                       std::strerror(failed), "; ", remedy));
+    throw bem::InputError(what, ": '", program,
+                          "' cannot be started: ", std::strerror(failed), "; ", remedy);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }

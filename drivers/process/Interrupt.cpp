@@ -58,7 +58,7 @@ void startTimer() {
 void endNow(int) {
   if (!speaks)
     sleep(2);  // when one rank ends mpirun kills the others, and the first is to speak
-  const auto& text = advice[static_cast<std::size_t>(current)];
+  const auto& text = advice[current];
   if (length > 0 && write(heard, text.data(), static_cast<std::size_t>(length)) < 0)
     _exit(128 + received);  // nobody is left to tell
   _exit(128 + received);
@@ -96,7 +96,7 @@ void catchSignals(Grace grace, Voice voice) {
 void adviseOnInterrupt(const std::string& text) {
   told = text;
   const std::string line = text.empty() || !speaks ? "" : "\nepafi: " + text + "\n";
-  const auto other = static_cast<std::size_t>(1 - current);
+  const std::size_t other = 1 - current;
   const std::size_t size = std::min(line.size(), room);
   std::copy_n(line.begin(), size, advice[other].begin());
   length = 0;  // between two texts: none

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <malloc.h>
 #include <sstream>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -26,7 +27,8 @@ double numberBehind(const std::string& file, const std::string& word, double oth
   std::string first;
   double value = 0;
   for (std::string line; std::getline(lines, line);)
-    if (std::istringstream(line) >> first >> value && first == word)
+    if (line.rfind(word, 0) == 0 && std::istringstream(line) >> first >> value &&
+        first == word)
       return value;
   return otherwise;
 }
@@ -92,6 +94,11 @@ double freeMemory(const std::string& root) {
       1024 * numberBehind(root + "/proc/meminfo", "MemAvailable:", unlimited);
   const double left = std::min({machine, leftInGroups(root), leftOfAddresses()});
   return std::max(left, 0.0) / mebi;
+}
+
+void keepFreedMemory() {
+  mallopt(M_MMAP_THRESHOLD, 4 << 20);
+  mallopt(M_TRIM_THRESHOLD, 16 << 20);
 }
 
 double ownMemory() {

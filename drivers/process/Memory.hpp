@@ -11,6 +11,10 @@ namespace epafi::drivers {
 /// `root`: stands before /proc and /sys, for tests.
 double freeMemory(const std::string& root = "");
 
+/// Has the heap keep up to 16 MiB that are free, for the next level: by itself glibc gives them
+/// back, and the system clears every page again.  Blocks of 4 MiB and more are mapped.
+void keepFreedMemory();
+
 /// Resident memory of this process now [MiB].
 double ownMemory();
 

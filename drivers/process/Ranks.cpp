@@ -97,7 +97,7 @@ void tell(const bem::Failure& failure) {
 
 bem::Vector largestOverRanks(const bem::DenseAlgebra& algebra, const bem::Vector& mine) {
   const std::size_t n = mine.size();
-  const auto ranks = static_cast<std::size_t>(algebra.processes());
+  const std::size_t ranks = algebra.processes();
   bem::Vector all(ranks * n);
   std::copy(mine.begin(), mine.end(),
             all.begin() + algebra.rank() * static_cast<std::ptrdiff_t>(n));

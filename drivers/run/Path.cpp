@@ -18,7 +18,8 @@ class Follower {
         atZero_(atZero),
         earlier_(earlier),
         timer_(timer),
-        memory_(atZero) {
+        memory_(atZero),
+        prediction_(atZero) {
     std::vector<bem::Vector> still;
     for (std::size_t b = 0; b < atZero.size(); ++b)
       still.emplace_back(atZero.body(b).load().size());
@@ -79,7 +80,7 @@ class Follower {
       solved.report.status = contact::Status::Converged;
     } else {
       attempt = timer_.run(Phase::Newton, [&] {
-        return solveStep(ground_.scene, *now->system, ground_.spaces, state_,
+        return solveStep(ground_.scene, *now->system, ground_.spaces, prediction_,
                          ground_.stiffness.front().algebra());
       });
     }
@@ -87,13 +88,12 @@ class Follower {
     report() = contact::joined(solved.report, report());
     path_.reason = attempt.reason;
     const bool converged = solved.report.converged();
-    if (converged)
-      state_ = solved.state;
     latestAt_ = now->system->configuration(
-        solved.state.multiplier.empty() ? state_ : std::move(solved.state));
+        solved.state.multiplier.empty() ? prediction_.last() : std::move(solved.state));
     if (converged) {
       ++row_.parts;
       memory_.add(*now->system, latestAt_);
+      prediction_.add(*now->system, latestAt_.state);
       path_.points.push_back({next, latestAt_.state, solved.report.newtonIterations,
                               solved.report.coulombIterations});
       now_ = next;
@@ -142,11 +142,11 @@ class Follower {
   const std::vector<PathPoint>& earlier_;
   PhaseTimer& timer_;
   contact::PathMemory memory_;
+  contact::Prediction prediction_;
   Path path_;
   StepRow row_;
   std::unique_ptr<PathStep> latest_;
   contact::Configuration latestAt_;
-  contact::State state_;
   double now_ = 0;
 };
 

@@ -60,7 +60,7 @@ struct Path {
 
 /// Follows the scene's path; operators, factors and D are those of `atZero` for all steps.
 ///
-/// Each step starts from the state of the one before; one that fails is halved, down to
+/// Each step starts where contact::Prediction says; one that fails is halved, down to
 /// History->Minimum Step, and then the path ends there.  `earlier` are points that an
 /// earlier run has solved: they are taken as they are.  `handOut` receives each step asked
 /// for as soon as it is solved, and the path so far.  Collective.

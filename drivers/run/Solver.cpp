@@ -102,9 +102,9 @@ Solved solve(const Scene& scene, const contact::ContactSystem& system,
 }
 
 Solved solveStep(const Scene& scene, const contact::ContactSystem& system,
-                 const BodySpaces& spaces, const contact::State& start,
+                 const BodySpaces& spaces, const contact::Prediction& prediction,
                  const bem::DenseAlgebra& algebra) {
-  return onFirstRank(system, algebra, [&]() -> Solved {
+  const auto from = [&](const contact::State& start) -> Solved {
     try {
       // of this step only: a run that goes on behind it shall compute the same digits
       contact::FactorMemory memory;
@@ -118,6 +118,17 @@ Solved solveStep(const Scene& scene, const contact::ContactSystem& system,
     } catch (const bem::NumericalError& error) {
       return {{}, error.what()};
     }
+  };
+  return onFirstRank(system, algebra, [&] {
+    const contact::State start = prediction.start(system);
+    Solved solved = from(start);
+    if (solved.solution.report.converged() ||
+        start.multiplier == prediction.last().multiplier)
+      return solved;
+    Solved again = from(prediction.last());
+    again.solution.report =
+        contact::joined(std::move(again.solution.report), solved.solution.report);
+    return again;
   });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/base/DenseAlgebra.hpp"
+#include "contact/path/Prediction.hpp"
 #include "contact/solve/Report.hpp"
 #include "contact/system/ContactSystem.hpp"
 #include "drivers/run/BodySpaces.hpp"
@@ -27,10 +28,11 @@ Solved solve(const Scene& scene, const contact::ContactSystem& system,
              const BodySpaces& spaces, const contact::State& start,
              const bem::DenseAlgebra& algebra);
 
-/// The same for a step of a path, without Load Steps.  It may fail and be tried in parts: a
-/// bem::NumericalError is the reason of a report without a state.
+/// The same for a step of a path, without Load Steps: from where it is predicted, and if that
+/// fails from the state before.  It may fail and be tried in parts: a bem::NumericalError is
+/// the reason of a report without a state.
 Solved solveStep(const Scene& scene, const contact::ContactSystem& system,
-                 const BodySpaces& spaces, const contact::State& start,
+                 const BodySpaces& spaces, const contact::Prediction& prediction,
                  const bem::DenseAlgebra& algebra);
 
 }  // namespace epafi::drivers

@@ -1,7 +1,6 @@
 #include "drivers/scene/BodiesReader.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/Suggestion.hpp"
 #include "drivers/scene/ConditionsReader.hpp"
 #include "drivers/scene/Expression.hpp"
 #include "drivers/scene/GeometryReader.hpp"
@@ -19,15 +18,13 @@ namespace epafi::drivers {
 namespace {
 
 using bem::InputError;
-using bem::message;
 using Teuchos::ParameterList;
 
 bem::Material readMaterial(const ParameterList& list, const std::string& path) {
   for (const char* key : {"Young's Modulus", "Poisson's Ratio"})
     if (!list.isParameter(key))
-      throw InputError(message(path, "->", key,
-                               ": missing; every body that is not Rigid has "
-                               "one"));
+      throw InputError(path, "->", key,
+                       ": missing; every body that is not Rigid has one");
   bem::Material material;
   material.youngsModulus = list.get<double>("Young's Modulus");
   material.poissonsRatio = list.get<double>("Poisson's Ratio");
@@ -38,9 +35,9 @@ bem::Material readMaterial(const ParameterList& list, const std::string& path) {
 void refuseMotion(const ParameterList& motion, const std::string& path) {
   for (const auto& item : motion)
     if (!item.second.isDefault())
-      throw InputError(message(path, "->Motion->", item.first,
-                               ": belongs to a body with Material->Rigid = true; others "
-                               "have Boundary Conditions and Rigid Motions"));
+      throw InputError(path, "->Motion->", item.first,
+                       ": belongs to a body with Material->Rigid = true; others "
+                       "have Boundary Conditions and Rigid Motions");
 }
 
 Body readBody(ParameterList& list, const std::string& name, const Scene& scene,
@@ -59,9 +56,9 @@ Body readBody(ParameterList& list, const std::string& name, const Scene& scene,
 
 void refuseElasticity(const ParameterList& list, const std::string& path) {
   const auto refuse = [&](const std::string& key) {
-    throw InputError(message(path, "->", key,
-                             ": the body is rigid (Material->Rigid = true); "
-                             "it has Geometry and Motion alone"));
+    throw InputError(path, "->", key,
+                     ": the body is rigid (Material->Rigid = true); it has "
+                     "Geometry and Motion alone");
   };
   for (const char* key : {"Young's Modulus", "Poisson's Ratio"})
     if (list.sublist("Material").isParameter(key))
@@ -88,7 +85,7 @@ bem::Vec2 readPole(const ParameterList& motion, const std::string& path,
     return centroidOf(outline);
   const auto& point = motion.get<Teuchos::Array<double>>("Reference Point");
   if (point.size() != 2)
-    throw InputError(message(path, ": has ", point.size(), " numbers; a point has two"));
+    throw InputError(path, ": has ", point.size(), " numbers; a point has two");
   return {point[0], point[1]};
 }
 
@@ -108,9 +105,9 @@ RigidBody readRigid(const ParameterList& list, const std::string& name,
     const auto& [moved, pushed] = keys[c];
     const bool free = motion.isParameter(pushed);
     if (free && motion.isParameter(moved))
-      throw InputError(message(path, "->Motion->", pushed, ": ", moved,
-                               " is given, too; a motion is prescribed, or free under a "
-                               "force, not both"));
+      throw InputError(
+          path, "->Motion->", pushed, ": ", moved,
+          " is given, too; a motion is prescribed, or free under a force, not both");
     const std::string key = free ? pushed : moved;
     if (motion.isParameter(key))
       body.components[c] = {free, [text = motion.get<std::string>(key),

@@ -13,7 +13,6 @@ namespace epafi::drivers {
 namespace {
 
 using bem::InputError;
-using bem::message;
 using Teuchos::ParameterList;
 
 /// A list of the scene, and what its expressions know.
@@ -39,9 +38,8 @@ bem::Function nonNegative(const bem::Function& function, const Place& place) {
   return [function, place](bem::Vec2 point) {
     const double value = function(point);
     if (value < 0)
-      throw InputError(message(place.file, ": ", place.path, " is ", value,
-                               " at (x, y) = (", point.x, ", ", point.y,
-                               "); it must be >= 0 there"));
+      throw InputError(place.file, ": ", place.path, " is ", value, " at (x, y) = (",
+                       point.x, ", ", point.y, "); it must be >= 0 there");
     return value;
   };
 }
@@ -79,9 +77,9 @@ void checkNamed(const std::string& boundary, const std::string& path,
     if (std::find(names.begin(), names.end(), edge.boundary) == names.end())
       names.push_back(edge.boundary);
   if (std::find(names.begin(), names.end(), boundary) == names.end())
-    throw InputError(message(path, ": no edge has this name; did you mean '",
-                             bem::nearest(boundary, names),
-                             "'? named edges: ", bem::quotedList(names)));
+    throw InputError(path, ": no edge has this name; did you mean '",
+                     bem::nearest(boundary, names),
+                     "'? named edges: ", bem::quotedList(names));
 }
 
 std::function<bem::Vec2(bem::Vec2)> normalOn(const bem::Outline& outline,
@@ -119,7 +117,7 @@ bem::Function readTraction(const ParameterList& list, const std::string& axis,
     return readFunction(list, "Traction " + axis, where);
   const Place place = where.under(force).place;
   if (list.isParameter("Traction " + axis))
-    throw InputError(message(place.path, ": give this or Traction ", axis, ", not both"));
+    throw InputError(place.path, ": give this or Traction ", axis, ", not both");
   const double traction =
       evaluateAt(where.names.t, list.get<std::string>(force), place, where.names) /
       length;
@@ -134,9 +132,9 @@ void readBoundary(const ParameterList& list, const std::string& boundary,
     const bem::Function x = readFunction(list, "Displacement X", where);
     const bem::Function y = readFunction(list, "Displacement Y", where);
     if (!x && !y)
-      throw InputError(where.place.path +
-                       ": a Dirichlet condition needs Displacement X, "
-                       "Displacement Y or both");
+      throw InputError(
+          where.place.path +
+          ": a Dirichlet condition needs Displacement X, Displacement Y or both");
     conditions.dirichlet[boundary] = {x, y};
   } else if (type == "Neumann") {
     const double length = lengthOf(outline, boundary);

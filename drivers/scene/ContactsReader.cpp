@@ -18,7 +18,6 @@ namespace epafi::drivers {
 namespace {
 
 using bem::InputError;
-using bem::message;
 using Teuchos::ParameterList;
 
 std::vector<std::string> bodyNames(const Scene& scene) {
@@ -34,18 +33,17 @@ SideOfBody readSide(const std::string& text, const std::string& path,
                     const Scene& scene) {
   const auto colon = text.find(':');
   if (colon == std::string::npos)
-    throw InputError(message(path, ": '", text,
-                             "' is no side; write body:boundary, as in {\"pad:bottom\", "
-                             "\"plate:top\"}"));
+    throw InputError(
+        path, ": '", text,
+        "' is no side; write body:boundary, as in {\"pad:bottom\", \"plate:top\"}");
   const std::string name = text.substr(0, colon);
   SideOfBody side{false, 0, text.substr(colon + 1)};
   const std::vector<std::string> names = bodyNames(scene);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
-    throw InputError(message(path, ": there is no body '", name, "'; did you mean '",
-                             bem::nearest(name, names),
-                             "'? bodies: ", bem::quotedList(names)));
-  const auto index = static_cast<std::size_t>(found - names.begin());
+    throw InputError(path, ": there is no body '", name, "'; did you mean '",
+                     bem::nearest(name, names), "'? bodies: ", bem::quotedList(names));
+  const std::size_t index = found - names.begin();
   side.rigid = index >= scene.bodies.size();
   side.body = side.rigid ? index - scene.bodies.size() : index;
   checkNamed(side.boundary, path, scene.outlineOf(side));
@@ -59,17 +57,16 @@ std::pair<SideOfBody, SideOfBody> readBetween(const ParameterList& list,
   const std::string key = path + "->Between";
   const auto& between = list.get<Teuchos::Array<std::string>>("Between");
   if (between.size() != 2)
-    throw InputError(message(key, ": has ", between.size(),
-                             " sides; a contact is between two, body:boundary each"));
+    throw InputError(key, ": has ", between.size(),
+                     " sides; a contact is between two, body:boundary each");
   SideOfBody first = readSide(between[0], key, scene);
   SideOfBody second = readSide(between[1], key, scene);
   if (first.rigid && second.rigid)
     throw InputError(key + ": both bodies are rigid; at least one must be elastic");
   if (first.rigid == second.rigid && first.body == second.body)
-    throw InputError(key +
-                     ": contact of a body with itself is not possible; both sides "
-                     "belong to '" +
-                     scene.bodies[first.body].name + "'");
+    throw InputError(
+        key + ": contact of a body with itself is not possible; both sides belong to '" +
+        scene.bodies[first.body].name + "'");
   if (first.rigid)
     std::swap(first, second);
   return {first, second};
@@ -82,26 +79,26 @@ void checkFree(const SideOfBody& side, const std::string& path, const Scene& sce
   const contact::Conditions& conditions = body.conditions;
   const auto contact = conditions.contact.find(side.boundary);
   if (contact != conditions.contact.end() && !contact->second.name.empty())
-    throw InputError(message(path, "->Between: '", body.name, ":", side.boundary,
-                             "' carries the stresses of Contacts->", contact->second.name,
-                             "; give its edges different names"));
+    throw InputError(path, "->Between: '", body.name, ":", side.boundary,
+                     "' carries the stresses of Contacts->", contact->second.name,
+                     "; give its edges different names");
   if (contact != conditions.contact.end() ||
       conditions.dirichlet.count(side.boundary) != 0 ||
       conditions.neumann.count(side.boundary) != 0)
-    throw InputError(message(path, "->Between: '", body.name, ":", side.boundary,
-                             "' has a condition under Bodies->", body.name,
-                             "->Boundary Conditions->", side.boundary,
-                             "; a side in contact has none"));
+    throw InputError(path, "->Between: '", body.name, ":", side.boundary,
+                     "' has a condition under Bodies->", body.name,
+                     "->Boundary Conditions->", side.boundary,
+                     "; a side in contact has none");
 }
 
 void checkNotMet(const SideOfBody& side, const std::string& path, const Scene& scene) {
   for (const ContactPair& pair : scene.contacts)
     if (pair.met.rigid == side.rigid && pair.met.body == side.body &&
         pair.met.boundary == side.boundary)
-      throw InputError(message(path, "->Between: '", scene.bodies[side.body].name, ":",
-                               side.boundary, "' is what Contacts->", pair.name,
-                               " presses on, so it cannot carry the stresses of another "
-                               "contact; name the other body first"));
+      throw InputError(path, "->Between: '", scene.bodies[side.body].name, ":",
+                       side.boundary, "' is what Contacts->", pair.name,
+                       " presses on, so it cannot carry the stresses of another "
+                       "contact; name the other body first");
 }
 
 /// A required node on an edge, unless it is one already.
@@ -148,7 +145,7 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
       if (pair.met.rigid)
         continue;
       // where a stretch begins or ends what is opposite may get a node
-      const auto k = static_cast<std::size_t>(stretch.curve);
+      const std::size_t k = stretch.curve;
       for (const double t : {stretch.begin, stretch.end}) {
         const auto there = contact::crossing(edge.curve.point(t) + shift,
                                              edge.curve.normal(t), met.curves[k]);
@@ -183,9 +180,9 @@ void readContacts(const ParameterList& contacts, const std::string& file, Scene&
     condition.name = pair.name;
     condition.parts = meet(pair, scene);
     if (condition.parts.empty())
-      throw InputError(message(path,
-                               ": no point of the first side finds the second one "
-                               "along its outward normal; the sides never meet"));
+      throw InputError(path,
+                       ": no point of the first side finds the second one along "
+                       "its outward normal; the sides never meet");
     scene.bodies[pair.side.body].conditions.contact[pair.side.boundary] =
         std::move(condition);
     scene.contacts.push_back(std::move(pair));

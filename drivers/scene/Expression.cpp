@@ -97,8 +97,7 @@ class Parser {
       int values = 0;
       const double* value = parser_.Eval(values);
       if (values != 1)
-        throw InputError(
-            message("gives ", values, " values; a decimal point is written '.'"));
+        throw InputError("gives ", values, " values; a decimal point is written '.'");
       return value[0];
     } catch (const mu::Parser::exception_type& error) {
       fail(error);
@@ -182,7 +181,7 @@ class Expression {
   }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(message(place_.file, ": ", place_.path, " = '", text_, "' ", what));
+    throw InputError(place_.file, ": ", place_.path, " = '", text_, "' ", what);
   }
 
   std::string text_;
@@ -199,8 +198,7 @@ void checkName(const std::string& name, const Names& earlier) {
   if (name.find_first_not_of(letters) != std::string::npos ||
       std::string("0123456789_").find(name.front()) != std::string::npos)
     throw InputError(
-        "is no name for expressions; letters, digits and _ make one, a "
-        "letter first");
+        "is no name for expressions; letters, digits and _ make one, a letter first");
   const mu::Parser parser;
   for (const char* known : {"x", "y", "t", "nx", "ny", "pi"})
     if (name == known)

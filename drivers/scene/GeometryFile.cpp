@@ -22,8 +22,8 @@ void setLoop(Teuchos::ParameterList& geometry, const std::string& prefix,
       static_cast<Teuchos::TwoDArray<double>::size_type>(loop.vertices.size());
   Teuchos::TwoDArray<double> table(size, 2);
   for (Teuchos::TwoDArray<double>::size_type i = 0; i < size; ++i) {
-    table(i, 0) = loop.vertices[static_cast<std::size_t>(i)].x;
-    table(i, 1) = loop.vertices[static_cast<std::size_t>(i)].y;
+    table(i, 0) = loop.vertices[i].x;
+    table(i, 1) = loop.vertices[i].y;
   }
   geometry.set(prefix + "Vertices", table);
   geometry.set(prefix + "Edges", Teuchos::Array<std::string>(loop.edges));
@@ -38,13 +38,13 @@ void expandGeometryFile(Teuchos::ParameterList& geometry, const std::string& sce
   if (!geometry.isParameter("File")) {
     for (const char* key : {"Vertices", "Edges"})
       if (!geometry.isParameter(key))
-        throw InputError(
-            message(path, "->", key, ": missing; give Vertices and Edges, ", "or File"));
+        throw InputError(path, "->", key, ": missing; give Vertices and Edges, ",
+                         "or File");
     return;
   }
   for (const auto& item : geometry)
     if (item.first != "File")
-      throw InputError(message(path, "->", item.first, ": give this or File, not both"));
+      throw InputError(path, "->", item.first, ": give this or File, not both");
   const auto name = geometry.get<std::string>("File");
   const std::string file =
       (std::filesystem::path(sceneFile).parent_path() / name).string();
@@ -55,7 +55,7 @@ void expandGeometryFile(Teuchos::ParameterList& geometry, const std::string& sce
     for (std::size_t k = 0; k < loops.holes.size(); ++k)
       setLoop(geometry, message("Hole ", k + 1, " "), loops.holes[k]);
   } catch (const InputError& error) {
-    throw InputError(message(path, "->File = '", name, "' (", file, "): ", error.what()));
+    throw InputError(path, "->File = '", name, "' (", file, "): ", error.what());
   }
 }
 

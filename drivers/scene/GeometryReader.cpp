@@ -1,7 +1,6 @@
 #include "drivers/scene/GeometryReader.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/Suggestion.hpp"
 #include "drivers/scene/GeometryFile.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -40,13 +39,12 @@ int countHoles(const ParameterList& geometry, const std::string& path) {
     ++holes;
     for (const char* what : {"Vertices", "Edges"})
       if (!geometry.isParameter(holeKey(holes, what)))
-        throw InputError(message(path, "->", holeKey(holes, what), ": missing"));
+        throw InputError(path, "->", holeKey(holes, what), ": missing");
   }
   for (const auto& item : geometry)
     if (item.first.rfind("Hole ", 0) == 0 && std::stol(item.first.substr(5)) > holes)
-      throw InputError(message(path, "->", item.first,
-                               ": holes are numbered 1, 2, ...; hole ", holes + 1,
-                               " is missing"));
+      throw InputError(path, "->", item.first, ": holes are numbered 1, 2, ...; hole ",
+                       holes + 1, " is missing");
   return holes;
 }
 
@@ -58,17 +56,17 @@ bem::Loop readLoop(const ParameterList& geometry, const std::string& prefix,
     loop.bulges = geometry.get<Teuchos::Array<double>>(prefix + "Bulges").toVector();
   const std::string key = path + "->" + prefix + "Edges";
   if (loop.edges.size() != loop.vertices.size())
-    throw InputError(message(key, ": ", loop.vertices.size(), " vertices make ",
-                             loop.vertices.size(), " edges, but ", loop.edges.size(),
-                             " names are given; the polygon closes by itself"));
+    throw InputError(key, ": ", loop.vertices.size(), " vertices make ",
+                     loop.vertices.size(), " edges, but ", loop.edges.size(),
+                     " names are given; the polygon closes by itself");
   if (!loop.bulges.empty() && loop.bulges.size() != loop.vertices.size())
-    throw InputError(message(path, "->", prefix, "Bulges: ", loop.vertices.size(),
-                             " edges have one bulge each (0: straight), but ",
-                             loop.bulges.size(), " are given"));
+    throw InputError(path, "->", prefix, "Bulges: ", loop.vertices.size(),
+                     " edges have one bulge each (0: straight), but ", loop.bulges.size(),
+                     " are given");
   for (std::size_t i = 0; i < loop.edges.size(); ++i)
     if (loop.edges[i].empty() || loop.edges[i].find_first_of(",{}>") != std::string::npos)
-      throw InputError(message(key, ": edge ", i, " is named '", loop.edges[i],
-                               "'; a name is not empty and has none of , { } >"));
+      throw InputError(key, ": edge ", i, " is named '", loop.edges[i],
+                       "'; a name is not empty and has none of , { } >");
   return loop;
 }
 
@@ -77,7 +75,7 @@ bem::Loop readLoop(const ParameterList& geometry, const std::string& prefix,
 std::vector<bem::Vec2> pointsOf(const ParameterList& list, const std::string& key) {
   const auto& table = list.get<Teuchos::TwoDArray<double>>(key);
   std::vector<bem::Vec2> points;
-  points.reserve(static_cast<std::size_t>(table.getNumRows()));
+  points.reserve(table.getNumRows());
   for (int i = 0; i < table.getNumRows(); ++i)
     points.push_back({table(i, 0), table(i, 1)});
   return points;

@@ -41,8 +41,8 @@ class Lines {
   /// The next line, which must be there.
   void need(const char* what) {
     if (!next())
-      throw InputError(
-          message("line ", number_, ": the file ends where ", what, " should follow"));
+      throw InputError("line ", number_, ": the file ends where ", what,
+                       " should follow");
   }
 
   const std::string& word(const char* what) {
@@ -84,7 +84,7 @@ class Lines {
   int number() const { return number_; }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw InputError(message("line ", number_, ": ", what));
+    throw InputError("line ", number_, ": ", what);
   }
 
  private:
@@ -286,7 +286,7 @@ GmshMesh readGmshMesh(const std::string& text) {
     }
   }
   if (!elements)
-    throw InputError(message("line ", lines.number(), ": the file has no $Elements"));
+    throw InputError("line ", lines.number(), ": the file has no $Elements");
   if (mesh.lines.empty())
     throw InputError(
         "no line element belongs to a physical group; name the boundary's curves "

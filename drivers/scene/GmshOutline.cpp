@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -37,25 +36,24 @@ std::map<Tag, std::vector<std::size_t>> incidence(const GmshMesh& mesh) {
     const std::string where = message("line ", line.fileLine, ": ");
     for (const Tag node : {line.from, line.to, line.middle})
       if (mesh.nodes.count(node) == 0 && (node != line.middle || node != 0))
-        throw InputError(message(where, "there is no node ", node));
+        throw InputError(where, "there is no node ", node);
     if (line.from == line.to)
-      throw InputError(message(where, "an element from node ", line.from, " to itself"));
+      throw InputError(where, "an element from node ", line.from, " to itself");
     if (!pairs.insert({std::minmax(line.from, line.to), line.middle}).second)
-      throw InputError(message(where, "a second element between nodes ", line.from,
-                               " and ", line.to, "; an edge has one name"));
+      throw InputError(where, "a second element between nodes ", line.from, " and ",
+                       line.to, "; an edge has one name");
     result[line.from].push_back(i);
     result[line.to].push_back(i);
   }
   for (const auto& [tag, touching] : result)
     if (touching.size() != 2) {
       const Vec2 place = mesh.nodes.at(tag).place;
-      throw InputError(
-          message("line ", mesh.lines[touching.front()].fileLine, ": at node ", tag,
-                  " = (", place.x, ", ", place.y, ") ",
-                  touching.size() == 1
-                      ? "the outline ends; all of its curves need a physical group"
-                      : message(touching.size(), " lines meet; an outline has two"),
-                  " (lines without a physical group are not read)"));
+      throw InputError("line ", mesh.lines[touching.front()].fileLine, ": at node ", tag,
+                       " = (", place.x, ", ", place.y, ") ",
+                       touching.size() == 1
+                           ? "the outline ends; all of its curves need a physical group"
+                           : message(touching.size(), " lines meet; an outline has two"),
+                       " (lines without a physical group are not read)");
     }
   return result;
 }
@@ -76,8 +74,8 @@ void checkPlane(const GmshMesh& mesh) {
       first = false;
     }
   if (most - least > 1e-9 * size)
-    throw InputError(message(
-        "the outline is not in a plane of constant z: from z = ", least, " to ", most));
+    throw InputError("the outline is not in a plane of constant z: from z = ", least,
+                     " to ", most);
 }
 
 std::string nameOf(const GmshMesh& mesh, Tag group) {

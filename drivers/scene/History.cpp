@@ -12,7 +12,6 @@ namespace epafi::drivers {
 namespace {
 
 using bem::InputError;
-using bem::message;
 
 constexpr double mostSteps = 100000;
 
@@ -24,11 +23,11 @@ std::vector<int> stepsOf(const Teuchos::ParameterList& list, std::size_t times) 
   if (steps.size() == 1)
     steps.resize(times, steps.front());
   if (steps.size() != times)
-    throw InputError(message("History->Steps: has ", steps.size(),
-                             " numbers, but History->Times has ", times,
-                             "; give one for all or one for each"));
+    throw InputError("History->Steps: has ", steps.size(),
+                     " numbers, but History->Times has ", times,
+                     "; give one for all or one for each");
   if (std::accumulate(steps.begin(), steps.end(), 0.0) > mostSteps)
-    throw InputError(message("History->Steps: more than ", mostSteps, " steps"));
+    throw InputError("History->Steps: more than ", mostSteps, " steps");
   return steps;
 }
 
@@ -59,8 +58,8 @@ History parseHistory(const Teuchos::ParameterList& list) {
   History history;
   if (!list.isParameter("Times")) {
     if (list.numParams() > 0)
-      throw InputError(message("History->Times: missing; History->", list.begin()->first,
-                               " says nothing without it"));
+      throw InputError("History->Times: missing; History->", list.begin()->first,
+                       " says nothing without it");
     return history;
   }
   const auto& times = list.get<Teuchos::Array<double>>("Times");
@@ -71,10 +70,9 @@ History parseHistory(const Teuchos::ParameterList& list) {
   for (int k = 0; k < times.size(); ++k) {
     const double end = times[k];
     if (!(end > start))
-      throw InputError(message("History->Times: number ", k, " = ", end,
-                               " is not above the one before, ", start,
-                               "; times increase"));
-    const int count = steps[static_cast<std::size_t>(k)];
+      throw InputError("History->Times: number ", k, " = ", end,
+                       " is not above the one before, ", start, "; times increase");
+    const int count = steps[k];
     for (int i = 1; i < count; ++i)
       history.times.push_back(start + (end - start) * i / count);
     history.times.push_back(end);

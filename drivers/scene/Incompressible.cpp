@@ -28,8 +28,8 @@ void pinBody(std::size_t b, Scene& scene) {
   const std::string path = "Bodies->" + body.name + "->Material->Poisson's Ratio";
   if (scene.stabilization.form != contact::Stabilization::Form::Density)
     throw bem::InputError(path +
-                          ": is 1/2, which Discretization->Stabilization->Form = "
-                          "Density allows in plane strain; other forms want less");
+                          ": is 1/2, which Discretization->Stabilization->Form = Density "
+                          "allows in plane strain; other forms want less");
   const contact::Conditions& conditions = body.conditions;
   const bool fixes = conditions.fix.x || conditions.fix.y || conditions.fix.rotation;
   const std::vector<bem::Edge>& edges = body.outline->edges();
@@ -47,12 +47,11 @@ void pinBody(std::size_t b, Scene& scene) {
       }
     }
     if (!held && (pin < 0 || fixes))
-      throw bem::InputError(
-          path +
-          ": is 1/2, which needs on every closed line of the outline a "
-          "boundary that carries contact stresses or, without Rigid Motions->"
-          "Fix, one without any condition; the line with '" +
-          edges[k].boundary + "' has none");
+      throw bem::InputError(path +
+                            ": is 1/2, which needs on every closed line of the outline a "
+                            "boundary that carries contact stresses or, without Rigid "
+                            "Motions->Fix, one without any condition; the line with '" +
+                            edges[k].boundary + "' has none");
     if (!held)
       body.conditions.pins.push_back(pin);
   }

@@ -20,13 +20,12 @@ namespace epafi::drivers {
 namespace {
 
 using bem::InputError;
-using bem::message;
 using Points = Teuchos::TwoDArray<double>;
 
 std::function<double(double)> linear(std::vector<double> x, std::vector<double> values) {
   return [x = std::move(x), values = std::move(values)](double at) {
     const auto next = std::upper_bound(x.begin() + 1, x.end() - 1, at);
-    const auto i = static_cast<std::size_t>(next - x.begin());
+    const std::size_t i = next - x.begin();
     const double share = (at - x[i - 1]) / (x[i] - x[i - 1]);
     return (1 - share) * values[i - 1] + share * values[i];
   };
@@ -94,15 +93,13 @@ std::function<double(double)> spline(std::vector<double> x, std::vector<double> 
 void check(const std::vector<double>& x, const std::vector<double>& values,
            std::size_t fewest) {
   if (x.size() < fewest)
-    throw InputError(
-        message("has ", x.size(), " points; at least ", fewest, " are needed"));
+    throw InputError("has ", x.size(), " points; at least ", fewest, " are needed");
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (!std::isfinite(x[i]) || !std::isfinite(values[i]))
-      throw InputError(
-          message("point ", i, " = (", x[i], ", ", values[i], ") is not finite"));
+      throw InputError("point ", i, " = (", x[i], ", ", values[i], ") is not finite");
     if (i > 0 && !(x[i] > x[i - 1]))
-      throw InputError(message("point ", i, " is at ", x[i], ", the one before it at ",
-                               x[i - 1], "; they must rise"));
+      throw InputError("point ", i, " is at ", x[i], ", the one before it at ", x[i - 1],
+                       "; they must rise");
   }
 }
 
@@ -131,7 +128,7 @@ Points readPoints(const std::string& text) {
     if (isHeading || (numbers.empty() && !isText))
       continue;
     if (isText || numbers.size() != 2)
-      throw InputError(message("line ", number, " is not two numbers: '", line, "'"));
+      throw InputError("line ", number, " is not two numbers: '", line, "'");
     all.insert(all.end(), numbers.begin(), numbers.end());
   }
   Points points(static_cast<Points::size_type>(all.size() / 2), 2);
@@ -152,7 +149,7 @@ void expandFile(Teuchos::ParameterList& list, const std::string& sceneFile) {
   try {
     list.set("Points", readPoints(readText(file)));
   } catch (const InputError& error) {
-    throw InputError(message("File = '", name, "' (", file, "): ", error.what()));
+    throw InputError("File = '", name, "' (", file, "): ", error.what());
   }
   list.remove("File");
 }
@@ -190,8 +187,8 @@ bem::SchemaRows tableRows() {
       Row("Points", Kind::Points, "instead of File: argument and value of each point"),
       Row("Interpolation", Kind::Text,
           "between the points; Cubic (modified Akima) has no corners and hardly "
-          "overshoots; "
-          "Spline has continuous curvature, which the pressure under a profile asks for")
+          "overshoots; Spline has continuous curvature, which the pressure under a "
+          "profile asks for")
           .standard(interpolations[0].name)
           .allowed(bem::namesOf(interpolations)),
   };

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <boost/algorithm/string/trim.hpp>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -34,12 +33,12 @@ void checkReal(const std::string& text, double largest) {
   // strtod knows infinities and hexadecimal digits, too
   if (text.empty() || stop != text.c_str() + text.size() ||
       text.find_first_not_of("0123456789+-.eE") != std::string::npos)
-    throw InputError(message("'", text, "' is not a number; write 0.5, -3 or 1e-3"));
+    throw InputError("'", text, "' is not a number; write 0.5, -3 or 1e-3");
   if (!(std::abs(value) <= largest))
-    throw InputError(message("'", text, "' is too large for a number"));
+    throw InputError("'", text, "' is too large for a number");
   const std::string mantissa = text.substr(0, text.find_first_of("eE"));
   if (value == 0 && mantissa.find_first_of("123456789") != std::string::npos)
-    throw InputError(message("'", text, "' is too small for a number; write 0"));
+    throw InputError("'", text, "' is too small for a number; write 0");
 }
 
 template <class Integer>
@@ -49,16 +48,16 @@ void checkWhole(const std::string& text) {
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data() + start, end, value);
   if (error == std::errc::result_out_of_range)
-    throw InputError(message("'", text, "' is out of range; from ",
-                             std::numeric_limits<Integer>::min(), " to ",
-                             std::numeric_limits<Integer>::max()));
+    throw InputError("'", text, "' is out of range; from ",
+                     std::numeric_limits<Integer>::min(), " to ",
+                     std::numeric_limits<Integer>::max());
   if (error != std::errc() || stop != end || (start == 1 && text[1] == '-'))
-    throw InputError(message("'", text, "' is not a whole number"));
+    throw InputError("'", text, "' is not a whole number");
 }
 
 void checkFlag(const std::string& text) {
   if (text != "true" && text != "false")
-    throw InputError(message("'", text, "' is neither 'true' nor 'false'"));
+    throw InputError("'", text, "' is neither 'true' nor 'false'");
 }
 
 struct Scalar {
@@ -98,7 +97,7 @@ std::vector<std::string> typeNames() {
 /// The entries of {a, b, c}, each checked; returns how many.
 long checkEntries(const Scalar& scalar, const std::string& text) {
   if (text.size() < 2 || text.front() != '{' || text.back() != '}')
-    throw InputError(message("'", text, "' is not an array; write {a, b, c}"));
+    throw InputError("'", text, "' is not an array; write {a, b, c}");
   const std::string inner = trim_copy(text.substr(1, text.size() - 2));
   if (inner.empty())
     return 0;
@@ -108,13 +107,12 @@ long checkEntries(const Scalar& scalar, const std::string& text) {
     const std::string entry = trim_copy(piece);
     const bool brace = entry.find_first_of("{}") != std::string::npos;
     if (entry.empty() || (brace && !(texts && isBalanced(entry))))
-      throw InputError(message("entry ", count, " = '", entry,
-                               "' of the array is empty or ",
-                               "holds a brace; write {a, b, c}"));
+      throw InputError("entry ", count, " = '", entry, "' of the array is empty or ",
+                       "holds a brace; write {a, b, c}");
     try {
       scalar.check(entry);
     } catch (const InputError& error) {
-      throw InputError(message("entry ", count, " of the array: ", error.what()));
+      throw InputError("entry ", count, " of the array: ", error.what());
     }
     ++count;
   }
@@ -127,15 +125,14 @@ void checkTable(const Scalar& scalar, const std::string& text) {
   const std::string rows = size.substr(0, size.find('x'));
   const std::string columns = size.substr(std::min(rows.size() + 1, size.size()));
   if (!isCount(rows) || !isCount(columns) || size.size() == text.size())
-    throw InputError(
-        message("'", text, "' is not a table; write 4x2:{a, b, ...}, row by row"));
+    throw InputError("'", text, "' is not a table; write 4x2:{a, b, ...}, row by row");
   checkWhole<int>(rows);
   checkWhole<int>(columns);
   const long wanted = std::stol(rows) * std::stol(columns);
   const long found = checkEntries(scalar, trim_copy(text.substr(size.size() + 1)));
   if (found != wanted)
-    throw InputError(
-        message("a table ", size, " has ", wanted, " entries; ", found, " are given"));
+    throw InputError("a table ", size, " has ", wanted, " entries; ", found,
+                     " are given");
 }
 
 std::string between(const std::string& text, const std::string& before) {
@@ -146,8 +143,8 @@ std::string between(const std::string& text, const std::string& before) {
 
 std::string nameOf(const Teuchos::XMLObject& object, const std::string& path) {
   if (!object.hasAttribute("name") || object.getRequired("name").empty())
-    throw InputError(message(path.empty() ? "" : path + ": ", "a ", object.getTag(),
-                             " has no name; write <", object.getTag(), " name=\"...\""));
+    throw InputError(path.empty() ? "" : path + ": ", "a ", object.getTag(),
+                     " has no name; write <", object.getTag(), " name=\"...\"");
   return object.getRequired("name");
 }
 
@@ -165,15 +162,14 @@ void checkList(const Teuchos::XMLObject& list, const std::string& path) {
   const std::string start = path.empty() ? "" : path + ": ";
   for (int i = 0; i < list.numContentLines(); ++i)
     if (!trim_copy(list.getContentLine(i)).empty())
-      throw InputError(
-          message(start, "stray text '", trim_copy(list.getContentLine(i)), "'"));
+      throw InputError(start, "stray text '", trim_copy(list.getContentLine(i)), "'");
   std::set<std::string> names;
   for (int i = 0; i < list.numChildren(); ++i) {
     const Teuchos::XMLObject& child = list.getChild(i);
     const std::string& tag = child.getTag();
     if (tag != "Parameter" && tag != "ParameterList")
-      throw InputError(message(start, "unknown tag <", tag, ">",
-                               bem::suggestion(tag, {"Parameter", "ParameterList"})));
+      throw InputError(start, "unknown tag <", tag, ">",
+                       bem::suggestion(tag, {"Parameter", "ParameterList"}));
     const std::string name = nameOf(child, path);
     const std::string inner = path.empty() ? name : message(path, "->", name);
     if (!names.insert(name).second)
@@ -200,14 +196,12 @@ void checkValue(const std::string& type, const std::string& value) {
   else if (const Scalar* cell = findScalar(between(type, "TwoDArray(")))
     checkTable(*cell, trim_copy(value));
   else
-    throw InputError(
-        message("unknown type '", type, "'", bem::suggestion(type, typeNames())));
+    throw InputError("unknown type '", type, "'", bem::suggestion(type, typeNames()));
 }
 
 void checkLexically(const Teuchos::XMLObject& root) {
   if (root.getTag() != "ParameterList")
-    throw InputError(
-        message("the root is <", root.getTag(), ">; it must be <ParameterList>"));
+    throw InputError("the root is <", root.getTag(), ">; it must be <ParameterList>");
   checkList(root, "");
 }
 

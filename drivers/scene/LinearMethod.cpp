@@ -28,13 +28,12 @@ bem::Family<LinearMethod>& linearMethods() {
           {"Dense", "Cholesky's factors", factors},
           {"Belos", "conjugate gradients, for each column", belos},
           {"Compressed",
-           "by skeletons, time and memory nearly proportional to the "
-           "elements; Stabilization->Form Density or None",
+           "by skeletons, time and memory nearly proportional to the elements; "
+           "Stabilization->Form Density or None",
            factors, LinearMethod::Operators::Compressed},
           {"Automatic",
            "Compressed where that is possible and costs less, by a forecast from sizes, "
-           "or where "
-           "Dense would not fit, else Dense; never changes Stabilization->Form",
+           "or where Dense would not fit, else Dense; never changes Stabilization->Form",
            factors, LinearMethod::Operators::Cheaper},
       });
   return family;
@@ -64,9 +63,8 @@ void checkLinear(const Scene& scene) {
   const LinearMethod& method = linearMethods().at(scene.linear.method);
   const std::string reason = whyNotCompressed(scene);
   if (method.operators == LinearMethod::Operators::Compressed && !reason.empty())
-    throw bem::InputError(bem::message("Solver->Linear->Method = ", method.name, ": ",
-                                       reason,
-                                       "; Dense, Belos and Automatic are possible"));
+    throw bem::InputError("Solver->Linear->Method = ", method.name, ": ", reason,
+                          "; Dense, Belos and Automatic are possible");
 }
 
 LinearOptions parseLinear(const Teuchos::ParameterList& list) {

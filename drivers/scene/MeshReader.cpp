@@ -1,7 +1,6 @@
 #include "drivers/scene/MeshReader.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/Suggestion.hpp"
 #include "drivers/scene/GeometryReader.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -18,7 +17,6 @@ namespace {
 
 using bem::InputError;
 using bem::Kind;
-using bem::message;
 using bem::Row;
 using Teuchos::ParameterList;
 
@@ -30,12 +28,12 @@ std::vector<int> readCounts(const ParameterList& list, const std::string& key,
                             std::size_t edges, const std::string& parent) {
   const std::string path = parent + "->" + key;
   if (!list.isParameter(key))
-    throw InputError(message(path, ": missing; give ", edges,
-                             " numbers, one per edge, or ", parent, "->Mesh Size"));
+    throw InputError(path, ": missing; give ", edges, " numbers, one per edge, or ",
+                     parent, "->Mesh Size");
   const auto& counts = list.get<Teuchos::Array<int>>(key);
   if (static_cast<std::size_t>(counts.size()) != edges)
-    throw InputError(message(path, ": has ", counts.size(),
-                             " numbers, but the polygon has ", edges, " edges"));
+    throw InputError(path, ": has ", counts.size(), " numbers, but the polygon has ",
+                     edges, " edges");
   return counts.toVector();
 }
 
@@ -55,9 +53,9 @@ std::vector<int> countsFromSize(const bem::Outline& outline, double size,
     const double count =
         std::ceil(edge.curve.length() * outline.scaling().length / size * (1 - 1e-12));
     if (count > largestMesh)
-      throw InputError(message(parent, "->Mesh Size = ", size, ": gives ", count,
-                               " elements on edge '", edge.boundary, "'; at most ",
-                               largestMesh, " are possible"));
+      throw InputError(parent, "->Mesh Size = ", size, ": gives ", count,
+                       " elements on edge '", edge.boundary, "'; at most ", largestMesh,
+                       " are possible");
     // an element turns by a quarter of a circle at most
     const double turns = std::ceil(
         std::abs(edge.curve.angle()) / boost::math::constants::half_pi<double>() - 1e-9);
@@ -72,8 +70,7 @@ std::vector<int> readElements(const ParameterList& list, const bem::Outline& out
   if (list.isParameter("Mesh Size")) {
     for (const auto& item : list)
       if (item.first.find("Elements per Edge") != std::string::npos)
-        throw InputError(
-            message(parent, "->", item.first, ": give this or Mesh Size, not both"));
+        throw InputError(parent, "->", item.first, ": give this or Mesh Size, not both");
     return countsFromSize(outline, list.get<double>("Mesh Size"), parent);
   }
   const auto edgesOf = [&outline](int loop) {
@@ -89,21 +86,18 @@ std::vector<int> readElements(const ParameterList& list, const bem::Outline& out
   }
   for (const auto& item : list)
     if (item.first.rfind("Hole ", 0) == 0 && std::stol(item.first.substr(5)) > holes)
-      throw InputError(
-          message(parent, "->", item.first, ": the body has ", holes, " holes"));
+      throw InputError(parent, "->", item.first, ": the body has ", holes, " holes");
   for (std::size_t k = 0; k < counts.size(); ++k) {
     const bem::Curve& curve = outline.edge(static_cast<int>(k)).curve;
     constexpr double halfACircle = boost::math::constants::pi<double>() * (1 + 1e-12);
     if (std::abs(curve.angle()) > halfACircle * counts[k])
-      throw InputError(
-          message(parent, "->Elements per Edge: ", counts[k], " on an edge of '",
-                  outline.edge(static_cast<int>(k)).boundary, "' that turns by ",
-                  std::abs(curve.angle()) * boost::math::constants::radian<double>(),
-                  " degrees; an element turns by 180 at most"));
+      throw InputError(parent, "->Elements per Edge: ", counts[k], " on an edge of '",
+                       outline.edge(static_cast<int>(k)).boundary, "' that turns by ",
+                       std::abs(curve.angle()) * boost::math::constants::radian<double>(),
+                       " degrees; an element turns by 180 at most");
   }
   if (std::accumulate(counts.begin(), counts.end(), 0.0) > largestMesh)
-    throw InputError(
-        message(parent, "->Elements per Edge: more than ", largestMesh, " elements"));
+    throw InputError(parent, "->Elements per Edge: more than ", largestMesh, " elements");
   return counts;
 }
 

@@ -58,9 +58,8 @@ struct Named {
 };
 
 [[noreturn]] void refuse(const Named& a, const Named& b, Vec2 where) {
-  throw bem::InputError(bem::message("Bodies: '", a.name, "' and '", b.name,
-                                     "' overlap at (", where.x, ", ", where.y,
-                                     "), away from a contact between them"));
+  throw bem::InputError("Bodies: '", a.name, "' and '", b.name, "' overlap at (", where.x,
+                        ", ", where.y, "), away from a contact between them");
 }
 
 void checkCorners(const Named& a, const std::vector<Stroke>& ofA, const Named& b) {

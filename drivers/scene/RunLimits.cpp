@@ -26,8 +26,7 @@ bem::SchemaRows limitRows() {
           .range(bem::from(1)),
       Row("Maximum Memory", Kind::Real,
           "a level that is foretold to take more, all processes together, is not "
-          "computed; "
-          "without it what the machine and its control groups have free")
+          "computed; without it what the machine and its control groups have free")
           .unit("MiB")
           .range(bem::above(0)),
   };

@@ -73,7 +73,7 @@ void showNesting(Teuchos::ParameterList& list) {
 void checkDepth(int depth) {
   constexpr int deepest = 1000;
   if (depth > deepest)
-    throw InputError(message("lists stand in lists more than ", deepest, " deep"));
+    throw InputError("lists stand in lists more than ", deepest, " deep");
 }
 
 void checkDepthOfXml(const std::string& text) {
@@ -235,7 +235,7 @@ std::string readText(const std::string& file) {
     throw InputError("is a device, not a file");  // /dev/zero never ends
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
-    throw InputError(message("cannot be read: ", std::strerror(errno)));
+    throw InputError("cannot be read: ", std::strerror(errno));
   std::ostringstream text;
   text << stream.rdbuf();
   return text.str();
@@ -251,7 +251,7 @@ std::string withoutMark(const std::string& text) {
     throw InputError(
         "its encoding is UTF-16 or UTF-32; save the file with the encoding UTF-8");
   if (const std::size_t zero = text.find('\0'); zero != std::string::npos)
-    throw InputError(message("byte ", zero, " is zero; a scene is text"));
+    throw InputError("byte ", zero, " is zero; a scene is text");
   return begins("\xEF\xBB\xBF") ? text.substr(3) : text;
 }
 
@@ -307,8 +307,8 @@ std::string lastOf(const std::string& path) {
 void removeAt(Teuchos::ParameterList& list, const std::string& path) {
   const auto refuse = [&path](const auto&...) {
     throw InputError(path +
-                     ": is not in the scene, so it cannot be removed; a value is "
-                     "written behind the =");
+                     ": is not in the scene, so it cannot be removed; a value is written "
+                     "behind the =");
   };
   Teuchos::ParameterList& parent = parentOf(list, path, refuse);
   if (!parent.isParameter(lastOf(path)))
@@ -334,7 +334,7 @@ void setList(Teuchos::ParameterList& list, const std::string& path,
       continue;
     const auto equal = piece.find('=');
     if (equal == std::string::npos)
-      throw InputError(message(path, ": '", trim_copy(piece), "' is no Key=value"));
+      throw InputError(path, ": '", trim_copy(piece), "' is no Key=value");
     setAt(list, path + "->" + trim_copy(piece.substr(0, equal)), piece.substr(equal + 1));
   }
 }
@@ -351,7 +351,7 @@ void setAt(Teuchos::ParameterList& list, const std::string& path,
   const bool alone = value.find('{') == std::string::npos;
   const std::string type = alone && row.kind == Kind::Counts  ? "int"
                            : alone && row.kind == Kind::Reals ? "double"
-                                                              : typeName(row.kind);
+                                                              : textOf(row.kind).type;
   const std::string text = type == "string" ? value : trim_copy(value);
   try {
     checkValue(type, text);
@@ -366,13 +366,13 @@ void setAt(Teuchos::ParameterList& list, const std::string& path,
 void applyOverride(Teuchos::ParameterList& list, const std::string& assignment) {
   const auto equal = assignment.find('=');
   if (equal == std::string::npos)
-    throw InputError(message("--set '", assignment, "': write 'A->B->Key=value'"));
+    throw InputError("--set '", assignment, "': write 'A->B->Key=value'");
   const std::string path = assignment.substr(0, equal);
   const std::string value = assignment.substr(equal + 1);
   try {
     setAt(list, path, value);
   } catch (const InputError& error) {
-    throw InputError(message("--set ", error.what()));
+    throw InputError("--set ", error.what());
   }
 }
 

@@ -1,7 +1,6 @@
 #include "drivers/scene/SceneReader.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/Suggestion.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/solve/LoadContinuation.hpp"
 #include "drivers/process/Versions.hpp"
@@ -20,7 +19,6 @@ namespace epafi::drivers {
 namespace {
 
 using bem::InputError;
-using bem::message;
 using Teuchos::ParameterList;
 
 void checkAnyBody(const ParameterList& list) {
@@ -52,11 +50,10 @@ OutputOptions readOutput(const ParameterList& list, const Scene& scene) {
   OutputOptions output = parseOutput(list);
   for (std::size_t i = 0; i < output.interiorPoints.size(); ++i)
     if (scene.bodyAt(output.interiorPoints[i]) == scene.bodies.size())
-      throw InputError(message("Output->Interior Points: point ", i, " = (",
-                               output.interiorPoints[i].x, ", ",
-                               output.interiorPoints[i].y,
-                               scene.bodies.size() == 1 ? ") is not inside the body"
-                                                        : ") is not inside any body"));
+      throw InputError("Output->Interior Points: point ", i, " = (",
+                       output.interiorPoints[i].x, ", ", output.interiorPoints[i].y,
+                       scene.bodies.size() == 1 ? ") is not inside the body"
+                                                : ") is not inside any body");
   return output;
 }
 
@@ -115,10 +112,10 @@ Scene build(const std::string& file, const RawScene& raw) {
   scene.solver = readSolver(used.sublist("Solver"));
   readHistory(used, scene);
   if (scene.history && scene.solver.loadSteps > 1)
-    throw InputError(message(
+    throw InputError(
         "Solver->Load Steps = ", scene.solver.loadSteps,
-        ": a continuation without memory does not go together with History; History->"
-        "Steps makes the steps of a path, and one that fails is halved"));
+        ": a continuation without memory does not go together with History; "
+        "History->Steps makes the steps of a path, and one that fails is halved");
   scene.linear = parseLinear(used.sublist("Solver").sublist("Linear"));
   checkLinear(scene);
   scene.adaptivity = readAdaptivity(used.sublist("Adaptivity"));

@@ -6,13 +6,12 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <string>
-#include <vector>
 
 namespace epafi::drivers {
 
 using Parameter = bem::SchemaRow;
 using bem::Kind;
-using bem::typeName;
+using bem::textOf;
 
 /// All parameters of a scene: the keys of the parts, each of which has its own, and those
 /// of the program.  This table alone feeds validation, defaults, --set, `epafi

@@ -105,8 +105,8 @@ void checkSceneNames(const ParameterList& study) {
     for (const std::string& name :
          namesOf(study.sublist("Variants").sublist(variant.first), "Scenes"))
       if (std::find(known.begin(), known.end(), name) == known.end())
-        throw InputError(message("Variants->", variant.first, "->Scenes: there is no '",
-                                 name, "'", bem::suggestion(name, known)));
+        throw InputError("Variants->", variant.first, "->Scenes: there is no '", name,
+                         "'", bem::suggestion(name, known));
 }
 
 std::optional<Scene> readReference(const std::string& scene, const ParameterList& list,
@@ -172,22 +172,21 @@ std::vector<Parameter> makeStudyParameters() {
   const std::string scene = "Scenes-><scene>";
   const std::string variant = "Variants-><variant>";
   addOverrides(table, "");
-  append(
-      table,
-      {
-          Row("Smallest Eigenvalue", Kind::Flag,
-              "add the smallest eigenvalue of the stabilised stiffness relative to the "
-              "plain one")
-              .standard("false"),
-          Row("Keep Solutions", Kind::Flag,
-              "write all files of a run for every variant, of sweeps too, as `epafi "
-              "fields` wants them")
-              .standard("false"),
-          Row("Scenes", Kind::List, "the scenes that are solved").required(),
-          Row(scene, Kind::List, "a scene, under a name of your choice"),
-          Row(scene + "->File", Kind::Text, "the scene's file, relative to the study's")
-              .required(),
-      });
+  append(table, {
+                    Row("Smallest Eigenvalue", Kind::Flag,
+                        "add the smallest eigenvalue of the stabilised stiffness "
+                        "relative to the plain one")
+                        .standard("false"),
+                    Row("Keep Solutions", Kind::Flag,
+                        "write all files of a run for every variant, of sweeps too, as "
+                        "`epafi fields` wants them")
+                        .standard("false"),
+                    Row("Scenes", Kind::List, "the scenes that are solved").required(),
+                    Row(scene, Kind::List, "a scene, under a name of your choice"),
+                    Row(scene + "->File", Kind::Text,
+                        "the scene's file, relative to the study's")
+                        .required(),
+                });
   addOverrides(table, scene);
   table.push_back(Row(scene + "->Reference", Kind::List,
                       "an overkill variant, computed once and kept, that true errors are "

@@ -26,7 +26,7 @@ void set(std::vector<std::string>& cells, const std::string& column,
          const std::string& value) {
   const std::vector<std::string> names = historyColumns();
   const auto at = std::find(names.begin(), names.end(), column);
-  cells[static_cast<std::size_t>(at - names.begin())] = value;
+  cells[at - names.begin()] = value;
 }
 
 std::string short4(double value) {

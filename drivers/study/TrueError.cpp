@@ -18,10 +18,9 @@ double multiplierDistance(const BodySnapshot& level, const BodySnapshot& referen
   const bem::UnionMesh both = bem::unite(level.data.mesh, reference.data.mesh);
   double sum = 0;
   for (int e = 0; e < both.mesh.size(); ++e) {
-    const bem::Origin& a = both.first[static_cast<std::size_t>(e)];
-    const bem::Origin& b = both.second[static_cast<std::size_t>(e)];
-    const auto k = static_cast<std::size_t>(a.element);
-    if (!level.contact[k])
+    const bem::Origin& a = both.first[e];
+    const bem::Origin& b = both.second[e];
+    if (!level.contact[a.element])
       continue;
     const bem::Element& own = level.data.mesh[a.element];
     const int p = reference.data.mesh[b.element].degree;
@@ -30,11 +29,10 @@ double multiplierDistance(const BodySnapshot& level, const BodySnapshot& referen
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
       const double t = rule.points[q];
       square +=
-          rule.weights[q] *
-          std::norm(
-              bem::evaluate(level.multiplier[k], own.degree, a.middle + a.scale * t) -
-              bem::evaluate(reference.multiplier[static_cast<std::size_t>(b.element)], p,
-                            b.middle + b.scale * t));
+          rule.weights[q] * std::norm(bem::evaluate(level.multiplier[a.element],
+                                                    own.degree, a.middle + a.scale * t) -
+                                      bem::evaluate(reference.multiplier[b.element], p,
+                                                    b.middle + b.scale * t));
     }
     sum += 2 * own.half / own.degree * both.mesh[e].half * square;
   }
@@ -50,13 +48,12 @@ Snapshot takeSnapshot(const Scene& scene, const Level& level, double energy) {
     const bem::Space& space = spaces.space(b);
     const contact::MultiplierSpace& multiplier = spaces.multiplier(b);
     const BodyLevel& own = level.bodies[b];
-    const auto elements = static_cast<std::size_t>(space.mesh().size());
+    const std::size_t elements = space.mesh().size();
     BodySnapshot body{bem::makeCauchyData(space, own.displacement, own.density),
                       std::vector<Series>(elements), std::vector<bool>(elements)};
     for (const auto& element : multiplier.elements()) {
-      const auto k = static_cast<std::size_t>(element.element);
-      body.contact[k] = true;
-      body.multiplier[k] = bem::project(
+      body.contact[element.element] = true;
+      body.multiplier[element.element] = bem::project(
           [&](double t) {
             const auto value = multiplier.at(own.state.multiplier, element, t);
             return bem::Complex(value.normal, value.tangential);

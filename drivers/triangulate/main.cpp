@@ -91,10 +91,10 @@ int triangulate(const char* in, const char* out) {
         if (face->vertex(i)->info() < 0)
           face->vertex(i)->info() = points++;
     }
-  std::vector<Triangulation::Vertex_handle> ordered(static_cast<std::size_t>(points));
+  std::vector<Triangulation::Vertex_handle> ordered(points);
   for (const auto vertex : triangles.finite_vertex_handles())
     if (vertex->info() >= 0)
-      ordered[static_cast<std::size_t>(vertex->info())] = vertex;
+      ordered[vertex->info()] = vertex;
   std::ofstream to(out);
   to << std::setprecision(17) << points << ' ' << count << '\n';
   for (const auto vertex : ordered)

@@ -19,7 +19,7 @@ namespace {
 double sumOf(const bem::Vector& squares, const std::vector<int>& elements) {
   double sum = 0;
   for (const int e : elements)
-    sum += squares[static_cast<std::size_t>(e)];
+    sum += squares[e];
   return sum;
 }
 
@@ -44,14 +44,13 @@ int fewest(const bem::Vector& squares, double fraction) {
 /// Legendre coefficients 0 ... degree.
 bem::Vector legendreSeries(const std::function<double(double)>& f, int degree) {
   const bem::Rule& rule = bem::gaussLegendre(90);
-  bem::Vector series(static_cast<std::size_t>(degree + 1), 0.0);
+  bem::Vector series(degree + 1, 0.0);
   bem::Vector legendre(series.size());
   for (int q = 0; q < rule.size(); ++q) {
-    const auto k = static_cast<std::size_t>(q);
-    bem::legendreValues(degree, rule.points[k], legendre.data());
+    bem::legendreValues(degree, rule.points[q], legendre.data());
     for (std::size_t i = 0; i < series.size(); ++i)
-      series[i] += (static_cast<double>(i) + 0.5) * rule.weights[k] * legendre[i] *
-                   f(rule.points[k]);
+      series[i] += (static_cast<double>(i) + 0.5) * rule.weights[q] * legendre[i] *
+                   f(rule.points[q]);
   }
   return series;
 }
@@ -141,14 +140,14 @@ TEUCHOS_UNIT_TEST(Analyticity, looksAtWhatIsUnknownOnEachSide) {
   const auto e = [&](const std::string& side) {
     return space.mesh().elementsOf(side).front();
   };
-  const bem::Vector smooth(static_cast<std::size_t>(space.displacements()), 0.0);
-  const bem::Vector smoothDensity(static_cast<std::size_t>(space.densities()), 0.0);
+  const bem::Vector smooth(space.displacements(), 0.0);
+  const bem::Vector smoothDensity(space.densities(), 0.0);
   for (const char* side : {"bottom", "right", "top", "left"})
     for (int c : {0, 1}) {
       bem::Vector u = smooth;
       bem::Vector psi = smoothDensity;
-      u[static_cast<std::size_t>(space.displacement(e(side), p, c))] = 1;
-      psi[static_cast<std::size_t>(space.density(e(side), p - 1, c))] = 1;
+      u[space.displacement(e(side), p, c)] = 1;
+      psi[space.density(e(side), p - 1, c)] = 1;
       const std::string name = side;
       const bool prescribed = name == "top" || (name == "left" && c == 0);
       TEST_EQUALITY(decision(u, smoothDensity, e(side)), prescribed);

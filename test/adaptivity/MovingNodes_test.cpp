@@ -176,7 +176,7 @@ TEUCHOS_UNIT_TEST(MovingNodes, nothingIsCarriedToWhereNoContactWas) {
   other.contact["right"] = {};
   const MultiplierSpace otherSide(mesh, basis, other);
   const auto carry = [&](const MultiplierSpace& from, const MultiplierSpace& to) {
-    const bem::Vector ones(static_cast<std::size_t>(from.size()), 1.0);
+    const bem::Vector ones(from.size(), 1.0);
     return adaptivity::carryMultiplier(mesh, from, ones, mesh, to);
   };
   TEST_THROW(carry(oneSide, twoSides), bem::NumericalError);
@@ -192,11 +192,10 @@ TEUCHOS_UNIT_TEST(MovingNodes, aUnionHoldsTheNodesOfBothMeshes) {
   // 8 nodes left of 1/2 moved, the others are common
   TEST_EQUALITY(both.mesh.size(), a.size() + 7);
   for (int e = 0; e < both.mesh.size(); ++e) {
-    const auto k = static_cast<std::size_t>(e);
     for (const double t : {-1.0, 0.3, 1.0}) {
       const bem::Vec2 place = both.mesh.scaledPoint(e, t);
-      const bem::Origin& inA = both.first[k];
-      const bem::Origin& inB = both.second[k];
+      const bem::Origin& inA = both.first[e];
+      const bem::Origin& inB = both.second[e];
       const double ta = inA.middle + inA.scale * t;
       const double tb = inB.middle + inB.scale * t;
       TEST_COMPARE(norm(place - a.scaledPoint(inA.element, ta)), <, 1e-14);

@@ -17,8 +17,8 @@ using contact::MultiplierSpace;
 namespace {
 
 Marks only(const bem::Mesh& mesh, int element, const Mark& mark) {
-  Marks marks(static_cast<std::size_t>(mesh.size()), Mark::None);
-  marks[static_cast<std::size_t>(element)] = mark;
+  Marks marks(mesh.size(), Mark::None);
+  marks[element] = mark;
   return marks;
 }
 
@@ -89,7 +89,7 @@ TEUCHOS_UNIT_TEST(Refine, theBoundaryKeepsItsLengthAndItsNames) {
       sum += 2 * m[e].half;
     return sum;
   };
-  Marks marks(static_cast<std::size_t>(mesh.size()), Mark::None);
+  Marks marks(mesh.size(), Mark::None);
   for (std::size_t e = 0; e < marks.size(); ++e)
     marks[e] = static_cast<Mark::Kind>(e % 3);
   const bem::Mesh next = adaptivity::refine(mesh, marks);
@@ -106,7 +106,7 @@ TEUCHOS_UNIT_TEST(Refine, theMultiplierStaysTheSameFunctionInEveryDiscontinuousB
       const bem::Mesh mesh = test::squareMesh(degree);
       const MultiplierSpace space(mesh, basis, conditions);
       const contact::State state = anyState(space);
-      Marks marks(static_cast<std::size_t>(mesh.size()), Mark::None);
+      Marks marks(mesh.size(), Mark::None);
       for (std::size_t e = 0; e < marks.size(); ++e)
         marks[e] = static_cast<Mark::Kind>(e % 3);
 
@@ -132,8 +132,8 @@ TEUCHOS_UNIT_TEST(Refine, constantsSurviveWhereNodesAreShared) {
   const bem::Mesh mesh = test::squareMesh(3);
   const MultiplierSpace space(mesh, basis, conditions);
   contact::State state;
-  state.multiplier.assign(static_cast<std::size_t>(space.size()), 0.7);
-  Marks marks(static_cast<std::size_t>(mesh.size()), Mark::None);
+  state.multiplier.assign(space.size(), 0.7);
+  Marks marks(mesh.size(), Mark::None);
   for (std::size_t e = 0; e < marks.size(); ++e)
     marks[e] = static_cast<Mark::Kind>(e % 3);
   const adaptivity::Refined next =

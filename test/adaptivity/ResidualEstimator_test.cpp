@@ -189,7 +189,7 @@ TEUCHOS_UNIT_TEST(ResidualEstimator, onlyContactElementsHaveContactTerms) {
   const Indicators indicators = estimate(scene);
   const bem::Mesh& mesh = scene.solved().space.mesh();
   for (int e = 0; e < mesh.size(); ++e) {
-    const Contributions& squares = indicators.squares[static_cast<std::size_t>(e)];
+    const Contributions& squares = indicators.squares[e];
     const bool touching = mesh.boundary(e) == "bottom";
     const bool free = mesh.boundary(e) == "left" || mesh.boundary(e) == "right";
     TEST_EQUALITY(squares[0] > 0, free);

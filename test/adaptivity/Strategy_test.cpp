@@ -25,8 +25,8 @@ std::vector<int> worstOf(const bem::Mesh& mesh) {
 /// A level whose indicators grow along the boundary; every second element looks analytic.
 adaptivity::LevelData levelOn(const bem::Mesh& mesh) {
   adaptivity::LevelData level{mesh, {}, {}, {}};
-  level.singular.nodes.resize(static_cast<std::size_t>(mesh.size()));
-  level.singular.inside.resize(static_cast<std::size_t>(mesh.size()));
+  level.singular.nodes.resize(mesh.size());
+  level.singular.inside.resize(mesh.size());
   for (int e = 0; e < mesh.size(); ++e) {
     level.analytic.push_back(e % 2 == 0);
   }
@@ -37,9 +37,9 @@ adaptivity::LevelData levelOn(const bem::Mesh& mesh) {
 /// All elements of equal weight, marked and smooth.
 adaptivity::LevelData allMarkedOn(const bem::Mesh& mesh) {
   adaptivity::LevelData level = levelOn(mesh);
-  level.worst.resize(static_cast<std::size_t>(mesh.size()));
+  level.worst.resize(mesh.size());
   std::iota(level.worst.begin(), level.worst.end(), 0);
-  level.analytic.assign(static_cast<std::size_t>(mesh.size()), true);
+  level.analytic.assign(mesh.size(), true);
   return level;
 }
 
@@ -88,12 +88,11 @@ TEUCHOS_UNIT_TEST(Strategy, adaptiveStrategiesTouchOnlyTheWorstElements) {
   const adaptivity::Marks hp = adaptivity::strategy("Adaptive hp").marks(level);
   using adaptivity::Mark;
   for (int e = 0; e < mesh.size(); ++e) {
-    const auto k = static_cast<std::size_t>(e);
     const bool marked = std::find(worst.begin(), worst.end(), e) != worst.end();
-    TEST_EQUALITY(h[k] == Mark::Bisect, marked);
-    TEST_EQUALITY(hp[k] == Mark::None, !marked);
+    TEST_EQUALITY(h[e] == Mark::Bisect, marked);
+    TEST_EQUALITY(hp[e] == Mark::None, !marked);
     if (marked)
-      TEST_EQUALITY(hp[k] == Mark::RaiseDegree, static_cast<bool>(level.analytic[k]));
+      TEST_EQUALITY(hp[e] == Mark::RaiseDegree, static_cast<bool>(level.analytic[e]));
   }
 }
 

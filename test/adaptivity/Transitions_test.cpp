@@ -172,8 +172,8 @@ TEUCHOS_UNIT_TEST(Transitions, nextToANodeAreAtTheNode) {
   const double h = 2 * mesh[0].half;
   const auto placed = [&](double place) {
     LocatedTransitions located{{{0, place}}, {}};
-    located.others.nodes.resize(static_cast<std::size_t>(mesh.size()));
-    located.others.inside.resize(static_cast<std::size_t>(mesh.size()));
+    located.others.nodes.resize(mesh.size());
+    located.others.inside.resize(mesh.size());
     return adaptivity::placeOn(mesh, located);
   };
   for (const double offset : {-0.009, 0.0, 0.009}) {

@@ -295,8 +295,8 @@ TEUCHOS_UNIT_TEST(BoundaryFields, integrateToTheGalerkinMatrices) {
       for (int k = 2; k <= p; ++k)
         for (int c = 0; c < 2; ++c) {
           const auto part = [c](Vec2 v) { return c == 0 ? v.x : v.y; };
-          const auto i = static_cast<std::size_t>(space.displacement(e, k, c));
-          const auto j = static_cast<std::size_t>(space.density(e, k - 1, c));
+          const std::size_t i = space.displacement(e, k, c);
+          const std::size_t j = space.density(e, k - 1, c);
           const double slope = bem::DisplacementBasis::slope(k) / mesh[e].half;
           error = std::max({error, std::abs(part(forces[k]) - force[i]),
                             std::abs(part(gaps[k]) + slope * gap[j])});

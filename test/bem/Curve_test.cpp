@@ -172,21 +172,19 @@ TEUCHOS_UNIT_TEST(Curve, isASegmentSeenFromAComplexPlace) {
           {{foot, std::abs(depth) / curve.half()}}, 20, 1e-6 * std::abs(depth));
       for (int j = 0; j <= 3; ++j) {
         double legendre[4];
-        double closed = moments.l[static_cast<std::size_t>(j)];
+        double closed = moments.l[j];
         for (int q = 0; q < gauss.size(); ++q) {
-          const auto k = static_cast<std::size_t>(q);
-          bem::legendreValues(3, gauss.points[k], legendre);
-          closed += gauss.weights[k] * legendre[j] *
-                    std::log(std::abs(curve.factor(z, gauss.points[k])));
+          bem::legendreValues(3, gauss.points[q], legendre);
+          closed += gauss.weights[q] * legendre[j] *
+                    std::log(std::abs(curve.factor(z, gauss.points[q])));
         }
         double sum = 0;
         for (int q = 0; q < graded.size(); ++q) {
-          const auto k = static_cast<std::size_t>(q);
-          const double t = graded.points[k].t;
+          const double t = graded.points[q].t;
           bem::legendreValues(3, t, legendre);
           const Vec2 w = depth * curve.normal(foot) -
                          curve.chord(placeOf(curve, foot), 0, placeOf(curve, t), 0);
-          sum += graded.weights[k] * legendre[j] * std::log(norm(w));
+          sum += graded.weights[q] * legendre[j] * std::log(norm(w));
         }
         TEST_COMPARE(std::abs(sum - closed), <, 1e-13);
       }

@@ -25,7 +25,7 @@ const bem::Lame lame({1, 0.3, false});
 Vector random(Index size, unsigned seed) {
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  Vector v(static_cast<std::size_t>(size));
+  Vector v(size);
   for (double& x : v)
     x = uniform(generator);
   return v;
@@ -49,16 +49,16 @@ bem::CauchyData smooth(const bem::Space& space) {
     return Vec2{1 + x.x * x.y - 2 * x.y * x.y, 3 * x.x * x.x - x.y};
   };
   const auto density = [](Vec2 x) { return Vec2{x.x - 2 * x.y, 0.5 + x.y}; };
-  Vector psi(static_cast<std::size_t>(space.densities()));
+  Vector psi(space.densities());
   for (int e = 0; e < space.mesh().size(); ++e) {
     const Vec2 start = density(space.mesh().scaledPoint(e, -1));
     const Vec2 end = density(space.mesh().scaledPoint(e, 1));
     const Vec2 mean = 0.5 * (start + end);
     const Vec2 slope = 0.5 * (end - start);
-    psi[static_cast<std::size_t>(space.density(e, 0, 0))] = mean.x;
-    psi[static_cast<std::size_t>(space.density(e, 0, 1))] = mean.y;
-    psi[static_cast<std::size_t>(space.density(e, 1, 0))] = slope.x;
-    psi[static_cast<std::size_t>(space.density(e, 1, 1))] = slope.y;
+    psi[space.density(e, 0, 0)] = mean.x;
+    psi[space.density(e, 0, 1)] = mean.y;
+    psi[space.density(e, 1, 0)] = slope.x;
+    psi[space.density(e, 1, 1)] = slope.y;
   }
   return bem::makeCauchyData(space, space.interpolate(displacement), psi);
 }
@@ -81,7 +81,7 @@ TEUCHOS_UNIT_TEST(EnergyNorm, isThatOfTheGalerkinMatrices) {
 TEUCHOS_UNIT_TEST(EnergyNorm, ofARigidMotionIsZeroAndOfAnotherMaterialDiffers) {
   const bem::Space space(quickSamples().front().mesh);
   const bem::Matrix motions = space.rigidMotions();
-  const Vector none(static_cast<std::size_t>(space.densities()));
+  const Vector none(space.densities());
   for (Index k = 0; k < 3; ++k) {
     const Vector motion(motions.column(k), motions.column(k) + motions.rows());
     TEST_COMPARE(bem::energyNorm(bem::makeCauchyData(space, motion, none), lame), <,

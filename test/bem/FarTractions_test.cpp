@@ -31,7 +31,7 @@ class Slow {
     const double half = mesh_[e_].half;
     Complex sum = 0;
     for (int q = 0; q < rule.size(); ++q) {
-      const double t = rule.points[static_cast<std::size_t>(q)];
+      const double t = rule.points[q];
       const auto target = bem::seenFrom(mesh_, f_, mesh_.at(e_, t));
       bem::ElementSums sums;
       sums.evaluate(source.curve, target, source.degree);
@@ -39,8 +39,7 @@ class Slow {
       const Complex normal = bem::asComplex(mesh_[e_].curve.normal(t));
       std::array<double, bem::largestDegree + 2> legendre{};
       bem::legendreValues(i, t, legendre.data());
-      sum += rule.weights[static_cast<std::size_t>(q)] *
-             std::sqrt(half * (2 * i + 1) / 2) * legendre[static_cast<std::size_t>(i)] *
+      sum += rule.weights[q] * std::sqrt(half * (2 * i + 1) / 2) * legendre[i] *
              (op == Operator::Adjoint
                   ? bem::adjointDoubleLayer(lame_, normal, unit * in)
                   : bem::hypersingular(lame_, normal, 0.5 / source.half * unit * in));

@@ -1,5 +1,6 @@
 // The Galerkin matrices against 33 digits (a sample; all of it in
 // OperatorsConvergence_test) and against identities that hold for whole problems.
+#include "Largest.hpp"
 #include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "reference/ExactFields.hpp"
@@ -17,25 +18,11 @@ namespace {
 
 using bem::Vec2;
 using bem::Vector;
+using test::largest;
 
 const bem::LapackAlgebra algebra;
 
 bem::Lame lameOf(double nu) { return bem::Lame({1, nu, false}); }
-
-double largest(const Vector& v) {
-  double size = 0;
-  for (double x : v)
-    size = std::max(size, std::abs(x));
-  return size;
-}
-
-double largest(const bem::Matrix& m) {
-  double size = 0;
-  for (bem::Index j = 0; j < m.columns(); ++j)
-    for (bem::Index i = 0; i < m.rows(); ++i)
-      size = std::max(size, std::abs(m(i, j)));
-  return size;
-}
 
 Vector minus(Vector a, const Vector& b) {
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -207,10 +194,10 @@ TEUCHOS_UNIT_TEST(Operators, onPolygonsConvergeToTheDiscsSingleLayer) {
   const auto error = [&](int sides) {
     const auto shape = std::make_shared<const bem::Outline>(regularPolygon(sides, 0.5));
     const bem::Space space(bem::makeMesh(shape, std::vector<int>(sides, 1), 1));
-    Vector ones(static_cast<std::size_t>(space.densities()));
+    Vector ones(space.densities());
     double length = 0;
     for (int e = 0; e < sides; ++e) {
-      ones[static_cast<std::size_t>(space.density(e, 0, 0))] = 1;
+      ones[space.density(e, 0, 0)] = 1;
       length += 2 * space.mesh()[e].half;
     }
     const Vector v = algebra.multiplySymmetric(
@@ -272,11 +259,11 @@ TEUCHOS_UNIT_TEST(Operators, moreDensitiesAreThoseOfAHigherDegree) {
   double apart = 0;
   int compared = 0;
   for (int e = 0; e < plain.size(); ++e)
-    for (int i = 0; i < 2 * densities[static_cast<std::size_t>(e)]; ++i) {
+    for (int i = 0; i < 2 * densities[e]; ++i) {
       const bem::Index row = space.density(e, i / 2, i % 2);
       const bem::Index theirRow = higher.density(e, i / 2, i % 2);
       for (int f = 0; f < plain.size(); ++f) {
-        for (int j = 0; j < 2 * densities[static_cast<std::size_t>(f)]; ++j) {
+        for (int j = 0; j < 2 * densities[f]; ++j) {
           const bem::Index column = space.density(f, j / 2, j % 2);
           const bem::Index theirColumn = higher.density(f, j / 2, j % 2);
           const double theirEntry = theirs.singleLayer(std::max(theirRow, theirColumn),

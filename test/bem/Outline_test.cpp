@@ -157,7 +157,7 @@ TEUCHOS_UNIT_TEST(Outline, sharesAScalingWithALargerBody) {
   for (int e = 0; e < 4; ++e) {
     const auto& curve = beside.edge(e).curve;
     TEST_FLOATING_EQUALITY(3 * curve.length(), alone.edge(e).curve.length(), 1e-15);
-    const Vec2 vertex = small.vertices[static_cast<std::size_t>(e)];
+    const Vec2 vertex = small.vertices[e];
     TEST_COMPARE(norm(beside.physical(curve.from()) - vertex), <, 4e-15);
   }
   const epafi::bem::Scaling tooSmall{{0, 0}, 0.99 * alone.diameter()};

@@ -6,8 +6,6 @@
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include <cmath>
-
 namespace epafi {
 
 namespace {

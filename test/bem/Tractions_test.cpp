@@ -1,3 +1,4 @@
+#include "Largest.hpp"
 #include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/fields/Interior.hpp"
 #include "bem/tractions/TractionRows.hpp"
@@ -17,21 +18,14 @@ namespace {
 using bem::Index;
 using bem::Vec2;
 using bem::Vector;
+using test::largest;
 
 const bem::LapackAlgebra algebra;
 
 std::vector<int> allElements(const bem::Mesh& mesh) {
-  std::vector<int> elements(static_cast<std::size_t>(mesh.size()));
+  std::vector<int> elements(mesh.size());
   std::iota(elements.begin(), elements.end(), 0);
   return elements;
-}
-
-double largest(const bem::Matrix& a) {
-  double result = 0;
-  for (Index j = 0; j < a.columns(); ++j)
-    for (Index i = 0; i < a.rows(); ++i)
-      result = std::max(result, std::abs(a(i, j)));
-  return result;
 }
 
 // The fast path shares the assembly's moments; its twin evaluates W φ and K' ψ at points.

@@ -67,7 +67,7 @@ double worstImbalance(const Body& body, double load) {
   const contact::Conditions conditions = cantilever(load);
   const contact::ContactProblem problem = problemOf(body, conditions);
   contact::State state;
-  state.multiplier.assign(static_cast<std::size_t>(problem.numbers().size()), 0.0);
+  state.multiplier.assign(problem.numbers().size(), 0.0);
   const Vector u = problem.displacement(state);
   const double length = body.space.mesh().outline().diameter();
   const contact::Summary summary = contact::summarize(
@@ -100,7 +100,7 @@ TEUCHOS_UNIT_TEST(Balance, rigidMotionsFeelNoForceOfAnyDisplacement) {
                                                                    test::projected()},
                                                                   multiplier));
   const bem::Matrix motions = body.space.rigidMotions();
-  Vector u(static_cast<std::size_t>(body.space.displacements()));
+  Vector u(body.space.displacements());
   for (std::size_t i = 0; i < u.size(); ++i)
     u[i] = std::sin(1.0 + static_cast<double>(i * i % 101));
   const Vector forces = balanced.residual(Vector(u.size(), 0.0), u);
@@ -134,7 +134,7 @@ TEUCHOS_UNIT_TEST(Balance, withoutStabilisationTheOperatorIsTheStiffness) {
                                                                    multiplier.basis(),
                                                                    none},
                                                                   multiplier));
-  Vector u(static_cast<std::size_t>(body.space.displacements()));
+  Vector u(body.space.displacements());
   for (std::size_t i = 0; i < u.size(); ++i)
     u[i] = std::cos(static_cast<double>(i * i % 37));
   const Vector left = balanced.residual(body.stiffness.apply(u), u);

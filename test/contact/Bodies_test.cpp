@@ -193,7 +193,7 @@ TEUCHOS_UNIT_TEST(Bodies, aFinerBlockBelowAnswersAlike) {
   const auto fine = problems({0, 6, 2}, {-1, 15, 3}, true).both;
   // under a uniform pressure: work of the mean penetration
   const auto work = [](const contact::Problem& problem) {
-    Vector uniform(static_cast<std::size_t>(problem.flexibility.size()), 0.0);
+    Vector uniform(problem.flexibility.size(), 0.0);
     std::fill_n(uniform.begin(), problem.normals, 1.0);
     const Vector r = problem.flexibility.times(uniform);
     double sum = 0;

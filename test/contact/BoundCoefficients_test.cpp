@@ -101,7 +101,7 @@ using Factor = std::function<double(double)>;
 /// Coulomb's law with a coefficient on an element.
 std::vector<contact::Tangential> coulomb(const contact::MultiplierBasis& basis,
                                          int degree, const Factor& factor) {
-  std::vector<bem::Index> normals(static_cast<std::size_t>(degree + 1));
+  std::vector<bem::Index> normals(degree + 1);
   std::iota(normals.begin(), normals.end(), 0);
   return contact::elementTangentials(
       basis, normals, std::make_shared<const contact::CoulombLaw>(),

@@ -71,7 +71,7 @@ std::vector<Vector> everything(const ContactModel& model, const State& state) {
 
 TEUCHOS_UNIT_TEST(ContactModel, isTheSameOnEveryNumberOfRanks) {
   const Problem problem = coulombProblem();
-  const Vector gap(static_cast<std::size_t>(problem.normals), 0.01);
+  const Vector gap(problem.normals, 0.01);
   State state = test::solve(problem).state;
   for (double& value : state.multiplier)
     value *= 1.1;  // so that f is not zero

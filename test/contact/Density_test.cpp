@@ -105,7 +105,7 @@ Condensed condensed(const Case& c, const bem::DenseAlgebra& algebra) {
   result.residual = numbers.offset;
   for (Index j = 0; j < numbers.size(); ++j)
     for (Index i = 0; i < numbers.size(); ++i)
-      result.residual[at(i)] -= numbers.flexibility(i, j) * state.multiplier[at(j)];
+      result.residual[i] -= numbers.flexibility(i, j) * state.multiplier[j];
   return result;
 }
 
@@ -157,8 +157,8 @@ Condensed whole(const Case& c) {
     for (int q = 0; q < rule.size(); ++q) {
       Point point{&element,
                   c.gamma0 * h / (c.degree * c.degree),
-                  e.half * rule.weights[at(q)],
-                  rule.points[at(q)],
+                  e.half * rule.weights[q],
+                  rule.points[q],
                   {}};
       point.stress = stressOf(state.multiplier, point);
       points.push_back(point);
@@ -166,7 +166,7 @@ Condensed whole(const Case& c) {
   }
   const auto unit = [](Index k, Index of) {
     Vector vector(at(of));
-    vector[at(k)] = 1;
+    vector[k] = 1;
     return vector;
   };
   for (const Point& point : points) {
@@ -175,15 +175,14 @@ Condensed whole(const Case& c) {
     for (int k = 0; k <= element.degree; ++k)
       for (int d = 0; d < 2; ++d) {
         const Index row = space.displacement(e, k, d);
-        right[at(row)] -=
-            point.weight *
-            dot(space.displacementAt(unit(row, n), e, point.t), point.stress);
+        right[row] -= point.weight *
+                      dot(space.displacementAt(unit(row, n), e, point.t), point.stress);
       }
     for (int i = 0; i < element.densities; ++i)
       for (int d = 0; d < 2; ++d) {
         const Index row = space.density(e, i, d);
         const Vec2 p = space.densityAt(unit(row, size - n), e, point.t);
-        right[at(n + row)] += point.weight * point.gamma * dot(p, point.stress);
+        right[n + row] += point.weight * point.gamma * dot(p, point.stress);
         for (int j = 0; j < element.densities; ++j) {
           const Index column = space.density(e, j, d);
           system(n + row, n + column) -=
@@ -198,10 +197,10 @@ Condensed whole(const Case& c) {
       for (int k = 0; k <= c.degree; ++k)
         for (int d = 0; d < 2; ++d) {
           const Index row = space.displacement(e, k, d);
-          const double t = rule.points[at(q)];
+          const double t = rule.points[q];
           const Vec2 x = mesh.physicalPoint(e, t);
-          right[at(row)] +=
-              mesh[e].half * rule.weights[at(q)] *
+          right[row] +=
+              mesh[e].half * rule.weights[q] *
               dot(space.displacementAt(unit(row, n), e, t), Vec2{0.01, -0.1 * (1 + x.x)});
         }
   for (const int e : mesh.elementsOf("left"))
@@ -210,7 +209,7 @@ Condensed whole(const Case& c) {
         const Index row = space.displacement(e, k, d);
         for (Index j = 0; j < size; ++j)
           system(row, j) = system(j, row) = row == j ? 1 : 0;
-        right[at(row)] = 0;
+        right[row] = 0;
       }
 
   const int order = static_cast<int>(size);
@@ -225,11 +224,11 @@ Condensed whole(const Case& c) {
   for (Index j = 0; j < n; ++j)
     for (Index i = 0; i < n; ++i)
       result.energy += 0.5 * lower(operators.hypersingular, i, j) *
-                       result.displacement[at(i)] * result.displacement[at(j)];
+                       result.displacement[i] * result.displacement[j];
   for (Index j = 0; j < size - n; ++j)
     for (Index i = 0; i < size - n; ++i)
-      result.energy += 0.5 * lower(operators.singleLayer, i, j) * result.density[at(i)] *
-                       result.density[at(j)];
+      result.energy += 0.5 * lower(operators.singleLayer, i, j) * result.density[i] *
+                       result.density[j];
   result.residual.assign(at(multiplier.size()), info == 0 ? 0.0 : 1e9);
   for (Index i = 0; i < multiplier.size(); ++i) {
     const Vector chi = unit(i, multiplier.size());
@@ -240,7 +239,7 @@ Condensed whole(const Case& c) {
       const Vec2 u = space.displacementAt(result.displacement, e, point.t);
       const Vec2 direction = stressOf(chi, point);
       const double gap = 0.01 * mesh.physicalPoint(e, point.t).x;
-      result.residual[at(i)] +=
+      result.residual[i] +=
           point.weight *
           (dot(direction, u - slack) - gap * dot(direction, mesh[e].segment().normal));
     }

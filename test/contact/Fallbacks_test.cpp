@@ -131,7 +131,7 @@ TEUCHOS_UNIT_TEST(Fallbacks, loadStepsLeadToTheSameSolution) {
     recipe.strength = 0.3;
     recipe.normals = 3 + k % 20;
     const Problem problem = randomProblem(recipe, random);
-    const contact::Vector gap(static_cast<std::size_t>(problem.normals), 0.1);
+    const contact::Vector gap(problem.normals, 0.1);
     SolverOptions options;
     const auto once = solve(problem, {}, options, gap);
     options.loadSteps = 1 + k % 7;

@@ -148,7 +148,7 @@ TEUCHOS_UNIT_TEST(FrictionLaw, keysThatDifferCannotShareAName) {
 std::vector<contact::Tangential> capped(const contact::MultiplierBasis& basis, int degree,
                                         const bem::Function& coefficient,
                                         const bem::Function& cap) {
-  std::vector<bem::Index> normals(static_cast<std::size_t>(degree + 1));
+  std::vector<bem::Index> normals(degree + 1);
   std::iota(normals.begin(), normals.end(), 0);
   return contact::elementTangentials(
       basis, normals, std::make_shared<const contact::CappedCoulombLaw>(),
@@ -199,7 +199,7 @@ TEUCHOS_UNIT_TEST(CappedCoulomb, slopesAreTheDerivativeAlsoAcrossTheCap) {
     for (const contact::Tangential& bound : bounds) {
       double slope = 0;
       for (const contact::NormalShare& share : bound.slopes(pressures))
-        slope += share.value * direction[static_cast<std::size_t>(share.normal)];
+        slope += share.value * direction[share.normal];
       const double quotient = (bound.bound(more) - bound.bound(less)) / (2 * h);
       TEST_COMPARE(std::abs(quotient - slope), <, 1e-6);
       several += bound.slopes(pressures).size() > 1 ? 1 : 0;

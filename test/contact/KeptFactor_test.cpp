@@ -28,28 +28,28 @@ double residual(const Problem& problem, const Matrix& motions, const Rows& rows,
     worst = std::max(worst, std::abs(rest) / size);
   };
   for (Index i = 0; i < n; ++i) {
-    double sum = rows[at(i)].isSolved ? 0 : z[at(i)];
-    double size = std::abs(b[at(i)]) + std::abs(sum);
+    double sum = rows[i].isSolved ? 0 : z[i];
+    double size = std::abs(b[i]) + std::abs(sum);
     const auto add = [&](double term) {
       sum += term;
       size += std::abs(term);
     };
-    for (Index j = 0; j < n && rows[at(i)].isSolved; ++j)
-      add(problem.flexibility(i, j) * z[at(j)]);
-    for (Index k = 0; k < motions.columns() && rows[at(i)].isSolved; ++k)
-      add(-motions(i, k) * z[at(n + k)]);
-    for (const KeptFactor::Row::Share& share : rows[at(i)].followed)
-      add(-share.factor * z[at(share.leader)]);
-    count(sum - b[at(i)], size);
+    for (Index j = 0; j < n && rows[i].isSolved; ++j)
+      add(problem.flexibility(i, j) * z[j]);
+    for (Index k = 0; k < motions.columns() && rows[i].isSolved; ++k)
+      add(-motions(i, k) * z[n + k]);
+    for (const KeptFactor::Row::Share& share : rows[i].followed)
+      add(-share.factor * z[share.leader]);
+    count(sum - b[i], size);
   }
   for (Index k = 0; k < motions.columns(); ++k) {
     double sum = 0;
-    double size = std::abs(b[at(n + k)]);
+    double size = std::abs(b[n + k]);
     for (Index i = 0; i < n; ++i) {
-      sum += motions(i, k) * z[at(i)];
-      size += std::abs(motions(i, k) * z[at(i)]);
+      sum += motions(i, k) * z[i];
+      size += std::abs(motions(i, k) * z[i]);
     }
-    count(sum - b[at(n + k)], size);
+    count(sum - b[n + k], size);
   }
   return worst;
 }
@@ -71,9 +71,9 @@ TEUCHOS_UNIT_TEST(KeptFactor, solvesSystemsThatDifferInFewRows) {
   // all normals closed, half of the tangentials follow theirs
   Rows rows(at(n));
   for (Index i = 0; i < n; ++i) {
-    rows[at(i)].isSolved = i < problem.normals || i % 2 == 0;
-    if (!rows[at(i)].isSolved)
-      rows[at(i)].followed = {{i - problem.normals, 0.3}};
+    rows[i].isSolved = i < problem.normals || i % 2 == 0;
+    if (!rows[i].isSolved)
+      rows[i].followed = {{i - problem.normals, 0.3}};
   }
   contact::FactorMemory memory;
   const Rows first = rows;
@@ -91,18 +91,18 @@ TEUCHOS_UNIT_TEST(KeptFactor, solvesSystemsThatDifferInFewRows) {
     TEST_COMPARE(residual(problem, motions, first, b, again->solve(b)), <, 1e-9);
     TEST_COMPARE(residual(problem, motions, rows, b, factor->solve(b)), <, 1e-9);
     for (int change = 0; change < 3; ++change) {
-      KeptFactor::Row& row = rows[at(tangential(random))];
+      KeptFactor::Row& row = rows[tangential(random)];
       const Index i = &row - rows.data();
       row.isSolved = !row.isSolved;
       row.followed.clear();
-      if (!row.isSolved && rows[at(i - problem.normals)].isSolved)
+      if (!row.isSolved && rows[i - problem.normals].isSolved)
         row.followed = {{i - problem.normals, step % 2 == 0 ? 0.3 : -0.3}};
     }
     // a place that opens takes its friction along
     const Index opened = step % problem.normals;
-    rows[at(opened)].isSolved = false;
-    rows[at(opened + problem.normals)].isSolved = false;
-    rows[at(opened + problem.normals)].followed.clear();
+    rows[opened].isSolved = false;
+    rows[opened + problem.normals].isSolved = false;
+    rows[opened + problem.normals].followed.clear();
   }
 }
 

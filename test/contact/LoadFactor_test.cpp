@@ -1,4 +1,5 @@
 #include "Algebra.hpp"
+#include "Largest.hpp"
 #include "contact/Solve.hpp"
 #include "contact/equation/ProblemFamily.hpp"
 #include "contact/system/ContactProblem.hpp"
@@ -14,6 +15,8 @@ namespace contact = epafi::contact;
 using bem::Vec2;
 using contact::Index;
 using contact::Vector;
+using epafi::test::largest;
+using epafi::test::largestDifference;
 using epafi::test::solve;
 
 // A block over a curved foundation, its top pulled, pushed and displaced by `load`; with
@@ -62,15 +65,6 @@ struct Scene {
   contact::ContactProblem problem;
 };
 
-double difference(const Vector& a, const Vector& b) {
-  double largest = a.size() == b.size() ? 0 : 1;
-  for (std::size_t i = 0; i < a.size() && i < b.size(); ++i)
-    largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
-
-double largest(const Vector& a) { return difference(a, Vector(a.size(), 0.0)); }
-
 /// Twice the load factor is twice all tractions and prescribed displacements over the
 /// same gap.
 TEUCHOS_UNIT_TEST(LoadFactor, scalesTractionsAndPrescribedDisplacements) {
@@ -80,9 +74,9 @@ TEUCHOS_UNIT_TEST(LoadFactor, scalesTractionsAndPrescribedDisplacements) {
     const contact::ProblemFamily family(one.problem.numbers(), one.problem.gap());
     const contact::Problem scaled = family.at({2, 1});
     const contact::Problem& expected = two.problem.numbers();
-    TEST_COMPARE(difference(scaled.offset, expected.offset), <,
+    TEST_COMPARE(largestDifference(scaled.offset, expected.offset), <,
                  1e-14 * largest(expected.offset) * 10);
-    TEST_COMPARE(difference(scaled.rigidLoad, expected.rigidLoad), <, 1e-14);
+    TEST_COMPARE(largestDifference(scaled.rigidLoad, expected.rigidLoad), <, 1e-14);
     TEST_COMPARE(largest(one.problem.gap()), >, 1e-4);
   }
 }
@@ -98,7 +92,7 @@ TEUCHOS_UNIT_TEST(LoadFactor, displacementAddsTheRestOfTheLoad) {
     for (std::size_t i = 0; i < u.size(); ++i)
       u[i] += rest[i];
     const Vector expected = two.problem.displacement(state);
-    TEST_COMPARE(difference(u, expected), <, 1e-12 * largest(expected));
+    TEST_COMPARE(largestDifference(u, expected), <, 1e-12 * largest(expected));
   }
 }
 

@@ -108,14 +108,14 @@ TEUCHOS_UNIT_TEST(MultiplierBasis, amplificationIsReachedAtTheEndsAndNowhereExce
     const bem::Rule& rule = bem::gaussLegendre(q + 1);
     const auto n = static_cast<bem::Index>(q + 1);
     bem::Matrix mass(n, n);
-    bem::Vector integrals(static_cast<std::size_t>(n), 0.0);
+    bem::Vector integrals(n, 0.0);
     for (std::size_t k = 0; k < rule.points.size(); ++k) {
       const bem::Vector b = bernstein.values(q, rule.points[k]);
       for (bem::Index j = 0; j < n; ++j) {
-        const double weighted = rule.weights[k] * b[static_cast<std::size_t>(j)];
-        integrals[static_cast<std::size_t>(j)] += weighted;
+        const double weighted = rule.weights[k] * b[j];
+        integrals[j] += weighted;
         for (bem::Index i = 0; i < n; ++i)
-          mass(i, j) += weighted * b[static_cast<std::size_t>(i)];
+          mass(i, j) += weighted * b[i];
       }
     }
     const int definite = bem::cholesky(mass);
@@ -141,7 +141,7 @@ TEUCHOS_UNIT_TEST(MultiplierBasis, biorthogonalIsDualToLagrangeAtLobattosPoints)
   const auto& lobatto = contact::multiplierBasis("Gauss-Lobatto-Lagrange");
   for (int q = 0; q <= highestDegree; ++q) {
     const bem::Rule& rule = bem::gaussLegendre(q + 1);
-    const auto n = static_cast<std::size_t>(q + 1);
+    const std::size_t n = q + 1;
     std::vector<bem::Vector> products(n, bem::Vector(n, 0.0));
     bem::Vector integrals(n, 0.0);
     for (std::size_t k = 0; k < rule.points.size(); ++k) {

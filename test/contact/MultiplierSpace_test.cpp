@@ -98,7 +98,7 @@ TEUCHOS_UNIT_TEST(MultiplierSpace, withSharedNodesStillHoldsConstants) {
   conditions.dirichlet["left"] = {zero, zero};
   for (int p : {1, 2, 5}) {
     const MultiplierSpace space(squareMesh(p), dual(), conditions);
-    bem::Vector ones(static_cast<std::size_t>(space.size()), 1.0);
+    bem::Vector ones(space.size(), 1.0);
     for (const auto& element : space.elements())
       for (double t : {-1.0, -0.3, 0.8}) {
         TEST_COMPARE(std::abs(space.at(ones, element, t).normal - 1), <, 1e-13);
@@ -112,7 +112,7 @@ template <class Function>
 bem::Vector momentsOf(int degree, const Function& f) {
   const auto& theta = contact::multiplierBasis("Gauss-Lobatto-Lagrange");
   const bem::Rule& rule = bem::gaussLegendre(2 * degree + 2);
-  bem::Vector moments(static_cast<std::size_t>(degree + 1), 0.0);
+  bem::Vector moments(degree + 1, 0.0);
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     const bem::Vector values = theta.values(degree, rule.points[q]);
     for (std::size_t i = 0; i < moments.size(); ++i)
@@ -126,7 +126,7 @@ bem::Vector lobattoWeights(int degree) {
 }
 
 double legendre(int degree, double t) {
-  bem::Vector values(static_cast<std::size_t>(degree + 1));
+  bem::Vector values(degree + 1);
   bem::legendreValues(degree, t, values.data());
   return values.back();
 }
@@ -181,20 +181,19 @@ TEUCHOS_UNIT_TEST(SharedNodes, extendedFunctionsStayDualToAllFreeDisplacements) 
 /// Coefficients of a function of the place, node by node.
 bem::Vector coefficientsOf(const MultiplierSpace& space, const bem::Mesh& mesh,
                            double (*f)(bem::Vec2)) {
-  bem::Vector result(static_cast<std::size_t>(space.size()), 0.0);
+  bem::Vector result(space.size(), 0.0);
   for (const auto& element : space.elements()) {
     const bem::Vector w = lobattoWeights(element.degree);
     const bem::Vector moments = momentsOf(element.degree, [&](double t) {
       return f(mesh.physicalPoint(element.element, t));
     });
     for (int i = 0; i <= element.degree; ++i) {
-      const double value =
-          moments[static_cast<std::size_t>(i)] / w[static_cast<std::size_t>(i)];
+      const double value = moments[i] / w[i];
       if (MultiplierSpace::ContactElement::isOwn(element.normalEnds, element.degree, i))
-        result[static_cast<std::size_t>(element.normalOf(i))] = value;
+        result[element.normalOf(i)] = value;
       if (MultiplierSpace::ContactElement::isOwn(element.tangentialEnds, element.degree,
                                                  i))
-        result[static_cast<std::size_t>(element.tangentialOf(i))] = value;
+        result[element.tangentialOf(i)] = value;
     }
   }
   return result;
@@ -250,12 +249,12 @@ TEUCHOS_UNIT_TEST(SharedNodes, eachFreeNodeKeepsItsOwnGapBesideAClamp) {
     const bem::Mesh mesh = squareMesh(p);
     const MultiplierSpace space(mesh, dual(), conditions);
     const double length = mesh.outline().diameter();
-    bem::Vector weights(static_cast<std::size_t>(space.size()), 0.0);
+    bem::Vector weights(space.size(), 0.0);
     for (const auto& element : space.elements())
       for (int i = 0; i <= p; ++i)
         if (MultiplierSpace::ContactElement::isOwn(element.normalEnds, p, i))
-          weights[static_cast<std::size_t>(element.normalOf(i))] +=
-              mesh[element.element].half * lobattoWeights(p)[static_cast<std::size_t>(i)];
+          weights[element.normalOf(i)] +=
+              mesh[element.element].half * lobattoWeights(p)[i];
     const bem::Vector gap =
         contact::makeObstacle(mesh, space, contact::DistantObstacle(mesh, length),
                               {length, 1})
@@ -279,21 +278,19 @@ NodeForces forcesOn(int node, const bem::Mesh& mesh, const MultiplierSpace& spac
     for (const int i : {0, element.degree}) {
       if ((i == 0 ? geometry.startNode : geometry.endNode) != node)
         continue;
-      const auto k = static_cast<std::size_t>(i);
-      const double w = geometry.half * lobattoWeights(element.degree)[k];
+      const double w = geometry.half * lobattoWeights(element.degree)[i];
       const bem::Vec2 n = geometry.segment().normal;
       const bem::Vec2 t = bem::turnLeft(n);
       const auto part = [&](double MultiplierSpace::Value::*component) {
         return geometry.half * momentsOf(element.degree, [&](double s) {
                  return space.at(multiplier, element, s).*component;
-               })[k];
+               })[i];
       };
       forces.ofFunction = forces.ofFunction + part(&MultiplierSpace::Value::normal) * n +
                           part(&MultiplierSpace::Value::tangential) * t;
-      forces.ofCoefficients =
-          forces.ofCoefficients +
-          w * multiplier[static_cast<std::size_t>(element.normalOf(i))] * n +
-          w * multiplier[static_cast<std::size_t>(element.tangentialOf(i))] * t;
+      forces.ofCoefficients = forces.ofCoefficients +
+                              w * multiplier[element.normalOf(i)] * n +
+                              w * multiplier[element.tangentialOf(i)] * t;
     }
   }
   return forces;

@@ -1,3 +1,4 @@
+#include "Largest.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/RandomProblem.hpp"
 #include "contact/Solve.hpp"
@@ -27,6 +28,7 @@ using contact::Equation;
 using contact::Problem;
 using contact::Status;
 using contact::Vector;
+using test::largest;
 using test::solve;
 using test::SolverOptions;
 
@@ -61,20 +63,13 @@ Vector combined(const Vector& a, double factor, const Vector& b) {
   return result;
 }
 
-double largest(const Vector& v) {
-  double result = 0;
-  for (const double value : v)
-    result = std::max(result, std::abs(value));
-  return result;
-}
-
 TEUCHOS_UNIT_TEST(Equation, jacobianIsTheDifferenceQuotient) {
   std::mt19937 random(22);
   for (const auto& function : contact::complementarities())
     for (contact::Index rigidMotions : {0, 2}) {
       const Problem problem = someProblem("Coulomb", rigidMotions);
       const Equation equation(problem, function, Equation::Bound::Differentiated, 1e-12);
-      const Vector x = randomVector(static_cast<std::size_t>(equation.size()), random);
+      const Vector x = randomVector(equation.size(), random);
       const Vector d = randomVector(x.size(), random);
       const double h = 1e-7;
       const Vector up = equation.at(combined(x, h, d)).linear.residual;
@@ -91,7 +86,7 @@ TEUCHOS_UNIT_TEST(Equation, meritGradientIsTheDifferenceQuotient) {
     const Problem problem = someProblem("Coulomb", rigidMotions);
     const Equation equation(problem, contact::projection(),
                             Equation::Bound::Differentiated, 1e-12);
-    const Vector x = randomVector(static_cast<std::size_t>(equation.size()), random);
+    const Vector x = randomVector(equation.size(), random);
     const Vector d = randomVector(x.size(), random);
     const double h = 1e-6;
     const double quotient = (merit(equation, equation.at(combined(x, h, d))) -
@@ -115,8 +110,7 @@ TEUCHOS_UNIT_TEST(NewtonSystem, invertsTheJacobian) {
         const Problem problem = someProblem("Coulomb", rigidMotions);
         const Equation equation(problem, function, bound, 1e-12);
         for (int k = 0; k < 10; ++k) {
-          const auto e = equation.at(
-              randomVector(static_cast<std::size_t>(equation.size()), random));
+          const auto e = equation.at(randomVector(equation.size(), random));
           const Vector b = randomVector(e.unknowns.size(), random);
           const contact::NewtonSystem system(equation, e.linear);
           if (!system.unheld(b).empty())

@@ -10,7 +10,6 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <string>

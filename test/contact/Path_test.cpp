@@ -3,6 +3,7 @@
 #include "contact/Solve.hpp"
 #include "contact/equation/ProblemFamily.hpp"
 #include "contact/path/PathMemory.hpp"
+#include "contact/path/Prediction.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -53,6 +54,17 @@ contact::Stabilization formOf(Form form) {
   contact::Stabilization stabilization;
   stabilization.form = form;
   return stabilization;
+}
+
+/// Pressed and pushed, the more the larger t: the solution is a multiple of t.
+contact::Conditions inProportion(double t) {
+  contact::Conditions conditions;
+  conditions.contact["bottom"] = {
+      [](Vec2) { return 0.0; },
+      contact::makeFriction("Coulomb", {[](Vec2) { return 0.4; }})};
+  conditions.dirichlet["top"] = {[t](Vec2) { return 0.003 * t; },
+                                 [t](Vec2) { return -0.01 * t; }};
+  return conditions;
 }
 
 /// What a path of equal steps ends with.
@@ -160,6 +172,41 @@ TEUCHOS_UNIT_TEST(Path, theBalanceOfEnergyIsOfSecondOrderInTheStep) {
     // 16 times less, but which points open and close in a step is up to chance
     TEST_COMPARE(std::abs(fine.imbalance), <, std::abs(coarse.imbalance) / 6);
   }
+}
+
+TEUCHOS_UNIT_TEST(Path, aStepBeginsOnTheLineThroughTheLastTwo) {
+  const Square square(Form::Projected, 0);
+  const auto none = alone(inProportion(0));
+  const contact::ContactSystem problem = square.problem.under({none});
+  contact::PathMemory memory(problem);
+  contact::Prediction prediction(problem);
+  const auto differs = [](const Vector& a, const Vector& b) {
+    double largest = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      largest = std::max(largest, std::abs(a[i] - b[i]));
+    return largest;
+  };
+  double size = 0;
+  for (const double t : {1.0, 1.5, 4.0, 2.0}) {
+    const auto now = alone(inProportion(t));
+    const contact::ContactSystem step =
+        problem.under({now, {}, memory.slip(), memory.largestLoad()});
+    const State start = prediction.start(step);
+    if (t == 1) {
+      TEST_ASSERT(start.multiplier.empty());
+    } else if (t == 2) {  // the load turns back
+      TEST_ASSERT(start.multiplier == prediction.last().multiplier);
+      break;
+    }
+    const State state = test::solve(step.numbers(), start).state;
+    for (const double x : state.multiplier)
+      size = std::max(size, std::abs(x));
+    if (t > 1)
+      TEST_COMPARE(differs(start.multiplier, state.multiplier), <, 1e-9 * size);
+    memory.add(step, step.configuration(state));
+    prediction.add(step, state);
+  }
+  TEST_COMPARE(size, >, 1e-3);
 }
 
 TEUCHOS_UNIT_TEST(Path, theIncrementLeadsFromTheStepBeforeToThisOne) {

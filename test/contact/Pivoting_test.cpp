@@ -52,8 +52,7 @@ Problem stronglyCoupled(Index copies, const char* law, std::mt19937& random) {
         flexibility(i, j) += block.flexibility(i % 3, j % 3);
     }
     flexibility(i, i) += tangential ? 5 : 0;
-    problem.offset.push_back(tangential ? normal(random)
-                                        : block.offset[static_cast<std::size_t>(i % 3)]);
+    problem.offset.push_back(tangential ? normal(random) : block.offset[i % 3]);
   }
   problem.flexibility = std::move(flexibility);
   problem.rigid = contact::Matrix(size, 0);
@@ -121,7 +120,7 @@ TEUCHOS_UNIT_TEST(ActiveSets, holdingTheOwnSetChangesNothing) {
     recipe.law = laws[k % 3];
     const Problem problem = randomProblem(recipe, random);
     const Equation equation = equationOf(problem);
-    Vector x(static_cast<std::size_t>(equation.size()));
+    Vector x(equation.size());
     for (double& value : x)
       value = std::uniform_real_distribution<double>(-1, 1)(random);
     const Evaluation e = equation.at(x);
@@ -181,10 +180,10 @@ TEUCHOS_UNIT_TEST(ActiveSets, pivotingSolvesWhatNewtonCyclesOn) {
 double energy(const Problem& problem, const Vector& x) {
   double sum = 0;
   for (Index i = 0; i < problem.size(); ++i) {
-    double row = -problem.offset[static_cast<std::size_t>(i)];
+    double row = -problem.offset[i];
     for (Index j = 0; j < problem.size(); ++j)
-      row += 0.5 * problem.flexibility(i, j) * x[static_cast<std::size_t>(j)];
-    sum += x[static_cast<std::size_t>(i)] * row;
+      row += 0.5 * problem.flexibility(i, j) * x[j];
+    sum += x[i] * row;
   }
   return sum;
 }

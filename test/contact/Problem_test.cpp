@@ -1,4 +1,5 @@
 // A problem in numbers: what its parts must fit, what is shared, and a path in steps.
+#include "Largest.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/RandomProblem.hpp"
 #include "contact/Solve.hpp"
@@ -16,6 +17,7 @@ using contact::Index;
 using contact::Problem;
 using contact::State;
 using contact::Vector;
+using test::largestDifference;
 using test::solve;
 
 /// A point on springs of flexibility 1 that is pressed by 1 and pulled sideways; γ of the
@@ -44,28 +46,21 @@ Vector shears(const std::vector<double>& pulls) {
   return result;
 }
 
-double difference(const Vector& a, const Vector& b) {
-  double largest = a.size() == b.size() ? 0 : 1;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-    largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
-
 /// Pull 0.8: it slips, at the bound 0.5, by 0.3. Without pull the spring that is left
 /// stretched by the slip pushes back with 0.3, and friction holds it.
 TEUCHOS_UNIT_TEST(Path, shearIsRememberedAfterUnloading) {
-  TEST_COMPARE(difference(shears({0.8, 0}), {0.5, -0.3}), <, 1e-14);
-  TEST_COMPARE(difference(shears({0}), {0}), <, 1e-14);
+  TEST_COMPARE(largestDifference(shears({0.8, 0}), {0.5, -0.3}), <, 1e-14);
+  TEST_COMPARE(largestDifference(shears({0}), {0}), <, 1e-14);
 }
 
 /// -0.4 beyond the slip 0.3 is within the other bound's reach: 0.4 + 0.3 > 0.5.
 TEUCHOS_UNIT_TEST(Path, slipTurnsRoundAtTheOtherBound) {
-  TEST_COMPARE(difference(shears({0.8, -0.4, 0}), {0.5, -0.5, -0.1}), <, 1e-14);
+  TEST_COMPARE(largestDifference(shears({0.8, -0.4, 0}), {0.5, -0.5, -0.1}), <, 1e-14);
 }
 
 TEUCHOS_UNIT_TEST(Path, aStickingContactDoesNotCreep) {
   const Vector many(50, 0.4);
-  TEST_COMPARE(difference(shears(many), many), <, 1e-14);
+  TEST_COMPARE(largestDifference(shears(many), many), <, 1e-14);
 }
 
 /// An elastic answer: halving the steps changes nothing while nothing slips back.
@@ -104,12 +99,12 @@ TEUCHOS_UNIT_TEST(Flexibility, itsProductsAreThoseOfItsEntries) {
     double sum = 0;
     double size = 0;
     for (Index j = 0; j < n; ++j) {
-      const double term = problem.flexibility(i, j) * x[static_cast<std::size_t>(j)];
+      const double term = problem.flexibility(i, j) * x[j];
       sum += term;
       size += std::abs(term);
     }
-    TEST_COMPARE(std::abs(value[static_cast<std::size_t>(i)] - sum), <=, 1e-15 * size);
-    TEST_FLOATING_EQUALITY(magnitude[static_cast<std::size_t>(i)], size, 1e-14);
+    TEST_COMPARE(std::abs(value[i] - sum), <=, 1e-15 * size);
+    TEST_FLOATING_EQUALITY(magnitude[i], size, 1e-14);
   }
 }
 

@@ -55,16 +55,14 @@ Matrix randomFlexibility(const Problem& problem, const Recipe& recipe,
   Matrix d(n, n);
   for (Index j = 0; j < n; ++j)
     for (Index i = 0; i < n; ++i) {
-      const double apart =
-          places[static_cast<std::size_t>(i)] - places[static_cast<std::size_t>(j)];
+      const double apart = places[i] - places[j];
       const bool alike = (i < problem.normals) == (j < problem.normals);
       double value = alike ? std::exp(-4 * std::abs(apart)) : 0.0;
       for (Index k = 0; k < rank; ++k)
         value += 0.5 * factors(k, i) * factors(k, j);
       if (i == j)
         value += recipe.softness;
-      d(i, j) =
-          value * sizes[static_cast<std::size_t>(i)] * sizes[static_cast<std::size_t>(j)];
+      d(i, j) = value * sizes[i] * sizes[j];
     }
   return d;
 }
@@ -93,7 +91,7 @@ void addRigidMotions(Problem& problem, Index count, std::mt19937& random) {
   for (Index j = 0; j < count; ++j) {
     double sum = 0;
     for (Index i = 0; i < n; ++i)
-      sum += problem.rigid(i, j) * admissible[static_cast<std::size_t>(i)];
+      sum += problem.rigid(i, j) * admissible[i];
     problem.rigidLoad.push_back(sum);
   }
 }

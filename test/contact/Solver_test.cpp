@@ -1,3 +1,4 @@
+#include "Largest.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/CyclingProblem.hpp"
 #include "contact/RandomProblem.hpp"
@@ -24,16 +25,10 @@ using contact::Problem;
 using contact::Solution;
 using contact::Status;
 using contact::Vector;
+using test::largestDifference;
 using test::Recipe;
 using test::solve;
 using test::SolverOptions;
-
-double difference(const Vector& a, const Vector& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
 
 SolverOptions with(const char* function) {
   SolverOptions options;
@@ -76,7 +71,7 @@ double differenceFromProjectedSor(const Recipe& recipe, std::mt19937& random) {
   const Problem problem = randomProblem(recipe, random);
   const Vector slow = reference::projectedSor(problem).multiplier;
   const Vector fast = solve(problem, {}, {}).state.multiplier;
-  return difference(slow, fast);
+  return largestDifference(slow, fast);
 }
 
 TEUCHOS_UNIT_TEST(Solver, agreesWithProjectedSor) {
@@ -128,8 +123,9 @@ TEUCHOS_UNIT_TEST(Solver, coulombsThreeIterationsAgree) {
       for (const Solution* solution : {&newton, &inexact, &fixedPoint}) {
         TEST_ASSERT(solution->report.status == Status::Converged);
         TEST_COMPARE(solution->report.coulombIterations, >, 0);
-        TEST_COMPARE(difference(solution->state.multiplier, newton.state.multiplier), <,
-                     1e-8);
+        TEST_COMPARE(
+            largestDifference(solution->state.multiplier, newton.state.multiplier), <,
+            1e-8);
         TEST_COMPARE(reference::violation(problem, solution->state), <, 1e-9);
       }
     }
@@ -159,7 +155,7 @@ TEUCHOS_UNIT_TEST(Solver, holdsBondedPlacesWhateverTheirForce) {
         for (std::size_t t = 0; t < slip.size(); t += 3) {
           const Index i = problem.normals + static_cast<Index>(t);
           TEST_COMPARE(std::abs(slip[t]), <, 1e-9 * problem.flexibility(i, i));
-          pulling += solution.state.multiplier[bem::at(i)] < -0.1 ? 1 : 0;
+          pulling += solution.state.multiplier[i] < -0.1 ? 1 : 0;
         }
       }
   }
@@ -204,10 +200,9 @@ TEUCHOS_UNIT_TEST(Solver, theMeritFunctionFallsWithEachStepOfTheDescent) {
     const Problem problem = randomProblem(recipe, random);
     const Equation equation(problem, contact::fischerBurmeister(),
                             Equation::Bound::Differentiated, 1e-12);
-    Vector start(static_cast<std::size_t>(equation.size()), 0.0);
+    Vector start(equation.size(), 0.0);
     for (Index i = 0; i < problem.size(); ++i)
-      start[static_cast<std::size_t>(i)] =
-          std::uniform_real_distribution<double>(-3, 3)(random);
+      start[i] = std::uniform_real_distribution<double>(-3, 3)(random);
     const auto run = contact::NoxNewton().run(equation, start,
                                               contact::NewtonMethod::MeritDescent, 100);
     TEST_EQUALITY(static_cast<int>(run.merits.size()), run.iterations + 1);
@@ -257,134 +252,10 @@ TEUCHOS_UNIT_TEST(Solver, aBoundOfZeroIsNoFriction) {
       const Solution solution = solve(problem, {}, with(function));
       TEST_ASSERT(solution.report.status == Status::Converged);
       for (Index i = problem.normals; i < problem.size(); ++i)
-        TEST_COMPARE(std::abs(solution.state.multiplier[static_cast<std::size_t>(i)]), <,
-                     1e-12);
+        TEST_COMPARE(std::abs(solution.state.multiplier[i]), <, 1e-12);
       for (const auto friction : classify(problem, solution.state).tangential)
         TEST_ASSERT(friction == contact::FrictionState::None);
     }
-}
-
-/// One point on a spring:  D λ = d₀ + α, λ = q.
-Problem floatingPoint(double gap, double load) {
-  Problem problem;
-  problem.normals = 1;
-  problem.flexibility = test::identity(1, 2);
-  problem.offset = {-gap};
-  problem.rigid = contact::Matrix(1, 1);
-  problem.rigid(0, 0) = 1;
-  problem.rigidLoad = {load};
-  return problem;
-}
-
-TEUCHOS_UNIT_TEST(Solver, aFloatingBodyComesToRestHoweverLargeTheGap) {
-  for (double gap : {0.0, 1e-9, 1.0, 1e6, -1e3})
-    for (const auto function : {projection, fischerBurmeister}) {
-      const Solution solution = solve(floatingPoint(gap, 3), {}, with(function));
-      TEST_ASSERT(solution.report.status == Status::Converged);
-      TEST_COMPARE(std::abs(solution.state.multiplier[0] - 3), <, 1e-9);
-      TEST_COMPARE(std::abs(solution.state.rigid[0] - (6 + gap)), <,
-                   1e-9 * (1 + std::abs(gap)));
-    }
-}
-
-TEUCHOS_UNIT_TEST(Solver, aLoadThatNothingHoldsIsAnErrorThatSaysSo) {
-  TEST_THROW(solve(floatingPoint(1, -3)), contact::NoBalance);
-}
-
-/// A floating block of two points, pressed down alike, the first three times as stiff: pushed
-/// sideways it takes three quarters until it slips, the second the rest until all slide.
-TEUCHOS_UNIT_TEST(Solver, frictionAloneHoldsABodyUpToGlobalSliding) {
-  Problem problem;
-  problem.normals = 2;
-  problem.tangentials = {{0, contact::pointLaw("Coulomb", {0.5})},
-                         {1, contact::pointLaw("Coulomb", {0.5})}};
-  contact::Matrix flexibility(4, 4);
-  for (Index i = 0; i < 4; ++i)
-    flexibility(i, i) = i == 3 ? 3 : 1;
-  problem.flexibility = std::move(flexibility);
-  problem.offset = {0, 0, 0, 0};
-  problem.rigid = contact::Matrix(4, 2);
-  problem.rigid(0, 0) = problem.rigid(1, 0) = 1;
-  problem.rigid(2, 1) = problem.rigid(3, 1) = 1;
-  for (const auto coulomb : {"Newton", "Inexact Fixed Point", "Fixed Point"}) {
-    SolverOptions options;
-    options.coulomb.iteration = coulomb;
-    for (const double push : {0.6, 0.9, 0.99999, -0.9}) {
-      problem.rigidLoad = {2, push};
-      const Solution held = solve(problem, {}, options);
-      TEST_ASSERT(held.report.status == Status::Converged);
-      const double first = std::clamp(0.75 * push, -0.5, 0.5);
-      TEST_COMPARE(std::abs(held.state.multiplier[2] - first), <, 1e-9);
-      TEST_COMPARE(std::abs(held.state.multiplier[3] - (push - first)), <, 1e-9);
-      TEST_COMPARE(std::abs(held.state.rigid[1] - 3 * (push - first)), <, 1e-9);
-    }
-    problem.rigidLoad = {2, 1.1};
-    bool refused = false;
-    try {
-      refused = solve(problem, {}, options).report.status == Status::NotConverged;
-    } catch (const bem::NumericalError&) {
-      refused = true;
-    }
-    TEST_ASSERT(refused);
-  }
-}
-
-/// Large friction may have several solutions or none: each run solves the problem or says
-/// why not, and nearly all solve it.
-TEUCHOS_UNIT_TEST(Solver, largeFrictionIsSolvedOrExplained) {
-  std::mt19937 random(17);
-  int solved = 0;
-  const int problems = 100;
-  for (int k = 0; k < problems; ++k) {
-    Recipe recipe;
-    recipe.law = "Coulomb";
-    recipe.strength = 10;
-    recipe.softness = 0.1;
-    recipe.normals = 4 + k % 20;
-    const Problem problem = randomProblem(recipe, random);
-    const Solution solution = solve(problem, {}, {});
-    if (solution.report.status == Status::Converged) {
-      ++solved;
-      TEST_COMPARE(reference::violation(problem, solution.state), <, 1e-9);
-    } else {
-      TEST_ASSERT(solution.report.stages.back().end != contact::End::Converged);
-    }
-  }
-  TEST_COMPARE(solved, >=, 99);
-}
-
-TEUCHOS_UNIT_TEST(Solver, tooFewStepsAreReportedByEveryStage) {
-  std::mt19937 random(18);
-  const Problem problem = test::randomProblem({30, "Tresca"}, random);
-  SolverOptions options;
-  options.tresca.maximumIterations = 1;
-  const auto report = solve(problem, {}, options).report;
-  TEST_ASSERT(report.status == Status::NotConverged);
-  TEST_COMPARE(report.stages.size(), >, 1);
-  for (const contact::StageRun& stage : report.stages)
-    TEST_ASSERT(stage.end == contact::End::Iterations);
-  TEST_ASSERT(!report.restless.empty());
-}
-
-TEUCHOS_UNIT_TEST(Solver, brokenNumbersAreErrors) {
-  std::mt19937 random(19);
-  Problem problem = test::randomProblem({5, "Tresca"}, random);
-  problem.offset[2] = std::numeric_limits<double>::quiet_NaN();
-  TEST_THROW(solve(problem, {}, {}), bem::NumericalError);
-  problem = test::randomProblem({5, "None"}, random);
-  contact::Matrix infinite = problem.flexibility.entries().copy();
-  infinite(1, 3) = infinite(3, 1) = std::numeric_limits<double>::infinity();
-  problem.flexibility = std::move(infinite);
-  TEST_THROW(solve(problem, {}, {}), bem::NumericalError);
-  // Two coefficients that are one and the same.
-  problem = test::randomProblem({2, "None"}, random);
-  contact::Matrix ones(2, 2);
-  for (Index i = 0; i < 2; ++i)
-    ones(i, 0) = ones(i, 1) = 1;
-  problem.flexibility = std::move(ones);
-  problem.offset = {1, 1};
-  const auto solution = [&] { return solve(problem, {}, {}); };
-  TEST_THROW(solution(), bem::NumericalError);
 }
 
 TEUCHOS_UNIT_TEST(Solver, classifiesContactAndFriction) {

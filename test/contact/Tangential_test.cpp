@@ -35,7 +35,7 @@ Vector somePressures(const Problem& problem, std::mt19937& random) {
 }
 
 double pressureOf(const Vector& pressures, contact::Index i) {
-  return std::max(pressures[static_cast<std::size_t>(i)], 0.0);
+  return std::max(pressures[i], 0.0);
 }
 
 TEUCHOS_UNIT_TEST(Tangential, staysBetweenItsLimitsTimesItsPressure) {
@@ -79,7 +79,7 @@ TEUCHOS_UNIT_TEST(Tangential, slopesAreTheDerivativeAwayFromKinks) {
     for (const Tangential& t : problem.tangentials) {
       double slope = 0;
       for (const NormalShare& s : t.slopes(pressures))
-        slope += s.value * direction[static_cast<std::size_t>(s.normal)];
+        slope += s.value * direction[s.normal];
       several += t.slopes(pressures).size() > 1 ? 1 : 0;
       TEST_COMPARE(std::abs((t.bound(more) - t.bound(less)) / (2 * h) - slope), <, 1e-6);
     }
@@ -92,7 +92,7 @@ TEUCHOS_UNIT_TEST(Tangential, uncoupledIsTheSameUnderOnePressure) {
   std::mt19937 random(43);
   for (int k = 0; k < 20; ++k) {
     const Problem problem = coupledProblem(random);
-    const Vector pressures(static_cast<std::size_t>(problem.normals), 0.7);
+    const Vector pressures(problem.normals, 0.7);
     for (const Tangential& t : problem.tangentials) {
       TEST_ASSERT(!t.uncoupled().followsSeveral());
       TEST_COMPARE(std::abs(t.uncoupled().bound(pressures) - t.bound(pressures)), <,

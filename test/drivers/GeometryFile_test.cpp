@@ -31,8 +31,7 @@ TEUCHOS_UNIT_TEST(GeometryFile, bothFormatsGiveTheSameOutline) {
     TEST_EQUALITY(scene.bodies[0].outline->edges().size(), 8u);
     const std::string expected[] = {"base", "right", "top", "left"};
     for (int e = 0; e < 4; ++e)
-      TEST_EQUALITY(scene.bodies[0].outline->edge(e).boundary,
-                    expected[static_cast<std::size_t>(e)]);
+      TEST_EQUALITY(scene.bodies[0].outline->edge(e).boundary, expected[e]);
     TEST_ASSERT(scene.bodies[0].outline->contains({0.5, 0.5}));
     TEST_ASSERT(!scene.bodies[0].outline->contains({1, 0.5}));
     TEST_EQUALITY(scene.bodies[0].elementsPerEdge[0], 8);

@@ -234,7 +234,7 @@ TEUCHOS_UNIT_TEST(Scene, expressionsMayBeEvaluatedByManyThreads) {
       for (int i = 0; i < 20000; ++i) {
         const double x = i;
         const double y = k;
-        wrong[static_cast<std::size_t>(k)] += f({x, y}) != x + 1000 * y;
+        wrong[k] += f({x, y}) != x + 1000 * y;
       }
     });
   for (std::thread& thread : threads)

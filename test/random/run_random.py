@@ -1,4 +1,4 @@
-"""Runs random scenes (scenes.py): every one is solved, in few steps of Newton's method.
+"""Runs random scenes (scenes.py, bodies.py, oddities.py): every one is solved, in few steps of Newton's method.
 
     run_random.py EPAFI WORK [--first SEED] [--count N] [--jobs N] [--seed SEED]... [--table FILE]
                   [--bodies 2|3|rings|odd] [--set KEY=VALUE]...
@@ -20,7 +20,9 @@ import time
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from claims import absent, claim, finish, table  # noqa: E402
-from scenes import Oddities, Rings, Scene, ThreeBodies, TwoBodies  # noqa: E402
+from bodies import Rings, ThreeBodies, TwoBodies  # noqa: E402
+from oddities import Oddities  # noqa: E402
+from scenes import Scene  # noqa: E402
 from stages import levels, printed  # noqa: E402
 
 FEW, MOST = 30, 100

@@ -20,7 +20,7 @@ QuadVec turned(const QuadVec& a, const Quad& angle) {
 std::vector<Quad> legendre(int degree, const Quad& t) {
   std::vector<Quad> p = {1, t};
   for (int k = 1; k < degree; ++k) {
-    const auto at = static_cast<std::size_t>(k);
+    const std::size_t at = k;
     p.push_back(((2 * k + 1) * t * p[at] - k * p[at - 1]) / (k + 1));
   }
   return p;
@@ -72,7 +72,7 @@ ArcMoments::ArcMoments(const bem::Mesh& mesh, int e, int f, int largestDegree)
       f_(arcOf(mesh, f)),
       degree_(largestDegree),
       rule_(quadGauss(12 + largestDegree)),
-      values_(static_cast<std::size_t>(Fields * (degree_ + 1) * (degree_ + 1))) {
+      values_(Fields * (degree_ + 1) * (degree_ + 1)) {
   if (e == f)
     addSelf();
   else
@@ -146,8 +146,7 @@ void ArcMoments::addPoint(const Quad& s, const Quad& t, const Quad& weight) {
   for (int field = 0; field < Fields; ++field)
     for (int i = 0; i <= degree_; ++i)
       for (int j = 0; j <= degree_; ++j)
-        value(field, i, j) += weight * at[field] * outer[static_cast<std::size_t>(i)] *
-                              inner[static_cast<std::size_t>(j)];
+        value(field, i, j) += weight * at[field] * outer[i] * inner[j];
 }
 
 }  // namespace epafi::reference

@@ -40,8 +40,7 @@ class ArcMoments {
   void addSelf();
   void addPoint(const Quad& s, const Quad& t, const Quad& weight);
   Quad& value(int field, int i, int j) {
-    return values_[static_cast<std::size_t>((field * (degree_ + 1) + i) * (degree_ + 1) +
-                                            j)];
+    return values_[(field * (degree_ + 1) + i) * (degree_ + 1) + j];
   }
 
   Arc e_;

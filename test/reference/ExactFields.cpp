@@ -56,7 +56,7 @@ Vector displacementOf(const bem::Space& space, const ExactField& field) {
 }
 
 Vector tractionOf(const bem::Space& space, const ExactField& field) {
-  Vector psi(static_cast<std::size_t>(space.densities()));
+  Vector psi(space.densities());
   const bem::Rule& rule = bem::gaussLegendre(order);
   const bem::Mesh& mesh = space.mesh();
   for (int e = 0; e < mesh.size(); ++e)
@@ -67,8 +67,8 @@ Vector tractionOf(const bem::Space& space, const ExactField& field) {
       bem::legendreValues(mesh[e].degree - 1, rule.points[q], legendre.data());
       for (int i = 0; i < mesh[e].degree; ++i) {
         const double w = rule.weights[q] * legendre[i] * (2 * i + 1) / 2;
-        psi[static_cast<std::size_t>(space.density(e, i, 0))] += w * traction.x;
-        psi[static_cast<std::size_t>(space.density(e, i, 1))] += w * traction.y;
+        psi[space.density(e, i, 0)] += w * traction.x;
+        psi[space.density(e, i, 1)] += w * traction.y;
       }
     }
   return psi;

@@ -14,12 +14,11 @@ using contact::Problem;
 using contact::State;
 using contact::Vector;
 
-double& at(Vector& v, Index i) { return v[static_cast<std::size_t>(i)]; }
-double at(const Vector& v, Index i) { return v[static_cast<std::size_t>(i)]; }
+double& at(Vector& v, Index i) { return v[i]; }
+double at(const Vector& v, Index i) { return v[i]; }
 
 double boundOf(const Problem& problem, const Vector& multiplier, Index i) {
-  return problem.tangentials[static_cast<std::size_t>(i - problem.normals)].bound(
-      multiplier);
+  return problem.tangentials[i - problem.normals].bound(multiplier);
 }
 
 // The penetration or slip that a uniform multiplier of size one makes at i.
@@ -62,8 +61,7 @@ State projectedSor(const Problem& problem) {
       for (Index a = 0; a < problem.size(); ++a)
         d(a, b) += penalty * problem.rigid(a, j) * problem.rigid(b, j);
 
-  State state{Vector(static_cast<std::size_t>(problem.size()), 0.0),
-              Vector(problem.rigidLoad.size(), 0.0)};
+  State state{Vector(problem.size(), 0.0), Vector(problem.rigidLoad.size(), 0.0)};
   for (int round = 0; round < 1000000; ++round) {
     Vector offset = problem.offset;
     for (Index j = 0; j < problem.rigidMotions(); ++j)

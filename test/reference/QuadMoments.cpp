@@ -74,8 +74,7 @@ QuadVec Segment::tangent() const { return (1 / length()) * (to - from); }
 PairMoments::PairMoments(int firstDegree, int secondDegree)
     : firstDegree_(firstDegree),
       secondDegree_(secondDegree),
-      values_(static_cast<std::size_t>(fields * (firstDegree + 1) * (secondDegree + 1))) {
-}
+      values_(fields * (firstDegree + 1) * (secondDegree + 1)) {}
 
 PairMoments PairMoments::transposed() const {
   PairMoments result(secondDegree_, firstDegree_);

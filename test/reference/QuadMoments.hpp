@@ -98,7 +98,7 @@ class PairIntegrator {
   void addApart(PairMoments& sum, const Segment& first, std::array<Quad, 2> s,
                 const Segment& second, std::array<Quad, 2> t) const;
   int points(const Quad& distance, const Quad& length, int degree) const;
-  const QuadRule& rule(int n) const { return rules_[static_cast<std::size_t>(n)]; }
+  const QuadRule& rule(int n) const { return rules_[n]; }
   /// Exact for products of two basis polynomials and two factors more.
   const QuadRule& polynomialRule() const { return rule(degree_ + 2); }
   template <class Use>

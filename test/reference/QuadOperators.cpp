@@ -12,14 +12,10 @@ using Components = std::array<std::array<Quad, 2>, 2>;
 
 /// A dense block of 2 x 2 matrices, one for each pair of scalar basis functions.
 struct Block {
-  Block(int m, int n) : rows(m), columns(n), values(static_cast<std::size_t>(m * n)) {}
+  Block(int m, int n) : rows(m), columns(n), values(m * n) {}
 
-  Components& operator()(int i, int j) {
-    return values[static_cast<std::size_t>(i * columns + j)];
-  }
-  const Components& operator()(int i, int j) const {
-    return values[static_cast<std::size_t>(i * columns + j)];
-  }
+  Components& operator()(int i, int j) { return values[i * columns + j]; }
+  const Components& operator()(int i, int j) const { return values[i * columns + j]; }
 
   Quad frobenius() const {
     Quad sum = 0;
@@ -71,7 +67,7 @@ std::vector<Series> displacementSlopes(int degree, const Quad& length) {
   slopes[0] = {-1 / length};
   slopes[1] = {1 / length};
   for (int k = 2; k <= degree; ++k) {
-    slopes[k].resize(static_cast<std::size_t>(k));
+    slopes[k].resize(k);
     slopes[k][k - 1] = sqrt(Quad(2 * k - 1) / 2) * 2 / length;
   }
   return slopes;
@@ -253,10 +249,7 @@ QuadVec nodeOf(const bem::Mesh& mesh, int e) {
 }  // namespace
 
 QuadMatrix::QuadMatrix(Index rows, Index columns)
-    : rows_(rows),
-      columns_(columns),
-      values_(static_cast<std::size_t>(rows * columns)),
-      scales_(static_cast<std::size_t>(rows * columns)) {}
+    : rows_(rows), columns_(columns), values_(rows * columns), scales_(rows * columns) {}
 
 void QuadMatrix::add(Index i, Index j, const Quad& value, const Quad& blockNorm) {
   values_[at(i, j)] += value;
@@ -264,29 +257,27 @@ void QuadMatrix::add(Index i, Index j, const Quad& value, const Quad& blockNorm)
 }
 
 std::vector<Quad> QuadMatrix::operator*(const std::vector<Quad>& x) const {
-  std::vector<Quad> result(static_cast<std::size_t>(rows_));
+  std::vector<Quad> result(rows_);
   for (Index i = 0; i < rows_; ++i)
     for (Index j = 0; j < columns_; ++j)
-      result[static_cast<std::size_t>(i)] +=
-          (*this)(i, j) * x[static_cast<std::size_t>(j)];
+      result[i] += (*this)(i, j) * x[j];
   return result;
 }
 
 std::vector<Segment> segments(const bem::Mesh& mesh) {
   std::vector<Segment> result;
-  result.reserve(static_cast<std::size_t>(mesh.size()));
+  result.reserve(mesh.size());
   for (int e = 0; e < mesh.size(); ++e)
     result.push_back({nodeOf(mesh, e), nodeOf(mesh, mesh[e].next)});
   return result;
 }
 
 std::vector<std::vector<Quad>> quadRigidMotions(const bem::Space& space) {
-  std::vector<std::vector<Quad>> motions(
-      3, std::vector<Quad>(static_cast<std::size_t>(space.displacements())));
+  std::vector<std::vector<Quad>> motions(3, std::vector<Quad>(space.displacements()));
   const std::vector<Segment> lines = segments(space.mesh());
   for (int e = 0; e < space.mesh().size(); ++e) {
-    const auto x = static_cast<std::size_t>(space.displacement(e, 0, 0));
-    const auto y = static_cast<std::size_t>(space.displacement(e, 0, 1));
+    const std::size_t x = space.displacement(e, 0, 0);
+    const std::size_t y = space.displacement(e, 0, 1);
     motions[0][x] = 1;
     motions[1][y] = 1;
     motions[2][x] = -lines[e].from.y;

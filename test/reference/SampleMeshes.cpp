@@ -44,8 +44,7 @@ Loop square() { return polygon(unitSquare); }
 Loop disc(int arcs, double radius) {
   Loop loop =
       arcs > 2 ? regularPolygon(arcs, radius) : polygon({{radius, 0}, {-radius, 0}});
-  loop.bulges.assign(static_cast<std::size_t>(arcs),
-                     std::tan(std::acos(-1.0) / (2 * arcs)));
+  loop.bulges.assign(arcs, std::tan(std::acos(-1.0) / (2 * arcs)));
   return loop;
 }
 

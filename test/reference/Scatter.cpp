@@ -16,7 +16,7 @@ Scatter::Scatter(const Space& space, const Lame& lame, const DenseAlgebra& algeb
       displacementRows_(algebra.myRows(space.displacements())),
       out_(out) {
   for (int k = 0; k <= largestDegree; ++k)
-    slopes_[static_cast<std::size_t>(k)] = DisplacementBasis::slope(k);
+    slopes_[k] = DisplacementBasis::slope(k);
 }
 
 void Scatter::add(int e, int f, const LaneMoments& m) const {
@@ -66,7 +66,7 @@ void Scatter::addDoubleLayer(int test, int source, const Moments& m) const {
     const Index row = space_.density(test, i, 0);
     for (int k = 0; k <= p; ++k) {
       const int j = k < 2 ? 0 : k - 1;  // φ_k' = slope P_j
-      const double slope = slopes_[static_cast<std::size_t>(k)];
+      const double slope = slopes_[k];
       double laplace = 0;  // ∫∫ P_i φ_k
       if (sameEdge)
         ;
@@ -103,7 +103,7 @@ void Scatter::addTurningAtEnds(int test, int source, const Kernel& turning) cons
     const int neighbour = k == 0 ? y.previous : y.next;
     if (mesh[neighbour].piece.edge == y.piece.edge)
       continue;
-    const double s = mesh[test].half * slopes_[static_cast<std::size_t>(k)];
+    const double s = mesh[test].half * slopes_[k];
     addBlock(out_.doubleLayer, densityRows_, row, space_.displacement(source, k, 0),
              {s * turning.xy, s * turning.yy, -s * turning.xx, -s * turning.xy});
   }
@@ -120,8 +120,7 @@ void Scatter::addHypersingular(int e, int i, int f, int j, const Kernel& v) cons
     for (int l = firstL; l <= lastL; ++l) {
       const Index row = space_.displacement(e, k, 0);
       const Index column = space_.displacement(f, l, 0);
-      double s =
-          slopes_[static_cast<std::size_t>(k)] * slopes_[static_cast<std::size_t>(l)];
+      double s = slopes_[k] * slopes_[l];
       if (e == f && row < column)
         continue;  // comes again with k and l exchanged
       if (e != f && row == column)

@@ -32,8 +32,10 @@ def compare(name, file, settings):
     states = [[(point["contact"], point["friction"]) for point in side] for side in (contact, met)]
     claim(states[0] == states[1], "%s: states of contact are the same" % name)
     steps = [sum(row["newton_iterations"] for row in rows) for rows in (dense, own)]
-    # from a start, full steps take the place of pivoting
-    claim(steps[1] <= 1.2 * steps[0], "%s: %d Newton steps, dense %d" % (name, steps[1], steps[0]))
+    # from a start, full steps take the place of pivoting; along a path, where the start is right
+    # but for a front, sweeps over D's entries settle that one and full steps do not
+    most = 1.3 if any("History" in setting for setting in settings) else 1.2
+    claim(steps[1] <= most * steps[0], "%s: %d Newton steps, dense %d" % (name, steps[1], steps[0]))
 
 
 os.makedirs(WORK, exist_ok=True)

@@ -9,6 +9,7 @@
 #include "contact/nox/ContactModel.hpp"
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/path/PathMemory.hpp"
+#include "contact/path/Prediction.hpp"
 
 #include <Thyra_VectorStdOps.hpp>
 
@@ -87,7 +88,7 @@ int run() {
       {{space, stiffness, lame, units, start[0], basis, stabilization}});
 
   contact::PathMemory memory(system);
-  contact::State state;
+  contact::Prediction prediction(system);
   std::vector<contact::Conditions> before = start;
   double along = 0;
   double velocity = 0.004;
@@ -106,12 +107,13 @@ int run() {
         contact::ProblemFamily(step.numbers(), step.gap(), last.numbers()),
         ContactModel::Options());
     if (k > 1)
-      good = good && residual(model, state, 0) < 1e-9;
-    state = solved(step.numbers(), state);
+      good = good && residual(model, prediction.last(), 0) < 1e-9;
+    const contact::State state = solved(step.numbers(), prediction.start(step));
     good = good && residual(model, state, 1) < 1e-9;
 
     const contact::Configuration at = step.configuration(state);
     memory.add(step, at);
+    prediction.add(step, state);
     good = good && memory.friction() >= work;
     work = memory.friction();
     const double force = forceOf(step, at, units);

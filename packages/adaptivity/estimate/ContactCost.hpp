@@ -1,6 +1,10 @@
 #pragma once
 
 #include "adaptivity/estimate/ContactTerms.hpp"
+#include "bem/simd/Pack.hpp"
+
+#include <array>
+#include <vector>
 
 namespace epafi::adaptivity {
 
@@ -22,37 +26,45 @@ class ContactCost {
 
   /// What of the cost corrections can change: the other terms without any, and the most
   /// that one at an end takes from h/p |λ̃ + S u|².
-  double scale() const {
-    return (*this)({}) +
-           weight_ / self_ *
-               (dot(moments_.start, moments_.start) + dot(moments_.end, moments_.end));
-  }
+  double scale() const { return scale_; }
 
   /// Along these a correction leaves some term as it is: pressure, shear, and the two in
   /// the ratio of friction; on an arc those of its middle.
   const std::vector<bem::Vec2>& directions() const { return directions_; }
 
  private:
-  struct Point {
-    bem::Vec2 normal;
-    double weight;
-    double start;  ///< e(-t)/half
-    double end;    ///< e(t)/half
-    double pressure;
-    double shear;
-    double opening;
-    double slip;
-    contact::PointLaw friction;
+  /// What stands at a point of the rule.  Ends: e(-t)/half and e(t)/half; Slack: (g-uₙ)⁺; Bound:
+  /// s where it does not follow the pressure.
+  enum Number {
+    NormalX,
+    NormalY,
+    Weight,
+    Start,
+    End,
+    Pressure,
+    Shear,
+    Slack,
+    Slip,
+    Bound,
+    Numbers
   };
+  /// Of eight points; those beyond the last have no weight.
+  using Eight = std::array<bem::AlignedLane, Numbers>;
+  struct Kernel;
+
+  void add(std::size_t q, const std::array<double, Numbers>& point);
 
   double size_;       ///< h/p
   double stiffness_;  ///< μ p/h
   double weight_;
   double self_;
   double other_;
+  double scale_;
   AtEnds moments_;
   Contributions factors_;
-  std::vector<Point> points_;
+  std::vector<Eight> points_;
+  std::vector<contact::PointLaw>
+      laws_;  ///< of the points, where they follow the pressure
   std::vector<bem::Vec2> directions_;
 };
 

@@ -7,20 +7,55 @@ namespace epafi::adaptivity {
 
 namespace {
 
-void addChanges(const bem::Profile& f, int degree, Vector& breaks) {
-  const Vector changes = bem::signChanges(f, degree);
-  breaks.insert(breaks.end(), changes.begin(), changes.end());
+/// The profiles' values at a point.
+struct Values {
+  double pressure;
+  double opening;
+  double shear;
+  double bound;
+  double slip;
+  double fineness;
+};
+
+Values valuesAt(const ContactProfiles& c, double t) {
+  return {c.pressure(t), c.opening(t),    c.shear(t),
+          c.bound(t),    c.tangential(t), c.fineness(t)};
 }
 
-Vector breaks(const ContactProfiles& c) {
+/// Where functions of the values change their signs; all look at the same samples, since a
+/// gap and a bound are the user's expressions.
+class Changes {
+ public:
+  explicit Changes(const ContactProfiles& profiles)
+      : profiles_(profiles), places_(bem::signSamples(profiles.highest)) {
+    for (const double t : places_)
+      samples_.push_back(valuesAt(profiles, t));
+  }
+
+  template <class Function>
+  void add(const Function& f, Vector& breaks) const {
+    Vector values;
+    for (const Values& sample : samples_)
+      values.push_back(f(sample));
+    const Vector changes = bem::signChanges(
+        [&](double t) { return f(valuesAt(profiles_, t)); }, places_, values);
+    breaks.insert(breaks.end(), changes.begin(), changes.end());
+  }
+
+ private:
+  const ContactProfiles& profiles_;
+  Vector places_;
+  std::vector<Values> samples_;
+};
+
+Vector breaks(const ContactProfiles& c, const Changes& changes) {
   Vector result = {-0.5, 0, 0.5};  // gap and bound are the user's and may bend anywhere
   result.insert(result.end(), c.nodes.begin(), c.nodes.end());
-  addChanges(c.pressure, c.degree, result);
-  addChanges(c.opening, c.highest, result);
-  addChanges(c.shear, c.degree, result);
-  addChanges(c.tangential, c.highest, result);
-  addChanges([&](double t) { return std::abs(c.shear(t)) - c.bound(t); }, c.degree,
-             result);
+  changes.add([](const Values& v) { return v.pressure; }, result);
+  changes.add([](const Values& v) { return v.opening; }, result);
+  changes.add([](const Values& v) { return v.shear; }, result);
+  changes.add([](const Values& v) { return v.slip; }, result);
+  changes.add([](const Values& v) { return std::abs(v.shear) - v.bound; }, result);
   return result;
 }
 
@@ -29,20 +64,23 @@ double unusedBound(double bound, double shear, double slip) {
   return bound - std::clamp(slip < 0 ? -shear : shear, -bound, bound);
 }
 
-/// Where lostWork bends: where it takes the whole force or the whole length.
-void addBends(const bem::Profile& force, const bem::Profile& length, double soft,
-              const bem::Profile& fineness, int degree, Vector& breaks) {
-  addChanges([&](double t) { return force(t) - 2 * soft * fineness(t) * length(t); },
-             degree, breaks);
-  addChanges([&](double t) { return 2 * force(t) - soft * length(t); }, degree, breaks);
-}
-
 Vector sharpBreaks(const ContactProfiles& c, double stiffness) {
-  Vector result = breaks(c);
-  addBends(c.pressure, c.opening, stiffness, c.fineness, c.highest, result);
-  addBends([&](double t) { return unusedBound(c.bound(t), c.shear(t), c.tangential(t)); },
-           [&](double t) { return std::abs(c.tangential(t)); }, stiffness, c.fineness,
-           c.highest, result);
+  const Changes changes(c);
+  Vector result = breaks(c, changes);
+  // where lostWork bends: where it takes the whole force or the whole length
+  const auto addBends = [&](const auto& force, const auto& length) {
+    changes.add(
+        [&](const Values& v) {
+          return force(v) - 2 * stiffness * v.fineness * length(v);
+        },
+        result);
+    changes.add([&](const Values& v) { return 2 * force(v) - stiffness * length(v); },
+                result);
+  };
+  addBends([](const Values& v) { return v.pressure; },
+           [](const Values& v) { return v.opening; });
+  addBends([](const Values& v) { return unusedBound(v.bound, v.shear, v.slip); },
+           [](const Values& v) { return std::abs(v.slip); });
   return result;
 }
 
@@ -133,7 +171,7 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
 namespace {
 
 /// Both kinds of terms; `complementarity` and `slip` are the densities of the first and
-/// the last: of pressure and opening, of bound, shear and slip.
+/// the last.
 template <class Complementarity, class Slip>
 Contributions terms(const ContactProfiles& c, const Vector& breaks,
                     const Complementarity& complementarity, const Slip& slip) {
@@ -141,23 +179,17 @@ Contributions terms(const ContactProfiles& c, const Vector& breaks,
   const double size = 2 * c.half / c.degree;  // h/p
   Contributions squares{};
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
-    const double t = rule.points[q];
+    const Values v = valuesAt(c, rule.points[q]);
     const double weight = c.half * rule.weights[q];
-    const double pressure = c.pressure(t);
-    const double opening = c.opening(t);
-    const double shear = c.shear(t);
-    const double bound = c.bound(t);
-    const double tension = positive(-pressure);
-    const double penetration = positive(-opening);
-    const double excess = positive(std::abs(shear) - bound);
-    const double fineness = c.fineness(t);
-    of(squares, Source::Complementarity) +=
-        weight * complementarity(positive(pressure), positive(opening), fineness);
+    const double tension = positive(-v.pressure);
+    const double penetration = positive(-v.opening);
+    const double excess = positive(std::abs(v.shear) - v.bound);
+    of(squares, Source::Complementarity) += weight * complementarity(v);
     of(squares, Source::Penetration) +=
-        weight * fineness / size * penetration * penetration;
+        weight * v.fineness / size * penetration * penetration;
     of(squares, Source::Tension) += weight * size * tension * tension;
     of(squares, Source::Bound) += weight * size * excess * excess;
-    of(squares, Source::Slip) += weight * slip(bound, shear, c.tangential(t), fineness);
+    of(squares, Source::Slip) += weight * slip(v);
   }
   return squares;
 }
@@ -182,11 +214,11 @@ Contributions contactTerms(const ContactProfiles& profiles) {
   if (profiles.tied)
     return jump(profiles);
   return terms(
-      profiles, breaks(profiles),
-      [](double pressure, double opening, double) { return pressure * opening; },
-      [](double bound, double shear, double slip, double) {
-        return positive(bound - std::abs(shear)) * std::abs(slip) +
-               2 * positive(-shear * slip);
+      profiles, breaks(profiles, Changes(profiles)),
+      [](const Values& v) { return positive(v.pressure) * positive(v.opening); },
+      [](const Values& v) {
+        return positive(v.bound - std::abs(v.shear)) * std::abs(v.slip) +
+               2 * positive(-v.shear * v.slip);
       });
 }
 
@@ -196,12 +228,13 @@ Contributions sharpContactTerms(const ContactProfiles& profiles, double shearMod
   const double stiffness = shearModulus * profiles.degree / (2 * profiles.half);
   return terms(
       profiles, sharpBreaks(profiles, stiffness),
-      [stiffness](double pressure, double opening, double fineness) {
-        return lostWork(pressure, opening, stiffness, fineness * stiffness);
+      [stiffness](const Values& v) {
+        return lostWork(positive(v.pressure), positive(v.opening), stiffness,
+                        v.fineness * stiffness);
       },
-      [stiffness](double bound, double shear, double slip, double fineness) {
-        return lostWork(unusedBound(bound, shear, slip), std::abs(slip), stiffness,
-                        fineness * stiffness);
+      [stiffness](const Values& v) {
+        return lostWork(unusedBound(v.bound, v.shear, v.slip), std::abs(v.slip),
+                        stiffness, v.fineness * stiffness);
       });
 }
 

@@ -60,13 +60,29 @@ void move(const Joint& joint, Vec2 change, std::vector<AtEnds>& factors) {
   }
 }
 
+/// Corrections of all contact elements, and what each costs.
+struct Corrections {
+  std::vector<AtEnds> factors;
+  std::vector<double> costs;
+  double total = 0;
+
+  Corrections(const std::vector<ContactCost>& elements, std::vector<AtEnds> all)
+      : factors(std::move(all)) {
+    for (std::size_t k = 0; k < elements.size(); ++k) {
+      costs.push_back(elements[k](factors[k]));
+      total += costs.back();
+    }
+  }
+};
+
 /// Changes of one joint, all others as they are.
 class Neighbourhood {
  public:
   Neighbourhood(const Joint& joint, const std::vector<ContactCost>& costs,
-                const std::vector<AtEnds>& factors)
-      : joint_(joint), costs_(costs), factors_(factors) {
+                const Corrections& now)
+      : joint_(joint), costs_(costs), factors_(now.factors) {
     if (joint.before != none) {
+      unchanged_ += now.costs[static_cast<std::size_t>(joint.before)];
       const ContactCost& cost = costAt(joint.before);
       slope_ = slope_ + cost.slope(factorsAt(joint.before)).end;
       curvature_ += cost.curvature();
@@ -74,6 +90,7 @@ class Neighbourhood {
       add(cost.directions());
     }
     if (joint.after != none) {
+      unchanged_ += now.costs[static_cast<std::size_t>(joint.after)];
       const ContactCost& cost = costAt(joint.after);
       slope_ = slope_ - cost.slope(factorsAt(joint.after)).start;
       curvature_ += cost.curvature();
@@ -97,6 +114,7 @@ class Neighbourhood {
     return sum;
   }
 
+  double unchanged() const { return unchanged_; }  ///< cost({})
   const std::vector<Vec2>& directions() const { return directions_; }
   /// The size of the costs that changes can do something about.
   double scale() const { return scale_; }
@@ -125,6 +143,7 @@ class Neighbourhood {
   Vec2 slope_;
   double curvature_ = 0;
   double scale_ = 0;
+  double unchanged_ = 0;
 };
 
 /// The best of some changes; the mean of those that are equally good, since a mirrored
@@ -164,7 +183,7 @@ struct Step {
 };
 
 Step bestStep(double reach, const Neighbourhood& around) {
-  Best best(around.cost({}), around.scale());
+  Best best(around.unchanged(), around.scale());
   double largest = 0;
   for (const Vec2 d : around.directions()) {
     const double whole = around.distance(d);
@@ -178,13 +197,6 @@ Step bestStep(double reach, const Neighbourhood& around) {
   return {best.change(), best.found() ? reach : 0.5 * reach};
 }
 
-double total(const std::vector<ContactCost>& costs, const std::vector<AtEnds>& factors) {
-  double sum = 0;
-  for (std::size_t k = 0; k < costs.size(); ++k)
-    sum += costs[k](factors[k]);
-  return sum;
-}
-
 }  // namespace
 
 std::vector<AtEnds> equivalentMultiplier(const bem::Mesh& mesh,
@@ -194,28 +206,26 @@ std::vector<AtEnds> equivalentMultiplier(const bem::Mesh& mesh,
   constexpr int sweeps = 40;
   constexpr double enough = 1e-3;  // of what has been gained; any result is as valid
   std::vector<Joint> joints = findJoints(mesh, conditions, elements);
-  std::vector<AtEnds> factors(elements.size());
-  const double start = total(costs, factors);
-  double least = start;
+  Corrections best(costs, std::vector<AtEnds>(elements.size()));
+  const double start = best.total;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     // All joints at once, so that their order does not show, and half the way: each cost
     // depends on two joints and is convex where pressure and shear keep their signs.
-    std::vector<AtEnds> next = factors;
+    std::vector<AtEnds> factors = best.factors;
     for (Joint& joint : joints) {
-      const Step step = bestStep(joint.reach, {joint, costs, factors});
+      const Step step = bestStep(joint.reach, {joint, costs, best});
       joint.reach = step.reach;
-      move(joint, 0.5 * step.change, next);
+      move(joint, 0.5 * step.change, factors);
     }
-    const double sum = total(costs, next);
-    if (!(sum < least))
+    Corrections next(costs, std::move(factors));
+    if (!(next.total < best.total))
       break;
-    const double gain = least - sum;
-    least = sum;
-    factors = std::move(next);
-    if (gain < enough * (start - least))
+    const double gain = best.total - next.total;
+    best = std::move(next);
+    if (gain < enough * (start - best.total))
       break;
   }
-  return factors;
+  return best.factors;
 }
 
 std::vector<AtEnds> agree(const std::vector<AtEnds>& factors,

@@ -1,7 +1,6 @@
 #include "adaptivity/mark/Doerfler.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace epafi::adaptivity {
 

@@ -164,7 +164,7 @@ PreparedMesh withTransitions(const SolvedMesh& level, const GradingOptions& opti
 Mark gradedMark(const bem::Mesh& mesh, int element, const SingularPoints& singular,
                 bool analytic, const GradingOptions& options) {
   const int degree = mesh[element].degree;
-  const std::vector<double>& changes = singular.inside[static_cast<std::size_t>(element)];
+  const std::vector<double>& changes = singular.inside[element];
   if (!changes.empty())
     return transitions().at(options.transitions).mark(changes, degree, options);
   const bool patient = analytic && degree < options.weakDegree;

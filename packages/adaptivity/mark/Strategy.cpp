@@ -14,7 +14,7 @@ using bem::Row;
 namespace {
 
 Marks all(const LevelData& level, const Mark& mark) {
-  return Marks(static_cast<std::size_t>(level.mesh.size()), mark);
+  return Marks(level.mesh.size(), mark);
 }
 
 Marks nothing(const LevelData& level) { return all(level, Mark::None); }
@@ -31,7 +31,7 @@ Marks raiseAll(const LevelData& level) {
 Marks bisectWorst(const LevelData& level) {
   Marks marks = nothing(level);
   for (const int e : level.worst)
-    marks[static_cast<std::size_t>(e)] = Mark::Bisect;
+    marks[e] = Mark::Bisect;
   return marks;
 }
 
@@ -39,9 +39,8 @@ Marks bisectWorst(const LevelData& level) {
 Marks refineWorst(const LevelData& level) {
   Marks marks = nothing(level);
   for (const int e : level.worst) {
-    const auto k = static_cast<std::size_t>(e);
-    const bool raise = level.analytic[k] && level.mesh[e].degree < bem::largestDegree;
-    marks[k] = raise ? Mark::RaiseDegree : Mark::Bisect;
+    const bool raise = level.analytic[e] && level.mesh[e].degree < bem::largestDegree;
+    marks[e] = raise ? Mark::RaiseDegree : Mark::Bisect;
   }
   return marks;
 }
@@ -52,13 +51,13 @@ Marks refineWorst(const LevelData& level) {
 Marks withNeighbours(const bem::Mesh& mesh, Marks marks) {
   constexpr int mostApart = 2;
   const auto follow = [&](int from, int e) {
-    Mark& mark = marks[static_cast<std::size_t>(e)];
+    Mark& mark = marks[e];
     if (mark == Mark::None && mesh[from].degree + 1 - mesh[e].degree > mostApart)
       mark = Mark::RaiseDegree;
   };
   const Marks chosen = marks;
   for (int e = 0; e < mesh.size(); ++e)
-    if (chosen[static_cast<std::size_t>(e)] == Mark::RaiseDegree) {
+    if (chosen[e] == Mark::RaiseDegree) {
       follow(e, mesh[e].previous);
       follow(e, mesh[e].next);
     }
@@ -68,9 +67,8 @@ Marks withNeighbours(const bem::Mesh& mesh, Marks marks) {
 Marks gradeWorst(const LevelData& level) {
   Marks marks = nothing(level);
   for (const int e : level.worst)
-    marks[static_cast<std::size_t>(e)] =
-        gradedMark(level.mesh, e, level.singular,
-                   level.analytic[static_cast<std::size_t>(e)], level.grading);
+    marks[e] =
+        gradedMark(level.mesh, e, level.singular, level.analytic[e], level.grading);
   return withNeighbours(level.mesh, std::move(marks));
 }
 
@@ -109,7 +107,7 @@ Marks decide(const Strategy& strategy, const LevelData& level,
     write(mark, numbers);
   // the counts first: other ranks may have made other marks
   const bem::Vector size = algebra.broadcast({static_cast<double>(numbers.size())});
-  numbers.resize(static_cast<std::size_t>(size.front()));
+  numbers.resize(size.front());
   const bem::Vector agreed = algebra.broadcast(std::move(numbers));
   Marks marks;
   for (const double* next = agreed.data(); next != agreed.data() + agreed.size();)

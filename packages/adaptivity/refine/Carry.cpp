@@ -4,8 +4,6 @@
 #include "bem/quadrature/Gauss.hpp"
 #include "contact/multiplier/Collocation.hpp"
 
-#include <algorithm>
-
 namespace epafi::adaptivity {
 
 namespace {
@@ -18,8 +16,7 @@ using ContactElement = MultiplierSpace::ContactElement;
 /// Coefficients element by element; where two elements share one, it is their mean.
 class Collection {
  public:
-  explicit Collection(Index size)
-      : sums_(static_cast<std::size_t>(size)), counts_(static_cast<std::size_t>(size)) {}
+  explicit Collection(Index size) : sums_(size), counts_(size) {}
 
   template <class Number>
   void add(const Vector& coefficients, contact::EndCoefficients ends,
@@ -28,8 +25,8 @@ class Collection {
     for (int i = 0; i <= degree; ++i) {
       if (!ContactElement::isOwn(ends, degree, i))
         continue;
-      const auto k = static_cast<std::size_t>(number(i));
-      sums_[k] += coefficients[static_cast<std::size_t>(i)];
+      const std::size_t k = number(i);
+      sums_[k] += coefficients[i];
       ++counts_[k];
     }
   }

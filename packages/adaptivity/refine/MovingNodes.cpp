@@ -44,28 +44,26 @@ std::vector<Position> movedNodes(const bem::Mesh& mesh, std::vector<bool> fixed,
   for (const bem::Element& element : mesh.elements())
     nodes.push_back(element.piece.start);
   for (const Move& move : moves) {
-    nodes[static_cast<std::size_t>(move.node)] = move.to;
-    fixed[static_cast<std::size_t>(move.node)] = true;
+    nodes[move.node] = move.to;
+    fixed[move.node] = true;
   }
   // from one fixed node to the next, or to the edge's end
   for (int first = 0; first < n;) {
     const int edge = mesh[first].piece.edge;
     int next = first + 1;
-    while (next < n && mesh[next].piece.edge == edge &&
-           !fixed[static_cast<std::size_t>(next)])
+    while (next < n && mesh[next].piece.edge == edge && !fixed[next])
       ++next;
     const Position a = mesh[first].piece.start;
     const Position b = mesh[next - 1].piece.end;
     const bool ends = next == n || mesh[next].piece.edge != edge;
-    const Position toA = nodes[static_cast<std::size_t>(first)];
-    const Position toB = ends ? b : nodes[static_cast<std::size_t>(next)];
+    const Position toA = nodes[first];
+    const Position toB = ends ? b : nodes[next];
     const bool moved = toA.fromStart != a.fromStart || toB.fromStart != b.fromStart;
     const double factor = distanceAlong(toA, toB) / distanceAlong(a, b);
     for (int node = first + 1; moved && node < next; ++node) {
       const Position old = mesh[node].piece.start;
-      nodes[static_cast<std::size_t>(node)] = {
-          toA.fromStart + factor * (old.fromStart - a.fromStart),
-          toB.toEnd + factor * (old.toEnd - b.toEnd)};
+      nodes[node] = {toA.fromStart + factor * (old.fromStart - a.fromStart),
+                     toB.toEnd + factor * (old.toEnd - b.toEnd)};
     }
     first = next;
   }
@@ -78,7 +76,7 @@ std::vector<bem::Piece> movedPieces(const bem::Mesh& mesh, const std::vector<boo
   std::vector<bem::Piece> pieces;
   for (int e = 0; e < mesh.size(); ++e) {
     bem::Piece piece = mesh[e].piece;
-    piece.start = nodes[static_cast<std::size_t>(e)];
+    piece.start = nodes[e];
     if (mesh[mesh[e].next].piece.edge == piece.edge && mesh[e].next == e + 1)
       piece.end = nodes[static_cast<std::size_t>(e) + 1];
     pieces.push_back(piece);
@@ -92,7 +90,7 @@ bool fits(const bem::Mesh& mesh, const std::vector<bool>& held,
   constexpr double most = 4;
   const std::vector<bem::Piece> pieces = movedPieces(mesh, held, moves);
   for (int e = 0; e < mesh.size(); ++e) {
-    const bem::Piece& piece = pieces[static_cast<std::size_t>(e)];
+    const bem::Piece& piece = pieces[e];
     const double factor = distanceAlong(piece.start, piece.end) / length(mesh[e]);
     if (!(factor > 1 / most && factor < most))
       return false;
@@ -104,10 +102,10 @@ bool fits(const bem::Mesh& mesh, const std::vector<bool>& held,
 
 std::vector<bool> heldNodes(const bem::Mesh& mesh, const bem::Mesh& coarse) {
   constexpr double tolerance = 1e-12;
-  std::vector<bool> held(static_cast<std::size_t>(mesh.size()));
+  std::vector<bool> held(mesh.size());
   for (int node = 0; node < mesh.size(); ++node) {
     const bem::Piece& piece = mesh[node].piece;
-    held[static_cast<std::size_t>(node)] = std::any_of(
+    held[node] = std::any_of(
         coarse.elements().begin(), coarse.elements().end(), [&](const bem::Element& e) {
           return e.piece.edge == piece.edge &&
                  std::abs(distanceAlong(e.piece.start, piece.start)) <=
@@ -129,8 +127,7 @@ std::vector<Move> chooseMoves(const bem::Mesh& mesh, const std::vector<bool>& he
     int best = -1;
     double size = std::numeric_limits<double>::infinity();
     for (int node = 0; node < mesh.size(); ++node) {
-      const bool free = mesh[node].piece.edge == transition.edge &&
-                        !held[static_cast<std::size_t>(node)];
+      const bool free = mesh[node].piece.edge == transition.edge && !held[node];
       if (!free || std::abs(startOf(mesh, node) - transition.place) > radius)
         continue;
       if (neighbourhood(mesh, node) < size) {
@@ -160,7 +157,7 @@ std::vector<Move> agree(const std::vector<Move>& moves,
     numbers.insert(numbers.end(),
                    {static_cast<double>(move.node), move.to.fromStart, move.to.toEnd});
   const bem::Vector size = algebra.broadcast({static_cast<double>(numbers.size())});
-  numbers.resize(static_cast<std::size_t>(size.front()));
+  numbers.resize(size.front());
   numbers = algebra.broadcast(std::move(numbers));
   std::vector<Move> agreed;
   for (std::size_t k = 0; k < numbers.size(); k += 3)

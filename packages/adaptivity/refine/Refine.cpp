@@ -29,7 +29,7 @@ Pieces cut(const bem::Mesh& mesh, const Marks& marks) {
   Pieces result;
   for (int e = 0; e < mesh.size(); ++e) {
     const bem::Piece piece = mesh[e].piece;
-    const Mark& mark = marks[static_cast<std::size_t>(e)];
+    const Mark& mark = marks[e];
     const int p = piece.degree;
     switch (mark.kind()) {
       case Mark::None:

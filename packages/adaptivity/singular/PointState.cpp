@@ -7,14 +7,12 @@ PointState pointState(const contact::MultiplierSpace& multiplier,
                       const contact::ContactState& states) {
   if (element.ties())
     return {contact::NormalState::Closed, contact::FrictionState::Stick};
-  PointState state{states.normal[static_cast<std::size_t>(element.normalOf(i))],
-                   contact::FrictionState::None};
+  PointState state{states.normal[element.normalOf(i)], contact::FrictionState::None};
   const bool idle = state.normal == contact::NormalState::Open &&
                     element.condition->friction &&
                     element.condition->friction.law->dependsOnPressure();
   if (element.tangential >= 0 && !idle)
-    state.friction = states.tangential[static_cast<std::size_t>(element.tangentialOf(i) -
-                                                                multiplier.normals())];
+    state.friction = states.tangential[element.tangentialOf(i) - multiplier.normals()];
   return state;
 }
 

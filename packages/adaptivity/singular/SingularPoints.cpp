@@ -29,7 +29,7 @@ Singularity fromConditions(const bem::Mesh& mesh, int e,
 SingularPoints findSingularPoints(const bem::Mesh& mesh,
                                   const contact::Conditions& conditions) {
   SingularPoints points;
-  points.inside.resize(static_cast<std::size_t>(mesh.size()));
+  points.inside.resize(mesh.size());
   for (int e = 0; e < mesh.size(); ++e)
     points.nodes.push_back(fromConditions(mesh, e, conditions));
   return points;
@@ -41,25 +41,21 @@ SingularPoints findSingularPoints(const bem::Mesh& mesh,
                                   const contact::ContactState& states) {
   SingularPoints points = findSingularPoints(mesh, conditions);
 
-  std::vector<const contact::MultiplierSpace::ContactElement*> elementOf(
-      static_cast<std::size_t>(mesh.size()), nullptr);
+  std::vector<const contact::MultiplierSpace::ContactElement*> elementOf(mesh.size(),
+                                                                         nullptr);
   for (const auto& element : multiplier.elements())
-    elementOf[static_cast<std::size_t>(element.element)] = &element;
+    elementOf[element.element] = &element;
   for (const auto& element : multiplier.elements()) {
-    const auto e = static_cast<std::size_t>(element.element);
     const auto places = multiplier.basis().places(element.degree);
     const auto stateAt = [&](const auto& where, int i) {
       return pointState(multiplier, where, i, states);
     };
-    const auto* before =
-        elementOf[static_cast<std::size_t>(mesh[element.element].previous)];
+    const auto* before = elementOf[mesh[element.element].previous];
     if (before != nullptr && stateAt(*before, before->degree) != stateAt(element, 0))
-      points.nodes[static_cast<std::size_t>(mesh[element.element].startNode)] =
-          Singularity::Strong;
+      points.nodes[mesh[element.element].startNode] = Singularity::Strong;
     for (int i = 0; i < element.degree; ++i)
       if (stateAt(element, i) != stateAt(element, i + 1))
-        points.inside[e].push_back(0.5 * (places[static_cast<std::size_t>(i)] +
-                                          places[static_cast<std::size_t>(i + 1)]));
+        points.inside[element.element].push_back(0.5 * (places[i] + places[i + 1]));
   }
   return points;
 }

@@ -25,7 +25,7 @@ struct SingularPoints {
 
   Singularity at(const bem::Mesh& mesh, int element, bool end) const {
     const bem::Element& e = mesh[element];
-    return nodes[static_cast<std::size_t>(end ? e.endNode : e.startNode)];
+    return nodes[end ? e.endNode : e.startNode];
   }
 };
 

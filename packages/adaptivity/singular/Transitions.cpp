@@ -59,7 +59,7 @@ std::vector<Point> coefficientPlaces(const bem::Mesh& mesh,
   for (const ContactElement& element : multiplier.elements()) {
     const auto places = multiplier.basis().places(element.degree);
     for (int i = 0; i <= element.degree; ++i) {
-      const double t = places[static_cast<std::size_t>(i)];
+      const double t = places[i];
       points.push_back({&element, t, placeAt(mesh, element.element, t),
                         pointState(multiplier, element, i, states)});
     }
@@ -241,12 +241,11 @@ SingularPoints unexplained(const bem::Mesh& mesh, const contact::Conditions& con
       changed += places.changes(k, respect) ? 1 : 0;
     if (changed > 0 && changed == explained[k])
       continue;
-    const auto e = static_cast<std::size_t>(places.number(k));
+    const std::size_t e = places.number(k);
     if (places.number(k) == places.number(k + 1))
       points.inside[e].push_back(0.5 * (places[k].t + places[k + 1].t));
     else
-      points.nodes[static_cast<std::size_t>(mesh[places.number(k)].endNode)] =
-          Singularity::Strong;
+      points.nodes[mesh[places.number(k)].endNode] = Singularity::Strong;
   }
   return points;
 }
@@ -291,11 +290,11 @@ SingularPoints placeOn(const bem::Mesh& mesh, const LocatedTransitions& located)
           (transition.place - element.piece.start.fromStart) / element.half - 1;
       if (element.piece.edge != transition.edge || t < -1 || t >= 1)
         continue;
-      std::vector<double>& inside = points.inside[static_cast<std::size_t>(e)];
+      std::vector<double>& inside = points.inside[e];
       if (1 + t < 2 * close)
-        points.nodes[static_cast<std::size_t>(element.startNode)] = Singularity::Strong;
+        points.nodes[element.startNode] = Singularity::Strong;
       else if (1 - t < 2 * close)
-        points.nodes[static_cast<std::size_t>(element.endNode)] = Singularity::Strong;
+        points.nodes[element.endNode] = Singularity::Strong;
       else if (std::none_of(inside.begin(), inside.end(), [t](double other) {
                  return std::abs(t - other) < 2 * close;
                }))

@@ -2,8 +2,6 @@
 
 #include "bem/simd/Dispatch.hpp"
 
-#include <algorithm>
-
 // Compiled without contraction: a fused sum would not be the one whose error is taken.
 
 namespace epafi::bem {

@@ -108,9 +108,8 @@ std::unique_ptr<CholeskyFactor> LapackAlgebra::cholesky(Matrix lower,
   if (n > 0)
     dpotrf_("L", &n, lower.data(), &ld, &info);
   if (info != 0)
-    throw NumericalError(message(name,
-                                 " is not positive definite: Cholesky's factorisation ",
-                                 "breaks down in row ", info, " of ", n));
+    throw NumericalError(name, " is not positive definite: Cholesky's factorisation ",
+                         "breaks down in row ", info, " of ", n);
   return std::make_unique<LapackFactor>(std::move(lower));
 }
 
@@ -156,7 +155,7 @@ Matrix LapackAlgebra::addTransposeTimes(Matrix c, const Matrix& x,
 }
 
 Vector LapackAlgebra::multiply(const Matrix& a, Index n, const Vector& x) const {
-  Vector y(static_cast<std::size_t>(n));
+  Vector y(n);
   const int rows = asInt(a.rows());
   const int columns = asInt(a.columns());
   const int ld = asInt(a.stride());

@@ -25,7 +25,7 @@ class Family {
   /// \throws InputError if there is a member of this name.
   void add(Member member) {
     if (find(member.name) != nullptr)
-      throw InputError(message(kind_, " '", member.name, "' exists already"));
+      throw InputError(kind_, " '", member.name, "' exists already");
     members_.push_back(std::move(member));
   }
 
@@ -37,7 +37,7 @@ class Family {
     std::string known;
     for (const Member& other : members_)
       known += (known.empty() ? "'" : ", '") + std::string(other.name) + "'";
-    throw InputError(message(kind_, " '", name, "'; known: ", known));
+    throw InputError(kind_, " '", name, "'; known: ", known);
   }
 
   std::vector<std::string> names() const {

@@ -22,11 +22,11 @@ Matrix LowerTriangle::unpacked() const {
 }
 
 Vector LowerTriangle::times(const Vector& x) const {
-  Vector y(static_cast<std::size_t>(size_));
+  Vector y(size_);
   for (Index j = 0; j < rows_.end; ++j) {
     const double* a = column(j);
     Index first = firstRow(j);
-    const double xj = x[static_cast<std::size_t>(j)];
+    const double xj = x[j];
     double sum = first == j ? *a++ * xj : 0;
     first += first == j ? 1 : 0;
     const double* below = x.data() + first;
@@ -37,7 +37,7 @@ Vector LowerTriangle::times(const Vector& x) const {
       sum += a[i] * below[i];
       mine[i] += a[i] * xj;
     }
-    y[static_cast<std::size_t>(j)] += sum;
+    y[j] += sum;
   }
   return y;
 }

@@ -8,7 +8,7 @@ namespace epafi::bem {
 
 Lame::Lame(const Material& material, double stress) : nu(material.poissonsRatio) {
   if (!(nu > -1 && nu <= 0.5))
-    throw InputError(message("Poisson's Ratio = ", nu, " must lie in (-1, 1/2]"));
+    throw InputError("Poisson's Ratio = ", nu, " must lie in (-1, 1/2]");
   mu = material.youngsModulus / stress / (2 * (1 + nu));  // in both plane states
   if (material.planeStress)
     nu = nu / (1 + nu);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 namespace epafi::bem {
 
 /// A linear elastic, isotropic, homogeneous material in the plane.

@@ -28,7 +28,7 @@ Enum named(const Named<Enum> (&table)[N], const std::string& name) {
   for (const Named<Enum>& row : table)
     if (name == row.name)
       return row.value;
-  throw InputError(message("'", name, "' is none of the words for it"));
+  throw InputError("'", name, "' is none of the words for it");
 }
 
 }  // namespace epafi::bem

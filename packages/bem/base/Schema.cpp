@@ -1,14 +1,13 @@
 #include "bem/base/Schema.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/base/SchemaValue.hpp"
 #include "bem/base/Suggestion.hpp"
 
-#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
-#include <Teuchos_TwoDArray.hpp>
 
 #include <algorithm>
-#include <cmath>
+#include <cstring>
 
 namespace epafi::bem {
 
@@ -16,12 +15,6 @@ namespace {
 
 using Teuchos::ParameterEntry;
 using Teuchos::ParameterList;
-
-const std::string arrow = "->";
-
-std::string join(const std::string& path, const std::string& name) {
-  return path.empty() ? name : path + arrow + name;
-}
 
 bool isAnyName(const std::string& pattern) { return pattern.front() == '<'; }
 
@@ -57,216 +50,6 @@ const SchemaRow* find(const std::vector<const SchemaRow*>& rows,
     if (matches(row->name(), name))
       return row;
   return nullptr;
-}
-
-std::string describe(const ParameterEntry& entry) {
-  if (entry.isList())
-    return "a sublist";
-  const std::string type = entry.getAny(false).typeName();
-  return entry.isType<std::string>()
-             ? "the string '" + Teuchos::getValue<std::string>(entry) + "'"
-             : "of type " + type;
-}
-
-std::string wanted(Kind kind) {
-  switch (kind) {
-    case Kind::Real:
-      return "a number (double)";
-    case Kind::Whole:
-      return "a whole number (int)";
-    case Kind::Flag:
-      return "true or false (bool)";
-    case Kind::Expression:
-      return "an expression (string)";
-    case Kind::Reals:
-      return "a list of numbers (Array(double))";
-    case Kind::Points:
-      return "a table n x 2 of numbers (TwoDArray(double))";
-    default:
-      return typeName(kind);
-  }
-}
-
-template <class T>
-bool holds(const ParameterEntry& entry) {
-  return !entry.isList() && entry.isType<T>();
-}
-
-template <class T>
-const T& value(const ParameterEntry& entry) {
-  return Teuchos::getValue<T>(entry);
-}
-
-ParameterEntry points(const ParameterEntry& entry) {
-  if (holds<Teuchos::TwoDArray<double>>(entry))
-    return entry;
-  const auto& whole = value<Teuchos::TwoDArray<int>>(entry);
-  Teuchos::TwoDArray<double> table(whole.getNumRows(), whole.getNumCols());
-  for (int i = 0; i < whole.getNumRows(); ++i)
-    for (int j = 0; j < whole.getNumCols(); ++j)
-      table(i, j) = whole(i, j);
-  return ParameterEntry(table);
-}
-
-template <class T>
-Teuchos::RCP<ParameterEntry> kept(const T& v) {
-  return Teuchos::rcp(new ParameterEntry(v));
-}
-
-template <class T>
-Teuchos::RCP<ParameterEntry> keptIf(const ParameterEntry& entry) {
-  return holds<T>(entry) ? kept(value<T>(entry)) : Teuchos::null;
-}
-
-Teuchos::RCP<ParameterEntry> asReal(const ParameterEntry& entry) {
-  if (holds<int>(entry))
-    return kept(static_cast<double>(value<int>(entry)));
-  if (holds<long long>(entry))
-    return kept(static_cast<double>(value<long long>(entry)));
-  return keptIf<double>(entry);
-}
-
-Teuchos::RCP<ParameterEntry> asExpression(const ParameterEntry& entry) {
-  if (holds<int>(entry))
-    return kept(std::to_string(value<int>(entry)));
-  if (holds<long long>(entry))
-    return kept(std::to_string(value<long long>(entry)));
-  if (holds<double>(entry))
-    return kept(shortest(value<double>(entry)));
-  return keptIf<std::string>(entry);
-}
-
-Teuchos::RCP<ParameterEntry> asCounts(const ParameterEntry& entry) {
-  if (holds<int>(entry))
-    return kept(Teuchos::Array<int>(1, value<int>(entry)));
-  return keptIf<Teuchos::Array<int>>(entry);
-}
-
-Teuchos::RCP<ParameterEntry> asReals(const ParameterEntry& entry) {
-  if (holds<Teuchos::Array<int>>(entry)) {
-    const auto& whole = value<Teuchos::Array<int>>(entry);
-    return kept(Teuchos::Array<double>(whole.begin(), whole.end()));
-  }
-  const Teuchos::RCP<ParameterEntry> one = asReal(entry);
-  if (!one.is_null())
-    return kept(Teuchos::Array<double>(1, value<double>(*one)));
-  return keptIf<Teuchos::Array<double>>(entry);
-}
-
-/// The same value in the type that the kind is kept as; null if that is not possible.
-Teuchos::RCP<ParameterEntry> converted(const ParameterEntry& entry, Kind kind) {
-  switch (kind) {
-    case Kind::Real:
-      return asReal(entry);
-    case Kind::Whole:
-      return keptIf<int>(entry);
-    case Kind::Flag:
-      return keptIf<bool>(entry);
-    case Kind::Expression:
-      return asExpression(entry);
-    case Kind::Text:
-      return keptIf<std::string>(entry);
-    case Kind::Names:
-      return keptIf<Teuchos::Array<std::string>>(entry);
-    case Kind::Counts:
-      return asCounts(entry);
-    case Kind::Reals:
-      return asReals(entry);
-    case Kind::Points:
-      return holds<Teuchos::TwoDArray<double>>(entry) ||
-                     holds<Teuchos::TwoDArray<int>>(entry)
-                 ? Teuchos::rcp(new ParameterEntry(points(entry)))
-                 : Teuchos::null;
-    case Kind::List:
-    case Kind::Free:
-      break;
-  }
-  return Teuchos::null;
-}
-
-/// The numbers of an entry: one, or those of an array; empty if it holds none.
-std::vector<double> numbersOf(const ParameterEntry& entry) {
-  if (entry.isType<double>())
-    return {Teuchos::getValue<double>(entry)};
-  if (entry.isType<int>())
-    return {static_cast<double>(Teuchos::getValue<int>(entry))};
-  if (entry.isType<Teuchos::Array<int>>()) {
-    const auto& array = Teuchos::getValue<Teuchos::Array<int>>(entry);
-    return {array.begin(), array.end()};
-  }
-  if (entry.isType<Teuchos::Array<double>>()) {
-    const auto& array = Teuchos::getValue<Teuchos::Array<double>>(entry);
-    return {array.begin(), array.end()};
-  }
-  return {};
-}
-
-std::vector<std::string> stringsOf(const ParameterEntry& entry) {
-  if (entry.isType<std::string>())
-    return {Teuchos::getValue<std::string>(entry)};
-  if (entry.isType<Teuchos::Array<std::string>>()) {
-    const auto& array = Teuchos::getValue<Teuchos::Array<std::string>>(entry);
-    return {array.begin(), array.end()};
-  }
-  return {};
-}
-
-void checkWithin(const Interval& interval, const ParameterEntry& entry,
-                 const std::string& place) {
-  for (const double number : numbersOf(entry))
-    if (!interval.contains(number) || !std::isfinite(number))
-      throw InputError(
-          message(place, " = ", shortest(number), "; allowed: ", interval.text()));
-}
-
-void checkOneOf(const std::vector<std::string>& names, const ParameterEntry& entry,
-                const std::string& place) {
-  for (const std::string& text : stringsOf(entry))
-    if (std::find(names.begin(), names.end(), text) == names.end())
-      throw InputError(message(place, " = '", text, "'; did you mean '",
-                               nearest(text, names), "'? allowed: ", quotedList(names)));
-}
-
-void checkRange(const ParameterEntry& entry, const SchemaRow& row,
-                const std::string& name, const std::string& path) {
-  if (!row.allowed.empty())
-    checkOneOf(row.allowed, entry, join(path, name));
-  else
-    checkWithin(row.interval, entry, join(path, name));
-  if (row.kind == Kind::Points &&
-      value<Teuchos::TwoDArray<double>>(entry).getNumCols() != 2)
-    throw InputError(
-        message(join(path, name), ": a point has 2 coordinates, the table has ",
-                value<Teuchos::TwoDArray<double>>(entry).getNumCols(), " columns"));
-}
-
-/// A row's default, marked as one; the row must have one.
-ParameterEntry standardOf(const SchemaRow& row) {
-  switch (row.kind) {
-    case Kind::Real:
-      return ParameterEntry(std::stod(row.standard), true);
-    case Kind::Whole:
-      return ParameterEntry(std::stoi(row.standard), true);
-    case Kind::Flag:
-      return ParameterEntry(row.standard == "true", true);
-    default:
-      return ParameterEntry(row.standard, true);
-  }
-}
-
-ParameterEntry checked(const ParameterEntry& entry, const SchemaRow& row,
-                       const std::string& name, const std::string& path) {
-  const Teuchos::RCP<ParameterEntry> result = converted(entry, row.kind);
-  if (result.is_null())
-    throw InputError(message(join(path, name), ": is ", describe(entry),
-                             ", wanted: ", wanted(row.kind)));
-  checkRange(*result, row, name, path);
-  // a default that used.xml tells apart from what the user wrote remains one
-  const Teuchos::any& given = result->getAny(false);
-  if (entry.isDefault() && !row.standard.empty() &&
-      given == standardOf(row).getAny(false))
-    result->setAnyValue(given, true);
-  return *result;
 }
 
 /// One level of the list against the rows under one pattern.
@@ -305,7 +88,7 @@ class Level {
     std::vector<std::string> known;
     for (const SchemaRow* row : rows_)
       known.push_back(example(row->name()));
-    throw InputError(message(join(path_, name), ": unknown", suggestion(name, known)));
+    throw InputError(join(path_, name), ": unknown", suggestion(name, known));
   }
 
   /// The sibling whose value decides which keys exist.
@@ -332,21 +115,21 @@ class Level {
       if (active(*other, result))
         known.push_back(example(other->name()));
     const std::string key = selector()->name();
-    throw InputError(message(
-        join(path_, name), ": belongs to ", key, " ", quotedList(row.only), ", but ", key,
-        " is '", result.get<std::string>(key), "'; known here: ", quotedList(known)));
+    throw InputError(join(path_, name), ": belongs to ", key, " ", quotedList(row.only),
+                     ", but ", key, " is '", result.get<std::string>(key),
+                     "'; known here: ", quotedList(known));
   }
 
   void take(const SchemaRow& row, const std::string& name, const ParameterEntry& entry,
             ParameterList& result) const {
     if (row.kind != Kind::List && row.kind != Kind::Free) {
-      result.setEntry(name, checked(entry, row, name, path_));
+      result.setEntry(name, checked(entry, row, join(path_, name)));
       return;
     }
     if (!entry.isList())
-      throw InputError(message(join(path_, name), ": is ", describe(entry),
-                               ", wanted: a sublist (ParameterList)"));
-    const auto& sublist = value<ParameterList>(entry);
+      throw InputError(join(path_, name), ": is ", describe(entry),
+                       ", wanted: a sublist (ParameterList)");
+    const auto& sublist = Teuchos::getValue<ParameterList>(entry);
     if (row.kind == Kind::Free)
       result.sublist(name).setParameters(sublist);
     else
@@ -355,8 +138,8 @@ class Level {
 
   void fill(const SchemaRow& row, ParameterList& result) const {
     if (row.required)
-      throw InputError(message(join(path_, row.name()), ": missing; ", row.meaning,
-                               row.range().empty() ? "" : ", " + row.range()));
+      throw InputError(join(path_, row.name()), ": missing; ", row.meaning,
+                       row.range().empty() ? "" : ", " + row.range());
     if (row.kind == Kind::List && !isAnyName(row.name()))
       Level(table_, ParameterList(), row.path, join(path_, row.name()))
           .complete(result.sublist(row.name()));
@@ -386,11 +169,11 @@ const SchemaRow& declared(const SchemaRows& table, const std::string& path) {
       known.reserve(rows.size());
       for (const SchemaRow* other : rows)
         known.push_back(example(other->name()));
-      throw InputError(message(join(walked, name), ": unknown", suggestion(name, known)));
+      throw InputError(join(walked, name), ": unknown", suggestion(name, known));
     }
     pattern = row->path;
     walked = join(walked, name);
-    at = end + arrow.size();
+    at = end + std::strlen(arrow);
   }
   return *row;
 }

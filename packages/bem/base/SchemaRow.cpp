@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 
 namespace epafi::bem {
 
@@ -26,36 +27,26 @@ std::string Interval::text() const {
   return message("in ", lowOpen ? "(" : "[", low, ", ", high, highOpen ? ")" : "]");
 }
 
-namespace {
+const KindText& textOf(Kind kind) {
+  static constexpr KindText table[] = {
+      // in the order of Kind
+      {"double", "a number (double)", "0.25"},
+      {"int", "a whole number (int)", "0"},
+      {"bool", "true or false (bool)", "0"},
+      {"string", "string", "0"},
+      {"string", "an expression (string)", "0"},
+      {"Array(string)", "Array(string)", "{bottom, right, left}"},
+      {"Array(int)", "Array(int)", "{1, 1, 1}"},
+      {"Array(double)", "a list of numbers (Array(double))", "{0, 0, 0.5}"},
+      {"TwoDArray(double)", "a table n x 2 of numbers (TwoDArray(double))",
+       "3x2:{0, 0, 1, 0, 0, 1}"},
+      {"ParameterList", "ParameterList", ""},
+      {"ParameterList", "ParameterList", ""}};
+  return table[static_cast<std::size_t>(kind)];
+}
 
-const std::string arrow = "->";
-
-}  // namespace
-
-std::string typeName(Kind kind) {
-  switch (kind) {
-    case Kind::Real:
-      return "double";
-    case Kind::Whole:
-      return "int";
-    case Kind::Flag:
-      return "bool";
-    case Kind::Text:
-    case Kind::Expression:
-      return "string";
-    case Kind::Names:
-      return "Array(string)";
-    case Kind::Counts:
-      return "Array(int)";
-    case Kind::Reals:
-      return "Array(double)";
-    case Kind::Points:
-      return "TwoDArray(double)";
-    case Kind::List:
-    case Kind::Free:
-      break;
-  }
-  return "ParameterList";
+std::string join(const std::string& path, const std::string& name) {
+  return path.empty() ? name : path + arrow + name;
 }
 
 std::string shortest(double value) {
@@ -71,7 +62,7 @@ std::string SchemaRow::parent() const {
 
 std::string SchemaRow::name() const {
   const auto at = path.rfind(arrow);
-  return at == std::string::npos ? path : path.substr(at + arrow.size());
+  return at == std::string::npos ? path : path.substr(at + std::strlen(arrow));
 }
 
 std::string SchemaRow::range() const {
@@ -94,8 +85,7 @@ std::vector<const SchemaRow*> childrenOf(const SchemaRows& table,
 
 void append(SchemaRows& table, const SchemaRows& rows, const std::string& parent) {
   for (SchemaRow row : rows) {
-    if (!parent.empty())
-      row.path = parent + arrow + row.path;
+    row.path = join(parent, row.path);
     const auto other =
         std::find_if(table.begin(), table.end(),
                      [&row](const SchemaRow& known) { return known.path == row.path; });
@@ -106,7 +96,7 @@ void append(SchemaRows& table, const SchemaRows& rows, const std::string& parent
     if (other->only.empty() || row.only.empty() || other->kind != row.kind ||
         other->unit != row.unit || other->standard != row.standard ||
         other->required != row.required || other->range() != row.range())
-      throw InputError(message(row.path, ": two keys of this name that differ"));
+      throw InputError(row.path, ": two keys of this name that differ");
     if (other->meaning != row.meaning)
       other->meaning += "; " + quotedList(row.only) + ": " + row.meaning;
     other->only.insert(other->only.end(), row.only.begin(), row.only.end());

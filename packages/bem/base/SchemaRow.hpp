@@ -2,7 +2,6 @@
 
 #include <limits>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace epafi::bem {
@@ -41,8 +40,18 @@ enum class Kind {
   Free         ///< a sublist that is handed on unread
 };
 
-/// The Teuchos type that a kind is kept as: "double", "Array(int)", "ParameterList", ...
-std::string typeName(Kind kind);
+/// What a kind is called.
+struct KindText {
+  const char* type;    ///< of Teuchos that it is kept as: "double", "Array(int)", ...
+  const char* wanted;  ///< in messages
+  const char* sample;  ///< a value, for keys that have no default
+};
+const KindText& textOf(Kind kind);
+
+/// Between the names of a path.
+inline constexpr char arrow[] = "->";
+/// A->B->Key from A->B and Key; Key alone if the path is empty.
+std::string join(const std::string& path, const std::string& name);
 
 /// One key of a part's list: what Teuchos' valid parameters say and what they cannot, the
 /// unit, whether it is required, under which siblings it exists.

@@ -12,7 +12,7 @@ double DisplacementBasis::slope(int k) {
       table[i] = std::sqrt((2 * static_cast<double>(i) - 1) / 2);
     return table;
   }();
-  return slopes[static_cast<std::size_t>(k)];
+  return slopes[k];
 }
 
 void DisplacementBasis::values(int degree, double t, double* values) {

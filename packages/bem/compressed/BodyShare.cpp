@@ -9,15 +9,15 @@ namespace {
 /// Where unknowns stand in a list, -1: nowhere.
 class Places {
  public:
-  explicit Places(Index unknowns) : places_(at(unknowns), -1) {}
+  explicit Places(Index unknowns) : places_(unknowns, -1) {}
 
-  Index operator[](Index unknown) const { return places_[at(unknown)]; }
+  Index operator[](Index unknown) const { return places_[unknown]; }
   void set(const std::vector<Index>& list) {
     for (const Index i : listed_)
-      places_[at(i)] = -1;
+      places_[i] = -1;
     listed_ = list;
     for (std::size_t i = 0; i < list.size(); ++i)
-      places_[at(list[i])] = static_cast<Index>(i);
+      places_[list[i]] = static_cast<Index>(i);
   }
 
  private:
@@ -39,7 +39,7 @@ Interpolation joinedWeights(const std::vector<BodyShare>& shares, std::size_t c,
   for (const BodyShare& share : shares) {
     const ClusterPart& part = share.parts[c];
     const auto placeOf = [&](Index own) {
-      return places[share.numbers[at(part.active[at(own)])]];
+      return places[share.numbers[part.active[own]]];
     };
     for (std::size_t j = 0; j < part.weights.rest.size(); ++j)
       rest.push_back({placeOf(part.weights.rest[j]),
@@ -59,69 +59,100 @@ Interpolation joinedWeights(const std::vector<BodyShare>& shares, std::size_t c,
   return result;
 }
 
+/// What all clusters have, from the leaves up.
+class Joining {
+ public:
+  Joining(std::vector<BodyShare> shares, const std::vector<LocalCoupling::Entry>& between,
+          const ClusterTree& tree, Index unknowns)
+      : shares_(std::move(shares)),
+        added_(unknowns),
+        tree_(tree),
+        places_(unknowns),
+        parts_(tree.size()) {
+    for (const LocalCoupling::Entry& entry : between) {
+      added_[entry.row].emplace_back(entry.column, entry.value);
+      added_[entry.column].emplace_back(entry.row, entry.value);
+    }
+  }
+
+  std::vector<ClusterPart> take(const Subtrees& subtrees) {
+    for (int c = tree_.size(); c-- > 0;) {  // children come behind their parents
+      list(c);
+      if (!subtrees.isMine(c))
+        continue;
+      places_.set(parts_[c].active);
+      parts_[c].weights = joinedWeights(shares_, c, places_);
+      joinBlock(c);
+      addBetween(c);
+      for (BodyShare& share : shares_) {
+        share.parts[c].weights.weights = Matrix();
+        share.parts[c].block = Matrix();
+      }
+    }
+    return std::move(parts_);
+  }
+
+ private:
+  /// The rows (k = 0) or columns (1) of a cluster's block.
+  const std::vector<Index>& side(const std::vector<ClusterPart>& parts, int c,
+                                 int k) const {
+    return tree_[c].isLeaf() ? parts[c].active : parts[tree_[c].children[k]].skeleton;
+  }
+
+  void list(int c) {
+    ClusterPart& part = parts_[c];
+    for (const BodyShare& share : shares_) {
+      for (const Index i : share.parts[c].skeleton)
+        part.skeleton.push_back(share.numbers[i]);
+      for (const Index i : share.parts[c].active)
+        if (tree_[c].isLeaf())
+          part.active.push_back(share.numbers[i]);
+    }
+    for (int k = 0; k < 2 && !tree_[c].isLeaf(); ++k)
+      part.active.insert(part.active.end(), side(parts_, c, k).begin(),
+                         side(parts_, c, k).end());
+  }
+
+  void joinBlock(int c) {
+    const std::vector<Index>& columns = side(parts_, c, 1);
+    Matrix& block = parts_[c].block;
+    block = Matrix(static_cast<Index>(side(parts_, c, 0).size()),
+                   static_cast<Index>(columns.size()));
+    places_.set(columns);
+    Index row = 0;
+    for (const BodyShare& share : shares_) {
+      const Matrix& own = share.parts[c].block;
+      const std::vector<Index>& ownColumns = side(share.parts, c, 1);
+      for (std::size_t j = 0; j < ownColumns.size(); ++j)
+        std::copy_n(own.column(static_cast<Index>(j)), own.rows(),
+                    block.column(places_[share.numbers[ownColumns[j]]]) + row);
+      row += own.rows();
+    }
+  }
+
+  void addBetween(int c) {
+    const std::vector<Index>& columns = side(parts_, c, 1);
+    places_.set(side(parts_, c, 0));
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      for (const auto& [other, value] : added_[columns[j]])
+        if (places_[other] >= 0)
+          parts_[c].block(places_[other], static_cast<Index>(j)) += value;
+  }
+
+  std::vector<BodyShare> shares_;
+  std::vector<std::vector<std::pair<Index, double>>> added_;  ///< by column
+  const ClusterTree& tree_;
+  Places places_;
+  std::vector<ClusterPart> parts_;
+};
+
 }  // namespace
 
 std::vector<ClusterPart> joined(std::vector<BodyShare> shares,
                                 const std::vector<LocalCoupling::Entry>& between,
                                 const ClusterTree& tree, const Subtrees& subtrees,
                                 Index unknowns) {
-  std::vector<std::vector<std::pair<Index, double>>> added(at(unknowns));
-  for (const LocalCoupling::Entry& entry : between) {
-    added[at(entry.row)].emplace_back(entry.column, entry.value);
-    added[at(entry.column)].emplace_back(entry.row, entry.value);
-  }
-  Places places(unknowns);
-  std::vector<ClusterPart> parts(static_cast<std::size_t>(tree.size()));
-  // from the leaves up: children come behind their parents
-  for (std::size_t c = parts.size(); c-- > 0;) {
-    const Cluster& cluster = tree[static_cast<int>(c)];
-    const auto child = [&](auto& all, int k) -> auto& {
-      return all[static_cast<std::size_t>(cluster.children[k])];
-    };
-    ClusterPart& part = parts[c];
-    for (const BodyShare& share : shares) {
-      for (const Index i : share.parts[c].skeleton)
-        part.skeleton.push_back(share.numbers[at(i)]);
-      for (const Index i : share.parts[c].active)
-        if (cluster.isLeaf())
-          part.active.push_back(share.numbers[at(i)]);
-    }
-    for (int k = 0; k < 2 && !cluster.isLeaf(); ++k)
-      part.active.insert(part.active.end(), child(parts, k).skeleton.begin(),
-                         child(parts, k).skeleton.end());
-    if (!subtrees.isMine(static_cast<int>(c)))
-      continue;
-    places.set(part.active);
-    part.weights = joinedWeights(shares, c, places);
-
-    const std::vector<Index>& rows =
-        cluster.isLeaf() ? part.active : child(parts, 0).skeleton;
-    const std::vector<Index>& columns =
-        cluster.isLeaf() ? part.active : child(parts, 1).skeleton;
-    part.block =
-        Matrix(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
-    places.set(columns);
-    Index row = 0;
-    for (const BodyShare& share : shares) {
-      const ClusterPart& own = share.parts[c];
-      const std::vector<Index>& ownColumns =
-          cluster.isLeaf() ? own.active : child(share.parts, 1).skeleton;
-      for (std::size_t j = 0; j < ownColumns.size(); ++j)
-        std::copy_n(own.block.column(static_cast<Index>(j)), own.block.rows(),
-                    part.block.column(places[share.numbers[at(ownColumns[j])]]) + row);
-      row += own.block.rows();
-    }
-    places.set(rows);
-    for (std::size_t j = 0; j < columns.size(); ++j)
-      for (const auto& [other, value] : added[at(columns[j])])
-        if (places[other] >= 0)
-          part.block(places[other], static_cast<Index>(j)) += value;
-    for (BodyShare& share : shares) {
-      share.parts[c].weights.weights = Matrix();
-      share.parts[c].block = Matrix();
-    }
-  }
-  return parts;
+  return Joining(std::move(shares), between, tree, unknowns).take(subtrees);
 }
 
 }  // namespace epafi::bem

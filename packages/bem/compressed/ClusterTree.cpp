@@ -7,10 +7,9 @@ namespace epafi::bem {
 
 namespace {
 
-double length(Vec2 a) { return std::hypot(a.x, a.y); }
-
 std::vector<ClusterPlace> inOrder(const Mesh& mesh) {
   std::vector<ClusterPlace> order;
+  order.reserve(mesh.size());
   for (int e = 0; e < mesh.size(); ++e)
     order.push_back({0, e, mesh.outline().edge(mesh[e].piece.edge).loop});
   return order;
@@ -23,8 +22,7 @@ class Division {
            const std::vector<ClusterPlace>& order, Index leafUnknowns)
       : order_(order), leafUnknowns_(leafUnknowns), before_(1, 0) {
     for (const ClusterPlace& place : order) {
-      const Element& element =
-          spaces[static_cast<std::size_t>(place.body)]->mesh()[place.element];
+      const Element& element = spaces[place.body]->mesh()[place.element];
       before_.push_back(before_.back() + 2 * (element.degree + element.densities));
     }
     divide(0, static_cast<int>(order.size()), 0, -1);
@@ -41,26 +39,26 @@ class Division {
     cluster.level = level;
     cluster.parent = parent;
     clusters_.push_back(cluster);
-    if (before_[at(last)] - before_[at(first)] <= leafUnknowns_ || last - first == 1)
+    if (before_[last] - before_[first] <= leafUnknowns_ || last - first == 1)
       return number;
     const int cut = middle(first, last);
     const int left = divide(first, cut, level + 1, number);
     const int right = divide(cut, last, level + 1, number);
-    clusters_[static_cast<std::size_t>(number)].children[0] = left;
-    clusters_[static_cast<std::size_t>(number)].children[1] = right;
+    clusters_[number].children[0] = left;
+    clusters_[number].children[1] = right;
     return number;
   }
 
   // Half the unknowns, or the end of a stretch that comes nearest to it.
   int middle(int first, int last) const {
-    const double half = 0.5 * static_cast<double>(before_[at(first)] + before_[at(last)]);
+    const double half = 0.5 * static_cast<double>(before_[first] + before_[last]);
     const auto distance = [&](int k) {
-      return std::abs(static_cast<double>(before_[at(k)]) - half);
+      return std::abs(static_cast<double>(before_[k]) - half);
     };
     int best = first + 1;
     bool endsStretch = false;
     for (int k = first + 1; k < last; ++k) {
-      const bool ends = order_[at(k)].stretch != order_[at(k - 1)].stretch;
+      const bool ends = order_[k].stretch != order_[k - 1].stretch;
       if (ends == endsStretch ? distance(k) < distance(best) : ends) {
         best = k;
         endsStretch = ends;
@@ -83,7 +81,7 @@ ClusterTree::ClusterTree(const Space& space, Index leafUnknowns)
 ClusterTree::ClusterTree(const std::vector<const Space*>& spaces,
                          const std::vector<ClusterPlace>& order, int body,
                          Index leafUnknowns)
-    : mesh_(&spaces[static_cast<std::size_t>(body)]->mesh()),
+    : mesh_(&spaces[body]->mesh()),
       clusters_(Division(spaces, order, leafUnknowns).take()) {
   std::vector<int> before(1, 0);  // own places
   for (const ClusterPlace& place : order) {
@@ -93,15 +91,15 @@ ClusterTree::ClusterTree(const std::vector<const Space*>& spaces,
   }
   leafOf_.resize(elements_.size());
   for (int c = 0; c < size(); ++c) {
-    Cluster& cluster = clusters_[static_cast<std::size_t>(c)];
-    cluster.first = before[static_cast<std::size_t>(cluster.first)];
-    cluster.last = before[static_cast<std::size_t>(cluster.last)];
+    Cluster& cluster = clusters_[c];
+    cluster.first = before[cluster.first];
+    cluster.last = before[cluster.last];
     if (!cluster.isEmpty())
       encircle(cluster);
     levels_.resize(std::max(levels_.size(), static_cast<std::size_t>(cluster.level + 1)));
-    levels_[static_cast<std::size_t>(cluster.level)].push_back(c);
+    levels_[cluster.level].push_back(c);
     for (int k = cluster.first; k < cluster.last && cluster.isLeaf(); ++k)
-      leafOf_[static_cast<std::size_t>(element(k))] = c;
+      leafOf_[element(k)] = c;
   }
 }
 
@@ -128,15 +126,13 @@ void ClusterTree::encircle(Cluster& cluster) const {
   }
   cluster.centre = 0.5 * (low + high);
   for (const Vec2 x : points)
-    cluster.radius = std::max(cluster.radius, length(x - cluster.centre));
+    cluster.radius = std::max(cluster.radius, norm(x - cluster.centre));
 }
 
 std::vector<int> ClusterTree::cut(int l) const {
   std::vector<int> result;
   for (int c = 0; c < size(); ++c)
-    if (clusters_[static_cast<std::size_t>(c)].level == l ||
-        (clusters_[static_cast<std::size_t>(c)].level < l &&
-         clusters_[static_cast<std::size_t>(c)].isLeaf()))
+    if (clusters_[c].level == l || (clusters_[c].level < l && clusters_[c].isLeaf()))
       result.push_back(c);
   return result;
 }
@@ -150,9 +146,8 @@ bool ClusterTree::contains(int whole, int part) const {
 std::vector<char> ClusterTree::paths(const std::vector<int>& leaves) const {
   std::vector<char> on(clusters_.size());
   for (const int leaf : leaves)
-    for (int c = leaf; c >= 0 && on[static_cast<std::size_t>(c)] == 0;
-         c = (*this)[c].parent)
-      on[static_cast<std::size_t>(c)] = 1;
+    for (int c = leaf; c >= 0 && on[c] == 0; c = (*this)[c].parent)
+      on[c] = 1;
   return on;
 }
 

@@ -44,15 +44,11 @@ class ClusterTree {
               const std::vector<ClusterPlace>& order, int body, Index leafUnknowns);
 
   int size() const { return static_cast<int>(clusters_.size()); }
-  const Cluster& operator[](int c) const {
-    return clusters_[static_cast<std::size_t>(c)];
-  }
+  const Cluster& operator[](int c) const { return clusters_[c]; }
   /// The root is 0, and children come behind their parents.
   int levels() const { return static_cast<int>(levels_.size()); }
   /// Clusters of a level.
-  const std::vector<int>& level(int l) const {
-    return levels_[static_cast<std::size_t>(l)];
-  }
+  const std::vector<int>& level(int l) const { return levels_[l]; }
   /// The boundary cut into clusters of a level and leaves above it.
   std::vector<int> cut(int l) const;
 
@@ -60,8 +56,8 @@ class ClusterTree {
   std::vector<char> paths(const std::vector<int>& leaves) const;
 
   /// The element at a place of the order.
-  int element(int place) const { return elements_[static_cast<std::size_t>(place)]; }
-  int leafOf(int element) const { return leafOf_[static_cast<std::size_t>(element)]; }
+  int element(int place) const { return elements_[place]; }
+  int leafOf(int element) const { return leafOf_[element]; }
   /// Is a cluster one of those that another is made of, or that one?
   bool contains(int whole, int part) const;
 

@@ -21,9 +21,9 @@ CompressedFactor::CompressedFactor(const CompressedOperators& operators,
     : operators_(&operators),
       restriction_(std::move(restriction)),
       changing_(operators.tree().paths(changing)),
-      nodes_(static_cast<std::size_t>(operators.tree().size())),
+      nodes_(operators.tree().size()),
       responses_(nodes_.size()) {
-  restriction_.held.resize(at(operators.size()));
+  restriction_.held.resize(operators.size());
   eliminate(std::vector<char>(nodes_.size(), 1));
 }
 
@@ -33,10 +33,10 @@ CompressedFactor::CompressedFactor(const CompressedOperators& operators,
                        operators.tree().cut(operators.tree().levels() - 1)) {}
 
 int CompressedFactor::update(Restriction restriction) {
-  restriction.held.resize(at(operators_->size()));
+  restriction.held.resize(operators_->size());
   std::vector<int> changed;
   for (Index i = 0; i < operators_->size(); ++i)
-    if (restriction.held[at(i)] != restriction_.held[at(i)])
+    if (restriction.held[i] != restriction_.held[i])
       changed.push_back(operators_->leafOf(i));
   const auto compare = [&](auto before, auto now, const auto& key) {
     const auto less = [&](const auto& a, const auto& b) { return key(a) < key(b); };
@@ -59,7 +59,7 @@ int CompressedFactor::update(Restriction restriction) {
   std::vector<char> dirty = operators_->tree().paths(changed);
   for (int c = top_; c != 0;) {
     c = operators_->tree()[c].parent;
-    dirty[static_cast<std::size_t>(c)] = 0;
+    dirty[c] = 0;
   }
   for (std::size_t c = 0; c < dirty.size(); ++c)
     if (dirty[c] > changing_[c])
@@ -102,10 +102,10 @@ CompressedFactor CompressedFactor::within(const std::vector<int>& leaves) const 
   result.whole_ = std::make_shared<const Matrix>(std::move(whole));
   for (int c = result.top_; c != 0;) {
     c = tree[c].parent;
-    result.changing_[static_cast<std::size_t>(c)] = 0;
+    result.changing_[c] = 0;
   }
   std::vector<char> dirty(nodes_.size());
-  dirty[static_cast<std::size_t>(result.top_)] = 1;
+  dirty[result.top_] = 1;
   result.eliminate(dirty);
   return result;
 }
@@ -114,36 +114,35 @@ std::vector<LeafRestriction> CompressedFactor::restricted(std::vector<char> dirt
   const ClusterTree& tree = operators_->tree();
   for (int c = 0; c < tree.size(); ++c)
     if (!operators_->subtrees().isMine(c))
-      dirty[static_cast<std::size_t>(c)] = 0;
+      dirty[c] = 0;
   std::vector<LeafRestriction> leaves(nodes_.size());
   // of each leaf, where unknowns stand
-  std::vector<Index> places(at(operators_->size()));
+  std::vector<Index> places(operators_->size());
   for (int c = 0; c < tree.size(); ++c)
-    if (tree[c].isLeaf() && dirty[static_cast<std::size_t>(c)] != 0) {
+    if (tree[c].isLeaf() && dirty[c] != 0) {
       const std::vector<Index>& active = operators_->part(c).active;
-      LeafRestriction& leaf = leaves[static_cast<std::size_t>(c)];
+      LeafRestriction& leaf = leaves[c];
       for (std::size_t i = 0; i < active.size(); ++i)
-        if (restriction_.held[at(active[i])] == 0) {
-          places[at(active[i])] = static_cast<Index>(leaf.kept.size());
+        if (restriction_.held[active[i]] == 0) {
+          places[active[i]] = static_cast<Index>(leaf.kept.size());
           leaf.kept.push_back(static_cast<Index>(i));
         } else {
-          places[at(active[i])] = static_cast<Index>(i);
+          places[active[i]] = static_cast<Index>(i);
         }
     }
   for (const Restriction::Follower& follower : restriction_.followers) {
-    const auto c = static_cast<std::size_t>(operators_->leafOf(follower.unknown));
+    const std::size_t c = operators_->leafOf(follower.unknown);
     assert(operators_->leafOf(follower.leader) == static_cast<int>(c));
-    if (dirty[c] != 0 && restriction_.held[at(follower.leader)] == 0)
+    if (dirty[c] != 0 && restriction_.held[follower.leader] == 0)
       leaves[c].followers.push_back(
-          {places[at(follower.unknown)], places[at(follower.leader)], follower.factor});
+          {places[follower.unknown], places[follower.leader], follower.factor});
   }
   const auto add = [&](const Restriction::Entry& entry) {
-    const auto c = static_cast<std::size_t>(operators_->leafOf(entry.row));
+    const std::size_t c = operators_->leafOf(entry.row);
     assert(operators_->leafOf(entry.column) == static_cast<int>(c));
-    if (dirty[c] != 0 && restriction_.held[at(entry.row)] == 0 &&
-        restriction_.held[at(entry.column)] == 0)
-      leaves[c].added.push_back(
-          {places[at(entry.row)], places[at(entry.column)], entry.value});
+    if (dirty[c] != 0 && restriction_.held[entry.row] == 0 &&
+        restriction_.held[entry.column] == 0)
+      leaves[c].added.push_back({places[entry.row], places[entry.column], entry.value});
   };
   std::for_each(restriction_.entries.begin(), restriction_.entries.end(), add);
   for (const Index i : operators_->floating())
@@ -173,19 +172,18 @@ void CompressedFactor::eliminate(const std::vector<char>& dirty) {
   std::atomic<bool> fails = false;
   std::string failure;
   const auto visit = [&](int cluster) {
-    const auto c = static_cast<std::size_t>(cluster);
     if (fails)
       return;
     try {
       auto own = std::make_shared<const EliminatedCluster>(
-          eliminated(cluster, std::move(leaves[c])));
+          eliminated(cluster, std::move(leaves[cluster])));
       if (cluster != top_)
-        responses_[c] =
+        responses_[cluster] =
             std::make_shared<const Matrix>(own->response(operators_->part(cluster)));
-      if (!tree[cluster].isLeaf() && changing_[c] == 0)
+      if (!tree[cluster].isLeaf() && changing_[cluster] == 0)
         for (const int child : tree[cluster].children)
-          responses_[static_cast<std::size_t>(child)] = nullptr;
-      nodes_[c] = std::move(own);
+          responses_[child] = nullptr;
+      nodes_[cluster] = std::move(own);
     } catch (const NumericalError& error) {
 #pragma omp critical(epafi_compressed_factor)
       failure = error.what();
@@ -210,9 +208,8 @@ void CompressedFactor::exchangeResponses(const std::vector<char>& dirty,
   std::vector<Matrix> responses(nodes_.size());
   const auto forRoots = [&](const auto& action) {
     for (const int root : subtrees.roots())
-      if (dirty[static_cast<std::size_t>(root)] != 0)
-        action(root, silent[static_cast<std::size_t>(root)],
-               responses[static_cast<std::size_t>(root)]);
+      if (dirty[root] != 0)
+        action(root, silent[root], responses[root]);
   };
   forRoots([&](int root, double& isSilent, Matrix& response) {
     const Index size = root == top_ ? 0 : operators_->skeletonOf(root);
@@ -238,11 +235,10 @@ void CompressedFactor::exchangeResponses(const std::vector<char>& dirty,
   forRoots([&](int root, double isSilent, Matrix& response) {
     if (subtrees.isMine(root))
       return;
-    const auto c = static_cast<std::size_t>(root);
-    nodes_[c] = std::make_shared<const EliminatedCluster>(
+    nodes_[root] = std::make_shared<const EliminatedCluster>(
         isSilent != 0 ? EliminatedCluster::silent() : EliminatedCluster::elsewhere());
     if (root != top_)
-      responses_[c] = std::make_shared<const Matrix>(std::move(response));
+      responses_[root] = std::make_shared<const Matrix>(std::move(response));
   });
 }
 
@@ -255,7 +251,7 @@ void CompressedFactor::addRotations() {
   Matrix right = rotations.columns.copy();
   for (Index j = 0; j < right.columns(); ++j)
     for (Index i = 0; i < right.rows(); ++i)
-      if (restriction_.held[at(i)] != 0)
+      if (restriction_.held[i] != 0)
         right(i, j) = 0;
   rotated.answers = solveStraight(right, std::vector<char>(nodes_.size(), 1));
   Matrix rest = rotations.inverse.copy();
@@ -267,12 +263,12 @@ void CompressedFactor::addRotations() {
 void CompressedFactor::takeSpringsBack() {
   sprung_.clear();
   for (const Index i : operators_->floating())
-    if (restriction_.held[at(i)] == 0)
+    if (restriction_.held[i] == 0)
       sprung_.push_back(i);
   const auto count = static_cast<Index>(sprung_.size());
   Matrix units(operators_->size(), count);
   for (Index k = 0; k < count; ++k)
-    units(sprung_[at(k)], k) = 1;
+    units(sprung_[k], k) = 1;
   Matrix rest = count > 0 ? rowsOf(solveSprung(units, paths({})), sprung_) : Matrix();
   for (Index j = 0; j < count; ++j)
     for (Index i = 0; i < count; ++i)
@@ -286,7 +282,7 @@ std::vector<char> CompressedFactor::paths(std::vector<int> leaves) const {
   std::vector<char> result = operators_->tree().paths(leaves);
   for (int c = top_; c != 0;) {
     c = operators_->tree()[c].parent;
-    result[static_cast<std::size_t>(c)] = 0;
+    result[c] = 0;
   }
   return result;
 }

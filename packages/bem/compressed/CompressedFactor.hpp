@@ -112,10 +112,8 @@ class CompressedFactor {
   /// B less Z X on what is asked for, zero elsewhere.
   Matrix residual(const Matrix& b, const Matrix& x) const;
 
-  const EliminatedCluster& node(int c) const {
-    return *nodes_[static_cast<std::size_t>(c)];
-  }
-  const Matrix& response(int c) const { return *responses_[static_cast<std::size_t>(c)]; }
+  const EliminatedCluster& node(int c) const { return *nodes_[c]; }
+  const Matrix& response(int c) const { return *responses_[c]; }
 
   const CompressedOperators* operators_;
   Restriction restriction_;

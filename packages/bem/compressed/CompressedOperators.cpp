@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numeric>
 
 namespace epafi::bem {
@@ -69,14 +68,14 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
         {local.elements[k], -1, true});
 
   const auto elementOf = [&](Index unknown) {
-    const auto [b, own] = owners[at(unknown)];
-    return BodyElement{static_cast<int>(b), shares[b].unknowns[at(own)].element};
+    const auto [b, own] = owners[unknown];
+    return BodyElement{static_cast<int>(b), shares[b].unknowns[own].element};
   };
   std::vector<Link> links;
   LocalCoupling between;
   for (const LocalCoupling::Entry& entry : local.entries) {
-    const auto [b, row] = owners[at(entry.row)];
-    const auto [d, column] = owners[at(entry.column)];
+    const auto [b, row] = owners[entry.row];
+    const auto [d, column] = owners[entry.column];
     if (b == d) {
       shares[b].entries.push_back({row, column, entry.value});
       continue;
@@ -91,20 +90,20 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
     trees_.emplace_back(spaces, order, static_cast<int>(b), options.leafUnknowns);
   for (std::size_t i = 0; i < owners.size(); ++i) {
     const BodyElement place = elementOf(static_cast<Index>(i));
-    leaves_.push_back(trees_[static_cast<std::size_t>(place.body)].leafOf(place.element));
+    leaves_.push_back(trees_[place.body].leafOf(place.element));
   }
-  std::vector<Index> unknowns(static_cast<std::size_t>(tree().size()));
+  std::vector<Index> unknowns(tree().size());
   for (const int leaf : leaves_)
     for (int c = leaf; c >= 0; c = tree()[c].parent)
-      ++unknowns[static_cast<std::size_t>(c)];
+      ++unknowns[c];
   subtrees_ = std::make_unique<const Subtrees>(tree(), unknowns, algebra);
   for (BodyShare& share : shares)
     share.abroad.resize(share.unknowns.size());
   for (const LocalCoupling::Entry& entry : between.entries)
     for (const auto& [i, j] :
          {std::pair(entry.row, entry.column), std::pair(entry.column, entry.row)}) {
-      const auto [b, own] = owners[at(i)];
-      std::vector<int>& abroad = shares[b].abroad[at(own)];
+      const auto [b, own] = owners[i];
+      std::vector<int>& abroad = shares[b].abroad[own];
       if (std::find(abroad.begin(), abroad.end(), leafOf(j)) == abroad.end())
         abroad.push_back(leafOf(j));
     }
@@ -128,7 +127,7 @@ void CompressedOperators::addRotations(const std::vector<Body>& bodies,
   const auto count = 2 * static_cast<Index>(curved.size());
   Rotations rotations{Matrix(size(), count), Matrix(count, count)};
   for (Index k = 0; k < count; k += 2) {
-    const std::size_t b = curved[at(k / 2)];
+    const std::size_t b = curved[k / 2];
     const Range& own = ranges_[b];
     const Rotation& rotation = *bodies[b].space.rotation();
     const Vector& r = rotation.motion();
@@ -175,25 +174,24 @@ Matrix CompressedOperators::times(const Matrix& x) const {
   const auto active = [&](int c) {
     const Cluster& cluster = tree()[c];
     return cluster.isLeaf() ? rowsOf(x, part(c).active)
-                            : stacked(out[static_cast<std::size_t>(cluster.children[0])],
-                                      out[static_cast<std::size_t>(cluster.children[1])]);
+                            : stacked(out[cluster.children[0]], out[cluster.children[1]]);
   };
   const auto up = [&](int c) {
     if (c > 0)
-      out[static_cast<std::size_t>(c)] = part(c).weights.times(active(c));
+      out[c] = part(c).weights.times(active(c));
   };
   const auto down = [&](int c) {
     const Part& own = part(c);
     Matrix all(static_cast<Index>(own.active.size()), columns);
     if (c > 0)
-      own.weights.addTransposed(in[static_cast<std::size_t>(c)], all);
+      own.weights.addTransposed(in[c], all);
     if (tree()[c].isLeaf()) {
       addProduct(1, own.block, rowsOf(x, own.active), all);
       putRows(all, own.active, result);
       return;
     }
-    const auto first = static_cast<std::size_t>(tree()[c].children[0]);
-    const auto second = static_cast<std::size_t>(tree()[c].children[1]);
+    const std::size_t first = tree()[c].children[0];
+    const std::size_t second = tree()[c].children[1];
     in[first] = rowsBetween(all, 0, out[first].rows());
     in[second] = rowsBetween(all, out[first].rows(), all.rows());
     addProduct(1, own.block, out[second], in[first]);
@@ -209,17 +207,6 @@ Matrix CompressedOperators::times(const Matrix& x) const {
   exchangeRows(everywhere, check, result);
   rotations_.addTo(result, x);
   return result;
-}
-
-CompressedOperators::Ranks CompressedOperators::ranks(int level) const {
-  Ranks ranks;
-  for (const int c : tree().level(level)) {
-    const auto k = static_cast<Index>(part(c).skeleton.size());
-    ranks.largest = std::max(ranks.largest, k);
-    ranks.mean +=
-        static_cast<double>(k) / static_cast<double>(tree().level(level).size());
-  }
-  return ranks;
 }
 
 std::size_t CompressedOperators::bytes() const {

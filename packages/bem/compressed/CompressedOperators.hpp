@@ -67,9 +67,7 @@ class CompressedOperators {
   const ClusterTree& tree() const { return trees_.front(); }
   const Subtrees& subtrees() const { return *subtrees_; }
   /// Of other processes' clusters the lists of unknowns alone.
-  const Part& part(int cluster) const {
-    return parts_[static_cast<std::size_t>(cluster)];
-  }
+  const Part& part(int cluster) const { return parts_[cluster]; }
   /// How many unknowns a cluster's skeleton has.
   Index skeletonOf(int cluster) const {
     return static_cast<Index>(part(cluster).skeleton.size());
@@ -79,7 +77,7 @@ class CompressedOperators {
     subtrees_->exchangeRows(tree(), parts_, paths, check, x);
   }
   /// The leaf of an unknown.
-  int leafOf(Index unknown) const { return leaves_[at(unknown)]; }
+  int leafOf(Index unknown) const { return leaves_[unknown]; }
 
   /// Three displacements of the outer loop that no rigid motion leaves at rest, where there
   /// are holes: a factor springs them, since a cluster that is a whole loop may float.
@@ -97,11 +95,6 @@ class CompressedOperators {
   };
   const Rotations& rotations() const { return rotations_; }
 
-  struct Ranks {
-    Index largest = 0;
-    double mean = 0;
-  };
-  Ranks ranks(int level) const;
   std::size_t bytes() const;
 
  private:

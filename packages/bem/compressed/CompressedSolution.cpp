@@ -35,15 +35,12 @@ Matrix CompressedFactor::solveSprung(const Matrix& b,
   // what nobody has here is on no path that is followed
   std::vector<char> on = paths;
   for (int c = 0; c < tree.size(); ++c)
-    if (nodes_[static_cast<std::size_t>(c)] == nullptr || node(c).isSilent())
-      on[static_cast<std::size_t>(c)] = 0;
-  const auto of = [](std::vector<Matrix>& all, int c) -> Matrix& {
-    return all[static_cast<std::size_t>(c)];
-  };
+    if (nodes_[c] == nullptr || node(c).isSilent())
+      on[c] = 0;
+  const auto of = [](std::vector<Matrix>& all, int c) -> Matrix& { return all[c]; };
   const auto outOf = [&](int c) {
-    return on[static_cast<std::size_t>(c)] != 0
-               ? std::move(of(out, c))
-               : Matrix(operators_->skeletonOf(c), columns);
+    return on[c] != 0 ? std::move(of(out, c))
+                      : Matrix(operators_->skeletonOf(c), columns);
   };
   const auto up = [&](int c) {
     const ClusterPart& part = operators_->part(c);
@@ -111,7 +108,7 @@ Matrix CompressedFactor::residual(const Matrix& b, const Matrix& x) const {
       rest(entry.row, j) += entry.value * x(entry.column, j);
   for (Index j = 0; j < b.columns(); ++j)
     for (Index i = 0; i < b.rows(); ++i)
-      rest(i, j) = restriction_.held[at(i)] != 0 ? 0 : b(i, j) - rest(i, j);
+      rest(i, j) = restriction_.held[i] != 0 ? 0 : b(i, j) - rest(i, j);
   return rest;
 }
 

@@ -18,21 +18,21 @@ CoupledEntries::CoupledEntries(const Space& space, const Lame& lame,
       near_(near),
       unknowns_(unknowns),
       far_(space, lame),
-      slots_(static_cast<std::size_t>(space.mesh().size()), -1) {}
+      slots_(space.mesh().size(), -1) {}
 
 std::vector<CoupledEntries::Wanted> CoupledEntries::byElements(
     const std::vector<Index>& unknowns) {
   std::vector<Wanted> wanted;
   const auto add = [&](int element, int local, Index place) {
-    int& slot = slots_[static_cast<std::size_t>(element)];
+    int& slot = slots_[element];
     if (slot < 0) {
       slot = static_cast<int>(wanted.size());
       wanted.push_back({element, {}});
     }
-    wanted[static_cast<std::size_t>(slot)].functions.emplace_back(local, place);
+    wanted[slot].functions.emplace_back(local, place);
   };
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const Unknown& unknown = unknowns_[at(unknowns[i])];
+    const Unknown& unknown = unknowns_[unknowns[i]];
     if (unknown.local < 0)
       continue;
     add(unknown.element, unknown.local, static_cast<Index>(i));
@@ -41,7 +41,7 @@ std::vector<CoupledEntries::Wanted> CoupledEntries::byElements(
           static_cast<Index>(i));
   }
   for (const Wanted& element : wanted)
-    slots_[static_cast<std::size_t>(element.element)] = -1;
+    slots_[element.element] = -1;
   std::sort(wanted.begin(), wanted.end(),
             [](const Wanted& a, const Wanted& b) { return a.element < b.element; });
   return wanted;

@@ -19,7 +19,7 @@ Matrix responseToWeights(const Matrix& response, const Interpolation& t, Index f
   const Index last = first + response.rows();
   Matrix result(response.rows(), t.rows());
   for (Index j = 0; j < t.rows(); ++j) {
-    const Index place = t.skeleton[at(j)];
+    const Index place = t.skeleton[j];
     if (place >= first && place < last)
       std::copy_n(response.column(place - first), response.rows(), result.column(j));
   }
@@ -49,14 +49,13 @@ EliminatedCluster::EliminatedCluster(const ClusterPart& part, LeafRestriction re
   const auto n = static_cast<Index>(leaf_.kept.size());
   Matrix own(n, n);
   for (Index j = 0; j < n; ++j) {
-    const double* column = d.column(leaf_.kept[at(j)]);
+    const double* column = d.column(leaf_.kept[j]);
     for (Index i = 0; i < n; ++i)
-      own(i, j) = column[leaf_.kept[at(i)]];
+      own(i, j) = column[leaf_.kept[i]];
   }
   for (const LeafRestriction::Follower& follower : leaf_.followers)
     for (Index i = 0; i < n; ++i)
-      own(i, follower.leader) +=
-          follower.factor * d(leaf_.kept[at(i)], follower.follower);
+      own(i, follower.leader) += follower.factor * d(leaf_.kept[i], follower.follower);
   for (const LeafRestriction::Entry& entry : leaf_.added)
     own(entry.row, entry.column) += entry.value;
   lu_ = ScaledLu(std::move(own));

@@ -1,8 +1,8 @@
 #include "bem/compressed/FarBlocks.hpp"
 
 #include "bem/basis/Legendre.hpp"
-#include "bem/compressed/PointKernels.hpp"
 #include "bem/compressed/WeightedFunctions.hpp"
+#include "bem/kernel/PointKernels.hpp"
 #include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
@@ -210,7 +210,7 @@ const std::vector<double>& FarBlocks::functions(int points, int degree, int dens
 
 void FarBlocks::sampleTests(const std::vector<Test>& tests) {
   const Rule& rule = gaussLegendre(work_.outer);
-  outer_.resize(static_cast<std::size_t>(4 * work_.outer));
+  outer_.resize(4 * work_.outer);
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     const Test& test = tests[std::min(lane, tests.size() - 1)];
     const Element& element = space_.mesh()[test.element];
@@ -235,7 +235,7 @@ void FarBlocks::sampleTests(const std::vector<Test>& tests) {
 
 void FarBlocks::sampleTrial(const Element& element) {
   const Rule& rule = gaussLegendre(work_.inner);
-  inner_.resize(static_cast<std::size_t>(4 * work_.inner));
+  inner_.resize(4 * work_.inner);
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     const Vec2 y = element.curve.fromMiddle(rule.points[q]);
     const Vec2 tangent = element.curve.tangent(rule.points[q]);
@@ -267,8 +267,8 @@ void FarBlocks::evaluate(const std::vector<Test>& tests, int trial, InstructionS
   sampleTrial(element);
   columns_ = 2 * (element.degree + 1 + element.densities);
   const int rows = 2 * (work_.rowDegree + 1 + work_.rowDensities);
-  sums_.resize(static_cast<std::size_t>(7 * columns_ / 2));
-  block_.resize(static_cast<std::size_t>(rows * columns_));
+  sums_.resize(7 * columns_ / 2);
+  block_.resize(rows * columns_);
   const KernelConstants constants(lame_);
   dispatch(set,
            Integrate{constants, work_, outer_.data(), outerValues_, halves_,

@@ -29,7 +29,7 @@ class FarBlocks {
 
   /// A test element, and its middle less the trial element's.
   struct Test {
-    int element;
+    int element = 0;
     Vec2 offset;
   };
   void evaluate(const std::vector<Test>& tests, int trial,
@@ -38,9 +38,7 @@ class FarBlocks {
   /// Of the functions a of the tests and b of the trial element, see LocalFunctions; the
   /// tests of an evaluation side by side.  Displacements and densities of a test are those
   /// of the largest degree among the tests: see densities().
-  const double* lane(int a, int b) const {
-    return block_[static_cast<std::size_t>(a * columns_ + b)].lane;
-  }
+  const double* lane(int a, int b) const { return block_[a * columns_ + b].lane; }
   /// Where the tests' densities begin.
   int densities() const { return 2 * (work_.rowDegree + 1); }
 

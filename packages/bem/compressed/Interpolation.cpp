@@ -19,7 +19,7 @@ Matrix triangle(Matrix a) {
   constexpr int block = 32;
   const int nb = std::min(block, n);
   Matrix t(nb, n);
-  Vector work(at(nb * n));
+  Vector work(nb * n);
   const int ldt = static_cast<int>(t.stride());
   int info = 0;
   dgeqrt_(&m, &n, &nb, a.data(), &lda, t.data(), &ldt, work.data(), &info);
@@ -53,7 +53,7 @@ Matrix Interpolation::full() const { return bem::transposed(transposed()); }
 Matrix Interpolation::transposed() const {
   Matrix result(columns(), rows());
   for (Index j = 0; j < rows(); ++j) {
-    result(skeleton[at(j)], j) = 1;
+    result(skeleton[j], j) = 1;
     for (std::size_t i = 0; i < rest.size(); ++i)
       result(rest[i], j) = weights(j, static_cast<Index>(i));
   }
@@ -67,9 +67,9 @@ Interpolation interpolateColumns(Matrix a, double threshold) {
   const int m = static_cast<int>(a.rows());
   const int n = static_cast<int>(columns);
   const int lda = static_cast<int>(a.stride());
-  std::vector<int> pivots(at(n));
-  Vector tau(at(n));
-  Vector work(at(2 * n + 64 * (n + 1)));
+  std::vector<int> pivots(n);
+  Vector tau(n);
+  Vector work(2 * n + 64 * (n + 1));
   const int size = static_cast<int>(work.size());
   int info = 0;
   dgeqp3_(&m, &n, a.data(), &lda, pivots.data(), tau.data(), work.data(), &size, &info);
@@ -90,10 +90,10 @@ Interpolation interpolateColumns(Matrix a, double threshold) {
     dtrsm_("L", "U", "N", "N", &k, &others, &one, a.data(), &lda, rest.data(), &ldb);
   }
   for (Index j = 0; j < rank; ++j)
-    result.skeleton.push_back(pivots[at(j)] - 1);
+    result.skeleton.push_back(pivots[j] - 1);
   std::vector<std::pair<Index, Index>> places;  // of the rest, and where it stands
   for (Index j = rank; j < columns; ++j)
-    places.emplace_back(pivots[at(j)] - 1, j - rank);
+    places.emplace_back(pivots[j] - 1, j - rank);
   std::sort(places.begin(), places.end());
   result.weights = Matrix(rank, columns - rank);
   for (std::size_t j = 0; j < places.size(); ++j) {

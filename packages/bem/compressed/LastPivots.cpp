@@ -68,17 +68,16 @@ Vector CompressedFactor::lastPivots() const {
   std::string failure;
   try {
     for (int c = top_; c < tree.size(); ++c) {
-      if (changing_[static_cast<std::size_t>(c)] == 0 || !subtrees.isMine(c) ||
-          !tree.contains(top_, c))
+      if (changing_[c] == 0 || !subtrees.isMine(c) || !tree.contains(top_, c))
         continue;
       const Matrix own = c == top_ ? top_ != 0 ? whole_->copy() : inside(c, nullptr)
-                                   : inside(c, &outside[static_cast<std::size_t>(c)]);
+                                   : inside(c, &outside[c]);
       if (tree[c].isLeaf())
         addLastPivots(c, own, pivots);
       else
         for (const int child : tree[c].children)
           if (subtrees.isMine(child))
-            outside[static_cast<std::size_t>(child)] = outsideOf(child, own);
+            outside[child] = outsideOf(child, own);
     }
   } catch (const NumericalError& error) {
     failure = error.what();
@@ -94,7 +93,7 @@ void CompressedFactor::addLastPivots(int c, const Matrix& leaf, Matrix& pivots) 
   const std::vector<Index>& active = operators_->part(c).active;
   std::vector<Index> held;
   for (std::size_t i = 0; i < active.size(); ++i)
-    if (restriction_.held[at(active[i])] != 0)
+    if (restriction_.held[active[i]] != 0)
       held.push_back(static_cast<Index>(i));
   const Matrix rows = rowsOf(leaf, restriction.kept);
   Matrix kept = transposed(rowsOf(transposed(rows), restriction.kept));
@@ -107,7 +106,7 @@ void CompressedFactor::addLastPivots(int c, const Matrix& leaf, Matrix& pivots) 
     double pivot = leaf(held[k], held[k]);
     for (Index i = 0; i < answers.rows(); ++i)
       pivot -= columns(i, static_cast<Index>(k)) * answers(i, static_cast<Index>(k));
-    pivots(active[at(held[k])], 0) = pivot;
+    pivots(active[held[k]], 0) = pivot;
   }
 }
 

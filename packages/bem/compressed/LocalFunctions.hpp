@@ -28,17 +28,16 @@ struct Unknown {
 
 /// All of a space.
 inline std::vector<Unknown> unknownsOf(const Space& space) {
-  std::vector<Unknown> all(
-      static_cast<std::size_t>(space.displacements() + space.densities()));
+  std::vector<Unknown> all(space.displacements() + space.densities());
   for (int e = 0; e < space.mesh().size(); ++e) {
     const Element& element = space.mesh()[e];
     const LocalFunctions local(element);
     for (int c = 0; c < 2; ++c) {
-      all[at(space.displacement(e, 0, c))] = {e, c, true};
+      all[space.displacement(e, 0, c)] = {e, c, true};
       for (int k = 2; k <= element.degree; ++k)
-        all[at(space.displacement(e, k, c))] = {e, 2 * k + c, false};
+        all[space.displacement(e, k, c)] = {e, 2 * k + c, false};
       for (int i = 0; i < element.densities; ++i)
-        all[at(space.displacements() + space.density(e, i, c))] = {
+        all[space.displacements() + space.density(e, i, c)] = {
             e, local.displacements + 2 * i + c, false};
     }
   }

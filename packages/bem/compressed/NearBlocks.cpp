@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <memory>
 
 namespace epafi::bem {
 
@@ -170,7 +169,7 @@ NearBlocks::NearBlocks(const Space& space, const Lame& lame, const ClusterTree& 
     FarBlocks far(space, lame);
 #pragma omp for schedule(dynamic, 16)
     for (int e = 0; e < mesh.size(); ++e)
-      for (const Pair& pair : pairs_[static_cast<std::size_t>(e)]) {
+      for (const Pair& pair : pairs_[e]) {
         const int f = pair.element;
         double* out = values_.data() + pair.start;
         byParts.evaluate(e, f, out);
@@ -188,15 +187,7 @@ NearBlocks::NearBlocks(const Space& space, const Lame& lame, const ClusterTree& 
   }
 }
 
-void NearBlocks::findPairs(const Space& space, const ClusterTree& tree,
-                           const std::vector<char>& first,
-                           const std::vector<char>& second) {
-  const auto areAsked = [&](int e, int f) {
-    const auto a = static_cast<std::size_t>(e);
-    const auto b = static_cast<std::size_t>(f);
-    return (first[a] & second[b]) != 0 || (first[b] & second[a]) != 0;
-  };
-  const Mesh& mesh = space.mesh();
+void NearBlocks::measure(const Mesh& mesh) {
   for (int e = 0; e < mesh.size(); ++e) {
     const Element& element = mesh[e];
     const double before = mesh[element.previous].half;
@@ -205,19 +196,42 @@ void NearBlocks::findPairs(const Space& space, const ClusterTree& tree,
                       std::max({element.half, before, behind})});
     sizes_.push_back(LocalFunctions(element).size());
   }
-  pairs_.resize(hoods_.size());
-  std::vector<Hood> around(static_cast<std::size_t>(tree.size()));
+}
+
+std::vector<NearBlocks::Hood> NearBlocks::around(const ClusterTree& tree,
+                                                 const Mesh& mesh) const {
+  std::vector<Hood> around(tree.size());
   for (int c = 0; c < tree.size(); ++c)
     for (int k = tree[c].first; k < tree[c].last; ++k) {
       const int e = tree.element(k);
-      const Hood& hood = hoods_[static_cast<std::size_t>(e)];
-      Hood& all = around[static_cast<std::size_t>(c)];
-      all.half = std::max(all.half, hood.half);
-      all.radius =
-          std::max(all.radius, hood.radius + length(tree.fromCentre(c, mesh.at(e, 0))));
+      Hood& all = around[c];
+      all.half = std::max(all.half, hoods_[e].half);
+      all.radius = std::max(all.radius,
+                            hoods_[e].radius + length(tree.fromCentre(c, mesh.at(e, 0))));
     }
-  // a leaf against all that is not far from it
+  return around;
+}
+
+void NearBlocks::findPairs(const Space& space, const ClusterTree& tree,
+                           const std::vector<char>& first,
+                           const std::vector<char>& second) {
+  measure(space.mesh());
+  pairs_.resize(hoods_.size());
   std::size_t next = 0;
+  const auto addPair = [&](int e, int f) {
+    const bool isAsked = (first[e] & second[f]) != 0 || (first[f] & second[e]) != 0;
+    if (!isAsked || isDeep(e, f))
+      return;
+    pairs_[e].push_back({f, next});
+    next += static_cast<std::size_t>(sizes_[e] * sizes_[f]);
+  };
+  const std::vector<Hood> hoods = around(tree, space.mesh());
+  const auto areFar = [&](int a, int b) {
+    return length(tree.between(a, b)) > clearly * clearly *
+                                            (hoods[a].radius + hoods[b].radius +
+                                             std::max(hoods[a].half, hoods[b].half));
+  };
+  // a leaf against all that is not far from it
   for (const int leaf : tree.cut(tree.levels() - 1)) {
     if (tree[leaf].isEmpty())
       continue;
@@ -225,11 +239,7 @@ void NearBlocks::findPairs(const Space& space, const ClusterTree& tree,
     while (!waiting.empty()) {
       const int c = waiting.back();
       waiting.pop_back();
-      const Hood& a = around[static_cast<std::size_t>(leaf)];
-      const Hood& b = around[static_cast<std::size_t>(c)];
-      if (tree[c].isEmpty() || tree[c].last <= tree[leaf].first ||
-          length(tree.between(leaf, c)) >
-              clearly * clearly * (a.radius + b.radius + std::max(a.half, b.half)))
+      if (tree[c].isEmpty() || tree[c].last <= tree[leaf].first || areFar(leaf, c))
         continue;
       if (!tree[c].isLeaf()) {
         waiting.insert(waiting.end(), {tree[c].children[0], tree[c].children[1]});
@@ -238,11 +248,7 @@ void NearBlocks::findPairs(const Space& space, const ClusterTree& tree,
       for (int k = tree[leaf].first; k < tree[leaf].last; ++k)
         for (int l = std::max(k, tree[c].first); l < tree[c].last; ++l) {
           const auto [e, f] = std::minmax({tree.element(k), tree.element(l)});
-          if (areAsked(e, f) && !isDeep(e, f)) {
-            pairs_[static_cast<std::size_t>(e)].push_back({f, next});
-            next += static_cast<std::size_t>(sizes_[static_cast<std::size_t>(e)] *
-                                             sizes_[static_cast<std::size_t>(f)]);
-          }
+          addPair(e, f);
         }
     }
   }
@@ -253,14 +259,14 @@ void NearBlocks::findPairs(const Space& space, const ClusterTree& tree,
 }
 
 NearBlocks::View NearBlocks::of(int e, int f) const {
-  const std::vector<Pair>& pairs = pairs_[static_cast<std::size_t>(std::min(e, f))];
+  const std::vector<Pair>& pairs = pairs_[std::min(e, f)];
   const int other = std::max(e, f);
   const auto found = std::lower_bound(
       pairs.begin(), pairs.end(), other,
       [](const Pair& pair, int element) { return pair.element < element; });
   assert(found != pairs.end() && found->element == other);
   const double* data = values_.data() + found->start;
-  const Index columns = sizes_[static_cast<std::size_t>(other)];
+  const Index columns = sizes_[other];
   return e <= f ? View{data, columns, 1} : View{data, 1, columns};
 }
 

@@ -20,15 +20,15 @@ class NearBlocks {
 
   /// Are all functions of a pair far?  Then it is none of these.
   bool isDeep(int e, int f) const {
-    const Hood& a = hoods_[static_cast<std::size_t>(e)];
-    const Hood& b = hoods_[static_cast<std::size_t>(f)];
+    const Hood& a = hoods_[e];
+    const Hood& b = hoods_[f];
     const double reach =
         clearly * (a.radius + b.radius + (a.half > b.half ? a.half : b.half));
     const Vec2 w = a.middle - b.middle;
     return dot(w, w) >= reach * reach;
   }
   /// The middle of an element; as exact as its coordinates.
-  Vec2 middle(int e) const { return hoods_[static_cast<std::size_t>(e)].middle; }
+  Vec2 middle(int e) const { return hoods_[e].middle; }
 
   /// Row by row: functions of e by functions of f, see LocalFunctions.
   struct View {
@@ -58,6 +58,9 @@ class NearBlocks {
     std::size_t start;
   };
 
+  void measure(const Mesh& mesh);
+  /// Of clusters: about their centres.
+  std::vector<Hood> around(const ClusterTree& tree, const Mesh& mesh) const;
   void findPairs(const Space& space, const ClusterTree& tree,
                  const std::vector<char>& first, const std::vector<char>& second);
 

@@ -1,7 +1,7 @@
 #include "bem/compressed/ProxyRows.hpp"
 
-#include "bem/compressed/PointKernels.hpp"
 #include "bem/compressed/WeightedFunctions.hpp"
+#include "bem/kernel/PointKernels.hpp"
 #include "bem/moments/FarOrder.hpp"
 #include "bem/simd/Dispatch.hpp"
 
@@ -75,12 +75,12 @@ Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
   constexpr double pi = boost::math::constants::pi<double>();
   const double radius = ratio_ * tree[cluster].radius;
   const int packs = points_ / lanes;
-  std::vector<AlignedLane> x(static_cast<std::size_t>(packs));
+  std::vector<AlignedLane> x(packs);
   std::vector<AlignedLane> y(x.size());
   const KernelConstants constants(lame_);
   std::map<int, std::vector<std::pair<int, Index>>> wanted;
   for (std::size_t j = 0; j < columns.size(); ++j) {
-    const Unknown& unknown = unknowns_[at(columns[j])];
+    const Unknown& unknown = unknowns_[columns[j]];
     if (unknown.local < 0)
       continue;
     wanted[unknown.element].emplace_back(unknown.local, static_cast<Index>(j));
@@ -95,10 +95,8 @@ Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
     const Vec2 middle = tree.fromCentre(cluster, space_.mesh().at(f, 0));
     for (int p = 0; p < points_; ++p) {
       const double angle = 2 * pi * p / points_;
-      x[static_cast<std::size_t>(p / lanes)].lane[p % lanes] =
-          radius * std::cos(angle) - middle.x;
-      y[static_cast<std::size_t>(p / lanes)].lane[p % lanes] =
-          radius * std::sin(angle) - middle.y;
+      x[p / lanes].lane[p % lanes] = radius * std::cos(angle) - middle.x;
+      y[p / lanes].lane[p % lanes] = radius * std::sin(angle) - middle.y;
     }
     const double distance = radius - std::sqrt(dot(middle, middle));
     const Rule& rule = gaussLegendre(gaussPoints(smoothOrder(distance / element.half),
@@ -113,7 +111,7 @@ Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
         weightedFunctions(rule, element.degree, element.densities, element.half);
     const LocalFunctions local(element);
     const int width = 2 * local.displacements + 3 * element.densities;
-    sums.resize(static_cast<std::size_t>(packs * width));
+    sums.resize(packs * width);
     dispatch(set, Fields{constants, packs, x.data(), y.data(), element.degree + 1,
                          element.densities, rule.size(), places.data(), values.data(),
                          sums.data()});
@@ -122,8 +120,7 @@ Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
         const int sum = sumOf(local, function, c);
         double* to = out.column(column) + c * points_;
         for (int p = 0; p < points_; ++p)
-          to[p] +=
-              sums[static_cast<std::size_t>(p / lanes * width + sum)].lane[p % lanes];
+          to[p] += sums[p / lanes * width + sum].lane[p % lanes];
       }
   }
   return out;

@@ -14,19 +14,19 @@ namespace {
 void scaleRows(const Vector& scales, Matrix& x) {
   for (Index j = 0; j < x.columns(); ++j)
     for (Index i = 0; i < x.rows(); ++i)
-      x(i, j) *= scales[at(i)];
+      x(i, j) *= scales[i];
 }
 
 }  // namespace
 
 ScaledLu::ScaledLu(Matrix matrix)
-    : lu_(std::move(matrix)), scales_(at(lu_.rows())), pivots_(at(lu_.rows())) {
+    : lu_(std::move(matrix)), scales_(lu_.rows()), pivots_(at(lu_.rows())) {
   const int n = static_cast<int>(lu_.rows());
   if (n == 0)
     return;
   for (Index j = 0; j < n; ++j)
     for (Index i = 0; i < n; ++i)
-      scales_[at(i)] = std::max(scales_[at(i)], std::abs(lu_(i, j)));
+      scales_[i] = std::max(scales_[i], std::abs(lu_(i, j)));
   for (double& scale : scales_)
     scale = scale > 0 ? 1 / scale : 1;
   scaleRows(scales_, lu_);

@@ -20,7 +20,7 @@ Interpolation spread(Interpolation some, const std::vector<Index>& places,
                      const std::vector<Index>& staying) {
   for (std::vector<Index>* own : {&some.skeleton, &some.rest})
     for (Index& place : *own)
-      place = places[at(place)];
+      place = places[place];
   if (staying.empty())
     return some;
   some.skeleton.insert(some.skeleton.end(), staying.begin(), staying.end());
@@ -45,16 +45,16 @@ class Builder {
         added_(out.unknowns.size()),
         largestAdded_(out.unknowns.size()) {
     for (const LocalCoupling::Entry& entry : out.entries) {
-      added_[at(entry.row)].push_back({entry.column, entry.value});
+      added_[entry.row].push_back({entry.column, entry.value});
       if (entry.row != entry.column)
-        added_[at(entry.column)].push_back({entry.row, entry.value});
+        added_[entry.column].push_back({entry.row, entry.value});
       for (const Index i : {entry.row, entry.column})
-        largestAdded_[at(i)] = std::max(largestAdded_[at(i)], std::abs(entry.value));
+        largestAdded_[i] = std::max(largestAdded_[i], std::abs(entry.value));
     }
   }
 
   void build() {
-    out_.parts.resize(static_cast<std::size_t>(tree_.size()));
+    out_.parts.resize(tree_.size());
     fillLeaves();
     if (!subtrees_.roots().empty())
       own_ = std::make_unique<const NearBlocks>(space_, lame_, tree_, ownElements(),
@@ -73,6 +73,7 @@ class Builder {
       {
         Worker worker(*this);
 #pragma omp for schedule(dynamic, 1)
+        // NOLINTNEXTLINE(modernize-loop-convert): OpenMP divides it
         for (std::size_t k = 0; k < mine.size(); ++k) {
           worker.fillBlock(mine[k]);
           if (l > 0 && !tree_[mine[k]].isEmpty())
@@ -147,7 +148,7 @@ class Builder {
       for (const Index row : near)
         sizes.push_back(weight(row));
       for (Index j = 0; j < n; ++j) {
-        const Index unknown = active[at(j)];
+        const Index unknown = active[j];
         const double own = weight(unknown);
         double square = 0;
         for (Index i = 0; i < fields.rows(); ++i) {
@@ -158,14 +159,14 @@ class Builder {
         const auto [component, force] = builder_.netForce(unknown);
         a(fields.rows() + component, j) = own / stiffness * std::sqrt(radius) * force;
         for (Index i = 0; i < entries.rows(); ++i)
-          a(first + i, j) = own * sizes[at(i)] * entries(i, j);
+          a(first + i, j) = own * sizes[i] * entries(i, j);
       }
       Interpolation kept;
       if (n > 0)
         kept = interpolateColumns(std::move(a), options().tolerance * std::sqrt(largest));
       part.weights = spread(std::move(kept), places, staying);
       for (const Index k : part.weights.skeleton)
-        part.skeleton.push_back(part.active[at(k)]);
+        part.skeleton.push_back(part.active[k]);
       // from scaled columns to those of the unknowns
       Vector own;
       for (const Index unknown : part.active)
@@ -173,8 +174,7 @@ class Builder {
       Matrix& weights = part.weights.weights;
       for (Index j = 0; j < weights.columns(); ++j)
         for (Index i = 0; i < weights.rows(); ++i)
-          weights(i, j) *=
-              own[at(part.weights.skeleton[at(i)])] / own[at(part.weights.rest[at(j)])];
+          weights(i, j) *= own[part.weights.skeleton[i]] / own[part.weights.rest[j]];
     }
 
    private:
@@ -195,13 +195,13 @@ class Builder {
                   Matrix& result) {
       const auto& added = builder_.added_;
       for (std::size_t i = 0; i < rows.size(); ++i)
-        places_[at(rows[i])] = static_cast<Index>(i);
+        places_[rows[i]] = static_cast<Index>(i);
       for (std::size_t j = 0; j < columns.size(); ++j)
-        for (const Added& entry : added[at(columns[j])])
-          if (places_[at(entry.other)] >= 0)
-            result(places_[at(entry.other)], static_cast<Index>(j)) += entry.value;
+        for (const Added& entry : added[columns[j]])
+          if (places_[entry.other] >= 0)
+            result(places_[entry.other], static_cast<Index>(j)) += entry.value;
       for (const Index row : rows)
-        places_[at(row)] = -1;
+        places_[row] = -1;
     }
 
     const Builder& builder_;
@@ -225,12 +225,12 @@ class Builder {
 
     double operator()(Index unknown) const {
       const Mesh& mesh = builder_.space_.mesh();
-      const Unknown& u = builder_.out_.unknowns[at(unknown)];
+      const Unknown& u = builder_.out_.unknowns[unknown];
       const Element& element = mesh[u.element];
       const double own = 2 * element.half;
       if (u.local < 0)
         return stiffness_ * std::sqrt(std::max(own, shortest_)) /
-               builder_.largestAdded_[at(unknown)];
+               builder_.largestAdded_[unknown];
       const LocalFunctions local(element);
       if (u.local >= local.displacements) {
         const int i = (u.local - local.displacements) / 2;
@@ -250,7 +250,7 @@ class Builder {
     double shortest_;
   };
 
-  ClusterPart& part(int c) const { return out_.parts[static_cast<std::size_t>(c)]; }
+  ClusterPart& part(int c) const { return out_.parts[c]; }
 
   void fillLeaves() {
     for (std::size_t i = 0; i < out_.unknowns.size(); ++i)
@@ -259,18 +259,18 @@ class Builder {
   }
 
   std::vector<char> allElements() const {
-    return std::vector<char>(static_cast<std::size_t>(space_.mesh().size()), 1);
+    return std::vector<char>(space_.mesh().size(), 1);
   }
   void mark(const std::vector<Index>& unknowns, std::vector<char>& elements) const {
     for (const Index i : unknowns) {
-      const Unknown& unknown = out_.unknowns[at(i)];
-      elements[static_cast<std::size_t>(unknown.element)] = 1;
-      elements[static_cast<std::size_t>(space_.mesh()[unknown.element].previous)] = 1;
+      const Unknown& unknown = out_.unknowns[i];
+      elements[unknown.element] = 1;
+      elements[space_.mesh()[unknown.element].previous] = 1;
     }
   }
   /// Those that unknowns of this process's subtrees live on.
   std::vector<char> ownElements() const {
-    std::vector<char> elements(static_cast<std::size_t>(space_.mesh().size()));
+    std::vector<char> elements(space_.mesh().size());
     for (int c = 0; c < tree_.size(); ++c)
       if (tree_[c].isLeaf() && subtrees_.isMine(c))
         mark(part(c).active, elements);
@@ -285,7 +285,7 @@ class Builder {
                                                 allElements());
       return;
     }
-    std::vector<char> elements(static_cast<std::size_t>(space_.mesh().size()));
+    std::vector<char> elements(space_.mesh().size());
     for (const int root : subtrees_.roots())
       mark(tree_[root].level > level ? part(root).skeleton : part(root).active, elements);
     top_ = std::make_unique<const NearBlocks>(space_, lame_, tree_, elements, elements);
@@ -295,11 +295,11 @@ class Builder {
     if (subtrees_.roots().empty())
       return;
     // the skeleton's size and itself; there is room for all that is active
-    std::vector<Vector> lists(static_cast<std::size_t>(tree_.size()));
+    std::vector<Vector> lists(tree_.size());
     const auto forLists = [&](const auto& action) {
       for (const int c : tree_.level(level))
         if (!subtrees_.isEverybodys(c))
-          action(c, lists[static_cast<std::size_t>(c)]);
+          action(c, lists[c]);
     };
     forLists([&](int c, Vector& list) {
       const std::vector<Index>& skeleton = part(c).skeleton;
@@ -321,7 +321,7 @@ class Builder {
   }
 
   bool actsOutside(Index unknown, int c) const {
-    const std::vector<int>& leaves = out_.abroad[at(unknown)];
+    const std::vector<int>& leaves = out_.abroad[unknown];
     return std::any_of(leaves.begin(), leaves.end(),
                        [&](int leaf) { return !tree_.contains(c, leaf); });
   }
@@ -334,7 +334,7 @@ class Builder {
 
   /// The force that a unit of an unknown puts on the body, and its component.
   std::pair<Index, double> netForce(Index unknown) const {
-    const Unknown& u = out_.unknowns[at(unknown)];
+    const Unknown& u = out_.unknowns[unknown];
     const Element& element = space_.mesh()[u.element];
     const int i = u.local - LocalFunctions(element).displacements;
     return {i == 1 ? 1 : 0, i == 0 || i == 1 ? 2 * element.half : 0};
@@ -343,7 +343,7 @@ class Builder {
   /// Does an unknown's function reach into the circle of radius r around a cluster?
   bool reaches(Index unknown, int c, double r) const {
     const Mesh& mesh = space_.mesh();
-    const Unknown& u = out_.unknowns[at(unknown)];
+    const Unknown& u = out_.unknowns[unknown];
     const auto touches = [&](int e) {
       return length(tree_.fromCentre(c, mesh.at(e, 0))) - mesh[e].half < r;
     };

@@ -15,11 +15,11 @@ namespace epafi::bem {
 // together.
 Subtrees::Subtrees(const ClusterTree& tree, const std::vector<Index>& weights,
                    const DenseAlgebra& algebra)
-    : algebra_(&algebra), owners_(static_cast<std::size_t>(tree.size()), -1) {
+    : algebra_(&algebra), owners_(tree.size(), -1) {
   if (isAlone() || tree.levels() == 1)
     return;
   constexpr std::size_t each = 4;
-  const auto processes = static_cast<std::size_t>(algebra.processes());
+  const std::size_t processes = algebra.processes();
   int level = 1;
   while (level < tree.levels() - 1 && tree.cut(level).size() < each * processes)
     ++level;
@@ -27,11 +27,11 @@ Subtrees::Subtrees(const ClusterTree& tree, const std::vector<Index>& weights,
   std::vector<Index> loads(processes);
   for (const int root : roots_) {
     const auto least = std::min_element(loads.begin(), loads.end());
-    *least += weights[static_cast<std::size_t>(root)];
-    owners_[static_cast<std::size_t>(root)] = static_cast<int>(least - loads.begin());
+    *least += weights[root];
+    owners_[root] = static_cast<int>(least - loads.begin());
   }
   for (int c = 1; c < tree.size(); ++c)  // children come behind their parents
-    owners_[static_cast<std::size_t>(c)] = std::max(ownerOf(c), ownerOf(tree[c].parent));
+    owners_[c] = std::max(ownerOf(c), ownerOf(tree[c].parent));
 }
 
 // Sums with zeros, so that all have the same bits.  What each process is about comes behind.
@@ -60,8 +60,8 @@ Vector Subtrees::summed(double kind, double check, const std::string& failure,
 
 // That of the lowest rank which has one.
 void Subtrees::throwFirst(const std::string& failure) const {
-  Vector sizes(static_cast<std::size_t>(algebra_->processes()));
-  sizes[static_cast<std::size_t>(algebra_->rank())] = static_cast<double>(failure.size());
+  Vector sizes(algebra_->processes());
+  sizes[algebra_->rank()] = static_cast<double>(failure.size());
   sizes = algebra_->sum(std::move(sizes));
   const auto first =
       std::find_if(sizes.begin(), sizes.end(), [](double size) { return size > 0; });
@@ -81,8 +81,8 @@ void Subtrees::exchangeRows(const ClusterTree& tree,
                             Matrix& x) const {
   exchangeNumbers(1, check, [&](const auto& action) {
     for (int c = 0; c < tree.size(); ++c)
-      if (tree[c].isLeaf() && paths[static_cast<std::size_t>(c)] != 0)
-        for (const Index i : parts[static_cast<std::size_t>(c)].active)
+      if (tree[c].isLeaf() && paths[c] != 0)
+        for (const Index i : parts[c].active)
           for (Index j = 0; j < x.columns(); ++j)
             action(c, x(i, j));
   });

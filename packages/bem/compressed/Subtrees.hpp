@@ -28,7 +28,7 @@ class Subtrees {
   bool isMine(int c) const { return isEverybodys(c) || ownerOf(c) == algebra_->rank(); }
   bool isEverybodys(int c) const { return ownerOf(c) < 0; }
   /// -1: everybody
-  int ownerOf(int c) const { return owners_[static_cast<std::size_t>(c)]; }
+  int ownerOf(int c) const { return owners_[c]; }
   /// Of the clusters that one process has those whose parents are everybody's.
   const std::vector<int>& roots() const { return roots_; }
 
@@ -61,8 +61,8 @@ class Subtrees {
                      Index columns, std::vector<Matrix>& matrices) const {
     const auto forRoots = [&](const auto& action) {
       for (const int root : roots_)
-        if (on[static_cast<std::size_t>(root)] != 0)
-          action(root, matrices[static_cast<std::size_t>(root)]);
+        if (on[root] != 0)
+          action(root, matrices[root]);
     };
     forRoots([&](int root, Matrix& matrix) {
       if (!isMine(root))

@@ -14,6 +14,7 @@ void visitLevel(const ClusterTree& tree, int level, const Asked& asked,
     if (asked(c))
       clusters.push_back(c);
 #pragma omp parallel for schedule(dynamic, 1) if (clusters.size() > 1)
+  // NOLINTNEXTLINE(modernize-loop-convert): OpenMP divides it
   for (std::size_t k = 0; k < clusters.size(); ++k)
     visit(clusters[k]);
 }
@@ -29,7 +30,7 @@ void upwards(const ClusterTree& tree, const Subtrees& subtrees,
       visitLevel(
           tree, l,
           [&](int c) {
-            return on[static_cast<std::size_t>(c)] != 0 && subtrees.isMine(c) &&
+            return on[c] != 0 && subtrees.isMine(c) &&
                    subtrees.isEverybodys(c) == everybodys;
           },
           visit);
@@ -44,9 +45,7 @@ void downwards(const ClusterTree& tree, const Subtrees& subtrees,
                const std::vector<char>& on, const Visit& visit) {
   for (int l = 0; l < tree.levels(); ++l)
     visitLevel(
-        tree, l,
-        [&](int c) { return on[static_cast<std::size_t>(c)] != 0 && subtrees.isMine(c); },
-        visit);
+        tree, l, [&](int c) { return on[c] != 0 && subtrees.isMine(c); }, visit);
 }
 
 }  // namespace epafi::bem

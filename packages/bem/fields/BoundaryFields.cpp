@@ -34,8 +34,9 @@ struct BoundaryFields::Sources {
   std::map<int, Far> far;  ///< by Gauss points on the target element
 };
 
-/// Fields of the far sources on the target element, Legendre coefficients.
-struct BoundaryFields::FarSeries {
+/// What is smooth on the target element, Legendre coefficients: fields of the far sources, and
+/// half of the element's own density and slope.
+struct BoundaryFields::SmoothSeries {
   std::vector<Complex> traction;
   std::vector<Complex> mismatch;
 };
@@ -62,22 +63,21 @@ BoundaryFields::BoundaryFields(const Space& space, const Lame& lame, const Vecto
 void BoundaryFields::addPoints(int f, int order, Vec2 middle,
                                PointSources& points) const {
   const Element& source = mesh_[f];
-  const LocalField& values = fields_[static_cast<std::size_t>(f)];
+  const LocalField& values = fields_[f];
   const Rule& rule = gaussLegendre(order);
-  const auto known = static_cast<std::size_t>(order) < everything_.size()
-                         ? &everything_[static_cast<std::size_t>(order)]
-                         : nullptr;
-  const auto first = static_cast<std::size_t>(f) * static_cast<std::size_t>(order);
-  for (int q = 0; q < rule.size(); ++q) {
+  const auto place = [&](std::size_t q) {
+    return asComplex(middle + source.curve.fromMiddle(rule.points[q]));
+  };
+  const auto size = static_cast<std::size_t>(order);
+  const std::size_t first = static_cast<std::size_t>(f) * size;
+  if (size < everything_.size() && first < everything_[size].size()) {
+    points.add(everything_[size], first, size, place);
+    return;
+  }
+  for (std::size_t q = 0; q < size; ++q) {
     const double t = rule.points[q];
-    const Complex place = asComplex(middle + source.curve.fromMiddle(t));
-    const std::size_t k = first + static_cast<std::size_t>(q);
-    if (known != nullptr && k < known->size()) {
-      points.add(place, *known, k);
-      continue;
-    }
     const double weight = source.half * rule.weights[q];
-    points.add(place, weight * evaluate(values.density, source.densities - 1, t),
+    points.add(place(q), weight * evaluate(values.density, source.densities - 1, t),
                weight * evaluate(values.slope, source.degree - 1, t));
   }
 }
@@ -88,8 +88,8 @@ void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
   const FarLanes chosen = runs_.choose(element, r, {run.first, run.last}, batch);
   if (chosen.atOnce) {
     const int order = pointsOn(chosen.smooth.inner, chosen.columns);
-    const auto first = static_cast<std::size_t>(run.first * order);
-    const auto last = static_cast<std::size_t>(run.last * order);
+    const std::size_t first = run.first * order;
+    const std::size_t last = run.last * order;
     // interpolation needs twice as many points as a product of two such fields
     auto& stretches = sources.far[2 * chosen.smooth.outer].stretches;
     if (!stretches.empty() && stretches.back().order == order &&
@@ -123,7 +123,7 @@ BoundaryFields::Sources BoundaryFields::split(int element) const {
   const Complex middle = asComplex(mesh_[element].curve.frame().middle);
   std::vector<int> waiting(groups.empty() ? 0 : 1, 0);
   while (!waiting.empty()) {
-    const SourceGroups::Group& group = groups[static_cast<std::size_t>(waiting.back())];
+    const SourceGroups::Group& group = groups[waiting.back()];
     waiting.pop_back();
     if (SourceGroups::isFar(group, middle, half) && mesh_[element].curve.isStraight()) {
       const double z = (std::abs(middle - group.centre) - group.radius) / half;
@@ -138,13 +138,18 @@ BoundaryFields::Sources BoundaryFields::split(int element) const {
   return sources;
 }
 
-BoundaryFields::FarSeries BoundaryFields::farSeries(int element,
-                                                    const Sources& sources) const {
+BoundaryFields::SmoothSeries BoundaryFields::smoothSeries(int element,
+                                                          const Sources& sources) const {
   const Element& target = mesh_[element];
   const Complex middle = asComplex(target.curve.frame().middle);
-  FarSeries series;
+  SmoothSeries series;
+  const LocalField& own = fields_[element];
+  for (int k = 0; k < std::max(target.degree, target.densities); ++k) {
+    series.traction.push_back(0.5 * own.density[k]);
+    series.mismatch.push_back(-0.5 * own.slope[k]);
+  }
   for (const auto& [order, far] : sources.far) {
-    const auto size = static_cast<std::size_t>(order);
+    const std::size_t size = order;
     series.traction.resize(std::max(series.traction.size(), size));
     series.mismatch.resize(series.traction.size());
     const Rule& rule = gaussLegendre(order);
@@ -155,8 +160,8 @@ BoundaryFields::FarSeries BoundaryFields::farSeries(int element,
       const Complex offset = asComplex(target.curve.fromMiddle(rule.points[q]));
       FieldSums sums = far.points.at(offset);
       for (const Sources::Stretch& stretch : far.stretches)
-        sums.add(everything_[static_cast<std::size_t>(stretch.order)].at(
-            middle + offset, stretch.first, stretch.last));
+        sums.add(
+            everything_[stretch.order].at(middle + offset, stretch.first, stretch.last));
       for (const SourceGroups::Group* group : far.groups)
         sums.add(SourceGroups::at(*group, middle + offset));
       const Complex t = traction(lame_, normal, sums);
@@ -174,10 +179,10 @@ BoundaryFields::FarSeries BoundaryFields::farSeries(int element,
 
 std::vector<BoundaryValue> BoundaryFields::at(int element, const Sources& sources,
                                               const std::vector<EndPoint>& points) const {
-  const FarSeries series = farSeries(element, sources);
+  const SmoothSeries series = smoothSeries(element, sources);
   NearElements near(mesh_, element, points);
   for (const int f : sources.near)
-    near.add(f, fields_[static_cast<std::size_t>(f)]);
+    near.add(f, fields_[f]);
   std::vector<BoundaryValue> values;
   for (std::size_t q = 0; q < points.size(); ++q)
     values.push_back(valueAt(element, points[q], near.at(q), series));
@@ -186,17 +191,13 @@ std::vector<BoundaryValue> BoundaryFields::at(int element, const Sources& source
 
 BoundaryValue BoundaryFields::valueAt(int element, const EndPoint& point,
                                       const FieldSums& sums,
-                                      const FarSeries& series) const {
-  const Element& target = mesh_[element];
-  const Complex normal = asComplex(target.curve.normal(point.t));
-  const LocalField& own = fields_[static_cast<std::size_t>(element)];
+                                      const SmoothSeries& series) const {
+  const Complex normal = asComplex(mesh_[element].curve.normal(point.t));
   const int last = static_cast<int>(series.traction.size()) - 1;
-  const Complex t = traction(lame_, normal, sums) +
-                    evaluate(series.traction, last, point.t) +
-                    0.5 * evaluate(own.density, target.densities - 1, point.t);
-  const Complex m = mismatchSlope(lame_, normal, sums) +
-                    evaluate(series.mismatch, last, point.t) -
-                    0.5 * evaluate(own.slope, target.degree - 1, point.t);
+  const Complex t =
+      traction(lame_, normal, sums) + evaluate(series.traction, last, point.t);
+  const Complex m =
+      mismatchSlope(lame_, normal, sums) + evaluate(series.mismatch, last, point.t);
   return {point, 0, asVector(t), asVector(m)};
 }
 

@@ -41,16 +41,16 @@ class BoundaryFields {
 
  private:
   struct Sources;
-  struct FarSeries;
+  struct SmoothSeries;
 
   void addPoints(int f, int order, Vec2 middle, PointSources& points) const;
   void splitRun(int element, int r, Sources& sources) const;
   Sources split(int element) const;
-  FarSeries farSeries(int element, const Sources& sources) const;
+  SmoothSeries smoothSeries(int element, const Sources& sources) const;
   std::vector<BoundaryValue> at(int element, const Sources& sources,
                                 const std::vector<EndPoint>& points) const;
   BoundaryValue valueAt(int element, const EndPoint& point, const FieldSums& sums,
-                        const FarSeries& series) const;
+                        const SmoothSeries& series) const;
 
   Mesh mesh_;
   ElementRuns runs_;  ///< of mesh_

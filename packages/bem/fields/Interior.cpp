@@ -36,13 +36,12 @@ ElementFields fieldsOfSegment(const Lame& lame, const Element& element,
   in.evaluate(element.curve, target, terms + 1, Need::All);
   const Complex normal = asComplex(element.segment().normal);
   for (int j = 0; j <= terms; ++j) {
-    const auto k = static_cast<std::size_t>(j);
-    const Complex v = field.value[k];
+    const Complex v = field.value[j];
     fields.displacement -=
         doubleLayer(lame, normal * v * in[j], std::real(std::conj(normal) * v) * in[j]);
     fields.displacement +=
-        singleLayerOf(lame, element, target, in.moments(), j, field.density[k]);
-    fields.sums.add({field.density[k] * in[j], field.slope[k] * in[j]});
+        singleLayerOf(lame, element, target, in.moments(), j, field.density[j]);
+    fields.sums.add({field.density[j] * in[j], field.slope[j] * in[j]});
   }
   return fields;
 }
@@ -56,19 +55,18 @@ ElementFields fieldsOfArc(const Lame& lame, const Element& element,
   weights.evaluate(rule, target, ArcNeed::All);
   ElementFields fields;
   for (int q = 0; q < rule.size(); ++q) {
-    const auto k = static_cast<std::size_t>(q);
     const double t = rule.point(q);
     const double half = element.half;
     const Complex normal = rule.normal(q);
-    const SourceSums unit = {half * weights.overW[k], half * std::conj(weights.overW[k]),
-                             half * weights.cubic[k]};
+    const SourceSums unit = {half * weights.overW[q], half * std::conj(weights.overW[q]),
+                             half * weights.cubic[q]};
     const Complex v = evaluate(field.value, element.degree, t);
     const Complex f = evaluate(field.density, element.densities - 1, t);
     fields.displacement -=
         doubleLayer(lame, normal * v * unit, std::real(std::conj(normal) * v) * unit);
     fields.displacement +=
-        half * singleLayer(lame, weights.log[k] * f, rule.weight(q) * f,
-                           std::conj(f) * weights.phase[k]);
+        half * singleLayer(lame, weights.log[q] * f, rule.weight(q) * f,
+                           std::conj(f) * weights.phase[q]);
     fields.sums.add({f * unit, evaluate(field.slope, element.degree - 1, t) * unit});
   }
   return fields;

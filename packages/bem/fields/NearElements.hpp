@@ -6,7 +6,6 @@
 #include "bem/simd/Pack.hpp"
 #include "bem/space/LocalField.hpp"
 
-#include <array>
 #include <vector>
 
 namespace epafi::bem {

@@ -104,13 +104,6 @@ void PointSources::add(Complex place, Complex density, Complex slope) {
   data_[SlopeY].push_back(slope.imag());
 }
 
-void PointSources::add(Complex place, const PointSources& others, std::size_t k) {
-  data_[X].push_back(place.real());
-  data_[Y].push_back(place.imag());
-  for (const int array : {DensityX, DensityY, SlopeX, SlopeY})
-    data_[array].push_back(others.data_[array][k]);
-}
-
 FieldSums PointSources::at(Complex x, std::size_t first, std::size_t last,
                            InstructionSet set) const {
   Columns columns{{}, last - first};

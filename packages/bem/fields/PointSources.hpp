@@ -12,8 +12,21 @@ namespace epafi::bem {
 class PointSources {
  public:
   void add(Complex place, Complex density, Complex slope);
-  /// A point of others at another place.
-  void add(Complex place, const PointSources& others, std::size_t k);
+  /// Points first ... first + count - 1 of others at other places: place(q), q < count.
+  template <class Place>
+  void add(const PointSources& others, std::size_t first, std::size_t count,
+           const Place& place) {
+    const std::size_t old = size();
+    for (int array = 0; array < Arrays; ++array) {
+      const double* from = others.data_[array].data() + first;
+      data_[array].insert(data_[array].end(), from, from + count);
+    }
+    for (std::size_t q = 0; q < count; ++q) {
+      const Complex x = place(q);
+      data_[X][old + q] = x.real();
+      data_[Y][old + q] = x.imag();
+    }
+  }
   std::size_t size() const { return data_[X].size(); }
 
   /// Their sums at x, in about 1 ns a point.

@@ -43,7 +43,7 @@ int SourceGroups::divide(int first, int last) {
         std::max(group.radius,
                  std::abs(asComplex(runs_[r].centre) - group.centre) + runs_[r].radius);
   if (number > 0) {
-    group.moments.resize(static_cast<std::size_t>(termsFor(1 / separation)));
+    group.moments.resize(termsFor(1 / separation));
     for (int r = first; r < last; ++r)
       for (int f = runs_[r].first; f < runs_[r].last; ++f)
         addElement(f, group);
@@ -53,14 +53,14 @@ int SourceGroups::divide(int first, int last) {
     return number;
   const int left = divide(first, (first + last) / 2);
   const int right = divide((first + last) / 2, last);
-  groups_[static_cast<std::size_t>(number)].children[0] = left;
-  groups_[static_cast<std::size_t>(number)].children[1] = right;
+  groups_[number].children[0] = left;
+  groups_[number].children[1] = right;
   return number;
 }
 
 void SourceGroups::addElement(int f, Group& group) const {
   const Element& source = runs_.mesh()[f];
-  const LocalField& values = fields_[static_cast<std::size_t>(f)];
+  const LocalField& values = fields_[f];
   // the circle that targets stay outside of, seen from the element
   const double z = (separation - 1) * group.radius / source.half;
   const Rule& rule =

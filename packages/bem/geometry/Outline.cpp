@@ -93,31 +93,28 @@ void checkBulges(const Loop& loop) {
   if (loop.bulges.empty())
     return;
   if (loop.bulges.size() != loop.vertices.size())
-    throw InputError(message("a polygon of ", loop.vertices.size(),
-                             " vertices has as many bulges, one for each edge (0: "
-                             "straight); ",
-                             loop.bulges.size(), " are given"));
+    throw InputError("a polygon of ", loop.vertices.size(),
+                     " vertices has as many bulges, one for each edge (0: straight); ",
+                     loop.bulges.size(), " are given");
   for (std::size_t i = 0; i < loop.bulges.size(); ++i)
     if (!(std::abs(loop.bulges[i]) <= largestBulge))
-      throw InputError(message("the bulge of edge ", i, " is ", loop.bulges[i],
-                               "; it is tan(angle/4) of the arc, and from -",
-                               largestBulge, " to ", largestBulge,
-                               " (1: half a circle)"));
+      throw InputError("the bulge of edge ", i, " is ", loop.bulges[i],
+                       "; it is tan(angle/4) of the arc, and from -", largestBulge,
+                       " to ", largestBulge, " (1: half a circle)");
 }
 
 void checkVertices(const Loop& loop) {
   const std::size_t least = hasArcs(loop) ? 2 : 3;
   if (loop.vertices.size() < least)
-    throw InputError(message("a polygon needs at least ", least,
-                             " vertices, this one has ", loop.vertices.size()));
+    throw InputError("a polygon needs at least ", least, " vertices, this one has ",
+                     loop.vertices.size());
   if (loop.edges.size() != loop.vertices.size())
-    throw InputError(message("a polygon of ", loop.vertices.size(),
-                             " vertices has as many ", "edges; ", loop.edges.size(),
-                             " names are given"));
+    throw InputError("a polygon of ", loop.vertices.size(), " vertices has as many ",
+                     "edges; ", loop.edges.size(), " names are given");
   for (std::size_t i = 0; i < loop.vertices.size(); ++i)
     if (!std::isfinite(loop.vertices[i].x) || !std::isfinite(loop.vertices[i].y))
-      throw InputError(
-          message("vertex ", i, " = ", pointText(loop.vertices[i]), " is not finite"));
+      throw InputError("vertex ", i, " = ", pointText(loop.vertices[i]),
+                       " is not finite");
 }
 
 /// Neighbours share a vertex, so what they must not do is fold back onto each other.
@@ -127,14 +124,14 @@ void checkFold(const Loop& loop, std::size_t i, double tolerance) {
   const Curve second = curveOf(loop, j);
   if (!first.isStraight() || !second.isStraight()) {
     if (meetElsewhere(first, second, tolerance, blindness * sizeOf(loop)))
-      throw InputError(message("the polygon touches or crosses itself: ", nameOf(loop, i),
-                               " and ", nameOf(loop, j)));
+      throw InputError("the polygon touches or crosses itself: ", nameOf(loop, i),
+                       " and ", nameOf(loop, j));
     return;
   }
   const Vec2 corner = first.to();
   if (dot(first.from() - corner, second.to() - corner) > 0 &&
       std::min(second.distance(first.from()), first.distance(second.to())) <= tolerance)
-    throw InputError(message(nameOf(loop, j), " runs back along ", nameOf(loop, i)));
+    throw InputError(nameOf(loop, j), " runs back along ", nameOf(loop, i));
 }
 
 void checkSimple(const Loop& loop) {
@@ -143,19 +140,18 @@ void checkSimple(const Loop& loop) {
   const auto& v = loop.vertices;
   for (std::size_t i = 0; i < n; ++i)
     if (!(norm(v[after(i, loop)] - v[i]) > tolerance))
-      throw InputError(message(nameOf(loop, i), " has no length: vertices ", i, " and ",
-                               after(i, loop), " are both ", pointText(v[i]),
-                               i + 1 == n
-                                   ? "; the polygon closes by itself, do not repeat "
-                                     "the first vertex"
-                                   : ""));
+      throw InputError(
+          nameOf(loop, i), " has no length: vertices ", i, " and ", after(i, loop),
+          " are both ", pointText(v[i]),
+          i + 1 == n ? "; the polygon closes by itself, do not repeat the first vertex"
+                     : "");
   const std::vector<Curve> curves = curvesOf(loop);
   for (std::size_t i = 0; i < n; ++i) {
     checkFold(loop, i, tolerance);
     for (std::size_t j = i + 2; j < n; ++j)
       if (!(i == 0 && j == n - 1) && meet(curves[i], curves[j], tolerance))
-        throw InputError(message("the polygon touches or crosses itself: ",
-                                 nameOf(loop, i), " and ", nameOf(loop, j)));
+        throw InputError("the polygon touches or crosses itself: ", nameOf(loop, i),
+                         " and ", nameOf(loop, j));
   }
   const double area = twiceArea(loop);
   if (area == 0)
@@ -172,8 +168,8 @@ void checkApart(const Loop& a, const Loop& b, double tolerance, const std::strin
   for (std::size_t i = 0; i < ofA.size(); ++i)
     for (std::size_t j = 0; j < ofB.size(); ++j)
       if (meet(ofA[i], ofB[j], tolerance))
-        throw InputError(message(first, " and ", second, " touch or cross: ",
-                                 nameOf(a, i), " and ", nameOf(b, j)));
+        throw InputError(first, " and ", second, " touch or cross: ", nameOf(a, i),
+                         " and ", nameOf(b, j));
 }
 
 void checkLoop(const Loop& loop, const std::string& name) {
@@ -235,20 +231,20 @@ Outline::Outline(const Loop& outer, const std::vector<Loop>& holes,
       checkApart(holes[other], holes[k], tolerance, otherName, name);
       if (inside(holes[k].vertices[0], curvesOf(holes[other])) ||
           inside(holes[other].vertices[0], curvesOf(holes[k])))
-        throw InputError(message(name, " and ", otherName, " lie inside each other"));
+        throw InputError(name, " and ", otherName, " lie inside each other");
     }
   }
 
   diameter_ = sizeOf(outer);
   if (!(diameter_ <= scaling.length))
-    throw InputError(message("a body of diameter ", diameter_,
-                             " in a scaling for lengths up to ", scaling.length));
+    throw InputError("a body of diameter ", diameter_, " in a scaling for lengths up to ",
+                     scaling.length);
 
   const auto append = [this](const Loop& loop) {
     const int first = static_cast<int>(edges_.size());
     const int n = static_cast<int>(loop.vertices.size());
     for (int i = 0; i < n; ++i) {
-      const auto k = static_cast<std::size_t>(i);
+      const std::size_t k = i;
       Edge edge;
       const Vec2 from = loop.vertices[k];
       const Vec2 to = loop.vertices[after(k, loop)];

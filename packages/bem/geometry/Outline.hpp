@@ -54,7 +54,7 @@ class Outline {
   Outline(const Loop& outer, const std::vector<Loop>& holes, const Scaling& scaling);
 
   const std::vector<Edge>& edges() const { return edges_; }
-  const Edge& edge(int e) const { return edges_[static_cast<std::size_t>(e)]; }
+  const Edge& edge(int e) const { return edges_[e]; }
   int loops() const { return loops_; }
 
   /// Diameter of the outer polygon, in the user's unit of length.

@@ -133,19 +133,4 @@ inline __attribute__((always_inline)) KernelBlock<Number> doubleLayerBlock(
   return {im + l, -re - log, log - re, l - im};
 }
 
-/// W of functions that vanish at the ends of their supports, at two points of different
-/// ones: by parts of the form above
-///
-///   W v = -D ∫ Re(τ_x τ_y/w²) v - (Re(τ_x conj(τ_y))/conj(w)² - conj(τ_x τ_y) w/conj(w)³) conj(v) ds
-inline Block hypersingularBlock(const Lame& lame, Complex w, Complex tangentX,
-                                Complex tangentY) {
-  const Complex square = 1.0 / (w * w);
-  const double plain = -std::real(tangentX * tangentY * square);
-  const Complex turned =
-      std::conj(square) * (std::real(tangentX * std::conj(tangentY)) -
-                           std::conj(tangentX * tangentY) * w / std::conj(w));
-  return lame.d * Block{plain + turned.real(), turned.imag(), turned.imag(),
-                        plain - turned.real()};
-}
-
 }  // namespace epafi::bem

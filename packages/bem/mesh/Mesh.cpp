@@ -35,16 +35,16 @@ void check(const Outline& outline, const Element& element) {
   const Piece& piece = element.piece;
   const std::string& name = outline.edge(piece.edge).boundary;
   if (!(element.half > 0))
-    throw InputError(message("element of length ", 2 * element.half, " on boundary '",
-                             name, "'; elements must have positive length"));
+    throw InputError("element of length ", 2 * element.half, " on boundary '", name,
+                     "'; elements must have positive length");
   constexpr double halfACircle = 3.1415926535897932 * (1 + 1e-12);
   if (std::abs(element.curve.angle()) > halfACircle)
-    throw InputError(message("an element of boundary '", name, "' turns by ",
-                             std::abs(element.curve.angle()) * 180 / 3.1415926535897932,
-                             " degrees; at most 180 are possible: use more elements"));
+    throw InputError("an element of boundary '", name, "' turns by ",
+                     std::abs(element.curve.angle()) * 180 / 3.1415926535897932,
+                     " degrees; at most 180 are possible: use more elements");
   if (piece.degree < 1 || piece.degree > largestDegree)
-    throw InputError(message("degree ", piece.degree, " on boundary '", name, "'; 1 to ",
-                             largestDegree, " are possible"));
+    throw InputError("degree ", piece.degree, " on boundary '", name, "'; 1 to ",
+                     largestDegree, " are possible");
 }
 
 }  // namespace
@@ -61,15 +61,15 @@ Mesh::Mesh(std::shared_ptr<const Outline> outline, const std::vector<Piece>& pie
       first[piece.edge] = e;
     else if (last[piece.edge] != e - 1 ||
              pieces[e - 1].end.fromStart != piece.start.fromStart)
-      throw InputError(message("the mesh leaves a gap on boundary '",
-                               outline_->edge(piece.edge).boundary, "'"));
+      throw InputError("the mesh leaves a gap on boundary '",
+                       outline_->edge(piece.edge).boundary, "'");
     last[piece.edge] = e;
   }
   for (std::size_t k = 0; k < first.size(); ++k)
     if (first[k] < 0 || pieces[first[k]].start.fromStart != 0 ||
         pieces[last[k]].end.toEnd != 0)
-      throw InputError(message("the mesh does not cover edge ", k, " of boundary '",
-                               outline_->edges()[k].boundary, "'"));
+      throw InputError("the mesh does not cover edge ", k, " of boundary '",
+                       outline_->edges()[k].boundary, "'");
   for (int e = 0; e < size(); ++e) {
     Element& element = elements_[e];
     const int edge = element.piece.edge;
@@ -84,11 +84,11 @@ Mesh::Mesh(std::shared_ptr<const Outline> outline, const std::vector<Piece>& pie
 Mesh Mesh::withDensities(const std::vector<int>& densities) const {
   Mesh result = *this;
   for (int e = 0; e < size(); ++e) {
-    const int count = densities[static_cast<std::size_t>(e)];
+    const int count = densities[e];
     if (count < (*this)[e].degree || count > largestDegree + 1)
-      throw InputError(message(count, " functions of a density on an element of degree ",
-                               (*this)[e].degree));
-    result.elements_[static_cast<std::size_t>(e)].densities = count;
+      throw InputError(count, " functions of a density on an element of degree ",
+                       (*this)[e].degree);
+    result.elements_[e].densities = count;
   }
   return result;
 }
@@ -146,14 +146,14 @@ Mesh makeMesh(std::shared_ptr<const Outline> outline,
               const std::vector<int>& elementsPerEdge, int degree) {
   const std::size_t edges = outline->edges().size();
   if (elementsPerEdge.size() != edges)
-    throw InputError(message("elements for ", elementsPerEdge.size(),
-                             " edges given; the outline has ", edges));
+    throw InputError("elements for ", elementsPerEdge.size(),
+                     " edges given; the outline has ", edges);
   std::vector<Piece> pieces;
   for (std::size_t k = 0; k < edges; ++k) {
     const int count = elementsPerEdge[k];
     const double length = outline->edges()[k].curve.length();
     if (count < 1)
-      throw InputError(message(count, " elements on edge ", k, "; at least 1 is needed"));
+      throw InputError(count, " elements on edge ", k, "; at least 1 is needed");
     const auto node = [&](int i) {
       return Position{length * i / count, length * (count - i) / count};
     };

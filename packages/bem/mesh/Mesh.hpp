@@ -61,9 +61,7 @@ class Mesh {
 
   int size() const { return static_cast<int>(elements_.size()); }
   const std::vector<Element>& elements() const { return elements_; }
-  const Element& operator[](int e) const {
-    return elements_[static_cast<std::size_t>(e)];
-  }
+  const Element& operator[](int e) const { return elements_[e]; }
 
   const std::string& boundary(int e) const {
     return outline_->edge((*this)[e].piece.edge).boundary;

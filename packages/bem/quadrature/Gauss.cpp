@@ -32,8 +32,7 @@ Rule makeRule(int n) {
 const Rule& gaussLegendre(int n) {
   static MadeOnce<Rule, largestRule> rules(makeRule);
   if (n < 1 || n > largestRule)
-    throw InputError(
-        message("Gauss rule with ", n, " points; 1 to ", largestRule, " exist"));
+    throw InputError("Gauss rule with ", n, " points; 1 to ", largestRule, " exist");
   return rules[n];
 }
 

@@ -19,8 +19,8 @@ auto evaluate(const Series& series, int degree, double t) {
   Value next = 0;
   Value here = 0;
   for (int k = degree; k >= 0; --k) {
-    const Value before = series[static_cast<std::size_t>(k)] +
-                         (2 * k + 1.0) / (k + 1) * t * here - (k + 1.0) / (k + 2) * next;
+    const Value before =
+        series[k] + (2 * k + 1.0) / (k + 1) * t * here - (k + 1.0) / (k + 2) * next;
     next = here;
     here = before;
   }

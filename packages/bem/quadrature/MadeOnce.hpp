@@ -14,7 +14,7 @@ class MadeOnce {
   explicit MadeOnce(Value (*make)(int n)) : make_(make) {}
 
   const Value& operator[](int n) {
-    const auto k = static_cast<std::size_t>(n - 1);
+    const std::size_t k = n - 1;
     if (!isMade_[k].load(std::memory_order_acquire)) {
       const std::lock_guard<std::mutex> lock(making_);
       if (!isMade_[k].load(std::memory_order_relaxed)) {

@@ -6,25 +6,34 @@
 
 namespace epafi::bem {
 
-Vector signChanges(const Profile& f, int degree) {
+Vector signSamples(int degree) {
   const int intervals = 8 * (degree + 1);
+  Vector places;
+  for (int i = 0; i < intervals; ++i)
+    places.push_back(-1 + 2.0 * i / intervals);
+  places.push_back(1);
+  return places;
+}
+
+Vector signChanges(const Profile& f, const Vector& places, const Vector& values) {
   const auto isSmall = [](double a, double b) { return b - a <= 1e-15; };
   Vector changes;
-  double low = -1;
-  double valueLow = f(low);
-  for (int i = 0; i < intervals; ++i) {
-    const double next = i + 1 == intervals ? 1 : -1 + 2.0 * (i + 1) / intervals;
-    const double valueNext = f(next);
-    if ((valueLow < 0) != (valueNext < 0)) {
+  for (std::size_t i = 0; i + 1 < places.size(); ++i)
+    if ((values[i] < 0) != (values[i + 1] < 0)) {
       std::uintmax_t steps = 100;
       const auto [before, behind] = boost::math::tools::toms748_solve(
-          f, low, next, valueLow, valueNext, isSmall, steps);
+          f, places[i], places[i + 1], values[i], values[i + 1], isSmall, steps);
       changes.push_back(0.5 * (before + behind));
     }
-    low = next;
-    valueLow = valueNext;
-  }
   return changes;
+}
+
+Vector signChanges(const Profile& f, int degree) {
+  const Vector places = signSamples(degree);
+  Vector values;
+  for (const double place : places)
+    values.push_back(f(place));
+  return signChanges(f, places, values);
 }
 
 Rule piecewiseRule(Vector breaks, int order) {

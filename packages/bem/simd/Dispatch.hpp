@@ -5,9 +5,9 @@
 
 namespace epafi::bem {
 
-template <class Kernel>
+template <Division How, class Kernel>
 EPAFI_AVX512 void runAvx512(const Kernel& kernel) {
-  kernel.template run<Division::Fused>();
+  kernel.template run<How>();
 }
 
 template <class Kernel>
@@ -20,8 +20,10 @@ EPAFI_AVX2 void runAvx2(const Kernel& kernel) {
 template <class Kernel>
 void dispatch(InstructionSet set, const Kernel& kernel) {
   switch (set) {
+    case InstructionSet::Avx512Dividing:
+      return runAvx512<Division::Exact>(kernel);
     case InstructionSet::Avx512:
-      return runAvx512(kernel);
+      return runAvx512<Division::Fused>(kernel);
     case InstructionSet::Avx2:
       return runAvx2(kernel);
     case InstructionSet::Baseline:

@@ -44,12 +44,13 @@ EPAFI_INLINE void shiftUp(const Pack& x, Pack& result) {
   result = __builtin_shufflevector(x, zero, 8, 0, 1, 2, 3, 4, 5, 6);
 }
 
-/// How a kernel divides: by multiplications and additions where they are fused.
+/// How a kernel divides: by multiplications and additions where they are fused, unless the
+/// processor does it beside them.
 enum class Division { Exact, Fused };
 
 /// 1/x of normal numbers, to 4e-16 of it.  Fused: a guess from the bits, off by at most
-/// 12 %, and three corrections, of third, third and second order; twice as fast as
-/// dividing.
+/// 12 %, and three corrections, of third, third and second order; twice as fast as dividing
+/// where that takes the multipliers' place.
 template <Division How>
 EPAFI_INLINE void reciprocal(const Pack& x, Pack& result) {
   if (How == Division::Exact) {

@@ -43,7 +43,7 @@ Series restricted(const Series& series, int degree, const Origin& origin) {
 }
 
 LocalField restricted(const CauchyData& data, const Origin& origin) {
-  const LocalField& field = data.fields[static_cast<std::size_t>(origin.element)];
+  const LocalField& field = data.fields[origin.element];
   const int p = data.mesh[origin.element].degree;
   return {restricted(field.value, p, origin), restricted(field.slope, p - 1, origin),
           restricted(field.density, data.mesh[origin.element].densities - 1, origin)};
@@ -67,9 +67,8 @@ CauchyData makeCauchyData(const Space& space, const Vector& u, const Vector& psi
 UnionMesh unite(const Mesh& first, const Mesh& second) {
   const std::size_t edges = first.outline().edges().size();
   if (second.outline().edges().size() != edges)
-    throw InputError(message("meshes of outlines with ", edges, " and ",
-                             second.outline().edges().size(),
-                             " edges cannot be compared"));
+    throw InputError("meshes of outlines with ", edges, " and ",
+                     second.outline().edges().size(), " edges cannot be compared");
   std::vector<Piece> pieces;
   std::vector<int> densities;
   std::vector<Origin> inFirst;

@@ -26,12 +26,9 @@ Rotation::Rotation(const Space& space) {
       const Vec2 r = at(mesh.scaledPoint(e, rule.points[q]));
       DisplacementBasis::values(element.degree, rule.points[q], phi.data());
       for (int k = 0; k <= element.degree; ++k) {
-        const double weight =
-            element.half * rule.weights[q] * phi[static_cast<std::size_t>(k)];
-        functional_[static_cast<std::size_t>(space.displacement(e, k, 0))] +=
-            weight * r.x;
-        functional_[static_cast<std::size_t>(space.displacement(e, k, 1))] +=
-            weight * r.y;
+        const double weight = element.half * rule.weights[q] * phi[k];
+        functional_[space.displacement(e, k, 0)] += weight * r.x;
+        functional_[space.displacement(e, k, 1)] += weight * r.y;
       }
     }
   }

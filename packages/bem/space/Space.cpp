@@ -63,8 +63,7 @@ Matrix Space::rigidMotions() const {
   }
   if (rotation_ != nullptr)  // about the centroid, moved to the origin
     for (Index i = 0; i < motions.rows(); ++i)
-      motions(i, 2) = rotation_->motion()[static_cast<std::size_t>(i)] -
-                      rotation_->centre().y * motions(i, 0) +
+      motions(i, 2) = rotation_->motion()[i] - rotation_->centre().y * motions(i, 0) +
                       rotation_->centre().x * motions(i, 1);
   return motions;
 }
@@ -83,7 +82,7 @@ std::vector<double> Space::samplePoints(int degree) const {
 
 Vector Space::interpolateSamples(const std::vector<int>& elements,
                                  const std::vector<Vec2>& samples) const {
-  Vector u(static_cast<std::size_t>(displacements()));
+  Vector u(displacements());
   const Vec2* sample = samples.data();
   for (const int e : elements) {
     const int p = mesh_[e].degree;

@@ -30,14 +30,12 @@ class Space {
   /// Number of the local basis function k (0 start node, 1 end node, k >= 2 bubble) on e.
   Index displacement(int e, int k, int c) const {
     if (k == 1)
-      return displacementStart_[static_cast<std::size_t>(mesh_[e].next)] + c;
-    return displacementStart_[static_cast<std::size_t>(e)] + 2 * (k == 0 ? 0 : k - 1) + c;
+      return displacementStart_[mesh_[e].next] + c;
+    return displacementStart_[e] + 2 * (k == 0 ? 0 : k - 1) + c;
   }
 
   /// Number of P_i on element e.
-  Index density(int e, int i, int c) const {
-    return densityStart_[static_cast<std::size_t>(e)] + 2 * i + c;
-  }
+  Index density(int e, int i, int c) const { return densityStart_[e] + 2 * i + c; }
 
   /// Value of a displacement at a point of an element.
   Vec2 displacementAt(const Vector& u, int e, double t) const;
@@ -49,7 +47,7 @@ class Space {
   /// space holds: linear fields are met to rounding.
   template <class Field>
   Vector interpolate(const Field& field) const {
-    std::vector<int> all(static_cast<std::size_t>(mesh_.size()));
+    std::vector<int> all(mesh_.size());
     std::iota(all.begin(), all.end(), 0);
     return interpolateOn(all, field);
   }

@@ -57,7 +57,7 @@ BalancedStiffness::Extended BalancedStiffness::withoutMotions(const Vector& u) c
     long double mean = 0;
     for (std::size_t i = 0; i < u.size(); ++i)
       mean += functional[i] * result[i];
-    mean /= squares_[at(k)];
+    mean /= squares_[k];
     for (std::size_t i = 0; i < u.size(); ++i)
       result[i] -= mean * motion[i];
   }
@@ -72,7 +72,7 @@ BalancedStiffness::Extended BalancedStiffness::balanced(Extended forces) const {
     long double work = 0;
     for (std::size_t i = 0; i < forces.size(); ++i)
       work += motion[i] * forces[i];
-    work /= squares_[at(k)];
+    work /= squares_[k];
     for (std::size_t i = 0; i < forces.size(); ++i)
       forces[i] -= work * functional[i];
   }
@@ -88,8 +88,8 @@ BalancedStiffness::Extended BalancedStiffness::stiffnessTimes(const Extended& u)
   Extended below(u.size());
 #pragma omp parallel for schedule(dynamic, 16)
   for (Index j = 0; j < mine.end; ++j)
-    below[at(j)] = bem::dotDoubled(lower.column(j), mine.end - lower.firstRow(j), x,
-                                   lower.firstRow(j));
+    below[j] = bem::dotDoubled(lower.column(j), mine.end - lower.firstRow(j), x,
+                               lower.firstRow(j));
   bem::Doubled result(below);
 #pragma omp parallel for schedule(dynamic, 1)
   for (Index first = mine.begin; first < mine.end; first += rowsAtOnce) {
@@ -97,8 +97,8 @@ BalancedStiffness::Extended BalancedStiffness::stiffnessTimes(const Extended& u)
     for (Index j = 0; j < last; ++j) {
       const Index from = std::max(j + 1, first);
       if (from < last)
-        bem::addDoubled(u[at(j)], lower.column(j) + (from - lower.firstRow(j)),
-                        last - from, result, from);
+        bem::addDoubled(u[j], lower.column(j) + (from - lower.firstRow(j)), last - from,
+                        result, from);
     }
   }
   return sum(result.joined());
@@ -112,21 +112,21 @@ void BalancedStiffness::subtractStabilisation(const Extended& u, Extended& force
   if (columns == 0)
     return;
   const bem::Doubled x(u);
-  Extended tractions(at(columns));
+  Extended tractions(columns);
 #pragma omp parallel for
   for (Index c = 0; c < columns; ++c)
-    tractions[at(c)] = bem::dotDoubled(rows.column(c), mine.size(), x, mine.begin);
+    tractions[c] = bem::dotDoubled(rows.column(c), mine.size(), x, mine.begin);
   tractions = sum(tractions);
   for (std::size_t k = 0; k < gamma_.size(); ++k)
     for (Index c = tractions_->start[k]; c < tractions_->start[k + 1]; ++c)
-      tractions[at(c)] *= gamma_[k];
+      tractions[c] *= gamma_[k];
   bem::Doubled stabilisation(u.size());
 #pragma omp parallel for
   for (Index first = 0; first < mine.size(); first += rowsAtOnce) {
     const Index last = std::min(first + rowsAtOnce, mine.size());
     for (Index c = 0; c < columns; ++c)
-      bem::addDoubled(tractions[at(c)], rows.column(c) + first, last - first,
-                      stabilisation, mine.begin + first);
+      bem::addDoubled(tractions[c], rows.column(c) + first, last - first, stabilisation,
+                      mine.begin + first);
   }
   const Extended all = sum(stabilisation.joined());
   for (std::size_t i = 0; i < forces.size(); ++i)
@@ -140,7 +140,7 @@ BalancedStiffness::Extended BalancedStiffness::sum(const Extended& mine) const {
   if (algebra.processes() == 1 || mine.empty())
     return mine;
   const std::size_t n = mine.size();
-  const auto processes = at(algebra.processes());
+  const std::size_t processes = algebra.processes();
   Vector parts(2 * n * processes);
   const std::size_t own = 2 * n * at(algebra.rank());
   for (std::size_t i = 0; i < n; ++i) {

@@ -71,7 +71,7 @@ void writeElements(const bem::Space& space, const MultiplierSpace& multiplier,
   coupling.multipliers = multiplier.size();
   coupling.rotation = space.rotation();
   for (Vector* rests : {&coupling.traceOfRotation, &coupling.completionOfRotation})
-    rests->assign(static_cast<std::size_t>(multiplier.size()), 0.0);
+    rests->assign(multiplier.size(), 0.0);
   for (std::size_t k = 0; k < multiplier.elements().size(); ++k) {
     const ContactElement& contact = multiplier.elements()[k];
     coupling.gamma.push_back(
@@ -115,9 +115,9 @@ double quadratic(const Matrix& symmetric, const Vector& w) {
   for (Index j = 0; j < symmetric.columns(); ++j) {
     const double* column = symmetric.column(j);
     double inner = 0;
-    for (Index i = 0; i < symmetric.rows() && w[at(j)] != 0; ++i)
-      inner += column[i] * w[at(i)];
-    sum += w[at(j)] * inner;
+    for (Index i = 0; i < symmetric.rows() && w[j] != 0; ++i)
+      inner += column[i] * w[i];
+    sum += w[j] * inner;
   }
   return sum;
 }
@@ -143,7 +143,7 @@ Matrix Coupling::multiplierMass() const {
 double Coupling::multiplierWork(const Vector& lambda) const {
   double work = 0;
   for (const Entry& entry : mass)
-    work += lambda[at(entry.row)] * entry.value * lambda[at(entry.column)];
+    work += lambda[entry.row] * entry.value * lambda[entry.column];
   return response == nullptr ? work
                              : work - quadratic(response->density, weighted(lambda));
 }
@@ -151,9 +151,9 @@ double Coupling::multiplierWork(const Vector& lambda) const {
 double Coupling::complianceWork(const Vector& density) const {
   double work = 0;
   for (std::size_t k = 0; k < compliance.densities.size(); ++k)
-    work += compliance.diagonal[k] * std::pow(density[at(compliance.densities[k])], 2);
+    work += compliance.diagonal[k] * std::pow(density[compliance.densities[k]], 2);
   for (const auto& [i, value] : compliance.pinned)
-    work += value * std::pow(density[at(i)], 2);
+    work += value * std::pow(density[i], 2);
   return work;
 }
 
@@ -165,10 +165,9 @@ bem::Vec2 Coupling::meanSlack(std::size_t contactElement, const Vector& lambda,
   const Vector w = weighted(lambda);
   const Index first = start[contactElement];
   const auto integral = [&](Index k) {
-    return w[at(k)] +
-           compliance.diagonal[at(k)] * density[at(compliance.densities[at(k)])];
+    return w[k] + compliance.diagonal[k] * density[compliance.densities[k]];
   };
-  const double length = compliance.diagonal[at(first)] / gamma[contactElement];
+  const double length = compliance.diagonal[first] / gamma[contactElement];
   return (1 / length) * bem::Vec2{integral(first), integral(first + 1)};
 }
 
@@ -187,21 +186,19 @@ Matrix Coupling::transposed(const bem::DenseAlgebra& algebra) const {
   if (rotation != nullptr)
     for (Index i = 0; i < multipliers; ++i)
       for (Index j = 0; j < mine.size(); ++j)
-        result(j, i) += traceOfRotation[static_cast<std::size_t>(i)] *
-                        rotation->functional()[static_cast<std::size_t>(j + mine.begin)];
+        result(j, i) += traceOfRotation[i] * rotation->functional()[j + mine.begin];
   return result;
 }
 
 Vector Coupling::weighted(const Vector& lambda) const {
-  Vector result(static_cast<std::size_t>(start.back()));
+  Vector result(start.back());
   for (const Entry& entry : weights)
-    result[static_cast<std::size_t>(entry.row)] +=
-        entry.value * lambda[static_cast<std::size_t>(entry.column)];
+    result[entry.row] += entry.value * lambda[entry.column];
   return result;
 }
 
 Vector Coupling::push(const bem::DenseAlgebra& algebra, const Vector& lambda) const {
-  Vector result(static_cast<std::size_t>(unknowns));
+  Vector result(unknowns);
   if (!weights.empty()) {
     result = algebra.multiply(*columns, unknowns, weighted(lambda));
     for (double& x : result)
@@ -209,8 +206,7 @@ Vector Coupling::push(const bem::DenseAlgebra& algebra, const Vector& lambda) co
   }
   for (const auto* entries : {&trace, &completion})
     for (const Entry& entry : *entries)
-      result[static_cast<std::size_t>(entry.row)] +=
-          entry.value * lambda[static_cast<std::size_t>(entry.column)];
+      result[entry.row] += entry.value * lambda[entry.column];
   if (rotation != nullptr) {
     double rest = 0;
     for (std::size_t i = 0; i < lambda.size(); ++i)
@@ -221,22 +217,21 @@ Vector Coupling::push(const bem::DenseAlgebra& algebra, const Vector& lambda) co
 }
 
 Vector Coupling::pull(const bem::DenseAlgebra& algebra, const Vector& u) const {
-  const auto at = [](Index i) { return static_cast<std::size_t>(i); };
-  Vector result(at(multipliers));
+  Vector result(multipliers);
   if (!weights.empty()) {
     const Rows mine = algebra.myRows(unknowns);
-    Vector tractionOf(at(columns->columns()));  // Rᵀ u
+    Vector tractionOf(columns->columns());  // Rᵀ u
     for (Index k = 0; k < columns->columns(); ++k) {
       const double* traction = columns->column(k);
       for (Index j = 0; j < mine.size(); ++j)
-        tractionOf[at(k)] += traction[j] * u[at(j + mine.begin)];
+        tractionOf[k] += traction[j] * u[j + mine.begin];
     }
     tractionOf = algebra.sum(std::move(tractionOf));
     for (const Entry& entry : weights)
-      result[at(entry.column)] -= entry.value * tractionOf[at(entry.row)];
+      result[entry.column] -= entry.value * tractionOf[entry.row];
   }
   for (const Entry& entry : trace)
-    result[at(entry.column)] += entry.value * u[at(entry.row)];
+    result[entry.column] += entry.value * u[entry.row];
   return result;
 }
 

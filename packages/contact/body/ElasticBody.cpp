@@ -29,8 +29,7 @@ Vector withoutFixedMotions(const Holding& holding) {
   const RigidConstraints& rigid = holding.rigid;
   Vector result = holding.loads.prescribed;
   for (Index k = 0; k < rigid.fixed(); ++k) {
-    const Vector functional =
-        columnOf(holding.modes.functionals, rigid.fixedModes[at(k)]);
+    const Vector functional = columnOf(holding.modes.functionals, rigid.fixedModes[k]);
     axpy(-rigid.scale(k) * dot(functional, holding.loads.prescribed),
          columnOf(rigid.allowed, k), result);
   }
@@ -67,10 +66,10 @@ Holding makeHolding(const bem::Space& space, const Conditions& conditions,
 
 Vector pull(const DenseAlgebra& algebra, const Matrix& transposed, const Vector& u) {
   const Rows mine = algebra.myRows(static_cast<Index>(u.size()));
-  Vector result(at(transposed.columns()));
+  Vector result(transposed.columns());
   for (Index i = 0; i < transposed.columns(); ++i)
     for (Index j = 0; j < mine.size(); ++j)
-      result[at(i)] += transposed(j, i) * u[at(j + mine.begin)];
+      result[i] += transposed(j, i) * u[j + mine.begin];
   return algebra.sum(std::move(result));
 }
 
@@ -80,7 +79,7 @@ Matrix constrained(Matrix lower, const Rows& mine, const Holding& holding) {
   for (Index j = 0; j < lower.columns(); ++j)
     for (Index i = diagonal(j); i < lower.rows(); ++i) {
       const Index row = i + mine.begin;
-      if (clamped[at(row)] != 0 || clamped[at(j)] != 0)
+      if (clamped[row] != 0 || clamped[j] != 0)
         lower(i, j) = row == j ? 1 : 0;
     }
   for (Index k = 0; k < holding.rigid.functionals.columns(); ++k) {
@@ -133,7 +132,7 @@ ElasticBody::Response ElasticBody::response(Matrix coupling) const {
   const Rows mine = algebra_->myRows(static_cast<Index>(load_.size()));
   for (Index j = 0; j < coupling.columns(); ++j)
     for (Index i = 0; i < coupling.rows(); ++i)
-      if (holding_->loads.clamped[at(i + mine.begin)] != 0)
+      if (holding_->loads.clamped[i + mine.begin] != 0)
         coupling(i, j) = 0;
   response.half = stiffness_->forward(std::move(coupling));
   return response;
@@ -215,7 +214,7 @@ Vector ElasticBody::clampWork(const Vector& contactForce,
   Vector work(3, 0.0);
   for (std::size_t i = 0; i < forces.size(); ++i)
     for (Index k = 0; k < 3; ++k)
-      work[at(k)] += forces[i] * modes.motions(static_cast<Index>(i), k);
+      work[k] += forces[i] * modes.motions(static_cast<Index>(i), k);
   work[2] += modes.centroid.x * work[1] - modes.centroid.y * work[0];
   return work;
 }
@@ -226,7 +225,7 @@ Vector ElasticBody::fixedReactions(const Vector& contactForce) const {
   axpy(-1, contactForce, force);
   Vector reactions(3, 0.0);
   for (Index k = 0; k < rigid.fixed(); ++k)
-    reactions[at(rigid.fixedModes[at(k)])] =
+    reactions[rigid.fixedModes[k]] =
         -rigid.scale(k) * dot(columnOf(rigid.allowed, k), force);
   return reactions;
 }
@@ -240,7 +239,7 @@ Problem condense(Flexibility flexibility,
   for (const auto& body : bodies)
     free += static_cast<Index>(body.rigidLoad.size());
   problem.rigid = Matrix(m, free);
-  problem.offset.assign(at(m), 0.0);
+  problem.offset.assign(m, 0.0);
   for (const auto& body : bodies) {
     axpy(1, body.offset, problem.offset);
     const Index fixed =

@@ -159,21 +159,21 @@ class CouplingWriter {
         const Turning& unknown = unknowns[i];
         const Vec2 direction =
             unknown.tangential ? element.curve.tangent(t) : element.curve.normal(t);
-        const double value = weight * chi[static_cast<std::size_t>(unknown.function)];
+        const double value = weight * chi[unknown.function];
         const double components[2] = {value * direction.x, value * direction.y};
         for (Index c = 0; c < 2; ++c) {
           for (Index k = 0; k <= p; ++k)
-            traces[i](k, c) += components[c] * phi[static_cast<std::size_t>(k)];
+            traces[i](k, c) += components[c] * phi[k];
           for (Index l = 0; l < count; ++l)
             parts[i](l, c) +=
-                components[c] * legendre[static_cast<std::size_t>(l)] *
+                components[c] * legendre[l] *
                 std::sqrt((2 * static_cast<double>(l) + 1) / (2 * element.half));
         }
         rests[i] += value * dot(direction, rest);
         for (std::size_t k = 0; density_ && k < unknowns.size(); ++k)
           if (unknowns[k].tangential == unknown.tangential)
             mass(static_cast<Index>(i), static_cast<Index>(k)) +=
-                value * chi[static_cast<std::size_t>(unknowns[k].function)];
+                value * chi[unknowns[k].function];
       }
     }
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
@@ -204,10 +204,10 @@ class CouplingWriter {
   void writeRest(Index column, double value, const EndCompletion* completion) const {
     const bool clamped = completion != nullptr && completion->clamped;
     Vector& rests = clamped ? coupling_.completionOfRotation : coupling_.traceOfRotation;
-    rests[static_cast<std::size_t>(column)] += value;
+    rests[column] += value;
     if (completion != nullptr)
       for (const auto& [k, factor] : completion->added)
-        coupling_.completionOfRotation[static_cast<std::size_t>(k)] += factor * value;
+        coupling_.completionOfRotation[k] += factor * value;
   }
 
   static const EndCompletion* completionOf(const Completions& completions, int i, int p) {

@@ -26,10 +26,10 @@ void checkBoundaries(const bem::Mesh& mesh, const Conditions& conditions) {
   const auto check = [&](const auto& family) {
     for (const auto& [name, condition] : family) {
       if (known.count(name) == 0)
-        throw bem::InputError(bem::message("a condition on '", name,
-                                           "', which is no boundary of the outline"));
+        throw bem::InputError("a condition on '", name,
+                              "', which is no boundary of the outline");
       if (!seen.insert(name).second)
-        throw bem::InputError(bem::message("two conditions on boundary '", name, "'"));
+        throw bem::InputError("two conditions on boundary '", name, "'");
     }
   };
   check(conditions.dirichlet);
@@ -99,7 +99,7 @@ void addDirichlet(const bem::Space& space, const std::string& name,
 
 Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Units units) {
   checkBoundaries(space.mesh(), conditions);
-  const auto size = static_cast<std::size_t>(space.displacements());
+  const std::size_t size = space.displacements();
   Loads loads;
   loads.load.assign(size, 0.0);
   loads.prescribed.assign(size, 0.0);
@@ -161,8 +161,7 @@ RigidModes makeRigidModes(const bem::Space& space) {
   if (space.rotation() != nullptr)
     for (Index k = 0; k < 3; ++k)
       for (Index j = 0; j < space.displacements(); ++j)
-        modes.functionals(j, k) +=
-            rest[k] * space.rotation()->functional()[static_cast<std::size_t>(j)];
+        modes.functionals(j, k) += rest[k] * space.rotation()->functional()[j];
   return modes;
 }
 

@@ -26,14 +26,14 @@ Svd singularValues(Matrix a) {
   const int m = static_cast<int>(a.rows());
   const int n = static_cast<int>(a.columns());
   const int k = std::min(m, n);
-  Svd svd{Matrix(m, std::max(1, k)), Vector(at(k)), Matrix(n, n)};
+  Svd svd{Matrix(m, std::max(1, k)), Vector(k), Matrix(n, n)};
   if (k == 0) {
     for (Index i = 0; i < n; ++i)
       svd.vt(i, i) = 1;
     return svd;
   }
   Matrix u(m, m);
-  Vector work(static_cast<std::size_t>(16 * (m + n)));
+  Vector work(16 * (m + n));
   const int size = static_cast<int>(work.size());
   const int lda = static_cast<int>(a.stride());
   const int ldu = static_cast<int>(u.stride());
@@ -67,11 +67,11 @@ Matrix triangle(std::vector<Vector> columns) {
   const auto size = static_cast<Index>(columns.size());
   Matrix r(size, size);
   for (Index c = 0; c < size; ++c) {
-    Vector& column = columns[at(c)];
+    Vector& column = columns[c];
     for (Index k = 0; k < c; ++k)
       for (int twice = 0; twice < 2; ++twice) {
-        const double projection = dot(columns[at(k)], column);
-        axpy(-projection, columns[at(k)], column);
+        const double projection = dot(columns[k], column);
+        axpy(-projection, columns[k], column);
         r(k, c) += projection;
       }
     const double length = std::sqrt(dot(column, column));
@@ -87,9 +87,9 @@ Matrix triangle(std::vector<Vector> columns) {
 Matrix clampedMotions(const RigidModes& modes, const Loads& loads) {
   std::vector<Vector> columns(3);
   for (Index j = 0; j < modes.motions.rows(); ++j)
-    if (loads.clamped[at(j)] != 0)
+    if (loads.clamped[j] != 0)
       for (Index c = 0; c < 3; ++c)
-        columns[at(c)].push_back(modes.motions(j, c));
+        columns[c].push_back(modes.motions(j, c));
   return triangle(std::move(columns));
 }
 
@@ -108,7 +108,7 @@ std::vector<int> namedModes(const Conditions::Fix& fix) {
 Matrix withoutClamped(Matrix columns, const Loads& loads) {
   for (Index c = 0; c < columns.columns(); ++c)
     for (Index j = 0; j < columns.rows(); ++j)
-      if (loads.clamped[at(j)] != 0)
+      if (loads.clamped[j] != 0)
         columns(j, c) = 0;
   return columns;
 }
@@ -187,7 +187,7 @@ Svd heldByFix(const RigidModes& modes, const Matrix& allowedCombinations,
   Matrix named(fixed, onAllowed.columns());
   for (Index k = 0; k < fixed; ++k)
     for (Index a = 0; a < onAllowed.columns(); ++a)
-      named(k, a) = onAllowed(fixedModes[at(k)], a);
+      named(k, a) = onAllowed(fixedModes[k], a);
   Svd held = singularValues(std::move(named));
   if (rank(held, 1e-10) == fixed)
     return held;
@@ -207,7 +207,7 @@ Matrix dualCombinations(const Svd& held, Index fixed, Index allowed) {
   for (Index k = 0; k < fixed; ++k)
     for (Index a = 0; a < allowed; ++a)
       for (Index s = 0; s < fixed; ++s)
-        combinations(a, k) += held.vt(s, a) / held.s[at(s)] * held.u(k, s);
+        combinations(a, k) += held.vt(s, a) / held.s[s] * held.u(k, s);
   for (Index k = fixed; k < allowed; ++k)
     for (Index a = 0; a < allowed; ++a)
       combinations(a, k) = held.vt(k, a);
@@ -236,8 +236,8 @@ RigidConstraints makeRigidConstraints(const RigidModes& modes, const Loads& load
   // functionals of the free motions: ∫ u · r ds, made dual to all allowed motions
   Matrix functionals(modes.functionals.rows(), allowed);
   for (Index k = 0; k < fixed; ++k)
-    std::copy_n(modes.functionals.column(constraints.fixedModes[at(k)]),
-                functionals.rows(), functionals.column(k));
+    std::copy_n(modes.functionals.column(constraints.fixedModes[k]), functionals.rows(),
+                functionals.column(k));
   for (Index k = fixed; k < allowed; ++k)
     for (Index m = 0; m < 3; ++m)
       for (Index j = 0; j < functionals.rows(); ++j)

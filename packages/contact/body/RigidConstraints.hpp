@@ -19,7 +19,7 @@ struct RigidConstraints {
   /// except on bodies that are small among others, whose pairs are scaled.
   Vector scales{};
 
-  double scale(Index k) const { return scales.empty() ? 1 : scales[at(k)]; }
+  double scale(Index k) const { return scales.empty() ? 1 : scales[k]; }
   Index fixed() const { return static_cast<Index>(fixedModes.size()); }
   Index free() const { return allowed.columns() - fixed(); }
 };

@@ -29,10 +29,9 @@ std::shared_ptr<const FrictionLaw> withoutKeys(const std::string& name,
   const FrictionLawMember& entry = frictionLaws().at(name);
   const auto wanted = std::count_if(entry.rows.begin(), entry.rows.end(), isField);
   if (static_cast<std::size_t>(wanted) != fields || entry.rows.size() != fields)
-    throw bem::InputError(
-        bem::message("friction law '", name, "' has ", wanted, " fields and ",
-                     entry.rows.size() - static_cast<std::size_t>(wanted),
-                     " other keys; ", fields, " fields are given"));
+    throw bem::InputError("friction law '", name, "' has ", wanted, " fields and ",
+                          entry.rows.size() - static_cast<std::size_t>(wanted),
+                          " other keys; ", fields, " fields are given");
   return entry.make ? entry.make(ParameterList()) : nullptr;
 }
 

@@ -14,10 +14,9 @@ Collocation::Collocation(const MultiplierBasis& basis, Vector places)
   const auto n = static_cast<Index>(places_.size());
   values_ = bem::Matrix(n, n);
   for (Index i = 0; i < n; ++i) {
-    const Vector row =
-        basis.values(static_cast<int>(n) - 1, places_[static_cast<std::size_t>(i)]);
+    const Vector row = basis.values(static_cast<int>(n) - 1, places_[i]);
     for (Index j = 0; j < n; ++j)
-      values_(i, j) = row[static_cast<std::size_t>(j)];
+      values_(i, j) = row[j];
   }
   factor_ = bem::LuFactor(values_.copy());
   if (!factor_.isRegular())

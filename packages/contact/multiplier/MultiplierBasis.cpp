@@ -32,7 +32,7 @@ Vector lobattoPlaces(int degree) {
   if (degree == 0)
     return {0.0};
   constexpr double pi = boost::math::constants::pi<double>();
-  Vector places(static_cast<std::size_t>(degree + 1), 0.0);
+  Vector places(degree + 1, 0.0);
   for (int i = 0; 2 * i < degree; ++i) {
     double t = -std::cos(pi * i / degree);
     for (int step = 0; i > 0 && step < 20; ++step) {
@@ -41,8 +41,8 @@ Vector lobattoPlaces(int degree) {
       if (std::abs(change) < 1e-15)
         break;
     }
-    places[static_cast<std::size_t>(i)] = t;
-    places[static_cast<std::size_t>(degree - i)] = -t;
+    places[i] = t;
+    places[degree - i] = -t;
   }
   return places;
 }
@@ -94,12 +94,12 @@ std::vector<Lagrange> lagrangeAt(Vector (*places)(int degree)) {
 
 Vector gaussValues(int degree, double t) {
   static const std::vector<Lagrange> functions = lagrangeAt(gaussPlaces);
-  return functions[static_cast<std::size_t>(degree)].at(t);
+  return functions[degree].at(t);
 }
 
 const Lagrange& lobatto(int degree) {
   static const std::vector<Lagrange> functions = lagrangeAt(lobattoPlaces);
-  return functions[static_cast<std::size_t>(degree)];
+  return functions[degree];
 }
 
 Vector lobattoValues(int degree, double t) { return lobatto(degree).at(t); }
@@ -167,9 +167,7 @@ bem::Family<MultiplierBasis>& multiplierBases() {
            controlPoints, bernsteinValues, false, true, 14, bernsteinAmplification},
           {"Biorthogonal",
            "dual to the displacement at Gauss-Lobatto points, one coefficient for each "
-           "of "
-           "its "
-           "free nodes; implies Form None",
+           "of its free nodes; implies Form None",
            lobattoPlaces, dualValues, true},
       });
   return bases;

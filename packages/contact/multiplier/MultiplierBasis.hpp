@@ -6,7 +6,6 @@
 #include "bem/basis/Legendre.hpp"
 
 #include <string>
-#include <vector>
 
 namespace epafi::contact {
 

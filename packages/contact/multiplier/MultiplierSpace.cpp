@@ -47,9 +47,9 @@ MultiplierSpace::MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& b
     elements_.push_back(element);
   }
   joined_.assign(elements_.size(), false);
-  place_.assign(static_cast<std::size_t>(mesh.size()), -1);
+  place_.assign(mesh.size(), -1);
   for (std::size_t k = 0; k < elements_.size(); ++k) {
-    place_[static_cast<std::size_t>(elements_[k].element)] = static_cast<int>(k);
+    place_[elements_[k].element] = static_cast<int>(k);
     next_.push_back(mesh[elements_[k].element].next);
   }
   if (basis.sharesNodes)
@@ -76,11 +76,10 @@ void MultiplierSpace::shareNodes(const bem::Mesh& mesh, const Conditions& condit
     if (!behind || !joined_[*behind])
       ends.last = nodes.take(element.endNode, direction(1));
     if (elements_[k].degree == 1 && !ends.first && !ends.last)
-      throw bem::InputError(bem::message(
+      throw bem::InputError(
           "boundary '", *elements_[k].boundary,
-          "': an element of degree 1 without a free "
-          "node cannot carry the multiplier '",
-          basis_->name, "'; use more elements, a higher degree or another multiplier"));
+          "': an element of degree 1 without a free node cannot carry the multiplier '",
+          basis_->name, "'; use more elements, a higher degree or another multiplier");
     return ends;
   };
   for (std::size_t k = 0; k < elements_.size(); ++k)
@@ -91,7 +90,7 @@ void MultiplierSpace::shareNodes(const bem::Mesh& mesh, const Conditions& condit
 }
 
 std::optional<std::size_t> MultiplierSpace::follower(std::size_t k) const {
-  const int place = place_[static_cast<std::size_t>(next_[k])];
+  const int place = place_[next_[k]];
   return place < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(place));
 }
 
@@ -155,12 +154,10 @@ MultiplierSpace::Value MultiplierSpace::at(const Vector& multiplier,
                                            const ContactElement& element,
                                            double t) const {
   const Vector chi = basis_->values(element.degree, t);
-  const auto coefficient = [&](Index k) {
-    return multiplier[static_cast<std::size_t>(k)];
-  };
+  const auto coefficient = [&](Index k) { return multiplier[k]; };
   Value value;
   for (int i = 0; i <= element.degree; ++i) {
-    const double weight = chi[static_cast<std::size_t>(i)];
+    const double weight = chi[i];
     value.normal += weight * coefficient(element.normalOf(i));
     if (element.tangential >= 0)
       value.tangential += weight * coefficient(element.tangentialOf(i));

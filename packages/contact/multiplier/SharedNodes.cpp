@@ -70,8 +70,8 @@ Combination beyondNeighbour(const EndOf& end) {
                  end.tangential ? element.tangentialEnds : element.normalEnds, end.last);
   Combination result;
   for (int i = 0; i <= element.degree; ++i)
-    if (weights[at(i)] != 0)
-      result.emplace_back(end.number(i), weights[at(i)]);
+    if (weights[i] != 0)
+      result.emplace_back(end.number(i), weights[i]);
   result.emplace_back(end.number(end.last ? element.degree : 0), -1);
   return result;
 }
@@ -160,15 +160,14 @@ Vector endWeights(int degree, EndCoefficients ends, bool last) {
   Vector products;  // w_i Q(x_i) up to a common factor
   for (const double x : places) {
     const Vector legendre = legendreAt(degree, x);
-    const double q =
-        legendre[at(degree)] + (alone ? sign * legendre[at(degree - 1)] : 0.0);
-    products.push_back(q / (legendre[at(degree)] * legendre[at(degree)]));
+    const double q = legendre[degree] + (alone ? sign * legendre[degree - 1] : 0.0);
+    products.push_back(q / (legendre[degree] * legendre[degree]));
   }
   const int end = last ? degree : 0;
-  const double product = products[at(end)];
+  const double product = products[end];
   for (int i = 0; i <= degree; ++i) {
     const bool exists = ContactElement::isOwn(ends, degree, i);
-    products[at(i)] = exists ? -products[at(i)] / product : 0;
+    products[i] = exists ? -products[i] / product : 0;
   }
   return products;
 }

@@ -22,24 +22,24 @@ Vector transposeTimes(const Linearisation& point, const Vector& v) {
   Vector result(v.size(), 0.0);
   Vector factors;
   for (Index i = 0; i < n; ++i) {
-    const Complementarity::Value& row = e.linear.rows[at(i)];
-    result[at(i)] += row.multiplier * v[at(i)];
+    const Complementarity::Value& row = e.linear.rows[i];
+    result[i] += row.multiplier * v[i];
     if (i >= problem.normals) {
       const std::size_t t = at(i - problem.normals);
       for (const NormalShare& slope : e.linear.stepBounds[t].slopes)
-        result[at(slope.normal)] += row.bound * slope.value * v[at(i)];
+        result[slope.normal] += row.bound * slope.value * v[i];
     }
-    factors.push_back(row.penetration * equation.weights()[at(i)] * v[at(i)]);
+    factors.push_back(row.penetration * equation.weights()[i] * v[i]);
     for (Index j = 0; j < problem.rigidMotions(); ++j)
-      result[at(n + j)] += factors.back() * problem.rigid(i, j);
+      result[n + j] += factors.back() * problem.rigid(i, j);
   }
   const Vector throughD = problem.flexibility.times(factors);
   for (Index i = 0; i < n; ++i)
-    result[at(i)] -= throughD[at(i)];
+    result[i] -= throughD[i];
   for (Index j = 0; j < problem.rigidMotions(); ++j) {
-    const double factor = v[at(n + j)] / equation.balanceScales()[at(j)];
+    const double factor = v[n + j] / equation.balanceScales()[j];
     for (Index i = 0; i < n; ++i)
-      result[at(i)] += factor * problem.rigid(i, j);
+      result[i] += factor * problem.rigid(i, j);
   }
   return result;
 }

@@ -22,14 +22,13 @@ RCP<const SpmdSpace> spaceOf(const Problem& problem,
   if (options.space.is_null())
     return Thyra::defaultSpmdVectorSpace<double>(n);
   if (options.space->dim() != n)
-    throw bem::InputError(bem::message("the contact problem has ", n,
-                                       " unknowns, but the space for them has ",
-                                       options.space->dim()));
+    throw bem::InputError("the contact problem has ", n,
+                          " unknowns, but the space for them has ", options.space->dim());
   const auto space = Teuchos::rcp_dynamic_cast<const SpmdSpace>(options.space);
   if (space.is_null())
     throw bem::InputError(
-        "the space for the contact problem's unknowns must give each "
-        "process a contiguous piece (Thyra::SpmdVectorSpaceBase)");
+        "the space for the contact problem's unknowns must give each process a "
+        "contiguous piece (Thyra::SpmdVectorSpaceBase)");
   return space;
 }
 
@@ -119,7 +118,7 @@ Base::InArgs<double> ContactModel::createInArgs() const {
 
 Base::InArgs<double> ContactModel::getNominalValues() const {
   Base::InArgs<double> in = createInArgs();
-  in.set_x(vector(Vector(static_cast<std::size_t>(space_->dim()), 0.0)));
+  in.set_x(vector(Vector(space_->dim(), 0.0)));
   for (int l = 0; l < parameters(); ++l) {
     const RCP<Thyra::VectorBase<double>> one = Thyra::createMember(*parameterSpace_);
     Thyra::assign(one.ptr(), 1.0);

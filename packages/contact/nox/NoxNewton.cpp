@@ -96,8 +96,8 @@ RCP<ParameterList> runList(const ParameterList* user, const RCP<ContactModel>& m
   }
   const std::string solver = list->get("Nonlinear Solver", "Line Search Based");
   if (solver != "Line Search Based")
-    throw bem::InputError(bem::message(list->name(), "->Nonlinear Solver = '", solver,
-                                       "'; allowed: 'Line Search Based'"));
+    throw bem::InputError(list->name(), "->Nonlinear Solver = '", solver,
+                          "'; allowed: 'Line Search Based'");
   list->sublist("Solver Options")
       .set<RCP<NOX::MeritFunction::Generic>>("User Defined Merit Function",
                                              rcp(new Merit(model)));
@@ -142,9 +142,9 @@ auto withNoxErrors(const std::string& list, const std::ostringstream& log,
   } catch (const bem::InputError&) {
     throw;
   } catch (const std::logic_error& error) {
-    throw bem::InputError(bem::message(list, ": ", error.what()));
+    throw bem::InputError(list, ": ", error.what());
   } catch (const char* text) {
-    throw bem::InputError(bem::message(list, ": ", text, ": ", log.str()));
+    throw bem::InputError(list, ": ", text, ": ", log.str());
   }
 }
 
@@ -212,8 +212,7 @@ NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
                                  ? firstUnused(*list_, *list, list_->name())
                                  : "";
   if (!unused.empty())
-    throw bem::InputError(
-        bem::message(unused, ": NOX does not know or use this parameter"));
+    throw bem::InputError(unused, ": NOX does not know or use this parameter");
   return result;
 }
 

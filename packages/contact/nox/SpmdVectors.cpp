@@ -11,8 +11,8 @@ Vector gathered(const SpmdSpace& space, const Thyra::VectorBase<double>& x) {
   const auto comm = space.getComm();
   const bool whole =
       comm.is_null() || comm->getSize() == 1 || space.isLocallyReplicated();
-  const auto begin = static_cast<std::size_t>(whole ? 0 : space.localOffset());
-  Vector mine(static_cast<std::size_t>(space.dim()), 0.0);
+  const std::size_t begin = whole ? 0 : space.localOffset();
+  Vector mine(space.dim(), 0.0);
   {
     const Thyra::ConstDetachedSpmdVectorView<double> view(Teuchos::rcpFromRef(x));
     for (Teuchos::Ordinal i = 0; i < view.subDim(); ++i)

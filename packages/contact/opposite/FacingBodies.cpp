@@ -37,12 +37,12 @@ FacingBodies::FacingBodies(const bem::Mesh& mesh, const MultiplierSpace& multipl
       length_(length),
       distant_(mesh, length),
       met_(met),
-      sights_(static_cast<std::size_t>(mesh.size())) {
+      sights_(mesh.size()) {
   for (const ContactElement& element : multiplier.elements()) {
     if (element.condition->name.empty())
       continue;
     const MetSide& side = met_.at(element.condition->name);
-    Sight& sight = sights_[static_cast<std::size_t>(element.element)];
+    Sight& sight = sights_[element.element];
     sight.side = &side;
     sight.element = &element;
     sight.stretches =
@@ -59,7 +59,7 @@ Opposite::Point FacingBodies::at(const ContactElement& element, double t) const 
   if (stretch == nullptr)
     return point;
   const MetSide& side = *here.side;
-  const auto k = static_cast<std::size_t>(stretch->curve);
+  const std::size_t k = stretch->curve;
   const bem::Curve& own = mesh_[element.element].curve;
   const auto found = crossing(own.point(t) + side.shift, own.normal(t), side.curves[k]);
   if (!found)
@@ -92,8 +92,7 @@ int FacingBodies::degree(const ContactElement& element) const {
   int degree = 0;
   for (const Facing& stretch : here.stretches)
     if (here.side->body >= 0)
-      degree =
-          std::max(degree, here.side->degrees[static_cast<std::size_t>(stretch.curve)]);
+      degree = std::max(degree, here.side->degrees[stretch.curve]);
   return degree;
 }
 
@@ -113,10 +112,9 @@ std::vector<Opposite::Source> FacingBodies::sources(int body, int element,
     if (here.side == nullptr || here.side->body != body)
       continue;
     for (const Facing& stretch : here.stretches) {
-      const auto k = static_cast<std::size_t>(stretch.curve);
-      if (here.side->elements[k] != element)
+      if (here.side->elements[stretch.curve] != element)
         continue;
-      const bem::Curve& met = here.side->curves[k];
+      const bem::Curve& met = here.side->curves[stretch.curve];
       const bem::Curve& own = mesh_[here.element->element].curve;
       const double foot = footOn(own, met.point(t) - here.side->shift);
       if (foot < stretch.begin - 1e-12 || foot > stretch.end + 1e-12)
@@ -140,12 +138,11 @@ Vector FacingBodies::sourceBreaks(int body, int element) const {
       continue;
     const bem::Curve& own = mesh_[here.element->element].curve;
     for (const Facing& stretch : here.stretches) {
-      const auto k = static_cast<std::size_t>(stretch.curve);
-      if (here.side->elements[k] != element)
+      if (here.side->elements[stretch.curve] != element)
         continue;
       for (const double t : {stretch.begin, stretch.end})
         if (const auto met = crossing(own.point(t) + here.side->shift, own.normal(t),
-                                      here.side->curves[k]))
+                                      here.side->curves[stretch.curve]))
           result.push_back(std::clamp(met->t, -1.0, 1.0));
     }
   }

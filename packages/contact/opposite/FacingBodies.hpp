@@ -47,7 +47,7 @@ class FacingBodies final : public Opposite {
     const MultiplierSpace::ContactElement* element = nullptr;
   };
   const Sight& sight(const MultiplierSpace::ContactElement& element) const {
-    return sights_[static_cast<std::size_t>(element.element)];
+    return sights_[element.element];
   }
 
   const bem::Mesh& mesh_;

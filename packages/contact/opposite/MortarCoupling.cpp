@@ -32,16 +32,13 @@ class Writer {
     const double components[2] = {acting.direction.x, acting.direction.y};
     const double rest = dot(acting.direction, met_.rotationRest(point.element, point.t));
     for (int i = 0; i <= contact.degree; ++i)
-      coupling_.rests[at((contact.*acting.number)(i))] -=
-          weight * rest * chi[static_cast<std::size_t>(i)];
+      coupling_.rests[(contact.*acting.number)(i)] -= weight * rest * chi[i];
     for (int k = 0; k <= degree; ++k)
       for (int c = 0; c < 2; ++c) {
         const Index row = met_.displacement(point.element, k, c);
         for (int i = 0; i <= contact.degree; ++i)
-          coupling_.entries.push_back(
-              {row, (contact.*acting.number)(i),
-               -weight * components[c] * chi[static_cast<std::size_t>(i)] *
-                   phi[static_cast<std::size_t>(k)]});
+          coupling_.entries.push_back({row, (contact.*acting.number)(i),
+                                       -weight * components[c] * chi[i] * phi[k]});
       }
   }
 
@@ -70,7 +67,7 @@ std::vector<Coupling::Entry> summed(std::vector<Coupling::Entry> entries) {
 Vector MortarCoupling::pull(const Vector& u) const {
   Vector result(rests.size());
   for (const Coupling::Entry& entry : entries)
-    result[at(entry.column)] += entry.value * u[at(entry.row)];
+    result[entry.column] += entry.value * u[entry.row];
   if (rotation != nullptr)
     bem::axpy(rotation->amount(u), rests, result);
   return result;
@@ -78,7 +75,7 @@ Vector MortarCoupling::pull(const Vector& u) const {
 
 void MortarCoupling::push(const Vector& multiplier, Vector& force) const {
   for (const Coupling::Entry& entry : entries)
-    force[at(entry.row)] += entry.value * multiplier[at(entry.column)];
+    force[entry.row] += entry.value * multiplier[entry.column];
   if (rotation != nullptr)
     rotation->complete(bem::dot(rests, multiplier), force);
 }
@@ -95,9 +92,8 @@ MortarCoupling mortarCoupling(const bem::Mesh& side, const MultiplierSpace& mult
         continue;
       const bem::Rule& rule = mortarRule(contact, element, met.mesh()[inside.element]);
       for (int q = 0; q < rule.size(); ++q) {
-        const double t = middle + half * rule.points[static_cast<std::size_t>(q)];
-        const double weight =
-            rule.weights[static_cast<std::size_t>(q)] * half * element.half;
+        const double t = middle + half * rule.points[q];
+        const double weight = rule.weights[q] * half * element.half;
         const Vector chi = multiplier.basis().values(contact.degree, t);
         const auto point = opposite.at(contact, t);
         if (point.element < 0)  // a grazing normal, but for rounding

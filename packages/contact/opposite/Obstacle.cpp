@@ -27,9 +27,8 @@ void addGap(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
       Vector& numbers = contact.ties() ? obstacle.jump : obstacle.gap;
       for (int i = 0; i <= contact.degree; ++i)
         if (!contact.holdsNothing(contact.normalCompletions, i))
-          numbers[static_cast<std::size_t>(contact.normalOf(i))] +=
-              half * rule.weights[q] * element.half * gap *
-              chi[static_cast<std::size_t>(i)];
+          numbers[contact.normalOf(i)] +=
+              half * rule.weights[q] * element.half * gap * chi[i];
     }
 }
 
@@ -37,16 +36,16 @@ Vector fieldsAt(const ContactElement& contact, Vec2 x) {
   Vector fields = contact.condition->friction.fieldsAt(x);
   for (const double value : fields)
     if (!(value >= 0 && std::isfinite(value)))
-      throw bem::InputError(bem::message(
-          "boundary '", *contact.boundary, "': a field of the friction law is ", value,
-          " at (", x.x, ", ", x.y, "); it must be finite and not negative"));
+      throw bem::InputError("boundary '", *contact.boundary,
+                            "': a field of the friction law is ", value, " at (", x.x,
+                            ", ", x.y, "); it must be finite and not negative");
   return fields;
 }
 
 void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
                  const ContactElement& contact, bem::Units units, Obstacle& obstacle) {
   const auto tangential = [&](Index k) -> Tangential& {
-    return obstacle.tangentials[static_cast<std::size_t>(k - multiplier.normals())];
+    return obstacle.tangentials[k - multiplier.normals()];
   };
   if (contact.ties()) {
     for (int i = 0; i <= contact.degree; ++i) {
@@ -64,8 +63,7 @@ void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
       units.stress);
   for (int i = 0; i <= contact.degree; ++i)
     if (ContactElement::isOwn(contact.tangentialEnds, contact.degree, i))
-      tangential(contact.tangentialOf(i)) =
-          std::move(tangentials[static_cast<std::size_t>(i)]);
+      tangential(contact.tangentialOf(i)) = std::move(tangentials[i]);
 }
 
 }  // namespace
@@ -73,10 +71,9 @@ void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
 Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
                       const Opposite& opposite, bem::Units units) {
   Obstacle obstacle;
-  obstacle.gap.assign(static_cast<std::size_t>(multiplier.normals()), 0.0);
-  obstacle.jump.assign(static_cast<std::size_t>(multiplier.size()), 0.0);
-  obstacle.tangentials.resize(
-      static_cast<std::size_t>(multiplier.size() - multiplier.normals()));
+  obstacle.gap.assign(multiplier.normals(), 0.0);
+  obstacle.jump.assign(multiplier.size(), 0.0);
+  obstacle.tangentials.resize(multiplier.size() - multiplier.normals());
   for (const ContactElement& contact : multiplier.elements()) {
     addGap(mesh, multiplier, contact, opposite, obstacle);
     if (contact.tangential >= 0)

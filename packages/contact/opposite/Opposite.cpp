@@ -24,11 +24,11 @@ Opposite::Point DistantObstacle::at(const ContactElement& element, double t) con
 
 Vec2 Motions::at(const Opposite::Point& point) const {
   if (point.rigid >= 0)
-    return rigid[static_cast<std::size_t>(point.rigid)].at(point.arm);
+    return rigid[point.rigid].at(point.arm);
   if (point.element < 0)
     return {};
-  const auto b = static_cast<std::size_t>(point.body);
-  return spaces[b]->displacementAt(*displacements[b], point.element, point.t);
+  return spaces[point.body]->displacementAt(*displacements[point.body], point.element,
+                                            point.t);
 }
 
 Vec2 motionAt(const Motions* motions, const Opposite::Point& point) {

@@ -14,7 +14,7 @@ using ContactElement = MultiplierSpace::ContactElement;
 void addValue(const ContactElement& contact, const Vector& chi, Vec2 tangent, Vec2 motion,
               double* column) {
   for (int i = 0; i <= contact.degree; ++i) {
-    const double value = chi[static_cast<std::size_t>(i)];
+    const double value = chi[i];
     if (!contact.holdsNothing(contact.normalCompletions, i))
       column[contact.normalOf(i)] += value * dot(motion, turnRight(tangent));
     if (contact.tangential >= 0 &&
@@ -44,8 +44,7 @@ RigidTraces rigidTraces(const bem::Mesh& side, const MultiplierSpace& multiplier
         result.lever = std::max(result.lever, norm(met.arm));
         const std::array<Vec2, 3> motions = {Vec2{1, 0}, Vec2{0, 1}, turnLeft(met.arm)};
         for (Index k = 0; k < 3; ++k)
-          addValue(contact, chi, tangent, weight * motions[static_cast<std::size_t>(k)],
-                   result.traces.column(k));
+          addValue(contact, chi, tangent, weight * motions[k], result.traces.column(k));
       }
     }
   }

@@ -69,7 +69,7 @@ Vector motionsOf(const Configuration& at) {
 PathMemory::PathMemory(const ContactSystem& atZero)
     : slip_(atZero.numbers().tangentials.size(), 0.0),
       friction_(slip_.size(), 0.0),
-      multiplier_(static_cast<std::size_t>(atZero.numbers().size()), 0.0),
+      multiplier_(atZero.numbers().size(), 0.0),
       gap_(atZero.gap()),
       jump_(multiplier_.size(), 0.0) {
   std::size_t size = 3 * atZero.drives().size();
@@ -84,7 +84,7 @@ PathMemory::PathMemory(const ContactSystem& atZero)
 
 void PathMemory::add(const ContactSystem& step, const Configuration& at) {
   const Problem& problem = step.numbers();
-  const auto normals = static_cast<std::size_t>(problem.normals);
+  const std::size_t normals = problem.normals;
   const Vector increment = contact::slip(problem, at.state);
   const ContactState states = classify(problem, at.state);
   for (std::size_t t = 0; t < increment.size(); ++t) {
@@ -135,10 +135,9 @@ Vector frictionWorkDensity(const bem::Mesh& mesh, const MultiplierSpace& multipl
     const bem::Rule& rule = bem::gaussLegendre(element.degree + 1);
     for (std::size_t q = 0; q < rule.points.size(); ++q)
       lengths[t] += mesh[element.element].half * rule.weights[q] *
-                    multiplier.basis().values(
-                        element.degree, rule.points[q])[static_cast<std::size_t>(i)];
+                    multiplier.basis().values(element.degree, rule.points[q])[i];
   });
-  Vector density(static_cast<std::size_t>(multiplier.size()), 0.0);
+  Vector density(multiplier.size(), 0.0);
   for (std::size_t t = 0; t < lengths.size(); ++t)
     density[static_cast<std::size_t>(multiplier.normals()) + t] =
         frictionWork[t] / lengths[t];

@@ -1,6 +1,5 @@
 #include "contact/results/ContactFields.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace epafi::contact {
@@ -10,7 +9,7 @@ namespace {
 constexpr double stateTolerance = 1e-9;  // of the load; Newton stops far below
 
 Vector boundsAsCoefficients(const Problem& numbers, const Vector& multiplier) {
-  Vector result(static_cast<std::size_t>(numbers.normals), 0.0);
+  Vector result(numbers.normals, 0.0);
   const Vector bounds = numbers.slipBounds(multiplier);
   result.insert(result.end(), bounds.begin(), bounds.end());
   return result;
@@ -25,24 +24,28 @@ ContactFields::ContactFields(const Solved& solved)
       bounds_(boundsAsCoefficients(solved.problem.numbers(), solved.state.multiplier)),
       tolerance_(stateTolerance * solved.problem.numbers().stress) {}
 
+double ContactFields::closing(const Element& element,
+                              const MultiplierSpace::Value& stress) const {
+  return element.ties() ? tolerance_ : stress.normal - tolerance_;
+}
+
 double ContactFields::closing(const Element& element, double t) const {
-  if (element.ties())
-    return tolerance_;
-  return multiplierSpace().at(multiplier_, element, t).normal - tolerance_;
+  return closing(element, multiplierSpace().at(multiplier_, element, t));
 }
 
 double ContactFields::discreteBound(const Element& element, double t) const {
   return units_.stress * multiplierSpace().at(bounds_, element, t).tangential;
 }
 
-double ContactFields::slipping(const Element& element, double t) const {
-  if (element.tangential < 0 || element.ties())
+double ContactFields::slipping(const Element& element, double shear, double bound) const {
+  if (element.tangential < 0 || element.ties() || bound <= tolerance_)
     return -tolerance_;
-  const double bound = multiplierSpace().at(bounds_, element, t).tangential;
-  if (bound <= tolerance_)
-    return -tolerance_;
-  const double shear = multiplierSpace().at(multiplier_, element, t).tangential;
   return std::abs(shear) - bound + tolerance_;
+}
+
+double ContactFields::slipping(const Element& element, double t) const {
+  return slipping(element, multiplierSpace().at(multiplier_, element, t).tangential,
+                  multiplierSpace().at(bounds_, element, t).tangential);
 }
 
 MultiplierSpace::Value ContactFields::stress(const Element& element, double t) const {
@@ -72,15 +75,15 @@ ContactPoint ContactFields::at(const Element& element, double t) const {
   point.tangential = units_.length * dot(u, geometry.curve.tangent(t));
   const Conditions::Contact& condition = *element.condition;
   point.gap = units_.length * opposite.gap;
-  point.closed = closing(element, t) > 0;
+  point.closed = closing(element, stress) > 0;
   if (element.tangential >= 0) {
     point.bound = units_.stress *
                   condition.friction.at(point.place, units_.stress).bound(stress.normal);
-    if (element.ties())
-      point.friction = FrictionKind::Stick;
-    else if (space.at(bounds_, element, t).tangential > tolerance_)
-      point.friction =
-          slipping(element, t) > 0 ? FrictionKind::Slip : FrictionKind::Stick;
+    const double bound = space.at(bounds_, element, t).tangential;
+    if (element.ties() || bound > tolerance_)
+      point.friction = slipping(element, stress.tangential, bound) > 0
+                           ? FrictionKind::Slip
+                           : FrictionKind::Stick;
   }
   return point;
 }

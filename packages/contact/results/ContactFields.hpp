@@ -57,6 +57,9 @@ class ContactFields {
 
  private:
   const MultiplierSpace& multiplierSpace() const { return solved_.problem.multiplier(); }
+  double closing(const Element& element, const MultiplierSpace::Value& stress) const;
+  /// Of dimensionless numbers.
+  double slipping(const Element& element, double shear, double bound) const;
 
   Solved solved_;
   bem::Units units_;

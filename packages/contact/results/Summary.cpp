@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <numeric>
 
 namespace epafi::contact {
@@ -75,10 +74,9 @@ void addForce(const Solved& solved, const ContactFields& fields, const Element& 
   const bem::Rule& rule = bem::gaussLegendre(
       element.degree + (side.curve.isStraight() ? 2 : bem::pointsOfTurning));
   for (int i = 0; i < rule.size(); ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    const double t = rule.points[k];
+    const double t = rule.points[i];
     const auto stress = fields.stress(element, t);
-    const double weight = solved.units.length * side.half * rule.weights[k];
+    const double weight = solved.units.length * side.half * rule.weights[i];
     const Vec2 force = -weight * (stress.normal * side.curve.normal(t) +
                                   stress.tangential * side.curve.tangent(t));
     const Vec2 place = solved.space.mesh().physicalPoint(element.element, t);
@@ -138,12 +136,12 @@ std::array<double, 3> reactionWork(const Solved& solved) {
   const Vector amplitudes = solved.problem.fixedReactions(solved.state, solved.met);
   std::array<double, 3> work{};
   for (Index v = 0; v < 3; ++v) {
-    double& sum = work[static_cast<std::size_t>(v)];
-    sum = clamps[static_cast<std::size_t>(v)];
+    double& sum = work[v];
+    sum = clamps[v];
     for (Index i = 0; i < motions.rows(); ++i)
-      if (!isPrescribed[static_cast<std::size_t>(i)])
+      if (!isPrescribed[i])
         for (Index k = 0; k < 3; ++k)
-          sum += amplitudes[static_cast<std::size_t>(k)] * modes(i, k) * motions(i, v);
+          sum += amplitudes[k] * modes(i, k) * motions(i, v);
   }
   return work;
 }
@@ -175,8 +173,7 @@ std::array<double, 3> loadWork(const Solved& solved) {
   std::array<double, 3> work{};
   for (Index v = 0; v < 3; ++v)
     for (Index i = 0; i < motions.rows(); ++i)
-      work[static_cast<std::size_t>(v)] +=
-          load[static_cast<std::size_t>(i)] * motions(i, v);
+      work[v] += load[i] * motions(i, v);
   return work;
 }
 
@@ -226,21 +223,20 @@ void addReaction(const std::vector<Solved>& bodies, const Solved& side,
       const Opposite::Point inside = opposite.at(element, middle);
       if (inside.element < 0)
         continue;
-      const bem::Rule& rule = mortarRule(
-          element, curve,
-          bodies[static_cast<std::size_t>(inside.body)].space.mesh()[inside.element]);
+      const bem::Rule& rule =
+          mortarRule(element, curve, bodies[inside.body].space.mesh()[inside.element]);
       for (std::size_t k = 0; k < rule.points.size(); ++k) {
         const double t = middle + half * rule.points[k];
         const Opposite::Point met = opposite.at(element, t);
         if (met.element < 0)
           continue;
-        const auto b = static_cast<std::size_t>(met.body);
         const auto stress = fields.stress(element, t);
         const double weight = side.units.length * curve.half * half * rule.weights[k];
         const Vec2 force = weight * (stress.normal * curve.curve.normal(t) +
                                      stress.tangential * curve.curve.tangent(t));
-        const Vec2 place = bodies[b].space.mesh().physicalPoint(met.element, met.t);
-        add({force.x, force.y, cross(place, force)}, summaries[b].contact);
+        const Vec2 place =
+            bodies[met.body].space.mesh().physicalPoint(met.element, met.t);
+        add({force.x, force.y, cross(place, force)}, summaries[met.body].contact);
       }
     }
   }
@@ -276,14 +272,14 @@ Summary sumOf(const std::vector<Summary>& bodies) {
 }
 
 std::vector<bool> prescribed(const bem::Space& space, const Conditions& conditions) {
-  std::vector<bool> result(static_cast<std::size_t>(space.displacements()), false);
+  std::vector<bool> result(space.displacements(), false);
   for (const auto& [boundary, condition] : conditions.dirichlet)
     for (const int e : space.mesh().elementsOf(boundary))
       for (int k = 0; k <= space.mesh()[e].degree; ++k) {
         if (condition.x)
-          result[static_cast<std::size_t>(space.displacement(e, k, 0))] = true;
+          result[space.displacement(e, k, 0)] = true;
         if (condition.y)
-          result[static_cast<std::size_t>(space.displacement(e, k, 1))] = true;
+          result[space.displacement(e, k, 1)] = true;
       }
   return result;
 }

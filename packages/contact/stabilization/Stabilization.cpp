@@ -53,8 +53,8 @@ bem::SchemaRows stabilizationRows() {
   const Stabilization defaults;
   return {
       Row("Form", Kind::Text,
-          "what stands for the boundary stress in the stabilisation: the density psi, "
-          "an unknown; S u projected onto polynomials; S u exactly; None: none")
+          "what stands for the boundary stress in the stabilisation: the density psi, an "
+          "unknown; S u projected onto polynomials; S u exactly; None: none")
           .standard(forms[0].name)
           .allowed(bem::namesOf(forms)),
       Row("Gamma0", Kind::Real,
@@ -79,8 +79,8 @@ bem::SchemaRows stabilizationRows() {
           .range(from(0)),
       Row("Scaling", Kind::Text,
           "Stiffness: gamma = Gamma0 min(1, 50(1-2nu)) (h/d)^Beta h p^(-2-Eta) / E, "
-          "without the min under Form Density; "
-          "Absolute: gamma = Gamma0 h^(1+Beta) p^(-2-Eta) in the scene's units")
+          "without the min under Form Density; Absolute: gamma = Gamma0 h^(1+Beta) "
+          "p^(-2-Eta) in the scene's units")
           .standard(scalings[0].name)
           .allowed(bem::namesOf(scalings)),
   };

@@ -14,8 +14,8 @@ using bem::axpy;
 std::unique_ptr<const StabilisedBody> makeStabilisedBody(
     const BodyInput& input, const MultiplierSpace& multiplier) {
   if (input.basis.sharesNodes && input.stabilization.form != Stabilization::Form::None)
-    throw bem::InputError(bem::message("the multiplier '", input.basis.name,
-                                       "' needs the stabilisation's form None"));
+    throw bem::InputError("the multiplier '", input.basis.name,
+                          "' needs the stabilisation's form None");
   return input.stiffness.compressed() != nullptr ? makeCompressedBody(input, multiplier)
                                                  : makeCoupledBody(input, multiplier);
 }

@@ -27,7 +27,7 @@ double ContactProblem::gamma(std::size_t contactElement) const {
 }
 
 Vector ContactProblem::displacement(const State& state, const Vector& met) const {
-  const Vector still(static_cast<std::size_t>(parts_->body->freeMotions()), 0.0);
+  const Vector still(parts_->body->freeMotions(), 0.0);
   return parts_->body->displacement(
       parts_->push(state, met), state.rigid.empty() ? still.data() : state.rigid.data());
 }

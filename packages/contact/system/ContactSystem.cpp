@@ -66,7 +66,7 @@ struct ContactSystem::Parts {
     numbers = same.numbers.copy();
     numbers.tangentials.clear();
     numbers.rigidLoad.clear();
-    numbers.offset.assign(at(numbering.size()), 0.0);
+    numbers.offset.assign(numbering.size(), 0.0);
     for (std::size_t b = 0; b < size(); ++b) {
       const ElasticBody& body = *part(b).body;
       axpy(1, couplings->pull(b, part(b), body.unpushed()), numbers.offset);
@@ -78,20 +78,20 @@ struct ContactSystem::Parts {
 
   /// Gaps, given motions and forces of bodies that do not deform, bounds and scales.
   void finish() {
-    gap.assign(at(numbering.normals()), 0.0);
-    jump.assign(at(numbering.size()), 0.0);
+    gap.assign(numbering.normals(), 0.0);
+    jump.assign(numbering.size(), 0.0);
     for (std::size_t b = 0; b < size(); ++b) {
       const BodyParts& own = part(b);
       for (const Tangential& tangential : own.numbers.tangentials)
         numbers.tangentials.push_back(tangential.shifted(numbering(b, 0)));
       for (Index i = 0; i < numbering.sizeOf(b); ++i) {
         const Index k = numbering(b, i);
-        jump[at(k)] = own.obstacle.jump[at(i)];
-        numbers.offset[at(k)] -= jump[at(k)];
+        jump[k] = own.obstacle.jump[i];
+        numbers.offset[k] -= jump[k];
         if (i >= numbering.normalsOf(b))
           continue;
-        gap[at(k)] = own.obstacle.gap[at(i)];
-        numbers.offset[at(k)] -= gap[at(k)];
+        gap[k] = own.obstacle.gap[i];
+        numbers.offset[k] -= gap[k];
       }
     }
     rigid.act(numbers.offset, numbers.rigidLoad);
@@ -165,6 +165,8 @@ Vector ContactSystem::slipSoFar(const State& state) const {
   return total;
 }
 
+const Vector& ContactSystem::slipBefore() const { return parts_->slipBefore; }
+
 double ContactSystem::loadSize() const { return parts_->loadSize(); }
 
 ContactSystem::~ContactSystem() = default;
@@ -186,14 +188,14 @@ State ContactSystem::joined(const std::vector<State>& states,
   const bool empty = std::all_of(states.begin(), states.end(),
                                  [](const State& s) { return s.multiplier.empty(); });
   if (!empty)
-    all.multiplier.assign(at(numbering().size()), 0.0);
+    all.multiplier.assign(numbering().size(), 0.0);
   for (std::size_t b = 0; b < states.size(); ++b) {
     for (std::size_t i = 0; i < states[b].multiplier.size(); ++i)
-      all.multiplier[at(numbering()(b, static_cast<Index>(i)))] = states[b].multiplier[i];
+      all.multiplier[numbering()(b, static_cast<Index>(i))] = states[b].multiplier[i];
     all.rigid.insert(all.rigid.end(), states[b].rigid.begin(), states[b].rigid.end());
   }
   if (!all.rigid.empty() || !rigid.empty()) {
-    all.rigid.resize(at(numbers().rigidMotions() - parts_->rigid.freeMotions()), 0.0);
+    all.rigid.resize(numbers().rigidMotions() - parts_->rigid.freeMotions(), 0.0);
     parts_->rigid.append(rigid, all.rigid);
   }
   return all;
@@ -202,14 +204,14 @@ State ContactSystem::joined(const std::vector<State>& states,
 Configuration ContactSystem::configuration(State state) const {
   Configuration result;
   if (state.multiplier.empty())
-    state.multiplier.assign(at(numbering().size()), 0.0);
+    state.multiplier.assign(numbering().size(), 0.0);
   if (state.rigid.empty())
-    state.rigid.assign(at(numbers().rigidMotions()), 0.0);
+    state.rigid.assign(numbers().rigidMotions(), 0.0);
   const double* motions = state.rigid.data();
   for (std::size_t b = 0; b < size(); ++b) {
     State own;
     for (Index i = 0; i < numbering().sizeOf(b); ++i)
-      own.multiplier.push_back(state.multiplier[at(numbering()(b, i))]);
+      own.multiplier.push_back(state.multiplier[numbering()(b, i)]);
     own.rigid.assign(motions, motions + body(b).freeMotions());
     motions += body(b).freeMotions();
     result.bodies.push_back(std::move(own));

@@ -50,6 +50,8 @@ class ContactSystem {
 
   /// rₜ of a state from the path's beginning on: what the next step is told.
   Vector slipSoFar(const State& state) const;
+  /// What this step was told; empty: nothing.
+  const Vector& slipBefore() const;
 
   /// Size of tractions, prescribed displacements, penetrations and forces, dimensionless;
   /// zero without load.

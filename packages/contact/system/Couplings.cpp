@@ -24,10 +24,10 @@ bool completesEnds(const MultiplierSpace& multiplier) {
 
 void checkEnds(const MultiplierSpace& multiplier) {
   if (completesEnds(multiplier))
-    throw bem::InputError(bem::message(
+    throw bem::InputError(
         "the multiplier '", multiplier.basis().name,
-        "' cannot end at a clamp or at another contact side where it stands between two "
-        "bodies; use Gauss-Legendre-Lagrange or Bernstein"));
+        "' cannot end at a clamp or at another contact side where it stands "
+        "between two bodies; use Gauss-Legendre-Lagrange or Bernstein");
 }
 
 }  // namespace
@@ -37,9 +37,8 @@ Couplings::Couplings(const AllBodyParts& bodies, const Numbering& numbering)
   for (std::size_t a = 0; a < size(); ++a)
     for (const int b : bodies[a]->opposite->bodies()) {
       checkEnds(bodies[a]->multiplier);
-      const auto k = static_cast<std::size_t>(b);
-      met_[k].push_back({a, mortarCoupling(bodies[a]->space.mesh(), bodies[a]->multiplier,
-                                           *bodies[a]->opposite, bodies[k]->space, b)});
+      met_[b].push_back({a, mortarCoupling(bodies[a]->space.mesh(), bodies[a]->multiplier,
+                                           *bodies[a]->opposite, bodies[b]->space, b)});
     }
 }
 
@@ -60,16 +59,16 @@ Matrix Couplings::transposed(std::size_t b, const BodyParts& body) const {
     const Vector& q = coupling.rotation->functional();
     for (Index i = 0; i < numbering_.sizeOf(carrier); ++i)
       for (Index j = 0; j < mine.size(); ++j)
-        all(j, numbering_(carrier, i)) += q[at(j + mine.begin)] * coupling.rests[at(i)];
+        all(j, numbering_(carrier, i)) += q[j + mine.begin] * coupling.rests[i];
   }
   return all;
 }
 
 Vector Couplings::pull(std::size_t b, const BodyParts& body, const Vector& u) const {
-  Vector all(at(numbering_.size()));
+  Vector all(numbering_.size());
   const auto add = [&](std::size_t carrier, const Vector& values) {
     for (Index i = 0; i < numbering_.sizeOf(carrier); ++i)
-      all[at(numbering_(carrier, i))] += values[at(i)];
+      all[numbering_(carrier, i)] += values[i];
   };
   add(b, body.form->pull(u));
   for (const auto& [carrier, coupling] : met_[b])

@@ -13,8 +13,8 @@ namespace {
 double largestEigenvalue(Matrix symmetric) {
   const int n = static_cast<int>(symmetric.rows());
   const int ld = static_cast<int>(symmetric.stride());
-  Vector values(static_cast<std::size_t>(n));
-  Vector work(static_cast<std::size_t>(std::max(1, 34 * n)));
+  Vector values(n);
+  Vector work(std::max(1, 34 * n));
   const int size = static_cast<int>(work.size());
   int info = 0;
   dsyev_("N", "L", &n, symmetric.data(), &ld, values.data(), work.data(), &size, &info);
@@ -25,10 +25,10 @@ double largestEigenvalue(Matrix symmetric) {
 
 IndefiniteStiffness::IndefiniteStiffness(double used, double limit)
     : bem::NumericalError(
-          bem::message("the stabilised stiffness S - S^ is not positive definite: "
-                       "Discretization->Stabilization->",
-                       "Gamma0 = ", used, " is too large for this mesh; below ", limit,
-                       " it is definite, and a quarter of that is safe")),
+          "the stabilised stiffness S - S^ is not positive "
+          "definite: Discretization->Stabilization->",
+          "Gamma0 = ", used, " is too large for this mesh; below ", limit,
+          " it is definite, and a quarter of that is safe"),
       gamma0(used),
       limitGamma0(limit) {}
 
@@ -42,7 +42,7 @@ double limitGamma0(const BodyInput& input, const StabilisedBody& form,
     return std::numeric_limits<double>::infinity();
   for (Index j = 0; j < columns; ++j)
     for (Index i = 0; i < half.rows(); ++i)
-      if (holding.loads.clamped[static_cast<std::size_t>(i + mine.begin)] != 0)
+      if (holding.loads.clamped[i + mine.begin] != 0)
         half(i, j) = 0;
   const auto stiffness = algebra.cholesky(
       constrained(input.stiffness.stiffness().unpacked(), mine, holding), "S");

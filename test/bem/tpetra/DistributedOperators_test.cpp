@@ -21,14 +21,14 @@ const bem::LapackAlgebra lapack;
 const bem::Lame lame({1, 0.3, false});
 
 std::vector<int> allElements(const bem::Mesh& mesh) {
-  std::vector<int> elements(static_cast<std::size_t>(mesh.size()));
+  std::vector<int> elements(mesh.size());
   std::iota(elements.begin(), elements.end(), 0);
   return elements;
 }
 
 Vector somewhatRandom(Index n) {
   Vector v;
-  v.reserve(static_cast<std::size_t>(n));
+  v.reserve(n);
   for (Index i = 0; i < n; ++i)
     v.push_back(std::sin(static_cast<double>(3 * i * i + 1)));
   return v;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Largest.hpp"
 #include "bem/tpetra/TpetraAlgebra.hpp"
 
 #include <Tpetra_Core.hpp>
@@ -20,21 +21,6 @@ inline bem::Matrix mine(const bem::DenseAlgebra& algebra, const bem::Matrix& who
   for (bem::Index j = 0; j < whole.columns(); ++j)
     std::copy_n(whole.column(j) + rows.begin, rows.size(), part.column(j));
   return part;
-}
-
-inline double largest(const bem::Matrix& m) {
-  double size = 0;
-  for (bem::Index j = 0; j < m.columns(); ++j)
-    for (bem::Index i = 0; i < m.rows(); ++i)
-      size = std::max(size, std::abs(m(i, j)));
-  return size;
-}
-
-inline double largest(const bem::Vector& v) {
-  double size = 0;
-  for (const double x : v)
-    size = std::max(size, std::abs(x));
-  return size;
 }
 
 /// Largest difference between this rank's rows and those of the whole, relative to the

@@ -59,9 +59,9 @@ TEUCHOS_UNIT_TEST(TpetraAlgebra, dealsOutEveryRowOnceInOrder) {
   const bem::TpetraAlgebra algebra = test::allRanks();
   for (const Index n : sizes) {
     const bem::Rows rows = algebra.myRows(n);
-    Vector owners(static_cast<std::size_t>(n));
+    Vector owners(n);
     for (Index i = rows.begin; i < rows.end; ++i)
-      owners[static_cast<std::size_t>(i)] = 1 + algebra.rank();
+      owners[i] = 1 + algebra.rank();
     owners = algebra.sum(owners);
     TEST_COMPARE(*std::min_element(owners.begin(), owners.end()), >=, 1);
     TEST_ASSERT(std::is_sorted(owners.begin(), owners.end()));

@@ -10,7 +10,11 @@ namespace epafi::bem {
 ///   V  = -A log r I + B d d'/r²
 ///   K  = k [(1-2ν) I + 2 d d'/r²] (d·n_y)/r² - k (1-2ν) (d n_y' - n_y d')/r²
 ///   K' = -k [(1-2ν) I + 2 d d'/r²] (d·n_x)/r² - k (1-2ν) (d n_x' - n_x d')/r²
-///   W  : see hypersingularBlock                                  [doc/theory/operators.md]
+///
+/// and W of functions that vanish at the ends of their supports, at two points of different
+/// ones, by parts of K's form:                                 [doc/theory/operators.md]
+///
+///   W v = -D ∫ Re(τ_x τ_y/w²) v - (Re(τ_x conj(τ_y))/conj(w)² - conj(τ_x τ_y) w/conj(w)³) conj(v) ds
 struct KernelConstants {
   double a;
   double b;

@@ -1,0 +1,144 @@
+// Entries of the compressed system are those of the operators, and far ones of W accurate in
+// themselves; every cluster's skeleton stands for it before everything else.
+#include "CompressedSamples.hpp"
+#include "Largest.hpp"
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/compressed/Products.hpp"
+#include "bem/operators/Assembly.hpp"
+#include "reference/QuadOperators.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::reference {
+
+namespace {
+
+using bem::Index;
+using bem::Matrix;
+using test::largest;
+
+TEUCHOS_UNIT_TEST(CompressedEntries, areThoseOfTheOperators) {
+  for (const CompressedSample& sample : compressedSamples()) {
+    const bem::Space space(sample.mesh);
+    const bem::Lame lame({1, sample.nu, false});
+    const Matrix z = wholeSystem(space, lame);
+    // V and W by their lower triangles
+    const bem::Operators all = bem::assembleOperators(space, lame, bem::LapackAlgebra());
+    const Index n = space.displacements();
+    double v = 0;
+    double k = 0;
+    double w = 0;
+    double skew = 0;
+    for (Index j = 0; j < z.columns(); ++j)
+      for (Index i = 0; i < z.rows(); ++i) {
+        skew = std::max(skew, std::abs(z(i, j) - z(j, i)));
+        if (i >= j && i < n)
+          w = std::max(w, std::abs(z(i, j) - all.hypersingular(i, j)));
+        else if (i >= j && j >= n)
+          v = std::max(v, std::abs(z(i, j) + all.singleLayer(i - n, j - n)));
+        else if (i >= n && j < n)
+          k = std::max(k, std::abs(z(i, j) - all.doubleLayer(i - n, j)));
+      }
+    out << sample.name << ": V " << v / largest(all.singleLayer) << ", K "
+        << k / largest(all.doubleLayer) << ", W " << w / largest(all.hypersingular)
+        << "\n";
+    TEST_COMPARE(v, <, 1e-12 * largest(all.singleLayer));
+    TEST_COMPARE(k, <, 1e-12 * largest(all.doubleLayer));
+    TEST_COMPARE(w, <, 1e-12 * largest(all.hypersingular));
+    TEST_COMPARE(skew, <, 1e-12 * largest(z));
+  }
+}
+
+/// Small elements in two corners of a square, where W by parts has no digits left.
+TEUCHOS_UNIT_TEST(CompressedEntries, ofFarHatsAreAccurateInThemselves) {
+  const std::vector<double> fractions = {1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.5};
+  std::vector<Cuts> cuts;
+  for (int edge = 0; edge < 4; ++edge)
+    cuts.push_back({edge, edge % 2 == 0 ? fractions : std::vector<double>{0.5}});
+  const bem::Lame lame({1, 0.3, false});
+  for (const int degree : {1, 2}) {
+    const bem::Space space(cutMesh(outlineOf(square()), cuts, {degree}));
+    const QuadOperators exact = quadOperators(space, lame);
+    const bem::Operators byParts =
+        bem::assembleOperators(space, lame, bem::LapackAlgebra());
+    const Matrix z = wholeSystem(space, lame);
+    double worst = 0;
+    double worstByParts = 0;
+    const auto from = [&](int e) { return space.displacement(e, 0, 0); };
+    for (Index j = from(0); j < from(5); j += 2)
+      for (Index i = from(9); i < from(14); i += 2) {
+        double size = 0;
+        double error = 0;
+        double errorByParts = 0;
+        for (const Index row : {i, i + 1})
+          for (const Index column : {j, j + 1}) {
+            const auto value = exact.hypersingular(row, column);
+            const auto off = [&](double x) {
+              return std::abs(static_cast<double>(x - value));
+            };
+            size = std::max(size, std::abs(static_cast<double>(value)));
+            error = std::max(error, off(z(row, column)));
+            errorByParts =
+                std::max(errorByParts, off(byParts.hypersingular(row, column)));
+          }
+        worst = std::max(worst, error / size);
+        worstByParts = std::max(worstByParts, errorByParts / size);
+      }
+    TEST_COMPARE(worst, <, 1e-11);
+    TEST_COMPARE(worstByParts, >, 1e-8);
+  }
+}
+
+TEUCHOS_UNIT_TEST(CompressedEntries, skeletonsStandForTheirClustersBeforeAllOthers) {
+  for (const CompressedSample& sample : compressedSamples()) {
+    const bem::Space space(sample.mesh);
+    const bem::Lame lame({1, sample.nu, false});
+    const Matrix whole = wholeSystem(space, lame);
+    const bem::CompressedOperators z(space, lame, smallLeaves());
+    const std::vector<bem::Unknown> unknowns = bem::unknownsOf(space);
+    // functions of size one in L²
+    bem::Vector scales;
+    for (const bem::Unknown& u : unknowns)
+      scales.push_back(1 / std::sqrt(2 * sample.mesh[u.element].half));
+    double worst = 0;
+    Index saved = 0;
+    for (int c = 1; c < z.tree().size(); ++c) {
+      std::vector<Index> own;
+      const Matrix weights = nestedWeights(z, c, own);
+      std::vector<Index> others;
+      for (std::size_t i = 0; i < unknowns.size(); ++i)
+        if (unknowns[i].element < z.tree()[c].first ||
+            unknowns[i].element >= z.tree()[c].last)
+          others.push_back(static_cast<Index>(i));
+      const std::vector<Index>& skeleton = z.part(c).skeleton;
+      saved += static_cast<Index>(own.size() - skeleton.size());
+      Matrix kept(static_cast<Index>(others.size()), weights.rows());
+      for (Index j = 0; j < kept.columns(); ++j)
+        for (Index i = 0; i < kept.rows(); ++i)
+          kept(i, j) = whole(others[i], skeleton[j]);
+      const Matrix approximation = bem::product(kept, weights);
+      double error = 0;
+      double size = 0;
+      for (std::size_t j = 0; j < own.size(); ++j)
+        for (std::size_t i = 0; i < others.size(); ++i) {
+          const double scale = scales[others[i]] * scales[own[j]];
+          const double exact = whole(others[i], own[j]);
+          size = std::max(size, scale * std::abs(exact));
+          error = std::max(
+              error, scale * std::abs(exact - approximation(static_cast<Index>(i),
+                                                            static_cast<Index>(j))));
+        }
+      worst = std::max(worst, error / size);
+    }
+    out << sample.name << ": " << worst << ", " << saved << " unknowns saved\n";
+    TEST_COMPARE(worst, <, 1e-11);
+    TEST_COMPARE(saved, >, 0);
+  }
+}
+
+}  // namespace
+
+}  // namespace epafi::reference

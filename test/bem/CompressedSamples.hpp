@@ -1,0 +1,45 @@
+#pragma once
+
+#include "bem/compressed/CompressedFactor.hpp"
+#include "reference/SampleMeshes.hpp"
+
+namespace epafi::reference {
+
+struct CompressedSample {
+  std::string name;
+  bem::Mesh mesh;
+  double nu = 0.3;
+};
+
+/// Uniform, graded to 1e-8, rough, of high degrees, with holes and arcs.
+std::vector<CompressedSample> compressedSamples();
+
+std::shared_ptr<const bem::Outline> outlineOf(const bem::Loop& loop);
+
+/// Leaves of 60 unknowns, so that small meshes have a tree.
+bem::Compression smallLeaves();
+
+/// The whole system by its entries.
+bem::Matrix wholeSystem(const bem::Space& space, const bem::Lame& lame);
+
+/// Pᵀ Z P: with arcs, displacements hold the rotation exactly.
+bem::Matrix rotated(bem::Matrix z, const bem::Space& space);
+
+/// T of a cluster for all of its unknowns, which are appended to `unknowns`.
+bem::Matrix nestedWeights(const bem::CompressedOperators& z, int c,
+                          std::vector<bem::Index>& unknowns);
+
+/// The largest difference over the largest entry of b.
+double relativeDifference(const bem::Matrix& a, const bem::Matrix& b);
+
+bem::Matrix oscillating(bem::Index rows, bem::Index columns);
+
+/// Displacements of some elements are held: a clamp.
+bem::Restriction clamped(const bem::Space& space, int first, int last);
+
+/// Of the kept equations, by pivoted elimination, unknowns and equations scaled by their
+/// diagonal entries.
+bem::Matrix denseSolution(bem::Matrix z, const bem::Restriction& restriction,
+                          bem::Matrix b);
+
+}  // namespace epafi::reference

@@ -1,0 +1,154 @@
+// At the limits of what can be held: bodies that float, slide as a whole, or are given no
+// numbers.
+#include "bem/base/Error.hpp"
+#include "contact/RandomProblem.hpp"
+#include "contact/Solve.hpp"
+#include "contact/equation/Equilibrium.hpp"
+#include "reference/ProjectedSor.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace epafi {
+
+namespace {
+
+using contact::Index;
+using contact::Problem;
+using contact::Solution;
+using contact::Status;
+using test::Recipe;
+using test::solve;
+using test::SolverOptions;
+
+/// One point on a spring:  D λ = d₀ + α, λ = q.
+Problem floatingPoint(double gap, double load) {
+  Problem problem;
+  problem.normals = 1;
+  problem.flexibility = test::identity(1, 2);
+  problem.offset = {-gap};
+  problem.rigid = contact::Matrix(1, 1);
+  problem.rigid(0, 0) = 1;
+  problem.rigidLoad = {load};
+  return problem;
+}
+
+TEUCHOS_UNIT_TEST(Limits, aFloatingBodyComesToRestHoweverLargeTheGap) {
+  for (double gap : {0.0, 1e-9, 1.0, 1e6, -1e3})
+    for (const char* function : {"Projection", "Fischer-Burmeister"}) {
+      SolverOptions options;
+      options.tresca.complementarity = function;
+      const Solution solution = solve(floatingPoint(gap, 3), {}, options);
+      TEST_ASSERT(solution.report.status == Status::Converged);
+      TEST_COMPARE(std::abs(solution.state.multiplier[0] - 3), <, 1e-9);
+      TEST_COMPARE(std::abs(solution.state.rigid[0] - (6 + gap)), <,
+                   1e-9 * (1 + std::abs(gap)));
+    }
+}
+
+TEUCHOS_UNIT_TEST(Limits, aLoadThatNothingHoldsIsAnErrorThatSaysSo) {
+  TEST_THROW(solve(floatingPoint(1, -3)), contact::NoBalance);
+}
+
+/// A floating block of two points, pressed down alike, the first three times as stiff: pushed
+/// sideways it takes three quarters until it slips, the second the rest until all slide.
+TEUCHOS_UNIT_TEST(Limits, frictionAloneHoldsABodyUpToGlobalSliding) {
+  Problem problem;
+  problem.normals = 2;
+  problem.tangentials = {{0, contact::pointLaw("Coulomb", {0.5})},
+                         {1, contact::pointLaw("Coulomb", {0.5})}};
+  contact::Matrix flexibility(4, 4);
+  for (Index i = 0; i < 4; ++i)
+    flexibility(i, i) = i == 3 ? 3 : 1;
+  problem.flexibility = std::move(flexibility);
+  problem.offset = {0, 0, 0, 0};
+  problem.rigid = contact::Matrix(4, 2);
+  problem.rigid(0, 0) = problem.rigid(1, 0) = 1;
+  problem.rigid(2, 1) = problem.rigid(3, 1) = 1;
+  for (const auto coulomb : {"Newton", "Inexact Fixed Point", "Fixed Point"}) {
+    SolverOptions options;
+    options.coulomb.iteration = coulomb;
+    for (const double push : {0.6, 0.9, 0.99999, -0.9}) {
+      problem.rigidLoad = {2, push};
+      const Solution held = solve(problem, {}, options);
+      TEST_ASSERT(held.report.status == Status::Converged);
+      const double first = std::clamp(0.75 * push, -0.5, 0.5);
+      TEST_COMPARE(std::abs(held.state.multiplier[2] - first), <, 1e-9);
+      TEST_COMPARE(std::abs(held.state.multiplier[3] - (push - first)), <, 1e-9);
+      TEST_COMPARE(std::abs(held.state.rigid[1] - 3 * (push - first)), <, 1e-9);
+    }
+    problem.rigidLoad = {2, 1.1};
+    bool refused = false;
+    try {
+      refused = solve(problem, {}, options).report.status == Status::NotConverged;
+    } catch (const bem::NumericalError&) {
+      refused = true;
+    }
+    TEST_ASSERT(refused);
+  }
+}
+
+/// Large friction may have several solutions or none: each run solves the problem or says
+/// why not, and nearly all solve it.
+TEUCHOS_UNIT_TEST(Limits, largeFrictionIsSolvedOrExplained) {
+  std::mt19937 random(17);
+  int solved = 0;
+  const int problems = 100;
+  for (int k = 0; k < problems; ++k) {
+    Recipe recipe;
+    recipe.law = "Coulomb";
+    recipe.strength = 10;
+    recipe.softness = 0.1;
+    recipe.normals = 4 + k % 20;
+    const Problem problem = randomProblem(recipe, random);
+    const Solution solution = solve(problem, {}, {});
+    if (solution.report.status == Status::Converged) {
+      ++solved;
+      TEST_COMPARE(reference::violation(problem, solution.state), <, 1e-9);
+    } else {
+      TEST_ASSERT(solution.report.stages.back().end != contact::End::Converged);
+    }
+  }
+  TEST_COMPARE(solved, >=, 99);
+}
+
+TEUCHOS_UNIT_TEST(Limits, tooFewStepsAreReportedByEveryStage) {
+  std::mt19937 random(18);
+  const Problem problem = test::randomProblem({30, "Tresca"}, random);
+  SolverOptions options;
+  options.tresca.maximumIterations = 1;
+  const auto report = solve(problem, {}, options).report;
+  TEST_ASSERT(report.status == Status::NotConverged);
+  TEST_COMPARE(report.stages.size(), >, 1);
+  for (const contact::StageRun& stage : report.stages)
+    TEST_ASSERT(stage.end == contact::End::Iterations);
+  TEST_ASSERT(!report.restless.empty());
+}
+
+TEUCHOS_UNIT_TEST(Limits, brokenNumbersAreErrors) {
+  std::mt19937 random(19);
+  Problem problem = test::randomProblem({5, "Tresca"}, random);
+  problem.offset[2] = std::numeric_limits<double>::quiet_NaN();
+  TEST_THROW(solve(problem, {}, {}), bem::NumericalError);
+  problem = test::randomProblem({5, "None"}, random);
+  contact::Matrix infinite = problem.flexibility.entries().copy();
+  infinite(1, 3) = infinite(3, 1) = std::numeric_limits<double>::infinity();
+  problem.flexibility = std::move(infinite);
+  TEST_THROW(solve(problem, {}, {}), bem::NumericalError);
+  // Two coefficients that are one and the same.
+  problem = test::randomProblem({2, "None"}, random);
+  contact::Matrix ones(2, 2);
+  for (Index i = 0; i < 2; ++i)
+    ones(i, 0) = ones(i, 1) = 1;
+  problem.flexibility = std::move(ones);
+  problem.offset = {1, 1};
+  const auto solution = [&] { return solve(problem, {}, {}); };
+  TEST_THROW(solution(), bem::NumericalError);
+}
+
+}  // namespace
+
+}  // namespace epafi
