@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "drivers/scene/ArrayText.hpp"
 #include "drivers/scene/LexicalCheck.hpp"
+#include "drivers/scene/NestingCheck.hpp"
 #include "drivers/scene/Schema.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -15,7 +16,6 @@
 
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/trim.hpp>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -69,39 +69,8 @@ void showNesting(Teuchos::ParameterList& list) {
   }
 }
 
-/// Parsers, and what they make, go down by recursion.
-void checkDepth(int depth) {
-  constexpr int deepest = 1000;
-  if (depth > deepest)
-    throw InputError("lists stand in lists more than ", deepest, " deep");
-}
-
-void checkDepthOfXml(const std::string& text) {
-  int depth = 0;
-  for (std::size_t i = text.find('<'); i < text.size(); i = text.find('<', i)) {
-    if (text.compare(i, 4, "<!--") == 0) {
-      i = text.find("-->", i);
-      continue;
-    }
-    const std::size_t begin = i + 1;
-    for (char quote = 0; ++i < text.size() && (quote != 0 || text[i] != '>');)
-      if (quote == 0 ? text[i] == '"' || text[i] == '\'' : text[i] == quote)
-        quote = quote == 0 ? text[i] : '\0';
-    if (i >= text.size() || std::isalpha(static_cast<unsigned char>(text[begin])) == 0)
-      depth -= text.compare(begin, 1, "/") == 0 ? 1 : 0;
-    else
-      checkDepth(depth += text[i - 1] == '/' ? 0 : 1);
-  }
-}
-
-void checkDepthOfYaml(const std::string& text) {
-  int depth = 0;
-  for (const char c : text)
-    checkDepth(depth += c == '{' || c == '[' ? 1 : c == '}' || c == ']' ? -1 : 0);
-}
-
 RawScene readXml(const std::string& text, const std::string& standardTitle) {
-  checkDepthOfXml(text);
+  checkNestingOfXml(text);
   Teuchos::XMLObject root;
   try {
     root = Teuchos::StringInputSource(text).getObject();
@@ -125,7 +94,7 @@ RawScene readXml(const std::string& text, const std::string& standardTitle) {
 }
 
 RawScene readYaml(const std::string& text, const std::string& standardTitle) {
-  checkDepthOfYaml(text);
+  checkNestingOfYaml(text);
   try {
     const auto list = Teuchos::getParametersFromYamlString(text);
     const std::string name = list->name();

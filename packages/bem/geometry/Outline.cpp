@@ -154,9 +154,10 @@ void checkSimple(const Loop& loop) {
                          " and ", nameOf(loop, j));
   }
   const double area = twiceArea(loop);
-  if (area == 0)
-    throw InputError("the polygon has no area; write it in a larger unit of length");
-  if (!(area > 0))
+  if (!std::isnormal(area))
+    throw InputError("the polygon's area cannot be computed from coordinates of this ",
+                     "size; write them in another unit of length");
+  if (area < 0)
     throw InputError(
         "the polygon runs clockwise; list its vertices counter-clockwise (holes too)");
 }
