@@ -128,8 +128,10 @@ struct Pair {
 
   explicit Pair(const Case& c) : Pair(c, outlineOf(c)) {}
 
-  contact::ContactProblem::Input input(const bem::SteklovPoincare& stiffness) const {
-    return {space, stiffness, lame, units, conditions, basis, stabilization};
+  contact::ContactProblem::Input input(const bem::SteklovPoincare& stiffness,
+                                       Index formedUpTo = 0) const {
+    return {space, stiffness,     lame, units,     conditions,
+            basis, stabilization, {},   formedUpTo};
   }
 
  private:
@@ -181,14 +183,20 @@ TEUCHOS_UNIT_TEST(CompressedBody, problemsAreTheDenseOnes) {
     const contact::Problem& b = own.problem.numbers();
     TEST_ASSERT(!b.flexibility.isFormed());
     const bem::Matrix columns = entriesOf(b.flexibility);
+    const contact::ContactProblem formed(pair.input(pair.compressed.front(), a.size()));
+    const contact::Flexibility& entries = formed.numbers().flexibility;
     double size = 0;
     double error = 0;
+    double skew = 0;
     for (Index j = 0; j < a.size(); ++j)
       for (Index i = 0; i < a.size(); ++i) {
         size = std::max(size, std::abs(a.flexibility(i, j)));
-        error = std::max(error, std::abs(a.flexibility(i, j) - columns(i, j)));
+        error = std::max({error, std::abs(a.flexibility(i, j) - columns(i, j)),
+                          std::abs(a.flexibility(i, j) - entries(i, j))});
+        skew = std::max(skew, std::abs(entries(i, j) - entries(j, i)));
       }
     TEST_COMPARE(error, <, 1e-9 * size);
+    TEST_EQUALITY(skew, 0);
     // a rotation's part in one coefficient is small
     const double rotations = c.bulge != 0 ? 1e-4 : 1e-9;
     TEST_COMPARE(difference(b.flexibility.diagonal(), a.flexibility.diagonal(), size), <,

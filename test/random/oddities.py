@@ -1,4 +1,4 @@
-"""Random scenes out of the ordinary, each made from its seed alone.  Standard library only."""
+"""Random scenes with one thing out of the ordinary, each made from its seed alone."""
 import random
 
 from scene_text import parameter, sublist, text
@@ -6,8 +6,8 @@ from scenes import Scene
 
 
 class Oddities(Scene):
-    """A scene with one thing out of the ordinary, see TWISTS; laws with coefficients up to 3 and thresholds
-    and caps of zero among them, sides of support and contact that touch."""
+    """A scene with one of TWISTS; laws with coefficients up to 3 and thresholds and caps of zero among
+    them, sides of support and contact that touch."""
 
     # Loose: nothing but contact and friction holds the body, on a broad base.  All around: every
     # side is in contact but one.

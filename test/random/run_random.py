@@ -1,4 +1,4 @@
-"""Runs random scenes (scenes.py, bodies.py, oddities.py): every one is solved, in few steps of Newton's method.
+"""Runs random scenes (scenes.py, bodies.py, oddities.py): each is solved, in few steps of Newton's.
 
     run_random.py EPAFI WORK [--first SEED] [--count N] [--jobs N] [--seed SEED]... [--table FILE]
                   [--bodies 2|3|rings|odd] [--set KEY=VALUE]...
@@ -76,8 +76,10 @@ class Result:
 
 def makes_sense(level):
     """A dual basis' bound may be negative between its nodes, and friction's integral a little."""
-    strain, load, friction = (float(level["energy_" + kind]) for kind in ("strain", "load", "friction"))
-    return strain >= 0 and friction >= -1e-3 * (strain + abs(load)) and float(level["force_normal"]) >= 0
+    strain, load, friction = (float(level["energy_" + kind])
+                              for kind in ("strain", "load", "friction"))
+    return (strain >= 0 and friction >= -1e-3 * (strain + abs(load)) and
+            float(level["force_normal"]) >= 0)
 
 
 def summary(results):

@@ -131,9 +131,12 @@ class Distances {
     const int trials[3] = {mesh[f].previous, f, mesh[f].next};
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
-        const Vec2 w = mesh.difference(mesh.at(tests[i], 0), mesh.at(trials[j], 0));
+        // in one order: where the gap is the limit's, rounding decides, and pairs beside
+        // each other must agree
+        const auto [a, b] = std::minmax(tests[i], trials[j]);
+        const Vec2 w = mesh.difference(mesh.at(a, 0), mesh.at(b, 0));
         FarOrder order;
-        far_[i][j] = !isNear(mesh, tests[i], trials[j], w, order);
+        far_[i][j] = !isNear(mesh, a, b, w, order);
       }
   }
   /// Of the elements themselves.

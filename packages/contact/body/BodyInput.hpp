@@ -20,6 +20,9 @@ struct BodyInput {
   /// What its contact sides meet, in the order of the problem's bodies; null: obstacles at
   /// the distances that the conditions say.
   std::shared_ptr<const Opposite> opposite{};
+  /// Up to so many multipliers of all bodies D is formed where operators are compressed:
+  /// sweeps, pivots and steps with entries then cost less than eliminations in the tree.
+  Index formedUpTo = 1000;
 };
 
 }  // namespace epafi::contact

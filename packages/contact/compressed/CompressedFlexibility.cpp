@@ -33,7 +33,6 @@ CompressedFlexibility::CompressedFlexibility(
   factorAll();
   findPaths();
   motions_ = MotionTerms(coupling_, bodies_);
-  measureRows();
 }
 
 Vector CompressedFlexibility::times(const Vector& x) const {
@@ -42,6 +41,8 @@ Vector CompressedFlexibility::times(const Vector& x) const {
 }
 
 Flexibility::Operator::Product CompressedFlexibility::product(const Vector& x) const {
+  if (rowSums_.empty())
+    measureRows();
   Product result{times(x), Vector(at(size()))};
   double sizes[2] = {0, 0};
   for (Index i = 0; i < size(); ++i)
@@ -117,7 +118,7 @@ Matrix CompressedFlexibility::timesColumns(const Matrix& x) const {
 // Σ_j |D_ij| over normal and tangential coefficients j, each kind in so many groups of
 // neighbours: within one the entries have one sign, but for small ones where it changes and
 // for those of the other kind beside i, so that the group's sum has their size.
-void CompressedFlexibility::measureRows() {
+void CompressedFlexibility::measureRows() const {
   constexpr Index groups = 16;
   const Index counts[] = {coupling_.normals, size() - coupling_.normals};
   Matrix ones(size(), 2 * groups);
@@ -131,6 +132,24 @@ void CompressedFlexibility::measureRows() {
   for (Index g = 0; g < 2 * groups; ++g)
     for (Index i = 0; i < size(); ++i)
       rowSums_(i, g / groups) += std::abs(images(i, g));
+}
+
+Matrix CompressedFlexibility::formed() const {
+  constexpr Index atOnce = 128;
+  Matrix result(size(), size());
+  for (Index first = 0; first < size(); first += atOnce) {
+    const Index last = std::min(first + atOnce, size());
+    Matrix units(size(), last - first);
+    for (Index j = first; j < last; ++j)
+      units(j, j - first) = 1;
+    const Matrix columns = timesColumns(units);
+    for (Index j = first; j < last; ++j)
+      std::copy_n(columns.column(j - first), size(), result.column(j));
+  }
+  for (Index j = 0; j < size(); ++j)
+    for (Index i = 0; i < j; ++i)
+      result(i, j) = result(j, i) = 0.5 * (result(i, j) + result(j, i));
+  return result;
 }
 
 std::unique_ptr<Flexibility::Operator::Factor> CompressedFlexibility::factor(

@@ -21,6 +21,8 @@ class CompressedFlexibility final : public Flexibility::Operator {
   Product product(const Vector& x) const override;
   Vector diagonal() const override;
   std::unique_ptr<Factor> factor(const System& system) const override;
+  /// All of D, symmetric.
+  Matrix formed() const;
 
   const CompressedCoupling& coupling() const { return coupling_; }
   const bem::CompressedOperators& operators() const {
@@ -36,7 +38,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
   int kindOf(Index i) const { return i < coupling_.normals ? 0 : 1; }
   void factorAll();
   void findPaths();
-  void measureRows();
+  void measureRows() const;
   Matrix timesColumns(const Matrix& x) const;
 
   CompressedCoupling coupling_;
@@ -44,7 +46,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
   std::unique_ptr<bem::CompressedFactor> factor_;
   std::vector<char> paths_;
   MotionTerms motions_;
-  Matrix rowSums_;  ///< over each kind
+  mutable Matrix rowSums_;  ///< over each kind, once asked for
   /// Kept from step to step, so that only what changes is eliminated anew.
   mutable std::unique_ptr<bem::CompressedFactor> reduced_;
 };

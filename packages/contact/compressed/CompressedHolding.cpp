@@ -36,15 +36,28 @@ Vector CompressedHolding::placed(const Matrix& columns, Index k) const {
 }
 
 // One for each motion that clamps leave, where it moves most against those before: pivots
-// of the motions' rows.
+// of the motions' rows, weighted with the lengths that functionals integrate over.  A force on
+// short elements makes densities in proportion to 1/h, and with them the rounding of all.
 void CompressedHolding::addSprings() {
   Matrix motions = holding_.rigid.allowed.copy();
+  if (motions.columns() == 0)
+    return;
+  const Matrix& functionals = holding_.rigid.functionals;
+  Vector lengths(at(motions.rows()));
+  for (Index k = 0; k < functionals.columns(); ++k)
+    for (Index i = 0; i < functionals.rows(); ++i)
+      lengths[at(i)] += std::abs(functionals(i, k));
+  // from a quarter of the longest on all are alike
+  const double longest = *std::max_element(lengths.begin(), lengths.end());
+  const auto moved = [&](Index i, Index k) {
+    return std::min(lengths[at(i)], 0.25 * longest) * std::abs(motions(i, k));
+  };
   for (Index k = 0; k < motions.columns(); ++k) {
     Index row = 0;
     Index column = k;
     for (Index l = k; l < motions.columns(); ++l)
       for (Index i = 0; i < motions.rows(); ++i)
-        if (std::abs(motions(i, l)) > std::abs(motions(row, column))) {
+        if (moved(i, l) > moved(row, column)) {
           row = i;
           column = l;
         }

@@ -44,10 +44,12 @@ struct ContactSystem::Parts {
             {part(b).space, part(b).multiplier, inputs[b].lame, part(b).opposite.get()});
         held.push_back(part(b).body->compressed());
       }
-      numbers = condense(Flexibility(std::make_shared<const CompressedFlexibility>(
-                             makeCompressedCoupling(
-                                 compressed, inputs.front().stabilization, part(0).units),
-                             std::move(held))),
+      const auto flexibility = std::make_shared<const CompressedFlexibility>(
+          makeCompressedCoupling(compressed, inputs.front().stabilization, part(0).units),
+          std::move(held));
+      numbers = condense(flexibility->size() <= inputs.front().formedUpTo
+                             ? Flexibility(flexibility->formed())
+                             : Flexibility(flexibility),
                          responses);
     } else {
       for (std::size_t b = 0; b < size(); ++b)
