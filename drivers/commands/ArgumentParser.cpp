@@ -121,12 +121,14 @@ Given parseArguments(const Command& command, const std::vector<std::string>& arg
   return given;
 }
 
-int positiveNumber(const std::string& option, const std::string& text) {
+int positiveNumber(const std::string& option, const std::string& text, int most) {
   int value = 0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || stop != end || value < 1)
     throw InputError(option, ": '", text, "' is not a whole number >= 1");
+  if (value > most)
+    throw InputError(option, " = ", value, "; allowed: from 1 to ", most);
   return value;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -60,8 +61,9 @@ struct Command {
 ///   is wanted.
 Given parseArguments(const Command& command, const std::vector<std::string>& arguments);
 
-/// A whole number >= 1.
+/// A whole number from 1 to `most`.
 /// \throws bem::InputError naming the option.
-int positiveNumber(const std::string& option, const std::string& text);
+int positiveNumber(const std::string& option, const std::string& text,
+                   int most = std::numeric_limits<int>::max());
 
 }  // namespace epafi::drivers

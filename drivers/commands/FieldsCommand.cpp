@@ -301,7 +301,7 @@ void writeWindow(const std::string& folder, const std::string& step,
 int fieldsCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   return onFirstRank(ranks, [&] {
     if (given.has("--threads"))
-      setThreads(positiveNumber("--threads", given.value("--threads")));
+      setThreads(positiveNumber("--threads", given.value("--threads"), mostThreads));
     evaluate(given, out);
     return 0;
   });

@@ -41,7 +41,7 @@ RunOptions optionsOf(const Given& given) {
   options.restart = given.value("--restart");
   options.overrides = given.values("--set");
   if (given.has("--threads"))
-    options.threads = positiveNumber("--threads", given.value("--threads"));
+    options.threads = positiveNumber("--threads", given.value("--threads"), mostThreads);
   options.force = given.has("--force");
   options.quiet = given.has("--quiet");
   return options;

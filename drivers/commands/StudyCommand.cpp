@@ -291,7 +291,7 @@ int studyCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   const bool quiet = given.has("--quiet");
   const Study study = readStudy(given.argument);
   if (given.has("--threads"))
-    setThreads(positiveNumber("--threads", given.value("--threads")));
+    setThreads(positiveNumber("--threads", given.value("--threads"), mostThreads));
   OutputFolder folder(given.value("--output", defaultOutputFolder(given.argument)),
                       given.has("--force") ? EarlierRun::Delete : EarlierRun::Refuse);
   ranks.listenToSignals();

@@ -4,6 +4,9 @@ namespace epafi::drivers {
 
 class Ranks;
 
+/// More, and stacks take all of the memory.
+constexpr int mostThreads = 4096;
+
 /// Threads of OpenMP and BLAS together.
 void setThreads(int threads);
 

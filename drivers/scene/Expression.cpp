@@ -137,10 +137,12 @@ class Expression {
     if (!std::isfinite(value) && form_ != Form::OfPoint)
       fail(message("is ", value, names_.t == 1 ? "" : message(" at t = ", names_.t),
                    "; one finite number is needed", ends()));
-    if (!std::isfinite(value))
+    if (!std::isfinite(value * value))
       fail(message("is ", value, " at (x, y) = (", point.x, ", ", point.y, ")",
                    names_.t == 1 ? "" : message(", t = ", names_.t),
-                   "; one finite number is needed there", ends()));
+                   std::isfinite(value) ? "; its square must be finite, too"
+                                        : "; one finite number is needed there",
+                   ends()));
     return value;
   }
 

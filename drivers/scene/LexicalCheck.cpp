@@ -37,7 +37,8 @@ void checkReal(const std::string& text, double largest) {
   if (!(std::abs(value) <= largest))
     throw InputError("'", text, "' is too large for a number");
   const std::string mantissa = text.substr(0, text.find_first_of("eE"));
-  if (value == 0 && mantissa.find_first_of("123456789") != std::string::npos)
+  const bool subnormal = std::abs(value) < std::numeric_limits<double>::min();
+  if (subnormal && mantissa.find_first_of("123456789") != std::string::npos)
     throw InputError("'", text, "' is too small for a number; write 0");
 }
 

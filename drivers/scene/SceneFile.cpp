@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "drivers/scene/ArrayText.hpp"
 #include "drivers/scene/LexicalCheck.hpp"
+#include "drivers/scene/NestingCheck.hpp"
 #include "drivers/scene/Schema.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -69,6 +70,7 @@ void showNesting(Teuchos::ParameterList& list) {
 }
 
 RawScene readXml(const std::string& text, const std::string& standardTitle) {
+  checkNestingOfXml(text);
   Teuchos::XMLObject root;
   try {
     root = Teuchos::StringInputSource(text).getObject();
@@ -92,6 +94,7 @@ RawScene readXml(const std::string& text, const std::string& standardTitle) {
 }
 
 RawScene readYaml(const std::string& text, const std::string& standardTitle) {
+  checkNestingOfYaml(text);
   try {
     const auto list = Teuchos::getParametersFromYamlString(text);
     const std::string name = list->name();
@@ -216,6 +219,8 @@ std::string withoutMark(const std::string& text) {
   if (begins("\xFF\xFE") || begins("\xFE\xFF") || zeros)
     throw InputError(
         "its encoding is UTF-16 or UTF-32; save the file with the encoding UTF-8");
+  if (const std::size_t zero = text.find('\0'); zero != std::string::npos)
+    throw InputError("byte ", zero, " is zero; a scene is text");
   return begins("\xEF\xBB\xBF") ? text.substr(3) : text;
 }
 

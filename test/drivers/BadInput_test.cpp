@@ -89,7 +89,7 @@ TEUCHOS_UNIT_TEST(BadInput, aValueOutOfRangeSaysWhatIsAllowed) {
 
 TEUCHOS_UNIT_TEST(BadInput, lettersHexDExponentsAndOverflowAreNoNumbers) {
   for (const char* text : {"abc", "1,5", "0x10", "1d-3", "1.0.0", "1e", "", "nan", "inf",
-                           "-inf", "1 2", "--1", "1e999", "1e-400"})
+                           "-inf", "1 2", "--1", "1e999", "1e-400", "1e-320"})
     TEST_COMPLAINT(withYoung(text).xml(), body + "Material->Young's Modulus",
                    "'" + std::string(text));
   for (const char* text : {"3.7", "99999999999", "0x2", "two", "1e1", "+", "+-2"})
@@ -180,6 +180,44 @@ TEUCHOS_UNIT_TEST(BadInput, aSceneCutAtAnyByteIsRefused) {
   const std::size_t end = whole.find_last_not_of('\n');
   for (std::size_t length = 0; length <= end; ++length)
     TEST_ASSERT(!complaintOf(whole.substr(0, length)).empty());
+}
+
+TEUCHOS_UNIT_TEST(BadInput, listsTooDeepAreRefusedAtOnce) {
+  const auto times = [](int count, const std::string& text) {
+    std::string all;
+    for (int i = 0; i < count; ++i)
+      all += text;
+    return all;
+  };
+  for (const int depth : {1001, 20000}) {
+    TEST_COMPLAINT(times(depth, "<ParameterList name='<a/>'>"), "1000 deep");
+    TEST_COMPLAINT("<ParameterList name='a'>" + times(depth, "<_><!-- </_> -->"),
+                   "1000 deep");
+    for (const char* open : {"{a: ", "["})
+      TEST_ASSERT(
+          contains(complaintOf("a: " + times(depth, open), "scene.yaml"), "1000 deep"));
+  }
+  std::string yaml;
+  for (int column = 0; column < 3000; ++column)
+    yaml += std::string(column, ' ') + "a:\n";
+  TEST_ASSERT(contains(complaintOf(yaml, "scene.yaml"), "1000 columns"));
+  // what is wide, not deep, is read on
+  const std::string wide = times(2000,
+                                 "<ParameterList name='a'/><ParameterList name='a'>"
+                                 "</ParameterList><!-- <a> -->");
+  TEST_COMPLAINT(
+      "<?xml version='1.0'?><ParameterList name='x'>" + wide + "</ParameterList>", "a",
+      "twice");
+  TEST_ASSERT(
+      contains(complaintOf("x:\n  Bodies: [" + times(2000, "[1, 2], ") + "[1, 2]]\n",
+                           "scene.yaml"),
+               "Bodies"));
+}
+
+TEUCHOS_UNIT_TEST(BadInput, aZeroByteIsNamedByItsPlace) {
+  std::string xml = SceneText().xml();
+  xml[50] = '\0';
+  TEST_COMPLAINT(xml, "byte 50", "zero");
 }
 
 TEUCHOS_UNIT_TEST(BadInput, aSecondBodyIsWholeToo) {

@@ -77,6 +77,19 @@ TEUCHOS_UNIT_TEST(Constants, thatCannotBeAreRefused) {
       contains(complaintOf(text.xml()), "x, y, t, nx and ny and the constants load"));
 }
 
+TEUCHOS_UNIT_TEST(Expressions, ofFieldsHaveFiniteSquares) {
+  SceneText text;
+  text.base = parameter("Type", "Contact") + parameter("Gap", "1e100*10^(100*x)");
+  const bem::Function gap = read(text).bodies[0].conditions.contact.at("base").gap;
+  TEST_FLOATING_EQUALITY(gap({0, 0}), 1e100, 1e-14);
+  try {
+    gap({1, 0});
+    TEST_ASSERT(false);
+  } catch (const bem::InputError& error) {
+    TEST_ASSERT(contains(error.what(), "base->Gap") && contains(error.what(), "square"));
+  }
+}
+
 std::string table(const std::string& name, const std::string& content) {
   return "<ParameterList name=\"Tables\"><ParameterList name=\"" + name + "\">" +
          content + "</ParameterList></ParameterList>";

@@ -24,6 +24,9 @@ refused("no command shows the usage", ["epafi run"])
 refused("no scene", ["scene"], "run")
 refused("two scenes", ["one"], "run", TRESCA, TRESCA)
 refused("threads are whole numbers", ["--threads"], "run", TRESCA, "--threads", "2x")
+for command in ("run", "fields"):
+    refused("epafi %s: the stacks of so many threads would take all of the memory" % command,
+            ["--threads", "4096"], command, TRESCA, "--threads", "100000")
 refused("a value is missing", ["--set"], "run", TRESCA, "--set")
 refused("a switch takes no value", ["--force"], "run", TRESCA, "--force=yes")
 refused("a missing file", ["nowhere.xml"], "run", os.path.join(WORK, "nowhere.xml"))

@@ -153,7 +153,11 @@ void checkSimple(const Loop& loop) {
         throw InputError("the polygon touches or crosses itself: ", nameOf(loop, i),
                          " and ", nameOf(loop, j));
   }
-  if (!(twiceArea(loop) > 0))
+  const double area = twiceArea(loop);
+  if (!std::isnormal(area))
+    throw InputError("the polygon's area cannot be computed from coordinates of this ",
+                     "size; write them in another unit of length");
+  if (area < 0)
     throw InputError(
         "the polygon runs clockwise; list its vertices counter-clockwise (holes too)");
 }
