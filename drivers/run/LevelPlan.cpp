@@ -11,6 +11,10 @@ namespace epafi::drivers {
 
 namespace {
 
+// Largest over smallest element.  Pressures of compressed levels agree with dense ones to 5e-7
+// up to 1e5, and to 3 % of their largest beside edges of 1e-8 of a side: see decision 52.
+constexpr double mostGraded = 1e6;
+
 std::vector<BodySize> sizesOf(const BodySpaces& spaces) {
   std::vector<BodySize> sizes;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
@@ -60,8 +64,11 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks) {
                                          : compressedFits;
   };
   const bool isPossible = whyNotCompressed(scene).empty();
+  const bool isTooGraded =
+      std::any_of(sizes.begin(), sizes.end(),
+                  [](const BodySize& body) { return body.grading > mostGraded; });
   if (wanted == Operators::Cheaper && isPossible) {
-    if (isBetter(1))
+    if (isBetter(1) && !(isTooGraded && denseFits))
       return {true, compressed.memory,
               denseFits ? std::optional(dense.memory) : std::nullopt};
     return {false, dense.memory};

@@ -253,9 +253,10 @@ Attempt solveLevel(const Scene& scene, const BodySpaces& spaces,
                        : solveOnce(ground, system, from, begun);
 }
 
-/// With dense operators where compressed ones fail and the plan lets it: which is told.
+/// With dense operators where compressed ones fail and the plan lets it: which is told.  Of several
+/// processes one may have broken down alone: that ends all of them.
 template <class Attempts>
-Level solveAnyhow(const Attempts& attempt, const NewLevel& begun) {
+Level solveAnyhow(const Attempts& attempt, const NewLevel& begun, int processes) {
   std::string failure;
   try {
     Attempt first = attempt(begun);
@@ -263,7 +264,7 @@ Level solveAnyhow(const Attempts& attempt, const NewLevel& begun) {
       return std::move(*level);
     failure = std::get<std::string>(first);
   } catch (const bem::NumericalError& error) {
-    if (!begun.plan.denseInstead)
+    if (!begun.plan.denseInstead || processes > 1)
       throw;
     failure = error.what();
   }
@@ -316,7 +317,8 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
           return solveLevel(scene, spaces, lames, algebra, krylov.get(), *from, begun);
         },
         NewLevel{size, plan, timer, handOut, handOutNew,
-                 advice.empty() ? plan.advice : ""});
+                 advice.empty() ? plan.advice : ""},
+        algebra.processes());
     if (advice.empty())
       advice = plan.advice;
     timer.endLevel();

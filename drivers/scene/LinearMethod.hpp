@@ -16,7 +16,7 @@ struct Scene;
 
 /// How linear systems are solved.
 struct LinearOptions {
-  std::string method = "Dense";  ///< a name of linearMethods()
+  std::string method = "Automatic";  ///< a name of linearMethods()
   bem::BelosOptions belos;
   bem::Compression compression;
 };
