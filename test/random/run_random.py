@@ -1,11 +1,12 @@
-"""Runs random scenes (scenes.py, bodies.py): every one is solved, in few steps of Newton's method.
+"""Runs random scenes (scenes.py, bodies.py, oddities.py): each is solved, in few steps of Newton's.
 
     run_random.py EPAFI WORK [--first SEED] [--count N] [--jobs N] [--seed SEED]... [--table FILE]
-                  [--bodies 2|3|rings] [--set KEY=VALUE]...
+                  [--bodies 2|3|rings|odd] [--set KEY=VALUE]...
 
 Prints what fails with the scene's file, then steps per level by law, basis, strategy and more,
 and which stages of the solver decided.
-Claimed is that all scenes are solved and that no level takes more than MOST steps.
+Claimed is that all scenes are solved, that no level takes more than MOST steps, that no energy
+is negative and that friction takes energy.
 """
 import argparse
 import concurrent.futures
@@ -20,11 +21,12 @@ import time
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 from claims import absent, claim, finish, table  # noqa: E402
 from bodies import Rings, ThreeBodies, TwoBodies  # noqa: E402
+from oddities import Oddities  # noqa: E402
 from scenes import Scene  # noqa: E402
 from stages import levels, printed  # noqa: E402
 
 FEW, MOST = 30, 100
-KINDS = {"1": Scene, "2": TwoBodies, "3": ThreeBodies, "rings": Rings}
+KINDS = {"1": Scene, "2": TwoBodies, "3": ThreeBodies, "rings": Rings, "odd": Oddities}
 PATIENCE = 600
 
 
@@ -52,12 +54,13 @@ class Result:
         history = os.path.join(out, "history.csv")
         self.levels = table(history) if os.path.exists(history) else []
         self.steps = [int(level["newton_iterations"]) for level in self.levels]
+        self.senseless = not all(map(makes_sense, self.levels))
         timings = os.path.join(out, "timings.txt")
         self.stages = []
         if os.path.exists(timings):
             with open(timings) as stream:
                 self.stages = levels(stream.read())
-        if self.code == 0 and max(self.steps, default=0) <= FEW:
+        if self.code == 0 and not self.senseless and max(self.steps, default=0) <= FEW:
             shutil.rmtree(folder)
 
     def kinds(self):
@@ -69,6 +72,14 @@ class Result:
 
     def words(self):
         return [" + ".join(members) for members in self.kinds().values()]
+
+
+def makes_sense(level):
+    """A dual basis' bound may be negative between its nodes, and friction's integral a little."""
+    strain, load, friction = (float(level["energy_" + kind])
+                              for kind in ("strain", "load", "friction"))
+    return (strain >= 0 and friction >= -1e-3 * (strain + abs(load)) and
+            float(level["force_normal"]) >= 0)
 
 
 def summary(results):
@@ -120,6 +131,9 @@ def main():
     failed = [result.scene.seed for result in results if result.code != 0]
     claim(not failed, "%d scenes, not solved: %s" % (
         len(results), " ".join(map(str, failed)) or "none"))
+    senseless = [result.scene.seed for result in results if result.senseless]
+    claim(not senseless, "energies or pressures below zero: %s" % (
+        " ".join(map(str, senseless)) or "none"))
     slow = [result.scene.seed for result in results if max(result.steps, default=0) > MOST]
     claim(not slow, "more than %d steps: %s" % (MOST, " ".join(map(str, slow)) or "none"))
     finish()

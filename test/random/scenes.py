@@ -166,4 +166,8 @@ class Scene:
                            text("Multiplier", self.basis)) +
                        sublist("Adaptivity", text("Strategy", self.strategy) +
                                parameter("Maximum Degrees of Freedom", "int", "%d" % DOF)) +
-                       sublist("Output", parameter("Fields", "bool", "false")))
+                       sublist("Output", parameter("Fields", "bool", "false")) + self.more())
+
+    def more(self):
+        """Further lists of the scene."""
+        return ""

@@ -49,7 +49,7 @@ class CompressedBody final : public StabilisedBody {
     compressed_.push(1, multiplier.data(), x.data());
     if (byDensity()) {
       // what (V + G)⁻¹ (-N λ) does through K'
-      const Matrix image = operators_->times(placed({}, densityUnder(multiplier)));
+      const Matrix& image = under(multiplier).image;
       for (Index i = range_.first; i < range_.densities; ++i)
         x(i, 0) += image(i, 0);
     }
@@ -75,7 +75,7 @@ class CompressedBody final : public StabilisedBody {
     // less (N λ)ᵀ (V + G)⁻¹ N λ
     Matrix pushed(operators_->size(), 1);
     compressed_.push(1, multiplier.data(), pushed.data());
-    const Vector& psi = densityUnder(multiplier);
+    const Vector& psi = under(multiplier).psi;
     return work - std::inner_product(psi.begin(), psi.end(),
                                      pushed.data() + range_.densities, 0.0);
   }
@@ -84,19 +84,22 @@ class CompressedBody final : public StabilisedBody {
   Vector density(const Vector& u, const Vector& multiplier) const override {
     Vector psi = fieldOf(u).psi;
     if (byDensity() && !multiplier.empty())
-      bem::axpy(1, densityUnder(multiplier), psi);
+      bem::axpy(1, under(multiplier).psi, psi);
     return psi;
   }
 
   // 1/2 uᵀ W u + 1/2 ψᵀ V ψ from Z's products with u and ψ, -(V + G) there
   double strainEnergy(const Vector& u, const Vector& multiplier) const override {
     const Vector psi = density(u, multiplier);
-    const Matrix own = byDensity() ? imagesOf(u, psi) : Matrix();
-    const Matrix& images = byDensity() ? own : fieldOf(u).images;
-    const double twice =
-        std::inner_product(u.begin(), u.end(), images.column(0) + range_.first, 0.0) -
-        std::inner_product(psi.begin(), psi.end(), images.column(1) + range_.densities,
-                           0.0);
+    const Matrix& images = fieldOf(u).images;
+    const auto work = [](const Vector& x, const Matrix& image, Index column,
+                         Index first) {
+      return std::inner_product(x.begin(), x.end(), image.column(column) + first, 0.0);
+    };
+    double twice =
+        work(u, images, 0, range_.first) - work(psi, images, 1, range_.densities);
+    if (byDensity() && !multiplier.empty())
+      twice -= work(psi, under(multiplier).image, 0, range_.densities);
     return 0.5 * (twice - coupling_.complianceWork(psi));
   }
 
@@ -168,20 +171,27 @@ class CompressedBody final : public StabilisedBody {
     return *densityFactor_;
   }
 
-  /// -(V + G)⁻¹ N λ; the last one is kept.
-  const Vector& densityUnder(const Vector& multiplier) const {
-    if (multiplier != pushed_) {
+  /// ψ = -(V + G)⁻¹ N λ and Z (0, ψ).
+  struct Under {
+    Vector multiplier;
+    Vector psi;
+    Matrix image;
+  };
+  /// The last one is kept.
+  const Under& under(const Vector& multiplier) const {
+    if (multiplier != under_.multiplier) {
       Matrix right(operators_->size(), 1);
       compressed_.push(-1, multiplier.data(), right.data());
-      densityUnder_ = densityFor(right);
-      pushed_ = multiplier;
+      Vector psi = densityFor(right, 1);
+      Matrix image = operators_->times(placed({}, psi));
+      under_ = {multiplier, std::move(psi), std::move(image)};
     }
-    return densityUnder_;
+    return under_;
   }
 
   /// The densities' rows solved, all else held: -(V + G)⁻¹ of them.
-  Vector densityFor(const Matrix& right) const {
-    const Matrix psi = densityFactor().solve(right);
+  Vector densityFor(const Matrix& right, int refinements) const {
+    const Matrix psi = densityFactor().solve(right, refinements);
     return {psi.data() + range_.densities, psi.data() + range_.last};
   }
 
@@ -201,7 +211,8 @@ class CompressedBody final : public StabilisedBody {
   };
 
   /// That of u; the last one is kept, which several results ask for.  A solution has its ψ
-  /// with it: the last one's is tried first, and taken where K u - (V + G) ψ vanishes.
+  /// with it: the last one's is tried first, taken where K u - (V + G) ψ vanishes, and corrected
+  /// where only rounding of the rigid motions added to u is left of it.
   const Field& fieldOf(const Vector& u) const {
     if (u == field_.u)
       return field_;
@@ -215,10 +226,15 @@ class CompressedBody final : public StabilisedBody {
       size = std::max(size, std::abs(images(i, 0)));
     }
     if (left > 1e-12 * size) {
+      const bool isNear = left <= 1e-9 * size;
+      if (!isNear)
+        std::fill(psi.begin(), psi.end(), 0.0);
+      Matrix right(images.rows(), 1);
       for (Index i = 0; i < images.rows(); ++i)
-        images(i, 0) = -images(i, 0);
-      psi = densityFor(bem::columnsBetween(images, 0, 1));
-      images = imagesOf(u, psi);
+        right(i, 0) = -images(i, 0) - (isNear ? images(i, 1) : 0);
+      bem::axpy(1, densityFor(right, isNear ? 0 : 1), psi);
+      const Matrix image = operators_->times(placed({}, psi));
+      std::copy_n(image.data(), image.rows(), images.column(1));
     }
     field_ = {u, std::move(psi), std::move(images)};
     return field_;
@@ -232,8 +248,7 @@ class CompressedBody final : public StabilisedBody {
   mutable std::unique_ptr<const bem::CompressedFactor> densityFactor_;
   mutable Vector solved_;  ///< ψ of the last solution
   mutable Field field_;
-  mutable Vector pushed_;
-  mutable Vector densityUnder_;
+  mutable Under under_;
 };
 
 }  // namespace

@@ -78,8 +78,10 @@ BodyParts::BodyParts(const BodyParts& same, const Conditions& conditions)
 }
 
 Vector BodyParts::push(const State& state, const Vector& met) const {
-  Vector force = state.multiplier.empty() ? Vector(holding.loads.load.size(), 0.0)
-                                          : form->push(state.multiplier);
+  if (!state.multiplier.empty() && pushed_.multiplier != state.multiplier)
+    pushed_ = {state.multiplier, form->push(state.multiplier)};
+  Vector force =
+      state.multiplier.empty() ? Vector(holding.loads.load.size(), 0.0) : pushed_.force;
   if (!met.empty())
     axpy(1, met, force);
   return force;

@@ -26,9 +26,15 @@ struct BodyParts {
 
   /// Size of what acts on the body, dimensionless; zero: nothing.
   double size() const;
+  /// The last multiplier's is kept, which several results ask for.
   Vector push(const State& state, const Vector& met) const;
 
  private:
+  struct Pushed {
+    Vector multiplier;
+    Vector force;
+  };
+  mutable Pushed pushed_{};
   /// Factors A, with a smaller gamma0 where the default is too large.
   /// \throws IndefiniteStiffness if it is not the default that is.
   void factor(const BodyInput& input);
