@@ -11,8 +11,8 @@ namespace epafi::drivers {
 
 namespace {
 
-// Largest over smallest element.  Pressures of compressed levels agree with dense ones to 5e-7
-// up to 1e5, and to 3 % of their largest beside edges of 1e-8 of a side: see decision 52.
+// Largest over smallest element.  Pressures of compressed levels agree with dense ones to 6e-6
+// of the largest with edges of 1e-6 of a side, to 3 % with edges of 1e-8: see decision 52.
 constexpr double mostGraded = 1e6;
 
 std::vector<BodySize> sizesOf(const BodySpaces& spaces) {
