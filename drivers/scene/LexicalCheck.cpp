@@ -39,7 +39,7 @@ void checkReal(const std::string& text, double largest) {
   const std::string mantissa = text.substr(0, text.find_first_of("eE"));
   const bool subnormal = std::abs(value) < std::numeric_limits<double>::min();
   if (subnormal && mantissa.find_first_of("123456789") != std::string::npos)
-    throw InputError("'", text, "' is too small for a number; write 0");
+    throw InputError("'", text, "' is too small for a number; from 2.3e-308 on, or 0");
 }
 
 template <class Integer>
