@@ -1,9 +1,9 @@
 #include "drivers/Program.hpp"
 
 #include "drivers/commands/CommandTable.hpp"
-#include "drivers/process/BlasCore.hpp"
-#include "drivers/process/Memory.hpp"
 #include "drivers/process/Ranks.hpp"
+#include "drivers/process/Resources.hpp"
+#include "drivers/process/Threads.hpp"
 
 namespace epafi {
 

@@ -2,7 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
-#include "drivers/scene/ArrayText.hpp"
+#include "drivers/scene/Text.hpp"
 
 #include <Teuchos_XMLObject.hpp>
 
@@ -204,6 +204,50 @@ void checkLexically(const Teuchos::XMLObject& root) {
   if (root.getTag() != "ParameterList")
     throw InputError("the root is <", root.getTag(), ">; it must be <ParameterList>");
   checkList(root, "");
+}
+
+namespace {
+
+constexpr int deepest = 1000;
+
+void checkDepth(int depth) {
+  if (depth > deepest)
+    throw bem::InputError("lists stand in lists more than ", deepest, " deep");
+}
+
+/// Where a tag's '>' is, the one behind its attributes' quotes; or the text's size.
+std::size_t endOfTag(const std::string& text, std::size_t at) {
+  for (char quote = 0; at < text.size() && (quote != 0 || text[at] != '>'); ++at)
+    if (quote == 0 && (text[at] == '"' || text[at] == '\''))
+      quote = text[at];
+    else if (text[at] == quote)
+      quote = 0;
+  return at;
+}
+
+}  // namespace
+
+void checkNestingOfXml(const std::string& text) {
+  int depth = 0;
+  for (std::size_t at = text.find('<'); at < text.size(); at = text.find('<', at)) {
+    if (text.compare(at, 4, "<!--") == 0) {
+      at = text.find("-->", at);
+      continue;
+    }
+    const std::size_t end = endOfTag(text, at + 1);
+    const char first = text[at + 1];
+    const bool opens = first != '!' && first != '?' && text[end - 1] != '/';
+    checkDepth(depth += first == '/' ? -1 : opens ? 1 : 0);
+    at = end;
+  }
+}
+
+void checkNestingOfYaml(const std::string& text) {
+  int depth = 0;
+  for (const char c : text)
+    checkDepth(depth += c == '{' || c == '[' ? 1 : c == '}' || c == ']' ? -1 : 0);
+  if (text.find("\n" + std::string(deepest + 1, ' ')) != std::string::npos)
+    throw bem::InputError("a line is indented by more than ", deepest, " columns");
 }
 
 }  // namespace epafi::drivers

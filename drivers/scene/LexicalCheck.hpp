@@ -24,4 +24,11 @@ void checkValue(const std::string& type, const std::string& value);
 /// \throws bem::InputError with the path A->B->Key; without the file.
 void checkLexically(const Teuchos::XMLObject& root);
 
+/// Parsers, and what they make, go down by recursion, on a stack that ends; and the time
+/// that YAML takes grows with the square of its depth.
+/// Closing brackets in quotes of YAML count as such.
+/// \throws bem::InputError if lists stand in lists too deep; without the file.
+void checkNestingOfXml(const std::string& text);
+void checkNestingOfYaml(const std::string& text);
+
 }  // namespace epafi::drivers
