@@ -2,10 +2,10 @@
 
 #include "bem/base/Error.hpp"
 #include "drivers/commands/CommandTable.hpp"
-#include "drivers/process/BlasCore.hpp"
 #include "drivers/process/ExitCode.hpp"
-#include "drivers/process/Memory.hpp"
 #include "drivers/process/Ranks.hpp"
+#include "drivers/process/Resources.hpp"
+#include "drivers/process/Threads.hpp"
 
 #include <iostream>
 

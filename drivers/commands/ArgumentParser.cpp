@@ -2,12 +2,13 @@
 #include "bem/base/Suggestion.hpp"
 #include "drivers/commands/Command.hpp"
 #include "drivers/commands/Help.hpp"
+#include "drivers/process/Threads.hpp"
+#include "drivers/scene/Text.hpp"
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <algorithm>
-#include <charconv>
 
 namespace epafi::drivers {
 
@@ -122,14 +123,18 @@ Given parseArguments(const Command& command, const std::vector<std::string>& arg
 }
 
 int positiveNumber(const std::string& option, const std::string& text, int most) {
-  int value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end || value < 1)
+  const auto value = numberIn<int>(text);
+  if (!value || *value < 1)
     throw InputError(option, ": '", text, "' is not a whole number >= 1");
-  if (value > most)
-    throw InputError(option, " = ", value, "; allowed: from 1 to ", most);
-  return value;
+  if (*value > most)
+    throw InputError(option, " = ", *value, "; allowed: from 1 to ", most);
+  return *value;
+}
+
+int threadsOf(const Given& given) {
+  return given.has("--threads")
+             ? positiveNumber("--threads", given.value("--threads"), mostThreads)
+             : 0;
 }
 
 }  // namespace epafi::drivers

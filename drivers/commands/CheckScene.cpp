@@ -2,12 +2,12 @@
 #include "contact/body/Loads.hpp"
 #include "contact/opposite/Obstacle.hpp"
 #include "drivers/commands/Commands.hpp"
-#include "drivers/commands/PlotCommand.hpp"
 #include "drivers/output/Csv.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/NextLevel.hpp"
 #include "drivers/run/Warnings.hpp"
 #include "drivers/scene/SceneReader.hpp"
+#include "drivers/scene/Text.hpp"
 
 #include <ostream>
 #include <sstream>
@@ -99,16 +99,13 @@ std::string checkScene(const Scene& scene) {
   evaluateAll(scene);
   std::ostringstream text;
   text << scene.title << " (" << scene.file << ")\n";
-  const auto count = [](std::size_t n, const char* one, const char* many) {
-    return std::to_string(n) + " " + (n == 1 ? one : many);
-  };
   for (const Body& body : scene.bodies) {
     const bem::Mesh mesh = firstMesh(body);
     text << "  body        " << body.name << ": E = " << body.material.youngsModulus
          << ", nu = " << body.material.poissonsRatio
          << (body.material.planeStress ? ", plane stress" : ", plane strain") << "\n"
-         << "  outline     " << count(body.outline->edges().size(), "edge", "edges")
-         << ", " << count(body.outline->loops() - 1, "hole", "holes") << ", diameter "
+         << "  outline     " << counted(body.outline->edges().size(), "edge", "edges")
+         << ", " << counted(body.outline->loops() - 1, "hole", "holes") << ", diameter "
          << body.outline->diameter() << "\n"
          << "  first mesh  " << mesh.size() << " elements of degree " << body.degree
          << "\n"
@@ -126,7 +123,7 @@ std::string checkScene(const Scene& scene) {
     text << "  between     " << pair.name << ": " << end(pair.side) << " on "
          << end(pair.met) << "\n";
   if (scene.history)
-    text << "  path        " << count(scene.history.times.size(), "step", "steps")
+    text << "  path        " << counted(scene.history.times.size(), "step", "steps")
          << " up to t = " << scene.endOfPath() << "\n";
   text << "  strategy    " << scene.adaptivity.strategy.name << ", at most "
        << scene.adaptivity.limits.levels << " levels and "

@@ -66,4 +66,7 @@ Given parseArguments(const Command& command, const std::vector<std::string>& arg
 int positiveNumber(const std::string& option, const std::string& text,
                    int most = std::numeric_limits<int>::max());
 
+/// --threads; 0: it is not given.
+int threadsOf(const Given& given);
+
 }  // namespace epafi::drivers

@@ -2,15 +2,8 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
-#include "drivers/commands/BashCompletion.hpp"
 #include "drivers/commands/Commands.hpp"
-#include "drivers/commands/FieldsCommand.hpp"
-#include "drivers/commands/FirstRank.hpp"
 #include "drivers/commands/Help.hpp"
-#include "drivers/commands/PlotCommand.hpp"
-#include "drivers/commands/RunCommand.hpp"
-#include "drivers/commands/SchemaCommand.hpp"
-#include "drivers/commands/StudyCommand.hpp"
 #include "drivers/output/InsideVtu.hpp"
 #include "drivers/process/Ranks.hpp"
 
@@ -29,10 +22,23 @@ int alone(const Given& given, std::ostream& out, const Ranks&) {
   return Run(given, out);
 }
 
-/// A command that writes files: the first process alone has it.
+/// A command that writes files: the first process alone has it; the others wait and end as it
+/// does.
 template <int (*Run)(const Given&, std::ostream&)>
 int onFirst(const Given& given, std::ostream& out, const Ranks& ranks) {
-  return onFirstRank(ranks, [&] { return Run(given, out); });
+  int code = 0;
+  std::exception_ptr problem;
+  if (ranks.isFirst()) {
+    try {
+      code = Run(given, out);
+    } catch (...) {
+      problem = std::current_exception();
+    }
+  }
+  code = static_cast<int>(ranks.algebra().broadcast({static_cast<double>(code)}).front());
+  if (problem)
+    std::rethrow_exception(problem);
+  return code;
 }
 
 std::string helpAs(const std::string& format) {
@@ -137,7 +143,7 @@ std::vector<Command> makeCommands() {
         {"--window", "X0,Y0,X1,Y1", "of the field this part alone"},
         {"--step", "K",
          "the field at this step of a load path: 1, 2, ...; default: the last"}},
-       plotCommand},
+       onFirst<plotCommand>},
       {"fields",
        "displacement and stress inside, after a run; csv, or all of the inside for "
        "ParaView",
@@ -153,7 +159,7 @@ std::vector<Command> makeCommands() {
          "triangles of the whole inside for ParaView, small at small elements"},
         {"--step", "K", "at this step of a load path: 1, 2, ...; default: the last"},
         threads},
-       fieldsCommand},
+       onFirst<fieldsCommand>},
       {"schema",
        "the schema of scenes and studies for editors: RELAX NG for XML, JSON Schema for "
        "YAML",

@@ -1,32 +1,104 @@
 #pragma once
 
-#include "drivers/commands/SchemaCommand.hpp"
+#include "drivers/commands/Command.hpp"
 #include "drivers/scene/Scene.hpp"
+#include "drivers/scene/Schema.hpp"
 
 #include <string>
 #include <vector>
 
 namespace epafi::drivers {
 
+/// The commands; they return the exit code, and throw bem::InputError for what is wrong with
+/// their arguments and files.  Those without ranks run where CommandTable says.
+
+/// `epafi run SCENE.xml [options]`: solves a scene level by level and writes its files.
+///
+/// Returns 0, or 3 if a level is not converged.
+/// \throws bem::InputError, bem::NumericalError, Interrupted: files of the levels before
+///   are written.
+/// Collective; `out` and the files belong to the first rank.
+int runCommand(const Given& given, std::ostream& out, const Ranks& ranks);
+
+/// `epafi version`
+int versionCommand(const Given& given, std::ostream& out);
+
+/// `epafi study STUDY.xml [--output DIR] [--threads N] [--force] [--quiet]`: solves every
+/// variant of every scene of a study and compares them.
+///
+/// Writes study.csv after every level, a folder per variant with the files of a run (of
+/// sweeps below sweep/, the contact alone), reference-<scene>.hdf, and pictures.  A variant
+/// that fails is listed with the reason and the study goes on; --force keeps references that
+/// still fit.  Returns 0, 3 if a variant failed or did not converge, or 1 if nothing did but
+/// pictures cannot be drawn.
+/// \throws bem::InputError for wrong arguments, studies and scenes, before anything is
+/// solved; Interrupted.
+int studyCommand(const Given& given, std::ostream& out, const Ranks& ranks);
+
+/// `epafi fields DIR`: displacement and stress inside a body, after a run.
+///
+/// On a grid of cells' middles over the body's box, at points of a file, or along a boundary
+/// at a depth, as csv; with --vtk on triangles of the whole inside for ParaView; with --step
+/// at a step of a load path.
+/// \throws bem::InputError for a folder without a solution, for points that are not inside
+///   and for boundaries and steps that there are not.
+int fieldsCommand(const Given& given, std::ostream& out);
+/// Writes the folder's fields.vtu; `step`: as --step gives it, empty: the last one.
+void writeInside(const std::string& folder, const std::string& step);
+/// Writes fields-window.csv: a fine grid over a window "X0,Y0,X1,Y1" of the bodies.
+/// \throws bem::InputError for what is no window, or one beside the bodies.
+void writeWindow(const std::string& folder, const std::string& step,
+                 const std::string& window);
+
+/// `epafi plot DIR`
+int plotCommand(const Given& given, std::ostream& out);
+/// What a helper may say.
+enum class Words { All, Errors };
+/// Draws the pictures of a run's or a study's folder by the Python package python/epafi/plot,
+/// which lies in ../lib/python3.<n>/dist-packages seen from this program.
+///
+/// Its words go where this program's go.  Returns its exit code: 0, or 1 where matplotlib
+/// or the folder's files are missing.
+/// \throws bem::InputError if the program or Python is not there.
+///
+/// `more`: --field with one of fieldNames() that fields.vtu shall be drawn of, --window.
+int drawPictures(const std::string& folder, Words words,
+                 const std::vector<std::string>& more = {});
+/// Draws a scene, given as csv (sceneCsv), into a file.  Returns the exit code.
+int drawScene(const std::string& csv, const std::string& title, const std::string& file);
+
 /// `epafi check`: solves nothing, but makes loads, obstacle and bounds on the first mesh as
 /// a run does, so that every expression is evaluated where the run's first level does, and
 /// tells what the scene is.  (The estimate's own points follow from the solution.)
 /// \throws bem::InputError where an expression is not one finite number, where a bound is
 /// negative, or for a mesh that cannot be made.
+int checkCommand(const Given& given, std::ostream& out);
 std::string checkScene(const Scene& scene);
-
-/// `epafi parameters`: all keys of the grammars as text or markdown; as xml a list of the
-/// first one that Teuchos can read: every key, with its default or a sample value.
-std::string parametersText(const std::vector<Grammar>& grammars,
-                           const std::string& format);
-
 /// What `epafi check --plot` draws, as csv: points along the first meshes with the loads and
 /// gaps there.
 std::string sceneCsv(const Scene& scene);
 
-/// The commands; they return the exit code.
-/// \throws bem::InputError for wrong scenes.
-int checkCommand(const Given& given, std::ostream& out);
+/// A kind of file that the program reads, by its table of keys.
+struct Grammar {
+  std::string name;  ///< "scene"
+  const bem::SchemaRows* rows;
+};
+/// Scenes and studies; one of them, or both for an empty name.
+std::vector<Grammar> grammars(const std::string& name = "");
+
+/// `epafi parameters`: all keys of the grammars as text or markdown; as xml a list of the
+/// first one that Teuchos can read: every key, with its default or a sample value.
 int parametersCommand(const Given& given, std::ostream& out);
+std::string parametersText(const std::vector<Grammar>& grammars,
+                           const std::string& format);
+
+/// `epafi schema [--format rng|json] [--of scene|study]`
+int schemaCommand(const Given& given, std::ostream& out);
+/// RELAX NG of the XML files, for editors and xmllint: names, types, words and ranges.  What
+/// depends on other keys, and what is required, the program checks.
+std::string relaxNg(const std::vector<Grammar>& grammars);
+/// JSON Schema (draft 7) of the YAML files: the same, and what is required whatever other
+/// keys say.  Keys that depend on others (a law's, a condition's) stand side by side in it.
+std::string jsonSchema(const std::vector<Grammar>& grammars);
 
 }  // namespace epafi::drivers

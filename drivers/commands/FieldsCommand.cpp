@@ -1,18 +1,16 @@
-#include "drivers/commands/FieldsCommand.hpp"
-
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
-#include "drivers/commands/FirstRank.hpp"
+#include "drivers/commands/Commands.hpp"
 #include "drivers/output/InsideVtu.hpp"
 #include "drivers/output/SolutionFile.hpp"
 #include "drivers/process/Threads.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/SceneReader.hpp"
+#include "drivers/scene/Text.hpp"
 
 #include <algorithm>
 #include <boost/algorithm/string/trim.hpp>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -82,12 +80,8 @@ class SavedRun {
   BodyInsides insides_;
 };
 
-std::optional<double> numberIn(std::string text) {
-  boost::algorithm::trim(text);
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc() && stop == end ? std::optional(value) : std::nullopt;
+std::optional<double> trimmedNumber(const std::string& text) {
+  return numberIn<double>(boost::algorithm::trim_copy(text));
 }
 
 bool isInside(const SavedRun& run, bem::Vec2 x) {
@@ -103,7 +97,8 @@ Box windowOf(const std::string& text) {
   std::istringstream pieces(text);
   std::vector<double> ends;
   for (std::string piece; std::getline(pieces, piece, ',');)
-    ends.push_back(numberIn(piece).value_or(std::numeric_limits<double>::quiet_NaN()));
+    ends.push_back(
+        trimmedNumber(piece).value_or(std::numeric_limits<double>::quiet_NaN()));
   if (ends.size() != 4 || !(ends[0] < ends[2]) || !(ends[1] < ends[3]))
     throw InputError("--window: '", text,
                      "' is not X0,Y0,X1,Y1, two corners, the lower left one first");
@@ -161,10 +156,10 @@ Points pointsOf(const std::string& file, const SavedRun& run) {
       continue;
     const auto comma = line.find(',');
     const auto second = line.find(',', comma + 1);
-    const auto x = numberIn(line.substr(0, comma));
+    const auto x = trimmedNumber(line.substr(0, comma));
     const auto y = comma == std::string::npos
                        ? std::nullopt
-                       : numberIn(line.substr(comma + 1, second - comma - 1));
+                       : trimmedNumber(line.substr(comma + 1, second - comma - 1));
     if (number == 1 && !x && !y)
       continue;  // the names of the columns
     if (!x || !y)
@@ -226,7 +221,7 @@ Points chosenPoints(const Given& given, const SavedRun& run) {
     return gridPoints(
         given.value("--grid", "60,60"),
         given.has("--window") ? windowOf(given.value("--window")) : boxOf(run), run);
-  const auto depth = numberIn(given.value("--depth"));
+  const auto depth = trimmedNumber(given.value("--depth"));
   if (!depth || !(*depth > 0))
     throw InputError("fields: --depth: '", given.value("--depth"),
                      "' is not a length > 0");
@@ -298,13 +293,11 @@ void writeWindow(const std::string& folder, const std::string& step,
         run.insides().csv(points, run.insides().at(points)));
 }
 
-int fieldsCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
-  return onFirstRank(ranks, [&] {
-    if (given.has("--threads"))
-      setThreads(positiveNumber("--threads", given.value("--threads"), mostThreads));
-    evaluate(given, out);
-    return 0;
-  });
+int fieldsCommand(const Given& given, std::ostream& out) {
+  if (const int threads = threadsOf(given))
+    setThreads(threads);
+  evaluate(given, out);
+  return 0;
 }
 
 }  // namespace epafi::drivers

@@ -22,4 +22,7 @@ std::string listOf(const std::vector<Command>& commands);
 /// The same as a page for man(1).
 std::string manPage(const std::vector<Command>& commands);
 
+/// The commands as a completion for bash.
+std::string bashCompletion(const std::vector<Command>& commands);
+
 }  // namespace epafi::drivers

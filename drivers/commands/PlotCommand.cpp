@@ -1,8 +1,5 @@
-#include "drivers/commands/PlotCommand.hpp"
-
 #include "bem/base/Error.hpp"
-#include "drivers/commands/FieldsCommand.hpp"
-#include "drivers/commands/FirstRank.hpp"
+#include "drivers/commands/Commands.hpp"
 #include "drivers/process/ChildProgram.hpp"
 
 #include <filesystem>
@@ -52,23 +49,21 @@ int drawScene(const std::string& csv, const std::string& title, const std::strin
   return code;
 }
 
-int plotCommand(const Given& given, std::ostream&, const Ranks& ranks) {
-  return onFirstRank(ranks, [&] {
-    if (!given.has("--field")) {
-      for (const char* option : {"--window", "--step"})
-        if (given.has(option))
-          throw bem::InputError(option, " belongs to a --field");
-      return drawPictures(given.argument, Words::All);
-    }
-    if (given.has("--window"))
-      writeWindow(given.argument, given.value("--step", ""), given.value("--window"));
-    else
-      writeInside(given.argument, given.value("--step", ""));
-    std::vector<std::string> more = {"--field=" + given.value("--field")};
-    if (given.has("--window"))
-      more.emplace_back("--window");
-    return drawPictures(given.argument, Words::All, more);
-  });
+int plotCommand(const Given& given, std::ostream&) {
+  if (!given.has("--field")) {
+    for (const char* option : {"--window", "--step"})
+      if (given.has(option))
+        throw bem::InputError(option, " belongs to a --field");
+    return drawPictures(given.argument, Words::All);
+  }
+  if (given.has("--window"))
+    writeWindow(given.argument, given.value("--step", ""), given.value("--window"));
+  else
+    writeInside(given.argument, given.value("--step", ""));
+  std::vector<std::string> more = {"--field=" + given.value("--field")};
+  if (given.has("--window"))
+    more.emplace_back("--window");
+  return drawPictures(given.argument, Words::All, more);
 }
 
 }  // namespace epafi::drivers

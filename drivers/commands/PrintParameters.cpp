@@ -3,6 +3,7 @@
 #include "drivers/commands/Commands.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
+#include "drivers/study/Study.hpp"
 
 #include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/replace.hpp>
@@ -142,6 +143,13 @@ std::string xml(const bem::SchemaRows& rows) {
 
 }  // namespace
 
+std::vector<Grammar> grammars(const std::string& name) {
+  const Grammar scene{"scene", &parameters()};
+  const Grammar study{"study", &studyParameters()};
+  return name.empty() ? std::vector<Grammar>{scene, study}
+                      : std::vector<Grammar>{name == scene.name ? scene : study};
+}
+
 std::string parametersText(const std::vector<Grammar>& grammars,
                            const std::string& format) {
   if (format == "xml")
@@ -160,6 +168,12 @@ std::string parametersText(const std::vector<Grammar>& grammars,
 
 int parametersCommand(const Given& given, std::ostream& out) {
   out << parametersText(grammars(given.value("--of")), given.value("--format", "text"));
+  return 0;
+}
+
+int schemaCommand(const Given& given, std::ostream& out) {
+  const std::vector<Grammar> wanted = grammars(given.value("--of"));
+  out << (given.value("--format", "rng") == "rng" ? relaxNg(wanted) : jsonSchema(wanted));
   return 0;
 }
 

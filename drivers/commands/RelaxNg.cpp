@@ -1,5 +1,5 @@
 #include "bem/base/Error.hpp"
-#include "drivers/commands/SchemaCommand.hpp"
+#include "drivers/commands/Commands.hpp"
 #include "drivers/scene/SceneFile.hpp"
 
 #include <cmath>

@@ -1,6 +1,5 @@
-#include "drivers/commands/RunCommand.hpp"
-
 #include "bem/base/Error.hpp"
+#include "drivers/commands/Commands.hpp"
 #include "drivers/commands/Recorder.hpp"
 #include "drivers/output/OutputFolder.hpp"
 #include "drivers/output/PrintedTable.hpp"
@@ -14,6 +13,7 @@
 #include "drivers/run/Levels.hpp"
 #include "drivers/run/Warnings.hpp"
 #include "drivers/scene/SceneReader.hpp"
+#include "drivers/scene/Text.hpp"
 
 #include <filesystem>
 #include <iostream>
@@ -23,30 +23,6 @@ namespace epafi::drivers {
 
 namespace {
 
-/// The arguments of `epafi run`.
-struct RunOptions {
-  std::string scene;
-  std::string output;
-  std::string restart;  ///< folder of the run to go on from; empty: begin anew
-  std::vector<std::string> overrides;
-  int threads = 0;  ///< 0: the default
-  bool force = false;
-  bool quiet = false;
-};
-
-RunOptions optionsOf(const Given& given) {
-  RunOptions options;
-  options.scene = given.argument;
-  options.output = given.value("--output");
-  options.restart = given.value("--restart");
-  options.overrides = given.values("--set");
-  if (given.has("--threads"))
-    options.threads = positiveNumber("--threads", given.value("--threads"), mostThreads);
-  options.force = given.has("--force");
-  options.quiet = given.has("--quiet");
-  return options;
-}
-
 /// What a run goes on from, and where it writes.
 struct Beginning {
   std::optional<Checkpoint> earlier;
@@ -55,21 +31,21 @@ struct Beginning {
 };
 
 /// Reads before anything is touched.
-Beginning begin(const RunOptions& options, const Scene& scene) {
-  Beginning beginning;
-  beginning.earlierRun = options.force ? EarlierRun::Delete : EarlierRun::Refuse;
-  beginning.folder = options.output;
-  if (options.restart.empty()) {
-    if (beginning.folder.empty())
-      beginning.folder = defaultOutputFolder(options.scene);
+Beginning begin(const Given& given, const Scene& scene) {
+  const bool force = given.has("--force");
+  const std::string output = given.value("--output");
+  const std::string restart = given.value("--restart");
+  Beginning beginning{{}, output, force ? EarlierRun::Delete : EarlierRun::Refuse};
+  if (restart.empty()) {
+    if (output.empty())
+      beginning.folder = defaultOutputFolder(given.argument);
     return beginning;
   }
-  beginning.earlier = readRestart(options.restart, scene);
+  beginning.earlier = readRestart(restart, scene);
   std::error_code ignored;
-  if (!options.output.empty() &&
-      !std::filesystem::equivalent(options.restart, options.output, ignored))
+  if (!output.empty() && !std::filesystem::equivalent(restart, output, ignored))
     return beginning;
-  if (options.force)
+  if (force)
     throw bem::InputError(
         "--force would delete the run that --restart goes on from; leave one of them out "
         "or give another --output");
@@ -77,10 +53,8 @@ Beginning begin(const RunOptions& options, const Scene& scene) {
     throw bem::InputError(
         scene.file,
         ": Output->Fields = false writes no solution.hdf; --restart needs a new one in '",
-        options.restart, "', or another --output");
-  beginning.folder = options.restart;
-  beginning.earlierRun = EarlierRun::Continue;
-  return beginning;
+        restart, "', or another --output");
+  return {std::move(beginning.earlier), restart, EarlierRun::Continue};
 }
 
 std::string filesWritten(const OutputFolder& folder) {
@@ -100,33 +74,30 @@ std::string placeOf(const Level& level) {
 
 /// "1 thread", "2 processes with 1 thread each"
 std::string processesAndThreads(int processes) {
-  const auto count = [](int n, const char* one, const char* many) {
-    return std::to_string(n) + " " + (n == 1 ? one : many);
-  };
-  const std::string text = count(threads(), "thread", "threads");
+  const std::string text = counted(threads(), "thread", "threads");
   return processes == 1
              ? text
-             : count(processes, "process", "processes") + " with " + text + " each";
+             : counted(processes, "process", "processes") + " with " + text + " each";
 }
 
 /// What an interrupted run says; `level`: the last one that is written, or -1.
-std::string advice(const RunOptions& options, const Scene& scene,
-                   const std::string& folder, int level) {
+std::string advice(const Given& given, const Scene& scene, const std::string& folder,
+                   int level) {
   if (level < 0)
     return "interrupted before a level was written; nothing is kept";
   if (!scene.output.fields)
     return bem::message("interrupted behind level ", level, "; its files are in ", folder,
                         ", but Output->Fields = false leaves nothing to go on from");
-  std::string command = "epafi run " + options.scene;
-  for (const std::string& assignment : options.overrides)
+  std::string command = "epafi run " + given.argument;
+  for (const std::string& assignment : given.values("--set"))
     command += " --set '" + assignment + "'";
   return bem::message("interrupted behind level ", level, "; to go on from it: ", command,
                       " --restart ", folder);
 }
 
 /// For people, so not under --quiet.
-void warn(const std::vector<std::string>& warnings, const RunOptions& options) {
-  if (!options.quiet)
+void warn(const std::vector<std::string>& warnings, bool quiet) {
+  if (!quiet)
     for (const std::string& warning : warnings)
       std::cerr << "epafi: warning: " << warning << "\n";
 }
@@ -153,29 +124,30 @@ Outcome solveAndRecord(const Scene& scene, const std::optional<Checkpoint>& earl
 }  // namespace
 
 int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
-  const RunOptions options = optionsOf(given);
-  const Scene scene = readScene(options.scene, options.overrides);
-  chooseThreads(options.threads, ranks);
-  const Beginning beginning = begin(options, scene);
+  const int wantedThreads = threadsOf(given);
+  const bool quiet = given.has("--quiet");
+  const std::string restart = given.value("--restart");
+  const Scene scene = readScene(given.argument, given.values("--set"));
+  chooseThreads(wantedThreads, ranks);
+  const Beginning beginning = begin(given, scene);
   std::optional<OutputFolder> folder;  // the first rank's
   if (ranks.isFirst())
     folder.emplace(beginning.folder, beginning.earlierRun);
   ranks.listenToSignals();
-  adviseOnInterrupt(advice(options, scene, options.restart,
+  adviseOnInterrupt(advice(given, scene, restart,
                            beginning.earlier ? beginning.earlier->level.number : -1));
   std::ostream silence(nullptr);
-  std::ostream& table = options.quiet ? silence : out;
-  const ProgressLine progress(progressIf(ranks.isFirst() && !options.quiet));
+  std::ostream& table = quiet ? silence : out;
+  const ProgressLine progress(progressIf(ranks.isFirst() && !quiet));
   Recorder recorder(scene, beginning.earlier, folder, progress, table, [&](int level) {
-    adviseOnInterrupt(advice(options, scene, beginning.folder, level));
+    adviseOnInterrupt(advice(given, scene, beginning.folder, level));
   });
   table << scene.title << " (" << scene.file << "), BLAS core " << versions().blasCore
         << ", " << processesAndThreads(ranks.algebra().processes()) << "\n";
   if (beginning.earlier)
-    table << "goes on " << placeOf(beginning.earlier->level) << " in " << options.restart
-          << "\n";
+    table << "goes on " << placeOf(beginning.earlier->level) << " in " << restart << "\n";
   if (ranks.isFirst())
-    warn(warningsOf(scene), options);
+    warn(warningsOf(scene), quiet);
   table << tableHead() << std::flush;
 
   PhaseTimer timer([&](const std::string& phase) {
@@ -190,7 +162,7 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
   if (!folder)
     return code;
   recorder.finish(timer);
-  warn(recorder.warnings(), options);
+  warn(recorder.warnings(), quiet);
   (converged ? table : std::cerr)
       << (converged ? "ended   " : "epafi: ") << outcome.reason << "\n";
   table << timeSummary(timer) << filesWritten(*folder);
@@ -198,7 +170,7 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
       beginning.earlier && beginning.earlierRun != EarlierRun::Continue;
   if (recorder.levels() == 0 && elsewhere)
     table << "        nothing was left to solve: the fields of level "
-          << beginning.earlier->level.number << " are in " << options.restart << "\n";
+          << beginning.earlier->level.number << " are in " << restart << "\n";
   return code;
 }
 

@@ -1,10 +1,8 @@
-#include "drivers/commands/StudyCommand.hpp"
-
 #include "bem/base/Error.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/system/Definiteness.hpp"
-#include "drivers/commands/PlotCommand.hpp"
-#include "drivers/output/BoundaryTable.hpp"
+#include "drivers/commands/Commands.hpp"
+#include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/ContactTable.hpp"
 #include "drivers/output/HistoryTable.hpp"
 #include "drivers/output/OutputFolder.hpp"
@@ -18,6 +16,7 @@
 #include "drivers/run/Levels.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/SceneReader.hpp"
+#include "drivers/scene/Text.hpp"
 #include "drivers/study/StudyTable.hpp"
 
 #include <algorithm>
@@ -290,8 +289,8 @@ int studyCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
         "more cores");
   const bool quiet = given.has("--quiet");
   const Study study = readStudy(given.argument);
-  if (given.has("--threads"))
-    setThreads(positiveNumber("--threads", given.value("--threads"), mostThreads));
+  if (const int threads = threadsOf(given))
+    setThreads(threads);
   OutputFolder folder(given.value("--output", defaultOutputFolder(given.argument)),
                       given.has("--force") ? EarlierRun::Delete : EarlierRun::Refuse);
   ranks.listenToSignals();
@@ -302,12 +301,10 @@ int studyCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
 
   std::ostream silence(nullptr);
   std::ostream& text = quiet ? silence : out;
-  text << study.title << ", " << threads()
-       << (threads() == 1 ? " thread\n" : " threads\n");
+  text << study.title << ", " << counted(threads(), "thread", "threads") << "\n";
   const int unsolved = StudyRun(study, folder, ranks, text).run();
   if (unsolved > 0)
-    std::cerr << "epafi: " << unsolved
-              << (unsolved == 1 ? " variant was" : " variants were")
+    std::cerr << "epafi: " << counted(unsolved, "variant was", "variants were")
               << " not solved on every level: column reason of " << folder.path()
               << "/study.csv\n";
   const int drawn = given.has("--no-plot")

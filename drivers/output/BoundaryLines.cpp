@@ -1,5 +1,7 @@
 #include "drivers/output/BoundaryLines.hpp"
 
+#include "drivers/output/Csv.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +14,36 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 void add(bem::Vec2 vector, std::vector<double>& numbers) {
   numbers.insert(numbers.end(), {vector.x, vector.y, 0});
+}
+
+/// A point of a line; `contact`: null where there is none.
+void addPoint(bem::Vec2 place, bem::Vec2 displacement, bem::Vec2 traction,
+              const contact::ContactPoint* contact, BoundaryLines& grid) {
+  add(place, grid.points);
+  add(displacement, grid.displacement);
+  add(traction, grid.traction);
+  grid.pressure.push_back(contact == nullptr ? nothing : contact->pressure);
+  grid.shear.push_back(contact == nullptr ? nothing : contact->shear);
+  grid.gap.push_back(contact == nullptr ? nothing : contact->gap);
+  grid.contact.push_back(contact == nullptr ? -1 : contact->closed ? 1 : 0);
+  grid.friction.push_back(contact == nullptr ? -1 : numberOf(contact->friction));
+}
+
+/// Lines through the points added last.
+void addLines(int lines, int element, int degree, int boundary, int body,
+              BoundaryLines& grid) {
+  const auto first = static_cast<long long>(grid.pressure.size()) - lines - 1;
+  for (int k = 0; k < lines; ++k) {
+    grid.ends.insert(grid.ends.end(), {first + k, first + k + 1});
+    grid.element.push_back(element);
+    grid.degree.push_back(degree);
+    grid.boundary.push_back(boundary);
+    grid.body.push_back(body);
+  }
+}
+
+int placeOf(const std::string& name, const std::vector<std::string>& names) {
+  return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
 /// Fills a grid element by element.
@@ -27,44 +59,31 @@ class Sampler {
         fields_(solved),
         contacts_(static_cast<std::size_t>(mesh().size()), nullptr) {
     for (const auto& element : fields_.elements())
-      contacts_[static_cast<std::size_t>(element.element)] = &element;
+      contacts_[element.element] = &element;
   }
 
   void sample(int e, BoundaryLines& grid) const {
     const bem::Element& element = mesh()[e];
-    const auto first = static_cast<long long>(grid.pressure.size());
     const int lines = linesOf(element);
     for (int k = 0; k <= lines; ++k)
       samplePoint(e, -1 + 2.0 * k / lines, grid);
-    const auto name = std::find(names_.begin(), names_.end(), mesh().boundary(e));
-    const auto boundary = static_cast<int>(name - names_.begin());
-    for (int k = 0; k < lines; ++k) {
-      grid.ends.insert(grid.ends.end(), {first + k, first + k + 1});
-      grid.element.push_back(e);
-      grid.degree.push_back(element.degree);
-      grid.boundary.push_back(firstBoundary_ + boundary);
-      grid.body.push_back(body_);
-    }
+    addLines(lines, e, element.degree,
+             firstBoundary_ + placeOf(mesh().boundary(e), names_), body_, grid);
   }
 
  private:
   const bem::Mesh& mesh() const { return solved_.space.mesh(); }
 
   void samplePoint(int e, double t, BoundaryLines& grid) const {
-    add(mesh().physicalPoint(e, t), grid.points);
-    add(solved_.units.length * solved_.space.displacementAt(solved_.displacement, e, t),
-        grid.displacement);
-    add(solved_.units.stress * solved_.space.densityAt(density_, e, t), grid.traction);
+    const bem::Units& units = solved_.units;
     contact::ContactPoint point;
-    point.pressure = point.shear = point.gap = nothing;
-    const auto* contact = contacts_[static_cast<std::size_t>(e)];
+    const auto* contact = contacts_[e];
     if (contact != nullptr)
       point = fields_.at(*contact, t);
-    grid.pressure.push_back(point.pressure);
-    grid.shear.push_back(point.shear);
-    grid.gap.push_back(point.gap);
-    grid.contact.push_back(contact == nullptr ? -1 : (point.closed ? 1 : 0));
-    grid.friction.push_back(contact == nullptr ? -1 : numberOf(point.friction));
+    addPoint(mesh().physicalPoint(e, t),
+             units.length * solved_.space.displacementAt(solved_.displacement, e, t),
+             units.stress * solved_.space.densityAt(density_, e, t),
+             contact == nullptr ? nullptr : &point, grid);
   }
 
   const contact::Solved& solved_;
@@ -91,25 +110,12 @@ void addRigid(const RigidBody& body, const contact::RigidMotion& motion, int num
   for (std::size_t e = 0; e < outline.edges().size(); ++e) {
     const bem::Edge& edge = outline.edges()[e];
     const int lines = linesOf(edge.curve);
-    const auto first = static_cast<long long>(grid.pressure.size());
     for (int k = 0; k <= lines; ++k) {
       const bem::Vec2 place = outline.physical(edge.curve.point(-1 + 2.0 * k / lines));
-      add(place, grid.points);
-      add(motion.at(place - body.pole), grid.displacement);
-      add({}, grid.traction);
-      for (std::vector<double>* none : {&grid.pressure, &grid.shear, &grid.gap})
-        none->push_back(nothing);
-      grid.contact.push_back(-1);
-      grid.friction.push_back(-1);
+      addPoint(place, motion.at(place - body.pole), {}, nullptr, grid);
     }
-    const auto name = std::find(names.begin(), names.end(), edge.boundary);
-    for (int k = 0; k < lines; ++k) {
-      grid.ends.insert(grid.ends.end(), {first + k, first + k + 1});
-      grid.element.push_back(static_cast<int>(e));
-      grid.degree.push_back(1);
-      grid.boundary.push_back(firstBoundary + static_cast<int>(name - names.begin()));
-      grid.body.push_back(number);
-    }
+    addLines(lines, static_cast<int>(e), 1, firstBoundary + placeOf(edge.boundary, names),
+             number, grid);
   }
 }
 
@@ -163,12 +169,32 @@ std::vector<std::string> namesOfBoundaries(const Scene& scene) {
   return all;
 }
 
-std::vector<std::string> boundaryNames(const bem::Outline& outline) {
-  std::vector<std::string> names;
-  for (const bem::Edge& edge : outline.edges())
-    if (std::find(names.begin(), names.end(), edge.boundary) == names.end())
-      names.push_back(edge.boundary);
-  return names;
+std::string boundaryCsv(const Scene& scene, const BoundaryLines& grid) {
+  Csv csv({"x", "y", "ux", "uy", "tx", "ty", "boundary", "element", "degree", "body"});
+  const std::vector<std::string> names = namesOfBoundaries(scene);
+  const auto addPoint = [&](std::size_t line, long long point) {
+    std::vector<std::string> cells;
+    for (const auto* field : {&grid.points, &grid.displacement, &grid.traction})
+      for (const long long component : {0, 1})
+        cells.push_back(exactly((*field)[3 * point + component]));
+    cells.push_back(names[grid.boundary[line]]);
+    cells.push_back(std::to_string(grid.element[line]));
+    cells.push_back(std::to_string(grid.degree[line]));
+    cells.push_back(scene.bodies[grid.body[line]].name);
+    csv.row(cells);
+  };
+  const std::size_t lines = grid.element.size();
+  const auto deforms = [&](std::size_t line) {
+    return line < lines && grid.body[line] < static_cast<int>(scene.bodies.size());
+  };
+  for (std::size_t line = 0; deforms(line); ++line) {
+    addPoint(line, grid.ends[2 * line]);
+    const bool endsElement =
+        !deforms(line + 1) || grid.ends[2 * line + 2] != grid.ends[2 * line + 1];
+    if (endsElement)
+      addPoint(line, grid.ends[2 * line + 1]);
+  }
+  return csv.text();
 }
 
 }  // namespace epafi::drivers

@@ -45,7 +45,9 @@ int numberOf(contact::FrictionKind friction);
 /// arcs one for every 5 degrees at least.
 int linesOf(const bem::Element& element);
 
-/// The names of a mesh's boundaries, in the order of the outline's edges.
-std::vector<std::string> boundaryNames(const bem::Outline& outline);
+/// boundary.csv: displacement and traction along the whole boundary of what deforms, element
+/// by element, both ends included, with the element's boundary, number and degree; the
+/// traction is the density ψ of Steklov-Poincaré's operator.
+std::string boundaryCsv(const Scene& scene, const BoundaryLines& grid);
 
 }  // namespace epafi::drivers

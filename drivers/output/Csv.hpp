@@ -1,12 +1,22 @@
 #pragma once
 
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace epafi::drivers {
 
 /// A number with all its digits: 17 significant ones.
 std::string exactly(double value);
+
+/// A number as a cell: whole ones as they are, others exactly.
+template <class Number>
+std::string number(Number value) {
+  if constexpr (std::is_integral_v<Number>)
+    return std::to_string(value);
+  else
+    return exactly(value);
+}
 
 /// One line of comma-separated values.
 std::string csvLine(const std::vector<std::string>& cells);

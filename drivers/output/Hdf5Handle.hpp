@@ -4,6 +4,7 @@
 
 #include <hdf5.h>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace epafi::drivers {
@@ -67,26 +68,17 @@ class Hdf5Handle {
 
 /// HDF5's type of a number, as it is in memory.
 template <class T>
-hid_t hdf5Type();
-template <>
-inline hid_t hdf5Type<double>() {
-  return H5T_NATIVE_DOUBLE;
-}
-template <>
-inline hid_t hdf5Type<int>() {
-  return H5T_NATIVE_INT;
-}
-template <>
-inline hid_t hdf5Type<long long>() {
-  return H5T_NATIVE_LLONG;
-}
-template <>
-inline hid_t hdf5Type<unsigned long long>() {
-  return H5T_NATIVE_ULLONG;
-}
-template <>
-inline hid_t hdf5Type<unsigned char>() {
-  return H5T_NATIVE_UCHAR;
+hid_t hdf5Type() {
+  if constexpr (std::is_same_v<T, double>)
+    return H5T_NATIVE_DOUBLE;
+  else if constexpr (std::is_same_v<T, int>)
+    return H5T_NATIVE_INT;
+  else if constexpr (std::is_same_v<T, long long>)
+    return H5T_NATIVE_LLONG;
+  else if constexpr (std::is_same_v<T, unsigned long long>)
+    return H5T_NATIVE_ULLONG;
+  else
+    return H5T_NATIVE_UCHAR;
 }
 
 }  // namespace epafi::drivers

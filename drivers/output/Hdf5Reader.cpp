@@ -17,13 +17,13 @@ using bem::message;
 
 Hdf5Handle checked(hid_t id, Hdf5Handle::Close close, const std::string& what) {
   if (id < 0)
-    throw InputError(message(what, ": ", hdf5Cause()));
+    throw InputError(what, ": ", hdf5Cause());
   return {id, close};
 }
 
 void check(bool good, const std::string& what) {
   if (!good)
-    throw InputError(message(what, ": ", hdf5Cause()));
+    throw InputError(what, ": ", hdf5Cause());
 }
 
 void checkReadable(const std::string& path) {
@@ -35,7 +35,7 @@ void checkReadable(const std::string& path) {
     throw InputError("is a folder");
   errno = 0;
   if (!std::ifstream(path, std::ios::binary))
-    throw InputError(message("cannot be read: ", std::strerror(errno)));
+    throw InputError("cannot be read: ", std::strerror(errno));
   QuietHdf5 quiet;
   if (H5Fis_hdf5(path.c_str()) <= 0)
     throw InputError("is not an HDF5 file");

@@ -10,10 +10,6 @@ namespace epafi::drivers {
 
 namespace {
 
-std::string number(bem::Index value) { return std::to_string(value); }
-std::string number(int value) { return std::to_string(value); }
-std::string number(double value) { return exactly(value); }
-
 using adaptivity::Source;
 using contact::Resultant;
 using contact::Summary;

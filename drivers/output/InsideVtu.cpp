@@ -1,5 +1,7 @@
 #include "drivers/output/InsideVtu.hpp"
 
+#include "bem/base/Error.hpp"
+#include "drivers/output/BoundaryVtk.hpp"
 #include "drivers/output/Csv.hpp"
 
 #include <algorithm>
@@ -50,16 +52,12 @@ Foot nearestFoot(const bem::Mesh& mesh, bem::Vec2 point) {
 }
 
 InsideValue mean(const InsideValue& a, const InsideValue& b) {
-  const auto half = [](double x, double y) { return 0.5 * (x + y); };
   InsideValue m;
   m.displacement = 0.5 * (a.displacement + b.displacement);
-  m.xx = half(a.xx, b.xx);
-  m.yy = half(a.yy, b.yy);
-  m.xy = half(a.xy, b.xy);
-  m.zz = half(a.zz, b.zz);
-  m.vonMises = half(a.vonMises, b.vonMises);
-  m.principal1 = half(a.principal1, b.principal1);
-  m.principal2 = half(a.principal2, b.principal2);
+  for (const auto part :
+       {&InsideValue::xx, &InsideValue::yy, &InsideValue::xy, &InsideValue::zz,
+        &InsideValue::vonMises, &InsideValue::principal1, &InsideValue::principal2})
+    m.*part = 0.5 * (a.*part + b.*part);
   return m;
 }
 
@@ -76,21 +74,11 @@ InsideValue onBoundary(const Inside& inside, bem::Vec2 point) {
 }
 
 template <class Value>
-std::string array(const char* name, int components, std::size_t size,
+std::string array(const char* type, const char* name, int components, std::size_t size,
                   const Value& value) {
-  std::string text = std::string("<DataArray type=\"Float64\" Name=\"") + name +
-                     "\" NumberOfComponents=\"" + std::to_string(components) +
-                     "\" format=\"ascii\">\n";
-  for (std::size_t i = 0; i < size; ++i)
-    text += value(i) + "\n";
-  return text + "</DataArray>\n";
-}
-
-template <class Value>
-std::string whole(const char* type, const char* name, std::size_t size,
-                  const Value& value) {
-  std::string text = std::string("<DataArray type=\"") + type + "\" Name=\"" + name +
-                     "\" format=\"ascii\">\n";
+  std::string text =
+      bem::message("<DataArray type=\"", type, "\" Name=\"", name,
+                   "\" NumberOfComponents=\"", components, "\" format=\"ascii\">\n");
   for (std::size_t i = 0; i < size; ++i)
     text += value(i) + "\n";
   return text + "</DataArray>\n";
@@ -130,32 +118,26 @@ std::string vtuFile(const FilledBodies& bodies) {
   const std::vector<InsideValue>& values = bodies.values;
   const std::size_t points = triangles.points.size();
   const std::size_t cells = triangles.corners.size();
-  std::string text =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-      "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"" +
-      std::to_string(points) + "\" NumberOfCells=\"" + std::to_string(cells) +
-      "\">\n<PointData Scalars=\"von_mises\" Vectors=\"displacement\">\n";
-  text += array("displacement", 3, points,
-                [&](std::size_t i) { return vector(values[i].displacement); });
+  VtuGrid vtu{points, cells, "Scalars=\"von_mises\" Vectors=\"displacement\""};
+  vtu.pointData = array("Float64", "displacement", 3, points,
+                        [&](std::size_t i) { return vector(values[i].displacement); });
   for (const Field& field : fields)
-    text += array(field.name, 1, points,
-                  [&](std::size_t i) { return exactly(field.of(values[i])); });
-  text += whole("Int64", "body", points,
-                [&](std::size_t i) { return std::to_string(bodies.body[i]); });
-  text += "</PointData>\n<Points>\n" +
-          array("Points", 3, points,
-                [&](std::size_t i) { return vector(triangles.points[i]); }) +
-          "</Points>\n<Cells>\n" +
-          whole("Int64", "connectivity", cells,
-                [&](std::size_t i) {
-                  const auto& c = triangles.corners[i];
-                  return std::to_string(c[0]) + " " + std::to_string(c[1]) + " " +
-                         std::to_string(c[2]);
-                }) +
-          whole("Int64", "offsets", cells,
-                [](std::size_t i) { return std::to_string(3 * (i + 1)); }) +
-          whole("UInt8", "types", cells, [](std::size_t) { return std::string("5"); });
-  return text + "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+    vtu.pointData += array("Float64", field.name, 1, points,
+                           [&](std::size_t i) { return exactly(field.of(values[i])); });
+  vtu.pointData += array("Int64", "body", 1, points,
+                         [&](std::size_t i) { return std::to_string(bodies.body[i]); });
+  vtu.places = array("Float64", "Points", 3, points,
+                     [&](std::size_t i) { return vector(triangles.points[i]); });
+  vtu.topology =
+      array("Int64", "connectivity", 1, cells,
+            [&](std::size_t i) {
+              const auto& c = triangles.corners[i];
+              return bem::message(c[0], " ", c[1], " ", c[2]);
+            }) +
+      array("Int64", "offsets", 1, cells,
+            [](std::size_t i) { return std::to_string(3 * (i + 1)); }) +
+      array("UInt8", "types", 1, cells, [](std::size_t) { return std::string("5"); });
+  return vtuText(vtu);
 }
 
 std::vector<std::string> fieldNames() {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/output/BodyInsides.hpp"
+#include "drivers/output/Inside.hpp"
 #include "drivers/output/Triangulation.hpp"
 
 namespace epafi::drivers {

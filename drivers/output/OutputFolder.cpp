@@ -27,12 +27,12 @@ std::string temporaryFile(const fs::path& folder, const std::string& name) {
 void makeFolder(const fs::path& path) {
   std::error_code error;
   if (fs::exists(path, error) && !fs::is_directory(path, error))
-    throw bem::InputError(bem::message("--output: '", path.string(),
-                                       "' is a file; the results need a folder"));
+    throw bem::InputError("--output: '", path.string(),
+                          "' is a file; the results need a folder");
   fs::create_directories(path, error);
   if (error)
-    throw bem::InputError(bem::message("--output: the folder '", path.string(),
-                                       "' cannot be made: ", error.message()));
+    throw bem::InputError("--output: the folder '", path.string(),
+                          "' cannot be made: ", error.message());
 }
 
 /// Has a table of levels a row under its head?
@@ -62,13 +62,13 @@ bool holdsSolvedLevel(const fs::path& path) {
 [[noreturn]] void refuseEarlier(const fs::path& path, const std::string& name) {
   std::error_code error;
   if (fs::exists(path / "study.csv", error))
-    throw bem::InputError(bem::message(
+    throw bem::InputError(
         "--output: the folder '", path.string(), "' holds an earlier study (", name,
-        "); --force replaces it and keeps its references, --output DIR goes elsewhere"));
-  throw bem::InputError(bem::message(
+        "); --force replaces it and keeps its references, --output DIR goes elsewhere");
+  throw bem::InputError(
       "--output: the folder '", path.string(), "' holds an earlier run (", name,
       "); --restart DIR goes on from it, --force replaces it, --output DIR goes "
-      "elsewhere"));
+      "elsewhere");
 }
 
 /// The files of steps/<k>, and the folders that hold nothing else.
@@ -108,9 +108,9 @@ void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
     if (refuse)
       refuseEarlier(path, name);
     if (fs::is_directory(file, error) || !fs::remove(file, error))
-      throw bem::InputError(bem::message("--output: '", file.string(),
-                                         "' of an earlier run cannot be deleted: ",
-                                         error ? error.message() : "it is a folder"));
+      throw bem::InputError("--output: '", file.string(),
+                            "' of an earlier run cannot be deleted: ",
+                            error ? error.message() : "it is a folder");
   }
 }
 

@@ -13,12 +13,6 @@ std::string fixed(double value, int digits) {
   return text.str();
 }
 
-std::string significant(double value, int digits) {
-  std::ostringstream text;
-  text << std::setprecision(digits) << value;
-  return text.str();
-}
-
 std::string degrees(const Size& size) {
   const std::string low = std::to_string(size.degreeMin);
   return size.degreeMin == size.degreeMax ? low
@@ -58,6 +52,12 @@ constexpr Column columns[] = {
 };
 
 }  // namespace
+
+std::string significant(double value, int digits) {
+  std::ostringstream text;
+  text << std::setprecision(digits) << value;
+  return text.str();
+}
 
 std::string tableHead() {
   std::ostringstream line;

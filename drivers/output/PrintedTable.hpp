@@ -9,6 +9,9 @@
 
 namespace epafi::drivers {
 
+/// A number by so many digits.
+std::string significant(double value, int digits);
+
 /// The table that a run prints: its head, and one line per level.
 std::string tableHead();
 std::string tableLine(const LevelRow& row);

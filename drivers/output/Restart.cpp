@@ -7,6 +7,7 @@
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
+#include "drivers/scene/Text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,12 +17,7 @@ namespace epafi::drivers {
 namespace {
 
 using bem::InputError;
-using bem::message;
 using Teuchos::ParameterList;
-
-std::string join(const std::string& path, const std::string& name) {
-  return path.empty() ? name : path + "->" + name;
-}
 
 /// The path of the first key that two lists do not agree on; empty if there is none.
 std::string difference(const ParameterList& a, const ParameterList& b,
@@ -31,7 +27,7 @@ std::string differenceIn(const ParameterList& a, const ParameterList& b,
                          const std::string& path, const std::string& name) {
   const auto* inA = a.getEntryPtr(name);
   const auto* inB = b.getEntryPtr(name);
-  const std::string here = join(path, name);
+  const std::string here = bem::join(path, name);
   if (inA == nullptr || inB == nullptr)
     return inA == inB ? "" : here;
   if (inA->isList() && inB->isList())
@@ -109,18 +105,18 @@ void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
       different = differenceIn(then.sublist("Adaptivity"), now.sublist("Adaptivity"),
                                "Adaptivity", key);
   if (!different.empty())
-    throw InputError(message(
+    throw InputError(
         "was written by a run of another scene: ", different,
         " differs; Bodies, Contacts, History, Discretization, Adaptivity->Weights and "
-        "Adaptivity->Residual Factor must be as they were"));
+        "Adaptivity->Residual Factor must be as they were");
 }
 
 void checkOutlines(const Checkpoint& checkpoint, const Scene& scene) {
   const std::size_t count = scene.bodies.size();
   if (checkpoint.outlines.size() != count)
-    throw InputError(message("was written by a run of ", checkpoint.outlines.size(),
-                             checkpoint.outlines.size() == 1 ? " body" : " bodies",
-                             "; the scene has ", count));
+    throw InputError("was written by a run of ",
+                     counted(checkpoint.outlines.size(), "body", "bodies"),
+                     "; the scene has ", count);
   for (std::size_t b = 0; b < count; ++b) {
     const bem::Outline& outline = *scene.bodies[b].outline;
     if (!agree(checkpoint.outlines[b], edgeEnds(outline), outline.diameter()))
@@ -134,8 +130,8 @@ void checkSizes(const Level& level, const Scene& scene) {
     const auto edges = static_cast<int>(scene.bodies[b].outline->edges().size());
     for (const bem::Piece& piece : level.bodies[b].pieces)
       if (piece.edge < 0 || piece.edge >= edges)
-        throw InputError(message("has an element on edge ", piece.edge,
-                                 "; the outline has ", edges, " edges"));
+        throw InputError("has an element on edge ", piece.edge, "; the outline has ",
+                         edges, " edges");
   }
   if (level.rigid.size() != scene.rigid.size())
     throw InputError("has not the motions of the scene's rigid bodies");
@@ -193,11 +189,11 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
       if (!checkpoint.resultants.empty())
         checkpoint.resultants = underHead(checkpoint.resultants, bodiesHead());
     } catch (const InputError& error) {
-      throw InputError(message("'", path, "' ", error.what()));
+      throw InputError("'", path, "' ", error.what());
     }
     return checkpoint;
   } catch (const InputError& error) {
-    throw InputError(message("--restart: ", error.what()));
+    throw InputError("--restart: ", error.what());
   }
 }
 

@@ -33,7 +33,7 @@ std::vector<State> states(const std::vector<int>& numbers, State last) {
   std::vector<State> result;
   for (const int number : numbers) {
     if (number < 0 || number > static_cast<int>(last))
-      throw bem::InputError(bem::message("/Epafi: ", number, " is no state"));
+      throw bem::InputError("/Epafi: ", number, " is no state");
     result.push_back(static_cast<State>(number));
   }
   return result;

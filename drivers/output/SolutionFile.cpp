@@ -1,8 +1,8 @@
 #include "drivers/output/SolutionFile.hpp"
 
 #include "bem/base/Error.hpp"
+#include "drivers/output/BoundaryVtk.hpp"
 #include "drivers/output/Hdf5Reader.hpp"
-#include "drivers/output/VtkHdf.hpp"
 
 namespace epafi::drivers {
 
@@ -104,9 +104,9 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
     throw bem::InputError("has no group /Epafi: it was not written by epafi run");
   const int format = reader.attribute<int>(group, "format");
   if (format < formatOfOne || format > formatOfAll)
-    throw bem::InputError(bem::message("is of format ", format,
-                                       "; this version of Epafi reads formats ",
-                                       formatOfOne, " to ", formatOfAll));
+    throw bem::InputError("is of format ", format,
+                          "; this version of Epafi reads formats ", formatOfOne, " to ",
+                          formatOfAll);
   SolutionArrays arrays;
   const auto read = [&](const auto& set) {
     auto& array = arrays.*set.array;
@@ -181,7 +181,7 @@ Checkpoint readSolution(const std::string& path) {
   try {
     return readCheckpoint(Hdf5Reader(path));
   } catch (const bem::InputError& error) {
-    throw bem::InputError(bem::message("'", path, "': ", error.what()));
+    throw bem::InputError("'", path, "': ", error.what());
   }
 }
 

@@ -9,6 +9,12 @@ namespace epafi::drivers {
 
 namespace {
 
+/// What a member says.
+template <auto member>
+std::string cell(const StepRow& row) {
+  return number(row.*member);
+}
+
 struct Column {
   const char* name;
   std::string (*cell)(const StepRow& row);
@@ -16,32 +22,31 @@ struct Column {
 
 /// Order and names are a contract: add, never rename.
 constexpr Column columns[] = {
-    {"level", [](const StepRow& r) { return std::to_string(r.level); }},
-    {"step", [](const StepRow& r) { return std::to_string(r.step); }},
-    {"t", [](const StepRow& r) { return exactly(r.t); }},
-    {"newton_iterations",
-     [](const StepRow& r) { return std::to_string(r.newtonIterations); }},
+    {"level", cell<&StepRow::level>},
+    {"step", cell<&StepRow::step>},
+    {"t", cell<&StepRow::t>},
+    {"newton_iterations", cell<&StepRow::newtonIterations>},
     {"status",
      [](const StepRow& r) {
        return std::string(r.converged ? "converged" : "not converged");
      }},
-    {"energy_strain", [](const StepRow& r) { return exactly(r.energyStrain); }},
-    {"energy_dissipated", [](const StepRow& r) { return exactly(r.energyDissipated); }},
-    {"energy_dissipated_trapezoidal",
-     [](const StepRow& r) { return exactly(r.energyTrapezoidal); }},
-    {"energy_outside", [](const StepRow& r) { return exactly(r.energyOutside); }},
-    {"energy_stabilisation",
-     [](const StepRow& r) { return exactly(r.energyStabilisation); }},
-    {"energy_error", [](const StepRow& r) { return exactly(r.energyError); }},
-    {"parts", [](const StepRow& r) { return std::to_string(r.parts); }},
+    {"energy_strain", cell<&StepRow::energyStrain>},
+    {"energy_dissipated", cell<&StepRow::energyDissipated>},
+    {"energy_dissipated_trapezoidal", cell<&StepRow::energyTrapezoidal>},
+    {"energy_outside", cell<&StepRow::energyOutside>},
+    {"energy_stabilisation", cell<&StepRow::energyStabilisation>},
+    {"energy_error", cell<&StepRow::energyError>},
+    {"parts", cell<&StepRow::parts>},
 };
 
-struct ContactColumn {
+/// Of a contact, or of a body without elasticity.
+template <class Row>
+struct PartColumn {
   const char* name;
-  double (*value)(const ContactRow& contact);
+  double (*value)(const Row& part);
 };
 
-constexpr ContactColumn contactColumns[] = {
+constexpr PartColumn<ContactRow> contactColumns[] = {
     {"force_x", [](const ContactRow& c) { return c.summary.contact.x; }},
     {"force_y", [](const ContactRow& c) { return c.summary.contact.y; }},
     {"force_normal", [](const ContactRow& c) { return c.summary.forceNormal; }},
@@ -51,13 +56,8 @@ constexpr ContactColumn contactColumns[] = {
     {"energy_dissipated", [](const ContactRow& c) { return c.dissipated; }},
 };
 
-/// A body without elasticity: where it is, and what moves or holds it there.
-struct RigidColumn {
-  const char* name;
-  double (*value)(const RigidRow& body);
-};
-
-constexpr RigidColumn rigidColumns[] = {
+/// Where a body without elasticity is, and what moves or holds it there.
+constexpr PartColumn<RigidRow> rigidColumns[] = {
     {"motion_x", [](const RigidRow& r) { return r.motion.slide.x; }},
     {"motion_y", [](const RigidRow& r) { return r.motion.slide.y; }},
     {"rotation", [](const RigidRow& r) { return r.motion.turn; }},
@@ -73,10 +73,10 @@ std::string stepsHead(const StepRow& row) {
   for (const Column& column : columns)
     names.emplace_back(column.name);
   for (const ContactRow& contact : row.contacts)
-    for (const ContactColumn& column : contactColumns)
+    for (const auto& column : contactColumns)
       names.push_back(contact.name + "." + column.name);
   for (const RigidRow& body : row.rigid)
-    for (const RigidColumn& column : rigidColumns)
+    for (const auto& column : rigidColumns)
       names.push_back(body.name + "." + column.name);
   return csvLine(names);
 }
@@ -86,10 +86,10 @@ std::string stepsLine(const StepRow& row) {
   for (const Column& column : columns)
     cells.push_back(column.cell(row));
   for (const ContactRow& contact : row.contacts)
-    for (const ContactColumn& column : contactColumns)
+    for (const auto& column : contactColumns)
       cells.push_back(exactly(column.value(contact)));
   for (const RigidRow& body : row.rigid)
-    for (const RigidColumn& column : rigidColumns)
+    for (const auto& column : rigidColumns)
       cells.push_back(exactly(column.value(body)));
   return csvLine(cells);
 }

@@ -29,9 +29,9 @@ class Scratch {
   Scratch() {
     std::string name = (fs::temp_directory_path() / "epafi-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr)
-      throw bem::InputError(bem::message("fields: no folder can be made in '",
-                                         fs::temp_directory_path().string(),
-                                         "': ", std::strerror(errno)));
+      throw bem::InputError("fields: no folder can be made in '",
+                            fs::temp_directory_path().string(),
+                            "': ", std::strerror(errno));
     path_ = name;
   }
   ~Scratch() {
@@ -53,8 +53,7 @@ std::vector<std::vector<bem::Vec2>> polygons(const bem::Mesh& mesh) {
       static_cast<std::size_t>(mesh.outline().loops()));
   for (int e = 0; e < mesh.size(); ++e) {
     const bem::Element& element = mesh[e];
-    auto& loop =
-        loops[static_cast<std::size_t>(mesh.outline().edge(element.piece.edge).loop)];
+    auto& loop = loops[mesh.outline().edge(element.piece.edge).loop];
     const double angle = std::abs(element.curve.angle());
     const int parts = std::max(static_cast<int>(std::ceil(2 * element.half / largest)),
                                static_cast<int>(std::ceil(angle / 0.1)));
@@ -111,8 +110,8 @@ Triangulation triangulate(const bem::Mesh& mesh) {
   const std::string program = besideProgram("libexec/epafi/triangulate");
   if (!runChild(program, {in, out}, "fields",
                 "it is built and installed along with epafi"))
-    throw bem::InputError(bem::message(
-        "fields: the inside cannot be cut into triangles: '", program, "' failed"));
+    throw bem::InputError("fields: the inside cannot be cut into triangles: '", program,
+                          "' failed");
   return read(out, mesh.outline());
 }
 

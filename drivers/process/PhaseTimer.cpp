@@ -49,7 +49,7 @@ PhaseTimer::Scope::Scope(PhaseTimer& timer, Phase phase)
   std::ostringstream line;
   line.precision(1);
   line << std::fixed << timer.levelName_ << ": " << nameOf(phase) << " ("
-       << timer.wall_.seconds() << " s so far)";
+       << timer.wallSeconds() << " s so far)";
   timer.watch_(line.str());
   timer.stack_->start(nameOf(phase));
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 namespace epafi::drivers {
 
 class Ranks;
@@ -16,5 +18,19 @@ void chooseThreads(int wanted, const Ranks& ranks);
 
 /// What OpenMP will use.
 int threads();
+
+/// The kernels that OpenBLAS chose, "unknown" for another BLAS.
+std::string blasCore();
+
+/// Has OpenBLAS begin anew, as its destructor and constructor do, with better variables:
+///
+///   OPENBLAS_CORETYPE        if it has chosen kernels below what the processor has:
+///                            Debian's does not know newer processors and then computes
+///                            five times slower
+///   OPENBLAS_THREAD_TIMEOUT  if it has threads: they shall not wait at OpenMP's expense
+///
+/// Call it first in main, before MPI_Init and threads.  A user's own variables and another
+/// BLAS are left alone.
+void tuneBlas();
 
 }  // namespace epafi::drivers

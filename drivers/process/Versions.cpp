@@ -1,19 +1,13 @@
 #include "drivers/process/Versions.hpp"
 
+#include "drivers/process/Threads.hpp"
+
 #include <Trilinos_version.h>
-#include <dlfcn.h>
 #include <mpi.h>
 
 namespace epafi::drivers {
 
 namespace {
-
-/// Asked at run time: another BLAS does not have the function.
-std::string blasCore() {
-  using Name = char* (*)();
-  const auto name = reinterpret_cast<Name>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));
-  return name == nullptr ? "unknown" : name();
-}
 
 /// The first line of what the library says of itself; allowed before MPI_Init.
 std::string mpiVersion() {

@@ -9,7 +9,7 @@ struct Versions {
   std::string epafi;
   std::string trilinos;
   std::string mpi;
-  std::string blasCore;  ///< the kernels that OpenBLAS chose, "unknown" for another BLAS
+  std::string blasCore;  ///< see blasCore()
 };
 
 Versions versions();

@@ -51,7 +51,7 @@ void markEnds(const ContactPair& pair, const contact::Conditions& conditions,
     for (const auto& [neighbour, node] : {std::pair(element.previous, element.startNode),
                                           std::pair(element.next, element.endNode)})
       if (touches(e) && !touches(neighbour))
-        side.singular.nodes[static_cast<std::size_t>(node)] = Singularity::Strong;
+        side.singular.nodes[node] = Singularity::Strong;
   }
 }
 
@@ -61,7 +61,7 @@ bem::Vector besideSingular(const PreparedMesh& side, int e) {
   bem::Vector places;
   if (side.singular.at(side.mesh, e, false) == Singularity::Strong)
     places.push_back(-1 + close);
-  for (const double t : side.singular.inside[static_cast<std::size_t>(e)]) {
+  for (const double t : side.singular.inside[e]) {
     places.push_back(t - close);
     places.push_back(t + close);
   }
@@ -94,7 +94,7 @@ void shareSingularPoints(const Scene& scene, std::vector<PreparedMesh>& prepared
     const adaptivity::SingularPoints& singular = prepared[pair.side.body].singular;
     const Scene::MetEdges met = scene.metEdges(pair);
     for (const int e : mesh.elementsOf(pair.side.boundary)) {
-      bem::Vector places = singular.inside[static_cast<std::size_t>(e)];
+      bem::Vector places = singular.inside[e];
       if (singular.at(mesh, e, false) == Singularity::Strong)
         places.push_back(-1);
       for (const double t : places)

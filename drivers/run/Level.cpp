@@ -54,16 +54,14 @@ Size sizeOf(const bem::Space& space, const contact::MultiplierSpace& multiplier,
       std::minmax_element(elements.begin(), elements.end(),
                           [](const auto& a, const auto& b) { return a.half < b.half; });
   const double diameter = mesh.outline().scaling().length;
-  Size size;
-  size.elements = mesh.size();
-  size.displacements = contact::freeDisplacements(space, conditions);
-  size.multipliers = multiplier.size();
-  size.densities = space.densities();
-  size.degreeMin = lowest->degree;
-  size.degreeMax = highest->degree;
-  size.sizeMin = 2 * shortest->half * diameter;
-  size.sizeMax = 2 * longest->half * diameter;
-  return size;
+  return {mesh.size(),
+          contact::freeDisplacements(space, conditions),
+          multiplier.size(),
+          space.densities(),
+          lowest->degree,
+          highest->degree,
+          2 * shortest->half * diameter,
+          2 * longest->half * diameter};
 }
 
 }  // namespace epafi::drivers

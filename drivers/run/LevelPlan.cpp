@@ -1,7 +1,7 @@
 #include "drivers/run/LevelPlan.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/process/Memory.hpp"
+#include "drivers/process/Resources.hpp"
 #include "drivers/scene/LinearCost.hpp"
 
 #include <algorithm>

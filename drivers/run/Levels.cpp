@@ -98,11 +98,7 @@ LevelRow makeRow(const Level& level, const NewLevel& begun, double gamma0,
        timer.levelSeconds(Phase::Stabilization), timer.levelSeconds(Phase::Newton),
        timer.levelSeconds(Phase::Estimate), cpuSeconds(), timer.wallSeconds(),
        peakMemory()});
-  row.seconds.assembly = cost[0];
-  row.seconds.factorization = cost[1];
-  row.seconds.stabilization = cost[2];
-  row.seconds.newton = cost[3];
-  row.seconds.estimate = cost[4];
+  row.seconds = {cost[0], cost[1], cost[2], cost[3], cost[4]};
   row.secondsTotal = cost[5];
   row.secondsWall = cost[6];
   row.memory = cost[7];

@@ -61,12 +61,11 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
     return ended(report, last.end);
   std::string text;
   if (last.end == End::Unsettled)
-    text =
-        message("the slip bound still changes by ", last.parts.back().residual,
-                " of the load after ", report.coulombIterations,
-                " updates: use Solver->Coulomb Iteration = 'Newton', or raise "
-                "Solver->Coulomb Maximum Iterations; with a large friction coefficient "
-                "there may be several solutions, or none");
+    text = message("the slip bound still changes by ", last.parts.back().residual,
+                   " of the load after ", report.coulombIterations,
+                   " updates: use Solver->Coulomb Iteration = 'Newton', or raise "
+                   "Solver->Coulomb Maximum Iterations; with a large friction "
+                   "coefficient there may be several solutions, or none");
   else
     text = message(
         "Tresca's problem of an update of the slip bound: ", worded(report, last.parts),
@@ -75,10 +74,8 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
     text +=
         ".  Newton's method, complementary pivoting, following friction from zero, an "
         "interior point method, a line search and updates of the slip bound were tried; "
-        "with a large friction "
-        "coefficient there may be "
-        "several solutions, or none: try a smaller one, a finer mesh, or Solver->Load "
-        "Steps";
+        "with a large friction coefficient there may be several solutions, or none: try "
+        "a smaller one, a finer mesh, or Solver->Load Steps";
   return text;
 }
 
@@ -117,8 +114,8 @@ std::string restlessPlaces(const contact::Report& report,
         if (!changes(element.normalOf(i)) &&
             (element.tangential < 0 || !changes(element.tangentialOf(i))))
           continue;
-        const bem::Vec2 place = spaces.space(b).mesh().physicalPoint(
-            element.element, at[static_cast<std::size_t>(i)]);
+        const bem::Vec2 place =
+            spaces.space(b).mesh().physicalPoint(element.element, at[i]);
         places.push_back(bem::message("(", place.x, ", ", place.y, ") on ",
                                       spaces.boundaryName(b, *element.boundary)));
       }

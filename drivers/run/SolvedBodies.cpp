@@ -13,10 +13,9 @@ contact::ContactState ofBody(const contact::Numbering& numbering, std::size_t b,
   for (bem::Index i = 0; i < numbering.sizeOf(b); ++i) {
     const bem::Index k = numbering(b, i);
     if (k < numbering.normals())
-      own.normal.push_back(all.normal[static_cast<std::size_t>(k)]);
+      own.normal.push_back(all.normal[k]);
     else
-      own.tangential.push_back(
-          all.tangential[static_cast<std::size_t>(k - numbering.normals())]);
+      own.tangential.push_back(all.tangential[k - numbering.normals()]);
   }
   return own;
 }

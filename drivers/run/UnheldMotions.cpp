@@ -40,9 +40,9 @@ void checkResistance(const Scene& scene, const contact::ContactSystem& system) {
     orthogonalise(basis, rest);
     const double size = std::sqrt(bem::dot(rest, rest));
     if (!(size > rounding * largest))
-      throw bem::InputError(bem::message(
-          "Bodies->", name, ": can move as a rigid body in a way that nothing resists; ",
-          advice));
+      throw bem::InputError("Bodies->", name,
+                            ": can move as a rigid body in a way that nothing resists; ",
+                            advice);
     for (double& x : rest)
       x /= size;
     basis.push_back(std::move(rest));

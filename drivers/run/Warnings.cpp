@@ -48,13 +48,11 @@ void findPolygon(const bem::Outline& outline, const std::string& boundary,
     turn = std::max(turn, std::abs(angle));
   }
   if (std::max(left, right) >= few && std::min(left, right) == 0)
-    warnings.push_back(message(
-        name, ": ", left + right, " corners of up to ",
-        std::round(turn / degree * 10) / 10,
-        " degrees draw a curve on a side in contact; pressure then stands on the "
-        "corners.  "
-        "Arcs (Geometry->Bulges) are exact; so is a straight side with the shape in its "
-        "Gap"));
+    warnings.push_back(message(name, ": ", left + right, " corners of up to ",
+                               std::round(turn / degree * 10) / 10,
+                               " degrees draw a curve on a side in contact; pressure "
+                               "then stands on the corners.  Arcs (Geometry->Bulges) are "
+                               "exact; so is a straight side with the shape in its Gap"));
 }
 
 /// Corners where two sides prescribe displacements that differ.
@@ -222,23 +220,20 @@ std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level
   if (extent.energy == 0) {
     warnings.emplace_back(
         "nothing loads the scene: no traction, force, prescribed displacement or "
-        "overlap; "
-        "all of it stays as it is");
+        "overlap; all of it stays as it is");
     return warnings;
   }
   if (scene.hasContact() && extent.contact == 0)
     warnings.emplace_back(
         "contact never closes: nothing presses a body onto what it could meet; look at "
-        "the "
-        "signs of loads (tractions pull along x and y) and at the gap");
+        "the signs of loads (tractions pull along x and y) and at the gap");
   constexpr double small = 0.1;
   for (const auto& [name, share] : slidingOf(level))
     if (share > small)
       warnings.push_back(message(
           "contact '", name, "': sliding reaches ", std::round(100 * share),
-          " % of the length in contact; what meets what is looked for once, on "
-          "the outlines as drawn (small sliding): stresses may belong elsewhere by as "
-          "much"));
+          " % of the length in contact; what meets what is looked for once, on the "
+          "outlines as drawn (small sliding): stresses may belong elsewhere by as much"));
   for (std::size_t b = 0; b < level.bodies.size(); ++b) {
     const double motion = largestMotion(level.bodies[b], *scene.bodies[b].outline);
     if (motion > small)
@@ -246,8 +241,7 @@ std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level
           message("Bodies->", scene.bodies[b].name, ": displacements reach ",
                   std::round(100 * motion),
                   " % of the body's size; the equations are those of small displacements "
-                  "and small "
-                  "sliding, on the outline as drawn: look at units and loads"));
+                  "and small sliding, on the outline as drawn: look at units and loads"));
   }
   return warnings;
 }

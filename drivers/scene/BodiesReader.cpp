@@ -41,7 +41,8 @@ void refuseMotion(const ParameterList& motion, const std::string& path) {
 }
 
 Body readBody(ParameterList& list, const std::string& name, const Scene& scene,
-              const Loops& loops, double length, const ParameterList& discretization) {
+              const bem::Loops& loops, double length,
+              const ParameterList& discretization) {
   const std::string path = "Bodies->" + name;
   Body body;
   body.name = name;
@@ -90,7 +91,7 @@ bem::Vec2 readPole(const ParameterList& motion, const std::string& path,
 }
 
 RigidBody readRigid(const ParameterList& list, const std::string& name,
-                    const Scene& scene, const Loops& loops) {
+                    const Scene& scene, const bem::Loops& loops) {
   const std::string path = "Bodies->" + name;
   refuseElasticity(list, path);
   RigidBody body;
@@ -126,7 +127,7 @@ bool isRigid(const ParameterList& body) {
 }  // namespace
 
 void readBodies(ParameterList& list, const ParameterList& discretization, Scene& scene) {
-  std::vector<Loops> loops;
+  std::vector<bem::Loops> loops;
   double length = 0;
   for (const auto& item : list) {
     const std::string path = "Bodies->" + item.first + "->Geometry";
@@ -138,7 +139,7 @@ void readBodies(ParameterList& list, const ParameterList& discretization, Scene&
   std::size_t b = 0;
   for (const auto& item : list) {
     ParameterList& body = list.sublist(item.first);
-    const Loops& own = loops[b++];
+    const bem::Loops& own = loops[b++];
     if (isRigid(body))
       scene.rigid.push_back(readRigid(body, item.first, scene, own));
     else

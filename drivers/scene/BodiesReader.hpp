@@ -2,10 +2,6 @@
 
 #include "drivers/scene/Scene.hpp"
 
-namespace Teuchos {
-class ParameterList;
-}
-
 namespace epafi::drivers {
 
 /// Reads the validated list Bodies into a scene that has its file and constants.

@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
+#include "drivers/scene/Scene.hpp"
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
@@ -72,10 +73,7 @@ contact::Conditions::Contact readContactOfBodies(const ParameterList& list,
 
 void checkNamed(const std::string& boundary, const std::string& path,
                 const bem::Outline& outline) {
-  std::vector<std::string> names;
-  for (const bem::Edge& edge : outline.edges())
-    if (std::find(names.begin(), names.end(), edge.boundary) == names.end())
-      names.push_back(edge.boundary);
+  const std::vector<std::string> names = boundaryNames(outline);
   if (std::find(names.begin(), names.end(), boundary) == names.end())
     throw InputError(path, ": no edge has this name; did you mean '",
                      bem::nearest(boundary, names),

@@ -4,10 +4,6 @@
 #include "contact/conditions/Conditions.hpp"
 #include "drivers/scene/Expression.hpp"
 
-namespace Teuchos {
-class ParameterList;
-}
-
 namespace epafi::drivers {
 
 /// The Boundary Conditions and Rigid Motions of a body's validated list; `place` is the

@@ -2,10 +2,6 @@
 
 #include "drivers/scene/Scene.hpp"
 
-namespace Teuchos {
-class ParameterList;
-}
-
 namespace epafi::drivers {
 
 /// Reads the validated list Contacts into a scene whose bodies are read: what meets what, the

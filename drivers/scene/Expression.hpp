@@ -7,10 +7,6 @@
 #include <map>
 #include <string>
 
-namespace Teuchos {
-class ParameterList;
-}
-
 namespace epafi::drivers {
 
 /// Where a text of the scene stands, for messages.

@@ -1,13 +1,15 @@
 #include "drivers/scene/GeometryReader.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/scene/GeometryFile.hpp"
+#include "drivers/scene/GmshOutline.hpp"
+#include "drivers/scene/SceneFile.hpp"
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_TwoDArray.hpp>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace epafi::drivers {
 
@@ -85,23 +87,71 @@ std::string holeKey(int hole, const std::string& what) {
   return message("Hole ", hole, " ", what);
 }
 
-Loops readLoops(ParameterList& geometry, const std::string& file,
-                const std::string& path) {
+bem::Loops readLoops(ParameterList& geometry, const std::string& file,
+                     const std::string& path) {
   expandGeometryFile(geometry, file, path);
   const int holes = countHoles(geometry, path);
-  Loops loops{readLoop(geometry, "", path), {}};
+  bem::Loops loops{readLoop(geometry, "", path), {}};
   for (int hole = 1; hole <= holes; ++hole)
     loops.holes.push_back(readLoop(geometry, holeKey(hole, ""), path));
   return loops;
 }
 
-std::shared_ptr<const bem::Outline> makeOutline(const Loops& loops, double length,
+std::shared_ptr<const bem::Outline> makeOutline(const bem::Loops& loops, double length,
                                                 const std::string& path) {
   return at(path, [&] {
     bem::Scaling scaling = bem::scalingOf(loops.outer);
     scaling.length = std::max(scaling.length, length);
     return std::make_shared<const bem::Outline>(loops.outer, loops.holes, scaling);
   });
+}
+
+namespace {
+
+using bem::InputError;
+using bem::message;
+
+void setLoop(Teuchos::ParameterList& geometry, const std::string& prefix,
+             const bem::Loop& loop) {
+  const auto size =
+      static_cast<Teuchos::TwoDArray<double>::size_type>(loop.vertices.size());
+  Teuchos::TwoDArray<double> table(size, 2);
+  for (Teuchos::TwoDArray<double>::size_type i = 0; i < size; ++i) {
+    table(i, 0) = loop.vertices[i].x;
+    table(i, 1) = loop.vertices[i].y;
+  }
+  geometry.set(prefix + "Vertices", table);
+  geometry.set(prefix + "Edges", Teuchos::Array<std::string>(loop.edges));
+  if (!loop.bulges.empty())
+    geometry.set(prefix + "Bulges", Teuchos::Array<double>(loop.bulges));
+}
+
+}  // namespace
+
+void expandGeometryFile(Teuchos::ParameterList& geometry, const std::string& sceneFile,
+                        const std::string& path) {
+  if (!geometry.isParameter("File")) {
+    for (const char* key : {"Vertices", "Edges"})
+      if (!geometry.isParameter(key))
+        throw InputError(path, "->", key, ": missing; give Vertices and Edges, ",
+                         "or File");
+    return;
+  }
+  for (const auto& item : geometry)
+    if (item.first != "File")
+      throw InputError(path, "->", item.first, ": give this or File, not both");
+  const auto name = geometry.get<std::string>("File");
+  const std::string file =
+      (std::filesystem::path(sceneFile).parent_path() / name).string();
+  try {
+    const bem::Loops loops = readGmsh(readText(file));
+    geometry.remove("File");
+    setLoop(geometry, "", loops.outer);
+    for (std::size_t k = 0; k < loops.holes.size(); ++k)
+      setLoop(geometry, message("Hole ", k + 1, " "), loops.holes[k]);
+  } catch (const InputError& error) {
+    throw InputError(path, "->File = '", name, "' (", file, "): ", error.what());
+  }
 }
 
 }  // namespace epafi::drivers

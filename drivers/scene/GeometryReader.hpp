@@ -1,6 +1,8 @@
 #pragma once
 
-#include "drivers/scene/Loops.hpp"
+#include "bem/geometry/Outline.hpp"
+
+#include <Teuchos_ParameterList.hpp>
 
 #include <memory>
 #include <string>
@@ -18,12 +20,12 @@ namespace epafi::drivers {
 /// \param path  of the list, for messages
 /// \throws bem::InputError for edges, bulges and vertices that do not go together, holes
 ///   that are not numbered 1, 2, ...
-Loops readLoops(Teuchos::ParameterList& geometry, const std::string& file,
-                const std::string& path);
+bem::Loops readLoops(Teuchos::ParameterList& geometry, const std::string& file,
+                     const std::string& path);
 
 /// \param length  of the largest body; bodies that share a scaling have its
 /// \throws bem::InputError for lines that cross or turn the wrong way.
-std::shared_ptr<const bem::Outline> makeOutline(const Loops& loops, double length,
+std::shared_ptr<const bem::Outline> makeOutline(const bem::Loops& loops, double length,
                                                 const std::string& path);
 
 /// What the parameters of hole 1, 2, ... are called: "Hole 1 Vertices".
@@ -32,5 +34,14 @@ std::string holeKey(int hole, const std::string& what);
 /// The rows of a table of coordinates.
 std::vector<bem::Vec2> pointsOf(const Teuchos::ParameterList& list,
                                 const std::string& key);
+
+/// Replaces Geometry->File by the vertices and edges in that file, so that used.xml needs
+/// no other file; without File it checks that Vertices and Edges are given.
+///
+/// \param sceneFile  relative names start from its folder
+/// \param path  of the list, for messages
+/// \throws bem::InputError if both or neither are given, or the file is no outline.
+void expandGeometryFile(Teuchos::ParameterList& geometry, const std::string& sceneFile,
+                        const std::string& path);
 
 }  // namespace epafi::drivers

@@ -1,8 +1,8 @@
 #include "drivers/scene/GmshMesh.hpp"
 
 #include "bem/base/Error.hpp"
+#include "drivers/scene/Text.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
@@ -53,12 +53,10 @@ class Lines {
 
   Tag whole(const char* what) {
     const std::string& text = word(what);
-    Tag value = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || stop != end)
+    const auto value = numberIn<Tag>(text);
+    if (!value)
       fail(message("'", text, "' is not a whole number; ", what, " is expected"));
-    return value;
+    return *value;
   }
 
   /// A number that counts what follows.

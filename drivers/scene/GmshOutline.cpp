@@ -216,7 +216,7 @@ std::vector<Loop> chain(const GmshMesh& mesh) {
 
 }  // namespace
 
-Loops readGmsh(const std::string& text) {
+bem::Loops readGmsh(const std::string& text) {
   const GmshMesh mesh = readGmshMesh(text);
   std::vector<Loop> loops = chain(mesh);
   checkPlane(mesh);
@@ -230,7 +230,7 @@ Loops readGmsh(const std::string& text) {
   const auto outer =
       std::max_element(loops.begin(), loops.end(),
                        [&](const Loop& a, const Loop& b) { return area(a) < area(b); });
-  Loops result{*outer, {}};
+  bem::Loops result{*outer, {}};
   loops.erase(outer);
   result.holes = std::move(loops);
   return result;

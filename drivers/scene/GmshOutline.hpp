@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/scene/Loops.hpp"
+#include "bem/geometry/Outline.hpp"
 
 #include <string>
 
@@ -18,6 +18,6 @@ namespace epafi::drivers {
 /// \throws bem::InputError naming the line of the file for what is not a mesh, or a mesh
 ///   that is no outline: lines of third or higher order, open chains, forks, a mesh that is
 ///   not in a plane of constant z.
-Loops readGmsh(const std::string& text);
+bem::Loops readGmsh(const std::string& text);
 
 }  // namespace epafi::drivers

@@ -4,10 +4,6 @@
 
 #include <vector>
 
-namespace Teuchos {
-class ParameterList;
-}
-
 namespace epafi::drivers {
 
 /// The path that loads follow: it starts unloaded at t = 0 and is solved up to each of

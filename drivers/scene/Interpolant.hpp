@@ -8,10 +8,6 @@
 #include <string>
 #include <vector>
 
-namespace Teuchos {
-class ParameterList;
-}
-
 namespace epafi::drivers {
 
 /// A function of one variable through given points: a measured profile, a course of loads.

@@ -2,7 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
-#include "drivers/scene/ArrayText.hpp"
+#include "drivers/scene/Text.hpp"
 
 #include <Teuchos_XMLObject.hpp>
 

@@ -3,10 +3,6 @@
 #include "bem/base/SchemaRow.hpp"
 #include "drivers/scene/Scene.hpp"
 
-namespace Teuchos {
-class ParameterList;
-}
-
 namespace epafi::drivers {
 
 /// The keys of a list of these; `degree` is what it has for a Degree that is not given, null:

@@ -1,5 +1,6 @@
 #include "drivers/scene/Scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace epafi::drivers {
@@ -36,6 +37,14 @@ std::vector<contact::Drive> Scene::drivesAt(double t) const {
     drives.push_back(drive);
   }
   return drives;
+}
+
+std::vector<std::string> boundaryNames(const bem::Outline& outline) {
+  std::vector<std::string> names;
+  for (const bem::Edge& edge : outline.edges())
+    if (std::find(names.begin(), names.end(), edge.boundary) == names.end())
+      names.push_back(edge.boundary);
+  return names;
 }
 
 }  // namespace epafi::drivers

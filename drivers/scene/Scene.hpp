@@ -11,8 +11,7 @@
 #include "drivers/scene/Expression.hpp"
 #include "drivers/scene/History.hpp"
 #include "drivers/scene/LinearMethod.hpp"
-#include "drivers/scene/OutputOptions.hpp"
-#include "drivers/scene/RunLimits.hpp"
+#include "drivers/scene/RunOptions.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_RCP.hpp>
@@ -163,5 +162,8 @@ struct Scene {
   /// The complete list with every default filled in: what used.xml says.
   Teuchos::RCP<Teuchos::ParameterList> used;
 };
+
+/// The names of an outline's boundaries, in the order of its edges.
+std::vector<std::string> boundaryNames(const bem::Outline& outline);
 
 }  // namespace epafi::drivers

@@ -1,10 +1,10 @@
 #include "drivers/scene/SceneFile.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/scene/ArrayText.hpp"
 #include "drivers/scene/LexicalCheck.hpp"
 #include "drivers/scene/NestingCheck.hpp"
 #include "drivers/scene/Schema.hpp"
+#include "drivers/scene/Text.hpp"
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterEntryXMLConverterDB.hpp>

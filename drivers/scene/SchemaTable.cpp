@@ -10,8 +10,7 @@
 #include "drivers/scene/Interpolant.hpp"
 #include "drivers/scene/LinearMethod.hpp"
 #include "drivers/scene/MeshReader.hpp"
-#include "drivers/scene/OutputOptions.hpp"
-#include "drivers/scene/RunLimits.hpp"
+#include "drivers/scene/RunOptions.hpp"
 #include "drivers/scene/Schema.hpp"
 
 namespace epafi::drivers {

@@ -3,11 +3,12 @@
 #include "bem/base/Error.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/SceneReader.hpp"
+#include "drivers/scene/Text.hpp"
 
 #include <Teuchos_Array.hpp>
 
 #include <algorithm>
-#include <charconv>
+#include <cmath>
 #include <filesystem>
 
 namespace epafi::drivers {
@@ -49,14 +50,6 @@ Scene sceneAt(const std::string& path, const std::string& file,
   }
 }
 
-double numberOf(const std::string& text) {
-  double value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  return error == std::errc() && stop == end ? value
-                                             : std::numeric_limits<double>::quiet_NaN();
-}
-
 /// The last part of A->B->Key.
 std::string keyOf(const std::string& path) {
   const auto at = path.rfind("->");
@@ -82,7 +75,8 @@ std::vector<Variant> variantsOf(const std::string& name, const ParameterList& li
     std::vector<std::string> with = overrides;
     with.push_back(bem::message(key, "=", value));
     variants.push_back({bem::message(name, ", ", keyOf(key), " = ", value),
-                        sceneAt(path + "->Sweep", file, with), numberOf(value), true});
+                        sceneAt(path + "->Sweep", file, with),
+                        numberIn<double>(value).value_or(std::nan("")), true});
   }
   return variants;
 }

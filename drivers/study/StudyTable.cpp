@@ -1,5 +1,7 @@
 #include "drivers/study/StudyTable.hpp"
 
+#include "drivers/output/PrintedTable.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -27,12 +29,6 @@ void set(std::vector<std::string>& cells, const std::string& column,
   const std::vector<std::string> names = historyColumns();
   const auto at = std::find(names.begin(), names.end(), column);
   cells[at - names.begin()] = value;
-}
-
-std::string short4(double value) {
-  std::ostringstream text;
-  text << std::setprecision(4) << value;
-  return text.str();
 }
 
 }  // namespace
@@ -86,9 +82,10 @@ std::string studyHead() {
 std::string studyLine(const LevelRow& row, const StudiedLevel& studied) {
   std::ostringstream line;
   line << std::setw(7) << row.level << std::setw(7) << row.size.dof() << std::setw(9)
-       << row.size.densities << std::setw(11) << short4(row.estimate) << std::setw(11)
-       << (studied.error ? short4(studied.error->relative) : "") << std::setw(13)
-       << (studied.error ? short4(row.estimate / studied.error->energyNorm) : "")
+       << row.size.densities << std::setw(11) << significant(row.estimate, 4)
+       << std::setw(11) << (studied.error ? significant(studied.error->relative, 4) : "")
+       << std::setw(13)
+       << (studied.error ? significant(row.estimate / studied.error->energyNorm, 4) : "")
        << std::setw(7) << row.report.newtonIterations << std::setw(8)
        << std::setprecision(2) << std::fixed << row.secondsTotal
        << (studied.error && !studied.counted ? "  not counted" : "") << '\n';

@@ -2,7 +2,7 @@
 #include "adaptivity/refine/MovingNodes.hpp"
 
 #include "Algebra.hpp"
-#include "adaptivity/refine/Carry.hpp"
+#include "adaptivity/refine/Refine.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/space/CauchyData.hpp"
 #include "reference/SampleMeshes.hpp"

@@ -47,6 +47,18 @@ contact::State anyState(const MultiplierSpace& space) {
   return state;
 }
 
+struct Next {
+  bem::Mesh mesh;
+  contact::State start;
+};
+
+Next refined(const bem::Mesh& mesh, const Marks& marks, const MultiplierSpace& space,
+             const contact::Conditions& conditions, const contact::State& state) {
+  bem::Mesh next = adaptivity::refine(mesh, marks);
+  contact::State start = adaptivity::carry(mesh, space, state, next, conditions);
+  return {std::move(next), std::move(start)};
+}
+
 struct Place {
   double normal;
   double tangential;
@@ -110,8 +122,7 @@ TEUCHOS_UNIT_TEST(Refine, theMultiplierStaysTheSameFunctionInEveryDiscontinuousB
       for (std::size_t e = 0; e < marks.size(); ++e)
         marks[e] = static_cast<Mark::Kind>(e % 3);
 
-      const adaptivity::Refined next =
-          adaptivity::refine(mesh, marks, space, conditions, state);
+      const Next next = refined(mesh, marks, space, conditions, state);
       const MultiplierSpace finer(next.mesh, basis, conditions);
       TEST_EQUALITY(static_cast<bem::Index>(next.start.multiplier.size()), finer.size());
       TEST_COMPARE_ARRAYS(next.start.rigid, state.rigid);
@@ -136,8 +147,7 @@ TEUCHOS_UNIT_TEST(Refine, constantsSurviveWhereNodesAreShared) {
   Marks marks(mesh.size(), Mark::None);
   for (std::size_t e = 0; e < marks.size(); ++e)
     marks[e] = static_cast<Mark::Kind>(e % 3);
-  const adaptivity::Refined next =
-      adaptivity::refine(mesh, marks, space, conditions, state);
+  const Next next = refined(mesh, marks, space, conditions, state);
   TEST_EQUALITY(static_cast<bem::Index>(next.start.multiplier.size()),
                 MultiplierSpace(next.mesh, basis, conditions).size());
   for (const double coefficient : next.start.multiplier)
@@ -148,8 +158,8 @@ TEUCHOS_UNIT_TEST(Refine, anEmptyStateStaysEmpty) {
   const contact::Conditions conditions = contactAtBottomAndTop();
   const bem::Mesh mesh = test::squareMesh(1);
   const MultiplierSpace space(mesh, contact::multiplierBases().front(), conditions);
-  const adaptivity::Refined next = adaptivity::refine(
-      mesh, only(mesh, 0, Mark::RaiseDegree), space, conditions, contact::State{});
+  const Next next = refined(mesh, only(mesh, 0, Mark::RaiseDegree), space, conditions,
+                            contact::State{});
   TEST_ASSERT(next.start.multiplier.empty());
   TEST_EQUALITY(next.mesh[0].degree, 2);
 }

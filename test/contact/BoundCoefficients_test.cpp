@@ -2,7 +2,7 @@
 // they are smooth, within their hull where they jump.
 #include "contact/multiplier/BoundCoefficients.hpp"
 
-#include "contact/law/CoulombLaw.hpp"
+#include "contact/law/Laws.hpp"
 #include "contact/multiplier/Collocation.hpp"
 #include "contact/problem/Tangential.hpp"
 

@@ -1,6 +1,5 @@
-#include "drivers/process/BlasCore.hpp"
-
 #include "bem/algebra/LapackAlgebra.hpp"
+#include "drivers/process/Threads.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

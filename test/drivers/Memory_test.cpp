@@ -1,4 +1,4 @@
-#include "drivers/process/Memory.hpp"
+#include "drivers/process/Resources.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

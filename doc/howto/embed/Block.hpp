@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/Units.hpp"
+#include "bem/base/Material.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
 #include "bem/space/Space.hpp"
 #include "contact/system/ContactProblem.hpp"

@@ -4,7 +4,6 @@
 #include "adaptivity/estimate/Indicators.hpp"
 #include "bem/base/Family.hpp"
 #include "bem/base/Material.hpp"
-#include "bem/base/Units.hpp"
 
 #include <string>
 #include <vector>

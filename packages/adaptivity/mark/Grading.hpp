@@ -12,10 +12,6 @@
 #include <string>
 #include <vector>
 
-namespace Teuchos {
-class ParameterList;
-}
-
 namespace epafi::adaptivity {
 
 struct GradingOptions;

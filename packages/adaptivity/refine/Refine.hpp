@@ -8,6 +8,18 @@
 
 namespace epafi::adaptivity {
 
+/// The multiplier of one mesh as a function on another mesh of the same outline, in the
+/// other's coefficients: values at the Gauss points of each contact element.
+///
+/// Exact where a new element lies in one old one and has at least its degree, in every
+/// basis but those that share nodes, where a common coefficient is the mean of two.
+/// \throws bem::NumericalError where the other mesh has contact and this one has none.
+contact::Vector carryMultiplier(const bem::Mesh& fromMesh,
+                                const contact::MultiplierSpace& from,
+                                const contact::Vector& multiplier,
+                                const bem::Mesh& toMesh,
+                                const contact::MultiplierSpace& to);
+
 /// What happens to an element on the way to the next level.
 class Mark {
  public:
@@ -43,12 +55,6 @@ using Marks = std::vector<Mark>;
 /// Is there anything to do?
 bool anyMarked(const Marks& marks);
 
-/// A mesh together with the value that an iteration on it starts from.
-struct Refined {
-  bem::Mesh mesh;
-  contact::State start;
-};
-
 /// The next mesh: bisected elements become two equal ones of the same degree, cut ones
 /// what their mark says.
 ///
@@ -57,17 +63,12 @@ struct Refined {
 /// \throws bem::InputError where a degree would exceed bem::largestDegree.
 bem::Mesh refine(const bem::Mesh& mesh, const Marks& marks);
 
-/// The next mesh, and the state on the old one carried over to it.
+/// The state on one mesh carried over to another one of the same outline, as on the next mesh.
 ///
 /// λ restricted to a new element is a polynomial of at most its degree: it is met
 /// exactly in every basis but those that share nodes, where it is met nearly.  Its
 /// coefficients need not be admissible any more (Newton's first step sees to that); the
 /// rigid motions stay.  An empty state stays empty.
-Refined refine(const bem::Mesh& mesh, const Marks& marks,
-               const contact::MultiplierSpace& multiplier,
-               const contact::Conditions& conditions, const contact::State& state);
-
-/// The state on one mesh carried over to another one of the same outline.
 contact::State carry(const bem::Mesh& from, const contact::MultiplierSpace& multiplier,
                      const contact::State& state, const bem::Mesh& to,
                      const contact::Conditions& conditions);

@@ -1,7 +1,5 @@
 #include "adaptivity/singular/SingularPoints.hpp"
 
-#include "adaptivity/singular/PointState.hpp"
-
 namespace epafi::adaptivity {
 
 namespace {
@@ -58,6 +56,20 @@ SingularPoints findSingularPoints(const bem::Mesh& mesh,
         points.inside[element.element].push_back(0.5 * (places[i] + places[i + 1]));
   }
   return points;
+}
+
+PointState pointState(const contact::MultiplierSpace& multiplier,
+                      const contact::MultiplierSpace::ContactElement& element, int i,
+                      const contact::ContactState& states) {
+  if (element.ties())
+    return {contact::NormalState::Closed, contact::FrictionState::Stick};
+  PointState state{states.normal[element.normalOf(i)], contact::FrictionState::None};
+  const bool idle = state.normal == contact::NormalState::Open &&
+                    element.condition->friction &&
+                    element.condition->friction.law->dependsOnPressure();
+  if (element.tangential >= 0 && !idle)
+    state.friction = states.tangential[element.tangentialOf(i) - multiplier.normals()];
+  return state;
 }
 
 }  // namespace epafi::adaptivity

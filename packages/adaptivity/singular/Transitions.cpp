@@ -1,7 +1,7 @@
 #include "adaptivity/singular/Transitions.hpp"
 
 #include "adaptivity/singular/Extrapolation.hpp"
-#include "adaptivity/singular/PointState.hpp"
+#include "adaptivity/singular/SingularPoints.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,6 @@
 
 #include "bem/base/SchemaRow.hpp"
 
-namespace Teuchos {
-class ParameterList;
-}
-
 namespace epafi::bem {
 
 /// The row that a concrete path A->B->Key belongs to.

@@ -4,6 +4,10 @@
 #include <string>
 #include <vector>
 
+namespace Teuchos {
+class ParameterList;
+}
+
 namespace epafi::bem {
 
 /// An interval of admissible numbers; an open end is not itself admissible.

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "bem/compressed/ClusterPart.hpp"
 #include "bem/compressed/ClusterTree.hpp"
-#include "bem/compressed/LocalCoupling.hpp"
+#include "bem/compressed/Interpolation.hpp"
 #include "bem/compressed/LocalFunctions.hpp"
 #include "bem/compressed/Subtrees.hpp"
 

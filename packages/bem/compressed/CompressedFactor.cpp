@@ -56,11 +56,7 @@ int CompressedFactor::update(Restriction restriction) {
     return std::tuple(e.row, e.column, e.value);
   });
   restriction_ = std::move(restriction);
-  std::vector<char> dirty = operators_->tree().paths(changed);
-  for (int c = top_; c != 0;) {
-    c = operators_->tree()[c].parent;
-    dirty[c] = 0;
-  }
+  const std::vector<char> dirty = withoutAbove(operators_->tree().paths(changed));
   for (std::size_t c = 0; c < dirty.size(); ++c)
     if (dirty[c] > changing_[c])
       throw std::logic_error("a leaf of the compressed system changes that may not");
@@ -100,10 +96,7 @@ CompressedFactor CompressedFactor::within(const std::vector<int>& leaves) const 
   if (result.top_ == 0)
     return result;
   result.whole_ = std::make_shared<const Matrix>(std::move(whole));
-  for (int c = result.top_; c != 0;) {
-    c = tree[c].parent;
-    result.changing_[c] = 0;
-  }
+  result.changing_ = result.withoutAbove(std::move(result.changing_));
   std::vector<char> dirty(nodes_.size());
   dirty[result.top_] = 1;
   result.eliminate(dirty);
@@ -279,23 +272,15 @@ void CompressedFactor::takeSpringsBack() {
 std::vector<char> CompressedFactor::paths(std::vector<int> leaves) const {
   for (const Index i : operators_->floating())
     leaves.push_back(operators_->leafOf(i));
-  std::vector<char> result = operators_->tree().paths(leaves);
-  for (int c = top_; c != 0;) {
-    c = operators_->tree()[c].parent;
-    result[c] = 0;
-  }
-  return result;
+  return withoutAbove(operators_->tree().paths(leaves));
 }
 
-std::size_t CompressedFactor::bytes() const {
-  std::size_t entries = 0;
-  for (const std::shared_ptr<const EliminatedCluster>& node : nodes_)
-    if (node != nullptr)
-      entries += node->entries();
-  for (const std::shared_ptr<const Matrix>& response : responses_)
-    if (response != nullptr)
-      entries += static_cast<std::size_t>(response->rows() * response->columns());
-  return entries * sizeof(double);
+std::vector<char> CompressedFactor::withoutAbove(std::vector<char> clusters) const {
+  for (int c = top_; c != 0;) {
+    c = operators_->tree()[c].parent;
+    clusters[c] = 0;
+  }
+  return clusters;
 }
 
 }  // namespace epafi::bem

@@ -87,9 +87,10 @@ class CompressedFactor {
 
   const CompressedOperators& operators() const { return *operators_; }
   const Restriction& restriction() const { return restriction_; }
-  std::size_t bytes() const;
 
  private:
+  /// By cluster: the same, but nothing that is above the top.
+  std::vector<char> withoutAbove(std::vector<char> clusters) const;
   void eliminate(const std::vector<char>& dirty);
   void exchangeResponses(const std::vector<char>& dirty, const std::string& failure);
   EliminatedCluster eliminated(int c, LeafRestriction restriction) const;

@@ -14,8 +14,6 @@ namespace epafi::bem {
 
 namespace {
 
-double length(Vec2 a) { return std::sqrt(dot(a, a)); }
-
 // Both of a node, and across the line to the node that is farthest from it.
 std::vector<Index> restingDisplacements(const Space& space) {
   const Mesh& mesh = space.mesh();
@@ -35,6 +33,64 @@ std::vector<Index> restingDisplacements(const Space& space) {
           space.displacement(farthest, 0, across)};
 }
 
+/// All unknowns of all bodies.
+struct AllUnknowns {
+  std::vector<BodyShare> shares;
+  std::vector<std::pair<std::size_t, Index>> owners;  ///< whose, and which of its own
+
+  explicit AllUnknowns(std::size_t bodies) : shares(bodies) {}
+
+  void add(std::size_t b, const Unknown& unknown) {
+    owners.emplace_back(b, static_cast<Index>(shares[b].unknowns.size()));
+    shares[b].numbers.push_back(static_cast<Index>(owners.size()) - 1);
+    shares[b].unknowns.push_back(unknown);
+  }
+
+  BodyElement elementOf(Index unknown) const {
+    const auto [b, own] = owners[unknown];
+    return {static_cast<int>(b), shares[b].unknowns[own].element};
+  }
+
+  /// Gives bodies the entries between their own unknowns; returns those between bodies.
+  std::vector<LocalCoupling::Entry> shareOut(
+      const std::vector<LocalCoupling::Entry>& entries) {
+    std::vector<LocalCoupling::Entry> between;
+    for (const LocalCoupling::Entry& entry : entries) {
+      const auto [b, row] = owners[entry.row];
+      const auto [d, column] = owners[entry.column];
+      if (b == d)
+        shares[b].entries.push_back({row, column, entry.value});
+      else
+        between.push_back(entry);
+    }
+    return between;
+  }
+
+  std::vector<Link> linksOf(const std::vector<LocalCoupling::Entry>& between) const {
+    std::vector<Link> links;
+    for (const LocalCoupling::Entry& entry : between)
+      links.push_back({elementOf(std::max(entry.row, entry.column)),
+                       elementOf(std::min(entry.row, entry.column)),
+                       std::abs(entry.value)});
+    return links;
+  }
+
+  /// `leaves`: of all unknowns.
+  void setAbroad(const std::vector<LocalCoupling::Entry>& between,
+                 const std::vector<int>& leaves) {
+    for (BodyShare& share : shares)
+      share.abroad.resize(share.unknowns.size());
+    for (const LocalCoupling::Entry& entry : between)
+      for (const auto& [i, j] :
+           {std::pair(entry.row, entry.column), std::pair(entry.column, entry.row)}) {
+        const auto [b, own] = owners[i];
+        std::vector<int>& abroad = shares[b].abroad[own];
+        if (std::find(abroad.begin(), abroad.end(), leaves[j]) == abroad.end())
+          abroad.push_back(leaves[j]);
+      }
+  }
+};
+
 }  // namespace
 
 CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
@@ -43,17 +99,10 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
                                          const DenseAlgebra& algebra) {
   const SerialBlas serial;
   std::vector<const Space*> spaces;
-  std::vector<BodyShare> shares(bodies.size());
-  /// Of all unknowns: whose, and which of its own.
-  std::vector<std::pair<std::size_t, Index>> owners;
-  const auto add = [&](std::size_t b, const Unknown& unknown) {
-    owners.emplace_back(b, static_cast<Index>(shares[b].unknowns.size()));
-    shares[b].numbers.push_back(static_cast<Index>(owners.size()) - 1);
-    shares[b].unknowns.push_back(unknown);
-  };
+  AllUnknowns all(bodies.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const Space& space = bodies[b].space;
-    const auto first = static_cast<Index>(owners.size());
+    const auto first = static_cast<Index>(all.owners.size());
     ranges_.push_back({first, first + space.displacements(),
                        first + space.displacements() + space.densities(),
                        youngOf(bodies[b].lame)});
@@ -61,59 +110,29 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
     for (const Index i : restingDisplacements(space))
       floating_.push_back(first + i);
     for (const Unknown& unknown : unknownsOf(space))
-      add(b, unknown);
+      all.add(b, unknown);
   }
   for (std::size_t k = 0; k < local.elements.size(); ++k)
-    add(local.bodies.empty() ? 0 : static_cast<std::size_t>(local.bodies[k]),
-        {local.elements[k], -1, true});
-
-  const auto elementOf = [&](Index unknown) {
-    const auto [b, own] = owners[unknown];
-    return BodyElement{static_cast<int>(b), shares[b].unknowns[own].element};
-  };
-  std::vector<Link> links;
-  LocalCoupling between;
-  for (const LocalCoupling::Entry& entry : local.entries) {
-    const auto [b, row] = owners[entry.row];
-    const auto [d, column] = owners[entry.column];
-    if (b == d) {
-      shares[b].entries.push_back({row, column, entry.value});
-      continue;
-    }
-    between.entries.push_back(entry);
-    links.push_back({elementOf(std::max(entry.row, entry.column)),
-                     elementOf(std::min(entry.row, entry.column)),
-                     std::abs(entry.value)});
-  }
-  const std::vector<ClusterPlace> order = facingOrder(spaces, links);
+    all.add(local.bodies.empty() ? 0 : local.bodies[k], {local.elements[k], -1, true});
+  const auto between = all.shareOut(local.entries);
+  const std::vector<ClusterPlace> order = facingOrder(spaces, all.linksOf(between));
   for (std::size_t b = 0; b < bodies.size(); ++b)
     trees_.emplace_back(spaces, order, static_cast<int>(b), options.leafUnknowns);
-  for (std::size_t i = 0; i < owners.size(); ++i) {
-    const BodyElement place = elementOf(static_cast<Index>(i));
-    leaves_.push_back(trees_[place.body].leafOf(place.element));
-  }
   std::vector<Index> unknowns(tree().size());
-  for (const int leaf : leaves_)
-    for (int c = leaf; c >= 0; c = tree()[c].parent)
+  for (std::size_t i = 0; i < all.owners.size(); ++i) {
+    const BodyElement place = all.elementOf(static_cast<Index>(i));
+    leaves_.push_back(trees_[place.body].leafOf(place.element));
+    for (int c = leaves_.back(); c >= 0; c = tree()[c].parent)
       ++unknowns[c];
+  }
   subtrees_ = std::make_unique<const Subtrees>(tree(), unknowns, algebra);
-  for (BodyShare& share : shares)
-    share.abroad.resize(share.unknowns.size());
-  for (const LocalCoupling::Entry& entry : between.entries)
-    for (const auto& [i, j] :
-         {std::pair(entry.row, entry.column), std::pair(entry.column, entry.row)}) {
-      const auto [b, own] = owners[i];
-      std::vector<int>& abroad = shares[b].abroad[own];
-      if (std::find(abroad.begin(), abroad.end(), leafOf(j)) == abroad.end())
-        abroad.push_back(leafOf(j));
-    }
+  all.setAbroad(between, leaves_);
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    skeletonise(shares[b], bodies[b].space, bodies[b].lame, trees_[b], options,
+    skeletonise(all.shares[b], bodies[b].space, bodies[b].lame, trees_[b], options,
                 *subtrees_);
-  if (shares.size() == 1)
-    parts_ = std::move(shares.front().parts);
-  else
-    parts_ = joined(std::move(shares), between.entries, tree(), *subtrees_, size());
+  parts_ = all.shares.size() == 1
+               ? std::move(all.shares.front().parts)
+               : joined(std::move(all.shares), between, tree(), *subtrees_, size());
   addRotations(bodies, local);
 }
 

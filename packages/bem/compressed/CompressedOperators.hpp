@@ -1,9 +1,9 @@
 #pragma once
 
 #include "bem/base/Material.hpp"
-#include "bem/compressed/ClusterPart.hpp"
 #include "bem/compressed/ClusterTree.hpp"
-#include "bem/compressed/LocalCoupling.hpp"
+#include "bem/compressed/Interpolation.hpp"
+#include "bem/compressed/LocalFunctions.hpp"
 #include "bem/compressed/Skeletons.hpp"
 #include "bem/compressed/Subtrees.hpp"
 

@@ -128,11 +128,4 @@ Matrix EliminatedCluster::expanded(const Matrix& x) const {
   return all;
 }
 
-std::size_t EliminatedCluster::entries() const {
-  std::size_t count = 0;
-  for (const Matrix* matrix : {&lu_.entries(), &upper_, &lower_, &in_})
-    count += static_cast<std::size_t>(matrix->rows() * matrix->columns());
-  return count;
-}
-
 }  // namespace epafi::bem

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/compressed/ClusterPart.hpp"
+#include "bem/compressed/Interpolation.hpp"
 #include "bem/compressed/ScaledLu.hpp"
 
 namespace epafi::bem {
@@ -55,7 +55,6 @@ class EliminatedCluster {
   Matrix expanded(const Matrix& x) const;
 
   const LeafRestriction& restriction() const { return leaf_; }
-  std::size_t entries() const;
 
  private:
   explicit EliminatedCluster(bool isSilent) : isSilent_(isSilent) {}

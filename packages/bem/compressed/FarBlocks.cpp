@@ -1,7 +1,7 @@
 #include "bem/compressed/FarBlocks.hpp"
 
 #include "bem/basis/Legendre.hpp"
-#include "bem/compressed/WeightedFunctions.hpp"
+#include "bem/compressed/LocalFunctions.hpp"
 #include "bem/kernel/PointKernels.hpp"
 #include "bem/simd/Dispatch.hpp"
 
@@ -180,7 +180,7 @@ FarOrder FarBlocks::orderOf(const std::vector<Test>& tests, int trial) const {
   double inner = afar;
   for (const Test& test : tests) {
     const Element& e = mesh[test.element];
-    const double distance = std::sqrt(dot(test.offset, test.offset));
+    const double distance = length(test.offset);
     const double zE = (distance - f.half) / e.half;
     const double zF = (distance - e.half) / f.half;
     if (e.curve.isStraight() && f.curve.isStraight() && zE >= zOfCircles &&

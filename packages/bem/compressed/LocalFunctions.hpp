@@ -1,7 +1,11 @@
 #pragma once
 
+#include "bem/base/Matrix.hpp"
+#include "bem/basis/Legendre.hpp"
+#include "bem/quadrature/Gauss.hpp"
 #include "bem/space/Space.hpp"
 
+#include <algorithm>
 #include <vector>
 
 namespace epafi::bem {
@@ -42,6 +46,50 @@ inline std::vector<Unknown> unknownsOf(const Space& space) {
     }
   }
   return all;
+}
+
+/// Further unknowns beside displacements and densities, and entries of the symmetric
+/// system that are not those of boundary operators.  Both act between functions that
+/// touch, and alone between bodies.
+struct LocalCoupling {
+  std::vector<int> elements;  ///< of each further unknown, one that it is on
+  std::vector<int> bodies;    ///< and whose that is; empty: all are the first body's
+  /// Of each body: what all of them do to its exact rotation less the interpolated one, where
+  /// it has arcs, see Rotation; empty: nothing.
+  std::vector<Vector> rotations;
+  /// Unknowns are numbered body by body as unknownsOf has them, further ones behind all.  One
+  /// of (i, j) and (j, i).
+  struct Entry {
+    Index row;
+    Index column;
+    double value;
+  };
+  std::vector<Entry> entries;
+};
+
+/// Displacements φ_k, then densities P_i, at the points of a rule one after the other,
+/// times its weights and a scale.
+inline std::vector<double> weightedFunctions(const Rule& rule, int degree, int densities,
+                                             double scale) {
+  const int count = degree + 1 + densities;
+  std::vector<double> values(rule.points.size() * static_cast<std::size_t>(count));
+  double* to = values.data();
+  for (std::size_t q = 0; q < rule.points.size(); ++q, to += count) {
+    DisplacementBasis::values(degree, rule.points[q], to);
+    legendreValues(densities - 1, rule.points[q], to + degree + 1);
+    for (int i = 0; i < count; ++i)
+      to[i] *= scale * rule.weights[q];
+  }
+  return values;
+}
+
+/// Gauss points that these functions take beside smoothOrder's on an element: the
+/// polynomials' share, and where little is between the elements one that 1/w² asks for beyond
+/// log w.
+inline int gaussPoints(int smoothOrder, int degree, int densities) {
+  constexpr int far = 4;
+  return smoothOrder + (std::max(degree, densities - 1) + 1) / 2 +
+         (smoothOrder > far ? 1 : 0);
 }
 
 }  // namespace epafi::bem

@@ -11,8 +11,6 @@ namespace epafi::bem {
 
 namespace {
 
-double length(Vec2 a) { return std::sqrt(dot(a, a)); }
-
 /// One pair by parts: what a tile says of it.
 class PairByParts {
  public:

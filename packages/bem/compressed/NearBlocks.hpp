@@ -40,8 +40,6 @@ class NearBlocks {
   /// \pre the pair is not deep, and one of those asked for.
   View of(int e, int f) const;
 
-  std::size_t bytes() const { return values_.size() * sizeof(double); }
-
  private:
   // Rounding may call elements near whose distance is the limit's, which meshes of halved
   // elements are full of; a pair beside them must not count as deep then.

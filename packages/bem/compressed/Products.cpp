@@ -1,7 +1,5 @@
 #include "bem/compressed/Products.hpp"
 
-#include "bem/compressed/ByColumns.hpp"
-
 namespace epafi::bem {
 
 void addProduct(double s, const Matrix& a, const Matrix& b, Matrix& c,

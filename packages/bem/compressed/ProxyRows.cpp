@@ -1,6 +1,6 @@
 #include "bem/compressed/ProxyRows.hpp"
 
-#include "bem/compressed/WeightedFunctions.hpp"
+#include "bem/compressed/LocalFunctions.hpp"
 #include "bem/kernel/PointKernels.hpp"
 #include "bem/moments/FarOrder.hpp"
 #include "bem/simd/Dispatch.hpp"
@@ -98,7 +98,7 @@ Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
       x[p / lanes].lane[p % lanes] = radius * std::cos(angle) - middle.x;
       y[p / lanes].lane[p % lanes] = radius * std::sin(angle) - middle.y;
     }
-    const double distance = radius - std::sqrt(dot(middle, middle));
+    const double distance = radius - length(middle);
     const Rule& rule = gaussLegendre(gaussPoints(smoothOrder(distance / element.half),
                                                  element.degree, element.densities));
     std::vector<double> places;

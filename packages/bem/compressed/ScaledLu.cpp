@@ -2,7 +2,7 @@
 
 #include "bem/algebra/Blas.hpp"
 #include "bem/base/Error.hpp"
-#include "bem/compressed/ByColumns.hpp"
+#include "bem/compressed/Products.hpp"
 
 #include <algorithm>
 #include <cmath>

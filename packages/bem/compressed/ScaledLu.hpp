@@ -16,7 +16,6 @@ class ScaledLu {
 
   /// X <- A⁻¹ X
   void solve(Matrix& x) const;
-  const Matrix& entries() const { return lu_; }
 
  private:
   Matrix lu_;

@@ -13,8 +13,6 @@ namespace epafi::bem {
 
 namespace {
 
-double length(Vec2 a) { return std::sqrt(dot(a, a)); }
-
 /// An interpolation of some places among all, of which others stay as they are.
 Interpolation spread(Interpolation some, const std::vector<Index>& places,
                      const std::vector<Index>& staying) {

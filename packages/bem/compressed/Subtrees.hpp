@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bem/base/DenseAlgebra.hpp"
-#include "bem/compressed/ClusterPart.hpp"
 #include "bem/compressed/ClusterTree.hpp"
+#include "bem/compressed/Interpolation.hpp"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/Complex.hpp"
+#include "bem/base/Vec2.hpp"
 
 #include <cassert>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/Units.hpp"
+#include "bem/base/Material.hpp"
 #include "bem/geometry/Curve.hpp"
 
 #include <string>
@@ -15,6 +15,12 @@ struct Loop {
   std::vector<std::string> edges;  ///< the boundary's name for each edge
   /// tan(angle/4) for each edge, > 0: to the right of its chord; none: all straight.
   std::vector<double> bulges = {};
+};
+
+/// The closed lines of a body, all counter-clockwise as Outline wants them.
+struct Loops {
+  Loop outer;
+  std::vector<Loop> holes;
 };
 
 /// A piece of the outline, in the outline's own units (see Outline).

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bem/base/Complex.hpp"
 #include "bem/base/Material.hpp"
+#include "bem/base/Vec2.hpp"
 
 // Kelvin's kernels and their derivatives (PointKernels has the first four in real numbers, at
 // eight pairs of points).  In complex numbers, w = x - y, N and τ = iN unit normal and tangent:

@@ -39,7 +39,7 @@ void ElementSums::evaluateArc(const Curve& curve, const RelativeTarget& target,
     sums.overW *= curve.half();
     sums.cubic *= curve.half();
     sums.overConj = std::conj(sums.overW);
-    ofArc_[static_cast<std::size_t>(j)] = sums;
+    ofArc_[j] = sums;
   }
 }
 

@@ -13,9 +13,7 @@ class ElementSums {
   void evaluate(const Curve& curve, const RelativeTarget& target, int terms,
                 Need need = Need::CandD);
 
-  SourceSums operator[](int j) const {
-    return isStraight_ ? ofSegment(j) : ofArc_[static_cast<std::size_t>(j)];
-  }
+  SourceSums operator[](int j) const { return isStraight_ ? ofSegment(j) : ofArc_[j]; }
 
   /// Of a segment.
   const LegendreMoments& moments() const { return moments_; }

@@ -40,7 +40,7 @@ const std::vector<double>& coefficientTable(int n) {
     }
     return made;
   }();
-  return tables[static_cast<std::size_t>(n)];
+  return tables[n];
 }
 
 /// So far off that the Gauss rule itself does: error R^-(2n - degree).
@@ -55,7 +55,7 @@ void endLogarithms(bool atStart, int last, LongLegendreMoments& m) {
   m.l[0] = 2 * std::log(2.0) - 2;
   for (int k = 1; k <= last; ++k) {
     const double limit = -2.0 / (k * (k + 1.0));
-    m.l[static_cast<std::size_t>(k)] = atStart && k % 2 == 1 ? -limit : limit;
+    m.l[k] = atStart && k % 2 == 1 ? -limit : limit;
   }
 }
 

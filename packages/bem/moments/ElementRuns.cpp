@@ -41,7 +41,7 @@ ElementRun makeRun(const Mesh& mesh, int first) {
   run.centre = 0.5 * (low + high);
   for (int f = first; f < run.last; ++f) {
     const Vec2 offset = mesh[f].curve.frame().middle - run.centre;
-    run.radius = std::max(run.radius, std::sqrt(dot(offset, offset)) + mesh[f].half);
+    run.radius = std::max(run.radius, length(offset) + mesh[f].half);
   }
   return run;
 }
@@ -105,7 +105,7 @@ bool ElementRuns::chooseAtOnce(int e, const ElementRun& run, FarLanes& result,
                                FarBatch& batch) const {
   const Element& x = (*mesh_)[e];
   const Vec2 toCentre = x.curve.frame().middle - run.centre;
-  const double gap = std::sqrt(dot(toCentre, toCentre)) - run.radius;
+  const double gap = length(toCentre) - run.radius;
   const double zE = gap / x.half;
   const double zF = (gap - x.half) / run.largestHalf;
   const bool isFar =

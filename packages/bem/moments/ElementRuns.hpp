@@ -46,8 +46,8 @@ class ElementRuns {
 
   const Mesh& mesh() const { return *mesh_; }
   int size() const { return static_cast<int>(runs_.size()); }
-  int runOf(int e) const { return runOf_[static_cast<std::size_t>(e)]; }
-  const ElementRun& operator[](int r) const { return runs_[static_cast<std::size_t>(r)]; }
+  int runOf(int e) const { return runOf_[e]; }
+  const ElementRun& operator[](int r) const { return runs_[r]; }
 
   /// The far pairs of e and the wanted elements of run r; fills the batch.  One look
   /// suffices when all are wanted, none is an arc, and the circle is far.  Whether a pair is far does not

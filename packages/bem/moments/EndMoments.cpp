@@ -16,10 +16,8 @@ EndMoments endMomentsOfArc(const Element& source, const RelativeTarget& target) 
   EndMoments result;
   for (int q = 0; q < rule.size(); ++q)
     for (int j = 0; j < source.degree; ++j) {
-      const auto k = static_cast<std::size_t>(q);
-      const auto at = static_cast<std::size_t>(j);
-      result.log[at] += rule.legendre(q, j) * weights.log[k];
-      result.phase[at] += rule.legendre(q, j) * weights.phase[k];
+      result.log[j] += rule.legendre(q, j) * weights.log[q];
+      result.phase[j] += rule.legendre(q, j) * weights.phase[q];
     }
   return result;
 }

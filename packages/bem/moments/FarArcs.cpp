@@ -1,5 +1,5 @@
 #include "bem/moments/ArcPairs.hpp"
-#include "bem/quadrature/WeightedLegendre.hpp"
+#include "bem/quadrature/Gauss.hpp"
 #include "bem/simd/Dispatch.hpp"
 
 namespace epafi::bem {
@@ -56,63 +56,45 @@ struct InnerSums {
   Pack reverse[largestMoment + 2];
 };
 
-struct Work {
+struct ArcKernel {
   const Element& e;
   const FarBatch& batch;
   PairDegrees degrees;
-  const Rule& outer;
-  const Rule& inner;
-  const WeightedLegendre& outerTable;
-  const WeightedLegendre& innerTable;
+  const FarRules& rules;
   TileMoments& m;
-};
-
-struct ArcKernel {
-  const Work& work;
 
   template <Division How>
   EPAFI_INLINE void run() const {
-    clear();
+    m.clear(degrees.rows, degrees.columns);
     InnerPoint points[largestGaussOrder];
-    for (int q = 0; q < work.inner.size(); ++q)
-      points[q].set(work.batch, work.inner.points[static_cast<std::size_t>(q)]);
+    for (int q = 0; q < rules.inner.size(); ++q)
+      points[q].set(batch, rules.inner.points[q]);
     InnerSums in;
-    for (int q = 0; q < work.outer.size(); ++q) {
-      const double s = work.outer.points[static_cast<std::size_t>(q)];
-      const Vec2 offset = work.e.curve.fromMiddle(s);
-      const Vec2 normal = work.e.half * work.e.curve.normal(s);
+    for (int q = 0; q < rules.outer.size(); ++q) {
+      const double s = rules.outer.points[q];
+      const Vec2 offset = e.curve.fromMiddle(s);
+      const Vec2 normal = e.half * e.curve.normal(s);
       integrate<How>(offset, normal, points, in);
-      addMoments(in, work.outerTable[static_cast<std::size_t>(q)].data());
+      addMoments(in, rules.outerTable[q].data());
     }
   }
 
  private:
   static constexpr int stride = TileMoments::stride;
 
-  EPAFI_INLINE void clear() const {
-    const Pack zero{};
-    for (int i = 0; i <= work.degrees.rows; ++i)
-      for (int j = 0; j <= work.degrees.columns; ++j) {
-        const int at = i * stride + j;
-        for (TileMoments::Lane* table :
-             {work.m.log, work.m.along, work.m.across, work.m.direct, work.m.reverse})
-          store(table[at], zero);
-      }
-  }
-
   template <Division How>
   EPAFI_INLINE void integrate(const Vec2& offset, const Vec2& normal,
                               const InnerPoint* points, InnerSums& in) const {
-    const int columns = work.degrees.columns;
+    const int columns = degrees.columns;
     for (int j = 0; j <= columns; ++j)
       in.log[j] = in.along[j] = in.across[j] = in.direct[j] = in.reverse[j] = Pack{};
-    const Pack tx = load(work.batch.tx);
-    const Pack ty = load(work.batch.ty);
-    const Pack middleX = load(work.batch.wx) + offset.x;
-    const Pack middleY = load(work.batch.wy) + offset.y;
-    for (int q = 0; q < work.inner.size(); ++q) {
+    const Pack tx = load(batch.tx);
+    const Pack ty = load(batch.ty);
+    const Pack middleX = load(batch.wx) + offset.x;
+    const Pack middleY = load(batch.wy) + offset.y;
+    for (int q = 0; q < rules.inner.size(); ++q) {
       const InnerPoint& y = points[q];
-      const double* weights = work.innerTable[static_cast<std::size_t>(q)].data();
+      const double* weights = rules.innerTable[q].data();
       const Pack wx = middleX - y.x;
       const Pack wy = middleY - y.y;
       const Pack square = wx * wx + wy * wy;
@@ -138,20 +120,20 @@ struct ArcKernel {
   }
 
   EPAFI_INLINE void addMoments(const InnerSums& in, const double* weight) const {
-    const auto [rows, columns] = work.degrees;
+    const auto [rows, columns] = degrees;
     for (int j = 0; j <= columns; ++j) {
       for (int i = 0; i < rows; ++i)
-        add(work.m.direct[i * stride + j], in.direct[j] * weight[i]);
+        add(m.direct[i * stride + j], in.direct[j] * weight[i]);
       if (j == columns)
         continue;
       for (int i = 0; i < rows; ++i) {
         const int at = i * stride + j;
-        add(work.m.log[at], in.log[j] * weight[i]);
-        add(work.m.along[at], in.along[j] * weight[i]);
-        add(work.m.across[at], in.across[j] * weight[i]);
+        add(m.log[at], in.log[j] * weight[i]);
+        add(m.along[at], in.along[j] * weight[i]);
+        add(m.across[at], in.across[j] * weight[i]);
       }
       for (int i = 0; i <= rows; ++i)
-        add(work.m.reverse[i * stride + j], in.reverse[j] * weight[i]);
+        add(m.reverse[i * stride + j], in.reverse[j] * weight[i]);
     }
   }
 };
@@ -160,17 +142,8 @@ struct ArcKernel {
 
 void farArcMoments(const Element& e, const FarBatch& batch, PairDegrees degrees,
                    FarOrder order, TileMoments& moments, InstructionSet set) {
-  const int outer = order.outer + degreeShare(degrees.rows);
-  const int inner = order.inner + degreeShare(degrees.columns);
-  const Work work = {e,
-                     batch,
-                     degrees,
-                     gaussLegendre(outer),
-                     gaussLegendre(inner),
-                     weightedLegendre(outer),
-                     weightedLegendre(inner),
-                     moments};
-  dispatch(set, ArcKernel{work});
+  const FarRules rules(order, degrees);
+  dispatch(set, ArcKernel{e, batch, degrees, rules, moments});
 }
 
 }  // namespace epafi::bem

@@ -22,9 +22,6 @@ struct OrderTable {
   }
 };
 
-// in outline diameters nothing overflows, and hypot costs as much as a whole far pair
-double length(Vec2 a) { return std::sqrt(dot(a, a)); }
-
 /// min over y in `source` of (|y-e0| + |y-e1|) / h, e0 and e1 the ends of E.
 /// [doc/theory/operators.md]
 double focalRatio(const Element& e, const Element& source, Vec2 middle) {

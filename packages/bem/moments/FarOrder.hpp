@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/mesh/Mesh.hpp"
-#include "bem/quadrature/WeightedLegendre.hpp"
+#include "bem/quadrature/Gauss.hpp"
 
 namespace epafi::bem {
 

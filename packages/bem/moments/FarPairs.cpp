@@ -1,24 +1,11 @@
 #include "bem/moments/FarPairs.hpp"
 
 #include "bem/quadrature/Gauss.hpp"
-#include "bem/quadrature/WeightedLegendre.hpp"
 #include "bem/simd/Dispatch.hpp"
 
 namespace epafi::bem {
 
 namespace {
-
-struct Work {
-  const Rule& outer;
-  const Rule& inner;
-  const WeightedLegendre& outerTable;
-  const WeightedLegendre& innerTable;
-  explicit Work(FarOrder order)
-      : outer(gaussLegendre(order.outer)),
-        inner(gaussLegendre(order.inner)),
-        outerTable(weightedLegendre(order.outer)),
-        innerTable(weightedLegendre(order.inner)) {}
-};
 
 /// The inner integrals at one outer point; Degree 0 for any.
 template <int Degree>
@@ -30,13 +17,13 @@ struct Inner {
 };
 
 template <int Degree, Division How>
-EPAFI_INLINE void innerIntegrals(const Work& work, int degree, const Pack& eta0,
+EPAFI_INLINE void innerIntegrals(const FarRules& work, int degree, const Pack& eta0,
                                  const Pack& off2, const Pack& a, Inner<Degree>& in) {
   const int p = Degree > 0 ? Degree : degree;
   for (int k = 0; k <= p + 1; ++k)
     in.i[k] = Pack{};
   for (int q = 0; q < work.inner.size(); ++q) {
-    const double* weights = work.innerTable[static_cast<std::size_t>(q)].data();
+    const double* weights = work.innerTable[q].data();
     const Pack eta = eta0 - a * work.inner.points[q];
     Pack inverse;
     reciprocal<How>(eta * eta + off2, inverse);
@@ -62,7 +49,7 @@ EPAFI_INLINE void innerIntegrals(const Work& work, int degree, const Pack& eta0,
 
 template <int Degree, Division How>
 EPAFI_INLINE void farKernel(const Element& e, const FarBatch& batch, int rows,
-                            int columns, const Work& work, TileMoments& m) {
+                            int columns, const FarRules& work, TileMoments& m) {
   const int pE = Degree > 0 ? Degree : rows;
   const int pF = Degree > 0 ? Degree : columns;
   const Pack tx = load(batch.tx);
@@ -73,16 +60,7 @@ EPAFI_INLINE void farKernel(const Element& e, const FarBatch& batch, int rows,
   const Pack normalOnNormal =
       ty * e.segment().normal.x - tx * e.segment().normal.y;  // n_F·n_E
   constexpr int stride = TileMoments::stride;
-  const Pack zero{};
-  for (int i = 0; i <= pE; ++i)
-    for (int j = 0; j <= pF; ++j) {
-      const int at = i * stride + j;
-      store(m.log[at], zero);
-      store(m.along[at], zero);
-      store(m.across[at], zero);
-      store(m.direct[at], zero);
-      store(m.reverse[at], zero);
-    }
+  m.clear(pE, pF);
   Inner<Degree> in{};
   for (int q = 0; q < work.outer.size(); ++q) {
     const double s = e.half * work.outer.points[q];
@@ -92,7 +70,7 @@ EPAFI_INLINE void farKernel(const Element& e, const FarBatch& batch, int rows,
     const Pack off = wx * ty - wy * tx;
     const Pack off2 = off * off;
     innerIntegrals<Degree, How>(work, pF, eta0, off2, a, in);
-    const double* weight = work.outerTable[static_cast<std::size_t>(q)].data();
+    const double* weight = work.outerTable[q].data();
     for (int j = 0; j <= pF; ++j) {
       const Pack offI = off * in.i[j];
       const Pack direct = a * offI;
@@ -120,7 +98,7 @@ struct FarKernel {
   const Element& e;
   const FarBatch& batch;
   PairDegrees degrees;
-  const Work& work;
+  const FarRules& work;
   TileMoments& m;
 
   template <Division How>
@@ -144,8 +122,7 @@ struct FarKernel {
 
 void farMoments(const Element& e, const FarBatch& batch, PairDegrees degrees,
                 FarOrder order, TileMoments& moments, InstructionSet set) {
-  const Work work({order.outer + degreeShare(degrees.rows),
-                   order.inner + degreeShare(degrees.columns)});
+  const FarRules work(order, degrees);
   dispatch(set, FarKernel{e, batch, degrees, work, moments});
 }
 

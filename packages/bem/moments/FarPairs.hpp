@@ -40,6 +40,23 @@ struct PairDegrees {
   int columns = 0;
 };
 
+/// The rules of far pairs of these degrees, and polynomials at their points.
+struct FarRules {
+  const Rule& outer;
+  const Rule& inner;
+  const WeightedLegendre& outerTable;
+  const WeightedLegendre& innerTable;
+  /// Of points on E and on F.
+  FarRules(int onE, int onF)
+      : outer(gaussLegendre(onE)),
+        inner(gaussLegendre(onF)),
+        outerTable(weightedLegendre(onE)),
+        innerTable(weightedLegendre(onF)) {}
+  FarRules(FarOrder order, PairDegrees degrees)
+      : FarRules(order.outer + degreeShare(degrees.rows),
+                 order.inner + degreeShare(degrees.columns)) {}
+};
+
 /// Far moments of a straight E against a batch of straight elements.  `order` without what polynomials cost.  Tensor Gauss
 /// with one reciprocal per point pair and one logarithm per outer point: ∫ P_j log|w| comes
 /// from ∫ P_j w·τ/|w|² by parts.

@@ -29,15 +29,13 @@ struct Inner {
 Inner innerIntegrals(const ArcRule& rule, const ArcWeights& weights, double half) {
   Inner in;
   for (int q = 0; q < rule.size(); ++q) {
-    const auto k = static_cast<std::size_t>(q);
-    const double direct = half * std::real(rule.normal(q) * weights.overW[k]);
+    const double direct = half * std::real(rule.normal(q) * weights.overW[q]);
     for (int j = 0; j <= rule.degree(); ++j) {
-      const auto at = static_cast<std::size_t>(j);
       const double p = rule.legendre(q, j);
-      in.log[at] += p * weights.log[k];
-      in.phase[at] += p * weights.phase[k];
-      in.overW[at] += p * weights.overW[k];
-      in.direct[at] += p * direct;
+      in.log[j] += p * weights.log[q];
+      in.phase[j] += p * weights.phase[q];
+      in.overW[j] += p * weights.overW[q];
+      in.direct[j] += p * direct;
     }
   }
   return in;
@@ -56,17 +54,8 @@ std::vector<Complex> tangentMoments(const Element& e) {
   std::vector<Complex> moments(static_cast<std::size_t>(e.densities));
   for (int q = 0; q < rule.size(); ++q)
     for (int j = 0; j < e.densities; ++j)
-      moments[static_cast<std::size_t>(j)] +=
-          rule.weight(q) * rule.legendre(q, j) * rule.tangent(q);
+      moments[j] += rule.weight(q) * rule.legendre(q, j) * rule.tangent(q);
   return moments;
-}
-
-/// Sets what w/conj(w) gives to a lane, `tangent` that of F's middle.
-void setPhase(Complex phase, Complex tangent, int at, int lane, TileMoments& m) {
-  const double constant = at == 0 ? 4 : 0;
-  const Complex turned = std::conj(tangent * tangent) * phase;
-  m.across[at][lane] = 0.5 * (constant - turned.real());
-  m.along[at][lane] = -0.5 * turned.imag();
 }
 
 }  // namespace
@@ -85,38 +74,30 @@ void nearArcMoments(const Mesh& mesh, int e, int f, const GradedRule& outer,
   Sums& sums = workspace();
   double legendre[stride];
   for (int q = 0; q < outer.size(); ++q) {
-    const EndPoint& point = outer.points[static_cast<std::size_t>(q)];
+    const EndPoint& point = outer.points[q];
     weights.evaluate(rule, seenFrom(mesh, iy, mesh.at(ix, point.fromStart, point.toEnd)),
                      ArcNeed::Potentials);
     const Inner in = innerIntegrals(rule, weights, y.half);
     const Complex normal = asComplex(x.curve.normal(point.t));
     legendreValues(rows, point.t, legendre);
     for (int i = 0; i <= rows; ++i) {
-      const double p = outer.weights[static_cast<std::size_t>(q)] * legendre[i];
+      const double p = outer.weights[q] * legendre[i];
       for (int j = 0; j <= columns; ++j) {
-        const auto at = static_cast<std::size_t>(i * stride + j);
-        const auto k = static_cast<std::size_t>(j);
-        sums.log[at] += p * in.log[k];
-        sums.phase[at] += p * in.phase[k];
-        sums.direct[at] += p * in.direct[k];
-        sums.reverse[at] -= p * x.half * std::real(normal * in.overW[k]);
+        const int at = i * stride + j;
+        sums.log[at] += p * in.log[j];
+        sums.phase[at] += p * in.phase[j];
+        sums.direct[at] += p * in.direct[j];
+        sums.reverse[at] -= p * x.half * std::real(normal * in.overW[j]);
       }
     }
   }
   const Complex tangent = asComplex(mesh[f].curve.frame().tangent);
-  for (int i = 0; i <= rows; ++i)
-    for (int j = 0; j <= columns; ++j) {
-      const auto from = static_cast<std::size_t>(i * stride + j);
-      const int at = transposed ? j * stride + i : i * stride + j;
-      if (i < rows)
-        (transposed ? m.reverse : m.direct)[at][lane] = sums.direct[from];
-      if (j < columns)
-        (transposed ? m.direct : m.reverse)[at][lane] = sums.reverse[from];
-      if (i == rows || j == columns)
-        continue;
-      m.log[at][lane] = sums.log[from];
-      setPhase(sums.phase[from], tangent, at, lane, m);
-    }
+  const Complex back = std::conj(tangent * tangent);
+  m.setPair(rows, columns, transposed, lane, [&](int i, int j) {
+    const int at = i * stride + j;
+    return PairSums{sums.log[at], back * sums.phase[at], sums.direct[at],
+                    sums.reverse[at]};
+  });
 }
 
 // (w·n)/|w|² = -κ/2 with the normal at either end,  w/conj(w) = τ_x τ_y
@@ -131,33 +112,30 @@ void bendMoments(const Mesh& mesh, int e, int f, TileMoments& m, int lane) {
   double outer[stride];
   double inner[stride];
   for (int q = 0; q < rule.size(); ++q) {
-    const double s = rule.points[static_cast<std::size_t>(q)];
+    const double s = rule.points[q];
     std::array<double, stride> logs{};
     for (int k = 0; k < rule.size(); ++k) {
-      const double t = rule.points[static_cast<std::size_t>(k)];
+      const double t = rule.points[k];
       const double angle = 0.5 * alpha * (middle + ratio * s - t);
       const double log = angle == 0 ? 0 : std::log(std::abs(std::sin(angle) / angle));
       legendreValues(y.densities, t, inner);
       for (int j = 0; j < y.densities; ++j)
-        logs[static_cast<std::size_t>(j)] +=
-            rule.weights[static_cast<std::size_t>(k)] * inner[j] * log;
+        logs[j] += rule.weights[k] * inner[j] * log;
     }
     legendreValues(x.densities, s, outer);
     for (int i = 0; i < x.densities; ++i)
       for (int j = 0; j < y.densities; ++j)
-        m.log[i * stride + j][lane] += rule.weights[static_cast<std::size_t>(q)] *
-                                       outer[i] * logs[static_cast<std::size_t>(j)];
+        m.log[i * stride + j][lane] += rule.weights[q] * outer[i] * logs[j];
   }
   m.direct[0][lane] = -y.curve.angle();
   m.reverse[0][lane] = -x.curve.angle();
   const std::vector<Complex> tangentsX = tangentMoments(x);
   const std::vector<Complex> tangentsY = tangentMoments(y);
   const Complex tangent = asComplex(y.curve.frame().tangent);
+  const Complex back = std::conj(tangent * tangent);
   for (int i = 0; i < x.densities; ++i)
     for (int j = 0; j < y.densities; ++j)
-      setPhase(
-          tangentsX[static_cast<std::size_t>(i)] * tangentsY[static_cast<std::size_t>(j)],
-          tangent, i * stride + j, lane, m);
+      m.setPhase(back * (tangentsX[i] * tangentsY[j]), i * stride + j, lane);
 }
 
 }  // namespace epafi::bem

@@ -172,23 +172,14 @@ void NearMoments::evaluate(const Mesh& mesh, int e, int f, TileMoments& m, int l
   };
   // w/conj(w) = τ² (1 - 2 (w·n)²/r² - 2i (w·n)(w·τ)/r²) for either element's τ
   const Complex turned = std::pow(tangentY * std::conj(tangentX), 2);
-  for (int i = 0; i <= x.densities; ++i)
-    for (int j = 0; j <= y.densities; ++j) {
-      const int at = transposed ? j * stride + i : i * stride + j;
-      if (i < x.densities)
-        (transposed ? m.reverse : m.direct)[at][lane] = sum(Direct, i, j);
-      if (j < y.densities)
-        (transposed ? m.direct : m.reverse)[at][lane] = sum(Reverse, i, j);
-      if (i == x.densities || j == y.densities)
-        continue;
-      const double constant = i == 0 && j == 0 ? 4 : 0;
-      m.log[at][lane] = sum(Log, i, j) + constant * std::log(y.half);
-      Complex phase(constant - 2 * sum(Across, i, j), -2 * sum(Along, i, j));
-      if (transposed)
-        phase *= turned;
-      m.across[at][lane] = 0.5 * (constant - phase.real());
-      m.along[at][lane] = -0.5 * phase.imag();
-    }
+  m.setPair(x.densities, y.densities, transposed, lane, [&](int i, int j) {
+    const double constant = i == 0 && j == 0 ? 4 : 0;
+    Complex phase(constant - 2 * sum(Across, i, j), -2 * sum(Along, i, j));
+    if (transposed)
+      phase *= turned;
+    return PairSums{sum(Log, i, j) + constant * std::log(y.half), phase,
+                    sum(Direct, i, j), sum(Reverse, i, j)};
+  });
   if (hasArc)
     bendMoments(mesh, e, f, m, lane);
 }

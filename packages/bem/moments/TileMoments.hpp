@@ -7,6 +7,14 @@
 
 namespace epafi::bem {
 
+/// Integrals with two polynomials, see TileMoments::setPair.
+struct PairSums {
+  double log;
+  std::complex<double> phase;
+  double direct;
+  double reverse;
+};
+
 /// All that V, K and W need of a trial element E and eight test elements F, one in each
 /// lane: double integrals of Legendre polynomials, w = x - y, x on E, y on F, both mapped
 /// to [-1, 1].
@@ -27,6 +35,42 @@ struct TileMoments {
   alignas(64) Lane across[stride * stride];
   alignas(64) Lane direct[stride * stride];
   alignas(64) Lane reverse[stride * stride];
+
+  /// Zero up to these degrees, all lanes.
+  EPAFI_INLINE void clear(int rows, int columns) {
+    const Pack zero{};
+    for (int i = 0; i <= rows; ++i)
+      for (int j = 0; j <= columns; ++j)
+        for (Lane* table : {log, along, across, direct, reverse})
+          store(table[i * stride + j], zero);
+  }
+
+  /// What w/conj(w) gives to a lane, turned by conj(τ²) of F's tangent.
+  void setPhase(std::complex<double> turned, int at, int lane) {
+    const double constant = at == 0 ? 4 : 0;
+    across[at][lane] = 0.5 * (constant - turned.real());
+    along[at][lane] = -0.5 * turned.imag();
+  }
+
+  /// A pair as integrated over an outer element with d = `rows` and an inner one with `columns`:
+  /// sumsOf(i, j) has its log, phase (as in setPhase), direct and reverse.  `transposed`: the
+  /// outer one is F.
+  template <class SumsOf>
+  void setPair(int rows, int columns, bool transposed, int lane, const SumsOf& sumsOf) {
+    for (int i = 0; i <= rows; ++i)
+      for (int j = 0; j <= columns; ++j) {
+        const int at = transposed ? j * stride + i : i * stride + j;
+        const auto sums = sumsOf(i, j);
+        if (i < rows)
+          (transposed ? reverse : direct)[at][lane] = sums.direct;
+        if (j < columns)
+          (transposed ? direct : reverse)[at][lane] = sums.reverse;
+        if (i == rows || j == columns)
+          continue;
+        log[at][lane] = sums.log;
+        setPhase(sums.phase, at, lane);
+      }
+  }
 
   /// ∫∫ P_i P_j w/conj(w) of a lane, where F has this tangent:
   /// w/conj(w) = τ² (1 - 2 (w·n)²/r² - 2i (w·n)(w·τ)/r²).

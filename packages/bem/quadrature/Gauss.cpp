@@ -36,4 +36,24 @@ const Rule& gaussLegendre(int n) {
   return rules[n];
 }
 
+namespace {
+
+WeightedLegendre makeTable(int order) {
+  const Rule& rule = gaussLegendre(order);
+  WeightedLegendre table(rule.points.size());
+  for (std::size_t q = 0; q < table.size(); ++q) {
+    legendreValues(largestDegree + 2, rule.points[q], table[q].data());
+    for (double& value : table[q])
+      value *= rule.weights[q];
+  }
+  return table;
+}
+
+}  // namespace
+
+const WeightedLegendre& weightedLegendre(int order) {
+  static MadeOnce<WeightedLegendre, largestGaussOrder> tables(makeTable);
+  return tables[order];
+}
+
 }  // namespace epafi::bem

@@ -2,10 +2,6 @@
 
 #include "bem/base/SchemaRow.hpp"
 
-namespace Teuchos {
-class ParameterList;
-}
-
 namespace epafi::bem {
 
 /// When BelosSolver is content.

@@ -35,7 +35,7 @@ class OwnBlocks final : public Operator {
       dpotrf_("L", &n, factor_.data(), &ld, &info);
     if (info != 0)
       throw NumericalError(
-          message("the single layer potential V is not positive definite ", "in row ",
+          message("the single layer potential V is not positive definite in row ",
                   mine.begin + info));
   }
 
@@ -101,12 +101,12 @@ Matrix BelosSolver::solve(Matrix lower, const Matrix& right) const {
     try {
       end = manager.solve();
     } catch (const Belos::BelosError& error) {  // the same on all ranks
-      throw NumericalError(message("the single layer potential V: ", error.what()));
+      throw NumericalError("the single layer potential V: ", error.what());
     }
     if (end != Belos::Converged)
-      throw NumericalError(message(
+      throw NumericalError(
           "the single layer potential V: Belos does not reach Solver->Linear->Tolerance ",
-          options_.tolerance, " within ", manager.getNumIters(), " iterations"));
+          options_.tolerance, " within ", manager.getNumIters(), " iterations");
     const auto view = x->getLocalViewHost(Tpetra::Access::ReadOnly);
     for (Index j = 0; j < count; ++j)
       for (Index i = 0; i < right.rows(); ++i)

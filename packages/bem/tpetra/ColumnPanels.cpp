@@ -1,6 +1,6 @@
 #include "bem/tpetra/ColumnPanels.hpp"
 
-#include "bem/tpetra/Shares.hpp"
+#include "bem/tpetra/Redeal.hpp"
 
 #include <algorithm>
 
@@ -58,7 +58,7 @@ void ColumnPanels::take(const Matrix& rows) {
 
 PanelStream::PanelStream(const ColumnPanels& panels) : panels_(panels) {
   for (int k = 0; k < std::min(2, panels.count()); ++k)
-    buffers_[static_cast<std::size_t>(k)] = Matrix(panels.rows(k), panels.columns(k));
+    buffers_[k] = Matrix(panels.rows(k), panels.columns(k));
 }
 
 void PanelStream::begin(int k) {

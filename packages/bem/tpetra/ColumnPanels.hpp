@@ -31,14 +31,12 @@ class ColumnPanels {
   Index rows(int k) const { return n_ - begin(k); }
 
   /// The stride of panel k, known to all: what passes between processes is padded alike.
-  Index stride(int k) const { return strides_[static_cast<std::size_t>(k)]; }
+  Index stride(int k) const { return strides_[k]; }
 
   int owner(int k) const { return k % processes_; }
   bool isMine(int k) const { return owner(k) == rank_; }
-  Matrix& mine(int k) { return mine_[static_cast<std::size_t>(k / processes_)]; }
-  const Matrix& mine(int k) const {
-    return mine_[static_cast<std::size_t>(k / processes_)];
-  }
+  Matrix& mine(int k) { return mine_[k / processes_]; }
+  const Matrix& mine(int k) const { return mine_[k / processes_]; }
 
   /// Takes the lower triangle of which `rows` are this process's rows.  Collective.
   void take(const Matrix& rows);
@@ -72,7 +70,7 @@ class PanelStream {
   View end(int k);
 
  private:
-  double* place(int k) { return buffers_[static_cast<std::size_t>(k % 2)].data(); }
+  double* place(int k) { return buffers_[k % 2].data(); }
 
   const ColumnPanels& panels_;
   std::array<Matrix, 2> buffers_;

@@ -126,7 +126,7 @@ Vector PanelFactor::forwardOnOwners(const Vector& b) const {
     const Matrix& panel = panels_.mine(k);
     const int ld = asInt(panel.stride());
     for (int i = 0; i < width; ++i)
-      x[static_cast<std::size_t>(begin + i)] -= total[static_cast<std::size_t>(i)];
+      x[begin + i] -= total[i];
     dtrsm_("L", "L", "N", "N", &width, &step, &one, panel.data(), &ld, x.data() + begin,
            &width);
     if (below > 0)

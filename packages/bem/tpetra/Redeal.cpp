@@ -1,7 +1,5 @@
 #include "bem/tpetra/Redeal.hpp"
 
-#include "bem/tpetra/Shares.hpp"
-
 #include <algorithm>
 
 namespace epafi::bem {

@@ -3,7 +3,6 @@
 #include "bem/algebra/Blas.hpp"
 #include "bem/tpetra/PanelFactor.hpp"
 #include "bem/tpetra/Redeal.hpp"
-#include "bem/tpetra/Shares.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 

@@ -2,7 +2,6 @@
 
 #include "bem/kernel/Elasticity.hpp"
 #include "bem/quadrature/Gauss.hpp"
-#include "bem/quadrature/WeightedLegendre.hpp"
 #include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
@@ -42,8 +41,8 @@ EPAFI_INLINE void sourceIntegrals(const Work& work, const Pack& eta0, const Pack
     over2[k] = over4[k] = Pack{};
   const Pack off2 = off * off;
   for (int q = 0; q < work.inner.size(); ++q) {
-    const double* weights = work.innerTable[static_cast<std::size_t>(q)].data();
-    const Pack eta = eta0 - a * work.inner.points[static_cast<std::size_t>(q)];
+    const double* weights = work.innerTable[q].data();
+    const Pack eta = eta0 - a * work.inner.points[q];
     Pack inverse;
     reciprocal<How>(eta * eta + off2, inverse);
     const Pack square = inverse * inverse;
@@ -133,12 +132,12 @@ EPAFI_INLINE void kernel(const Work& work, const std::array<double, 32>* map,
     for (int j = 0; j < columns; ++j)
       sums[i * stride + j] = {Pack{}, Pack{}, Pack{}, Pack{}};
   for (int q = 0; q < work.outer.size(); ++q) {
-    const double s = work.e.half * work.outer.points[static_cast<std::size_t>(q)];
+    const double s = work.e.half * work.outer.points[q];
     const Pack wx = load(work.batch.wx) + s * work.e.segment().tangent.x;
     const Pack wy = load(work.batch.wy) + s * work.e.segment().tangent.y;
     Parts at[stride];
     sourceIntegrals<Columns, How>(work, wx * tx + wy * ty, wx * ty - wy * tx, a, at);
-    const double* weights = work.outerTable[static_cast<std::size_t>(q)].data();
+    const double* weights = work.outerTable[q].data();
     for (int j = 0; j < columns; ++j)
       addMoments(at[j], weights, moments, stride, sums + j);
   }
@@ -178,7 +177,7 @@ FarTractions::FarTractions(const Element& e, const Lame& lame, int moments)
   const Complex units[2] = {1, Complex(0, 1)};
   for (int i = 0; i < moments; ++i) {
     const double normalisation = std::sqrt(e.half * (2 * i + 1) / 2);
-    double* entry = map_[static_cast<std::size_t>(i)].data();
+    double* entry = map_[i].data();
     for (int part = 0; part < 4; ++part) {
       const Complex conj = part < 2 ? units[part] : 0;
       const Complex cubic = part < 2 ? 0 : units[part - 2];
@@ -234,17 +233,16 @@ void FarTractions::evaluateArc(const Element& source, Vec2 w, FarOrder smooth, i
       const Complex conj = 1.0 / std::conj(d);
       const SourceSums at = {std::conj(conj), conj, d * conj * conj};
       for (int j = 0; j < columns; ++j)
-        sums[static_cast<std::size_t>(j)].add(
-            source.half * innerTable[k][static_cast<std::size_t>(j)] * at);
+        sums[j].add(source.half * innerTable[k][j] * at);
     }
     for (int j = 0; j < columns; ++j)
       for (int c = 0; c < 2; ++c) {
-        const SourceSums f = units[c] * sums[static_cast<std::size_t>(j)];
+        const SourceSums f = units[c] * sums[j];
         const Complex adjoint = adjointDoubleLayer(lame_, normal, f);
         const Complex hyper = (0.5 / source.half) * hypersingular(lame_, normal, f);
         for (int i = 0; i < moments_; ++i) {
-          const double factor = outerTable[q][static_cast<std::size_t>(i)] *
-                                std::sqrt(element_.half * (2 * i + 1) / 2);
+          const double factor =
+              outerTable[q][i] * std::sqrt(element_.half * (2 * i + 1) / 2);
           const auto add = [&](Operator op, int a, double value) {
             values_[place(op, i, j, a) + static_cast<std::size_t>(2 * lane + c)] +=
                 factor * value;

@@ -204,16 +204,15 @@ class ElementRows {
             nearSources_.push_back({kind, unknown});
             columns.emplace_back(static_cast<std::size_t>(2 * points));
           }
-          columns[column][static_cast<std::size_t>(q)] = weight * value.real();
-          columns[column][static_cast<std::size_t>(q + points)] = weight * value.imag();
+          columns[column][q] = weight * value.real();
+          columns[column][q + points] = weight * value.imag();
           ++column;
         });
       }
     }
     Matrix samples(2 * points, static_cast<Index>(columns.size()));
     for (Index c = 0; c < samples.columns(); ++c)
-      std::copy(columns[static_cast<std::size_t>(c)].begin(),
-                columns[static_cast<std::size_t>(c)].end(), samples.column(c));
+      std::copy(columns[c].begin(), columns[c].end(), samples.column(c));
     return samples;
   }
 
@@ -256,7 +255,7 @@ class ElementRows {
     Matrix factor(rank, n);
     for (int c = 0; c < n; ++c)
       for (int r = 0; r < std::min(rank, c + 1); ++r)
-        factor(r, pivots[static_cast<std::size_t>(c)] - 1) = samples(r, c);
+        factor(r, pivots[c] - 1) = samples(r, c);
     return factor;
   }
 

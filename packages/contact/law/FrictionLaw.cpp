@@ -1,9 +1,6 @@
 #include "contact/law/FrictionLaw.hpp"
 
-#include "contact/law/CappedCoulombLaw.hpp"
-#include "contact/law/CoulombLaw.hpp"
-#include "contact/law/TiedLaw.hpp"
-#include "contact/law/TrescaLaw.hpp"
+#include "contact/law/Laws.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 

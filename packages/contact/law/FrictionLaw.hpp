@@ -10,10 +10,6 @@
 #include <string>
 #include <vector>
 
-namespace Teuchos {
-class ParameterList;
-}
-
 namespace epafi::contact {
 
 using bem::Vector;

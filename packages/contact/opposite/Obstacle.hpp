@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/Units.hpp"
+#include "bem/base/Material.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
 #include "contact/opposite/Opposite.hpp"
 #include "contact/problem/Problem.hpp"

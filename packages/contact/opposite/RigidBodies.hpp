@@ -1,7 +1,6 @@
 #pragma once
 
 #include "contact/opposite/Opposite.hpp"
-#include "contact/opposite/RigidMotion.hpp"
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/Units.hpp"
+#include "bem/base/Material.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
 #include "contact/stabilization/Stabilization.hpp"

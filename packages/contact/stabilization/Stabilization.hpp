@@ -1,14 +1,10 @@
 #pragma once
 
+#include "bem/base/Material.hpp"
 #include "bem/base/SchemaRow.hpp"
-#include "bem/base/Units.hpp"
 #include "bem/mesh/Mesh.hpp"
 
 #include <optional>
-
-namespace Teuchos {
-class ParameterList;
-}
 
 namespace epafi::contact {
 

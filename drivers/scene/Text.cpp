@@ -1,4 +1,4 @@
-#include "drivers/scene/ArrayText.hpp"
+#include "drivers/scene/Text.hpp"
 
 #include <cstring>
 
@@ -16,6 +16,10 @@ int change(char c) {
 }
 
 }  // namespace
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
 
 bool isBalanced(const std::string& text) {
   int depth = 0;

@@ -1,12 +1,10 @@
 #pragma once
 
 #include "bem/base/SchemaRow.hpp"
+#include "bem/base/Vec2.hpp"
 
 #include <optional>
-
-namespace Teuchos {
-class ParameterList;
-}
+#include <vector>
 
 namespace epafi::drivers {
 
@@ -21,5 +19,16 @@ struct RunLimits {
 /// The keys of a list of these, and what a list that they have completed says.
 bem::SchemaRows limitRows();
 RunLimits parseLimits(const Teuchos::ParameterList& list);
+
+/// What is written of a level beside tables.
+struct OutputOptions {
+  int contactSamples = 8;  ///< per element
+  std::vector<bem::Vec2> interiorPoints;
+  bool fields = true;  ///< write boundary.csv and what shows fields
+};
+
+/// The keys of a list of these, and what a list that they have completed says.
+bem::SchemaRows outputRows();
+OutputOptions parseOutput(const Teuchos::ParameterList& list);
 
 }  // namespace epafi::drivers

@@ -1,11 +1,24 @@
 #pragma once
 
 #include "drivers/output/BoundaryLines.hpp"
+#include "drivers/output/Hdf5Writer.hpp"
 
 #include <string>
 #include <vector>
 
 namespace epafi::drivers {
+
+/// An UnstructuredGrid of VTK's XML: the data arrays of each of its parts as texts.
+struct VtuGrid {
+  std::size_t points;
+  std::size_t cells;
+  std::string shown;  ///< the arrays that ParaView begins with
+  std::string pointData{};
+  std::string cellData{};
+  std::string places{};
+  std::string topology{};
+};
+std::string vtuText(const VtuGrid& grid);
 
 /// steps/<k>/boundary.vtu: the boundaries of all bodies at a step with the fields of
 /// solution.hdf, as an UnstructuredGrid of VTK's XML (binary, Base64).
@@ -16,5 +29,9 @@ std::string stepsPvd(const std::vector<double>& times);
 
 /// "steps/<k>/<name>", k = 1, 2, ...
 std::string stepFile(std::size_t step, const std::string& name);
+
+/// Writes the boundary as lines with the fields on them into the group /VTKHDF, which ParaView
+/// opens.
+void writeVtkHdf(const BoundaryLines& grid, Hdf5Writer& writer);
 
 }  // namespace epafi::drivers

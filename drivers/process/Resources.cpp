@@ -1,6 +1,7 @@
-#include "drivers/process/Memory.hpp"
+#include "drivers/process/Resources.hpp"
 
 #include <algorithm>
+#include <ctime>
 #include <fstream>
 #include <limits>
 #include <malloc.h>
@@ -106,6 +107,18 @@ double ownMemory() {
   double resident = 0;
   std::ifstream("/proc/self/statm") >> pages >> resident;
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / mebi;
+}
+
+double cpuSeconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double peakMemory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;  // Linux counts in KiB
 }
 
 }  // namespace epafi::drivers

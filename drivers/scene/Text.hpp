@@ -1,9 +1,24 @@
 #pragma once
 
+#include <charconv>
+#include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace epafi::drivers {
+
+/// The number that a text is, as a whole; nothing if it is none.
+template <class Number>
+std::optional<Number> numberIn(const std::string& text) {
+  Number value{};
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc() && stop == end ? std::optional(value) : std::nullopt;
+}
+
+/// "1 step", "2 steps"
+std::string counted(std::size_t count, const std::string& one, const std::string& many);
 
 /// The pieces of "a, f(b, c), {d, e}": commas within parentheses and braces do not count,
 /// unless these are not in pairs: then every comma does.

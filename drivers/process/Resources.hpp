@@ -18,4 +18,10 @@ void keepFreedMemory();
 /// Resident memory of this process now [MiB].
 double ownMemory();
 
+/// CPU seconds of this process since it started, all threads.
+double cpuSeconds();
+
+/// Largest resident memory of this process so far [MiB].
+double peakMemory();
+
 }  // namespace epafi::drivers

@@ -1,0 +1,150 @@
+#include "drivers/output/BoundaryVtk.hpp"
+
+#include "drivers/output/Csv.hpp"
+
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+namespace epafi::drivers {
+
+namespace {
+
+/// RFC 4648.
+std::string base64(const std::string& bytes) {
+  constexpr char letters[] =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve(4 * bytes.size() / 3 + 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8 |
+              (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k > bytes.size() ? '=' : letters[group >> (18 - 6 * k) & 63U];
+  }
+  return text;
+}
+
+template <class T>
+constexpr const char* typeName() {
+  if (std::is_same_v<T, double>)
+    return "Float64";
+  return sizeof(T) == 8 ? "Int64" : sizeof(T) == 4 ? "Int32" : "UInt8";
+}
+
+/// The number of bytes goes before them.
+template <class T>
+std::string dataArray(const char* name, const std::vector<T>& values,
+                      int components = 1) {
+  const std::uint64_t size = values.size() * sizeof(T);
+  std::string bytes(sizeof size + size, '\0');
+  std::memcpy(bytes.data(), &size, sizeof size);
+  std::memcpy(bytes.data() + sizeof size, values.data(), size);
+  return std::string("<DataArray type=\"") + typeName<T>() + "\" Name=\"" + name +
+         "\" NumberOfComponents=\"" + std::to_string(components) +
+         "\" format=\"binary\">" + base64(bytes) + "</DataArray>\n";
+}
+
+constexpr unsigned char vtkLine = 3;
+
+/// visit(name, array, columns) of what is known at the points.
+template <class Visit>
+void forPointData(const BoundaryLines& grid, const Visit& visit) {
+  visit("displacement", grid.displacement, 3);
+  visit("traction", grid.traction, 3);
+  visit("lambda_n", grid.pressure, 1);
+  visit("lambda_t", grid.shear, 1);
+  visit("gap", grid.gap, 1);
+  visit("contact", grid.contact, 1);
+  visit("friction", grid.friction, 1);
+}
+
+/// The same of the lines.
+template <class Visit>
+void forCellData(const BoundaryLines& grid, const Visit& visit) {
+  visit("element", grid.element, 1);
+  visit("degree", grid.degree, 1);
+  visit("boundary", grid.boundary, 1);
+  visit("body", grid.body, 1);
+}
+
+/// Where the points of lines first ... last end, among all.
+std::vector<long long> offsetsOf(std::size_t first, std::size_t last) {
+  std::vector<long long> offsets;
+  for (std::size_t line = first; line <= last; ++line)
+    offsets.push_back(static_cast<long long>(2 * line));
+  return offsets;
+}
+
+const std::string format =
+    "version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n";
+
+}  // namespace
+
+std::string vtuText(const VtuGrid& grid) {
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" " + format +
+         "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" + std::to_string(grid.points) +
+         "\" NumberOfCells=\"" + std::to_string(grid.cells) + "\">\n<PointData " +
+         grid.shown + ">\n" + grid.pointData + "</PointData>\n<CellData>\n" +
+         grid.cellData + "</CellData>\n<Points>\n" + grid.places +
+         "</Points>\n<Cells>\n" + grid.topology +
+         "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
+
+std::string boundaryVtu(const BoundaryLines& grid) {
+  const std::size_t lines = grid.element.size();
+  VtuGrid vtu{grid.pressure.size(), lines, "Vectors=\"displacement\""};
+  forPointData(grid, [&](const char* name, const auto& array, int columns) {
+    vtu.pointData += dataArray(name, array, columns);
+  });
+  forCellData(grid, [&](const char* name, const auto& array, int columns) {
+    vtu.cellData += dataArray(name, array, columns);
+  });
+  vtu.places = dataArray("Points", grid.points, 3);
+  vtu.topology = dataArray("connectivity", grid.ends) +
+                 dataArray("offsets", offsetsOf(1, lines)) +
+                 dataArray("types", std::vector<unsigned char>(lines, vtkLine));
+  return vtuText(vtu);
+}
+
+std::string stepsPvd(const std::vector<double>& times) {
+  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" " + format +
+                     "<Collection>\n";
+  for (std::size_t k = 0; k < times.size(); ++k)
+    text += "<DataSet timestep=\"" + exactly(times[k]) + "\" part=\"0\" file=\"" +
+            stepFile(k + 1, "boundary.vtu") + "\"/>\n";
+  return text + "</Collection>\n</VTKFile>\n";
+}
+
+std::string stepFile(std::size_t step, const std::string& name) {
+  return "steps/" + std::to_string(step) + "/" + name;
+}
+
+void writeVtkHdf(const BoundaryLines& grid, Hdf5Writer& writer) {
+  writer.attribute("/VTKHDF", "Version", std::vector<int>{1, 0});
+  writer.attribute("/VTKHDF", "Type", "UnstructuredGrid");
+  const auto write = [&](const std::string& name, const auto& array, int columns = 1) {
+    writer.array("/VTKHDF/" + name, array, columns);
+  };
+  const auto count = [](const auto& array) {
+    return std::vector<long long>{static_cast<long long>(array.size())};
+  };
+  const std::size_t lines = grid.element.size();
+  write("NumberOfPoints", count(grid.pressure));
+  write("NumberOfCells", count(grid.element));
+  write("NumberOfConnectivityIds", count(grid.ends));
+  write("Points", grid.points, 3);
+  write("Connectivity", grid.ends);
+  write("Offsets", offsetsOf(0, lines));
+  write("Types", std::vector<unsigned char>(lines, vtkLine));
+  forPointData(grid, [&](const char* name, const auto& array, int columns) {
+    write(std::string("PointData/") + name, array, columns);
+  });
+  forCellData(grid, [&](const char* name, const auto& array, int columns) {
+    write(std::string("CellData/") + name, array, columns);
+  });
+}
+
+}  // namespace epafi::drivers
