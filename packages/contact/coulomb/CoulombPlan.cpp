@@ -18,8 +18,6 @@ bool startsAfar(const CoulombCourse& course) {
 
 bool knowsSets(const CoulombCourse& course) { return course.knowsSets(); }
 
-bool mayFollowOffset(const CoulombCourse& course) { return course.mayFollowOffset(); }
-
 // Following begins without friction, which may have to hold a body that contact holds.
 bool isHeldByContact(const CoulombCourse& course) {
   return course.problem().rigidMotions() > 0;
@@ -56,7 +54,7 @@ constexpr PlannedStage<CoulombCourse> newtonPlan[] = {
     {Stage::Pivoting, knowsSets, pivoting},
     {Stage::Uncoupled, isCoupled, uncoupled},
     {Stage::FullSteps, isCoupled, fullSteps},
-    {Stage::FollowOffset, mayFollowOffset, followOffset},
+    {Stage::FollowOffset, CoulombCourse::always, followOffset},
     {Stage::InteriorPoint, isHeldByContact, CoulombCourse::throughTheMiddle},
     {Stage::FollowFriction, CoulombCourse::mayFollow, CoulombCourse::followBriefly},
     {Stage::InteriorPoint, isHeldOtherwise, CoulombCourse::throughTheMiddle},
@@ -69,7 +67,7 @@ constexpr PlannedStage<CoulombCourse> newtonPlan[] = {
 
 constexpr PlannedStage<CoulombCourse> oneStepPlan[] = {
     {Stage::FullSteps, CoulombCourse::always, stepsOfUpdates},
-    {Stage::FollowOffset, mayFollowOffset, followOffset},
+    {Stage::FollowOffset, CoulombCourse::always, followOffset},
     {Stage::FollowFriction, CoulombCourse::always, CoulombCourse::followFriction},
     {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::meritDescent},
     {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updates},

@@ -50,6 +50,7 @@ class Dense final : public Flexibility::Operator {
     return result;
   }
   const Matrix* entries() const override { return &entries_; }
+  Matrix formed() const override { return entries_.copy(); }
 
  private:
   template <class Add>

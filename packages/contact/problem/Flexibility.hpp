@@ -35,6 +35,8 @@ class Flexibility {
     virtual Vector diagonal() const = 0;
     /// All of D; null where it is not formed.
     virtual const Matrix* entries() const { return nullptr; }
+    /// All of D, symmetric, made for who asks.
+    virtual Matrix formed() const = 0;
 
     /// A linear system in some of the coefficients.
     struct System {
@@ -89,6 +91,8 @@ class Flexibility {
   }
   /// \pre isFormed()
   const Matrix& entries() const { return *entries_; }
+  /// All of D, made where it is not there: as many products as it has columns.
+  Matrix formed() const { return operator_->formed(); }
   const double* column(Index j) const { return entries().column(j); }
 
   double operator()(Index i, Index j) const { return entries()(i, j); }

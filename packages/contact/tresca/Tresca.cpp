@@ -82,8 +82,16 @@ void NewtonCourse::followOffset(Stage stage) {
   constexpr int polishing = 12;
   constexpr int directions = 4;
   constexpr int price = 3;  // of as many pivots as there are coefficients
-  const auto size = static_cast<int>(problem().size());
   globalise();
+  if (!problem().flexibility.isFormed()) {
+    // Products in a tree have fewer digits than Newton's last steps want here.
+    Problem formed = problem().copy();
+    formed.flexibility = problem().flexibility.formed();
+    NewtonCourse there(formed, state(), tresca_, equation_.bound());
+    there.followOffset(stage);
+    return add(std::move(there).solution());
+  }
+  const auto size = static_cast<int>(problem().size());
   Vector placement = state().rigid;
   for (int direction = 0; direction < directions && !isOver(); ++direction) {
     const OffsetPath path =
@@ -131,14 +139,12 @@ void throughTheMiddle(NewtonCourse& course, Stage stage) {
   course.throughTheMiddle(stage);
 }
 
-bool mayFollowOffset(const NewtonCourse& course) { return course.mayFollowOffset(); }
-
 void followOffset(NewtonCourse& course, Stage stage) { course.followOffset(stage); }
 
 constexpr PlannedStage<NewtonCourse> trescaPlan[] = {
     {Stage::FullSteps, startsAfar, fullSteps},
     {Stage::Pivoting, knowsSets, pivoting},
-    {Stage::FollowOffset, mayFollowOffset, followOffset},
+    {Stage::FollowOffset, always, followOffset},
     {Stage::InteriorPoint, always, throughTheMiddle},
     {Stage::Pivoting, startsAfar, pivoting},
 };

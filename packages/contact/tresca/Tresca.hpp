@@ -65,7 +65,6 @@ class NewtonCourse : public Course {
   bool knowsSets() const {
     return hasStart_ && equation_.hasActiveSets() && problem().flexibility.isFormed();
   }
-  bool mayFollowOffset() const { return problem().flexibility.isFormed(); }
 
   /// One run of Newton's, from where the course stands or from the best point.
   void steps(Stage stage, int most);
