@@ -8,7 +8,6 @@
 #include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/equation/ContactState.hpp"
 #include "contact/system/ContactProblem.hpp"
-#include "contact/tresca/InteriorPoint.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -258,8 +257,6 @@ TEUCHOS_UNIT_TEST(CompressedBody, allMethodsSolve) {
       using contact::NewtonMethod;
       return std::vector<contact::NewtonRun>{
           newton.run(sharp, zero, NewtonMethod::Pivoting, 100),
-          newton.run(sharp, contact::interiorPoint(sharp).unknowns, NewtonMethod::Newton,
-                     10),
           newton.run(smooth, zero, NewtonMethod::MeritDescent, 200)};
     };
     const std::vector<contact::NewtonRun> reference = solutions(exact.numbers());

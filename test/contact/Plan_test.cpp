@@ -97,7 +97,7 @@ bool never(const Course&) { return false; }
 constexpr contact::PlannedStage<Course> helped[] = {
     {Stage::FullSteps, always, fails},
     {Stage::Pivoting, never, fails},
-    {Stage::InteriorPoint, always, succeeds},
+    {Stage::FollowOffset, always, succeeds},
     {Stage::MeritDescent, always, fails},
 };
 
@@ -107,7 +107,7 @@ TEUCHOS_UNIT_TEST(Plan, stagesThatApplyRunInOrderUntilOneConverges) {
   const auto& stages = solution.report.stages;
   TEST_EQUALITY(stages.size(), 2u);
   TEST_ASSERT(stages[0].stage == Stage::FullSteps && stages[0].end == End::Iterations);
-  TEST_ASSERT(stages[1].stage == Stage::InteriorPoint);
+  TEST_ASSERT(stages[1].stage == Stage::FollowOffset);
   TEST_ASSERT(solution.report.converged());
   TEST_EQUALITY(solution.report.newtonIterations, 5);
   TEST_EQUALITY(solution.state.multiplier[0], 2);

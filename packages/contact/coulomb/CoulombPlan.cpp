@@ -18,13 +18,6 @@ bool startsAfar(const CoulombCourse& course) {
 
 bool knowsSets(const CoulombCourse& course) { return course.knowsSets(); }
 
-// Following begins without friction, which may have to hold a body that contact holds.
-bool isHeldByContact(const CoulombCourse& course) {
-  return course.problem().rigidMotions() > 0;
-}
-
-bool isHeldOtherwise(const CoulombCourse& course) { return !isHeldByContact(course); }
-
 void fullSteps(CoulombCourse& course, Stage stage) { course.steps(stage, course.run()); }
 
 void stepsOfUpdates(CoulombCourse& course, Stage stage) {
@@ -55,9 +48,7 @@ constexpr PlannedStage<CoulombCourse> newtonPlan[] = {
     {Stage::Uncoupled, isCoupled, uncoupled},
     {Stage::FullSteps, isCoupled, fullSteps},
     {Stage::FollowOffset, CoulombCourse::always, followOffset},
-    {Stage::InteriorPoint, isHeldByContact, CoulombCourse::throughTheMiddle},
     {Stage::FollowFriction, CoulombCourse::mayFollow, CoulombCourse::followBriefly},
-    {Stage::InteriorPoint, isHeldOtherwise, CoulombCourse::throughTheMiddle},
     {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updateBriefly},
     {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::descendBriefly},
     {Stage::FollowFriction, CoulombCourse::mayFollow, CoulombCourse::followFriction},

@@ -67,40 +67,6 @@ void CoulombCourse::update(Stage stage, int most) {
   add(std::move(solution));
 }
 
-// Where bounds follow the pressure, the path through the middle may have a fold: it ends near
-// a solution, and active sets from there wander.  Updates of the bound, each a convex problem,
-// lead to a branch that goes on.
-void CoulombCourse::pass(Stage stage, SecondOrder order) {
-  constexpr int polishing = 20;
-  constexpr int settling = 12;
-  const InteriorPoint middle = interiorPoint(sharp(), order, 2 * run());
-  if (!middle.jammed) {
-    NewtonRun last = tresca().newton().run(sharp(), middle.unknowns, NewtonMethod::Newton,
-                                           std::min(polishing, run()));
-    last.iterations += middle.iterations;
-    return add(stage, last);
-  }
-  const Evaluation e = sharp().at(middle.unknowns);
-  NewtonRun reached;
-  reached.end = End::Stalled;
-  reached.iterations = middle.iterations;
-  reached.last = reached.best = middle.unknowns;
-  reached.residual = e.scaled;
-  reached.tolerance = e.tolerance;
-  add(stage, reached);
-  if (!isOver())
-    update(Stage::FixedPoint, settling);
-  if (!isOver())
-    steps(Stage::FullSteps, std::min(polishing, run()));
-}
-
-void CoulombCourse::throughTheMiddle(CoulombCourse& course, Stage stage) {
-  course.globalise();
-  for (const SecondOrder order : {SecondOrder::ByReach, SecondOrder::Full})
-    if (!course.isOver())
-      course.pass(stage, order);
-}
-
 void CoulombCourse::updates(CoulombCourse& course, Stage stage) {
   course.update(stage, course.left());
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "contact/coulomb/CoulombIteration.hpp"
-#include "contact/tresca/InteriorPoint.hpp"
 
 namespace epafi::contact {
 
@@ -27,8 +26,6 @@ class CoulombCourse : public NewtonCourse {
   static void descendBriefly(CoulombCourse& course, Stage stage);
   /// Whether following went anywhere: there is a solution without friction.
   static bool mayFollow(const CoulombCourse& course);
-  /// As NewtonCourse's, and where that ends at a fold of the path by way of a few updates.
-  static void throughTheMiddle(CoulombCourse& course, Stage stage);
   static void updates(CoulombCourse& course, Stage stage);
   static void updateBriefly(CoulombCourse& course, Stage stage);
 
@@ -36,7 +33,6 @@ class CoulombCourse : public NewtonCourse {
   void follow(Stage stage, int most, int patience);
   void descend(Stage stage, int most);
   void update(Stage stage, int most);
-  void pass(Stage stage, SecondOrder order);
 
   CoulombOptions options_;
 };

@@ -10,8 +10,6 @@ const char* nameOf(Stage stage) {
       return "full steps";
     case Stage::Pivoting:
       return "pivoting";
-    case Stage::InteriorPoint:
-      return "interior point";
     case Stage::FollowOffset:
       return "follow offset";
     case Stage::MeritDescent:

@@ -11,7 +11,6 @@ namespace epafi::contact {
 enum class Stage {
   FullSteps,      ///< Newton's steps from the start
   Pivoting,       ///< sweeps, then chosen active sets
-  InteriorPoint,  ///< the middle of the box, then Newton's last digits
   FollowOffset,   ///< complementary pivoting from an offset that is solved
   MeritDescent,   ///< Armijo's rule on the smooth merit function
   NearStart,      ///< a few steps to a slip bound to begin with

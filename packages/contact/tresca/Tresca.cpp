@@ -3,7 +3,6 @@
 #include "contact/equation/Equilibrium.hpp"
 #include "contact/newton/OffsetPath.hpp"
 #include "contact/newton/Sweeps.hpp"
-#include "contact/tresca/InteriorPoint.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -63,21 +62,6 @@ void NewtonCourse::pivoting(Stage stage, const Equation& equation, const Vector&
                                   NewtonMethod::Pivoting, run()));
 }
 
-void NewtonCourse::throughTheMiddle(Stage stage) {
-  constexpr int polishing = 20;
-  // Rarely one of them jams, and then the other one seldom does.
-  for (const SecondOrder order : {SecondOrder::ByReach, SecondOrder::Full}) {
-    const InteriorPoint middle = interiorPoint(sharp(), order, 2 * run());
-    NewtonRun last = tresca_.newton().run(sharp(), middle.unknowns, NewtonMethod::Newton,
-                                          std::min(polishing, run()));
-    last.iterations += middle.iterations;
-    add(stage, last);
-    globalise();
-    if (report().converged() || left() == 0)
-      return;
-  }
-}
-
 void NewtonCourse::followOffset(Stage stage) {
   constexpr int polishing = 12;
   constexpr int directions = 4;
@@ -135,17 +119,12 @@ void pivoting(NewtonCourse& course, Stage stage) {
     requireSolvable(course);
 }
 
-void throughTheMiddle(NewtonCourse& course, Stage stage) {
-  course.throughTheMiddle(stage);
-}
-
 void followOffset(NewtonCourse& course, Stage stage) { course.followOffset(stage); }
 
 constexpr PlannedStage<NewtonCourse> trescaPlan[] = {
     {Stage::FullSteps, startsAfar, fullSteps},
     {Stage::Pivoting, knowsSets, pivoting},
     {Stage::FollowOffset, always, followOffset},
-    {Stage::InteriorPoint, always, throughTheMiddle},
     {Stage::Pivoting, startsAfar, pivoting},
 };
 

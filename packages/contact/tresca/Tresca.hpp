@@ -26,8 +26,7 @@ TrescaOptions parseTresca(const Teuchos::ParameterList& list);
 /// Frictionless contact and Tresca's friction: slip bounds that do not depend on the
 /// pressure.
 ///
-/// Newton's steps, or chosen active sets; complementary pivoting; the middle of the box.
-/// Each only where the one before fails.
+/// Newton's steps, or chosen active sets; complementary pivoting.  Each only where the one before fails.
 class Tresca final : public NonlinearSolver {
  public:
   /// `newton` must outlive this.
@@ -69,9 +68,6 @@ class NewtonCourse : public Course {
   /// One run of Newton's, from where the course stands or from the best point.
   void steps(Stage stage, int most);
   void pivoting(Stage stage, const Equation& equation, const Vector& from);
-  /// Through the middle of what the bounds allow, which knows no active sets, then
-  /// Newton's last digits.
-  void throughTheMiddle(Stage stage);
   /// Complementary pivoting from no start, then Newton's last digits.  Where free motions
   /// are placed by springs, or a bound was a polygon's, a second path begins at the first
   /// one's end or from another direction.  The pivots count as the factorisations that take
