@@ -48,10 +48,8 @@ constexpr PlannedStage<CoulombCourse> newtonPlan[] = {
     {Stage::Uncoupled, isCoupled, uncoupled},
     {Stage::FullSteps, isCoupled, fullSteps},
     {Stage::FollowOffset, CoulombCourse::always, followOffset},
-    {Stage::FollowFriction, CoulombCourse::mayFollow, CoulombCourse::followBriefly},
     {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updateBriefly},
     {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::descendBriefly},
-    {Stage::FollowFriction, CoulombCourse::mayFollow, CoulombCourse::followFriction},
     {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::meritDescent},
     {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updates},
 };
@@ -59,7 +57,6 @@ constexpr PlannedStage<CoulombCourse> newtonPlan[] = {
 constexpr PlannedStage<CoulombCourse> oneStepPlan[] = {
     {Stage::FullSteps, CoulombCourse::always, stepsOfUpdates},
     {Stage::FollowOffset, CoulombCourse::always, followOffset},
-    {Stage::FollowFriction, CoulombCourse::always, CoulombCourse::followFriction},
     {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::meritDescent},
     {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updates},
 };

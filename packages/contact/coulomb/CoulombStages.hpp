@@ -18,19 +18,14 @@ class CoulombCourse : public NewtonCourse {
   static bool always(const CoulombCourse&) { return true; }
 
   /// What follows where Newton's steps fail.
-  static void followFriction(CoulombCourse& course, Stage stage);
   static void meritDescent(CoulombCourse& course, Stage stage);
   /// A first try of each, of `brief` steps: where one jams another often needs few.
   static constexpr int brief = 30;
-  static void followBriefly(CoulombCourse& course, Stage stage);
   static void descendBriefly(CoulombCourse& course, Stage stage);
-  /// Whether following went anywhere: there is a solution without friction.
-  static bool mayFollow(const CoulombCourse& course);
   static void updates(CoulombCourse& course, Stage stage);
   static void updateBriefly(CoulombCourse& course, Stage stage);
 
  private:
-  void follow(Stage stage, int most, int patience);
   void descend(Stage stage, int most);
   void update(Stage stage, int most);
 

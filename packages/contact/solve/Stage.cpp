@@ -16,8 +16,6 @@ const char* nameOf(Stage stage) {
       return "merit descent";
     case Stage::NearStart:
       return "near start";
-    case Stage::FollowFriction:
-      return "follow friction";
     case Stage::FixedPoint:
       return "fixed point";
     case Stage::Uncoupled:

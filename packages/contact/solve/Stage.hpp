@@ -14,7 +14,6 @@ enum class Stage {
   FollowOffset,   ///< complementary pivoting from an offset that is solved
   MeritDescent,   ///< Armijo's rule on the smooth merit function
   NearStart,      ///< a few steps to a slip bound to begin with
-  FollowFriction,
   FixedPoint,  ///< updates of the slip bound
   Uncoupled,   ///< every slip bound follows its own pressure alone
   Load         ///< a part of the load
