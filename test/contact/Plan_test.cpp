@@ -98,7 +98,7 @@ constexpr contact::PlannedStage<Course> helped[] = {
     {Stage::FullSteps, always, fails},
     {Stage::Pivoting, never, fails},
     {Stage::FollowOffset, always, succeeds},
-    {Stage::MeritDescent, always, fails},
+    {Stage::FixedPoint, always, fails},
 };
 
 TEUCHOS_UNIT_TEST(Plan, stagesThatApplyRunInOrderUntilOneConverges) {

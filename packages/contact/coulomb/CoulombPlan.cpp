@@ -49,15 +49,12 @@ constexpr PlannedStage<CoulombCourse> newtonPlan[] = {
     {Stage::FullSteps, isCoupled, fullSteps},
     {Stage::FollowOffset, CoulombCourse::always, followOffset},
     {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updateBriefly},
-    {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::descendBriefly},
-    {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::meritDescent},
     {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updates},
 };
 
 constexpr PlannedStage<CoulombCourse> oneStepPlan[] = {
     {Stage::FullSteps, CoulombCourse::always, stepsOfUpdates},
     {Stage::FollowOffset, CoulombCourse::always, followOffset},
-    {Stage::MeritDescent, CoulombCourse::always, CoulombCourse::meritDescent},
     {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updates},
 };
 

@@ -18,15 +18,12 @@ class CoulombCourse : public NewtonCourse {
   static bool always(const CoulombCourse&) { return true; }
 
   /// What follows where Newton's steps fail.
-  static void meritDescent(CoulombCourse& course, Stage stage);
   /// A first try of each, of `brief` steps: where one jams another often needs few.
   static constexpr int brief = 30;
-  static void descendBriefly(CoulombCourse& course, Stage stage);
   static void updates(CoulombCourse& course, Stage stage);
   static void updateBriefly(CoulombCourse& course, Stage stage);
 
  private:
-  void descend(Stage stage, int most);
   void update(Stage stage, int most);
 
   CoulombOptions options_;

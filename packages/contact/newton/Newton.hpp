@@ -13,9 +13,7 @@ enum class NewtonMethod {
   Newton,
   /// The same from a start that knows the active sets but for a few coefficients, such as
   /// the state of a coarser mesh: see Pivoting.  Only with active sets.
-  Pivoting,
-  /// Armijo's rule on ½|F|²; the equation's function must have a smooth merit function.
-  MeritDescent
+  Pivoting
 };
 
 /// Why a run of some method ended.
@@ -41,7 +39,6 @@ struct NewtonRun {
   double tolerance = 0;
   std::vector<int> setChanges;
   std::vector<Index> restless;  ///< coefficients that changed in the last steps
-  std::vector<double> merits;   ///< of the start and after each step of a descent
   std::string message;          ///< of a singular Jacobian
 };
 

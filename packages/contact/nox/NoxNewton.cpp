@@ -2,7 +2,6 @@
 
 #include "bem/base/Error.hpp"
 #include "contact/equation/Equilibrium.hpp"
-#include "contact/newton/Descent.hpp"
 #include "contact/newton/NewtonStep.hpp"
 #include "contact/newton/Pivoting.hpp"
 #include "contact/nox/ContactJacobian.hpp"
@@ -72,10 +71,6 @@ void forgetUse(ParameterList& list) {
 
 // The direction of a method; empty: Newton's, by NOX.
 StepDirection::Step stepOf(NewtonMethod method) {
-  if (method == NewtonMethod::MeritDescent)
-    return [](const Linearisation& point) {
-      return meritDescentStep(point.equation(), point.evaluation(), point.memory());
-    };
   if (method == NewtonMethod::Pivoting)
     return [pivoting = Pivoting()](const Linearisation& point) mutable {
       const Equation& equation = point.equation();
@@ -114,13 +109,8 @@ RCP<ParameterList> runList(const ParameterList* user, const RCP<ContactModel>& m
     direction.set<RCP<NOX::Direction::UserDefinedFactory>>(
         "User Defined Direction Factory", rcp(new StepFactory(model, step)));
   }
-  if (isUsersOwn(*list, "Line Search", "Method"))
-    return list;
-  ParameterList& search = list->sublist("Line Search");
-  if (method == NewtonMethod::MeritDescent)  // no step at all ends the run
-    search.set("Method", "Polynomial").sublist("Polynomial").set("Recovery Step", 0.0);
-  else
-    search.set("Method", "Full Step");
+  if (!isUsersOwn(*list, "Line Search", "Method"))
+    list->sublist("Line Search").set("Method", "Full Step");
   return list;
 }
 
@@ -172,15 +162,10 @@ NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
   const RCP<NOX::Solver::Generic> solver = withNoxErrors(
       list->name(), *log, [&] { return build(group, test, maximumIterations, list); });
 
-  const Merit merit(model);
-  const bool descends = method == NewtonMethod::MeritDescent;
-  std::vector<double> merits;
   NewtonRun result;
   const auto status = withNoxErrors(list->name(), *log, [&] {
     auto now = solver->getStatus();
     while (now == NOX::StatusTest::Unconverged || now == NOX::StatusTest::Unevaluated) {
-      if (descends)
-        merits.push_back(merit.computef(solver->getSolutionGroup()));
       try {
         now = solver->step();
       } catch (const SingularJacobian& error) {
@@ -192,8 +177,6 @@ NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
         return NOX::StatusTest::Failed;
       }
     }
-    if (descends)
-      merits.push_back(merit.computef(solver->getSolutionGroup()));
     return now;
   });
 
@@ -202,7 +185,6 @@ NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
   result = test->history();
   result.message = message;
   result.iterations = solver->getNumIterations();
-  result.merits = std::move(merits);
   if (!message.empty())
     result.end = unbalanced ? End::NoBalance : End::Singular;
   else if (status == NOX::StatusTest::Failed && result.end == End::Iterations &&

@@ -20,8 +20,8 @@ bem::SchemaRow noxRow();
 class NoxNewton final : public Newton {
  public:
   /// The list acts whatever the method: what it says of Direction, Line Search and Printing
-  /// replaces the method's own choice.  Null: full steps (a line search under
-  /// MeritDescent), nothing printed.  It is never written to.
+  /// replaces the method's own choice.  Null: full steps, nothing printed.  It is never
+  /// written to.
   /// `memory`: the factor that all runs go on with, see NewtonSystem; it outlives this.
   explicit NoxNewton(std::shared_ptr<const Teuchos::ParameterList> list = nullptr,
                      FactorMemory* memory = nullptr)

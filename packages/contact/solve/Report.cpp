@@ -21,10 +21,6 @@ Report extended(Report report, Stage stage, const NewtonRun& run,
   report.restless.clear();
   if (run.end != End::Converged)
     report.restless = run.restless;
-  if (!run.merits.empty()) {
-    report.globalised = true;
-    report.merits = run.merits;
-  }
   return report;
 }
 

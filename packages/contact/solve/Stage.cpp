@@ -12,8 +12,6 @@ const char* nameOf(Stage stage) {
       return "pivoting";
     case Stage::FollowOffset:
       return "follow offset";
-    case Stage::MeritDescent:
-      return "merit descent";
     case Stage::NearStart:
       return "near start";
     case Stage::FixedPoint:

@@ -12,7 +12,6 @@ enum class Stage {
   FullSteps,      ///< Newton's steps from the start
   Pivoting,       ///< sweeps, then chosen active sets
   FollowOffset,   ///< complementary pivoting from an offset that is solved
-  MeritDescent,   ///< Armijo's rule on the smooth merit function
   NearStart,      ///< a few steps to a slip bound to begin with
   FixedPoint,  ///< updates of the slip bound
   Uncoupled,   ///< every slip bound follows its own pressure alone
