@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace epafi::contact {
@@ -54,8 +53,7 @@ Solution CoulombFixedPoint::update(const Problem& tresca, Solution before) const
   }
 }
 
-Solution CoulombFixedPoint::updates(const Problem& problem, const State& start,
-                                    int steps) const {
+Solution CoulombFixedPoint::updates(const Problem& problem, const State& start) const {
   const double tolerance = std::max(tresca_.options().tolerance, options_.tolerance);
   const Equation coulomb(problem,
                          complementarities().at(tresca_.options().complementarity),
@@ -77,8 +75,6 @@ Solution CoulombFixedPoint::updates(const Problem& problem, const State& start,
     result.tolerance = e.tolerance;
     if (!result.converged() || (e.converged && change <= e.tolerance))
       return solution;
-    if (result.newtonIterations >= steps)
-      break;
     if (k > 2 && change > 0.95 * previous) {
       damping = std::max(0.5 * damping, smallestDamping);
       result.globalised = true;
@@ -93,8 +89,7 @@ Solution CoulombFixedPoint::updates(const Problem& problem, const State& start,
 }
 
 Solution CoulombFixedPoint::solveSound(const Problem& problem, const State& start) const {
-  Solution solution = updates(problem, unpack(problem, pack(problem, start)),
-                              std::numeric_limits<int>::max());
+  Solution solution = updates(problem, unpack(problem, pack(problem, start)));
   solution.report = asOne(std::move(solution.report), Stage::FixedPoint);
   return solution;
 }

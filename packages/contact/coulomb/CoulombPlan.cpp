@@ -1,10 +1,25 @@
 #include "contact/coulomb/CoulombPlan.hpp"
 
-#include "contact/coulomb/CoulombStages.hpp"
+#include <algorithm>
 
 namespace epafi::contact {
 
 namespace {
+
+/// A course of Newton's method on Coulomb's problem, every step of which updates the bound.
+class CoulombCourse : public NewtonCourse {
+ public:
+  CoulombCourse(const Problem& problem, const State& start, const Tresca& tresca,
+                Equation::Bound bound, CoulombOptions options)
+      : NewtonCourse(problem, start, tresca, bound), options_(std::move(options)) {}
+
+  const CoulombOptions& options() const { return options_; }
+  bool isCoupled() const { return problem().boundsAreCoupled(); }
+  static bool always(const CoulombCourse&) { return true; }
+
+ private:
+  CoulombOptions options_;
+};
 
 Solution byNewton(const Problem& problem, const State& start, const Tresca& tresca,
                   const CoulombOptions& options);
@@ -48,14 +63,11 @@ constexpr PlannedStage<CoulombCourse> newtonPlan[] = {
     {Stage::Uncoupled, isCoupled, uncoupled},
     {Stage::FullSteps, isCoupled, fullSteps},
     {Stage::FollowOffset, CoulombCourse::always, followOffset},
-    {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updateBriefly},
-    {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updates},
 };
 
 constexpr PlannedStage<CoulombCourse> oneStepPlan[] = {
     {Stage::FullSteps, CoulombCourse::always, stepsOfUpdates},
     {Stage::FollowOffset, CoulombCourse::always, followOffset},
-    {Stage::FixedPoint, CoulombCourse::always, CoulombCourse::updates},
 };
 
 Solution byNewton(const Problem& problem, const State& start, const Tresca& tresca,
