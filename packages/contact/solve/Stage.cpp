@@ -16,8 +16,6 @@ const char* nameOf(Stage stage) {
       return "near start";
     case Stage::FixedPoint:
       return "fixed point";
-    case Stage::Uncoupled:
-      return "uncoupled";
     default:
       return "load";
   }

@@ -14,7 +14,6 @@ enum class Stage {
   FollowOffset,   ///< complementary pivoting from an offset that is solved
   NearStart,      ///< a few steps to a slip bound to begin with
   FixedPoint,  ///< updates of the slip bound
-  Uncoupled,   ///< every slip bound follows its own pressure alone
   Load         ///< a part of the load
 };
 
