@@ -32,7 +32,7 @@ Solution CoulombFixedPoint::firstBound(const Problem& problem, const State& star
     return {start, {}};
   const NewtonCourse course(problem, start, tresca_, Equation::Bound::Lagged);
   const NewtonRun run =
-      tresca_.newton().run(course.equation(), course.best(), NewtonMethod::Newton, steps);
+      tresca_.newton().run(course.equation(), course.best(), steps);
   return {unpack(problem, run.last), extended({}, Stage::NearStart, run, problem)};
 }
 

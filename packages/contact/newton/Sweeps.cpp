@@ -1,6 +1,5 @@
 #include "contact/newton/Sweeps.hpp"
 
-#include "contact/newton/Pivoting.hpp"
 
 #include <algorithm>
 
@@ -10,6 +9,21 @@ namespace {
 
 constexpr int largestNumberOfPairs = 5;
 constexpr std::size_t quiet = 100;  // one state in so many may still change
+
+// Which rows are open, and which way the others slip.
+ActiveSet rowSet(const Evaluation& e) {
+  const std::size_t normals = e.linear.rows.size() - e.bounds.size();
+  ActiveSet set;
+  for (std::size_t i = 0; i < e.linear.rows.size(); ++i) {
+    const Complementarity::Value& row = e.linear.rows[i];
+    const bool open = row.penetration == 0;
+    if (i < normals)
+      set.push_back(open ? 0 : 1);
+    else
+      set.push_back(static_cast<signed char>(!open ? 0 : row.bound < 0 ? 1 : -1));
+  }
+  return set;
+}
 
 class Sweeper {
  public:

@@ -54,12 +54,11 @@ NewtonCourse::NewtonCourse(const Problem& problem, const State& start,
 
 void NewtonCourse::steps(Stage stage, int most) {
   add(stage, tresca_.newton().run(equation_, pack(problem(), state()),
-                                  NewtonMethod::Newton, std::min(most, left())));
+                                  std::min(most, left())));
 }
 
 void NewtonCourse::pivoting(Stage stage, const Equation& equation, const Vector& from) {
-  add(stage, tresca_.newton().run(equation, smoothed(equation, from),
-                                  NewtonMethod::Pivoting, run()));
+  add(stage, tresca_.newton().run(equation, smoothed(equation, from), run()));
 }
 
 void NewtonCourse::followOffset(Stage stage) {
@@ -82,8 +81,7 @@ void NewtonCourse::followOffset(Stage stage) {
         contact::followOffset(problem(), placement, direction, run() * size / price);
     if (path.unknowns.empty())
       continue;
-    NewtonRun last = tresca_.newton().run(sharp(), path.unknowns, NewtonMethod::Newton,
-                                          std::min(polishing, run()));
+    NewtonRun last = tresca_.newton().run(sharp(), path.unknowns, std::min(polishing, run()));
     last.iterations += price * path.pivots / size;
     add(stage, last);
     placement = unpack(problem(), path.unknowns).rigid;
