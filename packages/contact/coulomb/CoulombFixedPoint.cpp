@@ -30,9 +30,8 @@ Solution CoulombFixedPoint::firstBound(const Problem& problem, const State& star
   });
   if (problem.rigidMotions() == 0 || !slippery)
     return {start, {}};
-  const NewtonCourse course(problem, start, tresca_, Equation::Bound::Lagged);
-  const NewtonRun run =
-      tresca_.newton().run(course.equation(), course.best(), steps);
+  const NewtonRun run = tresca_.newton().run(
+      tresca_.equation(problem, Equation::Bound::Lagged), pack(problem, start), steps);
   return {unpack(problem, run.last), extended({}, Stage::NearStart, run, problem)};
 }
 
@@ -75,10 +74,8 @@ Solution CoulombFixedPoint::updates(const Problem& problem, const State& start) 
     result.tolerance = e.tolerance;
     if (!result.converged() || (e.converged && change <= e.tolerance))
       return solution;
-    if (k > 2 && change > 0.95 * previous) {
+    if (k > 2 && change > 0.95 * previous)
       damping = std::max(0.5 * damping, smallestDamping);
-      result.globalised = true;
-    }
     for (std::size_t t = 0; t < bounds.size(); ++t)
       if (e.bounds[t] != bounds[t])
         bounds[t] += damping * (e.bounds[t] - bounds[t]);

@@ -27,7 +27,6 @@ Report extended(Report report, Stage stage, const NewtonRun& run,
 Report joined(Report later, const Report& earlier) {
   later.newtonIterations += earlier.newtonIterations;
   later.coulombIterations += earlier.coulombIterations;
-  later.globalised = later.globalised || earlier.globalised;
   later.setChanges.insert(later.setChanges.begin(), earlier.setChanges.begin(),
                           earlier.setChanges.end());
   later.stages.insert(later.stages.begin(), earlier.stages.begin(), earlier.stages.end());

@@ -8,8 +8,6 @@ const char* nameOf(Stage stage) {
   switch (stage) {
     case Stage::FullSteps:
       return "full steps";
-    case Stage::Pivoting:
-      return "pivoting";
     case Stage::FollowOffset:
       return "follow offset";
     case Stage::NearStart:
