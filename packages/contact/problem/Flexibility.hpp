@@ -31,8 +31,6 @@ class Flexibility {
     };
     virtual Product product(const Vector& x) const = 0;
     virtual Vector times(const Vector& x) const = 0;
-    /// D_ii
-    virtual Vector diagonal() const = 0;
     /// All of D; null where it is not formed.
     virtual const Matrix* entries() const { return nullptr; }
     /// All of D, symmetric, made for who asks.
@@ -81,9 +79,6 @@ class Flexibility {
   const Vector& responses(Index normals) const;
   Vector times(const Vector& x) const { return operator_->times(x); }
 
-  /// D_ii; found once for all that share D.
-  const Vector& diagonal() const;
-
   /// Are the entries there?  D may know how to solve without.
   bool isFormed() const { return entries_ != nullptr; }
   std::unique_ptr<Operator::Factor> factor(const Operator::System& system) const {
@@ -102,7 +97,6 @@ class Flexibility {
   struct Found {
     std::mutex mutex;
     std::map<Index, Vector> responses;  ///< by the number of normals
-    Vector diagonal;
   };
 
   std::shared_ptr<const Operator> operator_;
