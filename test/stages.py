@@ -3,7 +3,7 @@
     stages.py FOLDER...        counts all timings.txt below these folders
 
 A line of timings.txt says what was tried on a level, the last one decides:
-"level 2: pivoting 17 restless, follow friction 23 converged (pivoting 9 converged, ...)".
+"level 2: full steps 17 restless, follow offset 5 converged".
 """
 import os
 import re

@@ -57,6 +57,11 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
   if (last.stage == Stage::Load)
     return message("the load could be raised to ", report.loadReached,
                    " of itself, not beyond: ", worded(report, last.parts));
+  if (last.stage == Stage::FollowOffset)
+    return ended(report, last.end) +
+           ".  Newton's method and complementary pivoting were tried; with a large "
+           "friction coefficient there may be several solutions, or none: try a smaller "
+           "one, a finer mesh, or Solver->Load Steps";
   if (last.stage != Stage::FixedPoint || last.parts.empty())
     return ended(report, last.end);
   std::string text;
@@ -70,12 +75,6 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
     text = message(
         "Tresca's problem of an update of the slip bound: ", worded(report, last.parts),
         ".  Try Solver->Coulomb Iteration = 'Newton'");
-  if (stages.size() > 1)
-    text +=
-        ".  Newton's method, complementary pivoting, following friction from zero, an "
-        "interior point method, a line search and updates of the slip bound were tried; "
-        "with a large friction coefficient there may be several solutions, or none: try "
-        "a smaller one, a finer mesh, or Solver->Load Steps";
   return text;
 }
 

@@ -31,16 +31,13 @@ contact::Solution assembled(const contact::Problem& problem, const Scene::Solver
   return solve(*solver);
 }
 
-constexpr std::ptrdiff_t scalars = 6;
+constexpr std::ptrdiff_t scalars = 5;
 
 Vector packed(const Solved& solved) {
   const contact::Report& report = solved.solution.report;
-  Vector numbers = {report.converged() ? 1.0 : 0.0,
-                    static_cast<double>(report.newtonIterations),
-                    static_cast<double>(report.coulombIterations),
-                    report.residual,
-                    report.tolerance,
-                    report.globalised ? 1.0 : 0.0};
+  Vector numbers = {
+      report.converged() ? 1.0 : 0.0, static_cast<double>(report.newtonIterations),
+      static_cast<double>(report.coulombIterations), report.residual, report.tolerance};
   numbers.insert(numbers.end(), solved.reason.begin(), solved.reason.end());
   return numbers;
 }
@@ -53,7 +50,6 @@ void unpack(const Vector& numbers, Solved& solved) {
   report.coulombIterations = static_cast<int>(numbers[2]);
   report.residual = numbers[3];
   report.tolerance = numbers[4];
-  report.globalised = numbers[5] == 1;
   std::transform(numbers.begin() + scalars, numbers.end(),
                  std::back_inserter(solved.reason),
                  [](double c) { return static_cast<char>(c); });

@@ -2,7 +2,6 @@
 #include "contact/RandomProblem.hpp"
 #include "contact/Solve.hpp"
 #include "contact/equation/Equilibrium.hpp"
-#include "contact/tresca/InteriorPoint.hpp"
 #include "reference/ProjectedSor.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -16,7 +15,6 @@ namespace epafi {
 
 namespace {
 
-using contact::Equation;
 using contact::Index;
 using contact::Problem;
 using test::solve;
@@ -46,34 +44,12 @@ Problem cantilever(Index n) {
   return problem;
 }
 
-Equation equationOf(const Problem& problem) {
-  return {problem, contact::projection(), Equation::Bound::Differentiated, 1e-12};
-}
-
 TEUCHOS_UNIT_TEST(Fallbacks, aCantileverIsSolvedHoweverFineItsMesh) {
   for (const Index n : {20, 80, 320}) {
     const Problem problem = cantilever(n);
     const auto solution = solve(problem, {}, {});
     TEST_ASSERT(solution.report.status == contact::Status::Converged);
     TEST_COMPARE(reference::violation(problem, solution.state), <, 1e-9);
-    // Each takes about the same: the middle of the box knows no active set.
-    const Equation equation = equationOf(problem);
-    TEST_COMPARE(interiorPoint(equation).iterations, <, 40);
-  }
-}
-
-TEUCHOS_UNIT_TEST(Fallbacks, theInteriorPointIsNearTheSolution) {
-  std::mt19937 random(41);
-  for (int k = 0; k < 100; ++k) {
-    test::Recipe recipe;
-    recipe.law = k % 2 == 0 ? "None" : "Tresca";
-    recipe.normals = 3 + k % 30;
-    recipe.rigidMotions = k % 3;
-    const Problem problem = randomProblem(recipe, random);
-    const Equation equation = equationOf(problem);
-    const contact::InteriorPoint point = interiorPoint(equation);
-    TEST_COMPARE(equation.at(point.unknowns).scaled, <, 1e-7);
-    TEST_COMPARE(point.iterations, <, 40);
   }
 }
 

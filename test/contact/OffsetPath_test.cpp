@@ -109,8 +109,7 @@ TEUCHOS_UNIT_TEST(OffsetPath, placesFreeBodies) {
     const contact::NoxNewton newton;
     const contact::Equation equation(problem, contact::projection(),
                                      contact::Equation::Bound::Differentiated, 1e-12);
-    const contact::NewtonRun run =
-        newton.run(equation, pack(problem, state), contact::NewtonMethod::Newton, 5);
+    const contact::NewtonRun run = newton.run(equation, pack(problem, state), 5);
     TEST_ASSERT(run.end == contact::End::Converged);
   }
 }

@@ -23,7 +23,6 @@ using test::SolverOptions;
 
 struct Statistics {
   std::vector<int> steps;
-  int globalised = 0;
   int unsolved = 0;
   double violation = 0;
   std::map<std::string, int> paths;  ///< what was tried, and how often
@@ -52,7 +51,6 @@ Statistics statistics(std::ostream& out, test::Recipe recipe,
     const auto solution = solve(problem, {}, options);
     result.steps.push_back(solution.report.newtonIterations);
     result.paths[path(solution.report.stages)] += 1;
-    result.globalised += solution.report.globalised ? 1 : 0;
     if (solution.report.status != Status::Converged) {
       result.unsolved += 1;
       out << "  problem " << k << ": " << told(solution.report.stages) << "\n";
@@ -68,8 +66,7 @@ Statistics statistics(std::ostream& out, test::Recipe recipe,
 void print(std::ostream& out, const char* what, const char* how, const Statistics& s) {
   out << what << ", " << how << ": steps median " << s.steps[s.steps.size() / 2]
       << ", 99 % " << s.steps[s.steps.size() * 99 / 100] << ", worst " << s.steps.back()
-      << "; globalised " << s.globalised << ", unsolved " << s.unsolved << ", violation "
-      << s.violation << "\n";
+      << "; unsolved " << s.unsolved << ", violation " << s.violation << "\n";
   for (const auto& [stages, count] : s.paths)
     out << "  " << count << "  " << stages << "\n";
 }

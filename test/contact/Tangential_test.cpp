@@ -87,20 +87,6 @@ TEUCHOS_UNIT_TEST(Tangential, slopesAreTheDerivativeAwayFromKinks) {
   TEST_COMPARE(several, >, 100);
 }
 
-/// One pressure on all of the element: what the strengths add up to.
-TEUCHOS_UNIT_TEST(Tangential, uncoupledIsTheSameUnderOnePressure) {
-  std::mt19937 random(43);
-  for (int k = 0; k < 20; ++k) {
-    const Problem problem = coupledProblem(random);
-    const Vector pressures(problem.normals, 0.7);
-    for (const Tangential& t : problem.tangentials) {
-      TEST_ASSERT(!t.uncoupled().followsSeveral());
-      TEST_COMPARE(std::abs(t.uncoupled().bound(pressures) - t.bound(pressures)), <,
-                   1e-13);
-    }
-  }
-}
-
 TEUCHOS_UNIT_TEST(Tangential, scalingScalesTheBound) {
   std::mt19937 random(44);
   const Problem problem = coupledProblem(random);

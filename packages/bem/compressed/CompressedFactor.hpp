@@ -77,14 +77,6 @@ class CompressedFactor {
   /// By cluster: these leaves, what is above them, and what each solution needs.
   std::vector<char> paths(std::vector<int> leaves) const;
 
-  /// Of held unknowns, by leaves in which updates may differ: what each would find on its
-  /// diagonal if it were eliminated after all that is not held,
-  ///
-  ///   Z_ii - z_iᵀ Z⁻¹ z_i,
-  ///
-  /// but for exact rotations and floating springs.  Others are zero.
-  Vector lastPivots() const;
-
   const CompressedOperators& operators() const { return *operators_; }
   const Restriction& restriction() const { return restriction_; }
 
@@ -105,7 +97,6 @@ class CompressedFactor {
   Matrix inside(int c, const Matrix* outside) const;
   /// O of a child, from P of its parent.
   Matrix outsideOf(int child, const Matrix& p) const;
-  void addLastPivots(int leaf, const Matrix& d, Matrix& pivots) const;
 
   Matrix solveSprung(const Matrix& b, const std::vector<char>& paths) const;
   Matrix solveStraight(const Matrix& b, const std::vector<char>& paths) const;

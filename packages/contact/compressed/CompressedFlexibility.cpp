@@ -17,13 +17,6 @@ Matrix asColumn(const Vector& x) {
   return column;
 }
 
-Vector rowOf(const Matrix& a, Index i) {
-  Vector row;
-  for (Index j = 0; j < a.columns(); ++j)
-    row.push_back(a(i, j));
-  return row;
-}
-
 }  // namespace
 
 CompressedFlexibility::CompressedFlexibility(
@@ -51,19 +44,6 @@ Flexibility::Operator::Product CompressedFlexibility::product(const Vector& x) c
     result.magnitude[at(i)] =
         std::max(std::abs(result.value[at(i)]),
                  sizes[0] * rowSums_(i, 0) + sizes[1] * rowSums_(i, 1));
-  return result;
-}
-
-Vector CompressedFlexibility::diagonal() const {
-  const Vector pivots = factor_->lastPivots();
-  Vector result;
-  for (Index i = 0; i < size(); ++i) {
-    const Vector sizes = motions_.scaled(rowOf(motions_.u, i));
-    double entry = -pivots[at(coupling_.first + i)];
-    for (Index j = 0; j < motions_.u.columns(); ++j)
-      entry += motions_.u(i, j) * sizes[at(j)];
-    result.push_back(entry);
-  }
   return result;
 }
 

@@ -19,10 +19,8 @@ class CompressedFlexibility final : public Flexibility::Operator {
   Vector times(const Vector& x) const override;
   /// |D| |x| from the rows' sums over each kind and its largest coefficient.
   Product product(const Vector& x) const override;
-  Vector diagonal() const override;
   std::unique_ptr<Factor> factor(const System& system) const override;
-  /// All of D, symmetric.
-  Matrix formed() const;
+  Matrix formed() const override;
 
   const CompressedCoupling& coupling() const { return coupling_; }
   const bem::CompressedOperators& operators() const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace epafi::contact {
@@ -31,9 +30,8 @@ Solution CoulombFixedPoint::firstBound(const Problem& problem, const State& star
   });
   if (problem.rigidMotions() == 0 || !slippery)
     return {start, {}};
-  const NewtonCourse course(problem, start, tresca_, Equation::Bound::Lagged);
-  const NewtonRun run =
-      tresca_.newton().run(course.equation(), course.best(), NewtonMethod::Newton, steps);
+  const NewtonRun run = tresca_.newton().run(
+      tresca_.equation(problem, Equation::Bound::Lagged), pack(problem, start), steps);
   return {unpack(problem, run.last), extended({}, Stage::NearStart, run, problem)};
 }
 
@@ -54,8 +52,7 @@ Solution CoulombFixedPoint::update(const Problem& tresca, Solution before) const
   }
 }
 
-Solution CoulombFixedPoint::updates(const Problem& problem, const State& start,
-                                    int steps) const {
+Solution CoulombFixedPoint::updates(const Problem& problem, const State& start) const {
   const double tolerance = std::max(tresca_.options().tolerance, options_.tolerance);
   const Equation coulomb(problem,
                          complementarities().at(tresca_.options().complementarity),
@@ -77,12 +74,8 @@ Solution CoulombFixedPoint::updates(const Problem& problem, const State& start,
     result.tolerance = e.tolerance;
     if (!result.converged() || (e.converged && change <= e.tolerance))
       return solution;
-    if (result.newtonIterations >= steps)
-      break;
-    if (k > 2 && change > 0.95 * previous) {
+    if (k > 2 && change > 0.95 * previous)
       damping = std::max(0.5 * damping, smallestDamping);
-      result.globalised = true;
-    }
     for (std::size_t t = 0; t < bounds.size(); ++t)
       if (e.bounds[t] != bounds[t])
         bounds[t] += damping * (e.bounds[t] - bounds[t]);
@@ -93,8 +86,7 @@ Solution CoulombFixedPoint::updates(const Problem& problem, const State& start,
 }
 
 Solution CoulombFixedPoint::solveSound(const Problem& problem, const State& start) const {
-  Solution solution = updates(problem, unpack(problem, pack(problem, start)),
-                              std::numeric_limits<int>::max());
+  Solution solution = updates(problem, unpack(problem, pack(problem, start)));
   solution.report = asOne(std::move(solution.report), Stage::FixedPoint);
   return solution;
 }

@@ -10,11 +10,9 @@ class CoulombFixedPoint final : public CoulombSolver {
  public:
   using CoulombSolver::CoulombSolver;
 
-  /// Ends with the update after which `steps` linear systems have been solved.
-  Solution updates(const Problem& problem, const State& start, int steps) const;
-
  private:
   Solution solveSound(const Problem& problem, const State& start) const override;
+  Solution updates(const Problem& problem, const State& start) const;
   Solution firstBound(const Problem& problem, const State& start) const;
   Solution update(const Problem& problem, Solution before) const;
 };

@@ -1,9 +1,10 @@
 #include "contact/coulomb/CoulombIteration.hpp"
 
 #include "contact/coulomb/CoulombFixedPoint.hpp"
-#include "contact/coulomb/CoulombPlan.hpp"
 
 #include <Teuchos_ParameterList.hpp>
+
+#include <algorithm>
 
 namespace epafi::contact {
 
@@ -11,6 +12,30 @@ using bem::Kind;
 using bem::Row;
 
 namespace {
+
+/// Newton's method on the coupled problem, the derivative of the slip bound included.
+class CoulombNewton final : public CoulombSolver {
+ public:
+  using CoulombSolver::CoulombSolver;
+
+ private:
+  Solution solveSound(const Problem& problem, const State& start) const override {
+    return tresca_.solveSound(problem, start);
+  }
+};
+
+/// One Newton step per update of the slip bound.                             [P sec. 7]
+class CoulombOneStep final : public CoulombSolver {
+ public:
+  using CoulombSolver::CoulombSolver;
+
+ private:
+  Solution solveSound(const Problem& problem, const State& start) const override {
+    return tresca_.inStages(
+        problem, start, Equation::Bound::Lagged,
+        std::max(tresca_.options().maximumIterations, options_.maximumIterations));
+  }
+};
 
 template <class Solver>
 std::unique_ptr<NonlinearSolver> make(const Tresca& tresca,

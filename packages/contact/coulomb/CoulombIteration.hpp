@@ -30,7 +30,7 @@ class CoulombSolver : public NonlinearSolver {
  public:
   /// `tresca` must outlive this.
   explicit CoulombSolver(const Tresca& tresca, CoulombOptions options = {})
-      : NonlinearSolver(tresca.budget()), tresca_(tresca), options_(std::move(options)) {}
+      : tresca_(tresca), options_(std::move(options)) {}
 
  protected:
   const Tresca& tresca_;

@@ -37,7 +37,7 @@ struct ScaledLoad {
 };
 
 /// What a unit of force at each place does to the balance, each of length one.
-std::vector<Vector> cone(const Problem& problem, const Vector& scales, bool friction) {
+std::vector<Vector> cone(const Problem& problem, const Vector& scales) {
   std::vector<Vector> columns;
   const auto add = [&](Index normal, Index tangential, double share) {
     Vector column;
@@ -55,8 +55,6 @@ std::vector<Vector> cone(const Problem& problem, const Vector& scales, bool fric
     add(i, -1, 0);
   for (std::size_t t = 0; t < problem.tangentials.size(); ++t) {
     const Tangential& tangential = problem.tangentials[t];
-    if (!friction && !tangential.isTied())
-      continue;
     const Index i = problem.normals + static_cast<Index>(t);
     const double slope = tangential.steepest();
     for (const double sign : {-1.0, 1.0}) {
@@ -176,14 +174,6 @@ NoBalance::NoBalance()
           "the load moves the body along a rigid motion that nothing holds: neither "
           "contact nor friction can balance its resultant") {}
 
-Vector loadOfFriction(const Problem& problem) {
-  const ScaledLoad load(problem);
-  Vector rest = NearestPoint(cone(problem, load.scales, false), load.values).separation();
-  for (std::size_t j = 0; j < rest.size(); ++j)
-    rest[j] /= load.scales[j];
-  return rest;
-}
-
 Vector unresistedMotion(const Problem& problem) {
   constexpr double clear = 1e-10;
   const ScaledLoad load(problem);
@@ -191,7 +181,7 @@ Vector unresistedMotion(const Problem& problem) {
   // A load without a resultant is balanced; rounding is no resultant.
   if (!(size > clear * problem.stress))
     return {};
-  const std::vector<Vector> columns = cone(problem, load.scales, true);
+  const std::vector<Vector> columns = cone(problem, load.scales);
   Vector v = NearestPoint(columns, load.values).separation();
   const double length = std::sqrt(dot(v, v));
   const bool separates =

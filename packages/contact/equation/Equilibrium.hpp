@@ -25,8 +25,4 @@ Vector unresistedMotion(const Problem& problem);
 /// \throws NoBalance if there is one.
 void requireEquilibrium(const Problem& problem);
 
-/// The part of q that pressure alone cannot balance, at least nearly: q minus the nearest
-/// point of the cone of the normals.
-Vector loadOfFriction(const Problem& problem);
-
 }  // namespace epafi::contact

@@ -7,17 +7,6 @@
 
 namespace epafi::contact {
 
-/// How one run of Newton's method chooses and shortens its steps.
-enum class NewtonMethod {
-  /// Newton's steps, full ones unless the user asks for a line search.
-  Newton,
-  /// The same from a start that knows the active sets but for a few coefficients, such as
-  /// the state of a coarser mesh: see Pivoting.  Only with active sets.
-  Pivoting,
-  /// Armijo's rule on ½|F|²; the equation's function must have a smooth merit function.
-  MeritDescent
-};
-
 /// Why a run of some method ended.
 enum class End {
   Converged,
@@ -41,7 +30,6 @@ struct NewtonRun {
   double tolerance = 0;
   std::vector<int> setChanges;
   std::vector<Index> restless;  ///< coefficients that changed in the last steps
-  std::vector<double> merits;   ///< of the start and after each step of a descent
   std::string message;          ///< of a singular Jacobian
 };
 
@@ -52,7 +40,7 @@ class Newton {
 
   /// On F(x) = 0 from `start`.
   virtual NewtonRun run(const Equation& equation, const Vector& start,
-                        NewtonMethod method, int maximumIterations) const = 0;
+                        int maximumIterations) const = 0;
 };
 
 }  // namespace epafi::contact

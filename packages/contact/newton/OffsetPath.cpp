@@ -33,10 +33,9 @@ class Scaled {
         D_(problem.flexibility.entries().copy()) {
     const Index n = problem.size();
     d_ = problem.offset;
-    const Vector& own = problem.flexibility.diagonal();
     double mean = 0;
-    for (const double value : own)
-      mean += value / static_cast<double>(n);
+    for (Index i = 0; i < n; ++i)
+      mean += D_(i, i) / static_cast<double>(n);
     for (Index j = 0; j < problem.rigidMotions(); ++j) {
       double largest = 0;
       for (Index i = 0; i < n; ++i)

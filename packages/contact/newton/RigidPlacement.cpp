@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "contact/equation/Equilibrium.hpp"
+#include "contact/newton/NewtonSystem.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +27,29 @@ Vector springForces(const Problem& problem, const Vector& unknowns, const Vector
   return forces;
 }
 
-}  // namespace
+// A point's rows with every closed place of Coulomb friction taken to stick: from there
+// the pressure, and with it the bound, can be found although everything slips now.
+LinearRows bonded(const Problem& problem, const Evaluation& e) {
+  LinearRows rows = e.linear;
+  for (std::size_t t = 0; t < problem.tangentials.size(); ++t) {
+    const Tangential& tangential = problem.tangentials[t];
+    const std::size_t i = at(problem.normals) + t;
+    if (!tangential.followsPressure() || !tangential.carries())
+      continue;
+    const bool closed =
+        e.unknowns[at(tangential.normal())] + e.penetration[at(tangential.normal())] > 0;
+    if (!closed)
+      continue;
+    rows.rows[i] = {-e.penetration[i], 0, -1, 0};
+    rows.residual[i] = -e.penetration[i];
+  }
+  return rows;
+}
 
+// Moves the body until the springs' forces P(λ + y) balance the load.
+//
+// Along α + t v these do the work v·(q - Gᵀ P(λ + y)), which falls with t; the step goes to
+// its zero, and λ to its projection.
 Vector rigidPlacement(const Equation& equation, const Evaluation& e,
                       const Vector& motion) {
   const Problem& problem = equation.problem();
@@ -81,6 +103,22 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
   for (Index j = 0; j < problem.rigidMotions(); ++j)
     step[at(n + j)] = high * motion[at(j)];
   return step;
+}
+
+}  // namespace
+
+Vector placingStep(const Equation& equation, const Evaluation& e, const Vector& motion,
+                   FactorMemory* memory) {
+  if (equation.problem().boundDependsOnPressure()) {
+    const LinearRows sticking = bonded(equation.problem(), e);
+    const NewtonSystem system(equation, sticking, memory);
+    Vector right = sticking.residual;
+    for (double& value : right)
+      value = -value;
+    if (system.unheld(right).empty())
+      return system.solve(right);
+  }
+  return rigidPlacement(equation, e, motion);
 }
 
 }  // namespace epafi::contact

@@ -4,15 +4,17 @@
 
 namespace epafi::contact {
 
-/// Moves the body along one rigid motion, as if contact and friction were springs.
+class FactorMemory;
+
+/// A step after which a rigid motion is held that is not now, see NewtonSystem::unheld: a body
+/// that hangs free or slides everywhere is put where contact can hold it, whatever the gap.
 ///
-/// Along α + t v the spring forces P(λ + c r) do the work v·(q - Gᵀ P(λ + c r)), which
-/// falls with t; the step goes to its zero.  A body that hangs free or slides everywhere
-/// is so put where contact can hold it, whatever the size of the gap.
-///
-/// Returns the change of x = (λ, α): λ goes to its projection.
-/// \throws bem::NumericalError if the work never vanishes: nothing can balance the load.
-Vector rigidPlacement(const Equation& equation, const Evaluation& at,
-                      const Vector& motion);
+/// Closed places of Coulomb friction stick for this step, whatever their bound; where this
+/// does not help, the body moves along the motion until contact and friction, as if they were
+/// springs, balance the load.  `memory`: see NewtonSystem.
+/// \returns the change of x = (λ, α)
+/// \throws NoBalance if no such position exists: the load has no counterpart.
+Vector placingStep(const Equation& equation, const Evaluation& at, const Vector& motion,
+                   FactorMemory* memory = nullptr);
 
 }  // namespace epafi::contact

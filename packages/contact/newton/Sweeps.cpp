@@ -1,15 +1,27 @@
 #include "contact/newton/Sweeps.hpp"
 
-#include "contact/newton/Pivoting.hpp"
-
 #include <algorithm>
 
 namespace epafi::contact {
 
 namespace {
 
-constexpr int largestNumberOfPairs = 5;
-constexpr std::size_t quiet = 100;  // one state in so many may still change
+constexpr int mostPairs = 10;
+
+// Which rows are open, and which way the others slip.
+ActiveSet rowSet(const Evaluation& e) {
+  const std::size_t normals = e.linear.rows.size() - e.bounds.size();
+  ActiveSet set;
+  for (std::size_t i = 0; i < e.linear.rows.size(); ++i) {
+    const Complementarity::Value& row = e.linear.rows[i];
+    const bool open = row.penetration == 0;
+    if (i < normals)
+      set.push_back(open ? 0 : 1);
+    else
+      set.push_back(static_cast<signed char>(!open ? 0 : row.bound < 0 ? 1 : -1));
+  }
+  return set;
+}
 
 class Sweeper {
  public:
@@ -82,16 +94,11 @@ Vector smoothed(const Equation& equation, Vector unknowns) {
     return unknowns;
   const double first = e.scaled;
   Sweeper sweeper(equation.problem(), unknowns);
-  for (int pair = 0; pair < largestNumberOfPairs; ++pair) {
-    const ActiveSet before = rowSet(e);
+  ActiveSet before;
+  for (int pair = 0; pair < mostPairs && rowSet(e) != before; ++pair) {
+    before = rowSet(e);
     sweeper.pairOfSweeps();
     e = equation.at(sweeper.unknowns());
-    const ActiveSet after = rowSet(e);
-    std::size_t changes = 0;
-    for (std::size_t i = 0; i < after.size(); ++i)
-      changes += before[i] != after[i] ? 1 : 0;
-    if (changes <= std::max<std::size_t>(1, after.size() / quiet))
-      break;
   }
   const bool worse = equation.problem().boundsAreCoupled() && e.scaled > first;
   return worse ? unknowns : sweeper.unknowns();

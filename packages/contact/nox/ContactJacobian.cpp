@@ -1,7 +1,7 @@
 #include "contact/nox/ContactJacobian.hpp"
 
 #include "contact/equation/Equilibrium.hpp"
-#include "contact/newton/NewtonStep.hpp"
+#include "contact/newton/RigidPlacement.hpp"
 
 #include <Thyra_LinearOpSourceBase.hpp>
 #include <Thyra_MultiVectorBase.hpp>
@@ -85,7 +85,7 @@ Vector ContactJacobian::solved(const Vector& b) const {
       throw NoBalance(
           "neither contact nor friction holds a rigid motion that the right-hand side "
           "demands: begin nearer to the solution");
-  Vector x = placingStep(at().equation(), e, e.linear, motion, at().memory());
+  Vector x = placingStep(at().equation(), e, motion, at().memory());
   for (double& value : x)
     value *= -scale_;
   return x;

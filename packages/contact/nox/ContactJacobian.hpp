@@ -78,7 +78,7 @@ class ContactJacobian final : public Thyra::LinearOpWithSolveBase<double> {
   }
   /// x = J⁻¹ b.  Where b demands a rigid motion that nothing holds (no contact yet,
   /// everything slips) and is the residual, -x is the step that places the body instead,
-  /// see newtonStep.  Failed where b is another one, or J is singular.
+  /// see placingStep.  Failed where b is another one, or J is singular.
   Thyra::SolveStatus<double> solveImpl(
       Thyra::EOpTransp transpose, const MultiVector& b,
       const Teuchos::Ptr<MultiVector>& x,

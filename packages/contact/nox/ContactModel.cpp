@@ -3,6 +3,8 @@
 #include "bem/base/Error.hpp"
 #include "contact/nox/ContactJacobian.hpp"
 
+#include <NOX_Abstract_Group.H>
+#include <NOX_Thyra_Vector.H>
 #include <Thyra_DefaultSpmdVectorSpace.hpp>
 #include <Thyra_MultiVectorBase.hpp>
 #include <Thyra_VectorStdOps.hpp>
@@ -74,6 +76,11 @@ RCP<Thyra::VectorBase<double>> ContactModel::vector(const Vector& unknowns) cons
 
 RCP<Thyra::VectorBase<double>> ContactModel::point(const State& state) const {
   return vector(pack(family().original(), state));
+}
+
+std::shared_ptr<const Linearisation> ContactModel::at(
+    const NOX::Abstract::Group& group) const {
+  return at(dynamic_cast<const NOX::Thyra::Vector&>(group.getX()).getThyraVector(), {});
 }
 
 std::shared_ptr<const Linearisation> ContactModel::at(const Thyra::VectorBase<double>& x,

@@ -10,6 +10,10 @@
 #include <memory>
 #include <optional>
 
+namespace NOX::Abstract {
+class Group;
+}
+
 namespace epafi::contact {
 
 /// The condensed contact problem as Thyra::ModelEvaluator, for NOX, LOCA and whatever
@@ -64,6 +68,9 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
   /// All that has been computed at x; the latest two points are kept.  Collective.
   std::shared_ptr<const Linearisation> at(const Thyra::VectorBase<double>& x,
                                           const Factors& factors) const;
+
+  /// Of a single equation, at NOX's point.
+  std::shared_ptr<const Linearisation> at(const NOX::Abstract::Group& group) const;
 
   /// x of (λ, α).  Collective.
   Teuchos::RCP<Thyra::VectorBase<double>> vector(const Vector& unknowns) const;

@@ -2,23 +2,25 @@
 
 #include "contact/equation/SmoothMerit.hpp"
 #include "contact/nox/ContactJacobian.hpp"
-#include "contact/nox/StepDirection.hpp"
 
 #include <NOX_Abstract_Group.H>
+#include <NOX_Thyra_Vector.H>
 
 #include <stdexcept>
 
 namespace epafi::contact {
 
 double Merit::computef(const NOX::Abstract::Group& group) const {
-  const auto point = pointOf(*model_, group);
+  const auto point = model_->at(group);
   return merit(point->equation(), point->evaluation());
 }
 
 void Merit::computeGradient(const NOX::Abstract::Group& group,
                             NOX::Abstract::Vector& result) const {
-  const auto point = pointOf(*model_, group);
-  assign(result, meritGradient(point->equation(), point->evaluation()));
+  const auto point = model_->at(group);
+  auto& vector = dynamic_cast<NOX::Thyra::Vector&>(result).getThyraVector();
+  scatter(dynamic_cast<const SpmdSpace&>(*vector.space()),
+          meritGradient(point->equation(), point->evaluation()), 1, 0, vector);
 }
 
 double Merit::computeSlope(const NOX::Abstract::Vector& direction,

@@ -2,13 +2,9 @@
 
 #include "bem/base/Error.hpp"
 #include "contact/equation/Equilibrium.hpp"
-#include "contact/newton/Descent.hpp"
-#include "contact/newton/NewtonStep.hpp"
-#include "contact/newton/Pivoting.hpp"
 #include "contact/nox/ContactJacobian.hpp"
 #include "contact/nox/Merit.hpp"
 #include "contact/nox/StatusTests.hpp"
-#include "contact/nox/StepDirection.hpp"
 
 #include <NOX_Solver_Factory.H>
 #include <NOX_Solver_Generic.H>
@@ -70,25 +66,9 @@ void forgetUse(ParameterList& list) {
   list = fresh;
 }
 
-// The direction of a method; empty: Newton's, by NOX.
-StepDirection::Step stepOf(NewtonMethod method) {
-  if (method == NewtonMethod::MeritDescent)
-    return [](const Linearisation& point) {
-      return meritDescentStep(point.equation(), point.evaluation(), point.memory());
-    };
-  if (method == NewtonMethod::Pivoting)
-    return [pivoting = Pivoting()](const Linearisation& point) mutable {
-      const Equation& equation = point.equation();
-      const Evaluation& e = point.evaluation();
-      return newtonStep(equation, e, holding(equation, e, pivoting.next(equation, e)),
-                        point.memory());
-    };
-  return {};
-}
-
 // One run's list: the user's, and below it what Epafi wants of NOX.
 RCP<ParameterList> runList(const ParameterList* user, const RCP<ContactModel>& model,
-                           NewtonMethod method, const RCP<std::ostream>& log) {
+                           const RCP<std::ostream>& log) {
   const auto list = rcp(new ParameterList(nameOf(user)));
   if (user != nullptr) {
     list->setParameters(*user);
@@ -107,20 +87,8 @@ RCP<ParameterList> runList(const ParameterList* user, const RCP<ContactModel>& m
         .set("Output Stream", log);  // some of it comes whatever the information
   list->sublist("Printing").set("Error Stream", log);
 
-  const StepDirection::Step step = stepOf(method);
-  if (step && !isUsersOwn(*list, "Direction", "Method")) {
-    ParameterList& direction = list->sublist("Direction");
-    direction.set("Method", "User Defined");
-    direction.set<RCP<NOX::Direction::UserDefinedFactory>>(
-        "User Defined Direction Factory", rcp(new StepFactory(model, step)));
-  }
-  if (isUsersOwn(*list, "Line Search", "Method"))
-    return list;
-  ParameterList& search = list->sublist("Line Search");
-  if (method == NewtonMethod::MeritDescent)  // no step at all ends the run
-    search.set("Method", "Polynomial").sublist("Polynomial").set("Recovery Step", 0.0);
-  else
-    search.set("Method", "Full Step");
+  if (!isUsersOwn(*list, "Line Search", "Method"))
+    list->sublist("Line Search").set("Method", "Full Step");
   return list;
 }
 
@@ -156,31 +124,22 @@ bem::SchemaRow noxRow() {
 }
 
 NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
-                         NewtonMethod method, int maximumIterations) const {
+                         int maximumIterations) const {
   const auto log = rcp(new std::ostringstream);
   const auto model = rcp(new ContactModel(equation, memory_));
-  const auto list = runList(list_.get(), model, method, log);
+  const auto list = runList(list_.get(), model, log);
   const RCP<NOX::Abstract::Group> group =
       rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(*model->vector(start)), model));
-  // Who allows pivoting more steps than a run has knows that it takes its time.  With a
-  // lagged bound the residual may rise for a step while the bound settles.
-  const int patience = method == NewtonMethod::Pivoting
-                           ? std::max(20, 2 * maximumIterations / 5)
-                       : equation.bound() == Equation::Bound::Lagged ? 5
-                                                                     : 1;
-  const auto test = rcp(new StepTest(model, method, patience));
+  // With a lagged bound the residual may rise for a step while the bound settles.
+  const int patience = equation.bound() == Equation::Bound::Lagged ? 5 : 1;
+  const auto test = rcp(new StepTest(model, patience));
   const RCP<NOX::Solver::Generic> solver = withNoxErrors(
       list->name(), *log, [&] { return build(group, test, maximumIterations, list); });
 
-  const Merit merit(model);
-  const bool descends = method == NewtonMethod::MeritDescent;
-  std::vector<double> merits;
   NewtonRun result;
   const auto status = withNoxErrors(list->name(), *log, [&] {
     auto now = solver->getStatus();
     while (now == NOX::StatusTest::Unconverged || now == NOX::StatusTest::Unevaluated) {
-      if (descends)
-        merits.push_back(merit.computef(solver->getSolutionGroup()));
       try {
         now = solver->step();
       } catch (const SingularJacobian& error) {
@@ -192,8 +151,6 @@ NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
         return NOX::StatusTest::Failed;
       }
     }
-    if (descends)
-      merits.push_back(merit.computef(solver->getSolutionGroup()));
     return now;
   });
 
@@ -202,15 +159,13 @@ NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
   result = test->history();
   result.message = message;
   result.iterations = solver->getNumIterations();
-  result.merits = std::move(merits);
   if (!message.empty())
     result.end = unbalanced ? End::NoBalance : End::Singular;
   else if (status == NOX::StatusTest::Failed && result.end == End::Iterations &&
            result.iterations < maximumIterations)
     result.end = End::Stalled;
-  const std::string unused = list_ != nullptr && method == NewtonMethod::Newton
-                                 ? firstUnused(*list_, *list, list_->name())
-                                 : "";
+  const std::string unused =
+      list_ != nullptr ? firstUnused(*list_, *list, list_->name()) : "";
   if (!unused.empty())
     throw bem::InputError(unused, ": NOX does not know or use this parameter");
   return result;

@@ -19,9 +19,8 @@ bem::SchemaRow noxRow();
 /// Newton's method by NOX.
 class NoxNewton final : public Newton {
  public:
-  /// The list acts whatever the method: what it says of Direction, Line Search and Printing
-  /// replaces the method's own choice.  Null: full steps (a line search under
-  /// MeritDescent), nothing printed.  It is never written to.
+  /// What the list says of Direction, Line Search and Printing acts on every run.  Null: full
+  /// steps, nothing printed.  It is never written to.
   /// `memory`: the factor that all runs go on with, see NewtonSystem; it outlives this.
   explicit NoxNewton(std::shared_ptr<const Teuchos::ParameterList> list = nullptr,
                      FactorMemory* memory = nullptr)
@@ -29,7 +28,7 @@ class NoxNewton final : public Newton {
 
   /// \throws bem::InputError for what NOX refuses in the list, or does not use of it; the
   ///   path begins with the list's name.
-  NewtonRun run(const Equation& equation, const Vector& start, NewtonMethod method,
+  NewtonRun run(const Equation& equation, const Vector& start,
                 int maximumIterations) const override;
 
  private:

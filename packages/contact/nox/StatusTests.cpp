@@ -1,7 +1,6 @@
 #include "contact/nox/StatusTests.hpp"
 
 #include "contact/nox/ContactJacobian.hpp"
-#include "contact/nox/StepDirection.hpp"
 
 #include <NOX_Solver_Generic.H>
 
@@ -76,7 +75,7 @@ void StepTest::record(const Evaluation& e) {
 
 NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& solver,
                                                   NOX::StatusTest::CheckType) {
-  const auto point = pointOf(*model_, solver.getSolutionGroup());
+  const auto point = model_->at(solver.getSolutionGroup());
   const Evaluation& e = point->evaluation();
   record(e);
 
@@ -90,13 +89,7 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
   } else if (e.converged) {
     run_.end = End::Converged;
     status_ = NOX::StatusTest::Converged;
-  } else if (method_ == NewtonMethod::Pivoting) {
-    // Its sets do not come back; the residual says nothing on the way.
-    if (sets_.size() > progress_ + static_cast<std::size_t>(patience_))
-      fail(End::Restless);
-    else if (e.scaled > growthLimit * std::max(first_, 1.0))
-      fail(End::Growth);
-  } else if (method_ == NewtonMethod::Newton) {
+  } else {
     const ActiveSet linear = linearProblem(e);
     const auto before = seen_.find(linear);
     const bool cycles = before != seen_.end() && e.scaled >= hasFallen * before->second &&

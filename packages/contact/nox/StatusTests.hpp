@@ -18,10 +18,9 @@ namespace epafi::contact {
 /// cycle of active sets), the residual grew a million times, or it is no number.
 class StepTest final : public NOX::StatusTest::Generic {
  public:
-  /// `patience`: how many returning sets end the run; of pivoting, whose sets do not return,
-  /// how many steps without progress.
-  StepTest(Teuchos::RCP<const ContactModel> model, NewtonMethod method, int patience)
-      : model_(std::move(model)), method_(method), patience_(patience) {}
+  /// `patience`: how many returning sets end the run.
+  StepTest(Teuchos::RCP<const ContactModel> model, int patience)
+      : model_(std::move(model)), patience_(patience) {}
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver,
                                           NOX::StatusTest::CheckType check) override;
@@ -35,7 +34,6 @@ class StepTest final : public NOX::StatusTest::Generic {
   void record(const Evaluation& e);
 
   Teuchos::RCP<const ContactModel> model_;
-  NewtonMethod method_;
   int patience_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
   NewtonRun run_;

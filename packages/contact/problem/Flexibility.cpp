@@ -43,13 +43,8 @@ class Dense final : public Flexibility::Operator {
     return sum;
   }
 
-  Vector diagonal() const override {
-    Vector result;
-    for (Index i = 0; i < size(); ++i)
-      result.push_back(entries_(i, i));
-    return result;
-  }
   const Matrix* entries() const override { return &entries_; }
+  Matrix formed() const override { return entries_.copy(); }
 
  private:
   template <class Add>
@@ -70,13 +65,6 @@ Flexibility::Flexibility(Matrix entries)
 
 Flexibility::Flexibility(std::shared_ptr<const Operator> form)
     : operator_(std::move(form)), entries_(operator_->entries()) {}
-
-const Vector& Flexibility::diagonal() const {
-  const std::lock_guard lock(found_->mutex);
-  if (found_->diagonal.empty())
-    found_->diagonal = operator_->diagonal();
-  return found_->diagonal;
-}
 
 const Vector& Flexibility::responses(Index normals) const {
   const std::lock_guard lock(found_->mutex);

@@ -31,10 +31,10 @@ class Flexibility {
     };
     virtual Product product(const Vector& x) const = 0;
     virtual Vector times(const Vector& x) const = 0;
-    /// D_ii
-    virtual Vector diagonal() const = 0;
     /// All of D; null where it is not formed.
     virtual const Matrix* entries() const { return nullptr; }
+    /// All of D, symmetric, made for who asks.
+    virtual Matrix formed() const = 0;
 
     /// A linear system in some of the coefficients.
     struct System {
@@ -79,9 +79,6 @@ class Flexibility {
   const Vector& responses(Index normals) const;
   Vector times(const Vector& x) const { return operator_->times(x); }
 
-  /// D_ii; found once for all that share D.
-  const Vector& diagonal() const;
-
   /// Are the entries there?  D may know how to solve without.
   bool isFormed() const { return entries_ != nullptr; }
   std::unique_ptr<Operator::Factor> factor(const Operator::System& system) const {
@@ -89,6 +86,8 @@ class Flexibility {
   }
   /// \pre isFormed()
   const Matrix& entries() const { return *entries_; }
+  /// All of D, made where it is not there: as many products as it has columns.
+  Matrix formed() const { return operator_->formed(); }
   const double* column(Index j) const { return entries().column(j); }
 
   double operator()(Index i, Index j) const { return entries()(i, j); }
@@ -98,7 +97,6 @@ class Flexibility {
   struct Found {
     std::mutex mutex;
     std::map<Index, Vector> responses;  ///< by the number of normals
-    Vector diagonal;
   };
 
   std::shared_ptr<const Operator> operator_;

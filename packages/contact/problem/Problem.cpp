@@ -70,14 +70,6 @@ Vector Problem::slipBounds(const Vector& multiplier) const {
   return bounds;
 }
 
-Problem withUncoupledBounds(const Problem& problem) {
-  Problem result = withSlipBounds(problem, problem.slipBounds({}));
-  std::transform(problem.tangentials.begin(), problem.tangentials.end(),
-                 result.tangentials.begin(),
-                 [](const Tangential& t) { return t.uncoupled(); });
-  return result;
-}
-
 Problem withSlipBounds(const Problem& problem, const Vector& bounds) {
   assert(bounds.size() == problem.tangentials.size());
   Problem fixed = problem.copy();

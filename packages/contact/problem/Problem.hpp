@@ -57,9 +57,6 @@ struct State {
   Vector rigid;       ///< α
 };
 
-/// The same problem with each slip bound following its own pressure alone.
-Problem withUncoupledBounds(const Problem& problem);
-
 /// The same problem with slip bounds given by value: a Tresca problem.
 Problem withSlipBounds(const Problem& problem, const Vector& bounds);
 

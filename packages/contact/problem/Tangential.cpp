@@ -59,14 +59,13 @@ std::vector<PointLaw> lawsAt(const std::vector<PressureBound>& fields,
 Tangential::Linear Tangential::linear(const Vector& pressures) const {
   const ElementLaw& element = *element_;
   const auto n = static_cast<Index>(element.nodes.size());
-  const double own = positive(pressures, normal_);
   Linear result;
-  Vector shares(static_cast<std::size_t>(together_ ? 1 : n), 0.0);  // T_ij
+  Vector shares(static_cast<std::size_t>(n), 0.0);  // T_ij
   double steepest = 0;
   for (Index k = 0; k < n; ++k) {
     const double share = element.inverse(place_, k);
-    double pressure = together_ ? own : 0;
-    for (Index j = 0; j < n && !together_; ++j)
+    double pressure = 0;
+    for (Index j = 0; j < n; ++j)
       pressure += element.values(k, j) *
                   positive(pressures, element.normals[static_cast<std::size_t>(j)]);
     const PointLaw& law = element.nodes[static_cast<std::size_t>(k)];
@@ -77,11 +76,10 @@ Tangential::Linear Tangential::linear(const Vector& pressures) const {
       result.value += share * rest;
     steepest = std::max(steepest, std::abs(slope));
     for (std::size_t j = 0; j < shares.size(); ++j)
-      shares[j] +=
-          share * slope * (together_ ? 1 : element.values(k, static_cast<Index>(j)));
+      shares[j] += share * slope * element.values(k, static_cast<Index>(j));
   }
   for (std::size_t j = 0; j < shares.size(); ++j) {
-    const Index normal = together_ ? normal_ : element.normals[j];
+    const Index normal = element.normals[j];
     const double pressure = positive(pressures, normal);
     // The ends' control points are values there: what else their rows have is rounding.
     const bool isRounding =
@@ -163,12 +161,6 @@ double Tangential::boundWithoutPressure() const {
   if (isTied())
     return std::numeric_limits<double>::infinity();
   return largest([](const PointLaw& law) { return law.bound(0); });
-}
-
-Tangential Tangential::uncoupled() const {
-  Tangential result = *this;
-  result.together_ = true;
-  return result;
 }
 
 Tangential Tangential::shifted(Index normals) const {

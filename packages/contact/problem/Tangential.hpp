@@ -65,16 +65,13 @@ class Tangential {
   std::vector<NormalShare> slopes(const Vector& pressures) const;
 
   bool followsPressure() const;
-  bool followsSeveral() const { return element_ != nullptr && !together_; }
+  bool followsSeveral() const { return element_ != nullptr; }
   /// Is there a pressure at which s > 0?
   bool carries() const;
   /// s <= s(0) + steepest() λ_n, see PointLaw.
   double steepest() const;
   /// s where there is no pressure at all.
   double boundWithoutPressure() const;
-
-  /// The same following its own pressure alone, as if that were on all of the element.
-  Tangential uncoupled() const;
 
   /// The same among more normal coefficients, of which so many come before its own.
   Tangential shifted(Index normals) const;
@@ -97,7 +94,6 @@ class Tangential {
   double factor_ = 1;  // m
   Index place_ = 0;    // i
   std::shared_ptr<const ElementLaw> element_;
-  bool together_ = false;  // are all of the element's pressures taken for the own?
 };
 
 /// The tangential coefficients of one element under a law.

@@ -1,18 +1,15 @@
 #include "contact/solve/LoadContinuation.hpp"
 
 #include "contact/equation/ProblemFamily.hpp"
-#include "contact/solve/Advance.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
-#include <limits>
+#include <algorithm>
 #include <utility>
 
 namespace epafi::contact {
 
 namespace {
-
-constexpr int fallbackSteps = 8;
 
 /// One load: a failure of any kind is a report.
 Solution attempt(const NonlinearSolver& solver, const Problem& problem,
@@ -27,15 +24,28 @@ Solution attempt(const NonlinearSolver& solver, const Problem& problem,
   return solution;
 }
 
-Solution followLoad(const NonlinearSolver& solver, const ProblemFamily& family, int steps,
-                    int most, Report before) {
-  const double step = 1.0 / steps;
-  Advance path = advance({{}, std::move(before)}, {step, step, 1.0 / 1024}, most,
-                         [&](double load, const State& start) {
-                           return attempt(solver, family.at({load, 1}), start);
-                         });
-  path.solution.report.loadReached = path.reached;
-  return std::move(path.solution);
+Solution followLoad(const NonlinearSolver& solver, const ProblemFamily& family,
+                    int steps) {
+  constexpr double smallest = 1.0 / 1024;
+  const double largest = 1.0 / steps;
+  Solution now;
+  double reached = 0;
+  for (double step = largest; reached < 1 && step >= smallest;) {
+    // Rounding shall not leave a tiny last step.
+    const double next = reached + step > 1 - 1e-9 ? 1 : reached + step;
+    Solution trial = attempt(solver, family.at({next, 1}), now.state);
+    trial.report = joined(std::move(trial.report), now.report);
+    if (trial.report.converged()) {
+      reached = next;
+      step = std::min(1.5 * step, largest);
+      now = std::move(trial);
+    } else {
+      step *= 0.5;
+      now.report = std::move(trial.report);
+    }
+  }
+  now.report.loadReached = reached;
+  return now;
 }
 
 }  // namespace
@@ -43,8 +53,7 @@ Solution followLoad(const NonlinearSolver& solver, const ProblemFamily& family, 
 bem::SchemaRows loadRows() {
   return {bem::Row("Load Steps", bem::Kind::Whole,
                    "equal steps in which the load is applied, each solution the start of "
-                   "the next; a step that fails is halved, and one load that fails is "
-                   "tried in steps")
+                   "the next; a step that fails is halved")
               .unit("1")
               .standard("1")
               .range({1, 1000})};
@@ -56,19 +65,8 @@ int parseLoadSteps(const Teuchos::ParameterList& list) {
 
 Solution solveInLoadSteps(const NonlinearSolver& solver, const Problem& problem,
                           const Vector& gap, const State& start, int steps) {
-  if (steps > 1)
-    return followLoad(solver, {problem, gap}, steps, std::numeric_limits<int>::max(), {});
-  Solution solution = solver.solve(problem, start);
-  if (solution.report.converged() || !solution.report.globalised)
-    return solution;
-  // At once and in steps may cost the same.
-  Solution followed =
-      followLoad(solver, {problem, gap}, fallbackSteps, solver.budget(), solution.report);
-  if (followed.report.converged())
-    return followed;
-  // At full load the state says more than one of a part of the load.
-  solution.report = std::move(followed.report);
-  return solution;
+  return steps > 1 ? followLoad(solver, {problem, gap}, steps)
+                   : solver.solve(problem, start);
 }
 
 }  // namespace epafi::contact

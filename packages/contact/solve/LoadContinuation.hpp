@@ -18,8 +18,7 @@ int parseLoadSteps(const Teuchos::ParameterList& list);
 ///   t (d₀ + g) - g,   t q,   t = 1/n, 2/n, ..., 1,   n = steps,
 ///
 /// each solution the start of the next; a step that fails is halved, the next one after a
-/// success is longer.  n = 1 is the solver's solve() from the given start, with steps only
-/// where its globalised iteration fails.  `gap`: see ContactProblem::gap.
+/// success is longer.  n = 1 is the solver's solve() from the given start.  `gap`: see ContactProblem::gap.
 /// \throws see NonlinearSolver::solve; bem::InputError if there are not as many gaps as
 ///   normal coefficients.
 Solution solveInLoadSteps(const NonlinearSolver& solver, const Problem& problem,

@@ -7,11 +7,7 @@ namespace epafi::contact {
 /// Solves condensed contact problems of one kind of friction.
 class NonlinearSolver {
  public:
-  /// `budget`: of Newton's steps, about; see Course.
-  explicit NonlinearSolver(int budget) : budget_(budget) {}
   virtual ~NonlinearSolver() = default;
-
-  int budget() const { return budget_; }
 
   /// Slow convergence is reported, not thrown.
   /// \throws bem::NumericalError if the arithmetic breaks down (singular Jacobian, NaN);
@@ -19,8 +15,6 @@ class NonlinearSolver {
   Solution solve(const Problem& problem, const State& start) const;
 
  private:
-  int budget_;
-
   /// \pre the problem is sound
   virtual Solution solveSound(const Problem& problem, const State& start) const = 0;
 };

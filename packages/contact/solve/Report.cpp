@@ -21,17 +21,12 @@ Report extended(Report report, Stage stage, const NewtonRun& run,
   report.restless.clear();
   if (run.end != End::Converged)
     report.restless = run.restless;
-  if (!run.merits.empty()) {
-    report.globalised = true;
-    report.merits = run.merits;
-  }
   return report;
 }
 
 Report joined(Report later, const Report& earlier) {
   later.newtonIterations += earlier.newtonIterations;
   later.coulombIterations += earlier.coulombIterations;
-  later.globalised = later.globalised || earlier.globalised;
   later.setChanges.insert(later.setChanges.begin(), earlier.setChanges.begin(),
                           earlier.setChanges.end());
   later.stages.insert(later.stages.begin(), earlier.stages.begin(), earlier.stages.end());

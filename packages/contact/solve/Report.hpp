@@ -18,8 +18,6 @@ struct Report {
   double residual = 0;           ///< scaled: relative to Problem::stress
   double tolerance = 0;          ///< what it was compared with, rounding floor included
   std::vector<int> setChanges;   ///< coefficients that changed state, step by step
-  bool globalised = false;       ///< full steps were given up for a line search
-  std::vector<double> merits;    ///< the last descent's merit function, step by step
   std::vector<StageRun> stages;  ///< what was tried, in order; the last one decides
   double loadReached = 1;        ///< the part of the load that could be applied in steps
   std::string said;              ///< by the arithmetic, of a linear system that failed

@@ -8,22 +8,12 @@ const char* nameOf(Stage stage) {
   switch (stage) {
     case Stage::FullSteps:
       return "full steps";
-    case Stage::Pivoting:
-      return "pivoting";
-    case Stage::InteriorPoint:
-      return "interior point";
     case Stage::FollowOffset:
       return "follow offset";
-    case Stage::MeritDescent:
-      return "merit descent";
     case Stage::NearStart:
       return "near start";
-    case Stage::FollowFriction:
-      return "follow friction";
     case Stage::FixedPoint:
       return "fixed point";
-    case Stage::Uncoupled:
-      return "uncoupled";
     default:
       return "load";
   }

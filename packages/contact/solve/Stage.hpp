@@ -7,18 +7,13 @@
 
 namespace epafi::contact {
 
-/// The methods of which a solve is made; those that others are part of come first.
+/// The methods of which a solve is made.
 enum class Stage {
-  FullSteps,      ///< Newton's steps from the start
-  Pivoting,       ///< sweeps, then chosen active sets
-  InteriorPoint,  ///< the middle of the box, then Newton's last digits
-  FollowOffset,   ///< complementary pivoting from an offset that is solved
-  MeritDescent,   ///< Armijo's rule on the smooth merit function
-  NearStart,      ///< a few steps to a slip bound to begin with
-  FollowFriction,
-  FixedPoint,  ///< updates of the slip bound
-  Uncoupled,   ///< every slip bound follows its own pressure alone
-  Load         ///< a part of the load
+  FullSteps,     ///< Newton's steps from the start, or from where sweeps lead
+  FollowOffset,  ///< complementary pivoting from an offset that is solved
+  NearStart,     ///< a few steps to a slip bound to begin with
+  FixedPoint,    ///< updates of the slip bound
+  Load           ///< a part of the load
 };
 
 /// What one of them did.
@@ -30,7 +25,7 @@ struct StageRun {
   std::vector<StageRun> parts{};  ///< other methods that it ran
 };
 
-/// "full steps 17 restless, follow friction 23 converged (pivoting 9 converged, ...)"
+/// "full steps 17 restless, follow offset 5 converged"
 std::string told(const std::vector<StageRun>& stages);
 
 }  // namespace epafi::contact

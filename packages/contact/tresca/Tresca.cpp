@@ -3,7 +3,6 @@
 #include "contact/equation/Equilibrium.hpp"
 #include "contact/newton/OffsetPath.hpp"
 #include "contact/newton/Sweeps.hpp"
-#include "contact/tresca/InteriorPoint.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -26,10 +25,8 @@ bem::SchemaRows trescaRows() {
           .standard(defaults.tolerance)
           .range({0, 1, true, true}),
       Row("Maximum Iterations", Kind::Whole,
-          bem::message(
-              "Newton steps of one run; where one does not suffice, other methods "
-              "follow, for about ",
-              Course::runs, " times as many, and steps of the load for as many"))
+          "Newton steps of one run; where one does not suffice, complementary pivoting "
+          "follows, for at most some four times as many")
           .unit("1")
           .standard(defaults.maximumIterations)
           .range(bem::from(1)),
@@ -41,113 +38,120 @@ TrescaOptions parseTresca(const Teuchos::ParameterList& list) {
           list.get<int>("Maximum Iterations")};
 }
 
-NewtonCourse::NewtonCourse(const Problem& problem, const State& start,
-                           const Tresca& tresca, Equation::Bound bound)
-    : Course(problem, start, tresca.options().maximumIterations),
-      tresca_(tresca),
-      equation_(problem, complementarities().at(tresca.options().complementarity), bound,
-                tresca.options().tolerance),
-      sharp_(problem, projection(), Equation::Bound::Differentiated,
-             tresca.options().tolerance),
-      start_(start),
-      hasStart_(std::any_of(start.multiplier.begin(), start.multiplier.end(),
-                            [](double x) { return x != 0; })) {}
-
-void NewtonCourse::steps(Stage stage, int most) {
-  add(stage, tresca_.newton().run(equation_, pack(problem(), state()),
-                                  NewtonMethod::Newton, std::min(most, left())));
-}
-
-void NewtonCourse::pivoting(Stage stage, const Equation& equation, const Vector& from) {
-  add(stage, tresca_.newton().run(equation, smoothed(equation, from),
-                                  NewtonMethod::Pivoting, run()));
-}
-
-void NewtonCourse::throughTheMiddle(Stage stage) {
-  constexpr int polishing = 20;
-  // Rarely one of them jams, and then the other one seldom does.
-  for (const SecondOrder order : {SecondOrder::ByReach, SecondOrder::Full}) {
-    const InteriorPoint middle = interiorPoint(sharp(), order, 2 * run());
-    NewtonRun last = tresca_.newton().run(sharp(), middle.unknowns, NewtonMethod::Newton,
-                                          std::min(polishing, run()));
-    last.iterations += middle.iterations;
-    add(stage, last);
-    globalise();
-    if (report().converged() || left() == 0)
-      return;
-  }
-}
-
-void NewtonCourse::followOffset(Stage stage) {
-  constexpr int polishing = 12;
-  constexpr int directions = 4;
-  constexpr int price = 3;  // of as many pivots as there are coefficients
-  const auto size = static_cast<int>(problem().size());
-  globalise();
-  Vector placement = state().rigid;
-  for (int direction = 0; direction < directions && !isOver(); ++direction) {
-    const OffsetPath path =
-        contact::followOffset(problem(), placement, direction, run() * size / price);
-    if (path.unknowns.empty())
-      continue;
-    NewtonRun last = tresca_.newton().run(sharp(), path.unknowns, NewtonMethod::Newton,
-                                          std::min(polishing, run()));
-    last.iterations += price * path.pivots / size;
-    add(stage, last);
-    placement = unpack(problem(), path.unknowns).rigid;
-  }
-}
-
 namespace {
 
-/// Without rigid motions D is definite, and so are all matrices of Newton's; a motion that
-/// bounded friction does not hold, and pressure not at all, is a proof.
-void requireSolvable(const NewtonCourse& course) {
-  const Report& report = course.report();
-  if (report.stages.back().end == End::NoBalance)
-    throw NoBalance();
-  if (report.stages.back().end == End::Singular && course.equation().hasActiveSets() &&
-      course.problem().rigidMotions() == 0)
-    throw bem::NumericalError(report.said);
-}
+/// More coefficients than these make a table of more than half a gigabyte, and paths of many
+/// minutes.
+constexpr Index mostToPivot = 8000;
 
-bool always(const NewtonCourse&) { return true; }
-bool startsAfar(const NewtonCourse& course) { return !course.knowsSets(); }
-bool knowsSets(const NewtonCourse& course) { return course.knowsSets(); }
+/// One problem, one equation, one report.
+class Stages {
+ public:
+  Stages(const Tresca& tresca, const Problem& problem, State start, Equation::Bound bound)
+      : tresca_(tresca),
+        problem_(problem),
+        equation_(tresca.equation(problem, bound)),
+        sharp_(problem, projection(), Equation::Bound::Differentiated,
+               tresca.options().tolerance),
+        state_(std::move(start)) {}
 
-void fullSteps(NewtonCourse& course, Stage stage) {
-  course.steps(stage, course.run());
-  requireSolvable(course);
-}
+  void fullSteps(int most) {
+    const bool knowsSets = equation_.hasActiveSets() &&
+                           std::any_of(state_.multiplier.begin(), state_.multiplier.end(),
+                                       [](double x) { return x != 0; });
+    const Vector start = pack(problem_, state_);
+    add(Stage::FullSteps,
+        tresca_.newton().run(equation_, knowsSets ? smoothed(equation_, start) : start,
+                             most));
+    if (!problem_.boundDependsOnPressure())
+      requireSolvable();
+  }
 
-void pivoting(NewtonCourse& course, Stage stage) {
-  const bool first = course.report().stages.empty();
-  course.pivoting(stage, course.sharp(), course.best());
-  if (first)
-    requireSolvable(course);
-}
+  void followOffset() {
+    if (!problem_.flexibility.isFormed())
+      return followFormedOffset();
+    constexpr int polishing = 12;
+    constexpr int directions = 4;
+    constexpr int price = 3;  // of as many pivots as there are coefficients
+    const int run = tresca_.options().maximumIterations;
+    const auto size = static_cast<int>(problem_.size());
+    // Where free motions are placed by springs, or a bound was a polygon's, a second path
+    // begins at the first one's end or from another direction.
+    Vector placement = state_.rigid;
+    for (int direction = 0; direction < directions && !converged(); ++direction) {
+      const OffsetPath path =
+          contact::followOffset(problem_, placement, direction, run * size / price);
+      if (path.unknowns.empty())
+        continue;
+      NewtonRun last =
+          tresca_.newton().run(sharp_, path.unknowns, std::min(polishing, run));
+      last.iterations += price * path.pivots / size;
+      add(Stage::FollowOffset, last);
+      placement = unpack(problem_, path.unknowns).rigid;
+    }
+  }
 
-void throughTheMiddle(NewtonCourse& course, Stage stage) {
-  course.throughTheMiddle(stage);
-}
+  bool converged() const { return report_.converged(); }
+  Solution solution() && { return {std::move(state_), std::move(report_)}; }
 
-bool mayFollowOffset(const NewtonCourse& course) { return course.mayFollowOffset(); }
+ private:
+  void add(Stage stage, const NewtonRun& run) {
+    report_ = extended(std::move(report_), stage, run, problem_);
+    if (problem_.boundDependsOnPressure())
+      report_.coulombIterations += run.iterations;
+    state_ = unpack(problem_, converged() ? run.last : run.best);
+  }
 
-void followOffset(NewtonCourse& course, Stage stage) { course.followOffset(stage); }
+  // Products in a tree have fewer digits than Newton's last steps want here, so that the
+  // solve goes on with the entries.
+  void followFormedOffset() {
+    if (problem_.size() > mostToPivot)
+      return;
+    Problem formed = problem_.copy();
+    formed.flexibility = problem_.flexibility.formed();
+    Stages there(tresca_, formed, std::move(state_), equation_.bound());
+    there.followOffset();
+    state_ = std::move(there.state_);
+    report_ = joined(std::move(there.report_), report_);
+  }
 
-constexpr PlannedStage<NewtonCourse> trescaPlan[] = {
-    {Stage::FullSteps, startsAfar, fullSteps},
-    {Stage::Pivoting, knowsSets, pivoting},
-    {Stage::FollowOffset, mayFollowOffset, followOffset},
-    {Stage::InteriorPoint, always, throughTheMiddle},
-    {Stage::Pivoting, startsAfar, pivoting},
+  /// Without rigid motions D is definite, and so are all matrices of Newton's; a motion that
+  /// bounded friction does not hold, and pressure not at all, is a proof.
+  void requireSolvable() const {
+    const End end = report_.stages.back().end;
+    if (end == End::NoBalance)
+      throw NoBalance();
+    if (end == End::Singular && equation_.hasActiveSets() && problem_.rigidMotions() == 0)
+      throw bem::NumericalError(report_.said);
+  }
+
+  const Tresca& tresca_;
+  const Problem& problem_;
+  Equation equation_;
+  Equation sharp_;  // the same by the projection, which has active sets
+  State state_;
+  Report report_;
 };
 
 }  // namespace
 
+Equation Tresca::equation(const Problem& problem, Equation::Bound bound) const {
+  return {problem, complementarities().at(options_.complementarity), bound,
+          options_.tolerance};
+}
+
+Solution Tresca::inStages(const Problem& problem, const State& start,
+                          Equation::Bound bound, int steps) const {
+  Stages stages(*this, problem, start, bound);
+  stages.fullSteps(steps);
+  if (!stages.converged())
+    stages.followOffset();
+  return std::move(stages).solution();
+}
+
 Solution Tresca::solveSound(const Problem& problem, const State& start) const {
-  return follow(trescaPlan,
-                NewtonCourse(problem, start, *this, Equation::Bound::Differentiated));
+  return inStages(problem, start, Equation::Bound::Differentiated,
+                  options_.maximumIterations);
 }
 
 }  // namespace epafi::contact

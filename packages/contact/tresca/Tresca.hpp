@@ -1,10 +1,11 @@
 #pragma once
 
 #include "bem/base/SchemaRow.hpp"
-#include "contact/solve/Course.hpp"
+#include "contact/newton/Newton.hpp"
 #include "contact/solve/NonlinearSolver.hpp"
 
 #include <string>
+#include <utility>
 
 namespace Teuchos {
 class ParameterList;
@@ -16,7 +17,7 @@ namespace epafi::contact {
 struct TrescaOptions {
   std::string complementarity = "Projection";  ///< a name of complementarities()
   double tolerance = 1e-12;                    ///< scaled residual, relative to the load
-  int maximumIterations = 50;                  ///< steps of one run, see Course
+  int maximumIterations = 50;                  ///< steps of one run
 };
 
 /// The keys of a list of these, and what a list that they have completed says.
@@ -25,66 +26,32 @@ TrescaOptions parseTresca(const Teuchos::ParameterList& list);
 
 /// Frictionless contact and Tresca's friction: slip bounds that do not depend on the
 /// pressure.
-///
-/// Newton's steps, or chosen active sets; complementary pivoting; the middle of the box.
-/// Each only where the one before fails.
 class Tresca final : public NonlinearSolver {
  public:
   /// `newton` must outlive this.
-  explicit Tresca(const Newton& newton, const TrescaOptions& options = {})
-      : NonlinearSolver(Course::runs * options.maximumIterations),
-        newton_(newton),
-        options_(options) {}
+  explicit Tresca(const Newton& newton, TrescaOptions options = {})
+      : newton_(newton), options_(std::move(options)) {}
 
   const Newton& newton() const { return newton_; }
   const TrescaOptions& options() const { return options_; }
+  Equation equation(const Problem& problem, Equation::Bound bound) const;
 
   /// Of a problem known to be sound.
   Solution solveSound(const Problem& problem, const State& start) const override;
 
+  /// The stages of every solve, whatever the bound follows:
+  ///
+  ///   full steps      Newton's, at most `steps`; a start that knows the active sets is
+  ///                   swept before, see smoothed()
+  ///   follow offset   complementary pivoting from no start, then Newton's last digits
+  ///
+  /// the second where the first fails.
+  Solution inStages(const Problem& problem, const State& start, Equation::Bound bound,
+                    int steps) const;
+
  private:
   const Newton& newton_;
   TrescaOptions options_;
-};
-
-/// A course with Newton's method and the equations that it may solve.
-class NewtonCourse : public Course {
- public:
-  NewtonCourse(const Problem& problem, const State& start, const Tresca& tresca,
-               Equation::Bound bound);
-
-  const Tresca& tresca() const { return tresca_; }
-  const Equation& equation() const { return equation_; }
-  /// The same by the projection, which has active sets.
-  const Equation& sharp() const { return sharp_; }
-
-  const State& start() const { return start_; }
-  /// Whether the start is a state, not zero; whether it says which sets are active, up to
-  /// a few coefficients, and D's entries are there to pivot with.
-  bool hasStart() const { return hasStart_; }
-  bool knowsSets() const {
-    return hasStart_ && equation_.hasActiveSets() && problem().flexibility.isFormed();
-  }
-  bool mayFollowOffset() const { return problem().flexibility.isFormed(); }
-
-  /// One run of Newton's, from where the course stands or from the best point.
-  void steps(Stage stage, int most);
-  void pivoting(Stage stage, const Equation& equation, const Vector& from);
-  /// Through the middle of what the bounds allow, which knows no active sets, then
-  /// Newton's last digits.
-  void throughTheMiddle(Stage stage);
-  /// Complementary pivoting from no start, then Newton's last digits.  Where free motions
-  /// are placed by springs, or a bound was a polygon's, a second path begins at the first
-  /// one's end or from another direction.  The pivots count as the factorisations that take
-  /// as many operations.
-  void followOffset(Stage stage);
-
- private:
-  const Tresca& tresca_;
-  Equation equation_;
-  Equation sharp_;
-  State start_;
-  bool hasStart_;
 };
 
 }  // namespace epafi::contact

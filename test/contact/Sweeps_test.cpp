@@ -1,0 +1,114 @@
+#include "contact/newton/Sweeps.hpp"
+
+#include "contact/CyclingProblem.hpp"
+#include "contact/RandomProblem.hpp"
+#include "contact/Solve.hpp"
+#include "reference/ProjectedSor.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+#include <random>
+
+namespace epafi {
+
+namespace {
+
+using contact::Equation;
+using contact::Evaluation;
+using contact::Index;
+using contact::Problem;
+using contact::Vector;
+using test::solve;
+
+Equation equationOf(const Problem& problem) {
+  return {problem, contact::projection(), Equation::Bound::Differentiated, 1e-12};
+}
+
+/// Copies of the cycling problem for the normal coefficients, random tangential ones, and
+/// a little random flexibility that couples them all.
+Problem stronglyCoupled(Index copies, const char* law, std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  const Problem block = test::cyclingProblem();
+  Problem problem;
+  problem.normals = 3 * copies;
+  const Index tangentials = law == std::string("None") ? 0 : problem.normals;
+  for (Index t = 0; t < tangentials; ++t)
+    problem.tangentials.emplace_back(t, contact::pointLaw(law, {0.2}));
+  const Index size = problem.size();
+  contact::Matrix root(size, size);
+  for (Index j = 0; j < size; ++j)
+    for (Index i = 0; i < size; ++i)
+      root(i, j) = normal(random);
+  contact::Matrix flexibility(size, size);
+  for (Index i = 0; i < size; ++i) {
+    const bool tangential = i >= problem.normals;
+    for (Index j = 0; j < size; ++j) {
+      for (Index k = 0; k < size; ++k)
+        flexibility(i, j) += 0.01 / static_cast<double>(size) * root(i, k) * root(j, k);
+      if (!tangential && i / 3 == j / 3)
+        flexibility(i, j) += block.flexibility(i % 3, j % 3);
+    }
+    flexibility(i, i) += tangential ? 5 : 0;
+    problem.offset.push_back(tangential ? normal(random) : block.offset[i % 3]);
+  }
+  problem.flexibility = std::move(flexibility);
+  problem.rigid = contact::Matrix(size, 0);
+  return problem;
+}
+
+/// Full steps from zero visit the same sets for ever on every third of these, about.
+TEUCHOS_UNIT_TEST(ActiveSets, whatFullStepsCycleOnIsSolved) {
+  std::mt19937 random(63);
+  int cycles = 0;
+  for (const char* law : {"None", "Tresca", "Coulomb"})
+    for (int k = 0; k < 100; ++k) {
+      const Problem problem = stronglyCoupled(1 + k % 6, law, random);
+      const auto solution = solve(problem, {}, {});
+      cycles += solution.report.stages.size() > 1 ? 1 : 0;
+      TEST_ASSERT(solution.report.status == contact::Status::Converged);
+      TEST_COMPARE(reference::violation(problem, solution.state), <, 1e-9);
+    }
+  out << cycles << " of 300 cycle\n";
+  TEST_COMPARE(cycles, >, 20);
+}
+
+// ½ λᵀDλ - d₀ᵀλ
+double energy(const Problem& problem, const Vector& x) {
+  double sum = 0;
+  for (Index i = 0; i < problem.size(); ++i) {
+    double row = -problem.offset[i];
+    for (Index j = 0; j < problem.size(); ++j)
+      row += 0.5 * problem.flexibility(i, j) * x[j];
+    sum += x[i] * row;
+  }
+  return sum;
+}
+
+TEUCHOS_UNIT_TEST(Smoothing, staysInTheBoxAndLowersTheEnergy) {
+  std::mt19937 random(64);
+  for (int k = 0; k < 40; ++k) {
+    const Problem problem = stronglyCoupled(4, k % 2 == 0 ? "None" : "Tresca", random);
+    const Equation equation = equationOf(problem);
+    const Vector start(problem.offset.size(), 0.1);
+    const Evaluation e = equation.at(smoothed(equation, start));
+    TEST_ASSERT(equation.projected(e) == e.unknowns);
+    TEST_COMPARE(energy(problem, e.unknowns), <, energy(problem, start));
+  }
+}
+
+TEUCHOS_UNIT_TEST(Smoothing, leavesASolutionAlone) {
+  std::mt19937 random(65);
+  test::Recipe recipe;
+  recipe.law = "Coulomb";
+  recipe.strength = 0.3;
+  recipe.rigidMotions = 1;
+  const Problem problem = randomProblem(recipe, random);
+  const Equation equation = equationOf(problem);
+  const Vector solution = pack(problem, solve(problem, {}, {}).state);
+  TEST_ASSERT(smoothed(equation, solution) == solution);
+}
+
+}  // namespace
+
+}  // namespace epafi
