@@ -1,9 +1,13 @@
 #include "drivers/Program.hpp"
 
+#include "bem/base/Error.hpp"
 #include "drivers/commands/CommandTable.hpp"
 #include "drivers/process/BlasCore.hpp"
+#include "drivers/process/ExitCode.hpp"
 #include "drivers/process/Memory.hpp"
 #include "drivers/process/Ranks.hpp"
+
+#include <iostream>
 
 namespace epafi {
 
@@ -14,6 +18,10 @@ int program(int argc, char* argv[]) {
   int code = 0;
   const auto failure = ranks.attempt([&] {
     code = drivers::dispatch({argv + 1, argv + argc}, ranks);
+    // A full disk behind > must not pass for a whole text.
+    if (ranks.isFirst() && code == drivers::Solved && !std::cout.flush())
+      throw bem::InputError(
+          "what is printed cannot be written: is the disk full, or the output closed?");
   });
   if (!failure)
     return code;

@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <sys/file.h>
+#include <unistd.h>
 #include <utility>
 
 namespace epafi::drivers {
@@ -118,9 +121,24 @@ void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
 
 }  // namespace
 
+FolderLock::FolderLock(const std::string& path)
+    : folder_(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  if (folder_ < 0 || flock(folder_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+    return;
+  close(folder_);
+  throw bem::InputError(bem::message("--output: another run writes into the folder '",
+                                     path, "' now; --output DIR goes elsewhere"));
+}
+
+FolderLock::~FolderLock() {
+  if (folder_ >= 0)
+    close(folder_);
+}
+
 OutputFolder::OutputFolder(std::string path, EarlierRun earlier)
     : path_(std::move(path)) {
   makeFolder(path_);
+  lock_ = std::make_unique<const FolderLock>(path_);
   deleteEarlierRun(path_, earlier);
   // Better now than after hours of computing.
   const fs::path probe = fs::path(path_) / ".epafi.probe";

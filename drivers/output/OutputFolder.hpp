@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -7,6 +8,20 @@ namespace epafi::drivers {
 
 /// What to do with the files of an earlier run in the same folder.
 enum class EarlierRun { Refuse, Delete, Continue };
+
+/// Keeps other runs out of a folder while it lives, also those of other processes; where the
+/// file system knows no locks it does nothing.
+class FolderLock {
+ public:
+  /// \throws bem::InputError if another run writes into the folder now.
+  explicit FolderLock(const std::string& path);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int folder_;
+};
 
 /// The folder that a run writes into.
 ///
@@ -18,7 +33,7 @@ class OutputFolder {
   /// Makes the folder and its parents; removes what an interrupted run has left staged, and
   /// what is left of a run or a study that has not solved a level.
   /// \throws bem::InputError if an earlier run's files are there and must not be touched,
-  /// if the path is a file, or if nothing can be written there.
+  /// if the path is a file, if nothing can be written there, or if another run does now.
   OutputFolder(std::string path, EarlierRun earlier);
   /// Removes what is staged.
   ~OutputFolder();
@@ -47,6 +62,7 @@ class OutputFolder {
   void discard();
 
   std::string path_;
+  std::unique_ptr<const FolderLock> lock_;
   std::vector<std::string> staged_;
   std::vector<std::string> written_;
 };

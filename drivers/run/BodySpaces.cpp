@@ -86,8 +86,10 @@ void cutEdge(int edge, double length, int count, int degree, bem::Vector nodes,
   double start = 0;
   bem::Position from{0, length};
   for (const double end : nodes) {
-    const int parts =
-        std::max(1, static_cast<int>(std::lround(count * (end - start) / length)));
+    // Halves go up however they are rounded: what is symmetric gets a symmetric mesh.
+    constexpr double upward = 0.5 + 1e-9;
+    const int parts = std::max(
+        1, static_cast<int>(std::floor(count * (end - start) / length + upward)));
     for (int k = 1; k <= parts; ++k) {
       const double place = start + (end - start) * k / parts;
       const bool last = k == parts && end == length;

@@ -133,7 +133,9 @@ class Expression {
   }
 
   double operator()(bem::Vec2 point) const {
-    const double value = evaluate(point);
+    double value = evaluate(point);
+    if (std::isnan(value))
+      value = std::abs(value);  // -nan would be read as an expression's sign
     if (!std::isfinite(value) && form_ != Form::OfPoint)
       fail(message("is ", value, names_.t == 1 ? "" : message(" at t = ", names_.t),
                    "; one finite number is needed", ends()));

@@ -14,8 +14,11 @@
 #include <Teuchos_XMLParameterListReader.hpp>
 #include <Teuchos_YamlParameterListCoreHelpers.hpp>
 
+#include <algorithm>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/trim.hpp>
+#include <boost/locale/utf.hpp>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -212,6 +215,17 @@ std::string readText(const std::string& file) {
 
 namespace {
 
+/// \throws bem::InputError at the first byte that is no UTF-8, with its line.
+void checkEncoding(const std::string& text) {
+  for (auto at = text.begin(); at != text.end();) {
+    const auto start = at;
+    if (boost::locale::utf::utf_traits<char>::decode(at, text.end()) >
+        boost::locale::utf::code_point{0x10FFFF})
+      throw InputError("line ", 1 + std::count(text.begin(), start, '\n'),
+                       " is not encoded in UTF-8; save the file with the encoding UTF-8");
+  }
+}
+
 /// Editors of Windows begin files with a mark of the encoding.
 std::string withoutMark(const std::string& text) {
   const auto begins = [&](const char* mark) { return text.rfind(mark, 0) == 0; };
@@ -221,6 +235,7 @@ std::string withoutMark(const std::string& text) {
         "its encoding is UTF-16 or UTF-32; save the file with the encoding UTF-8");
   if (const std::size_t zero = text.find('\0'); zero != std::string::npos)
     throw InputError("byte ", zero, " is zero; a scene is text");
+  checkEncoding(text);
   return begins("\xEF\xBB\xBF") ? text.substr(3) : text;
 }
 
@@ -231,7 +246,8 @@ RawScene rawScene(const std::string& marked, const std::string& file) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos)
     throw InputError("the file is empty");
   const std::filesystem::path path(file);
-  const std::string extension = path.extension().string();
+  const std::string extension =
+      boost::algorithm::to_lower_copy(path.extension().string());
   const bool yaml = extension == ".yaml" || extension == ".yml";
   return yaml ? readYaml(text, path.stem().string())
               : readXml(text, path.stem().string());

@@ -122,6 +122,18 @@ TEUCHOS_UNIT_TEST(Tables, areFunctionsOfExpressions) {
   }
 }
 
+TEUCHOS_UNIT_TEST(Expressions, haveNoSignWhereTheyAreNoNumber) {
+  SceneText text;
+  text.base = parameter("Type", "Contact") + parameter("Gap", "sin(1/x)");  // -nan at 0
+  const bem::Function gap = gapOf(text);
+  try {
+    gap({0, 0});
+    TEST_ASSERT(false);
+  } catch (const bem::InputError& error) {
+    TEST_ASSERT(contains(error.what(), "is nan at"));
+  }
+}
+
 TEUCHOS_UNIT_TEST(Tables, areReadFromFiles) {
   const test::TemporaryFile file(
       "profile.csv", "x in mm, gap in mm\n# measured\n0, 1\n1; 2 # end\n\n2 4e0\n");

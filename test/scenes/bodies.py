@@ -156,6 +156,18 @@ for sign in (-1, 1):
     claim(abs(ends[0] / ends[1] - 1) < 1e-3, "elements of %.3g and %.3g meet at x = %g" % (
         *ends, 0.5 * sign))
 
+# twelve elements on each third of three, four and a half beside them: as many left as right
+run(written("halves", [
+    body("a", block(-0.5, 0, 0.5, 1), 1.0, PRESS, "{X, Rotation}", mesh(4, 2, 1)),
+    body("b", block(-2, -1, 2, 0), 5.0, CLAMP, "", mesh(12, 2, 1))],
+    contact("c", "a:bottom", "b:top")), "halves")
+middles = {}
+for row in table(os.path.join(WORK, "halves", "boundary.csv")):
+    if row["boundary"] == "b:top":
+        middles.setdefault(row["element"], []).append(row["x"])
+left, right = (sum(sign * sum(x) > 0.5 * len(x) for x in middles.values()) for sign in (-1, 1))
+claim(left == right == 5, "%d elements left of the contact, %d right of it" % (left, right))
+
 
 # what is refused, with the key and the reason
 def refused(what, bodies, contacts, *words):

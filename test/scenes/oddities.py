@@ -98,6 +98,15 @@ for encoding, code in [("utf-8-sig", 0), ("utf-16", 1), ("utf-16-le", 1), ("utf-
     done, said = epafi("check", marked)
     claim(done == code and (code == 0 or "encoding" in said), "%s: exit %d, %s" % (
         encoding, done, said.splitlines()[-1][-70:]))
+with open(marked, "w", encoding="latin-1") as stream:
+    stream.write(text.replace('name="', 'name="\xe4', 1))
+done, said = epafi("check", marked)
+claim(done == 1 and "UTF-8" in said and ": line " in said, "latin-1: " + said.strip()[-90:])
+loud = os.path.join(WORK, "LOUD.YAML")
+with open(loud, "w") as stream:
+    stream.write("Loud:\n  Bodis: {}\n")
+done, said = epafi("check", loud)
+claim(done == 1 and "'Bodies'" in said, "YAML in a file whose name is in capitals: " + said.strip()[:90])
 
 # memory: what is foretold against what is taken, and levels that would not fit
 history, _ = run(scene("coulomb.xml"), "large", levels(7))

@@ -38,6 +38,11 @@ refused("a cap below the first level", ["Maximum Degrees of Freedom"], "run", TR
         "--output", fresh("cap"), "--set", "Adaptivity->Maximum Degrees of Freedom=10")
 refused("help is no failure", ["epafi check"], "--help", code=0)
 refused("the version names the BLAS core", ["BLAS core"], "version", code=0)
+for command in ("parameters", "schema", "help"):
+    with open("/dev/full", "w") as full:
+        done = subprocess.run([EPAFI, command], stdout=full, stderr=subprocess.PIPE, universal_newlines=True)
+    claim(done.returncode == 1 and "cannot be written" in done.stderr,
+          "epafi %s on a full disk: exit %d, %s" % (command, done.returncode, done.stderr.strip()))
 
 # folders
 folder = os.path.join(fresh("deep"), "er", "still")
@@ -161,6 +166,8 @@ def interrupted(sentence, name, command, ready, codes):
     while time.time() < deadline and not ready(folder):
         time.sleep(0.02)
     time.sleep(0.5)
+    refused("a folder that another run writes into", ["another run"], "run", TRESCA, "--output",
+            folder, "--force", *ONE)
     began = time.time()
     process.send_signal(signal.SIGINT)
     text = process.communicate()[1]

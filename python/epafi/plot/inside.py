@@ -61,11 +61,12 @@ def limits(values, weights, name):
 
 def finish(figure, axes, drawn, cut, largest, name, title, extent, pictures):
     place = axes.inset_axes([1.02, 0, 0.2 / axes.figure.get_figwidth(), 1])  # as high as the body
-    bar = figure.colorbar(drawn, cax=place, extend={"": "neither", "minmax": "both"}.get(cut, cut))
-    bar.set_label(NAMES[name] + (" (up to %.3g)" % largest if "max" in cut else ""))
+    figure.colorbar(drawn, cax=place, extend={"": "neither", "minmax": "both"}.get(cut, cut))
     axes.grid(False)
     equal_axes(axes, *extent)
-    axes.set_title("%s: %s" % (title, NAMES[name]))
+    # not beside the bar, which may be too low for words
+    axes.set_title("%s: %s" % (title, NAMES[name]) +
+                   (", up to %.3g" % largest if "max" in cut else ""))
     pictures.save(figure, name)
 
 
@@ -96,8 +97,8 @@ def draw_window(cells, name, rigid, title, pictures):
     (x, column), (y, row) = (np.unique(cells[axis], return_inverse=True) for axis in ("x", "y"))
     image = np.full((len(y), len(x)), np.nan)
     image[row, column] = values
-    half = 0.5 * min(np.diff(axis).min() if len(axis) > 1 else 1.0 for axis in (x, y))
-    extent = (x[0] - half, x[-1] + half, y[0] - half, y[-1] + half)
+    steps = [np.diff(axis).min() for axis in (x, y) if len(axis) > 1] or [1.0]
+    extent = (x[0] - steps[0] / 2, x[-1] + steps[0] / 2, y[0] - steps[-1] / 2, y[-1] + steps[-1] / 2)
     shape = (extent[1] - extent[0], extent[3] - extent[2])
     figure, axes = figure_for(shape)
     drawn = axes.imshow(image, origin="lower", extent=extent, interpolation="bilinear", vmin=low,
