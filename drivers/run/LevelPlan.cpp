@@ -25,11 +25,13 @@ std::vector<BodySize> sizesOf(const BodySpaces& spaces) {
       smallest = std::min(smallest, element.half);
       largest = std::max(largest, element.half);
     }
+    const contact::MultiplierSpace& multiplier = spaces.multiplier(b);
+    const bool meetsElastic = !spaces.opposite(b)->bodies().empty();
     sizes.push_back({static_cast<double>(space.displacements()),
                      static_cast<double>(space.densities()),
-                     static_cast<double>(spaces.multiplier(b).size()),
+                     static_cast<double>(multiplier.size()),
                      static_cast<double>(space.mesh().size()), largest / smallest,
-                     !spaces.opposite(b)->bodies().empty()});
+                     meetsElastic ? static_cast<double>(multiplier.normals()) : 0});
   }
   return sizes;
 }
@@ -49,7 +51,7 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks) {
   const Operators wanted = linearMethods().at(scene.linear.method).operators;
   const int processes = ranks.algebra().processes();
   const std::vector<BodySize> sizes = sizesOf(spaces);
-  const int steps = scene.history ? static_cast<int>(scene.history.times.size()) : 1;
+  const int steps = scene.history.steps();
   const Cost dense = denseCost(sizes, steps, processes);
   const Cost compressed = compressedCost(sizes, steps, processes);
   if (wanted == Operators::Compressed)

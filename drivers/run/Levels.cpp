@@ -13,6 +13,7 @@
 #include "drivers/run/SolvedBodies.hpp"
 #include "drivers/run/Solver.hpp"
 #include "drivers/run/UnheldMotions.hpp"
+#include "drivers/scene/LinearCost.hpp"
 
 namespace epafi::drivers {
 
@@ -241,7 +242,8 @@ Attempt solveLevel(const Scene& scene, const BodySpaces& spaces,
     for (std::size_t b = 0; b < count; ++b)
       inputs.push_back({spaces.space(b), stiffness[b], lames[b], units,
                         scene.history ? first[b] : scene.bodies[b].conditions, basis,
-                        scene.stabilization, spaces.opposite(b)});
+                        scene.stabilization, spaces.opposite(b),
+                        formedUpTo(scene.history.steps())});
     return contact::ContactSystem(inputs, scene.drivesAt(scene.history ? 0 : 1));
   });
   checkResistance(scene, system);

@@ -14,6 +14,8 @@ struct History {
   double minimumStep = 0;
 
   explicit operator bool() const { return !times.empty(); }
+  /// One of a scene without a path.
+  int steps() const { return times.empty() ? 1 : static_cast<int>(times.size()); }
   double shortest(double step) const { return minimumStep > 0 ? minimumStep : step / 64; }
 };
 

@@ -67,8 +67,8 @@ def chosen(name, file, elements, settings):
 
 claim(chosen("small", "coulomb.xml", [64] * 4, DENSITY)[0] == "dense", "small levels are dense")
 claim(chosen("large", "coulomb.xml", [256] * 4, DENSITY)[0] == "compressed", "large ones are compressed")
-FOUNDATION = [192, 192, 48, 96, 48, 192]
-claim(chosen("fits", "tresca.xml", FOUNDATION, NONE)[0] == "dense", "a level of 768 elements is dense")
+FOUNDATION = [176, 176, 44, 88, 44, 176]
+claim(chosen("fits", "tresca.xml", FOUNDATION, NONE)[0] == "dense", "a level of 704 elements is dense")
 claim(chosen("narrow", "tresca.xml", FOUNDATION, [*NONE, "Adaptivity->Maximum Memory=112"])[0] ==
       "compressed", "but compressed where dense matrices do not fit")
 claim(chosen("none", "tresca.xml", FOUNDATION, [*NONE, "Adaptivity->Maximum Memory=80"])[0] == "none",

@@ -21,6 +21,22 @@ Matrix LowerTriangle::unpacked() const {
   return lower;
 }
 
+Vector LowerTriangle::columns(const std::vector<Index>& which) const {
+  Vector result(at(size_) * which.size());
+  double* entries = result.data();
+  for (const Index c : which) {
+    for (Index i = firstRow(c); i < rows_.end; ++i)
+      entries[i] = column(c)[i - firstRow(c)];
+    entries += size_;
+  }
+  // what stands before the diagonal in their rows: column by column of the triangle
+  for (Index j = 0; j < rows_.end; ++j)
+    for (std::size_t k = 0; k < which.size(); ++k)
+      if (j < which[k] && rows_.contain(which[k]))
+        result[k * at(size_) + at(j)] = column(j)[which[k] - firstRow(j)];
+  return result;
+}
+
 Vector LowerTriangle::times(const Vector& x) const {
   Vector y(size_);
   for (Index j = 0; j < rows_.end; ++j) {

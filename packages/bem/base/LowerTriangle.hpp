@@ -25,6 +25,10 @@ class LowerTriangle {
   /// My rows of the n x n matrix, zero above the diagonal; new memory.
   Matrix unpacked() const;
 
+  /// What my rows contribute to columns of A, one after the other; the sum over all
+  /// processes is the columns.
+  Vector columns(const std::vector<Index>& which) const;
+
   /// What my rows contribute to A x; the sum over all processes is A x.
   Vector times(const Vector& x) const;
 

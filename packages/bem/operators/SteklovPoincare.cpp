@@ -175,11 +175,48 @@ SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebr
 // S φ = W φ + (K' + 1/2) V⁻¹ (K + 1/2) φ, transposed
 void SteklovPoincare::makeTractions(TractionKernels kernels) {
   tractionElements_ = std::move(kernels.elements);
-  tractions_ = std::make_shared<const TractionRows>(TractionRows{
-      tractionElements_.empty() ? Matrix()
-                                : addAdjointDensity(std::move(kernels.hypersingular),
-                                                    std::move(kernels.adjoint)),
-      std::move(kernels.start)});
+  if (tractionElements_.empty()) {
+    tractions_ =
+        std::make_shared<const TractionRows>(TractionRows{{}, std::move(kernels.start)});
+    return;
+  }
+  const Matrix lowest =
+      addAdjointDensity(std::move(kernels.hypersingular), std::move(kernels.adjoint));
+  Matrix rows(lowest.rows(), kernels.start.back());
+  for (std::size_t k = 0; k < tractionElements_.size(); ++k)
+    for (Index c = 0; c < 4; ++c)
+      std::copy_n(lowest.column(4 * static_cast<Index>(k) + c), lowest.rows(),
+                  rows.column(kernels.start[k] + c));
+  addRaised(kernels.raised, lowest, rows);
+  tractions_ = std::make_shared<const TractionRows>(
+      TractionRows{std::move(rows), std::move(kernels.start)});
+}
+
+// S of displacements with a rotation beside them is Pᵀ S P,  P e_k = e_k - q_k r_I
+void SteklovPoincare::addRaised(const std::vector<TractionKernels::Raised>& raised,
+                                const Matrix& lowest, Matrix& rows) const {
+  constexpr std::size_t atOnce = 64;
+  const Index mine = stiffness_.rows().begin;
+  const Index n = static_cast<Index>(half_.columns());
+  for (std::size_t first = 0; first < raised.size(); first += atOnce) {
+    const std::size_t last = std::min(first + atOnce, raised.size());
+    std::vector<Index> which;
+    for (std::size_t k = first; k < last; ++k)
+      which.push_back(raised[k].displacement);
+    const Vector columns = algebra_->sum(stiffness_.columns(which));
+    for (std::size_t k = first; k < last; ++k) {
+      const TractionKernels::Raised& r = raised[k];
+      const double* stiffness = columns.data() + n * static_cast<Index>(k - first) + mine;
+      for (Index i = 0; i < rows.rows(); ++i)
+        rows(i, r.column) =
+            r.ofEarlier * rows(i, r.earlier) + r.ofStiffness * stiffness[i];
+      if (rotation_ != nullptr)
+        for (Index i = 0; i < rows.rows(); ++i)
+          rows(i, r.column) += r.ofStiffness *
+                               rotation_->functional()[at(r.displacement)] *
+                               lowest(i, lowest.columns() - 1);
+    }
+  }
 }
 
 Vector SteklovPoincare::apply(const Vector& u) const {

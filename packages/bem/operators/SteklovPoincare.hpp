@@ -81,6 +81,8 @@ class SteklovPoincare {
 
  private:
   void makeTractions(TractionKernels kernels);
+  void addRaised(const std::vector<TractionKernels::Raised>& raised, const Matrix& lowest,
+                 Matrix& rows) const;
 
   /// A vector of the densities in the order of the factor, and back.
   Vector ordered(const Vector& b) const;

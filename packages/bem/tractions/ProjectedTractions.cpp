@@ -11,6 +11,8 @@ namespace epafi::bem {
 
 namespace {
 
+constexpr int moments = 2;  // those of P_0 and P_1
+
 std::vector<int> nearSources(const ElementRuns& runs, int test) {
   std::vector<int> near;
   FarBatch batch{};
@@ -36,30 +38,47 @@ ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
   const Mesh& mesh = space.mesh();
   kernels_.elements = elements;
   kernels_.start.assign(1, 0);
-  for (const int e : elements)
-    kernels_.start.push_back(kernels_.start.back() + 2 * (mesh[e].degree + 1));
-  kernels_.hypersingular = Matrix(displacementRows_.size(), kernels_.start.back());
-  kernels_.adjoint = Matrix(densityRows_.size(), kernels_.start.back());
   if (elements.empty())
     return;
-  const FarTractionRows far(space, lame, algebra);
+  for (const int e : elements) {
+    raise(e, kernels_.start.back());
+    kernels_.start.push_back(kernels_.start.back() + 2 * (mesh[e].degree + 1));
+  }
   const auto count = static_cast<int>(elements.size());
+  const Index columns = 2 * moments * count + (space.rotation() == nullptr ? 0 : 1);
+  kernels_.hypersingular = Matrix(displacementRows_.size(), columns);
+  kernels_.adjoint = Matrix(densityRows_.size(), columns);
+  const FarTractionRows far(space, lame, algebra);
 #pragma omp parallel
   {
     NearMoments near;
-    const auto moments = std::make_unique<TileMoments>();
+    const auto tile = std::make_unique<TileMoments>();
 #pragma omp for schedule(dynamic, 4)
     for (int k = 0; k < count; ++k) {
-      const auto at = static_cast<std::size_t>(k);
-      const int test = elements[at];
-      far.write(test, mesh[test].degree + 1, largestSmoothOrder, kernels_.start[at],
-                kernels_.hypersingular, kernels_.adjoint);
+      const int test = elements[static_cast<std::size_t>(k)];
+      const Index first = 2 * moments * k;
+      far.write(test, moments, largestSmoothOrder, first, kernels_.hypersingular,
+                kernels_.adjoint);
       for (const int source : nearSources(far.runs(), test)) {
-        near.evaluate(mesh, test, source, *moments, 0);
-        addPair(test, source, kernels_.start[at], *moments);
+        near.evaluate(mesh, test, source, *tile, 0);
+        addPair(test, source, first, *tile);
       }
     }
   }
+}
+
+// φ_i = slope(i) (P_i - P_{i-2}) / (2i-1),  P̂_i = √((2i+1)/2h) P_i
+void ProjectedTractions::raise(int element, Index first) {
+  const Element& e = space_.mesh()[element];
+  for (int i = 2; i <= e.degree; ++i)
+    for (int c = 0; c < 2; ++c) {
+      const Index column = first + 2 * i + c;
+      kernels_.raised.push_back({column, column - 4,
+                                 std::sqrt((2 * i + 1) / (2 * i - 3.0)),
+                                 space_.displacement(element, i, c),
+                                 std::sqrt((2 * i + 1) / (2 * e.half)) * (2 * i - 1) /
+                                     DisplacementBasis::slope(i)});
+    }
 }
 
 void ProjectedTractions::addHypersingular(int source, int j, Index column,
@@ -81,21 +100,17 @@ void ProjectedTractions::addPair(int test, int source, Index first,
   for (int j = 0; j < y.degree; ++j) {
     const auto at = static_cast<std::size_t>(j);
     const Index density = space_.density(source, j, 0);
-    // P_i' = (2i-1) P_{i-1} + (2i-5) P_{i-3} + ...: sums for odd and even i.  The
-    // constant part of d d'/r² cancels between these sums and the ends.
-    double log[2] = {start.log[at] - end.log[at], -start.log[at] - end.log[at]};
-    Complex phase[2] = {start.phase[at] - end.phase[at],
-                        -start.phase[at] - end.phase[at]};
-    for (int i = 0; i <= x.degree; ++i) {
-      double& l = log[i % 2];
-      Complex& c = phase[i % 2];
-      if (i > 0) {
-        l += (2 * i - 1) * m.log[(i - 1) * TileMoments::stride + j][0];
-        c += (2 * i - 1.0) * m.phase(i - 1, j, 0, tangent);
-      }
+    // the constant part of d d'/r² cancels between P_1' = P_0 and the ends
+    const double log[moments] = {start.log[at] - end.log[at],
+                                 m.log[j][0] - start.log[at] - end.log[at]};
+    const Complex phase[moments] = {
+        start.phase[at] - end.phase[at],
+        m.phase(0, j, 0, tangent) - start.phase[at] - end.phase[at]};
+    for (int i = 0; i < moments; ++i) {
+      const Complex c = phase[i];
       const double scale = std::sqrt((2 * i + 1) / (2 * x.half));
       const Index column = first + 2 * i;
-      const PotentialMoments<double> potentials{l, c.real(), c.imag(), 0};
+      const PotentialMoments<double> potentials{log[i], c.real(), c.imag(), 0};
       addHypersingular(source, j, column,
                        scale * singleLayerBlock(lame_.d, lame_.d, potentials));
 

@@ -11,14 +11,28 @@
 namespace epafi::bem {
 
 /// <W φ, P̂_i e_a>_E and <(K' + 1/2) ψ, P̂_i e_a>_E on some elements E, P̂_i orthonormal on
-/// E, i <= p_E: the kernels' part of the projected tractions of [P (42)], transposed.
+/// E, i < 2: the kernels' part of the projected tractions of [P (42)], transposed.  Column
+/// 4 k + 2 i + a belongs to the k-th element; rows are mine.
 ///
-/// Column start[k] + 2 i + a belongs to the k-th element; rows are mine.
+/// Higher degrees are in S: P_i - P_{i-2} is a multiple of a displacement that lives on E.
 struct TractionKernels {
   std::vector<int> elements;
-  std::vector<Index> start;
-  Matrix hypersingular;  ///< displacements x columns
-  Matrix adjoint;        ///< densities x columns
+  std::vector<Index> start;  ///< of an element's TractionRows
+  /// displacements x columns; on a boundary with arcs one more, of the rotation, see
+  /// withExactRotation
+  Matrix hypersingular;
+  Matrix adjoint;  ///< densities x columns, likewise
+
+  /// Column `column` of the TractionRows is
+  /// ofEarlier · column `earlier` + ofStiffness · S e_displacement.
+  struct Raised {
+    Index column;
+    Index earlier;
+    double ofEarlier;
+    Index displacement;
+    double ofStiffness;
+  };
+  std::vector<Raised> raised;  ///< those of degree 2 and more, in their order
 };
 
 /// The discrete traction S_hp φ = W φ + (K' + 1/2) V⁻¹ (K + 1/2) φ on some elements, as
@@ -53,6 +67,8 @@ class ProjectedTractions {
   TractionKernels finish() { return std::move(kernels_); }
 
  private:
+  void raise(int element, Index first);
+
   /// Adds a block to the rows of the source's functions φ_k with φ_k' = slope P_j.
   void addHypersingular(int source, int j, Index column, const Block& block);
 
