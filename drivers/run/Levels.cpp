@@ -48,14 +48,16 @@ bem::SteklovPoincare stiffnessOf(bem::Operators operators,
   return bem::SteklovPoincare(std::move(operators), algebra, compliance);
 }
 
-std::vector<adaptivity::Indicators> estimated(const Ground& ground,
-                                              const SolvedBodies& solved) {
-  std::vector<adaptivity::Indicators> result;
-  for (std::size_t b = 0; b < solved.bodies().size(); ++b)
-    result.push_back(adaptivity::estimateResidual(solved.bodies()[b],
-                                                  solved.densities()[b], ground.lames[b],
-                                                  ground.scene.adaptivity.estimator));
-  return result;
+/// Of each body the largest indicators over some states.
+void estimate(const Ground& ground, const std::vector<const SolvedBodies*>& states,
+              Level& level) {
+  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
+    std::vector<adaptivity::Estimated> ofBody;
+    for (const SolvedBodies* solved : states)
+      ofBody.push_back({solved->bodies()[b], solved->densities()[b]});
+    level.bodies[b].indicators = adaptivity::largest(adaptivity::estimateResiduals(
+        ofBody, ground.lames[b], ground.scene.adaptivity.estimator));
+  }
 }
 
 /// A level that is solved now.
@@ -123,16 +125,11 @@ std::vector<StepFields> fieldsOf(const Path& path) {
   return steps;
 }
 
-/// Of each body the largest indicators over the steps.
-void estimatePath(const Ground& ground, const Path& path, Level& level) {
-  std::vector<std::vector<adaptivity::Indicators>> all(level.bodies.size());
-  for (const auto& step : path.steps) {
-    std::vector<adaptivity::Indicators> now = estimated(ground, *step->solved);
-    for (std::size_t b = 0; b < all.size(); ++b)
-      all[b].push_back(std::move(now[b]));
-  }
-  for (std::size_t b = 0; b < all.size(); ++b)
-    level.bodies[b].indicators = adaptivity::largest(all[b]);
+std::vector<const SolvedBodies*> statesOf(const Path& path) {
+  std::vector<const SolvedBodies*> states;
+  for (const auto& step : path.steps)
+    states.push_back(step->solved.get());
+  return states;
 }
 
 /// Levels outside, steps inside: the whole path on one mesh.
@@ -156,7 +153,7 @@ Attempt solvePath(const Ground& ground, const contact::ContactSystem& atZero,
   const SolvedBodies& solved = *path.last().solved;
   Level level = levelOf(ground, path);
   level.steps = fieldsOf(path);
-  timer.run(Phase::Estimate, [&] { estimatePath(ground, path, level); });
+  timer.run(Phase::Estimate, [&] { estimate(ground, statesOf(path), level); });
   timer.run(Phase::Results, [&] {
     LevelRow row = makeRow(level, begun, gamma0Of(atZero), solved, path.report);
     row.summary.energyFriction = path.last().row.energyDissipated;
@@ -184,11 +181,7 @@ Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
   Level level = solved.level(ground.level);
   level.status = report.status;
   level.reason = outcome.reason;
-  timer.run(Phase::Estimate, [&] {
-    std::vector<adaptivity::Indicators> indicators = estimated(ground, solved);
-    for (std::size_t b = 0; b < indicators.size(); ++b)
-      level.bodies[b].indicators = std::move(indicators[b]);
-  });
+  timer.run(Phase::Estimate, [&] { estimate(ground, {&solved}, level); });
   timer.run(Phase::Results, [&] {
     begun.handOut({solved.bodies(), level,
                    makeRow(level, begun, gamma0Of(system), solved, report)});

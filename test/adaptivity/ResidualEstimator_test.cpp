@@ -34,8 +34,10 @@ bem::Mesh squareMesh(int elements, int degree, double length = 1) {
 
 Indicators estimate(const SolvedScene& scene, const std::string& weights = "Energy",
                     double residualFactor = 1) {
-  return adaptivity::estimateResidual(scene.solved(), scene.density(), scene.lame(),
-                                      {weights, residualFactor});
+  const auto solved = scene.solved();
+  return adaptivity::estimateResiduals({{solved, scene.density()}}, scene.lame(),
+                                       {weights, residualFactor})
+      .front();
 }
 
 bem::Function component(const std::function<Vec2(Vec2)>& f, double Vec2::*part) {

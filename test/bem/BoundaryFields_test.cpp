@@ -46,12 +46,14 @@ struct Errors {
 /// Of an exact field's Cauchy data on a mesh.
 Errors errorsOf(const bem::Mesh& mesh, const bem::Lame& lame, const ExactField& field) {
   const bem::Space space(mesh);
-  const bem::BoundaryFields fields(space, lame, displacementOf(space, field),
-                                   tractionOf(space, field));
+  const Vector u = displacementOf(space, field);
+  const Vector psi = tractionOf(space, field);
+  const bem::BoundaryFields fields(space, lame, {{u, psi}});
   Errors errors;
   double size = 0;
-  for (int e = 0; e < mesh.size(); ++e)
-    for (const bem::BoundaryValue& value : fields.on(e)) {
+  for (int e = 0; e < mesh.size(); ++e) {
+    const auto values = fields.on(e).front();
+    for (const bem::BoundaryValue& value : values) {
       const Vec2 exact = field.stress(mesh.scaledPoint(e, value.place.t)) *
                          mesh[e].curve.normal(value.place.t);
       const Vec2 off = value.traction - exact;
@@ -59,6 +61,7 @@ Errors errorsOf(const bem::Mesh& mesh, const bem::Lame& lame, const ExactField& 
       errors.mismatch += value.weight * dot(value.mismatch, value.mismatch);
       size += value.weight * dot(exact, exact);
     }
+  }
   return {std::sqrt(errors.traction / size), std::sqrt(errors.mismatch / size)};
 }
 
@@ -105,7 +108,7 @@ TEUCHOS_UNIT_TEST(BoundaryFields, areLimitsOfTheFieldsInside) {
     const bem::Space space(mesh);
     const Vector u = anyVector(space.displacements(), 0.3);
     const Vector psi = anyVector(space.densities(), 1.1);
-    const bem::BoundaryFields fields(space, lame, u, psi);
+    const bem::BoundaryFields fields(space, lame, {{u, psi}});
     double tractionError = 0;
     double mismatchError = 0;
     double tractionSize = 0;
@@ -118,7 +121,8 @@ TEUCHOS_UNIT_TEST(BoundaryFields, areLimitsOfTheFieldsInside) {
         return evaluateInterior(space, lame, u, psi, x).displacement -
                space.displacementAt(u, e, t);
       };
-      for (const bem::BoundaryValue& value : fields.at(e, {inside(-0.6), inside(0.3)})) {
+      const auto values = fields.at(e, {inside(-0.6), inside(0.3)}).front();
+      for (const bem::BoundaryValue& value : values) {
         const double t = value.place.t;
         const auto inner =
             evaluateInterior(space, lame, u, psi,
@@ -220,18 +224,57 @@ double squareOf(const std::vector<bem::BoundaryValue>& values) {
   return square;
 }
 
+// Near, by points, and by the moments of groups, which a mesh of 520 elements has.
+TEUCHOS_UNIT_TEST(BoundaryFields, ofSeveralStatesAreThoseOfEach) {
+  const bem::Lame lame = lameOf(0.3);
+  std::vector<Sample> samples = hardSamples();
+  samples.push_back(
+      {"many elements", bem::makeMesh(std::make_shared<const bem::Outline>(square()),
+                                      {130, 130, 130, 130}, 1)});
+  for (const Sample& sample : samples) {
+    const bem::Space space(sample.mesh);
+    std::vector<Vector> u;
+    std::vector<Vector> psi;
+    for (const double seed : {0.3, 0.9, 1.7, 2.2, 3.1}) {
+      u.push_back(anyVector(space.displacements(), seed));
+      psi.push_back(anyVector(space.densities(), seed + 1));
+    }
+    std::vector<bem::BoundaryState> states;
+    for (std::size_t k = 0; k < u.size(); ++k)
+      states.push_back({u[k], psi[k]});
+    const bem::BoundaryFields all(space, lame, states);
+    double error = 0;
+    double size = 0;
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      const bem::BoundaryFields own(space, lame, {states[k]});
+      for (int e = 0; e < sample.mesh.size(); e += 1 + sample.mesh.size() / 20) {
+        const auto together = all.on(e)[k];
+        const auto alone = own.on(e).front();
+        for (std::size_t q = 0; q < alone.size(); ++q) {
+          error = std::max({error, norm(together[q].traction - alone[q].traction),
+                            norm(together[q].mismatch - alone[q].mismatch)});
+          size = std::max({size, norm(alone[q].traction), norm(alone[q].mismatch)});
+        }
+      }
+    }
+    out << sample.name << ": ";
+    TEST_COMPARE(error, <=, 1e-12 * size);
+  }
+}
+
 // The fields have logarithms at nodes.
 TEUCHOS_UNIT_TEST(BoundaryFields, haveTheirSquaresIntegratedByAFewPoints) {
   const bem::Lame lame = lameOf(0.3);
   for (const Sample& sample : hardSamples()) {
     const bem::Mesh& mesh = sample.mesh;
     const bem::Space space(mesh);
-    const bem::BoundaryFields fields(space, lame, anyVector(space.displacements(), 0.3),
-                                     anyVector(space.densities(), 1.1));
+    const Vector u = anyVector(space.displacements(), 0.3);
+    const Vector psi = anyVector(space.densities(), 1.1);
+    const bem::BoundaryFields fields(space, lame, {{u, psi}});
     double worst = 0;
     std::size_t count = 0;
     for (int e = 0; e < mesh.size(); ++e) {
-      const auto coarse = fields.on(e);
+      const auto coarse = fields.on(e).front();
       std::vector<bem::Feature> nodes;
       for (const bem::Element& other : mesh.elements()) {
         const bem::Complex z =
@@ -239,7 +282,7 @@ TEUCHOS_UNIT_TEST(BoundaryFields, haveTheirSquaresIntegratedByAFewPoints) {
         nodes.push_back({z.real(), std::abs(z.imag())});
       }
       const bem::GradedRule rule = bem::gradedRule(nodes, 20, 1e-12);
-      auto fine = fields.at(e, rule.points);
+      auto fine = fields.at(e, rule.points).front();
       for (std::size_t q = 0; q < fine.size(); ++q)
         fine[q].weight = mesh[e].half * rule.weights[q];
       const double exact = squareOf(fine);
@@ -262,7 +305,7 @@ TEUCHOS_UNIT_TEST(BoundaryFields, integrateToTheGalerkinMatrices) {
     const bem::Space space(mesh);
     const Vector u = anyVector(space.displacements(), 0.3);
     const Vector psi = anyVector(space.densities(), 1.1);
-    const bem::BoundaryFields fields(space, lame, u, psi);
+    const bem::BoundaryFields fields(space, lame, {{u, psi}});
     const bem::Operators operators = bem::assembleOperators(space, lame, algebra);
     Vector force = algebra.multiplySymmetric(operators.hypersingular, u);
     for (std::size_t j = 0; j < force.size(); ++j)
@@ -284,7 +327,8 @@ TEUCHOS_UNIT_TEST(BoundaryFields, integrateToTheGalerkinMatrices) {
         continue;
       std::array<Vec2, bem::largestDegree + 1> forces{};
       std::array<Vec2, bem::largestDegree + 1> gaps{};
-      for (const bem::BoundaryValue& value : fields.on(e)) {
+      const auto values = fields.on(e).front();
+      for (const bem::BoundaryValue& value : values) {
         std::array<double, bem::largestDegree + 1> phi{};
         bem::DisplacementBasis::values(p, value.place.t, phi.data());
         for (int k = 2; k <= p; ++k) {

@@ -131,18 +131,38 @@ TEUCHOS_UNIT_TEST(InstructionSets, measureAngles) {
 }
 
 TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameSumsOfSources) {
-  bem::PointSources sources;
-  for (int k = 0; k < 1001; ++k)
-    sources.add({std::cos(0.1 * k), std::sin(0.1 * k)},
-                {std::sin(1.3 * k), std::cos(0.4 * k)}, {std::cos(2.1 * k), 0.3});
-  const bem::Complex x(0.2, -0.1);
-  const bem::FieldSums baseline = sources.at(x, bem::InstructionSet::Baseline);
-  for (const bem::InstructionSet set : bem::instructionSets()) {
-    const bem::FieldSums sums = sources.at(x, set);
-    for (const auto part : {&bem::FieldSums::density, &bem::FieldSums::slope})
-      for (const auto kernel :
-           {&bem::SourceSums::overW, &bem::SourceSums::overConj, &bem::SourceSums::cubic})
-        TEST_COMPARE(std::abs(sums.*part.*kernel - baseline.*part.*kernel), <, 1e-10);
+  for (const std::size_t states : {1, 3}) {
+    bem::PointSources sources(states);
+    sources.add(1001, [](std::size_t k) {
+      const double turn = 0.1 * static_cast<double>(k);
+      return bem::Complex(std::cos(turn), std::sin(turn));
+    });
+    for (std::size_t k = 0; k < 1001; ++k)
+      for (std::size_t i = 0; i < states; ++i) {
+        const auto at = static_cast<double>(k);
+        sources.carry(k, i,
+                      {std::sin((1.3 + static_cast<double>(i)) * at), std::cos(0.4 * at)},
+                      {std::cos(2.1 * at), 0.3});
+      }
+    const bem::Complex x(0.2, -0.1);
+    const auto sumsBy = [&](bem::InstructionSet set) {
+      std::vector<bem::PointSources::Sums> sums(states);
+      sources.addAt(x, 3, sources.size(), sums, set);
+      std::vector<bem::FieldSums> totals;
+      for (const auto& of : sums)
+        totals.push_back(of.total());
+      return totals;
+    };
+    const auto baseline = sumsBy(bem::InstructionSet::Baseline);
+    for (const bem::InstructionSet set : bem::instructionSets()) {
+      const auto sums = sumsBy(set);
+      for (std::size_t i = 0; i < states; ++i)
+        for (const auto part : {&bem::FieldSums::density, &bem::FieldSums::slope})
+          for (const auto kernel : {&bem::SourceSums::overW, &bem::SourceSums::overConj,
+                                    &bem::SourceSums::cubic})
+            TEST_COMPARE(std::abs(sums[i].*part.*kernel - baseline[i].*part.*kernel), <,
+                         1e-10);
+    }
   }
 }
 

@@ -42,21 +42,12 @@ Vec2 givenComponents(const contact::Conditions& conditions, const std::string& b
 
 class Residuals {
  public:
-  Residuals(const contact::Solved& solved, const Vector& density, const bem::Lame& lame,
-            const Weights& weights)
+  Residuals(const contact::Solved& solved, const bem::Lame& lame, const Weights& weights)
       : solved_(solved),
         weights_(weights),
         mu_(lame.mu),
         mesh_(solved.space.mesh()),
-        fields_(solved.space, lame, solved.displacement, density),
         fixed_(solved) {}
-
-  std::vector<bem::BoundaryValue> fields(int e) const {
-    return fields_.on(e, solved_.pressed.breaks(e));
-  }
-
-  // From here on functions of the user's are evaluated, which are not safe to call from
-  // several threads.
 
   /// h |mismatch|² of any element, and h/p |f - S u|² if it is no contact element.
   Contributions squares(int e, const std::vector<bem::BoundaryValue>& values,
@@ -158,7 +149,6 @@ class Residuals {
   const Weights& weights_;
   double mu_;
   const bem::Mesh& mesh_;
-  bem::BoundaryFields fields_;
   FixedTraction fixed_;
 };
 
@@ -236,21 +226,36 @@ Indicators gathered(const std::vector<Contributions>& mine,
   return indicators;
 }
 
-}  // namespace
+/// Of each state on my elements; the rule breaks where foreign pressures jump, which is the same
+/// place in all.
+std::vector<Fields> fieldsOf(const std::vector<Estimated>& states,
+                             const bem::Lame& lame) {
+  const contact::Solved& any = states.front().solved;
+  const bem::DenseAlgebra& algebra = any.stiffness.algebra();
+  const int size = any.space.mesh().size();
+  std::vector<bem::BoundaryState> sources;
+  for (const Estimated& state : states)
+    sources.push_back({state.solved.displacement, state.density});
+  const bem::BoundaryFields fields(any.space, lame, sources);
+  std::vector<Fields> result(states.size(), Fields(size));
+#pragma omp parallel for schedule(dynamic, 1)
+  for (int e = algebra.rank(); e < size; e += algebra.processes()) {
+    bem::BoundaryFields::Values values = fields.on(e, any.pressed.breaks(e));
+    for (std::size_t k = 0; k < result.size(); ++k)
+      result[k][e] = std::move(values[k]);
+  }
+  return result;
+}
 
-Indicators estimateResidual(const contact::Solved& solved, const Vector& density,
-                            const bem::Lame& lame, const EstimatorOptions& options) {
+/// Functions of the user's are evaluated, which are not safe to call from several threads.
+Indicators indicatorsOf(const Estimated& state, const Fields& fields,
+                        const bem::Lame& lame, const EstimatorOptions& options) {
+  const auto& [solved, density] = state;
   const bem::DenseAlgebra& algebra = solved.stiffness.algebra();
   const Weights& weights = weighting(options.weights);
   const Contributions factors = factorsOf(solved, lame, options);
-  const Residuals residuals(solved, density, lame, weights);
+  const Residuals residuals(solved, lame, weights);
   const auto& touching = solved.problem.multiplier().elements();
-  const int size = solved.space.mesh().size();
-
-  Fields fields(static_cast<std::size_t>(size));  // of my elements
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int e = algebra.rank(); e < size; e += algebra.processes())
-    fields[static_cast<std::size_t>(e)] = residuals.fields(e);
   const auto fieldsOf = [&](const ContactElement& element) -> const auto& {
     return fields[static_cast<std::size_t>(element.element)];
   };
@@ -296,6 +301,25 @@ Indicators estimateResidual(const contact::Solved& solved, const Vector& density
       all[i] += contact[i];
   }
   return gathered(squares, algebra);
+}
+
+}  // namespace
+
+std::vector<Indicators> estimateResiduals(const std::vector<Estimated>& states,
+                                          const bem::Lame& lame,
+                                          const EstimatorOptions& options) {
+  constexpr std::size_t atOnce = 8;
+  std::vector<Indicators> result;
+  for (std::size_t first = 0; first < states.size(); first += atOnce) {
+    const std::vector<Estimated> some(
+        states.begin() + static_cast<std::ptrdiff_t>(first),
+        states.begin() +
+            static_cast<std::ptrdiff_t>(std::min(first + atOnce, states.size())));
+    const std::vector<Fields> fields = fieldsOf(some, lame);
+    for (std::size_t k = 0; k < some.size(); ++k)
+      result.push_back(indicatorsOf(some[k], fields[k], lame, options));
+  }
+  return result;
 }
 
 }  // namespace epafi::adaptivity

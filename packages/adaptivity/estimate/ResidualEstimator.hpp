@@ -23,7 +23,13 @@ struct EstimatorOptions {
 bem::SchemaRows estimatorRows();
 EstimatorOptions parseEstimator(const Teuchos::ParameterList& list);
 
-/// The residual error estimator of [P] Theorem 22, Corollary 23 and, with bounds that
+/// A body's solution and its density ψ, see ContactProblem::density.
+struct Estimated {
+  const contact::Solved& solved;
+  const Vector& density;
+};
+
+/// Of each of some states of one body on one mesh the residual error estimator of [P] Theorem 22, Corollary 23 and, with bounds that
 /// follow the pressure, Theorem 24; norms by the scaled L² norms of [P sec. 8].
 ///
 /// Under Weights "Energy" the multiplier in it is not λʰ but one that does the same work,
@@ -36,8 +42,9 @@ EstimatorOptions parseEstimator(const Teuchos::ParameterList& list);
 /// interpolation leaves of them is not seen.
 ///
 /// Squares are energies [stress length²] under Weights "Energy".  Elements are shared out
-/// among the processes; every one gets all.  `density` is ψ, see ContactProblem::density.
-Indicators estimateResidual(const contact::Solved& solved, const Vector& density,
-                            const bem::Lame& lame, const EstimatorOptions& options);
+/// among the processes; every one gets all.  Some states at a time share their fields' kernels.
+std::vector<Indicators> estimateResiduals(const std::vector<Estimated>& states,
+                                          const bem::Lame& lame,
+                                          const EstimatorOptions& options);
 
 }  // namespace epafi::adaptivity

@@ -18,20 +18,29 @@ int pointsOn(int smoothOrder, int degree) { return smoothOrder + degree / 2; }
 
 }  // namespace
 
+/// Points from `first` to `last` of everything with `order` points an element.
+struct BoundaryFields::Stretch {
+  int order = 0;
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+struct BoundaryFields::Far {
+  std::vector<Stretch> stretches{};
+  std::vector<const SourceGroups::Group*> groups{};
+  PointSources points;   ///< places relative to the middle of the target
+  Stretch awaited{};     ///< there is what some of them carry,
+  std::size_t from = 0;  ///< from this one on
+
+  explicit Far(std::size_t states) : points(states) {}
+};
+
 struct BoundaryFields::Sources {
-  /// Points from `first` to `last` of everything with `order` points an element.
-  struct Stretch {
-    int order;
-    std::size_t first;
-    std::size_t last;
-  };
-  struct Far {
-    std::vector<Stretch> stretches;
-    std::vector<const SourceGroups::Group*> groups;
-    PointSources points;  ///< places relative to the middle of the target
-  };
-  std::vector<int> near;
-  std::map<int, Far> far;  ///< by Gauss points on the target element
+  std::size_t states;
+  std::vector<int> near{};
+  std::map<int, Far> all{};  ///< by Gauss points on the target element
+
+  Far& far(int order) { return all.try_emplace(order, states).first->second; }
 };
 
 /// What is smooth on the target element, Legendre coefficients: fields of the far sources, and
@@ -41,45 +50,83 @@ struct BoundaryFields::SmoothSeries {
   std::vector<Complex> mismatch;
 };
 
-BoundaryFields::BoundaryFields(const Space& space, const Lame& lame, const Vector& u,
-                               const Vector& psi)
-    : mesh_(space.mesh().withDegreesOfDensities()), runs_(mesh_), lame_(lame) {
+BoundaryFields::BoundaryFields(const Space& space, const Lame& lame,
+                               const std::vector<BoundaryState>& states)
+    : mesh_(space.mesh().withDegreesOfDensities()),
+      runs_(mesh_),
+      lame_(lame),
+      states_(states.size()),
+      fields_(mesh_.size() * states_) {
   int largest = 0;
-  const Vector inner = space.withoutRotation(u);
-  for (int e = 0; e < mesh_.size(); ++e) {
-    fields_.push_back(localField(space, inner, psi, e));
-    largest = std::max(largest, mesh_[e].degree);
+  for (std::size_t k = 0; k < states_; ++k) {
+    const Vector inner = space.withoutRotation(states[k].displacement);
+    for (int e = 0; e < mesh_.size(); ++e)
+      fields_[e * states_ + k] = localField(space, inner, states[k].density, e);
   }
-  everything_.resize(static_cast<std::size_t>(pointsOn(smoothOrderOfCircles, largest)) +
-                     1);
+  for (const Element& element : mesh_.elements())
+    largest = std::max(largest, element.degree);
+  const std::size_t orders = pointsOn(smoothOrderOfCircles, largest) + 1;
+  while (everything_.size() < orders)
+    everything_.emplace_back(states_);
   for (std::size_t order = 1; order < everything_.size(); ++order)
-    for (int f = 0; f < mesh_.size(); ++f)
-      addPoints(f, static_cast<int>(order), mesh_[f].curve.frame().middle,
+    for (int f = 0; f < mesh_.size(); ++f) {
+      addPlaces(f, static_cast<int>(order), mesh_[f].curve.frame().middle,
                 everything_[order]);
-  groups_ = std::make_unique<const SourceGroups>(runs_, fields_);
+      carry(f, static_cast<int>(order), everything_[order]);
+    }
+  groups_ = std::make_unique<const SourceGroups>(runs_, fields_, states_);
 }
 
 /// Element f through Gauss points, `middle` its place.
-void BoundaryFields::addPoints(int f, int order, Vec2 middle,
+void BoundaryFields::addPlaces(int f, int order, Vec2 middle,
                                PointSources& points) const {
-  const Element& source = mesh_[f];
-  const LocalField& values = fields_[f];
   const Rule& rule = gaussLegendre(order);
-  const auto place = [&](std::size_t q) {
-    return asComplex(middle + source.curve.fromMiddle(rule.points[q]));
-  };
-  const auto size = static_cast<std::size_t>(order);
-  const std::size_t first = static_cast<std::size_t>(f) * size;
-  if (size < everything_.size() && first < everything_[size].size()) {
-    points.add(everything_[size], first, size, place);
-    return;
-  }
-  for (std::size_t q = 0; q < size; ++q) {
+  const Curve& curve = mesh_[f].curve;
+  points.add(rule.points.size(), [&](std::size_t q) {
+    return asComplex(middle + curve.fromMiddle(rule.points[q]));
+  });
+}
+
+/// What the last of them carry.
+void BoundaryFields::carry(int f, int order, PointSources& points) const {
+  const Element& source = mesh_[f];
+  const Rule& rule = gaussLegendre(order);
+  for (std::size_t q = 0; q < rule.points.size(); ++q) {
     const double t = rule.points[q];
     const double weight = source.half * rule.weights[q];
-    points.add(place(q), weight * evaluate(values.density, source.densities - 1, t),
-               weight * evaluate(values.slope, source.degree - 1, t));
+    for (std::size_t k = 0; k < states_; ++k) {
+      const LocalField& values = fields_[f * states_ + k];
+      points.carry(points.size() - rule.points.size() + q, k,
+                   weight * evaluate(values.density, source.densities - 1, t),
+                   weight * evaluate(values.slope, source.degree - 1, t));
+    }
   }
+}
+
+// What elements in a row carry is copied at once.
+void BoundaryFields::addFar(int f, int order, Vec2 middle, Far& far) const {
+  const std::size_t point = far.points.size();
+  addPlaces(f, order, middle, far.points);
+  if (static_cast<std::size_t>(order) >= everything_.size()) {
+    carry(f, order, far.points);
+    return;
+  }
+  const std::size_t first = static_cast<std::size_t>(f) * order;
+  Stretch& last = far.awaited;
+  if (last.order == order && last.last == first &&
+      far.from + last.last - last.first == point) {
+    last.last += order;
+    return;
+  }
+  take(far);
+  last = {order, first, first + order};
+  far.from = point;
+}
+
+void BoundaryFields::take(Far& far) const {
+  const Stretch& there = far.awaited;
+  if (there.order > 0)
+    far.points.carry(far.from, everything_[there.order], there.first, there.last);
 }
 
 void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
@@ -91,7 +138,7 @@ void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
     const std::size_t first = run.first * order;
     const std::size_t last = run.last * order;
     // interpolation needs twice as many points as a product of two such fields
-    auto& stretches = sources.far[2 * chosen.smooth.outer].stretches;
+    auto& stretches = sources.far(2 * chosen.smooth.outer).stretches;
     if (!stretches.empty() && stretches.back().order == order &&
         stretches.back().last == first)
       stretches.back().last = last;
@@ -107,14 +154,13 @@ void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
       continue;
     }
     const FarOrder& smooth = chosen.own[lane];
-    addPoints(f, pointsOn(smooth.inner, mesh_[f].degree),
-              -mesh_.difference(middle, mesh_.at(f, 0)),
-              sources.far[2 * smooth.outer].points);
+    addFar(f, pointsOn(smooth.inner, mesh_[f].degree),
+           -mesh_.difference(middle, mesh_.at(f, 0)), sources.far(2 * smooth.outer));
   }
 }
 
 BoundaryFields::Sources BoundaryFields::split(int element) const {
-  Sources sources;
+  Sources sources{states_};
   const std::vector<SourceGroups::Group>& groups = groups_->groups();
   if (groups.empty())
     for (int r = 0; r < runs_.size(); ++r)
@@ -127,7 +173,7 @@ BoundaryFields::Sources BoundaryFields::split(int element) const {
     waiting.pop_back();
     if (SourceGroups::isFar(group, middle, half) && mesh_[element].curve.isStraight()) {
       const double z = (std::abs(middle - group.centre) - group.radius) / half;
-      sources.far[2 * smoothOrder(z)].groups.push_back(&group);
+      sources.far(2 * smoothOrder(z)).groups.push_back(&group);
     } else if (group.children[0] >= 0) {
       waiting.insert(waiting.end(), {group.children[1], group.children[0]});
     } else {
@@ -135,78 +181,93 @@ BoundaryFields::Sources BoundaryFields::split(int element) const {
         splitRun(element, r, sources);
     }
   }
+  for (auto& [order, far] : sources.all)
+    take(far);
   return sources;
 }
 
-BoundaryFields::SmoothSeries BoundaryFields::smoothSeries(int element,
-                                                          const Sources& sources) const {
+std::vector<BoundaryFields::SmoothSeries> BoundaryFields::smoothSeries(
+    int element, const Sources& sources) const {
   const Element& target = mesh_[element];
   const Complex middle = asComplex(target.curve.frame().middle);
-  SmoothSeries series;
-  const LocalField& own = fields_[element];
-  for (int k = 0; k < std::max(target.degree, target.densities); ++k) {
-    series.traction.push_back(0.5 * own.density[k]);
-    series.mismatch.push_back(-0.5 * own.slope[k]);
+  std::size_t size = std::max(target.degree, target.densities);
+  if (!sources.all.empty())
+    size = std::max(size, static_cast<std::size_t>(sources.all.rbegin()->first));
+  std::vector<SmoothSeries> series(
+      states_, {std::vector<Complex>(size), std::vector<Complex>(size)});
+  for (std::size_t i = 0; i < states_; ++i) {
+    const LocalField& own = fields_[element * states_ + i];
+    for (int k = 0; k < std::max(target.degree, target.densities); ++k) {
+      series[i].traction[k] = 0.5 * own.density[k];
+      series[i].mismatch[k] = -0.5 * own.slope[k];
+    }
   }
-  for (const auto& [order, far] : sources.far) {
-    const std::size_t size = order;
-    series.traction.resize(std::max(series.traction.size(), size));
-    series.mismatch.resize(series.traction.size());
+  std::vector<double> factors(size);
+  std::vector<PointSources::Sums> ofPoints(states_);
+  std::vector<FieldSums> sums(states_);
+  for (const auto& [order, far] : sources.all) {
     const Rule& rule = gaussLegendre(order);
-    std::vector<double> legendre(size);
     for (int q = 0; q < order; ++q) {
-      legendreValues(order - 1, rule.points[q], legendre.data());
+      legendreValues(order - 1, rule.points[q], factors.data());
+      for (int k = 0; k < order; ++k)
+        factors[k] *= rule.weights[q] * (k + 0.5);
       const Complex normal = asComplex(target.curve.normal(rule.points[q]));
       const Complex offset = asComplex(target.curve.fromMiddle(rule.points[q]));
-      FieldSums sums = far.points.at(offset);
-      for (const Sources::Stretch& stretch : far.stretches)
-        sums.add(
-            everything_[stretch.order].at(middle + offset, stretch.first, stretch.last));
+      std::fill(ofPoints.begin(), ofPoints.end(), PointSources::Sums());
+      far.points.addAt(offset, 0, far.points.size(), ofPoints);
+      for (const Stretch& stretch : far.stretches)
+        everything_[stretch.order].addAt(middle + offset, stretch.first, stretch.last,
+                                         ofPoints);
+      for (std::size_t i = 0; i < states_; ++i)
+        sums[i] = ofPoints[i].total();
       for (const SourceGroups::Group* group : far.groups)
-        sums.add(SourceGroups::at(*group, middle + offset));
-      const Complex t = traction(lame_, normal, sums);
-      const Complex m = mismatchSlope(lame_, normal, sums);
-      for (std::size_t k = 0; k < size; ++k) {
-        const double factor =
-            rule.weights[q] * legendre[k] * (static_cast<double>(k) + 0.5);
-        series.traction[k] += factor * t;
-        series.mismatch[k] += factor * m;
+        SourceGroups::addAt(*group, middle + offset, sums);
+      for (std::size_t i = 0; i < states_; ++i) {
+        const Complex t = traction(lame_, normal, sums[i]);
+        const Complex m = mismatchSlope(lame_, normal, sums[i]);
+        for (int k = 0; k < order; ++k) {
+          series[i].traction[k] += factors[k] * t;
+          series[i].mismatch[k] += factors[k] * m;
+        }
       }
     }
   }
   return series;
 }
 
-std::vector<BoundaryValue> BoundaryFields::at(int element, const Sources& sources,
-                                              const std::vector<EndPoint>& points) const {
-  const SmoothSeries series = smoothSeries(element, sources);
-  NearElements near(mesh_, element, points);
+BoundaryFields::Values BoundaryFields::at(int element, const Sources& sources,
+                                          const std::vector<EndPoint>& points) const {
+  const std::vector<SmoothSeries> series = smoothSeries(element, sources);
+  NearElements near(mesh_, element, points, states_);
   for (const int f : sources.near)
-    near.add(f, fields_[f]);
-  std::vector<BoundaryValue> values;
-  for (std::size_t q = 0; q < points.size(); ++q)
-    values.push_back(valueAt(element, points[q], near.at(q), series));
+    near.add(f, &fields_[f * states_]);
+  const std::size_t terms = series.front().traction.size();
+  std::vector<double> legendre(terms);
+  Values values(states_);
+  for (std::size_t q = 0; q < points.size(); ++q) {
+    const double t = points[q].t;
+    legendreValues(static_cast<int>(terms) - 1, t, legendre.data());
+    const Complex normal = asComplex(mesh_[element].curve.normal(t));
+    for (std::size_t k = 0; k < states_; ++k) {
+      const FieldSums sums = near.at(q, k);
+      Complex force = traction(lame_, normal, sums);
+      Complex slope = mismatchSlope(lame_, normal, sums);
+      for (std::size_t j = 0; j < terms; ++j) {
+        force += legendre[j] * series[k].traction[j];
+        slope += legendre[j] * series[k].mismatch[j];
+      }
+      values[k].push_back({points[q], 0, asVector(force), asVector(slope)});
+    }
+  }
   return values;
 }
 
-BoundaryValue BoundaryFields::valueAt(int element, const EndPoint& point,
-                                      const FieldSums& sums,
-                                      const SmoothSeries& series) const {
-  const Complex normal = asComplex(mesh_[element].curve.normal(point.t));
-  const int last = static_cast<int>(series.traction.size()) - 1;
-  const Complex t =
-      traction(lame_, normal, sums) + evaluate(series.traction, last, point.t);
-  const Complex m =
-      mismatchSlope(lame_, normal, sums) + evaluate(series.mismatch, last, point.t);
-  return {point, 0, asVector(t), asVector(m)};
-}
-
-std::vector<BoundaryValue> BoundaryFields::at(int element,
-                                              const std::vector<EndPoint>& points) const {
+BoundaryFields::Values BoundaryFields::at(int element,
+                                          const std::vector<EndPoint>& points) const {
   return at(element, split(element), points);
 }
 
-std::vector<BoundaryValue> BoundaryFields::on(int element, const Vector& cuts) const {
+BoundaryFields::Values BoundaryFields::on(int element, const Vector& cuts) const {
   const Sources sources = split(element);
   std::vector<Feature> features;
   int degree = mesh_[element].degree;
@@ -219,9 +280,10 @@ std::vector<BoundaryValue> BoundaryFields::on(int element, const Vector& cuts) c
     }
   }
   const GradedRule rule = softenedRule(features, degree + smoothPoints, cuts);
-  std::vector<BoundaryValue> values = at(element, sources, rule.points);
-  for (std::size_t q = 0; q < values.size(); ++q)
-    values[q].weight = mesh_[element].half * rule.weights[q];
+  Values values = at(element, sources, rule.points);
+  for (std::vector<BoundaryValue>& of : values)
+    for (std::size_t q = 0; q < of.size(); ++q)
+      of[q].weight = mesh_[element].half * rule.weights[q];
   return values;
 }
 

@@ -20,7 +20,14 @@ struct BoundaryValue {
   Vec2 mismatch;      ///< d/ds (V ψ - (K + 1/2) u)
 };
 
-/// The two integral equations of (u, ψ) at points of the boundary, all in closed form.
+/// A displacement and a density, (u, ψ).
+struct BoundaryState {
+  const Vector& displacement;
+  const Vector& density;
+};
+
+/// The two integral equations of some states (u, ψ) at points of the boundary, all in closed form.
+/// Kernels are evaluated once for all of them: eight states take half of their time.
 ///
 /// Elements nearby are integrated exactly at points graded toward the ends of the element
 /// and of its neighbours, where both fields have logarithms; far ones act through Gauss
@@ -29,33 +36,40 @@ struct BoundaryValue {
 /// integrated to 2e-6 of their size by the weights.
 class BoundaryFields {
  public:
-  BoundaryFields(const Space& space, const Lame& lame, const Vector& u,
-                 const Vector& psi);
+  BoundaryFields(const Space& space, const Lame& lame,
+                 const std::vector<BoundaryState>& states);
+
+  /// Of each state at the points of one rule.
+  using Values = std::vector<std::vector<BoundaryValue>>;
 
   /// Values on one element; calls are independent of each other.  The rule is cut at some
   /// places, where what the fields are compared with is not smooth.
-  std::vector<BoundaryValue> on(int element, const Vector& cuts = {}) const;
+  Values on(int element, const Vector& cuts = {}) const;
 
   /// Values at chosen points, weights zero.
-  std::vector<BoundaryValue> at(int element, const std::vector<EndPoint>& points) const;
+  Values at(int element, const std::vector<EndPoint>& points) const;
 
  private:
+  struct Stretch;
+  struct Far;
   struct Sources;
   struct SmoothSeries;
 
-  void addPoints(int f, int order, Vec2 middle, PointSources& points) const;
+  void addPlaces(int f, int order, Vec2 middle, PointSources& points) const;
+  void carry(int f, int order, PointSources& points) const;
+  void addFar(int f, int order, Vec2 middle, Far& far) const;
+  void take(Far& far) const;
   void splitRun(int element, int r, Sources& sources) const;
   Sources split(int element) const;
-  SmoothSeries smoothSeries(int element, const Sources& sources) const;
-  std::vector<BoundaryValue> at(int element, const Sources& sources,
-                                const std::vector<EndPoint>& points) const;
-  BoundaryValue valueAt(int element, const EndPoint& point, const FieldSums& sums,
-                        const SmoothSeries& series) const;
+  std::vector<SmoothSeries> smoothSeries(int element, const Sources& sources) const;
+  Values at(int element, const Sources& sources,
+            const std::vector<EndPoint>& points) const;
 
   Mesh mesh_;
   ElementRuns runs_;  ///< of mesh_
   Lame lame_;
-  std::vector<LocalField> fields_;
+  std::size_t states_;
+  std::vector<LocalField> fields_;  ///< of the first element all states, and so on
   /// By order: all elements through that many Gauss points each, as far circles need.
   std::vector<PointSources> everything_;
   std::unique_ptr<const SourceGroups> groups_;

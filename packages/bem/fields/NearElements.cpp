@@ -22,7 +22,8 @@ template <int Parts>
 struct FieldKernel {
   const Sight& sight;
   const std::vector<EndPoint>& points;
-  const LocalField& field;
+  const LocalField* fields;
+  std::size_t states;
   int terms;
   Complex tangent;
   NearElements::Lanes* sums;
@@ -32,13 +33,14 @@ struct FieldKernel {
     const Complex cube = tangent * tangent * tangent;
     LegendreLanes<Parts> legendre;
     NearElements::Lanes* to = sums;
-    for (std::size_t first = 0; first < points.size(); first += lanes, ++to) {
+    for (std::size_t first = 0; first < points.size(); first += lanes) {
       const PointLanes at(points, first);
       const TargetLanes x(sight, at);
       legendre.evaluate(x, Parts == 1 ? terms - 1 : terms);
-      for (int k = 0; k < 2; ++k) {
-        const auto& g = k == 0 ? field.density : field.slope;
-        AlignedLane* sum = to->sum[k];
+      for (std::size_t k = 0; k < 2 * states; ++k) {
+        const LocalField& field = fields[k / 2];
+        const auto& g = k % 2 == 0 ? field.density : field.slope;
+        AlignedLane* sum = to[k / 2].sum[k % 2];
         Pack real{};  // Σ g_j Re C_j
         Pack imag{};
         for (int j = 0; j < terms; ++j) {
@@ -79,6 +81,7 @@ struct FieldKernel {
                      sum + 4);
         }
       }
+      to += states;
     }
   }
 };
@@ -86,38 +89,41 @@ struct FieldKernel {
 }  // namespace
 
 NearElements::NearElements(const Mesh& mesh, int element,
-                           const std::vector<EndPoint>& points)
+                           const std::vector<EndPoint>& points, std::size_t states)
     : mesh_(mesh),
       element_(element),
       points_(points),
-      ofSegments_((points.size() + lanes - 1) / lanes),
-      ofArcs_(points.size()) {}
+      states_(states),
+      ofSegments_((points.size() + lanes - 1) / lanes * states),
+      ofArcs_(points.size() * states) {}
 
-void NearElements::add(int source, const LocalField& field, InstructionSet set) {
+void NearElements::add(int source, const LocalField* fields, InstructionSet set) {
   const Element& y = mesh_[source];
   const int terms = std::max(y.degree, y.densities);
   if (y.curve.isStraight() && mesh_[element_].curve.isStraight()) {
     const Sight sight = sightOf(mesh_, element_, source);
     const Complex tangent = asComplex(y.curve.segment().tangent);
     if (mesh_[element_].piece.edge == y.piece.edge)
-      dispatch(set,
-               FieldKernel<1>{sight, points_, field, terms, tangent, ofSegments_.data()});
+      dispatch(set, FieldKernel<1>{sight, points_, fields, states_, terms, tangent,
+                                   ofSegments_.data()});
     else
-      dispatch(set,
-               FieldKernel<2>{sight, points_, field, terms, tangent, ofSegments_.data()});
+      dispatch(set, FieldKernel<2>{sight, points_, fields, states_, terms, tangent,
+                                   ofSegments_.data()});
     return;
   }
   ElementSums sums;
   for (std::size_t q = 0; q < points_.size(); ++q) {
     const BoundaryPoint x = mesh_.at(element_, points_[q].fromStart, points_[q].toEnd);
     sums.evaluate(y.curve, seenFrom(mesh_, source, x), terms);
-    for (int j = 0; j < terms; ++j)
-      ofArcs_[q].add({field.density[j] * sums[j], field.slope[j] * sums[j]});
+    for (std::size_t k = 0; k < states_; ++k)
+      for (int j = 0; j < terms; ++j)
+        ofArcs_[q * states_ + k].add(
+            {fields[k].density[j] * sums[j], fields[k].slope[j] * sums[j]});
   }
 }
 
-FieldSums NearElements::at(std::size_t point) const {
-  const Lanes& eight = ofSegments_[point / lanes];
+FieldSums NearElements::at(std::size_t point, std::size_t state) const {
+  const Lanes& eight = ofSegments_[point / lanes * states_ + state];
   const auto sums = [&](const AlignedLane* of) {
     const auto number = [&](int k) {
       return Complex(of[k].lane[point % lanes], of[k + 1].lane[point % lanes]);
@@ -125,7 +131,7 @@ FieldSums NearElements::at(std::size_t point) const {
     return SourceSums{number(0), number(2), number(4)};
   };
   FieldSums result{sums(eight.sum[0]), sums(eight.sum[1])};
-  result.add(ofArcs_[point]);
+  result.add(ofArcs_[point * states_ + state]);
   return result;
 }
 

@@ -10,16 +10,19 @@
 
 namespace epafi::bem {
 
-/// What elements do at points of another one, in closed form.  Refers to its arguments.
+/// What elements do at points of another one in some states, in closed form.  Refers to its
+/// arguments.
 class NearElements {
  public:
-  NearElements(const Mesh& mesh, int element, const std::vector<EndPoint>& points);
+  NearElements(const Mesh& mesh, int element, const std::vector<EndPoint>& points,
+               std::size_t states);
 
-  /// Adds an element: a segment's field at points of a segment eight points at a time.
-  void add(int source, const LocalField& field,
+  /// Adds an element, its field in each state: a segment's at points of a segment eight points at
+  /// a time.
+  void add(int source, const LocalField* fields,
            InstructionSet set = largestInstructionSet());
 
-  FieldSums at(std::size_t point) const;
+  FieldSums at(std::size_t point, std::size_t state) const;
 
   /// Of eight points: real and imaginary parts of the three sums of both fields.
   struct Lanes {
@@ -30,8 +33,9 @@ class NearElements {
   const Mesh& mesh_;
   int element_;
   const std::vector<EndPoint>& points_;
-  std::vector<Lanes> ofSegments_;
-  std::vector<FieldSums> ofArcs_;  ///< or at points of an arc
+  std::size_t states_;
+  std::vector<Lanes> ofSegments_;  ///< of the first eight points all states, and so on
+  std::vector<FieldSums> ofArcs_;  ///< or at points of an arc: of each point all states
 };
 
 }  // namespace epafi::bem

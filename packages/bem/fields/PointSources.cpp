@@ -2,116 +2,170 @@
 
 #include "bem/simd/Dispatch.hpp"
 
+#include <algorithm>
+
 namespace epafi::bem {
 
 namespace {
 
-struct Columns {
-  const double* array[6];
-  std::size_t size;
-};
-
-/// Sums over lanes:  Re g a, Im g b, Im g a, Re g b, and cubic's parts.
-struct LaneSums {
-  Pack sum[6] = {};
+/// 1/w = a - ib,  1/conj(w) = a + ib,  w/conj(w)² = gx + i gy  at eight points.
+struct Kernels {
+  Pack a;
+  Pack b;
+  Pack gx;
+  Pack gy;
 };
 
 EPAFI_INLINE void load(const double* from, Pack& to) {
   __builtin_memcpy(&to, from, sizeof to);
 }
 
-/// 1/w = a - ib,  1/conj(w) = a + ib,  w/conj(w)² = gx + i gy.
 template <Division How>
-EPAFI_INLINE void addEight(const Columns& c, std::size_t k, double x, double y,
-                           LaneSums (&fields)[2]) {
-  Pack px;
-  Pack py;
-  load(c.array[0] + k, px);
-  load(c.array[1] + k, py);
-  const Pack wx = x - px;
-  const Pack wy = y - py;
+EPAFI_INLINE void evaluate(const Pack& wx, const Pack& wy, Kernels& k) {
   Pack inverse;
   reciprocal<How>(wx * wx + wy * wy, inverse);
-  const Pack a = wx * inverse;
-  const Pack b = wy * inverse;
-  const Pack ex = a * wx - b * wy;
-  const Pack ey = a * wy + b * wx;
-  const Pack gx = ex * a - ey * b;
-  const Pack gy = ex * b + ey * a;
-  for (int field = 0; field < 2; ++field) {
-    Pack fx;
-    Pack fy;
-    load(c.array[2 + 2 * field] + k, fx);
-    load(c.array[3 + 2 * field] + k, fy);
-    Pack(&s)[6] = fields[field].sum;
-    s[0] += fx * a;
-    s[1] += fy * b;
-    s[2] += fy * a;
-    s[3] += fx * b;
-    s[4] += gx * fx + gy * fy;
-    s[5] += gy * fx - gx * fy;
-  }
+  k.a = wx * inverse;
+  k.b = wy * inverse;
+  const Pack ex = k.a * wx - k.b * wy;
+  const Pack ey = k.a * wy + k.b * wx;
+  k.gx = ex * k.a - ey * k.b;
+  k.gy = ex * k.b + ey * k.a;
 }
 
-EPAFI_INLINE double total(const Pack& p) {
+double total(const AlignedLane& of) {
   double sum = 0;
-  for (int lane = 0; lane < lanes; ++lane)
-    sum += p[lane];
+  for (const double number : of.lane)
+    sum += number;
   return sum;
 }
 
 struct Summation {
-  const Columns& c;
+  const double* data;
+  std::size_t capacity;
+  std::size_t first;
+  std::size_t last;
   double x;
   double y;
-  double (&result)[2][6];
+  std::vector<PointSources::Sums>& sums;
+
+  // the last points among some that carry nothing, away from x
+  EPAFI_INLINE void read(std::size_t array, std::size_t k, double other, Pack& to) const {
+    const double* from = data + array * capacity + k;
+    if (k + lanes <= last)
+      return load(from, to);
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      to[lane] = k + lane < last ? from[lane] : other;
+  }
 
   template <Division How>
-  EPAFI_INLINE void run() const {
-    LaneSums fields[2];
-    std::size_t k = 0;
-    for (; k + lanes <= c.size; k += lanes)
-      addEight<How>(c, k, x, y, fields);
-    if (k < c.size) {  // the rest among points that carry nothing, away from x
-      double rest[6][lanes] = {};
-      for (int lane = 0; lane < lanes; ++lane)
-        rest[0][lane] = x + 1;
-      for (int array = 0; array < 6; ++array)
-        for (std::size_t at = k; at < c.size; ++at)
-          rest[array][at - k] = c.array[array][at];
-      addEight<How>({{rest[0], rest[1], rest[2], rest[3], rest[4], rest[5]}, lanes}, 0, x,
-                    y, fields);
+  EPAFI_INLINE void kernelsAt(std::size_t k, Kernels& kernels) const {
+    Pack px;
+    Pack py;
+    read(0, k, x + 1, px);
+    read(1, k, y, py);
+    evaluate<How>(x - px, y - py, kernels);
+  }
+
+  EPAFI_INLINE void add(std::size_t state, std::size_t k, const Kernels& by,
+                        Pack (&to)[2][6]) const {
+    for (std::size_t field = 0; field < 2; ++field) {
+      Pack fx;
+      Pack fy;
+      read(2 + 4 * state + 2 * field, k, 0, fx);
+      read(3 + 4 * state + 2 * field, k, 0, fy);
+      Pack(&s)[6] = to[field];
+      s[0] += fx * by.a;
+      s[1] += fy * by.b;
+      s[2] += fy * by.a;
+      s[3] += fx * by.b;
+      s[4] += by.gx * fx + by.gy * fy;
+      s[5] += by.gy * fx - by.gx * fy;
     }
-    for (int field = 0; field < 2; ++field)
-      for (int part = 0; part < 6; ++part)
-        result[field][part] = total(fields[field].sum[part]);
+  }
+
+  EPAFI_INLINE void keep(std::size_t state, const Pack (&from)[2][6]) const {
+    for (std::size_t field = 0; field < 2; ++field)
+      for (std::size_t part = 0; part < 6; ++part)
+        bem::add(sums[state].of[field][part].lane, from[field][part]);
+  }
+
+  // kernels of some points at a time, which every state takes
+  template <Division How>
+  EPAFI_INLINE void run() const {
+    if (sums.size() == 1)
+      return runAlone<How>();
+    constexpr std::size_t atOnce = 64;
+    Kernels kernels[atOnce / lanes];
+    for (std::size_t from = first; from < last; from += atOnce) {
+      const std::size_t to = std::min(from + atOnce, last);
+      for (std::size_t k = from; k < to; k += lanes)
+        kernelsAt<How>(k, kernels[(k - from) / lanes]);
+      for (std::size_t state = 0; state < sums.size(); ++state) {
+        Pack own[2][6] = {};
+        for (std::size_t k = from; k < to; k += lanes)
+          add(state, k, kernels[(k - from) / lanes], own);
+        keep(state, own);
+      }
+    }
+  }
+
+  template <Division How>
+  EPAFI_INLINE void runAlone() const {
+    Pack own[2][6] = {};
+    for (std::size_t k = first; k < last; k += lanes) {
+      Kernels kernels;
+      kernelsAt<How>(k, kernels);
+      add(0, k, kernels, own);
+    }
+    keep(0, own);
   }
 };
 
-/// ∫ g/w, ∫ g/conj(w) and the cubic part from the products' sums.
-SourceSums sourceSums(const double (&s)[6]) {
-  return {{s[0] + s[1], s[2] - s[3]}, {s[0] - s[1], s[2] + s[3]}, {s[4], s[5]}};
-}
-
 }  // namespace
 
-void PointSources::add(Complex place, Complex density, Complex slope) {
-  data_[X].push_back(place.real());
-  data_[Y].push_back(place.imag());
-  data_[DensityX].push_back(density.real());
-  data_[DensityY].push_back(density.imag());
-  data_[SlopeX].push_back(slope.real());
-  data_[SlopeY].push_back(slope.imag());
+void PointSources::reserve(std::size_t more) {
+  if (size_ + more <= capacity_)
+    return;
+  const std::size_t capacity = std::max(2 * capacity_, size_ + more);
+  std::unique_ptr<double[]> data(new double[arrays_ * capacity]);
+  for (std::size_t array = 0; array < arrays_; ++array)
+    std::copy_n(&data_[array * capacity_], size_, &data[array * capacity]);
+  data_ = std::move(data);
+  capacity_ = capacity;
 }
 
-FieldSums PointSources::at(Complex x, std::size_t first, std::size_t last,
-                           InstructionSet set) const {
-  Columns columns{{}, last - first};
-  for (int array = 0; array < Arrays; ++array)
-    columns.array[array] = data_[array].data() + first;
-  double sums[2][6];
-  dispatch(set, Summation{columns, x.real(), x.imag(), sums});
-  return {sourceSums(sums[0]), sourceSums(sums[1])};
+void PointSources::carry(std::size_t point, std::size_t state, Complex density,
+                         Complex slope) {
+  const double numbers[] = {density.real(), density.imag(), slope.real(), slope.imag()};
+  for (std::size_t k = 0; k < 4; ++k)
+    data_[(2 + 4 * state + k) * capacity_ + point] = numbers[k];
+}
+
+void PointSources::carry(std::size_t point, const PointSources& others, std::size_t first,
+                         std::size_t last) {
+  for (std::size_t array = 2; array < arrays_; ++array) {
+    const double* from = &others.data_[array * others.capacity_];
+    double* to = &data_[array * capacity_ + point];
+    for (std::size_t k = first; k < last; ++k)
+      *to++ = from[k];
+  }
+}
+
+void PointSources::addAt(Complex x, std::size_t first, std::size_t last,
+                         std::vector<Sums>& sums, InstructionSet set) const {
+  dispatch(set, Summation{data_.get(), capacity_, first, last, x.real(), x.imag(), sums});
+}
+
+FieldSums PointSources::Sums::total() const {
+  SourceSums result[2];
+  for (int field = 0; field < 2; ++field) {
+    double s[6];
+    for (int part = 0; part < 6; ++part)
+      s[part] = bem::total(of[field][part]);
+    result[field] = {
+        {s[0] + s[1], s[2] - s[3]}, {s[0] - s[1], s[2] + s[3]}, {s[4], s[5]}};
+  }
+  return {result[0], result[1]};
 }
 
 }  // namespace epafi::bem

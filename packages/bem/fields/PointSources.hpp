@@ -2,44 +2,57 @@
 
 #include "bem/kernel/Elasticity.hpp"
 #include "bem/simd/InstructionSet.hpp"
+#include "bem/simd/Pack.hpp"
 
+#include <memory>
 #include <vector>
 
 namespace epafi::bem {
 
-/// Many points that carry a density and a derivative each, weights included: what far
-/// elements look like through Gauss points.  Structure of arrays.
+/// Many points that carry a density and a derivative of each of some states, weights included:
+/// what far elements look like through Gauss points.  Structure of arrays.
 class PointSources {
  public:
-  void add(Complex place, Complex density, Complex slope);
-  /// Points first ... first + count - 1 of others at other places: place(q), q < count.
-  template <class Place>
-  void add(const PointSources& others, std::size_t first, std::size_t count,
-           const Place& place) {
-    const std::size_t old = size();
-    for (int array = 0; array < Arrays; ++array) {
-      const double* from = others.data_[array].data() + first;
-      data_[array].insert(data_[array].end(), from, from + count);
-    }
-    for (std::size_t q = 0; q < count; ++q) {
-      const Complex x = place(q);
-      data_[X][old + q] = x.real();
-      data_[Y][old + q] = x.imag();
-    }
-  }
-  std::size_t size() const { return data_[X].size(); }
+  explicit PointSources(std::size_t states) : arrays_(2 + 4 * states) {}
 
-  /// Their sums at x, in about 1 ns a point.
-  FieldSums at(Complex x, InstructionSet set = largestInstructionSet()) const {
-    return at(x, 0, size(), set);
+  std::size_t size() const { return size_; }
+
+  /// Points, in the order of their places; what they carry comes later.
+  template <class Place>
+  void add(std::size_t count, const Place& place) {
+    reserve(count);
+    for (std::size_t q = 0; q < count; ++q, ++size_) {
+      const Complex x = place(q);
+      data_[size_] = x.real();
+      data_[capacity_ + size_] = x.imag();
+    }
   }
-  /// Of the points first ... last - 1 only.
-  FieldSums at(Complex x, std::size_t first, std::size_t last,
-               InstructionSet set = largestInstructionSet()) const;
+
+  /// What a point carries in a state.
+  void carry(std::size_t point, std::size_t state, Complex density, Complex slope);
+  /// Points from one on carry what points first ... last - 1 of others do.
+  void carry(std::size_t point, const PointSources& others, std::size_t first,
+             std::size_t last);
+
+  /// Sums of a state over every eighth point: Re g a, Im g b, Im g a, Re g b for 1/w = a - ib,
+  /// and the cubic part; of the density and of the slope.
+  struct Sums {
+    AlignedLane of[2][6] = {};
+    FieldSums total() const;
+  };
+
+  /// Adds those of the points first ... last - 1 at x for each state, in about 1 ns a point.
+  void addAt(Complex x, std::size_t first, std::size_t last, std::vector<Sums>& sums,
+             InstructionSet set = largestInstructionSet()) const;
 
  private:
-  enum { X, Y, DensityX, DensityY, SlopeX, SlopeY, Arrays };
-  std::vector<double> data_[Arrays];
+  void reserve(std::size_t more);
+
+  /// x, y, and of each state x and y of the density and of the slope, one after the other.
+  std::unique_ptr<double[]> data_;
+  std::size_t arrays_;
+  std::size_t size_ = 0;
+  std::size_t capacity_ = 0;
 };
 
 }  // namespace epafi::bem

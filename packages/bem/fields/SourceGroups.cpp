@@ -2,6 +2,7 @@
 
 #include "bem/moments/FarOrder.hpp"
 #include "bem/quadrature/Gauss.hpp"
+#include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,17 +21,60 @@ int termsFor(double q) {
   return std::max(4, static_cast<int>(std::ceil(std::log(wanted) / std::log(q))) + 2);
 }
 
+/// A complex number or four densities and slopes of them.
+template <class Number>
+struct Parts {
+  Number re{};
+  Number im{};
+};
+
+EPAFI_INLINE void addProduct(Complex factor, const AlignedLane (&m)[2],
+                             Parts<Pack>& sum) {
+  const Pack& re = load(m[0].lane);
+  const Pack& im = load(m[1].lane);
+  sum.re += factor.real() * re - factor.imag() * im;
+  sum.im += factor.real() * im + factor.imag() * re;
+}
+
+/// Σ of the powers times the moments.
+struct Series {
+  const SourceGroups::Group::Moments* moments;
+  std::size_t terms;
+  Complex first;
+  Complex q;
+  Parts<AlignedLane> (&sums)[4];  // plain, conjugate, square, shifted
+
+  template <Division>
+  EPAFI_INLINE void run() const {
+    Parts<Pack> sum[4];
+    Complex power = first;
+    for (std::size_t k = 0; k < terms; ++k) {
+      const Complex next = static_cast<double>(k + 1) * power;
+      addProduct(power, moments[k].plain, sum[0]);
+      addProduct(power, moments[k].conjugate, sum[1]);
+      addProduct(next, moments[k].plain, sum[2]);
+      addProduct(next, moments[k].shifted, sum[3]);
+      power *= q;
+    }
+    for (int i = 0; i < 4; ++i) {
+      store(sums[i].re.lane, sum[i].re);
+      store(sums[i].im.lane, sum[i].im);
+    }
+  }
+};
+
 }  // namespace
 
-SourceGroups::SourceGroups(const ElementRuns& runs, const std::vector<LocalField>& fields)
-    : runs_(runs), fields_(fields) {
+SourceGroups::SourceGroups(const ElementRuns& runs, const std::vector<LocalField>& fields,
+                           std::size_t states)
+    : runs_(runs), fields_(fields), states_(states) {
   if (runs.size() >= 4 * smallestGroup)
     divide(0, runs.size());
 }
 
 int SourceGroups::divide(int first, int last) {
   const auto number = static_cast<int>(groups_.size());
-  Group group{first, last, {-1, -1}, {}, 0, {}};
+  Group group{first, last, {-1, -1}, {}, 0, {}, 0};
   Vec2 low = runs_[first].centre;
   Vec2 high = low;
   for (int r = first; r < last; ++r) {
@@ -43,7 +87,8 @@ int SourceGroups::divide(int first, int last) {
         std::max(group.radius,
                  std::abs(asComplex(runs_[r].centre) - group.centre) + runs_[r].radius);
   if (number > 0) {
-    group.moments.resize(termsFor(1 / separation));
+    group.terms = termsFor(1 / separation);
+    group.moments.resize(group.terms * ((states_ + statesInLanes - 1) / statesInLanes));
     for (int r = first; r < last; ++r)
       for (int f = runs_[r].first; f < runs_[r].last; ++f)
         addElement(f, group);
@@ -60,58 +105,60 @@ int SourceGroups::divide(int first, int last) {
 
 void SourceGroups::addElement(int f, Group& group) const {
   const Element& source = runs_.mesh()[f];
-  const LocalField& values = fields_[f];
   // the circle that targets stay outside of, seen from the element
   const double z = (separation - 1) * group.radius / source.half;
   const Rule& rule =
       gaussLegendre(smoothOrder(std::max(z, 1.1)) + degreeShare(source.degree));
   const Complex middle = asComplex(source.curve.frame().middle) - group.centre;
+  std::vector<Complex> carried(2 * states_);
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
     const double t = rule.points[q];
     const double weight = source.half * rule.weights[q];
     const Complex place = middle + asComplex(source.curve.fromMiddle(t));
-    const Complex density = weight * evaluate(values.density, source.densities - 1, t);
-    const Complex slope = weight * evaluate(values.slope, source.degree - 1, t);
     const Complex step = place / group.radius;
+    for (std::size_t i = 0; i < 2 * states_; ++i) {
+      const LocalField& values = fields_[f * states_ + i / 2];
+      carried[i] =
+          weight * (i % 2 == 0 ? evaluate(values.density, source.densities - 1, t)
+                               : evaluate(values.slope, source.degree - 1, t));
+    }
     Complex power = 1;
-    for (Group::Moments& m : group.moments) {
-      m.plain[0] += density * power;
-      m.plain[1] += slope * power;
-      m.conjugate[0] += std::conj(density) * power;
-      m.conjugate[1] += std::conj(slope) * power;
-      m.shifted[0] += density * std::conj(place) * power;
-      m.shifted[1] += slope * std::conj(place) * power;
+    for (std::size_t k = 0; k < group.terms; ++k) {
+      const Complex shifted = std::conj(place) * power;
+      for (std::size_t i = 0; i < 2 * states_; ++i) {
+        Group::Moments& m = group.moments[i / lanes * group.terms + k];
+        const auto add = [i](AlignedLane(&parts)[2], Complex value) {
+          parts[0].lane[i % lanes] += value.real();
+          parts[1].lane[i % lanes] += value.imag();
+        };
+        add(m.plain, carried[i] * power);
+        add(m.conjugate, std::conj(carried[i]) * power);
+        add(m.shifted, carried[i] * shifted);
+      }
       power *= step;
     }
   }
 }
 
-FieldSums SourceGroups::at(const Group& group, Complex x) {
+void SourceGroups::addAt(const Group& group, Complex x, std::vector<FieldSums>& sums,
+                         InstructionSet set) {
   const Complex z = x - group.centre;
   const Complex q = group.radius / z;
   const auto terms =
-      std::min(static_cast<std::size_t>(termsFor(std::abs(q))), group.moments.size());
-  Complex plain[2] = {};
-  Complex conjugate[2] = {};
-  Complex square[2] = {};
-  Complex shifted[2] = {};
-  Complex power = 1.0 / z;  // q^(k+1) / R
-  for (std::size_t k = 0; k < terms; ++k) {
-    const Group::Moments& m = group.moments[k];
-    const Complex next = static_cast<double>(k + 1) * power;
-    for (int i = 0; i < 2; ++i) {
-      plain[i] += power * m.plain[i];
-      conjugate[i] += power * m.conjugate[i];
-      square[i] += next * m.plain[i];
-      shifted[i] += next * m.shifted[i];
-    }
-    power *= q;
+      std::min(static_cast<std::size_t>(termsFor(std::abs(q))), group.terms);
+  Parts<AlignedLane> of[4];
+  for (std::size_t i = 0; i < 2 * sums.size(); ++i) {
+    const std::size_t lane = i % lanes;
+    if (lane == 0)  // q^(k+1) / R
+      dispatch(set, Series{group.moments.data() + i / lanes * group.terms, terms, 1.0 / z,
+                           q, of});
+    const auto number = [&](int n) {
+      return Complex(of[n].re.lane[lane], of[n].im.lane[lane]);
+    };
+    const SourceSums own{number(0), std::conj(number(1)),
+                         std::conj((std::conj(z) * number(2) - number(3)) / z)};
+    (i % 2 == 0 ? sums[i / 2].density : sums[i / 2].slope).add(own);
   }
-  const auto sums = [&](int i) {
-    return SourceSums{plain[i], std::conj(conjugate[i]),
-                      std::conj((std::conj(z) * square[i] - shifted[i]) / z)};
-  };
-  return {sums(0), sums(1)};
 }
 
 }  // namespace epafi::bem

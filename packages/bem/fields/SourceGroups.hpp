@@ -2,6 +2,8 @@
 
 #include "bem/kernel/Elasticity.hpp"
 #include "bem/moments/ElementRuns.hpp"
+#include "bem/simd/InstructionSet.hpp"
+#include "bem/simd/Pack.hpp"
 #include "bem/space/LocalField.hpp"
 
 #include <vector>
@@ -19,8 +21,9 @@ namespace epafi::bem {
 /// by one.
 class SourceGroups {
  public:
-  /// `fields` by element.  Both outlive it.
-  SourceGroups(const ElementRuns& runs, const std::vector<LocalField>& fields);
+  /// `fields` of some states, of the first element all, and so on.  Both outlive it.
+  SourceGroups(const ElementRuns& runs, const std::vector<LocalField>& fields,
+               std::size_t states);
 
   struct Group {
     int first;  ///< runs, first ... last - 1
@@ -28,12 +31,16 @@ class SourceGroups {
     int children[2] = {-1, -1};
     Complex centre;
     double radius = 0;
+    /// M, N and P, real and imaginary parts: of the densities and slopes of four states.
     struct Moments {
-      Complex plain[2];  ///< M of the density and of the slope
-      Complex conjugate[2];
-      Complex shifted[2];
+      AlignedLane plain[2];
+      AlignedLane conjugate[2];
+      AlignedLane shifted[2];
     };
-    std::vector<Moments> moments;  ///< none where runs are treated one by one
+    std::vector<Moments>
+        moments;            ///< none where runs are treated one by one; of the first four
+                            ///< states all k, and so on
+    std::size_t terms = 0;  ///< 0 <= k < terms
   };
   /// The first holds all; empty on small meshes.
   const std::vector<Group>& groups() const { return groups_; }
@@ -43,17 +50,21 @@ class SourceGroups {
     return !group.moments.empty() &&
            std::abs(centre - group.centre) - radius >= separation * group.radius;
   }
-  /// Its sums at a point of a circle that it is far from, to 1e-13 of the largest.
-  static FieldSums at(const Group& group, Complex x);
+  /// Adds its sums of each state at a point of a circle that it is far from, to 1e-13 of the
+  /// largest.
+  static void addAt(const Group& group, Complex x, std::vector<FieldSums>& sums,
+                    InstructionSet set = largestInstructionSet());
 
  private:
   static constexpr double separation = 2.5;
+  static constexpr std::size_t statesInLanes = lanes / 2;
 
   int divide(int first, int last);
   void addElement(int f, Group& group) const;
 
   const ElementRuns& runs_;
   const std::vector<LocalField>& fields_;
+  std::size_t states_;
   std::vector<Group> groups_;
 };
 

@@ -20,7 +20,8 @@ class CompressedBody final : public StabilisedBody {
   CompressedBody(const bem::Space& space,
                  std::shared_ptr<const bem::CompressedOperators> operators,
                  std::size_t number, Coupling coupling)
-      : operators_(std::move(operators)),
+      : space_(space),
+        operators_(std::move(operators)),
         number_(number),
         range_(operators_->range(number)),
         coupling_(std::move(coupling)) {
@@ -210,23 +211,87 @@ class CompressedBody final : public StabilisedBody {
     Matrix images;
   };
 
+  /// What rigid motions r leave in compressed operators, Z (r, 0) in the densities' rows, its Gram
+  /// matrix factored, the ψ that takes it away, and Z (0, ψ).  No columns: nothing.
+  struct Motions {
+    Matrix left;
+    Matrix factor;
+    Matrix psi;
+    Matrix images;
+  };
+  const Motions& motions() const {
+    if (motions_ == nullptr) {
+      const Matrix modes = makeRigidModes(space_).motions;
+      Matrix moved(operators_->size(), modes.columns());
+      for (Index k = 0; k < modes.columns(); ++k)
+        std::copy_n(modes.column(k), modes.rows(), moved.column(k) + range_.first);
+      Matrix left =
+          bem::rowsBetween(operators_->times(moved), range_.densities, range_.last);
+      Matrix right(operators_->size(), modes.columns());
+      for (Index k = 0; k < left.columns(); ++k)
+        for (Index i = 0; i < left.rows(); ++i)
+          right(range_.densities + i, k) = -left(i, k);
+      Matrix factor = bem::transposedTimes(left, left);
+      if (bem::cholesky(factor) != 0)
+        left = Matrix();
+      Matrix psi = left.columns() > 0 ? densityFactor().solve(right, 1) : Matrix();
+      Matrix images = left.columns() > 0 ? operators_->times(psi) : Matrix();
+      motions_ = std::make_unique<const Motions>(
+          Motions{std::move(left), std::move(factor), std::move(psi), std::move(images)});
+    }
+    return *motions_;
+  }
+
+  /// K u - (V + G) ψ from the images of both, and its largest entry over that of K u.
+  struct Rest {
+    Vector entries;
+    double size = 0;
+  };
+  Rest restOf(const Matrix& images) const {
+    Rest rest;
+    double size = 0;
+    for (Index i = range_.densities; i < range_.last; ++i) {
+      rest.entries.push_back(images(i, 0) + images(i, 1));
+      rest.size = std::max(rest.size, std::abs(rest.entries.back()));
+      size = std::max(size, std::abs(images(i, 0)));
+    }
+    rest.size /= size > 0 ? size : 1;
+    return rest;
+  }
+
+  /// Takes off the rest what rigid motions have added to it.
+  void takeMotions(const Rest& rest, Vector& psi, Matrix& images) const {
+    const Motions& all = motions();
+    Vector sizes;
+    for (Index k = 0; k < all.left.columns(); ++k)
+      sizes.push_back(dot(bem::columnOf(all.left, k), rest.entries));
+    if (sizes.empty())
+      return;
+    bem::choleskySolve(all.factor, sizes.data());
+    for (Index k = 0; k < all.left.columns(); ++k) {
+      for (Index i = 0; i < images.rows(); ++i)
+        images(i, 1) += sizes[at(k)] * all.images(i, k);
+      for (std::size_t i = 0; i < psi.size(); ++i)
+        psi[i] += sizes[at(k)] * all.psi(range_.densities + static_cast<Index>(i), k);
+    }
+  }
+
   /// That of u; the last one is kept, which several results ask for.  A solution has its ψ
-  /// with it: the last one's is tried first, taken where K u - (V + G) ψ vanishes, and corrected
-  /// where only rounding of the rigid motions added to u is left of it.
+  /// with it: the last one's is tried first, taken where K u - (V + G) ψ vanishes, perhaps but for
+  /// what rigid motions added to u leave of it, and corrected where only rounding is left.
   const Field& fieldOf(const Vector& u) const {
     if (u == field_.u)
       return field_;
     Vector psi = solved_;
     psi.resize(at(range_.last - range_.densities));
     Matrix images = imagesOf(u, psi);
-    double left = 0;
-    double size = 0;
-    for (Index i = range_.densities; i < range_.last; ++i) {
-      left = std::max(left, std::abs(images(i, 0) + images(i, 1)));
-      size = std::max(size, std::abs(images(i, 0)));
+    double left = restOf(images).size;
+    if (left > 1e-12 && left <= 1e-9) {
+      takeMotions(restOf(images), psi, images);
+      left = restOf(images).size;
     }
-    if (left > 1e-12 * size) {
-      const bool isNear = left <= 1e-9 * size;
+    if (left > 1e-12) {
+      const bool isNear = left <= 1e-9;
       if (!isNear)
         std::fill(psi.begin(), psi.end(), 0.0);
       Matrix right(images.rows(), 1);
@@ -240,12 +305,14 @@ class CompressedBody final : public StabilisedBody {
     return field_;
   }
 
+  const bem::Space& space_;
   std::shared_ptr<const bem::CompressedOperators> operators_;
   std::size_t number_;
   const bem::CompressedOperators::Range& range_;
   Coupling coupling_;
   CompressedCoupling compressed_;  ///< the own multiplier's
   mutable std::unique_ptr<const bem::CompressedFactor> densityFactor_;
+  mutable std::unique_ptr<const Motions> motions_;
   mutable Vector solved_;  ///< ψ of the last solution
   mutable Field field_;
   mutable Under under_;
