@@ -136,8 +136,13 @@ Points gridPoints(const std::string& text, const Box& box, const SavedRun& run) 
   const auto comma = text.find(',');
   if (comma == std::string::npos)
     throw InputError("fields: --grid: '", text, "' is not NX,NY, as 60,30");
-  return cellsOf(box, positiveNumber("--grid", text.substr(0, comma)),
-                 positiveNumber("--grid", text.substr(comma + 1)), run);
+  const int nx = positiveNumber("--grid", text.substr(0, comma));
+  const int ny = positiveNumber("--grid", text.substr(comma + 1));
+  constexpr double most = 1e7;  // a file of 2 GB
+  if (static_cast<double>(nx) * ny > most)
+    throw InputError("fields: --grid: '", text, "' are more than ", most,
+                     " points; a --window shows a part more finely");
+  return cellsOf(box, nx, ny, run);
 }
 
 Points pointsOf(const std::string& file, const SavedRun& run) {
@@ -264,7 +269,8 @@ void evaluate(const Given& given, std::ostream& out) {
   }
   const Points points = chosenPoints(given, run);
   if (points.empty())
-    throw InputError("fields: --grid: none of its points lies inside a body; take more");
+    throw InputError("fields: --grid: none of its points lies inside a body; take more",
+                     given.has("--window") ? ", or another --window" : "");
   const std::vector<InsideValue> values = run.insides().at(points);
   const std::string file = given.value("--output", folder + "/fields.csv");
   write(file, run.insides().csv(points, values));

@@ -20,8 +20,8 @@ struct Plan {
 };
 
 /// As Solver->Linear->Method wants it; "Automatic": compressed where the scene allows it and
-/// less time is foretold for meshes that are not graded to rounding, or where dense matrices do
-/// not fit.  Collective.
+/// less time is foretold, for meshes that are not graded to rounding, of bodies that are not
+/// slender; or where dense matrices do not fit.  Collective.
 Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks);
 
 /// Why a level is not begun that would not fit into Maximum Memory, or else into what is

@@ -33,7 +33,8 @@ bem::Family<LinearMethod>& linearMethods() {
            factors, LinearMethod::Operators::Compressed},
           {"Automatic",
            "Compressed where that is possible and costs less, by a forecast from sizes, "
-           "on meshes graded by less than 1e6, or where Dense would not fit; else Dense; "
+           "on meshes graded by less than 1e6 of bodies that are not slender, or where "
+           "Dense would not fit; else Dense; "
            "never changes Stabilization->Form",
            factors, LinearMethod::Operators::Cheaper},
       });

@@ -150,6 +150,8 @@ Scene sceneOf(const std::string& text, const std::string& file,
               const std::vector<std::string>& overrides) {
   return naming(file, [&] {
     RawScene raw = rawScene(text, file);
+    if (raw.list.isSublist("Scenes"))
+      throw InputError("is a study, not a scene; to run it: epafi study " + file);
     for (const std::string& assignment : overrides)
       applyOverride(raw.list, assignment);
     return build(file, raw);

@@ -211,7 +211,10 @@ const std::vector<Parameter>& studyParameters() {
 
 Study readStudy(const std::string& file) {
   try {
-    return build(file, readRawScene(file));
+    const RawScene raw = readRawScene(file);
+    if (raw.list.isSublist("Bodies"))
+      throw InputError("is a scene, not a study; to solve it: epafi run " + file);
+    return build(file, raw);
   } catch (const InputError& error) {
     throw InputError(file + ": " + error.what());
   }

@@ -31,6 +31,11 @@ claim(code == 1 and all("  " + name in text for name in names),
       "a wrong command is answered by the list of commands")
 code, text = epafi(scene("tresca.xml"))
 claim(code == 1 and "epafi run " in text, "a scene without a command as well: how to run it")
+study = os.path.join(SCENES, "..", "studies", "ablation.xml")
+for arguments, words in [(("run", study), "epafi study " + study),
+                         (("study", scene("tresca.xml")), "epafi run " + scene("tresca.xml"))]:
+    code, text = epafi(*arguments)
+    claim(code == 1 and words in text, "a study is no scene, nor the other way: " + text.strip())
 for arguments, words in [
         (["--output", "a", "--output", "b"], "2 times"), (["--output="], "needs a value"),
         (["--force=yes"], "takes no value"), (["--output", ""], "empty")]:

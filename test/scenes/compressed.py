@@ -67,6 +67,9 @@ def chosen(name, file, elements, settings):
 
 claim(chosen("small", "coulomb.xml", [64] * 4, DENSITY)[0] == "dense", "small levels are dense")
 claim(chosen("large", "coulomb.xml", [256] * 4, DENSITY)[0] == "compressed", "large ones are compressed")
+THIN = "Bodies->block->Geometry->Vertices=4x2:{-0.5,-0.5, 0.5,-0.5, 0.5,-0.42, -0.5,-0.42}"
+claim(chosen("slender", "coulomb.xml", [460, 52, 460, 52], [*DENSITY, THIN])[0] == "dense",
+      "but dense where the body is slender, whose displacements would lose digits")
 FOUNDATION = [176, 176, 44, 88, 44, 176]
 claim(chosen("fits", "tresca.xml", FOUNDATION, NONE)[0] == "dense", "a level of 704 elements is dense")
 claim(chosen("narrow", "tresca.xml", FOUNDATION, [*NONE, "Adaptivity->Maximum Memory=112"])[0] ==

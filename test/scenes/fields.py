@@ -158,6 +158,8 @@ for sentence, words, arguments in [
                                  "--depth", "0"]),
         ("two ways", "one of", ["fields", folder, "--grid", "3,3", "--points", "x"]),
         ("half a grid", "NX,NY", ["fields", folder, "--grid", "3"]),
+        ("a grid beyond any file", "1e+07", ["fields", folder, "--grid", "100000,100000"]),
+        ("a window outside", "another --window", ["fields", folder, "--window=1e3,1e3,1e4,1e4"]),
         ("a step behind the last", "has 5 steps", ["fields", path, "--step", "6"]),
         ("a step of no path", "no History", ["fields", folder, "--step", "1"]),
         ("step 0", "--step", ["fields", path, "--step", "0"]),
