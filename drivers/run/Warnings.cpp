@@ -55,6 +55,34 @@ void findPolygon(const bem::Outline& outline, const std::string& boundary,
                                "exact; so is a straight side with the shape in its Gap"));
 }
 
+/// Corners where two sides prescribe displacements that differ.
+void findJumps(const Body& body, std::vector<std::string>& warnings) {
+  const auto& held = body.conditions.dirichlet;
+  for (const bem::Edge& edge : body.outline->edges()) {
+    const std::string& next = body.outline->edge(edge.next).boundary;
+    const auto before = held.find(edge.boundary);
+    const auto behind = held.find(next);
+    if (before == held.end() || behind == held.end() || before == behind)
+      continue;
+    const bem::Vec2 corner = body.outline->physical(edge.curve.to());
+    const auto differ = [&](const bem::Function& one, const bem::Function& other) {
+      constexpr double same = 1e-9;
+      if (!one || !other)
+        return false;
+      const double a = one(corner);
+      const double b = other(corner);
+      return std::abs(a - b) > same * std::max(std::abs(a), std::abs(b));
+    };
+    if (differ(before->second.x, behind->second.x) ||
+        differ(before->second.y, behind->second.y))
+      warnings.push_back(message(
+          "Bodies->", body.name, "->Boundary Conditions: '", edge.boundary, "' and '",
+          next, "' prescribe different displacements of their corner (", corner.x, ", ",
+          corner.y,
+          "); a jump has no finite energy: stresses there grow with every level"));
+  }
+}
+
 /// Adds the words of all texts of a list and its sublists.
 void collectWords(const Teuchos::ParameterList& list, std::set<std::string>& words) {
   for (const auto& item : list) {
@@ -180,6 +208,8 @@ std::vector<std::string> warningsOf(const Scene& scene) {
           scene.outlineOf(pair.met), pair.met.boundary,
           "Bodies->" + scene.nameOf(pair.met) + "->Geometry, '" + pair.met.boundary + "'",
           warnings);
+  for (const Body& body : scene.bodies)
+    findJumps(body, warnings);
   findUnused(scene, warnings);
   return warnings;
 }

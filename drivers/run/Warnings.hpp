@@ -8,8 +8,8 @@
 
 namespace epafi::drivers {
 
-/// What is probably not meant, a sentence each: what has no effect, straight
-/// edges that draw a curve on a side in contact.  A polygon meets an obstacle at its corners: 64
+/// What is probably not meant, a sentence each: what has no effect, displacements
+/// that jump at a corner, straight edges that draw a curve on a side in contact.  A polygon meets an obstacle at its corners: 64
 /// edges around a cylinder give 1.6 times Hertz' contact length.
 std::vector<std::string> warningsOf(const Scene& scene);
 

@@ -162,6 +162,21 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
   return parts;
 }
 
+/// Beyond this the first side's stiffness is singular to rounding: units of stress are the softer's.
+void checkModuli(const ContactPair& pair, const std::string& path, const Scene& scene) {
+  constexpr double most = 1e14;
+  if (pair.met.rigid)
+    return;
+  const Body& side = scene.bodies[pair.side.body];
+  const Body& met = scene.bodies[pair.met.body];
+  const double ratio = side.material.youngsModulus / met.material.youngsModulus;
+  if (ratio > most)
+    throw InputError(path, "->Between: '", side.name, "' is ", ratio,
+                     " times as stiff as '", met.name, "', at most ", most,
+                     " is possible; name the softer one first, or make '", side.name,
+                     "' Rigid");
+}
+
 }  // namespace
 
 void readContacts(const ParameterList& contacts, const std::string& file, Scene& scene) {
@@ -173,6 +188,7 @@ void readContacts(const ParameterList& contacts, const std::string& file, Scene&
     checkFree(pair.side, path, scene);
     checkFree(pair.met, path, scene);
     checkNotMet(pair.side, path, scene);
+    checkModuli(pair, path, scene);
     Names names = scene.names();
     names.normal = normalOn(scene.outlineOf(pair.side), pair.side.boundary);
     contact::Conditions::Contact condition =

@@ -11,6 +11,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <set>
 
@@ -39,7 +40,7 @@ void checkReal(const std::string& text, double largest) {
   const std::string mantissa = text.substr(0, text.find_first_of("eE"));
   const bool subnormal = std::abs(value) < std::numeric_limits<double>::min();
   if (subnormal && mantissa.find_first_of("123456789") != std::string::npos)
-    throw InputError("'", text, "' is too small for a number; write 0");
+    throw InputError("'", text, "' is too small for a number; from 2.3e-308 on, or 0");
 }
 
 template <class Integer>
@@ -225,6 +226,15 @@ std::size_t endOfTag(const std::string& text, std::size_t at) {
   return at;
 }
 
+/// Where a quoted text of YAML ends that begins at `at`; or the text's size.
+std::size_t endOfQuote(const std::string& text, std::size_t at) {
+  const char quote = text[at++];
+  for (; at < text.size() && text[at] != quote; ++at)
+    if (text[at] == '\\' && quote == '"')
+      ++at;
+  return at;
+}
+
 }  // namespace
 
 void checkNestingOfXml(const std::string& text) {
@@ -244,8 +254,15 @@ void checkNestingOfXml(const std::string& text) {
 
 void checkNestingOfYaml(const std::string& text) {
   int depth = 0;
-  for (const char c : text)
+  char before = '\n';  // the last one that is no blank; behind others ' is an apostrophe
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char c = text[at];
+    if ((c == '"' || c == '\'') && std::strchr("\n[{,:-?", before) != nullptr)
+      at = endOfQuote(text, at);
     checkDepth(depth += c == '{' || c == '[' ? 1 : c == '}' || c == ']' ? -1 : 0);
+    if (c != ' ' && c != '\t' && c != '\r')
+      before = c;
+  }
   if (text.find("\n" + std::string(deepest + 1, ' ')) != std::string::npos)
     throw bem::InputError("a line is indented by more than ", deepest, " columns");
 }

@@ -193,7 +193,7 @@ TEUCHOS_UNIT_TEST(BadInput, listsTooDeepAreRefusedAtOnce) {
     TEST_COMPLAINT(times(depth, "<ParameterList name='<a/>'>"), "1000 deep");
     TEST_COMPLAINT("<ParameterList name='a'>" + times(depth, "<_><!-- </_> -->"),
                    "1000 deep");
-    for (const char* open : {"{a: ", "["})
+    for (const char* open : {"{a: ", "[", "{\"]\": ", "{']': "})
       TEST_ASSERT(
           contains(complaintOf("a: " + times(depth, open), "scene.yaml"), "1000 deep"));
   }

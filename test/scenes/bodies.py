@@ -212,6 +212,8 @@ refused("an elastic body with a motion", [A, listed(
                 parameter("Poisson's Ratio", "double", 0.3)), geometry(block(0, -1, 1, 0)),
     listed("Motion", parameter("Rotation", "string", "0.1")))],
         contact("c", "a:bottom", "b:top"), "Motion->Rotation")
+refused("steel of another world", [body("a", block(0, 0, 1, 1), 1e20, PRESS, "{X, Rotation}"), B],
+        contact("c", "a:bottom", "b:top"), "Contacts->c->Between", "1e+20 times as stiff", "Rigid")
 refused("no modulus", [listed("a", listed("Material"), geometry(block(0, 0, 1, 1)))], "",
         "Young's Modulus", "missing")
 refused("overlap", [A, body("b", block(0.5, 0.2, 1.5, 0.8), 1.0, CLAMP)], "", "overlap")

@@ -34,6 +34,9 @@ for sentence, settings, words in [
         ("a load beyond all bounds",
          [PUSHED, HELD], "% of the body's size"),
         ("a path without t", ["History->Times={1, 2}"], "no expression uses t"),
+        ("a corner that two sides move apart",
+         [CONDITIONS + "top={Type=Dirichlet, Displacement X=0, Displacement Y=-0.001}",
+          CONDITIONS + "side={Type=Dirichlet, Displacement X=1e-4*(x > 0)}", HELD], "of their corner ("),
         ("a constant that none uses", ["Constants->tpo=1"], "Constants->tpo = 1 is in no expression")]:
     code, warnings = told(scene("coulomb.xml"), "odd", settings)
     claim(code == 0 and len(warnings) == 1 and words in warnings[0],

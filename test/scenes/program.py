@@ -142,6 +142,7 @@ def wait_for_a_level(folder):
 
 folder = fresh("interrupted")
 process = subprocess.Popen([EPAFI, "run", TRESCA, "--output", folder, "--set",
+                            "Adaptivity->Strategy=Uniform h", "--set",
                             "Adaptivity->Maximum Levels=20", "--set",
                             "Adaptivity->Maximum Degrees of Freedom=1000000", "--set",
                             "Solver->Complementarity=Fischer-Burmeister"],

@@ -1,6 +1,7 @@
 #include "contact/results/Summary.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/base/Error.hpp"
 #include "bem/quadrature/Piecewise.hpp"
 #include "contact/body/Loads.hpp"
 #include "contact/opposite/MortarCoupling.hpp"
@@ -186,6 +187,10 @@ Summary summarize(const Solved& solved) {
   summary.energyStrain = energy * solved.problem.strainEnergy(solved.state, u);
   summary.energyLoad = energy * dotProduct(solved.problem.load(), u);
   addContact(solved, [&](const Element&) -> Summary& { return summary; });
+  if (!std::isfinite(summary.energyStrain + summary.energyLoad + summary.energyFriction))
+    throw bem::NumericalError(
+        "energies are beyond numbers: displacements are too large for all; look at the "
+        "units of Young's modulus, loads and lengths");
   summary.motion = meanMotion(solved);
   summary.load = resultantOf(loadWork(solved), solved);
   summary.reaction = resultantOf(reactionWork(solved), solved);

@@ -63,9 +63,9 @@ def draw(folder, steps, title, pictures):
             axes[2].plot([0, *(mean_slip(file, name) for file in files)],
                          np.append(0, rows[name + ".force_tangential"]), marker=".",
                          label=name, color="C%d" % k)
-        axes[2].set_xlabel("mean of $u_t$ on the contact boundary")
+        axes[2].set_xlabel("mean of $u_t$ along the contact")
         axes[2].set_ylabel("tangential force")
-        axes[2].ticklabel_format(axis="x", scilimits=(-3, 3))
+        axes[2].ticklabel_format(axis="x", scilimits=(-2, 3))  # or their zeros run together
         axes[2].legend()
     figure.suptitle(title + ": path")
     figure.tight_layout()
