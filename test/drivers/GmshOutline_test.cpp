@@ -10,7 +10,7 @@ namespace epafi {
 
 namespace {
 
-using drivers::Loops;
+using bem::Loops;
 
 const std::string header = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
 const std::string names =

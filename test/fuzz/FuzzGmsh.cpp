@@ -10,7 +10,7 @@ namespace epafi {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    const drivers::Loops loops =
+    const bem::Loops loops =
         drivers::readGmsh(std::string(reinterpret_cast<const char*>(data), size));
     bem::Outline(loops.outer, loops.holes);
   } catch (const bem::InputError&) {
