@@ -71,7 +71,7 @@ class Follower {
     now->conditions = ground_.scene.conditionsAt(next);
     now->system = std::make_unique<const contact::ContactSystem>(
         atZero_.under({now->conditions, ground_.scene.drivesAt(next), memory_.slip(),
-                       memory_.largestLoad()}));
+                       memory_.largestLoad(), responses_}));
     if (isKnown) {
       const PathPoint& point = earlier_[path_.points.size()];
       solved.state = point.state;
@@ -94,6 +94,7 @@ class Follower {
       ++row_.parts;
       memory_.add(*now->system, latestAt_);
       prediction_.add(*now->system, latestAt_.state);
+      responses_ = now->system->responses();
       path_.points.push_back({next, latestAt_.state, solved.report.newtonIterations,
                               solved.report.coulombIterations});
       now_ = next;
@@ -143,6 +144,7 @@ class Follower {
   PhaseTimer& timer_;
   contact::PathMemory memory_;
   contact::Prediction prediction_;
+  std::vector<contact::LoadResponses> responses_;
   Path path_;
   StepRow row_;
   std::unique_ptr<PathStep> latest_;

@@ -4,6 +4,7 @@
 #include "contact/equation/ProblemFamily.hpp"
 #include "contact/path/PathMemory.hpp"
 #include "contact/path/Prediction.hpp"
+#include "contact/system/LoadResponses.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -257,6 +258,43 @@ TEUCHOS_UNIT_TEST(Path, theIncrementLeadsFromTheStepBeforeToThisOne) {
                  1e-6 * (largest(derivative) + 1e-12));
   TEST_THROW(contact::ProblemFamily(step.numbers(), step.gap()).at({1, 1, 0.5}),
              bem::InputError);
+}
+
+TEUCHOS_UNIT_TEST(LoadResponses, ofCombinationsNeedFewSolutions) {
+  const auto loadAt = [](double t, double across) {
+    Vector load;
+    for (int j = 0; j < 50; ++j)
+      load.push_back(std::cos(0.3 * j) + t * std::sin(0.9 * j) + across * j);
+    return load;
+  };
+  const auto image = [](const Vector& load) {
+    Vector result(7, 0.0);
+    for (std::size_t i = 0; i < result.size(); ++i)
+      for (std::size_t j = 0; j < load.size(); ++j)
+        result[i] +=
+            std::sin(1.7 * static_cast<double>(i) + static_cast<double>(j)) * load[j];
+    return result;
+  };
+  contact::LoadResponses responses;
+  int solved = 0;
+  const auto responseTo = [&](const Vector& load) {
+    return responses.of(load, [&] {
+      ++solved;
+      return image(load);
+    });
+  };
+  for (int step = 0; step <= 40; ++step) {
+    const Vector load = loadAt(step < 30 ? 0.1 * step : 6 - 0.1 * step, 0);
+    const Vector response = responseTo(load);
+    const Vector exact = image(load);
+    for (std::size_t i = 0; i < exact.size(); ++i)
+      TEST_COMPARE(std::abs(response[i] - exact[i]), <, 1e-12);
+  }
+  TEST_COMPARE(solved, <=, 6);
+  // another direction, though by little, is another load
+  const int before = solved;
+  responseTo(loadAt(1, 1e-12));
+  TEST_EQUALITY(solved, before + 1);
 }
 
 }  // namespace epafi

@@ -153,6 +153,12 @@ ElasticBody::Response ElasticBody::response(
   return response;
 }
 
+Vector ElasticBody::pushing() const {
+  Vector all = load_;
+  all.insert(all.end(), constant_.begin(), constant_.end());
+  return all;
+}
+
 Vector ElasticBody::unpushed() const {
   Vector u = respond(load_);
   axpy(1, constant_, u);

@@ -62,6 +62,8 @@ class ElasticBody {
 
   /// u for λ = 0, α = 0, and Rᵀ f of the free motions: what loads make of a response.
   Vector unpushed() const;
+  /// The loads that it is linear in: forces, then displacements given.
+  Vector pushing() const;
   Vector rigidLoad() const;
 
   /// u under the contact forces Cᵀ λ, the free motions' sizes from `motions` on; refined,

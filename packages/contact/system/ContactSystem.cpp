@@ -22,6 +22,7 @@ struct ContactSystem::Parts {
   Vector gap{};
   Vector jump{};
   Vector slipBefore{};
+  std::vector<LoadResponses> toLoads{};
 
   std::size_t size() const { return bodies.size(); }
   const BodyParts& part(std::size_t b) const { return *bodies[b].parts_; }
@@ -71,7 +72,12 @@ struct ContactSystem::Parts {
     numbers.offset.assign(numbering.size(), 0.0);
     for (std::size_t b = 0; b < size(); ++b) {
       const ElasticBody& body = *part(b).body;
-      axpy(1, couplings->pull(b, part(b), body.unpushed()), numbers.offset);
+      const auto respond = [&] { return couplings->pull(b, part(b), body.unpushed()); };
+      // with a factored matrix a solution costs as little
+      axpy(1,
+           body.compressed() != nullptr ? toLoads[b].of(body.pushing(), respond)
+                                        : respond(),
+           numbers.offset);
       const Vector load = body.rigidLoad();
       numbers.rigidLoad.insert(numbers.rigidLoad.end(), load.begin(), load.end());
     }
@@ -151,6 +157,8 @@ ContactSystem ContactSystem::under(const Step& step) const {
   auto parts =
       std::make_unique<Parts>(Parts{std::move(bodies), numbering(), parts_->couplings,
                                     parts_->rigid.under(step.rigid)});
+  parts->toLoads = step.responses;
+  parts->toLoads.resize(size());
   parts->respondAll(*parts_);
   parts->setScale(std::max(parts->loadSize(), step.largestLoad));
   if (!step.slipBefore.empty()) {
@@ -168,6 +176,10 @@ Vector ContactSystem::slipSoFar(const State& state) const {
 }
 
 const Vector& ContactSystem::slipBefore() const { return parts_->slipBefore; }
+
+const std::vector<LoadResponses>& ContactSystem::responses() const {
+  return parts_->toLoads;
+}
 
 double ContactSystem::loadSize() const { return parts_->loadSize(); }
 

@@ -3,6 +3,7 @@
 #include "contact/opposite/RigidBodies.hpp"
 #include "contact/problem/Numbering.hpp"
 #include "contact/system/ContactProblem.hpp"
+#include "contact/system/LoadResponses.hpp"
 
 namespace epafi::contact {
 
@@ -41,6 +42,8 @@ class ContactSystem {
     std::vector<Drive> rigid{};                 ///< of now
     Vector slipBefore{};     ///< rₜ at the end of the step before, see slipSoFar
     double largestLoad = 0;  ///< loadSize() of the steps before, the largest
+    std::vector<LoadResponses>
+        responses{};  ///< of the step before; none: nothing is known
   };
   /// The same bodies on the same meshes at another time: conditions of the same kinds on the
   /// same boundaries, the same motions free, friction that remembers.  Shares factors, D and
@@ -52,6 +55,8 @@ class ContactSystem {
   Vector slipSoFar(const State& state) const;
   /// What this step was told; empty: nothing.
   const Vector& slipBefore() const;
+  /// What is known of each body's loads, this step's included: what the next step is told.
+  const std::vector<LoadResponses>& responses() const;
 
   /// Size of tractions, prescribed displacements, penetrations and forces, dimensionless;
   /// zero without load.
