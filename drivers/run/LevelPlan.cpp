@@ -16,8 +16,12 @@ namespace {
 constexpr double mostGraded = 1e6;
 
 // Square of the diameter over the area: displacements of compressed levels agree with dense ones to
-// 1e-7 of the largest up to here, to 6e-4 on a beam of 1 : 30.
+// 1e-7 of the largest up to here, to 6e-4 on a beam of 1 : 30: bending multiplies what the
+// compression leaves out.
 constexpr double mostSlender = 10;
+constexpr const char* fewerDigits =
+    "a body is slender, and its displacements lose digits by compressed operators; "
+    "Solver->Linear->Method = Dense keeps them, Compression Tolerance = 1e-13 most";
 
 bool isSlender(const Body& body) {
   double area = 0;
@@ -70,8 +74,10 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks) {
   const int steps = scene.history.steps();
   const Cost dense = denseCost(sizes, steps, processes);
   const Cost compressed = compressedCost(sizes, steps, processes);
+  const bool isThin = std::any_of(scene.bodies.begin(), scene.bodies.end(), isSlender);
+  const std::string advice = isThin ? fewerDigits : "";
   if (wanted == Operators::Compressed)
-    return {true, compressed.memory};
+    return {true, compressed.memory, {}, advice};
 
   const double allowed = allowedMemory(scene, ranks);
   const bool denseFits = dense.memory <= allowed;
@@ -83,18 +89,18 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks) {
   };
   const bool isPossible = whyNotCompressed(scene).empty();
   const bool isDelicate =
-      std::any_of(sizes.begin(), sizes.end(),
-                  [](const BodySize& body) { return body.grading > mostGraded; }) ||
-      std::any_of(scene.bodies.begin(), scene.bodies.end(), isSlender);
+      isThin || std::any_of(sizes.begin(), sizes.end(), [](const BodySize& body) {
+        return body.grading > mostGraded;
+      });
   if (wanted == Operators::Cheaper && isPossible) {
     if (isBetter(1) && !(isDelicate && denseFits))
       return {true, compressed.memory,
-              denseFits ? std::optional(dense.memory) : std::nullopt};
+              denseFits ? std::optional(dense.memory) : std::nullopt, advice};
     return {false, dense.memory};
   }
   constexpr double worthTelling = 2;
   Plan plan{false, dense.memory};
-  if (isBetter(worthTelling))
+  if (isBetter(worthTelling) && !isDelicate)
     plan.advice = bem::message(
         "with ", wanted == Operators::Cheaper ? "" : "Solver->Linear->Method = Automatic",
         wanted == Operators::Cheaper || isPossible ? "" : " and ",

@@ -15,7 +15,7 @@ struct Plan {
   /// Of dense operators, which may take the place of compressed ones that fail: under Method
   /// "Automatic" where they fit.
   std::optional<double> denseInstead{};
-  /// What another Method or Form would save; empty: nothing to speak of.
+  /// What another Method or Form would save, or keep; empty: nothing to speak of.
   std::string advice{};
 };
 

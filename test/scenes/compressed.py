@@ -70,6 +70,9 @@ claim(chosen("large", "coulomb.xml", [256] * 4, DENSITY)[0] == "compressed", "la
 THIN = "Bodies->block->Geometry->Vertices=4x2:{-0.5,-0.5, 0.5,-0.5, 0.5,-0.42, -0.5,-0.42}"
 claim(chosen("slender", "coulomb.xml", [460, 52, 460, 52], [*DENSITY, THIN])[0] == "dense",
       "but dense where the body is slender, whose displacements would lose digits")
+claim("slender" in chosen("told", "coulomb.xml", [64, 8, 64, 8],
+                          [*DENSITY, THIN, "Solver->Linear->Method=Compressed"])[1],
+      "which a run with Compressed says")
 FOUNDATION = [176, 176, 44, 88, 44, 176]
 claim(chosen("fits", "tresca.xml", FOUNDATION, NONE)[0] == "dense", "a level of 704 elements is dense")
 claim(chosen("narrow", "tresca.xml", FOUNDATION, [*NONE, "Adaptivity->Maximum Memory=112"])[0] ==
