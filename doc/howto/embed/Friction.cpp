@@ -1,7 +1,7 @@
 #include "Friction.hpp"
 
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/coulomb/CoulombPlan.hpp"
+#include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/equation/ContactState.hpp"
 #include "contact/nox/ContactModel.hpp"
 #include "contact/nox/NoxNewton.hpp"
@@ -33,7 +33,7 @@ constexpr double last = 2;
 contact::State solved(const contact::Problem& problem) {
   const contact::NoxNewton newton;
   const contact::Tresca tresca(newton);
-  return contact::CoulombNewton(tresca).solve(problem, {}).state;
+  return contact::makeCoulomb(tresca, {})->solve(problem, {}).state;
 }
 
 // Each coefficient stands for its Gauss point's share of the element.

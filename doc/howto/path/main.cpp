@@ -4,7 +4,7 @@
 //   drive        prints t, where the actuator is, its force and friction's work so far
 
 #include "bem/algebra/LapackAlgebra.hpp"
-#include "contact/coulomb/CoulombPlan.hpp"
+#include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/newton/KeptFactor.hpp"
 #include "contact/nox/ContactModel.hpp"
 #include "contact/nox/NoxNewton.hpp"
@@ -54,7 +54,7 @@ contact::State solved(const contact::Problem& problem, const contact::State& sta
   contact::FactorMemory memory;  // its systems differ in few rows
   const contact::NoxNewton newton(nullptr, &memory);
   const contact::Tresca tresca(newton);
-  return contact::CoulombNewton(tresca).solve(problem, start).state;
+  return contact::makeCoulomb(tresca, {})->solve(problem, start).state;
 }
 
 /// Does the state solve this part of the step?  |f| of the model, relative to the load.
