@@ -43,8 +43,8 @@ std::string dataArray(const char* name, const std::vector<T>& values,
   std::memcpy(bytes.data(), &size, sizeof size);
   std::memcpy(bytes.data() + sizeof size, values.data(), size);
   return std::string("<DataArray type=\"") + typeName<T>() + "\" Name=\"" + name +
-         "\" NumberOfComponents=\"" + std::to_string(components) +
-         "\" format=\"binary\">" + base64(bytes) + "</DataArray>\n";
+         R"(" NumberOfComponents=")" + std::to_string(components) +
+         R"(" format="binary">)" + base64(bytes) + "</DataArray>\n";
 }
 
 constexpr unsigned char vtkLine = 3;
@@ -113,7 +113,7 @@ std::string stepsPvd(const std::vector<double>& times) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" " + format +
                      "<Collection>\n";
   for (std::size_t k = 0; k < times.size(); ++k)
-    text += "<DataSet timestep=\"" + exactly(times[k]) + "\" part=\"0\" file=\"" +
+    text += "<DataSet timestep=\"" + exactly(times[k]) + R"(" part="0" file=")" +
             stepFile(k + 1, "boundary.vtu") + "\"/>\n";
   return text + "</Collection>\n</VTKFile>\n";
 }

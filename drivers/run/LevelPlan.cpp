@@ -64,6 +64,40 @@ double allowedMemory(const Scene& scene, const Ranks& ranks) {
   return scene.adaptivity.limits.memory.value_or(free);
 }
 
+/// A level both ways.
+struct Forecast {
+  Cost dense;
+  Cost compressed;
+  double allowed = 0;       ///< memory [MiB]
+  bool isDelicate = false;  ///< compressed operators would lose digits
+
+  bool denseFits() const { return dense.memory <= allowed; }
+  /// Does it cost less to compress, in time by this factor?
+  bool compresses(double gain) const {
+    const bool compressedFits = compressed.memory <= allowed;
+    if (denseFits() != compressedFits)
+      return compressedFits;
+    if (!denseFits())
+      return compressed.memory < dense.memory;
+    return !isDelicate && gain * compressed.seconds < dense.seconds;
+  }
+};
+
+/// What compressed operators would save in place of dense ones that a scene asks for.
+std::string advised(const Forecast& forecast, bool isAutomatic, bool isPossible) {
+  constexpr double worthTelling = 2;
+  if (!forecast.compresses(worthTelling))
+    return "";
+  return bem::message(
+      "with ", isAutomatic ? "" : "Solver->Linear->Method = Automatic",
+      isAutomatic || isPossible ? "" : " and ",
+      isPossible ? "" : "Discretization->Stabilization->Form = Density",
+      " operators could be compressed: about ",
+      std::ceil(100 * forecast.compressed.seconds / forecast.dense.seconds),
+      " % of the time and ", std::ceil(forecast.compressed.memory), " in place of ",
+      std::ceil(forecast.dense.memory), " MiB");
+}
+
 }  // namespace
 
 Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks) {
@@ -72,43 +106,29 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks) {
   const int processes = ranks.algebra().processes();
   const std::vector<BodySize> sizes = sizesOf(spaces);
   const int steps = scene.history.steps();
-  const Cost dense = denseCost(sizes, steps, processes);
-  const Cost compressed = compressedCost(sizes, steps, processes);
   const bool isThin = std::any_of(scene.bodies.begin(), scene.bodies.end(), isSlender);
-  const std::string advice = isThin ? fewerDigits : "";
+  const bool isGraded = std::any_of(sizes.begin(), sizes.end(), [](const BodySize& b) {
+    return b.grading > mostGraded;
+  });
+  Forecast forecast{denseCost(sizes, steps, processes),
+                    compressedCost(sizes, steps, processes)};
+  Plan compressed{true, forecast.compressed.memory, {}, isThin ? fewerDigits : ""};
   if (wanted == Operators::Compressed)
-    return {true, compressed.memory, {}, advice};
+    return compressed;
 
-  const double allowed = allowedMemory(scene, ranks);
-  const bool denseFits = dense.memory <= allowed;
-  const bool compressedFits = compressed.memory <= allowed;
-  const auto isBetter = [&](double gain) {
-    return denseFits && compressedFits   ? gain * compressed.seconds < dense.seconds
-           : denseFits == compressedFits ? compressed.memory < dense.memory
-                                         : compressedFits;
-  };
+  forecast.allowed = allowedMemory(scene, ranks);
+  forecast.isDelicate = isThin || isGraded;
+  const bool isAutomatic = wanted == Operators::Cheaper;
   const bool isPossible = whyNotCompressed(scene).empty();
-  const bool isDelicate =
-      isThin || std::any_of(sizes.begin(), sizes.end(), [](const BodySize& body) {
-        return body.grading > mostGraded;
-      });
-  if (wanted == Operators::Cheaper && isPossible) {
-    if (isBetter(1) && !(isDelicate && denseFits))
-      return {true, compressed.memory,
-              denseFits ? std::optional(dense.memory) : std::nullopt, advice};
-    return {false, dense.memory};
+  if (isAutomatic && isPossible && forecast.compresses(1)) {
+    if (forecast.denseFits())
+      compressed.denseInstead = forecast.dense.memory;
+    return compressed;
   }
-  constexpr double worthTelling = 2;
-  Plan plan{false, dense.memory};
-  if (isBetter(worthTelling) && !isDelicate)
-    plan.advice = bem::message(
-        "with ", wanted == Operators::Cheaper ? "" : "Solver->Linear->Method = Automatic",
-        wanted == Operators::Cheaper || isPossible ? "" : " and ",
-        isPossible ? "" : "Discretization->Stabilization->Form = Density",
-        " operators could be compressed: about ",
-        std::ceil(100 * compressed.seconds / dense.seconds), " % of the time and ",
-        std::ceil(compressed.memory), " in place of ", std::ceil(dense.memory), " MiB");
-  return plan;
+  Plan dense{false, forecast.dense.memory};
+  if (!isAutomatic || !isPossible)
+    dense.advice = advised(forecast, isAutomatic, isPossible);
+  return dense;
 }
 
 std::optional<std::string> tooLarge(int level, const Size& size, const Plan& plan,

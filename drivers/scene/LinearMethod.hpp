@@ -30,11 +30,11 @@ struct LinearMethod {
   /// What it asks for: dense matrices, compressed operators, or whichever costs less.
   enum class Operators { Dense, Compressed, Cheaper };
 
-  const char* name;
-  const char* meaning;
+  const char* name = nullptr;
+  const char* meaning = nullptr;
   /// Null: by Cholesky's factors.
-  std::unique_ptr<const bem::SingleLayerSolver> (*solver)(const Ranks& ranks,
-                                                          const LinearOptions& options);
+  std::unique_ptr<const bem::SingleLayerSolver> (*solver)(
+      const Ranks& ranks, const LinearOptions& options) = nullptr;
   Operators operators = Operators::Dense;
 };
 

@@ -57,14 +57,18 @@ struct TileMoments {
   /// outer one is F.
   template <class SumsOf>
   void setPair(int rows, int columns, bool transposed, int lane, const SumsOf& sumsOf) {
+    const int byRow = transposed ? 1 : stride;
+    const int byColumn = transposed ? stride : 1;
+    Lane* const ofRows = transposed ? reverse : direct;
+    Lane* const ofColumns = transposed ? direct : reverse;
     for (int i = 0; i <= rows; ++i)
       for (int j = 0; j <= columns; ++j) {
-        const int at = transposed ? j * stride + i : i * stride + j;
+        const int at = i * byRow + j * byColumn;
         const auto sums = sumsOf(i, j);
         if (i < rows)
-          (transposed ? reverse : direct)[at][lane] = sums.direct;
+          ofRows[at][lane] = sums.direct;
         if (j < columns)
-          (transposed ? direct : reverse)[at][lane] = sums.reverse;
+          ofColumns[at][lane] = sums.reverse;
         if (i == rows || j == columns)
           continue;
         log[at][lane] = sums.log;

@@ -115,9 +115,9 @@ EPAFI_INLINE void angle(const Pack& y, const Pack& x, Pack& result) {
   for (int k = 0; k < 2; ++k) {
     const auto isAbove = (across < 0.0 ? -across : across) > halfway[k] * along;
     const auto isNegative = across < 0.0;
-    const Pack tangent =
-        isAbove ? (isNegative ? zero - tangents[k] : zero + tangents[k]) : zero;
-    turned += isAbove ? (isNegative ? zero - step : zero + step) : zero;
+    const Pack sign = isAbove ? (isNegative ? zero - 1.0 : zero + 1.0) : zero;
+    const Pack tangent = sign * tangents[k];
+    turned += sign * step;
     const Pack next = across - tangent * along;
     along += tangent * across;
     across = next;
