@@ -115,6 +115,43 @@ TEUCHOS_UNIT_TEST(CompressedEntries, leaveRigidMotionsWithoutTractions) {
   TEST_COMPARE(worst, <, 1e-11);
 }
 
+// An outline whose own edges get as short as 1e-8 of a side towards its corners: places on edges
+// that do not touch must be as far from each other as the user's coordinates say.
+TEUCHOS_UNIT_TEST(CompressedEntries, ofShortEdgesLeaveRigidMotionsWithoutTractions) {
+  const std::vector<bem::Vec2> corners = {{-0.5, 0}, {0.5, 0}, {0.5, 0.75}, {-0.5, 0.75}};
+  std::vector<bem::Vec2> vertices;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const bem::Vec2 a = corners[k];
+    const bem::Vec2 side = corners[(k + 1) % corners.size()] - a;
+    vertices.push_back(a);
+    for (double share = std::ldexp(1, -27); share < 0.5; share *= 2)
+      vertices.push_back(a + share * side);
+    for (double share = 0.5; share > 1e-8; share /= 2)
+      vertices.push_back(a + (1 - share) * side);
+  }
+  const bem::Space space(bem::makeMesh(outlineOf(polygon(vertices)),
+                                       std::vector<int>(vertices.size(), 2), 1));
+  const Matrix z = wholeSystem(space, bem::Lame({1, 0.3, false}));
+  const Matrix rigid = space.rigidMotions();
+  Matrix motions(z.columns(), rigid.columns());
+  for (Index j = 0; j < rigid.columns(); ++j)
+    std::copy_n(rigid.column(j), rigid.rows(), motions.column(j));
+  const Matrix left = bem::product(z, motions);
+  double forces = 0;
+  double means = 0;
+  const std::vector<bem::Unknown> unknowns = bem::unknownsOf(space);
+  for (Index j = 0; j < left.columns(); ++j)
+    for (Index i = 0; i < left.rows(); ++i) {
+      const double size = std::abs(left(i, j));
+      if (i < space.displacements())
+        forces = std::max(forces, size);
+      else
+        means = std::max(means, size / space.mesh()[unknowns[i].element].half);
+    }
+  TEST_COMPARE(forces, <, 1e-13);
+  TEST_COMPARE(means, <, 1e-13);
+}
+
 TEUCHOS_UNIT_TEST(CompressedEntries, skeletonsStandForTheirClustersBeforeAllOthers) {
   for (const CompressedSample& sample : compressedSamples()) {
     const bem::Space space(sample.mesh);

@@ -252,6 +252,7 @@ Outline::Outline(const Loop& outer, const std::vector<Loop>& holes,
       // The chord from the user's own coordinates: the shift to the origin rounds.
       edge.curve = Curve(scaled(from), scaled(to), (1 / scaling_.length) * (to - from),
                          loop.bulges.empty() ? 0 : loop.bulges[k]);
+      edge.start = from;
       edge.loop = loops_;
       edge.previous = first + (i + n - 1) % n;
       edge.next = first + (i + 1) % n;

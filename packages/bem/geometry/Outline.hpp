@@ -26,6 +26,7 @@ struct Loops {
 /// A piece of the outline, in the outline's own units (see Outline).
 struct Edge {
   Curve curve;  ///< the body lies to its left
+  Vec2 start;   ///< where it starts, as the user wrote it
   int loop = 0;
   int previous = 0;  ///< the edge that ends where this one starts
   int next = 0;

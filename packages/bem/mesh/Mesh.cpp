@@ -139,7 +139,16 @@ Vec2 Mesh::difference(const BoundaryPoint& x, const BoundaryPoint& y) const {
     return ex.curve.fromEnd(-toEndOfX) - ey.curve.fromStart(fromStartOfY);
   if (behind)
     return ex.curve.fromStart(fromStartOfX) - ey.curve.fromEnd(-toEndOfY);
-  return place(ex, x) - place(ey, y);
+  // From the nearer ends, whose difference has the digits of the user's coordinates: of
+  // edges much shorter than the outline scaled ones have lost them.
+  const auto start = [&](const Edge& edge, bool isNearer) {
+    return isNearer ? edge.start : outline_->edge(edge.next).start;
+  };
+  const bool startsX = fromStartOfX < toEndOfX;
+  const bool startsY = fromStartOfY < toEndOfY;
+  return (1 / outline_->scaling().length) * (start(ex, startsX) - start(ey, startsY)) +
+         (startsX ? ex.curve.fromStart(fromStartOfX) : ex.curve.fromEnd(-toEndOfX)) -
+         (startsY ? ey.curve.fromStart(fromStartOfY) : ey.curve.fromEnd(-toEndOfY));
 }
 
 Mesh makeMesh(std::shared_ptr<const Outline> outline,
