@@ -20,7 +20,7 @@ FORMS = {  # multiplier, form
     "GLL": ("Gauss-Legendre-Lagrange", "Density"), "GLoL": ("Gauss-Lobatto-Lagrange", "Density"),
     "Bernstein": ("Bernstein", "Density"), "Biorthogonal": ("Biorthogonal", "None")}
 FORMED = 1000  # multipliers up to which compressed operators form D
-SMALLEST = 1e-4  # edge of an outline that is cut towards its corners, of its side
+SMALLEST = 1e-8  # edge of an outline that is cut towards its corners, of its side
 # Graded hp, from few elements: a tenth of the smallest with every other level
 GRADED = ["Adaptivity->Strategy=Graded hp", "Adaptivity->Maximum Levels=20",
           "Adaptivity->Marking Fraction=0.3", "Adaptivity->Maximum Degrees of Freedom=1500"]

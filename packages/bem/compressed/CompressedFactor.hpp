@@ -66,8 +66,8 @@ class CompressedFactor {
   int update(Restriction restriction);
 
   /// X of Z X = B on what is not held; held unknowns are zero, or follow.  With
-  /// `refinements` corrections by the product; the elimination alone leaves some 1e-12 in
-  /// displacements, and more in densities as elements get many.
+  /// `refinements` corrections by the product of what is left of the densities' equations;
+  /// the elimination alone leaves more there as elements get many.
   /// \pre not of within().
   Matrix solve(const Matrix& b, int refinements = 1) const;
 
@@ -101,8 +101,8 @@ class CompressedFactor {
   Matrix solveSprung(const Matrix& b, const std::vector<char>& paths) const;
   Matrix solveStraight(const Matrix& b, const std::vector<char>& paths) const;
   Matrix solveOnce(const Matrix& b, const std::vector<char>& paths) const;
-  /// B less Z X on what is asked for, zero elsewhere.
-  Matrix residual(const Matrix& b, const Matrix& x) const;
+  /// B less Z X in the densities' equations, zero elsewhere.  \pre no entries are added there.
+  Matrix leftOfDensities(const Matrix& b, const Matrix& x) const;
 
   const EliminatedCluster& node(int c) const { return *nodes_[c]; }
   const Matrix& response(int c) const { return *responses_[c]; }

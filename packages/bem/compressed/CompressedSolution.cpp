@@ -101,15 +101,19 @@ Matrix CompressedFactor::solveOnce(const Matrix& b,
   return x;
 }
 
-Matrix CompressedFactor::residual(const Matrix& b, const Matrix& x) const {
-  Matrix rest = operators_->times(x);
-  for (const Restriction::Entry& entry : restriction_.entries)
-    for (Index j = 0; j < x.columns(); ++j)
-      rest(entry.row, j) += entry.value * x(entry.column, j);
-  for (Index j = 0; j < b.columns(); ++j)
-    for (Index i = 0; i < b.rows(); ++i)
-      rest(i, j) = restriction_.held[i] != 0 ? 0 : b(i, j) - rest(i, j);
-  return rest;
+// What rounds in the forces of a product bends slender bodies, by 1e-4 of the displacement of a
+// beam of 1 : 30; what the elimination leaves of forces does not.
+Matrix CompressedFactor::leftOfDensities(const Matrix& b, const Matrix& x) const {
+  const Matrix image = operators_->times(x);
+  Matrix left(b.rows(), b.columns());
+  for (std::size_t body = 0; body < operators_->bodies(); ++body) {
+    const CompressedOperators::Range& range = operators_->range(body);
+    for (Index j = 0; j < b.columns(); ++j)
+      for (Index i = range.densities; i < range.last; ++i)
+        if (restriction_.held[i] == 0)
+          left(i, j) = b(i, j) - image(i, j);
+  }
+  return left;
 }
 
 Matrix CompressedFactor::solveAlong(const std::vector<char>& paths,
@@ -124,7 +128,7 @@ Matrix CompressedFactor::solve(const Matrix& b, int refinements) const {
   const std::vector<char> all(nodes_.size(), 1);
   Matrix x = solveOnce(b, all);
   for (int step = 0; step < refinements; ++step) {
-    const Matrix correction = solveOnce(residual(b, x), all);
+    const Matrix correction = solveOnce(leftOfDensities(b, x), all);
     for (Index j = 0; j < x.columns(); ++j)
       for (Index i = 0; i < x.rows(); ++i)
         x(i, j) += correction(i, j);
