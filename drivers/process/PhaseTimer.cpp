@@ -3,6 +3,7 @@
 #include <Teuchos_DefaultSerialComm.hpp>
 #include <Teuchos_StackedTimer.hpp>
 
+#include <cstdio>
 #include <sstream>
 #include <utility>
 
@@ -46,11 +47,9 @@ std::string PhaseTimer::report() {
 
 PhaseTimer::Scope::Scope(PhaseTimer& timer, Phase phase)
     : timer_(timer), phase_(phase), start_(cpuSeconds()) {
-  std::ostringstream line;
-  line.precision(1);
-  line << std::fixed << timer.levelName_ << ": " << nameOf(phase) << " ("
-       << timer.wallSeconds() << " s so far)";
-  timer.watch_(line.str());
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, " (%.1f s so far)", timer.wallSeconds());
+  timer.watch_(timer.levelName_ + ": " + nameOf(phase) + seconds);
   timer.stack_->start(nameOf(phase));
 }
 

@@ -23,6 +23,10 @@ constexpr const char* fewerDigits =
     "a body is slender, and its displacements lose digits by compressed operators; "
     "Solver->Linear->Method = Dense keeps them, Compression Tolerance = 1e-13 most";
 
+// The part of what an earlier level found free that a later one takes without looking anew:
+// what systems tell costs a tenth of a millisecond.
+constexpr double plentiful = 0.1;
+
 bool isSlender(const Body& body) {
   double area = 0;
   for (const bem::Edge& edge : body.outline->edges())
@@ -100,7 +104,8 @@ std::string advised(const Forecast& forecast, bool isAutomatic, bool isPossible)
 
 }  // namespace
 
-Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks) {
+Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks,
+            double allowedBefore) {
   using Operators = LinearMethod::Operators;
   const Operators wanted = linearMethods().at(scene.linear.method).operators;
   const int processes = ranks.algebra().processes();
@@ -113,10 +118,13 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks) {
   Forecast forecast{denseCost(sizes, steps, processes),
                     compressedCost(sizes, steps, processes)};
   Plan compressed{true, forecast.compressed.memory, {}, isThin ? fewerDigits : ""};
+  const double most = std::max(forecast.dense.memory, forecast.compressed.memory);
+  compressed.allowed =
+      most < plentiful * allowedBefore ? allowedBefore : allowedMemory(scene, ranks);
   if (wanted == Operators::Compressed)
     return compressed;
 
-  forecast.allowed = allowedMemory(scene, ranks);
+  forecast.allowed = compressed.allowed;
   forecast.isDelicate = isThin || isGraded;
   const bool isAutomatic = wanted == Operators::Cheaper;
   const bool isPossible = whyNotCompressed(scene).empty();
@@ -126,6 +134,7 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks) {
     return compressed;
   }
   Plan dense{false, forecast.dense.memory};
+  dense.allowed = forecast.allowed;
   if (!isAutomatic || !isPossible)
     dense.advice = advised(forecast, isAutomatic, isPossible);
   return dense;
@@ -134,11 +143,10 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks) {
 std::optional<std::string> tooLarge(int level, const Size& size, const Plan& plan,
                                     const Scene& scene, const Ranks& ranks) {
   const std::optional<double>& limit = scene.adaptivity.limits.memory;
-  const double allowed = allowedMemory(scene, ranks);
-  if (plan.memory <= allowed)
+  if (plan.memory <= plan.allowed)
     return std::nullopt;
   const double program = programMemory * ranks.algebra().processes();
-  const double share = std::max((allowed - program) / (plan.memory - program), 0.0);
+  const double share = std::max((plan.allowed - program) / (plan.memory - program), 0.0);
   // matrices grow with the square
   const long cap = static_cast<long>((plan.compressed ? share : std::sqrt(share)) *
                                      static_cast<double>(size.dof()));
@@ -146,9 +154,9 @@ std::optional<std::string> tooLarge(int level, const Size& size, const Plan& pla
       "level ", level, " with ", size.dof(), " degrees of freedom would take about ",
       std::ceil(plan.memory), " MiB; ",
       limit ? "Adaptivity->Maximum Memory = " : "MiB that are free: ",
-      std::floor(allowed), limit ? "" : " (Adaptivity->Maximum Memory overrules them)",
-      "; ", plan.advice, plan.advice.empty() ? "" : "; ", "about ", cap,
-      " degrees of freedom fit: ");
+      std::floor(plan.allowed),
+      limit ? "" : " (Adaptivity->Maximum Memory overrules them)", "; ", plan.advice,
+      plan.advice.empty() ? "" : "; ", "about ", cap, " degrees of freedom fit: ");
   if (level == 0)
     throw bem::InputError(text + "make the first mesh coarser");
   return text + "set Adaptivity->Maximum Degrees of Freedom";

@@ -17,15 +17,18 @@ struct Plan {
   std::optional<double> denseInstead{};
   /// What another Method or Form would save, or keep; empty: nothing to speak of.
   std::string advice{};
+  double allowed = 0;  ///< Maximum Memory, or else what is free [MiB]
 };
 
 /// As Solver->Linear->Method wants it; "Automatic": compressed where the scene allows it and
 /// less time is foretold, for meshes that are not graded to rounding, of bodies that are not
 /// slender; or where dense matrices do not fit.  Collective.
-Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks);
+/// \param allowedBefore  `allowed` of an earlier level; 0 if there is none.
+Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks,
+            double allowedBefore);
 
 /// Why a level is not begun that would not fit into Maximum Memory, or else into what is
-/// free; nothing if it does.  Collective.
+/// free; nothing if it does.
 std::optional<std::string> tooLarge(int level, const Size& size, const Plan& plan,
                                     const Scene& scene, const Ranks& ranks);
 

@@ -280,6 +280,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
     lames.push_back(scene.lame(b));
 
   std::string advice;  // as it was given, once
+  double allowed = 0;  // memory, as it was found
   auto next = earlier ? levelAfterRestart(scene, *earlier, algebra) : firstLevel(scene);
   while (const auto* from = std::get_if<LevelStart>(&next)) {
     const int number = from->level;
@@ -288,7 +289,8 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
     if (size.dof() > scene.adaptivity.limits.degreesOfFreedom)
       return {contact::Status::Converged,
               capReached(number, size, scene.adaptivity.limits.degreesOfFreedom)};
-    const Plan plan = planOf(scene, spaces, ranks);
+    const Plan plan = planOf(scene, spaces, ranks, allowed);
+    allowed = plan.allowed;
     size.memory = plan.memory;
     if (const auto reason = tooLarge(number, size, plan, scene, ranks))
       return {contact::Status::Converged, *reason};

@@ -9,6 +9,7 @@
 #include <memory>
 #include <muParser.h>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace epafi::drivers {
@@ -85,6 +86,9 @@ class Parser {
       fail(error);
     }
   }
+  /// Does the point not matter?
+  bool isConstant() const { return parser_.GetUsedVar().empty(); }
+
   Parser(const Parser&) = delete;
   Parser& operator=(const Parser&) = delete;
 
@@ -129,7 +133,10 @@ class Expression {
       fail("is empty");
     if (loneEqualSign(text_) != std::string::npos)
       fail("assigns with '='; nothing can be assigned, equality is '=='");
-    evaluate({0, 0});  // for its syntax: the origin need not belong to the boundary
+    const double value =
+        evaluate({0, 0});  // for its syntax: the origin may lie elsewhere
+    if (idle_.front()->isConstant())
+      constant_ = value;
   }
 
   double operator()(bem::Vec2 point) const {
@@ -150,6 +157,8 @@ class Expression {
 
  private:
   double evaluate(bem::Vec2 point) const {
+    if (constant_)
+      return *constant_;
     try {
       std::unique_ptr<Parser> parser = take();
       const double value = (*parser)(point);
@@ -192,6 +201,7 @@ class Expression {
   Place place_;
   Names names_;
   Form form_;
+  std::optional<double> constant_;
   mutable std::mutex mutex_;
   mutable std::vector<std::unique_ptr<Parser>> idle_;
 };

@@ -94,8 +94,8 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
   size_ = 2 * geometry.half / p;
   stiffness_ = shearModulus / size_;
   weight_ = 2.0 / p * of(factors_, Source::Contact);
-  self_ = endValue(p, 1);
-  other_ = endValue(p, -1);
+  self_ = endValues(p, 1).end;
+  other_ = endValues(p, 1).start;
 
   const ContactProfiles profiles = contactProfiles(solved, element, {});
   const bem::Rule& rule = bem::gaussLegendre(p + 10);
@@ -107,9 +107,10 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
     const contact::PointLaw friction = element.condition->friction.at(
         mesh.physicalPoint(element.element, t), solved.units.stress);
     const Vec2 normal = geometry.curve.normal(t);
-    add(q, {normal.x, normal.y, rule.weights[q] * geometry.half,
-            endValue(p, -t) / geometry.half, endValue(p, t) / geometry.half, pressure,
-            profiles.shear(t), positive(profiles.opening(t)), profiles.tangential(t),
+    const EndValues e = endValues(p, t);
+    add(q, {normal.x, normal.y, rule.weights[q] * geometry.half, e.start / geometry.half,
+            e.end / geometry.half, pressure, profiles.shear(t),
+            positive(profiles.opening(t)), profiles.tangential(t),
             friction.bound(pressure)});
     if (friction.followsPressure())
       laws_.push_back(friction);

@@ -131,7 +131,9 @@ class Neighbourhood {
   void add(const std::vector<Vec2>& directions) {
     for (const Vec2 d : directions) {
       const Vec2 possible{joint_.free.x * d.x, joint_.free.y * d.y};
-      if (possible != Vec2{})
+      const bool isKnown = std::find(directions_.begin(), directions_.end(), possible) !=
+                           directions_.end();
+      if (possible != Vec2{} && !isKnown)
         directions_.push_back(possible);
     }
   }

@@ -96,8 +96,9 @@ class Residuals {
     for (std::size_t q = 0; q < values.size(); ++q) {
       const double t = values[q].place.t;
       const Vec2 r = values[q].weight * residual[q];
-      moments.start = moments.start + endValue(contact.degree, -t) * r;
-      moments.end = moments.end + endValue(contact.degree, t) * r;
+      const EndValues e = endValues(contact.degree, t);
+      moments.start = moments.start + e.start * r;
+      moments.end = moments.end + e.end * r;
     }
     return moments;
   }

@@ -184,9 +184,9 @@ void SteklovPoincare::makeTractions(TractionKernels kernels) {
       addAdjointDensity(std::move(kernels.hypersingular), std::move(kernels.adjoint));
   Matrix rows(lowest.rows(), kernels.start.back());
   for (std::size_t k = 0; k < tractionElements_.size(); ++k)
-    for (Index c = 0; c < 4; ++c)
-      std::copy_n(lowest.column(4 * static_cast<Index>(k) + c), lowest.rows(),
-                  rows.column(kernels.start[k] + c));
+    for (Index c = kernels.lowest[k]; c < kernels.lowest[k + 1]; ++c)
+      std::copy_n(lowest.column(c), lowest.rows(),
+                  rows.column(kernels.start[k] + c - kernels.lowest[k]));
   addRaised(kernels.raised, lowest, rows);
   tractions_ = std::make_shared<const TractionRows>(
       TractionRows{std::move(rows), std::move(kernels.start)});
@@ -208,8 +208,10 @@ void SteklovPoincare::addRaised(const std::vector<TractionKernels::Raised>& rais
       const TractionKernels::Raised& r = raised[k];
       const double* stiffness = columns.data() + n * static_cast<Index>(k - first) + mine;
       for (Index i = 0; i < rows.rows(); ++i)
-        rows(i, r.column) =
-            r.ofEarlier * rows(i, r.earlier) + r.ofStiffness * stiffness[i];
+        rows(i, r.column) = r.ofStiffness * stiffness[i];
+      for (const auto& [earlier, factor] : r.earlier)
+        for (Index i = 0; i < rows.rows(); ++i)
+          rows(i, r.column) += factor * rows(i, earlier);
       if (rotation_ != nullptr)
         for (Index i = 0; i < rows.rows(); ++i)
           rows(i, r.column) += r.ofStiffness *

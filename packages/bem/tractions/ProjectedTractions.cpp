@@ -38,14 +38,13 @@ ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
   const Mesh& mesh = space.mesh();
   kernels_.elements = elements;
   kernels_.start.assign(1, 0);
+  kernels_.lowest.assign(1, 0);
   if (elements.empty())
     return;
-  for (const int e : elements) {
-    raise(e, kernels_.start.back());
-    kernels_.start.push_back(kernels_.start.back() + 2 * (mesh[e].degree + 1));
-  }
+  for (std::size_t k = 0; k < elements.size(); ++k)
+    raise(k);
   const auto count = static_cast<int>(elements.size());
-  const Index columns = 2 * moments * count + (space.rotation() == nullptr ? 0 : 1);
+  const Index columns = kernels_.lowest.back() + (space.rotation() == nullptr ? 0 : 1);
   kernels_.hypersingular = Matrix(displacementRows_.size(), columns);
   kernels_.adjoint = Matrix(densityRows_.size(), columns);
   const FarTractionRows far(space, lame, algebra);
@@ -55,30 +54,48 @@ ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
     const auto tile = std::make_unique<TileMoments>();
 #pragma omp for schedule(dynamic, 4)
     for (int k = 0; k < count; ++k) {
-      const int test = elements[static_cast<std::size_t>(k)];
-      const Index first = 2 * moments * k;
-      far.write(test, moments, largestSmoothOrder, first, kernels_.hypersingular,
-                kernels_.adjoint);
+      const int test = elements[at(k)];
+      const Index first = kernels_.lowest[at(k)];
+      const Index last = kernels_.lowest[at(k) + 1];
+      far.write(test, static_cast<int>(last - first) / 2, largestSmoothOrder, first,
+                kernels_.hypersingular, kernels_.adjoint);
       for (const int source : nearSources(far.runs(), test)) {
         near.evaluate(mesh, test, source, *tile, 0);
-        addPair(test, source, first, *tile);
+        addPair(test, source, first, last, *tile);
       }
     }
   }
 }
 
-// φ_i = slope(i) (P_i - P_{i-2}) / (2i-1),  P̂_i = √((2i+1)/2h) P_i
-void ProjectedTractions::raise(int element, Index first) {
-  const Element& e = space_.mesh()[element];
+// φ_i = slope(i) (P_i - P_{i-2}) / (2i-1),  P̂_i = √((2i+1)/2h) P_i;  a hat is (P_0 + P_1) / 2
+// before its node, (P_0 - P_1) / 2 behind it
+void ProjectedTractions::raise(std::size_t k) {
+  const Mesh& mesh = space_.mesh();
+  const int element = kernels_.elements[k];
+  const Element& e = mesh[element];
+  const Index first = kernels_.start[k];
+  const bool follows = k > 0 && e.previous == kernels_.elements[k - 1];
+  for (int c = 0; c < 2 && follows; ++c) {
+    const Index before = kernels_.start[k - 1] + c;
+    const double ratio = mesh[e.previous].half / e.half;
+    kernels_.raised.push_back({first + 2 + c,
+                               {{before, std::sqrt(3 * ratio)},
+                                {before + 2, std::sqrt(ratio)},
+                                {first + c, std::sqrt(3.0)}},
+                               space_.displacement(element, 0, c),
+                               -std::sqrt(6 / e.half)});
+  }
   for (int i = 2; i <= e.degree; ++i)
     for (int c = 0; c < 2; ++c) {
       const Index column = first + 2 * i + c;
-      kernels_.raised.push_back({column, column - 4,
-                                 std::sqrt((2 * i + 1) / (2 * i - 3.0)),
+      kernels_.raised.push_back({column,
+                                 {{column - 4, std::sqrt((2 * i + 1) / (2 * i - 3.0))}},
                                  space_.displacement(element, i, c),
                                  std::sqrt((2 * i + 1) / (2 * e.half)) * (2 * i - 1) /
                                      DisplacementBasis::slope(i)});
     }
+  kernels_.start.push_back(first + 2 * (e.degree + 1));
+  kernels_.lowest.push_back(kernels_.lowest.back() + (follows ? 2 : 2 * moments));
 }
 
 void ProjectedTractions::addHypersingular(int source, int j, Index column,
@@ -89,7 +106,7 @@ void ProjectedTractions::addHypersingular(int source, int j, Index column,
              column, DisplacementBasis::slope(k) * block);
 }
 
-void ProjectedTractions::addPair(int test, int source, Index first,
+void ProjectedTractions::addPair(int test, int source, Index first, Index last,
                                  const TileMoments& m) {
   const Element& x = space_.mesh()[test];
   const Element& y = space_.mesh()[source];
@@ -106,7 +123,7 @@ void ProjectedTractions::addPair(int test, int source, Index first,
     const Complex phase[moments] = {
         start.phase[at] - end.phase[at],
         m.phase(0, j, 0, tangent) - start.phase[at] - end.phase[at]};
-    for (int i = 0; i < moments; ++i) {
+    for (int i = 0; first + 2 * i < last; ++i) {
       const Complex c = phase[i];
       const double scale = std::sqrt((2 * i + 1) / (2 * x.half));
       const Index column = first + 2 * i;

@@ -11,28 +11,34 @@
 namespace epafi::bem {
 
 /// <W φ, P̂_i e_a>_E and <(K' + 1/2) ψ, P̂_i e_a>_E on some elements E, P̂_i orthonormal on
-/// E, i < 2: the kernels' part of the projected tractions of [P (42)], transposed.  Column
-/// 4 k + 2 i + a belongs to the k-th element; rows are mine.
+/// E: the kernels' part of the projected tractions of [P (42)], transposed.  Column
+/// lowest[k] + 2 i + a belongs to the k-th element; rows are mine.  i < 2 on elements that
+/// follow none of the others, i = 0 on those that do.
 ///
-/// Higher degrees are in S: P_i - P_{i-2} is a multiple of a displacement that lives on E.
+/// The others are in S: P_i - P_{i-2} is a multiple of a displacement that lives on E, and
+/// P_1 is in the hat between E and the element before it.
 struct TractionKernels {
   std::vector<int> elements;
-  std::vector<Index> start;  ///< of an element's TractionRows
+  std::vector<Index> start;   ///< of an element's TractionRows
+  std::vector<Index> lowest;  ///< of its columns below
   /// displacements x columns; on a boundary with arcs one more, of the rotation, see
   /// withExactRotation
   Matrix hypersingular;
   Matrix adjoint;  ///< densities x columns, likewise
 
-  /// Column `column` of the TractionRows is
-  /// ofEarlier · column `earlier` + ofStiffness · S e_displacement.
+  /// Column `column` of the TractionRows is ofStiffness · S e_displacement and multiples of
+  /// earlier columns.
   struct Raised {
+    struct Multiple {
+      Index column;
+      double factor;
+    };
     Index column;
-    Index earlier;
-    double ofEarlier;
+    std::vector<Multiple> earlier;
     Index displacement;
     double ofStiffness;
   };
-  std::vector<Raised> raised;  ///< those of degree 2 and more, in their order
+  std::vector<Raised> raised;  ///< those that are not below, in their order
 };
 
 /// The discrete traction S_hp φ = W φ + (K' + 1/2) V⁻¹ (K + 1/2) φ on some elements, as
@@ -67,13 +73,15 @@ class ProjectedTractions {
   TractionKernels finish() { return std::move(kernels_); }
 
  private:
-  void raise(int element, Index first);
+  /// What S tells of the k-th element, and what kernels have to.
+  void raise(std::size_t k);
 
   /// Adds a block to the rows of the source's functions φ_k with φ_k' = slope P_j.
   void addHypersingular(int source, int j, Index column, const Block& block);
 
-  /// What a near source gives to the columns of a test element, from the moments in lane 0.
-  void addPair(int test, int source, Index first, const TileMoments& moments);
+  /// What a near source gives to the columns first ... last - 1 of a test element, from the
+  /// moments in lane 0.
+  void addPair(int test, int source, Index first, Index last, const TileMoments& moments);
 
   const Space& space_;
   Lame lame_;

@@ -6,6 +6,7 @@
 #include "contact/body/ElasticBody.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace epafi::contact {
 
@@ -13,15 +14,63 @@ using bem::dot;
 
 namespace {
 
+std::vector<Index> unclamped(const Loads& loads) {
+  std::vector<Index> free;
+  for (std::size_t i = 0; i < loads.clamped.size(); ++i)
+    if (loads.clamped[i] == 0)
+      free.push_back(static_cast<Index>(i));
+  return free;
+}
+
+/// Rows and columns of some, ascending.
+Matrix unpackedAt(const std::vector<Index>& which, const bem::LowerTriangle& lower) {
+  const auto count = static_cast<Index>(which.size());
+  Matrix result(count, count);
+  for (Index j = 0; j < count; ++j) {
+    const double* column = lower.column(which[j]) - which[j];
+    for (Index i = j; i < count; ++i)
+      result(i, j) = column[which[i]];
+  }
+  return result;
+}
+
+/// Some rows, ascending.
+Matrix rowsAt(const std::vector<Index>& which, Matrix a) {
+  if (bem::at(a.rows()) == which.size())
+    return a;
+  Matrix rows(static_cast<Index>(which.size()), a.columns());
+  for (Index j = 0; j < a.columns(); ++j)
+    for (Index i = 0; i < rows.rows(); ++i)
+      rows(i, j) = a(which[i], j);
+  return rows;
+}
+
 class Factored final : public HeldStiffness {
  public:
-  explicit Factored(std::unique_ptr<const bem::CholeskyFactor> factor)
-      : factor_(std::move(factor)) {}
-  Vector solve(const Vector& force) const override { return factor_->solve(force); }
-  Matrix forward(Matrix rows) const override { return factor_->forward(std::move(rows)); }
+  /// Of the displacements at `free` alone; none given: of all.
+  Factored(std::unique_ptr<const bem::CholeskyFactor> factor,
+           std::optional<std::vector<Index>> free)
+      : factor_(std::move(factor)), free_(std::move(free)) {}
+
+  Vector solve(const Vector& force) const override {
+    if (!free_)
+      return factor_->solve(force);
+    Vector u;
+    for (const Index i : *free_)
+      u.push_back(force[i]);
+    const Vector solved = factor_->solve(u);
+    u.assign(force.size(), 0.0);
+    for (std::size_t k = 0; k < solved.size(); ++k)
+      u[(*free_)[k]] = solved[k];
+    return u;
+  }
+  Matrix forward(Matrix rows) const override {
+    return factor_->forward(free_ ? rowsAt(*free_, std::move(rows)) : std::move(rows));
+  }
 
  private:
   std::unique_ptr<const bem::CholeskyFactor> factor_;
+  std::optional<std::vector<Index>> free_;
 };
 
 /// The forms that fit into a Coupling: those of [P], which insert the traction S u, the one
@@ -36,23 +85,19 @@ class Coupled final : public StabilisedBody {
         coupling_(std::move(coupling)),
         balanced_(stiffness_, makeRigidModes(space), coupling_) {}
 
-  // S - S^ = S - X Xᵀ.  One process takes a panel of X at a time, which saves its memory;
-  // several would exchange the whole sum for every panel.
-  Matrix stiffness() const {
-    Matrix a = stiffness_.stiffness().unpacked();
-    const Index columns = coupling_.stabilisationColumns();
-    const Index width = algebra_.processes() == 1 ? 256 : std::max<Index>(1, columns);
-    for (Index first = 0; first < columns; first += width)
-      a = algebra_.addOuter(
-          std::move(a),
-          coupling_.stabilisationHalf(first, std::min(first + width, columns)), -1);
-    return a;
-  }
-
   std::shared_ptr<const HeldStiffness> held(const Holding& holding) const override {
-    return std::make_shared<const Factored>(algebra_.cholesky(
-        constrained(stiffness(), algebra_.myRows(coupling_.unknowns), holding),
-        "the stiffness matrix"));
+    std::optional<std::vector<Index>> free;
+    Matrix a;
+    if (algebra_.processes() > 1) {
+      a = constrained(subtract(stiffness_.stiffness().unpacked(), free),
+                      algebra_.myRows(coupling_.unknowns), holding);
+    } else {
+      free = unclamped(holding.loads);
+      a = algebra_.addOuter(subtract(unpackedAt(*free, stiffness_.stiffness()), free),
+                            rowsAt(*free, holding.rigid.functionals.copy()), 1);
+    }
+    return std::make_shared<const Factored>(
+        algebra_.cholesky(std::move(a), "the stiffness matrix"), std::move(free));
   }
 
   Vector residual(const Vector& force, const Vector& u) const override {
@@ -106,6 +151,19 @@ class Coupled final : public StabilisedBody {
   }
 
  private:
+  // S - S^ = S - X Xᵀ.  One process takes a panel of X at a time, which saves its memory;
+  // several would exchange the whole sum for every panel.
+  Matrix subtract(Matrix a, const std::optional<std::vector<Index>>& free) const {
+    const Index columns = coupling_.stabilisationColumns();
+    const Index width = algebra_.processes() == 1 ? 256 : std::max<Index>(1, columns);
+    for (Index first = 0; first < columns; first += width) {
+      Matrix half = coupling_.stabilisationHalf(first, std::min(first + width, columns));
+      a = algebra_.addOuter(std::move(a),
+                            free ? rowsAt(*free, std::move(half)) : std::move(half), -1);
+    }
+    return a;
+  }
+
   const bem::Space& space_;
   const bem::SteklovPoincare& stiffness_;
   const bem::DenseAlgebra& algebra_;

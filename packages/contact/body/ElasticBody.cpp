@@ -67,9 +67,15 @@ Holding makeHolding(const bem::Space& space, const Conditions& conditions,
 Vector pull(const DenseAlgebra& algebra, const Matrix& transposed, const Vector& u) {
   const Rows mine = algebra.myRows(static_cast<Index>(u.size()));
   Vector result(transposed.columns());
-  for (Index i = 0; i < transposed.columns(); ++i)
+  for (Index i = 0; i < transposed.columns(); ++i) {
+    const double* column = transposed.column(i);
+    const double* own = u.data() + mine.begin;
+    double sum = 0;
+#pragma omp simd reduction(+ : sum)
     for (Index j = 0; j < mine.size(); ++j)
-      result[i] += transposed(j, i) * u[j + mine.begin];
+      sum += column[j] * own[j];
+    result[i] = sum;
+  }
   return algebra.sum(std::move(result));
 }
 

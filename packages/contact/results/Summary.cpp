@@ -54,9 +54,10 @@ double frictionWork(const ContactFields& fields, const Element& element) {
   // result in [P] 8.2.
   const bool discrete = element.condition->friction.law->dependsOnPressure();
   const auto work = [&](double t) {
+    if (discrete)
+      return fields.discreteBound(element, t) * std::abs(fields.slip(element, t));
     const ContactPoint point = fields.at(element, t);
-    const double bound = discrete ? fields.discreteBound(element, t) : point.bound;
-    return bound * std::abs(point.tangential);
+    return point.bound * std::abs(point.tangential);
   };
   const int degree = std::max(element.degree, opposite.degree(element));
   return integrate(work, bem::piecewiseRule(breaks, degree + 4));
