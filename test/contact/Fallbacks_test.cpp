@@ -58,8 +58,8 @@ TEUCHOS_UNIT_TEST(Fallbacks, aCantileverIsSolvedHoweverFineItsMesh) {
 Problem block(double tangentialLoad) {
   Problem problem;
   problem.normals = 2;
-  problem.tangentials = {{0, contact::pointLaw("Coulomb", {0.5})},
-                         {1, contact::pointLaw("Coulomb", {0.5})}};
+  problem.tangentials = {{0, test::pointLaw("Coulomb", {0.5})},
+                         {1, test::pointLaw("Coulomb", {0.5})}};
   problem.flexibility = test::identity(4);
   problem.offset = {0, 0, 0, 0};
   problem.rigid = contact::Matrix(4, 2);
@@ -151,8 +151,8 @@ TEUCHOS_UNIT_TEST(Fallbacks, stagesAccountForEveryStep) {
 TEUCHOS_UNIT_TEST(Fallbacks, aLoadThatCannotBeReachedIsReportedWithItsFactor) {
   for (const double load : {1.1, 4.0}) {
     Problem sliding = block(load);
-    sliding.tangentials = {{0, contact::pointLaw("Tresca", {0.5})},
-                           {1, contact::pointLaw("Tresca", {0.5})}};
+    sliding.tangentials = {{0, test::pointLaw("Tresca", {0.5})},
+                           {1, test::pointLaw("Tresca", {0.5})}};
     SolverOptions options;
     options.loadSteps = 2;
     const auto solution = solve(sliding, {}, options, {0, 0});

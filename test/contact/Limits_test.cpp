@@ -58,8 +58,8 @@ TEUCHOS_UNIT_TEST(Limits, aLoadThatNothingHoldsIsAnErrorThatSaysSo) {
 TEUCHOS_UNIT_TEST(Limits, frictionAloneHoldsABodyUpToGlobalSliding) {
   Problem problem;
   problem.normals = 2;
-  problem.tangentials = {{0, contact::pointLaw("Coulomb", {0.5})},
-                         {1, contact::pointLaw("Coulomb", {0.5})}};
+  problem.tangentials = {{0, test::pointLaw("Coulomb", {0.5})},
+                         {1, test::pointLaw("Coulomb", {0.5})}};
   contact::Matrix flexibility(4, 4);
   for (Index i = 0; i < 4; ++i)
     flexibility(i, i) = i == 3 ? 3 : 1;
