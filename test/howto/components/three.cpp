@@ -8,5 +8,5 @@
 int main() {
   std::printf("%d\n", epafi::bem::gaussLegendre(3).size());
   std::printf("%g\n", epafi::contact::PointLaw(0.5).bound(2));
-  return epafi::adaptivity::strategy("Uniform h").name == nullptr ? 1 : 0;
+  return epafi::adaptivity::strategies().at("Uniform h").name == nullptr ? 1 : 0;
 }
