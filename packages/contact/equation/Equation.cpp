@@ -37,6 +37,15 @@ Vector responseWeights(const Problem& problem) {
   return weights;
 }
 
+/// s at some pressures, and from there along its derivative by a change of them.
+StepBound extrapolated(const Tangential& tangential, const Vector& pressures,
+                       const Vector& change) {
+  StepBound bound{tangential.bound(pressures), tangential.slopes(pressures)};
+  for (const NormalShare& slope : bound.slopes)
+    bound.value += slope.value * entry(change, slope.normal);
+  return bound;
+}
+
 }  // namespace
 
 int differences(const ActiveSet& a, const ActiveSet& b) {
@@ -84,14 +93,6 @@ Evaluation Equation::at(Vector unknowns) const {
   evaluateRows(e);
   measure(e, magnitude);
   return e;
-}
-
-StepBound extrapolated(const Tangential& tangential, const Vector& pressures,
-                       const Vector& change) {
-  StepBound bound{tangential.bound(pressures), tangential.slopes(pressures)};
-  for (const NormalShare& slope : bound.slopes)
-    bound.value += slope.value * entry(change, slope.normal);
-  return bound;
 }
 
 // With active sets the bound follows the sets of normal coefficients, not their signs: a

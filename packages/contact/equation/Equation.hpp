@@ -18,10 +18,6 @@ struct StepBound {
   std::vector<NormalShare> slopes{};
 };
 
-/// s at some pressures, and from there along its derivative by a change of them.
-StepBound extrapolated(const Tangential& tangential, const Vector& pressures,
-                       const Vector& change);
-
 /// F at a point with one element of its generalised Jacobian: what a Newton step makes zero.
 struct LinearRows {
   std::vector<Complementarity::Value> rows;  ///< one per coefficient
