@@ -12,12 +12,6 @@ using ActiveSet = std::vector<signed char>;
 /// How many coefficients do another thing.
 int differences(const ActiveSet& a, const ActiveSet& b);
 
-/// A slip bound as a row sees it, and its derivative by λₙ as the Jacobian is to see it.
-struct StepBound {
-  double value = 0;
-  std::vector<NormalShare> slopes{};
-};
-
 /// F at a point with one element of its generalised Jacobian: what a Newton step makes zero.
 struct LinearRows {
   std::vector<Complementarity::Value> rows;  ///< one per coefficient
