@@ -181,7 +181,7 @@ std::string xmlText(std::string text) {
   return text;
 }
 
-std::string readText(const std::string& file) {
+void checkReadable(const std::string& file) {
   namespace fs = std::filesystem;
   std::error_code ignored;
   if (!fs::exists(file, ignored))
@@ -190,11 +190,15 @@ std::string readText(const std::string& file) {
     throw InputError("is a folder, not a file");
   if (fs::is_character_file(file, ignored) || fs::is_block_file(file, ignored))
     throw InputError("is a device, not a file");  // /dev/zero never ends
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream)
+  errno = 0;
+  if (!std::ifstream(file, std::ios::binary))
     throw InputError("cannot be read: ", std::strerror(errno));
+}
+
+std::string readText(const std::string& file) {
+  checkReadable(file);
   std::ostringstream text;
-  text << stream.rdbuf();
+  text << std::ifstream(file, std::ios::binary).rdbuf();
   return text.str();
 }
 

@@ -17,9 +17,11 @@ struct RawScene {
 /// A text as XML has it between quotes.
 std::string xmlText(std::string text);
 
-/// A whole file.
 /// \throws bem::InputError for a file that is missing, a folder, a device or not
 ///   readable; without the file's name.
+void checkReadable(const std::string& file);
+
+/// A whole file.  \throws what checkReadable throws.
 std::string readText(const std::string& file);
 
 /// Reads XML, or YAML if the file's name ends in .yaml or .yml.  The title is the root
