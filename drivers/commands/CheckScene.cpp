@@ -5,7 +5,7 @@
 #include "drivers/output/Csv.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/NextLevel.hpp"
-#include "drivers/run/Warnings.hpp"
+#include "drivers/run/SceneWarnings.hpp"
 #include "drivers/scene/SceneReader.hpp"
 #include "drivers/scene/Text.hpp"
 
@@ -93,47 +93,8 @@ std::string fixedMotions(const contact::Conditions::Fix& fix) {
   return names.empty() ? " none" : names;
 }
 
-}  // namespace
-
-std::string checkScene(const Scene& scene) {
-  evaluateAll(scene);
-  std::ostringstream text;
-  text << scene.title << " (" << scene.file << ")\n";
-  for (const Body& body : scene.bodies) {
-    const bem::Mesh mesh = firstMesh(body);
-    text << "  body        " << body.name << ": E = " << body.material.youngsModulus
-         << ", nu = " << body.material.poissonsRatio
-         << (body.material.planeStress ? ", plane stress" : ", plane strain") << "\n"
-         << "  outline     " << counted(body.outline->edges().size(), "edge", "edges")
-         << ", " << counted(body.outline->loops() - 1, "hole", "holes") << ", diameter "
-         << body.outline->diameter() << "\n"
-         << "  first mesh  " << mesh.size() << " elements of degree " << body.degree
-         << "\n"
-         << "  Dirichlet  " << namesOf(body.conditions.dirichlet) << "\n"
-         << "  Neumann    " << namesOf(body.conditions.neumann) << "\n"
-         << "  contact    " << contactsOf(body.conditions) << "\n"
-         << "  held       " << fixedMotions(body.conditions.fix) << "\n";
-  }
-  for (const RigidBody& body : scene.rigid)
-    text << "  rigid       " << body.name << ": " << motionsOf(body) << "\n";
-  const auto end = [&](const SideOfBody& side) {
-    return scene.nameOf(side) + ":" + side.boundary;
-  };
-  for (const ContactPair& pair : scene.contacts)
-    text << "  between     " << pair.name << ": " << end(pair.side) << " on "
-         << end(pair.met) << "\n";
-  if (scene.history)
-    text << "  path        " << counted(scene.history.times.size(), "step", "steps")
-         << " up to t = " << scene.endOfPath() << "\n";
-  text << "  strategy    " << scene.adaptivity.strategy.name << ", at most "
-       << scene.adaptivity.limits.levels << " levels and "
-       << scene.adaptivity.limits.degreesOfFreedom << " degrees of freedom\n"
-       << "The scene is valid.\n";
-  for (const std::string& warning : warningsOf(scene))
-    text << "warning: " << warning << "\n";
-  return text.str();
-}
-
+/// What `epafi check --plot` draws, as csv: points along the first meshes with the loads and
+/// gaps there.
 std::string sceneCsv(const Scene& scene) {
   Csv csv({"x", "y", "nx", "ny", "body", "boundary", "element", "condition", "tx", "ty",
            "gap"});
@@ -184,6 +145,47 @@ std::string sceneCsv(const Scene& scene) {
             edge.boundary, static_cast<int>(e), {"rigid", "", "", ""});
       }
   return csv.text();
+}
+
+}  // namespace
+
+std::string checkScene(const Scene& scene) {
+  evaluateAll(scene);
+  std::ostringstream text;
+  text << scene.title << " (" << scene.file << ")\n";
+  for (const Body& body : scene.bodies) {
+    const bem::Mesh mesh = firstMesh(body);
+    text << "  body        " << body.name << ": E = " << body.material.youngsModulus
+         << ", nu = " << body.material.poissonsRatio
+         << (body.material.planeStress ? ", plane stress" : ", plane strain") << "\n"
+         << "  outline     " << counted(body.outline->edges().size(), "edge", "edges")
+         << ", " << counted(body.outline->loops() - 1, "hole", "holes") << ", diameter "
+         << body.outline->diameter() << "\n"
+         << "  first mesh  " << mesh.size() << " elements of degree " << body.degree
+         << "\n"
+         << "  Dirichlet  " << namesOf(body.conditions.dirichlet) << "\n"
+         << "  Neumann    " << namesOf(body.conditions.neumann) << "\n"
+         << "  contact    " << contactsOf(body.conditions) << "\n"
+         << "  held       " << fixedMotions(body.conditions.fix) << "\n";
+  }
+  for (const RigidBody& body : scene.rigid)
+    text << "  rigid       " << body.name << ": " << motionsOf(body) << "\n";
+  const auto end = [&](const SideOfBody& side) {
+    return scene.nameOf(side) + ":" + side.boundary;
+  };
+  for (const ContactPair& pair : scene.contacts)
+    text << "  between     " << pair.name << ": " << end(pair.side) << " on "
+         << end(pair.met) << "\n";
+  if (scene.history)
+    text << "  path        " << counted(scene.history.times.size(), "step", "steps")
+         << " up to t = " << scene.endOfPath() << "\n";
+  text << "  strategy    " << scene.adaptivity.strategy.name << ", at most "
+       << scene.adaptivity.limits.levels << " levels and "
+       << scene.adaptivity.limits.degreesOfFreedom << " degrees of freedom\n"
+       << "The scene is valid.\n";
+  for (const std::string& warning : warningsOf(scene))
+    text << "warning: " << warning << "\n";
+  return text.str();
 }
 
 int checkCommand(const Given& given, std::ostream& out) {

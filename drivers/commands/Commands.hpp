@@ -64,7 +64,7 @@ enum class Words { All, Errors };
 /// `more`: --field with one of fieldNames() that fields.vtu shall be drawn of, --window.
 int drawPictures(const std::string& folder, Words words,
                  const std::vector<std::string>& more = {});
-/// Draws a scene, given as csv (sceneCsv), into a file.  Returns the exit code.
+/// Draws a scene, given as csv, into a file.  Returns the exit code.
 int drawScene(const std::string& csv, const std::string& title, const std::string& file);
 
 /// `epafi check`: solves nothing, but makes loads, obstacle and bounds on the first mesh as
@@ -74,9 +74,6 @@ int drawScene(const std::string& csv, const std::string& title, const std::strin
 /// negative, or for a mesh that cannot be made.
 int checkCommand(const Given& given, std::ostream& out);
 std::string checkScene(const Scene& scene);
-/// What `epafi check --plot` draws, as csv: points along the first meshes with the loads and
-/// gaps there.
-std::string sceneCsv(const Scene& scene);
 
 /// A kind of file that the program reads, by its table of keys.
 struct Grammar {

@@ -11,7 +11,7 @@
 #include "drivers/process/Threads.hpp"
 #include "drivers/process/Versions.hpp"
 #include "drivers/run/Levels.hpp"
-#include "drivers/run/Warnings.hpp"
+#include "drivers/run/SceneWarnings.hpp"
 #include "drivers/scene/SceneReader.hpp"
 #include "drivers/scene/Text.hpp"
 

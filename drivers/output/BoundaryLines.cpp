@@ -46,6 +46,13 @@ int placeOf(const std::string& name, const std::vector<std::string>& names) {
   return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
+/// One for every 5 degrees.
+int linesOf(const bem::Curve& curve) {
+  constexpr double degreesALine = 5;
+  const double angle = std::abs(curve.angle()) * 180 / 3.14159265358979;
+  return std::max(1, static_cast<int>(std::ceil(angle / degreesALine)));
+}
+
 /// Fills a grid element by element.
 class Sampler {
  public:
@@ -64,7 +71,7 @@ class Sampler {
 
   void sample(int e, BoundaryLines& grid) const {
     const bem::Element& element = mesh()[e];
-    const int lines = linesOf(element);
+    const int lines = std::max(2 * (element.degree + 1), linesOf(element.curve));
     for (int k = 0; k <= lines; ++k)
       samplePoint(e, -1 + 2.0 * k / lines, grid);
     addLines(lines, e, element.degree,
@@ -95,13 +102,6 @@ class Sampler {
   std::vector<const contact::ContactFields::Element*> contacts_;
 };
 
-/// Lines for every 5 degrees.
-int linesOf(const bem::Curve& curve) {
-  constexpr double degreesALine = 5;
-  const double angle = std::abs(curve.angle()) * 180 / 3.14159265358979;
-  return std::max(1, static_cast<int>(std::ceil(angle / degreesALine)));
-}
-
 /// An outline that does not deform, moved in the user's units.
 void addRigid(const RigidBody& body, const contact::RigidMotion& motion, int number,
               int firstBoundary, BoundaryLines& grid) {
@@ -120,22 +120,6 @@ void addRigid(const RigidBody& body, const contact::RigidMotion& motion, int num
 }
 
 }  // namespace
-
-int linesOf(const bem::Element& element) {
-  return std::max(2 * (element.degree + 1), linesOf(element.curve));
-}
-
-int numberOf(contact::FrictionKind friction) {
-  switch (friction) {
-    case contact::FrictionKind::Stick:
-      return 1;
-    case contact::FrictionKind::Slip:
-      return 2;
-    case contact::FrictionKind::None:
-      break;
-  }
-  return 0;
-}
 
 BoundaryLines boundaryLines(const Scene& scene, const SolvedLevel& level) {
   BoundaryLines grid;

@@ -39,11 +39,7 @@ BoundaryLines boundaryLines(const Scene& scene, const SolvedLevel& level);
 std::vector<std::string> namesOfBoundaries(const Scene& scene);
 
 /// As files number them: 0 none, 1 stick, 2 slip.
-int numberOf(contact::FrictionKind friction);
-
-/// Into how many straight lines an element is drawn: two for each function of its degree, on
-/// arcs one for every 5 degrees at least.
-int linesOf(const bem::Element& element);
+inline int numberOf(contact::FrictionKind friction) { return static_cast<int>(friction); }
 
 /// boundary.csv: displacement and traction along the whole boundary of what deforms, element
 /// by element, both ends included, with the element's boundary, number and degree; the

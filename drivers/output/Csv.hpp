@@ -18,6 +18,33 @@ std::string number(Number value) {
     return exactly(value);
 }
 
+/// A column of a table: its name, and what a row has there.
+template <class Row>
+struct Column {
+  const char* name;
+  std::string (*cell)(const Row& row);
+};
+
+/// What a chain of members leads to.
+template <class Row, auto... members>
+std::string cellOf(const Row& row) {
+  return number((row.*....*members));
+}
+
+template <class Row, std::size_t count>
+void addNames(const Column<Row> (&columns)[count], const std::string& prefix,
+              std::vector<std::string>& names) {
+  for (const Column<Row>& column : columns)
+    names.push_back(prefix + column.name);
+}
+
+template <class Row, std::size_t count>
+void addCells(const Column<Row> (&columns)[count], const Row& row,
+              std::vector<std::string>& cells) {
+  for (const Column<Row>& column : columns)
+    cells.push_back(column.cell(row));
+}
+
 /// One line of comma-separated values.
 std::string csvLine(const std::vector<std::string>& cells);
 

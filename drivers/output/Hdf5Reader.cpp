@@ -1,12 +1,11 @@
 #include "drivers/output/Hdf5Reader.hpp"
 
 #include "drivers/output/Hdf5Handle.hpp"
+#include "drivers/scene/SceneFile.hpp"
 
 #include <array>
-#include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 
 namespace epafi::drivers {
 
@@ -26,21 +25,6 @@ void check(bool good, const std::string& what) {
     throw InputError(what, ": ", hdf5Cause());
 }
 
-void checkReadable(const std::string& path) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  if (!fs::exists(path, ignored))
-    throw InputError("there is no such file");
-  if (fs::is_directory(path, ignored))
-    throw InputError("is a folder");
-  errno = 0;
-  if (!std::ifstream(path, std::ios::binary))
-    throw InputError("cannot be read: ", std::strerror(errno));
-  QuietHdf5 quiet;
-  if (H5Fis_hdf5(path.c_str()) <= 0)
-    throw InputError("is not an HDF5 file");
-}
-
 }  // namespace
 
 struct Hdf5Reader::Parts {
@@ -56,6 +40,8 @@ struct Hdf5Reader::Parts {
 
 Hdf5Reader::Hdf5Reader(const std::string& path) : parts_(new Parts) {
   checkReadable(path);
+  if (H5Fis_hdf5(path.c_str()) <= 0)
+    throw InputError("is not an HDF5 file");
   parts_->bytes = std::filesystem::file_size(path);
   parts_->file = checked(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
                          "is damaged or not complete");

@@ -14,11 +14,8 @@ using adaptivity::Source;
 using contact::Resultant;
 using contact::Summary;
 
-/// What a chain of members leads to.
 template <auto... members>
-std::string cell(const LevelRow& row) {
-  return number((row.*....*members));
-}
+constexpr auto cell = cellOf<LevelRow, members...>;
 
 template <auto member>
 constexpr auto size = cell<&LevelRow::size, member>;
@@ -31,13 +28,8 @@ std::string eta(const LevelRow& row) {
   return number(std::sqrt(row.squares[static_cast<std::size_t>(source)]));
 }
 
-struct Column {
-  const char* name;
-  std::string (*cell)(const LevelRow& row);
-};
-
 /// Order and names are a contract: add, never rename.
-constexpr Column columns[] = {
+constexpr Column<LevelRow> columns[] = {
     {"level", cell<&LevelRow::level>},
     {"elements", size<&Size::elements>},
     {"dof_displacement", size<&Size::displacements>},
@@ -97,15 +89,13 @@ constexpr Column columns[] = {
 
 std::vector<std::string> historyColumns() {
   std::vector<std::string> names;
-  for (const Column& column : columns)
-    names.emplace_back(column.name);
+  addNames(columns, "", names);
   return names;
 }
 
 std::vector<std::string> historyCells(const LevelRow& row) {
   std::vector<std::string> cells;
-  for (const Column& column : columns)
-    cells.push_back(column.cell(row));
+  addCells(columns, row, cells);
   return cells;
 }
 
@@ -122,7 +112,7 @@ double energyOf(const std::vector<std::string>& cells) {
   const auto value = [&](const char* name) {
     const auto at = std::find_if(
         std::begin(columns), std::end(columns),
-        [&](const Column& column) { return std::string(name) == column.name; });
+        [&](const Column<LevelRow>& column) { return std::string(name) == column.name; });
     return std::stod(cells.at(static_cast<std::size_t>(at - std::begin(columns))));
   };
   return value("energy_strain") - value("energy_load") + value("energy_friction");

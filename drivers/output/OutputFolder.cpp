@@ -18,6 +18,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// All files that a run may write; only these are ever deleted.
+constexpr const char* outputFiles[] = {
+    "history.csv",  "steps.csv",    "contact.csv",       "boundary.csv", "bodies.csv",
+    "interior.csv", "solution.hdf", "used.xml",          "timings.txt",  "study.csv",
+    "fields.csv",   "fields.vtu",   "fields-window.csv", "steps.pvd"};
+
 /// Where a file stands in a folder while it is staged.
 std::string temporaryFile(const fs::path& folder, const std::string& name) {
   const fs::path file = folder / name;
@@ -46,7 +52,7 @@ bool hasRows(const fs::path& table) {
 /// A run that ended before its first level was solved leaves what repeats and times it: not
 /// worth keeping, and no reason to refuse the next one.
 bool holdsSolvedLevel(const fs::path& path) {
-  for (const std::string& name : outputFiles()) {
+  for (const std::string name : outputFiles) {
     const bool table = name == "history.csv" || name == "study.csv";
     const fs::path file = path / name;
     std::error_code error;
@@ -91,7 +97,7 @@ void deleteSteps(const fs::path& path) {
 }
 
 void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
-  for (const std::string& name : outputFiles()) {
+  for (const std::string name : outputFiles) {
     std::error_code ignored;
     fs::remove(temporaryFile(path, name), ignored);
   }
@@ -100,7 +106,7 @@ void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
   if (earlier == EarlierRun::Delete)
     deleteSteps(path);
   const bool refuse = earlier == EarlierRun::Refuse && holdsSolvedLevel(path);
-  for (const std::string& name : outputFiles()) {
+  for (const std::string name : outputFiles) {
     const fs::path file = path / name;
     std::error_code error;
     if (!fs::exists(fs::symlink_status(file, error)))
@@ -196,14 +202,6 @@ void OutputFolder::discard() {
     fs::remove(temporaryFile(path_, name), ignored);
   }
   staged_.clear();
-}
-
-const std::vector<std::string>& outputFiles() {
-  static const std::vector<std::string> names = {
-      "history.csv",  "steps.csv",    "contact.csv",       "boundary.csv", "bodies.csv",
-      "interior.csv", "solution.hdf", "used.xml",          "timings.txt",  "study.csv",
-      "fields.csv",   "fields.vtu",   "fields-window.csv", "steps.pvd"};
-  return names;
 }
 
 std::string defaultOutputFolder(const std::string& sceneFile) {

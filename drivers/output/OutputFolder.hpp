@@ -67,9 +67,6 @@ class OutputFolder {
   std::vector<std::string> written_;
 };
 
-/// All files that a run may write; only these are ever deleted.
-const std::vector<std::string>& outputFiles();
-
 /// ./<scene file without folder and extension>.out
 std::string defaultOutputFolder(const std::string& sceneFile);
 

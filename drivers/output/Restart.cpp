@@ -87,7 +87,7 @@ void addRigidMotions(const Scene& scene, Level& level) {
 /// The scene that a file was written by.
 ParameterList sceneOf(const Checkpoint& checkpoint) {
   const RawScene scene = readSceneText(checkpoint.used);
-  ParameterList list = complete(scene.list, scene.title);
+  ParameterList list = bem::complete(parameters(), scene.list, scene.title);
   if (!list.sublist("History").isParameter("Times"))
     list.remove("History");  // as a scene without a path has none
   return list;

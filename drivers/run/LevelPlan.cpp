@@ -1,6 +1,7 @@
 #include "drivers/run/LevelPlan.hpp"
 
 #include "bem/base/Error.hpp"
+#include "contact/compressed/CompressedStiffness.hpp"
 #include "drivers/process/Resources.hpp"
 #include "drivers/scene/LinearCost.hpp"
 
@@ -127,7 +128,7 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks,
   forecast.allowed = compressed.allowed;
   forecast.isDelicate = isThin || isGraded;
   const bool isAutomatic = wanted == Operators::Cheaper;
-  const bool isPossible = whyNotCompressed(scene).empty();
+  const bool isPossible = contact::whyNotCompressed(scene.stabilization).empty();
   if (isAutomatic && isPossible && forecast.compresses(1)) {
     if (forecast.denseFits())
       compressed.denseInstead = forecast.dense.memory;

@@ -92,7 +92,7 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
 
   const BodySpaces spaces(scene, meshesOf(scene, level));
   const adaptivity::Strategy& strategy =
-      adaptivity::strategy(scene.adaptivity.strategy.name);
+      adaptivity::strategies().at(scene.adaptivity.strategy.name);
   const std::vector<adaptivity::PreparedMesh> prepared =
       prepareAll(scene, spaces, level, strategy, algebra);
   const std::vector<adaptivity::Marks> marks =

@@ -114,11 +114,6 @@ void addNode(const bem::Outline& outline, int edge, double place,
   nodes.push_back({edge, place});
 }
 
-bem::Curve moved(const bem::Curve& curve, bem::Vec2 shift) {
-  return {curve.from() + shift, curve.to() + shift, curve.to() - curve.from(),
-          std::tan(curve.angle() / 4)};
-}
-
 /// What of the first side meets the second; nodes at the ends on both.
 std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scene) {
   const bem::Outline& own = *scene.bodies[pair.side.body].outline;
@@ -133,7 +128,7 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
     const int number = static_cast<int>(e);
     const double half = edge.curve.half();
     for (const contact::Facing& stretch :
-         contact::facing(moved(edge.curve, shift), met.curves, scene.reach(pair))) {
+         contact::facing(edge.curve.moved(shift), met.curves, scene.reach(pair))) {
       const double from = half * (1 + stretch.begin);
       const double to = half * (1 + stretch.end);
       const bool goesOn =

@@ -57,13 +57,9 @@ bem::SchemaRows linearRows() {
   return rows;
 }
 
-std::string whyNotCompressed(const Scene& scene) {
-  return contact::whyNotCompressed(scene.stabilization);
-}
-
 void checkLinear(const Scene& scene) {
   const LinearMethod& method = linearMethods().at(scene.linear.method);
-  const std::string reason = whyNotCompressed(scene);
+  const std::string reason = contact::whyNotCompressed(scene.stabilization);
   if (method.operators == LinearMethod::Operators::Compressed && !reason.empty())
     throw bem::InputError("Solver->Linear->Method = ", method.name, ": ", reason,
                           "; Dense, Belos and Automatic are possible");

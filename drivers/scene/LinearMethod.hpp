@@ -38,8 +38,6 @@ struct LinearMethod {
   Operators operators = Operators::Dense;
 };
 
-/// Why a scene's operators cannot be compressed; empty: they can.
-std::string whyNotCompressed(const Scene& scene);
 /// \throws bem::InputError where the scene asks for what it cannot have.
 void checkLinear(const Scene& scene);
 

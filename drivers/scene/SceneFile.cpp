@@ -1,9 +1,9 @@
 #include "drivers/scene/SceneFile.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/base/SchemaRow.hpp"
 #include "drivers/scene/LexicalCheck.hpp"
 #include "drivers/scene/NestingCheck.hpp"
-#include "drivers/scene/Schema.hpp"
 #include "drivers/scene/Text.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/replace.hpp>
-#include <boost/algorithm/string/trim.hpp>
 #include <boost/locale/utf.hpp>
 #include <cerrno>
 #include <cstring>
@@ -32,7 +31,6 @@ namespace {
 using bem::InputError;
 using bem::message;
 using bem::shortest;
-using boost::algorithm::trim_copy;
 
 /// What Teuchos complains about, without where in its sources it did.
 std::string complaint(const std::exception& error) {
@@ -115,19 +113,6 @@ RawScene readYaml(const std::string& text, const std::string& standardTitle) {
   }
 }
 
-/// An entry through Teuchos' own reader, so that --set reads what a file would.
-Teuchos::ParameterEntry entryOf(const std::string& type, const std::string& value) {
-  if (type == "string")
-    return Teuchos::ParameterEntry(value);
-  Teuchos::XMLObject parameter("Parameter");
-  parameter.addAttribute("name", std::string("value"));
-  parameter.addAttribute("type", type);
-  parameter.addAttribute("value", value);
-  Teuchos::XMLObject root("ParameterList");
-  root.addChild(parameter);
-  return Teuchos::XMLParameterListReader().toParameterList(root).getEntry("value");
-}
-
 /// The type and value that an entry has in XML.  Teuchos writes doubles with 18
 /// significant digits, alone and in arrays, which is enough to give back every bit.
 struct Spelling {
@@ -196,7 +181,7 @@ std::string xmlText(std::string text) {
   return text;
 }
 
-std::string readText(const std::string& file) {
+void checkReadable(const std::string& file) {
   namespace fs = std::filesystem;
   std::error_code ignored;
   if (!fs::exists(file, ignored))
@@ -205,11 +190,15 @@ std::string readText(const std::string& file) {
     throw InputError("is a folder, not a file");
   if (fs::is_character_file(file, ignored) || fs::is_block_file(file, ignored))
     throw InputError("is a device, not a file");  // /dev/zero never ends
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream)
+  errno = 0;
+  if (!std::ifstream(file, std::ios::binary))
     throw InputError("cannot be read: ", std::strerror(errno));
+}
+
+std::string readText(const std::string& file) {
+  checkReadable(file);
   std::ostringstream text;
-  text << stream.rdbuf();
+  text << std::ifstream(file, std::ios::binary).rdbuf();
   return text.str();
 }
 
@@ -256,110 +245,6 @@ RawScene rawScene(const std::string& marked, const std::string& file) {
 RawScene readSceneText(const std::string& xml) { return readXml(xml, ""); }
 
 RawScene readRawScene(const std::string& file) { return rawScene(readText(file), file); }
-
-namespace {
-
-/// The list that a path stands in; `missing(list, name, path)` where it has no such sublist.
-template <class Missing>
-Teuchos::ParameterList& parentOf(Teuchos::ParameterList& list, const std::string& path,
-                                 const Missing& missing) {
-  Teuchos::ParameterList* target = &list;
-  std::size_t at = 0;
-  for (auto end = path.find("->"); end != std::string::npos; end = path.find("->", at)) {
-    const std::string name = path.substr(at, end - at);
-    if (!target->isSublist(name))
-      missing(*target, name, path.substr(0, end));
-    target = &target->sublist(name);
-    at = end + 2;
-  }
-  return *target;
-}
-
-/// The same, made if it is not there.
-Teuchos::ParameterList& madeParentOf(Teuchos::ParameterList& list,
-                                     const std::string& path) {
-  return parentOf(list, path, [](const auto& parent, const auto& name, const auto& at) {
-    if (parent.isParameter(name))
-      throw InputError(at + ": is no sublist in the scene");
-  });
-}
-
-std::string lastOf(const std::string& path) {
-  const auto at = path.rfind("->");
-  return at == std::string::npos ? path : path.substr(at + 2);
-}
-
-void removeAt(Teuchos::ParameterList& list, const std::string& path) {
-  const auto refuse = [&path](const auto&...) {
-    throw InputError(path +
-                     ": is not in the scene, so it cannot be removed; a value is written "
-                     "behind the =");
-  };
-  Teuchos::ParameterList& parent = parentOf(list, path, refuse);
-  if (!parent.isParameter(lastOf(path)))
-    refuse();
-  parent.remove(lastOf(path));
-}
-
-void setAt(Teuchos::ParameterList& list, const std::string& path,
-           const std::string& value);
-
-/// "{Key=value, Key=value}" in place of what the list held.
-void setList(Teuchos::ParameterList& list, const std::string& path,
-             const std::string& value) {
-  if (value.front() != '{' || value.back() != '}')
-    throw InputError(path +
-                     ": is a sublist; name a key in it, or replace the whole by "
-                     "{Key=value, Key=value}");
-  Teuchos::ParameterList& parent = madeParentOf(list, path);
-  parent.remove(lastOf(path), false);
-  parent.sublist(lastOf(path));
-  for (const std::string& piece : pieces(value.substr(1, value.size() - 2))) {
-    if (trim_copy(piece).empty())
-      continue;
-    const auto equal = piece.find('=');
-    if (equal == std::string::npos)
-      throw InputError(path, ": '", trim_copy(piece), "' is no Key=value");
-    setAt(list, path + "->" + trim_copy(piece.substr(0, equal)), piece.substr(equal + 1));
-  }
-}
-
-void setAt(Teuchos::ParameterList& list, const std::string& path,
-           const std::string& value) {
-  const Parameter& row = declared(path);
-  if (trim_copy(value).empty())
-    return removeAt(list, path);
-  if (row.kind == Kind::List)
-    return setList(list, path, trim_copy(value));
-  if (row.kind == Kind::Free)
-    throw InputError(path + ": is a sublist that --set can only remove");
-  const bool alone = value.find('{') == std::string::npos;
-  const std::string type = alone && row.kind == Kind::Counts  ? "int"
-                           : alone && row.kind == Kind::Reals ? "double"
-                                                              : textOf(row.kind).type;
-  const std::string text = type == "string" ? value : trim_copy(value);
-  try {
-    checkValue(type, text);
-  } catch (const InputError& error) {
-    throw InputError(path + ": " + error.what());
-  }
-  madeParentOf(list, path).setEntry(lastOf(path), entryOf(type, text));
-}
-
-}  // namespace
-
-void applyOverride(Teuchos::ParameterList& list, const std::string& assignment) {
-  const auto equal = assignment.find('=');
-  if (equal == std::string::npos)
-    throw InputError("--set '", assignment, "': write 'A->B->Key=value'");
-  const std::string path = assignment.substr(0, equal);
-  const std::string value = assignment.substr(equal + 1);
-  try {
-    setAt(list, path, value);
-  } catch (const InputError& error) {
-    throw InputError("--set ", error.what());
-  }
-}
 
 std::vector<std::string> assignments(const Teuchos::ParameterList& list) {
   std::vector<std::string> result;

@@ -17,9 +17,11 @@ struct RawScene {
 /// A text as XML has it between quotes.
 std::string xmlText(std::string text);
 
-/// A whole file.
 /// \throws bem::InputError for a file that is missing, a folder, a device or not
 ///   readable; without the file's name.
+void checkReadable(const std::string& file);
+
+/// A whole file.  \throws what checkReadable throws.
 std::string readText(const std::string& file);
 
 /// Reads XML, or YAML if the file's name ends in .yaml or .yml.  The title is the root
@@ -34,15 +36,6 @@ RawScene readRawScene(const std::string& file);
 /// The same of the text of an XML file.
 /// \throws bem::InputError likewise.
 RawScene readSceneText(const std::string& xml);
-
-/// Applies one "A->B->Key=value" of --set: the first '=' splits, the type that the schema
-/// declares for the path decides how the value is read.
-///
-/// A list is replaced as a whole by "{Key=value, Key=value}", lists within lists likewise; a
-/// key or a list without anything behind its '=' is removed.
-/// \throws bem::InputError for an undeclared path, a value of another type, or if there is
-///   nothing to remove.
-void applyOverride(Teuchos::ParameterList& list, const std::string& assignment);
 
 /// A piece of a scene as the "A->B->Key=value" that would set the same.
 std::vector<std::string> assignments(const Teuchos::ParameterList& list);

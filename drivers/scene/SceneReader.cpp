@@ -9,6 +9,7 @@
 #include "drivers/scene/ContactsReader.hpp"
 #include "drivers/scene/GeometryReader.hpp"
 #include "drivers/scene/Incompressible.hpp"
+#include "drivers/scene/Override.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
 
@@ -41,7 +42,8 @@ Scene::Solver readSolver(const ParameterList& list) {
 Scene::Adaptivity readAdaptivity(const ParameterList& list) {
   Scene::Adaptivity adaptivity{adaptivity::parseStrategy(list),
                                adaptivity::parseEstimator(list), parseLimits(list)};
-  if (adaptivity::strategy(adaptivity.strategy.name).levels == adaptivity::Levels::One)
+  if (adaptivity::strategies().at(adaptivity.strategy.name).levels ==
+      adaptivity::Levels::One)
     adaptivity.limits.levels = 1;
   return adaptivity;
 }
@@ -94,7 +96,8 @@ Scene build(const std::string& file, const RawScene& raw) {
   Scene scene;
   scene.title = raw.title;
   scene.file = file;
-  scene.used = Teuchos::rcp(new ParameterList(complete(raw.list, raw.title)));
+  scene.used =
+      Teuchos::rcp(new ParameterList(bem::complete(parameters(), raw.list, raw.title)));
   ParameterList& used = *scene.used;
 
   scene.tables = readTables(used.sublist("Tables"), {file, "Tables"});

@@ -18,11 +18,4 @@ using bem::textOf;
 /// parameters` and the tests.  Made on first use: families are complete by then.
 const bem::SchemaRows& parameters();
 
-/// bem::declared, by the table of scenes.
-const Parameter& declared(const std::string& path);
-
-/// bem::complete, by the table of scenes.
-Teuchos::ParameterList complete(const Teuchos::ParameterList& given,
-                                const std::string& title);
-
 }  // namespace epafi::drivers

@@ -252,13 +252,4 @@ const std::vector<Parameter>& parameters() {
   return table;
 }
 
-const Parameter& declared(const std::string& path) {
-  return bem::declared(parameters(), path);
-}
-
-Teuchos::ParameterList complete(const Teuchos::ParameterList& given,
-                                const std::string& title) {
-  return bem::complete(parameters(), given, title);
-}
-
 }  // namespace epafi::drivers

@@ -50,12 +50,6 @@ Scene sceneAt(const std::string& path, const std::string& file,
   }
 }
 
-/// The last part of A->B->Key.
-std::string keyOf(const std::string& path) {
-  const auto at = path.rfind("->");
-  return at == std::string::npos ? path : path.substr(at + 2);
-}
-
 /// The variants that one entry of the study stands for on one scene: one, or one per
 /// value of its sweep.
 std::vector<Variant> variantsOf(const std::string& name, const ParameterList& list,
@@ -74,7 +68,7 @@ std::vector<Variant> variantsOf(const std::string& name, const ParameterList& li
   for (const std::string& value : values) {
     std::vector<std::string> with = overrides;
     with.push_back(bem::message(key, "=", value));
-    variants.push_back({bem::message(name, ", ", keyOf(key), " = ", value),
+    variants.push_back({bem::message(name, ", ", bem::lastOf(key), " = ", value),
                         sceneAt(path + "->Sweep", file, with),
                         numberIn<double>(value).value_or(std::nan("")), true});
   }
@@ -123,7 +117,7 @@ std::string besides(const std::string& file, const std::string& path) {
 }
 
 Study build(const std::string& file, const RawScene& raw) {
-  ParameterList list = complete(studyParameters(), raw.list, raw.title);
+  ParameterList list = bem::complete(studyParameters(), raw.list, raw.title);
   checkSceneNames(list);
   Study study;
   study.title = raw.title;

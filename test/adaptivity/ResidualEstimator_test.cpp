@@ -226,7 +226,7 @@ TEUCHOS_UNIT_TEST(ResidualEstimator, residualFactorScalesTheThreeResidualsOnly) 
 
 TEUCHOS_UNIT_TEST(Weights, anUnknownNameIsAnInputErrorThatListsTheKnownOnes) {
   try {
-    adaptivity::weighting("Heavy");
+    adaptivity::weightings().at("Heavy");
     TEST_ASSERT(false);
   } catch (const bem::InputError& error) {
     for (const adaptivity::Weights& known : adaptivity::weightings())

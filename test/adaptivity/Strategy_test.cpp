@@ -49,17 +49,17 @@ adaptivity::LevelData allMarkedOn(const bem::Mesh& mesh) {
 TEUCHOS_UNIT_TEST(Strategy, everyStrategyMarksEveryElementAndIsFoundByItsName) {
   const bem::Mesh mesh = test::squareMesh(2);
   for (const adaptivity::Strategy& strategy : adaptivity::strategies()) {
-    TEST_EQUALITY(adaptivity::strategy(strategy.name).marks, strategy.marks);
+    TEST_EQUALITY(adaptivity::strategies().at(strategy.name).marks, strategy.marks);
     TEST_EQUALITY(static_cast<int>(strategy.marks(levelOn(mesh)).size()), mesh.size());
   }
 }
 
 TEUCHOS_UNIT_TEST(Strategy, uniformStrategiesTreatAllElementsAlike) {
   const bem::Mesh mesh = test::squareMesh(2);
-  const bem::Mesh finer =
-      adaptivity::refine(mesh, adaptivity::strategy("Uniform h").marks(levelOn(mesh)));
-  const bem::Mesh richer =
-      adaptivity::refine(mesh, adaptivity::strategy("Uniform p").marks(levelOn(mesh)));
+  const bem::Mesh finer = adaptivity::refine(
+      mesh, adaptivity::strategies().at("Uniform h").marks(levelOn(mesh)));
+  const bem::Mesh richer = adaptivity::refine(
+      mesh, adaptivity::strategies().at("Uniform p").marks(levelOn(mesh)));
   TEST_EQUALITY(finer.size(), 2 * mesh.size());
   TEST_EQUALITY(richer.size(), mesh.size());
   for (int e = 0; e < mesh.size(); ++e) {
@@ -73,19 +73,20 @@ TEUCHOS_UNIT_TEST(Strategy, uniformStrategiesTreatAllElementsAlike) {
 
 TEUCHOS_UNIT_TEST(Strategy, uniformPEndsAtTheLargestDegree) {
   const bem::Mesh mesh = test::squareMesh(bem::largestDegree);
+  TEST_ASSERT(!adaptivity::anyMarked(
+      adaptivity::strategies().at("Uniform p").marks(levelOn(mesh))));
   TEST_ASSERT(
-      !adaptivity::anyMarked(adaptivity::strategy("Uniform p").marks(levelOn(mesh))));
-  TEST_ASSERT(!adaptivity::anyMarked(adaptivity::strategy("None").marks(levelOn(mesh))));
-  TEST_ASSERT(
-      adaptivity::anyMarked(adaptivity::strategy("Uniform h").marks(levelOn(mesh))));
+      !adaptivity::anyMarked(adaptivity::strategies().at("None").marks(levelOn(mesh))));
+  TEST_ASSERT(adaptivity::anyMarked(
+      adaptivity::strategies().at("Uniform h").marks(levelOn(mesh))));
 }
 
 TEUCHOS_UNIT_TEST(Strategy, adaptiveStrategiesTouchOnlyTheWorstElements) {
   const bem::Mesh mesh = test::squareMesh(2);
   const adaptivity::LevelData level = levelOn(mesh);
   const std::vector<int> worst = worstOf(mesh);
-  const adaptivity::Marks h = adaptivity::strategy("Adaptive h").marks(level);
-  const adaptivity::Marks hp = adaptivity::strategy("Adaptive hp").marks(level);
+  const adaptivity::Marks h = adaptivity::strategies().at("Adaptive h").marks(level);
+  const adaptivity::Marks hp = adaptivity::strategies().at("Adaptive hp").marks(level);
   using adaptivity::Mark;
   for (int e = 0; e < mesh.size(); ++e) {
     const bool marked = std::find(worst.begin(), worst.end(), e) != worst.end();
@@ -99,8 +100,8 @@ TEUCHOS_UNIT_TEST(Strategy, adaptiveStrategiesTouchOnlyTheWorstElements) {
 TEUCHOS_UNIT_TEST(Strategy, adaptiveHpBisectsWhereTheDegreeIsTheLargest) {
   const bem::Mesh mesh = test::squareMesh(bem::largestDegree);
   const adaptivity::LevelData level = levelOn(mesh);
-  TEST_ASSERT(adaptivity::strategy("Adaptive hp").marks(level) ==
-              adaptivity::strategy("Adaptive h").marks(level));
+  TEST_ASSERT(adaptivity::strategies().at("Adaptive hp").marks(level) ==
+              adaptivity::strategies().at("Adaptive h").marks(level));
 }
 
 TEUCHOS_UNIT_TEST(Strategy, decisionsAreTheStrategysMarks) {
@@ -112,7 +113,7 @@ TEUCHOS_UNIT_TEST(Strategy, decisionsAreTheStrategysMarks) {
 
 TEUCHOS_UNIT_TEST(Strategy, anUnknownNameIsAnInputErrorThatListsTheKnownOnes) {
   try {
-    adaptivity::strategy("Uniform q");
+    adaptivity::strategies().at("Uniform q");
     TEST_ASSERT(false);
   } catch (const bem::InputError& error) {
     for (const adaptivity::Strategy& known : adaptivity::strategies())
@@ -126,7 +127,7 @@ TEUCHOS_UNIT_TEST(GradedHp, cutsTowardSingularPointsAndRaisesDegreesElsewhere) {
   adaptivity::LevelData level = allMarkedOn(mesh);
   level.singular.nodes[1] = adaptivity::Singularity::Strong;
   level.singular.inside[3] = {0.1};
-  const adaptivity::Marks marks = adaptivity::strategy("Graded hp").marks(level);
+  const adaptivity::Marks marks = adaptivity::strategies().at("Graded hp").marks(level);
   const int p = mesh[0].degree;
 
   TEST_ASSERT(marks[0] == Mark::Cut);  // its end is singular
@@ -146,13 +147,13 @@ TEUCHOS_UNIT_TEST(GradedHp, doesWithTransitionsWhatItsOptionSays) {
   level.singular.inside[3] = {0.1};
   const int p = mesh[3].degree;
   level.grading.transitions = "Surround";
-  const Mark surround = adaptivity::strategy("Graded hp").marks(level)[3];
+  const Mark surround = adaptivity::strategies().at("Graded hp").marks(level)[3];
   TEST_EQUALITY(static_cast<int>(surround.places().size()), 2);
   TEST_FLOATING_EQUALITY(surround.places().front(), -0.1, 1e-14);
   TEST_FLOATING_EQUALITY(surround.places().back(), 0.3, 1e-14);
   TEST_ASSERT(surround.degrees() == std::vector<int>({p + 1, p, p + 1}));
   level.grading.transitions = "Bisect";
-  TEST_ASSERT(adaptivity::strategy("Graded hp").marks(level)[3] == Mark::Bisect);
+  TEST_ASSERT(adaptivity::strategies().at("Graded hp").marks(level)[3] == Mark::Bisect);
 }
 
 TEUCHOS_UNIT_TEST(GradedHp, takesRatioStepAndDecayFromItsOptions) {
@@ -164,7 +165,7 @@ TEUCHOS_UNIT_TEST(GradedHp, takesRatioStepAndDecayFromItsOptions) {
   level.grading.ratio = 0.25;
   level.grading.degreeStep = 2;
   level.grading.smooth = "Legendre Decay";
-  const adaptivity::Marks marks = adaptivity::strategy("Graded hp").marks(level);
+  const adaptivity::Marks marks = adaptivity::strategies().at("Graded hp").marks(level);
   const int p = mesh[0].degree;
   TEST_ASSERT(marks[0] == Mark::cut({0.5}, {p + 2, p}));
   TEST_ASSERT(marks[2] == Mark::Bisect);
@@ -177,11 +178,12 @@ TEUCHOS_UNIT_TEST(GradedHp, halvesSmoothElementsAtTheLargestDegreeOfTheMultiplie
   adaptivity::LevelData level = allMarkedOn(mesh);
   level.singular.nodes[1] = adaptivity::Singularity::Strong;
   level.grading.largestDegree = 6;
-  const adaptivity::Marks marks = adaptivity::strategy("Graded hp").marks(level);
+  const adaptivity::Marks marks = adaptivity::strategies().at("Graded hp").marks(level);
   TEST_ASSERT(marks[1] == Mark::cut({-0.8}, {6, 6}));
   TEST_ASSERT(marks[3] == Mark::Bisect);
   level.grading.largestDegree = 7;
-  TEST_ASSERT(adaptivity::strategy("Graded hp").marks(level)[3] == Mark::RaiseDegree);
+  TEST_ASSERT(adaptivity::strategies().at("Graded hp").marks(level)[3] ==
+              Mark::RaiseDegree);
 }
 
 TEUCHOS_UNIT_TEST(GradedHp, leavesWeakPointsToTheDegreeAtFirst) {
@@ -190,7 +192,7 @@ TEUCHOS_UNIT_TEST(GradedHp, leavesWeakPointsToTheDegreeAtFirst) {
     const bem::Mesh mesh = test::squareMesh(degree);
     adaptivity::LevelData level = allMarkedOn(mesh);
     level.singular.nodes[0] = adaptivity::Singularity::Weak;
-    const adaptivity::Marks marks = adaptivity::strategy("Graded hp").marks(level);
+    const adaptivity::Marks marks = adaptivity::strategies().at("Graded hp").marks(level);
     TEST_ASSERT(marks[0] == (degree == 1 ? Mark::RaiseDegree : Mark::Cut));
   }
 }
@@ -206,7 +208,7 @@ TEUCHOS_UNIT_TEST(GradedHp, takesNeighboursAlongThatStayBehindByMoreThanTwo) {
     const bem::Mesh mesh(square.sharedOutline(), pieces);
     adaptivity::LevelData level = allMarkedOn(mesh);
     level.worst = {2};
-    const adaptivity::Marks marks = adaptivity::strategy("Graded hp").marks(level);
+    const adaptivity::Marks marks = adaptivity::strategies().at("Graded hp").marks(level);
     const Mark neighbour = degree == 3 ? Mark::RaiseDegree : Mark::None;
     TEST_ASSERT(marks[2] == Mark::RaiseDegree);
     TEST_ASSERT(marks[1] == neighbour);

@@ -58,8 +58,8 @@ TEUCHOS_UNIT_TEST(Fallbacks, aCantileverIsSolvedHoweverFineItsMesh) {
 Problem block(double tangentialLoad) {
   Problem problem;
   problem.normals = 2;
-  problem.tangentials = {{0, contact::pointLaw("Coulomb", {0.5})},
-                         {1, contact::pointLaw("Coulomb", {0.5})}};
+  problem.tangentials = {{0, test::pointLaw("Coulomb", {0.5})},
+                         {1, test::pointLaw("Coulomb", {0.5})}};
   problem.flexibility = test::identity(4);
   problem.offset = {0, 0, 0, 0};
   problem.rigid = contact::Matrix(4, 2);
@@ -147,12 +147,64 @@ TEUCHOS_UNIT_TEST(Fallbacks, stagesAccountForEveryStep) {
   }
 }
 
+/// D = 2, known without its entries.
+class Springs final : public contact::Flexibility::Operator {
+ public:
+  explicit Springs(Index size) : size_(size) {}
+  Index size() const override { return size_; }
+  Product product(const contact::Vector& x) const override {
+    return {times(x), times(x)};
+  }
+  contact::Vector times(const contact::Vector& x) const override {
+    contact::Vector y = x;
+    for (double& value : y)
+      value *= 2;
+    return y;
+  }
+  contact::Matrix formed() const override { return test::identity(size_, 2); }
+  std::unique_ptr<Factor> factor(const System& system) const override {
+    return std::make_unique<Solved>(system);
+  }
+
+ private:
+  struct Solved final : Factor {
+    explicit Solved(System system) : system_(std::move(system)) {}
+    contact::Vector solve(const contact::Vector& b,
+                          const contact::Vector& known) const override {
+      contact::Vector x = known;
+      for (std::size_t p = 0; p < system_.rows.size(); ++p)
+        x[contact::at(system_.rows[p])] = b[p] / (2 + system_.shifts[p]);
+      return x;
+    }
+    System system_;
+  };
+
+  Index size_;
+};
+
+TEUCHOS_UNIT_TEST(Fallbacks, aProblemTooLargeToPivotSaysThatThisWasNotTried) {
+  Problem problem;
+  problem.normals = contact::Tresca::mostToPivot + 1;
+  problem.flexibility = contact::Flexibility(std::make_shared<Springs>(problem.normals));
+  for (Index i = 0; i < problem.normals; ++i)
+    problem.offset.push_back(i % 2 == 0 ? 1 : -1);
+  SolverOptions options;
+  options.tresca.complementarity = "Fischer-Burmeister";
+  options.tresca.maximumIterations = 1;
+  const auto report = solve(problem, {}, options).report;
+  TEST_ASSERT(report.status == contact::Status::NotConverged);
+  TEST_EQUALITY(report.stages.size(), 2u);
+  TEST_ASSERT(report.stages.front().end == contact::End::Iterations);
+  TEST_ASSERT(report.stages.back().stage == contact::Stage::FollowOffset);
+  TEST_ASSERT(report.stages.back().end == contact::End::TooLarge);
+}
+
 /// Tresca's friction carries 1, the load asks for T: the report says how far it could go.
 TEUCHOS_UNIT_TEST(Fallbacks, aLoadThatCannotBeReachedIsReportedWithItsFactor) {
   for (const double load : {1.1, 4.0}) {
     Problem sliding = block(load);
-    sliding.tangentials = {{0, contact::pointLaw("Tresca", {0.5})},
-                           {1, contact::pointLaw("Tresca", {0.5})}};
+    sliding.tangentials = {{0, test::pointLaw("Tresca", {0.5})},
+                           {1, test::pointLaw("Tresca", {0.5})}};
     SolverOptions options;
     options.loadSteps = 2;
     const auto solution = solve(sliding, {}, options, {0, 0});

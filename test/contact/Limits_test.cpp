@@ -53,13 +53,23 @@ TEUCHOS_UNIT_TEST(Limits, aLoadThatNothingHoldsIsAnErrorThatSaysSo) {
   TEST_THROW(solve(floatingPoint(1, -3)), contact::NoBalance);
 }
 
+/// Contact would hold it: the reason is another one than that nothing does.
+TEUCHOS_UNIT_TEST(Limits, aGapBeyondAllMeasureIsNoMotionThatNothingHolds) {
+  try {
+    solve(floatingPoint(1e14, 3));
+    TEST_ASSERT(false);
+  } catch (const contact::NoBalance& error) {
+    TEST_INEQUALITY(std::string(error.what()), contact::NoBalance().what());
+  }
+}
+
 /// A floating block of two points, pressed down alike, the first three times as stiff: pushed
 /// sideways it takes three quarters until it slips, the second the rest until all slide.
 TEUCHOS_UNIT_TEST(Limits, frictionAloneHoldsABodyUpToGlobalSliding) {
   Problem problem;
   problem.normals = 2;
-  problem.tangentials = {{0, contact::pointLaw("Coulomb", {0.5})},
-                         {1, contact::pointLaw("Coulomb", {0.5})}};
+  problem.tangentials = {{0, test::pointLaw("Coulomb", {0.5})},
+                         {1, test::pointLaw("Coulomb", {0.5})}};
   contact::Matrix flexibility(4, 4);
   for (Index i = 0; i < 4; ++i)
     flexibility(i, i) = i == 3 ? 3 : 1;

@@ -56,7 +56,7 @@ TEUCHOS_UNIT_TEST(OffsetPath, solvesRandomProblems) {
 Problem folded(double coefficient) {
   Problem problem;
   problem.normals = 1;
-  problem.tangentials.emplace_back(0, contact::pointLaw("Coulomb", {coefficient}));
+  problem.tangentials.emplace_back(0, test::pointLaw("Coulomb", {coefficient}));
   contact::Matrix flexibility = test::identity(2);
   flexibility(0, 1) = flexibility(1, 0) = 0.8;
   problem.flexibility = std::move(flexibility);
@@ -87,7 +87,7 @@ TEUCHOS_UNIT_TEST(OffsetPath, followsALawOfPieces) {
       Problem problem = randomProblem(recipe, random);
       for (std::size_t t = 0; t < problem.tangentials.size(); ++t)
         problem.tangentials[t] = {static_cast<Index>(t),
-                                  contact::pointLaw("Capped Coulomb", {1.5, cap})};
+                                  test::pointLaw("Capped Coulomb", {1.5, cap})};
       const OffsetPath path = pathOf(problem);
       TEST_ASSERT(path.arrived);
       TEST_COMPARE(reference::violation(problem, stateOf(problem, path)), <, 1e-9);

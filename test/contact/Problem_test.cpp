@@ -25,7 +25,7 @@ using test::solve;
 Problem pressedPoint(double pull) {
   Problem problem;
   problem.normals = 1;
-  problem.tangentials = {{0, contact::pointLaw("Coulomb", {0.5})}};
+  problem.tangentials = {{0, test::pointLaw("Coulomb", {0.5})}};
   problem.flexibility = test::identity(2);
   problem.offset = {1, pull};
   problem.rigid = contact::Matrix(2, 0);
@@ -133,7 +133,7 @@ TEUCHOS_UNIT_TEST(Problem, whatDoesNotFitIsRefusedAtTheDoor) {
   });
   for (const Index normal : {-1, 1})
     refuses([normal](Problem& p) {
-      p.tangentials[0] = {normal, contact::pointLaw("Coulomb", {0.5})};
+      p.tangentials[0] = {normal, test::pointLaw("Coulomb", {0.5})};
     });
 }
 

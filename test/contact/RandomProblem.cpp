@@ -104,7 +104,7 @@ Problem randomProblem(const Recipe& recipe, std::mt19937& random) {
   if (recipe.law != std::string("None"))
     for (Index i = 0; i < recipe.normals; ++i)
       problem.tangentials.emplace_back(
-          i, contact::pointLaw(
+          i, test::pointLaw(
                  recipe.law,
                  {draw(random, 0, 1) < 0.2 ? 0.0 : draw(random, 0, recipe.strength)}));
   if (recipe.coupling > 0)
@@ -121,6 +121,13 @@ Problem randomProblem(const Recipe& recipe, std::mt19937& random) {
   if (recipe.rigidMotions > 0)
     addRigidMotions(problem, recipe.rigidMotions, random);
   return problem;
+}
+
+contact::PointLaw pointLaw(const std::string& law, const contact::Vector& fields) {
+  std::vector<bem::Function> functions;
+  for (const double value : fields)
+    functions.push_back([value](bem::Vec2) { return value; });
+  return contact::makeFriction(law, std::move(functions)).at({}, 1);
 }
 
 Matrix identity(Index size, double value) {

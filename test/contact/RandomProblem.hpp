@@ -3,6 +3,7 @@
 #include "contact/problem/Problem.hpp"
 
 #include <random>
+#include <string>
 
 namespace epafi::test {
 
@@ -24,6 +25,9 @@ struct Recipe {
 /// normal and tangential coefficients; loads of both signs.  With rigid motions the load
 /// can be balanced.
 contact::Problem randomProblem(const Recipe& recipe, std::mt19937& random);
+
+/// A law whose fields have these values, in units of stress.
+contact::PointLaw pointLaw(const std::string& law, const contact::Vector& fields);
 
 /// `value` times the identity: every coefficient on a spring of its own.
 contact::Matrix identity(contact::Index size, double value = 1);

@@ -270,7 +270,7 @@ TEUCHOS_UNIT_TEST(Solver, classifiesContactAndFriction) {
   Problem problem;
   problem.normals = 3;
   for (Index i = 0; i < 3; ++i)
-    problem.tangentials.emplace_back(i, contact::pointLaw("Coulomb", {0.5}));
+    problem.tangentials.emplace_back(i, test::pointLaw("Coulomb", {0.5}));
   problem.flexibility = test::identity(6);
   problem.offset = {2, 2, -1, 0.3, -4, 5};
   problem.rigid = contact::Matrix(6, 0);

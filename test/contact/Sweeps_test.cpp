@@ -34,7 +34,7 @@ Problem stronglyCoupled(Index copies, const char* law, std::mt19937& random) {
   problem.normals = 3 * copies;
   const Index tangentials = law == std::string("None") ? 0 : problem.normals;
   for (Index t = 0; t < tangentials; ++t)
-    problem.tangentials.emplace_back(t, contact::pointLaw(law, {0.2}));
+    problem.tangentials.emplace_back(t, test::pointLaw(law, {0.2}));
   const Index size = problem.size();
   contact::Matrix root(size, size);
   for (Index j = 0; j < size; ++j)

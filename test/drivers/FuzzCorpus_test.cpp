@@ -18,7 +18,7 @@ std::set<std::string> pathsOf(const Teuchos::ParameterList& list,
   std::set<std::string> paths;
   for (const auto& item : list) {
     const std::string path = prefix + item.first;
-    const drivers::Parameter& row = drivers::declared(path);
+    const drivers::Parameter& row = bem::declared(drivers::parameters(), path);
     paths.insert(row.path);
     if (row.kind == drivers::Kind::List)
       paths.merge(pathsOf(list.sublist(item.first), path + "->"));

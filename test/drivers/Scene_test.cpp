@@ -263,7 +263,8 @@ TEUCHOS_UNIT_TEST(Schema, everyDefaultIsValidAndEveryListStandsBeforeItsKeys) {
     if (row.kind == drivers::Kind::Real && !row.standard.empty())
       TEST_ASSERT(row.interval.contains(std::stod(row.standard)));
     if (!row.parent().empty())
-      TEST_EQUALITY(drivers::declared(row.parent()).path, row.parent());
+      TEST_EQUALITY(bem::declared(drivers::parameters(), row.parent()).path,
+                    row.parent());
   }
 }
 

@@ -37,10 +37,29 @@ for sentence, settings, words in [
         ("a corner that two sides move apart",
          [CONDITIONS + "top={Type=Dirichlet, Displacement X=0, Displacement Y=-0.001}",
           CONDITIONS + "side={Type=Dirichlet, Displacement X=1e-4*(x > 0)}", HELD], "of their corner ("),
+        ("loads that are nothing beside Young's modulus",
+         ["Bodies->block->Material->Young's Modulus=1e300",
+          "Discretization->Stabilization->Gamma0=1e-304"], "too small for a number"),
         ("a constant that none uses", ["Constants->tpo=1"], "Constants->tpo = 1 is in no expression")]:
     code, warnings = told(scene("coulomb.xml"), "odd", settings)
     claim(code == 0 and len(warnings) == 1 and words in warnings[0],
           "%s: %s" % (sentence, warnings))
+for sentence, setting, words in [
+        ("a load between the points of a rule",
+         CONDITIONS + "top={Type=Neumann, Traction Y=-100*(abs(x - 0.0612) < 0.001)}",
+         "->top: the traction is narrower"),
+        ("a side that is pushed through an obstacle at both of its corners",
+         CONDITIONS + "side={Type=Dirichlet, Displacement X=0, Displacement Y=-0.01}",
+         "'side' moves its corner with 'foundation'")]:
+    code, text = epafi("check", scene("coulomb.xml"), "--set", setting)
+    warnings = [line for line in text.splitlines() if line.startswith("warning: ")]
+    claim(code == 0 and len(warnings) == 1 and words in warnings[0], "%s: %s" % (sentence, warnings))
+for sentence, setting in [
+        ("a wide one", CONDITIONS + "top={Type=Neumann, Traction Y=-100*(abs(x - 0.0612) < 0.07)}"),
+        ("one that is pulled away", CONDITIONS +
+         "side={Type=Dirichlet, Displacement X=0, Displacement Y=0.01}")]:
+    code, text = epafi("check", scene("coulomb.xml"), "--set", setting)
+    claim(code == 0 and "warning" not in text, "%s is none: %s" % (sentence, text.splitlines()[-1]))
 code, warnings = told(scene("tilting-punch.xml"), "untouched", ["Contacts=",
                       "Bodies->punch->Motion=", "History->Times={1}", "History->Steps={1}"])
 claim(any("Bodies->punch: is rigid, and no contact names it" in line for line in warnings),

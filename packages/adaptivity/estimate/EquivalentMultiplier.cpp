@@ -9,55 +9,48 @@ using bem::Vec2;
 
 namespace {
 
-constexpr int none = -1;
+/// A contact element at a node: which of its ends is there, and how w goes on it.
+struct Arm {
+  std::size_t contact = 0;
+  Vec2 AtEnds::*end = nullptr;
+  double sign = 1;  ///< 1 before the node, -1 after it
+
+  void move(Vec2 change, AtEnds& factors) const {
+    factors.*end = factors.*end + sign * change;
+  }
+};
 
 /// A node that has a w.
 struct Joint {
-  int before = none;  ///< contact element that ends there
-  int after = none;   ///< contact element that starts there
-  Vec2 free;          ///< 1 for each component that has one, else 0
-  double reach = 0;   ///< of steps that are tried both ways
+  std::vector<Arm> arms;
+  Vec2 free;         ///< 1 for each component that has one, else 0
+  double reach = 0;  ///< of steps that are tried both ways
 };
-
-/// Which components of the displacement conditions prescribe on an element: 1 or 0 each.
-Vec2 clamped(const bem::Mesh& mesh, int e, const contact::Conditions& conditions) {
-  const auto clamp = conditions.dirichlet.find(mesh.boundary(e));
-  if (clamp == conditions.dirichlet.end())
-    return {};
-  return {clamp->second.x ? 1.0 : 0.0, clamp->second.y ? 1.0 : 0.0};
-}
 
 std::vector<Joint> findJoints(const bem::Mesh& mesh,
                               const contact::Conditions& conditions,
                               const std::vector<ContactElement>& elements) {
-  std::vector<int> contactOf(static_cast<std::size_t>(mesh.size()), none);
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> contactOf(static_cast<std::size_t>(mesh.size()), none);
   for (std::size_t k = 0; k < elements.size(); ++k)
-    contactOf[static_cast<std::size_t>(elements[k].element)] = static_cast<int>(k);
+    contactOf[static_cast<std::size_t>(elements[k].element)] = k;
   std::vector<Joint> joints;
   for (int e = 0; e < mesh.size(); ++e) {
     const int previous = mesh[e].previous;
-    const int after = contactOf[static_cast<std::size_t>(e)];
-    const int before = contactOf[static_cast<std::size_t>(previous)];
-    Vec2 free{1, 1};
-    if (after == none)
-      free = clamped(mesh, e, conditions);
-    else if (before == none)
-      free = clamped(mesh, previous, conditions);
-    if ((before != none || after != none) && free != Vec2{})
-      joints.push_back({before, after, free});
+    const std::size_t before = contactOf[static_cast<std::size_t>(previous)];
+    const std::size_t after = contactOf[static_cast<std::size_t>(e)];
+    Joint joint;
+    if (before != none)
+      joint.arms.push_back({before, &AtEnds::end, 1});
+    if (after != none)
+      joint.arms.push_back({after, &AtEnds::start, -1});
+    joint.free = joint.arms.size() == 2
+                     ? Vec2{1, 1}
+                     : conditions.given(mesh.boundary(after == none ? e : previous));
+    if (!joint.arms.empty() && joint.free != Vec2{})
+      joints.push_back(std::move(joint));
   }
   return joints;
-}
-
-void move(const Joint& joint, Vec2 change, std::vector<AtEnds>& factors) {
-  if (joint.before != none) {
-    Vec2& end = factors[static_cast<std::size_t>(joint.before)].end;
-    end = end + change;
-  }
-  if (joint.after != none) {
-    Vec2& start = factors[static_cast<std::size_t>(joint.after)].start;
-    start = start - change;
-  }
 }
 
 /// Corrections of all contact elements, and what each costs.
@@ -81,35 +74,27 @@ class Neighbourhood {
   Neighbourhood(const Joint& joint, const std::vector<ContactCost>& costs,
                 const Corrections& now)
       : joint_(joint), costs_(costs), factors_(now.factors) {
-    if (joint.before != none) {
-      unchanged_ += now.costs[static_cast<std::size_t>(joint.before)];
-      const ContactCost& cost = costAt(joint.before);
-      slope_ = slope_ + cost.slope(factorsAt(joint.before)).end;
+    for (const Arm& arm : joint.arms) {
+      const ContactCost& cost = costs[arm.contact];
+      unchanged_ += now.costs[arm.contact];
+      slope_ = slope_ + arm.sign * (cost.slope(factors_[arm.contact]).*arm.end);
       curvature_ += cost.curvature();
       scale_ += cost.scale();
-      add(cost.directions());
-    }
-    if (joint.after != none) {
-      unchanged_ += now.costs[static_cast<std::size_t>(joint.after)];
-      const ContactCost& cost = costAt(joint.after);
-      slope_ = slope_ - cost.slope(factorsAt(joint.after)).start;
-      curvature_ += cost.curvature();
-      scale_ += cost.scale();
-      add(cost.directions());
+      for (const Vec2 d : cost.directions())
+        if (const Vec2 possible{joint.free.x * d.x, joint.free.y * d.y};
+            possible != Vec2{} &&
+            std::find(directions_.begin(), directions_.end(), possible) ==
+                directions_.end())
+          directions_.push_back(possible);
     }
   }
 
   double cost(Vec2 change) const {
     double sum = 0;
-    if (joint_.before != none) {
-      AtEnds c = factorsAt(joint_.before);
-      c.end = c.end + change;
-      sum += costAt(joint_.before)(c);
-    }
-    if (joint_.after != none) {
-      AtEnds c = factorsAt(joint_.after);
-      c.start = c.start - change;
-      sum += costAt(joint_.after)(c);
+    for (const Arm& arm : joint_.arms) {
+      AtEnds factors = factors_[arm.contact];
+      arm.move(change, factors);
+      sum += costs_[arm.contact](factors);
     }
     return sum;
   }
@@ -125,19 +110,6 @@ class Neighbourhood {
   }
 
  private:
-  const ContactCost& costAt(int k) const { return costs_[static_cast<std::size_t>(k)]; }
-  const AtEnds& factorsAt(int k) const { return factors_[static_cast<std::size_t>(k)]; }
-
-  void add(const std::vector<Vec2>& directions) {
-    for (const Vec2 d : directions) {
-      const Vec2 possible{joint_.free.x * d.x, joint_.free.y * d.y};
-      const bool isKnown = std::find(directions_.begin(), directions_.end(), possible) !=
-                           directions_.end();
-      if (possible != Vec2{} && !isKnown)
-        directions_.push_back(possible);
-    }
-  }
-
   const Joint& joint_;
   const std::vector<ContactCost>& costs_;
   const std::vector<AtEnds>& factors_;
@@ -217,7 +189,8 @@ std::vector<AtEnds> equivalentMultiplier(const bem::Mesh& mesh,
     for (Joint& joint : joints) {
       const Step step = bestStep(joint.reach, {joint, costs, best});
       joint.reach = step.reach;
-      move(joint, 0.5 * step.change, factors);
+      for (const Arm& arm : joint.arms)
+        arm.move(0.5 * step.change, factors[arm.contact]);
     }
     Corrections next(costs, std::move(factors));
     if (!(next.total < best.total))

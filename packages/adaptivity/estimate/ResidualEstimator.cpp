@@ -32,14 +32,6 @@ class FixedTraction {
   Vector amplitudes_;
 };
 
-/// Which components a traction is given for on a side without contact: 1 or 0 each.
-Vec2 givenComponents(const contact::Conditions& conditions, const std::string& boundary) {
-  const auto clamp = conditions.dirichlet.find(boundary);
-  if (clamp == conditions.dirichlet.end())
-    return {1, 1};
-  return {clamp->second.x ? 0.0 : 1.0, clamp->second.y ? 0.0 : 1.0};
-}
-
 class Residuals {
  public:
   Residuals(const contact::Solved& solved, const bem::Lame& lame, const Weights& weights)
@@ -59,15 +51,17 @@ class Residuals {
           value.weight * h * dot(value.mismatch, value.mismatch);
     if (touching)
       return squares;
-    const Vec2 given = givenComponents(solved_.conditions, mesh_.boundary(e));
+    const Vec2 free = Vec2{1, 1} - solved_.conditions.given(mesh_.boundary(e));
     const auto neumann = solved_.conditions.neumann.find(mesh_.boundary(e));
     const bool loaded = neumann != solved_.conditions.neumann.end();
     for (const bem::BoundaryValue& value : values) {
       const double t = value.place.t;
-      const Vec2 load = loaded ? loadAt(neumann->second, e, t) : Vec2{};
+      const Vec2 load = loaded ? (1 / solved_.units.stress) *
+                                     neumann->second.at(mesh_.physicalPoint(e, t))
+                               : Vec2{};
       const Vec2 r = load + solved_.pressed.at(e, t) + fixed_.at(e, t) - value.traction;
-      of(squares, Source::Neumann) += value.weight * h / mesh_[e].degree *
-                                      (given.x * r.x * r.x + given.y * r.y * r.y);
+      of(squares, Source::Neumann) +=
+          value.weight * h / mesh_[e].degree * (free.x * r.x * r.x + free.y * r.y * r.y);
     }
     return squares;
   }
@@ -140,12 +134,6 @@ class Residuals {
   }
 
  private:
-  Vec2 loadAt(const contact::Conditions::Neumann& neumann, int e, double t) const {
-    const Vec2 x = mesh_.physicalPoint(e, t);
-    return (1 / solved_.units.stress) *
-           Vec2{neumann.x ? neumann.x(x) : 0.0, neumann.y ? neumann.y(x) : 0.0};
-  }
-
   const contact::Solved& solved_;
   const Weights& weights_;
   double mu_;
@@ -155,7 +143,7 @@ class Residuals {
 
 Contributions factorsOf(const contact::Solved& solved, const bem::Lame& lame,
                         const EstimatorOptions& options) {
-  Contributions factors = weighting(options.weights).factors(lame, solved.units);
+  Contributions factors = weightings().at(options.weights).factors(lame, solved.units);
   for (const Source source : {Source::Neumann, Source::Contact, Source::Density})
     of(factors, source) *= options.residualFactor;
   return factors;
@@ -253,7 +241,7 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
                         const bem::Lame& lame, const EstimatorOptions& options) {
   const auto& [solved, density] = state;
   const bem::DenseAlgebra& algebra = solved.stiffness.algebra();
-  const Weights& weights = weighting(options.weights);
+  const Weights& weights = weightings().at(options.weights);
   const Contributions factors = factorsOf(solved, lame, options);
   const Residuals residuals(solved, lame, weights);
   const auto& touching = solved.problem.multiplier().elements();

@@ -56,8 +56,6 @@ bem::Family<Weights>& weightings() {
   return table;
 }
 
-const Weights& weighting(const std::string& name) { return weightings().at(name); }
-
 bem::SchemaRows estimatorRows() {
   using bem::Kind;
   using bem::Row;

@@ -28,7 +28,4 @@ struct Weights {
 /// All weights.  A new one is one line in Weights.cpp, or added by a program.
 bem::Family<Weights>& weightings();
 
-/// \throws bem::InputError naming the known weights.
-const Weights& weighting(const std::string& name);
-
 }  // namespace epafi::adaptivity

@@ -1,6 +1,7 @@
 #include "adaptivity/mark/Analyticity.hpp"
 
 #include "bem/space/LocalField.hpp"
+#include "contact/body/IterativeRefinement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,26 +30,11 @@ Series seriesOf(const bem::LocalField& field, int degree, int component) {
   return series;
 }
 
-double largest(const Vector& v) {
-  double size = 0;
-  for (const double x : v)
-    size = std::max(size, std::abs(x));
-  return size;
-}
-
-bool isPrescribed(const contact::Conditions& conditions, const std::string& boundary,
-                  int component) {
-  const auto clamp = conditions.dirichlet.find(boundary);
-  if (clamp == conditions.dirichlet.end())
-    return false;
-  return static_cast<bool>(component == 0 ? clamp->second.x : clamp->second.y);
-}
-
 }  // namespace
 
 bool decays(const Vector& coefficients, double floor, double threshold) {
   const auto n = static_cast<double>(coefficients.size());
-  if (n < 2 || largest(coefficients) <= floor)
+  if (n < 2 || contact::largestEntry(coefficients) <= floor)
     return true;
   const double middle = 0.5 * (n - 1);
   double product = 0;
@@ -67,17 +53,18 @@ std::vector<bool> looksAnalytic(const bem::Space& space,
                                 const Vector& displacement, const Vector& density,
                                 double threshold) {
   constexpr double rounding = 1e-13;
-  const double displacementFloor = rounding * largest(displacement);
-  const double densityFloor = rounding * largest(density);
+  const double displacementFloor = rounding * contact::largestEntry(displacement);
+  const double densityFloor = rounding * contact::largestEntry(density);
   const bem::Mesh& mesh = space.mesh();
   const Vector inner = space.withoutRotation(displacement);
   std::vector<bool> result;
   for (int e = 0; e < mesh.size(); ++e) {
     const bem::LocalField field = bem::localField(space, inner, density, e);
+    const bem::Vec2 given = conditions.given(mesh.boundary(e));
     bool all = true;
     for (int component = 0; component < 2; ++component) {
       const Series series = seriesOf(field, mesh[e].degree, component);
-      all = all && (isPrescribed(conditions, mesh.boundary(e), component)
+      all = all && ((component == 0 ? given.x : given.y) != 0
                         ? decays(series.density, densityFloor, threshold)
                         : decays(series.displacement, displacementFloor, threshold));
     }

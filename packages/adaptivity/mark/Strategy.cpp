@@ -105,9 +105,6 @@ Marks decide(const Strategy& strategy, const LevelData& level,
   bem::Vector numbers;
   for (const Mark& mark : strategy.marks(level))
     write(mark, numbers);
-  // the counts first: other ranks may have made other marks
-  const bem::Vector size = algebra.broadcast({static_cast<double>(numbers.size())});
-  numbers.resize(size.front());
   const bem::Vector agreed = algebra.broadcast(std::move(numbers));
   Marks marks;
   for (const double* next = agreed.data(); next != agreed.data() + agreed.size();)
@@ -137,8 +134,6 @@ bem::Family<Strategy>& strategies() {
       });
   return family;
 }
-
-const Strategy& strategy(const std::string& name) { return strategies().at(name); }
 
 bem::SchemaRows strategyRows() {
   const StrategyOptions defaults;

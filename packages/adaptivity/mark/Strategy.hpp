@@ -67,7 +67,4 @@ Marks decide(const Strategy& strategy, const LevelData& level,
 /// one is one line in Strategy.cpp.
 bem::Family<Strategy>& strategies();
 
-/// \throws bem::InputError naming the known strategies.
-const Strategy& strategy(const std::string& name);
-
 }  // namespace epafi::adaptivity

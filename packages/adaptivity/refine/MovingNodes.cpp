@@ -156,8 +156,6 @@ std::vector<Move> agree(const std::vector<Move>& moves,
   for (const Move& move : moves)
     numbers.insert(numbers.end(),
                    {static_cast<double>(move.node), move.to.fromStart, move.to.toEnd});
-  const bem::Vector size = algebra.broadcast({static_cast<double>(numbers.size())});
-  numbers.resize(size.front());
   numbers = algebra.broadcast(std::move(numbers));
   std::vector<Move> agreed;
   for (std::size_t k = 0; k < numbers.size(); k += 3)

@@ -75,7 +75,7 @@ class DenseAlgebra {
   /// The sum over all processes, in place of each one's own.
   virtual Vector sum(Vector mine) const = 0;
 
-  /// What rank 0 has.
+  /// What rank 0 has, also where others have more or fewer numbers.
   virtual Vector broadcast(Vector root) const = 0;
 
   virtual int rank() const = 0;

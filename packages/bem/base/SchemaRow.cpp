@@ -60,7 +60,7 @@ std::string SchemaRow::parent() const {
   return at == std::string::npos ? "" : path.substr(0, at);
 }
 
-std::string SchemaRow::name() const {
+std::string lastOf(const std::string& path) {
   const auto at = path.rfind(arrow);
   return at == std::string::npos ? path : path.substr(at + std::strlen(arrow));
 }

@@ -56,6 +56,8 @@ const KindText& textOf(Kind kind);
 inline constexpr char arrow[] = "->";
 /// A->B->Key from A->B and Key; Key alone if the path is empty.
 std::string join(const std::string& path, const std::string& name);
+/// Key of A->B->Key.
+std::string lastOf(const std::string& path);
 
 /// One key of a part's list: what Teuchos' valid parameters say and what they cannot, the
 /// unit, whether it is required, under which siblings it exists.
@@ -76,7 +78,7 @@ struct SchemaRow {
   std::vector<std::string> allowed;  ///< of strings; empty: any
 
   std::string parent() const;
-  std::string name() const;
+  std::string name() const { return lastOf(path); }
   /// "> 0", "'A' or 'B'"; empty if everything of the type is allowed.
   std::string range() const;
 };

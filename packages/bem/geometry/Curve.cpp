@@ -51,6 +51,10 @@ Curve::Curve(Vec2 from, Vec2 to, Vec2 chord, double bulge)
   frame_.middle = point(0.0);
 }
 
+Curve Curve::moved(Vec2 shift) const {
+  return {from_ + shift, to_ + shift, to_ - from_, std::tan(0.5 * alpha_)};
+}
+
 Curve Curve::part(Position start, Position end) const {
   Curve result;
   const Position middle = midpoint(start, end);

@@ -60,6 +60,8 @@ class Curve {
   /// The same with a chord that is known better than from the rounded ends.
   Curve(Vec2 from, Vec2 to, Vec2 chord, double bulge);
 
+  /// The same elsewhere.
+  Curve moved(Vec2 shift) const;
   /// What lies between two places.
   Curve part(Position start, Position end) const;
 

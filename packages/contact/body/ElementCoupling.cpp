@@ -16,127 +16,23 @@ using ContactElement = MultiplierSpace::ContactElement;
 
 namespace {
 
-/// Column i: the coefficients of χ_i in the orthonormal Legendre polynomials on the
-/// element.
-Matrix orthonormalCoefficients(const MultiplierBasis& basis, const Element& element) {
-  const int p = element.degree;
-  const Rule& rule = bem::gaussLegendre(p + 1);
-  Matrix coefficients(p + 1, p + 1);
-  std::array<double, bem::largestDegree + 1> legendre{};
-  for (int q = 0; q < rule.size(); ++q) {
-    const Vector chi = basis.values(p, rule.points[q]);
-    bem::legendreValues(p, rule.points[q], legendre.data());
-    for (int i = 0; i <= p; ++i)
-      for (int k = 0; k <= p; ++k)
-        coefficients(k, i) += rule.weights[q] *
-                              std::sqrt(element.half * (2 * k + 1) / 2) * legendre[k] *
-                              chi[i];
-  }
-  return coefficients;
-}
-
-/// Column k: the coefficients of φ_k in the same polynomials.
-Matrix displacementCoefficients(const Element& element) {
-  Matrix coefficients = bem::DisplacementBasis::legendreCoefficients(element.degree);
-  for (Index k = 0; k < coefficients.columns(); ++k)
-    for (Index i = 0; i < coefficients.rows(); ++i)
-      coefficients(i, k) *=
-          std::sqrt(2 * element.half / (2 * static_cast<double>(i) + 1));
-  return coefficients;
-}
-
-/// Adds the normal or tangential coefficients of one element.
+/// Adds what one element has.
 class CouplingWriter {
  public:
   CouplingWriter(const bem::Space& space, const MultiplierBasis& basis, bool density,
                  Coupling& coupling)
       : space_(space), basis_(basis), density_(density), coupling_(coupling) {}
 
+  // By Gauss points: ∫ χ_i d·φ_k, ∫ χ_i d·(r - r_I), and χ_i d in orthonormal polynomials.
+  // Where S u is projected on these, so is λ: on arcs they leave something of it, and M is
+  // the product of what they take.
   void write(const ContactElement& contact, double gamma, Index firstTraction) const {
     const Element& element = space_.mesh()[contact.element];
-    if (!element.curve.isStraight())
-      return writeArc(contact, gamma, firstTraction);
-    writeDirection(contact, &ContactElement::normalOf, contact.normalCompletions,
-                   element.segment().normal, gamma, firstTraction);
-    if (contact.tangential >= 0)
-      writeDirection(contact, &ContactElement::tangentialOf,
-                     contact.tangentialCompletions, turnLeft(element.segment().normal),
-                     gamma, firstTraction);
-  }
-
- private:
-  using Numbering = Index (ContactElement::*)(int) const;
-  using Completions = std::array<EndCompletion, 2>;
-
-  void writeDirection(const ContactElement& contact, Numbering number,
-                      const Completions& completions, Vec2 direction, double gamma,
-                      Index firstTraction) const {
-    const Element& element = space_.mesh()[contact.element];
-    const int p = element.degree;
-    const Matrix chi = orthonormalCoefficients(basis_, element);
-    const Matrix phi = displacementCoefficients(element);
-    const double components[2] = {direction.x, direction.y};
-    for (int i = 0; i <= p; ++i) {
-      const Index column = (contact.*number)(i);
-      for (int k = 0; k <= p; ++k) {
-        double product = 0;
-        double mass = 0;
-        for (int l = 0; l <= p; ++l) {
-          product += chi(l, i) * phi(l, k);
-          mass += chi(l, i) * chi(l, k);
-        }
-        for (int c = 0; c < 2; ++c)
-          writeTrace(space_.displacement(contact.element, k, c), column,
-                     components[c] * product, completionOf(completions, i, p));
-        if (gamma > 0)
-          coupling_.mass.push_back({column, (contact.*number)(k), gamma * mass});
-      }
-      if (gamma == 0)
-        continue;
-      // S φ by orthonormal polynomials, densities by Legendre's
-      for (int l = 0; l < std::min(p + 1, terms(element)); ++l) {
-        const double norm = density_ ? std::sqrt(2 * element.half / (2 * l + 1)) : 1;
-        for (int c = 0; c < 2; ++c)
-          coupling_.weights.push_back({firstTraction + 2 * l + c, column,
-                                       gamma * norm * chi(l, i) * components[c]});
-      }
-    }
-  }
-
-  /// The columns of an element's tractions, or its densities, by components.
-  int terms(const Element& element) const {
-    return density_ ? element.densities : element.degree + 1;
-  }
-
-  /// A coefficient of an element, in a direction that turns.
-  struct Turning {
-    Index column;
-    const EndCompletion* completion;
-    bool tangential;
-    int function;
-  };
-
-  std::vector<Turning> turningOf(const ContactElement& contact) const {
-    std::vector<Turning> result;
-    const int p = contact.degree;
-    for (const bool tangential : {false, true})
-      for (int i = 0; i <= p && (!tangential || contact.tangential >= 0); ++i)
-        result.push_back({tangential ? contact.tangentialOf(i) : contact.normalOf(i),
-                          completionOf(tangential ? contact.tangentialCompletions
-                                                  : contact.normalCompletions,
-                                       i, p),
-                          tangential, i});
-    return result;
-  }
-
-  // All by Gauss points: ∫ χ_i d·φ_k, ∫ χ_i d·(r - r_I), and χ_i d in orthonormal
-  // polynomials.  Where S u is projected on these, so is λ: M is the product of what is
-  // left.
-  void writeArc(const ContactElement& contact, double gamma, Index firstTraction) const {
-    const Element& element = space_.mesh()[contact.element];
+    const bool straight = element.curve.isStraight();
+    const bool whole = density_ || straight;
     const int p = element.degree;
     const int count = terms(element);
-    const Rule& rule = bem::gaussLegendre(p + bem::pointsOfTurning);
+    const Rule& rule = bem::gaussLegendre(p + (straight ? 1 : bem::pointsOfTurning));
     const std::vector<Turning> unknowns = turningOf(contact);
     std::vector<Matrix> traces;  // displacement functions x components
     std::vector<Matrix> parts;   // orthonormal polynomials x components
@@ -170,7 +66,7 @@ class CouplingWriter {
                 std::sqrt((2 * static_cast<double>(l) + 1) / (2 * element.half));
         }
         rests[i] += value * dot(direction, rest);
-        for (std::size_t k = 0; density_ && k < unknowns.size(); ++k)
+        for (std::size_t k = 0; whole && k < unknowns.size(); ++k)
           if (unknowns[k].tangential == unknown.tangential)
             mass(static_cast<Index>(i), static_cast<Index>(k)) +=
                 value * chi[unknowns[k].function];
@@ -186,8 +82,10 @@ class CouplingWriter {
       if (gamma == 0)
         continue;
       for (std::size_t k = 0; k < unknowns.size(); ++k) {
+        if (whole && unknowns[k].tangential != tangential)
+          continue;
         double product = mass(static_cast<Index>(i), static_cast<Index>(k));
-        for (Index l = 0; !density_ && l < count; ++l)
+        for (Index l = 0; !whole && l < count; ++l)
           for (Index c = 0; c < 2; ++c)
             product += parts[i](l, c) * parts[k](l, c);
         coupling_.mass.push_back({column, unknowns[k].column, gamma * product});
@@ -199,6 +97,35 @@ class CouplingWriter {
               {firstTraction + 2 * l + c, column, gamma * norm * parts[i](l, c)});
       }
     }
+  }
+
+ private:
+  using Completions = std::array<EndCompletion, 2>;
+
+  /// The columns of an element's tractions, or its densities, by components.
+  int terms(const Element& element) const {
+    return density_ ? element.densities : element.degree + 1;
+  }
+
+  /// A coefficient of an element, in a direction that turns.
+  struct Turning {
+    Index column;
+    const EndCompletion* completion;
+    bool tangential;
+    int function;
+  };
+
+  std::vector<Turning> turningOf(const ContactElement& contact) const {
+    std::vector<Turning> result;
+    const int p = contact.degree;
+    for (const bool tangential : {false, true})
+      for (int i = 0; i <= p && (!tangential || contact.tangential >= 0); ++i)
+        result.push_back({tangential ? contact.tangentialOf(i) : contact.normalOf(i),
+                          completionOf(tangential ? contact.tangentialCompletions
+                                                  : contact.normalCompletions,
+                                       i, p),
+                          tangential, i});
+    return result;
   }
 
   void writeRest(Index column, double value, const EndCompletion* completion) const {

@@ -16,8 +16,6 @@ using bem::Vec2;
 
 namespace {
 
-double valueOr0(const Function& f, Vec2 x) { return f ? f(x) : 0.0; }
-
 void checkBoundaries(const bem::Mesh& mesh, const Conditions& conditions) {
   std::set<std::string> known;
   for (const bem::Edge& edge : mesh.outline().edges())
@@ -46,8 +44,7 @@ double addNeumann(const bem::Space& space, int e, const Conditions::Neumann& neu
   double rest = 0;
   for (int q = 0; q < rule.size(); ++q) {
     const Vec2 x = space.mesh().physicalPoint(e, rule.points[q]);
-    const Vec2 traction =
-        (1 / units.stress) * Vec2{valueOr0(neumann.x, x), valueOr0(neumann.y, x)};
+    const Vec2 traction = (1 / units.stress) * neumann.at(x);
     loads.largestTraction = std::max(loads.largestTraction, norm(traction));
     bem::DisplacementBasis::values(element.degree, rule.points[q], phi.data());
     for (int k = 0; k <= element.degree; ++k) {

@@ -22,6 +22,10 @@ struct Conditions {
   struct Neumann {
     bem::Function x;
     bem::Function y;
+
+    bem::Vec2 at(bem::Vec2 place) const {
+      return {x ? x(place) : 0.0, y ? y(place) : 0.0};
+    }
   };
   /// A part of an edge of the outline, between two distances from its start, in lengths of
   /// the outline's scaling.
@@ -49,6 +53,14 @@ struct Conditions {
   std::map<std::string, Dirichlet> dirichlet;
   std::map<std::string, Neumann> neumann;
   std::map<std::string, Contact> contact;
+
+  /// Which components of the displacement are given on a boundary: 1 or 0 each.
+  bem::Vec2 given(const std::string& boundary) const {
+    const auto found = dirichlet.find(boundary);
+    if (found == dirichlet.end())
+      return {};
+    return {found->second.x ? 1.0 : 0.0, found->second.y ? 1.0 : 0.0};
+  }
 
   /// The contact of a boundary where it is in the middle of a piece of an edge, if any.
   const Contact* contactOn(const std::string& boundary, int edge, double place) const {

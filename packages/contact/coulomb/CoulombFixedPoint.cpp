@@ -59,12 +59,10 @@ Solution CoulombFixedPoint::updates(const Problem& problem, const State& start) 
                          Equation::Bound::Lagged, tolerance);
   Solution solution = firstBound(problem, start);
   Vector bounds = problem.slipBounds(solution.state.multiplier);
-  Problem tresca = withSlipBounds(problem, bounds);
   double damping = 1;
   double change = 0;
   for (int k = 1; k <= options_.maximumIterations; ++k) {
-    tresca = withSlipBounds(problem, bounds);
-    solution = update(tresca, std::move(solution));
+    solution = update(withSlipBounds(problem, bounds), std::move(solution));
 
     const Evaluation e = coulomb.at(pack(problem, solution.state));
     const double previous =

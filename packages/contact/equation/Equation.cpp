@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 
 namespace epafi::contact {
 
@@ -35,7 +37,21 @@ Vector responseWeights(const Problem& problem) {
   return weights;
 }
 
+/// s at some pressures, and from there along its derivative by a change of them.
+StepBound extrapolated(const Tangential& tangential, const Vector& pressures,
+                       const Vector& change) {
+  StepBound bound{tangential.bound(pressures), tangential.slopes(pressures)};
+  for (const NormalShare& slope : bound.slopes)
+    bound.value += slope.value * entry(change, slope.normal);
+  return bound;
+}
+
 }  // namespace
+
+int differences(const ActiveSet& a, const ActiveSet& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0, std::plus<>(),
+                            std::not_equal_to<>());
+}
 
 Equation::Equation(const Problem& problem, const Complementarity& function, Bound bound,
                    double tolerance)
@@ -77,14 +93,6 @@ Evaluation Equation::at(Vector unknowns) const {
   evaluateRows(e);
   measure(e, magnitude);
   return e;
-}
-
-StepBound extrapolated(const Tangential& tangential, const Vector& pressures,
-                       const Vector& change) {
-  StepBound bound{tangential.bound(pressures), tangential.slopes(pressures)};
-  for (const NormalShare& slope : bound.slopes)
-    bound.value += slope.value * entry(change, slope.normal);
-  return bound;
 }
 
 // With active sets the bound follows the sets of normal coefficients, not their signs: a
@@ -210,6 +218,34 @@ Vector Equation::jacobianTimes(const LinearRows& e, const Vector& direction) con
     for (Index i = 0; i < n; ++i)
       sum += g[i] * entry(direction, i);
     result.push_back(sum / entry(balanceScales_, j));
+  }
+  return result;
+}
+
+// Row by row of J; D is symmetric.
+Vector Equation::transposeTimes(const LinearRows& e, const Vector& v) const {
+  const Index n = problem_.size();
+  Vector result(v.size(), 0.0);
+  Vector factors;
+  for (Index i = 0; i < n; ++i) {
+    const auto& row = e.rows[static_cast<std::size_t>(i)];
+    entry(result, i) += row.multiplier * entry(v, i);
+    if (i >= problem_.normals) {
+      const auto t = static_cast<std::size_t>(i - problem_.normals);
+      for (const NormalShare& slope : e.stepBounds[t].slopes)
+        entry(result, slope.normal) += row.bound * slope.value * entry(v, i);
+    }
+    factors.push_back(row.penetration * entry(weights_, i) * entry(v, i));
+    for (Index j = 0; j < problem_.rigidMotions(); ++j)
+      entry(result, n + j) += factors.back() * problem_.rigid(i, j);
+  }
+  const Vector throughD = problem_.flexibility.times(factors);
+  for (Index i = 0; i < n; ++i)
+    entry(result, i) -= entry(throughD, i);
+  for (Index j = 0; j < problem_.rigidMotions(); ++j) {
+    const double factor = entry(v, n + j) / entry(balanceScales_, j);
+    for (Index i = 0; i < n; ++i)
+      entry(result, i) += factor * problem_.rigid(i, j);
   }
   return result;
 }

@@ -9,16 +9,8 @@ namespace epafi::contact {
 
 /// What a coefficient does: 0 open or stick, +1 closed or slip at +s, -1 slip at -s.
 using ActiveSet = std::vector<signed char>;
-
-/// A slip bound as a row sees it, and its derivative by λₙ as the Jacobian is to see it.
-struct StepBound {
-  double value = 0;
-  std::vector<NormalShare> slopes{};
-};
-
-/// s at some pressures, and from there along its derivative by a change of them.
-StepBound extrapolated(const Tangential& tangential, const Vector& pressures,
-                       const Vector& change);
+/// How many coefficients do another thing.
+int differences(const ActiveSet& a, const ActiveSet& b);
 
 /// F at a point with one element of its generalised Jacobian: what a Newton step makes zero.
 struct LinearRows {
@@ -89,6 +81,8 @@ class Equation {
 
   /// J d, J the generalised Jacobian that has these rows.
   Vector jacobianTimes(const LinearRows& at, const Vector& direction) const;
+  /// Jᵀ v.
+  Vector transposeTimes(const LinearRows& at, const Vector& v) const;
 
   /// P(λ) onto the box of the slip bounds at e; α is kept.
   Vector projected(const Evaluation& e) const;

@@ -1,58 +1,42 @@
 #include "contact/equation/SmoothMerit.hpp"
 
+#include <numeric>
+
 namespace epafi::contact {
 
 namespace {
 
-Complementarity::Value smoothRow(const Problem& problem, const Evaluation& e, Index i) {
+LinearRows smoothRows(const Equation& equation, const Evaluation& e) {
   const Complementarity& smooth = fischerBurmeister();
-  const double multiplier = e.unknowns[at(i)];
-  const double y = e.penetration[at(i)];
-  return i < problem.normals
-             ? smooth.normal(multiplier, y)
-             : smooth.tangential(multiplier, y, e.bounds[at(i - problem.normals)]);
+  const Problem& problem = equation.problem();
+  LinearRows result;
+  result.residual = e.linear.residual;  // the balance is the same
+  for (Index i = 0; i < problem.size(); ++i) {
+    const double multiplier = e.unknowns[at(i)];
+    const double y = e.penetration[at(i)];
+    if (i < problem.normals) {
+      result.rows.push_back(smooth.normal(multiplier, y));
+    } else {
+      const std::size_t t = at(i - problem.normals);
+      result.rows.push_back(smooth.tangential(multiplier, y, e.bounds[t]));
+      result.stepBounds.push_back(
+          {e.bounds[t], problem.tangentials[t].slopes(e.unknowns)});
+    }
+    result.residual[at(i)] = result.rows.back().value;
+  }
+  return result;
 }
 
 }  // namespace
 
 double merit(const Equation& equation, const Evaluation& e) {
-  const Problem& problem = equation.problem();
-  double sum = 0;
-  for (Index i = 0; i < equation.size(); ++i) {
-    const double f =
-        i < problem.size() ? smoothRow(problem, e, i).value : e.linear.residual[at(i)];
-    sum += 0.5 * f * f;
-  }
-  return sum;
+  const Vector f = smoothRows(equation, e).residual;
+  return 0.5 * std::inner_product(f.begin(), f.end(), f.begin(), 0.0);
 }
 
 Vector meritGradient(const Equation& equation, const Evaluation& e) {
-  const Problem& problem = equation.problem();
-  const Index n = problem.size();
-  Vector gradient(at(equation.size()), 0.0);
-  Vector factors;
-  for (Index i = 0; i < n; ++i) {
-    const Complementarity::Value row = smoothRow(problem, e, i);
-    if (i >= problem.normals)
-      for (const NormalShare& slope :
-           problem.tangentials[at(i - problem.normals)].slopes(e.unknowns))
-        gradient[at(slope.normal)] += row.value * row.bound * slope.value;
-    gradient[at(i)] += row.value * row.multiplier;
-    const double factor = row.value * row.penetration * equation.weights()[at(i)];
-    for (Index j = 0; j < problem.rigidMotions(); ++j)
-      gradient[at(n + j)] += factor * problem.rigid(i, j);
-    factors.push_back(factor);
-  }
-  // the rows' part through r; D is symmetric
-  const Vector throughD = problem.flexibility.times(factors);
-  for (Index i = 0; i < n; ++i)
-    gradient[at(i)] -= throughD[at(i)];
-  for (Index j = 0; j < problem.rigidMotions(); ++j) {
-    const double factor = e.linear.residual[at(n + j)] / equation.balanceScales()[at(j)];
-    for (Index i = 0; i < n; ++i)
-      gradient[at(i)] += factor * problem.rigid(i, j);
-  }
-  return gradient;
+  const LinearRows rows = smoothRows(equation, e);
+  return equation.transposeTimes(rows, rows.residual);
 }
 
 }  // namespace epafi::contact

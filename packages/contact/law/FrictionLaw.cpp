@@ -21,17 +21,6 @@ FrictionLawMember member(const char* name) {
 
 bool isField(const bem::SchemaRow& row) { return row.kind == Kind::Expression; }
 
-std::shared_ptr<const FrictionLaw> withoutKeys(const std::string& name,
-                                               std::size_t fields) {
-  const FrictionLawMember& entry = frictionLaws().at(name);
-  const auto wanted = std::count_if(entry.rows.begin(), entry.rows.end(), isField);
-  if (static_cast<std::size_t>(wanted) != fields || entry.rows.size() != fields)
-    throw bem::InputError("friction law '", name, "' has ", wanted, " fields and ",
-                          entry.rows.size() - static_cast<std::size_t>(wanted),
-                          " other keys; ", fields, " fields are given");
-  return entry.make ? entry.make(ParameterList()) : nullptr;
-}
-
 }  // namespace
 
 bem::Family<FrictionLawMember>& frictionLaws() {
@@ -85,12 +74,14 @@ Vector Friction::fieldsAt(bem::Vec2 place) const {
 }
 
 Friction makeFriction(const std::string& law, std::vector<bem::Function> fields) {
-  return {withoutKeys(law, fields.size()), std::move(fields)};
-}
-
-PointLaw pointLaw(const std::string& law, Vector fields, double stress) {
-  auto made = withoutKeys(law, fields.size());
-  return {std::move(made), std::move(fields), stress};
+  const FrictionLawMember& entry = frictionLaws().at(law);
+  const auto wanted = std::count_if(entry.rows.begin(), entry.rows.end(), isField);
+  if (static_cast<std::size_t>(wanted) != fields.size() ||
+      entry.rows.size() != fields.size())
+    throw bem::InputError("friction law '", law, "' has ", wanted, " fields and ",
+                          entry.rows.size() - static_cast<std::size_t>(wanted),
+                          " other keys; ", fields.size(), " fields are given");
+  return {entry.make ? entry.make(ParameterList()) : nullptr, std::move(fields)};
 }
 
 Friction parseFriction(const ParameterList& list,

@@ -96,9 +96,6 @@ struct Friction {
 /// \throws bem::InputError for an unknown name, or another number of fields.
 Friction makeFriction(const std::string& law, std::vector<bem::Function> fields);
 
-/// The same at one point, from the fields' values.
-PointLaw pointLaw(const std::string& law, Vector fields, double stress = 1);
-
 /// From a list that frictionRows() has checked; `field` makes the function of a key.
 Friction parseFriction(const Teuchos::ParameterList& list,
                        const std::function<bem::Function(const std::string& key)>& field);

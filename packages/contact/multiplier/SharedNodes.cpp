@@ -140,14 +140,10 @@ bool NodeDirections::take(int node, Vec2 direction) {
 NodeDirections clampedDirections(const bem::Mesh& mesh, const Conditions& conditions) {
   NodeDirections nodes;
   for (int e = 0; e < mesh.size(); ++e) {
-    const auto clamp = conditions.dirichlet.find(mesh.boundary(e));
-    if (clamp == conditions.dirichlet.end())
-      continue;
+    const Vec2 given = conditions.given(mesh.boundary(e));
     for (const int node : {mesh[e].startNode, mesh[e].endNode}) {
-      if (clamp->second.x)
-        nodes.take(node, {1, 0});
-      if (clamp->second.y)
-        nodes.take(node, {0, 1});
+      nodes.take(node, {given.x, 0});
+      nodes.take(node, {0, given.y});
     }
   }
   return nodes;

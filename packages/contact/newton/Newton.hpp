@@ -17,6 +17,7 @@ enum class End {
   Stalled,    ///< no step length decreases the merit function
   Singular,   ///< of the Newton matrix
   NoBalance,  ///< nothing balances the load with these bounds
+  TooLarge,   ///< more coefficients than the method is for: not tried
   Unsettled   ///< the slip bound still changes after the allowed updates
 };
 

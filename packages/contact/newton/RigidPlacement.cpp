@@ -81,11 +81,20 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
     fastest = std::max(fastest, std::abs(slope[i]));
     scale = std::max(scale, std::abs(slope[i] / equation.weights()[i]) * problem.stress);
   }
+  // Contact that the motion closes holds it at last.
+  const bool closes =
+      std::any_of(slope.begin(), slope.begin() + problem.normals,
+                  [&](double closing) { return closing > 1e-9 * fastest; });
   // Gaps may be 1e12 times as large as the load's own displacements, not more.
   constexpr int quadruplings = 20;
   double low = 0;
   double high = fastest > 0 ? problem.stress / fastest : 1;
   for (int k = 0; work(high) > 1e-12 * scale; ++k) {
+    if (k == quadruplings && closes)
+      throw NoBalance(
+          "contact, with gaps 1e12 times as large as the load's own displacements, "
+          "cannot "
+          "balance it: look at the units of Young's modulus, loads and gaps");
     if (k == quadruplings)
       throw NoBalance();
     low = high;

@@ -11,41 +11,6 @@
 
 namespace epafi::contact {
 
-namespace {
-
-// Jᵀ v, row by row of J; D is symmetric.
-Vector transposeTimes(const Linearisation& point, const Vector& v) {
-  const Equation& equation = point.equation();
-  const Evaluation& e = point.evaluation();
-  const Problem& problem = equation.problem();
-  const Index n = problem.size();
-  Vector result(v.size(), 0.0);
-  Vector factors;
-  for (Index i = 0; i < n; ++i) {
-    const Complementarity::Value& row = e.linear.rows[i];
-    result[i] += row.multiplier * v[i];
-    if (i >= problem.normals) {
-      const std::size_t t = at(i - problem.normals);
-      for (const NormalShare& slope : e.linear.stepBounds[t].slopes)
-        result[slope.normal] += row.bound * slope.value * v[i];
-    }
-    factors.push_back(row.penetration * equation.weights()[i] * v[i]);
-    for (Index j = 0; j < problem.rigidMotions(); ++j)
-      result[n + j] += factors.back() * problem.rigid(i, j);
-  }
-  const Vector throughD = problem.flexibility.times(factors);
-  for (Index i = 0; i < n; ++i)
-    result[i] -= throughD[i];
-  for (Index j = 0; j < problem.rigidMotions(); ++j) {
-    const double factor = v[n + j] / equation.balanceScales()[j];
-    for (Index i = 0; i < n; ++i)
-      result[i] += factor * problem.rigid(i, j);
-  }
-  return result;
-}
-
-}  // namespace
-
 const NewtonSystem& Linearisation::system() const {
   if (system_ == nullptr)
     system_ = std::make_unique<NewtonSystem>(*equation_, evaluation_.linear, memory_);
@@ -64,9 +29,10 @@ void ContactJacobian::applyImpl(Thyra::EOpTransp transpose, const MultiVector& x
   const bool forward = Thyra::real_trans(transpose) == Thyra::NOTRANS;
   for (Teuchos::Ordinal j = 0; j < x.domain()->dim(); ++j) {
     const Vector v = gathered(*space_, *x.col(j));
+    const Equation& equation = at().equation();
+    const LinearRows& rows = at().evaluation().linear;
     const Vector product =
-        forward ? at().equation().jacobianTimes(at().evaluation().linear, v)
-                : transposeTimes(at(), v);
+        forward ? equation.jacobianTimes(rows, v) : equation.transposeTimes(rows, v);
     scatter(*space_, product, alpha, beta, *y->col(j));
   }
 }

@@ -17,13 +17,6 @@ constexpr std::size_t patientSteps = 12;  // without progress
 constexpr int many = 16;                  // changes of sets that are settling as a whole
 constexpr std::size_t memory = 4;         // steps looked at for restless coefficients
 
-int differences(const ActiveSet& a, const ActiveSet& b) {
-  int count = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    count += a[i] != b[i] ? 1 : 0;
-  return count;
-}
-
 // The set, and which bounds follow several pressures: what a step's linear problem is.
 ActiveSet linearProblem(const Evaluation& e) {
   ActiveSet result = e.set;

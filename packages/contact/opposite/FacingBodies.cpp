@@ -23,12 +23,6 @@ const Facing* stretchAt(const std::vector<Facing>& stretches, double t) {
   return nearest;
 }
 
-bem::Curve moved(const bem::Curve& curve, Vec2 shift) {
-  // an arc keeps its bulge: tan of a quarter of its angle
-  return {curve.from() + shift, curve.to() + shift, curve.to() - curve.from(),
-          std::tan(curve.angle() / 4)};
-}
-
 }  // namespace
 
 FacingBodies::FacingBodies(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
@@ -46,7 +40,7 @@ FacingBodies::FacingBodies(const bem::Mesh& mesh, const MultiplierSpace& multipl
     sight.side = &side;
     sight.element = &element;
     sight.stretches =
-        facing(moved(mesh[element.element].curve, side.shift), side.curves, side.reach);
+        facing(mesh[element.element].curve.moved(side.shift), side.curves, side.reach);
   }
 }
 

@@ -22,17 +22,15 @@ Opposite::Point DistantObstacle::at(const ContactElement& element, double t) con
   return {gap ? gap(mesh_.physicalPoint(element.element, t)) / length_ : 0.0};
 }
 
-Vec2 Motions::at(const Opposite::Point& point) const {
+Vec2 motionAt(const Motions* motions, const Opposite::Point& point) {
+  if (motions == nullptr)
+    return {};
   if (point.rigid >= 0)
-    return rigid[point.rigid].at(point.arm);
+    return motions->rigid[point.rigid].at(point.arm);
   if (point.element < 0)
     return {};
-  return spaces[point.body]->displacementAt(*displacements[point.body], point.element,
-                                            point.t);
-}
-
-Vec2 motionAt(const Motions* motions, const Opposite::Point& point) {
-  return motions == nullptr ? Vec2{} : motions->at(point);
+  return motions->spaces[point.body]->displacementAt(*motions->displacements[point.body],
+                                                     point.element, point.t);
 }
 
 }  // namespace epafi::contact

@@ -89,12 +89,9 @@ struct Motions {
   std::vector<const Vector*> displacements;
   std::vector<RigidMotion> rigid{};  ///< of bodies that do not deform, dimensionless
   Vector shearModuli;                ///< dimensionless
-
-  /// Of what is met at a point, dimensionless.
-  bem::Vec2 at(const Opposite::Point& point) const;
 };
 
-/// Without the motions of other bodies: what is met stands still.
+/// Of what is met at a point, dimensionless; null: it stands still.
 bem::Vec2 motionAt(const Motions* motions, const Opposite::Point& point);
 
 }  // namespace epafi::contact

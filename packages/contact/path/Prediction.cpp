@@ -17,13 +17,6 @@ ActiveSet setOf(const Problem& problem, const State& state) {
   return sharp(problem).at(pack(problem, state)).set;
 }
 
-std::size_t differences(const ActiveSet& a, const ActiveSet& b) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    count += a[i] != b[i] ? 1 : 0;
-  return count;
-}
-
 /// a - b, where b may be empty.
 Vector difference(Vector a, const Vector& b) {
   if (!b.empty())

@@ -56,10 +56,10 @@ std::vector<PointLaw> lawsAt(const std::vector<PressureBound>& fields,
 
 // s = T λ⁺ + what a law that is not proportional to the pressure adds.  The part of a
 // proportional one is a fixed T for all λ, so that its rounding is no noise.
-Tangential::Linear Tangential::linear(const Vector& pressures) const {
+StepBound Tangential::linear(const Vector& pressures) const {
   const ElementLaw& element = *element_;
   const auto n = static_cast<Index>(element.nodes.size());
-  Linear result;
+  StepBound result;
   Vector shares(static_cast<std::size_t>(n), 0.0);  // T_ij
   double steepest = 0;
   for (Index k = 0; k < n; ++k) {
@@ -112,7 +112,7 @@ std::vector<NormalShare> Tangential::slopes(const Vector& pressures) const {
   if (isTied())
     return {};
   const double own = positive(pressures, normal_);
-  Linear result;
+  StepBound result;
   if (element_ == nullptr) {
     result.slopes = {{normal_, law_.slope(own)}};
   } else {

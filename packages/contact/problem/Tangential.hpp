@@ -18,6 +18,13 @@ struct NormalShare {
   double value = 0;
 };
 
+/// A slip bound, and its derivative by the pressures: as a row sees them, and as its Jacobian
+/// is to see them.
+struct StepBound {
+  double value = 0;
+  std::vector<NormalShare> slopes{};
+};
+
 /// A law on an element whose coefficients are control points, see Tangential.
 struct ElementLaw {
   std::vector<Index> normals;      ///< the normal coefficients of the element
@@ -80,11 +87,7 @@ class Tangential {
   Tangential scaled(double factor) const;
 
  private:
-  struct Linear {
-    double value = 0;
-    std::vector<NormalShare> slopes;
-  };
-  Linear linear(const Vector& pressures) const;
+  StepBound linear(const Vector& pressures) const;
   template <class Of>
   double largest(const Of& of) const;
 

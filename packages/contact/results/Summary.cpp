@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace epafi::contact {
 
@@ -119,10 +118,6 @@ void addContact(const Solved& solved, const Of& of) {
     addElement(solved, fields, element, of(element));
 }
 
-double dotProduct(const Vector& a, const Vector& b) {
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-}
-
 /// Work of the reactions on the rigid motions v of Space::rigidMotions, dimensionless:
 ///
 ///   R·v = (A u + Bᵀ λ - f)·v_c + Σ_k ρ_k ∫ r_k · (v - v_c) ds,
@@ -162,8 +157,8 @@ RigidMotion meanMotion(const Solved& solved) {
   const RigidModes modes = makeRigidModes(solved.space);
   const auto mean = [&](Index k) {
     const Vector functional = bem::columnOf(modes.functionals, k);
-    return dotProduct(functional, solved.displacement) /
-           dotProduct(functional, bem::columnOf(modes.motions, k));
+    return bem::dot(functional, solved.displacement) /
+           bem::dot(functional, bem::columnOf(modes.motions, k));
   };
   return {{solved.units.length * mean(0), solved.units.length * mean(1)}, mean(2)};
 }
@@ -186,7 +181,7 @@ Summary summarize(const Solved& solved) {
   const Vector& u = solved.displacement;
   Summary summary;
   summary.energyStrain = energy * solved.problem.strainEnergy(solved.state, u);
-  summary.energyLoad = energy * dotProduct(solved.problem.load(), u);
+  summary.energyLoad = energy * bem::dot(solved.problem.load(), u);
   addContact(solved, [&](const Element&) -> Summary& { return summary; });
   if (!std::isfinite(summary.energyStrain + summary.energyLoad + summary.energyFriction))
     throw bem::NumericalError(
@@ -279,14 +274,13 @@ Summary sumOf(const std::vector<Summary>& bodies) {
 
 std::vector<bool> prescribed(const bem::Space& space, const Conditions& conditions) {
   std::vector<bool> result(space.displacements(), false);
-  for (const auto& [boundary, condition] : conditions.dirichlet)
-    for (const int e : space.mesh().elementsOf(boundary))
-      for (int k = 0; k <= space.mesh()[e].degree; ++k) {
-        if (condition.x)
-          result[space.displacement(e, k, 0)] = true;
-        if (condition.y)
-          result[space.displacement(e, k, 1)] = true;
-      }
+  for (int e = 0; e < space.mesh().size(); ++e) {
+    const Vec2 given = conditions.given(space.mesh().boundary(e));
+    for (int k = 0; k <= space.mesh()[e].degree; ++k)
+      for (const int c : {0, 1})
+        if ((c == 0 ? given.x : given.y) != 0)
+          result[space.displacement(e, k, c)] = true;
+  }
   return result;
 }
 

@@ -37,6 +37,8 @@ const char* nameOf(End end) {
       return "singular";
     case End::NoBalance:
       return "no balance";
+    case End::TooLarge:
+      return "too large";
     default:
       return "unsettled";
   }

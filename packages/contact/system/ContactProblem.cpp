@@ -7,8 +7,6 @@ namespace epafi::contact {
 ContactProblem::ContactProblem(std::unique_ptr<BodyParts> parts)
     : parts_(std::move(parts)) {}
 
-double ContactProblem::loadSize() const { return parts_->size(); }
-
 ContactProblem::~ContactProblem() = default;
 ContactProblem::ContactProblem(ContactProblem&&) noexcept = default;
 

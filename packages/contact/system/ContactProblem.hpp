@@ -31,10 +31,6 @@ class ContactProblem {
   ~ContactProblem();
   ContactProblem(ContactProblem&&) noexcept;
 
-  /// Size of tractions, prescribed displacements and penetrations, dimensionless; zero
-  /// without load.
-  double loadSize() const;
-
   /// Of a body of a system: tangentials, numbers of coefficients and the load's size alone.
   const Problem& numbers() const;
   const MultiplierSpace& multiplier() const;

@@ -40,10 +40,6 @@ TrescaOptions parseTresca(const Teuchos::ParameterList& list) {
 
 namespace {
 
-/// More coefficients than these make a table of more than half a gigabyte, and paths of many
-/// minutes.
-constexpr Index mostToPivot = 8000;
-
 /// One problem, one equation, one report.
 class Stages {
  public:
@@ -105,8 +101,10 @@ class Stages {
   // Products in a tree have fewer digits than Newton's last steps want here, so that the
   // solve goes on with the entries.
   void followFormedOffset() {
-    if (problem_.size() > mostToPivot)
+    if (problem_.size() > Tresca::mostToPivot) {
+      report_.stages.push_back({Stage::FollowOffset, 0, report_.residual, End::TooLarge});
       return;
+    }
     Problem formed = problem_.copy();
     formed.flexibility = problem_.flexibility.formed();
     Stages there(tresca_, formed, std::move(state_), equation_.bound());
@@ -120,7 +118,7 @@ class Stages {
   void requireSolvable() const {
     const End end = report_.stages.back().end;
     if (end == End::NoBalance)
-      throw NoBalance();
+      throw NoBalance(report_.said);
     if (end == End::Singular && equation_.hasActiveSets() && problem_.rigidMotions() == 0)
       throw bem::NumericalError(report_.said);
   }

@@ -28,6 +28,10 @@ TrescaOptions parseTresca(const Teuchos::ParameterList& list);
 /// pressure.
 class Tresca final : public NonlinearSolver {
  public:
+  /// Where D is not formed, the offset is followed up to as many coefficients: more make a
+  /// table of more than half a gigabyte, and paths of many minutes.
+  static constexpr Index mostToPivot = 8000;
+
   /// `newton` must outlive this.
   explicit Tresca(const Newton& newton, TrescaOptions options = {})
       : newton_(newton), options_(std::move(options)) {}

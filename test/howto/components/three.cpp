@@ -7,6 +7,6 @@
 
 int main() {
   std::printf("%d\n", epafi::bem::gaussLegendre(3).size());
-  std::printf("%g\n", epafi::contact::pointLaw("Coulomb", {0.5}).bound(2));
-  return epafi::adaptivity::strategy("Uniform h").name == nullptr ? 1 : 0;
+  std::printf("%g\n", epafi::contact::PointLaw(0.5).bound(2));
+  return epafi::adaptivity::strategies().at("Uniform h").name == nullptr ? 1 : 0;
 }

@@ -1,0 +1,35 @@
+#include "drivers/run/Reasons.hpp"
+
+#include "contact/tresca/Tresca.hpp"
+#include "test/drivers/SceneText.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+namespace epafi {
+
+namespace {
+
+using contact::End;
+using contact::Stage;
+
+bool says(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEUCHOS_UNIT_TEST(Reasons, nameTheLimitOfWhatWasNotTried) {
+  const drivers::Scene scene = test::read(test::SceneText());
+  const std::string limit = std::to_string(contact::Tresca::mostToPivot);
+  contact::Report report;
+  report.stages = {{Stage::FullSteps, 50, 1, End::Iterations}};
+  const std::string alone = reasonOf(report, scene);
+  TEST_ASSERT(says(alone, "Solver->Maximum Iterations") && !says(alone, limit));
+  report.stages.push_back({Stage::FollowOffset, 0, 1, End::TooLarge});
+  const std::string both = reasonOf(report, scene);
+  TEST_ASSERT(says(both, "Solver->Maximum Iterations") && says(both, limit));
+  TEST_ASSERT(says(both, "Solver->Load Steps"));
+  TEST_ASSERT(says(contact::told(report.stages), "follow offset 0 too large"));
+}
+
+}  // namespace
+
+}  // namespace epafi
