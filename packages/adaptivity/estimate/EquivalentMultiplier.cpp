@@ -82,9 +82,8 @@ class Neighbourhood {
       scale_ += cost.scale();
       for (const Vec2 d : cost.directions())
         if (const Vec2 possible{joint.free.x * d.x, joint.free.y * d.y};
-            possible != Vec2{} &&
-            std::find(directions_.begin(), directions_.end(), possible) ==
-                directions_.end())
+            possible != Vec2{} && std::find(directions_.begin(), directions_.end(),
+                                            possible) == directions_.end())
           directions_.push_back(possible);
     }
   }
