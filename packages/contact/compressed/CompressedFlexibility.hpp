@@ -45,8 +45,8 @@ class CompressedFlexibility final : public Flexibility::Operator {
   std::vector<char> paths_;
   MotionTerms motions_;
   mutable Matrix rowSums_;  ///< over each kind, once asked for
-  /// Kept from step to step, so that only what changes is eliminated anew.
-  mutable std::unique_ptr<bem::CompressedFactor> reduced_;
+  /// The last one, so that the next eliminates only what changes; null: there is none.
+  mutable std::shared_ptr<const bem::CompressedFactor> reduced_;
 };
 
 }  // namespace epafi::contact
