@@ -141,15 +141,15 @@ std::vector<bem::SteklovPoincare> makeCompressedStiffness(
       local.elements[at(k)] = elements[i];
       local.bodies[at(k)] = static_cast<int>(b);
     }
+    first += space.displacements();
     const auto comply = [&](Index density, double value) {
-      const Index i = first + space.displacements() + density;
-      local.entries.push_back({i, i, -value});
+      local.entries.push_back({first + density, first + density, -value});
     };
     for (std::size_t k = 0; k < own.compliance.densities.size(); ++k)
       comply(own.compliance.densities[k], own.compliance.diagonal[k]);
     for (const auto& [density, value] : own.compliance.pinned)
       comply(density, value);
-    first += space.displacements() + space.densities();
+    first += space.densities();
   }
   const auto operators =
       std::make_shared<const bem::CompressedOperators>(operands, options, local, algebra);
