@@ -20,8 +20,8 @@ Matrix asColumn(const Vector& x) {
 
 CompressedFlexibility::CompressedFlexibility(
     CompressedCoupling coupling,
-    const std::vector<std::shared_ptr<const CompressedHolding>>& bodies)
-    : coupling_(std::move(coupling)), bodies_(bodies) {
+    std::vector<std::shared_ptr<const CompressedHolding>> bodies)
+    : coupling_(std::move(coupling)), bodies_(std::move(bodies)) {
   factorAll();
   findPaths();
   motions_ = MotionTerms(coupling_, bodies_);

@@ -11,9 +11,8 @@ namespace epafi::contact {
 /// D = Ĉ A⁺ Ĉᵀ + M by solutions in the tree, A of all bodies.
 class CompressedFlexibility final : public Flexibility::Operator {
  public:
-  CompressedFlexibility(
-      CompressedCoupling coupling,
-      const std::vector<std::shared_ptr<const CompressedHolding>>& bodies);
+  CompressedFlexibility(CompressedCoupling coupling,
+                        std::vector<std::shared_ptr<const CompressedHolding>> bodies);
 
   Index size() const override { return coupling_.multipliers; }
   Vector times(const Vector& x) const override;
