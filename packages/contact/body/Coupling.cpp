@@ -73,11 +73,10 @@ void writeElements(const bem::Space& space, const MultiplierSpace& multiplier,
   for (Vector* rests : {&coupling.traceOfRotation, &coupling.completionOfRotation})
     rests->assign(multiplier.size(), 0.0);
   for (std::size_t k = 0; k < multiplier.elements().size(); ++k) {
-    const ContactElement& contact = multiplier.elements()[k];
+    const int element = multiplier.elements()[k].element;
     coupling.gamma.push_back(
-        gammaOn(space.mesh(), contact.element, stabilization, lame.nu, units));
-    addElement(space, multiplier.basis(), byDensity, contact, coupling.gamma.back(),
-               coupling.start[k], coupling);
+        gammaOn(space.mesh(), element, stabilization, lame.nu, units));
+    addElement(space, multiplier, k, byDensity, coupling);
   }
   coupling.compliance = densityCompliance(space, multiplier, stabilization, lame, units);
 }

@@ -45,39 +45,42 @@ Matrix displacementCoefficients(const Element& element) {
   return coefficients;
 }
 
-/// Adds the normal or tangential coefficients of one element.
+/// Adds the coefficients of one element.
 class CouplingWriter {
  public:
-  CouplingWriter(const bem::Space& space, const MultiplierBasis& basis, bool density,
-                 Coupling& coupling)
-      : space_(space), basis_(basis), density_(density), coupling_(coupling) {}
+  CouplingWriter(const bem::Space& space, const MultiplierSpace& multiplier,
+                 std::size_t k, bool density, Coupling& coupling)
+      : space_(space),
+        basis_(multiplier.basis()),
+        contact_(multiplier.elements()[k]),
+        element_(space.mesh()[contact_.element]),
+        gamma_(coupling.gamma[k]),
+        firstTraction_(coupling.start[k]),
+        density_(density),
+        coupling_(coupling) {}
 
-  void write(const ContactElement& contact, double gamma, Index firstTraction) const {
-    const Element& element = space_.mesh()[contact.element];
-    if (!element.curve.isStraight())
-      return writeArc(contact, gamma, firstTraction);
-    writeDirection(contact, &ContactElement::normalOf, contact.normalCompletions,
-                   element.segment().normal, gamma, firstTraction);
-    if (contact.tangential >= 0)
-      writeDirection(contact, &ContactElement::tangentialOf,
-                     contact.tangentialCompletions, turnLeft(element.segment().normal),
-                     gamma, firstTraction);
+  void write() const {
+    if (!element_.curve.isStraight())
+      return writeArc();
+    const Vec2 normal = element_.segment().normal;
+    writeDirection(&ContactElement::normalOf, contact_.normalCompletions, normal);
+    if (contact_.tangential >= 0)
+      writeDirection(&ContactElement::tangentialOf, contact_.tangentialCompletions,
+                     turnLeft(normal));
   }
 
  private:
   using Numbering = Index (ContactElement::*)(int) const;
   using Completions = std::array<EndCompletion, 2>;
 
-  void writeDirection(const ContactElement& contact, Numbering number,
-                      const Completions& completions, Vec2 direction, double gamma,
-                      Index firstTraction) const {
-    const Element& element = space_.mesh()[contact.element];
-    const int p = element.degree;
-    const Matrix chi = orthonormalCoefficients(basis_, element);
-    const Matrix phi = displacementCoefficients(element);
+  void writeDirection(Numbering number, const Completions& completions,
+                      Vec2 direction) const {
+    const int p = element_.degree;
+    const Matrix chi = orthonormalCoefficients(basis_, element_);
+    const Matrix phi = displacementCoefficients(element_);
     const double components[2] = {direction.x, direction.y};
     for (int i = 0; i <= p; ++i) {
-      const Index column = (contact.*number)(i);
+      const Index column = (contact_.*number)(i);
       for (int k = 0; k <= p; ++k) {
         double product = 0;
         double mass = 0;
@@ -86,29 +89,21 @@ class CouplingWriter {
           mass += chi(l, i) * chi(l, k);
         }
         for (int c = 0; c < 2; ++c)
-          writeTrace(space_.displacement(contact.element, k, c), column,
+          writeTrace(space_.displacement(contact_.element, k, c), column,
                      components[c] * product, completionOf(completions, i, p));
-        if (gamma > 0)
-          coupling_.mass.push_back({column, (contact.*number)(k), gamma * mass});
+        if (gamma_ > 0)
+          coupling_.mass.push_back({column, (contact_.*number)(k), gamma_ * mass});
       }
-      if (gamma == 0)
-        continue;
-      // S φ by orthonormal polynomials, densities by Legendre's
-      for (int l = 0; l < std::min(p + 1, terms(element)); ++l) {
-        const double norm = density_ ? std::sqrt(2 * element.half / (2 * l + 1)) : 1;
-        for (int c = 0; c < 2; ++c)
-          coupling_.weights.push_back({firstTraction + 2 * l + c, column,
-                                       gamma * norm * chi(l, i) * components[c]});
-      }
+      writeWeights(column, std::min(p + 1, terms()), [&](double factor, int l, int c) {
+        return factor * chi(l, i) * components[c];
+      });
     }
   }
 
-  /// The columns of an element's tractions, or its densities, by components.
-  int terms(const Element& element) const {
-    return density_ ? element.densities : element.degree + 1;
-  }
+  /// The columns of the element's tractions, or its densities, by components.
+  int terms() const { return density_ ? element_.densities : element_.degree + 1; }
 
-  /// A coefficient of an element, in a direction that turns.
+  /// A coefficient in a direction that turns.
   struct Turning {
     Index column;
     const EndCompletion* completion;
@@ -116,88 +111,128 @@ class CouplingWriter {
     int function;
   };
 
-  std::vector<Turning> turningOf(const ContactElement& contact) const {
+  std::vector<Turning> turning() const {
     std::vector<Turning> result;
-    const int p = contact.degree;
+    const int p = contact_.degree;
     for (const bool tangential : {false, true})
-      for (int i = 0; i <= p && (!tangential || contact.tangential >= 0); ++i)
-        result.push_back({tangential ? contact.tangentialOf(i) : contact.normalOf(i),
-                          completionOf(tangential ? contact.tangentialCompletions
-                                                  : contact.normalCompletions,
+      for (int i = 0; i <= p && (!tangential || contact_.tangential >= 0); ++i)
+        result.push_back({tangential ? contact_.tangentialOf(i) : contact_.normalOf(i),
+                          completionOf(tangential ? contact_.tangentialCompletions
+                                                  : contact_.normalCompletions,
                                        i, p),
                           tangential, i});
     return result;
   }
 
-  // All by Gauss points: ∫ χ_i d·φ_k, ∫ χ_i d·(r - r_I), and χ_i d in orthonormal
-  // polynomials.  Where S u is projected on these, so is λ: M is the product of what is
-  // left.
-  void writeArc(const ContactElement& contact, double gamma, Index firstTraction) const {
-    const Element& element = space_.mesh()[contact.element];
-    const int p = element.degree;
-    const int count = terms(element);
-    const Rule& rule = bem::gaussLegendre(p + bem::pointsOfTurning);
-    const std::vector<Turning> unknowns = turningOf(contact);
-    std::vector<Matrix> traces;  // displacement functions x components
-    std::vector<Matrix> parts;   // orthonormal polynomials x components
-    Vector rests(unknowns.size());
-    Matrix mass(static_cast<Index>(unknowns.size()), static_cast<Index>(unknowns.size()));
-    for (std::size_t i = 0; i < unknowns.size(); ++i) {
-      traces.emplace_back(p + 1, 2);
-      parts.emplace_back(count, 2);
-    }
-    std::array<double, bem::largestDegree + 2> legendre{};
+  /// A Gauss point of an arc, and what functions are there.
+  struct ArcPoint {
+    double weight = 0;
+    Vec2 directions[2];  ///< normal, tangent
+    Vec2 rest;           ///< r - r_I
+    Vector chi;
     std::array<double, bem::largestDegree + 1> phi{};
-    for (std::size_t q = 0; q < rule.points.size(); ++q) {
+    std::array<double, bem::largestDegree + 2> legendre{};
+  };
+
+  std::vector<ArcPoint> arcPoints() const {
+    const int p = element_.degree;
+    const Rule& rule = bem::gaussLegendre(p + bem::pointsOfTurning);
+    std::vector<ArcPoint> points(rule.points.size());
+    for (std::size_t q = 0; q < points.size(); ++q) {
       const double t = rule.points[q];
-      const double weight = element.half * rule.weights[q];
-      const Vector chi = basis_.values(p, t);
-      bem::DisplacementBasis::values(p, t, phi.data());
-      bem::legendreValues(count - 1, t, legendre.data());
-      const Vec2 rest = space_.rotationRest(contact.element, t);
-      for (std::size_t i = 0; i < unknowns.size(); ++i) {
-        const Turning& unknown = unknowns[i];
-        const Vec2 direction =
-            unknown.tangential ? element.curve.tangent(t) : element.curve.normal(t);
-        const double value = weight * chi[unknown.function];
-        const double components[2] = {value * direction.x, value * direction.y};
-        for (Index c = 0; c < 2; ++c) {
-          for (Index k = 0; k <= p; ++k)
-            traces[i](k, c) += components[c] * phi[k];
-          for (Index l = 0; l < count; ++l)
-            parts[i](l, c) +=
-                components[c] * legendre[l] *
-                std::sqrt((2 * static_cast<double>(l) + 1) / (2 * element.half));
-        }
-        rests[i] += value * dot(direction, rest);
-        for (std::size_t k = 0; density_ && k < unknowns.size(); ++k)
-          if (unknowns[k].tangential == unknown.tangential)
-            mass(static_cast<Index>(i), static_cast<Index>(k)) +=
-                value * chi[unknowns[k].function];
-      }
+      ArcPoint& point = points[q];
+      point.weight = element_.half * rule.weights[q];
+      point.directions[0] = element_.curve.normal(t);
+      point.directions[1] = element_.curve.tangent(t);
+      point.rest = space_.rotationRest(contact_.element, t);
+      point.chi = basis_.values(p, t);
+      bem::DisplacementBasis::values(p, t, point.phi.data());
+      bem::legendreValues(terms() - 1, t, point.legendre.data());
     }
+    return points;
+  }
+
+  /// Of χ_i d.
+  struct ArcMoments {
+    Matrix traces;    ///< ∫ χ_i d·φ_k, displacement functions x components
+    Matrix parts;     ///< orthonormal polynomials x components
+    double rest = 0;  ///< ∫ χ_i d·(r - r_I)
+  };
+
+  ArcMoments momentsOf(const Turning& unknown,
+                       const std::vector<ArcPoint>& points) const {
+    ArcMoments moments{Matrix(element_.degree + 1, 2), Matrix(terms(), 2)};
+    for (const ArcPoint& point : points) {
+      const Vec2 direction = point.directions[unknown.tangential ? 1 : 0];
+      const double value = point.weight * point.chi[unknown.function];
+      const double components[2] = {value * direction.x, value * direction.y};
+      for (Index c = 0; c < 2; ++c) {
+        for (Index k = 0; k < moments.traces.rows(); ++k)
+          moments.traces(k, c) += components[c] * point.phi[k];
+        for (Index l = 0; l < moments.parts.rows(); ++l)
+          moments.parts(l, c) +=
+              components[c] * point.legendre[l] *
+              std::sqrt((2 * static_cast<double>(l) + 1) / (2 * element_.half));
+      }
+      moments.rest += value * dot(direction, point.rest);
+    }
+    return moments;
+  }
+
+  /// ∫ χ_i χ_k in one direction.
+  static double massOf(const Turning& a, const Turning& b,
+                       const std::vector<ArcPoint>& points) {
+    double mass = 0;
+    for (const ArcPoint& point : points)
+      if (a.tangential == b.tangential)
+        mass += point.weight * point.chi[a.function] * point.chi[b.function];
+    return mass;
+  }
+
+  static double product(const Matrix& a, const Matrix& b) {
+    double sum = 0;
+    for (Index l = 0; l < a.rows(); ++l)
+      for (Index c = 0; c < 2; ++c)
+        sum += a(l, c) * b(l, c);
+    return sum;
+  }
+
+  // All by Gauss points.  Where S u is projected on orthonormal polynomials, so is λ: M is the
+  // product of what is left.
+  void writeArc() const {
+    const std::vector<ArcPoint> points = arcPoints();
+    const std::vector<Turning> unknowns = turning();
+    std::vector<ArcMoments> all;
+    all.reserve(unknowns.size());
+    for (const Turning& unknown : unknowns)
+      all.push_back(momentsOf(unknown, points));
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
-      const auto& [column, completion, tangential, function] = unknowns[i];
-      for (Index k = 0; k <= p; ++k)
+      const Turning& unknown = unknowns[i];
+      const ArcMoments& own = all[i];
+      for (Index k = 0; k < own.traces.rows(); ++k)
         for (int c = 0; c < 2; ++c)
-          writeTrace(space_.displacement(contact.element, static_cast<int>(k), c), column,
-                     traces[i](k, c), completion);
-      writeRest(column, rests[i], completion);
-      if (gamma == 0)
-        continue;
-      for (std::size_t k = 0; k < unknowns.size(); ++k) {
-        double product = mass(static_cast<Index>(i), static_cast<Index>(k));
-        for (Index l = 0; !density_ && l < count; ++l)
-          for (Index c = 0; c < 2; ++c)
-            product += parts[i](l, c) * parts[k](l, c);
-        coupling_.mass.push_back({column, unknowns[k].column, gamma * product});
-      }
-      for (int l = 0; l < count; ++l) {
-        const double norm = density_ ? std::sqrt(2 * element.half / (2 * l + 1)) : 1;
-        for (int c = 0; c < 2; ++c)
-          coupling_.weights.push_back(
-              {firstTraction + 2 * l + c, column, gamma * norm * parts[i](l, c)});
-      }
+          writeTrace(space_.displacement(contact_.element, static_cast<int>(k), c),
+                     unknown.column, own.traces(k, c), unknown.completion);
+      writeRest(unknown.column, own.rest, unknown.completion);
+      for (std::size_t k = 0; gamma_ != 0 && k < unknowns.size(); ++k)
+        coupling_.mass.push_back(
+            {unknown.column, unknowns[k].column,
+             gamma_ * (density_ ? massOf(unknown, unknowns[k], points)
+                                : product(own.parts, all[k].parts))});
+      writeWeights(unknown.column, terms(),
+                   [&](double factor, int l, int c) { return factor * own.parts(l, c); });
+    }
+  }
+
+  /// S φ by orthonormal polynomials, densities by Legendre's: times(factor, polynomial,
+  /// component) of each.
+  template <class Times>
+  void writeWeights(Index column, int count, const Times& times) const {
+    for (int l = 0; gamma_ != 0 && l < count; ++l) {
+      const double norm = density_ ? std::sqrt(2 * element_.half / (2 * l + 1)) : 1;
+      for (int c = 0; c < 2; ++c)
+        coupling_.weights.push_back(
+            {firstTraction_ + 2 * l + c, column, times(gamma_ * norm, l, c)});
     }
   }
 
@@ -225,16 +260,19 @@ class CouplingWriter {
 
   const bem::Space& space_;
   const MultiplierBasis& basis_;
+  const ContactElement& contact_;
+  const Element& element_;
+  double gamma_;
+  Index firstTraction_;
   bool density_;
   Coupling& coupling_;
 };
 
 }  // namespace
 
-void addElement(const bem::Space& space, const MultiplierBasis& basis, bool byDensity,
-                const ContactElement& contact, double gamma, Index firstRow,
-                Coupling& coupling) {
-  CouplingWriter(space, basis, byDensity, coupling).write(contact, gamma, firstRow);
+void addElement(const bem::Space& space, const MultiplierSpace& multiplier, std::size_t k,
+                bool byDensity, Coupling& coupling) {
+  CouplingWriter(space, multiplier, k, byDensity, coupling).write();
 }
 
 }  // namespace epafi::contact

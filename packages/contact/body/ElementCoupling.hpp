@@ -4,12 +4,11 @@
 
 namespace epafi::contact {
 
-/// Adds what one contact element has of C, G and M to a coupling; with densities by
+/// Adds what contact element k has of C, G and M to a coupling; with densities by
 /// Legendre polynomials in G's rows where `byDensity`, else tractions by orthonormal ones.
 ///
-/// \param firstRow  of G where the element's begin
-void addElement(const bem::Space& space, const MultiplierBasis& basis, bool byDensity,
-                const MultiplierSpace::ContactElement& contact, double gamma,
-                Index firstRow, Coupling& coupling);
+/// \pre the coupling has its γ, and the row of G where its tractions start
+void addElement(const bem::Space& space, const MultiplierSpace& multiplier, std::size_t k,
+                bool byDensity, Coupling& coupling);
 
 }  // namespace epafi::contact
