@@ -9,7 +9,6 @@
 #include "drivers/scene/Text.hpp"
 
 #include <algorithm>
-#include <boost/algorithm/string/trim.hpp>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -81,7 +80,7 @@ class SavedRun {
 };
 
 std::optional<double> trimmedNumber(const std::string& text) {
-  return numberIn<double>(boost::algorithm::trim_copy(text));
+  return numberIn<double>(trimmed(text));
 }
 
 bool isInside(const SavedRun& run, bem::Vec2 x) {

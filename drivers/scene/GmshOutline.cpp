@@ -27,6 +27,13 @@ constexpr double straight = 1e-9;
 /// smaller share are parts of one circle: coordinates of 7 digits say no more.
 constexpr double oneCircle = 1e-6;
 
+std::vector<Tag> nodesOf(const GmshLine& line) {
+  std::vector<Tag> nodes = {line.from, line.to};
+  if (line.middle != 0)
+    nodes.push_back(line.middle);
+  return nodes;
+}
+
 /// The lines at every node; exactly two where the mesh is an outline.
 std::map<Tag, std::vector<std::size_t>> incidence(const GmshMesh& mesh) {
   std::map<Tag, std::vector<std::size_t>> result;
@@ -34,8 +41,8 @@ std::map<Tag, std::vector<std::size_t>> incidence(const GmshMesh& mesh) {
   for (std::size_t i = 0; i < mesh.lines.size(); ++i) {
     const GmshLine& line = mesh.lines[i];
     const std::string where = message("line ", line.fileLine, ": ");
-    for (const Tag node : {line.from, line.to, line.middle})
-      if (mesh.nodes.count(node) == 0 && (node != line.middle || node != 0))
+    for (const Tag node : nodesOf(line))
+      if (mesh.nodes.count(node) == 0)
         throw InputError(where, "there is no node ", node);
     if (line.from == line.to)
       throw InputError(where, "an element from node ", line.from, " to itself");
@@ -64,9 +71,7 @@ void checkPlane(const GmshMesh& mesh) {
   double size = 0;
   bool first = true;
   for (const GmshLine& line : mesh.lines)
-    for (const Tag tag : {line.from, line.to, line.middle}) {
-      if (tag == 0 && tag == line.middle)
-        continue;
+    for (const Tag tag : nodesOf(line)) {
       const GmshNode& node = mesh.nodes.at(tag);
       least = first ? node.z : std::min(least, node.z);
       most = first ? node.z : std::max(most, node.z);

@@ -7,7 +7,6 @@
 #include <Teuchos_XMLObject.hpp>
 
 #include <algorithm>
-#include <boost/algorithm/string/trim.hpp>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -20,8 +19,6 @@ namespace {
 
 using bem::InputError;
 using bem::message;
-
-using boost::algorithm::trim_copy;
 
 bool isCount(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
@@ -99,13 +96,13 @@ std::vector<std::string> typeNames() {
 long checkEntries(const Scalar& scalar, const std::string& text) {
   if (text.size() < 2 || text.front() != '{' || text.back() != '}')
     throw InputError("'", text, "' is not an array; write {a, b, c}");
-  const std::string inner = trim_copy(text.substr(1, text.size() - 2));
+  const std::string inner = trimmed(text.substr(1, text.size() - 2));
   if (inner.empty())
     return 0;
   long count = 0;
   const bool texts = std::string(scalar.type) == "string";  // may hold arrays: A={4, 4}
   for (const std::string& piece : pieces(inner)) {
-    const std::string entry = trim_copy(piece);
+    const std::string entry = trimmed(piece);
     const bool brace = entry.find_first_of("{}") != std::string::npos;
     if (entry.empty() || (brace && !(texts && isBalanced(entry))))
       throw InputError("entry ", count, " = '", entry, "' of the array is empty or ",
@@ -130,7 +127,7 @@ void checkTable(const Scalar& scalar, const std::string& text) {
   checkWhole<int>(rows);
   checkWhole<int>(columns);
   const long wanted = std::stol(rows) * std::stol(columns);
-  const long found = checkEntries(scalar, trim_copy(text.substr(size.size() + 1)));
+  const long found = checkEntries(scalar, trimmed(text.substr(size.size() + 1)));
   if (found != wanted)
     throw InputError("a table ", size, " has ", wanted, " entries; ", found,
                      " are given");
@@ -162,8 +159,8 @@ void checkParameter(const Teuchos::XMLObject& object) {
 void checkList(const Teuchos::XMLObject& list, const std::string& path) {
   const std::string start = path.empty() ? "" : path + ": ";
   for (int i = 0; i < list.numContentLines(); ++i)
-    if (!trim_copy(list.getContentLine(i)).empty())
-      throw InputError(start, "stray text '", trim_copy(list.getContentLine(i)), "'");
+    if (!trimmed(list.getContentLine(i)).empty())
+      throw InputError(start, "stray text '", trimmed(list.getContentLine(i)), "'");
   std::set<std::string> names;
   for (int i = 0; i < list.numChildren(); ++i) {
     const Teuchos::XMLObject& child = list.getChild(i);
@@ -191,11 +188,11 @@ void checkList(const Teuchos::XMLObject& list, const std::string& path) {
 
 void checkValue(const std::string& type, const std::string& value) {
   if (const Scalar* scalar = findScalar(type))
-    scalar->check(type == "string" ? value : trim_copy(value));
+    scalar->check(type == "string" ? value : trimmed(value));
   else if (const Scalar* entry = findScalar(between(type, "Array(")))
-    checkEntries(*entry, trim_copy(value));
+    checkEntries(*entry, trimmed(value));
   else if (const Scalar* cell = findScalar(between(type, "TwoDArray(")))
-    checkTable(*cell, trim_copy(value));
+    checkTable(*cell, trimmed(value));
   else
     throw InputError("unknown type '", type, "'", bem::suggestion(type, typeNames()));
 }

@@ -8,15 +8,12 @@
 #include <Teuchos_XMLObject.hpp>
 #include <Teuchos_XMLParameterListReader.hpp>
 
-#include <boost/algorithm/string/trim.hpp>
-
 namespace epafi::drivers {
 
 namespace {
 
 using bem::InputError;
 using bem::lastOf;
-using boost::algorithm::trim_copy;
 
 /// An entry through Teuchos' own reader, so that --set reads what a file would.
 Teuchos::ParameterEntry entryOf(const std::string& type, const std::string& value) {
@@ -82,29 +79,29 @@ void setList(Teuchos::ParameterList& list, const std::string& path,
   parent.remove(lastOf(path), false);
   parent.sublist(lastOf(path));
   for (const std::string& piece : pieces(value.substr(1, value.size() - 2))) {
-    if (trim_copy(piece).empty())
+    if (trimmed(piece).empty())
       continue;
     const auto equal = piece.find('=');
     if (equal == std::string::npos)
-      throw InputError(path, ": '", trim_copy(piece), "' is no Key=value");
-    setAt(list, path + "->" + trim_copy(piece.substr(0, equal)), piece.substr(equal + 1));
+      throw InputError(path, ": '", trimmed(piece), "' is no Key=value");
+    setAt(list, path + "->" + trimmed(piece.substr(0, equal)), piece.substr(equal + 1));
   }
 }
 
 void setAt(Teuchos::ParameterList& list, const std::string& path,
            const std::string& value) {
   const Parameter& row = bem::declared(parameters(), path);
-  if (trim_copy(value).empty())
+  if (trimmed(value).empty())
     return removeAt(list, path);
   if (row.kind == Kind::List)
-    return setList(list, path, trim_copy(value));
+    return setList(list, path, trimmed(value));
   if (row.kind == Kind::Free)
     throw InputError(path + ": is a sublist that --set can only remove");
   const bool alone = value.find('{') == std::string::npos;
   const std::string type = alone && row.kind == Kind::Counts  ? "int"
                            : alone && row.kind == Kind::Reals ? "double"
                                                               : textOf(row.kind).type;
-  const std::string text = type == "string" ? value : trim_copy(value);
+  const std::string text = type == "string" ? value : trimmed(value);
   try {
     checkValue(type, text);
   } catch (const InputError& error) {

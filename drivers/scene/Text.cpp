@@ -1,5 +1,7 @@
 #include "drivers/scene/Text.hpp"
 
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/trim.hpp>
 #include <cstring>
 
 namespace epafi::drivers {
@@ -16,6 +18,10 @@ int change(char c) {
 }
 
 }  // namespace
+
+std::string trimmed(const std::string& text) {
+  return boost::algorithm::trim_copy_if(text, boost::algorithm::is_any_of(" \t\r\n"));
+}
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);

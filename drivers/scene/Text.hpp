@@ -17,6 +17,9 @@ std::optional<Number> numberIn(const std::string& text) {
   return error == std::errc() && stop == end ? std::optional(value) : std::nullopt;
 }
 
+/// Without XML's white space at both ends.
+std::string trimmed(const std::string& text);
+
 /// "1 step", "2 steps"
 std::string counted(std::size_t count, const std::string& one, const std::string& many);
 

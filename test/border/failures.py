@@ -81,21 +81,21 @@ LARGE = [*COMPRESSED[2:], "--set", "Discretization->Degree=9", "--set", "Adaptiv
          "--set", "Adaptivity->Maximum Degrees of Freedom=10000", "--set", "Output->Fields=false"]
 
 
-def level(method, fault):
+def level(method, fault="", why="injected", extra=()):
     """A run of one level: exit codes, its row of history.csv without columns of time and memory,
     how often it was told why: other output may stand within its line."""
     folder = ranks.fresh("instead")
-    done = run("instead", 1, [*LARGE, "--set", "Solver->Linear->Method=" + method,
+    done = run("instead", 1, [*LARGE, *extra, "--set", "Solver->Linear->Method=" + method,
                               "--output", folder], environment={"EPAFI_FAULT": fault})
     file = os.path.join(folder, "history.csv")
     row = ranks.table(file)[-1] if os.path.exists(file) else {"operators": "none"}
     return done.codes, {key: value for key, value in row.items()
                         if not key.startswith(("seconds", "memory"))}, done.text.count(
-                            "compressed operators failed, dense ones took their place: injected")
+                            "compressed operators failed, dense ones took their place: " + why)
 
 
-_, dense, _ = level("Dense", "")
-codes, row, warnings = level("Automatic", "")
+_, dense, _ = level("Dense")
+codes, row, warnings = level("Automatic")
 ranks.claim((codes, row["operators"], warnings) == ([0], "compressed", 0),
             "without a fault Automatic compresses this level: %s" % row["operators"])
 for phase in (1, 2, 3, 4):
@@ -104,6 +104,20 @@ for phase in (1, 2, 3, 4):
     ranks.claim(codes == [0] and row == {**dense, "operators": "dense instead"},
                 "the row of dense operators, and it says so" + on)
     ranks.claim(warnings == 2, "told in the table and by a warning: %d" % warnings + on)
+
+# The same where it is not solved within the steps that the scene allows, at once or on a path:
+# neither are dense operators then, and the row is theirs.
+SHORT = ["--set", "Solver->Maximum Iterations=1"]
+PATH = ["--set", "History->Times={1}", "--set", "History->Minimum Step=1"]
+for extra, why in ((SHORT, "scaled residual"), ([*SHORT, *PATH], "step 1 of the path ends")):
+    _, dense, _ = level("Dense", extra=extra)
+    ranks.claim(dense["status"] == "not converged", "one step is not enough: " + dense["status"])
+    codes, row, warnings = level("Automatic", why=why, extra=extra)
+    ranks.claim(codes == [3] and row == {**dense, "operators": "dense instead"},
+                "the row of dense operators after a compressed level that is not solved, %s" % why)
+    ranks.claim(warnings == 2, "told in the table and by a warning: %d, %s" % (warnings, why))
+    codes, row, _ = level("Compressed", extra=extra)
+    ranks.claim((codes, row["operators"]) == ([3], "compressed"), "compressed by name, %s" % why)
 expect(run("named", 1, [*LARGE, "--set", "Solver->Linear->Method=Compressed"],
            environment={"EPAFI_FAULT": "2 0 error"}), 2, "injected fault", "compressed by name")
 ranks.finish()

@@ -7,7 +7,7 @@
 #include "bem/compressed/CompressedOperators.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/equation/ContactState.hpp"
-#include "contact/system/ContactProblem.hpp"
+#include "contact/system/ContactSystem.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -65,14 +65,15 @@ std::vector<Case> cases() {
 double zero(bem::Vec2) { return 0; }
 
 /// Pressed onto a parabola and pulled aside; clamped above, or free to move down.
-contact::Conditions conditionsOf(const Case& c) {
+contact::Conditions conditionsOf(const Case& c, double load = 1) {
   contact::Conditions conditions;
   if (c.isClamped)
-    conditions.dirichlet["top"] = {zero, [](bem::Vec2) { return -0.003; }};
+    conditions.dirichlet["top"] = {zero, [load](bem::Vec2) { return -0.003 * load; }};
   else
-    conditions.neumann["top"] = {zero, [](bem::Vec2) { return -0.02; }};
+    conditions.neumann["top"] = {zero, [load](bem::Vec2) { return -0.02 * load; }};
   conditions.fix = {!c.isClamped, false, !c.isClamped};
-  conditions.neumann["left"] = {[](bem::Vec2 x) { return 0.01 * (1 - x.y); }, zero};
+  conditions.neumann["left"] = {[load](bem::Vec2 x) { return 0.01 * load * (1 - x.y); },
+                                zero};
   contact::Friction friction;
   if (!c.law.empty())
     friction = contact::makeFriction(
@@ -265,6 +266,119 @@ TEUCHOS_UNIT_TEST(CompressedBody, isSolvedWhereNewtonsStepsFail) {
     TEST_ASSERT(solution.report.converged());
     const Vector& lambda = exact.solution.state.multiplier;
     TEST_COMPARE(difference(solution.state.multiplier, lambda, largest(lambda)), <, 1e-7);
+  }
+}
+
+using System = contact::Flexibility::Operator::System;
+
+/// Every n-th normal coefficient.
+System systemOf(const contact::Problem& problem, Index n) {
+  System system;
+  for (Index i = 0; i < problem.normals; i += n)
+    system.rows.push_back(i);
+  system.shifts.assign(system.rows.size(), 0.0);
+  return system;
+}
+
+/// Two equal rows, which are all that is left of D: a normal coefficient and its tangential one.
+System singularSystem(const contact::Problem& problem) {
+  constexpr double huge = 1e300;
+  const Index i = problem.tangentials.front().normal();
+  const Index t = problem.normals;
+  System system = systemOf(problem, 1);
+  system.rows.push_back(t);
+  system.shifts.assign(system.rows.size(), 0.0);
+  system.shifts[i] = system.shifts.back() = huge;
+  system.entries = {{i, t, huge}, {t, i, huge}};
+  return system;
+}
+
+Vector solved(const contact::Flexibility::Operator::Factor& factor, const System& system,
+              Index size) {
+  return factor.solve(Vector(system.rows.size(), 1.0), Vector(bem::at(size)));
+}
+
+/// Two points of Newton's may be solved with in turns, and what breaks down leaves nothing behind.
+TEUCHOS_UNIT_TEST(CompressedBody, aFactorStaysWhateverIsFactoredAfterIt) {
+  for (const Case& c : cases()) {
+    out << c.name << "\n";
+    const Pair pair(c);
+    const contact::ContactProblem own(pair.input(pair.compressed.front()));
+    const contact::Problem& problem = own.numbers();
+    const contact::Flexibility& d = problem.flexibility;
+    const System half = systemOf(problem, 2);
+    const System third = systemOf(problem, 3);
+    const auto first = d.factor(half);
+    const Vector alone = solved(*first, half, d.size());
+    const auto second = d.factor(third);
+    const Vector other = solved(*second, third, d.size());
+    TEST_COMPARE(difference(solved(*first, half, d.size()), alone, largest(alone)), <,
+                 1e-13);
+    if (!problem.tangentials.empty())
+      TEST_THROW(d.factor(singularSystem(problem)), bem::NumericalError);
+    TEST_COMPARE(difference(solved(*second, third, d.size()), other, largest(other)), <,
+                 1e-13);
+    const auto again = d.factor(half);
+    TEST_COMPARE(difference(solved(*again, half, d.size()), alone, largest(alone)), <,
+                 1e-13);
+  }
+}
+
+/// A step of a path and what follows from its solution.
+struct Step {
+  std::vector<contact::Conditions> conditions;
+  contact::ContactSystem system;
+  contact::Configuration at;
+
+  Step(const contact::ContactSystem& atZero, const Case& c, double load)
+      : conditions{conditionsOf(c, load)}, system(atZero.under({conditions})) {}
+
+  /// Energies, forces and densities: all that bodies keep something for.
+  std::vector<Vector> results() const {
+    const contact::ContactProblem& body = system.body(0);
+    const Vector& u = at.displacements.front();
+    return {{system.strainEnergy(at)},     {system.storedEnergy(at)},
+            at.state.multiplier,           u,
+            body.clampForces(at.state, u), body.density(at.state, u)};
+  }
+};
+
+/// A step that fails, in whatever state it ends, changes no later one.
+TEUCHOS_UNIT_TEST(CompressedBody, aFailedStepLeavesNothingBehind) {
+  for (const Case& c : cases()) {
+    out << c.name << "\n";
+    const Pair pair(c);
+    for (const bem::SteklovPoincare* stiffness :
+         {&pair.dense, &pair.compressed.front()}) {
+      const auto lastStep = [&](bool failsBefore) {
+        const contact::ContactSystem atZero({pair.input(*stiffness)});
+        if (failsBefore) {
+          Step failing(atZero, c, 2);
+          const contact::Problem& problem = failing.system.numbers();
+          const contact::Equation equation(problem, contact::projection(),
+                                           contact::Equation::Bound::Differentiated,
+                                           1e-12);
+          const contact::NewtonRun run =
+              contact::NoxNewton().run(equation, Vector(bem::at(equation.size())), 1);
+          TEST_ASSERT(run.end != contact::End::Converged);
+          failing.at = failing.system.configuration(contact::unpack(problem, run.last));
+          failing.results();
+          if (!problem.flexibility.isFormed() && !problem.tangentials.empty())
+            TEST_THROW(problem.flexibility.factor(singularSystem(problem)),
+                       bem::NumericalError);
+        }
+        Step step(atZero, c, 1);
+        const contact::Solution solution = test::solve(step.system.numbers());
+        TEST_ASSERT(solution.report.converged());
+        step.at = step.system.configuration(solution.state);
+        return step.results();
+      };
+      const std::vector<Vector> fresh = lastStep(false);
+      const std::vector<Vector> later = lastStep(true);
+      for (std::size_t k = 0; k < fresh.size(); ++k)
+        TEST_COMPARE(test::largestDifference(later[k], fresh[k]), <=,
+                     1e-12 * largest(fresh[k]));
+    }
   }
 }
 

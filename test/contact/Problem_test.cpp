@@ -116,6 +116,32 @@ TEUCHOS_UNIT_TEST(Flexibility, isSharedByProblemsThatDifferInBounds) {
   TEST_EQUALITY(&problem.copy().flexibility.entries(), &problem.flexibility.entries());
 }
 
+/// The identity, whose n-th product breaks down.
+class BreaksDown final : public contact::Flexibility::Operator {
+ public:
+  explicit BreaksDown(int product) : left_(product) {}
+
+  Index size() const override { return 5; }
+  Product product(const Vector& x) const override {
+    if (--left_ == 0)
+      throw bem::NumericalError("no more");
+    return {x, x};
+  }
+  Vector times(const Vector& x) const override { return x; }
+  contact::Matrix formed() const override { return test::identity(5); }
+
+ private:
+  mutable int left_;
+};
+
+TEUCHOS_UNIT_TEST(Flexibility, isAskedAnewWhereItBrokeDown) {
+  for (const int product : {1, 2}) {
+    const contact::Flexibility d(std::make_shared<const BreaksDown>(product));
+    TEST_THROW(d.responses(2), bem::NumericalError);
+    TEST_ASSERT(d.responses(2) == Vector(5, 1.0));
+  }
+}
+
 TEUCHOS_UNIT_TEST(Problem, whatDoesNotFitIsRefusedAtTheDoor) {
   const auto refuses = [&](auto spoil) {
     Problem problem = pressedPoint(0.1);

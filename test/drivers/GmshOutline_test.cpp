@@ -112,6 +112,7 @@ TEUCHOS_UNIT_TEST(GmshOutline, saysWhyAMeshIsNoOutline) {
   TEST_COMPLAINT(start + elements("1 1 2 1 1 1 2\n2 1 2 1 1 2 3\n", 2),
                  "at node 1 = (0, 0) the outline ends");
   TEST_COMPLAINT(start + elements("1 1 2 1 1 1 9\n", 1), "there is no node 9");
+  TEST_COMPLAINT(start + elements("1 1 2 1 1 0 1\n", 1), "there is no node 0");
   TEST_COMPLAINT(start + elements("1 1 2 1 1 3 3\n", 1), "to itself");
   TEST_COMPLAINT(start + elements("1 1 2 1 1 1 2\n2 1 2 2 1 2 1\n", 2),
                  "a second element");

@@ -129,7 +129,7 @@ void PointSources::reserve(std::size_t more) {
   const std::size_t capacity = std::max(2 * capacity_, size_ + more);
   std::unique_ptr<double[]> data(new double[arrays_ * capacity]);
   for (std::size_t array = 0; array < arrays_; ++array)
-    std::copy_n(&data_[array * capacity_], size_, &data[array * capacity]);
+    std::copy_n(data_.get() + array * capacity_, size_, data.get() + array * capacity);
   data_ = std::move(data);
   capacity_ = capacity;
 }
@@ -144,8 +144,8 @@ void PointSources::carry(std::size_t point, std::size_t state, Complex density,
 void PointSources::carry(std::size_t point, const PointSources& others, std::size_t first,
                          std::size_t last) {
   for (std::size_t array = 2; array < arrays_; ++array) {
-    const double* from = &others.data_[array * others.capacity_];
-    double* to = &data_[array * capacity_ + point];
+    const double* from = others.data_.get() + array * others.capacity_;
+    double* to = data_.get() + array * capacity_ + point;
     for (std::size_t k = first; k < last; ++k)
       *to++ = from[k];
   }

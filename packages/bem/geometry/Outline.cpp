@@ -89,10 +89,12 @@ double twiceArea(const Loop& loop) {
   return area;
 }
 
+bool bulgesFit(const Loop& loop) {
+  return loop.bulges.empty() || loop.bulges.size() == loop.vertices.size();
+}
+
 void checkBulges(const Loop& loop) {
-  if (loop.bulges.empty())
-    return;
-  if (loop.bulges.size() != loop.vertices.size())
+  if (!bulgesFit(loop))
     throw InputError("a polygon of ", loop.vertices.size(),
                      " vertices has as many bulges, one for each edge (0: straight); ",
                      loop.bulges.size(), " are given");
@@ -203,7 +205,7 @@ Loop reversed(const Loop& loop) {
 
 Scaling scalingOf(const Loop& outer) {
   Scaling scaling;
-  if (outer.vertices.empty())
+  if (outer.vertices.empty() || !bulgesFit(outer))  // Outline says so
     return scaling;
   scaling.length = sizeOf(outer);
   Vec2 low = outer.vertices[0];

@@ -1,6 +1,5 @@
 #include "contact/compressed/CompressedFlexibility.hpp"
 
-#include "bem/base/Error.hpp"
 #include "contact/compressed/ReducedFlexibility.hpp"
 
 #include <algorithm>
@@ -21,8 +20,8 @@ Matrix asColumn(const Vector& x) {
 
 CompressedFlexibility::CompressedFlexibility(
     CompressedCoupling coupling,
-    const std::vector<std::shared_ptr<const CompressedHolding>>& bodies)
-    : coupling_(std::move(coupling)), bodies_(bodies) {
+    std::vector<std::shared_ptr<const CompressedHolding>> bodies)
+    : coupling_(std::move(coupling)), bodies_(std::move(bodies)) {
   factorAll();
   findPaths();
   motions_ = MotionTerms(coupling_, bodies_);
@@ -134,14 +133,10 @@ Matrix CompressedFlexibility::formed() const {
 
 std::unique_ptr<Flexibility::Operator::Factor> CompressedFlexibility::factor(
     const System& system) const {
-  if (reduced_ == nullptr)
-    reduced_ = std::make_unique<bem::CompressedFactor>(*factor_);
-  try {
-    return std::make_unique<ReducedFlexibility>(*this, *reduced_, system);
-  } catch (const bem::NumericalError&) {
-    reduced_ = nullptr;  // half eliminated
-    throw;
-  }
+  auto result = std::make_unique<ReducedFlexibility>(
+      *this, reduced_ == nullptr ? *factor_ : *reduced_, system);
+  reduced_ = result->factor();
+  return result;
 }
 
 }  // namespace epafi::contact

@@ -11,9 +11,8 @@ namespace epafi::contact {
 /// D = Ĉ A⁺ Ĉᵀ + M by solutions in the tree, A of all bodies.
 class CompressedFlexibility final : public Flexibility::Operator {
  public:
-  CompressedFlexibility(
-      CompressedCoupling coupling,
-      const std::vector<std::shared_ptr<const CompressedHolding>>& bodies);
+  CompressedFlexibility(CompressedCoupling coupling,
+                        std::vector<std::shared_ptr<const CompressedHolding>> bodies);
 
   Index size() const override { return coupling_.multipliers; }
   Vector times(const Vector& x) const override;
@@ -45,8 +44,8 @@ class CompressedFlexibility final : public Flexibility::Operator {
   std::vector<char> paths_;
   MotionTerms motions_;
   mutable Matrix rowSums_;  ///< over each kind, once asked for
-  /// Kept from step to step, so that only what changes is eliminated anew.
-  mutable std::unique_ptr<bem::CompressedFactor> reduced_;
+  /// The last one, so that the next eliminates only what changes; null: there is none.
+  mutable std::shared_ptr<const bem::CompressedFactor> reduced_;
 };
 
 }  // namespace epafi::contact

@@ -61,8 +61,8 @@ void CompressedHolding::addSprings() {
           row = i;
           column = l;
         }
-    for (Index i = 0; i < motions.rows(); ++i)
-      std::swap(motions(i, k), motions(i, column));
+    std::swap_ranges(motions.column(k), motions.column(k) + motions.rows(),
+                     motions.column(column));
     restriction_.entries.push_back(
         {range_.first + row, range_.first + row, range_.young});
     for (Index l = k + 1; l < motions.columns(); ++l) {

@@ -11,6 +11,17 @@ namespace epafi::contact {
 
 namespace {
 
+/// visit(coefficient, element) of what each element has.
+template <class Visit>
+void forEachHome(const MultiplierSpace& multiplier, const Visit& visit) {
+  for (const MultiplierSpace::ContactElement& contact : multiplier.elements())
+    for (int i = 0; i <= contact.degree; ++i) {
+      visit(at(contact.normalOf(i)), contact.element);
+      if (contact.tangential >= 0)
+        visit(at(contact.tangentialOf(i)), contact.element);
+    }
+}
+
 /// Where each coefficient of the multiplier belongs, so that a leaf has as many as it has
 /// displacements which they act on: to an element of its function where it does work on what
 /// that one numbers, on most of it if there are two; else, as at the end of a contact, to the
@@ -21,12 +32,7 @@ std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& mult
                             const Coupling& coupling) {
   std::vector<int> elements(at(coupling.multipliers), 0);
   if (multiplier.basis().controlPoints) {
-    for (const MultiplierSpace::ContactElement& contact : multiplier.elements())
-      for (int i = 0; i <= contact.degree; ++i) {
-        elements[at(contact.normalOf(i))] = contact.element;
-        if (contact.tangential >= 0)
-          elements[at(contact.tangentialOf(i))] = contact.element;
-      }
+    forEachHome(multiplier, [&](std::size_t k, int e) { elements[k] = e; });
     return elements;
   }
   std::vector<int> elementOf(at(space.displacements()));
@@ -35,12 +41,7 @@ std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& mult
          i < space.displacement(e, 0, 0) + 2 * space.mesh()[e].degree; ++i)
       elementOf[at(i)] = e;
   std::vector<std::vector<int>> homes(elements.size());
-  for (const MultiplierSpace::ContactElement& contact : multiplier.elements())
-    for (int i = 0; i <= contact.degree; ++i) {
-      homes[at(contact.normalOf(i))].push_back(contact.element);
-      if (contact.tangential >= 0)
-        homes[at(contact.tangentialOf(i))].push_back(contact.element);
-    }
+  forEachHome(multiplier, [&](std::size_t k, int e) { homes[k].push_back(e); });
   constexpr double rounding = 1e-6;
   Vector largest(at(coupling.multipliers), 0.0);
   for (const Coupling::Entry& entry : coupling.trace) {
@@ -61,6 +62,7 @@ std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& mult
 
 Numbering numberingOf(const std::vector<CompressedInput>& bodies) {
   std::vector<Numbering::Count> counts;
+  counts.reserve(bodies.size());
   for (const CompressedInput& body : bodies)
     counts.push_back({body.multiplier.normals(), body.multiplier.size()});
   return Numbering(counts);
@@ -141,15 +143,15 @@ std::vector<bem::SteklovPoincare> makeCompressedStiffness(
       local.elements[at(k)] = elements[i];
       local.bodies[at(k)] = static_cast<int>(b);
     }
+    first += space.displacements();
     const auto comply = [&](Index density, double value) {
-      const Index i = first + space.displacements() + density;
-      local.entries.push_back({i, i, -value});
+      local.entries.push_back({first + density, first + density, -value});
     };
     for (std::size_t k = 0; k < own.compliance.densities.size(); ++k)
       comply(own.compliance.densities[k], own.compliance.diagonal[k]);
     for (const auto& [density, value] : own.compliance.pinned)
       comply(density, value);
-    first += space.displacements() + space.densities();
+    first += space.densities();
   }
   const auto operators =
       std::make_shared<const bem::CompressedOperators>(operands, options, local, algebra);

@@ -19,8 +19,9 @@ Vector difference(Vector a, const Vector& b) {
 }  // namespace
 
 ReducedFlexibility::ReducedFlexibility(const CompressedFlexibility& whole,
-                                       bem::CompressedFactor& factor, System system)
-    : whole_(whole), factor_(factor), system_(std::move(system)) {
+                                       const bem::CompressedFactor& earlier,
+                                       System system)
+    : whole_(whole), system_(std::move(system)) {
   bem::Restriction restriction = whole.restriction();
   const Index first = whole.coupling().first;
   for (std::size_t k = 0; k < system_.rows.size(); ++k) {
@@ -35,7 +36,9 @@ ReducedFlexibility::ReducedFlexibility(const CompressedFlexibility& whole,
   for (const System::Follower& follower : system_.followers)
     restriction.followers.push_back(
         {first + follower.follower, first + follower.leader, follower.factor});
-  factor_.update(std::move(restriction));
+  const auto factor = std::make_shared<bem::CompressedFactor>(earlier);
+  factor->update(std::move(restriction));
+  factor_ = factor;
   makeCorrection();
 }
 
@@ -70,7 +73,7 @@ Vector ReducedFlexibility::solveSprung(const Vector& b, const Vector& known) con
     right(coupling.first + entry.row, 0) += entry.value * known[at(entry.column)];
   for (std::size_t k = 0; k < b.size(); ++k)
     right(coupling.first + system_.rows[k], 0) -= b[k];
-  const Matrix solution = factor_.solveAlong(whole_.paths(), right);
+  const Matrix solution = factor_->solveAlong(whole_.paths(), right);
   Vector x = known;
   for (Index i = 0; i < coupling.multipliers; ++i)
     x[at(i)] += solution(coupling.first + i, 0);
@@ -86,7 +89,7 @@ void ReducedFlexibility::makeCorrection() {
     for (const Index i : system_.rows)
       right(first + i, j) = -terms.u(i, j);
   const Matrix answers =
-      columns > 0 ? factor_.solveAlong(whole_.paths(), right) : Matrix();
+      columns > 0 ? factor_->solveAlong(whole_.paths(), right) : Matrix();
   solved_ = Matrix(whole_.size(), columns);
   Matrix correction = terms.inverse.copy();
   for (Index j = 0; j < columns; ++j) {

@@ -10,11 +10,12 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
  public:
   using System = Flexibility::Operator::System;
 
-  /// Brings the factor up to date; both outlive it.
-  /// \throws bem::NumericalError, and the factor is of no use any more.
-  ReducedFlexibility(const CompressedFlexibility& whole, bem::CompressedFactor& factor,
-                     System system);
+  /// Eliminates anew where the system differs from that of `earlier`, which stays as it is.
+  /// \pre `whole` outlives it.  \throws bem::NumericalError
+  ReducedFlexibility(const CompressedFlexibility& whole,
+                     const bem::CompressedFactor& earlier, System system);
 
+  std::shared_ptr<const bem::CompressedFactor> factor() const { return factor_; }
   Vector solve(const Vector& b, const Vector& known) const override;
 
  private:
@@ -23,8 +24,8 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
   void makeCorrection();
 
   const CompressedFlexibility& whole_;
-  bem::CompressedFactor& factor_;
   System system_;
+  std::shared_ptr<const bem::CompressedFactor> factor_;
   Matrix solved_;             ///< D_M⁻¹ U, all coefficients
   bem::LuFactor correction_;  ///< of S⁻¹ + Uᵀ D_M⁻¹ U
 };

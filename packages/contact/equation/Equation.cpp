@@ -183,9 +183,10 @@ void Equation::measure(Evaluation& e, const Vector& magnitude) const {
   }
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {
     const double* g = problem_.rigid.column(j);
-    double sum = std::abs(entry(problem_.rigidLoad, j));
-    for (Index i = 0; i < problem_.size(); ++i)
-      sum += std::abs(g[i] * entry(e.unknowns, i));
+    const double sum =
+        std::inner_product(g, g + problem_.size(), e.unknowns.begin(),
+                           std::abs(entry(problem_.rigidLoad, j)), std::plus<>(),
+                           [](double force, double x) { return std::abs(force * x); });
     count(entry(e.linear.residual, problem_.size() + j),
           rounding * sum / entry(balanceScales_, j));
   }

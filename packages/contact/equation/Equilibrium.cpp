@@ -39,12 +39,11 @@ struct ScaledLoad {
 /// What a unit of force at each place does to the balance, each of length one.
 std::vector<Vector> cone(const Problem& problem, const Vector& scales) {
   std::vector<Vector> columns;
+  const auto work = [&](Index i, Index j) { return i < 0 ? 0 : problem.rigid(i, j); };
   const auto add = [&](Index normal, Index tangential, double share) {
     Vector column;
     for (Index j = 0; j < problem.rigidMotions(); ++j)
-      column.push_back(((normal < 0 ? 0 : problem.rigid(normal, j)) +
-                        (tangential < 0 ? 0 : share * problem.rigid(tangential, j))) *
-                       scales[at(j)]);
+      column.push_back((work(normal, j) + share * work(tangential, j)) * scales[at(j)]);
     const double length = std::sqrt(dot(column, column));
     for (double& value : column)
       value /= length;

@@ -9,7 +9,6 @@ namespace epafi::contact {
 
 namespace {
 
-using bem::Vec2;
 using ContactElement = MultiplierSpace::ContactElement;
 
 /// Do two contact elements follow each other on one smooth side?

@@ -26,11 +26,11 @@ const Facing* stretchAt(const std::vector<Facing>& stretches, double t) {
 }  // namespace
 
 FacingBodies::FacingBodies(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
-                           double length, const std::map<std::string, MetSide>& met)
+                           double length, std::map<std::string, MetSide> met)
     : mesh_(mesh),
       length_(length),
       distant_(mesh, length),
-      met_(met),
+      met_(std::move(met)),
       sights_(mesh.size()) {
   for (const ContactElement& element : multiplier.elements()) {
     if (element.condition->name.empty())

@@ -30,7 +30,7 @@ class FacingBodies final : public Opposite {
  public:
   /// \param met by the contacts' names.  Refers to the mesh.
   FacingBodies(const bem::Mesh& mesh, const MultiplierSpace& multiplier, double length,
-               const std::map<std::string, MetSide>& met);
+               std::map<std::string, MetSide> met);
 
   Point at(const MultiplierSpace::ContactElement& element, double t) const override;
   Vector breaks(const MultiplierSpace::ContactElement& element) const override;

@@ -15,7 +15,7 @@ namespace {
 /// The coefficients of one element that act in one direction, at one point of the side.
 struct Acting {
   Vec2 direction;
-  Index (ContactElement::*number)(int) const;
+  Index (ContactElement::*number)(int) const = nullptr;
 };
 
 class Writer {

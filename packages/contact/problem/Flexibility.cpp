@@ -71,14 +71,15 @@ const Vector& Flexibility::responses(Index normals) const {
   Vector& responses = found_->responses[normals];
   if (!responses.empty())
     return responses;
+  Vector found;  // a product may break down
   for (const bool normal : {true, false}) {
     Vector kind(at(size()), normal ? 0.0 : 1.0);
     std::fill_n(kind.begin(), normals, normal ? 1.0 : 0.0);
     const Vector all = product(kind).magnitude;
-    responses.insert(responses.end(), normal ? all.begin() : all.begin() + normals,
-                     normal ? all.begin() + normals : all.end());
+    found.insert(found.end(), normal ? all.begin() : all.begin() + normals,
+                 normal ? all.begin() + normals : all.end());
   }
-  return responses;
+  return responses = std::move(found);
 }
 
 }  // namespace epafi::contact

@@ -33,6 +33,7 @@ std::vector<PointLaw> extremes(const std::vector<PressureBound>& fields,
     }
   }
   std::vector<PointLaw> result;
+  result.reserve(corners.size());
   for (Vector& values : corners)
     result.emplace_back(law, std::move(values), stress);
   return result;

@@ -247,6 +247,7 @@ void addReaction(const std::vector<Solved>& bodies, const Solved& side,
 
 std::vector<Summary> summarizeAll(const std::vector<Solved>& bodies) {
   std::vector<Summary> summaries;
+  summaries.reserve(bodies.size());
   for (const Solved& solved : bodies)
     summaries.push_back(summarize(solved));
   for (const Solved& solved : bodies)

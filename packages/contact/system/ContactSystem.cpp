@@ -10,7 +10,6 @@
 
 namespace epafi::contact {
 
-using bem::at;
 using bem::axpy;
 
 struct ContactSystem::Parts {

@@ -32,8 +32,8 @@ void checkEnds(const MultiplierSpace& multiplier) {
 
 }  // namespace
 
-Couplings::Couplings(const AllBodyParts& bodies, const Numbering& numbering)
-    : numbering_(numbering), met_(bodies.size()) {
+Couplings::Couplings(const AllBodyParts& bodies, Numbering numbering)
+    : numbering_(std::move(numbering)), met_(bodies.size()) {
   for (std::size_t a = 0; a < size(); ++a)
     for (const int b : bodies[a]->opposite->bodies()) {
       checkEnds(bodies[a]->multiplier);

@@ -14,7 +14,7 @@ class Couplings {
  public:
   /// \throws bem::InputError for a multiplier that shares nodes where contact with another body
   ///   meets a clamp or another contact side.
-  Couplings(const AllBodyParts& bodies, const Numbering& numbering);
+  Couplings(const AllBodyParts& bodies, Numbering numbering);
 
   /// C_bᵀ on all multipliers, my rows.
   Matrix transposed(std::size_t b, const BodyParts& body) const;
