@@ -118,7 +118,7 @@ std::string vtuFile(const FilledBodies& bodies) {
   const std::vector<InsideValue>& values = bodies.values;
   const std::size_t points = triangles.points.size();
   const std::size_t cells = triangles.corners.size();
-  VtuGrid vtu{points, cells, "Scalars=\"von_mises\" Vectors=\"displacement\""};
+  VtuGrid vtu{points, cells, R"(Scalars="von_mises" Vectors="displacement")"};
   vtu.pointData = array("Float64", "displacement", 3, points,
                         [&](std::size_t i) { return vector(values[i].displacement); });
   for (const Field& field : fields)
