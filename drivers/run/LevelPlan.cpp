@@ -71,8 +71,8 @@ double allowedMemory(const Scene& scene, const Ranks& ranks) {
 
 /// A level both ways.
 struct Forecast {
-  Cost dense;
-  Cost compressed;
+  Cost dense{};
+  Cost compressed{};
   double allowed = 0;       ///< memory [MiB]
   bool isDelicate = false;  ///< compressed operators would lose digits
 

@@ -53,6 +53,7 @@ void estimate(const Ground& ground, const std::vector<const SolvedBodies*>& stat
               Level& level) {
   for (std::size_t b = 0; b < level.bodies.size(); ++b) {
     std::vector<adaptivity::Estimated> ofBody;
+    ofBody.reserve(states.size());
     for (const SolvedBodies* solved : states)
       ofBody.push_back({solved->bodies()[b], solved->densities()[b]});
     level.bodies[b].indicators = adaptivity::largest(adaptivity::estimateResiduals(
