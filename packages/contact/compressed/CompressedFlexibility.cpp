@@ -1,5 +1,6 @@
 #include "contact/compressed/CompressedFlexibility.hpp"
 
+#include "bem/base/Error.hpp"
 #include "contact/compressed/ReducedFlexibility.hpp"
 
 #include <algorithm>
@@ -133,10 +134,24 @@ Matrix CompressedFlexibility::formed() const {
 
 std::unique_ptr<Flexibility::Operator::Factor> CompressedFlexibility::factor(
     const System& system) const {
-  auto result = std::make_unique<ReducedFlexibility>(
-      *this, reduced_ == nullptr ? *factor_ : *reduced_, system);
-  reduced_ = result->factor();
-  return result;
+  return std::make_unique<ReducedFlexibility>(*this, system);
+}
+
+const bem::CompressedFactor& CompressedFlexibility::eliminated(
+    int number, const bem::Restriction& restriction) const {
+  if (number == eliminated_)
+    return *reduced_;
+  if (reduced_ == nullptr)
+    reduced_ = std::make_unique<bem::CompressedFactor>(*factor_);
+  try {
+    reduced_->update(restriction);
+  } catch (const bem::NumericalError&) {
+    reduced_ = nullptr;  // half eliminated
+    eliminated_ = 0;
+    throw;
+  }
+  eliminated_ = number;
+  return *reduced_;
 }
 
 }  // namespace epafi::contact

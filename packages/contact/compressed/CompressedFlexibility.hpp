@@ -31,6 +31,13 @@ class CompressedFlexibility final : public Flexibility::Operator {
   /// Of the leaves that the multiplier acts on.
   const std::vector<char>& paths() const { return paths_; }
 
+  /// Of systems in some of the coefficients one is eliminated, the last that was asked for: one for
+  /// each would keep twice the memory.  Another one's turn brings it back.
+  /// \throws bem::NumericalError
+  const bem::CompressedFactor& eliminated(int number,
+                                          const bem::Restriction& restriction) const;
+  int nextNumber() const { return ++numbers_; }
+
  private:
   int kindOf(Index i) const { return i < coupling_.normals ? 0 : 1; }
   void factorAll();
@@ -44,8 +51,10 @@ class CompressedFlexibility final : public Flexibility::Operator {
   std::vector<char> paths_;
   MotionTerms motions_;
   mutable Matrix rowSums_;  ///< over each kind, once asked for
-  /// The last one, so that the next eliminates only what changes; null: there is none.
-  mutable std::shared_ptr<const bem::CompressedFactor> reduced_;
+  // Kept from step to step, so that only what changes is eliminated anew.
+  mutable std::unique_ptr<bem::CompressedFactor> reduced_;
+  mutable int eliminated_ = 0;  ///< the number of its system; 0: of none
+  mutable int numbers_ = 0;     ///< given to systems
 };
 
 }  // namespace epafi::contact

@@ -18,27 +18,24 @@ Vector difference(Vector a, const Vector& b) {
 
 }  // namespace
 
-ReducedFlexibility::ReducedFlexibility(const CompressedFlexibility& whole,
-                                       const bem::CompressedFactor& earlier,
-                                       System system)
-    : whole_(whole), system_(std::move(system)) {
-  bem::Restriction restriction = whole.restriction();
+ReducedFlexibility::ReducedFlexibility(const CompressedFlexibility& whole, System system)
+    : whole_(whole),
+      system_(std::move(system)),
+      number_(whole.nextNumber()),
+      restriction_(whole.restriction()) {
   const Index first = whole.coupling().first;
   for (std::size_t k = 0; k < system_.rows.size(); ++k) {
-    restriction.held[at(first + system_.rows[k])] = 0;
+    restriction_.held[at(first + system_.rows[k])] = 0;
     if (system_.shifts[k] != 0)
-      restriction.entries.push_back(
+      restriction_.entries.push_back(
           {first + system_.rows[k], first + system_.rows[k], -system_.shifts[k]});
   }
   for (const System::Entry& entry : system_.entries)
-    restriction.entries.push_back(
+    restriction_.entries.push_back(
         {first + entry.row, first + entry.column, -entry.value});
   for (const System::Follower& follower : system_.followers)
-    restriction.followers.push_back(
+    restriction_.followers.push_back(
         {first + follower.follower, first + follower.leader, follower.factor});
-  const auto factor = std::make_shared<bem::CompressedFactor>(earlier);
-  factor->update(std::move(restriction));
-  factor_ = factor;
   makeCorrection();
 }
 
@@ -73,7 +70,7 @@ Vector ReducedFlexibility::solveSprung(const Vector& b, const Vector& known) con
     right(coupling.first + entry.row, 0) += entry.value * known[at(entry.column)];
   for (std::size_t k = 0; k < b.size(); ++k)
     right(coupling.first + system_.rows[k], 0) -= b[k];
-  const Matrix solution = factor_->solveAlong(whole_.paths(), right);
+  const Matrix solution = factor().solveAlong(whole_.paths(), right);
   Vector x = known;
   for (Index i = 0; i < coupling.multipliers; ++i)
     x[at(i)] += solution(coupling.first + i, 0);
@@ -88,8 +85,8 @@ void ReducedFlexibility::makeCorrection() {
   for (Index j = 0; j < columns; ++j)
     for (const Index i : system_.rows)
       right(first + i, j) = -terms.u(i, j);
-  const Matrix answers =
-      columns > 0 ? factor_->solveAlong(whole_.paths(), right) : Matrix();
+  const bem::CompressedFactor& own = factor();
+  const Matrix answers = columns > 0 ? own.solveAlong(whole_.paths(), right) : Matrix();
   solved_ = Matrix(whole_.size(), columns);
   Matrix correction = terms.inverse.copy();
   for (Index j = 0; j < columns; ++j) {
