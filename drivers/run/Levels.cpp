@@ -149,6 +149,7 @@ Attempt solvePath(const Ground& ground, const contact::ContactSystem& atZero,
       begun.handOutStep({sofar.last().solved->bodies(), level, {}, &sofar});
     });
   });
+  atZero.numbers().flexibility.release();  // estimates take as much
   if (begun.plan.denseInstead && !path.report.converged())
     return path.reason;
   const SolvedBodies& solved = *path.last().solved;
@@ -171,6 +172,7 @@ Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
                  system.joined(from.start, from.rigid),
                  ground.stiffness.front().algebra());
   });
+  system.numbers().flexibility.release();  // estimates take as much
   const contact::Report& report = outcome.solution.report;
   if (begun.plan.denseInstead && !report.converged())
     return outcome.reason;

@@ -146,12 +146,16 @@ const bem::CompressedFactor& CompressedFlexibility::eliminated(
   try {
     reduced_->update(restriction);
   } catch (const bem::NumericalError&) {
-    reduced_ = nullptr;  // half eliminated
-    eliminated_ = 0;
+    release();  // half eliminated
     throw;
   }
   eliminated_ = number;
   return *reduced_;
+}
+
+void CompressedFlexibility::release() const {
+  reduced_ = nullptr;
+  eliminated_ = 0;
 }
 
 }  // namespace epafi::contact

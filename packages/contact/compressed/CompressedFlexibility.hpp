@@ -20,6 +20,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
   Product product(const Vector& x) const override;
   std::unique_ptr<Factor> factor(const System& system) const override;
   Matrix formed() const override;
+  void release() const override;
 
   const CompressedCoupling& coupling() const { return coupling_; }
   const bem::CompressedOperators& operators() const {

@@ -64,6 +64,8 @@ class Flexibility {
     };
     /// \pre entries() are not there.  \throws bem::NumericalError if it is singular.
     virtual std::unique_ptr<Factor> factor(const System&) const { return nullptr; }
+    /// Frees what it keeps of a system for the next one.
+    virtual void release() const {}
   };
 
   /// Of size zero.
@@ -84,6 +86,7 @@ class Flexibility {
   std::unique_ptr<Operator::Factor> factor(const Operator::System& system) const {
     return operator_->factor(system);
   }
+  void release() const { operator_->release(); }
   /// \pre isFormed()
   const Matrix& entries() const { return *entries_; }
   /// All of D, made where it is not there: as many products as it has columns.
