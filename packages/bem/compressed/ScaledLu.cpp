@@ -33,7 +33,10 @@ ScaledLu::ScaledLu(Matrix matrix)
   const int lda = static_cast<int>(lu_.stride());
   int info = 0;
   dgetrf_(&n, &n, lu_.data(), &lda, pivots_.data(), &info);
-  if (info != 0)
+  bool isRegular = info == 0;
+  for (Index i = 0; i < n; ++i)  // what is not a number is no pivot either
+    isRegular = isRegular && std::abs(lu_(i, i)) > 0;
+  if (!isRegular)
     throw NumericalError("the compressed system is singular");
 }
 
