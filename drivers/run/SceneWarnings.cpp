@@ -56,9 +56,29 @@ void findPolygon(const bem::Outline& outline, const std::string& boundary,
                                "exact; so is a straight side with the shape in its Gap"));
 }
 
+/// Sentences of which each is said once, whatever the time of a path.
+class Warnings {
+ public:
+  explicit Warnings(std::vector<std::string>& all) : all_(all) {}
+  template <class... Parts>
+  void operator()(const std::string& about, const Parts&... parts) {
+    if (seen_.insert(about).second)
+      all_.push_back(message(parts...));
+  }
+
+ private:
+  std::vector<std::string>& all_;
+  std::set<std::string> seen_;
+};
+
+/// Displacements that differ by no more than rounding, in the user's unit of length.
+bool areAlike(double a, double b, double size, const Body& body) {
+  return std::abs(a - b) <= 1e-6 * size + 1e-12 * body.outline->diameter();
+}
+
 /// Corners where two sides prescribe displacements that differ.
-void findJumps(const Body& body, std::vector<std::string>& warnings) {
-  const auto& held = body.conditions.dirichlet;
+void findJumps(const Body& body, const contact::Conditions& conditions, Warnings& warn) {
+  const auto& held = conditions.dirichlet;
   for (const bem::Edge& edge : body.outline->edges()) {
     const std::string& next = body.outline->edge(edge.next).boundary;
     const auto before = held.find(edge.boundary);
@@ -67,20 +87,19 @@ void findJumps(const Body& body, std::vector<std::string>& warnings) {
       continue;
     const bem::Vec2 corner = body.outline->physical(edge.curve.to());
     const auto differ = [&](const bem::Function& one, const bem::Function& other) {
-      constexpr double same = 1e-9;
       if (!one || !other)
         return false;
       const double a = one(corner);
       const double b = other(corner);
-      return std::abs(a - b) > same * std::max(std::abs(a), std::abs(b));
+      return !areAlike(a, b, std::max(std::abs(a), std::abs(b)), body);
     };
     if (differ(before->second.x, behind->second.x) ||
         differ(before->second.y, behind->second.y))
-      warnings.push_back(message(
-          "Bodies->", body.name, "->Boundary Conditions: '", edge.boundary, "' and '",
-          next, "' prescribe different displacements of their corner (", corner.x, ", ",
-          corner.y,
-          "); a jump has no finite energy: stresses there grow with every level"));
+      warn(message("jump ", body.name, corner.x, corner.y), "Bodies->", body.name,
+           "->Boundary Conditions: '", edge.boundary, "' and '", next,
+           "' prescribe different displacements of their corner (", corner.x, ", ",
+           corner.y,
+           "); a jump has no finite energy: stresses there grow with every level");
   }
 }
 
@@ -95,39 +114,47 @@ std::optional<double> valueAt(const bem::Function& function, bem::Vec2 place) {
 
 /// Corners where a prescribed displacement goes through the obstacle of the side beside it, one
 /// warning for each pair of boundaries.
-void findPressedCorners(const Body& body, std::vector<std::string>& warnings) {
+void findPressedCorners(const Body& body, const contact::Conditions& conditions,
+                        Warnings& warn) {
   constexpr double same = 1e-6;
-  constexpr double beside = 1 - 1e-9;  // of a side's end, where its gap is looked at
-  std::set<std::pair<std::string, std::string>> seen;
-  const auto compare = [&](const bem::Edge& given, const bem::Edge& side, double t) {
-    const auto held = body.conditions.dirichlet.find(given.boundary);
-    const auto met = body.conditions.contact.find(side.boundary);
-    if (held == body.conditions.dirichlet.end() || met == body.conditions.contact.end() ||
+  constexpr double aside = 1e-9;  // of a side's end, beside which its gap is looked at
+  const auto compare = [&](const bem::Edge& given, const bem::Edge& side, double end) {
+    const auto held = conditions.dirichlet.find(given.boundary);
+    const auto met = conditions.contact.find(side.boundary);
+    if (held == conditions.dirichlet.end() || met == conditions.contact.end() ||
         !met->second.name.empty() || met->second.friction.ties())
       return;
     // a component that is free can give way
     const auto& [x, y] = held->second;
-    const bem::Vec2 n = side.curve.normal(t);
+    const bem::Vec2 n = side.curve.normal(end);
     if ((!x && std::abs(n.x) > same) || (!y && std::abs(n.y) > same))
       return;
     const bem::Vec2 corner =
-        body.outline->physical(t > 0 ? side.curve.to() : side.curve.from());
-    const double closing = (x ? x(corner) * n.x : 0) + (y ? y(corner) * n.y : 0);
-    const auto gap =
-        valueAt(met->second.gap, body.outline->physical(side.curve.point(t)));
-    if (gap && closing > *gap + same * std::max(std::abs(closing), std::abs(*gap)) &&
-        seen.emplace(given.boundary, side.boundary).second)
-      warnings.push_back(message(
-          "Bodies->", body.name, "->Boundary Conditions: '", given.boundary,
-          "' moves its corner with '", side.boundary, "', (", corner.x, ", ", corner.y,
-          "), by ", closing, " along the normal where the gap is ", *gap,
-          ": through the obstacle; such a jump has no finite energy, and stresses there "
-          "grow with every level"));
+        body.outline->physical(end > 0 ? side.curve.to() : side.curve.from());
+    const bem::Vec2 moved{x ? x(corner) : 0, y ? y(corner) : 0};
+    const double closing = dot(moved, n);
+    const auto gapAt = [&](double distance) {
+      return valueAt(met->second.gap,
+                     body.outline->physical(side.curve.point(end * (1 - distance))));
+    };
+    const auto near = gapAt(aside);
+    const auto farther = gapAt(2 * aside);
+    if (!near || !farther)
+      return;
+    const double gap = 2 * *near - *farther;
+    if (closing > gap &&
+        !areAlike(closing, gap, std::abs(moved.x) + std::abs(moved.y), body))
+      warn("corner " + body.name + given.boundary + "|" + side.boundary, "Bodies->",
+           body.name, "->Boundary Conditions: '", given.boundary,
+           "' moves its corner with '", side.boundary, "', (", corner.x, ", ", corner.y,
+           "), by ", closing, " along the normal where the gap is ", gap,
+           ": through the obstacle; such a jump has no finite energy, and stresses there "
+           "grow with every level");
   };
   for (const bem::Edge& edge : body.outline->edges()) {
     const bem::Edge& next = body.outline->edge(edge.next);
-    compare(edge, next, -beside);
-    compare(next, edge, beside);
+    compare(edge, next, -1);
+    compare(next, edge, 1);
   }
 }
 
@@ -151,46 +178,72 @@ Force forceOf(const contact::Conditions::Neumann& traction, const bem::Mesh& mes
   return force;
 }
 
-/// Tractions that change between the points at which the first mesh takes them, one warning a
-/// boundary.
-void findNarrowLoads(const Body& body, std::vector<std::string>& warnings) {
+/// Tractions that change between the points at which a mesh takes them on one of a boundary's edges.
+void findNarrowLoad(const Body& body, const bem::Mesh& mesh, const std::string& boundary,
+                    const contact::Conditions::Neumann& traction, Warnings& warn) {
   constexpr double far = 0.1;
-  constexpr std::size_t points = 4096;  // of an edge, about
+  constexpr double points = 4096;  // of the boundary, about
   constexpr std::size_t order = 16;
-  if (body.conditions.neumann.empty())
-    return;
-  const bem::Mesh mesh = firstMesh(body);
   std::map<int, std::vector<int>> edges;
-  for (int e = 0; e < mesh.size(); ++e)
+  double whole = 0;
+  for (const int e : mesh.elementsOf(boundary)) {
     edges[mesh[e].piece.edge].push_back(e);
-  std::set<std::string> seen;
+    whole += mesh[e].half;
+  }
+  std::vector<std::pair<Force, Force>> forces;
+  double largest = 0;
   for (const auto& [edge, elements] : edges) {
-    const auto load = body.conditions.neumann.find(mesh.boundary(elements.front()));
-    if (load == body.conditions.neumann.end() || seen.count(load->first) > 0)
-      continue;
-    const auto pieces = static_cast<int>(points / order / elements.size()) + 2;
+    const double share = 0.5 * mesh.outline().edge(edge).curve.length() / whole;
+    const int pieces = 1 + static_cast<int>(share * points /
+                                            static_cast<double>(order * elements.size()));
     bem::Vector breaks;
     for (int k = 1; k < pieces; ++k)
       breaks.push_back(-1 + 2.0 * k / pieces);
-    Force used;
-    Force fine;
     try {
-      used = forceOf(load->second, mesh, elements, bem::gaussForGiven(body.degree));
-      fine = forceOf(load->second, mesh, elements, bem::piecewiseRule(breaks, order));
+      forces.emplace_back(
+          forceOf(traction, mesh, elements, bem::gaussForGiven(body.degree)),
+          forceOf(traction, mesh, elements, bem::piecewiseRule(breaks, order)));
     } catch (const bem::InputError&) {
       continue;
     }
-    if (norm(used.sum - fine.sum) <= far * std::max(used.size, fine.size))
-      continue;
-    seen.insert(load->first);
-    warnings.push_back(message(
-        "Bodies->", body.name, "->Boundary Conditions->", load->first,
-        ": the traction is narrower than its elements can see: on one edge they take a "
-        "force of (",
-        used.sum.x, ", ", used.sum.y, "), a finer rule finds (", fine.sum.x, ", ",
-        fine.sum.y,
-        "); use more elements there (Discretization), or a vertex where the load begins "
-        "and one where it ends"));
+    largest = std::max({largest, forces.back().first.size, forces.back().second.size});
+  }
+  for (const auto& [used, fine] : forces)
+    if (norm(used.sum - fine.sum) >
+        far * std::max({used.size, fine.size, 1e-6 * largest}))
+      warn("load " + body.name + boundary, "Bodies->", body.name,
+           "->Boundary Conditions->", boundary,
+           ": the traction is narrower than its elements can see: on one edge they take "
+           "a force of (",
+           used.sum.x, ", ", used.sum.y, "), a finer rule finds (", fine.sum.x, ", ",
+           fine.sum.y,
+           "); use more elements there (Discretization), or a vertex where the load "
+           "begins and one where it ends");
+}
+
+/// What a body's conditions at some time say that is probably not meant.
+void findInConditions(const Body& body, const contact::Conditions& conditions,
+                      Warnings& warn) {
+  findJumps(body, conditions, warn);
+  findPressedCorners(body, conditions, warn);
+  if (conditions.neumann.empty())
+    return;
+  const bem::Mesh mesh = firstMesh(body);
+  for (const auto& [boundary, traction] : conditions.neumann)
+    findNarrowLoad(body, mesh, boundary, traction, warn);
+}
+
+/// At the end of a path, and at some times before it.
+void findInConditions(const Scene& scene, Warnings& warn) {
+  for (const Body& body : scene.bodies)
+    findInConditions(body, body.conditions, warn);
+  constexpr std::size_t most = 12;
+  const std::vector<double>& times = scene.history.times;
+  const std::size_t stride = times.size() / most + 1;
+  for (std::size_t k = 0; k + 1 < times.size(); k += stride) {
+    const std::vector<contact::Conditions> now = scene.conditionsAt(times[k]);
+    for (std::size_t b = 0; b < now.size(); ++b)
+      findInConditions(scene.bodies[b], now[b], warn);
   }
 }
 
@@ -262,11 +315,8 @@ std::vector<std::string> warningsOf(const Scene& scene) {
           scene.outlineOf(pair.met), pair.met.boundary,
           "Bodies->" + scene.nameOf(pair.met) + "->Geometry, '" + pair.met.boundary + "'",
           warnings);
-  for (const Body& body : scene.bodies) {
-    findJumps(body, warnings);
-    findPressedCorners(body, warnings);
-    findNarrowLoads(body, warnings);
-  }
+  Warnings warn(warnings);
+  findInConditions(scene, warn);
   findUnused(scene, warnings);
   return warnings;
 }

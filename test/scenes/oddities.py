@@ -50,14 +50,20 @@ for sentence, setting, words in [
          "->top: the traction is narrower"),
         ("a side that is pushed through an obstacle at both of its corners",
          CONDITIONS + "side={Type=Dirichlet, Displacement X=0, Displacement Y=-0.01}",
-         "'side' moves its corner with 'foundation'")]:
-    code, text = epafi("check", scene("coulomb.xml"), "--set", setting)
+         "'side' moves its corner with 'foundation'"),
+        ("a load that is there half way along a path alone",
+         CONDITIONS + "top={Type=Neumann, Traction Y=-100*t*(1 - t)*(abs(x - 0.0612) < 0.001)}",
+         "->top: the traction is narrower")]:
+    code, text = epafi("check", scene("coulomb.xml"), "--set", setting,
+                       *(["--set", "History->Times={0.5, 1}"] if "t*(" in setting else []))
     warnings = [line for line in text.splitlines() if line.startswith("warning: ")]
     claim(code == 0 and len(warnings) == 1 and words in warnings[0], "%s: %s" % (sentence, warnings))
 for sentence, setting in [
         ("a wide one", CONDITIONS + "top={Type=Neumann, Traction Y=-100*(abs(x - 0.0612) < 0.07)}"),
         ("one that is pulled away", CONDITIONS +
-         "side={Type=Dirichlet, Displacement X=0, Displacement Y=0.01}")]:
+         "side={Type=Dirichlet, Displacement X=0, Displacement Y=0.01}"),
+        ("one that touches but for rounding", CONDITIONS +
+         "side={Type=Dirichlet, Displacement X=0, Displacement Y=-0.01*sin(pi)}")]:
     code, text = epafi("check", scene("coulomb.xml"), "--set", setting)
     claim(code == 0 and "warning" not in text, "%s is none: %s" % (sentence, text.splitlines()[-1]))
 code, warnings = told(scene("tilting-punch.xml"), "untouched", ["Contacts=",

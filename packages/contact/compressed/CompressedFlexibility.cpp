@@ -1,6 +1,5 @@
 #include "contact/compressed/CompressedFlexibility.hpp"
 
-#include "bem/base/Error.hpp"
 #include "contact/compressed/ReducedFlexibility.hpp"
 
 #include <algorithm>
@@ -141,14 +140,12 @@ const bem::CompressedFactor& CompressedFlexibility::eliminated(
     int number, const bem::Restriction& restriction) const {
   if (number == eliminated_)
     return *reduced_;
-  if (reduced_ == nullptr)
-    reduced_ = std::make_unique<bem::CompressedFactor>(*factor_);
-  try {
-    reduced_->update(restriction);
-  } catch (const bem::NumericalError&) {
-    release();  // half eliminated
-    throw;
-  }
+  // as long as it is between two systems, it is nobody's
+  auto reduced = reduced_ == nullptr ? std::make_unique<bem::CompressedFactor>(*factor_)
+                                     : std::move(reduced_);
+  release();
+  reduced->update(restriction);
+  reduced_ = std::move(reduced);
   eliminated_ = number;
   return *reduced_;
 }
