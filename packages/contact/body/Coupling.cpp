@@ -1,5 +1,6 @@
 #include "contact/body/Coupling.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/body/ElementCoupling.hpp"
 
@@ -232,6 +233,8 @@ Vector Coupling::pull(const bem::DenseAlgebra& algebra, const Vector& u) const {
   }
   for (const Entry& entry : trace)
     result[entry.column] += entry.value * u[entry.row];
+  if (rotation != nullptr)
+    bem::axpy(rotation->amount(u), traceOfRotation, result);
   return result;
 }
 
