@@ -1,5 +1,7 @@
 #include "bem/compressed/FacingOrder.hpp"
 
+#include "bem/compressed/Slices.hpp"
+
 #include <algorithm>
 #include <map>
 
@@ -52,6 +54,20 @@ class Zones {
     return order;
   }
 
+  /// Of elements in an order, what is met where its carriers are.
+  std::vector<Vec2> placesOf(const std::vector<ClusterPlace>& order) {
+    std::vector<Vec2> places;
+    for (const ClusterPlace& place : order) {
+      const Standing& standing = standings_[place.body][place.element];
+      const BodyElement at =
+          standing.zone < 0
+              ? BodyElement{place.body, place.element}
+              : BodyElement{bodies_[standing.zone], static_cast<int>(standing.place)};
+      places.push_back(spaces_[at.body]->mesh().physicalPoint(at.element, 0));
+    }
+    return places;
+  }
+
  private:
   Standing& of(const BodyElement& e) { return standings_[e.body][e.element]; }
   int loopOf(const BodyElement& e) const {
@@ -73,8 +89,10 @@ class Zones {
       if (of(now).zone < 0)
         return;
       const BodyElement before{now.body, now.element - 1};
-      if (now.element == 0 || of(before).zone < 0 || loopOf(before) != loopOf(now))
+      if (now.element == 0 || of(before).zone < 0 || loopOf(before) != loopOf(now)) {
         zones_.emplace_back();
+        bodies_.push_back(now.body);
+      }
       zones_.back().push_back(now);
       of(now) = {static_cast<int>(zones_.size()) - 1, static_cast<double>(now.element)};
     });
@@ -109,13 +127,16 @@ class Zones {
   const std::vector<Link>& links_;
   std::vector<std::vector<Standing>> standings_;
   std::vector<std::vector<BodyElement>> zones_;
+  std::vector<int> bodies_;  ///< of their carriers
 };
 
 }  // namespace
 
 std::vector<ClusterPlace> facingOrder(const std::vector<const Space*>& spaces,
                                       const std::vector<Link>& links) {
-  return Zones(spaces, links).order();
+  Zones zones(spaces, links);
+  const std::vector<ClusterPlace> order = zones.order();
+  return inSlices(spaces, order, zones.placesOf(order));
 }
 
 }  // namespace epafi::bem
