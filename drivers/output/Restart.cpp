@@ -154,7 +154,7 @@ void checkSizes(const Level& level, const Scene& scene) {
 
 /// Rows of the levels that the run goes on behind.
 std::string historyBehind(const Checkpoint& checkpoint) {
-  const std::string text = underHead(checkpoint.history, historyHead());
+  std::string text = underHead(checkpoint.history, historyHead());
   const int rows = checkpoint.level.number + (checkpoint.level.complete ? 1 : 0);
   if (std::count(text.begin(), text.end(), '\n') != rows + 1)
     throw InputError("has not one row of history.csv per level");

@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
+#include <utility>
 
 namespace epafi::drivers {
 
@@ -79,6 +81,41 @@ void add(int e, std::vector<int>& elements) {
     elements.insert(std::upper_bound(elements.begin(), elements.end(), e), e);
 }
 
+/// What a side's singular points are opposite to on the body that it meets.
+std::vector<adaptivity::Transition> oppositePoints(const Scene& scene,
+                                                   const ContactPair& pair,
+                                                   const PreparedMesh& prepared) {
+  const bem::Mesh& mesh = prepared.mesh;
+  const Scene::MetEdges met = scene.metEdges(pair);
+  std::vector<adaptivity::Transition> found;
+  for (const int e : mesh.elementsOf(pair.side.boundary)) {
+    bem::Vector places = prepared.singular.inside[e];
+    if (prepared.singular.at(mesh, e, false) == Singularity::Strong)
+      places.push_back(-1);
+    for (const double t : places)
+      if (const auto there = oppositeTo(scene, pair, mesh[e].curve, t, met.curves))
+        found.push_back(
+            {met.edges[there->curve], met.curves[there->curve].half() * (1 + there->t)});
+  }
+  return found;
+}
+
+/// Elements of a side and of the one that it meets, beside a singular point of the side.
+std::vector<std::pair<int, int>> facingPairs(const Scene& scene, const ContactPair& pair,
+                                             const PreparedMesh& side,
+                                             const bem::Mesh& met) {
+  const std::vector<int> numbers = met.elementsOf(pair.met.boundary);
+  std::vector<bem::Curve> curves;
+  std::transform(numbers.begin(), numbers.end(), std::back_inserter(curves),
+                 [&](int e) { return met[e].curve; });
+  std::vector<std::pair<int, int>> pairs;
+  for (const int e : side.mesh.elementsOf(pair.side.boundary))
+    for (const double t : besideSingular(side, e))
+      if (const auto there = oppositeTo(scene, pair, side.mesh[e].curve, t, curves))
+        pairs.emplace_back(e, numbers[there->curve]);
+  return pairs;
+}
+
 }  // namespace
 
 void shareSingularPoints(const Scene& scene, std::vector<PreparedMesh>& prepared) {
@@ -90,19 +127,8 @@ void shareSingularPoints(const Scene& scene, std::vector<PreparedMesh>& prepared
     if (pair.met.rigid)
       continue;
     markEnds(pair, scene.bodies[pair.side.body].conditions, prepared[pair.side.body]);
-    const bem::Mesh& mesh = prepared[pair.side.body].mesh;
-    const adaptivity::SingularPoints& singular = prepared[pair.side.body].singular;
-    const Scene::MetEdges met = scene.metEdges(pair);
-    for (const int e : mesh.elementsOf(pair.side.boundary)) {
-      bem::Vector places = singular.inside[e];
-      if (singular.at(mesh, e, false) == Singularity::Strong)
-        places.push_back(-1);
-      for (const double t : places)
-        if (const auto there = oppositeTo(scene, pair, mesh[e].curve, t, met.curves))
-          found[pair.met.body].push_back(
-              {met.edges[there->curve],
-               met.curves[there->curve].half() * (1 + there->t)});
-    }
+    const auto points = oppositePoints(scene, pair, prepared[pair.side.body]);
+    found[pair.met.body].insert(found[pair.met.body].end(), points.begin(), points.end());
   }
   for (std::size_t b = 0; b < prepared.size(); ++b)
     if (!found[b].empty())
@@ -122,21 +148,12 @@ std::vector<std::vector<int>> withFacing(const Scene& scene,
     const std::size_t b = pair.met.body;
     const bem::Mesh& side = prepared[a].mesh;
     const bem::Mesh& met = prepared[b].mesh;
-    const std::vector<int> numbers = met.elementsOf(pair.met.boundary);
-    std::vector<bem::Curve> curves;
-    for (const int e : numbers)
-      curves.push_back(met[e].curve);
-    for (const int e : side.elementsOf(pair.side.boundary))
-      for (const double t : besideSingular(prepared[a], e)) {
-        const auto there = oppositeTo(scene, pair, side[e].curve, t, curves);
-        if (!there)
-          continue;
-        const int facing = numbers[there->curve];
-        if (has(chosen[a], e) && met[facing].half > shortest * side[e].half)
-          add(facing, worst[b]);
-        if (has(chosen[b], facing) && side[e].half > shortest * met[facing].half)
-          add(e, worst[a]);
-      }
+    for (const auto& [e, facing] : facingPairs(scene, pair, prepared[a], met)) {
+      if (has(chosen[a], e) && met[facing].half > shortest * side[e].half)
+        add(facing, worst[b]);
+      if (has(chosen[b], facing) && side[e].half > shortest * met[facing].half)
+        add(e, worst[a]);
+    }
   }
   return worst;
 }
