@@ -17,9 +17,9 @@ namespace {
 constexpr double mostGraded = 1e6;
 
 // Square of the diameter over the area: displacements of compressed levels agree with dense ones to
-// 1e-9 of the largest up to here, to 2e-8 on a beam of 1 : 30, to 5e-2 on one of 1 : 100: bending
+// 1e-9 of the largest up to here, to 2e-8 on a beam of 1 : 100, to 1e-6 on one of 1 : 300: bending
 // multiplies what the compression leaves out.
-constexpr double mostSlender = 16;
+constexpr double mostSlender = 32;
 constexpr const char* fewerDigits =
     "a body is slender, and its displacements lose digits by compressed operators; "
     "Solver->Linear->Method = Dense keeps them, Compression Tolerance = 1e-13 most";

@@ -5,6 +5,7 @@
 #include "bem/operators/ExactRotation.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
+#include "contact/solve/DefectCorrection.hpp"
 #include "contact/system/ContactSystem.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/run/BodySpaces.hpp"
@@ -167,20 +168,24 @@ Attempt solvePath(const Ground& ground, const contact::ContactSystem& atZero,
 Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
                   const LevelStart& from, const NewLevel& begun) {
   PhaseTimer& timer = begun.timer;
+  const bem::DenseAlgebra& algebra = ground.stiffness.front().algebra();
   const Solved outcome = timer.run(Phase::Newton, [&] {
     return solve(ground.scene, system, ground.spaces,
-                 system.joined(from.start, from.rigid),
-                 ground.stiffness.front().algebra());
+                 system.joined(from.start, from.rigid), algebra);
   });
-  system.numbers().flexibility.release();  // estimates take as much
   const contact::Report& report = outcome.solution.report;
   if (begun.plan.denseInstead && !report.converged())
     return outcome.reason;
+  contact::Configuration at = timer.run(Phase::Newton, [&] {
+    return report.converged()
+               ? contact::corrected(system, outcome.solution.state, algebra)
+               : system.configuration(outcome.solution.state);
+  });
+  system.numbers().flexibility.release();  // estimates take as much
   std::vector<contact::Conditions> conditions;
   for (const Body& body : ground.scene.bodies)
     conditions.push_back(body.conditions);
-  const SolvedBodies solved(ground, system, conditions,
-                            system.configuration(outcome.solution.state));
+  const SolvedBodies solved(ground, system, conditions, std::move(at));
   Level level = solved.level(ground.level);
   level.status = report.status;
   level.reason = outcome.reason;
@@ -192,19 +197,27 @@ Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
   return level;
 }
 
-/// A level's operators, its system and its solution.
-Attempt solveLevel(const Scene& scene, const BodySpaces& spaces,
-                   const std::vector<bem::Lame>& lames, const bem::DenseAlgebra& algebra,
-                   const bem::SingleLayerSolver* krylov, const LevelStart& from,
-                   const NewLevel& begun) {
-  const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
+/// The operators of all bodies as they are planned, ready to solve with.
+std::vector<bem::SteklovPoincare> stiffnessesOf(const Scene& scene,
+                                                const BodySpaces& spaces,
+                                                const std::vector<bem::Lame>& lames,
+                                                const bem::DenseAlgebra& algebra,
+                                                const bem::SingleLayerSolver* krylov,
+                                                const NewLevel& begun) {
   const bem::Units units = scene.units();
   const std::size_t count = spaces.size();
-  const bool compressed = begun.plan.compressed;
-  PhaseTimer& timer = begun.timer;
-  auto operators = timer.run(Phase::Assembly, [&] {
+  if (begun.plan.compressed)
+    return begun.timer.run(Phase::Factorization, [&] {
+      std::vector<contact::CompressedInput> bodies;
+      for (std::size_t b = 0; b < count; ++b)
+        bodies.push_back(
+            {spaces.space(b), spaces.multiplier(b), lames[b], spaces.opposite(b).get()});
+      return contact::makeCompressedStiffness(bodies, scene.stabilization, units, algebra,
+                                              scene.linear.compression);
+    });
+  auto operators = begun.timer.run(Phase::Assembly, [&] {
     std::vector<bem::Operators> all;
-    for (std::size_t b = 0; b < count && !compressed; ++b)
+    for (std::size_t b = 0; b < count; ++b)
       all.push_back(bem::withExactRotation(
           bem::assembleOperators(
               spaces.space(b), lames[b], algebra,
@@ -212,16 +225,8 @@ Attempt solveLevel(const Scene& scene, const BodySpaces& spaces,
           spaces.space(b), algebra));
     return all;
   });
-  const auto stiffness = timer.run(Phase::Factorization, [&] {
+  return begun.timer.run(Phase::Factorization, [&] {
     std::vector<bem::SteklovPoincare> all;
-    if (compressed) {
-      std::vector<contact::CompressedInput> bodies;
-      for (std::size_t b = 0; b < count; ++b)
-        bodies.push_back(
-            {spaces.space(b), spaces.multiplier(b), lames[b], spaces.opposite(b).get()});
-      return contact::makeCompressedStiffness(bodies, scene.stabilization, units, algebra,
-                                              scene.linear.compression);
-    }
     for (std::size_t b = 0; b < count; ++b)
       all.push_back(
           stiffnessOf(std::move(operators[b]), algebra, krylov,
@@ -229,14 +234,23 @@ Attempt solveLevel(const Scene& scene, const BodySpaces& spaces,
                                                  scene.stabilization, lames[b], units)));
     return all;
   });
+}
+
+/// A level's operators, its system and its solution.
+Attempt solveLevel(const Scene& scene, const BodySpaces& spaces,
+                   const std::vector<bem::Lame>& lames, const bem::DenseAlgebra& algebra,
+                   const bem::SingleLayerSolver* krylov, const LevelStart& from,
+                   const NewLevel& begun) {
+  const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
+  const auto stiffness = stiffnessesOf(scene, spaces, lames, algebra, krylov, begun);
   const Ground ground{scene, from.level, spaces, lames, stiffness};
   // a path starts with the conditions at t = 0
   const std::vector<contact::Conditions> first =
       scene.history ? scene.conditionsAt(0) : std::vector<contact::Conditions>();
-  const auto system = timer.run(Phase::Stabilization, [&] {
+  const auto system = begun.timer.run(Phase::Stabilization, [&] {
     std::vector<contact::ContactProblem::Input> inputs;
-    for (std::size_t b = 0; b < count; ++b)
-      inputs.push_back({spaces.space(b), stiffness[b], lames[b], units,
+    for (std::size_t b = 0; b < spaces.size(); ++b)
+      inputs.push_back({spaces.space(b), stiffness[b], lames[b], scene.units(),
                         scene.history ? first[b] : scene.bodies[b].conditions, basis,
                         scene.stabilization, spaces.opposite(b),
                         formedUpTo(scene.history.steps())});

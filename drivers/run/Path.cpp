@@ -1,9 +1,12 @@
 #include "drivers/run/Path.hpp"
 
 #include "bem/base/Error.hpp"
+#include "contact/solve/DefectCorrection.hpp"
 #include "drivers/run/Solver.hpp"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace epafi::drivers {
@@ -71,7 +74,7 @@ class Follower {
     now->conditions = ground_.scene.conditionsAt(next);
     now->system = std::make_unique<const contact::ContactSystem>(
         atZero_.under({now->conditions, ground_.scene.drivesAt(next), memory_.slip(),
-                       memory_.largestLoad(), responses_}));
+                       memory_.defect(), memory_.largestLoad(), responses_}));
     if (isKnown) {
       const PathPoint& point = earlier_[path_.points.size()];
       solved.state = point.state;
@@ -88,8 +91,14 @@ class Follower {
     report() = contact::joined(solved.report, report());
     path_.reason = attempt.reason;
     const bool converged = solved.report.converged();
-    latestAt_ = now->system->configuration(
-        solved.state.multiplier.empty() ? prediction_.last() : std::move(solved.state));
+    if (solved.state.multiplier.empty())
+      solved.state = prediction_.last();
+    latestAt_ = timer_.run(Phase::Newton, [&] {
+      return converged && !isKnown
+                 ? contact::corrected(*now->system, solved.state,
+                                      ground_.stiffness.front().algebra())
+                 : now->system->configuration(solved.state);
+    });
     if (converged) {
       ++row_.parts;
       memory_.add(*now->system, latestAt_);
@@ -122,16 +131,27 @@ class Follower {
     row_.energyOutside = energy * memory_.outside();
     row_.energyStabilisation = energy * (stored - strain);
     row_.energyError = energy * memory_.imbalance(stored);
+    row_.rigid = step.solved->rigidRows();
+    std::map<std::string, int> uses;  // of a name
+    for (const RigidRow& body : row_.rigid)
+      ++uses[body.name];
+    std::vector<std::map<std::string, contact::Summary>> contacts;
+    for (const contact::Solved& body : step.solved->bodies()) {
+      contacts.push_back(contact::summarizeContacts(body));
+      for (const auto& [name, summary] : contacts.back())
+        ++uses[name];
+    }
     for (std::size_t b = 0; b < system.size(); ++b) {
       step.frictionWork.push_back(
           system.numbering().tangentialsOf(b, memory_.frictionWork()));
       auto work = contact::frictionWorkOfContacts(system.body(b).multiplier(),
                                                   step.frictionWork[b]);
-      for (const auto& [name, summary] :
-           contact::summarizeContacts(step.solved->bodies()[b]))
-        row_.contacts.push_back({name, summary, energy * work[name]});
+      for (const auto& [name, summary] : contacts[b]) {
+        const std::string& body = ground_.scene.bodies[b].name;
+        row_.contacts.push_back(
+            {uses[name] > 1 ? body + ":" + name : name, summary, energy * work[name]});
+      }
     }
-    row_.rigid = step.solved->rigidRows();
     if (ground_.scene.hasSeveral())
       row_.bodies = contact::summarizeAll(step.solved->bodies());
     step.row = row_;

@@ -112,7 +112,7 @@ Result follow(Form form, int steps) {
   for (int k = 1; k <= steps; ++k) {
     const auto now = alone(conditionsAt(4.0 * k / steps));
     const contact::ContactSystem step =
-        problem.under({now, {}, memory.slip(), memory.largestLoad()});
+        problem.under({now, {}, memory.slip(), memory.defect(), memory.largestLoad()});
     const contact::Solution solution = test::solve(step.numbers(), state);
     result.converged =
         result.converged && solution.report.status == contact::Status::Converged;
@@ -138,7 +138,7 @@ TEUCHOS_UNIT_TEST(Path, aStepUnderTheFirstConditionsIsTheFirstProblem) {
     const Square square(form, 2, bulge);
     const contact::ContactSystem& problem = square.problem;
     const auto same = alone(conditionsAt(2));
-    const contact::ContactSystem step = problem.under({same, {}, {}, 0});
+    const contact::ContactSystem step = problem.under({same, {}, {}, {}, 0});
     const contact::Problem& a = problem.numbers();
     const contact::Problem& b = step.numbers();
     TEST_EQUALITY(a.offset.size(), b.offset.size());
@@ -196,7 +196,7 @@ TEUCHOS_UNIT_TEST(Path, aStepBeginsOnTheLineThroughTheLastTwo) {
   for (const double t : {1.0, 1.5, 4.0, 2.0}) {
     const auto now = alone(inProportion(t));
     const contact::ContactSystem step =
-        problem.under({now, {}, memory.slip(), memory.largestLoad()});
+        problem.under({now, {}, memory.slip(), memory.defect(), memory.largestLoad()});
     const State start = prediction.start(step);
     if (t == 1) {
       TEST_ASSERT(start.multiplier.empty());
@@ -225,9 +225,9 @@ TEUCHOS_UNIT_TEST(Path, theIncrementLeadsFromTheStepBeforeToThisOne) {
   const State state = test::solve(first.numbers(), {}).state;
   memory.add(first, first.configuration(state));
   const contact::ContactSystem last =
-      system.under({before, {}, memory.slip(), memory.largestLoad()});
+      system.under({before, {}, memory.slip(), memory.defect(), memory.largestLoad()});
   const contact::ContactSystem step =
-      system.under({now, {}, memory.slip(), memory.largestLoad()});
+      system.under({now, {}, memory.slip(), memory.defect(), memory.largestLoad()});
   const contact::ProblemFamily family(step.numbers(), step.gap(), last.numbers());
   TEST_ASSERT(family.isStep());
 

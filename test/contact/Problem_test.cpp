@@ -40,7 +40,7 @@ Vector shears(const std::vector<double>& pulls) {
   for (const double pull : pulls) {
     const Problem total = pressedPoint(pull);
     state = solve(withSlipBefore(total, slipBefore), state, {}).state;
-    slipBefore = slip(total, state);
+    slipBefore = test::slip(total, state);
     result.push_back(state.multiplier[1]);
   }
   return result;
@@ -79,7 +79,7 @@ TEUCHOS_UNIT_TEST(Path, frictionDoesNoNegativeWork) {
     for (std::size_t i = 0; i < before.size(); ++i)
       total.offset[12 + i] *= factor;
     state = solve(withSlipBefore(total, before), state, {}).state;
-    const Vector after = slip(total, state);
+    const Vector after = test::slip(total, state);
     for (std::size_t t = 0; t < before.size(); ++t)
       TEST_COMPARE(state.multiplier[12 + t] * (after[t] - before[t]), >=, -1e-12);
     before = after;

@@ -30,4 +30,11 @@ inline contact::Solution solve(const contact::Problem& problem,
                      : solveInLoadSteps(*solver, problem, gap, start, options.loadSteps);
 }
 
+/// rₜ at a state: the slip weighted by the multiplier's functions, stabilisation included.
+inline contact::Vector slip(const contact::Problem& problem,
+                            const contact::State& state) {
+  const contact::Vector r = contact::penetration(problem, state);
+  return {r.begin() + problem.normals, r.end()};
+}
+
 }  // namespace epafi::test

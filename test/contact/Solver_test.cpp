@@ -154,7 +154,7 @@ TEUCHOS_UNIT_TEST(Solver, holdsBondedPlacesWhateverTheirForce) {
         const Solution solution = solve(problem, {}, options);
         TEST_ASSERT(solution.report.status == Status::Converged);
         TEST_COMPARE(reference::violation(problem, solution.state), <, 1e-9);
-        const Vector slip = contact::slip(problem, solution.state);
+        const Vector slip = test::slip(problem, solution.state);
         for (std::size_t t = 0; t < slip.size(); t += 3) {
           const Index i = problem.normals + static_cast<Index>(t);
           TEST_COMPARE(std::abs(slip[t]), <, 1e-9 * problem.flexibility(i, i));

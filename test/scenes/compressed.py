@@ -67,7 +67,7 @@ def chosen(name, file, elements, settings):
 
 claim(chosen("small", "coulomb.xml", [64] * 4, DENSITY)[0] == "dense", "small levels are dense")
 claim(chosen("large", "coulomb.xml", [256] * 4, DENSITY)[0] == "compressed", "large ones are compressed")
-THIN = "Bodies->block->Geometry->Vertices=4x2:{-0.5,-0.5, 0.5,-0.5, 0.5,-0.45, -0.5,-0.45}"
+THIN = "Bodies->block->Geometry->Vertices=4x2:{-0.5,-0.5, 0.5,-0.5, 0.5,-0.48, -0.5,-0.48}"
 claim(chosen("slender", "coulomb.xml", [460, 52, 460, 52], [*DENSITY, THIN])[0] == "dense",
       "but dense where the body is slender, whose displacements would lose digits")
 claim("slender" in chosen("told", "coulomb.xml", [64, 8, 64, 8],

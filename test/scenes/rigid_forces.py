@@ -92,6 +92,18 @@ claim(all(abs(row["punch.force_y"] + P) < 1e-18 and row["punch.force_x"] == 0
           for row in rows(folder)), "steps.csv has the force on the punch")
 claim(balance(folder) < 1e-10, "block and punch balance, %.1e" % balance(folder))
 
+# a contact that is named like a rigid body
+with open(SCENE) as stream:
+    text = stream.read()
+named = os.path.join(WORK, "named.xml")
+with open(named, "w") as stream:
+    stream.write(text.replace('"face"', '"punch"'))
+folder = solve("named", file=named, settings=["Adaptivity->Strategy=None"])
+with open(os.path.join(folder, "steps.csv")) as stream:
+    head = stream.readline().strip().split(",")
+claim(len(set(head)) == len(head) and "block:punch.force_y" in head and "punch.force_y" in head,
+      "a contact named like the punch has its body's name before it in steps.csv")
+
 # one load, no path
 ONE = ["History->Times={1}", "History->Steps={1}", MOTION + "Force Y=-0.001", MOTION + "Moment=-0.0004"]
 once = solve("one step", settings=ONE)

@@ -66,7 +66,8 @@ double slenderness(const Mesh& mesh) {
       area += 0.5 * (from.x * to.y - from.y * to.x);
     }
   }
-  return perimeter * perimeter / area;
+  // a coarse polygon of a thin ring may have none
+  return area > 0 ? perimeter * perimeter / area : stocky;
 }
 
 std::vector<ClusterPlace> inSlices(const std::vector<const Space*>& spaces,

@@ -108,6 +108,11 @@ class Coupled final : public StabilisedBody {
     return coupling_.push(algebra_, multiplier);
   }
   Vector pull(const Vector& u) const override { return coupling_.pull(algebra_, u); }
+  Vector contactTerms(const Vector& u, const Vector& multiplier) const override {
+    Vector terms = pull(u);
+    bem::axpy(-1, coupling_.massTimes(multiplier), terms);
+    return terms;
+  }
   Matrix multiplierMass() const override { return coupling_.multiplierMass(); }
   double multiplierWork(const Vector& multiplier) const override {
     return coupling_.multiplierWork(multiplier);

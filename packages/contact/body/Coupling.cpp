@@ -27,6 +27,14 @@ std::shared_ptr<const bem::TractionRows> noTractions(const MultiplierSpace& mult
       bem::TractionRows{{}, std::vector<Index>(multiplier.elements().size() + 1, 0)});
 }
 
+double product(const double* a, const double* b, Index size) {
+  double sum = 0;
+#pragma omp simd reduction(+ : sum)
+  for (Index i = 0; i < size; ++i)
+    sum += a[i] * b[i];
+  return sum;
+}
+
 /// Where the densities of each contact element begin among all of them.
 std::vector<Index> densityStarts(const bem::Space& space,
                                  const MultiplierSpace& multiplier) {
@@ -111,16 +119,15 @@ void Coupling::weaken(double factor) {
     g *= factor;
 }
 
+Vector timesSymmetric(const Matrix& symmetric, const Vector& w) {
+  Vector result;
+  for (Index j = 0; j < symmetric.columns(); ++j)
+    result.push_back(product(symmetric.column(j), w.data(), symmetric.rows()));
+  return result;
+}
+
 double quadratic(const Matrix& symmetric, const Vector& w) {
-  double sum = 0;
-  for (Index j = 0; j < symmetric.columns(); ++j) {
-    const double* column = symmetric.column(j);
-    double inner = 0;
-    for (Index i = 0; i < symmetric.rows() && w[j] != 0; ++i)
-      inner += column[i] * w[i];
-    sum += w[j] * inner;
-  }
-  return sum;
+  return bem::dot(w, timesSymmetric(symmetric, w));
 }
 
 Matrix Coupling::multiplierMass() const {
@@ -141,12 +148,20 @@ Matrix Coupling::multiplierMass() const {
   return result;
 }
 
-double Coupling::multiplierWork(const Vector& lambda) const {
-  double work = 0;
+Vector Coupling::massTimes(const Vector& lambda) const {
+  Vector result(multipliers);
   for (const Entry& entry : mass)
-    work += lambda[entry.row] * entry.value * lambda[entry.column];
-  return response == nullptr ? work
-                             : work - quadratic(response->density, weighted(lambda));
+    result[entry.row] += entry.value * lambda[entry.column];
+  if (response == nullptr)
+    return result;
+  const Vector taken = timesSymmetric(response->density, weighted(lambda));
+  for (const Entry& entry : weights)
+    result[entry.column] -= entry.value * taken[entry.row];
+  return result;
+}
+
+double Coupling::multiplierWork(const Vector& lambda) const {
+  return bem::dot(lambda, massTimes(lambda));
 }
 
 double Coupling::complianceWork(const Vector& density) const {
@@ -222,11 +237,8 @@ Vector Coupling::pull(const bem::DenseAlgebra& algebra, const Vector& u) const {
   if (!weights.empty()) {
     const Rows mine = algebra.myRows(unknowns);
     Vector tractionOf(columns->columns());  // Rᵀ u
-    for (Index k = 0; k < columns->columns(); ++k) {
-      const double* traction = columns->column(k);
-      for (Index j = 0; j < mine.size(); ++j)
-        tractionOf[k] += traction[j] * u[j + mine.begin];
-    }
+    for (Index k = 0; k < columns->columns(); ++k)
+      tractionOf[k] = product(columns->column(k), u.data() + mine.begin, mine.size());
     tractionOf = algebra.sum(std::move(tractionOf));
     for (const Entry& entry : weights)
       result[entry.column] -= entry.value * tractionOf[entry.row];

@@ -48,7 +48,8 @@ struct Coupling {
 
   /// M, whole; with Density less Nᵀ X N.
   Matrix multiplierMass() const;
-  /// λᵀ M λ, without forming M.
+  /// M λ and λᵀ M λ, without forming M.
+  Vector massTimes(const Vector& lambda) const;
   double multiplierWork(const Vector& lambda) const;
   /// ψᵀ G ψ, all that V + G has beyond V.
   double complianceWork(const Vector& density) const;
@@ -71,7 +72,8 @@ struct Coupling {
   Matrix stabilisationHalf(Index first, Index last) const;
 };
 
-/// wᵀ X w.
+/// X w and wᵀ X w of a symmetric X.
+Vector timesSymmetric(const Matrix& symmetric, const Vector& w);
 double quadratic(const Matrix& symmetric, const Vector& w);
 
 Coupling makeCoupling(const BodyInput& input, const MultiplierSpace& multiplier);

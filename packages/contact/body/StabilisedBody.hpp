@@ -46,6 +46,8 @@ class StabilisedBody {
   virtual Vector push(const Vector& multiplier) const = 0;
   /// C u of a replicated displacement, replicated.
   virtual Vector pull(const Vector& u) const = 0;
+  /// C u - M λ, replicated.
+  virtual Vector contactTerms(const Vector& u, const Vector& multiplier) const = 0;
   virtual Matrix multiplierMass() const = 0;                          ///< M, whole
   virtual double multiplierWork(const Vector& multiplier) const = 0;  ///< λᵀ M λ
   /// ψ of the displacement and the multiplier.

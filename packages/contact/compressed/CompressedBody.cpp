@@ -68,6 +68,15 @@ class CompressedBody final : public StabilisedBody {
     return compressed_.pull(x.data());
   }
 
+  // Ĉ (u, ψ) less the local part of M: what ψ has of λ is the rest
+  Vector contactTerms(const Vector& u, const Vector& multiplier) const override {
+    const Matrix x = placed(u, byDensity() ? density(u, multiplier) : Vector());
+    Vector terms = compressed_.pull(x.data());
+    for (const Coupling::Entry& entry : compressed_.mass)
+      terms[at(entry.row)] -= entry.value * multiplier[at(entry.column)];
+    return terms;
+  }
+
   Matrix multiplierMass() const override { return coupling_.multiplierMass(); }
   double multiplierWork(const Vector& multiplier) const override {
     const double work = coupling_.multiplierWork(multiplier);

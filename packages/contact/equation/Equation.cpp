@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -88,11 +89,24 @@ Evaluation Equation::at(Vector unknowns) const {
     e.penetration.push_back(entry(weights_, i) * r);
     entry(magnitude, i) *= entry(weights_, i);
   }
+  complete(e, magnitude);
+  return e;
+}
+
+Evaluation Equation::at(Vector unknowns, const Vector& penetration) const {
+  Evaluation e;
+  e.unknowns = std::move(unknowns);
+  std::transform(weights_.begin(), weights_.end(), penetration.begin(),
+                 std::back_inserter(e.penetration), std::multiplies<>());
+  complete(e, Vector(penetration.size()));
+  return e;
+}
+
+void Equation::complete(Evaluation& e, const Vector& magnitude) const {
   e.bounds = problem_.slipBounds(e.unknowns);
   e.linear.stepBounds = stepBounds(e, problem_.tangentials);
   evaluateRows(e);
   measure(e, magnitude);
-  return e;
 }
 
 // With active sets the bound follows the sets of normal coefficients, not their signs: a

@@ -71,6 +71,8 @@ class Equation {
   Index size() const { return problem_.size() + problem_.rigidMotions(); }
 
   Evaluation at(Vector unknowns) const;
+  /// Where r is known by another way than D, whose rounding is no part of the floor.
+  Evaluation at(Vector unknowns, const Vector& penetration) const;
 
   /// The rows' bounds at a point; `tangentials` are the problem's, or of other strengths.
   /// With active sets a bound follows the sets of normal coefficients: s(λₙ) of those
@@ -88,6 +90,8 @@ class Equation {
   Vector projected(const Evaluation& e) const;
 
  private:
+  /// All else from unknowns and penetration.
+  void complete(Evaluation& e, const Vector& magnitude) const;
   Complementarity::Value tangentialRow(const Evaluation& e, Index t) const;
   void evaluateRows(Evaluation& e) const;
   void measure(Evaluation& e, const Vector& magnitude) const;

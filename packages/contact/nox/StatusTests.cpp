@@ -12,7 +12,9 @@ namespace epafi::contact {
 namespace {
 
 constexpr double growthLimit = 1e6;
-constexpr double hasFallen = 0.999;       // a cycle repeats its residual up to rounding
+constexpr double mostRounding = 1e-8;  // of products with slender bodies' D in a tree
+constexpr double isLeft = 0.5;         // of the residual, by a step that solves nothing
+constexpr double hasFallen = 0.999;    // a cycle repeats its residual up to rounding
 constexpr std::size_t patientSteps = 12;  // without progress
 constexpr int many = 16;                  // changes of sets that are settling as a whole
 constexpr std::size_t memory = 4;         // steps looked at for restless coefficients
@@ -84,6 +86,12 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
     status_ = NOX::StatusTest::Converged;
   } else {
     const ActiveSet linear = linearProblem(e);
+    if (point->equation().hasActiveSets() && isRounding(linear, e.scaled)) {
+      run_.end = End::Converged;
+      run_.tolerance = e.scaled;
+      return status_ = NOX::StatusTest::Converged;
+    }
+    last_ = linear;
     const auto before = seen_.find(linear);
     const bool cycles = before != seen_.end() && e.scaled >= hasFallen * before->second &&
                         --patience_ <= 0;
@@ -94,6 +102,10 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
     seen_[linear] = e.scaled;
   }
   return status_;
+}
+
+bool StepTest::isRounding(const ActiveSet& linear, double scaled) const {
+  return linear == last_ && scaled <= mostRounding && scaled >= isLeft * seen_.at(linear);
 }
 
 std::ostream& StepTest::print(std::ostream& stream, int indent) const {

@@ -13,7 +13,9 @@ namespace epafi::contact {
 
 /// Decides after each step whether to go on, and keeps the history that a report needs.
 ///
-/// Converged: by the scaled residual alone, never because a set of states came back.
+/// Converged: by the scaled residual, or where a step on the same sets, which solves a linear
+/// problem, leaves it as it was: then it is what D rounds by. Never because a set of states
+/// came back later.
 /// Failed: a set came back although the residual has not fallen since (the classical
 /// cycle of active sets), the residual grew a million times, or it is no number.
 class StepTest final : public NOX::StatusTest::Generic {
@@ -37,7 +39,10 @@ class StepTest final : public NOX::StatusTest::Generic {
   int patience_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
   NewtonRun run_;
+  bool isRounding(const ActiveSet& linear, double scaled) const;
+
   std::vector<ActiveSet> sets_;
+  ActiveSet last_;  ///< the linear problem of the step before
   std::map<ActiveSet, double>
       seen_;  // a linear problem, and the residual when it was last seen
   double first_ = 0;

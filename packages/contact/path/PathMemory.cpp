@@ -85,7 +85,7 @@ PathMemory::PathMemory(const ContactSystem& atZero)
 void PathMemory::add(const ContactSystem& step, const Configuration& at) {
   const Problem& problem = step.numbers();
   const std::size_t normals = problem.normals;
-  const Vector increment = contact::slip(problem, at.state);
+  const Vector increment(at.penetration.begin() + problem.normals, at.penetration.end());
   const ContactState states = classify(problem, at.state);
   for (std::size_t t = 0; t < increment.size(); ++t) {
     const double shear = at.state.multiplier[normals + t];
@@ -101,7 +101,8 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
       trapezoid(forces, forces_, motions, motions_, motions.size()) -
       trapezoid(at.state.multiplier, multiplier_, step.gap(), gap_, normals) -
       trapezoid(at.state.multiplier, multiplier_, step.jump(), jump_, jump_.size());
-  slip_ = step.slipSoFar(at.state);
+  slip_ = step.slipSoFar(at);
+  defect_ = step.defect(at);
   largestLoad_ = std::max(largestLoad_, step.loadSize());
   multiplier_ = at.state.multiplier;
   motions_ = std::move(motions);

@@ -23,10 +23,11 @@ class PathMemory {
   /// \param atZero the problem at t = 0, for the gaps to begin with
   explicit PathMemory(const ContactSystem& atZero);
 
-  /// Adds a solved step.  \pre the step was told slip() and largestLoad().
+  /// Adds a solved step.  \pre the step was told slip(), defect() and largestLoad().
   void add(const ContactSystem& step, const Configuration& at);
 
-  const Vector& slip() const { return slip_; }  ///< rₜ, see ContactSystem::Step
+  const Vector& slip() const { return slip_; }      ///< rₜ, see ContactSystem::Step
+  const Vector& defect() const { return defect_; }  ///< likewise
   double largestLoad() const { return largestLoad_; }
 
   /// Friction's work so far, one number per tangential coefficient, none ever falls.
@@ -41,6 +42,7 @@ class PathMemory {
 
  private:
   Vector slip_;
+  Vector defect_;
   Vector friction_;
   double trapezoidal_ = 0;
   double outside_ = 0;

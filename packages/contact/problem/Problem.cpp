@@ -80,16 +80,12 @@ Problem withSlipBounds(const Problem& problem, const Vector& bounds) {
   return fixed;
 }
 
-Vector slip(const Problem& problem, const State& state) {
-  const Vector dLambda = problem.flexibility.times(state.multiplier);
-  Vector result;
-  for (Index i = problem.normals; i < problem.size(); ++i) {
-    double r = problem.offset[at(i)] - dLambda[at(i)];
-    for (Index j = 0; j < problem.rigidMotions(); ++j)
-      r += problem.rigid(i, j) * state.rigid[at(j)];
-    result.push_back(r);
-  }
-  return result;
+Vector penetration(const Problem& problem, const State& state) {
+  Vector r = problem.offset;
+  bem::axpy(-1, problem.flexibility.times(state.multiplier), r);
+  for (Index j = 0; j < problem.rigidMotions(); ++j)
+    bem::axpy(state.rigid[at(j)], columnOf(problem.rigid, j), r);
+  return r;
 }
 
 Problem withSlipBefore(const Problem& problem, const Vector& slipBefore) {

@@ -60,8 +60,8 @@ struct State {
 /// The same problem with slip bounds given by value: a Tresca problem.
 Problem withSlipBounds(const Problem& problem, const Vector& bounds);
 
-/// rₜ at a state: the slip weighted by the multiplier's functions, stabilisation included.
-Vector slip(const Problem& problem, const State& state);
+/// r at a state.
+Vector penetration(const Problem& problem, const State& state);
 
 /// One step of a path: friction sees only what is added to an earlier slip, Δrₜ = rₜ -
 /// rₜ⁰ in place of rₜ, all else the whole displacement.  Both slips carry the

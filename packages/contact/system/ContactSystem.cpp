@@ -21,6 +21,7 @@ struct ContactSystem::Parts {
   Vector gap{};
   Vector jump{};
   Vector slipBefore{};
+  Vector defectBefore{};
   std::vector<LoadResponses> toLoads{};
 
   std::size_t size() const { return bodies.size(); }
@@ -83,7 +84,7 @@ struct ContactSystem::Parts {
     finish();
   }
 
-  /// Gaps, given motions and forces of bodies that do not deform, bounds and scales.
+  /// Gaps, jumps, given motions and forces of bodies that do not deform, bounds and scales.
   void finish() {
     gap.assign(numbering.normals(), 0.0);
     jump.assign(numbering.size(), 0.0);
@@ -94,15 +95,21 @@ struct ContactSystem::Parts {
       for (Index i = 0; i < numbering.sizeOf(b); ++i) {
         const Index k = numbering(b, i);
         jump[k] = own.obstacle.jump[i];
-        numbers.offset[k] -= jump[k];
-        if (i >= numbering.normalsOf(b))
-          continue;
-        gap[k] = own.obstacle.gap[i];
-        numbers.offset[k] -= gap[k];
+        if (i < numbering.normalsOf(b))
+          gap[k] = own.obstacle.gap[i];
       }
     }
-    rigid.act(numbers.offset, numbers.rigidLoad);
+    addGiven(numbers.offset);
+    rigid.addForces(numbers.rigidLoad);
     setScale(loadSize());
+  }
+
+  /// What is given of r: all that does not come from elastic bodies or free motions.
+  void addGiven(Vector& r) const {
+    axpy(-1, jump, r);
+    for (std::size_t i = 0; i < gap.size(); ++i)
+      r[i] -= gap[i];
+    rigid.addGiven(r);
   }
 
   void setScale(double load) {
@@ -160,6 +167,10 @@ ContactSystem ContactSystem::under(const Step& step) const {
   parts->toLoads.resize(size());
   parts->respondAll(*parts_);
   parts->setScale(std::max(parts->loadSize(), step.largestLoad));
+  if (!step.defectBefore.empty()) {
+    axpy(1, step.defectBefore, parts->numbers.offset);
+    parts->defectBefore = step.defectBefore;
+  }
   if (!step.slipBefore.empty()) {
     parts->numbers = withSlipBefore(parts->numbers, step.slipBefore);
     parts->slipBefore = step.slipBefore;
@@ -167,11 +178,51 @@ ContactSystem ContactSystem::under(const Step& step) const {
   return ContactSystem(std::move(parts));
 }
 
-Vector ContactSystem::slipSoFar(const State& state) const {
-  Vector total = slip(parts_->numbers, state);
-  if (!parts_->slipBefore.empty())
-    axpy(1, parts_->slipBefore, total);
+Vector ContactSystem::penetration(const Configuration& at) const {
+  Vector r(numbering().size());
+  for (std::size_t b = 0; b < size(); ++b)
+    axpy(1,
+         parts_->couplings->contactTerms(b, parts_->part(b), at.displacements[b],
+                                         at.bodies[b].multiplier),
+         r);
+  parts_->addGiven(r);
+  const Index ofRigid = parts_->rigid.freeMotions();
+  for (Index k = numbers().rigidMotions() - ofRigid; k < numbers().rigidMotions(); ++k)
+    axpy(at.state.rigid[k], columnOf(numbers().rigid, k), r);
+  for (std::size_t t = 0; t < slipBefore().size(); ++t)
+    r[numbering().normals() + t] -= slipBefore()[t];
+  return r;
+}
+
+Vector ContactSystem::lengths() const {
+  Vector all(numbering().size());
+  for (std::size_t b = 0; b < size(); ++b) {
+    const bem::Mesh& mesh = parts_->part(b).space.mesh();
+    for (const auto& element : body(b).multiplier().elements()) {
+      const double share = 2 * mesh[element.element].half / (element.degree + 1);
+      for (int i = 0; i <= element.degree; ++i) {
+        all[numbering()(b, element.normalOf(i))] += share;
+        if (element.tangential >= 0)
+          all[numbering()(b, element.tangentialOf(i))] += share;
+      }
+    }
+  }
+  return all;
+}
+
+Vector ContactSystem::slipSoFar(const Configuration& at) const {
+  Vector total(at.penetration.begin() + numbering().normals(), at.penetration.end());
+  if (!slipBefore().empty())
+    axpy(1, slipBefore(), total);
   return total;
+}
+
+Vector ContactSystem::defect(const Configuration& at) const {
+  Vector defect = at.penetration;
+  axpy(-1, contact::penetration(numbers(), at.state), defect);
+  if (!parts_->defectBefore.empty())
+    axpy(1, parts_->defectBefore, defect);
+  return defect;
 }
 
 const Vector& ContactSystem::slipBefore() const { return parts_->slipBefore; }
@@ -235,6 +286,7 @@ Configuration ContactSystem::configuration(State state) const {
   }
   result.rigid = parts_->rigid.motions(motions);
   result.state = std::move(state);
+  result.penetration = penetration(result);
   return result;
 }
 

@@ -14,6 +14,9 @@ struct Configuration {
   std::vector<Vector> met;    ///< what presses on each, see ContactProblem
   std::vector<Vector> displacements;  ///< likewise all unknowns
   std::vector<RigidMotion> rigid;     ///< of those that do not
+  /// r of numbers() by the displacements in place of D, which has not the digits of what bends
+  /// slender bodies: C u - M λ - g.
+  Vector penetration;
 };
 
 /// The contact problem of all bodies of a scene, condensed onto all multipliers together:
@@ -41,6 +44,7 @@ class ContactSystem {
     const std::vector<Conditions>& conditions;  ///< of now; must outlive the system
     std::vector<Drive> rigid{};                 ///< of now
     Vector slipBefore{};     ///< rₜ at the end of the step before, see slipSoFar
+    Vector defectBefore{};   ///< of the step before, see defect
     double largestLoad = 0;  ///< loadSize() of the steps before, the largest
     std::vector<LoadResponses>
         responses{};  ///< of the step before; none: nothing is known
@@ -51,8 +55,13 @@ class ContactSystem {
   /// [doc/theory/paths.md]
   ContactSystem under(const Step& step) const;
 
-  /// rₜ of a state from the path's beginning on: what the next step is told.
-  Vector slipSoFar(const State& state) const;
+  /// By coefficient: about the integral of its function.
+  Vector lengths() const;
+  /// rₜ from the path's beginning on, and what r by displacements is more than r by D, which
+  /// the offset of the next step has in it, so that what stands still costs no step: both are what
+  /// the next step is told.
+  Vector slipSoFar(const Configuration& at) const;
+  Vector defect(const Configuration& at) const;
   /// What this step was told; empty: nothing.
   const Vector& slipBefore() const;
   /// What is known of each body's loads, this step's included: what the next step is told.
@@ -91,6 +100,8 @@ class ContactSystem {
   double storedEnergy(const Configuration& at) const;
 
  private:
+  Vector penetration(const Configuration& at) const;
+
   friend class ContactProblem;  // is a system of one body
   struct Parts;
   explicit ContactSystem(std::unique_ptr<Parts> parts);

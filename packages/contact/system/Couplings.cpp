@@ -65,12 +65,21 @@ Matrix Couplings::transposed(std::size_t b, const BodyParts& body) const {
 }
 
 Vector Couplings::pull(std::size_t b, const BodyParts& body, const Vector& u) const {
+  return gathered(b, body.form->pull(u), u);
+}
+
+Vector Couplings::contactTerms(std::size_t b, const BodyParts& body, const Vector& u,
+                               const Vector& multiplier) const {
+  return gathered(b, body.form->contactTerms(u, multiplier), u);
+}
+
+Vector Couplings::gathered(std::size_t b, const Vector& own, const Vector& u) const {
   Vector all(numbering_.size());
   const auto add = [&](std::size_t carrier, const Vector& values) {
     for (Index i = 0; i < numbering_.sizeOf(carrier); ++i)
       all[numbering_(carrier, i)] += values[i];
   };
-  add(b, body.form->pull(u));
+  add(b, own);
   for (const auto& [carrier, coupling] : met_[b])
     add(carrier, coupling.pull(u));
   return all;

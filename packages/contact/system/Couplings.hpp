@@ -20,6 +20,9 @@ class Couplings {
   Matrix transposed(std::size_t b, const BodyParts& body) const;
   /// C_b u on all multipliers.
   Vector pull(std::size_t b, const BodyParts& body, const Vector& u) const;
+  /// C_b u less M λ of the own multiplier, likewise.
+  Vector contactTerms(std::size_t b, const BodyParts& body, const Vector& u,
+                      const Vector& multiplier) const;
   /// M of all multipliers, whole.
   Matrix multiplierMass(const AllBodyParts& bodies) const;
   /// Cᵀ λ of the multipliers of all other bodies against this one; empty: it meets none.
@@ -34,6 +37,8 @@ class Couplings {
   };
 
   std::size_t size() const { return met_.size(); }
+  /// What a body's displacement does to its own multiplier, given, and to all that it meets.
+  Vector gathered(std::size_t b, const Vector& own, const Vector& u) const;
 
   Numbering numbering_;
   std::vector<std::vector<Met>> met_;  // of each body

@@ -82,16 +82,19 @@ Matrix RigidDrives::withFreeMotions(const Matrix& elastic) const {
   return all;
 }
 
-void RigidDrives::act(Vector& offset, Vector& rigidLoad) const {
+void RigidDrives::addGiven(Vector& penetration) const {
   for (std::size_t k = 0; k < drives_.size(); ++k)
     for (std::size_t c = 0; c < 3; ++c) {
-      const Drive::Component& component = drives_[k].components[c];
-      if (component.free)
-        rigidLoad.push_back(component.value / scaleOf(k, c));
-      else if (component.value != 0)
-        for (std::size_t i = 0; i < offset.size(); ++i)
-          offset[i] -= scaleOf(k, c) * component.value * trace(k, c)[i];
+      const auto& [free, value] = drives_[k].components[c];
+      for (std::size_t i = 0; !free && value != 0 && i < penetration.size(); ++i)
+        penetration[i] -= scaleOf(k, c) * value * trace(k, c)[i];
     }
+}
+
+void RigidDrives::addForces(Vector& rigidLoad) const {
+  forEachFree([&](std::size_t k, std::size_t c) {
+    rigidLoad.push_back(drives_[k].components[c].value / scaleOf(k, c));
+  });
 }
 
 void RigidDrives::append(const std::vector<RigidMotion>& motions, Vector& alpha) const {

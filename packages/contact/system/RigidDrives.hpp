@@ -24,8 +24,9 @@ class RigidDrives {
 
   /// Elastic bodies' columns of G, then one -T m for each free motion m.
   Matrix withFreeMotions(const Matrix& elastic) const;
-  /// Takes given motions from the offset, and appends the forces of free ones to q.
-  void act(Vector& offset, Vector& rigidLoad) const;
+  /// What given motions add to r, and the forces of free ones, appended to q.
+  void addGiven(Vector& penetration) const;
+  void addForces(Vector& rigidLoad) const;
 
   /// Appends what motions of all bodies are as entries of α; none: they stand still.
   void append(const std::vector<RigidMotion>& motions, Vector& alpha) const;

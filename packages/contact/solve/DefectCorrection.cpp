@@ -1,0 +1,105 @@
+#include "contact/solve/DefectCorrection.hpp"
+
+#include "bem/algebra/SmallAlgebra.hpp"
+#include "contact/body/IterativeRefinement.hpp"
+#include "contact/equation/Equation.hpp"
+#include "contact/newton/NewtonSystem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::contact {
+
+namespace {
+
+// Of r over the displacement.
+constexpr double enough = 1e-10;
+// Of F over the load: more comes of coefficients in a wrong state.
+constexpr double consistent = 1e-8;
+// What a step has to leave of r for another one to be worth it.
+constexpr double progress = 0.1;
+constexpr int mostSteps = 20;
+
+class DefectCorrection {
+ public:
+  DefectCorrection(const ContactSystem& system, const bem::DenseAlgebra& algebra)
+      : system_(system),
+        algebra_(algebra),
+        lengths_(system.lengths()),
+        equation_(system.numbers(), projection(), Equation::Bound::Differentiated, 0) {}
+
+  /// A configuration, and what its displacements leave of the conditions.
+  struct Point {
+    Configuration at;
+    Evaluation evaluation;
+    double defect = 0;  ///< relative to them
+    bool isSolution = false;
+  };
+
+  Point point(State state) const {
+    Configuration at = system_.configuration(std::move(state));
+    const Vector& r = at.penetration;
+    Evaluation e = equation_.at(pack(system_.numbers(), at.state), r);
+    double size = 0;
+    for (const Vector& u : at.displacements)
+      size = std::max(size, largestEntry(u));
+    double open = 0;
+    for (std::size_t i = 0; i < r.size(); ++i)
+      if (e.linear.rows[i].penetration != 0)
+        open = std::max(open, std::abs(r[i]) / lengths_[i]);
+    const Vector said = algebra_.broadcast(
+        {size > 0 ? open / size : 0, e.scaled <= consistent ? 1.0 : 0});
+    return {std::move(at), std::move(e), said[0], said[1] != 0};
+  }
+
+  /// Where a step of Newton's leads; empty if there is none.
+  Vector next(const Evaluation& e) const {
+    const bool isFormed = system_.numbers().flexibility.isFormed();
+    Vector x;
+    if (!isFormed || algebra_.rank() == 0)
+      try {
+        Vector opposite = e.linear.residual;
+        for (double& f : opposite)
+          f = -f;
+        x = NewtonSystem(equation_, e.linear).solve(opposite);
+        bem::axpy(1, e.unknowns, x);
+      } catch (const bem::NumericalError&) {  // on all ranks if on any
+        x.clear();
+      }
+    return isFormed ? algebra_.broadcast(std::move(x)) : x;
+  }
+
+ private:
+  const ContactSystem& system_;
+  const bem::DenseAlgebra& algebra_;
+  Vector lengths_;
+  Equation equation_;
+};
+
+}  // namespace
+
+Configuration corrected(const ContactSystem& system, State state,
+                        const bem::DenseAlgebra& algebra) {
+  if (system.numbers().size() == 0)
+    return system.configuration(std::move(state));
+  const DefectCorrection correction(system, algebra);
+  DefectCorrection::Point best = correction.point(std::move(state));
+  Evaluation e = best.evaluation;
+  for (int step = 0; step < mostSteps && best.defect > enough; ++step) {
+    const Vector x = correction.next(e);
+    if (x.empty())
+      break;
+    DefectCorrection::Point next = correction.point(unpack(system.numbers(), x));
+    // on the way from one set of states to another there is no solution
+    const bool isSettled = next.evaluation.set == e.set;
+    const bool isWorthAnother = next.defect <= progress * best.defect;
+    e = next.evaluation;
+    if (next.isSolution && next.defect < best.defect)
+      best = std::move(next);
+    if (isSettled && !isWorthAnother)
+      break;
+  }
+  return std::move(best.at);
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,194 @@
+// What displacements leave of the conditions of contact: nothing but rounding on stocky bodies,
+// and on slender ones what steps of correction take away.  On any number of ranks.
+#include "contact/solve/DefectCorrection.hpp"
+
+#include "Algebra.hpp"
+#include "Largest.hpp"
+#include "Solve.hpp"
+#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/compressed/CompressedOperators.hpp"
+#include "contact/compressed/CompressedStiffness.hpp"
+#include "contact/equation/Equation.hpp"
+#include "contact/path/PathMemory.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+
+namespace epafi {
+
+namespace {
+
+using bem::Vec2;
+using bem::Vector;
+using contact::Stabilization;
+using Form = Stabilization::Form;
+using test::largest;
+
+const bem::LapackAlgebra algebra;
+
+struct Case {
+  double length;
+  Form form;
+  const char* basis;
+  int degree;
+  double bulge = 0;  ///< of the side in contact
+};
+
+/// A body of height 1 on a plane: what presses it down varies along it, a push from the left.
+struct Body {
+  contact::Conditions conditions;
+  bem::Lame lame{{1, 0.3, false}};
+  Stabilization stabilization;
+  std::shared_ptr<const bem::Outline> outline;
+  bem::Units units;
+  bem::Space space;
+  const contact::MultiplierBasis& basis;
+  contact::MultiplierSpace multiplier;
+
+  explicit Body(const Case& c)
+      : conditions(conditionsOf(c)),
+        outline(outlineOf(c)),
+        units(outline->units(1)),
+        space(contact::makeSpace(
+            bem::makeMesh(outline, {elements(c), 4, elements(c), 4}, c.degree),
+            conditions, withForm(c.form))),
+        basis(contact::multiplierBasis(c.basis)),
+        multiplier(space.mesh(), basis, conditions) {
+    stabilization.form = c.form;
+  }
+
+  contact::ContactSystem system(const bem::SteklovPoincare& stiffness) const {
+    return contact::ContactSystem(
+        {{space, stiffness, lame, units, conditions, basis, stabilization}});
+  }
+  bem::SteklovPoincare dense() const {
+    return contact::makeStiffness(space, multiplier, stabilization, lame, units, algebra);
+  }
+  bem::SteklovPoincare compressed() const {
+    bem::Compression options;
+    options.leafUnknowns = 60;
+    auto all = contact::makeCompressedStiffness(
+        {{space, multiplier, lame}}, stabilization, units, test::algebra(), options);
+    return std::move(all.front());
+  }
+
+ private:
+  static int elements(const Case& c) { return static_cast<int>(4 * c.length); }
+  static Stabilization withForm(Form form) {
+    Stabilization stabilization;
+    stabilization.form = form;
+    return stabilization;
+  }
+  static std::shared_ptr<const bem::Outline> outlineOf(const Case& c) {
+    bem::Loop loop{{{0, 0}, {c.length, 0}, {c.length, 1}, {0, 1}},
+                   {"bottom", "right", "top", "left"}};
+    if (c.bulge != 0)
+      loop.bulges = {c.bulge, 0, 0, 0};
+    return std::make_shared<const bem::Outline>(loop, std::vector<bem::Loop>{});
+  }
+  static contact::Conditions conditionsOf(const Case& c) {
+    contact::Conditions conditions;
+    const double length = c.length;
+    conditions.contact["bottom"] = {
+        [](Vec2 x) { return 0.1 * std::max(0.0, -x.y); },
+        contact::makeFriction("Coulomb", {[](Vec2) { return 0.3; }})};
+    conditions.neumann["top"] = {
+        [](Vec2) { return 0.0; },
+        [length](Vec2 x) { return -0.01 * (1 + 0.5 * std::sin(7 * x.x / length)); }};
+    conditions.neumann["left"] = {[](Vec2) { return 0.002; }, [](Vec2) { return 0.0; }};
+    return conditions;
+  }
+};
+
+/// C u of closed and sticking coefficients over length and displacement: what is to vanish.
+double open(const contact::ContactSystem& system, const contact::Configuration& at) {
+  const contact::Problem& problem = system.numbers();
+  const Vector& r = at.penetration;
+  const Vector lengths = system.lengths();
+  const auto set = contact::Equation(problem, contact::projection(),
+                                     contact::Equation::Bound::Differentiated, 0)
+                       .at(pack(problem, at.state))
+                       .set;
+  double most = 0;
+  for (std::size_t i = 0; i < r.size(); ++i)
+    if ((set[i] != 0) == (static_cast<bem::Index>(i) < problem.normals))
+      most = std::max(most, std::abs(r[i]) / lengths[i]);
+  return most / largest(at.displacements.front());
+}
+
+TEUCHOS_UNIT_TEST(DefectCorrection, displacementsSayWhatTheFlexibilitySays) {
+  const char* legendre = "Gauss-Legendre-Lagrange";
+  for (const Case& c : {Case{2, Form::None, "Biorthogonal", 1},
+                        {2, Form::None, "Biorthogonal", 3},
+                        {2, Form::None, "Biorthogonal", 2, 0.1},
+                        {2, Form::Exact, legendre, 2},
+                        {2, Form::Projected, legendre, 2},
+                        {2, Form::Projected, "Bernstein", 2, 0.1},
+                        {2, Form::Density, legendre, 1},
+                        {2, Form::Density, legendre, 3, 0.1}}) {
+    const Body body(c);
+    const auto agree = [&](const bem::SteklovPoincare& stiffness, double tolerance) {
+      const contact::ContactSystem system = body.system(stiffness);
+      const contact::Solution solution = test::solve(system.numbers());
+      TEST_ASSERT(solution.report.converged());
+      const Vector r = contact::penetration(system.numbers(), solution.state);
+      const Vector byDisplacement = system.configuration(solution.state).penetration;
+      TEST_COMPARE(test::largestDifference(r, byDisplacement), <, tolerance * largest(r));
+    };
+    agree(body.dense(), 1e-11);
+    if (c.form == Form::None || c.form == Form::Density)
+      agree(body.compressed(), 1e-8);
+  }
+}
+
+TEUCHOS_UNIT_TEST(DefectCorrection, slenderBodiesLieWhereContactHoldsThem) {
+  const Body body({100, Form::None, "Biorthogonal", 1});
+  const bem::SteklovPoincare dense = body.dense();
+  const bem::SteklovPoincare compressed = body.compressed();
+  const contact::ContactSystem exact = body.system(dense);
+  const contact::ContactSystem own = body.system(compressed);
+  const auto solved = [](const contact::ContactSystem& system) {
+    return test::solve(system.numbers()).state;
+  };
+  const contact::State first = solved(own);
+  const contact::Configuration before = own.configuration(first);
+  const contact::Configuration after = corrected(own, first, test::algebra());
+  const contact::Configuration reference = corrected(exact, solved(exact), algebra);
+  const auto off = [&](const contact::Configuration& at) {
+    const Vector& u = reference.displacements.front();
+    return test::largestDifference(at.displacements.front(), u) / largest(u);
+  };
+  out << "open " << open(own, before) << ", " << open(own, after) << ", dense "
+      << open(exact, reference) << "; off " << off(before) << ", " << off(after) << "\n";
+  TEST_COMPARE(open(own, before), >, 1e-6);
+  TEST_COMPARE(open(own, after), <, 5e-8);
+  TEST_COMPARE(open(exact, reference), <, 1e-10);
+  TEST_COMPARE(off(before), >, 1e-6);
+  TEST_COMPARE(off(after), <, 5e-8);
+}
+
+/// What stands still costs no step of Newton's, although r by D and by displacements differ.
+TEUCHOS_UNIT_TEST(DefectCorrection, heldLoadsAreSolvedByTheStepBefore) {
+  const Body body({60, Form::None, "Biorthogonal", 1});
+  const bem::SteklovPoincare compressed = body.compressed();
+  const contact::ContactSystem first = body.system(compressed);
+  const std::vector<contact::Conditions> same = {body.conditions};
+  contact::PathMemory memory(first);
+  contact::State state;
+  for (int step = 0; step < 4; ++step) {
+    const contact::ContactSystem now =
+        first.under({same, {}, memory.slip(), memory.defect(), memory.largestLoad()});
+    const contact::Solution solution = test::solve(now.numbers(), state);
+    TEST_ASSERT(solution.report.converged());
+    if (step > 0)
+      TEST_EQUALITY(solution.report.newtonIterations, 0);
+    const contact::Configuration at = corrected(now, solution.state, test::algebra());
+    memory.add(now, at);
+    state = at.state;
+  }
+}
+
+}  // namespace
+
+}  // namespace epafi
