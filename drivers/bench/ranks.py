@@ -4,7 +4,8 @@
     drivers/bench/ranks.py EPAFI OUTPUT.csv [REPETITIONS [ELEMENTS...]]
 
 One level of the Tresca scene, p = 1, one thread a rank, 1 and 2 ranks by turns, so that what
-else the machine does meets both.  Prints medians and minima of the seconds by the clock on the
+else the machine does meets both.  Above 8000 elements without stabilisation, by compressed
+operators.  Prints medians and minima of the seconds by the clock on the
 wall and of the largest memory of a rank, as rows of doc/benchmarks/mpi.md's table; all runs go
 into the csv with the machine's load.
 Standard library only.
@@ -18,6 +19,7 @@ import tempfile
 
 SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "scenes", "tresca.xml")
 EDGES = (4, 4, 1, 2, 1, 4)  # of the coarse mesh: 16 elements
+LARGE = ("Discretization->Multiplier=Biorthogonal", "Discretization->Stabilization->Form=None")
 PHASES = ("assembly", "factorization", "stabilization", "newton", "estimate")
 
 
@@ -36,7 +38,9 @@ def solve(epafi, ranks, elements, folder):
         ["mpirun", "-n", str(ranks), "--bind-to", "none", epafi, "run", SCENE, "--force", "--quiet",
          "--output", folder, "--threads", "1", "--set", "Adaptivity->Strategy=None",
          "--set", "Discretization->Elements per Edge=" + counts,
-         "--set", "Adaptivity->Maximum Degrees of Freedom=100000", "--set", "Output->Fields=false"],
+         "--set", "Adaptivity->Maximum Degrees of Freedom=%d" % (8 * elements),
+         "--set", "Output->Fields=false",
+         *(x for setting in LARGE if elements > 8000 for x in ("--set", setting))],
         check=True, env=environment())
     with open(os.path.join(folder, "history.csv"), newline="") as stream:
         level = next(csv.DictReader(stream))
