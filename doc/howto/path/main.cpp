@@ -10,6 +10,7 @@
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/path/PathMemory.hpp"
 #include "contact/path/Prediction.hpp"
+#include "contact/solve/DefectCorrection.hpp"
 
 #include <Thyra_VectorStdOps.hpp>
 
@@ -99,10 +100,10 @@ int run() {
   for (int k = 1; turns < 4 && k < 400; ++k) {
     const std::vector<contact::Conditions> now = pushed(along);
     const contact::ContactSystem step =
-        system.under({now, {}, memory.slip(), memory.largestLoad()});
+        system.under({now, {}, memory.slip(), memory.defect(), memory.largestLoad()});
     // the step as a function of the state and of how much of it is done
     const contact::ContactSystem last =
-        system.under({before, {}, memory.slip(), memory.largestLoad()});
+        system.under({before, {}, memory.slip(), memory.defect(), memory.largestLoad()});
     const ContactModel model(
         contact::ProblemFamily(step.numbers(), step.gap(), last.numbers()),
         ContactModel::Options());
@@ -111,9 +112,9 @@ int run() {
     const contact::State state = solved(step.numbers(), prediction.start(step));
     good = good && residual(model, state, 1) < 1e-9;
 
-    const contact::Configuration at = step.configuration(state);
+    const contact::Configuration at = contact::corrected(step, state, algebra);
     memory.add(step, at);
-    prediction.add(step, state);
+    prediction.add(step, at.state);
     good = good && memory.friction() >= work;
     work = memory.friction();
     const double force = forceOf(step, at, units);
