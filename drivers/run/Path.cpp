@@ -148,8 +148,8 @@ class Follower {
                                                   step.frictionWork[b]);
       for (const auto& [name, summary] : contacts[b]) {
         const std::string& body = ground_.scene.bodies[b].name;
-        row_.contacts.push_back(
-            {uses[name] > 1 ? body + ":" + name : name, summary, energy * work[name]});
+        row_.contacts.push_back({uses[name] > 1 ? bem::message(body, ":", name) : name,
+                                 summary, energy * work[name]});
       }
     }
     if (ground_.scene.hasSeveral())

@@ -2,8 +2,10 @@
 #include "bem/tpetra/SymmetricOperator.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/compressed/CompressedFactor.hpp"
 #include "bem/tpetra/BelosSolver.hpp"
 #include "bem/tpetra/DistributedRows.hpp"
+#include "bem/tpetra/WholeVectorOperator.hpp"
 #include "bem/tractions/TractionRows.hpp"
 #include "reference/SampleMeshes.hpp"
 
@@ -52,6 +54,44 @@ TEUCHOS_UNIT_TEST(SteklovPoincareOperator, appliesSToSeveralVectors) {
       TEST_COMPARE(std::abs(view(i, j) - (1 - 3 * force[mine.begin + i])), <,
                    1e-12 * test::largest(force));
   }
+}
+
+TEUCHOS_UNIT_TEST(WholeVectorOperator, appliesCompressedOperatorsAndTheirInverse) {
+  const bem::TpetraAlgebra algebra = test::allRanks();
+  const bem::Space space(reference::quickSamples().front().mesh);
+  bem::Compression options;
+  options.leafUnknowns = 20;
+  const bem::CompressedOperators operators(space, lame, options, {}, algebra);
+  const Index n = operators.size();
+  bem::Restriction restriction;
+  restriction.held.assign(bem::at(n), 0);
+  std::fill_n(restriction.held.begin(), space.displacements(), 1);
+  const bem::CompressedFactor factor(operators, restriction, {});
+  Matrix x(n, 2);
+  for (Index j = 0; j < 2; ++j)
+    for (Index i = 0; i < n; ++i)
+      x(i, j) = entry(i, j);
+  const auto agrees = [&](const bem::WholeVectorOperator::Action& action) {
+    const bem::WholeVectorOperator op(n, action, algebra);
+    const bem::Rows mine = algebra.myRows(n);
+    Tpetra::MultiVector<> in(op.getDomainMap(), 2);
+    Tpetra::MultiVector<> result(op.getRangeMap(), 2);
+    {
+      const auto view = in.getLocalViewHost(Tpetra::Access::OverwriteAll);
+      for (Index j = 0; j < 2; ++j)
+        for (Index i = 0; i < mine.size(); ++i)
+          view(i, j) = x(mine.begin + i, j);
+    }
+    result.putScalar(2);
+    op.apply(in, result, Teuchos::NO_TRANS, -3, 0.5);
+    const Matrix image = action(x);
+    const auto view = result.getLocalViewHost(Tpetra::Access::ReadOnly);
+    for (Index j = 0; j < 2; ++j)
+      for (Index i = 0; i < mine.size(); ++i)
+        TEST_EQUALITY(view(i, j), -3 * image(mine.begin + i, j) + 0.5 * 2);
+  };
+  agrees([&](const Matrix& columns) { return operators.times(columns); });
+  agrees([&](const Matrix& columns) { return factor.solve(columns, 0); });
 }
 
 TEUCHOS_UNIT_TEST(BelosSolver, givesTheOperatorThatCholeskyGives) {

@@ -1,0 +1,34 @@
+#include "bem/tpetra/WholeVectorOperator.hpp"
+
+#include <cassert>
+#include <utility>
+
+namespace epafi::bem {
+
+WholeVectorOperator::WholeVectorOperator(Index n, Action action,
+                                         const TpetraAlgebra& algebra)
+    : action_(std::move(action)),
+      mine_(algebra.myRows(n)),
+      map_(algebra.rowMap(n)),
+      replicated_(algebra.replicatedMap(n)),
+      import_(map_, replicated_) {}
+
+void WholeVectorOperator::apply(const MultiVector& x, MultiVector& y,
+                                [[maybe_unused]] Teuchos::ETransp mode, double alpha,
+                                double beta) const {
+  assert(mode == Teuchos::NO_TRANS);
+  MultiVector all(replicated_, x.getNumVectors());
+  all.doImport(x, import_, Tpetra::INSERT);
+  const auto in = all.getLocalViewHost(Tpetra::Access::ReadOnly);
+  Matrix columns(static_cast<Index>(in.extent(0)), static_cast<Index>(in.extent(1)));
+  for (Index j = 0; j < columns.columns(); ++j)
+    for (Index i = 0; i < columns.rows(); ++i)
+      columns(i, j) = in(i, j);
+  const Matrix image = action_(columns);
+  const auto out = y.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (Index j = 0; j < image.columns(); ++j)
+    for (Index i = 0; i < mine_.size(); ++i)
+      out(i, j) = alpha * image(mine_.begin + i, j) + (beta == 0 ? 0 : beta * out(i, j));
+}
+
+}  // namespace epafi::bem
