@@ -17,9 +17,9 @@ namespace {
 constexpr double mostGraded = 1e6;
 
 // Square of the diameter over the area: displacements of compressed levels agree with dense ones to
-// 1e-9 of the largest up to here, to 2e-8 on a beam of 1 : 100, to 1e-6 on one of 1 : 300: bending
-// multiplies what the compression leaves out.
-constexpr double mostSlender = 32;
+// 1e-10 of the largest up to here, to 2e-9 on beams of 1 : 50, to 2e-8 on 1 : 100, to 1e-6 on 1 : 300:
+// bending multiplies what the compression leaves out.
+constexpr double mostSlender = 16;
 constexpr const char* fewerDigits =
     "a body is slender, and its displacements lose digits by compressed operators; "
     "Solver->Linear->Method = Dense keeps them, Compression Tolerance = 1e-13 most";

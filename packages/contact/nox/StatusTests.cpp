@@ -13,7 +13,7 @@ namespace {
 
 constexpr double growthLimit = 1e6;
 constexpr double mostRounding = 1e-8;  // of products with slender bodies' D in a tree
-constexpr double isLeft = 0.5;         // of the residual, by a step that solves nothing
+constexpr double isLeft = 0.9;         // of the residual, by a step that solves nothing
 constexpr double hasFallen = 0.999;    // a cycle repeats its residual up to rounding
 constexpr std::size_t patientSteps = 12;  // without progress
 constexpr int many = 16;                  // changes of sets that are settling as a whole

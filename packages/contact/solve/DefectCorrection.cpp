@@ -12,8 +12,9 @@ namespace epafi::contact {
 
 namespace {
 
-// Of r over the displacement.
+// Of r over the displacement: what is left as it is, and where steps end.
 constexpr double enough = 1e-10;
+constexpr double goal = 1e-12;
 // Of F over the load: more comes of coefficients in a wrong state.
 constexpr double consistent = 1e-8;
 // What a step has to leave of r for another one to be worth it.
@@ -84,8 +85,10 @@ Configuration corrected(const ContactSystem& system, State state,
     return system.configuration(std::move(state));
   const DefectCorrection correction(system, algebra);
   DefectCorrection::Point best = correction.point(std::move(state));
+  if (best.defect <= enough)
+    return std::move(best.at);
   Evaluation e = best.evaluation;
-  for (int step = 0; step < mostSteps && best.defect > enough; ++step) {
+  for (int step = 0; step < mostSteps && best.defect > goal; ++step) {
     const Vector x = correction.next(e);
     if (x.empty())
       break;

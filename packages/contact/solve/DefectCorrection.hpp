@@ -15,8 +15,8 @@ namespace epafi::contact {
 ///
 ///   J d = -F(λ, C u - M λ - g),   u = A⁺ (f - Cᵀ λ),
 ///
-/// as long as r is above 1e-10 of the displacement and falls to a tenth; forces f - Cᵀ λ are in
-/// balance place by place, so that u has its digits.  A state that is no solution, F above 1e-8
+/// where r is above 1e-10 of the displacement, down to 1e-12 or as long as it falls to a tenth;
+/// forces f - Cᵀ λ are in balance place by place, so that u has its digits.  A state that is no solution, F above 1e-8
 /// of the load, is passed through and never the result.
 ///                                                 [doc/theory/contact.md, Defect correction]
 ///
