@@ -9,7 +9,7 @@ namespace epafi::bem {
 namespace {
 
 // Of a slice.  A beam of 1 : 16 under contact all along takes a sixth longer in slices, one of
-// 1 : 32 as long, one of 1 : 300 a tenth.
+// 1 : 32 as long, one of 1 : 300 a twentieth.
 constexpr double stocky = 100;
 
 /// An element of the order.

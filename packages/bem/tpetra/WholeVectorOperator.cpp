@@ -1,6 +1,6 @@
 #include "bem/tpetra/WholeVectorOperator.hpp"
 
-#include <cassert>
+#include <stdexcept>
 #include <utility>
 
 namespace epafi::bem {
@@ -14,9 +14,9 @@ WholeVectorOperator::WholeVectorOperator(Index n, Action action,
       import_(map_, replicated_) {}
 
 void WholeVectorOperator::apply(const MultiVector& x, MultiVector& y,
-                                [[maybe_unused]] Teuchos::ETransp mode, double alpha,
-                                double beta) const {
-  assert(mode == Teuchos::NO_TRANS);
+                                Teuchos::ETransp mode, double alpha, double beta) const {
+  if (mode != Teuchos::NO_TRANS)
+    throw std::logic_error("an operator on whole vectors does not know its transpose");
   MultiVector all(replicated_, x.getNumVectors());
   all.doImport(x, import_, Tpetra::INSERT);
   const auto in = all.getLocalViewHost(Tpetra::Access::ReadOnly);

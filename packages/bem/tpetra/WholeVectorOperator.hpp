@@ -28,7 +28,8 @@ class WholeVectorOperator final : public Tpetra::Operator<> {
   Teuchos::RCP<const Tpetra::Map<>> getDomainMap() const override { return map_; }
   Teuchos::RCP<const Tpetra::Map<>> getRangeMap() const override { return map_; }
 
-  /// y = alpha A x + beta y; whatever y holds, if beta = 0.  A alone, not its transpose.
+  /// y = alpha A x + beta y; whatever y holds, if beta = 0.  A alone:
+  /// \throws std::logic_error if its transpose is asked for.
   void apply(const MultiVector& x, MultiVector& y,
              Teuchos::ETransp mode = Teuchos::NO_TRANS, double alpha = 1,
              double beta = 0) const override;

@@ -83,6 +83,7 @@ TEUCHOS_UNIT_TEST(WholeVectorOperator, appliesCompressedOperatorsAndTheirInverse
           view(i, j) = x(mine.begin + i, j);
     }
     result.putScalar(2);
+    TEST_THROW(op.apply(in, result, Teuchos::TRANS), std::logic_error);
     op.apply(in, result, Teuchos::NO_TRANS, -3, 0.5);
     const Matrix image = action(x);
     const auto view = result.getLocalViewHost(Tpetra::Access::ReadOnly);
