@@ -117,6 +117,7 @@ struct LevelRow {
   double memory = 0;                ///< peak so far [MiB]
   std::string operators = "dense";  ///< or "compressed", or denseInstead
   std::string note{};               ///< what to tell about them; mostly empty
+  double defect = 0;                ///< see contact::Configuration
 };
 
 struct Path;

@@ -89,6 +89,7 @@ LevelRow makeRow(const Level& level, const NewLevel& begun, double gamma0,
   row.size = begun.size;
   row.operators = begun.operators();
   row.note = begun.note;
+  row.defect = solved.at().defect;
   row.bodies = contact::summarizeAll(solved.bodies());
   row.rigid = solved.rigidRows();
   row.summary = contact::sumOf(row.bodies);

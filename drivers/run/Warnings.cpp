@@ -53,6 +53,52 @@ double largestMotion(const contact::Solved& solved, const bem::Outline& outline)
   return largest * solved.units.length / outline.diameter();
 }
 
+/// The forces on a body that do not balance, over the largest of them; where all cancel, over
+/// that which moves it by `motion` at its strain energy.  Zero but for rounding, see Summary; of
+/// a body that moves without strain all is rounding, and balance says nothing.
+double imbalanceOf(const contact::Summary& body, double motion, double youngsModulus) {
+  // a beam of 1 : 10000 has 1e-13, rounding squared 1e-32
+  constexpr double strained = 1e-24;
+  if (body.energyStrain <= strained * youngsModulus * motion * motion)
+    return 0;
+  double largest = 2 * body.energyStrain / motion;
+  bem::Vec2 sum;
+  for (const auto* force : {&body.load, &body.contact, &body.reaction}) {
+    sum = sum + bem::Vec2{force->x, force->y};
+    largest = std::max({largest, std::abs(force->x), std::abs(force->y)});
+  }
+  return norm(sum) / largest;
+}
+
+/// Digits that rounding has taken, of bodies too slender for double precision.
+void findLostDigits(const Scene& scene, const SolvedLevel& level,
+                    std::vector<std::string>& warnings) {
+  // of forces; a beam's bending is off by three hundred times as much
+  constexpr double smallImbalance = 1e-7;
+  constexpr double smallDefect = 1e-6;
+  const char* const why =
+      "rounding has taken these digits, as it does in bodies slender by more than 1 : "
+      "1000";
+  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
+    const Body& body = scene.bodies[b];
+    const double motion =
+        largestMotion(level.bodies[b], *body.outline) * body.outline->diameter();
+    const double imbalance =
+        imbalanceOf(level.row.bodies[b], motion, body.material.youngsModulus);
+    if (imbalance > smallImbalance)
+      warnings.push_back(message("Bodies->", body.name,
+                                 ": its forces are out of balance by ", imbalance,
+                                 " of the largest; ", why));
+  }
+  double defect = level.row.defect;
+  if (level.path != nullptr)
+    for (const auto& step : level.path->steps)
+      defect = std::max(defect, step->solved->at().defect);
+  if (defect > smallDefect)
+    warnings.push_back(
+        message("contact is met up to ", defect, " of the displacements; ", why));
+}
+
 bool isDeformed(const SolvedLevel& level) {
   return std::any_of(
       level.bodies.begin(), level.bodies.end(), [](const contact::Solved& solved) {
@@ -97,6 +143,7 @@ std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level
     warnings.emplace_back(
         "contact never closes: nothing presses a body onto what it could meet; look at "
         "the signs of loads (tractions pull along x and y) and at the gap");
+  findLostDigits(scene, level, warnings);
   constexpr double small = 0.1;
   for (const auto& [name, share] : slidingOf(level))
     if (share > small)

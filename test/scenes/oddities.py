@@ -116,6 +116,59 @@ claim(code == 0 and len(warnings) == 1 and "31 corners of up to 5.6 degrees" in 
 code, text = epafi("check", polygon)
 claim(code == 0 and "warning: Bodies->cylinder->Geometry, 'low'" in text, "check says so, too")
 
+# digits that rounding takes
+def beam(slender, friction):
+    """Clamped at its left, over a plane; without friction far above it."""
+    height = 1 / slender
+    load = "-1e-8*%g*(0.3 + sin(40*x))" % height if friction else "-%g" % (1e-3 * height ** 3)
+    text = """<ParameterList name="beam"><ParameterList name="Bodies"><ParameterList name="beam">
+      <ParameterList name="Material">
+        <Parameter name="Young's Modulus" type="double" value="1"/>
+        <Parameter name="Poisson's Ratio" type="double" value="0.3"/>
+      </ParameterList>
+      <ParameterList name="Geometry">
+        <Parameter name="Vertices" type="TwoDArray(double)" value="4x2:{0,0, 1,0, 1,%.17g, 0,%.17g}"/>
+        <Parameter name="Edges" type="Array(string)" value="{bottom, right, top, left}"/>
+      </ParameterList>
+      <ParameterList name="Boundary Conditions">
+        <ParameterList name="bottom">
+          <Parameter name="Type" type="string" value="Contact"/>
+          <Parameter name="Gap" type="string" value="%s"/>%s
+        </ParameterList>
+        <ParameterList name="top">
+          <Parameter name="Type" type="string" value="Neumann"/>
+          <Parameter name="Traction Y" type="string" value="%s"/>
+        </ParameterList>
+        <ParameterList name="left">
+          <Parameter name="Type" type="string" value="Dirichlet"/>
+          <Parameter name="Displacement X" type="string" value="0"/>
+          <Parameter name="Displacement Y" type="string" value="0"/>
+        </ParameterList>
+      </ParameterList>
+    </ParameterList></ParameterList>
+    <ParameterList name="Discretization">
+      <Parameter name="Elements per Edge" type="Array(int)" value="{100, 4, 100, 4}"/>
+    </ParameterList></ParameterList>""" % (
+        height, height, "0" if friction else "1",
+        """<ParameterList name="Friction">
+             <Parameter name="Law" type="string" value="Coulomb"/>
+             <Parameter name="Coefficient" type="string" value="0.3"/>
+           </ParameterList>""" if friction else "", load)
+    file = os.path.join(WORK, "beam.xml")
+    with open(file, "w") as stream:
+        stream.write(text)
+    return file
+
+
+for slender, friction, method, words in [
+        (300, False, "Dense", ""), (10000, False, "Dense", "out of balance by"),
+        (300, True, "Compressed", ""), (10000, True, "Compressed", "contact is met up to")]:
+    code, warnings = told(beam(slender, friction), "beam", [
+        "Solver->Linear->Method=" + method, "Discretization->Degree=%d" % (1 if friction else 3)])
+    lost = [line for line in warnings if "rounding has taken" in line]
+    claim(code == 0 and (words in lost[0] if words and lost else not words and not lost),
+          "a beam of 1 : %d, %s: %s" % (slender, method, lost))
+
 # encodings
 with open(scene("patch.xml"), encoding="utf-8") as stream:
     text = stream.read()

@@ -29,11 +29,10 @@ class DefectCorrection {
         lengths_(system.lengths()),
         equation_(system.numbers(), projection(), Equation::Bound::Differentiated, 0) {}
 
-  /// A configuration, and what its displacements leave of the conditions.
+  /// A configuration with its defect, and the conditions there.
   struct Point {
     Configuration at;
     Evaluation evaluation;
-    double defect = 0;  ///< relative to them
     bool isSolution = false;
   };
 
@@ -50,7 +49,8 @@ class DefectCorrection {
         open = std::max(open, std::abs(r[i]) / lengths_[i]);
     const Vector said = algebra_.broadcast(
         {size > 0 ? open / size : 0, e.scaled <= consistent ? 1.0 : 0});
-    return {std::move(at), std::move(e), said[0], said[1] != 0};
+    at.defect = said[0];
+    return {std::move(at), std::move(e), said[1] != 0};
   }
 
   /// Where a step of Newton's leads; empty if there is none.
@@ -85,19 +85,19 @@ Configuration corrected(const ContactSystem& system, State state,
     return system.configuration(std::move(state));
   const DefectCorrection correction(system, algebra);
   DefectCorrection::Point best = correction.point(std::move(state));
-  if (best.defect <= enough)
+  if (best.at.defect <= enough)
     return std::move(best.at);
   Evaluation e = best.evaluation;
-  for (int step = 0; step < mostSteps && best.defect > goal; ++step) {
+  for (int step = 0; step < mostSteps && best.at.defect > goal; ++step) {
     const Vector x = correction.next(e);
     if (x.empty())
       break;
     DefectCorrection::Point next = correction.point(unpack(system.numbers(), x));
     // on the way from one set of states to another there is no solution
     const bool isSettled = next.evaluation.set == e.set;
-    const bool isWorthAnother = next.defect <= progress * best.defect;
+    const bool isWorthAnother = next.at.defect <= progress * best.at.defect;
     e = next.evaluation;
-    if (next.isSolution && next.defect < best.defect)
+    if (next.isSolution && next.at.defect < best.at.defect)
       best = std::move(next);
     if (isSettled && !isWorthAnother)
       break;

@@ -17,6 +17,8 @@ struct Configuration {
   /// r of numbers() by the displacements in place of D, which has not the digits of what bends
   /// slender bodies: C u - M λ - g.
   Vector penetration;
+  /// Where it was corrected: what is left in it of conditions that hold, over the displacement.
+  double defect = 0;
 };
 
 /// The contact problem of all bodies of a scene, condensed onto all multipliers together:
