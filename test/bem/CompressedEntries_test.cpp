@@ -4,6 +4,7 @@
 #include "Largest.hpp"
 #include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/compressed/Products.hpp"
+#include "bem/compressed/ProxyRows.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "reference/QuadOperators.hpp"
 
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace epafi::reference {
 
@@ -150,6 +152,27 @@ TEUCHOS_UNIT_TEST(CompressedEntries, ofShortEdgesLeaveRigidMotionsWithoutTractio
     }
   TEST_COMPARE(forces, <, 1e-13);
   TEST_COMPARE(means, <, 1e-13);
+}
+
+// K of a translation vanishes outside, however few points a body that is far away takes.
+TEUCHOS_UNIT_TEST(CompressedEntries, translatedDiscsHaveNoFieldOnCirclesAround) {
+  const bem::Lame lame({1, 0.3, false});
+  for (const int arcs : {2, 3, 4, 12}) {
+    const bem::Space space(
+        bem::makeMesh(outlineOf(disc(arcs, 0.5)), std::vector<int>(arcs, 1), 1));
+    const bem::ClusterTree tree(space, 1000);
+    const std::vector<bem::Unknown> unknowns = bem::unknownsOf(space);
+    std::vector<Index> nodes(space.displacements());
+    std::iota(nodes.begin(), nodes.end(), 0);
+    for (const double ratio : {2.0, 10.0, 100.0}) {
+      bem::ProxyRows fields(space, lame, unknowns, ratio, 1e-12);
+      const Matrix k = fields(tree, 0, nodes);
+      Matrix field = bem::product(k, space.rigidMotions());
+      field.shrink(2);  // rotations are no polynomials on arcs
+      out << arcs << " arcs, circle of " << ratio << " radii: ";
+      TEST_COMPARE(largest(field), <, 1e-12 * largest(k));
+    }
+  }
 }
 
 TEUCHOS_UNIT_TEST(CompressedEntries, skeletonsStandForTheirClustersBeforeAllOthers) {

@@ -56,6 +56,18 @@ bem::Loop roughSquare(int teeth) {
   return polygon(vertices);
 }
 
+/// Holes in rows, of two arcs each.
+std::shared_ptr<const bem::Outline> roundHoles(int rows) {
+  std::vector<bem::Loop> holes;
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < rows; ++j) {
+      holes.push_back(disc(2, 0.15 / rows));
+      for (bem::Vec2& vertex : holes.back().vertices)
+        vertex = vertex + bem::Vec2{(i + 0.5) / rows, (j + 0.5) / rows};
+    }
+  return std::make_shared<const bem::Outline>(square(), holes);
+}
+
 }  // namespace
 
 std::vector<CompressedSample> compressedSamples() {
@@ -67,6 +79,7 @@ std::vector<CompressedSample> compressedSamples() {
       {"rough", cutAlike(outlineOf(roughSquare(60)), even(2), {1})},
       {"hp with a hole", cutAlike(squareWithHole(), graded(4, 1e-3), {1, 12, 3, 2, 7})},
       {"arcs", bem::makeMesh(outlineOf(disc(4, 1)), {20, 20, 20, 20}, 2)},
+      {"half circles", cutAlike(roundHoles(5), even(1), {1})},
       {"curved", cutAlike(outlineOf(curvedSample()), even(5), {1, 3})},
   };
 }

@@ -157,6 +157,11 @@ int smoothOrder(double z) {
   return base;
 }
 
+int farOrder(const Element& element, double distance) {
+  const double alpha = 0.5 * element.curve.angle();
+  return arcOrder(smallestPlace(distance, alpha), alpha);
+}
+
 bool isNear(const Mesh& mesh, int ie, int jf, Vec2 w, FarOrder& order) {
   const Element& e = mesh[ie];
   const Element& f = mesh[jf];

@@ -32,6 +32,10 @@ static_assert(largestSmoothOrder + degreeShare(largestMoment) <= largestGaussOrd
 /// ellipse about the element whose sum of focal distances is z lengths.
 int smoothOrder(double z);
 
+/// The same on an element of either shape, the other one at this distance [half lengths] from its
+/// middle or farther.
+int farOrder(const Element& element, double distance);
+
 /// True when a pair is near: the gap is below half the larger length.  Otherwise sets the
 /// orders, separately for the two elements.  `w`: the middle of E minus that of F.
 bool isNear(const Mesh& mesh, int e, int f, Vec2 w, FarOrder& order);
