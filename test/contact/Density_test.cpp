@@ -66,6 +66,7 @@ struct Condensed {
   Vector residual;  ///< r = d₀ - D λ
   double energy = 0;
   double scale = 1;
+  double amplification = 1;
 };
 
 Stabilization stabilizationOf(const Case& c) {
@@ -102,6 +103,7 @@ Condensed condensed(const Case& c, const bem::DenseAlgebra& algebra) {
   result.displacement = problem.displacement(state);
   result.density = problem.density(state, result.displacement);
   result.energy = problem.strainEnergy(state, result.displacement);
+  result.amplification = numbers.amplification;
   result.residual = numbers.offset;
   for (Index j = 0; j < numbers.size(); ++j)
     for (Index i = 0; i < numbers.size(); ++i)
@@ -274,6 +276,9 @@ TEUCHOS_UNIT_TEST(Density, theCondensedProblemIsTheSaddlePoint) {
     TEST_COMPARE(apart(small.density, large.density), <, 1e-9);
     TEST_COMPARE(apart(small.residual, large.residual), <, 1e-10);
     TEST_COMPARE(std::abs(small.energy / large.energy - 1), <, 1e-10);
+    // what a residual leaves open: 2^(q+1) - 1 of control points
+    TEST_EQUALITY(small.amplification,
+                  c.basis == std::string("Bernstein") ? std::exp2(c.degree + 1) - 1 : 1);
   }
 }
 

@@ -8,6 +8,7 @@ from runs import EPAFI, SCENES, WORK, claim, epafi, finish, fresh, levels, run, 
 
 os.makedirs(WORK, exist_ok=True)
 SETTINGS = ["Adaptivity->Maximum Levels=1"]
+HARD = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "hard", "scenes")
 CONDITIONS = "Bodies->block->Boundary Conditions->"
 
 
@@ -115,6 +116,17 @@ claim(code == 0 and len(warnings) == 1 and "31 corners of up to 5.6 degrees" in 
       "a polygon for a curve: %s" % warnings)
 code, text = epafi("check", polygon)
 claim(code == 0 and "warning: Bodies->cylinder->Geometry, 'low'" in text, "check says so, too")
+
+# limits far from what scenes have
+for sentence, file, settings in [
+        ("as many steps as an integer has", os.path.join(HARD, "thin_layer.xml"),
+         ["Solver->Maximum Iterations=2147483647"]),
+        ("a small body on a large one, its motions fixed", scene("two-blocks.xml"), [
+            "Bodies->pad->Geometry->Vertices=4x2:{-2e-4,0, 2e-4,0, 2e-4,4e-4, -2e-4,4e-4}",
+            "Bodies->pad->Rigid Motions={Fix={X, Rotation}}"])]:
+    code, text = epafi("run", file, "--output", fresh("limit"),
+                       *(word for setting in [*SETTINGS, *settings] for word in ("--set", setting)))
+    claim(code == 0, sentence + ": " + text.strip().splitlines()[-1][-90:])
 
 # digits that rounding takes
 def beam(slender, friction):

@@ -117,13 +117,6 @@ class Residuals {
     return squares;
   }
 
-  /// What the mean of V ψ - (K + 1/2) u on a contact element, -γ (λ + ψ) under Form Density,
-  /// adds to h |mismatch|²: its square over h, integrated.
-  double meanMismatch(std::size_t contact, const Vector& density) const {
-    const Vec2 mean = solved_.problem.meanSlack(contact, solved_.state, density);
-    return dot(mean, mean);
-  }
-
   /// γ |λʰ + S u|²: what the stabilisation does to a test function.  As an energy.
   double stabilisation(std::size_t contact, const std::vector<bem::BoundaryValue>& values,
                        const std::vector<Vec2>& residual) const {
@@ -265,6 +258,9 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
                                              ? corrections(solved, lame, factors, moments)
                                              : std::vector<AtEnds>(touching.size());
 
+  // what the mean of V ψ - (K + 1/2) u, -γ (λ + ψ) under Form Density, adds to h |mismatch|²: its
+  // square over h, integrated
+  const std::vector<Vec2> means = solved.problem.meanSlacks(solved.state, density);
   std::vector<Contributions> squares = squaresOf(residuals, fields, isTouching);
   for (Contributions& square : squares)
     multiply(square, factors);
@@ -276,7 +272,7 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
     both.mu = sharedShearModulus(solved, touching[k], lame.mu);
     Contributions contact = residuals.contactSquares(
         touching[k], values, contactResiduals[k], correction[k], both.mu);
-    of(contact, Source::Density) += residuals.meanMismatch(k, density);
+    of(contact, Source::Density) += dot(means[k], means[k]);
     if (sharp && !solved.problem.byDensity())
       of(contact, Source::Contact) +=
           residuals.stabilisation(k, values, contactResiduals[k]);

@@ -138,9 +138,9 @@ class Coupled final : public StabilisedBody {
 
   bool byDensity() const override { return coupling_.response != nullptr; }
 
-  bem::Vec2 meanSlack(std::size_t contactElement, const Vector& multiplier,
-                      const Vector& density) const override {
-    return coupling_.meanSlack(contactElement, multiplier, density);
+  std::vector<bem::Vec2> meanSlacks(const Vector& multiplier,
+                                    const Vector& density) const override {
+    return coupling_.meanSlacks(multiplier, density);
   }
 
   double gamma(std::size_t contactElement) const override {

@@ -173,18 +173,22 @@ double Coupling::complianceWork(const Vector& density) const {
   return work;
 }
 
-bem::Vec2 Coupling::meanSlack(std::size_t contactElement, const Vector& lambda,
-                              const Vector& density) const {
+std::vector<bem::Vec2> Coupling::meanSlacks(const Vector& lambda,
+                                            const Vector& density) const {
+  std::vector<bem::Vec2> means(gamma.size());
   if (compliance.densities.empty())
-    return {};
+    return means;
   // P_0 is 1: its rows of N λ and of G ψ are integrals
   const Vector w = weighted(lambda);
-  const Index first = start[contactElement];
   const auto integral = [&](Index k) {
     return w[k] + compliance.diagonal[k] * density[compliance.densities[k]];
   };
-  const double length = compliance.diagonal[first] / gamma[contactElement];
-  return (1 / length) * bem::Vec2{integral(first), integral(first + 1)};
+  for (std::size_t c = 0; c < means.size(); ++c) {
+    const Index first = start[c];
+    const double length = compliance.diagonal[first] / gamma[c];
+    means[c] = (1 / length) * bem::Vec2{integral(first), integral(first + 1)};
+  }
+  return means;
 }
 
 Matrix Coupling::transposed(const bem::DenseAlgebra& algebra) const {
@@ -208,6 +212,8 @@ Matrix Coupling::transposed(const bem::DenseAlgebra& algebra) const {
 
 Vector Coupling::weighted(const Vector& lambda) const {
   Vector result(start.back());
+  if (lambda.empty())
+    return result;
   for (const Entry& entry : weights)
     result[entry.row] += entry.value * lambda[entry.column];
   return result;

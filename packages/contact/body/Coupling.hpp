@@ -54,8 +54,7 @@ struct Coupling {
   /// ψᵀ G ψ, all that V + G has beyond V.
   double complianceWork(const Vector& density) const;
   /// See ContactProblem; zero without densities.
-  bem::Vec2 meanSlack(std::size_t contactElement, const Vector& lambda,
-                      const Vector& density) const;
+  std::vector<bem::Vec2> meanSlacks(const Vector& lambda, const Vector& density) const;
   /// Bᵀ, my rows.
   Matrix transposed(const bem::DenseAlgebra& algebra) const;
   /// G λ: what the multiplier puts on each column of R.

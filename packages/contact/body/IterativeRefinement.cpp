@@ -12,8 +12,11 @@ using bem::axpy;
 
 double largestEntry(const bem::Vector& x) {
   double size = 0;
-  for (const double entry : x)
+  for (const double entry : x) {
+    if (std::isnan(entry))
+      return entry;
     size = std::max(size, std::abs(entry));
+  }
   return size;
 }
 

@@ -181,16 +181,19 @@ Matrix reduced(Matrix columns, Index first) {
 /// \throws bem::InputError if clamps hold one of them already.
 Svd heldByFix(const RigidModes& modes, const Matrix& allowedCombinations,
               const std::vector<int>& fixedModes, const std::string& path) {
-  const Matrix onAllowed =
-      multiply(transposedTimes(modes.functionals, modes.motions), allowedCombinations);
+  const Matrix pairs = transposedTimes(modes.functionals, modes.motions);
+  const Matrix onAllowed = multiply(pairs, allowedCombinations);
   const auto fixed = static_cast<Index>(fixedModes.size());
   Matrix named(fixed, onAllowed.columns());
+  Matrix compared(fixed, onAllowed.columns());  // by what they do to their own motions
   for (Index k = 0; k < fixed; ++k)
-    for (Index a = 0; a < onAllowed.columns(); ++a)
-      named(k, a) = onAllowed(fixedModes[k], a);
-  Svd held = singularValues(std::move(named));
-  if (rank(held, 1e-10) == fixed)
-    return held;
+    for (Index a = 0; a < onAllowed.columns(); ++a) {
+      const int mode = fixedModes[k];
+      named(k, a) = onAllowed(mode, a);
+      compared(k, a) = named(k, a) / pairs(mode, mode);
+    }
+  if (rank(singularValues(std::move(compared)), 1e-10) == fixed)
+    return singularValues(std::move(named));
   constexpr const char* names[] = {"X", "Y", "Rotation"};
   std::string list;
   for (const int mode : fixedModes)

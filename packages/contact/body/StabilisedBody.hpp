@@ -56,8 +56,8 @@ class StabilisedBody {
   virtual double strainEnergy(const Vector& u, const Vector& multiplier) const = 0;
   /// See ContactProblem.
   virtual bool byDensity() const = 0;
-  virtual bem::Vec2 meanSlack(std::size_t contactElement, const Vector& multiplier,
-                              const Vector& density) const = 0;
+  virtual std::vector<bem::Vec2> meanSlacks(const Vector& multiplier,
+                                            const Vector& density) const = 0;
   /// γ on a contact element (index into MultiplierSpace::elements()), dimensionless.
   virtual double gamma(std::size_t contactElement) const = 0;
 

@@ -115,9 +115,9 @@ class CompressedBody final : public StabilisedBody {
 
   bool byDensity() const override { return !coupling_.compliance.densities.empty(); }
 
-  bem::Vec2 meanSlack(std::size_t contactElement, const Vector& multiplier,
-                      const Vector& density) const override {
-    return coupling_.meanSlack(contactElement, multiplier, density);
+  std::vector<bem::Vec2> meanSlacks(const Vector& multiplier,
+                                    const Vector& density) const override {
+    return coupling_.meanSlacks(multiplier, density);
   }
 
   double gamma(std::size_t contactElement) const override {

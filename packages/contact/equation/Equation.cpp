@@ -174,7 +174,7 @@ void Equation::measure(Evaluation& e, const Vector& magnitude) const {
     largestFloor = std::max(largestFloor, floor);
     // Written so that a NaN is never converged.
     e.converged = e.converged && scaled <= std::max(tolerance_, floor);
-    e.scaled = scaled <= e.scaled ? e.scaled : scaled;
+    e.scaled = std::isnan(e.scaled) || scaled <= e.scaled ? e.scaled : scaled;
   };
 
   for (Index i = 0; i < problem_.size(); ++i) {

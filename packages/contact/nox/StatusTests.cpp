@@ -105,7 +105,9 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
 }
 
 bool StepTest::isRounding(const ActiveSet& linear, double scaled) const {
-  return linear == last_ && scaled <= mostRounding && scaled >= isLeft * seen_.at(linear);
+  const auto before = seen_.find(linear);
+  return before != seen_.end() && linear == last_ && scaled <= mostRounding &&
+         scaled >= isLeft * before->second;
 }
 
 std::ostream& StepTest::print(std::ostream& stream, int indent) const {

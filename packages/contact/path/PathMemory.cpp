@@ -140,8 +140,9 @@ Vector frictionWorkDensity(const bem::Mesh& mesh, const MultiplierSpace& multipl
   });
   Vector density(multiplier.size(), 0.0);
   for (std::size_t t = 0; t < lengths.size(); ++t)
-    density[static_cast<std::size_t>(multiplier.normals()) + t] =
-        frictionWork[t] / lengths[t];
+    if (lengths[t] > 0)  // else what is bonded, which does no work
+      density[static_cast<std::size_t>(multiplier.normals()) + t] =
+          frictionWork[t] / lengths[t];
   return density;
 }
 

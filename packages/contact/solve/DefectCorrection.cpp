@@ -43,12 +43,12 @@ class DefectCorrection {
     double size = 0;
     for (const Vector& u : at.displacements)
       size = std::max(size, largestEntry(u));
-    double open = 0;
+    Vector open(r.size());
     for (std::size_t i = 0; i < r.size(); ++i)
       if (e.linear.rows[i].penetration != 0)
-        open = std::max(open, std::abs(r[i]) / lengths_[i]);
+        open[i] = r[i] / lengths_[i];
     const Vector said = algebra_.broadcast(
-        {size > 0 ? open / size : 0, e.scaled <= consistent ? 1.0 : 0});
+        {size > 0 ? largestEntry(open) / size : 0, e.scaled <= consistent ? 1.0 : 0});
     at.defect = said[0];
     return {std::move(at), std::move(e), said[1] != 0};
   }
@@ -94,7 +94,8 @@ Configuration corrected(const ContactSystem& system, State state,
       break;
     DefectCorrection::Point next = correction.point(unpack(system.numbers(), x));
     // on the way from one set of states to another there is no solution
-    const bool isSettled = next.evaluation.set == e.set;
+    const bool isSettled =
+        algebra.broadcast({next.evaluation.set == e.set ? 1.0 : 0})[0] != 0;
     const bool isWorthAnother = next.at.defect <= progress * best.at.defect;
     e = next.evaluation;
     if (next.isSolution && next.at.defect < best.at.defect)

@@ -26,8 +26,8 @@ Solution attempt(const NonlinearSolver& solver, const Problem& problem,
 
 Solution followLoad(const NonlinearSolver& solver, const ProblemFamily& family,
                     int steps) {
-  constexpr double smallest = 1.0 / 1024;
   const double largest = 1.0 / steps;
+  const double smallest = largest / 1024;
   Solution now;
   double reached = 0;
   for (double step = largest; reached < 1 && step >= smallest;) {

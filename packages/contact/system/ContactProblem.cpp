@@ -32,9 +32,9 @@ Vector ContactProblem::displacement(const State& state, const Vector& met) const
 
 bool ContactProblem::byDensity() const { return parts_->form->byDensity(); }
 
-bem::Vec2 ContactProblem::meanSlack(std::size_t contactElement, const State& state,
-                                    const Vector& density) const {
-  return parts_->form->meanSlack(contactElement, state.multiplier, density);
+std::vector<bem::Vec2> ContactProblem::meanSlacks(const State& state,
+                                                  const Vector& density) const {
+  return parts_->form->meanSlacks(state.multiplier, density);
 }
 
 double ContactProblem::strainEnergy(const State& state,

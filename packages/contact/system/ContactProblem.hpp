@@ -78,10 +78,9 @@ class ContactProblem {
   /// Whether ψ stands for S u in the stabilisation: Form Density.
   bool byDensity() const;
 
-  /// γ (λ + ψ) on a contact element, averaged along it, under Form Density; else zero.
-  /// Dimensionless; the index is into multiplier().elements().
-  bem::Vec2 meanSlack(std::size_t contactElement, const State& state,
-                      const Vector& density) const;
+  /// γ (λ + ψ) of each contact element (as multiplier().elements() has them), averaged along it,
+  /// under Form Density; else zero.  Dimensionless.
+  std::vector<bem::Vec2> meanSlacks(const State& state, const Vector& density) const;
 
   /// γ on a contact element (index into multiplier().elements()), dimensionless.
   double gamma(std::size_t contactElement) const;

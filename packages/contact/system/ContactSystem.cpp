@@ -90,6 +90,10 @@ struct ContactSystem::Parts {
     jump.assign(numbering.size(), 0.0);
     for (std::size_t b = 0; b < size(); ++b) {
       const BodyParts& own = part(b);
+      if (const auto amplification = own.multiplier.basis().amplification)
+        for (const auto& element : own.multiplier.elements())
+          numbers.amplification =
+              std::max(numbers.amplification, amplification(element.degree));
       for (const Tangential& tangential : own.numbers.tangentials)
         numbers.tangentials.push_back(tangential.shifted(numbering(b, 0)));
       for (Index i = 0; i < numbering.sizeOf(b); ++i) {

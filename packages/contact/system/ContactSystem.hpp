@@ -53,7 +53,8 @@ class ContactSystem {
   };
   /// The same bodies on the same meshes at another time: conditions of the same kinds on the
   /// same boundaries, the same motions free, friction that remembers.  Shares factors, D and
-  /// couplings, so that a step costs one solution with the factors.
+  /// couplings, so that a step costs one solution with the factors; where operators are compressed
+  /// this system outlives the result.
   /// [doc/theory/paths.md]
   ContactSystem under(const Step& step) const;
 

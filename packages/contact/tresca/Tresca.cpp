@@ -7,6 +7,7 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
+#include <limits>
 
 namespace epafi::contact {
 
@@ -70,18 +71,20 @@ class Stages {
     constexpr int directions = 4;
     constexpr int price = 3;  // of as many pivots as there are coefficients
     const int run = tresca_.options().maximumIterations;
-    const auto size = static_cast<int>(problem_.size());
+    const Index size = std::max<Index>(1, problem_.size());
+    const auto mostPivots = static_cast<int>(
+        std::min<Index>(run * size / price, std::numeric_limits<int>::max()));
     // Where free motions are placed by springs, or a bound was a polygon's, a second path
     // begins at the first one's end or from another direction.
     Vector placement = state_.rigid;
     for (int direction = 0; direction < directions && !converged(); ++direction) {
       const OffsetPath path =
-          contact::followOffset(problem_, placement, direction, run * size / price);
+          contact::followOffset(problem_, placement, direction, mostPivots);
       if (path.unknowns.empty())
         continue;
       NewtonRun last =
           tresca_.newton().run(sharp_, path.unknowns, std::min(polishing, run));
-      last.iterations += price * path.pivots / size;
+      last.iterations += static_cast<int>(price * path.pivots / size);
       add(Stage::FollowOffset, last);
       placement = unpack(problem_, path.unknowns).rigid;
     }
