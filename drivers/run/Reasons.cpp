@@ -68,9 +68,11 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
                "coefficient, or a coarser mesh on the sides in contact");
   if (last.stage == Stage::FollowOffset)
     return ended(report, last.end) +
-           ".  Newton's method and complementary pivoting were tried; with a large "
-           "friction coefficient there may be several solutions, or none: try a smaller "
-           "one, a finer mesh, or Solver->Load Steps";
+           ".  Newton's method and complementary pivoting were tried.  There is no "
+           "solution "
+           "where the load drives a body beyond what friction holds: hold the motion, or "
+           "lessen the load; with a large friction coefficient there may be several, or "
+           "none: try a smaller one, or a finer mesh";
   if (last.stage != Stage::FixedPoint || last.parts.empty())
     return ended(report, last.end);
   std::string text;

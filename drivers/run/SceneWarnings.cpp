@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
 #include "bem/quadrature/Piecewise.hpp"
+#include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/run/BodySpaces.hpp"
 
 #include <algorithm>
@@ -299,6 +300,37 @@ void findUnused(const Scene& scene, std::vector<std::string>& warnings) {
                          ": is rigid, and no contact names it");
 }
 
+/// Sides in contact whose pressures what is next to rigid loses digits of: D is that of the softer
+/// body, and from element to element on finer sides the stiffer one's alone.
+void findStiffSides(const Scene& scene, std::vector<std::string>& warnings) {
+  constexpr double large = 1e6;
+  for (const ContactPair& pair : scene.contacts) {
+    if (pair.met.rigid)
+      continue;
+    const Body& side = scene.bodies[pair.side.body];
+    const Body& met = scene.bodies[pair.met.body];
+    const double ratio = side.material.youngsModulus / met.material.youngsModulus;
+    if (ratio > large)
+      warnings.push_back(
+          message("Contacts->", pair.name, "->Between: '", side.name, "' is ", ratio,
+                  " times as stiff as '", met.name,
+                  "', and its pressures lose as many digits; name the softer one "
+                  "first, or make '",
+                  side.name, "' Rigid"));
+  }
+}
+
+/// A multiplier that the displacement does not hold without stabilisation.
+void findUnstable(const Scene& scene, std::vector<std::string>& warnings) {
+  if (scene.hasContact() &&
+      scene.stabilization.form == contact::Stabilization::Form::None &&
+      !contact::multiplierBasis(scene.multiplier).sharesNodes)
+    warnings.push_back(
+        "Discretization->Stabilization->Form = None is stable with Multiplier "
+        "'Biorthogonal' only; pressures of '" +
+        scene.multiplier + "' may oscillate");
+}
+
 }  // namespace
 
 std::vector<std::string> warningsOf(const Scene& scene) {
@@ -318,6 +350,8 @@ std::vector<std::string> warningsOf(const Scene& scene) {
   Warnings warn(warnings);
   findInConditions(scene, warn);
   findUnused(scene, warnings);
+  findStiffSides(scene, warnings);
+  findUnstable(scene, warnings);
   return warnings;
 }
 

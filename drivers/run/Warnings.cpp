@@ -139,11 +139,13 @@ std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level
               "overlap; all of it stays as it is");
     return warnings;
   }
-  if (scene.hasContact() && extent.contact == 0)
+  const bool isSolved = level.row.report.converged();
+  if (isSolved && scene.hasContact() && extent.contact == 0)
     warnings.emplace_back(
         "contact never closes: nothing presses a body onto what it could meet; look at "
         "the signs of loads (tractions pull along x and y) and at the gap");
-  findLostDigits(scene, level, warnings);
+  if (isSolved)
+    findLostDigits(scene, level, warnings);
   constexpr double small = 0.1;
   for (const auto& [name, share] : slidingOf(level))
     if (share > small)

@@ -67,6 +67,13 @@ for sentence, setting in [
          "side={Type=Dirichlet, Displacement X=0, Displacement Y=-0.01*sin(pi)}")]:
     code, text = epafi("check", scene("coulomb.xml"), "--set", setting)
     claim(code == 0 and "warning" not in text, "%s is none: %s" % (sentence, text.splitlines()[-1]))
+for sentence, file, setting, words in [
+        ("an unstable pair", "coulomb.xml", "Discretization->Stabilization={Form=None}",
+         "stable with Multiplier 'Biorthogonal' only"),
+        ("a stiff side that carries the multiplier", "two-blocks.xml",
+         "Bodies->pad->Material->Young's Modulus=1e8", "name the softer one first")]:
+    code, text = epafi("check", scene(file), "--set", setting)
+    claim(code == 0 and words in text, sentence)
 code, warnings = told(scene("tilting-punch.xml"), "untouched", ["Contacts=",
                       "Bodies->punch->Motion=", "History->Times={1}", "History->Steps={1}"])
 claim(any("Bodies->punch: is rigid, and no contact names it" in line for line in warnings),
