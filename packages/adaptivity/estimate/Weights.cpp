@@ -10,20 +10,8 @@ namespace {
 
 // What a dimensionless square means: residuals, tension and bound are (stress length)²,
 // density and penetration length², complementarity and slip stress length².
-constexpr Source stresses[] = {Source::Neumann, Source::Contact, Source::Tension,
-                               Source::Bound};
-constexpr Source lengths[] = {Source::Density, Source::Penetration};
-constexpr Source energies[] = {Source::Complementarity, Source::Slip};
-
-Contributions factors(double ofStresses, double ofLengths, double ofEnergies) {
-  Contributions result{};
-  for (const Source source : stresses)
-    of(result, source) = ofStresses;
-  for (const Source source : lengths)
-    of(result, source) = ofLengths;
-  for (const Source source : energies)
-    of(result, source) = ofEnergies;
-  return result;
+Contributions factors(double stress, double length, double energy) {
+  return {stress, stress, length, energy, length, stress, stress, energy};
 }
 
 // Everything is an energy: squares of stresses / μ, squares of lengths μ.

@@ -27,8 +27,6 @@ class BalancedStiffness {
   /// nu -> 1/2 nor of a rigid motion in u.
   double stiffnessWork(const Vector& u) const;
 
-  const RigidModes& modes() const { return modes_; }
-
  private:
   using Extended = std::vector<long double>;
 

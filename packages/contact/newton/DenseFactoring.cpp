@@ -1,7 +1,6 @@
-#include "contact/newton/DenseFactoring.hpp"
-
 #include "bem/algebra/LuFactor.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "contact/newton/Factoring.hpp"
 
 #include <Teuchos_LAPACK.hpp>
 

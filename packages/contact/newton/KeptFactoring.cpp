@@ -1,4 +1,5 @@
-#include "contact/newton/KeptFactoring.hpp"
+#include "contact/newton/Factoring.hpp"
+#include "contact/newton/KeptFactor.hpp"
 
 #include <algorithm>
 

@@ -2,9 +2,7 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/body/IterativeRefinement.hpp"
-#include "contact/newton/DenseFactoring.hpp"
-#include "contact/newton/KeptFactoring.hpp"
-#include "contact/newton/OperatorFactoring.hpp"
+#include "contact/newton/Factoring.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,6 @@
-#include "contact/newton/OperatorFactoring.hpp"
-
 #include "bem/algebra/LuFactor.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "contact/newton/Factoring.hpp"
 
 #include <algorithm>
 

@@ -4,54 +4,21 @@ namespace epafi::contact {
 
 namespace {
 
-const char* nameOf(Stage stage) {
-  switch (stage) {
-    case Stage::FullSteps:
-      return "full steps";
-    case Stage::FollowOffset:
-      return "follow offset";
-    case Stage::NearStart:
-      return "near start";
-    case Stage::FixedPoint:
-      return "fixed point";
-    default:
-      return "load";
-  }
-}
-
-const char* nameOf(End end) {
-  switch (end) {
-    case End::Converged:
-      return "converged";
-    case End::Iterations:
-      return "unfinished";
-    case End::Restless:
-      return "restless";
-    case End::Growth:
-      return "grows";
-    case End::NotFinite:
-      return "not finite";
-    case End::Stalled:
-      return "stalled";
-    case End::Singular:
-      return "singular";
-    case End::NoBalance:
-      return "no balance";
-    case End::TooLarge:
-      return "too large";
-    default:
-      return "unsettled";
-  }
-}
+// As the enumerators come.
+constexpr const char* stages[] = {"full steps", "follow offset", "near start",
+                                  "fixed point", "load"};
+constexpr const char* ends[] = {"converged",  "unfinished", "restless", "grows",
+                                "not finite", "stalled",    "singular", "no balance",
+                                "too large",  "unsettled"};
 
 }  // namespace
 
-std::string told(const std::vector<StageRun>& stages) {
+std::string told(const std::vector<StageRun>& runs) {
   std::string text;
-  for (const StageRun& run : stages) {
+  for (const StageRun& run : runs) {
     text += text.empty() ? "" : ", ";
-    text += nameOf(run.stage);
-    text += " " + std::to_string(run.steps) + " " + nameOf(run.end);
+    text += stages[static_cast<int>(run.stage)];
+    text += " " + std::to_string(run.steps) + " " + ends[static_cast<int>(run.end)];
     if (!run.parts.empty())
       text += " (" + told(run.parts) + ")";
   }
