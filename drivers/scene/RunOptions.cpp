@@ -47,7 +47,9 @@ RunLimits parseLimits(const Teuchos::ParameterList& list) {
 bem::SchemaRows outputRows() {
   const OutputOptions defaults;
   return {
-      Row("Fields", Kind::Flag, "write boundary.csv and the pictures' data")
+      Row("Fields", Kind::Flag,
+          "write boundary.csv, the pictures' data, and solution.hdf, which --restart and "
+          "epafi fields read")
           .standard(defaults.fields ? "true" : "false"),
       Row("Contact Samples per Element", Kind::Whole, "points in contact.csv")
           .unit("1")
