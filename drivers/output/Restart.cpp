@@ -97,7 +97,8 @@ void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
   const ParameterList then = withoutStillMotions(sceneOf(checkpoint));
   const ParameterList now = withoutStillMotions(*scene.used);
   std::string different;
-  for (const char* section : {"Bodies", "Contacts", "History", "Discretization"})
+  for (const char* section :
+       {"Bodies", "Contacts", "Constants", "Tables", "History", "Discretization"})
     if (different.empty())
       different = differenceIn(then, now, "", section);
   for (const char* key : {"Weights", "Residual Factor"})
@@ -107,8 +108,8 @@ void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
   if (!different.empty())
     throw InputError(
         "was written by a run of another scene: ", different,
-        " differs; Bodies, Contacts, History, Discretization, Adaptivity->Weights and "
-        "Adaptivity->Residual Factor must be as they were");
+        " differs; Bodies, Contacts, Constants, Tables, History, Discretization, "
+        "Adaptivity->Weights and Adaptivity->Residual Factor must be as they were");
 }
 
 void checkOutlines(const Checkpoint& checkpoint, const Scene& scene) {

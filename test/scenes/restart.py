@@ -125,6 +125,9 @@ refused("another material", ["Poisson's Ratio", SOLUTION], *RESTART, "--set",
         "Bodies->block->Material->Poisson's Ratio=0.1")
 refused("another first mesh", ["Discretization", SOLUTION], *RESTART, "--set",
         "Discretization->Degree=2")
+refused("another constant", ["Constants", SOLUTION], *RESTART, "--set", "Constants->c=1")
+refused("another table", ["Tables", SOLUTION], *RESTART, "--set",
+        "Tables->profile={Points=2x2:{0, 0, 1, 1}}")
 refused("other weights", ["Adaptivity->Weights", SOLUTION], *RESTART, "--set",
         "Adaptivity->Weights=Paper")
 refused("another scene", ["Bodies", SOLUTION], "run", scene("hertz.xml"), "--restart", base)
