@@ -136,6 +136,8 @@ Study build(const std::string& file, const RawScene& raw) {
     if (raw.list.sublist("Scenes").sublist(name).isSublist("Reference"))
       scene.reference =
           readReference(name, given.sublist("Reference"), sceneFile, common);
+    else
+      given.remove("Reference");
     for (const auto& variant : list.sublist("Variants")) {
       const ParameterList& settingsList = list.sublist("Variants").sublist(variant.first);
       if (!belongs(settingsList, name))
