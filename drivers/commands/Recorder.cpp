@@ -36,7 +36,7 @@ void writeInterior(const Scene& scene, const Level& level, OutputFolder& folder)
 
 Recorder::Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
                    std::optional<OutputFolder>& folder, const ProgressLine& progress,
-                   std::ostream& table, std::function<void(int)> written)
+                   std::ostream& table, std::function<void(const Level&)> written)
     : scene_(scene),
       earlier_(earlier),
       folder_(folder),
@@ -95,16 +95,15 @@ void Recorder::write() {
   path_ = {path_.steps, {}, {}, {}};
   waiting_.reset();
   writtenAt_ = cpuSeconds();
-  written_(last_->number);
+  written_(*last_);
 }
 
 void Recorder::finish(PhaseTimer& timer) {
-  if (folder_)
-    timer.run(Phase::Results, [&] {
-      write();
-      if (last_ && !scene_.output.interiorPoints.empty())
-        writeInterior(scene_, *last_, *folder_);
-    });
+  if (folder_) {
+    write();  // before a phase begins, which an interrupted run does not do any more
+    if (last_ && !scene_.output.interiorPoints.empty())
+      timer.run(Phase::Results, [&] { writeInterior(scene_, *last_, *folder_); });
+  }
   writeTimings(timer);
 }
 
@@ -133,6 +132,7 @@ void Recorder::takeStep(SolvedLevel level) {
   folder_->commit();
   progress_.clear();
   table_ << tableLine(row) << std::flush;
+  written_(level.level);
 }
 
 void Recorder::writeTimings(PhaseTimer& timer) {

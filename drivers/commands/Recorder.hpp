@@ -18,13 +18,13 @@
 namespace epafi::drivers {
 
 /// Takes the levels of a run as they are solved: as lines of the table, and into the files of
-/// the folder, which the first process alone has; `written` is told the number of the level
-/// whose files these are.
+/// the folder, which the first process alone has; `written` is told the level, or the step on the
+/// way to one, whose files these are.
 class Recorder {
  public:
   Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
            std::optional<OutputFolder>& folder, const ProgressLine& progress,
-           std::ostream& table, std::function<void(int)> written);
+           std::ostream& table, std::function<void(const Level&)> written);
 
   /// A solved level; its files are written now or, if they were written a moment ago, later.
   void take(const SolvedLevel& level);
@@ -68,7 +68,7 @@ class Recorder {
   std::optional<OutputFolder>& folder_;
   const ProgressLine& progress_;
   std::ostream& table_;
-  std::function<void(int)> written_;
+  std::function<void(const Level&)> written_;
   std::string used_;
   std::string history_;
   std::string bodies_;  ///< bodies.csv of all levels so far
