@@ -28,7 +28,9 @@ constexpr double longestWait = 0.5;
 /// On the level that ends a run only: many points cost more than the levels.
 void writeInterior(const Scene& scene, const Level& level, OutputFolder& folder) {
   const BodyInsides insides(scene, level);
-  const std::vector<bem::Vec2>& points = scene.output.interiorPoints;
+  std::vector<InsidePoint> points;
+  for (const bem::Vec2 x : scene.output.interiorPoints)
+    points.push_back({scene.bodyAt(x), x});
   folder.write("interior.csv", insides.csv(points, insides.at(points)));
 }
 
@@ -130,9 +132,9 @@ void Recorder::takeStep(SolvedLevel level) {
                                             level.row.secondsWall, grid));
   }
   folder_->commit();
+  written_(level.level);
   progress_.clear();
   table_ << tableLine(row) << std::flush;
-  written_(level.level);
 }
 
 void Recorder::writeTimings(PhaseTimer& timer) {

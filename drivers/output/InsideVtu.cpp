@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "drivers/output/BoundaryVtk.hpp"
 #include "drivers/output/Csv.hpp"
+#include "drivers/output/Triangulation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,15 +62,15 @@ InsideValue mean(const InsideValue& a, const InsideValue& b) {
   return m;
 }
 
-InsideValue onBoundary(const Inside& inside, bem::Vec2 point) {
+InsideValue onBoundary(const BodyInsides& insides, const InsidePoint& point) {
   constexpr double node = 0.999;
-  const bem::Mesh& mesh = inside.space().mesh();
-  const Foot foot = nearestFoot(mesh, point);
-  const InsideValue own = inside.atBoundary(foot.element, foot.t);
+  const bem::Mesh& mesh = insides.mesh(point.body);
+  const Foot foot = nearestFoot(mesh, point.x);
+  const InsideValue own = insides.atBoundary(point.body, foot.element, foot.t);
   if (foot.t > node)
-    return mean(own, inside.atBoundary(mesh[foot.element].next, -1));
+    return mean(own, insides.atBoundary(point.body, mesh[foot.element].next, -1));
   if (foot.t < -node)
-    return mean(own, inside.atBoundary(mesh[foot.element].previous, 1));
+    return mean(own, insides.atBoundary(point.body, mesh[foot.element].previous, 1));
   return own;
 }
 
@@ -97,27 +98,25 @@ FilledBodies fill(const BodyInsides& insides) {
 #pragma omp parallel for schedule(dynamic, 16)
     for (long k = 0; k < n; ++k) {
       const auto i = static_cast<std::size_t>(k);
+      const InsidePoint point{b, own.points[i]};
       const bool boundary =
-          own.onBoundary[i] || !insides.mesh(b).outline().contains(own.points[i]);
-      values[i] =
-          boundary ? onBoundary(insides[b], own.points[i]) : insides[b].at(own.points[i]);
+          own.onBoundary[i] || !insides.mesh(b).outline().contains(point.x);
+      values[i] = boundary ? onBoundary(insides, point) : insides.at(point);
     }
     const auto first = static_cast<int>(all.values.size());
     for (const auto& c : own.corners)
-      all.triangles.corners.push_back({first + c[0], first + c[1], first + c[2]});
-    all.triangles.points.insert(all.triangles.points.end(), own.points.begin(),
-                                own.points.end());
+      all.corners.push_back({first + c[0], first + c[1], first + c[2]});
+    for (const bem::Vec2 x : own.points)
+      all.points.push_back({b, x});
     all.values.insert(all.values.end(), values.begin(), values.end());
-    all.body.insert(all.body.end(), values.size(), static_cast<int>(b));
   }
   return all;
 }
 
 std::string vtuFile(const FilledBodies& bodies) {
-  const Triangulation& triangles = bodies.triangles;
   const std::vector<InsideValue>& values = bodies.values;
-  const std::size_t points = triangles.points.size();
-  const std::size_t cells = triangles.corners.size();
+  const std::size_t points = bodies.points.size();
+  const std::size_t cells = bodies.corners.size();
   VtuGrid vtu{points, cells, R"(Scalars="von_mises" Vectors="displacement")"};
   vtu.pointData = array("Float64", "displacement", 3, points,
                         [&](std::size_t i) { return vector(values[i].displacement); });
@@ -125,13 +124,13 @@ std::string vtuFile(const FilledBodies& bodies) {
     vtu.pointData += array("Float64", field.name, 1, points,
                            [&](std::size_t i) { return exactly(field.of(values[i])); });
   vtu.pointData += array("Int64", "body", 1, points,
-                         [&](std::size_t i) { return std::to_string(bodies.body[i]); });
+                         [&](std::size_t i) { return number(bodies.points[i].body); });
   vtu.places = array("Float64", "Points", 3, points,
-                     [&](std::size_t i) { return vector(triangles.points[i]); });
+                     [&](std::size_t i) { return vector(bodies.points[i].x); });
   vtu.topology =
       array("Int64", "connectivity", 1, cells,
             [&](std::size_t i) {
-              const auto& c = triangles.corners[i];
+              const auto& c = bodies.corners[i];
               return bem::message(c[0], " ", c[1], " ", c[2]);
             }) +
       array("Int64", "offsets", 1, cells,

@@ -1,16 +1,19 @@
 #pragma once
 
 #include "drivers/output/Inside.hpp"
-#include "drivers/output/Triangulation.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
 
 namespace epafi::drivers {
 
 /// All bodies as triangles with the values at their points, up to the boundary: there the
 /// mean of what the elements say that meet at the point.
 struct FilledBodies {
-  Triangulation triangles;
-  std::vector<InsideValue> values;  ///< of each point
-  std::vector<int> body;            ///< of each point
+  std::vector<InsidePoint> points;
+  std::vector<InsideValue> values;          ///< of each point
+  std::vector<std::array<int, 3>> corners;  ///< of each triangle, counter-clockwise
 };
 FilledBodies fill(const BodyInsides& insides);
 
