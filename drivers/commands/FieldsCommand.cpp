@@ -3,14 +3,13 @@
 #include "drivers/commands/Commands.hpp"
 #include "drivers/output/InsideVtu.hpp"
 #include "drivers/output/SolutionFile.hpp"
-#include "drivers/process/Threads.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/SceneReader.hpp"
 #include "drivers/scene/Text.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -305,8 +304,6 @@ void writeWindow(const std::string& folder, const std::string& step,
 }
 
 int fieldsCommand(const Given& given, std::ostream& out) {
-  if (const int threads = threadsOf(given))
-    setThreads(threads);
   evaluate(given, out);
   return 0;
 }

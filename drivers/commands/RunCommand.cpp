@@ -125,11 +125,9 @@ Outcome solveAndRecord(const Scene& scene, const std::optional<Checkpoint>& earl
 }  // namespace
 
 int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
-  const int wantedThreads = threadsOf(given);
   const bool quiet = given.has("--quiet");
   const std::string restart = given.value("--restart");
   const Scene scene = readScene(given.argument, given.values("--set"));
-  chooseThreads(wantedThreads, ranks);
   const Beginning beginning = begin(given, scene);
   std::optional<OutputFolder> folder;  // the first rank's
   if (ranks.isFirst())

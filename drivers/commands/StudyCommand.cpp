@@ -305,8 +305,6 @@ int studyCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
         "more cores");
   const bool quiet = given.has("--quiet");
   const Study study = readStudy(given.argument);
-  if (const int threads = threadsOf(given))
-    setThreads(threads);
   OutputFolder folder(given.value("--output", defaultOutputFolder(given.argument)),
                       given.has("--force") ? EarlierRun::Delete : EarlierRun::Refuse);
   ranks.listenToSignals();

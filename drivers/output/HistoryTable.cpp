@@ -1,10 +1,9 @@
 #include "drivers/output/HistoryTable.hpp"
 
 #include "drivers/output/Csv.hpp"
+#include "drivers/scene/Text.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace epafi::drivers {
 
@@ -99,6 +98,13 @@ std::vector<std::string> historyCells(const LevelRow& row) {
   return cells;
 }
 
+std::size_t historyColumn(const std::string& name) {
+  std::size_t at = 0;
+  while (name != columns[at].name)
+    ++at;
+  return at;
+}
+
 std::string historyHead() { return csvLine(historyColumns()); }
 
 std::string historyLine(const LevelRow& row) { return csvLine(historyCells(row)); }
@@ -110,10 +116,7 @@ std::vector<std::string> lastCells(const std::string& history) {
 
 double energyOf(const std::vector<std::string>& cells) {
   const auto value = [&](const char* name) {
-    const auto at = std::find_if(
-        std::begin(columns), std::end(columns),
-        [&](const Column<LevelRow>& column) { return std::string(name) == column.name; });
-    return std::stod(cells.at(static_cast<std::size_t>(at - std::begin(columns))));
+    return numberIn<double>(cells.at(historyColumn(name))).value();
   };
   return value("energy_strain") - value("energy_load") + value("energy_friction");
 }

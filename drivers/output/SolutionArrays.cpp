@@ -101,9 +101,9 @@ std::vector<SolutionArrays> parted(const SolutionArrays& all) {
     for (std::size_t b = 0; b < parts.size(); ++b) {
       std::size_t size = 0;
       for (int count = set.first; count <= set.last; ++count)
-        size += static_cast<std::size_t>(
-            set.columns *
-            std::max(0, all.bodies[b * BodyCounts + static_cast<std::size_t>(count)]));
+        size += static_cast<std::size_t>(set.columns) *
+                static_cast<std::size_t>(std::max(
+                    0, all.bodies[b * BodyCounts + static_cast<std::size_t>(count)]));
       parts[b].*set.array = taken(all.*set.array, size, next);
     }
   });

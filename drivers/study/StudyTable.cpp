@@ -2,7 +2,6 @@
 
 #include "drivers/output/PrintedTable.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -23,13 +22,6 @@ std::vector<std::string> columns() {
 }
 
 std::string known(double value) { return std::isnan(value) ? "" : exactly(value); }
-
-void set(std::vector<std::string>& cells, const std::string& column,
-         const std::string& value) {
-  const std::vector<std::string> names = historyColumns();
-  const auto at = std::find(names.begin(), names.end(), column);
-  cells[at - names.begin()] = value;
-}
 
 }  // namespace
 
@@ -60,8 +52,8 @@ void StudyTable::level(const std::string& scene, const Variant& variant,
 void StudyTable::failure(const std::string& scene, const Variant& variant, int level,
                          const std::string& reason, double smallestEigenvalue) {
   std::vector<std::string> cells(historyColumns().size());
-  set(cells, "level", std::to_string(level));
-  set(cells, "status", "failed");
+  cells[historyColumn("level")] = std::to_string(level);
+  cells[historyColumn("status")] = "failed";
   std::vector<std::string> more(5);
   more.push_back(known(variant.sweepValue));
   more.push_back(known(smallestEigenvalue));

@@ -38,6 +38,9 @@ refused("a wrong type", ["Maximum Levels"], "run", TRESCA, "--set",
         "Adaptivity->Maximum Levels=many")
 refused("a cap below the first level", ["Maximum Degrees of Freedom"], "run", TRESCA,
         "--output", fresh("cap"), "--set", "Adaptivity->Maximum Degrees of Freedom=10")
+refused("behind -- a word is no option", ["no such file", "--scene.xml"], "run", "--",
+        "--scene.xml")
+refused("a format of one command's help", ["--format"], "help", "run", "--format", "man")
 refused("help is no failure", ["epafi check"], "--help", code=0)
 refused("the version names the BLAS core", ["BLAS core"], "version", code=0)
 for command in ("parameters", "schema", "help"):
@@ -187,9 +190,6 @@ def deep(folder):
 
 
 interrupted("Ctrl-C", "ctrl-c", [EPAFI], deep, {130})
-if os.environ.get("MPIEXEC"):  # whose own exit code says nothing
-    interrupted("Ctrl-C on two ranks", "ctrl-c.2",
-                [os.environ["MPIEXEC"], "-n", "2", EPAFI], deep, {1, 130})
 
 # on a path behind the last step
 folder = fresh("ctrl-c.path")
@@ -208,4 +208,7 @@ with h5py.File(os.path.join(folder, "solution.hdf")) as file:
     seconds = [float(file["Epafi"].attrs["seconds_" + name]) for name in ("total", "wall")]
 claim(all(0 < value < 120 for value in seconds), "whose file has its seconds: %s" % seconds)
 
+if os.environ.get("MPIEXEC"):  # whose own exit code says nothing
+    interrupted("Ctrl-C on two ranks", "ctrl-c.2",
+                [os.environ["MPIEXEC"], "-n", "2", EPAFI], deep, {1, 130})
 finish()
