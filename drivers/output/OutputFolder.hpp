@@ -25,9 +25,9 @@ class FolderLock {
 
 /// The folder that a run writes into.
 ///
-/// Files appear as a whole: they are written under temporary names, stage(), and renamed
-/// together, commit(), so that what goes wrong while writing leaves the earlier files as
-/// they are.
+/// Files appear as a whole: they are written under temporary names, stage(), and when all are,
+/// renamed one after the other, commit(), so that what goes wrong while writing leaves the earlier
+/// files as they are.
 class OutputFolder {
  public:
   /// Makes the folder and its parents; removes what an interrupted run has left staged, and

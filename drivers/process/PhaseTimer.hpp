@@ -41,7 +41,7 @@ class PhaseTimer {
   /// CPU seconds of a phase, all threads.
   double levelSeconds(Phase phase) const { return level_[at(phase)]; }
   double totalSeconds(Phase phase) const { return total_[at(phase)]; }
-  /// Since the program's start, by the clock on the wall.
+  /// Since construction, by the clock on the wall.
   double wallSeconds() const {
     return std::chrono::duration<double>(Clock::now() - begin_).count();
   }

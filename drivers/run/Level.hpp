@@ -113,7 +113,7 @@ struct LevelRow {
   adaptivity::Contributions squares{};  ///< of which it is made
   Seconds seconds;
   double secondsTotal = 0;          ///< CPU since the program's start
-  double secondsWall = 0;           ///< likewise by the clock on the wall
+  double secondsWall = 0;           ///< by the clock on the wall since the timer's
   double memory = 0;                ///< peak so far [MiB]
   std::string operators = "dense";  ///< or "compressed", or denseInstead
   std::string note{};               ///< what to tell about them; mostly empty
