@@ -59,10 +59,6 @@ class SavedRun {
           "--step: the path in '", folder, "' was interrupted behind ", level.path.size(),
           " solved steps, and fields of its steps are kept at its end; go on with epafi "
           "run --restart, or leave --step out for the last one");
-    if (level.steps.empty())
-      throw InputError("--step: '", folder,
-                       "/solution.hdf' was written by a version of Epafi that "
-                       "kept the last step alone; solve the scene again");
     if (static_cast<std::size_t>(number) > level.steps.size())
       throw InputError("--step ", number, ": the path in '", folder, "' has ",
                        level.steps.size(), level.steps.size() == 1 ? " step" : " steps");

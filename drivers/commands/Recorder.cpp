@@ -47,8 +47,7 @@ Recorder::Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
       written_(std::move(written)),
       used_(usedXml(scene)),
       history_(earlier ? earlier->history : historyHead()),
-      bodies_(earlier && !earlier->resultants.empty() ? earlier->resultants
-                                                      : bodiesHead()),
+      bodies_(earlier && !earlier->bodies.empty() ? earlier->bodies : bodiesHead()),
       path_{earlier ? earlier->steps : "", {}, {}, {}},
       contact_(scene) {
   if (!folder_)
@@ -117,9 +116,7 @@ void Recorder::takeStep(SolvedLevel level) {
     level.row.secondsWall += earlier_->secondsWall;
   }
   const StepRow& row = level.path->steps.back()->row;
-  const std::string head = stepsHead(row);
-  path_.steps = path_.steps.empty() ? head : underHead(path_.steps, head);
-  path_.steps += stepsLine(row);
+  path_.steps += (path_.steps.empty() ? stepsHead(row) : "") + stepsLine(row);
   path_.contacts.push_back(contact_.next(level));
   path_.times.push_back(row.t);
   if (scene_.hasSeveral())
