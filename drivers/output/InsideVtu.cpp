@@ -1,8 +1,6 @@
 #include "drivers/output/InsideVtu.hpp"
 
-#include "bem/base/Error.hpp"
 #include "drivers/output/BoundaryVtk.hpp"
-#include "drivers/output/Csv.hpp"
 #include "drivers/output/Triangulation.hpp"
 
 #include <algorithm>
@@ -74,19 +72,6 @@ InsideValue onBoundary(const BodyInsides& insides, const InsidePoint& point) {
   return own;
 }
 
-template <class Value>
-std::string array(const char* type, const char* name, int components, std::size_t size,
-                  const Value& value) {
-  std::string text =
-      bem::message("<DataArray type=\"", type, "\" Name=\"", name,
-                   "\" NumberOfComponents=\"", components, "\" format=\"ascii\">\n");
-  for (std::size_t i = 0; i < size; ++i)
-    text += value(i) + "\n";
-  return text + "</DataArray>\n";
-}
-
-std::string vector(bem::Vec2 v) { return exactly(v.x) + " " + exactly(v.y) + " 0"; }
-
 }  // namespace
 
 FilledBodies fill(const BodyInsides& insides) {
@@ -114,28 +99,37 @@ FilledBodies fill(const BodyInsides& insides) {
 }
 
 std::string vtuFile(const FilledBodies& bodies) {
-  const std::vector<InsideValue>& values = bodies.values;
   const std::size_t points = bodies.points.size();
   const std::size_t cells = bodies.corners.size();
   VtuGrid vtu{points, cells, R"(Scalars="von_mises" Vectors="displacement")"};
-  vtu.pointData = array("Float64", "displacement", 3, points,
-                        [&](std::size_t i) { return vector(values[i].displacement); });
-  for (const Field& field : fields)
-    vtu.pointData += array("Float64", field.name, 1, points,
-                           [&](std::size_t i) { return exactly(field.of(values[i])); });
-  vtu.pointData += array("Int64", "body", 1, points,
-                         [&](std::size_t i) { return number(bodies.points[i].body); });
-  vtu.places = array("Float64", "Points", 3, points,
-                     [&](std::size_t i) { return vector(bodies.points[i].x); });
-  vtu.topology =
-      array("Int64", "connectivity", 1, cells,
-            [&](std::size_t i) {
-              const auto& c = bodies.corners[i];
-              return bem::message(c[0], " ", c[1], " ", c[2]);
-            }) +
-      array("Int64", "offsets", 1, cells,
-            [](std::size_t i) { return std::to_string(3 * (i + 1)); }) +
-      array("UInt8", "types", 1, cells, [](std::size_t) { return std::string("5"); });
+  std::vector<double> displacements;
+  std::vector<double> places;
+  std::vector<int> body;
+  for (std::size_t i = 0; i < points; ++i) {
+    const bem::Vec2 u = bodies.values[i].displacement;
+    const auto& [b, x] = bodies.points[i];
+    displacements.insert(displacements.end(), {u.x, u.y, 0});
+    places.insert(places.end(), {x.x, x.y, 0});
+    body.push_back(static_cast<int>(b));
+  }
+  vtu.pointData = dataArray("displacement", displacements, 3);
+  for (const Field& field : fields) {
+    std::vector<double> values;
+    for (const InsideValue& value : bodies.values)
+      values.push_back(field.of(value));
+    vtu.pointData += dataArray(field.name, values);
+  }
+  vtu.pointData += dataArray("body", body);
+  vtu.places = dataArray("Points", places, 3);
+  std::vector<long long> ends;
+  std::vector<long long> offsets;
+  for (const auto& corners : bodies.corners) {
+    ends.insert(ends.end(), corners.begin(), corners.end());
+    offsets.push_back(static_cast<long long>(ends.size()));
+  }
+  constexpr unsigned char triangle = 5;  // VTK's number
+  vtu.topology = dataArray("connectivity", ends) + dataArray("offsets", offsets) +
+                 dataArray("types", std::vector<unsigned char>(cells, triangle));
   return vtuText(vtu);
 }
 

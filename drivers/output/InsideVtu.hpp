@@ -17,7 +17,7 @@ struct FilledBodies {
 };
 FilledBodies fill(const BodyInsides& insides);
 
-/// A VTK file (.vtu, UnstructuredGrid as text) that ParaView opens: the triangles with
+/// A VTK file (.vtu, UnstructuredGrid) that ParaView opens: the triangles with
 /// displacement, the stresses by the names of fields.csv, and the body's number.
 std::string vtuFile(const FilledBodies& bodies);
 

@@ -1,7 +1,9 @@
 """Fields inside a body after a run: Hooke's law and equilibrium by differences, a uniform stress, the
 triangles of the whole inside, and what is refused."""
+import base64
 import math
 import os
+import struct
 import xml.etree.ElementTree as xml
 
 from runs import WORK, claim, differ, epafi, finish, fresh, scene, table
@@ -86,9 +88,13 @@ claim(differ(-there["syy"], nearest["lambda_n"], max(row["lambda_n"] for row in 
 # triangles of the whole inside
 code, text = epafi("fields", folder, "--vtk")
 claim(code == 0, text.strip())
-vtu = {array.get("Name"): [float(number) for number in array.text.split()]
-       for array in xml.parse(os.path.join(folder, "fields.vtu")).getroot().iter("DataArray")}
-corners = [int(k) for k in vtu["connectivity"]]
+vtu = {}
+for array in xml.parse(os.path.join(folder, "fields.vtu")).getroot().iter("DataArray"):
+    data = base64.b64decode(array.text)[8:]
+    letter = {"Float64": "d", "Int64": "q", "Int32": "i", "UInt8": "B"}[array.get("type")]
+    vtu[array.get("Name")] = struct.unpack(
+        "<%d%s" % (len(data) // struct.calcsize(letter), letter), data)
+corners = vtu["connectivity"]
 place = [(vtu["Points"][3 * k], vtu["Points"][3 * k + 1]) for k in range(len(vtu["Points"]) // 3)]
 
 
