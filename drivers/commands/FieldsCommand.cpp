@@ -144,13 +144,8 @@ Points gridPoints(const std::string& text, const Box& box, const SavedRun& run) 
 }
 
 Points pointsOf(const std::string& file, const SavedRun& run) {
-  std::string text;
-  try {
-    text = readText(file);
-  } catch (const InputError& error) {
-    throw InputError("fields: --points: '", file, "' ", error.what());
-  }
-  std::istringstream lines(text);
+  std::istringstream lines(
+      within("fields: --points: '" + file + "' ", [&] { return readText(file); }));
   Points points;
   int number = 0;
   for (std::string line; std::getline(lines, line);) {

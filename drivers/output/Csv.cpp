@@ -1,7 +1,6 @@
 #include "drivers/output/Csv.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <charconv>
 
 namespace epafi::drivers {
@@ -23,15 +22,6 @@ void add(const std::string& cell, std::string& line) {
   line += '"';
 }
 
-void addLine(const std::vector<std::string>& cells, std::string& text) {
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (i > 0)
-      text += ',';
-    add(cells[i], text);
-  }
-  text += '\n';
-}
-
 }  // namespace
 
 std::string exactly(double value) {
@@ -43,8 +33,12 @@ std::string exactly(double value) {
 
 std::string csvLine(const std::vector<std::string>& cells) {
   std::string line;
-  addLine(cells, line);
-  return line;
+  for (const std::string& cell : cells) {
+    if (&cell != &cells.front())
+      line += ',';
+    add(cell, line);
+  }
+  return line + '\n';
 }
 
 std::vector<std::string> csvCells(const std::string& line) {
@@ -61,14 +55,6 @@ std::vector<std::string> csvCells(const std::string& line) {
       inQuotes = !inQuotes;
   }
   return cells;
-}
-
-Csv::Csv(const std::vector<std::string>& columns)
-    : columns_(columns.size()), text_(csvLine(columns)) {}
-
-void Csv::row(const std::vector<std::string>& cells) {
-  assert(cells.size() == columns_);
-  addLine(cells, text_);
 }
 
 }  // namespace epafi::drivers

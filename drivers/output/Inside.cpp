@@ -67,16 +67,17 @@ std::vector<InsideValue> BodyInsides::at(const std::vector<InsidePoint>& points)
 
 std::string BodyInsides::csv(const std::vector<InsidePoint>& points,
                              const std::vector<InsideValue>& values) const {
-  Csv csv({"x", "y", "ux", "uy", "sxx", "syy", "sxy", "von_mises", "body", "szz",
-           "principal_1", "principal_2"});
+  std::string csv = csvLine({"x", "y", "ux", "uy", "sxx", "syy", "sxy", "von_mises",
+                             "body", "szz", "principal_1", "principal_2"});
   for (std::size_t i = 0; i < points.size(); ++i) {
     const InsideValue& v = values[i];
-    csv.row({exactly(points[i].x.x), exactly(points[i].x.y), exactly(v.displacement.x),
-             exactly(v.displacement.y), exactly(v.xx), exactly(v.yy), exactly(v.xy),
-             exactly(v.vonMises), scene_.bodies[points[i].body].name, exactly(v.zz),
-             exactly(v.principal1), exactly(v.principal2)});
+    csv += csvLine({exactly(points[i].x.x), exactly(points[i].x.y),
+                    exactly(v.displacement.x), exactly(v.displacement.y), exactly(v.xx),
+                    exactly(v.yy), exactly(v.xy), exactly(v.vonMises),
+                    scene_.bodies[points[i].body].name, exactly(v.zz),
+                    exactly(v.principal1), exactly(v.principal2)});
   }
-  return csv.text();
+  return csv;
 }
 
 }  // namespace epafi::drivers

@@ -6,6 +6,7 @@
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
+#include "drivers/scene/Text.hpp"
 
 #include <algorithm>
 
@@ -133,9 +134,9 @@ std::string rowsBehind(const std::string& text, const Checkpoint& checkpoint) {
 
 Checkpoint readRestart(const std::string& folder, const Scene& scene) {
   const std::string path = folder + "/solution.hdf";
-  try {
+  return within("--restart: ", [&] {
     Checkpoint checkpoint = readSolution(path);
-    try {
+    within("'" + path + "' ", [&] {
       checkScene(checkpoint, scene);
       checkSizes(checkpoint.level, scene);
       checkpoint.history = historyBehind(checkpoint);
@@ -143,13 +144,9 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
       checkpoint.bodies = rowsBehind(checkpoint.bodies, checkpoint);
       if (!checkpoint.bodies.empty())
         checkHead(checkpoint.bodies, bodiesHead());
-    } catch (const InputError& error) {
-      throw InputError("'", path, "' ", error.what());
-    }
+    });
     return checkpoint;
-  } catch (const InputError& error) {
-    throw InputError("--restart: ", error.what());
-  }
+  });
 }
 
 std::optional<Checkpoint> readSolutionOf(const Scene& scene, const std::string& path) {

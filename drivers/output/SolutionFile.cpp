@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "drivers/output/BoundaryVtk.hpp"
 #include "drivers/output/Hdf5Reader.hpp"
+#include "drivers/scene/Text.hpp"
 
 #include <boost/crc.hpp>
 
@@ -103,11 +104,7 @@ std::string solutionFile(const Scene& scene, const Checkpoint& checkpoint,
 }
 
 Checkpoint readSolution(const std::string& path) {
-  try {
-    return readCheckpoint(Hdf5Reader(path));
-  } catch (const bem::InputError& error) {
-    throw bem::InputError("'", path, "': ", error.what());
-  }
+  return within("'" + path + "': ", [&] { return readCheckpoint(Hdf5Reader(path)); });
 }
 
 }  // namespace epafi::drivers

@@ -107,11 +107,7 @@ long checkEntries(const Scalar& scalar, const std::string& text) {
     if (entry.empty() || (brace && !(texts && isBalanced(entry))))
       throw InputError("entry ", count, " = '", entry, "' of the array is empty or ",
                        "holds a brace; write {a, b, c}");
-    try {
-      scalar.check(entry);
-    } catch (const InputError& error) {
-      throw InputError("entry ", count, " of the array: ", error.what());
-    }
+    within(message("entry ", count, " of the array: "), [&] { scalar.check(entry); });
     ++count;
   }
   return count;
@@ -176,11 +172,7 @@ void checkList(const Teuchos::XMLObject& list, const std::string& path) {
       checkList(child, inner);
       continue;
     }
-    try {
-      checkParameter(child);
-    } catch (const InputError& error) {
-      throw InputError(inner + ": " + error.what());
-    }
+    within(inner + ": ", [&] { checkParameter(child); });
   }
 }
 

@@ -43,11 +43,7 @@ std::vector<std::string> settingsOf(const ParameterList& list) {
 /// The scene, or what is wrong with it and where in the study that was asked for.
 Scene sceneAt(const std::string& path, const std::string& file,
               const std::vector<std::string>& overrides) {
-  try {
-    return readScene(file, overrides);
-  } catch (const InputError& error) {
-    throw InputError(path + ": " + error.what());
-  }
+  return within(path + ": ", [&] { return readScene(file, overrides); });
 }
 
 /// The variants that one entry of the study stands for on one scene: one, or one per
@@ -206,14 +202,12 @@ const std::vector<Parameter>& studyParameters() {
 }
 
 Study readStudy(const std::string& file) {
-  try {
+  return within(file + ": ", [&] {
     const RawScene raw = readRawScene(file);
     if (raw.list.isSublist("Bodies"))
       throw InputError("is a scene, not a study; to solve it: epafi run " + file);
     return build(file, raw);
-  } catch (const InputError& error) {
-    throw InputError(file + ": " + error.what());
-  }
+  });
 }
 
 }  // namespace epafi::drivers

@@ -1,5 +1,6 @@
 #include "drivers/study/StudyTable.hpp"
 
+#include "drivers/output/Csv.hpp"
 #include "drivers/output/PrintedTable.hpp"
 
 #include <cmath>
@@ -10,7 +11,7 @@ namespace epafi::drivers {
 
 namespace {
 
-std::vector<std::string> columns() {
+std::string head() {
   std::vector<std::string> names = {"scene", "variant"};
   const std::vector<std::string> history = historyColumns();
   names.insert(names.end(), history.begin(), history.end());
@@ -18,21 +19,21 @@ std::vector<std::string> columns() {
        {"error", "error_multiplier", "error_energy", "counted", "effectivity",
         "sweep_value", "smallest_eigenvalue", "reason", "folder"})
     names.emplace_back(name);
-  return names;
+  return csvLine(names);
 }
 
 std::string known(double value) { return std::isnan(value) ? "" : exactly(value); }
 
 }  // namespace
 
-StudyTable::StudyTable() : csv_(columns()) {}
+StudyTable::StudyTable() : text_(head()) {}
 
 void StudyTable::row(const std::string& scene, const std::string& variant,
                      std::vector<std::string> cells,
                      const std::vector<std::string>& more) {
   cells.insert(cells.begin(), {scene, variant});
   cells.insert(cells.end(), more.begin(), more.end());
-  csv_.row(cells);
+  text_ += csvLine(cells);
 }
 
 void StudyTable::level(const std::string& scene, const Variant& variant,
