@@ -90,8 +90,7 @@ void Recorder::write() {
   if (scene_.hasSeveral())
     folder_->stage("bodies.csv", bodies_);
   if (scene_.output.fields)
-    folder_->stage("solution.hdf", solution(*last_, waiting_->secondsTotal,
-                                            waiting_->secondsWall, waiting_->grid));
+    folder_->stage("solution.hdf", solution(*last_, waiting_->row, waiting_->grid));
   folder_->commit();
   path_ = {path_.steps, {}, {}, {}};
   waiting_.reset();
@@ -108,13 +107,9 @@ void Recorder::finish(PhaseTimer& timer) {
   writeTimings(timer);
 }
 
-void Recorder::takeStep(SolvedLevel level) {
+void Recorder::takeStep(const SolvedLevel& level) {
   if (!folder_)
     return;
-  if (earlier_) {
-    level.row.secondsTotal += earlier_->secondsTotal;
-    level.row.secondsWall += earlier_->secondsWall;
-  }
   const StepRow& row = level.path->steps.back()->row;
   path_.steps += (path_.steps.empty() ? stepsHead(row) : "") + stepsLine(row);
   path_.contacts.push_back(contact_.next(level));
@@ -125,8 +120,7 @@ void Recorder::takeStep(SolvedLevel level) {
   if (scene_.output.fields) {
     const BoundaryLines grid = boundaryLines(scene_, level);
     path_.boundaries.push_back(boundaryVtu(grid));
-    folder_->stage("solution.hdf", solution(level.level, level.row.secondsTotal,
-                                            level.row.secondsWall, grid));
+    folder_->stage("solution.hdf", solution(level.level, countedOn(level.row), grid));
   }
   folder_->commit();
   written_(level.level);
@@ -139,20 +133,26 @@ void Recorder::writeTimings(PhaseTimer& timer) {
     folder_->write("timings.txt", timer.report() + stages_);
 }
 
-std::string Recorder::solution(const Level& level, double secondsTotal,
-                               double secondsWall, const BoundaryLines& grid) const {
-  return solutionFile(scene_,
-                      {level, used_, history_, path_.steps,
-                       scene_.hasSeveral() ? bodies_ : "", secondsTotal, secondsWall},
-                      grid);
+std::string Recorder::solution(const Level& level, const LevelRow& row,
+                               const BoundaryLines& grid) const {
+  return solutionFile(
+      scene_,
+      {level, used_, history_, path_.steps, scene_.hasSeveral() ? bodies_ : "",
+       row.secondsTotal, row.secondsWall},
+      grid);
 }
 
-void Recorder::note(SolvedLevel level) {
+LevelRow Recorder::countedOn(LevelRow row) const {
   if (earlier_) {
-    level.row.secondsTotal += earlier_->secondsTotal;
-    level.row.secondsWall += earlier_->secondsWall;
+    row.secondsTotal += earlier_->secondsTotal;
+    row.secondsWall += earlier_->secondsWall;
   }
-  history_ += historyLine(level.row);
+  return row;
+}
+
+void Recorder::note(const SolvedLevel& level) {
+  const LevelRow row = countedOn(level.row);
+  history_ += historyLine(row);
   stages_ += bem::message("level ", level.row.level, ": ",
                           contact::told(level.row.report.stages), "\n");
   if (level.path == nullptr)
@@ -164,14 +164,12 @@ void Recorder::note(SolvedLevel level) {
     waiting_->contact = contactCsv(scene_, level.bodies);
   if (scene_.output.fields)
     waiting_->grid = boundaryLines(scene_, level);
-  waiting_->secondsTotal = level.row.secondsTotal;
-  waiting_->secondsWall = level.row.secondsWall;
+  waiting_->row = row;
   last_ = level.level;
   contact_ = PathContact(scene_);
   progress_.clear();
-  table_ << tableLine(level.row)
-         << gamma0Note(level.row, scene_.stabilization.firstGamma0())
-         << operatorsNote(level.row) << std::flush;
+  table_ << tableLine(row) << gamma0Note(row, scene_.stabilization.firstGamma0())
+         << operatorsNote(row) << std::flush;
 }
 
 }  // namespace epafi::drivers

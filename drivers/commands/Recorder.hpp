@@ -29,7 +29,7 @@ class Recorder {
   /// A solved level; its files are written now or, if they were written a moment ago, later.
   void take(const SolvedLevel& level);
   /// A step on the way to a level: what a run that is killed now goes on from.
-  void takeStep(SolvedLevel level);
+  void takeStep(const SolvedLevel& level);
   /// The files of the level taken last, if they wait: they take the place of those of the level
   /// before, the one that a restart begins with last.
   /// \throws bem::InputError for a file that cannot be written.
@@ -55,13 +55,14 @@ class Recorder {
   struct LevelFiles {
     std::string contact;
     BoundaryLines grid;
-    double secondsTotal = 0;
-    double secondsWall = 0;
+    LevelRow row;
   };
 
-  std::string solution(const Level& level, double secondsTotal, double secondsWall,
+  std::string solution(const Level& level, const LevelRow& row,
                        const BoundaryLines& grid) const;
-  void note(SolvedLevel level);
+  /// The row with the earlier run's seconds.
+  LevelRow countedOn(LevelRow row) const;
+  void note(const SolvedLevel& level);
 
   const Scene& scene_;
   const std::optional<Checkpoint>& earlier_;

@@ -27,6 +27,11 @@ std::string eta(const LevelRow& row) {
   return number(std::sqrt(row.squares[static_cast<std::size_t>(source)]));
 }
 
+template <Phase phase>
+std::string seconds(const LevelRow& row) {
+  return number(row.seconds[static_cast<std::size_t>(phase)]);
+}
+
 /// Order and names are a contract: add, never rename.
 constexpr Column<LevelRow> columns[] = {
     {"level", cell<&LevelRow::level>},
@@ -65,11 +70,11 @@ constexpr Column<LevelRow> columns[] = {
        return std::string(
            r.report.status == contact::Status::Converged ? "converged" : "not converged");
      }},
-    {"seconds_assembly", cell<&LevelRow::seconds, &Seconds::assembly>},
-    {"seconds_factorization", cell<&LevelRow::seconds, &Seconds::factorization>},
-    {"seconds_stabilization", cell<&LevelRow::seconds, &Seconds::stabilization>},
-    {"seconds_newton", cell<&LevelRow::seconds, &Seconds::newton>},
-    {"seconds_estimate", cell<&LevelRow::seconds, &Seconds::estimate>},
+    {"seconds_assembly", seconds<Phase::Assembly>},
+    {"seconds_factorization", seconds<Phase::Factorization>},
+    {"seconds_stabilization", seconds<Phase::Stabilization>},
+    {"seconds_newton", seconds<Phase::Newton>},
+    {"seconds_estimate", seconds<Phase::Estimate>},
     {"seconds_total", cell<&LevelRow::secondsTotal>},
     {"seconds_wall", cell<&LevelRow::secondsWall>},
     {"memory_mb", cell<&LevelRow::memory>},

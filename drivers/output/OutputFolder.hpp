@@ -9,20 +9,6 @@ namespace epafi::drivers {
 /// What to do with the files of an earlier run in the same folder.
 enum class EarlierRun { Refuse, Delete, Continue };
 
-/// Keeps other runs out of a folder while it lives, also those of other processes; where the
-/// file system knows no locks it does nothing.
-class FolderLock {
- public:
-  /// \throws bem::InputError if another run writes into the folder now.
-  explicit FolderLock(const std::string& path);
-  ~FolderLock();
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-
- private:
-  int folder_;
-};
-
 /// The folder that a run writes into.
 ///
 /// Files appear as a whole: they are written under temporary names, stage(), and when all are,
@@ -62,7 +48,7 @@ class OutputFolder {
   void discard();
 
   std::string path_;
-  std::unique_ptr<const FolderLock> lock_;
+  std::shared_ptr<const void> lock_;  ///< keeps other runs out
   std::vector<std::string> staged_;
   std::vector<std::string> written_;
 };

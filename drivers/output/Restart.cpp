@@ -46,7 +46,7 @@ std::string difference(const ParameterList& a, const ParameterList& b,
 
 /// The scene that a file was written by.
 ParameterList sceneOf(const Checkpoint& checkpoint) {
-  const RawScene scene = readSceneText(checkpoint.used);
+  const RawScene scene = rawScene(checkpoint.used, "used.xml");
   ParameterList list = bem::complete(parameters(), scene.list, scene.title);
   if (!list.sublist("History").isParameter("Times"))
     list.remove("History");  // as a scene without a path has none

@@ -27,9 +27,6 @@ class BodySpaces {
   }
 
   Size sizes() const;
-  std::string boundaryName(std::size_t b, const std::string& boundary) const {
-    return scene_.boundaryName(b, boundary);
-  }
 
   /// Of displacements of all bodies, which must outlive it, and motions of those that do
   /// not deform.

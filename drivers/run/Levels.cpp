@@ -83,16 +83,14 @@ using Attempt = std::variant<Level, std::string>;
 
 /// CPU seconds and memory until now, of all processes.
 void addTimes(const SolvedBodies& solved, const PhaseTimer& timer, LevelRow& row) {
-  const bem::Vector cost = largestOverRanks(
-      solved.bodies().front().stiffness.algebra(),
-      {timer.levelSeconds(Phase::Assembly), timer.levelSeconds(Phase::Factorization),
-       timer.levelSeconds(Phase::Stabilization), timer.levelSeconds(Phase::Newton),
-       timer.levelSeconds(Phase::Estimate), cpuSeconds(), timer.wallSeconds(),
-       peakMemory()});
-  row.seconds = {cost[0], cost[1], cost[2], cost[3], cost[4]};
-  row.secondsTotal = cost[5];
-  row.secondsWall = cost[6];
-  row.memory = cost[7];
+  const auto& phases = timer.levelSeconds();
+  bem::Vector cost(phases.begin(), phases.end());
+  cost.insert(cost.end(), {cpuSeconds(), timer.wallSeconds(), peakMemory()});
+  cost = largestOverRanks(solved.bodies().front().stiffness.algebra(), cost);
+  std::copy_n(cost.begin(), phaseCount, row.seconds.begin());
+  row.secondsTotal = cost[phaseCount];
+  row.secondsWall = cost[phaseCount + 1];
+  row.memory = cost[phaseCount + 2];
 }
 
 LevelRow makeRow(const Level& level, const NewLevel& begun, double gamma0,

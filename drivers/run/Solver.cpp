@@ -89,7 +89,7 @@ Solved solve(const Scene& scene, const contact::ContactSystem& system,
                                              start, scene.solver.loadSteps);
           });
       const std::string reason = reasonOf(solution.report, scene) +
-                                 restlessPlaces(solution.report, system, spaces);
+                                 restlessPlaces(solution.report, scene, system, spaces);
       return {std::move(solution), reason};
     } catch (const contact::NoBalance& error) {
       throw bem::NumericalError(withAdvice(error, unresisted(scene, spaces, system)));

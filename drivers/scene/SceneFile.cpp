@@ -242,10 +242,6 @@ RawScene rawScene(const std::string& marked, const std::string& file) {
               : readXml(text, path.stem().string());
 }
 
-RawScene readSceneText(const std::string& xml) { return readXml(xml, ""); }
-
-RawScene readRawScene(const std::string& file) { return rawScene(readText(file), file); }
-
 std::vector<std::string> assignments(const Teuchos::ParameterList& list) {
   std::vector<std::string> result;
   collect(list, "", result);

@@ -148,9 +148,9 @@ Study build(const std::string& file, const RawScene& raw) {
 }
 
 void addOverrides(std::vector<Parameter>& table, const std::string& parent) {
-  const std::string prefix = parent.empty() ? "" : parent + "->";
-  append(table, {Row(prefix + "Set", Kind::Names, settings),
-                 Row(prefix + "Override", Kind::Free, override)});
+  append(table,
+         {Row("Set", Kind::Names, settings), Row("Override", Kind::Free, override)},
+         parent);
 }
 
 std::vector<Parameter> makeStudyParameters() {
@@ -203,7 +203,7 @@ const std::vector<Parameter>& studyParameters() {
 
 Study readStudy(const std::string& file) {
   return within(file + ": ", [&] {
-    const RawScene raw = readRawScene(file);
+    const RawScene raw = rawScene(readText(file), file);
     if (raw.list.isSublist("Bodies"))
       throw InputError("is a scene, not a study; to solve it: epafi run " + file);
     return build(file, raw);
