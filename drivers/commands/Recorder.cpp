@@ -11,7 +11,7 @@
 #include "drivers/output/PrintedTable.hpp"
 #include "drivers/output/SolutionFile.hpp"
 #include "drivers/output/StepsTable.hpp"
-#include "drivers/run/Warnings.hpp"
+#include "drivers/run/LevelWarnings.hpp"
 #include "drivers/scene/SceneReader.hpp"
 
 #include <ostream>

@@ -26,7 +26,7 @@ class BodySpaces {
     return opposites_[b];
   }
 
-  Size sizes() const;
+  Size totalSize() const;
 
   /// Of displacements of all bodies, which must outlive it, and motions of those that do
   /// not deform.

@@ -175,7 +175,7 @@ Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
                   const LevelStart& from, const NewLevel& begun) {
   PhaseTimer& timer = begun.timer;
   const bem::DenseAlgebra& algebra = ground.stiffness.front().algebra();
-  const Solved outcome = timer.run(Phase::Newton, [&] {
+  const SolvedProblem outcome = timer.run(Phase::Newton, [&] {
     return solve(ground.scene, system, ground.spaces,
                  system.joined(from.start, from.rigid), algebra);
   });
@@ -308,7 +308,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
   while (const auto* from = std::get_if<LevelStart>(&next)) {
     const int number = from->level;
     const BodySpaces spaces(scene, from->meshes);
-    Size size = spaces.sizes();
+    Size size = spaces.totalSize();
     if (size.dof() > scene.adaptivity.limits.degreesOfFreedom)
       return {contact::Status::Converged,
               capReached(number, size, scene.adaptivity.limits.degreesOfFreedom)};
