@@ -14,7 +14,7 @@ echo OMPI_MCA_btl_vader_single_copy_mechanism=none
 # Debian's OpenBLAS does not recognise newer processors and falls back to SSE kernels, five
 # times slower.  A core type that the processor lacks would be an illegal instruction.
 flags=" $(grep -m1 '^flags' /proc/cpuinfo 2>/dev/null | cut -d: -f2) "
-# AMD's family 25 has AVX-512 in halves, see drivers/process/BlasCore.cpp
+# AMD's family 25 has AVX-512 in halves, see drivers/process/Threads.cpp
 grep -q '^vendor_id.*AuthenticAMD' /proc/cpuinfo 2>/dev/null &&
   grep -q '^cpu family[^0-9]*25$' /proc/cpuinfo && flags=${flags//avx512f/}
 if [[ -n ${OPENBLAS_CORETYPE:-} ]]; then

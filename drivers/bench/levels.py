@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
 """Seconds of one level by phase, one thread, p = 1, uniform: [P 8.1] with N elements.
 
-    levels.py EPAFI [--limit PEER_LIMIT] [--runs 5] [--elements 256,1024] [--csv FILE]
+    levels.py EPAFI [--runs 5] [--elements 256,1024] [--csv FILE]
 
 Prints a Markdown table of medians with the error beside every time; the error is that of the
-strain energy, relative to an overkill run by "Graded hp" that the script makes first.  The
-program that --limit names (what the machine allows) runs before and after.  Results are
+strain energy, relative to an overkill run by "Graded hp" that the script makes first.  Results are
 appended to --csv.
 """
 import argparse
@@ -42,16 +41,9 @@ def overkill():
             "Adaptivity->Maximum Levels=60", "Adaptivity->Maximum Degrees of Freedom=1400"]
 
 
-def limit_lines(program):
-    text = subprocess.run(["sh", program], check=True, capture_output=True, text=True).stdout
-    return [line for line in text.splitlines()
-            if "1 thread" in line and ("V,K,W" in line or line.startswith("d:"))]
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("epafi")
-    parser.add_argument("--limit")
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("--elements", default="256,1024")
     parser.add_argument("--csv")
@@ -59,7 +51,6 @@ def main():
 
     with tempfile.TemporaryDirectory() as folder:
         exact = float(last_row(options.epafi, folder, overkill())["energy_strain"])
-        before = limit_lines(options.limit) if options.limit else []
         rows = []
         for elements in map(int, options.elements.split(",")):
             runs = [last_row(options.epafi, folder, uniform(elements))
@@ -76,16 +67,12 @@ def main():
                 float(run["memory_mb"]) for run in runs)
             row["newton_steps"] = runs[0]["newton_iterations"]
             rows.append(row)
-        after = limit_lines(options.limit) if options.limit else []
 
     names = list(rows[0])[1:]
     print("| " + " | ".join(names) + " |")
     print("|" + "---|" * len(names))
     for row in rows:
         print("| " + " | ".join(str(row[name]) for name in names) + " |")
-    for title, lines in (("limit before", before), ("limit after", after)):
-        for line in lines:
-            print("\n%s: %s" % (title, line))
     if options.csv:
         new = not os.path.exists(options.csv)
         with open(options.csv, "a", newline="") as file:

@@ -63,8 +63,13 @@ void checkWords(const Command& command, const Given& given) {
 
 void takeArgument(const Command& command, const std::vector<std::string>& rest,
                   Given& given) {
+  bool options = true;  // until --, behind which no word is one
   for (const std::string& text : rest) {
-    if (text.size() > 1 && text[0] == '-')
+    if (options && text == "--") {
+      options = false;
+      continue;
+    }
+    if (options && text.size() > 1 && text[0] == '-')
       refuseOption(command, text);
     if (command.argument.name.empty())
       throw InputError(command.name, ": argument '", text,

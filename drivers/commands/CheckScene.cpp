@@ -96,8 +96,8 @@ std::string fixedMotions(const contact::Conditions::Fix& fix) {
 /// What `epafi check --plot` draws, as csv: points along the first meshes with the loads and
 /// gaps there.
 std::string sceneCsv(const Scene& scene) {
-  Csv csv({"x", "y", "nx", "ny", "body", "boundary", "element", "condition", "tx", "ty",
-           "gap"});
+  std::string csv = csvLine({"x", "y", "nx", "ny", "body", "boundary", "element",
+                             "condition", "tx", "ty", "gap"});
   const std::vector<bem::Mesh> meshes = firstLevel(scene).meshes;
   const auto row = [&](bem::Vec2 x, bem::Vec2 n, const std::string& body,
                        const std::string& boundary, int element,
@@ -106,7 +106,7 @@ std::string sceneCsv(const Scene& scene) {
                                       exactly(n.y),           body,         boundary,
                                       std::to_string(element)};
     cells.insert(cells.end(), rest.begin(), rest.end());
-    csv.row(cells);
+    csv += csvLine(cells);
   };
   constexpr int lines = 4;
   for (std::size_t b = 0; b < meshes.size(); ++b) {
@@ -144,7 +144,7 @@ std::string sceneCsv(const Scene& scene) {
         row(body.outline->physical(edge.curve.point(t)), edge.curve.normal(t), body.name,
             edge.boundary, static_cast<int>(e), {"rigid", "", "", ""});
       }
-  return csv.text();
+  return csv;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "drivers/commands/Help.hpp"
 #include "drivers/output/InsideVtu.hpp"
 #include "drivers/process/Ranks.hpp"
+#include "drivers/process/Threads.hpp"
 
 #include <boost/algorithm/string/join.hpp>
 #include <iostream>
@@ -65,6 +66,9 @@ const Command& commandNamed(const std::string& name) {
 }
 
 int helpCommand(const Given& given, std::ostream& out) {
+  if (!given.argument.empty() && given.has("--format"))
+    throw bem::InputError("help: --format is for the page of all commands; leave '",
+                          given.argument, "' or it out");
   out << (given.argument.empty() ? helpAs(given.value("--format", "text"))
                                  : helpOf(commandNamed(given.argument)));
   return 0;
@@ -196,10 +200,12 @@ int dispatch(const std::vector<std::string>& arguments, const Ranks& ranks) {
   const Given given = parseArguments(command, {arguments.begin() + 1, arguments.end()});
   std::ostream silence(nullptr);
   std::ostream& out = ranks.isFirst() ? std::cout : silence;
-  if (!given.has("--help"))
-    return command.run(given, out, ranks);
-  out << helpOf(command);
-  return 0;
+  if (given.has("--help")) {
+    out << helpOf(command);
+    return 0;
+  }
+  chooseThreads(threadsOf(given), ranks);
+  return command.run(given, out, ranks);
 }
 
 }  // namespace epafi::drivers

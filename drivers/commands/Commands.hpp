@@ -23,8 +23,8 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks);
 /// `epafi version`
 int versionCommand(const Given& given, std::ostream& out);
 
-/// `epafi study STUDY.xml [--output DIR] [--threads N] [--force] [--quiet]`: solves every
-/// variant of every scene of a study and compares them.
+/// `epafi study STUDY.xml [--output DIR] [--threads N] [--force] [--no-plot] [--quiet]`:
+/// solves every variant of every scene of a study and compares them.
 ///
 /// Writes study.csv after every level, a folder per variant with the files of a run (of
 /// sweeps below sweep/, the contact alone), reference-<scene>.hdf, and pictures.  A variant

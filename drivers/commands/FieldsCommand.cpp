@@ -3,13 +3,13 @@
 #include "drivers/commands/Commands.hpp"
 #include "drivers/output/InsideVtu.hpp"
 #include "drivers/output/SolutionFile.hpp"
-#include "drivers/process/Threads.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/SceneReader.hpp"
 #include "drivers/scene/Text.hpp"
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -24,7 +24,7 @@ namespace {
 
 using bem::InputError;
 using bem::message;
-using Points = std::vector<bem::Vec2>;
+using Points = std::vector<InsidePoint>;
 
 /// The last level of a run, read from its folder, with the scene that it was solved for.
 class SavedRun {
@@ -59,10 +59,6 @@ class SavedRun {
           "--step: the path in '", folder, "' was interrupted behind ", level.path.size(),
           " solved steps, and fields of its steps are kept at its end; go on with epafi "
           "run --restart, or leave --step out for the last one");
-    if (level.steps.empty())
-      throw InputError("--step: '", folder,
-                       "/solution.hdf' was written by a version of Epafi that "
-                       "kept the last step alone; solve the scene again");
     if (static_cast<std::size_t>(number) > level.steps.size())
       throw InputError("--step ", number, ": the path in '", folder, "' has ",
                        level.steps.size(), level.steps.size() == 1 ? " step" : " steps");
@@ -83,8 +79,10 @@ std::optional<double> trimmedNumber(const std::string& text) {
   return numberIn<double>(trimmed(text));
 }
 
-bool isInside(const SavedRun& run, bem::Vec2 x) {
-  return run.scene().bodyAt(x) < run.scene().bodies.size();
+/// Of the first body that it lies inside; none where there is none.
+std::optional<InsidePoint> insideAt(const SavedRun& run, bem::Vec2 x) {
+  const std::size_t b = run.scene().bodyAt(x);
+  return b < run.scene().bodies.size() ? std::optional(InsidePoint{b, x}) : std::nullopt;
 }
 
 struct Box {
@@ -98,7 +96,8 @@ Box windowOf(const std::string& text) {
   for (std::string piece; std::getline(pieces, piece, ',');)
     ends.push_back(
         trimmedNumber(piece).value_or(std::numeric_limits<double>::quiet_NaN()));
-  if (ends.size() != 4 || !(ends[0] < ends[2]) || !(ends[1] < ends[3]))
+  if (ends.size() != 4 || !(ends[0] < ends[2]) || !(ends[1] < ends[3]) ||
+      !std::isfinite(ends[2] - ends[0]) || !std::isfinite(ends[3] - ends[1]))
     throw InputError("--window: '", text,
                      "' is not X0,Y0,X1,Y1, two corners, the lower left one first");
   return {{ends[0], ends[1]}, {ends[2], ends[3]}};
@@ -125,8 +124,8 @@ Points cellsOf(const Box& box, int nx, int ny, const SavedRun& run) {
     for (int i = 0; i < nx; ++i) {
       const bem::Vec2 x{box.low.x + (i + 0.5) / nx * (box.high.x - box.low.x),
                         box.low.y + (j + 0.5) / ny * (box.high.y - box.low.y)};
-      if (isInside(run, x))
-        points.push_back(x);
+      if (const auto point = insideAt(run, x))
+        points.push_back(*point);
     }
   return points;
 }
@@ -145,13 +144,8 @@ Points gridPoints(const std::string& text, const Box& box, const SavedRun& run) 
 }
 
 Points pointsOf(const std::string& file, const SavedRun& run) {
-  std::string text;
-  try {
-    text = readText(file);
-  } catch (const InputError& error) {
-    throw InputError("fields: --points: '", file, "' ", error.what());
-  }
-  std::istringstream lines(text);
+  std::istringstream lines(
+      within("fields: --points: '" + file + "' ", [&] { return readText(file); }));
   Points points;
   int number = 0;
   for (std::string line; std::getline(lines, line);) {
@@ -169,10 +163,11 @@ Points pointsOf(const std::string& file, const SavedRun& run) {
     if (!x || !y)
       throw InputError("fields: --points: '", file, "', line ", number, " = '", line,
                        "' does not begin with x,y");
-    if (!isInside(run, {*x, *y}))
+    const auto point = insideAt(run, {*x, *y});
+    if (!point)
       throw InputError("fields: --points: '", file, "', line ", number, ": (", *x, ", ",
                        *y, ") is not inside a body");
-    points.push_back({*x, *y});
+    points.push_back(*point);
   }
   if (points.empty())
     throw InputError("fields: --points: '", file, "' has no points");
@@ -196,7 +191,7 @@ Points alongPoints(const std::string& where, double depth, const SavedRun& run) 
         const double t = -1 + (2.0 * k + 1) / intervals;
         const bem::Vec2 x = mesh.physicalPoint(e, t) - depth * mesh[e].curve.normal(t);
         if (mesh.outline().contains(x))
-          points.push_back(x);
+          points.push_back({b, x});
       }
     }
   }
@@ -246,7 +241,7 @@ std::string summary(const std::string& file, const Points& points,
   const auto largest = std::max_element(
       values.begin(), values.end(),
       [](const InsideValue& a, const InsideValue& b) { return a.vonMises < b.vonMises; });
-  const bem::Vec2 x = points[largest - values.begin()];
+  const bem::Vec2 x = points[largest - values.begin()].x;
   return message("fields  ", file, ": ", points.size(),
                  " points, largest von Mises stress ", largest->vonMises, " at (", x.x,
                  ", ", x.y, ")\n");
@@ -263,7 +258,7 @@ void evaluate(const Given& given, std::ostream& out) {
     const std::string file = given.value("--output", folder + "/fields.vtu");
     const FilledBodies filled = fill(run.insides());
     write(file, vtuFile(filled));
-    out << summary(file, filled.triangles.points, filled.values);
+    out << summary(file, filled.points, filled.values);
     return;
   }
   const Points points = chosenPoints(given, run);
@@ -289,9 +284,10 @@ void writeWindow(const std::string& folder, const std::string& step,
   const SavedRun run(folder, step);
   const Box box = windowOf(window);
   const bem::Vec2 size = box.high - box.low;
-  const double cell = std::max(size.x, size.y) / cells;
-  const Points points = cellsOf(box, std::max(1, static_cast<int>(size.x / cell)),
-                                std::max(1, static_cast<int>(size.y / cell)), run);
+  const auto along = [&](double side) {
+    return std::max(1, static_cast<int>(cells * (side / std::max(size.x, size.y))));
+  };
+  const Points points = cellsOf(box, along(size.x), along(size.y), run);
   if (points.empty())
     throw InputError("--window: '", window, "' shows nothing of the bodies");
   write(folder + "/fields-window.csv",
@@ -299,8 +295,6 @@ void writeWindow(const std::string& folder, const std::string& step,
 }
 
 int fieldsCommand(const Given& given, std::ostream& out) {
-  if (const int threads = threadsOf(given))
-    setThreads(threads);
   evaluate(given, out);
   return 0;
 }

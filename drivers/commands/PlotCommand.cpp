@@ -40,13 +40,17 @@ int drawPictures(const std::string& folder, Words words,
 }
 
 int drawScene(const std::string& csv, const std::string& title, const std::string& file) {
-  const std::string table = file + ".csv.part";
-  if (!(std::ofstream(table) << csv << std::flush))
+  /// Gone with the scope, also where nothing can be drawn.
+  struct Table {
+    ~Table() {
+      std::error_code ignored;
+      fs::remove(file, ignored);
+    }
+    const std::string file;
+  } const table{file + ".csv.part"};
+  if (!(std::ofstream(table.file) << csv << std::flush))
     throw bem::InputError("--plot: '", file, "' cannot be written");
-  const int code = callPlot({table, "--scene", file, "--title=" + title});
-  std::error_code ignored;
-  fs::remove(table, ignored);
-  return code;
+  return callPlot({table.file, "--scene", file, "--title=" + title});
 }
 
 int plotCommand(const Given& given, std::ostream&) {

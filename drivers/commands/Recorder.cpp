@@ -11,7 +11,7 @@
 #include "drivers/output/PrintedTable.hpp"
 #include "drivers/output/SolutionFile.hpp"
 #include "drivers/output/StepsTable.hpp"
-#include "drivers/run/Warnings.hpp"
+#include "drivers/run/LevelWarnings.hpp"
 #include "drivers/scene/SceneReader.hpp"
 
 #include <ostream>
@@ -28,7 +28,9 @@ constexpr double longestWait = 0.5;
 /// On the level that ends a run only: many points cost more than the levels.
 void writeInterior(const Scene& scene, const Level& level, OutputFolder& folder) {
   const BodyInsides insides(scene, level);
-  const std::vector<bem::Vec2>& points = scene.output.interiorPoints;
+  std::vector<InsidePoint> points;
+  for (const bem::Vec2 x : scene.output.interiorPoints)
+    points.push_back({scene.bodyAt(x), x});
   folder.write("interior.csv", insides.csv(points, insides.at(points)));
 }
 
@@ -36,7 +38,7 @@ void writeInterior(const Scene& scene, const Level& level, OutputFolder& folder)
 
 Recorder::Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
                    std::optional<OutputFolder>& folder, const ProgressLine& progress,
-                   std::ostream& table, std::function<void(int)> written)
+                   std::ostream& table, std::function<void(const Level&)> written)
     : scene_(scene),
       earlier_(earlier),
       folder_(folder),
@@ -45,8 +47,7 @@ Recorder::Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
       written_(std::move(written)),
       used_(usedXml(scene)),
       history_(earlier ? earlier->history : historyHead()),
-      bodies_(earlier && !earlier->resultants.empty() ? earlier->resultants
-                                                      : bodiesHead()),
+      bodies_(earlier && !earlier->bodies.empty() ? earlier->bodies : bodiesHead()),
       path_{earlier ? earlier->steps : "", {}, {}, {}},
       contact_(scene) {
   if (!folder_)
@@ -89,36 +90,28 @@ void Recorder::write() {
   if (scene_.hasSeveral())
     folder_->stage("bodies.csv", bodies_);
   if (scene_.output.fields)
-    folder_->stage("solution.hdf", solution(*last_, waiting_->secondsTotal,
-                                            waiting_->secondsWall, waiting_->grid));
+    folder_->stage("solution.hdf", solution(*last_, waiting_->row, waiting_->grid));
   folder_->commit();
   path_ = {path_.steps, {}, {}, {}};
   waiting_.reset();
   writtenAt_ = cpuSeconds();
-  written_(last_->number);
+  written_(*last_);
 }
 
 void Recorder::finish(PhaseTimer& timer) {
-  if (folder_)
-    timer.run(Phase::Results, [&] {
-      write();
-      if (last_ && !scene_.output.interiorPoints.empty())
-        writeInterior(scene_, *last_, *folder_);
-    });
+  if (folder_) {
+    write();  // before a phase begins, which an interrupted run does not do any more
+    if (last_ && !scene_.output.interiorPoints.empty())
+      timer.run(Phase::Results, [&] { writeInterior(scene_, *last_, *folder_); });
+  }
   writeTimings(timer);
 }
 
-void Recorder::takeStep(SolvedLevel level) {
+void Recorder::takeStep(const SolvedLevel& level) {
   if (!folder_)
     return;
-  if (earlier_) {
-    level.row.secondsTotal += earlier_->secondsTotal;
-    level.row.secondsWall += earlier_->secondsWall;
-  }
   const StepRow& row = level.path->steps.back()->row;
-  const std::string head = stepsHead(row);
-  path_.steps = path_.steps.empty() ? head : underHead(path_.steps, head);
-  path_.steps += stepsLine(row);
+  path_.steps += (path_.steps.empty() ? stepsHead(row) : "") + stepsLine(row);
   path_.contacts.push_back(contact_.next(level));
   path_.times.push_back(row.t);
   if (scene_.hasSeveral())
@@ -127,10 +120,10 @@ void Recorder::takeStep(SolvedLevel level) {
   if (scene_.output.fields) {
     const BoundaryLines grid = boundaryLines(scene_, level);
     path_.boundaries.push_back(boundaryVtu(grid));
-    folder_->stage("solution.hdf", solution(level.level, level.row.secondsTotal,
-                                            level.row.secondsWall, grid));
+    folder_->stage("solution.hdf", solution(level.level, countedOn(level.row), grid));
   }
   folder_->commit();
+  written_(level.level);
   progress_.clear();
   table_ << tableLine(row) << std::flush;
 }
@@ -140,20 +133,26 @@ void Recorder::writeTimings(PhaseTimer& timer) {
     folder_->write("timings.txt", timer.report() + stages_);
 }
 
-std::string Recorder::solution(const Level& level, double secondsTotal,
-                               double secondsWall, const BoundaryLines& grid) const {
-  return solutionFile(scene_,
-                      {level, used_, history_, path_.steps,
-                       scene_.hasSeveral() ? bodies_ : "", secondsTotal, secondsWall},
-                      grid);
+std::string Recorder::solution(const Level& level, const LevelRow& row,
+                               const BoundaryLines& grid) const {
+  return solutionFile(
+      scene_,
+      {level, used_, history_, path_.steps, scene_.hasSeveral() ? bodies_ : "",
+       row.secondsTotal, row.secondsWall},
+      grid);
 }
 
-void Recorder::note(SolvedLevel level) {
+LevelRow Recorder::countedOn(LevelRow row) const {
   if (earlier_) {
-    level.row.secondsTotal += earlier_->secondsTotal;
-    level.row.secondsWall += earlier_->secondsWall;
+    row.secondsTotal += earlier_->secondsTotal;
+    row.secondsWall += earlier_->secondsWall;
   }
-  history_ += historyLine(level.row);
+  return row;
+}
+
+void Recorder::note(const SolvedLevel& level) {
+  const LevelRow row = countedOn(level.row);
+  history_ += historyLine(row);
   stages_ += bem::message("level ", level.row.level, ": ",
                           contact::told(level.row.report.stages), "\n");
   if (level.path == nullptr)
@@ -165,14 +164,12 @@ void Recorder::note(SolvedLevel level) {
     waiting_->contact = contactCsv(scene_, level.bodies);
   if (scene_.output.fields)
     waiting_->grid = boundaryLines(scene_, level);
-  waiting_->secondsTotal = level.row.secondsTotal;
-  waiting_->secondsWall = level.row.secondsWall;
+  waiting_->row = row;
   last_ = level.level;
   contact_ = PathContact(scene_);
   progress_.clear();
-  table_ << tableLine(level.row)
-         << gamma0Note(level.row, scene_.stabilization.firstGamma0())
-         << operatorsNote(level.row) << std::flush;
+  table_ << tableLine(row) << gamma0Note(row, scene_.stabilization.firstGamma0())
+         << operatorsNote(row) << std::flush;
 }
 
 }  // namespace epafi::drivers

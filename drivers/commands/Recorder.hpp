@@ -18,18 +18,18 @@
 namespace epafi::drivers {
 
 /// Takes the levels of a run as they are solved: as lines of the table, and into the files of
-/// the folder, which the first process alone has; `written` is told the number of the level
-/// whose files these are.
+/// the folder, which the first process alone has; `written` is told the level, or the step on the
+/// way to one, whose files these are.
 class Recorder {
  public:
   Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
            std::optional<OutputFolder>& folder, const ProgressLine& progress,
-           std::ostream& table, std::function<void(int)> written);
+           std::ostream& table, std::function<void(const Level&)> written);
 
   /// A solved level; its files are written now or, if they were written a moment ago, later.
   void take(const SolvedLevel& level);
   /// A step on the way to a level: what a run that is killed now goes on from.
-  void takeStep(SolvedLevel level);
+  void takeStep(const SolvedLevel& level);
   /// The files of the level taken last, if they wait: they take the place of those of the level
   /// before, the one that a restart begins with last.
   /// \throws bem::InputError for a file that cannot be written.
@@ -55,20 +55,21 @@ class Recorder {
   struct LevelFiles {
     std::string contact;
     BoundaryLines grid;
-    double secondsTotal = 0;
-    double secondsWall = 0;
+    LevelRow row;
   };
 
-  std::string solution(const Level& level, double secondsTotal, double secondsWall,
+  std::string solution(const Level& level, const LevelRow& row,
                        const BoundaryLines& grid) const;
-  void note(SolvedLevel level);
+  /// The row with the earlier run's seconds.
+  LevelRow countedOn(LevelRow row) const;
+  void note(const SolvedLevel& level);
 
   const Scene& scene_;
   const std::optional<Checkpoint>& earlier_;
   std::optional<OutputFolder>& folder_;
   const ProgressLine& progress_;
   std::ostream& table_;
-  std::function<void(int)> written_;
+  std::function<void(const Level&)> written_;
   std::string used_;
   std::string history_;
   std::string bodies_;  ///< bodies.csv of all levels so far

@@ -80,18 +80,19 @@ std::string processesAndThreads(int processes) {
              : counted(processes, "process", "processes") + " with " + text + " each";
 }
 
-/// What an interrupted run says; `level`: the last one that is written, or -1.
+/// What an interrupted run says; `level`: what is written last, a level or a step on the way to
+/// one, or null.
 std::string advice(const Given& given, const Scene& scene, const std::string& folder,
-                   int level) {
-  if (level < 0)
+                   const Level* level) {
+  if (level == nullptr)
     return "interrupted before a level was written; nothing is kept";
   if (!scene.output.fields)
-    return bem::message("interrupted behind level ", level, "; its files are in ", folder,
+    return bem::message("interrupted ", placeOf(*level), "; its files are in ", folder,
                         ", but Output->Fields = false leaves nothing to go on from");
   std::string command = "epafi run " + given.argument;
   for (const std::string& assignment : given.values("--set"))
     command += " --set '" + assignment + "'";
-  return bem::message("interrupted behind level ", level, "; to go on from it: ", command,
+  return bem::message("interrupted ", placeOf(*level), "; to go on from it: ", command,
                       " --restart ", folder);
 }
 
@@ -124,24 +125,23 @@ Outcome solveAndRecord(const Scene& scene, const std::optional<Checkpoint>& earl
 }  // namespace
 
 int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
-  const int wantedThreads = threadsOf(given);
   const bool quiet = given.has("--quiet");
   const std::string restart = given.value("--restart");
   const Scene scene = readScene(given.argument, given.values("--set"));
-  chooseThreads(wantedThreads, ranks);
   const Beginning beginning = begin(given, scene);
   std::optional<OutputFolder> folder;  // the first rank's
   if (ranks.isFirst())
     folder.emplace(beginning.folder, beginning.earlierRun);
   ranks.listenToSignals();
   adviseOnInterrupt(advice(given, scene, restart,
-                           beginning.earlier ? beginning.earlier->level.number : -1));
+                           beginning.earlier ? &beginning.earlier->level : nullptr));
   std::ostream silence(nullptr);
   std::ostream& table = quiet ? silence : out;
   const ProgressLine progress(progressIf(ranks.isFirst() && !quiet));
-  Recorder recorder(scene, beginning.earlier, folder, progress, table, [&](int level) {
-    adviseOnInterrupt(advice(given, scene, beginning.folder, level));
-  });
+  Recorder recorder(scene, beginning.earlier, folder, progress, table,
+                    [&](const Level& level) {
+                      adviseOnInterrupt(advice(given, scene, beginning.folder, &level));
+                    });
   table << scene.title << " (" << scene.file << "), BLAS core " << versions().blasCore
         << ", " << processesAndThreads(ranks.algebra().processes()) << "\n";
   if (beginning.earlier)

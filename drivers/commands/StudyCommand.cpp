@@ -34,7 +34,7 @@ struct Reference {
   double estimate = 0;  ///< its own [(stress length²)^½]
 };
 
-/// A name as a file name.
+/// A name as a file name: one in this folder, and not hidden.
 std::string fileName(const std::string& name) {
   std::string result;
   for (const char c : name) {
@@ -42,6 +42,8 @@ std::string fileName(const std::string& name) {
                        c == '-' || c == '+' || c == '=';
     result += plain ? c : '_';
   }
+  if (result.empty() || result.front() == '.')
+    result.insert(0, "_");
   return result;
 }
 
@@ -151,25 +153,47 @@ class StudyRun {
     return reference;
   }
 
-  /// Writes the last converged level; whether there is one.
+  /// Writes its last level, once all are solved: what stands in the folder is taken for the
+  /// whole of it later.  Whether that is so; a failure is listed as of a variant.
   bool compute(const StudiedScene& scene, const std::string& name) {
+    const Variant reference{"reference", *scene.reference};
     PhaseTimer timer = makeTimer();
-    Record record{*scene.reference};
-    bool solved = false;
-    try {
-      solveLevels(*scene.reference, ranks_, timer, [&](const SolvedLevel& level) {
-        record.add(level, level.row);
-        if (level.row.report.status != contact::Status::Converged)
-          return;
-        folder_.write(name,
-                      record.solution(level, boundaryLines(*scene.reference, level)));
-        solved = true;
-      });
-    } catch (const bem::NumericalError& error) {
-      out_ << scene.name << ": the reference failed: " << error.what() << "\n";
-    }
+    Record record{reference.scene};
+    std::string last;
+    int solved = 0;
+    const bool whole = attempt(scene, reference, solved, [&] {
+      const Outcome outcome =
+          solveLevels(reference.scene, ranks_, timer, [&](const SolvedLevel& level) {
+            ++solved;
+            record.add(level, level.row);
+            last = record.solution(level, boundaryLines(reference.scene, level));
+          });
+      if (outcome.status != contact::Status::Converged)
+        throw bem::NumericalError("not converged: " + outcome.reason);
+    });
     progress_.clear();
-    return solved;
+    if (whole)
+      folder_.write(name, last);
+    return whole;
+  }
+
+  /// work(), or a row of the table that says why it failed behind `solved` levels.
+  template <class Work>
+  bool attempt(const StudiedScene& scene, const Variant& variant, const int& solved,
+               const Work& work) {
+    try {
+      work();
+      return true;
+    } catch (const contact::IndefiniteStiffness& error) {
+      fail(scene, variant, solved, error.what(), 1 - error.gamma0 / error.limitGamma0);
+    } catch (const bem::NumericalError& error) {
+      fail(scene, variant, solved, error.what());
+    } catch (const bem::InputError& error) {  // known only once there is a mesh
+      fail(scene, variant, solved, error.what());
+    } catch (const std::bad_alloc&) {
+      fail(scene, variant, solved, "the memory does not suffice");
+    }
+    return false;
   }
 
   void solve(const StudiedScene& scene, const Variant& variant,
@@ -182,7 +206,7 @@ class StudyRun {
     PhaseTimer timer = makeTimer();
     VariantClock clock;
     int solved = 0;
-    try {
+    attempt(scene, variant, solved, [&] {
       solveLevels(variant.scene, ranks_, timer, [&](const SolvedLevel& level) {
         LevelRow row = level.row;
         row.secondsTotal = clock.seconds();
@@ -196,17 +220,7 @@ class StudyRun {
         if (row.report.status != contact::Status::Converged)
           ++unsolved_;  // it is the last level
       });
-    } catch (const contact::IndefiniteStiffness& error) {
-      fail(scene, variant, solved, error.what(), 1 - error.gamma0 / error.limitGamma0);
-    } catch (const Interrupted&) {
-      throw;
-    } catch (const bem::NumericalError& error) {
-      fail(scene, variant, solved, error.what());
-    } catch (const bem::InputError& error) {  // known only once there is a mesh
-      fail(scene, variant, solved, error.what());
-    } catch (const std::bad_alloc&) {
-      fail(scene, variant, solved, "the memory does not suffice");
-    }
+    });
   }
 
   void note(const StudiedScene& scene, const Variant& variant,
@@ -238,7 +252,9 @@ class StudyRun {
     ++unsolved_;
     table_.failure(scene.name, variant, level, reason, eigenvalue);
     folder_.write("study.csv", table_.text());
-    out_ << "  failed on level " << level << ": " << reason << "\n" << std::flush;
+    progress_.clear();
+    out_ << "  " << variant.name << " failed on level " << level << ": " << reason << "\n"
+         << std::flush;
   }
 
   /// Of sweeps, which may have hundreds, the contact alone.
@@ -289,8 +305,6 @@ int studyCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
         "more cores");
   const bool quiet = given.has("--quiet");
   const Study study = readStudy(given.argument);
-  if (const int threads = threadsOf(given))
-    setThreads(threads);
   OutputFolder folder(given.value("--output", defaultOutputFolder(given.argument)),
                       given.has("--force") ? EarlierRun::Delete : EarlierRun::Refuse);
   ranks.listenToSignals();

@@ -154,7 +154,8 @@ std::vector<std::string> namesOfBoundaries(const Scene& scene) {
 }
 
 std::string boundaryCsv(const Scene& scene, const BoundaryLines& grid) {
-  Csv csv({"x", "y", "ux", "uy", "tx", "ty", "boundary", "element", "degree", "body"});
+  std::string csv = csvLine(
+      {"x", "y", "ux", "uy", "tx", "ty", "boundary", "element", "degree", "body"});
   const std::vector<std::string> names = namesOfBoundaries(scene);
   const auto addPoint = [&](std::size_t line, long long point) {
     std::vector<std::string> cells;
@@ -165,7 +166,7 @@ std::string boundaryCsv(const Scene& scene, const BoundaryLines& grid) {
     cells.push_back(std::to_string(grid.element[line]));
     cells.push_back(std::to_string(grid.degree[line]));
     cells.push_back(scene.bodies[grid.body[line]].name);
-    csv.row(cells);
+    csv += csvLine(cells);
   };
   const std::size_t lines = grid.element.size();
   const auto deforms = [&](std::size_t line) {
@@ -178,7 +179,7 @@ std::string boundaryCsv(const Scene& scene, const BoundaryLines& grid) {
     if (endsElement)
       addPoint(line, grid.ends[2 * line + 1]);
   }
-  return csv.text();
+  return csv;
 }
 
 }  // namespace epafi::drivers

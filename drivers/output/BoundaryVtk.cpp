@@ -34,19 +34,6 @@ constexpr const char* typeName() {
   return sizeof(T) == 8 ? "Int64" : sizeof(T) == 4 ? "Int32" : "UInt8";
 }
 
-/// The number of bytes goes before them.
-template <class T>
-std::string dataArray(const char* name, const std::vector<T>& values,
-                      int components = 1) {
-  const std::uint64_t size = values.size() * sizeof(T);
-  std::string bytes(sizeof size + size, '\0');
-  std::memcpy(bytes.data(), &size, sizeof size);
-  std::memcpy(bytes.data() + sizeof size, values.data(), size);
-  return std::string("<DataArray type=\"") + typeName<T>() + "\" Name=\"" + name +
-         R"(" NumberOfComponents=")" + std::to_string(components) +
-         R"(" format="binary">)" + base64(bytes) + "</DataArray>\n";
-}
-
 constexpr unsigned char vtkLine = 3;
 
 /// visit(name, array, columns) of what is known at the points.
@@ -82,6 +69,23 @@ const std::string format =
     "version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n";
 
 }  // namespace
+
+// The number of bytes goes before them.
+template <class T>
+std::string dataArray(const char* name, const std::vector<T>& values, int components) {
+  const std::uint64_t size = values.size() * sizeof(T);
+  std::string bytes(sizeof size + size, '\0');
+  std::memcpy(bytes.data(), &size, sizeof size);
+  std::memcpy(bytes.data() + sizeof size, values.data(), size);
+  return std::string("<DataArray type=\"") + typeName<T>() + "\" Name=\"" + name +
+         R"(" NumberOfComponents=")" + std::to_string(components) +
+         R"(" format="binary">)" + base64(bytes) + "</DataArray>\n";
+}
+
+template std::string dataArray(const char*, const std::vector<double>&, int);
+template std::string dataArray(const char*, const std::vector<int>&, int);
+template std::string dataArray(const char*, const std::vector<long long>&, int);
+template std::string dataArray(const char*, const std::vector<unsigned char>&, int);
 
 std::string vtuText(const VtuGrid& grid) {
   return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" " + format +

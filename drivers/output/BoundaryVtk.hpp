@@ -19,6 +19,9 @@ struct VtuGrid {
   std::string topology{};
 };
 std::string vtuText(const VtuGrid& grid);
+/// A data array of it, in base64.  For T = double, int, long long, unsigned char.
+template <class T>
+std::string dataArray(const char* name, const std::vector<T>& values, int components = 1);
 
 /// steps/<k>/boundary.vtu: the boundaries of all bodies at a step with the fields of
 /// solution.hdf, as an UnstructuredGrid of VTK's XML (binary, Base64).

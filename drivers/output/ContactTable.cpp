@@ -41,7 +41,7 @@ std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& b
                                     "gap",      "bound",        "contact", "friction",
                                     "body",     "contact_name", "s"};
   names.insert(names.end(), more.names.begin(), more.names.end());
-  Csv csv(names);
+  std::string csv = csvLine(names);
   const int samples = scene.output.contactSamples;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const contact::ContactFields fields(bodies[b]);
@@ -69,10 +69,10 @@ std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& b
         if (more.cells)
           for (std::string& cell : more.cells(b, element, t, p))
             cells.push_back(std::move(cell));
-        csv.row(cells);
+        csv += csvLine(cells);
       }
   }
-  return csv.text();
+  return csv;
 }
 
 }  // namespace epafi::drivers

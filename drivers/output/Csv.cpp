@@ -1,11 +1,7 @@
 #include "drivers/output/Csv.hpp"
 
-#include "bem/base/Error.hpp"
-
 #include <algorithm>
-#include <cassert>
 #include <charconv>
-#include <sstream>
 
 namespace epafi::drivers {
 
@@ -26,15 +22,6 @@ void add(const std::string& cell, std::string& line) {
   line += '"';
 }
 
-void addLine(const std::vector<std::string>& cells, std::string& text) {
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (i > 0)
-      text += ',';
-    add(cells[i], text);
-  }
-  text += '\n';
-}
-
 }  // namespace
 
 std::string exactly(double value) {
@@ -46,8 +33,12 @@ std::string exactly(double value) {
 
 std::string csvLine(const std::vector<std::string>& cells) {
   std::string line;
-  addLine(cells, line);
-  return line;
+  for (const std::string& cell : cells) {
+    if (&cell != &cells.front())
+      line += ',';
+    add(cell, line);
+  }
+  return line + '\n';
 }
 
 std::vector<std::string> csvCells(const std::string& line) {
@@ -64,40 +55,6 @@ std::vector<std::string> csvCells(const std::string& line) {
       inQuotes = !inQuotes;
   }
   return cells;
-}
-
-std::string underHead(const std::string& table, const std::string& head) {
-  if (table.rfind(head, 0) == 0)
-    return table;
-  const std::vector<std::string> names = csvCells(head);
-  std::vector<std::size_t> places;  // of the earlier columns
-  std::istringstream lines(table);
-  std::string line;
-  std::getline(lines, line);
-  for (const std::string& name : csvCells(line)) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-      throw bem::InputError("has a column '" + name +
-                            "' that this version of Epafi does not know");
-    places.push_back(static_cast<std::size_t>(found - names.begin()));
-  }
-  std::string result = head;
-  while (std::getline(lines, line)) {
-    std::vector<std::string> cells(names.size());
-    const std::vector<std::string> earlier = csvCells(line);
-    for (std::size_t k = 0; k < std::min(earlier.size(), places.size()); ++k)
-      cells[places[k]] = earlier[k];
-    result += csvLine(cells);
-  }
-  return result;
-}
-
-Csv::Csv(const std::vector<std::string>& columns)
-    : columns_(columns.size()), text_(csvLine(columns)) {}
-
-void Csv::row(const std::vector<std::string>& cells) {
-  assert(cells.size() == columns_);
-  addLine(cells, text_);
 }
 
 }  // namespace epafi::drivers

@@ -51,24 +51,4 @@ std::string csvLine(const std::vector<std::string>& cells);
 /// The cells of such a line, with or without its end.
 std::vector<std::string> csvCells(const std::string& line);
 
-/// An earlier table's rows below the head of a later one: cells by the names of their columns,
-/// empty in columns that are new.
-/// \throws bem::InputError for a column that the head does not have.
-std::string underHead(const std::string& table, const std::string& head);
-
-/// Comma-separated values: a header, then rows.
-class Csv {
- public:
-  explicit Csv(const std::vector<std::string>& columns);
-
-  /// \pre as many cells as columns
-  void row(const std::vector<std::string>& cells);
-
-  const std::string& text() const { return text_; }
-
- private:
-  std::size_t columns_;
-  std::string text_;
-};
-
 }  // namespace epafi::drivers

@@ -50,21 +50,29 @@ class Hdf5Handle {
     std::swap(close_, other.close_);
     return *this;
   }
-  ~Hdf5Handle() { close(); }
-
-  bool open() const { return id_ >= 0; }
-  hid_t id() const { return id_; }
-
-  /// Negative if closing has failed.
-  herr_t close() {
-    const hid_t id = std::exchange(id_, H5I_INVALID_HID);
-    return id >= 0 ? close_(id) : 0;
+  ~Hdf5Handle() {
+    if (id_ >= 0)
+      close_(id_);
   }
+
+  hid_t id() const { return id_; }
 
  private:
   hid_t id_ = H5I_INVALID_HID;
   Close close_ = nullptr;
 };
+
+/// \throws bem::InputError with HDF5's cause, behind what it means if that is said.
+inline void check(bool good, const std::string& what = "") {
+  if (!good)
+    throw bem::InputError(what, what.empty() ? "" : ": ", hdf5Cause());
+}
+/// Of an object that was opened.  \throws likewise.
+inline Hdf5Handle checked(hid_t id, Hdf5Handle::Close close,
+                          const std::string& what = "") {
+  check(id >= 0, what);
+  return {id, close};
+}
 
 /// HDF5's type of a number, as it is in memory.
 template <class T>

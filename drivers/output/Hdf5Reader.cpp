@@ -9,23 +9,8 @@
 
 namespace epafi::drivers {
 
-namespace {
-
 using bem::InputError;
 using bem::message;
-
-Hdf5Handle checked(hid_t id, Hdf5Handle::Close close, const std::string& what) {
-  if (id < 0)
-    throw InputError(what, ": ", hdf5Cause());
-  return {id, close};
-}
-
-void check(bool good, const std::string& what) {
-  if (!good)
-    throw InputError(what, ": ", hdf5Cause());
-}
-
-}  // namespace
 
 struct Hdf5Reader::Parts {
   QuietHdf5 quiet;

@@ -9,16 +9,6 @@ namespace epafi::drivers {
 
 namespace {
 
-void check(bool good) {
-  if (!good)
-    throw bem::InputError(hdf5Cause());
-}
-
-Hdf5Handle checked(hid_t id, Hdf5Handle::Close close) {
-  check(id >= 0);
-  return {id, close};
-}
-
 Hdf5Handle scalar() { return checked(H5Screate(H5S_SCALAR), H5Sclose); }
 
 Hdf5Handle stringType(std::size_t length) {

@@ -1,10 +1,9 @@
 #include "drivers/output/HistoryTable.hpp"
 
 #include "drivers/output/Csv.hpp"
+#include "drivers/scene/Text.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace epafi::drivers {
 
@@ -26,6 +25,11 @@ constexpr auto sum = cell<&LevelRow::summary, members...>;
 template <Source source>
 std::string eta(const LevelRow& row) {
   return number(std::sqrt(row.squares[static_cast<std::size_t>(source)]));
+}
+
+template <Phase phase>
+std::string seconds(const LevelRow& row) {
+  return number(row.seconds[static_cast<std::size_t>(phase)]);
 }
 
 /// Order and names are a contract: add, never rename.
@@ -66,11 +70,11 @@ constexpr Column<LevelRow> columns[] = {
        return std::string(
            r.report.status == contact::Status::Converged ? "converged" : "not converged");
      }},
-    {"seconds_assembly", cell<&LevelRow::seconds, &Seconds::assembly>},
-    {"seconds_factorization", cell<&LevelRow::seconds, &Seconds::factorization>},
-    {"seconds_stabilization", cell<&LevelRow::seconds, &Seconds::stabilization>},
-    {"seconds_newton", cell<&LevelRow::seconds, &Seconds::newton>},
-    {"seconds_estimate", cell<&LevelRow::seconds, &Seconds::estimate>},
+    {"seconds_assembly", seconds<Phase::Assembly>},
+    {"seconds_factorization", seconds<Phase::Factorization>},
+    {"seconds_stabilization", seconds<Phase::Stabilization>},
+    {"seconds_newton", seconds<Phase::Newton>},
+    {"seconds_estimate", seconds<Phase::Estimate>},
     {"seconds_total", cell<&LevelRow::secondsTotal>},
     {"seconds_wall", cell<&LevelRow::secondsWall>},
     {"memory_mb", cell<&LevelRow::memory>},
@@ -99,6 +103,13 @@ std::vector<std::string> historyCells(const LevelRow& row) {
   return cells;
 }
 
+std::size_t historyColumn(const std::string& name) {
+  std::size_t at = 0;
+  while (name != columns[at].name)
+    ++at;
+  return at;
+}
+
 std::string historyHead() { return csvLine(historyColumns()); }
 
 std::string historyLine(const LevelRow& row) { return csvLine(historyCells(row)); }
@@ -110,10 +121,7 @@ std::vector<std::string> lastCells(const std::string& history) {
 
 double energyOf(const std::vector<std::string>& cells) {
   const auto value = [&](const char* name) {
-    const auto at = std::find_if(
-        std::begin(columns), std::end(columns),
-        [&](const Column<LevelRow>& column) { return std::string(name) == column.name; });
-    return std::stod(cells.at(static_cast<std::size_t>(at - std::begin(columns))));
+    return numberIn<double>(cells.at(historyColumn(name))).value();
   };
   return value("energy_strain") - value("energy_load") + value("energy_friction");
 }

@@ -10,6 +10,8 @@ namespace epafi::drivers {
 /// The columns of history.csv, and a row in their order.
 std::vector<std::string> historyColumns();
 std::vector<std::string> historyCells(const LevelRow& row);
+/// Where one of them stands.  \pre there is one of this name
+std::size_t historyColumn(const std::string& name);
 
 /// history.csv: its head, and one line per level.
 std::string historyHead();

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "bem/base/Material.hpp"
-#include "bem/space/Space.hpp"
-#include "drivers/output/Triangulation.hpp"
+#include "bem/base/Vec2.hpp"
 #include "drivers/run/BodySpaces.hpp"
+
+#include <string>
+#include <vector>
 
 namespace epafi::drivers {
 
@@ -19,51 +20,38 @@ struct InsideValue {
   double principal2 = 0;
 };
 
-/// The fields inside a body whose boundary data are known: closed forms, as accurate next to
-/// the boundary as far from it.                                [doc/theory/operators.md]
-class Inside {
- public:
-  /// `displacement`, `density`: all unknowns, dimensionless; kept by reference as the space.
-  Inside(const bem::Space& space, const bem::Material& material, const bem::Units& units,
-         const bem::Vector& displacement, const bem::Vector& density);
-
-  const bem::Space& space() const { return space_; }
-
-  /// At a point inside, in the user's coordinates.
-  InsideValue at(bem::Vec2 point) const;
-  /// At the boundary, t in [-1, 1] on element e: just inside, and off the element's ends,
-  /// where the stress of a piecewise density has logarithms.
-  InsideValue atBoundary(int e, double t) const;
-
- private:
-  const bem::Space& space_;
-  bem::Material material_;
-  bem::Lame lame_;
-  bem::Units units_;
-  const bem::Vector& displacement_;
-  const bem::Vector& density_;
+/// A point inside a body, in the user's coordinates.  As drawn bodies may overlap: the point alone
+/// does not say whose it is.
+struct InsidePoint {
+  std::size_t body = 0;
+  bem::Vec2 x;
 };
 
-/// The fields inside all elastic bodies on a solved level.
+/// The fields inside all elastic bodies on a solved level: closed forms, as accurate next to the
+/// boundary as far from it.                                    [doc/theory/operators.md]
 class BodyInsides {
  public:
   /// Refers to both.
   BodyInsides(const Scene& scene, const Level& level);
 
-  std::size_t size() const { return insides_.size(); }
-  const Inside& operator[](std::size_t b) const { return insides_[b]; }
-  const bem::Mesh& mesh(std::size_t b) const { return insides_[b].space().mesh(); }
+  std::size_t size() const { return spaces_.size(); }
+  const bem::Mesh& mesh(std::size_t b) const { return spaces_.space(b).mesh(); }
 
-  /// At points each of which lies in a body; on all threads.
-  std::vector<InsideValue> at(const std::vector<bem::Vec2>& points) const;
+  InsideValue at(const InsidePoint& point) const;
+  /// At a body's boundary, t in [-1, 1] on element e: just inside, and off the element's ends,
+  /// where the stress of a piecewise density has logarithms.
+  InsideValue atBoundary(std::size_t b, int e, double t) const;
+
+  /// On all threads.
+  std::vector<InsideValue> at(const std::vector<InsidePoint>& points) const;
   /// x,y,ux,uy,sxx,syy,sxy,von_mises,body,szz,principal_1,principal_2: a row per point.
-  std::string csv(const std::vector<bem::Vec2>& points,
+  std::string csv(const std::vector<InsidePoint>& points,
                   const std::vector<InsideValue>& values) const;
 
  private:
   const Scene& scene_;
+  const Level& level_;
   BodySpaces spaces_;
-  std::vector<Inside> insides_;
 };
 
 }  // namespace epafi::drivers

@@ -1,8 +1,7 @@
 #include "drivers/output/InsideVtu.hpp"
 
-#include "bem/base/Error.hpp"
 #include "drivers/output/BoundaryVtk.hpp"
-#include "drivers/output/Csv.hpp"
+#include "drivers/output/Triangulation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,30 +60,17 @@ InsideValue mean(const InsideValue& a, const InsideValue& b) {
   return m;
 }
 
-InsideValue onBoundary(const Inside& inside, bem::Vec2 point) {
+InsideValue onBoundary(const BodyInsides& insides, const InsidePoint& point) {
   constexpr double node = 0.999;
-  const bem::Mesh& mesh = inside.space().mesh();
-  const Foot foot = nearestFoot(mesh, point);
-  const InsideValue own = inside.atBoundary(foot.element, foot.t);
+  const bem::Mesh& mesh = insides.mesh(point.body);
+  const Foot foot = nearestFoot(mesh, point.x);
+  const InsideValue own = insides.atBoundary(point.body, foot.element, foot.t);
   if (foot.t > node)
-    return mean(own, inside.atBoundary(mesh[foot.element].next, -1));
+    return mean(own, insides.atBoundary(point.body, mesh[foot.element].next, -1));
   if (foot.t < -node)
-    return mean(own, inside.atBoundary(mesh[foot.element].previous, 1));
+    return mean(own, insides.atBoundary(point.body, mesh[foot.element].previous, 1));
   return own;
 }
-
-template <class Value>
-std::string array(const char* type, const char* name, int components, std::size_t size,
-                  const Value& value) {
-  std::string text =
-      bem::message("<DataArray type=\"", type, "\" Name=\"", name,
-                   "\" NumberOfComponents=\"", components, "\" format=\"ascii\">\n");
-  for (std::size_t i = 0; i < size; ++i)
-    text += value(i) + "\n";
-  return text + "</DataArray>\n";
-}
-
-std::string vector(bem::Vec2 v) { return exactly(v.x) + " " + exactly(v.y) + " 0"; }
 
 }  // namespace
 
@@ -97,46 +83,53 @@ FilledBodies fill(const BodyInsides& insides) {
 #pragma omp parallel for schedule(dynamic, 16)
     for (long k = 0; k < n; ++k) {
       const auto i = static_cast<std::size_t>(k);
+      const InsidePoint point{b, own.points[i]};
       const bool boundary =
-          own.onBoundary[i] || !insides.mesh(b).outline().contains(own.points[i]);
-      values[i] =
-          boundary ? onBoundary(insides[b], own.points[i]) : insides[b].at(own.points[i]);
+          own.onBoundary[i] || !insides.mesh(b).outline().contains(point.x);
+      values[i] = boundary ? onBoundary(insides, point) : insides.at(point);
     }
     const auto first = static_cast<int>(all.values.size());
     for (const auto& c : own.corners)
-      all.triangles.corners.push_back({first + c[0], first + c[1], first + c[2]});
-    all.triangles.points.insert(all.triangles.points.end(), own.points.begin(),
-                                own.points.end());
+      all.corners.push_back({first + c[0], first + c[1], first + c[2]});
+    for (const bem::Vec2 x : own.points)
+      all.points.push_back({b, x});
     all.values.insert(all.values.end(), values.begin(), values.end());
-    all.body.insert(all.body.end(), values.size(), static_cast<int>(b));
   }
   return all;
 }
 
 std::string vtuFile(const FilledBodies& bodies) {
-  const Triangulation& triangles = bodies.triangles;
-  const std::vector<InsideValue>& values = bodies.values;
-  const std::size_t points = triangles.points.size();
-  const std::size_t cells = triangles.corners.size();
+  const std::size_t points = bodies.points.size();
+  const std::size_t cells = bodies.corners.size();
   VtuGrid vtu{points, cells, R"(Scalars="von_mises" Vectors="displacement")"};
-  vtu.pointData = array("Float64", "displacement", 3, points,
-                        [&](std::size_t i) { return vector(values[i].displacement); });
-  for (const Field& field : fields)
-    vtu.pointData += array("Float64", field.name, 1, points,
-                           [&](std::size_t i) { return exactly(field.of(values[i])); });
-  vtu.pointData += array("Int64", "body", 1, points,
-                         [&](std::size_t i) { return std::to_string(bodies.body[i]); });
-  vtu.places = array("Float64", "Points", 3, points,
-                     [&](std::size_t i) { return vector(triangles.points[i]); });
-  vtu.topology =
-      array("Int64", "connectivity", 1, cells,
-            [&](std::size_t i) {
-              const auto& c = triangles.corners[i];
-              return bem::message(c[0], " ", c[1], " ", c[2]);
-            }) +
-      array("Int64", "offsets", 1, cells,
-            [](std::size_t i) { return std::to_string(3 * (i + 1)); }) +
-      array("UInt8", "types", 1, cells, [](std::size_t) { return std::string("5"); });
+  std::vector<double> displacements;
+  std::vector<double> places;
+  std::vector<int> body;
+  for (std::size_t i = 0; i < points; ++i) {
+    const bem::Vec2 u = bodies.values[i].displacement;
+    const auto& [b, x] = bodies.points[i];
+    displacements.insert(displacements.end(), {u.x, u.y, 0});
+    places.insert(places.end(), {x.x, x.y, 0});
+    body.push_back(static_cast<int>(b));
+  }
+  vtu.pointData = dataArray("displacement", displacements, 3);
+  for (const Field& field : fields) {
+    std::vector<double> values;
+    for (const InsideValue& value : bodies.values)
+      values.push_back(field.of(value));
+    vtu.pointData += dataArray(field.name, values);
+  }
+  vtu.pointData += dataArray("body", body);
+  vtu.places = dataArray("Points", places, 3);
+  std::vector<long long> ends;
+  std::vector<long long> offsets;
+  for (const auto& corners : bodies.corners) {
+    ends.insert(ends.end(), corners.begin(), corners.end());
+    offsets.push_back(static_cast<long long>(ends.size()));
+  }
+  constexpr unsigned char triangle = 5;  // VTK's number
+  vtu.topology = dataArray("connectivity", ends) + dataArray("offsets", offsets) +
+                 dataArray("types", std::vector<unsigned char>(cells, triangle));
   return vtuText(vtu);
 }
 

@@ -125,26 +125,29 @@ void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
       bem::message("--output: '", file.string(), "' cannot be written: ", cause));
 }
 
+/// Keeps other runs out of a folder while it lives, also those of other processes; where the
+/// file system knows no locks it does nothing.
+/// \throws bem::InputError if another run writes into the folder now.
+std::shared_ptr<const void> locked(const std::string& path) {
+  const int folder = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0)
+    return nullptr;
+  const std::shared_ptr<const int> lock(new int(folder), [](const int* open) {
+    close(*open);
+    delete open;
+  });
+  if (flock(folder, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    throw bem::InputError(bem::message("--output: another run writes into the folder '",
+                                       path, "' now; --output DIR goes elsewhere"));
+  return lock;
+}
+
 }  // namespace
-
-FolderLock::FolderLock(const std::string& path)
-    : folder_(open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
-  if (folder_ < 0 || flock(folder_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
-    return;
-  close(folder_);
-  throw bem::InputError(bem::message("--output: another run writes into the folder '",
-                                     path, "' now; --output DIR goes elsewhere"));
-}
-
-FolderLock::~FolderLock() {
-  if (folder_ >= 0)
-    close(folder_);
-}
 
 OutputFolder::OutputFolder(std::string path, EarlierRun earlier)
     : path_(std::move(path)) {
   makeFolder(path_);
-  lock_ = std::make_unique<const FolderLock>(path_);
+  lock_ = locked(path_);
   deleteEarlierRun(path_, earlier);
   // Better now than after hours of computing.
   const fs::path probe = fs::path(path_) / ".epafi.probe";

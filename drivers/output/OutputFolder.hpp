@@ -9,25 +9,11 @@ namespace epafi::drivers {
 /// What to do with the files of an earlier run in the same folder.
 enum class EarlierRun { Refuse, Delete, Continue };
 
-/// Keeps other runs out of a folder while it lives, also those of other processes; where the
-/// file system knows no locks it does nothing.
-class FolderLock {
- public:
-  /// \throws bem::InputError if another run writes into the folder now.
-  explicit FolderLock(const std::string& path);
-  ~FolderLock();
-  FolderLock(const FolderLock&) = delete;
-  FolderLock& operator=(const FolderLock&) = delete;
-
- private:
-  int folder_;
-};
-
 /// The folder that a run writes into.
 ///
-/// Files appear as a whole: they are written under temporary names, stage(), and renamed
-/// together, commit(), so that what goes wrong while writing leaves the earlier files as
-/// they are.
+/// Files appear as a whole: they are written under temporary names, stage(), and when all are,
+/// renamed one after the other, commit(), so that what goes wrong while writing leaves the earlier
+/// files as they are.
 class OutputFolder {
  public:
   /// Makes the folder and its parents; removes what an interrupted run has left staged, and
@@ -62,7 +48,7 @@ class OutputFolder {
   void discard();
 
   std::string path_;
-  std::unique_ptr<const FolderLock> lock_;
+  std::shared_ptr<const void> lock_;  ///< keeps other runs out
   std::vector<std::string> staged_;
   std::vector<std::string> written_;
 };

@@ -2,7 +2,6 @@
 
 #include "bem/base/Error.hpp"
 #include "drivers/output/BodiesTable.hpp"
-#include "drivers/output/Csv.hpp"
 #include "drivers/output/HistoryTable.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/SceneFile.hpp"
@@ -10,7 +9,6 @@
 #include "drivers/scene/Text.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace epafi::drivers {
 
@@ -46,47 +44,9 @@ std::string difference(const ParameterList& a, const ParameterList& b,
   return "";
 }
 
-/// Do two outlines agree?  Equal texts may name a file that has changed.
-bool agree(const std::vector<EdgeEnds>& a, const std::vector<EdgeEnds>& b,
-           double diameter) {
-  const auto near = [&](double x, double y) {
-    return std::abs(x - y) <= 1e-14 * diameter;
-  };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [&](const EdgeEnds& x, const EdgeEnds& y) {
-                      return std::equal(x.begin(), x.end(), y.begin(), near);
-                    });
-}
-
-/// Files of earlier versions say of every body that it is displaced by 0; a motion that is not
-/// given means the same.
-ParameterList withoutStillMotions(ParameterList scene) {
-  ParameterList& bodies = scene.sublist("Bodies");
-  for (const auto& item : bodies) {
-    if (!item.second.isList())
-      continue;
-    ParameterList& motion = bodies.sublist(item.first).sublist("Motion");
-    for (const char* key : {"Displacement X", "Displacement Y", "Rotation"})
-      if (motion.isParameter(key) && motion.get<std::string>(key) == "0")
-        motion.remove(key);
-  }
-  return scene;
-}
-
-/// Rigid bodies were all moved as the scene says when files did not keep where they are.
-void addRigidMotions(const Scene& scene, Level& level) {
-  if (!level.rigid.empty() || scene.history)
-    return;
-  for (const contact::Drive& drive : scene.drivesAt(1)) {
-    const auto& [x, y, turn] = drive.components;
-    if (!x.free && !y.free && !turn.free)
-      level.rigid.push_back({{x.value, y.value}, turn.value});
-  }
-}
-
 /// The scene that a file was written by.
 ParameterList sceneOf(const Checkpoint& checkpoint) {
-  const RawScene scene = readSceneText(checkpoint.used);
+  const RawScene scene = rawScene(checkpoint.used, "used.xml");
   ParameterList list = bem::complete(parameters(), scene.list, scene.title);
   if (!list.sublist("History").isParameter("Times"))
     list.remove("History");  // as a scene without a path has none
@@ -94,10 +54,11 @@ ParameterList sceneOf(const Checkpoint& checkpoint) {
 }
 
 void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
-  const ParameterList then = withoutStillMotions(sceneOf(checkpoint));
-  const ParameterList now = withoutStillMotions(*scene.used);
+  const ParameterList then = sceneOf(checkpoint);
+  const ParameterList& now = *scene.used;
   std::string different;
-  for (const char* section : {"Bodies", "Contacts", "History", "Discretization"})
+  for (const char* section :
+       {"Bodies", "Contacts", "Constants", "Tables", "History", "Discretization"})
     if (different.empty())
       different = differenceIn(then, now, "", section);
   for (const char* key : {"Weights", "Residual Factor"})
@@ -107,25 +68,14 @@ void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
   if (!different.empty())
     throw InputError(
         "was written by a run of another scene: ", different,
-        " differs; Bodies, Contacts, History, Discretization, Adaptivity->Weights and "
-        "Adaptivity->Residual Factor must be as they were");
-}
-
-void checkOutlines(const Checkpoint& checkpoint, const Scene& scene) {
-  const std::size_t count = scene.bodies.size();
-  if (checkpoint.outlines.size() != count)
-    throw InputError("was written by a run of ",
-                     counted(checkpoint.outlines.size(), "body", "bodies"),
-                     "; the scene has ", count);
-  for (std::size_t b = 0; b < count; ++b) {
-    const bem::Outline& outline = *scene.bodies[b].outline;
-    if (!agree(checkpoint.outlines[b], edgeEnds(outline), outline.diameter()))
-      throw InputError("was written by a run on another outline");
-  }
+        " differs; Bodies, Contacts, Constants, Tables, History, Discretization, "
+        "Adaptivity->Weights and Adaptivity->Residual Factor must be as they were");
 }
 
 /// The numbers must be those of the meshes; a checksum does not know what they mean.
 void checkSizes(const Level& level, const Scene& scene) {
+  if (level.bodies.size() != scene.bodies.size())
+    throw InputError("has not as many bodies as the scene");
   for (std::size_t b = 0; b < level.bodies.size(); ++b) {
     const auto edges = static_cast<int>(scene.bodies[b].outline->edges().size());
     for (const bem::Piece& piece : level.bodies[b].pieces)
@@ -152,9 +102,17 @@ void checkSizes(const Level& level, const Scene& scene) {
   }
 }
 
+void checkHead(const std::string& table, const std::string& head) {
+  if (table.rfind(head, 0) != 0)
+    throw InputError(
+        "has tables with other columns than this version of Epafi; solve the "
+        "scene again");
+}
+
 /// Rows of the levels that the run goes on behind.
 std::string historyBehind(const Checkpoint& checkpoint) {
-  std::string text = underHead(checkpoint.history, historyHead());
+  const std::string& text = checkpoint.history;
+  checkHead(text, historyHead());
   const int rows = checkpoint.level.number + (checkpoint.level.complete ? 1 : 0);
   if (std::count(text.begin(), text.end(), '\n') != rows + 1)
     throw InputError("has not one row of history.csv per level");
@@ -176,41 +134,33 @@ std::string rowsBehind(const std::string& text, const Checkpoint& checkpoint) {
 
 Checkpoint readRestart(const std::string& folder, const Scene& scene) {
   const std::string path = folder + "/solution.hdf";
-  try {
+  return within("--restart: ", [&] {
     Checkpoint checkpoint = readSolution(path);
-    try {
+    within("'" + path + "' ", [&] {
       checkScene(checkpoint, scene);
-      checkOutlines(checkpoint, scene);
-      addRigidMotions(scene, checkpoint.level);
       checkSizes(checkpoint.level, scene);
       checkpoint.history = historyBehind(checkpoint);
       checkpoint.steps = rowsBehind(checkpoint.steps, checkpoint);
-      checkpoint.resultants = rowsBehind(checkpoint.resultants, checkpoint);
-      if (!checkpoint.resultants.empty())
-        checkpoint.resultants = underHead(checkpoint.resultants, bodiesHead());
-    } catch (const InputError& error) {
-      throw InputError("'", path, "' ", error.what());
-    }
+      checkpoint.bodies = rowsBehind(checkpoint.bodies, checkpoint);
+      if (!checkpoint.bodies.empty())
+        checkHead(checkpoint.bodies, bodiesHead());
+    });
     return checkpoint;
-  } catch (const InputError& error) {
-    throw InputError("--restart: ", error.what());
-  }
+  });
 }
 
 std::optional<Checkpoint> readSolutionOf(const Scene& scene, const std::string& path) {
   try {
     Checkpoint checkpoint = readSolution(path);
-    ParameterList then = withoutStillMotions(sceneOf(checkpoint));
-    ParameterList now = withoutStillMotions(*scene.used);
+    ParameterList then = sceneOf(checkpoint);
+    ParameterList now = *scene.used;
     for (ParameterList* list : {&then, &now})
       for (const char* section : {"Output", "Versions"})
         list->remove(section, false);
     if (!difference(then, now, "").empty())
       return std::nullopt;
-    checkOutlines(checkpoint, scene);
-    addRigidMotions(scene, checkpoint.level);
     checkSizes(checkpoint.level, scene);
-    if (!checkpoint.level.complete || checkpoint.history.rfind(historyHead(), 0) != 0)
+    if (!checkpoint.level.complete)
       return std::nullopt;
     checkpoint.history = historyBehind(checkpoint);
     return checkpoint;

@@ -59,8 +59,7 @@ std::vector<T> taken(const std::vector<T>& all, std::size_t count, std::size_t& 
   return {begin, begin + static_cast<std::ptrdiff_t>(count)};
 }
 
-void append(const BodyLevel& level, const std::vector<EdgeEnds>& outline,
-            SolutionArrays& arrays) {
+void append(const BodyLevel& level, SolutionArrays& arrays) {
   for (const bem::Piece& piece : level.pieces) {
     arrays.edge.push_back(piece.edge);
     arrays.degree.push_back(piece.degree);
@@ -68,13 +67,16 @@ void append(const BodyLevel& level, const std::vector<EdgeEnds>& outline,
                              piece.end.fromStart, piece.end.toEnd});
   }
   append(arrays.indicators, level.indicators.squares);
-  append(arrays.outline, outline);
   append(arrays.multiplier, level.state.multiplier);
   append(arrays.rigid, level.state.rigid);
   appendStates(arrays.contact, level.states.normal);
   appendStates(arrays.friction, level.states.tangential);
   append(arrays.displacement, level.displacement);
   append(arrays.density, level.density);
+  for (const std::size_t count :
+       {level.pieces.size(), level.states.normal.size(), level.states.tangential.size(),
+        level.state.rigid.size(), level.displacement.size(), level.density.size()})
+    arrays.bodies.push_back(static_cast<int>(count));
 }
 
 std::vector<bem::Piece> piecesOf(const SolutionArrays& arrays) {
@@ -93,20 +95,19 @@ std::vector<bem::Piece> piecesOf(const SolutionArrays& arrays) {
 
 /// The arrays of each body.
 std::vector<SolutionArrays> parted(const SolutionArrays& all) {
-  if (all.bodies.empty())
-    return {all};
   std::vector<SolutionArrays> parts(all.bodies.size() / BodyCounts);
-  forEachDataSet(bodyDataSets, [&](const auto& set) {
+  const auto part = [&](const auto& set) {
     std::size_t next = 0;
     for (std::size_t b = 0; b < parts.size(); ++b) {
       std::size_t size = 0;
       for (int count = set.first; count <= set.last; ++count)
-        size += static_cast<std::size_t>(
-            set.columns *
-            std::max(0, all.bodies[b * BodyCounts + static_cast<std::size_t>(count)]));
+        size += static_cast<std::size_t>(set.columns) *
+                static_cast<std::size_t>(std::max(
+                    0, all.bodies[b * BodyCounts + static_cast<std::size_t>(count)]));
       parts[b].*set.array = taken(all.*set.array, size, next);
     }
-  });
+  };
+  std::apply([&](const auto&... set) { (part(set), ...); }, bodyDataSets);
   return parts;
 }
 
@@ -162,20 +163,10 @@ std::vector<StepFields> stepsOf(const SolutionArrays& arrays,
 
 }  // namespace
 
-SolutionArrays arraysOf(const Level& level,
-                        const std::vector<std::vector<EdgeEnds>>& outlines) {
+SolutionArrays arraysOf(const Level& level) {
   SolutionArrays arrays;
-  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
-    const BodyLevel& body = level.bodies[b];
-    append(body, outlines[b], arrays);
-    if (level.bodies.size() == 1)
-      continue;
-    for (const std::size_t count :
-         {outlines[b].size(), body.pieces.size(), body.states.normal.size(),
-          body.states.tangential.size(), body.state.rigid.size(),
-          body.displacement.size(), body.density.size()})
-      arrays.bodies.push_back(static_cast<int>(count));
-  }
+  for (const BodyLevel& body : level.bodies)
+    append(body, arrays);
   for (const contact::RigidMotion& motion : level.rigid)
     append(arrays.rigidBodies, {motion.slide.x, motion.slide.y, motion.turn});
   for (const PathPoint& point : level.path) {
@@ -203,13 +194,6 @@ Level levelOf(const SolutionArrays& arrays) {
   level.path = pathOf(arrays);
   level.steps = stepsOf(arrays, level.bodies);
   return level;
-}
-
-std::vector<std::vector<EdgeEnds>> outlinesOf(const SolutionArrays& arrays) {
-  std::vector<std::vector<EdgeEnds>> outlines;
-  for (const SolutionArrays& part : parted(arrays))
-    outlines.push_back(rowsOf<4>(part.outline));
-  return outlines;
 }
 
 }  // namespace epafi::drivers

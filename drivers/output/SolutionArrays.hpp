@@ -8,9 +8,6 @@
 
 namespace epafi::drivers {
 
-/// The ends of an edge of the outline, in the user's coordinates.
-using EdgeEnds = std::array<double, 4>;
-
 /// A level's numbers as they stand in solution.hdf: those of the bodies one body after the
 /// other, those of a path one step after the other, in a step again the bodies.
 struct SolutionArrays {
@@ -18,7 +15,6 @@ struct SolutionArrays {
   std::vector<int> degree;
   std::vector<double> position;  ///< fromStart, toEnd of the start and of the end
   std::vector<double> indicators;
-  std::vector<double> outline;
   std::vector<double> multiplier;
   std::vector<double> rigid;
   std::vector<int> contact;
@@ -26,17 +22,16 @@ struct SolutionArrays {
   std::vector<double> displacement;
   std::vector<double> density;
 
-  /// How many entries of the above belong to each body, see BodyCount; empty: there is one.
-  std::vector<int> bodies;
-  std::vector<double> rigidBodies;  ///< motions; since format 4
+  std::vector<int>
+      bodies;  ///< how many entries of the above each body has, see BodyCount
+  std::vector<double> rigidBodies;  ///< motions
 
   std::vector<double> pathTimes;
   std::vector<int> pathIterations;  ///< Newton's and Coulomb's
   std::vector<double> pathMultiplier;
   std::vector<double> pathRigid;
 
-  /// Of the steps that were asked for; a file of an earlier version, or of a path on its way,
-  /// has none.
+  /// Of the steps that were asked for; a path on its way has none.
   std::vector<double> stepTimes;
   std::vector<double> stepDisplacement;
   std::vector<double> stepDensity;
@@ -44,7 +39,6 @@ struct SolutionArrays {
 
 /// What a body has of something.
 enum BodyCount {
-  Edges,
   Elements,
   Normals,
   Tangentials,
@@ -70,37 +64,35 @@ constexpr std::tuple bodyDataSets(
     DataSet<int>{"degree", &SolutionArrays::degree},
     DataSet<double>{"position", &SolutionArrays::position, 4},
     DataSet<double>{"indicators", &SolutionArrays::indicators, adaptivity::sourceCount},
-    DataSet<double>{"outline", &SolutionArrays::outline, 4, Edges},
     DataSet<double>{"multiplier", &SolutionArrays::multiplier, 1, Normals, Tangentials},
     DataSet<double>{"rigid", &SolutionArrays::rigid, 1, Motions},
     DataSet<int>{"contact_state", &SolutionArrays::contact, 1, Normals},
     DataSet<int>{"friction_state", &SolutionArrays::friction, 1, Tangentials},
     DataSet<double>{"displacement", &SolutionArrays::displacement, 1, Displacements},
     DataSet<double>{"density", &SolutionArrays::density, 1, Densities});
-constexpr std::tuple pathDataSets(
+constexpr std::tuple otherDataSets(
+    DataSet<int>{"bodies", &SolutionArrays::bodies, BodyCounts},
+    DataSet<double>{"rigid_bodies", &SolutionArrays::rigidBodies, 3},
     DataSet<double>{"path_t", &SolutionArrays::pathTimes},
     DataSet<int>{"path_iterations", &SolutionArrays::pathIterations, 2},
     DataSet<double>{"path_multiplier", &SolutionArrays::pathMultiplier},
-    DataSet<double>{"path_rigid", &SolutionArrays::pathRigid});
-constexpr std::tuple stepDataSets(DataSet<double>{"step_t", &SolutionArrays::stepTimes},
-                                  DataSet<double>{"step_displacement",
-                                                  &SolutionArrays::stepDisplacement},
-                                  DataSet<double>{"step_density",
-                                                  &SolutionArrays::stepDensity});
+    DataSet<double>{"path_rigid", &SolutionArrays::pathRigid},
+    DataSet<double>{"step_t", &SolutionArrays::stepTimes},
+    DataSet<double>{"step_displacement", &SolutionArrays::stepDisplacement},
+    DataSet<double>{"step_density", &SolutionArrays::stepDensity});
 
 /// visit(data set) of each.
-template <class Sets, class Visit>
-void forEachDataSet(const Sets& sets, const Visit& visit) {
-  std::apply([&](const auto&... set) { (visit(set), ...); }, sets);
+template <class Visit>
+void forEachDataSet(const Visit& visit) {
+  const auto each = [&](const auto&... set) { (visit(set), ...); };
+  std::apply(each, bodyDataSets);
+  std::apply(each, otherDataSets);
 }
 
-/// `outlines`: of the bodies.
-SolutionArrays arraysOf(const Level& level,
-                        const std::vector<std::vector<EdgeEnds>>& outlines);
+SolutionArrays arraysOf(const Level& level);
 
-/// And back, what arrays say of a level; outlines likewise.
+/// And back, what arrays say of a level.
 /// \throws bem::InputError if they do not go together, or hold a state that there is not.
 Level levelOf(const SolutionArrays& arrays);
-std::vector<std::vector<EdgeEnds>> outlinesOf(const SolutionArrays& arrays);
 
 }  // namespace epafi::drivers

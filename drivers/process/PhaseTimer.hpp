@@ -16,7 +16,14 @@ class StackedTimer;
 namespace epafi::drivers {
 
 /// The parts of a level that are timed.
-enum class Phase { Assembly, Factorization, Stabilization, Newton, Estimate, Results };
+enum class Phase {
+  Assembly,       ///< V, K, W
+  Factorization,  ///< V = L Lᵀ, S
+  Stabilization,  ///< traction rows, A and its factor, the condensed problem
+  Newton,
+  Estimate,  ///< indicators
+  Results
+};
 constexpr int phaseCount = 6;
 const char* nameOf(Phase phase);
 
@@ -38,10 +45,10 @@ class PhaseTimer {
     return work();
   }
 
-  /// CPU seconds of a phase, all threads.
-  double levelSeconds(Phase phase) const { return level_[at(phase)]; }
+  /// CPU seconds of the phases, all threads: of this level, of all.
+  const std::array<double, phaseCount>& levelSeconds() const { return level_; }
   double totalSeconds(Phase phase) const { return total_[at(phase)]; }
-  /// Since the program's start, by the clock on the wall.
+  /// Since construction, by the clock on the wall.
   double wallSeconds() const {
     return std::chrono::duration<double>(Clock::now() - begin_).count();
   }

@@ -55,7 +55,7 @@ std::shared_ptr<const contact::Opposite> BodySpaces::makeOpposite(std::size_t b)
                                                        met);
 }
 
-Size BodySpaces::sizes() const {
+Size BodySpaces::totalSize() const {
   Size sum = sizeOf(spaces_[0], multipliers_[0], scene_.bodies[0].conditions);
   for (std::size_t b = 1; b < size(); ++b)
     sum += sizeOf(spaces_[b], multipliers_[b], scene_.bodies[b].conditions);

@@ -26,10 +26,7 @@ class BodySpaces {
     return opposites_[b];
   }
 
-  Size sizes() const;
-  std::string boundaryName(std::size_t b, const std::string& boundary) const {
-    return scene_.boundaryName(b, boundary);
-  }
+  Size totalSize() const;
 
   /// Of displacements of all bodies, which must outlive it, and motions of those that do
   /// not deform.

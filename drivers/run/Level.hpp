@@ -4,7 +4,9 @@
 #include "contact/equation/ContactState.hpp"
 #include "contact/results/Summary.hpp"
 #include "contact/solve/Report.hpp"
+#include "drivers/process/PhaseTimer.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -76,15 +78,6 @@ struct Size {
 Size sizeOf(const bem::Space& space, const contact::MultiplierSpace& multiplier,
             const contact::Conditions& conditions);
 
-/// CPU seconds of one level, all threads.
-struct Seconds {
-  double assembly = 0;       ///< V, K, W
-  double factorization = 0;  ///< V = L Lᵀ, S
-  double stabilization = 0;  ///< traction rows, A and its factor, the condensed problem
-  double newton = 0;
-  double estimate = 0;  ///< indicators
-};
-
 /// A body without elasticity: its motion [length, radian], and forces on it with their
 /// moments about the reference point.
 struct RigidRow {
@@ -111,9 +104,9 @@ struct LevelRow {
   double gamma0 = 0;                    ///< zero without stabilisation
   double estimate = 0;                  ///< [(stress length²)^½] under Weights "Energy"
   adaptivity::Contributions squares{};  ///< of which it is made
-  Seconds seconds;
-  double secondsTotal = 0;          ///< CPU since the program's start
-  double secondsWall = 0;           ///< likewise by the clock on the wall
+  std::array<double, phaseCount> seconds{};  ///< of this level, CPU, all threads
+  double secondsTotal = 0;                   ///< CPU since the program's start
+  double secondsWall = 0;           ///< by the clock on the wall since the timer's
   double memory = 0;                ///< peak so far [MiB]
   std::string operators = "dense";  ///< or "compressed", or denseInstead
   std::string note{};               ///< what to tell about them; mostly empty

@@ -81,9 +81,20 @@ struct NewLevel {
 /// handed out.
 using Attempt = std::variant<Level, std::string>;
 
+/// CPU seconds and memory until now, of all processes.
+void addTimes(const SolvedBodies& solved, const PhaseTimer& timer, LevelRow& row) {
+  const auto& phases = timer.levelSeconds();
+  bem::Vector cost(phases.begin(), phases.end());
+  cost.insert(cost.end(), {cpuSeconds(), timer.wallSeconds(), peakMemory()});
+  cost = largestOverRanks(solved.bodies().front().stiffness.algebra(), cost);
+  std::copy_n(cost.begin(), phaseCount, row.seconds.begin());
+  row.secondsTotal = cost[phaseCount];
+  row.secondsWall = cost[phaseCount + 1];
+  row.memory = cost[phaseCount + 2];
+}
+
 LevelRow makeRow(const Level& level, const NewLevel& begun, double gamma0,
                  const SolvedBodies& solved, const contact::Report& report) {
-  const PhaseTimer& timer = begun.timer;
   LevelRow row;
   row.level = level.number;
   row.size = begun.size;
@@ -98,16 +109,7 @@ LevelRow makeRow(const Level& level, const NewLevel& begun, double gamma0,
   row.gamma0 = gamma0;
   row.estimate = level.estimate();
   row.squares = level.squares();
-  const bem::Vector cost = largestOverRanks(
-      solved.bodies().front().stiffness.algebra(),
-      {timer.levelSeconds(Phase::Assembly), timer.levelSeconds(Phase::Factorization),
-       timer.levelSeconds(Phase::Stabilization), timer.levelSeconds(Phase::Newton),
-       timer.levelSeconds(Phase::Estimate), cpuSeconds(), timer.wallSeconds(),
-       peakMemory()});
-  row.seconds = {cost[0], cost[1], cost[2], cost[3], cost[4]};
-  row.secondsTotal = cost[5];
-  row.secondsWall = cost[6];
-  row.memory = cost[7];
+  addTimes(solved, begun.timer, row);
   return row;
 }
 
@@ -148,7 +150,10 @@ Attempt solvePath(const Ground& ground, const contact::ContactSystem& atZero,
     for (BodyLevel& body : level.bodies)
       body.indicators.squares.resize(body.pieces.size());
     timer.run(Phase::Results, [&] {
-      begun.handOutStep({sofar.last().solved->bodies(), level, {}, &sofar});
+      const SolvedBodies& solved = *sofar.last().solved;
+      LevelRow times;
+      addTimes(solved, timer, times);
+      begun.handOutStep({solved.bodies(), level, times, &sofar});
     });
   });
   atZero.numbers().flexibility.release();  // estimates take as much
@@ -170,7 +175,7 @@ Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
                   const LevelStart& from, const NewLevel& begun) {
   PhaseTimer& timer = begun.timer;
   const bem::DenseAlgebra& algebra = ground.stiffness.front().algebra();
-  const Solved outcome = timer.run(Phase::Newton, [&] {
+  const SolvedProblem outcome = timer.run(Phase::Newton, [&] {
     return solve(ground.scene, system, ground.spaces,
                  system.joined(from.start, from.rigid), algebra);
   });
@@ -303,7 +308,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
   while (const auto* from = std::get_if<LevelStart>(&next)) {
     const int number = from->level;
     const BodySpaces spaces(scene, from->meshes);
-    Size size = spaces.sizes();
+    Size size = spaces.totalSize();
     if (size.dof() > scene.adaptivity.limits.degreesOfFreedom)
       return {contact::Status::Converged,
               capReached(number, size, scene.adaptivity.limits.degreesOfFreedom)};

@@ -65,7 +65,7 @@ class Follower {
 
   // One step to a time; what it ends with is kept also where it fails.
   bool solve(double next) {
-    Solved attempt;
+    SolvedProblem attempt;
     contact::Solution& solved = attempt.solution;
     const bool isKnown = path_.points.size() < earlier_.size();
     if (isKnown)

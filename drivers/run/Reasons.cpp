@@ -107,7 +107,7 @@ std::string withAdvice(const contact::NoBalance& error, const std::string& unres
   return message(unresisted.empty() ? error.what() : unresisted, holdTheMotion);
 }
 
-std::string restlessPlaces(const contact::Report& report,
+std::string restlessPlaces(const contact::Report& report, const Scene& scene,
                            const contact::ContactSystem& system,
                            const BodySpaces& spaces) {
   constexpr std::size_t shown = 5;
@@ -127,7 +127,7 @@ std::string restlessPlaces(const contact::Report& report,
         const bem::Vec2 place =
             spaces.space(b).mesh().physicalPoint(element.element, at[i]);
         places.push_back(bem::message("(", place.x, ", ", place.y, ") on ",
-                                      spaces.boundaryName(b, *element.boundary)));
+                                      scene.boundaryName(b, *element.boundary)));
       }
     }
   }

@@ -18,7 +18,7 @@ std::string withAdvice(const contact::NoBalance& error, const std::string& unres
 
 /// "; contact points that still change state: (0.31, 0) on foundation, ...": where a
 /// solve that did not converge is undecided, at most five; empty if it is nowhere.
-std::string restlessPlaces(const contact::Report& report,
+std::string restlessPlaces(const contact::Report& report, const Scene& scene,
                            const contact::ContactSystem& system,
                            const BodySpaces& spaces);
 

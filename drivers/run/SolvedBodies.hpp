@@ -42,7 +42,6 @@ class SolvedBodies {
   SolvedBodies(const SolvedBodies&) = delete;
   SolvedBodies& operator=(const SolvedBodies&) = delete;
 
-  const contact::ContactSystem& system() const { return system_; }
   const contact::Configuration& at() const { return at_; }
   const Placement& placement() const { return placement_; }
   const std::vector<bem::Vector>& densities() const { return densities_; }

@@ -33,7 +33,7 @@ contact::Solution assembled(const contact::Problem& problem, const Scene::Solver
 
 constexpr std::ptrdiff_t scalars = 5;
 
-Vector packed(const Solved& solved) {
+Vector packed(const SolvedProblem& solved) {
   const contact::Report& report = solved.solution.report;
   Vector numbers = {
       report.converged() ? 1.0 : 0.0, static_cast<double>(report.newtonIterations),
@@ -42,7 +42,7 @@ Vector packed(const Solved& solved) {
   return numbers;
 }
 
-void unpack(const Vector& numbers, Solved& solved) {
+void unpack(const Vector& numbers, SolvedProblem& solved) {
   contact::Report& report = solved.solution.report;
   report.status =
       numbers[0] == 1 ? contact::Status::Converged : contact::Status::NotConverged;
@@ -58,11 +58,11 @@ void unpack(const Vector& numbers, Solved& solved) {
 /// What rank 0 makes of it, on all ranks; where D is not formed all of them have a part in
 /// it, and take the same steps.
 template <class Solve>
-Solved onFirstRank(const contact::ContactSystem& system, const bem::DenseAlgebra& algebra,
-                   const Solve& solve) {
+SolvedProblem onFirstRank(const contact::ContactSystem& system,
+                          const bem::DenseAlgebra& algebra, const Solve& solve) {
   if (!system.numbers().flexibility.isFormed())
     return solve();
-  Solved solved;
+  SolvedProblem solved;
   contact::State& state = solved.solution.state;
   if (algebra.rank() == 0)
     solved = solve();
@@ -78,10 +78,10 @@ Solved onFirstRank(const contact::ContactSystem& system, const bem::DenseAlgebra
 
 }  // namespace
 
-Solved solve(const Scene& scene, const contact::ContactSystem& system,
-             const BodySpaces& spaces, const contact::State& start,
-             const bem::DenseAlgebra& algebra) {
-  return onFirstRank(system, algebra, [&]() -> Solved {
+SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
+                    const BodySpaces& spaces, const contact::State& start,
+                    const bem::DenseAlgebra& algebra) {
+  return onFirstRank(system, algebra, [&]() -> SolvedProblem {
     try {
       contact::Solution solution =
           assembled(system.numbers(), scene.solver, nullptr, [&](const auto& solver) {
@@ -89,7 +89,7 @@ Solved solve(const Scene& scene, const contact::ContactSystem& system,
                                              start, scene.solver.loadSteps);
           });
       const std::string reason = reasonOf(solution.report, scene) +
-                                 restlessPlaces(solution.report, system, spaces);
+                                 restlessPlaces(solution.report, scene, system, spaces);
       return {std::move(solution), reason};
     } catch (const contact::NoBalance& error) {
       throw bem::NumericalError(withAdvice(error, unresisted(scene, spaces, system)));
@@ -97,10 +97,10 @@ Solved solve(const Scene& scene, const contact::ContactSystem& system,
   });
 }
 
-Solved solveStep(const Scene& scene, const contact::ContactSystem& system,
-                 const BodySpaces& spaces, const contact::Prediction& prediction,
-                 const bem::DenseAlgebra& algebra) {
-  const auto from = [&](const contact::State& start) -> Solved {
+SolvedProblem solveStep(const Scene& scene, const contact::ContactSystem& system,
+                        const BodySpaces& spaces, const contact::Prediction& prediction,
+                        const bem::DenseAlgebra& algebra) {
+  const auto from = [&](const contact::State& start) -> SolvedProblem {
     try {
       // of this step only: a run that goes on behind it shall compute the same digits
       contact::FactorMemory memory;
@@ -117,11 +117,11 @@ Solved solveStep(const Scene& scene, const contact::ContactSystem& system,
   };
   return onFirstRank(system, algebra, [&] {
     const contact::State start = prediction.start(system);
-    Solved solved = from(start);
+    SolvedProblem solved = from(start);
     if (solved.solution.report.converged() ||
         start.multiplier == prediction.last().multiplier)
       return solved;
-    Solved again = from(prediction.last());
+    SolvedProblem again = from(prediction.last());
     again.solution.report =
         contact::joined(std::move(again.solution.report), solved.solution.report);
     return again;

@@ -12,7 +12,7 @@
 namespace epafi::drivers {
 
 /// A solved problem, and in words why it is not if it is not.
-struct Solved {
+struct SolvedProblem {
   contact::Solution solution;
   std::string reason;
 };
@@ -24,15 +24,15 @@ struct Solved {
 /// state, status, iterations, residual, tolerance and reason; the histories of the steps
 /// stay where they are.
 /// \throws see contact::NonlinearSolver
-Solved solve(const Scene& scene, const contact::ContactSystem& system,
-             const BodySpaces& spaces, const contact::State& start,
-             const bem::DenseAlgebra& algebra);
+SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
+                    const BodySpaces& spaces, const contact::State& start,
+                    const bem::DenseAlgebra& algebra);
 
 /// The same for a step of a path, without Load Steps: from where it is predicted, and if that
 /// fails from the state before.  It may fail and be tried in parts: a bem::NumericalError is
 /// the reason of a report without a state.
-Solved solveStep(const Scene& scene, const contact::ContactSystem& system,
-                 const BodySpaces& spaces, const contact::Prediction& prediction,
-                 const bem::DenseAlgebra& algebra);
+SolvedProblem solveStep(const Scene& scene, const contact::ContactSystem& system,
+                        const BodySpaces& spaces, const contact::Prediction& prediction,
+                        const bem::DenseAlgebra& algebra);
 
 }  // namespace epafi::drivers

@@ -130,6 +130,9 @@ void readBodies(ParameterList& list, const ParameterList& discretization, Scene&
   std::vector<bem::Loops> loops;
   double length = 0;
   for (const auto& item : list) {
+    if (item.first.find(':') != std::string::npos)
+      throw InputError("Bodies: a body is named '", item.first,
+                       "'; a name has no ':', which parts body:boundary");
     const std::string path = "Bodies->" + item.first + "->Geometry";
     loops.push_back(
         readLoops(list.sublist(item.first).sublist("Geometry"), scene.file, path));

@@ -75,9 +75,7 @@ void checkNamed(const std::string& boundary, const std::string& path,
                 const bem::Outline& outline) {
   const std::vector<std::string> names = boundaryNames(outline);
   if (std::find(names.begin(), names.end(), boundary) == names.end())
-    throw InputError(path, ": no edge has this name; did you mean '",
-                     bem::nearest(boundary, names),
-                     "'? named edges: ", bem::quotedList(names));
+    throw InputError(path, ": no edge has this name", bem::suggestion(boundary, names));
 }
 
 std::function<bem::Vec2(bem::Vec2)> normalOn(const bem::Outline& outline,

@@ -41,8 +41,8 @@ SideOfBody readSide(const std::string& text, const std::string& path,
   const std::vector<std::string> names = bodyNames(scene);
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
-    throw InputError(path, ": there is no body '", name, "'; did you mean '",
-                     bem::nearest(name, names), "'? bodies: ", bem::quotedList(names));
+    throw InputError(path, ": there is no body '", name, "'",
+                     bem::suggestion(name, names));
   const std::size_t index = found - names.begin();
   side.rigid = index >= scene.bodies.size();
   side.body = side.rigid ? index - scene.bodies.size() : index;

@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "drivers/scene/GmshOutline.hpp"
 #include "drivers/scene/SceneFile.hpp"
+#include "drivers/scene/Text.hpp"
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
@@ -18,16 +19,6 @@ namespace {
 using bem::InputError;
 using bem::message;
 using Teuchos::ParameterList;
-
-/// Adds where it happened to what a value's constructor complains about.
-template <class Make>
-auto at(const std::string& path, Make make) {
-  try {
-    return make();
-  } catch (const InputError& error) {
-    throw InputError(path + ": " + error.what());
-  }
-}
 
 std::vector<std::string> namesOf(const ParameterList& list, const std::string& key) {
   return list.get<Teuchos::Array<std::string>>(key).toVector();
@@ -108,15 +99,13 @@ void expandGeometryFile(Teuchos::ParameterList& geometry, const std::string& sce
   const auto name = geometry.get<std::string>("File");
   const std::string file =
       (std::filesystem::path(sceneFile).parent_path() / name).string();
-  try {
+  within(message(path, "->File = '", name, "' (", file, "): "), [&] {
     const bem::Loops loops = readGmsh(readText(file));
     geometry.remove("File");
     setLoop(geometry, "", loops.outer);
     for (std::size_t k = 0; k < loops.holes.size(); ++k)
       setLoop(geometry, message("Hole ", k + 1, " "), loops.holes[k]);
-  } catch (const InputError& error) {
-    throw InputError(path, "->File = '", name, "' (", file, "): ", error.what());
-  }
+  });
 }
 
 }  // namespace
@@ -146,7 +135,7 @@ bem::Loops readLoops(ParameterList& geometry, const std::string& file,
 
 std::shared_ptr<const bem::Outline> makeOutline(const bem::Loops& loops, double length,
                                                 const std::string& path) {
-  return at(path, [&] {
+  return within(path + ": ", [&] {
     bem::Scaling scaling = bem::scalingOf(loops.outer);
     scaling.length = std::max(scaling.length, length);
     return std::make_shared<const bem::Outline>(loops.outer, loops.holes, scaling);

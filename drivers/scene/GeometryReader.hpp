@@ -8,10 +8,6 @@
 #include <string>
 #include <vector>
 
-namespace Teuchos {
-class ParameterList;
-}
-
 namespace epafi::drivers {
 
 /// Of a validated list Geometry; what its File names takes the place of File in it.

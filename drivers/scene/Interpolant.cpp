@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Named.hpp"
 #include "drivers/scene/SceneFile.hpp"
+#include "drivers/scene/Text.hpp"
 
 #include <Teuchos_LAPACK.hpp>
 #include <Teuchos_ParameterList.hpp>
@@ -146,11 +147,8 @@ void expandFile(Teuchos::ParameterList& list, const std::string& sceneFile) {
   const auto name = list.get<std::string>("File");
   const std::string file =
       (std::filesystem::path(sceneFile).parent_path() / name).string();
-  try {
-    list.set("Points", readPoints(readText(file)));
-  } catch (const InputError& error) {
-    throw InputError("File = '", name, "' (", file, "): ", error.what());
-  }
+  list.set("Points", within(bem::message("File = '", name, "' (", file, "): "),
+                            [&] { return readPoints(readText(file)); }));
   list.remove("File");
 }
 

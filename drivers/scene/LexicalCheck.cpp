@@ -24,14 +24,14 @@ bool isCount(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
-void checkReal(const std::string& text, double largest) {
+void checkReal(const std::string& text) {
   char* stop = nullptr;
   const double value = std::strtod(text.c_str(), &stop);
   // strtod knows infinities and hexadecimal digits, too
   if (text.empty() || stop != text.c_str() + text.size() ||
       text.find_first_not_of("0123456789+-.eE") != std::string::npos)
     throw InputError("'", text, "' is not a number; write 0.5, -3 or 1e-3");
-  if (!(std::abs(value) <= largest))
+  if (!std::isfinite(value))
     throw InputError("'", text, "' is too large for a number");
   const std::string mantissa = text.substr(0, text.find_first_of("eE"));
   const bool subnormal = std::abs(value) < std::numeric_limits<double>::min();
@@ -39,16 +39,15 @@ void checkReal(const std::string& text, double largest) {
     throw InputError("'", text, "' is too small for a number; from 2.3e-308 on, or 0");
 }
 
-template <class Integer>
 void checkWhole(const std::string& text) {
   const std::size_t start = !text.empty() && text[0] == '+' ? 1 : 0;
-  Integer value{};
+  int value = 0;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data() + start, end, value);
   if (error == std::errc::result_out_of_range)
     throw InputError("'", text, "' is out of range; from ",
-                     std::numeric_limits<Integer>::min(), " to ",
-                     std::numeric_limits<Integer>::max());
+                     std::numeric_limits<int>::min(), " to ",
+                     std::numeric_limits<int>::max());
   if (error != std::errc() || stop != end || (start == 1 && text[1] == '-'))
     throw InputError("'", text, "' is not a whole number");
 }
@@ -64,15 +63,8 @@ struct Scalar {
 };
 
 constexpr Scalar scalars[] = {
-    {"int", &checkWhole<int>},
-    {"unsigned int", &checkWhole<unsigned>},
-    {"long long", &checkWhole<long long>},
-    {"float",
-     [](const std::string& text) { checkReal(text, std::numeric_limits<float>::max()); }},
-    {"double",
-     [](const std::string& text) {
-       checkReal(text, std::numeric_limits<double>::max());
-     }},
+    {"int", &checkWhole},
+    {"double", &checkReal},
     {"bool", &checkFlag},
     {"string", [](const std::string&) {}},
 };
@@ -107,11 +99,7 @@ long checkEntries(const Scalar& scalar, const std::string& text) {
     if (entry.empty() || (brace && !(texts && isBalanced(entry))))
       throw InputError("entry ", count, " = '", entry, "' of the array is empty or ",
                        "holds a brace; write {a, b, c}");
-    try {
-      scalar.check(entry);
-    } catch (const InputError& error) {
-      throw InputError("entry ", count, " of the array: ", error.what());
-    }
+    within(message("entry ", count, " of the array: "), [&] { scalar.check(entry); });
     ++count;
   }
   return count;
@@ -124,8 +112,8 @@ void checkTable(const Scalar& scalar, const std::string& text) {
   const std::string columns = size.substr(std::min(rows.size() + 1, size.size()));
   if (!isCount(rows) || !isCount(columns) || size.size() == text.size())
     throw InputError("'", text, "' is not a table; write 4x2:{a, b, ...}, row by row");
-  checkWhole<int>(rows);
-  checkWhole<int>(columns);
+  checkWhole(rows);
+  checkWhole(columns);
   const long wanted = std::stol(rows) * std::stol(columns);
   const long found = checkEntries(scalar, trimmed(text.substr(size.size() + 1)));
   if (found != wanted)
@@ -176,11 +164,7 @@ void checkList(const Teuchos::XMLObject& list, const std::string& path) {
       checkList(child, inner);
       continue;
     }
-    try {
-      checkParameter(child);
-    } catch (const InputError& error) {
-      throw InputError(inner + ": " + error.what());
-    }
+    within(inner + ": ", [&] { checkParameter(child); });
   }
 }
 

@@ -13,7 +13,7 @@ namespace epafi::drivers {
 /// Teuchos converts what it can and drops the rest: 'abc' becomes 0, '3.7' an int 3,
 /// '1e999' infinity, '1d-3' 1, a letter in an array 0.  So the text is read here first.
 ///
-/// Types: int, unsigned int, long long, float, double, bool, string; Array(T), {a, b, c};
+/// Types: int, double, bool, string, which are all that keys have; Array(T), {a, b, c};
 /// TwoDArray(T), RxC:{row by row}.
 /// \throws bem::InputError with what is wrong and what would be right; without file and
 /// path.

@@ -102,11 +102,7 @@ void setAt(Teuchos::ParameterList& list, const std::string& path,
                            : alone && row.kind == Kind::Reals ? "double"
                                                               : textOf(row.kind).type;
   const std::string text = type == "string" ? value : trimmed(value);
-  try {
-    checkValue(type, text);
-  } catch (const InputError& error) {
-    throw InputError(path + ": " + error.what());
-  }
+  within(path + ": ", [&] { checkValue(type, text); });
   madeParentOf(list, path).setEntry(lastOf(path), entryOf(type, text));
 }
 
@@ -118,11 +114,7 @@ void applyOverride(Teuchos::ParameterList& list, const std::string& assignment) 
     throw InputError("--set '", assignment, "': write 'A->B->Key=value'");
   const std::string path = assignment.substr(0, equal);
   const std::string value = assignment.substr(equal + 1);
-  try {
-    setAt(list, path, value);
-  } catch (const InputError& error) {
-    throw InputError("--set ", error.what());
-  }
+  within("--set ", [&] { setAt(list, path, value); });
 }
 
 }  // namespace epafi::drivers

@@ -113,8 +113,8 @@ RawScene readYaml(const std::string& text, const std::string& standardTitle) {
   }
 }
 
-/// The type and value that an entry has in XML.  Teuchos writes doubles with 18
-/// significant digits, alone and in arrays, which is enough to give back every bit.
+/// The type and value that an entry has in XML: doubles, alone and in arrays, with as few digits
+/// as give back every bit, others as Teuchos writes them.
 struct Spelling {
   std::string type;
   std::string value;
@@ -241,10 +241,6 @@ RawScene rawScene(const std::string& marked, const std::string& file) {
   return yaml ? readYaml(text, path.stem().string())
               : readXml(text, path.stem().string());
 }
-
-RawScene readSceneText(const std::string& xml) { return readXml(xml, ""); }
-
-RawScene readRawScene(const std::string& file) { return rawScene(readText(file), file); }
 
 std::vector<std::string> assignments(const Teuchos::ParameterList& list) {
   std::vector<std::string> result;

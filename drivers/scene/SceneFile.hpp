@@ -30,13 +30,6 @@ std::string readText(const std::string& file);
 ///   not spell their type; without the file's name.
 RawScene rawScene(const std::string& text, const std::string& file);
 
-/// rawScene() of readText(): throws what both throw.
-RawScene readRawScene(const std::string& file);
-
-/// The same of the text of an XML file.
-/// \throws bem::InputError likewise.
-RawScene readSceneText(const std::string& xml);
-
 /// A piece of a scene as the "A->B->Key=value" that would set the same.
 std::vector<std::string> assignments(const Teuchos::ParameterList& list);
 

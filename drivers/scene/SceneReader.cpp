@@ -126,10 +126,6 @@ Scene build(const std::string& file, const RawScene& raw) {
   return scene;
 }
 
-}  // namespace
-
-namespace {
-
 /// Every message names the file first.
 template <class Read>
 auto naming(const std::string& file, const Read& read) {

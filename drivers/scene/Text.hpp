@@ -1,5 +1,7 @@
 #pragma once
 
+#include "bem/base/Error.hpp"
+
 #include <charconv>
 #include <optional>
 #include <string>
@@ -15,6 +17,16 @@ std::optional<Number> numberIn(const std::string& text) {
   const char* const end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   return error == std::errc() && stop == end ? std::optional(value) : std::nullopt;
+}
+
+/// work(); what it complains about begins with where that is.
+template <class Work>
+auto within(const std::string& where, const Work& work) {
+  try {
+    return work();
+  } catch (const bem::InputError& error) {
+    throw bem::InputError(where, error.what());
+  }
 }
 
 /// Without XML's white space at both ends.

@@ -43,11 +43,7 @@ std::vector<std::string> settingsOf(const ParameterList& list) {
 /// The scene, or what is wrong with it and where in the study that was asked for.
 Scene sceneAt(const std::string& path, const std::string& file,
               const std::vector<std::string>& overrides) {
-  try {
-    return readScene(file, overrides);
-  } catch (const InputError& error) {
-    throw InputError(path + ": " + error.what());
-  }
+  return within(path + ": ", [&] { return readScene(file, overrides); });
 }
 
 /// The variants that one entry of the study stands for on one scene: one, or one per
@@ -136,6 +132,8 @@ Study build(const std::string& file, const RawScene& raw) {
     if (raw.list.sublist("Scenes").sublist(name).isSublist("Reference"))
       scene.reference =
           readReference(name, given.sublist("Reference"), sceneFile, common);
+    else
+      given.remove("Reference");
     for (const auto& variant : list.sublist("Variants")) {
       const ParameterList& settingsList = list.sublist("Variants").sublist(variant.first);
       if (!belongs(settingsList, name))
@@ -150,9 +148,9 @@ Study build(const std::string& file, const RawScene& raw) {
 }
 
 void addOverrides(std::vector<Parameter>& table, const std::string& parent) {
-  const std::string prefix = parent.empty() ? "" : parent + "->";
-  append(table, {Row(prefix + "Set", Kind::Names, settings),
-                 Row(prefix + "Override", Kind::Free, override)});
+  append(table,
+         {Row("Set", Kind::Names, settings), Row("Override", Kind::Free, override)},
+         parent);
 }
 
 std::vector<Parameter> makeStudyParameters() {
@@ -204,14 +202,12 @@ const std::vector<Parameter>& studyParameters() {
 }
 
 Study readStudy(const std::string& file) {
-  try {
-    const RawScene raw = readRawScene(file);
+  return within(file + ": ", [&] {
+    const RawScene raw = rawScene(readText(file), file);
     if (raw.list.isSublist("Bodies"))
       throw InputError("is a scene, not a study; to solve it: epafi run " + file);
     return build(file, raw);
-  } catch (const InputError& error) {
-    throw InputError(file + ": " + error.what());
-  }
+  });
 }
 
 }  // namespace epafi::drivers

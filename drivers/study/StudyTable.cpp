@@ -1,8 +1,8 @@
 #include "drivers/study/StudyTable.hpp"
 
+#include "drivers/output/Csv.hpp"
 #include "drivers/output/PrintedTable.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -11,7 +11,7 @@ namespace epafi::drivers {
 
 namespace {
 
-std::vector<std::string> columns() {
+std::string head() {
   std::vector<std::string> names = {"scene", "variant"};
   const std::vector<std::string> history = historyColumns();
   names.insert(names.end(), history.begin(), history.end());
@@ -19,28 +19,21 @@ std::vector<std::string> columns() {
        {"error", "error_multiplier", "error_energy", "counted", "effectivity",
         "sweep_value", "smallest_eigenvalue", "reason", "folder"})
     names.emplace_back(name);
-  return names;
+  return csvLine(names);
 }
 
 std::string known(double value) { return std::isnan(value) ? "" : exactly(value); }
 
-void set(std::vector<std::string>& cells, const std::string& column,
-         const std::string& value) {
-  const std::vector<std::string> names = historyColumns();
-  const auto at = std::find(names.begin(), names.end(), column);
-  cells[at - names.begin()] = value;
-}
-
 }  // namespace
 
-StudyTable::StudyTable() : csv_(columns()) {}
+StudyTable::StudyTable() : text_(head()) {}
 
 void StudyTable::row(const std::string& scene, const std::string& variant,
                      std::vector<std::string> cells,
                      const std::vector<std::string>& more) {
   cells.insert(cells.begin(), {scene, variant});
   cells.insert(cells.end(), more.begin(), more.end());
-  csv_.row(cells);
+  text_ += csvLine(cells);
 }
 
 void StudyTable::level(const std::string& scene, const Variant& variant,
@@ -60,8 +53,8 @@ void StudyTable::level(const std::string& scene, const Variant& variant,
 void StudyTable::failure(const std::string& scene, const Variant& variant, int level,
                          const std::string& reason, double smallestEigenvalue) {
   std::vector<std::string> cells(historyColumns().size());
-  set(cells, "level", std::to_string(level));
-  set(cells, "status", "failed");
+  cells[historyColumn("level")] = std::to_string(level);
+  cells[historyColumn("status")] = "failed";
   std::vector<std::string> more(5);
   more.push_back(known(variant.sweepValue));
   more.push_back(known(smallestEigenvalue));

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "drivers/output/Csv.hpp"
 #include "drivers/output/HistoryTable.hpp"
 #include "drivers/study/Study.hpp"
 #include "drivers/study/TrueError.hpp"
@@ -39,13 +38,13 @@ class StudyTable {
   /// The last level of the reference, from its cells.
   void reference(const std::string& scene, const std::vector<std::string>& cells);
 
-  const std::string& text() const { return csv_.text(); }
+  const std::string& text() const { return text_; }
 
  private:
   void row(const std::string& scene, const std::string& variant,
            std::vector<std::string> cells, const std::vector<std::string>& more);
 
-  Csv csv_;
+  std::string text_;
 };
 
 /// What the study prints of a level.

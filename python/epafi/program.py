@@ -72,13 +72,15 @@ def call(arguments: Sequence[str], said: Optional[Callable[[str], Any]] = None,
     """Runs epafi; returns what it printed, each line told to `said` as it comes.
 
     EpafiError where it fails; its sentence does not name `scene`, a file that is about to
-    vanish.  KeyboardInterrupt reaches the program, too, which then keeps what
-    is solved.
+    vanish.  KeyboardInterrupt is told to the program, too, which then keeps what is solved.
     """
     lines = []
     with tempfile.TemporaryFile("w+") as complaints:
         process = subprocess.Popen([program(), *arguments], stdout=subprocess.PIPE,
-                                   stderr=complaints, text=True)
+                                   stderr=complaints, text=True,
+                                   # else Ctrl-C in a terminal reaches it twice, and the second
+                                   # one ends it at once
+                                   start_new_session=True)
         assert process.stdout is not None
         try:
             for line in process.stdout:
@@ -111,6 +113,8 @@ def schema() -> dict[str, Any]:
 
 
 def version() -> dict[str, str]:
-    """What the program is made of: {"Epafi": "0.1.0", "Trilinos": ..., ...}."""
+    """What the program is made of: {"Epafi": "0.1.0", "Trilinos": ..., "MPI": "Open MPI 4.1.4",
+    "BLAS core": ...}."""
     lines = call(["version"]).splitlines()
-    return dict(line.rsplit(" ", 1) for line in lines)
+    return {name: line.removeprefix(name + " ") for name, line in zip(
+        ("Epafi", "Trilinos", "MPI", "BLAS core"), lines)}

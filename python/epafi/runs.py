@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 class Run:
     """The folder of a run; its files are read when they are first asked for.
 
-    Columns are those of the files, as doc/tutorial.md lists them: `run.contact["lambda_n"]`.
+    Columns are those of the files, as doc/columns.md lists them: `run.contact["lambda_n"]`.
     """
 
     def __init__(self, folder: str | os.PathLike[str]) -> None:

@@ -20,7 +20,7 @@ class Scene(dict[str, Any]):
 
         Scene({"Bodies": {"block": {...}}, "Discretization": {"Mesh Size": 0.1}}, title="Block")
 
-    `title` is the scene's, `folder` what a `Geometry->File` is relative to.
+    `title` is the scene's, `folder` what the `File` of a Geometry or a table is relative to.
     InputError for unknown keys and wrong types, with the path and the nearest known key.
     """
 
@@ -36,7 +36,7 @@ class Scene(dict[str, Any]):
         name = os.fspath(file)
         stem, ending = os.path.splitext(os.path.basename(name))
         folder = os.path.dirname(name) or "."
-        if ending in (".yaml", ".yml"):
+        if ending.lower() in (".yaml", ".yml"):
             return cls._read_yaml(name, folder)
         try:
             root = xml.parse(name).getroot()
@@ -50,9 +50,16 @@ class Scene(dict[str, Any]):
             import yaml
         except ImportError:
             raise InputError("%s: YAML wants python3-yaml" % name) from None
+
+        class Loader(yaml.SafeLoader):
+            """Takes 1e3 for a number, as YAML 1.2 and the program do, and PyYAML does not."""
+
+        Loader.add_implicit_resolver(
+            "tag:yaml.org,2002:float",
+            re.compile(r"[-+]?(\.\d+|\d+(\.\d*)?)([eE][-+]?\d+)?$"), list("-+.0123456789"))
         try:
             with open(name, encoding="utf-8") as stream:
-                content = yaml.safe_load(stream)
+                content = yaml.load(stream, Loader)
         except (OSError, yaml.YAMLError) as error:
             raise InputError("%s: %s" % (name, error)) from None
         if not isinstance(content, dict) or len(content) != 1:
@@ -172,14 +179,14 @@ def _entry(value: Any, rules: Mapping[str, Any]) -> tuple[str, str]:
 
 
 def _list(name: str, tree: Mapping[str, Any], rules: Mapping[str, Any],
-          folder: str) -> xml.Element:
+          folder: str, parent: str = "") -> xml.Element:
     element = xml.Element("ParameterList", name=name)
     for key, value in tree.items():
         rule = _child(rules, key) or {}
         if isinstance(value, Mapping):
-            element.append(_list(key, value, rule, folder))
+            element.append(_list(key, value, rule, folder, name))
             continue
-        if name == "Geometry" and key == "File":
+        if key == "File" and (name == "Geometry" or parent == "Tables"):
             value = os.path.join(folder, value)
         kind, text = _entry(value, rule)
         xml.SubElement(element, "Parameter", name=key, type=kind, value=text)

@@ -8,9 +8,14 @@ from typing import Optional
 import numpy as np
 
 
+# Columns of names and words, also where all of these look like numbers.
+TEXTS = {"boundary", "body", "contact_name", "folder", "operators", "reason", "scene", "status",
+         "variant"}
+
+
 class Table:
-    """A file of comma-separated values by columns, arrays of shape (size,): numbers where all
-    cells are numbers or empty (NaN), else texts."""
+    """A file of comma-separated values by columns, arrays of shape (size,): texts in columns of
+    names (TEXTS), else numbers where all cells are numbers or empty (NaN), else texts."""
 
     columns: dict[str, np.ndarray]
     size: int  # rows
@@ -23,8 +28,8 @@ class Table:
         for name in rows[0] if rows else ():
             cells = [row[name] or "" for row in rows]
             try:
-                self.columns[name] = np.array([float(cell) if cell else math.nan
-                                               for cell in cells])
+                self.columns[name] = np.array(cells if name in TEXTS else [
+                    float(cell) if cell else math.nan for cell in cells])
             except ValueError:
                 self.columns[name] = np.array(cells)
 

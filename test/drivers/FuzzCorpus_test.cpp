@@ -32,7 +32,7 @@ TEUCHOS_UNIT_TEST(FuzzCorpus, isOfScenesThatUseEveryKey) {
     const std::string file = entry.path().string();
     out << file << "\n";
     TEST_NOTHROW(drivers::readScene(file));
-    used.merge(pathsOf(drivers::readRawScene(file).list, ""));
+    used.merge(pathsOf(drivers::rawScene(drivers::readText(file), file).list, ""));
   }
   for (const drivers::Parameter& row : drivers::parameters()) {
     out << row.path << "\n";

@@ -26,7 +26,8 @@ from epafi import program, scenes  # noqa: E402
 SHIPPED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "drivers", "scenes")
 FRICTION = "Bodies->block->Boundary Conditions->foundation->Friction"
 claim(os.path.samefile(program.program(), EPAFI), "the program beside the package is found")
-claim(epafi.version()["Epafi"], "and says its version")
+claim(list(epafi.version()) == ["Epafi", "Trilinos", "MPI", "BLAS core"],
+      "and says its version: %s" % epafi.version())
 
 # every shipped scene: read, written and read again, it is the same; and the program's own reading
 for name in sorted(os.listdir(SHIPPED)):
@@ -50,6 +51,15 @@ try:
             os.path.join(SHIPPED, "patch.xml")))}, stream)
     claim(epafi.Scene.read(os.path.join(WORK, "patch.yaml")) ==
           epafi.Scene.read(os.path.join(SHIPPED, "patch.xml")), "YAML is read as well")
+    with open(os.path.join(WORK, "patch.yaml")) as stream:
+        text = stream.read()
+    key = "Young's Modulus: "
+    begin = text.index(key) + len(key)
+    with open(os.path.join(WORK, "patch.YAML"), "w") as stream:
+        stream.write(text[:begin] + "1e3" + text[text.index("\n", begin):])
+    body, = epafi.Scene.read(os.path.join(WORK, "patch.YAML"))["Bodies"].values()
+    claim(body["Material"]["Young's Modulus"] == 1000,
+          "with numbers as the program takes them, and .YAML")
 except ImportError:
     print("python3-yaml is not here: YAML not tried")
 coulomb = epafi.Scene.read(os.path.join(SHIPPED, "coulomb.xml")).changed(
@@ -168,6 +178,28 @@ try:
     claim(False, "an interrupt ends a run")
 except KeyboardInterrupt:
     claim(epafi.Run(os.path.join(WORK, "long")).history.size > 0, "an interrupt keeps levels")
+
+# Ctrl-C in a terminal, which signals the program's whole group, as well
+SCRIPT = """import epafi, sys
+scene = epafi.Scene.read(sys.argv[1])
+epafi.run(scene, sys.argv[2])"""
+long.write(os.path.join(WORK, "long.xml"))
+folder = os.path.join(WORK, "terminal")
+process = subprocess.Popen([sys.executable, "-c", SCRIPT, os.path.join(WORK, "long.xml"), folder],
+                           start_new_session=True, stderr=subprocess.DEVNULL)
+while not os.path.exists(os.path.join(folder, "history.csv")):
+    time.sleep(0.05)
+time.sleep(0.5)
+os.killpg(process.pid, signal.SIGINT)
+process.wait()
+claim(os.path.isfile(os.path.join(folder, "timings.txt")),
+      "Ctrl-C in a terminal lets the program write what it has")
+
+# a table's file is looked for beside the scene
+with open(os.path.join(WORK, "profile.csv"), "w") as stream:
+    stream.write("-10, 0\n10, 0\n")
+beside = epafi.Scene({**coulomb, "Tables": {"profile": {"File": "profile.csv"}}}, folder=WORK)
+claim(beside.check(), "a table has its file beside the scene")
 
 # everything that is public is documented and typed
 for name in epafi.__all__:

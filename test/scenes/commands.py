@@ -5,7 +5,7 @@ import re
 import shutil
 import subprocess
 
-from runs import EPAFI, SCENES, WORK, claim, epafi, finish, fresh, scene
+from runs import EPAFI, SCENES, WORK, claim, epafi, finish, fresh, scene, table
 
 os.makedirs(WORK, exist_ok=True)
 code, usage = epafi("--help")
@@ -105,6 +105,8 @@ code, text = epafi("study", os.path.join(folder, "used.xml"), "--output", again,
 with open(os.path.join(again, "coarse", "history.csv")) as stream:
     claim(code == 0 and stream.read().splitlines()[1].split(",")[1:9] == row.split(",")[1:9],
           "used.xml repeats the study")
+claim([row["variant"] for row in table(os.path.join(again, "study.csv"))] == ["coarse"],
+      "without a reference where there was none")
 
 # schemas: what the program accepts, they accept; and they find slips of the pen
 code, text = epafi("parameters")

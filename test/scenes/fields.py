@@ -1,10 +1,13 @@
 """Fields inside a body after a run: Hooke's law and equilibrium by differences, a uniform stress, the
 triangles of the whole inside, and what is refused."""
+import base64
 import math
 import os
+import struct
 import xml.etree.ElementTree as xml
 
 from runs import WORK, claim, differ, epafi, finish, fresh, scene, table
+import written
 
 os.makedirs(WORK, exist_ok=True)
 
@@ -85,9 +88,13 @@ claim(differ(-there["syy"], nearest["lambda_n"], max(row["lambda_n"] for row in 
 # triangles of the whole inside
 code, text = epafi("fields", folder, "--vtk")
 claim(code == 0, text.strip())
-vtu = {array.get("Name"): [float(number) for number in array.text.split()]
-       for array in xml.parse(os.path.join(folder, "fields.vtu")).getroot().iter("DataArray")}
-corners = [int(k) for k in vtu["connectivity"]]
+vtu = {}
+for array in xml.parse(os.path.join(folder, "fields.vtu")).getroot().iter("DataArray"):
+    data = base64.b64decode(array.text)[8:]
+    letter = {"Float64": "d", "Int64": "q", "Int32": "i", "UInt8": "B"}[array.get("type")]
+    vtu[array.get("Name")] = struct.unpack(
+        "<%d%s" % (len(data) // struct.calcsize(letter), letter), data)
+corners = vtu["connectivity"]
 place = [(vtu["Points"][3 * k], vtu["Points"][3 * k + 1]) for k in range(len(vtu["Points"]) // 3)]
 
 
@@ -145,6 +152,21 @@ claim(max(abs(a["sxy"] - b["sxy"]) for a, b in zip(ends, there)) > 1e-3 * sizes[
 code, text = epafi("plot", path, "--field", "von_mises", "--step", "2")
 claim(code == 0, "the field at a step is drawn " + text[-100:])
 
+# bodies that overlap as drawn: each has its own fields
+pair = fresh("pair")
+lower, upper = (written.body(name, written.block(0, low, 2, low + 1), 100.0, written.condition(
+    side, "Dirichlet", Displacement_X="0", Displacement_Y=uy))
+    for name, low, side, uy in (("a", 0, "bottom", "0"), ("b", 0.9, "top", "-0.01")))
+code, text = epafi("run", written.written("overlap", [lower, upper], written.contact(
+    "c", "a:top", "b:bottom", written.parameter("Interference", "string", "-0.1")), "Density"),
+    "--output", pair, "--quiet")
+claim(code == 0, "two bodies, one upon the other " + text)
+for name, sign in (("a:top", 1), ("b:bottom", -1)):
+    found = fields(pair, "--along", name, "--depth", "0.05")
+    claim({row["body"] for row in found} == {name[0]} and
+          all(sign * (row["uy"] + 0.005) > 0 for row in found),
+          "fields along %s are its body's: uy from %g" % (name, found[0]["uy"]))
+
 with open(os.path.join(WORK, "outside.csv"), "w") as stream:
     stream.write("x,y\n%g,%g\n" % (x, 1e3))
 for sentence, words, arguments in [
@@ -160,6 +182,9 @@ for sentence, words, arguments in [
         ("half a grid", "NX,NY", ["fields", folder, "--grid", "3"]),
         ("a grid beyond any file", "1e+07", ["fields", folder, "--grid", "100000,100000"]),
         ("a window outside", "another --window", ["fields", folder, "--window=1e3,1e3,1e4,1e4"]),
+        ("a window without end", "X0,Y0,X1,Y1", ["fields", folder, "--window=-inf,0,inf,1"]),
+        ("a window beyond numbers", "X0,Y0,X1,Y1",
+         ["fields", folder, "--window=-1.7e308,0,1.7e308,1"]),
         ("a step behind the last", "has 5 steps", ["fields", path, "--step", "6"]),
         ("a step of no path", "no History", ["fields", folder, "--step", "1"]),
         ("step 0", "--step", ["fields", path, "--step", "0"]),

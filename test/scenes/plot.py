@@ -1,10 +1,14 @@
 """Pictures of a run: all of them, in both formats, and clear words where there are none."""
 import base64
 import os
+import shutil
 import struct
+import subprocess
 import xml.etree.ElementTree as xml
 
-from runs import WORK, claim, epafi, finish, fresh, levels, run, scene, table
+from halves import history
+from runs import EPAFI, WORK, claim, epafi, finish, fresh, levels, run, scene, table
+from written import block, body, condition, friction, geometry, mesh, written
 
 PICTURES = ["convergence", "time", "contributions", "mesh", "contact", "deformed"]
 
@@ -69,6 +73,29 @@ ends = arrays["connectivity"][2 * arrays["body"].index(1)]  # a corner of the pu
 claim(abs(arrays["displacement"][3 * ends + 1] - last["punch.motion_y"] +
           last["punch.rotation"]) < 1e-15, "the punch is where steps.csv says")
 
+# paths whose contacts have one name, or names that look like numbers, and one without contact
+LOAD = condition("top", "Neumann", Traction_X="0.001*t", Traction_Y="-0.01*min(t, 1)")
+
+
+def resting(name, left, bottom="Contact"):
+    rest = condition("7", bottom, Gap="0") if bottom == "Contact" else condition(
+        "7", bottom, Displacement_X="0", Displacement_Y="0")
+    return body(name, geometry(block(left, 0, left + 1, 1), "{7, right, top, left}"), 10.0,
+                rest.replace("</ParameterList>", friction("0.5") * (bottom == "Contact") +
+                             "</ParameterList>") + LOAD, mesh=mesh(4, 2, 1),
+                fix="{X, Rotation}" if bottom == "Contact" else "")
+
+
+for name, bodies, wanted in (
+        ("twins", [resting("a", 0), resting("b", 2)], ["path", "steps"]),
+        ("numbers", [resting("1", 0)], ["path", "steps"]),
+        ("clamped", [resting("a", 0, "Dirichlet")], ["path"])):
+    file = written(name, bodies, "", "Density", more=history([1, 2], [1, 2]))
+    run(file, name + " solved")
+    code, text = epafi("plot", os.path.join(WORK, name + " solved"))
+    claim(code == 0, "the path of %s is drawn: %s" % (name, text.strip()[-200:]))
+    drawn(os.path.join(WORK, name + " solved"), wanted, name)
+
 points = table(os.path.join(WORK, "tresca", "boundary.csv"))
 claim(points[-1]["element"] == 63 and {point["degree"] for point in points} == {1},
       "boundary.csv names each point's element and degree")
@@ -88,6 +115,14 @@ for name in ("tresca", "disc", "two-blocks"):
     code, text = epafi("check", scene(name + ".xml"), "--plot", file)
     claim(code == 0 and os.path.getsize(file) > 5000 and not os.path.exists(file + ".csv.part"),
           "the scene %s is drawn before it is solved" % name)
+# a program without its plotting: nothing is left behind
+os.makedirs(os.path.join(WORK, "bare"), exist_ok=True)
+bare = shutil.copy(EPAFI, os.path.join(WORK, "bare", "epafi"))
+done = subprocess.run([bare, "check", scene("disc.xml"), "--plot", os.path.join(WORK, "no.png")],
+                      stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+claim(done.returncode == 1 and "missing" in done.stderr and
+      not os.path.exists(os.path.join(WORK, "no.png.csv.part")),
+      "a program without its plotting leaves nothing: " + done.stderr.strip())
 code, text = epafi("check", scene("disc.xml"), "--plot", "/nowhere/disc.png")
 claim(code == 1 and "/nowhere" in text, "a picture that cannot be written: " + text[-120:])
 for window, words in [("3,0,-3,3", "X0,Y0,X1,Y1"), ("1,2", "X0,Y0,X1,Y1"),

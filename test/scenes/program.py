@@ -4,6 +4,8 @@ import signal
 import subprocess
 import time
 
+import h5py
+
 from runs import EPAFI, WORK, claim, epafi, finish, fresh, levels, run, scene, table
 
 TRESCA = scene("tresca.xml")
@@ -36,6 +38,9 @@ refused("a wrong type", ["Maximum Levels"], "run", TRESCA, "--set",
         "Adaptivity->Maximum Levels=many")
 refused("a cap below the first level", ["Maximum Degrees of Freedom"], "run", TRESCA,
         "--output", fresh("cap"), "--set", "Adaptivity->Maximum Degrees of Freedom=10")
+refused("behind -- a word is no option", ["no such file", "--scene.xml"], "run", "--",
+        "--scene.xml")
+refused("a format of one command's help", ["--format"], "help", "run", "--format", "man")
 refused("help is no failure", ["epafi check"], "--help", code=0)
 refused("the version names the BLAS core", ["BLAS core"], "version", code=0)
 for command in ("parameters", "schema", "help"):
@@ -185,6 +190,24 @@ def deep(folder):
 
 
 interrupted("Ctrl-C", "ctrl-c", [EPAFI], deep, {130})
+
+# on a path behind the last step
+folder = fresh("ctrl-c.path")
+process = subprocess.Popen([EPAFI, "run", scene("fretting.xml"), "--quiet", "--output", folder,
+                            "--set", "History->Steps={10, 200, 200, 200}"],
+                           stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                           universal_newlines=True)
+deadline = time.time() + 60
+while time.time() < deadline and not os.path.exists(os.path.join(folder, "solution.hdf")):
+    time.sleep(0.02)
+process.send_signal(signal.SIGINT)
+text = process.communicate()[1]
+claim(process.returncode == 130 and "in level 0, behind " in text and
+      "--restart " + folder in text, "Ctrl-C on the first level of a path: " + text.strip())
+with h5py.File(os.path.join(folder, "solution.hdf")) as file:
+    seconds = [float(file["Epafi"].attrs["seconds_" + name]) for name in ("total", "wall")]
+claim(all(0 < value < 120 for value in seconds), "whose file has its seconds: %s" % seconds)
+
 if os.environ.get("MPIEXEC"):  # whose own exit code says nothing
     interrupted("Ctrl-C on two ranks", "ctrl-c.2",
                 [os.environ["MPIEXEC"], "-n", "2", EPAFI], deep, {1, 130})

@@ -1,8 +1,12 @@
 """Studies: true errors against a reference, failures that are listed, what is refused."""
 import math
 import os
+import shutil
+import signal
+import subprocess
+import time
 
-from runs import SCENES, WORK, claim, epafi, finish, fresh, table
+from runs import EPAFI, SCENES, WORK, claim, epafi, finish, fresh, table
 
 os.makedirs(WORK, exist_ok=True)
 STUDY = """<ParameterList name="Small study">
@@ -186,6 +190,51 @@ with open(os.path.join(folder, "reference-coulomb.hdf"), "r+b") as stream:
     stream.truncate(20000)
 code, text = epafi("study", os.path.join(WORK, "changed.xml"), "--output", folder, "--force")
 claim(code == 0 and "reference computed" in text, "nor a damaged one")
+
+# nor one that was interrupted, did not converge or failed: of these there is no file
+endless = study("endless", UNIFORM)
+with open(endless, "r+") as stream:
+    other = stream.read().replace("Freedom=700", "Freedom=700000")
+    stream.seek(0)
+    stream.write(other)
+stopped = fresh("endless")
+process = subprocess.Popen([EPAFI, "study", endless, "--output", stopped, "--no-plot"],
+                           stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+time.sleep(2)
+process.send_signal(signal.SIGINT)
+claim(process.wait() == 130 and "used.xml" in os.listdir(stopped) and
+      "reference-coulomb.hdf" not in os.listdir(stopped),
+      "an interrupted reference is not kept: " + " ".join(sorted(os.listdir(stopped))))
+for name, more in [("unconverged", "Solver->Coulomb Iteration=Fixed Point, "
+                    "Solver->Coulomb Maximum Iterations=1"),
+                   ("small", "Adaptivity->Maximum Degrees of Freedom=10")]:
+    file_of = study("reference " + name, coarse)
+    with open(file_of, "r+") as stream:
+        other = stream.read().replace("Adaptivity->Maximum Degrees of Freedom=700", more)
+        stream.seek(0)
+        stream.truncate()
+        stream.write(other)
+    failing = fresh("reference " + name)
+    code, text = epafi("study", file_of, "--output", failing, "--no-plot")
+    rows = table(os.path.join(failing, "study.csv"))
+    claim(code == 3 and "reference failed on level" in text and rows[0]["variant"] == "reference" and
+          rows[0]["status"] == "failed" and rows[0]["reason"] and len(rows) == 3 and rows[-1]["error"] == "" and
+          "reference-coulomb.hdf" not in os.listdir(failing),
+          "a reference that fails (%s) is listed, the variants are solved: %s" % (
+              name, rows[0]["reason"]))
+
+# a variant's folder lies in the study's, whatever its name
+parent = fresh("parent")
+os.makedirs(parent)
+shutil.copy(os.path.join(folder, "uniform_h", "history.csv"), parent)
+dots = study("dots", coarse.replace("uniform h", ".."))
+with open(dots, "r+") as stream:
+    other = stream.read().replace("Freedom=700", "Freedom=100")
+    stream.seek(0)
+    stream.write(other)
+code, text = epafi("study", dots, "--output", os.path.join(parent, "own"), "--no-plot", "--quiet")
+claim(code == 0 and "history.csv" in os.listdir(parent) and "used.xml" not in os.listdir(parent)
+      and "_.." in os.listdir(os.path.join(parent, "own")), "a variant named '..': " + text)
 
 for name, variants, words in [
         ("key", UNIFORM.replace("Maximum Levels", "Maximum Level"),

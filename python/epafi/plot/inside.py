@@ -1,11 +1,10 @@
 """A field inside the body, on triangles that end at the boundary's elements."""
-import xml.etree.ElementTree as xml
-
 import numpy as np
 from matplotlib.tri import Triangulation
 
 from epafi.plot.bodies import draw_rigid, roomy
 from epafi.plot.figures import equal_axes, plt, shape_of
+from epafi.plot.movie import arrays
 
 NAMES = {"ux": "displacement in x", "uy": "displacement in y", "sxx": r"$\sigma_{xx}$",
          "syy": r"$\sigma_{yy}$", "sxy": r"$\sigma_{xy}$", "szz": r"$\sigma_{zz}$",
@@ -19,16 +18,11 @@ class Inside:
     """What fields.vtu holds: points (n, 2), corners (m, 3), values by name (n,)."""
 
     def __init__(self, file):
-        arrays = {}
-        for array in xml.parse(file).getroot().iter("DataArray"):
-            numbers = np.array(array.text.split(),
-                               dtype=int if array.get("type") != "Float64" else float)
-            width = int(array.get("NumberOfComponents") or 1)
-            arrays[array.get("Name")] = numbers.reshape(-1, width) if width > 1 else numbers
-        self.points = arrays.pop("Points")[:, :2]
-        self.corners = arrays.pop("connectivity").reshape(-1, 3)
-        self.values = {name: arrays[name] for name in NAMES}
-        self.values["displacement"] = arrays["displacement"][:, :2]
+        read = arrays(file)
+        self.points = read["Points"][:, :2]
+        self.corners = read["connectivity"].reshape(-1, 3)
+        self.values = {name: read[name] for name in NAMES}
+        self.values["displacement"] = read["displacement"][:, :2]
 
     def area(self):
         """Of each triangle."""

@@ -1,4 +1,5 @@
-"""movie: the outlines of all bodies at each step of a path, moved by the displacements."""
+"""movie: the outlines of all bodies around the contact at steps of a path, moved by the
+displacements; none where nothing can touch."""
 import base64
 import os
 import xml.etree.ElementTree as xml
@@ -44,6 +45,8 @@ def draw(folder, rows, title, pictures):
     steps = [arrays(files[k]) for k in chosen]
     # what happens is at the contact: that is what fills the picture
     touching = steps[0]["contact"] >= 0
+    if not touching.any():
+        return
     points = steps[0]["Points"]
     low, high = points[touching].min(axis=0)[:2], points[touching].max(axis=0)[:2]
     width = 2 * max(high - low)

@@ -29,8 +29,10 @@ def step_file(folder, step):
 
 
 def mean_slip(contact, name):
-    """Of u_t along one contact, weighted by length."""
-    here = contact["contact_name"].astype(str) == name
+    """Of u_t along one contact, weighted by length; of several of one name steps.csv says
+    body:contact."""
+    short = contact["contact_name"]
+    here = (short == name) | (np.char.add(np.char.add(contact["body"], ":"), short) == name)
     weights = np.concatenate([lengths(np.cumsum(np.append(0, np.hypot(
         np.diff(contact["x"][a:b]), np.diff(contact["y"][a:b]))))) for a, b in chains(contact)])
     return np.average(contact["u_t"][here], weights=weights[here])

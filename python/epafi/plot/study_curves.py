@@ -1,6 +1,6 @@
 """convergence, time and contact_stress of a study: estimate and true errors of each variant."""
-from epafi.plot.figures import loglog, plain_ticks, styles_of
-from epafi.plot.variants import ERROR, study_figure
+from epafi.plot.figures import loglog
+from epafi.plot.variants import ERROR, panels
 
 DOF, SECONDS = ("dof", "degrees of freedom"), ("seconds_total", "CPU seconds, all threads")
 ERRORS = [("estimate", "estimate"), ("error", ERROR)]
@@ -18,24 +18,12 @@ def draw(study, scenes, name, title, pictures):
              if (study.numbers(column)[own] > 0).any()]
     if not shown:
         return
-    figure, axes = study_figure(scenes, shown)
-    for row, (scene, variants) in zip(axes, scenes.items()):
-        styles = styles_of(variants)
-        for variant, curve in variants.items():
-            for cell, (column, text) in zip(row, shown):
-                counted = None
-                if column != "estimate":
-                    counted = curve["counted"] > 0
-                loglog(cell, curve[abscissa], curve[column], variant, counted,
-                       **styles[variant])
-        for cell, (column, text) in zip(row, shown):
-            plain_ticks(cell.xaxis)
-            cell.set_xlabel(what)
-            cell.set_ylabel(text)
-            cell.set_title(scene)
-            cell.legend(fontsize=7)
-    figure.suptitle("%s: %s" % (title, name.replace("_", " ")), y=0.99)
-    figure.tight_layout()
+
+    def curves(axes, curve, column, label, **style):
+        counted = None if column == "estimate" else curve["counted"] > 0
+        loglog(axes, curve[abscissa], curve[column], label, counted, **style)
+
+    figure = panels(scenes, shown, what, curves, "%s: %s" % (title, name.replace("_", " ")))
     if any((curve["error"] > 0).any() and not (curve["counted"] > 0).all()
            for variants in scenes.values() for curve in variants.values()):
         figure.text(0.5, 0, HOLLOW, ha="center", va="top", fontsize=8)

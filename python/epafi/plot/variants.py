@@ -1,7 +1,7 @@
 """The variants of a study as curves, and axes for them."""
 import numpy as np
 
-from epafi.plot.figures import plt
+from epafi.plot.figures import plain_ticks, plt, styles_of
 
 ERROR = "true error in the energy norm, relative"
 
@@ -29,7 +29,22 @@ def curves_of(study):
     return scenes
 
 
-def study_figure(scenes, columns):
-    """A row of axes per scene, a column per quantity, and room for the legends."""
-    return plt.subplots(len(scenes), len(columns), squeeze=False,
-                        figsize=(5.4 * len(columns) + 2.4, 4.6 * len(scenes)))
+def panels(scenes, quantities, abscissa, plot, title):
+    """A figure of a row of axes per scene, a column per quantity (column, label), with room for the
+    legends: plot(axes, curve, column, label=..., **style) draws each variant."""
+    figure, axes = plt.subplots(len(scenes), len(quantities), squeeze=False,
+                                figsize=(5.4 * len(quantities) + 2.4, 4.6 * len(scenes)))
+    for row, (scene, variants) in zip(axes, scenes.items()):
+        styles = styles_of(variants)
+        for cell, (column, label) in zip(row, quantities):
+            for variant, curve in variants.items():
+                plot(cell, curve, column, label=variant, **styles[variant])
+            if cell.get_xscale() == "log":
+                plain_ticks(cell.xaxis)
+            cell.set_xlabel(abscissa)
+            cell.set_ylabel(label)
+            cell.set_title(scene)
+            cell.legend(fontsize=7)
+    figure.suptitle(title, y=0.99)
+    figure.tight_layout()
+    return figure

@@ -1,4 +1,4 @@
-#include "drivers/run/Warnings.hpp"
+#include "drivers/run/LevelWarnings.hpp"
 
 #include "bem/base/Error.hpp"
 #include "contact/results/ContactFields.hpp"
