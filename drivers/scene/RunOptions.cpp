@@ -48,7 +48,7 @@ bem::SchemaRows outputRows() {
   const OutputOptions defaults;
   return {
       Row("Fields", Kind::Flag,
-          "write boundary.csv, the pictures' data, and solution.hdf, which --restart and "
+          "write boundary.csv, the pictures' data, and solution.hdf, which restarts and "
           "epafi fields read")
           .standard(defaults.fields ? "true" : "false"),
       Row("Contact Samples per Element", Kind::Whole, "points in contact.csv")
