@@ -13,7 +13,9 @@
 #include "drivers/process/ProgressLine.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/process/Threads.hpp"
+#include "drivers/run/LevelWarnings.hpp"
 #include "drivers/run/Levels.hpp"
+#include "drivers/run/SceneWarnings.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/SceneReader.hpp"
 #include "drivers/scene/Text.hpp"
@@ -206,6 +208,7 @@ class StudyRun {
     PhaseTimer timer = makeTimer();
     VariantClock clock;
     int solved = 0;
+    std::vector<std::string> warnings;  // of the last level
     attempt(scene, variant, solved, [&] {
       solveLevels(variant.scene, ranks_, timer, [&](const SolvedLevel& level) {
         LevelRow row = level.row;
@@ -215,12 +218,16 @@ class StudyRun {
           ++solved;
           note(scene, variant, reference, level, row, name);
           writeFiles(variant, level, record, own);
+          warnings = warningsOf(variant.scene, level);
           progress_.clear();
         });
         if (row.report.status != contact::Status::Converged)
           ++unsolved_;  // it is the last level
       });
     });
+    for (const auto& some : {warningsOf(variant.scene), warnings})
+      for (const std::string& warning : some)
+        out_ << "  warning: " << warning << "\n";
   }
 
   void note(const StudiedScene& scene, const Variant& variant,

@@ -164,8 +164,9 @@ std::vector<Parameter> makeStudyParameters() {
                         "relative to the plain one")
                         .standard("false"),
                     Row("Keep Solutions", Kind::Flag,
-                        "write all files of a run for every variant, of sweeps too, as "
-                        "`epafi fields` wants them")
+                        "write history.csv, boundary.csv and solution.hdf of every "
+                        "variant, of sweeps "
+                        "too, as `epafi fields` wants them")
                         .standard("false"),
                     Row("Scenes", Kind::List, "the scenes that are solved").required(),
                     Row(scene, Kind::List, "a scene, under a name of your choice"),
