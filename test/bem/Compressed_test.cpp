@@ -189,6 +189,26 @@ TEUCHOS_UNIT_TEST(Compressed, singularLeavesAreEverybodys) {
   TEST_COMPARE(largest(bem::CompressedFactor(z, clamp).solve(b)), >, 0);
 }
 
+/// An unknown that touches nothing, held: the others are as without it.
+TEUCHOS_UNIT_TEST(Compressed, unknownsWithoutEntriesLeaveTheirClusterAlone) {
+  const bem::Space space(bem::makeMesh(outlineOf(square()), {48, 48, 48, 48}, 1));
+  const bem::Lame lame({1, 0.3, false});
+  const Index further = space.displacements() + space.densities();
+  bem::LocalCoupling local;
+  local.elements = {100};
+  local.entries = {{space.displacement(100, 0, 0), further, 0}};
+  const bem::CompressedOperators z(space, lame, smallLeaves(), local, test::algebra());
+  Matrix x = oscillating(z.size(), 1);
+  x(further, 0) = 0;
+  const Matrix image = z.times(x);
+  const Matrix whole = rotated(wholeSystem(space, lame), space);
+  Matrix exact(z.size(), 1);
+  for (Index j = 0; j < further; ++j)
+    for (Index i = 0; i < further; ++i)
+      exact(i, 0) += whole(i, j) * x(j, 0);
+  TEST_COMPARE(relativeDifference(image, exact), <, 1e-10);
+}
+
 }  // namespace
 
 }  // namespace epafi::reference

@@ -75,7 +75,7 @@ Interpolation interpolateColumns(Matrix a, double threshold) {
   dgeqp3_(&m, &n, a.data(), &lda, pivots.data(), tau.data(), work.data(), &size, &info);
   const Index most = std::min<Index>(m, n);
   Index rank = 0;
-  while (rank < most && std::abs(a(rank, rank)) >= threshold)
+  while (rank < most && !(std::abs(a(rank, rank)) < threshold))  // NaN: ScaledLu throws
     ++rank;
 
   Interpolation result;
