@@ -21,6 +21,7 @@ CompressedFactor::CompressedFactor(const CompressedOperators& operators,
     : operators_(&operators),
       restriction_(std::move(restriction)),
       changing_(operators.tree().paths(changing)),
+      unfinished_(operators.tree().size()),
       nodes_(operators.tree().size()),
       responses_(nodes_.size()) {
   restriction_.held.resize(operators.size());
@@ -55,12 +56,16 @@ int CompressedFactor::update(Restriction restriction) {
   compare(restriction_.entries, restriction.entries, [](const Restriction::Entry& e) {
     return std::tuple(e.row, e.column, e.value);
   });
-  restriction_ = std::move(restriction);
-  const std::vector<char> dirty = withoutAbove(operators_->tree().paths(changed));
-  for (std::size_t c = 0; c < dirty.size(); ++c)
+  std::vector<char> dirty = withoutAbove(operators_->tree().paths(changed));
+  for (std::size_t c = 0; c < dirty.size(); ++c) {
     if (dirty[c] > changing_[c])
       throw std::logic_error("a leaf of the compressed system changes that may not");
+    dirty[c] = std::max(dirty[c], unfinished_[c]);
+  }
+  restriction_ = std::move(restriction);
+  unfinished_ = dirty;
   eliminate(dirty);
+  unfinished_.assign(dirty.size(), 0);
   return static_cast<int>(std::count(dirty.begin(), dirty.end(), 1));
 }
 
@@ -70,6 +75,10 @@ CompressedFactor CompressedFactor::within(const std::vector<int>& leaves) const 
   // springs and rotations act elsewhere
   if (leaves.empty() || !sprung_.empty() || rotated_ != nullptr)
     return result;
+  if (std::none_of(leaves.begin(), leaves.end(),
+                   [&](int leaf) { return changing_[leaf] != 0; }))
+    throw std::logic_error(
+        "a part of the compressed system is asked for that may not change");
   const auto containsAll = [&](int c) {
     return std::all_of(leaves.begin(), leaves.end(),
                        [&](int leaf) { return tree.contains(c, leaf); });
