@@ -1,5 +1,6 @@
 #include "bem/tractions/FarTractionRows.hpp"
 
+#include "bem/base/Error.hpp"
 #include "bem/operators/MyElements.hpp"
 #include "bem/tractions/FarTractions.hpp"
 
@@ -45,6 +46,11 @@ FarTractionRows::FarTractionRows(const Space& space, const Lame& lame,
       densityRows_(algebra.myRows(space.densities())) {
   const Mesh& mesh = space.mesh();
   const Rows mine = algebra.myRows(space.displacements());
+  for (const Element& element : mesh.elements())
+    if (element.densities > element.degree)
+      throw InputError("tractions of ", element.densities,
+                       " functions of a density on an element of degree ", element.degree,
+                       "; as many as its degree are possible");
   for (int f = 0; f < mesh.size(); ++f)
     for (int c = 0; c < 2; ++c) {
       const Index node = space.displacement(f, 0, c);

@@ -14,6 +14,7 @@ namespace epafi::bem {
 /// into a buffer of densities, from which derivatives are gathered at the nodes.
 class FarTractionRows {
  public:
+  /// \throws InputError for densities beyond the degree of their element.
   FarTractionRows(const Space& space, const Lame& lame, const DenseAlgebra& algebra);
 
   const ElementRuns& runs() const { return runs_; }

@@ -273,10 +273,11 @@ class ElementRows {
 };
 
 /// The exact form's columns are chosen by rounding errors: unlike processors could
-/// differ.
+/// differ.  Then all throw: what follows is collective.
 void requireAgreement(const DenseAlgebra& algebra, const std::vector<Index>& start) {
   const Vector mine(start.begin(), start.end());
-  if (algebra.broadcast(mine) != mine)
+  const double differs = algebra.broadcast(mine) != mine ? 1 : 0;
+  if (algebra.sum({differs}).front() > 0)
     throw NumericalError("the processes disagree on the rank of the exact tractions");
 }
 
