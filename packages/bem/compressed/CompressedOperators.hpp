@@ -72,7 +72,7 @@ class CompressedOperators {
   Index skeletonOf(int cluster) const {
     return static_cast<Index>(part(cluster).skeleton.size());
   }
-  /// Others' rows of X in place of zeros, of the leaves of `paths`.  Collective.
+  /// Replaces the rows of X in other processes' leaves of `paths` by theirs.  Collective.
   void exchangeRows(const std::vector<char>& paths, double check, Matrix& x) const {
     subtrees_->exchangeRows(tree(), parts_, paths, check, x);
   }

@@ -77,7 +77,7 @@ class Subtrees {
     });
   }
 
-  /// Others' rows of X in place of what stands there, of the unknowns in the leaves of `paths`.
+  /// Replaces the rows of X in other processes' leaves of `paths` by theirs.
   void exchangeRows(const ClusterTree& tree, const std::vector<ClusterPart>& parts,
                     const std::vector<char>& paths, double check, Matrix& x) const;
 

@@ -105,7 +105,7 @@ Matrix BelosSolver::solve(Matrix lower, const Matrix& right) const {
     }
     if (end != Belos::Converged)
       throw NumericalError(
-          "the single layer potential V: Belos does not reach Solver->Linear->Tolerance ",
+          "the single layer potential V: Belos does not reach the Tolerance ",
           options_.tolerance, " within ", manager.getNumIters(), " iterations");
     const auto view = x->getLocalViewHost(Tpetra::Access::ReadOnly);
     for (Index j = 0; j < count; ++j)
