@@ -3,8 +3,8 @@
 #include "Algebra.hpp"
 #include "CompressedSamples.hpp"
 #include "Largest.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/base/Error.hpp"
-#include "bem/compressed/Products.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

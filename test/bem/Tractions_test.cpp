@@ -120,9 +120,6 @@ class Disagreeing final : public bem::DenseAlgebra {
   Matrix addOuter(Matrix c, const Matrix& x, double s) const override {
     return algebra.addOuter(std::move(c), x, s);
   }
-  Matrix transposeTimes(const Matrix& x, const Matrix& y) const override {
-    return algebra.transposeTimes(x, y);
-  }
   Matrix addTransposeTimes(Matrix c, const Matrix& x, const Matrix& y) const override {
     return algebra.addTransposeTimes(std::move(c), x, y);
   }

@@ -1,8 +1,8 @@
 #include "bem/compressed/CompressedFactor.hpp"
 
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SerialBlas.hpp"
 #include "bem/base/Error.hpp"
-#include "bem/compressed/Products.hpp"
 #include "bem/compressed/TreeSweeps.hpp"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 #include "bem/compressed/CompressedOperators.hpp"
 
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SerialBlas.hpp"
 #include "bem/compressed/BodyShare.hpp"
 #include "bem/compressed/FacingOrder.hpp"
-#include "bem/compressed/Products.hpp"
 #include "bem/compressed/TreeSweeps.hpp"
 
 #include <algorithm>

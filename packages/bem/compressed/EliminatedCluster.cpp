@@ -1,6 +1,6 @@
 #include "bem/compressed/EliminatedCluster.hpp"
 
-#include "bem/compressed/Products.hpp"
+#include "bem/algebra/Products.hpp"
 
 #include <algorithm>
 

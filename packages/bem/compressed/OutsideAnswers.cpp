@@ -1,5 +1,5 @@
+#include "bem/algebra/Products.hpp"
 #include "bem/compressed/CompressedFactor.hpp"
-#include "bem/compressed/Products.hpp"
 
 namespace epafi::bem {
 

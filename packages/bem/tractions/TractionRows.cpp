@@ -1,6 +1,6 @@
 #include "bem/tractions/TractionRows.hpp"
 
-#include "bem/algebra/Blas.hpp"
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/kernel/ElementSums.hpp"
 #include "bem/moments/RelativeTarget.hpp"
@@ -238,24 +238,17 @@ class ElementRows {
 
   // R of samples P = Q R, in the order of the sources, without rows that do not matter
   static Matrix triangularFactor(Matrix samples) {
-    const int m = static_cast<int>(samples.rows());
-    const int n = static_cast<int>(samples.columns());
-    const int ld = static_cast<int>(samples.stride());
-    std::vector<int> pivots(static_cast<std::size_t>(n), 0);
-    Vector tau(static_cast<std::size_t>(std::min(m, n)));
-    Vector work(static_cast<std::size_t>(64 * (n + 1)));
-    const int size = static_cast<int>(work.size());
-    int info = 0;
-    dgeqp3_(&m, &n, samples.data(), &ld, pivots.data(), tau.data(), work.data(), &size,
-            &info);
-    int rank = 0;
+    const std::vector<Index> places = pivotedTriangle(samples);
+    const Index n = samples.columns();
+    Index rank = 0;
     const double largest = std::abs(samples(0, 0));
-    while (rank < std::min(m, n) && std::abs(samples(rank, rank)) > 1e-13 * largest)
+    while (rank < std::min(samples.rows(), n) &&
+           std::abs(samples(rank, rank)) > 1e-13 * largest)
       ++rank;
     Matrix factor(rank, n);
-    for (int c = 0; c < n; ++c)
-      for (int r = 0; r < std::min(rank, c + 1); ++r)
-        factor(r, pivots[c] - 1) = samples(r, c);
+    for (Index c = 0; c < n; ++c)
+      for (Index r = 0; r < std::min(rank, c + 1); ++r)
+        factor(r, places[c]) = samples(r, c);
     return factor;
   }
 

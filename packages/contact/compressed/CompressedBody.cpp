@@ -1,7 +1,7 @@
 #include "contact/compressed/CompressedBody.hpp"
 
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "bem/compressed/Products.hpp"
 #include "contact/compressed/CompressedCoupling.hpp"
 #include "contact/compressed/CompressedHolding.hpp"
 

@@ -1,5 +1,6 @@
 #include "contact/compressed/CompressedFlexibility.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/compressed/ReducedFlexibility.hpp"
 
 #include <algorithm>
@@ -7,16 +8,6 @@
 #include <cstdint>
 
 namespace epafi::contact {
-
-namespace {
-
-Matrix asColumn(const Vector& x) {
-  Matrix column(static_cast<Index>(x.size()), 1);
-  std::copy(x.begin(), x.end(), column.data());
-  return column;
-}
-
-}  // namespace
 
 CompressedFlexibility::CompressedFlexibility(
     CompressedCoupling coupling,
@@ -28,7 +19,7 @@ CompressedFlexibility::CompressedFlexibility(
 }
 
 Vector CompressedFlexibility::times(const Vector& x) const {
-  const Matrix columns = timesColumns(asColumn(x));
+  const Matrix columns = timesColumns(bem::asColumn(x));
   return Vector(columns.column(0), columns.column(0) + size());
 }
 
