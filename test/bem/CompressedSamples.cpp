@@ -159,11 +159,11 @@ Matrix denseSolution(Matrix z, const bem::Restriction& restriction, Matrix b) {
   for (Index j = 0; j < n; ++j)
     for (Index i = 0; i < n; ++i)
       a(i, j) = z(kept[i], kept[j]);
-  for (const auto& follower : restriction.followers)
+  for (const auto& [follower, leader, factor] : restriction.followers)
     for (Index j = 0; j < n; ++j)
-      if (kept[j] == follower.leader)
+      if (kept[j] == leader)
         for (Index i = 0; i < n; ++i)
-          a(i, j) += follower.factor * z(kept[i], follower.unknown);
+          a(i, j) += factor * z(kept[i], follower);
   Matrix right = bem::rowsOf(b, kept);
   const auto scale = [&](Matrix& x) {
     for (Index j = 0; j < x.columns(); ++j)
@@ -180,9 +180,9 @@ Matrix denseSolution(Matrix z, const bem::Restriction& restriction, Matrix b) {
   scale(right);
   Matrix x(b.rows(), columns);
   bem::putRows(right, kept, x);
-  for (const auto& follower : restriction.followers)
+  for (const auto& [follower, leader, factor] : restriction.followers)
     for (Index j = 0; j < columns; ++j)
-      x(follower.unknown, j) = follower.factor * x(follower.leader, j);
+      x(follower, j) = factor * x(leader, j);
   return x;
 }
 

@@ -60,4 +60,11 @@ class Matrix {
 
 using Vector = std::vector<double>;
 
+/// One of a sparse matrix.
+struct Entry {
+  Index row;
+  Index column;
+  double value;
+};
+
 }  // namespace epafi::bem

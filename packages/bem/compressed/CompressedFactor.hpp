@@ -14,20 +14,10 @@ struct Restriction {
   /// By unknown: is it zero, and its equation not asked for?
   std::vector<char> held;
 
-  /// A held unknown that is a multiple of another one of its leaf instead of zero.
-  struct Follower {
-    Index unknown;
-    Index leader;
-    double factor;
-  };
-  std::vector<Follower> followers;
+  /// A held unknown, the row, is this multiple of another one of its leaf instead of zero.
+  std::vector<Entry> followers;
 
-  /// Added to an entry between unknowns of one leaf; on the diagonal a spring.
-  struct Entry {
-    Index row;
-    Index column;
-    double value;
-  };
+  /// Added between unknowns of one leaf; on the diagonal a spring.
   std::vector<Entry> entries;
 };
 

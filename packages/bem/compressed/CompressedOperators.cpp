@@ -52,10 +52,9 @@ struct AllUnknowns {
   }
 
   /// Gives bodies the entries between their own unknowns; returns those between bodies.
-  std::vector<LocalCoupling::Entry> shareOut(
-      const std::vector<LocalCoupling::Entry>& entries) {
-    std::vector<LocalCoupling::Entry> between;
-    for (const LocalCoupling::Entry& entry : entries) {
+  std::vector<Entry> shareOut(const std::vector<Entry>& entries) {
+    std::vector<Entry> between;
+    for (const Entry& entry : entries) {
       const auto [b, row] = owners[entry.row];
       const auto [d, column] = owners[entry.column];
       if (b == d)
@@ -66,9 +65,9 @@ struct AllUnknowns {
     return between;
   }
 
-  std::vector<Link> linksOf(const std::vector<LocalCoupling::Entry>& between) const {
+  std::vector<Link> linksOf(const std::vector<Entry>& between) const {
     std::vector<Link> links;
-    for (const LocalCoupling::Entry& entry : between)
+    for (const Entry& entry : between)
       links.push_back({elementOf(std::max(entry.row, entry.column)),
                        elementOf(std::min(entry.row, entry.column)),
                        std::abs(entry.value)});
@@ -76,11 +75,10 @@ struct AllUnknowns {
   }
 
   /// `leaves`: of all unknowns.
-  void setAbroad(const std::vector<LocalCoupling::Entry>& between,
-                 const std::vector<int>& leaves) {
+  void setAbroad(const std::vector<Entry>& between, const std::vector<int>& leaves) {
     for (BodyShare& share : shares)
       share.abroad.resize(share.unknowns.size());
-    for (const LocalCoupling::Entry& entry : between)
+    for (const Entry& entry : between)
       for (const auto& [i, j] :
            {std::pair(entry.row, entry.column), std::pair(entry.column, entry.row)}) {
         const auto [b, own] = owners[i];

@@ -42,7 +42,7 @@ class Builder {
         options_(options),
         added_(out.unknowns.size()),
         largestAdded_(out.unknowns.size()) {
-    for (const LocalCoupling::Entry& entry : out.entries) {
+    for (const Entry& entry : out.entries) {
       added_[entry.row].push_back({entry.column, entry.value});
       if (entry.row != entry.column)
         added_[entry.column].push_back({entry.row, entry.value});
