@@ -70,7 +70,6 @@ class CompressedFactor {
   /// By cluster: these leaves, what is above them, and what each solution needs.
   std::vector<char> paths(std::vector<int> leaves) const;
 
-  const CompressedOperators& operators() const { return *operators_; }
   const Restriction& restriction() const { return restriction_; }
 
  private:

@@ -198,7 +198,7 @@ Matrix CompressedOperators::times(const Matrix& x) const {
       out[c] = part(c).weights.times(active(c));
   };
   const auto down = [&](int c) {
-    const Part& own = part(c);
+    const ClusterPart& own = part(c);
     Matrix all(static_cast<Index>(own.active.size()), columns);
     if (c > 0)
       own.weights.addTransposed(in[c], all);
@@ -228,7 +228,7 @@ Matrix CompressedOperators::times(const Matrix& x) const {
 
 std::size_t CompressedOperators::bytes() const {
   std::size_t entries = 0;
-  for (const Part& part : parts_)
+  for (const ClusterPart& part : parts_)
     entries += static_cast<std::size_t>(part.weights.weights.rows() *
                                             part.weights.weights.columns() +
                                         part.block.rows() * part.block.columns());

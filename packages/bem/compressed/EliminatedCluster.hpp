@@ -44,8 +44,6 @@ class EliminatedCluster {
   Matrix reduced(const Matrix& x) const;
   Matrix expanded(const Matrix& x) const;
 
-  const LeafRestriction& restriction() const { return leaf_; }
-
  private:
   explicit EliminatedCluster(bool isSilent) : isSilent_(isSilent) {}
 

@@ -141,15 +141,15 @@ class Distances {
   bool areFar() const { return far_[1][1]; }
   /// Of local functions.
   bool areFar(int a, int b) const {
-    for (int i = first(x_, a); i <= last(x_, a); ++i)
-      for (int j = first(y_, b); j <= last(y_, b); ++j)
+    for (int i = first(a); i <= last(x_, a); ++i)
+      for (int j = first(b); j <= last(y_, b); ++j)
         if (!far_[i][j])
           return false;
     return true;
   }
 
  private:
-  static int first(const Element&, int a) { return a < 2 ? 0 : 1; }
+  static int first(int a) { return a < 2 ? 0 : 1; }
   static int last(const Element& element, int a) {
     return a == 2 || a == 3 ? (LocalFunctions(element).displacements > a ? 2 : 1) : 1;
   }

@@ -21,7 +21,6 @@ class Subtrees {
   Subtrees(const ClusterTree& tree, const std::vector<Index>& weights,
            const DenseAlgebra& algebra);
 
-  const DenseAlgebra& algebra() const { return *algebra_; }
   bool isAlone() const { return algebra_->processes() == 1; }
 
   /// Does this process compute with a cluster?
