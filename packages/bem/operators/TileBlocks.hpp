@@ -48,7 +48,13 @@ class TileBlocks {
   }
 
  private:
+  struct Work;
+  template <int Degree, int Rows>
+  class Filling;
+  struct Fill;
+
   void setRun(const ElementRun& run);
+  int lastLane() const { return run_->last - run_->first - 1; }
 
   const double* column(const Vector& columns, int k) const {
     return columns.data() + k * longest_;
