@@ -308,19 +308,13 @@ Outline::Outline(const Loop& outer, const std::vector<Loop>& holes,
 
 bool Outline::contains(Vec2 physical) const {
   const Vec2 p = scaled(physical);
-  for (const Edge& edge : edges_)
+  std::vector<Curve> curves;
+  for (const Edge& edge : edges_) {
     if (edge.curve.contains(p, resolution))
       return false;
-  bool odd = false;
-  for (int loop = 0; loop < loops_; ++loop) {
-    std::vector<Curve> curves;
-    for (const Edge& edge : edges_)
-      if (edge.loop == loop)
-        curves.push_back(edge.curve);
-    if (inside(p, curves))
-      odd = !odd;
+    curves.push_back(edge.curve);
   }
-  return odd;
+  return inside(p, curves);
 }
 
 }  // namespace epafi::bem
