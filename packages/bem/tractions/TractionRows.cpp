@@ -69,7 +69,7 @@ class ElementRows {
       largestOuter_ = smoothOrderOfMoments;
       moments_ = std::max(moments_, 2 * largestOuter_);
     }
-    chooseNear();
+    near_ = far.near(element_, largestOuter_);
     makeRule();
     if (form == TractionForm::Exact)
       compress();
@@ -79,7 +79,7 @@ class ElementRows {
 
   /// Adds the kernels' columns, from `first` on, to the transposed rows of W and K' +
   /// 1/2, where they are mine.
-  void write(Index first, const MyElements& mine, const Rows& displacementRows,
+  void write(Index first, const std::vector<bool>& mine, const Rows& displacementRows,
              const Rows& densityRows, Matrix& hyper, Matrix& adjoint) const {
     const MyRows density{densityRows, adjoint};
     const MyRows displacement{displacementRows, hyper};
@@ -101,7 +101,7 @@ class ElementRows {
     for (int q = 0; q < rule_.size(); ++q) {
       legendreValues(moments_ - 1, rule_.points[q].t, legendre);
       for (const int f : near_) {
-        if (!mine.contain(f))
+        if (!mine[f])
           continue;
         evaluate(f, place(rule_.points[q]), rule_.points[q].t, values);
         forEachSource(space_, f, values, putMoments(rule_.weights[q], legendre));
@@ -126,18 +126,6 @@ class ElementRows {
 
   /// Near sources get graded points.  In the exact form these are also the ones whose
   /// field on the element would need many Legendre moments.
-  void chooseNear() {
-    const ElementRuns& runs = far_.runs();
-    FarBatch batch{};
-    for (int r = 0; r < runs.size(); ++r) {
-      const FarLanes chosen =
-          runs.choose(element_, r, {runs[r].first, runs[r].last}, batch, largestOuter_);
-      for (int f = runs[r].first; f < runs[r].last; ++f)
-        if (!chosen.far[f - runs[r].first])
-          near_.push_back(f);
-    }
-  }
-
   void makeRule() {
     std::vector<Feature> features;
     int degree = mesh_[element_].degree;
@@ -297,7 +285,7 @@ std::shared_ptr<const TractionRows> tractionRows(const Space& space, const Lame&
     result.start.push_back(result.start.back() + part->columns());
 
   requireAgreement(algebra, result.start);
-  const MyElements mine(space, algebra);
+  const std::vector<bool> mine = myElements(space, algebra);
   const Rows displacementRows = algebra.myRows(space.displacements());
   const Rows densityRows = algebra.myRows(space.densities());
   Matrix hypersingular(displacementRows.size(), result.start.back());
