@@ -1,6 +1,5 @@
 #include "bem/operators/TileBlocks.hpp"
 
-#include "bem/kernel/Elasticity.hpp"
 #include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
