@@ -89,8 +89,9 @@ void measure(const bem::TpetraAlgebra& algebra, Index n, int repetitions) {
     const Matrix thin = stopwatch.time("4 L^-1 B, n/4 columns", cube / 4, [&] {
       return factor->forward(myEntries(algebra, n, few, 0));
     });
-    stopwatch.time("5 X'Y, n and n/4 columns", cube / 2,
-                   [&] { return algebra.transposeTimes(half, thin); });
+    stopwatch.time("5 X'Y, n and n/4 columns", cube / 2, [&] {
+      return algebra.addTransposeTimes(Matrix(algebra.myRows(n).size(), few), half, thin);
+    });
     stopwatch.time("6 C - XX', n/4 columns", cube / 4,
                    [&] { return algebra.addOuter(std::move(sum), thin, -1); });
     stopwatch.time("7 A^-1 b", 2 * size * size,

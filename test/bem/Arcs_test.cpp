@@ -1,4 +1,6 @@
 // Pairs with an arc, near and far, against plain quadrature in 33 digits.
+#include "bem/moments/ArcPairs.hpp"
+#include "bem/moments/RelativeTarget.hpp"
 #include "reference/ArcErrors.hpp"
 #include "reference/SampleMeshes.hpp"
 
@@ -13,6 +15,38 @@ namespace epafi::reference {
 namespace {
 
 using bem::Mesh;
+
+/// Of the moments of an element and the one that it ends at, from those by far more points that
+/// are graded toward the corner, over the largest.
+double differenceFromFiner(const Mesh& mesh, int e) {
+  const int f = mesh[e].next;
+  const bool isShorter = mesh[e].half <= mesh[f].half;
+  const int outer = isShorter ? e : f;
+  const bem::Piece& piece = mesh[isShorter ? f : e].piece;
+  std::vector<bem::Feature> features;
+  for (const bem::Position& end : {piece.start, piece.end}) {
+    const bem::RelativeTarget seen = seenFrom(mesh, outer, {piece.edge, end, 0});
+    features.push_back({seen.z().real(), std::abs(seen.b())});
+  }
+  const auto exact = std::make_unique<bem::TileMoments>();
+  bem::nearArcMoments(mesh, e, f, bem::gradedRule(features, 60, 1e-16), *exact, 0);
+  const auto near = std::make_unique<bem::TileMoments>();
+  bem::NearMoments().evaluate(mesh, e, f, *near, 0);
+  double worst = 0;
+  double largest = 0;
+  for (int i = 0; i < mesh[e].densities; ++i)
+    for (int j = 0; j < mesh[f].densities; ++j) {
+      const int at = i * bem::TileMoments::stride + j;
+      for (const auto table :
+           {&bem::TileMoments::log, &bem::TileMoments::along, &bem::TileMoments::across,
+            &bem::TileMoments::direct, &bem::TileMoments::reverse}) {
+        const double wanted = ((*exact).*table)[at][0];
+        worst = std::max(worst, std::abs(((*near).*table)[at][0] - wanted));
+        largest = std::max(largest, std::abs(wanted));
+      }
+    }
+  return worst / largest;
+}
 
 /// The largest difference of far pairs from what near ones would be, over the largest
 /// moment of the pair; NearMoments are the reference.
@@ -59,6 +93,21 @@ TEUCHOS_UNIT_TEST(Arcs, selfAndNeighboursOnACircle) {
 
 TEUCHOS_UNIT_TEST(Arcs, arcOnArcAtACorner) {
   testPairs(meshOf(curvedSample(), 1, 2), {{0, 0}, {1, 0}}, out, success);
+}
+
+/// Where polynomials of both ask for the largest rules that there are.
+TEUCHOS_UNIT_TEST(Arcs, atCornersMayHaveTheLargestDegree) {
+  const auto outline = std::make_shared<const bem::Outline>(curvedSample());
+  const std::vector<int> elements(outline->edges().size(), 1);
+  for (const int degree : {8, bem::largestDegree}) {
+    const Mesh mesh = bem::makeMesh(outline, elements, degree);
+    double worst = 0;
+    for (int e = 0; e < mesh.size(); ++e)
+      if (!mesh[e].curve.isStraight() || !mesh[mesh[e].next].curve.isStraight())
+        worst = std::max(worst, differenceFromFiner(mesh, e));
+    out << "degree " << degree << ": ";
+    TEST_COMPARE(worst, <, 1e-13);
+  }
 }
 
 TEUCHOS_UNIT_TEST(Arcs, areFarAsTheyAreNear) {

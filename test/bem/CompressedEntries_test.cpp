@@ -3,7 +3,7 @@
 #include "CompressedSamples.hpp"
 #include "Largest.hpp"
 #include "bem/algebra/LapackAlgebra.hpp"
-#include "bem/compressed/Products.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/compressed/ProxyRows.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "reference/QuadOperators.hpp"

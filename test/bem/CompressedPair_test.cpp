@@ -2,7 +2,7 @@
 // solutions are the dense ones.
 #include "Algebra.hpp"
 #include "CompressedSamples.hpp"
-#include "bem/compressed/Products.hpp"
+#include "bem/algebra/Products.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

@@ -1,9 +1,9 @@
 #include "CompressedSamples.hpp"
 
 #include "Largest.hpp"
-#include "bem/algebra/Blas.hpp"
+#include "bem/algebra/LuFactor.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/compressed/CoupledEntries.hpp"
-#include "bem/compressed/Products.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -164,7 +164,7 @@ Matrix denseSolution(Matrix z, const bem::Restriction& restriction, Matrix b) {
   for (Index i = 0; i < z.rows(); ++i)
     if (restriction.held[i] == 0)
       kept.push_back(i);
-  const int n = static_cast<int>(kept.size());
+  const auto n = static_cast<Index>(kept.size());
   Matrix a(n, n);
   bem::Vector scales;
   for (const Index i : kept)
@@ -172,11 +172,11 @@ Matrix denseSolution(Matrix z, const bem::Restriction& restriction, Matrix b) {
   for (Index j = 0; j < n; ++j)
     for (Index i = 0; i < n; ++i)
       a(i, j) = z(kept[i], kept[j]);
-  for (const auto& follower : restriction.followers)
+  for (const auto& [follower, leader, factor] : restriction.followers)
     for (Index j = 0; j < n; ++j)
-      if (kept[j] == follower.leader)
+      if (kept[j] == leader)
         for (Index i = 0; i < n; ++i)
-          a(i, j) += follower.factor * z(kept[i], follower.unknown);
+          a(i, j) += factor * z(kept[i], follower);
   Matrix right = bem::rowsOf(b, kept);
   const auto scale = [&](Matrix& x) {
     for (Index j = 0; j < x.columns(); ++j)
@@ -188,18 +188,14 @@ Matrix denseSolution(Matrix z, const bem::Restriction& restriction, Matrix b) {
   for (Index j = 0; j < n; ++j)
     for (Index i = 0; i < n; ++i)
       a(i, j) *= scales[j];
-  const int columns = static_cast<int>(b.columns());
-  const int lda = static_cast<int>(a.stride());
-  const int ldb = static_cast<int>(right.stride());
-  std::vector<int> pivots(kept.size());
-  int info = 0;
-  dgesv_(&n, &columns, a.data(), &lda, pivots.data(), right.data(), &ldb, &info);
+  const Index columns = b.columns();
+  bem::LuFactor(std::move(a)).solve(right);
   scale(right);
   Matrix x(b.rows(), columns);
   bem::putRows(right, kept, x);
-  for (const auto& follower : restriction.followers)
+  for (const auto& [follower, leader, factor] : restriction.followers)
     for (Index j = 0; j < columns; ++j)
-      x(follower.unknown, j) = follower.factor * x(follower.leader, j);
+      x(follower, j) = factor * x(leader, j);
   return x;
 }
 

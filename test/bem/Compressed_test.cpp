@@ -3,8 +3,8 @@
 #include "Algebra.hpp"
 #include "CompressedSamples.hpp"
 #include "Largest.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/base/Error.hpp"
-#include "bem/compressed/Products.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -187,6 +187,65 @@ TEUCHOS_UNIT_TEST(Compressed, singularLeavesAreEverybodys) {
   clamp.held.back() = 1;
   const Matrix b = oscillating(z.size(), 1);
   TEST_COMPARE(largest(bem::CompressedFactor(z, clamp).solve(b)), >, 0);
+}
+
+/// What failed half way is not taken for what is asked for next.
+TEUCHOS_UNIT_TEST(Compressed, updatesThatFailAreMadeUpForByTheNext) {
+  const bem::Space space(bem::makeMesh(outlineOf(square()), {48, 48, 48, 48}, 1));
+  const bem::Lame lame({1, 0.3, false});
+  bem::LocalCoupling local;
+  local.elements = {100};
+  const Index further = space.displacements() + space.densities();
+  local.entries = {{space.displacement(100, 0, 0), further, 1}};
+  const bem::CompressedOperators z(space, lame, smallLeaves(), local, test::algebra());
+  bem::Restriction before = clamped(space, 0, 48);
+  before.held.resize(z.size());
+  before.held.back() = 1;
+  // in another leaf, too
+  bem::Restriction singular = clamped(space, 0, 60);
+  singular.held.resize(z.size());
+  singular.held[space.displacement(100, 0, 0)] = 1;
+  bem::CompressedFactor factor(z, before);
+  TEST_THROW(factor.update(singular), bem::NumericalError);
+  singular.held.back() = 1;
+  const Matrix b = oscillating(z.size(), 1);
+  for (const bem::Restriction& next : {singular, before}) {
+    bem::CompressedFactor again = factor;
+    again.update(next);
+    const Matrix exact = bem::CompressedFactor(z, next).solve(b);
+    TEST_COMPARE(relativeDifference(again.solve(b), exact), <, 1e-13);
+  }
+}
+
+/// Of leaves that may not change too little is kept to ask for them alone.
+TEUCHOS_UNIT_TEST(Compressed, partsAreOfLeavesThatMayChange) {
+  const bem::Space space(bem::makeMesh(outlineOf(square()), {48, 48, 48, 48}, 1));
+  const bem::Lame lame({1, 0.3, false});
+  const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::algebra());
+  const auto leafOf = [&](int e) { return z.leafOf(space.displacement(e, 0, 0)); };
+  const bem::CompressedFactor factor(z, clamped(space, 0, 48), {leafOf(100)});
+  TEST_THROW(factor.within({leafOf(10)}), std::logic_error);
+  TEST_NOTHROW(factor.within({leafOf(100), leafOf(10)}));
+}
+
+/// An unknown that touches nothing, held: the others are as without it.
+TEUCHOS_UNIT_TEST(Compressed, unknownsWithoutEntriesLeaveTheirClusterAlone) {
+  const bem::Space space(bem::makeMesh(outlineOf(square()), {48, 48, 48, 48}, 1));
+  const bem::Lame lame({1, 0.3, false});
+  const Index further = space.displacements() + space.densities();
+  bem::LocalCoupling local;
+  local.elements = {100};
+  local.entries = {{space.displacement(100, 0, 0), further, 0}};
+  const bem::CompressedOperators z(space, lame, smallLeaves(), local, test::algebra());
+  Matrix x = oscillating(z.size(), 1);
+  x(further, 0) = 0;
+  const Matrix image = z.times(x);
+  const Matrix whole = rotated(wholeSystem(space, lame), space);
+  Matrix exact(z.size(), 1);
+  for (Index j = 0; j < further; ++j)
+    for (Index i = 0; i < further; ++i)
+      exact(i, 0) += whole(i, j) * x(j, 0);
+  TEST_COMPARE(relativeDifference(image, exact), <, 1e-10);
 }
 
 }  // namespace

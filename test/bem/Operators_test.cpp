@@ -2,6 +2,7 @@
 // OperatorsConvergence_test) and against identities that hold for whole problems.
 #include "Largest.hpp"
 #include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/base/Error.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "reference/ExactFields.hpp"
 #include "reference/OperatorErrors.hpp"
@@ -238,6 +239,26 @@ TEUCHOS_UNIT_TEST(Operators, doNotDependOnUnitsOrOnTheOrigin) {
 }
 
 // Bases are hierarchical: a mesh of higher degree has the same entries among its own.
+TEUCHOS_UNIT_TEST(Mesh, refusesDensitiesBeyondTheLargestDegree) {
+  const auto outline = std::make_shared<const bem::Outline>(square());
+  const bem::Mesh mesh = bem::makeMesh(outline, {1, 1, 1, 1}, bem::largestDegree - 1);
+  const std::vector<int> most(4, bem::largestDegree);
+  TEST_EQUALITY(mesh.withDensities(most)[0].densities, bem::largestDegree);
+  const std::vector<int> more(4, bem::largestDegree + 1);
+  TEST_THROW(mesh.withDensities(more), bem::InputError);
+}
+
+TEUCHOS_UNIT_TEST(Mesh, refusesPiecesInAnotherOrderThanTheEdges) {
+  const auto outline = std::make_shared<const bem::Outline>(square());
+  const bem::Mesh mesh = bem::makeMesh(outline, {2, 2, 2, 2}, 1);
+  std::vector<bem::Piece> pieces;
+  for (const bem::Element& element : mesh.elements())
+    pieces.push_back(element.piece);
+  TEST_EQUALITY(bem::Mesh(outline, pieces).size(), 8);
+  std::rotate(pieces.begin(), pieces.begin() + 2, pieces.end());
+  TEST_THROW(bem::Mesh(outline, pieces), bem::InputError);
+}
+
 TEUCHOS_UNIT_TEST(Operators, moreDensitiesAreThoseOfAHigherDegree) {
   const bem::Loop outline{{{0, 0}, {2, 0}, {2, 1}, {0.5, 1.5}}, {"a", "b", "c", "d"}};
   std::vector<bem::Piece> pieces;

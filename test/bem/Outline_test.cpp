@@ -4,6 +4,7 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -220,6 +221,36 @@ TEUCHOS_UNIT_TEST(Outline, refusesArcsThatTouchOrCross) {
   TEST_ASSERT(contains(
       complaint(square, {withBulges(rectangle(0.5, 0.5, 1.5, 1.5), {1, 0, 0, 0})}),
       "touch or cross"));
+}
+
+/// Takes minutes where the diameter is sought for each corner among all pairs of points.
+TEUCHOS_UNIT_TEST(Outline, ofManyArcsHasTheirDiameter) {
+  constexpr int arcs = 400;
+  constexpr double bulge = 0.3;
+  const double pi = std::acos(-1.0);
+  std::vector<Vec2> vertices;
+  for (int k = 0; k < arcs; ++k) {
+    const double angle = 2 * pi * k / arcs;
+    vertices.push_back({3 + std::cos(angle), std::sin(angle) - 2});
+  }
+  const Outline outline(withBulges(named(vertices), std::vector<double>(arcs, bulge)));
+  // between the middles of opposite arcs
+  const double expected = 2 * (std::cos(pi / arcs) + bulge * std::sin(pi / arcs));
+  TEST_FLOATING_EQUALITY(outline.diameter(), expected, 1e-14);
+}
+
+TEUCHOS_UNIT_TEST(Outline, hasTheLargestDistanceOfItsVerticesForDiameter) {
+  for (const std::vector<Vec2>& vertices :
+       {std::vector<Vec2>{{0, 0}, {5, 1}, {4, 2}, {2, 7}},
+        {{0, 0}, {1, 0}, {1, 0.08}},
+        {{0, 0}, {2, 0}, {4, 0}, {4, 2}, {2, 2}, {2, 4}, {0, 4}, {0, 2}},
+        {{0.1, 0.1}, {3, -0.7}, {9.3, 0}, {3.3, 1e-6}, {0.2, 0.9}}}) {
+    double largest = 0;
+    for (const Vec2 a : vertices)
+      for (const Vec2 b : vertices)
+        largest = std::max(largest, norm(a - b));
+    TEST_EQUALITY(Outline(named(vertices)).diameter(), largest);
+  }
 }
 
 TEUCHOS_UNIT_TEST(Outline, wantsABulgeForEachEdge) {

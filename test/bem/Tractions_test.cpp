@@ -1,5 +1,6 @@
 #include "Largest.hpp"
 #include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/base/Error.hpp"
 #include "bem/fields/Interior.hpp"
 #include "bem/operators/ExactRotation.hpp"
 #include "bem/tractions/TractionRows.hpp"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
 namespace epafi {
@@ -17,6 +19,7 @@ namespace epafi {
 namespace {
 
 using bem::Index;
+using bem::Matrix;
 using bem::Vec2;
 using bem::Vector;
 using test::largest;
@@ -102,6 +105,62 @@ TEUCHOS_UNIT_TEST(ExactTractions, ofAConstantStressHaveItsNorm) {
       }
     }
   }
+}
+
+/// Rank 0 of two, of which the other has found another rank of the exact tractions.
+class Disagreeing final : public bem::DenseAlgebra {
+ public:
+  bem::Rows myRows(Index n) const override { return algebra.myRows(n); }
+  std::unique_ptr<bem::CholeskyFactor> cholesky(Matrix a, const char* b) const override {
+    return algebra.cholesky(std::move(a), b);
+  }
+  Matrix addGram(Matrix c, const Matrix& y) const override {
+    return algebra.addGram(std::move(c), y);
+  }
+  Matrix addOuter(Matrix c, const Matrix& x, double s) const override {
+    return algebra.addOuter(std::move(c), x, s);
+  }
+  Matrix addTransposeTimes(Matrix c, const Matrix& x, const Matrix& y) const override {
+    return algebra.addTransposeTimes(std::move(c), x, y);
+  }
+  Vector multiply(const Matrix& a, Index n, const Vector& x) const override {
+    return algebra.multiply(a, n, x);
+  }
+  Vector multiplySymmetric(const Matrix& a, const Vector& x) const override {
+    return algebra.multiplySymmetric(a, x);
+  }
+  Matrix replicate(Matrix a, Index) const override { return a; }
+  Vector sum(Vector mine) const override {
+    for (double& x : mine)
+      x += 1;
+    return mine;
+  }
+  Vector broadcast(Vector root) const override { return root; }
+  int rank() const override { return 0; }
+  int processes() const override { return 2; }
+};
+
+TEUCHOS_UNIT_TEST(ExactTractions, areRefusedByAllProcessesIfByOne) {
+  const bem::Space space(reference::quickSamples().front().mesh);
+  const bem::Lame lame({1, 0.3, false});
+  const Disagreeing ranks;
+  const bem::SteklovPoincare s(bem::assembleOperators(space, lame, ranks), ranks);
+  TEST_THROW(bem::tractionRows(space, lame, s, {0, 1}, bem::TractionForm::Exact),
+             bem::NumericalError);
+}
+
+/// They would miss what the density has beyond the displacements' degree.
+TEUCHOS_UNIT_TEST(ProjectedTractions, areRefusedWithFurtherDensities) {
+  const bem::Mesh mesh = reference::quickSamples().front().mesh;
+  std::vector<int> densities;
+  for (const bem::Element& element : mesh.elements())
+    densities.push_back(element.degree + 1);
+  const bem::Space space(mesh.withDensities(densities));
+  const bem::Lame lame({1, 0.3, false});
+  TEST_THROW(bem::assembleOperators(space, lame, algebra, {0, 1}), bem::InputError);
+  const bem::SteklovPoincare s = stiffnessOf(space, lame, {});
+  TEST_THROW(bem::tractionRows(space, lame, s, {0, 1}, bem::TractionForm::Exact),
+             bem::InputError);
 }
 
 TEUCHOS_UNIT_TEST(ExactTractions, containTheProjectedOnes) {

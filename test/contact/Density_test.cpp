@@ -2,8 +2,8 @@
 //   1/2 <W u,u> + <ψ,(K+1/2) u> - 1/2 <V ψ,ψ> + <λ,u> - 1/2 Σ γ |λ + ψ|²,
 // solved here as a whole, with forms integrated anew.
 #include "Algebra.hpp"
-#include "bem/algebra/Blas.hpp"
 #include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/algebra/LuFactor.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "contact/results/Summary.hpp"
 
@@ -214,12 +214,8 @@ Condensed whole(const Case& c) {
         right[row] = 0;
       }
 
-  const int order = static_cast<int>(size);
-  const int ld = static_cast<int>(system.stride());
-  const int one = 1;
-  int info = 0;
-  std::vector<int> pivots(at(size));
-  dgesv_(&order, &one, system.data(), &ld, pivots.data(), right.data(), &order, &info);
+  const bem::LuFactor factor(std::move(system));
+  factor.solve(right);
   Condensed result;
   result.displacement.assign(right.begin(), right.begin() + n);
   result.density.assign(right.begin() + n, right.end());
@@ -231,7 +227,7 @@ Condensed whole(const Case& c) {
     for (Index i = 0; i < size - n; ++i)
       result.energy += 0.5 * lower(operators.singleLayer, i, j) * result.density[i] *
                        result.density[j];
-  result.residual.assign(at(multiplier.size()), info == 0 ? 0.0 : 1e9);
+  result.residual.assign(at(multiplier.size()), factor.isRegular() ? 0.0 : 1e9);
   for (Index i = 0; i < multiplier.size(); ++i) {
     const Vector chi = unit(i, multiplier.size());
     for (const Point& point : points) {

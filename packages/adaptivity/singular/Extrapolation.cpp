@@ -1,6 +1,6 @@
 #include "adaptivity/singular/Extrapolation.hpp"
 
-#include "bem/algebra/Blas.hpp"
+#include "bem/algebra/LuFactor.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,25 +14,22 @@ using Parabola = std::array<double, 3>;  // c₀ + c₁ ξ + c₂ ξ²
 
 /// By the normal equations: three unknowns on |ξ| <= 1 leave digits enough.
 std::optional<Parabola> fit(const Samples& samples) {
-  std::array<double, 9> matrix{};
-  Parabola right{};
+  bem::Matrix matrix(3, 3);
+  bem::Vector right(3);
   for (std::size_t k = 0; k < samples.places.size(); ++k) {
     const double x = samples.places[k];
     const Parabola powers = {1, x, x * x};
     for (std::size_t i = 0; i < 3; ++i) {
       right[i] += powers[i] * samples.values[k];
       for (std::size_t j = 0; j < 3; ++j)
-        matrix[i + 3 * j] += powers[i] * powers[j];
+        matrix(i, j) += powers[i] * powers[j];
     }
   }
-  const int n = 3;
-  const int one = 1;
-  std::array<int, 3> pivots{};
-  int info = 0;
-  dgesv_(&n, &one, matrix.data(), &n, pivots.data(), right.data(), &n, &info);
-  if (info != 0)
+  const bem::LuFactor factor(std::move(matrix));
+  if (!factor.isRegular())
     return {};
-  return right;
+  factor.solve(right);
+  return Parabola{right[0], right[1], right[2]};
 }
 
 /// The zero with the smaller modulus.

@@ -3,13 +3,20 @@
 #include "bem/algebra/Blas.hpp"
 #include "bem/base/Error.hpp"
 
+#include <Teuchos_BLAS.hpp>
+#include <Teuchos_LAPACK.hpp>
+
 #include <cstring>
 
 namespace epafi::bem {
 
 namespace {
 
-int asInt(Index n) { return static_cast<int>(n); }
+using Blas = Teuchos::BLAS<int, double>;
+using Lapack = Teuchos::LAPACK<int, double>;
+using Teuchos::LOWER_TRI;
+using Teuchos::NO_TRANS;
+using Teuchos::TRANS;
 
 /// The lower triangle in rectangular full packed form, in its own memory, and the rest of
 /// that given back.  With k columns of length `height`, column j has the triangle's
@@ -68,11 +75,10 @@ class LapackFactor final : public CholeskyFactor {
     for (Index j = 0; j < count; ++j)
       for (Index i = j; i < count; ++i)
         inverse(i, j) = entry(first + i, first + j);
-    const int n = asInt(count);
-    const int ld = asInt(inverse.stride());
     int info = 0;
-    if (n > 0)
-      dtrtri_("L", "N", &n, inverse.data(), &ld, &info);
+    if (count > 0)
+      Lapack().TRTRI('L', 'N', asInt(count), inverse.data(), asInt(inverse.stride()),
+                     &info);
     return inverse;
   }
 
@@ -103,10 +109,9 @@ class LapackFactor final : public CholeskyFactor {
 std::unique_ptr<CholeskyFactor> LapackAlgebra::cholesky(Matrix lower,
                                                         const char* name) const {
   const int n = asInt(lower.rows());
-  const int ld = asInt(lower.stride());
   int info = 0;
   if (n > 0)
-    dpotrf_("L", &n, lower.data(), &ld, &info);
+    Lapack().POTRF('L', n, lower.data(), asInt(lower.stride()), &info);
   if (info != 0)
     throw NumericalError(name, " is not positive definite: Cholesky's factorisation ",
                          "breaks down in row ", info, " of ", n);
@@ -114,57 +119,33 @@ std::unique_ptr<CholeskyFactor> LapackAlgebra::cholesky(Matrix lower,
 }
 
 Matrix LapackAlgebra::addGram(Matrix c, const Matrix& y) const {
-  const int n = asInt(c.rows());
-  const int k = asInt(y.rows());
-  const int ldy = asInt(y.stride());
-  const int ldc = asInt(c.stride());
-  const double one = 1;
-  if (n > 0 && k > 0)
-    dsyrk_("L", "T", &n, &k, &one, y.data(), &ldy, &one, c.data(), &ldc);
+  if (!y.empty())
+    Blas().SYRK(LOWER_TRI, TRANS, asInt(c.rows()), asInt(y.rows()), 1, y.data(),
+                asInt(y.stride()), 1, c.data(), asInt(c.stride()));
   return c;
 }
 
 Matrix LapackAlgebra::addOuter(Matrix c, const Matrix& x, double scale) const {
-  const int n = asInt(c.rows());
-  const int k = asInt(x.columns());
-  const int ldx = asInt(x.stride());
-  const int ldc = asInt(c.stride());
-  const double one = 1;
-  if (n > 0 && k > 0)
-    dsyrk_("L", "N", &n, &k, &scale, x.data(), &ldx, &one, c.data(), &ldc);
+  if (!x.empty())
+    Blas().SYRK(LOWER_TRI, NO_TRANS, asInt(c.rows()), asInt(x.columns()), scale, x.data(),
+                asInt(x.stride()), 1, c.data(), asInt(c.stride()));
   return c;
-}
-
-Matrix LapackAlgebra::transposeTimes(const Matrix& x, const Matrix& y) const {
-  return addTransposeTimes(Matrix(x.columns(), y.columns()), x, y);
 }
 
 Matrix LapackAlgebra::addTransposeTimes(Matrix c, const Matrix& x,
                                         const Matrix& y) const {
-  const int m = asInt(x.columns());
-  const int n = asInt(y.columns());
-  const int k = asInt(x.rows());
-  const int ldx = asInt(x.stride());
-  const int ldy = asInt(y.stride());
-  const int ldc = asInt(c.stride());
-  const double one = 1;
-  if (m > 0 && n > 0 && k > 0)
-    dgemm_("T", "N", &m, &n, &k, &one, x.data(), &ldx, y.data(), &ldy, &one, c.data(),
-           &ldc);
+  if (!x.empty() && !y.empty())
+    Blas().GEMM(TRANS, NO_TRANS, asInt(x.columns()), asInt(y.columns()), asInt(x.rows()),
+                1, x.data(), asInt(x.stride()), y.data(), asInt(y.stride()), 1, c.data(),
+                asInt(c.stride()));
   return c;
 }
 
 Vector LapackAlgebra::multiply(const Matrix& a, Index n, const Vector& x) const {
   Vector y(n);
-  const int rows = asInt(a.rows());
-  const int columns = asInt(a.columns());
-  const int ld = asInt(a.stride());
-  const int step = 1;
-  const double one = 1;
-  const double zero = 0;
-  if (rows > 0 && columns > 0)
-    dgemv_("N", &rows, &columns, &one, a.data(), &ld, x.data(), &step, &zero, y.data(),
-           &step);
+  if (!a.empty())
+    Blas().GEMV(NO_TRANS, asInt(a.rows()), asInt(a.columns()), 1, a.data(),
+                asInt(a.stride()), x.data(), 1, 0, y.data(), 1);
   return y;
 }
 

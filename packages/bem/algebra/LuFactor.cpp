@@ -11,8 +11,6 @@ namespace {
 
 using Lapack = Teuchos::LAPACK<int, double>;
 
-int asInt(Index i) { return static_cast<int>(i); }
-
 }  // namespace
 
 LuFactor::LuFactor(Matrix a) : lu_(std::move(a)), pivots_(at(lu_.columns())) {

@@ -1,10 +1,14 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 
+#include <Teuchos_BLAS.hpp>
 #include <Teuchos_LAPACK.hpp>
 
+#include <algorithm>
 #include <numeric>
 
 namespace epafi::bem {
+
+using Lapack = Teuchos::LAPACK<int, double>;
 
 double dot(const Vector& a, const Vector& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
@@ -19,38 +23,65 @@ Vector columnOf(const Matrix& a, Index j) {
   return {a.column(j), a.column(j) + a.rows()};
 }
 
+namespace {
+
+/// op(A) B
+Matrix product(Teuchos::ETransp op, Index rows, Index depth, const Matrix& a,
+               const Matrix& b) {
+  Matrix c(rows, b.columns());
+  if (!c.empty() && depth > 0)
+    Teuchos::BLAS<int, double>().GEMM(
+        op, Teuchos::NO_TRANS, asInt(rows), asInt(b.columns()), asInt(depth), 1, a.data(),
+        asInt(a.stride()), b.data(), asInt(b.stride()), 0, c.data(), asInt(c.stride()));
+  return c;
+}
+
+}  // namespace
+
+Matrix asColumn(const Vector& v) {
+  Matrix column(static_cast<Index>(v.size()), 1);
+  std::copy(v.begin(), v.end(), column.data());
+  return column;
+}
+
 Matrix multiply(const Matrix& a, const Matrix& b) {
-  Matrix product(a.rows(), b.columns());
-  for (Index j = 0; j < b.columns(); ++j)
-    for (Index k = 0; k < a.columns(); ++k)
-      for (Index i = 0; i < a.rows(); ++i)
-        product(i, j) += a(i, k) * b(k, j);
-  return product;
+  return product(Teuchos::NO_TRANS, a.rows(), a.columns(), a, b);
 }
 
 Matrix transposedTimes(const Matrix& a, const Matrix& b) {
-  Matrix product(a.columns(), b.columns());
-  for (Index j = 0; j < b.columns(); ++j)
-    for (Index i = 0; i < a.columns(); ++i)
-      product(i, j) =
-          std::inner_product(a.column(i), a.column(i) + a.rows(), b.column(j), 0.0);
-  return product;
+  return product(Teuchos::TRANS, a.columns(), a.rows(), a, b);
+}
+
+std::vector<Index> pivotedTriangle(Matrix& a) {
+  const int n = asInt(a.columns());
+  std::vector<int> pivots(a.columns());
+  Vector tau(a.columns());
+  Vector work(2 * n + 64 * (n + 1));
+  int info = 0;
+  Lapack().GEQP3(asInt(a.rows()), n, a.data(), asInt(a.stride()), pivots.data(),
+                 tau.data(), work.data(), static_cast<int>(work.size()), nullptr, &info);
+  std::vector<Index> places;
+  for (const int pivot : pivots)
+    places.push_back(pivot - 1);
+  return places;
 }
 
 int cholesky(Matrix& a) {
   int info = 0;
   if (a.rows() > 0)
-    Teuchos::LAPACK<int, double>().POTRF('L', static_cast<int>(a.rows()), a.data(),
-                                         static_cast<int>(a.stride()), &info);
+    Lapack().POTRF('L', asInt(a.rows()), a.data(), asInt(a.stride()), &info);
   return info;
 }
 
-void choleskySolve(const Matrix& factor, double* b) {
+void choleskySolve(const Matrix& factor, double* b, Index columns, Index stride) {
   int info = 0;
-  const int size = static_cast<int>(factor.rows());
-  if (size > 0)
-    Teuchos::LAPACK<int, double>().POTRS(
-        'L', size, 1, factor.data(), static_cast<int>(factor.stride()), b, size, &info);
+  if (factor.rows() > 0 && columns > 0)
+    Lapack().POTRS('L', asInt(factor.rows()), asInt(columns), factor.data(),
+                   asInt(factor.stride()), b, asInt(stride), &info);
+}
+
+void choleskySolve(const Matrix& factor, double* b) {
+  choleskySolve(factor, b, 1, factor.rows());
 }
 
 }  // namespace epafi::bem

@@ -23,7 +23,15 @@ Matrix transposedTimes(const Matrix& a, const Matrix& b);
 /// leading minor that is not positive, counted from 1.
 [[nodiscard]] int cholesky(Matrix& a);
 
-/// b := (L Lᵀ)⁻¹ b
+/// b := (L Lᵀ)⁻¹ b, of a vector or of columns
 void choleskySolve(const Matrix& factor, double* b);
+void choleskySolve(const Matrix& factor, double* b, Index columns, Index stride);
+
+/// Replaces A by R in its upper triangle, A P = Q R, diagonal entries falling.  Returns which
+/// column of A each of R's was.
+std::vector<Index> pivotedTriangle(Matrix& a);
+
+/// A vector as a matrix.
+Matrix asColumn(const Vector& v);
 
 }  // namespace epafi::bem

@@ -57,11 +57,8 @@ class DenseAlgebra {
   /// C + scale X Xᵀ, the lower triangle; X has as many rows as C (mine are given).
   virtual Matrix addOuter(Matrix lower, const Matrix& x, double scale) const = 0;
 
-  /// Xᵀ Y, by my rows of the result; X (n x k) and Y (n x m) by my rows of n.
-  virtual Matrix transposeTimes(const Matrix& x, const Matrix& y) const = 0;
-
-  /// C + Xᵀ Y in place of C, by my rows.
-  virtual Matrix addTransposeTimes(Matrix c, const Matrix& x, const Matrix& y) const;
+  /// C + Xᵀ Y, by my rows of the result; X (n x k) and Y (n x m) by my rows of n.
+  virtual Matrix addTransposeTimes(Matrix c, const Matrix& x, const Matrix& y) const = 0;
 
   /// A x for a replicated vector; A is n x m by my rows of n, the result is replicated.
   virtual Vector multiply(const Matrix& a, Index n, const Vector& x) const = 0;

@@ -12,6 +12,9 @@ using Index = std::ptrdiff_t;
 /// An index as containers of the standard library want it.
 constexpr std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
+/// A size or an index as BLAS, LAPACK and MPI want it.
+constexpr int asInt(Index i) { return static_cast<int>(i); }
+
 /// Gives a matrix's memory back.
 struct FreeMatrix {
   std::size_t mapped = 0;  ///< bytes, if they come from the system; 0: from the heap
@@ -56,5 +59,12 @@ class Matrix {
 };
 
 using Vector = std::vector<double>;
+
+/// One of a sparse matrix.
+struct Entry {
+  Index row;
+  Index column;
+  double value;
+};
 
 }  // namespace epafi::bem

@@ -52,6 +52,17 @@ const SchemaRow* find(const std::vector<const SchemaRow*>& rows,
   return nullptr;
 }
 
+/// What has been found among these rows; \throws InputError if nothing.
+const SchemaRow& required(const SchemaRow* row, const std::vector<const SchemaRow*>& rows,
+                          const std::string& path, const std::string& name) {
+  if (row != nullptr)
+    return *row;
+  std::vector<std::string> known;
+  for (const SchemaRow* other : rows)
+    known.push_back(example(other->name()));
+  throw InputError(join(path, name), ": unknown", suggestion(name, known));
+}
+
 /// One level of the list against the rows under one pattern.
 class Level {
  public:
@@ -64,7 +75,7 @@ class Level {
 
   void complete(ParameterList& result) const {
     for (const auto& item : given_)
-      checkKnown(item.first);
+      required(find(rows_, item.first), rows_, path_, item.first);
     for (const SchemaRow* row : rows_) {
       if (!active(*row, result))
         continue;
@@ -82,15 +93,6 @@ class Level {
   }
 
  private:
-  void checkKnown(const std::string& name) const {
-    if (find(rows_, name) != nullptr)
-      return;
-    std::vector<std::string> known;
-    for (const SchemaRow* row : rows_)
-      known.push_back(example(row->name()));
-    throw InputError(join(path_, name), ": unknown", suggestion(name, known));
-  }
-
   /// The sibling whose value decides which keys exist.
   const SchemaRow* selector() const {
     for (const char* name : {"Type", "Law"})
@@ -163,14 +165,7 @@ const SchemaRow& declared(const SchemaRows& table, const std::string& path) {
     const std::size_t end = std::min(path.find(arrow, at), path.size());
     const std::string name = path.substr(at, end - at);
     const auto rows = childrenOf(table, pattern);
-    row = name.empty() ? nullptr : find(rows, name);
-    if (row == nullptr) {
-      std::vector<std::string> known;
-      known.reserve(rows.size());
-      for (const SchemaRow* other : rows)
-        known.push_back(example(other->name()));
-      throw InputError(join(walked, name), ": unknown", suggestion(name, known));
-    }
+    row = &required(name.empty() ? nullptr : find(rows, name), rows, walked, name);
     pattern = row->path;
     walked = join(walked, name);
     at = end + std::strlen(arrow);

@@ -15,7 +15,8 @@ std::string nearest(const std::string& name, const std::vector<std::string>& can
 /// "'A', 'B' or 'C'"
 std::string quotedList(const std::vector<std::string>& names);
 
-/// "; did you mean 'X'? known: 'X', 'Y'", for the end of a message about an unknown name.
+/// "; did you mean 'X'? known here: 'X' or 'Y'", for the end of a message about an unknown
+/// name; "; nothing may stand here" without candidates.
 std::string suggestion(const std::string& name,
                        const std::vector<std::string>& candidates);
 

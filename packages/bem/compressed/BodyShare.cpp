@@ -62,14 +62,14 @@ Interpolation joinedWeights(const std::vector<BodyShare>& shares, std::size_t c,
 /// What all clusters have, from the leaves up.
 class Joining {
  public:
-  Joining(std::vector<BodyShare> shares, const std::vector<LocalCoupling::Entry>& between,
+  Joining(std::vector<BodyShare> shares, const std::vector<Entry>& between,
           const ClusterTree& tree, Index unknowns)
       : shares_(std::move(shares)),
         added_(unknowns),
         tree_(tree),
         places_(unknowns),
         parts_(tree.size()) {
-    for (const LocalCoupling::Entry& entry : between) {
+    for (const Entry& entry : between) {
       added_[entry.row].emplace_back(entry.column, entry.value);
       added_[entry.column].emplace_back(entry.row, entry.value);
     }
@@ -149,7 +149,7 @@ class Joining {
 }  // namespace
 
 std::vector<ClusterPart> joined(std::vector<BodyShare> shares,
-                                const std::vector<LocalCoupling::Entry>& between,
+                                const std::vector<Entry>& between,
                                 const ClusterTree& tree, const Subtrees& subtrees,
                                 Index unknowns) {
   return Joining(std::move(shares), between, tree, unknowns).take(subtrees);

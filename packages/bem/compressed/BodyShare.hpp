@@ -12,7 +12,7 @@ namespace epafi::bem {
 struct BodyShare {
   std::vector<Index> numbers;  ///< of its unknowns among all
   std::vector<Unknown> unknowns;
-  std::vector<LocalCoupling::Entry> entries;  ///< between its own
+  std::vector<Entry> entries;  ///< between its own
   /// Of each unknown, the leaves of others on which it acts.
   std::vector<std::vector<int>> abroad;
   std::vector<ClusterPart> parts;  ///< by cluster
@@ -22,7 +22,7 @@ struct BodyShare {
 /// other, and with the entries between bodies.  Clusters have the same numbers in all trees,
 /// of which this is one.  Of other processes' clusters the lists of unknowns alone.
 std::vector<ClusterPart> joined(std::vector<BodyShare> shares,
-                                const std::vector<LocalCoupling::Entry>& between,
+                                const std::vector<Entry>& between,
                                 const ClusterTree& tree, const Subtrees& subtrees,
                                 Index unknowns);
 

@@ -1,8 +1,8 @@
 #include "bem/compressed/CompressedFactor.hpp"
 
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SerialBlas.hpp"
 #include "bem/base/Error.hpp"
-#include "bem/compressed/Products.hpp"
 #include "bem/compressed/TreeSweeps.hpp"
 
 #include <algorithm>
@@ -11,7 +11,6 @@
 #include <iterator>
 #include <stdexcept>
 #include <tuple>
-#include <type_traits>
 
 namespace epafi::bem {
 
@@ -21,6 +20,7 @@ CompressedFactor::CompressedFactor(const CompressedOperators& operators,
     : operators_(&operators),
       restriction_(std::move(restriction)),
       changing_(operators.tree().paths(changing)),
+      unfinished_(operators.tree().size()),
       nodes_(operators.tree().size()),
       responses_(nodes_.size()) {
   restriction_.held.resize(operators.size());
@@ -38,29 +38,30 @@ int CompressedFactor::update(Restriction restriction) {
   for (Index i = 0; i < operators_->size(); ++i)
     if (restriction.held[i] != restriction_.held[i])
       changed.push_back(operators_->leafOf(i));
-  const auto compare = [&](auto before, auto now, const auto& key) {
-    const auto less = [&](const auto& a, const auto& b) { return key(a) < key(b); };
+  const auto compare = [&](std::vector<Entry> before, std::vector<Entry> now) {
+    const auto less = [](const Entry& a, const Entry& b) {
+      return std::tie(a.row, a.column, a.value) < std::tie(b.row, b.column, b.value);
+    };
     std::sort(before.begin(), before.end(), less);
     std::sort(now.begin(), now.end(), less);
-    std::remove_reference_t<decltype(now)> differing;
+    std::vector<Entry> differing;
     std::set_symmetric_difference(before.begin(), before.end(), now.begin(), now.end(),
                                   std::back_inserter(differing), less);
-    for (const auto& each : differing)
-      changed.push_back(operators_->leafOf(std::get<0>(key(each))));
+    for (const Entry& each : differing)
+      changed.push_back(operators_->leafOf(each.row));
   };
-  compare(restriction_.followers, restriction.followers,
-          [](const Restriction::Follower& f) {
-            return std::tuple(f.unknown, f.leader, f.factor);
-          });
-  compare(restriction_.entries, restriction.entries, [](const Restriction::Entry& e) {
-    return std::tuple(e.row, e.column, e.value);
-  });
-  restriction_ = std::move(restriction);
-  const std::vector<char> dirty = withoutAbove(operators_->tree().paths(changed));
-  for (std::size_t c = 0; c < dirty.size(); ++c)
+  compare(restriction_.followers, restriction.followers);
+  compare(restriction_.entries, restriction.entries);
+  std::vector<char> dirty = withoutAbove(operators_->tree().paths(changed));
+  for (std::size_t c = 0; c < dirty.size(); ++c) {
     if (dirty[c] > changing_[c])
       throw std::logic_error("a leaf of the compressed system changes that may not");
+    dirty[c] = std::max(dirty[c], unfinished_[c]);
+  }
+  restriction_ = std::move(restriction);
+  unfinished_ = dirty;
   eliminate(dirty);
+  unfinished_.assign(dirty.size(), 0);
   return static_cast<int>(std::count(dirty.begin(), dirty.end(), 1));
 }
 
@@ -70,6 +71,10 @@ CompressedFactor CompressedFactor::within(const std::vector<int>& leaves) const 
   // springs and rotations act elsewhere
   if (leaves.empty() || !sprung_.empty() || rotated_ != nullptr)
     return result;
+  if (std::none_of(leaves.begin(), leaves.end(),
+                   [&](int leaf) { return changing_[leaf] != 0; }))
+    throw std::logic_error(
+        "a part of the compressed system is asked for that may not change");
   const auto containsAll = [&](int c) {
     return std::all_of(leaves.begin(), leaves.end(),
                        [&](int leaf) { return tree.contains(c, leaf); });
@@ -123,14 +128,13 @@ std::vector<LeafRestriction> CompressedFactor::restricted(std::vector<char> dirt
           places[active[i]] = static_cast<Index>(i);
         }
     }
-  for (const Restriction::Follower& follower : restriction_.followers) {
-    const std::size_t c = operators_->leafOf(follower.unknown);
-    assert(operators_->leafOf(follower.leader) == static_cast<int>(c));
-    if (dirty[c] != 0 && restriction_.held[follower.leader] == 0)
-      leaves[c].followers.push_back(
-          {places[follower.unknown], places[follower.leader], follower.factor});
+  for (const auto& [follower, leader, factor] : restriction_.followers) {
+    const std::size_t c = operators_->leafOf(follower);
+    assert(operators_->leafOf(leader) == static_cast<int>(c));
+    if (dirty[c] != 0 && restriction_.held[leader] == 0)
+      leaves[c].followers.push_back({places[follower], places[leader], factor});
   }
-  const auto add = [&](const Restriction::Entry& entry) {
+  const auto add = [&](const Entry& entry) {
     const std::size_t c = operators_->leafOf(entry.row);
     assert(operators_->leafOf(entry.column) == static_cast<int>(c));
     if (dirty[c] != 0 && restriction_.held[entry.row] == 0 &&

@@ -14,20 +14,10 @@ struct Restriction {
   /// By unknown: is it zero, and its equation not asked for?
   std::vector<char> held;
 
-  /// A held unknown that is a multiple of another one of its leaf instead of zero.
-  struct Follower {
-    Index unknown;
-    Index leader;
-    double factor;
-  };
-  std::vector<Follower> followers;
+  /// A held unknown, the row, is this multiple of another one of its leaf instead of zero.
+  std::vector<Entry> followers;
 
-  /// Added to an entry between unknowns of one leaf; on the diagonal a spring.
-  struct Entry {
-    Index row;
-    Index column;
-    double value;
-  };
+  /// Added between unknowns of one leaf; on the diagonal a spring.
   std::vector<Entry> entries;
 };
 
@@ -55,14 +45,17 @@ class CompressedFactor {
                    const std::vector<int>& changing);
   CompressedFactor(const CompressedOperators& operators, Restriction restriction);
 
-  /// The same for right sides and unknowns of these leaves alone, which may all change:
-  /// everything outside their lowest common cluster is eliminated once, in what it answers
-  /// to that cluster.
+  /// The same for right sides and unknowns of these leaves alone, of which those may change
+  /// that might before: everything outside their lowest common cluster is eliminated once, in
+  /// what it answers to that cluster.
+  /// \throws std::logic_error where none of them may change: of such clusters too little is
+  /// kept.
   CompressedFactor within(const std::vector<int>& leaves) const;
 
   /// The same with another restriction: only leaves where it differs and what is above
   /// them are eliminated anew.  Returns how many clusters that were.
-  /// \throws std::logic_error where a leaf may not change.
+  /// \throws std::logic_error where a leaf may not change, and nothing has happened.
+  /// \throws NumericalError as above; then there is no solution before another update.
   int update(Restriction restriction);
 
   /// X of Z X = B on what is not held; held unknowns are zero, or follow.  With
@@ -77,7 +70,6 @@ class CompressedFactor {
   /// By cluster: these leaves, what is above them, and what each solution needs.
   std::vector<char> paths(std::vector<int> leaves) const;
 
-  const CompressedOperators& operators() const { return *operators_; }
   const Restriction& restriction() const { return restriction_; }
 
  private:
@@ -110,7 +102,9 @@ class CompressedFactor {
   const CompressedOperators* operators_;
   Restriction restriction_;
   std::vector<char> changing_;  ///< by cluster
-  int top_ = 0;                 ///< the highest cluster that solutions go through
+  /// By cluster: an update that threw may have left it as it was before.
+  std::vector<char> unfinished_;
+  int top_ = 0;  ///< the highest cluster that solutions go through
   std::shared_ptr<const Matrix>
       whole_;  ///< inside() of it, where it is mine and not the root
   std::vector<std::shared_ptr<const EliminatedCluster>> nodes_;

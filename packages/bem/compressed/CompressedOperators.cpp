@@ -1,9 +1,9 @@
 #include "bem/compressed/CompressedOperators.hpp"
 
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SerialBlas.hpp"
 #include "bem/compressed/BodyShare.hpp"
 #include "bem/compressed/FacingOrder.hpp"
-#include "bem/compressed/Products.hpp"
 #include "bem/compressed/TreeSweeps.hpp"
 
 #include <algorithm>
@@ -52,10 +52,9 @@ struct AllUnknowns {
   }
 
   /// Gives bodies the entries between their own unknowns; returns those between bodies.
-  std::vector<LocalCoupling::Entry> shareOut(
-      const std::vector<LocalCoupling::Entry>& entries) {
-    std::vector<LocalCoupling::Entry> between;
-    for (const LocalCoupling::Entry& entry : entries) {
+  std::vector<Entry> shareOut(const std::vector<Entry>& entries) {
+    std::vector<Entry> between;
+    for (const Entry& entry : entries) {
       const auto [b, row] = owners[entry.row];
       const auto [d, column] = owners[entry.column];
       if (b == d)
@@ -66,9 +65,9 @@ struct AllUnknowns {
     return between;
   }
 
-  std::vector<Link> linksOf(const std::vector<LocalCoupling::Entry>& between) const {
+  std::vector<Link> linksOf(const std::vector<Entry>& between) const {
     std::vector<Link> links;
-    for (const LocalCoupling::Entry& entry : between)
+    for (const Entry& entry : between)
       links.push_back({elementOf(std::max(entry.row, entry.column)),
                        elementOf(std::min(entry.row, entry.column)),
                        std::abs(entry.value)});
@@ -76,11 +75,10 @@ struct AllUnknowns {
   }
 
   /// `leaves`: of all unknowns.
-  void setAbroad(const std::vector<LocalCoupling::Entry>& between,
-                 const std::vector<int>& leaves) {
+  void setAbroad(const std::vector<Entry>& between, const std::vector<int>& leaves) {
     for (BodyShare& share : shares)
       share.abroad.resize(share.unknowns.size());
-    for (const LocalCoupling::Entry& entry : between)
+    for (const Entry& entry : between)
       for (const auto& [i, j] :
            {std::pair(entry.row, entry.column), std::pair(entry.column, entry.row)}) {
         const auto [b, own] = owners[i];
@@ -200,7 +198,7 @@ Matrix CompressedOperators::times(const Matrix& x) const {
       out[c] = part(c).weights.times(active(c));
   };
   const auto down = [&](int c) {
-    const Part& own = part(c);
+    const ClusterPart& own = part(c);
     Matrix all(static_cast<Index>(own.active.size()), columns);
     if (c > 0)
       own.weights.addTransposed(in[c], all);
@@ -230,7 +228,7 @@ Matrix CompressedOperators::times(const Matrix& x) const {
 
 std::size_t CompressedOperators::bytes() const {
   std::size_t entries = 0;
-  for (const Part& part : parts_)
+  for (const ClusterPart& part : parts_)
     entries += static_cast<std::size_t>(part.weights.weights.rows() *
                                             part.weights.weights.columns() +
                                         part.block.rows() * part.block.columns());

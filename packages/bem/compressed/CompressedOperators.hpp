@@ -62,17 +62,16 @@ class CompressedOperators {
   /// Z X
   Matrix times(const Matrix& x) const;
 
-  using Part = ClusterPart;
   /// Of the first body; clusters of all have its numbers, parents and children.
   const ClusterTree& tree() const { return trees_.front(); }
   const Subtrees& subtrees() const { return *subtrees_; }
   /// Of other processes' clusters the lists of unknowns alone.
-  const Part& part(int cluster) const { return parts_[cluster]; }
+  const ClusterPart& part(int cluster) const { return parts_[cluster]; }
   /// How many unknowns a cluster's skeleton has.
   Index skeletonOf(int cluster) const {
     return static_cast<Index>(part(cluster).skeleton.size());
   }
-  /// Others' rows of X in place of zeros, of the leaves of `paths`.  Collective.
+  /// Replaces the rows of X in other processes' leaves of `paths` by theirs.  Collective.
   void exchangeRows(const std::vector<char>& paths, double check, Matrix& x) const {
     subtrees_->exchangeRows(tree(), parts_, paths, check, x);
   }
@@ -104,7 +103,7 @@ class CompressedOperators {
   std::vector<int> leaves_;  ///< of the unknowns
   std::vector<ClusterTree> trees_;
   std::unique_ptr<const Subtrees> subtrees_;
-  std::vector<Part> parts_;
+  std::vector<ClusterPart> parts_;
   std::vector<Index> floating_;
   Rotations rotations_;
 };

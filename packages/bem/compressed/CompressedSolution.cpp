@@ -1,6 +1,6 @@
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SerialBlas.hpp"
 #include "bem/compressed/CompressedFactor.hpp"
-#include "bem/compressed/Products.hpp"
 #include "bem/compressed/TreeSweeps.hpp"
 
 #include <cassert>
@@ -37,25 +37,23 @@ Matrix CompressedFactor::solveSprung(const Matrix& b,
   for (int c = 0; c < tree.size(); ++c)
     if (nodes_[c] == nullptr || node(c).isSilent())
       on[c] = 0;
-  const auto of = [](std::vector<Matrix>& all, int c) -> Matrix& { return all[c]; };
   const auto outOf = [&](int c) {
-    return on[c] != 0 ? std::move(of(out, c))
-                      : Matrix(operators_->skeletonOf(c), columns);
+    return on[c] != 0 ? std::move(out[c]) : Matrix(operators_->skeletonOf(c), columns);
   };
   const auto up = [&](int c) {
     const ClusterPart& part = operators_->part(c);
-    of(inner, c) = tree[c].isLeaf()
-                       ? node(c).reduced(rowsOf(b, part.active))
-                       : stacked(outOf(tree[c].children[0]), outOf(tree[c].children[1]));
-    node(c).solve(of(inner, c));
+    inner[c] = tree[c].isLeaf()
+                   ? node(c).reduced(rowsOf(b, part.active))
+                   : stacked(outOf(tree[c].children[0]), outOf(tree[c].children[1]));
+    node(c).solve(inner[c]);
     if (c != top_)
-      of(out, c) = node(c).outgoing(part, of(inner, c));
+      out[c] = node(c).outgoing(part, inner[c]);
   };
   const auto down = [&](int c) {
     const ClusterPart& part = operators_->part(c);
-    Matrix& own = of(inner, c);
+    Matrix& own = inner[c];
     if (c != top_)
-      node(c).subtractOutside(of(in, c), own);
+      node(c).subtractOutside(in[c], own);
     if (tree[c].isLeaf()) {
       putRows(node(c).expanded(own), part.active, x);
       return;
@@ -65,9 +63,9 @@ Matrix CompressedFactor::solveSprung(const Matrix& b,
     if (c == top_ && top_ != 0)
       addProduct(1, *whole_, own, outside);
     else if (c != top_)
-      part.weights.addTransposed(of(in, c), outside);
-    Matrix& first = of(in, tree[c].children[0]);
-    Matrix& second = of(in, tree[c].children[1]);
+      part.weights.addTransposed(in[c], outside);
+    Matrix& first = in[tree[c].children[0]];
+    Matrix& second = in[tree[c].children[1]];
     first = rowsBetween(outside, 0, split);
     second = rowsBetween(outside, split, own.rows());
     if (c == top_ && top_ != 0)

@@ -1,6 +1,6 @@
 #include "bem/compressed/EliminatedCluster.hpp"
 
-#include "bem/compressed/Products.hpp"
+#include "bem/algebra/Products.hpp"
 
 #include <algorithm>
 
@@ -53,10 +53,10 @@ EliminatedCluster::EliminatedCluster(const ClusterPart& part, LeafRestriction re
     for (Index i = 0; i < n; ++i)
       own(i, j) = column[leaf_.kept[i]];
   }
-  for (const LeafRestriction::Follower& follower : leaf_.followers)
+  for (const auto& [follower, leader, factor] : leaf_.followers)
     for (Index i = 0; i < n; ++i)
-      own(i, follower.leader) += follower.factor * d(leaf_.kept[i], follower.follower);
-  for (const LeafRestriction::Entry& entry : leaf_.added)
+      own(i, leader) += factor * d(leaf_.kept[i], follower);
+  for (const Entry& entry : leaf_.added)
     own(entry.row, entry.column) += entry.value;
   lu_ = ScaledLu(std::move(own));
   if (part.weights.rows() == 0)
@@ -122,9 +122,9 @@ Matrix EliminatedCluster::reduced(const Matrix& x) const { return rowsOf(x, leaf
 Matrix EliminatedCluster::expanded(const Matrix& x) const {
   Matrix all(unknowns_, x.columns());
   putRows(x, leaf_.kept, all);
-  for (const LeafRestriction::Follower& follower : leaf_.followers)
+  for (const auto& [follower, leader, factor] : leaf_.followers)
     for (Index j = 0; j < x.columns(); ++j)
-      all(follower.follower, j) += follower.factor * x(follower.leader, j);
+      all(follower, j) += factor * x(leader, j);
   return all;
 }
 

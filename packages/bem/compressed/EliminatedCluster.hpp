@@ -7,19 +7,9 @@ namespace epafi::bem {
 
 /// What is asked of a leaf's unknowns, by their places in it.
 struct LeafRestriction {
-  std::vector<Index> kept;  ///< not held
-  struct Follower {
-    Index follower;
-    Index leader;  ///< among the kept
-    double factor;
-  };
-  std::vector<Follower> followers;
-  struct Entry {
-    Index row;  ///< among the kept, as the column
-    Index column;
-    double value;
-  };
-  std::vector<Entry> added;
+  std::vector<Index> kept;       ///< not held
+  std::vector<Entry> followers;  ///< of those at places among the kept, the columns
+  std::vector<Entry> added;      ///< among the kept
 };
 
 /// A cluster of a compressed system after its elimination, see CompressedFactor.
@@ -53,8 +43,6 @@ class EliminatedCluster {
   /// Of a leaf: rows of what is kept, and X of all unknowns, zero where they are held.
   Matrix reduced(const Matrix& x) const;
   Matrix expanded(const Matrix& x) const;
-
-  const LeafRestriction& restriction() const { return leaf_; }
 
  private:
   explicit EliminatedCluster(bool isSilent) : isSilent_(isSilent) {}

@@ -1,7 +1,10 @@
 #include "bem/compressed/Interpolation.hpp"
 
 #include "bem/algebra/Blas.hpp"
-#include "bem/compressed/Products.hpp"
+#include "bem/algebra/Products.hpp"
+#include "bem/algebra/SmallAlgebra.hpp"
+
+#include <Teuchos_BLAS.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +16,14 @@ namespace {
 
 /// R of A = Q R, which has the same column relations in fewer rows.
 Matrix triangle(Matrix a) {
-  const int m = static_cast<int>(a.rows());
-  const int n = static_cast<int>(a.columns());
-  const int lda = static_cast<int>(a.stride());
+  const int m = asInt(a.rows());
+  const int n = asInt(a.columns());
+  const int lda = asInt(a.stride());
   constexpr int block = 32;
   const int nb = std::min(block, n);
   Matrix t(nb, n);
   Vector work(nb * n);
-  const int ldt = static_cast<int>(t.stride());
+  const int ldt = asInt(t.stride());
   int info = 0;
   dgeqrt_(&m, &n, &nb, a.data(), &lda, t.data(), &ldt, work.data(), &info);
   Matrix r(n, n);
@@ -64,36 +67,25 @@ Interpolation interpolateColumns(Matrix a, double threshold) {
   const Index columns = a.columns();
   if (a.rows() > columns)
     a = triangle(std::move(a));
-  const int m = static_cast<int>(a.rows());
-  const int n = static_cast<int>(columns);
-  const int lda = static_cast<int>(a.stride());
-  std::vector<int> pivots(n);
-  Vector tau(n);
-  Vector work(2 * n + 64 * (n + 1));
-  const int size = static_cast<int>(work.size());
-  int info = 0;
-  dgeqp3_(&m, &n, a.data(), &lda, pivots.data(), tau.data(), work.data(), &size, &info);
-  const Index most = std::min<Index>(m, n);
+  const std::vector<Index> pivots = pivotedTriangle(a);
+  const Index most = std::min(a.rows(), columns);
   Index rank = 0;
-  while (rank < most && std::abs(a(rank, rank)) >= threshold)
+  while (rank < most && !(std::abs(a(rank, rank)) < threshold))  // NaN: ScaledLu throws
     ++rank;
 
   Interpolation result;
   Matrix rest(rank, columns - rank);
   for (Index j = 0; j < rest.columns(); ++j)
     std::copy_n(a.column(rank + j), rank, rest.column(j));
-  if (!rest.empty()) {
-    const int k = static_cast<int>(rank);
-    const int others = static_cast<int>(rest.columns());
-    const int ldb = static_cast<int>(rest.stride());
-    const double one = 1;
-    dtrsm_("L", "U", "N", "N", &k, &others, &one, a.data(), &lda, rest.data(), &ldb);
-  }
-  for (Index j = 0; j < rank; ++j)
-    result.skeleton.push_back(pivots[j] - 1);
+  if (!rest.empty())
+    Teuchos::BLAS<int, double>().TRSM(
+        Teuchos::LEFT_SIDE, Teuchos::UPPER_TRI, Teuchos::NO_TRANS, Teuchos::NON_UNIT_DIAG,
+        asInt(rank), asInt(rest.columns()), 1, a.data(), asInt(a.stride()), rest.data(),
+        asInt(rest.stride()));
+  result.skeleton.assign(pivots.begin(), pivots.begin() + rank);
   std::vector<std::pair<Index, Index>> places;  // of the rest, and where it stands
   for (Index j = rank; j < columns; ++j)
-    places.emplace_back(pivots[j] - 1, j - rank);
+    places.emplace_back(pivots[j], j - rank);
   std::sort(places.begin(), places.end());
   result.weights = Matrix(rank, columns - rank);
   for (std::size_t j = 0; j < places.size(); ++j) {

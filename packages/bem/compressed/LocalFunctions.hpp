@@ -59,11 +59,6 @@ struct LocalCoupling {
   std::vector<Vector> rotations;
   /// Unknowns are numbered body by body as unknownsOf has them, further ones behind all.  One
   /// of (i, j) and (j, i).
-  struct Entry {
-    Index row;
-    Index column;
-    double value;
-  };
   std::vector<Entry> entries;
 };
 

@@ -68,39 +68,23 @@ class PairByParts {
                      const LocalFunctions& columns, double* out) const {
     const int width = columns.size();
     // of K; blocks name the first of two components
-    const auto toK = [&](int i, int k, const Block& b) {
+    const auto toK = [&](int, int i, int, int k, const Block& b) {
       double* first = out + (rows.displacements + 2 * i) * width + 2 * k;
       first[0] += b.xx;
       first[1] += b.xy;
       first[width] += b.yx;
       first[width + 1] += b.yy;
     };
-    const auto toTransposed = [&](int k, int i, const Block& b) {
+    const auto toTransposed = [&](int, int i, int, int k, const Block& b) {
       double* first = out + 2 * k * width + columns.displacements + 2 * i;
       first[0] += b.xx;
       first[1] += b.yx;
       first[width] += b.xy;
       first[width + 1] += b.yy;
     };
-    // places of the functions, from the numbers that these terms are given by
-    const auto functionOf = [&](int element, Index displacement) {
-      for (int k = 0; k <= space_.mesh()[element].degree; ++k)
-        if (space_.displacement(element, k, 0) == displacement)
-          return k;
-      assert(false);
-      return 0;
-    };
-    const auto densityOf = [&](int element, Index density) {
-      return static_cast<int>((density - space_.density(element, 0, 0)) / 2);
-    };
     if (e == f)
-      addHalfMass(space_, {e}, [&](Index density, Index displacement, const Block& b) {
-        toK(densityOf(e, density), functionOf(e, displacement), b);
-      });
-    addEdgeEnds(space_, lame_, {e}, {f},
-                [&](Index density, Index displacement, const Block& b) {
-                  toK(densityOf(e, density), functionOf(f, displacement), b);
-                });
+      addHalfMass(space_.mesh(), {e}, toK);
+    addEdgeEnds(space_.mesh(), lame_, {e}, {f}, toK);
     if (e == f) {
       for (int a = 0; a < rows.displacements; ++a)
         for (int b = 0; b < rows.densities; ++b)
@@ -108,10 +92,7 @@ class PairByParts {
               out[(rows.displacements + b) * width + a];
       return;
     }
-    addEdgeEnds(space_, lame_, {f}, {e},
-                [&](Index density, Index displacement, const Block& b) {
-                  toTransposed(functionOf(e, displacement), densityOf(f, density), b);
-                });
+    addEdgeEnds(space_.mesh(), lame_, {f}, {e}, toTransposed);
   }
 
   const Space& space_;
@@ -141,15 +122,15 @@ class Distances {
   bool areFar() const { return far_[1][1]; }
   /// Of local functions.
   bool areFar(int a, int b) const {
-    for (int i = first(x_, a); i <= last(x_, a); ++i)
-      for (int j = first(y_, b); j <= last(y_, b); ++j)
+    for (int i = first(a); i <= last(x_, a); ++i)
+      for (int j = first(b); j <= last(y_, b); ++j)
         if (!far_[i][j])
           return false;
     return true;
   }
 
  private:
-  static int first(const Element&, int a) { return a < 2 ? 0 : 1; }
+  static int first(int a) { return a < 2 ? 0 : 1; }
   static int last(const Element& element, int a) {
     return a == 2 || a == 3 ? (LocalFunctions(element).displacements > a ? 2 : 1) : 1;
   }

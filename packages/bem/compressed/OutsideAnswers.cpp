@@ -1,27 +1,17 @@
+#include "bem/algebra/Products.hpp"
 #include "bem/compressed/CompressedFactor.hpp"
-#include "bem/compressed/Products.hpp"
 
 namespace epafi::bem {
-
-namespace {
-
-Matrix sum(Matrix a, const Matrix& b) {
-  for (Index j = 0; j < a.columns(); ++j)
-    for (Index i = 0; i < a.rows(); ++i)
-      a(i, j) += b(i, j);
-  return a;
-}
-
-}  // namespace
 
 Matrix CompressedFactor::inside(int c, const Matrix* outside) const {
   const ClusterPart& part = operators_->part(c);
   const auto n = static_cast<Index>(part.active.size());
-  Matrix p(n, n);
+  const bool isLeaf = operators_->tree()[c].isLeaf();
+  Matrix p = isLeaf ? part.block.copy() : Matrix(n, n);
   if (outside != nullptr)
     part.weights.addTransposed(product(*outside, part.weights.full()), p);
-  if (operators_->tree()[c].isLeaf())
-    return sum(std::move(p), part.block);
+  if (isLeaf)
+    return p;
   const Index split = part.block.rows();
   for (Index j = split; j < n; ++j)
     for (Index i = 0; i < split; ++i) {

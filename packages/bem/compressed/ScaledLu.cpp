@@ -1,8 +1,9 @@
 #include "bem/compressed/ScaledLu.hpp"
 
-#include "bem/algebra/Blas.hpp"
+#include "bem/algebra/Products.hpp"
 #include "bem/base/Error.hpp"
-#include "bem/compressed/Products.hpp"
+
+#include <Teuchos_LAPACK.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,8 @@
 namespace epafi::bem {
 
 namespace {
+
+using Lapack = Teuchos::LAPACK<int, double>;
 
 void scaleRows(const Vector& scales, Matrix& x) {
   for (Index j = 0; j < x.columns(); ++j)
@@ -21,7 +24,7 @@ void scaleRows(const Vector& scales, Matrix& x) {
 
 ScaledLu::ScaledLu(Matrix matrix)
     : lu_(std::move(matrix)), scales_(lu_.rows()), pivots_(at(lu_.rows())) {
-  const int n = static_cast<int>(lu_.rows());
+  const int n = asInt(lu_.rows());
   if (n == 0)
     return;
   for (Index j = 0; j < n; ++j)
@@ -30,9 +33,8 @@ ScaledLu::ScaledLu(Matrix matrix)
   for (double& scale : scales_)
     scale = scale > 0 ? 1 / scale : 1;
   scaleRows(scales_, lu_);
-  const int lda = static_cast<int>(lu_.stride());
   int info = 0;
-  dgetrf_(&n, &n, lu_.data(), &lda, pivots_.data(), &info);
+  Lapack().GETRF(n, n, lu_.data(), asInt(lu_.stride()), pivots_.data(), &info);
   bool isRegular = info == 0;
   for (Index i = 0; i < n; ++i)  // what is not a number is no pivot either
     isRegular = isRegular && std::abs(lu_(i, i)) > 0;
@@ -41,17 +43,14 @@ ScaledLu::ScaledLu(Matrix matrix)
 }
 
 void ScaledLu::solve(Matrix& x) const {
-  const int n = static_cast<int>(lu_.rows());
+  const int n = asInt(lu_.rows());
   if (n == 0)
     return;
   scaleRows(scales_, x);
-  const int lda = static_cast<int>(lu_.stride());
-  const int ldb = static_cast<int>(x.stride());
   byColumns(x.columns(), [&](Index first, Index count) {
-    const int columns = static_cast<int>(count);
     int info = 0;
-    dgetrs_("N", &n, &columns, lu_.data(), &lda, pivots_.data(), x.column(first), &ldb,
-            &info);
+    Lapack().GETRS('N', n, asInt(count), lu_.data(), asInt(lu_.stride()), pivots_.data(),
+                   x.column(first), asInt(x.stride()), &info);
   });
 }
 

@@ -42,7 +42,7 @@ class Builder {
         options_(options),
         added_(out.unknowns.size()),
         largestAdded_(out.unknowns.size()) {
-    for (const LocalCoupling::Entry& entry : out.entries) {
+    for (const Entry& entry : out.entries) {
       added_[entry.row].push_back({entry.column, entry.value});
       if (entry.row != entry.column)
         added_[entry.column].push_back({entry.row, entry.value});
@@ -226,9 +226,10 @@ class Builder {
       const Unknown& u = builder_.out_.unknowns[unknown];
       const Element& element = mesh[u.element];
       const double own = 2 * element.half;
-      if (u.local < 0)
-        return stiffness_ * std::sqrt(std::max(own, shortest_)) /
-               builder_.largestAdded_[unknown];
+      if (u.local < 0) {
+        const double added = builder_.largestAdded_[unknown];
+        return stiffness_ * std::sqrt(std::max(own, shortest_)) / (added > 0 ? added : 1);
+      }
       const LocalFunctions local(element);
       if (u.local >= local.displacements) {
         const int i = (u.local - local.displacements) / 2;

@@ -21,7 +21,6 @@ class Subtrees {
   Subtrees(const ClusterTree& tree, const std::vector<Index>& weights,
            const DenseAlgebra& algebra);
 
-  const DenseAlgebra& algebra() const { return *algebra_; }
   bool isAlone() const { return algebra_->processes() == 1; }
 
   /// Does this process compute with a cluster?
@@ -77,7 +76,7 @@ class Subtrees {
     });
   }
 
-  /// Others' rows of X in place of what stands there, of the unknowns in the leaves of `paths`.
+  /// Replaces the rows of X in other processes' leaves of `paths` by theirs.
   void exchangeRows(const ClusterTree& tree, const std::vector<ClusterPart>& parts,
                     const std::vector<char>& paths, double check, Matrix& x) const;
 

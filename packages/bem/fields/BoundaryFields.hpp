@@ -26,8 +26,8 @@ struct BoundaryState {
   const Vector& density;
 };
 
-/// The two integral equations of some states (u, ψ) at points of the boundary, all in closed form.
-/// Kernels are evaluated once for all of them: eight states take half of their time.
+/// The two integral equations of some states (u, ψ) at points of the boundary.  Kernels are
+/// evaluated once for all states: eight take half of their time.
 ///
 /// Elements nearby are integrated exactly at points graded toward the ends of the element
 /// and of its neighbours, where both fields have logarithms; far ones act through Gauss

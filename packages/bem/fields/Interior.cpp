@@ -78,10 +78,7 @@ InteriorValue evaluateInterior(const Space& space, const Lame& lame, const Vecto
                                const Vector& psi, Vec2 x) {
   Complex displacement = 0;
   FieldSums sums;
-  Vector withoutRotation;
-  if (space.rotation() != nullptr)
-    withoutRotation = space.withoutRotation(u);
-  const Vector& inner = withoutRotation.empty() ? u : withoutRotation;
+  const Vector inner = space.withoutRotation(u);
   for (int e = 0; e < space.mesh().size(); ++e) {
     const Element& element = space.mesh()[e];
     const RelativeTarget target = element.curve.seen(x);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
+#include <utility>
 
 namespace epafi::bem {
 
@@ -57,8 +58,7 @@ std::vector<Vec2> crossingsOfWholes(const Curve& a, const Curve& b) {
 
 /// The crossing next to a point by Newton's method, from coordinates that are as accurate
 /// as the curves; false without one on both.
-bool crossNear(const Curve& a, const Curve& b, Vec2 start, double tolerance,
-               Vec2& crossing) {
+bool crossNear(const Curve& a, const Curve& b, Vec2 start, Vec2& crossing) {
   double s = a.seen(start).z().real();
   double t = b.seen(start).z().real();
   Vec2 apart;
@@ -75,18 +75,15 @@ bool crossNear(const Curve& a, const Curve& b, Vec2 start, double tolerance,
     t -= cross(apart, slopeA) / determinant;
   }
   crossing = a.point(s);
-  const auto isOn = [&](const Curve& curve, double place) {
-    return (std::abs(place) - 1) * curve.half() <= tolerance;
-  };
-  return norm(apart) <= tolerance + 1e-13 * (a.half() + b.half()) && isOn(a, s) &&
-         isOn(b, t);
+  return norm(apart) <= 1e-13 * (a.half() + b.half()) && std::abs(s) <= 1 &&
+         std::abs(t) <= 1;
 }
 
-std::vector<Vec2> crossings(const Curve& a, const Curve& b, double tolerance) {
+std::vector<Vec2> crossings(const Curve& a, const Curve& b) {
   std::vector<Vec2> found;
   for (const Vec2 start : crossingsOfWholes(a, b)) {
     Vec2 crossing;
-    if (crossNear(a, b, start, tolerance, crossing))
+    if (crossNear(a, b, start, crossing))
       found.push_back(crossing);
   }
   if (a.isStraight() && b.isStraight() &&
@@ -113,6 +110,19 @@ std::vector<Vec2> candidates(const Curve& a, const Curve& b) {
   if (!a.isStraight())
     addFoot(b.isStraight() ? b.frame().normal : centreOf(b) - centreOf(a));
   return points;
+}
+
+/// Do they cross, or come as close as this, at a point that counts?
+template <class Counts>
+bool meetWhere(const Curve& a, const Curve& b, double tolerance, const Counts& counts) {
+  const std::vector<Vec2> found = crossings(a, b);
+  if (std::any_of(found.begin(), found.end(), counts))
+    return true;
+  for (const auto& [from, to] : {std::pair(&a, &b), std::pair(&b, &a)})
+    for (const Vec2 x : candidates(*from, *to))
+      if (counts(x) && to->distance(x) <= tolerance)
+        return true;
+  return false;
 }
 
 /// Parts between which y rises or falls all the way, as places on the curve.
@@ -154,17 +164,8 @@ bool rayCrosses(Vec2 p, const Curve& curve, double s, Vec2 a, double t, Vec2 b) 
 
 bool meet(const Curve& a, const Curve& b, double tolerance) {
   const Vec2 apart = a.frame().middle - b.frame().middle;
-  if (norm(apart) > a.half() + b.half() + tolerance)
-    return false;
-  if (!crossings(a, b, 0).empty())
-    return true;
-  for (const Vec2 x : candidates(a, b))
-    if (b.distance(x) <= tolerance)
-      return true;
-  for (const Vec2 x : candidates(b, a))
-    if (a.distance(x) <= tolerance)
-      return true;
-  return false;
+  return norm(apart) <= a.half() + b.half() + tolerance &&
+         meetWhere(a, b, tolerance, [](Vec2) { return true; });
 }
 
 bool meetElsewhere(const Curve& a, const Curve& b, double tolerance, double blind) {
@@ -177,15 +178,8 @@ bool meetElsewhere(const Curve& a, const Curve& b, double tolerance, double blin
     return std::all_of(common.begin(), common.end(),
                        [&](Vec2 y) { return norm(x - y) > blind; });
   };
-  const auto found = crossings(a, b, 0);
-  if (std::any_of(found.begin(), found.end(), isElsewhere))
+  if (meetWhere(a, b, tolerance, isElsewhere))
     return true;
-  for (const Vec2 x : candidates(a, b))
-    if (isElsewhere(x) && b.distance(x) <= tolerance)
-      return true;
-  for (const Vec2 x : candidates(b, a))
-    if (isElsewhere(x) && a.distance(x) <= tolerance)
-      return true;
   const auto runsBack = [](Vec2 arriving, Vec2 leaving) {
     return dot(arriving, leaving) < 0 && std::abs(cross(arriving, leaving)) < 1e-12;
   };

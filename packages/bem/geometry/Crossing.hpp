@@ -18,8 +18,8 @@ bool meetElsewhere(const Curve& a, const Curve& b, double tolerance, double blin
 /// How often a ray from p to the right crosses a closed loop of curves is odd.
 bool inside(Vec2 p, const std::vector<Curve>& loop);
 
-/// Points that tell how large a curve is: its ends; of an arc many more, among them those
-/// farthest left, right, up and down.
+/// Points of a curve that, with those of the curve it leads to, tell how large it is: its start;
+/// of an arc many more, among them those farthest left, right, up and down.
 std::vector<Vec2> extent(const Curve& curve);
 
 /// Twice the area between a curve and its chord, > 0 where it bulges to the right.

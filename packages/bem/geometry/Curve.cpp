@@ -5,16 +5,16 @@
 
 namespace epafi::bem {
 
-Position midpoint(Position a, Position b) {
-  return {0.5 * (a.fromStart + b.fromStart), 0.5 * (a.toEnd + b.toEnd)};
-}
-
 double distanceAlong(Position a, Position b) {
   return a.fromStart + b.fromStart < a.toEnd + b.toEnd ? b.fromStart - a.fromStart
                                                        : a.toEnd - b.toEnd;
 }
 
 namespace {
+
+Position midpoint(Position a, Position b) {
+  return {0.5 * (a.fromStart + b.fromStart), 0.5 * (a.toEnd + b.toEnd)};
+}
 
 template <class Number>
 Number sinc(Number s) {

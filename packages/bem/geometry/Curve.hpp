@@ -12,7 +12,6 @@ struct Position {
   double toEnd = 0;
 };
 
-Position midpoint(Position a, Position b);
 /// fromStart of b minus fromStart of a, from whichever end loses fewer digits.
 double distanceAlong(Position a, Position b);
 

@@ -53,18 +53,55 @@ std::vector<Vec2> extent(const Loop& loop) {
 /// difference of two coordinates has no correct digit left.
 constexpr double resolution = 1e-13;
 
+/// The corners of the smallest convex polygon around points, counter-clockwise; what is not
+/// finite is left to those who say so.
+std::vector<Vec2> hullOf(std::vector<Vec2> points) {
+  const auto isNowhere = [](Vec2 p) {
+    return !std::isfinite(p.x) || !std::isfinite(p.y);
+  };
+  points.erase(std::remove_if(points.begin(), points.end(), isNowhere), points.end());
+  const auto before = [](Vec2 a, Vec2 b) {
+    return a.x < b.x || (a.x == b.x && a.y < b.y);
+  };
+  std::sort(points.begin(), points.end(), before);
+  std::vector<Vec2> hull;
+  for (int side = 0; side < 2; ++side) {  // below, then above
+    const std::size_t first = hull.size();
+    for (const Vec2 point : points) {
+      while (hull.size() >= first + 2 &&
+             !(cross(hull.back() - hull[hull.size() - 2], point - hull.back()) > 0))
+        hull.pop_back();
+      hull.push_back(point);
+    }
+    if (!hull.empty())
+      hull.pop_back();  // the other side starts with it
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+/// The diameter.
 double sizeOf(const Loop& loop) {
+  const std::vector<Vec2> hull = hullOf(extent(loop));
+  const auto corner = [&](std::size_t k) { return hull[k % hull.size()]; };
   double size = 0;
-  const std::vector<Vec2> points = extent(loop);
-  for (Vec2 a : points)
-    for (Vec2 b : points)
-      size = std::max(size, norm(a - b));
+  // the corner farthest from each side goes around with it
+  std::size_t far = 0;
+  for (std::size_t k = 0; k < hull.size(); ++k) {
+    far = std::max(far, k + 1);
+    const Vec2 side = corner(k + 1) - corner(k);
+    while (far < k + hull.size() && cross(side, corner(far + 1) - corner(far)) > 0)
+      ++far;
+    for (const Vec2 end : {corner(k), corner(k + 1)})
+      for (const Vec2 other : {corner(far - 1), corner(far), corner(far + 1)})
+        size = std::max(size, norm(end - other));
+  }
   return size;
 }
 
 /// How well coordinates tell places apart, digits lost to a distant origin included.
-double resolutionOf(const Loop& loop) {
-  double largest = sizeOf(loop);
+double resolutionOf(const Loop& loop, double size) {
+  double largest = size;
   for (Vec2 v : extent(loop))
     largest = std::max({largest, std::abs(v.x), std::abs(v.y)});
   return resolution * largest;
@@ -120,12 +157,12 @@ void checkVertices(const Loop& loop) {
 }
 
 /// Neighbours share a vertex, so what they must not do is fold back onto each other.
-void checkFold(const Loop& loop, std::size_t i, double tolerance) {
+void checkFold(const Loop& loop, std::size_t i, double tolerance, double size) {
   const std::size_t j = after(i, loop);
   const Curve first = curveOf(loop, i);
   const Curve second = curveOf(loop, j);
   if (!first.isStraight() || !second.isStraight()) {
-    if (meetElsewhere(first, second, tolerance, blindness * sizeOf(loop)))
+    if (meetElsewhere(first, second, tolerance, blindness * size))
       throw InputError("the polygon touches or crosses itself: ", nameOf(loop, i),
                        " and ", nameOf(loop, j));
     return;
@@ -137,7 +174,8 @@ void checkFold(const Loop& loop, std::size_t i, double tolerance) {
 }
 
 void checkSimple(const Loop& loop) {
-  const double tolerance = resolutionOf(loop);
+  const double size = sizeOf(loop);
+  const double tolerance = resolutionOf(loop, size);
   const std::size_t n = loop.vertices.size();
   const auto& v = loop.vertices;
   for (std::size_t i = 0; i < n; ++i)
@@ -149,7 +187,7 @@ void checkSimple(const Loop& loop) {
                      : "");
   const std::vector<Curve> curves = curvesOf(loop);
   for (std::size_t i = 0; i < n; ++i) {
-    checkFold(loop, i, tolerance);
+    checkFold(loop, i, tolerance, size);
     for (std::size_t j = i + 2; j < n; ++j)
       if (!(i == 0 && j == n - 1) && meet(curves[i], curves[j], tolerance))
         throw InputError("the polygon touches or crosses itself: ", nameOf(loop, i),
@@ -222,7 +260,8 @@ Outline::Outline(const Loop& outer, const std::vector<Loop>& holes,
                  const Scaling& scaling)
     : scaling_(scaling) {
   checkLoop(outer, "outer polygon");
-  const double tolerance = resolutionOf(outer);
+  diameter_ = sizeOf(outer);
+  const double tolerance = resolutionOf(outer, diameter_);
   for (std::size_t k = 0; k < holes.size(); ++k) {
     const std::string name = message("hole ", k + 1);
     checkLoop(holes[k], name);
@@ -238,7 +277,6 @@ Outline::Outline(const Loop& outer, const std::vector<Loop>& holes,
     }
   }
 
-  diameter_ = sizeOf(outer);
   if (!(diameter_ <= scaling.length))
     throw InputError("a body of diameter ", diameter_, " in a scaling for lengths up to ",
                      scaling.length);
@@ -270,19 +308,13 @@ Outline::Outline(const Loop& outer, const std::vector<Loop>& holes,
 
 bool Outline::contains(Vec2 physical) const {
   const Vec2 p = scaled(physical);
-  for (const Edge& edge : edges_)
+  std::vector<Curve> curves;
+  for (const Edge& edge : edges_) {
     if (edge.curve.contains(p, resolution))
       return false;
-  bool odd = false;
-  for (int loop = 0; loop < loops_; ++loop) {
-    std::vector<Curve> curves;
-    for (const Edge& edge : edges_)
-      if (edge.loop == loop)
-        curves.push_back(edge.curve);
-    if (inside(p, curves))
-      odd = !odd;
+    curves.push_back(edge.curve);
   }
-  return odd;
+  return inside(p, curves);
 }
 
 }  // namespace epafi::bem

@@ -55,6 +55,10 @@ Mesh::Mesh(std::shared_ptr<const Outline> outline, const std::vector<Piece>& pie
   std::vector<int> last(outline_->edges().size(), -1);
   for (const Piece& piece : pieces) {
     const int e = size();
+    if (e > 0 && piece.edge < pieces[e - 1].edge)
+      throw InputError("the mesh goes back to edge ", piece.edge, " of boundary '",
+                       outline_->edge(piece.edge).boundary,
+                       "'; pieces come in the order of the edges");
     elements_.push_back(makeElement(outline_->edge(piece.edge), piece));
     check(*outline_, elements_.back());
     if (first[piece.edge] < 0)
@@ -85,9 +89,9 @@ Mesh Mesh::withDensities(const std::vector<int>& densities) const {
   Mesh result = *this;
   for (int e = 0; e < size(); ++e) {
     const int count = densities[e];
-    if (count < (*this)[e].degree || count > largestDegree + 1)
+    if (count < (*this)[e].degree || count > largestDegree)
       throw InputError(count, " functions of a density on an element of degree ",
-                       (*this)[e].degree);
+                       (*this)[e].degree, "; up to ", largestDegree, " are possible");
     result.elements_[e].densities = count;
   }
   return result;

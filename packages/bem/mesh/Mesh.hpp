@@ -46,10 +46,12 @@ struct BoundaryPoint {
 class Mesh {
  public:
   /// Pieces in the order of the outline's edges, each edge covered without gaps.
-  /// \throws InputError if they do not cover it, or for a degree below 1 or above 25.
+  /// \throws InputError if they do not cover it or come in another order, or for a degree
+  /// below 1 or above 25.
   Mesh(std::shared_ptr<const Outline> outline, const std::vector<Piece>& pieces);
 
   /// The same elements with so many functions of a density on each, at least its degree.
+  /// \throws InputError for fewer, or more than 25.
   Mesh withDensities(const std::vector<int>& densities) const;
 
   /// The same elements with as high a degree as there are densities: for what treats

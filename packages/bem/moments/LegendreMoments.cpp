@@ -91,15 +91,15 @@ void derivatives(const Target<Number>& x, const Number* c, int degree, bool ranF
 template <class Number, class Moments>
 void evaluate(const Target<Number>& x, Number q0, bool onElement, int degree, Need need,
               Moments& m) {
-  const bool wantL = need == Need::CandL || need == Need::All;
-  const bool wantD = (need == Need::CandD || need == Need::All) && !onElement;
+  const bool wantL = need != Need::CandD;
+  const bool wantD = need != Need::CandL && !onElement;
   Number c[Moments::longest + 2] = {};
   if (degree == 0) {
     c[0] = 2.0 * q0;
     if (wantD)
       m.d[0] = 2.0 / (x.zMinus1 * x.zPlus1);
   } else {
-    const int top = need == Need::C ? degree : degree + 1;
+    const int top = degree + 1;
     const double logR = logRadius(x);
     const bool runForward = isForwardStable(top, logR);
     if (runForward)

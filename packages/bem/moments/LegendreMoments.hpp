@@ -30,7 +30,7 @@ using LegendreMoments = LegendreMomentsUpTo<largestDegree + 1>;
 constexpr int longestSeries = 62;
 using LongLegendreMoments = LegendreMomentsUpTo<longestSeries>;
 
-enum class Need { C, CandL, CandD, All };
+enum class Need { CandL, CandD, All };
 
 /// The moments for j = 0 ... degree (degree <= longest).  d is left alone on the
 /// element, where ∫ P_j/(z-t)² does not exist.

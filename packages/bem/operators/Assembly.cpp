@@ -15,7 +15,8 @@ namespace {
 /// The pairs (e, f) with f <= e and f in a group, one thread's.
 class ColumnsOfTiles {
  public:
-  ColumnsOfTiles(const ElementRuns& runs, const MyElements& mine, TileWriter writer)
+  ColumnsOfTiles(const ElementRuns& runs, const std::vector<bool>& mine,
+                 TileWriter writer)
       : tile_(runs), runs_(runs), mine_(mine), writer_(std::move(writer)) {}
 
   /// Run by run for all f of the group: the rows that they write stay in cache.
@@ -36,15 +37,15 @@ class ColumnsOfTiles {
 
  private:
   bool isMine(int f, const ElementRange& others) const {
-    bool mine = mine_.contain(f);
+    bool mine = mine_[f];
     for (int e = others.first; e < others.last; ++e)
-      mine = mine || mine_.contain(e);
+      mine = mine || mine_[e];
     return mine;
   }
 
   Tile tile_;
   const ElementRuns& runs_;
-  const MyElements& mine_;
+  const std::vector<bool>& mine_;
   TileWriter writer_;
 };
 
@@ -64,7 +65,7 @@ Operators assembleOperators(const Space& space, const Lame& lame,
                 Matrix(displacements.size(), space.displacements()),
                 {}};
   const ElementRuns runs(space.mesh());
-  const MyElements mine(space, algebra);
+  const std::vector<bool> mine = myElements(space, algebra);
   GhostNodes ghosts(space, runs, densities.size());
 #pragma omp parallel
   {
@@ -82,11 +83,12 @@ Operators assembleOperators(const Space& space, const Lame& lame,
   ghosts.fold(displacements, out);
   std::vector<int> all(static_cast<std::size_t>(space.mesh().size()));
   std::iota(all.begin(), all.end(), 0);
-  const auto add = [&](Index row, Index column, const Block& block) {
-    addBlock(out.doubleLayer, densities, row, column, block);
+  const auto add = [&](int e, int i, int f, int k, const Block& block) {
+    addBlock(out.doubleLayer, densities, space.density(e, i, 0),
+             space.displacement(f, k, 0), block);
   };
-  addHalfMass(space, all, add);
-  addEdgeEnds(space, lame, all, all, add);
+  addHalfMass(space.mesh(), all, add);
+  addEdgeEnds(space.mesh(), lame, all, all, add);
   out.tractions = ProjectedTractions(space, lame, algebra, tractionElements).finish();
   return out;
 }

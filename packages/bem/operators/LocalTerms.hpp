@@ -2,24 +2,25 @@
 
 #include "bem/basis/Legendre.hpp"
 #include "bem/kernel/Elasticity.hpp"
+#include "bem/mesh/Mesh.hpp"
 #include "bem/operators/Block.hpp"
-#include "bem/space/Space.hpp"
 
 #include <algorithm>
 #include <vector>
 
 namespace epafi::bem {
 
-/// Calls add(density, displacement, block) with <φ, P>/2 of some elements, of K + 1/2.
+/// Calls add(e, i, f, k, block) with what <P_i on e, φ_k on f> of K + 1/2 has besides K:
+/// <φ, P>/2 of some elements.
 template <class Add>
-void addHalfMass(const Space& space, const std::vector<int>& elements, const Add& add) {
+void addHalfMass(const Mesh& mesh, const std::vector<int>& elements, const Add& add) {
   for (const int e : elements) {
-    const Element& x = space.mesh()[e];
+    const Element& x = mesh[e];
     const Matrix coefficients = DisplacementBasis::legendreCoefficients(x.degree);
     for (int i = 0; i < std::min(x.densities, x.degree + 1); ++i)
       for (int k = 0; k <= x.degree; ++k) {
         const double mass = x.half * coefficients(i, k) / (2 * i + 1);
-        add(space.density(e, i, 0), space.displacement(e, k, 0), Block{mass, 0, 0, mass});
+        add(e, i, e, k, Block{mass, 0, 0, mass});
       }
   }
 }
@@ -27,9 +28,8 @@ void addHalfMass(const Space& space, const std::vector<int>& elements, const Add
 /// The same with what the phase of elements on one straight edge, ∫∫ w/conj(w) dt dt = 4 τ², gives
 /// to K at the ends of the edge, see TileBlocks; between neighbours it cancels.
 template <class Add>
-void addEdgeEnds(const Space& space, const Lame& lame, const std::vector<int>& tests,
+void addEdgeEnds(const Mesh& mesh, const Lame& lame, const std::vector<int>& tests,
                  const std::vector<int>& trials, const Add& add) {
-  const Mesh& mesh = space.mesh();
   const auto edgeOf = [&](int e) { return mesh[e].piece.edge; };
   for (const int trial : trials)
     for (int k = 0; k < 2; ++k) {
@@ -44,8 +44,7 @@ void addEdgeEnds(const Space& space, const Lame& lame, const std::vector<int>& t
         const double real = s * (y.segment().tangent.x * y.segment().tangent.x -
                                  y.segment().tangent.y * y.segment().tangent.y);
         const double imag = s * 2 * y.segment().tangent.x * y.segment().tangent.y;
-        add(space.density(test, 0, 0), space.displacement(trial, k, 0),
-            Block{imag, -real, -real, -imag});
+        add(test, 0, trial, k, Block{imag, -real, -real, -imag});
       }
     }
 }

@@ -1,5 +1,6 @@
 #include "bem/operators/SteklovPoincare.hpp"
 
+#include "bem/algebra/Products.hpp"
 #include "bem/operators/ExactRotation.hpp"
 
 #include <algorithm>
@@ -61,14 +62,6 @@ Matrix symmetricInOrder(const Matrix& lower, const std::vector<Index>& order) {
   return result;
 }
 
-/// The last rows of a matrix.
-Matrix rowsFrom(const Matrix& a, Index first) {
-  Matrix rows(a.rows() - first, a.columns());
-  for (Index j = 0; j < a.columns(); ++j)
-    std::copy(a.column(j) + first, a.column(j) + a.rows(), rows.column(j));
-  return rows;
-}
-
 /// A beside the unit vectors of some densities, my rows.
 Matrix besideUnits(const Matrix& a, const Rows& mine, const std::vector<Index>& units) {
   Matrix result(a.rows(), a.columns() + static_cast<Index>(units.size()));
@@ -116,7 +109,8 @@ SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebr
                          : factor_->forward(besideUnits(
                                Matrix(algebra.myRows(densities_).size(), 0),
                                algebra.myRows(densities_), compliance.densities));
-  const Matrix last = alone ? rowsFrom(half_, densities_ - count) : Matrix();
+  const Matrix last =
+      alone ? rowsBetween(half_, half_.rows() - count, half_.rows()) : Matrix();
   Matrix displacements = algebra.addTransposeTimes(
       Matrix(mine.size(), count), alone ? last : std::as_const(half_), t);
   Matrix gram(algebra.myRows(count).size(), count);

@@ -35,7 +35,8 @@ struct DensityResponse {
 /// With a LocalCompliance G it is  A = W + (K + 1/2)ᵀ (V + G)⁻¹ (K + 1/2) <= S,  and V + G
 /// stands wherever V stands below.
 ///
-/// Dimensionless (lengths by the outline's diameter, stresses by Young's modulus).
+/// Dimensionless, by the outline's scaling and the reference stress of Lame, which several
+/// bodies share.
 class SteklovPoincare {
  public:
   /// CPU seconds are not this class's business: callers time assembleOperators and this.

@@ -1,6 +1,5 @@
 #include "bem/operators/TileBlocks.hpp"
 
-#include "bem/kernel/Elasticity.hpp"
 #include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
@@ -44,55 +43,40 @@ struct Numbering {
   }
 };
 
-/// What the kernels read and write.
-struct Work {
-  const TileMoments& m;
-  const Lame& lame;
-  const double* slopes;  ///< of φ_k
-  const double* tangentX;
-  const double* tangentY;
-  const double* halves;
-  const int* densityStarts;
-  const int* densityCounts;
-  const int* displacementStarts;
-  const int* degrees;
-  int last;              ///< lane
-  int rows;              ///< densities on f
-  int rowDegree;         ///< p_f
-  int columns;           ///< the largest number of densities of the lanes
-  int columnDegree;      ///< the largest degree of the lanes
-  double half;           ///< of f
-  const double* wanted;  ///< 1 in lanes that are, else 0
-  const double* others;  ///< the same without f
-  const double* bent;    ///< 1 in wanted lanes that are not on one line with f, else 0
-  Index length;          ///< from column to column
-  double* singleLayer;
-  double* doubleLayer;
-  double* slopeLayer;
-  double* transposed;
-  AlignedLane* halfSlopes;
-};
-
 using PackMoments = PotentialMoments<Pack>;
 using PackBlock = KernelBlock<Pack>;
 
+}  // namespace
+
+/// What the kernels read and write.
+struct TileBlocks::Work {
+  TileBlocks& to;
+  const TileMoments& m;
+  const Element& f;
+  AlignedLane wanted = {};  ///< 1 in lanes that are, else 0
+  AlignedLane others = {};  ///< the same without f
+  AlignedLane bent = {};    ///< 1 in wanted lanes that are not on one line with f, else 0
+};
+
 template <int Degree, int Rows>
-class Filling {
+class TileBlocks::Filling {
  public:
   EPAFI_INLINE explicit Filling(const Work& work)
       : w_(work),
-        densities_{work.densityStarts, work.densityCounts, work.last},
-        displacements_{work.displacementStarts, work.degrees, work.last},
-        wanted_(load(work.wanted)),
-        bent_(load(work.bent)) {}
+        to_(work.to),
+        densities_{to_.densityStarts_.data(), to_.densityCounts_.data(), to_.lastLane()},
+        displacements_{to_.displacementStarts_.data(), to_.degrees_.data(),
+                       to_.lastLane()},
+        wanted_(load(work.wanted.lane)),
+        bent_(load(work.bent.lane)) {}
 
   EPAFI_INLINE void fill() const {
-    const Pack tx = load(w_.tangentX);
-    const Pack ty = load(w_.tangentY);
+    const Pack tx = load(to_.tangentX_.lane);
+    const Pack ty = load(to_.tangentY_.lane);
     const Pack squareReal = tx * tx - ty * ty;
     const Pack squareImag = 2.0 * tx * ty;
-    const int rows = Rows > 0 ? Rows : w_.rows;
-    const int columns = Degree > 0 ? Degree : w_.columns;
+    const int rows = Rows > 0 ? Rows : w_.f.densities;
+    const int columns = Degree > 0 ? Degree : to_.run_->densities;
     for (int i = 0; i < rows; ++i)
       for (int j = 0; j < columns; ++j) {
         const int at = i * TileMoments::stride + j;
@@ -103,41 +87,41 @@ class Filling {
         const PackMoments m = {load(w_.m.log[at]), squareReal * real - squareImag * imag,
                                squareReal * imag + squareImag * real, constant};
         putSymmetric(i, j, m);
-        if (i < (Rows > 0 ? Rows : w_.rowDegree))
+        if (i < (Rows > 0 ? Rows : w_.f.degree))
           putDoubleLayer(i, j, m);
-        if (j < (Degree > 0 ? Degree : w_.columnDegree))
+        if (j < (Degree > 0 ? Degree : to_.run_->degree))
           putTransposed(i, j, m);
       }
   }
 
  private:
   EPAFI_INLINE void putSymmetric(int i, int j, const PackMoments& m) const {
-    const Lame& lame = w_.lame;
-    const Pack area = wanted_ * w_.half * load(w_.halves);
+    const Lame& lame = to_.lame_;
+    const Pack area = wanted_ * w_.f.half * load(to_.halves_.lane);
     const PackBlock v = singleLayerBlock(lame.a, lame.b, m);
-    double* single = w_.singleLayer + 2 * i * w_.length;
+    double* single = to_.single_.data() + 2 * i * to_.longest_;
     densities_.put(area * v.xx, area * v.yx, j, single);
-    densities_.put(area * v.xy, area * v.yy, j, single + w_.length);
-    if (i >= (Rows > 0 ? Rows : w_.rowDegree) ||
-        j >= (Degree > 0 ? Degree : w_.columnDegree))
+    densities_.put(area * v.xy, area * v.yy, j, single + to_.longest_);
+    if (i >= (Rows > 0 ? Rows : w_.f.degree) ||
+        j >= (Degree > 0 ? Degree : to_.run_->degree))
       return;
     const PackBlock slope = singleLayerBlock(lame.d, lame.d, m);
-    const Pack scale = wanted_ * w_.slopes[j < 1 ? 1 : j + 1];
+    const Pack scale = wanted_ * to_.functionSlopes_[j < 1 ? 1 : j + 1];
     const Pack xx = scale * slope.xx;
     const Pack xy = scale * slope.xy;
     const Pack yy = scale * slope.yy;
-    double* slopes = w_.slopeLayer + 2 * i * w_.length;
+    double* slopes = to_.slopes_.data() + 2 * i * to_.longest_;
     if (i == 0 && j == 0) {
-      store(w_.halfSlopes[0].lane, xx);
-      store(w_.halfSlopes[1].lane, xy);
-      store(w_.halfSlopes[2].lane, yy);
+      store(to_.halfSlopes_[0].lane, xx);
+      store(to_.halfSlopes_[1].lane, xy);
+      store(to_.halfSlopes_[2].lane, yy);
     }
     if (j == 0) {
       displacements_.putNodes(-xx, -xy, xx, xy, slopes);
-      displacements_.putNodes(-xy, -yy, xy, yy, slopes + w_.length);
+      displacements_.putNodes(-xy, -yy, xy, yy, slopes + to_.longest_);
     } else {
       displacements_.put(xx, xy, j, slopes);
-      displacements_.put(xy, yy, j, slopes + w_.length);
+      displacements_.put(xy, yy, j, slopes + to_.longest_);
     }
   }
 
@@ -149,7 +133,7 @@ class Filling {
                                 const Pack& laplace, PackBlock& block) const {
     const Pack bent = slope * bent_;
     block = doubleLayerBlock(
-        w_.lame,
+        to_.lame_,
         PackMoments{slope * m.log, bent * m.phaseReal, bent * m.phaseImag, m.whole},
         bent_ * laplace);
     block = {half * block.xx, half * block.yx, half * block.xy, half * block.yy};
@@ -163,67 +147,67 @@ class Filling {
     else if (k == 1)
       result = 0.5 * (load(moments[0]) + load(moments[step]));
     else
-      result = (w_.slopes[k] / (2 * k - 1)) *
+      result = (to_.functionSlopes_[k] / (2 * k - 1)) *
                (load(moments[k * step]) - load(moments[(k - 2) * step]));
   }
 
   // tests P_j on the lanes, source φ_k on f
   EPAFI_INLINE void putDoubleLayer(int i, int j, const PackMoments& m) const {
-    const Pack half = wanted_ * load(w_.halves);
+    const Pack half = wanted_ * load(to_.halves_.lane);
     for (int k = i == 0 ? 0 : i + 1; k <= (i == 0 ? 1 : i + 1); ++k) {
       Pack laplace;
       laplaceOf(k, w_.m.reverse + j, TileMoments::stride, laplace);
       PackBlock b{};
-      doubleBlock(half, w_.slopes[k], m, laplace, b);
-      double* to = w_.doubleLayer + 2 * k * w_.length;
+      doubleBlock(half, to_.functionSlopes_[k], m, laplace, b);
+      double* to = to_.double_.data() + 2 * k * to_.longest_;
       densities_.put(b.xx, b.yx, j, to);
-      densities_.put(b.xy, b.yy, j, to + w_.length);
+      densities_.put(b.xy, b.yy, j, to + to_.longest_);
     }
   }
 
   // tests P_i on f, sources φ_k on the lanes
   EPAFI_INLINE void putTransposed(int i, int j, const PackMoments& m) const {
     const TileMoments::Lane* direct = w_.m.direct + i * TileMoments::stride;
-    const Pack half = load(w_.others) * w_.half;
-    double* to = w_.transposed + 2 * i * w_.length;
+    const Pack half = load(w_.others.lane) * w_.f.half;
+    double* to = to_.transposed_.data() + 2 * i * to_.longest_;
     Pack laplace;
     PackBlock b{};
     laplaceOf(j + 1, direct, 1, laplace);
-    doubleBlock(half, w_.slopes[j + 1], m, laplace, b);
+    doubleBlock(half, to_.functionSlopes_[j + 1], m, laplace, b);
     if (j > 0) {
       displacements_.put(b.xx, b.xy, j, to);
-      displacements_.put(b.yx, b.yy, j, to + w_.length);
+      displacements_.put(b.yx, b.yy, j, to + to_.longest_);
       return;
     }
     PackBlock before{};
     laplaceOf(0, direct, 1, laplace);
-    doubleBlock(half, w_.slopes[0], m, laplace, before);
+    doubleBlock(half, to_.functionSlopes_[0], m, laplace, before);
     displacements_.putNodes(before.xx, before.xy, b.xx, b.xy, to);
-    displacements_.putNodes(before.yx, before.yy, b.yx, b.yy, to + w_.length);
+    displacements_.putNodes(before.yx, before.yy, b.yx, b.yy, to + to_.longest_);
   }
 
   const Work& w_;
+  TileBlocks& to_;
   Numbering<Degree> densities_;
   Numbering<Degree> displacements_;
   Pack wanted_;
   Pack bent_;
 };
 
-struct Fill {
+struct TileBlocks::Fill {
   const Work& work;
 
   template <Division>
   EPAFI_INLINE void run() const {
-    if (work.columns == 1 && work.rows == 1)
+    const int columns = work.to.run_->densities;
+    if (columns == 1 && work.f.densities == 1)
       Filling<1, 1>(work).fill();
-    else if (work.columns == 1)
+    else if (columns == 1)
       Filling<1, 0>(work).fill();
     else
       Filling<0, 0>(work).fill();
   }
 };
-
-}  // namespace
 
 TileBlocks::TileBlocks(const Space& space, const Lame& lame)
     : space_(space), lame_(lame) {
@@ -258,42 +242,14 @@ void TileBlocks::evaluate(const Tile& tile, InstructionSet set) {
   if (run_ != &tile.run())
     setRun(tile.run());
   const int f = tile.trial();
-  const Element& element = space_.mesh()[f];
-  AlignedLane wanted = {};
-  AlignedLane others = {};
-  AlignedLane bent = {};
+  Work work = {*this, tile.moments(), space_.mesh()[f]};
   for (int lane = 0; lane < lanes; ++lane) {
     const bool isThere = tile.isWanted(lane);
-    const bool isBent = edges_[static_cast<std::size_t>(lane)] != element.piece.edge;
-    wanted.lane[lane] = isThere ? 1 : 0;
-    others.lane[lane] = isThere && run_->first + lane != f ? 1 : 0;
-    bent.lane[lane] = isThere && isBent ? 1 : 0;
+    const bool isBent = edges_[static_cast<std::size_t>(lane)] != work.f.piece.edge;
+    work.wanted.lane[lane] = isThere ? 1 : 0;
+    work.others.lane[lane] = isThere && run_->first + lane != f ? 1 : 0;
+    work.bent.lane[lane] = isThere && isBent ? 1 : 0;
   }
-  const Work work = {tile.moments(),
-                     lame_,
-                     functionSlopes_.data(),
-                     tangentX_.lane,
-                     tangentY_.lane,
-                     halves_.lane,
-                     densityStarts_.data(),
-                     densityCounts_.data(),
-                     displacementStarts_.data(),
-                     degrees_.data(),
-                     run_->last - run_->first - 1,
-                     element.densities,
-                     element.degree,
-                     run_->densities,
-                     run_->degree,
-                     element.half,
-                     wanted.lane,
-                     others.lane,
-                     bent.lane,
-                     longest_,
-                     single_.data(),
-                     double_.data(),
-                     slopes_.data(),
-                     transposed_.data(),
-                     halfSlopes_};
   dispatch(set, Fill{work});
 }
 

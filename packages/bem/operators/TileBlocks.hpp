@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/Material.hpp"
+#include "bem/kernel/Elasticity.hpp"
 #include "bem/moments/Tile.hpp"
 #include "bem/space/Space.hpp"
 
@@ -35,20 +35,20 @@ class TileBlocks {
   const double* slopeLayer(int i, int c) const { return column(slopes_, 2 * i + c); }
   const double* transposed(int i, int c) const { return column(transposed_, 2 * i + c); }
 
-  /// A symmetric 2 x 2 block.
-  struct Kernel {
-    double xx;
-    double xy;
-    double yy;
-  };
   /// <V* 1, 1> of f and the element in a lane, both mapped to [-1, 1], times φ₁' = 1/2.
-  Kernel halfSlopes(int lane) const {
-    return {halfSlopes_[0].lane[lane], halfSlopes_[1].lane[lane],
-            halfSlopes_[2].lane[lane]};
+  Block halfSlopes(int lane) const {
+    const double xy = halfSlopes_[1].lane[lane];
+    return {halfSlopes_[0].lane[lane], xy, xy, halfSlopes_[2].lane[lane]};
   }
 
  private:
+  struct Work;
+  template <int Degree, int Rows>
+  class Filling;
+  struct Fill;
+
   void setRun(const ElementRun& run);
+  int lastLane() const { return run_->last - run_->first - 1; }
 
   const double* column(const Vector& columns, int k) const {
     return columns.data() + k * longest_;

@@ -154,10 +154,9 @@ void TileWriter::appendHypersingular(int f, int k, int c) {
 }
 
 // The node between f and the element behind it has both <W φ, ψ> and <W ψ, φ>.
-void TileWriter::addCommonNode(int f, const TileBlocks::Kernel& slopes) {
+void TileWriter::addCommonNode(int f, const Block& slopes) {
   const Index node = space_.displacement(f, 1, 0);
-  addBlock(out_.hypersingular, displacementRows_, node, node,
-           -slopes_[1] * Block{slopes.xx, slopes.xy, slopes.xy, slopes.yy});
+  addBlock(out_.hypersingular, displacementRows_, node, node, -slopes_[1] * slopes);
 }
 
 void TileWriter::collect(int f) {

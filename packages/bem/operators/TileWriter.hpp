@@ -62,7 +62,7 @@ class TileWriter {
   void append(const Target& target, Index first, Index column, const double* from,
               Index size, double scale);
   void appendHypersingular(int f, int k, int c);
-  void addCommonNode(int f, const TileBlocks::Kernel& slopes);
+  void addCommonNode(int f, const Block& slopes);
   void collect(int f);
 
   const Space& space_;

@@ -9,7 +9,8 @@ namespace epafi::bem {
 
 namespace {
 
-constexpr int largestRule = 96;
+/// What softened rules of corners with an arc take at the largest degree is 101.
+constexpr int largestRule = 128;
 
 Rule makeRule(int n) {
   Rule rule{Vector(n), Vector(n)};

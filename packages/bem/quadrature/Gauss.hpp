@@ -20,7 +20,7 @@ struct Rule {
 /// Points are the zeros of the Legendre polynomial Pₙ in extended precision; wᵢ = 2 / ((1
 /// - tᵢ²) Pₙ'(tᵢ)²).                                                       [DLMF 3.5(v)]
 /// Rules are made once and kept.
-/// \throws InputError unless 1 <= n <= 96.
+/// \throws InputError unless 1 <= n <= 128.
 const Rule& gaussLegendre(int n);
 
 /// The rule for polynomials of a degree times what a scene gives as a function of place (loads,

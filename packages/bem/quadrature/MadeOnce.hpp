@@ -6,8 +6,8 @@
 
 namespace epafi::bem {
 
-/// Values for n = 1 ... Count, each made when it is first asked for and then kept, by whatever
-/// thread: a small run needs a third of all rules, and making all takes as long as a level.
+/// Values for n = 1 ... Count, each made by whatever thread first asks for it, and then kept:
+/// most runs need few of them.
 template <class Value, int Count>
 class MadeOnce {
  public:

@@ -1,6 +1,6 @@
 #include "bem/tpetra/BelosSolver.hpp"
 
-#include "bem/algebra/Blas.hpp"
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/tpetra/SymmetricOperator.hpp"
 
@@ -28,11 +28,7 @@ class OwnBlocks final : public Operator {
     factor_ = Matrix(mine.size(), mine.size());
     for (Index j = 0; j < mine.size(); ++j)
       std::copy_n(matrix.rows().column(mine.begin + j), mine.size(), factor_.column(j));
-    const int n = static_cast<int>(mine.size());
-    const int ld = static_cast<int>(factor_.stride());
-    int info = 0;
-    if (n > 0)
-      dpotrf_("L", &n, factor_.data(), &ld, &info);
+    const int info = cholesky(factor_);
     if (info != 0)
       throw NumericalError(
           message("the single layer potential V is not positive definite in row ",
@@ -50,13 +46,8 @@ class OwnBlocks final : public Operator {
     for (std::size_t j = 0; j < in.extent(1); ++j)
       for (std::size_t i = 0; i < in.extent(0); ++i)
         out(i, j) = in(i, j);
-    const int n = static_cast<int>(factor_.rows());
-    const int m = static_cast<int>(out.extent(1));
-    const int lda = static_cast<int>(factor_.stride());
-    const int ldb = static_cast<int>(out.stride(1));
-    int info = 0;
-    if (n > 0 && m > 0)
-      dpotrs_("L", &n, &m, factor_.data(), &lda, out.data(), &ldb, &info);
+    choleskySolve(factor_, out.data(), static_cast<Index>(out.extent(1)),
+                  static_cast<Index>(out.stride(1)));
   }
 
  private:
@@ -105,7 +96,7 @@ Matrix BelosSolver::solve(Matrix lower, const Matrix& right) const {
     }
     if (end != Belos::Converged)
       throw NumericalError(
-          "the single layer potential V: Belos does not reach Solver->Linear->Tolerance ",
+          "the single layer potential V: Belos does not reach the Tolerance ",
           options_.tolerance, " within ", manager.getNumIters(), " iterations");
     const auto view = x->getLocalViewHost(Tpetra::Access::ReadOnly);
     for (Index j = 0; j < count; ++j)

@@ -1,8 +1,10 @@
 #include "bem/tpetra/PanelFactor.hpp"
 
-#include "bem/algebra/Blas.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/tpetra/Redeal.hpp"
+
+#include <Teuchos_BLAS.hpp>
+#include <Teuchos_LAPACK.hpp>
 
 #include <cmath>
 
@@ -10,10 +12,12 @@ namespace epafi::bem {
 
 namespace {
 
-constexpr double one = 1;
-constexpr double minusOne = -1;
-
-int asInt(Index n) { return static_cast<int>(n); }
+using Blas = Teuchos::BLAS<int, double>;
+using Teuchos::LEFT_SIDE;
+using Teuchos::LOWER_TRI;
+using Teuchos::NO_TRANS;
+using Teuchos::NON_UNIT_DIAG;
+using Teuchos::TRANS;
 
 }  // namespace
 
@@ -56,12 +60,12 @@ void PanelFactor::factorise(int k) {
   const int below = asInt(panel.rows()) - width;
   const int ld = asInt(panel.stride());
   int info = 0;
-  dpotrf_("L", &width, panel.data(), &ld, &info);
+  Teuchos::LAPACK<int, double>().POTRF('L', width, panel.data(), ld, &info);
   if (info != 0)
     panel(0, 0) = -info;
   else if (below > 0)
-    dtrsm_("R", "L", "T", "N", &below, &width, &one, panel.data(), &ld,
-           panel.data() + width, &ld);
+    Blas().TRSM(Teuchos::RIGHT_SIDE, LOWER_TRI, TRANS, NON_UNIT_DIAG, below, width, 1,
+                panel.data(), ld, panel.data() + width, ld);
 }
 
 /// Panel j, if it is mine, minus what panel k of L contributes to it.
@@ -70,13 +74,10 @@ void PanelFactor::update(int j, int k, const PanelStream::View& panel) {
     return;
   Matrix& target = panels_.mine(j);
   const double* part = panel.data + (panels_.begin(j) - panels_.begin(k));
-  const int rows = asInt(target.rows());
-  const int columns = asInt(target.columns());
-  const int depth = asInt(panels_.columns(k));
-  const int lda = asInt(panel.stride);
-  const int ldc = asInt(target.stride());
-  dgemm_("N", "T", &rows, &columns, &depth, &minusOne, part, &lda, part, &lda, &one,
-         target.data(), &ldc);
+  const int ld = asInt(panel.stride);
+  Blas().GEMM(NO_TRANS, TRANS, asInt(target.rows()), asInt(target.columns()),
+              asInt(panels_.columns(k)), -1, part, ld, part, ld, 1, target.data(),
+              asInt(target.stride()));
 }
 
 // Every process solves for the columns that it has: all of L passes by, B stays.
@@ -100,10 +101,11 @@ Matrix PanelFactor::forward(Matrix rows) const {
     const int lda = asInt(panel.stride);
     double* known = x.data() + panels_.begin(k);
     if (columns > 0)
-      dtrsm_("L", "L", "N", "N", &width, &columns, &one, panel.data, &lda, known, &ldx);
+      Blas().TRSM(LEFT_SIDE, LOWER_TRI, NO_TRANS, NON_UNIT_DIAG, width, columns, 1,
+                  panel.data, lda, known, ldx);
     if (columns > 0 && below > 0)
-      dgemm_("N", "N", &below, &columns, &width, &minusOne, panel.data + width, &lda,
-             known, &ldx, &one, known + width, &ldx);
+      Blas().GEMM(NO_TRANS, NO_TRANS, below, columns, width, -1, panel.data + width, lda,
+                  known, ldx, 1, known + width, ldx);
   }
   return redeal.toRows(x, std::move(rows));
 }
@@ -113,7 +115,6 @@ Vector PanelFactor::forwardOnOwners(const Vector& b) const {
   Vector x = b;
   Vector mine(b.size());  // what my panels contribute to L x
   Vector total(static_cast<std::size_t>(ColumnPanels::width));
-  const int step = 1;
   algebra_.consent().confirm();
   for (int k = 0; k < panels_.count(); ++k) {
     const int width = asInt(panels_.columns(k));
@@ -127,11 +128,11 @@ Vector PanelFactor::forwardOnOwners(const Vector& b) const {
     const int ld = asInt(panel.stride());
     for (int i = 0; i < width; ++i)
       x[begin + i] -= total[i];
-    dtrsm_("L", "L", "N", "N", &width, &step, &one, panel.data(), &ld, x.data() + begin,
-           &width);
+    Blas().TRSM(LEFT_SIDE, LOWER_TRI, NO_TRANS, NON_UNIT_DIAG, width, 1, 1, panel.data(),
+                ld, x.data() + begin, width);
     if (below > 0)
-      dgemv_("N", &below, &width, &one, panel.data() + width, &ld, x.data() + begin,
-             &step, &one, mine.data() + begin + width, &step);
+      Blas().GEMV(NO_TRANS, below, width, 1, panel.data() + width, ld, x.data() + begin,
+                  1, 1, mine.data() + begin + width, 1);
   }
   return x;
 }
@@ -141,7 +142,6 @@ Vector PanelFactor::solve(const Vector& b) const { return backward(forwardOnOwne
 // Only a panel's owner reads b there; the result is everybody's.
 Vector PanelFactor::backward(const Vector& b) const {
   Vector x = b;
-  const int step = 1;
   algebra_.consent().confirm();
   for (int k = panels_.count() - 1; k >= 0; --k) {
     const int width = asInt(panels_.columns(k));
@@ -151,9 +151,10 @@ Vector PanelFactor::backward(const Vector& b) const {
       const Matrix& panel = panels_.mine(k);
       const int ld = asInt(panel.stride());
       if (below > 0)
-        dgemv_("T", &below, &width, &minusOne, panel.data() + width, &ld, mine + width,
-               &step, &one, mine, &step);
-      dtrsm_("L", "L", "T", "N", &width, &step, &one, panel.data(), &ld, mine, &width);
+        Blas().GEMV(TRANS, below, width, -1, panel.data() + width, ld, mine + width, 1, 1,
+                    mine, 1);
+      Blas().TRSM(LEFT_SIDE, LOWER_TRI, TRANS, NON_UNIT_DIAG, width, 1, 1, panel.data(),
+                  ld, mine, width);
     }
     MPI_Bcast(mine, width, MPI_DOUBLE, panels_.owner(k), panels_.comm());
   }

@@ -25,30 +25,27 @@ Rows Redeal::chunk(int rank, Index offset) const {
   return {begin, std::min(all.end, begin + width_)};
 }
 
-/// A buffer with my rows of everybody's chunk.
-Redeal::Pieces Redeal::byRows(Index offset) const {
+/// A buffer with count(r) numbers at the place of process r.
+template <class Count>
+Redeal::Pieces Redeal::pieces(const Count& count) const {
   Pieces pieces;
-  Index start = 0;
+  int start = 0;
   for (int r = 0; r < processes_; ++r) {
-    const Index count = share(rank_, n_).size() * chunk(r, offset).size();
-    pieces.counts.push_back(static_cast<int>(count));
-    pieces.starts.push_back(static_cast<int>(start));
-    start += count;
+    pieces.starts.push_back(start);
+    pieces.counts.push_back(asInt(count(r)));
+    start += pieces.counts.back();
   }
   return pieces;
 }
 
+/// A buffer with my rows of everybody's chunk.
+Redeal::Pieces Redeal::byRows(Index offset) const {
+  return pieces([&](int r) { return share(rank_, n_).size() * chunk(r, offset).size(); });
+}
+
 /// A buffer with everybody's rows of my chunk.
 Redeal::Pieces Redeal::byColumns(Index offset) const {
-  Pieces pieces;
-  Index start = 0;
-  for (int r = 0; r < processes_; ++r) {
-    const Index count = share(r, n_).size() * chunk(rank_, offset).size();
-    pieces.counts.push_back(static_cast<int>(count));
-    pieces.starts.push_back(static_cast<int>(start));
-    start += count;
-  }
-  return pieces;
+  return pieces([&](int r) { return share(r, n_).size() * chunk(rank_, offset).size(); });
 }
 
 void Redeal::exchange(const Pieces& sent, const Pieces& received) {

@@ -37,6 +37,8 @@ class Redeal {
 
   Rows share(int rank, Index count) const;
   Rows chunk(int rank, Index offset) const;
+  template <class Count>
+  Pieces pieces(const Count& count) const;
   Pieces byRows(Index offset) const;
   Pieces byColumns(Index offset) const;
   void exchange(const Pieces& sent, const Pieces& received);

@@ -1,6 +1,6 @@
 #include "bem/tpetra/SymmetricOperator.hpp"
 
-#include "bem/algebra/Blas.hpp"
+#include <Teuchos_BLAS.hpp>
 
 namespace epafi::bem {
 
@@ -16,15 +16,13 @@ void SymmetricOperator::apply(const MultiVector& x, MultiVector& y, Teuchos::ETr
   all.doImport(x, import_, Tpetra::INSERT);
   const auto in = all.getLocalViewHost(Tpetra::Access::ReadOnly);
   const auto out = y.getLocalViewHost(Tpetra::Access::ReadWrite);
-  const int m = static_cast<int>(rows_.rows());
   const int n = static_cast<int>(x.getNumVectors());
-  const int k = static_cast<int>(rows_.columns());
-  const int lda = static_cast<int>(rows_.stride());
-  const int ldb = static_cast<int>(in.stride(1));
-  const int ldc = static_cast<int>(out.stride(1));
-  if (m > 0 && n > 0)
-    dgemm_("N", "N", &m, &n, &k, &alpha, rows_.data(), &lda, in.data(), &ldb, &beta,
-           out.data(), &ldc);
+  if (rows_.rows() > 0 && n > 0)
+    Teuchos::BLAS<int, double>().GEMM(Teuchos::NO_TRANS, Teuchos::NO_TRANS,
+                                      asInt(rows_.rows()), n, asInt(rows_.columns()),
+                                      alpha, rows_.data(), asInt(rows_.stride()),
+                                      in.data(), static_cast<int>(in.stride(1)), beta,
+                                      out.data(), static_cast<int>(out.stride(1)));
 }
 
 }  // namespace epafi::bem

@@ -4,6 +4,7 @@
 #include "bem/tpetra/PanelFactor.hpp"
 #include "bem/tpetra/Redeal.hpp"
 
+#include <Teuchos_BLAS.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
 
 #include <algorithm>
@@ -13,10 +14,12 @@ namespace epafi::bem {
 
 namespace {
 
+using Blas = Teuchos::BLAS<int, double>;
+using Teuchos::LOWER_TRI;
+using Teuchos::NO_TRANS;
 using Teuchos::RCP;
 using Teuchos::rcp;
-
-int asInt(Index n) { return static_cast<int>(n); }
+using Teuchos::TRANS;
 
 /// The communicator inside, or that of this process alone for a serial one.
 MPI_Comm mpiOf(const Teuchos::Comm<int>& comm) {
@@ -116,15 +119,12 @@ Matrix TpetraAlgebra::addGram(Matrix lower, const Matrix& y) const {
   const Index n = lower.columns();
   return collect(std::move(lower), n, Part::Lower, [&](const Rows& panel, double* t) {
     const int height = asInt(panel.size());
-    const int left = asInt(panel.begin);
     const int depth = asInt(y.rows());
     const int ld = asInt(y.stride());
-    const double one = 1;
-    const double zero = 0;
-    dgemm_("T", "N", &height, &left, &depth, &one, y.column(panel.begin), &ld, y.data(),
-           &ld, &zero, t, &height);
-    dsyrk_("L", "T", &height, &depth, &one, y.column(panel.begin), &ld, &zero,
-           t + height * panel.begin, &height);
+    Blas().GEMM(TRANS, NO_TRANS, height, asInt(panel.begin), depth, 1,
+                y.column(panel.begin), ld, y.data(), ld, 0, t, height);
+    Blas().SYRK(LOWER_TRI, TRANS, height, depth, 1, y.column(panel.begin), ld, 0,
+                t + height * panel.begin, height);
   });
 }
 
@@ -135,33 +135,25 @@ Matrix TpetraAlgebra::addOuter(Matrix lower, const Matrix& x, double scale) cons
   const Matrix mine = byColumns(x, n);
   return collect(std::move(lower), n, Part::Lower, [&](const Rows& panel, double* t) {
     const int height = asInt(panel.size());
-    const int left = asInt(panel.begin);
     const int depth = asInt(mine.columns());
     const int ld = asInt(mine.stride());
-    const double zero = 0;
-    dgemm_("N", "T", &height, &left, &depth, &scale, mine.data() + panel.begin, &ld,
-           mine.data(), &ld, &zero, t, &height);
-    dsyrk_("L", "N", &height, &depth, &scale, mine.data() + panel.begin, &ld, &zero,
-           t + height * panel.begin, &height);
+    Blas().GEMM(NO_TRANS, TRANS, height, asInt(panel.begin), depth, scale,
+                mine.data() + panel.begin, ld, mine.data(), ld, 0, t, height);
+    Blas().SYRK(LOWER_TRI, NO_TRANS, height, depth, scale, mine.data() + panel.begin, ld,
+                0, t + height * panel.begin, height);
   });
 }
 
-Matrix TpetraAlgebra::transposeTimes(const Matrix& x, const Matrix& y) const {
+Matrix TpetraAlgebra::addTransposeTimes(Matrix c, const Matrix& x,
+                                        const Matrix& y) const {
   if (processes_ == 1)
-    return alone_.transposeTimes(x, y);
-  const Index n = x.columns();
-  return collect(Matrix(myRows(n).size(), y.columns()), n, Part::Whole,
-                 [&](const Rows& panel, double* t) {
-                   const int height = asInt(panel.size());
-                   const int width = asInt(y.columns());
-                   const int depth = asInt(x.rows());
-                   const int ldx = asInt(x.stride());
-                   const int ldy = asInt(y.stride());
-                   const double one = 1;
-                   const double zero = 0;
-                   dgemm_("T", "N", &height, &width, &depth, &one, x.column(panel.begin),
-                          &ldx, y.data(), &ldy, &zero, t, &height);
-                 });
+    return alone_.addTransposeTimes(std::move(c), x, y);
+  return collect(
+      std::move(c), x.columns(), Part::Whole, [&](const Rows& panel, double* t) {
+        Blas().GEMM(TRANS, NO_TRANS, asInt(panel.size()), asInt(y.columns()),
+                    asInt(x.rows()), 1, x.column(panel.begin), asInt(x.stride()),
+                    y.data(), asInt(y.stride()), 0, t, asInt(panel.size()));
+      });
 }
 
 /// From my rows of all columns to all rows of my columns.
@@ -210,15 +202,13 @@ Vector TpetraAlgebra::multiplySymmetric(const Matrix& lower, const Vector& x) co
   const int step = 1;
   const double one = 1;
   Vector y(x.size());
+  double* const own = y.data() + mine.begin;
   if (height > 0) {  // the block on the diagonal, then what is left of it, used twice
     dsymv_("L", &height, &one, lower.column(mine.begin), &ld, x.data() + mine.begin,
-           &step, &one, y.data() + mine.begin, &step);
-    if (width > 0) {
-      dgemv_("N", &height, &width, &one, lower.data(), &ld, x.data(), &step, &one,
-             y.data() + mine.begin, &step);
-      dgemv_("T", &height, &width, &one, lower.data(), &ld, x.data() + mine.begin, &step,
-             &one, y.data(), &step);
-    }
+           &step, &one, own, &step);
+    Blas().GEMV(NO_TRANS, height, width, 1, lower.data(), ld, x.data(), 1, 1, own, 1);
+    Blas().GEMV(TRANS, height, width, 1, lower.data(), ld, x.data() + mine.begin, 1, 1,
+                y.data(), 1);
   }
   return sum(std::move(y));
 }

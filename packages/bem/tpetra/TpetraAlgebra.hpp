@@ -31,7 +31,7 @@ class TpetraAlgebra final : public DenseAlgebra {
   std::unique_ptr<CholeskyFactor> cholesky(Matrix lower, const char* name) const override;
   Matrix addGram(Matrix lower, const Matrix& y) const override;
   Matrix addOuter(Matrix lower, const Matrix& x, double scale) const override;
-  Matrix transposeTimes(const Matrix& x, const Matrix& y) const override;
+  Matrix addTransposeTimes(Matrix c, const Matrix& x, const Matrix& y) const override;
   Vector multiply(const Matrix& a, Index n, const Vector& x) const override;
   Vector multiplySymmetric(const Matrix& lower, const Vector& x) const override;
   Matrix replicate(Matrix rows, Index n) const override;

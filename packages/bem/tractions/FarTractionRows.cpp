@@ -1,5 +1,6 @@
 #include "bem/tractions/FarTractionRows.hpp"
 
+#include "bem/base/Error.hpp"
 #include "bem/operators/MyElements.hpp"
 #include "bem/tractions/FarTractions.hpp"
 
@@ -45,6 +46,11 @@ FarTractionRows::FarTractionRows(const Space& space, const Lame& lame,
       densityRows_(algebra.myRows(space.densities())) {
   const Mesh& mesh = space.mesh();
   const Rows mine = algebra.myRows(space.displacements());
+  for (const Element& element : mesh.elements())
+    if (element.densities > element.degree)
+      throw InputError("tractions of ", element.densities,
+                       " functions of a density on an element of degree ", element.degree,
+                       "; as many as its degree are possible");
   for (int f = 0; f < mesh.size(); ++f)
     for (int c = 0; c < 2; ++c) {
       const Index node = space.displacement(f, 0, c);
@@ -58,14 +64,26 @@ FarTractionRows::FarTractionRows(const Space& space, const Lame& lame,
                               2 * DisplacementBasis::slope(j + 1)});
       }
     }
-  const MyElements myElements(space, algebra);
+  const std::vector<bool> mineOfAll = myElements(space, algebra);
   for (int r = 0; r < runs_.size(); ++r) {
-    bool isMine = false;
-    for (int f = runs_[r].first; f < runs_[r].last; ++f)
-      isMine = isMine || myElements.contain(f);
-    if (isMine)
+    const auto first = mineOfAll.begin() + runs_[r].first;
+    const auto last = mineOfAll.begin() + runs_[r].last;
+    if (std::find(first, last, true) != last)
       myRuns_.push_back(r);
   }
+}
+
+std::vector<int> FarTractionRows::near(int element, int largestOuter) const {
+  std::vector<int> result;
+  FarBatch batch{};
+  for (int r = 0; r < runs_.size(); ++r) {
+    const ElementRange all = {runs_[r].first, runs_[r].last};
+    const FarLanes chosen = runs_.choose(element, r, all, batch, largestOuter);
+    for (int f = all.first; f < all.last; ++f)
+      if (!chosen.far[f - all.first])
+        result.push_back(f);
+  }
+  return result;
 }
 
 void FarTractionRows::appendNode(Index row, Index onPrevious, Index onNext) {

@@ -14,9 +14,11 @@ namespace epafi::bem {
 /// into a buffer of densities, from which derivatives are gathered at the nodes.
 class FarTractionRows {
  public:
+  /// \throws InputError for densities beyond the degree of their element.
   FarTractionRows(const Space& space, const Lame& lame, const DenseAlgebra& algebra);
 
-  const ElementRuns& runs() const { return runs_; }
+  /// The sources that are not far, as ElementRuns::choose says.
+  std::vector<int> near(int element, int largestOuter) const;
 
   /// Sets the columns first + 2 i + a, i < moments, of `hypersingular` (displacements)
   /// and `adjoint` (densities).  Sources are far as ElementRuns::choose says.  Calls with

@@ -13,19 +13,6 @@ namespace {
 
 constexpr int moments = 2;  // those of P_0 and P_1
 
-std::vector<int> nearSources(const ElementRuns& runs, int test) {
-  std::vector<int> near;
-  FarBatch batch{};
-  for (int r = 0; r < runs.size(); ++r) {
-    const ElementRange all = {runs[r].first, runs[r].last};
-    const FarLanes chosen = runs.choose(test, r, all, batch);
-    for (int f = all.first; f < all.last; ++f)
-      if (!chosen.far[f - all.first])
-        near.push_back(f);
-  }
-  return near;
-}
-
 }  // namespace
 
 ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
@@ -59,7 +46,7 @@ ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
       const Index last = kernels_.lowest[at(k) + 1];
       far.write(test, static_cast<int>(last - first) / 2, largestSmoothOrder, first,
                 kernels_.hypersingular, kernels_.adjoint);
-      for (const int source : nearSources(far.runs(), test)) {
+      for (const int source : far.near(test, largestSmoothOrder)) {
         near.evaluate(mesh, test, source, *tile, 0);
         addPair(test, source, first, last, *tile);
       }

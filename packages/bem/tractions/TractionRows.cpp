@@ -1,6 +1,6 @@
 #include "bem/tractions/TractionRows.hpp"
 
-#include "bem/algebra/Blas.hpp"
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/kernel/ElementSums.hpp"
 #include "bem/moments/RelativeTarget.hpp"
@@ -69,7 +69,7 @@ class ElementRows {
       largestOuter_ = smoothOrderOfMoments;
       moments_ = std::max(moments_, 2 * largestOuter_);
     }
-    chooseNear();
+    near_ = far.near(element_, largestOuter_);
     makeRule();
     if (form == TractionForm::Exact)
       compress();
@@ -79,7 +79,7 @@ class ElementRows {
 
   /// Adds the kernels' columns, from `first` on, to the transposed rows of W and K' +
   /// 1/2, where they are mine.
-  void write(Index first, const MyElements& mine, const Rows& displacementRows,
+  void write(Index first, const std::vector<bool>& mine, const Rows& displacementRows,
              const Rows& densityRows, Matrix& hyper, Matrix& adjoint) const {
     const MyRows density{densityRows, adjoint};
     const MyRows displacement{displacementRows, hyper};
@@ -101,7 +101,7 @@ class ElementRows {
     for (int q = 0; q < rule_.size(); ++q) {
       legendreValues(moments_ - 1, rule_.points[q].t, legendre);
       for (const int f : near_) {
-        if (!mine.contain(f))
+        if (!mine[f])
           continue;
         evaluate(f, place(rule_.points[q]), rule_.points[q].t, values);
         forEachSource(space_, f, values, putMoments(rule_.weights[q], legendre));
@@ -126,18 +126,6 @@ class ElementRows {
 
   /// Near sources get graded points.  In the exact form these are also the ones whose
   /// field on the element would need many Legendre moments.
-  void chooseNear() {
-    const ElementRuns& runs = far_.runs();
-    FarBatch batch{};
-    for (int r = 0; r < runs.size(); ++r) {
-      const FarLanes chosen =
-          runs.choose(element_, r, {runs[r].first, runs[r].last}, batch, largestOuter_);
-      for (int f = runs[r].first; f < runs[r].last; ++f)
-        if (!chosen.far[f - runs[r].first])
-          near_.push_back(f);
-    }
-  }
-
   void makeRule() {
     std::vector<Feature> features;
     int degree = mesh_[element_].degree;
@@ -238,24 +226,17 @@ class ElementRows {
 
   // R of samples P = Q R, in the order of the sources, without rows that do not matter
   static Matrix triangularFactor(Matrix samples) {
-    const int m = static_cast<int>(samples.rows());
-    const int n = static_cast<int>(samples.columns());
-    const int ld = static_cast<int>(samples.stride());
-    std::vector<int> pivots(static_cast<std::size_t>(n), 0);
-    Vector tau(static_cast<std::size_t>(std::min(m, n)));
-    Vector work(static_cast<std::size_t>(64 * (n + 1)));
-    const int size = static_cast<int>(work.size());
-    int info = 0;
-    dgeqp3_(&m, &n, samples.data(), &ld, pivots.data(), tau.data(), work.data(), &size,
-            &info);
-    int rank = 0;
+    const std::vector<Index> places = pivotedTriangle(samples);
+    const Index n = samples.columns();
+    Index rank = 0;
     const double largest = std::abs(samples(0, 0));
-    while (rank < std::min(m, n) && std::abs(samples(rank, rank)) > 1e-13 * largest)
+    while (rank < std::min(samples.rows(), n) &&
+           std::abs(samples(rank, rank)) > 1e-13 * largest)
       ++rank;
     Matrix factor(rank, n);
-    for (int c = 0; c < n; ++c)
-      for (int r = 0; r < std::min(rank, c + 1); ++r)
-        factor(r, pivots[c] - 1) = samples(r, c);
+    for (Index c = 0; c < n; ++c)
+      for (Index r = 0; r < std::min(rank, c + 1); ++r)
+        factor(r, places[c]) = samples(r, c);
     return factor;
   }
 
@@ -273,10 +254,11 @@ class ElementRows {
 };
 
 /// The exact form's columns are chosen by rounding errors: unlike processors could
-/// differ.
+/// differ.  Then all throw: what follows is collective.
 void requireAgreement(const DenseAlgebra& algebra, const std::vector<Index>& start) {
   const Vector mine(start.begin(), start.end());
-  if (algebra.broadcast(mine) != mine)
+  const double differs = algebra.broadcast(mine) != mine ? 1 : 0;
+  if (algebra.sum({differs}).front() > 0)
     throw NumericalError("the processes disagree on the rank of the exact tractions");
 }
 
@@ -303,7 +285,7 @@ std::shared_ptr<const TractionRows> tractionRows(const Space& space, const Lame&
     result.start.push_back(result.start.back() + part->columns());
 
   requireAgreement(algebra, result.start);
-  const MyElements mine(space, algebra);
+  const std::vector<bool> mine = myElements(space, algebra);
   const Rows displacementRows = algebra.myRows(space.displacements());
   const Rows densityRows = algebra.myRows(space.densities());
   Matrix hypersingular(displacementRows.size(), result.start.back());

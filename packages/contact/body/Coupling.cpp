@@ -113,7 +113,7 @@ Coupling makeLocalCoupling(const bem::Space& space, const MultiplierSpace& multi
 
 void Coupling::weaken(double factor) {
   for (auto* entries : {&weights, &mass})
-    for (Entry& entry : *entries)
+    for (bem::Entry& entry : *entries)
       entry.value *= factor;
   for (double& g : gamma)
     g *= factor;
@@ -132,30 +132,30 @@ double quadratic(const Matrix& symmetric, const Vector& w) {
 
 Matrix Coupling::multiplierMass() const {
   Matrix result(multipliers, multipliers);
-  for (const Entry& entry : mass)
+  for (const bem::Entry& entry : mass)
     result(entry.row, entry.column) += entry.value;
   if (response == nullptr)
     return result;
   // - Nᵀ X N, N by columns
   const Matrix& x = response->density;
   Matrix half(x.rows(), multipliers);
-  for (const Entry& entry : weights)
+  for (const bem::Entry& entry : weights)
     for (Index i = 0; i < x.rows(); ++i)
       half(i, entry.column) += entry.value * x(i, entry.row);
   for (Index j = 0; j < multipliers; ++j)
-    for (const Entry& entry : weights)
+    for (const bem::Entry& entry : weights)
       result(entry.column, j) -= entry.value * half(entry.row, j);
   return result;
 }
 
 Vector Coupling::massTimes(const Vector& lambda) const {
   Vector result(multipliers);
-  for (const Entry& entry : mass)
+  for (const bem::Entry& entry : mass)
     result[entry.row] += entry.value * lambda[entry.column];
   if (response == nullptr)
     return result;
   const Vector taken = timesSymmetric(response->density, weighted(lambda));
-  for (const Entry& entry : weights)
+  for (const bem::Entry& entry : weights)
     result[entry.column] -= entry.value * taken[entry.row];
   return result;
 }
@@ -194,10 +194,10 @@ std::vector<bem::Vec2> Coupling::meanSlacks(const Vector& lambda,
 Matrix Coupling::transposed(const bem::DenseAlgebra& algebra) const {
   const Rows mine = algebra.myRows(unknowns);
   Matrix result(mine.size(), multipliers);
-  for (const Entry& entry : trace)
+  for (const bem::Entry& entry : trace)
     if (mine.contain(entry.row))
       result(entry.row - mine.begin, entry.column) += entry.value;
-  for (const Entry& entry : weights) {
+  for (const bem::Entry& entry : weights) {
     const double* traction = columns->column(entry.row);
     double* column = result.column(entry.column);
     for (Index j = 0; j < mine.size(); ++j)
@@ -214,7 +214,7 @@ Vector Coupling::weighted(const Vector& lambda) const {
   Vector result(start.back());
   if (lambda.empty())
     return result;
-  for (const Entry& entry : weights)
+  for (const bem::Entry& entry : weights)
     result[entry.row] += entry.value * lambda[entry.column];
   return result;
 }
@@ -227,7 +227,7 @@ Vector Coupling::push(const bem::DenseAlgebra& algebra, const Vector& lambda) co
       x = -x;
   }
   for (const auto* entries : {&trace, &completion})
-    for (const Entry& entry : *entries)
+    for (const bem::Entry& entry : *entries)
       result[entry.row] += entry.value * lambda[entry.column];
   if (rotation != nullptr) {
     double rest = 0;
@@ -246,10 +246,10 @@ Vector Coupling::pull(const bem::DenseAlgebra& algebra, const Vector& u) const {
     for (Index k = 0; k < columns->columns(); ++k)
       tractionOf[k] = product(columns->column(k), u.data() + mine.begin, mine.size());
     tractionOf = algebra.sum(std::move(tractionOf));
-    for (const Entry& entry : weights)
+    for (const bem::Entry& entry : weights)
       result[entry.column] -= entry.value * tractionOf[entry.row];
   }
-  for (const Entry& entry : trace)
+  for (const bem::Entry& entry : trace)
     result[entry.column] += entry.value * u[entry.row];
   if (rotation != nullptr)
     bem::axpy(rotation->amount(u), traceOfRotation, result);

@@ -17,26 +17,20 @@ namespace epafi::contact {
 /// Form Density is the same with R = K' (V + G)⁻¹ E, N = <γ P_i, χ_j> in G's place,
 /// M - Nᵀ X N in M's, X = Eᵀ (V + G)⁻¹ E, and no S^ (doc/theory/contact.md).
 struct Coupling {
-  struct Entry {
-    Index row;
-    Index column;
-    double value;
-  };
-
   Index unknowns = 0;  ///< displacements
   Index multipliers = 0;
-  std::vector<Entry> trace;  ///< C: displacements x multiplier, <χ_i, φ_j>
+  std::vector<bem::Entry> trace;  ///< C: displacements x multiplier, <χ_i, φ_j>
   /// What completed ends add to C in Bᵀ λ, see completeEnds; nothing on free
   /// displacements.
-  std::vector<Entry> completion;
+  std::vector<bem::Entry> completion;
   /// On arcs: ∫ χ_i d · (r - r_I) ds, which C and its completion feel beside, see
   /// bem::Rotation; `rotation` is null on straight boundaries.
   Vector traceOfRotation;
   Vector completionOfRotation;
   std::shared_ptr<const bem::Rotation> rotation;
-  std::vector<Entry> weights;  ///< G: columns of R x multiplier
-  std::vector<Entry> mass;     ///< M: multiplier x multiplier
-  Vector gamma;                ///< γ per contact element, dimensionless
+  std::vector<bem::Entry> weights;  ///< G: columns of R x multiplier
+  std::vector<bem::Entry> mass;     ///< M: multiplier x multiplier
+  Vector gamma;                     ///< γ per contact element, dimensionless
   std::shared_ptr<const bem::TractionRows> tractions;    ///< S φ; empty: no S^
   std::shared_ptr<const bem::DensityResponse> response;  ///< Density; else null
   bem::LocalCompliance compliance;        ///< of the densities in X's order

@@ -1,5 +1,6 @@
 #include "contact/body/ElasticBody.hpp"
 
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/body/IterativeRefinement.hpp"
 
@@ -42,13 +43,6 @@ void subtractMotions(const Matrix& motions, const Rows& mine, Matrix& lower) {
     for (Index j = 0; j < lower.columns(); ++j)
       for (Index i = 0; i < mine.size(); ++i)
         lower(i, j) -= motions(i + mine.begin, k) * motions(j, k);
-}
-
-Matrix rowsOf(const Matrix& a, const Rows& mine) {
-  Matrix rows(mine.size(), a.columns());
-  for (Index j = 0; j < a.columns(); ++j)
-    std::copy_n(a.column(j) + mine.begin, mine.size(), rows.column(j));
-  return rows;
 }
 
 }  // namespace
@@ -269,7 +263,8 @@ Problem condense(const DenseAlgebra& algebra, Matrix multiplierMass,
                  const std::vector<ElasticBody::Response>& bodies) {
   const auto m = static_cast<Index>(bodies.front().offset.size());
   const Rows mine = algebra.myRows(m);
-  Matrix d = mine.size() == m ? std::move(multiplierMass) : rowsOf(multiplierMass, mine);
+  Matrix d = mine.size() == m ? std::move(multiplierMass)
+                              : bem::rowsBetween(multiplierMass, mine.begin, mine.end);
   for (const auto& body : bodies) {
     subtractMotions(body.motions, mine, d);
     d = algebra.addGram(std::move(d), body.half);

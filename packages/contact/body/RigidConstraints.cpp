@@ -1,9 +1,10 @@
 #include "contact/body/RigidConstraints.hpp"
 
-#include "bem/algebra/Blas.hpp"
 #include "bem/algebra/LuFactor.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
+
+#include <Teuchos_LAPACK.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -23,8 +24,8 @@ struct Svd {
 };
 
 Svd singularValues(Matrix a) {
-  const int m = static_cast<int>(a.rows());
-  const int n = static_cast<int>(a.columns());
+  const int m = bem::asInt(a.rows());
+  const int n = bem::asInt(a.columns());
   const int k = std::min(m, n);
   Svd svd{Matrix(m, std::max(1, k)), Vector(k), Matrix(n, n)};
   if (k == 0) {
@@ -34,13 +35,11 @@ Svd singularValues(Matrix a) {
   }
   Matrix u(m, m);
   Vector work(16 * (m + n));
-  const int size = static_cast<int>(work.size());
-  const int lda = static_cast<int>(a.stride());
-  const int ldu = static_cast<int>(u.stride());
-  const int ldvt = static_cast<int>(svd.vt.stride());
   int info = 0;
-  dgesvd_("A", "A", &m, &n, a.data(), &lda, svd.s.data(), u.data(), &ldu, svd.vt.data(),
-          &ldvt, work.data(), &size, &info);
+  Teuchos::LAPACK<int, double>().GESVD(
+      'A', 'A', m, n, a.data(), bem::asInt(a.stride()), svd.s.data(), u.data(),
+      bem::asInt(u.stride()), svd.vt.data(), bem::asInt(svd.vt.stride()), work.data(),
+      static_cast<int>(work.size()), nullptr, &info);
   if (info != 0)
     throw bem::NumericalError("the singular values of the rigid motions do not converge");
   for (Index j = 0; j < k; ++j)

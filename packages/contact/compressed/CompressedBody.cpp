@@ -1,7 +1,7 @@
 #include "contact/compressed/CompressedBody.hpp"
 
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "bem/compressed/Products.hpp"
 #include "contact/compressed/CompressedCoupling.hpp"
 #include "contact/compressed/CompressedHolding.hpp"
 
@@ -54,7 +54,7 @@ class CompressedBody final : public StabilisedBody {
       for (Index i = range_.first; i < range_.densities; ++i)
         x(i, 0) += image(i, 0);
     }
-    for (const Coupling::Entry& entry : coupling_.completion)
+    for (const bem::Entry& entry : coupling_.completion)
       x(range_.first + entry.row, 0) += entry.value * multiplier[at(entry.column)];
     Vector force(x.data() + range_.first, x.data() + range_.densities);
     if (coupling_.rotation != nullptr)
@@ -72,7 +72,7 @@ class CompressedBody final : public StabilisedBody {
   Vector contactTerms(const Vector& u, const Vector& multiplier) const override {
     const Matrix x = placed(u, byDensity() ? density(u, multiplier) : Vector());
     Vector terms = compressed_.pull(x.data());
-    for (const Coupling::Entry& entry : compressed_.mass)
+    for (const bem::Entry& entry : compressed_.mass)
       terms[at(entry.row)] -= entry.value * multiplier[at(entry.column)];
     return terms;
   }

@@ -19,19 +19,19 @@ void CompressedCoupling::addRests(const std::shared_ptr<const bem::Rotation>& ro
 
 void CompressedCoupling::addOwn(const bem::Space& space, const Coupling& coupling,
                                 std::size_t body, Index start, const Numbers& numberOf) {
-  for (const Coupling::Entry& entry : coupling.trace)
+  for (const bem::Entry& entry : coupling.trace)
     entries.push_back({start + entry.row, numberOf(entry.column), entry.value});
-  for (const Coupling::Entry& entry : coupling.weights)
+  for (const bem::Entry& entry : coupling.weights)
     entries.push_back(
         {start + space.displacements() + coupling.compliance.densities[at(entry.row)],
          numberOf(entry.column), -entry.value});
-  for (const Coupling::Entry& entry : coupling.mass)
+  for (const bem::Entry& entry : coupling.mass)
     mass.push_back({numberOf(entry.row), numberOf(entry.column), entry.value});
   addRests(coupling.rotation, body, start, coupling.traceOfRotation, numberOf);
 }
 
 void CompressedCoupling::push(double s, const double* multiplier, double* x) const {
-  for (const Coupling::Entry& entry : entries)
+  for (const bem::Entry& entry : entries)
     x[entry.row] += s * entry.value * multiplier[entry.column];
   for (const Rest& rest : rests) {
     const Vector& q = rest.rotation->functional();
@@ -44,7 +44,7 @@ void CompressedCoupling::push(double s, const double* multiplier, double* x) con
 
 Vector CompressedCoupling::pull(const double* x) const {
   Vector result(at(multipliers));
-  for (const Coupling::Entry& entry : entries)
+  for (const bem::Entry& entry : entries)
     result[at(entry.column)] += entry.value * x[entry.row];
   for (const Rest& rest : rests) {
     const Vector& q = rest.rotation->functional();

@@ -11,8 +11,8 @@ namespace epafi::contact {
 /// The sparse rows Ĉ = [B₀, -Nᵀ] by which the multiplier acts on displacements and densities,
 /// of its own body and of those that it meets, and -M: what a compressed system has of it.
 struct CompressedCoupling {
-  std::vector<Coupling::Entry> entries;  ///< unknowns x multiplier
-  std::vector<Coupling::Entry> mass;     ///< M
+  std::vector<bem::Entry> entries;  ///< unknowns x multiplier
+  std::vector<bem::Entry> mass;     ///< M
   /// What Ĉ does on a body with arcs to the exact rotation less the interpolated one.
   struct Rest {
     std::shared_ptr<const bem::Rotation> rotation;

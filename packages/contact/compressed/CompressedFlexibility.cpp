@@ -1,5 +1,6 @@
 #include "contact/compressed/CompressedFlexibility.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/compressed/ReducedFlexibility.hpp"
 
 #include <algorithm>
@@ -7,16 +8,6 @@
 #include <cstdint>
 
 namespace epafi::contact {
-
-namespace {
-
-Matrix asColumn(const Vector& x) {
-  Matrix column(static_cast<Index>(x.size()), 1);
-  std::copy(x.begin(), x.end(), column.data());
-  return column;
-}
-
-}  // namespace
 
 CompressedFlexibility::CompressedFlexibility(
     CompressedCoupling coupling,
@@ -28,7 +19,7 @@ CompressedFlexibility::CompressedFlexibility(
 }
 
 Vector CompressedFlexibility::times(const Vector& x) const {
-  const Matrix columns = timesColumns(asColumn(x));
+  const Matrix columns = timesColumns(bem::asColumn(x));
   return Vector(columns.column(0), columns.column(0) + size());
 }
 
@@ -68,7 +59,7 @@ void CompressedFlexibility::factorAll() {
 // The leaves that the multiplier acts on.
 void CompressedFlexibility::findPaths() {
   std::vector<int> leaves = furtherLeaves(operators());
-  for (const Coupling::Entry& entry : coupling_.entries)
+  for (const bem::Entry& entry : coupling_.entries)
     leaves.push_back(operators().leafOf(entry.row));
   *factor_ = factor_->within(leaves);
   paths_ = factor_->paths(std::move(leaves));
@@ -84,7 +75,7 @@ Matrix CompressedFlexibility::timesColumns(const Matrix& x) const {
   for (Index j = 0; j < x.columns(); ++j) {
     const Vector pulled = coupling_.pull(moved.column(j));
     std::copy(pulled.begin(), pulled.end(), result.column(j));
-    for (const Coupling::Entry& entry : coupling_.mass)
+    for (const bem::Entry& entry : coupling_.mass)
       result(entry.row, j) += entry.value * x(entry.column, j);
     const Vector sizes = motions_.sizes(x.column(j));
     for (std::size_t k = 0; k < sizes.size(); ++k)

@@ -44,7 +44,7 @@ std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& mult
   forEachHome(multiplier, [&](std::size_t k, int e) { homes[k].push_back(e); });
   constexpr double rounding = 1e-6;
   Vector largest(at(coupling.multipliers), 0.0);
-  for (const Coupling::Entry& entry : coupling.trace) {
+  for (const bem::Entry& entry : coupling.trace) {
     const int e = elementOf[at(entry.row)];
     const std::vector<int>& own = homes[at(entry.column)];
     const double work = std::abs(entry.value) *
@@ -101,7 +101,7 @@ CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bo
       const auto k = static_cast<std::size_t>(b);
       const MortarCoupling met =
           mortarCoupling(space.mesh(), multiplier, *opposite, bodies[k].space, b);
-      for (const Coupling::Entry& entry : met.entries)
+      for (const bem::Entry& entry : met.entries)
         result.entries.push_back(
             {starts[k] + entry.row, numberOf(entry.column), entry.value});
       result.addRests(met.rotation, k, starts[k], met.rests, numberOf);
@@ -119,9 +119,9 @@ std::vector<bem::SteklovPoincare> makeCompressedStiffness(
   const CompressedCoupling coupling =
       makeCompressedCoupling(bodies, stabilization, units);
   bem::LocalCoupling local;
-  for (const Coupling::Entry& entry : coupling.entries)
+  for (const bem::Entry& entry : coupling.entries)
     local.entries.push_back({entry.row, coupling.first + entry.column, entry.value});
-  for (const Coupling::Entry& entry : coupling.mass)
+  for (const bem::Entry& entry : coupling.mass)
     if (entry.row >= entry.column)
       local.entries.push_back(
           {coupling.first + entry.row, coupling.first + entry.column, -entry.value});

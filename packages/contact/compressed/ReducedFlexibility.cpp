@@ -30,12 +30,11 @@ ReducedFlexibility::ReducedFlexibility(const CompressedFlexibility& whole, Syste
       restriction_.entries.push_back(
           {first + system_.rows[k], first + system_.rows[k], -system_.shifts[k]});
   }
-  for (const System::Entry& entry : system_.entries)
+  for (const bem::Entry& entry : system_.entries)
     restriction_.entries.push_back(
         {first + entry.row, first + entry.column, -entry.value});
-  for (const System::Follower& follower : system_.followers)
-    restriction_.followers.push_back(
-        {first + follower.follower, first + follower.leader, follower.factor});
+  for (const auto& [follower, leader, factor] : system_.followers)
+    restriction_.followers.push_back({first + follower, first + leader, factor});
   makeCorrection();
 }
 
@@ -66,7 +65,7 @@ Vector ReducedFlexibility::solveSprung(const Vector& b, const Vector& known) con
   const CompressedCoupling& coupling = whole_.coupling();
   Matrix right(whole_.operators().size(), 1);
   coupling.push(-1, known.data(), right.column(0));
-  for (const Coupling::Entry& entry : coupling.mass)
+  for (const bem::Entry& entry : coupling.mass)
     right(coupling.first + entry.row, 0) += entry.value * known[at(entry.column)];
   for (std::size_t k = 0; k < b.size(); ++k)
     right(coupling.first + system_.rows[k], 0) -= b[k];

@@ -2,8 +2,6 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 
-#include <Teuchos_BLAS.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -17,26 +15,6 @@ namespace {
 constexpr double mostChanges = 0.15;
 /// Below this reciprocal condition others shall judge.
 constexpr double nearlySingular = 1e-13;
-
-int sizeOf(const Matrix& a) { return static_cast<int>(a.columns()); }
-
-/// Aᵀ B by BLAS.
-Matrix rowsTimes(const Matrix& a, const Matrix& b) {
-  Matrix product(a.columns(), b.columns());
-  if (!product.empty())
-    Teuchos::BLAS<int, double>().GEMM(Teuchos::TRANS, Teuchos::NO_TRANS, sizeOf(a),
-                                      sizeOf(b), static_cast<int>(a.rows()), 1.0,
-                                      a.data(), static_cast<int>(a.stride()), b.data(),
-                                      static_cast<int>(b.stride()), 0.0, product.data(),
-                                      static_cast<int>(product.stride()));
-  return product;
-}
-
-Matrix asColumn(const Vector& v) {
-  Matrix a(static_cast<Index>(v.size()), 1);
-  std::copy(v.begin(), v.end(), a.data());
-  return a;
-}
 
 }  // namespace
 
@@ -227,13 +205,13 @@ KeptFactor::KeptFactor(const std::shared_ptr<Base>& base, const std::vector<Row>
         row[share.leader] -= share.factor;
     }
   }
-  factor_ = bem::LuFactor(rowsTimes(rows_, responses_));
+  factor_ = bem::LuFactor(bem::transposedTimes(rows_, responses_));
 }
 
 Vector KeptFactor::solve(const Vector& b) const {
-  Matrix z = base_->solve(asColumn(b));
+  Matrix z = base_->solve(bem::asColumn(b));
   if (!changed_.empty()) {
-    Matrix rest = rowsTimes(rows_, z);
+    Matrix rest = bem::transposedTimes(rows_, z);
     for (std::size_t c = 0; c < changed_.size(); ++c) {
       double& value = rest(static_cast<Index>(c), 0);
       value = rowScale_[c] * b[at(changed_[c])] - value;

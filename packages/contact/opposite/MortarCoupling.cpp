@@ -48,12 +48,12 @@ class Writer {
 };
 
 /// Each place once.
-std::vector<Coupling::Entry> summed(std::vector<Coupling::Entry> entries) {
+std::vector<bem::Entry> summed(std::vector<bem::Entry> entries) {
   std::stable_sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) {
     return a.column != b.column ? a.column < b.column : a.row < b.row;
   });
-  std::vector<Coupling::Entry> result;
-  for (const Coupling::Entry& entry : entries)
+  std::vector<bem::Entry> result;
+  for (const bem::Entry& entry : entries)
     if (!result.empty() && result.back().row == entry.row &&
         result.back().column == entry.column)
       result.back().value += entry.value;
@@ -66,7 +66,7 @@ std::vector<Coupling::Entry> summed(std::vector<Coupling::Entry> entries) {
 
 Vector MortarCoupling::pull(const Vector& u) const {
   Vector result(rests.size());
-  for (const Coupling::Entry& entry : entries)
+  for (const bem::Entry& entry : entries)
     result[entry.column] += entry.value * u[entry.row];
   if (rotation != nullptr)
     bem::axpy(rotation->amount(u), rests, result);
@@ -74,7 +74,7 @@ Vector MortarCoupling::pull(const Vector& u) const {
 }
 
 void MortarCoupling::push(const Vector& multiplier, Vector& force) const {
-  for (const Coupling::Entry& entry : entries)
+  for (const bem::Entry& entry : entries)
     force[entry.row] += entry.value * multiplier[entry.column];
   if (rotation != nullptr)
     rotation->complete(bem::dot(rests, multiplier), force);

@@ -12,7 +12,7 @@ namespace epafi::contact {
 ///
 /// of B's displacements, with the rotation of a B that has arcs.
 struct MortarCoupling {
-  std::vector<Coupling::Entry> entries;           ///< displacements of B by multipliers
+  std::vector<bem::Entry> entries;                ///< displacements of B by multipliers
   std::shared_ptr<const bem::Rotation> rotation;  ///< of B; null without arcs
   Vector rests;  ///< - ∫ χ_i d_i · (r - r_I)∘P ds, see bem::Rotation
 

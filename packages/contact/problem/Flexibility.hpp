@@ -40,20 +40,10 @@ class Flexibility {
     struct System {
       std::vector<Index> rows;  ///< the coefficients that are solved for
       Vector shifts;            ///< one each, added to D's diagonal
-      /// A coefficient that is not, but changes with one that is.
-      struct Follower {
-        Index follower;
-        Index leader;
-        double factor;
-      };
-      std::vector<Follower> followers;
+      /// A coefficient that is not, but changes with one that is, by so much of that.
+      std::vector<bem::Entry> followers;
       /// Added to D between two of the rows, whose coefficients belong to one element.
-      struct Entry {
-        Index row;
-        Index column;
-        double value;
-      };
-      std::vector<Entry> entries;
+      std::vector<bem::Entry> entries;
     };
     class Factor {
      public:

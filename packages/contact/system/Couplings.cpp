@@ -51,7 +51,7 @@ Matrix Couplings::transposed(std::size_t b, const BodyParts& body) const {
     std::copy_n(own.column(j), own.rows(), all.column(numbering_(b, j)));
   const bem::Rows mine = body.algebra.myRows(body.space.displacements());
   for (const auto& [carrier, coupling] : met_[b]) {
-    for (const Coupling::Entry& entry : coupling.entries)
+    for (const bem::Entry& entry : coupling.entries)
       if (mine.contain(entry.row))
         all(entry.row - mine.begin, numbering_(carrier, entry.column)) += entry.value;
     if (coupling.rotation == nullptr)

@@ -1,7 +1,8 @@
 #include "contact/system/Definiteness.hpp"
 
-#include "bem/algebra/Blas.hpp"
 #include "contact/system/BodyParts.hpp"
+
+#include <Teuchos_LAPACK.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -11,13 +12,13 @@ namespace epafi::contact {
 namespace {
 
 double largestEigenvalue(Matrix symmetric) {
-  const int n = static_cast<int>(symmetric.rows());
-  const int ld = static_cast<int>(symmetric.stride());
+  const int n = bem::asInt(symmetric.rows());
   Vector values(n);
   Vector work(std::max(1, 34 * n));
-  const int size = static_cast<int>(work.size());
   int info = 0;
-  dsyev_("N", "L", &n, symmetric.data(), &ld, values.data(), work.data(), &size, &info);
+  Teuchos::LAPACK<int, double>().SYEV('N', 'L', n, symmetric.data(),
+                                      bem::asInt(symmetric.stride()), values.data(),
+                                      work.data(), static_cast<int>(work.size()), &info);
   return info == 0 && n > 0 ? values.back() : 0;
 }
 

@@ -127,6 +127,7 @@ TEUCHOS_UNIT_TEST(TpetraAlgebra, multipliesAsLapackDoes) {
     for (const Index m : {Index(0), Index(1), Index(64), Index(301)}) {
       const Matrix x = randomMatrix(n, m, 4);
       const Matrix y = randomMatrix(n, 17, 5);
+      const Matrix z = randomMatrix(m, 17, 9);
       const Matrix c = lowerTriangle(m, 6, 1);
       const Matrix d = lowerTriangle(n, 7, 1);
       TEST_COMPARE(
@@ -138,10 +139,11 @@ TEUCHOS_UNIT_TEST(TpetraAlgebra, multipliesAsLapackDoes) {
                           algebra.addOuter(mine(algebra, d), mine(algebra, x), -0.7),
                           lapack.addOuter(d.copy(), x, -0.7)),
           <, rounding);
-      TEST_COMPARE(
-          difference(algebra, algebra.transposeTimes(mine(algebra, x), mine(algebra, y)),
-                     lapack.transposeTimes(x, y)),
-          <, rounding);
+      TEST_COMPARE(difference(algebra,
+                              algebra.addTransposeTimes(
+                                  mine(algebra, z), mine(algebra, x), mine(algebra, y)),
+                              lapack.addTransposeTimes(z.copy(), x, y)),
+                   <, rounding);
       const Vector v = randomVector(m, 8);
       TEST_COMPARE(
           difference(algebra.multiply(mine(algebra, x), n, v), lapack.multiply(x, n, v)),

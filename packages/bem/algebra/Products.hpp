@@ -1,6 +1,5 @@
 #pragma once
 
-#include "bem/algebra/Blas.hpp"
 #include "bem/base/Matrix.hpp"
 
 #include <algorithm>
@@ -8,14 +7,11 @@
 
 namespace epafi::bem {
 
-// Products and parts of the blocks of a tree.
+// Products and parts of matrices of any size.
 
-/// C += s A B, or s Aᵀ B; by OpenMP's threads, see byColumns
-void addProduct(double s, const Matrix& a, const Matrix& b, Matrix& c,
-                const char* transposed = "N");
-inline void addTransposedProduct(double s, const Matrix& a, const Matrix& b, Matrix& c) {
-  addProduct(s, a, b, c, "T");
-}
+/// C += s A B, and C += s Aᵀ B; by OpenMP's threads, see byColumns
+void addProduct(double s, const Matrix& a, const Matrix& b, Matrix& c);
+void addTransposedProduct(double s, const Matrix& a, const Matrix& b, Matrix& c);
 inline Matrix product(const Matrix& a, const Matrix& b) {
   Matrix c(a.rows(), b.columns());
   addProduct(1, a, b, c);
