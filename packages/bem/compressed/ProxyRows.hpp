@@ -25,7 +25,6 @@ class ProxyRows {
             double ratio, double tolerance);
 
   int points() const { return points_; }
-  double ratio() const { return ratio_; }
   /// Rows: x of all points, then y of them.
   Matrix operator()(const ClusterTree& tree, int cluster,
                     const std::vector<Index>& columns,
