@@ -208,8 +208,10 @@ class StudyRun {
     PhaseTimer timer = makeTimer();
     VariantClock clock;
     int solved = 0;
-    std::vector<std::string> warnings;  // of the last level
+    std::vector<std::string> ofScene;
+    std::vector<std::string> ofLevel;  // the last
     attempt(scene, variant, solved, [&] {
+      ofScene = warningsOf(variant.scene);
       solveLevels(variant.scene, ranks_, timer, [&](const SolvedLevel& level) {
         LevelRow row = level.row;
         row.secondsTotal = clock.seconds();
@@ -218,15 +220,15 @@ class StudyRun {
           ++solved;
           note(scene, variant, reference, level, row, name);
           writeFiles(variant, level, record, own);
-          warnings = warningsOf(variant.scene, level);
+          ofLevel = warningsOf(variant.scene, level);
           progress_.clear();
         });
         if (row.report.status != contact::Status::Converged)
           ++unsolved_;  // it is the last level
       });
     });
-    for (const auto& some : {warningsOf(variant.scene), warnings})
-      for (const std::string& warning : some)
+    for (const auto* warnings : {&ofScene, &ofLevel})
+      for (const std::string& warning : *warnings)
         out_ << "  warning: " << warning << "\n";
   }
 
@@ -260,7 +262,8 @@ class StudyRun {
     table_.failure(scene.name, variant, level, reason, eigenvalue);
     folder_.write("study.csv", table_.text());
     progress_.clear();
-    out_ << "  " << variant.name << " failed on level " << level << ": " << reason << "\n"
+    out_ << "  " << scene.name << ": " << variant.name << " failed on level " << level
+         << ": " << reason << "\n"
          << std::flush;
   }
 

@@ -70,7 +70,8 @@ double imbalanceOf(const contact::Summary& body, double motion, double youngsMod
   return norm(sum) / largest;
 }
 
-/// Digits that rounding has taken, of bodies too slender for double precision.
+/// Digits that rounding has taken, of bodies too slender for double precision, or of small
+/// deformations beside large motions.
 void findLostDigits(const Scene& scene, const SolvedLevel& level,
                     std::vector<std::string>& warnings) {
   // of forces; a beam's bending is off by three hundred times as much
@@ -78,7 +79,7 @@ void findLostDigits(const Scene& scene, const SolvedLevel& level,
   constexpr double smallDefect = 1e-6;
   const char* const why =
       "rounding has taken these digits, as it does in bodies slender by more than 1 : "
-      "1000";
+      "1000, and where a motion is 1e10 times what deforms: look at units and loads";
   for (std::size_t b = 0; b < level.bodies.size(); ++b) {
     const Body& body = scene.bodies[b];
     const double motion =

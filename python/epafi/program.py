@@ -89,9 +89,12 @@ def call(arguments: Sequence[str], said: Optional[Callable[[str], Any]] = None,
                     said(line.rstrip("\n"))
             code = process.wait()
         except BaseException:
-            if process.poll() is None:
-                process.send_signal(signal.SIGINT)
-            process.wait()
+            while process.poll() is None:
+                try:
+                    process.send_signal(signal.SIGINT)  # a second one ends it at once
+                    process.wait()
+                except KeyboardInterrupt:
+                    continue
             raise
         complaints.seek(0)
         text = complaints.read()

@@ -183,9 +183,11 @@ except KeyboardInterrupt:
 SCRIPT = """import epafi, sys
 scene = epafi.Scene.read(sys.argv[1])
 epafi.run(scene, sys.argv[2])"""
-long.write(os.path.join(WORK, "long.xml"))
+small = coulomb.changed({"Adaptivity->Maximum Levels": 1000, "Adaptivity->Marking Fraction": 0.02,
+                         "Adaptivity->Strategy": "Adaptive h"})
+small.write(os.path.join(WORK, "small.xml"))  # phases of far less than its second of grace
 folder = os.path.join(WORK, "terminal")
-process = subprocess.Popen([sys.executable, "-c", SCRIPT, os.path.join(WORK, "long.xml"), folder],
+process = subprocess.Popen([sys.executable, "-c", SCRIPT, os.path.join(WORK, "small.xml"), folder],
                            start_new_session=True, stderr=subprocess.DEVNULL)
 while not os.path.exists(os.path.join(folder, "history.csv")):
     time.sleep(0.05)

@@ -9,7 +9,7 @@ import time
 
 from runs import EPAFI, claim, epafi, finish, fresh, scene, table
 
-LEVELS = 24  # so many that files are written on the way
+LEVELS = 26  # so many that files are written on the way
 SCENE = ["run", scene("tresca.xml"), "--quiet", "--threads", "1",
          "--set", "Adaptivity->Strategy=Adaptive hp",
          "--set", "Adaptivity->Maximum Levels=%d" % LEVELS,
@@ -39,7 +39,11 @@ for k in range(int(sys.argv[4])):
     folder = fresh("killed")
     moment = moments.uniform(0.1, 1) * duration
     process = subprocess.Popen([EPAFI, *SCENE, "--output", folder])
-    time.sleep(moment)
+    # every other one behind the first file that it could go on from
+    while k % 2 == 1 and process.poll() is None and not os.path.exists(
+            os.path.join(folder, "solution.hdf")):
+        time.sleep(0.01)
+    time.sleep(moment if k % 2 == 0 else 0.3 * moment)
     process.kill()
     process.wait()
     solved = os.path.exists(os.path.join(folder, "solution.hdf"))

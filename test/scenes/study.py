@@ -1,6 +1,7 @@
 """Studies: true errors against a reference, failures that are listed, what is refused."""
 import math
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -53,10 +54,10 @@ HOPELESS = """
     </ParameterList>"""
 
 
-def study(name, variants):
+def study(name, variants, template=STUDY):
     file = os.path.join(WORK, name + ".xml")
     with open(file, "w") as stream:
-        stream.write(STUDY % (os.path.abspath(os.path.join(SCENES, "coulomb.xml")), variants))
+        stream.write(template % (os.path.abspath(os.path.join(SCENES, "coulomb.xml")), variants))
     return file
 
 
@@ -217,7 +218,7 @@ for name, more in [("unconverged", "Solver->Coulomb Iteration=Fixed Point, "
     failing = fresh("reference " + name)
     code, text = epafi("study", file_of, "--output", failing, "--no-plot")
     rows = table(os.path.join(failing, "study.csv"))
-    claim(code == 3 and "reference failed on level" in text and rows[0]["variant"] == "reference" and
+    claim(code == 3 and ": reference failed on level" in text and rows[0]["variant"] == "reference" and
           rows[0]["status"] == "failed" and rows[0]["reason"] and len(rows) == 3 and rows[-1]["error"] == "" and
           "reference-coulomb.hdf" not in os.listdir(failing),
           "a reference that fails (%s) is listed, the variants are solved: %s" % (
@@ -251,4 +252,20 @@ code, text = epafi("study", study("weights", UNIFORM).replace("weights.xml", "no
 claim(code == 1 and "nowhere.xml" in text, "a missing study is refused")
 code, text = epafi("study", file, "--set", "Solver->Tolerance=1")
 claim(code == 1 and "unknown option" in text, "a study takes no --set")
+# what only a mesh shows to be no number fails its variant, not the study
+undefined = study("undefined", """
+    <ParameterList name="bad">
+      <Parameter name="Set" type="Array(string)" value="{
+        Adaptivity->Strategy=None, Bodies->block->Rigid Motions=,
+        Bodies->block->Boundary Conditions->side={Type=Dirichlet, Displacement X=sqrt(x-100)}}"/>
+    </ParameterList>
+    <ParameterList name="good">
+      <Parameter name="Set" type="Array(string)" value="{Adaptivity->Strategy=None}"/>
+    </ParameterList>""", re.sub('<ParameterList name="Reference">.*?</ParameterList>', "", STUDY, flags=re.S))
+folder = fresh("undefined")
+code, text = epafi("study", undefined, "--output", folder, "--no-plot")
+rows = table(os.path.join(folder, "study.csv"))
+claim(code == 3 and [(row["variant"], row["status"]) for row in rows] ==
+      [("bad", "failed"), ("good", "converged")], "a condition that is no number: exit %d, %s" % (
+          code, [(row["variant"], row["status"], row["reason"][-60:]) for row in rows]))
 finish()
