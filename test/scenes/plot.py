@@ -115,14 +115,15 @@ for name in ("tresca", "disc", "two-blocks"):
     code, text = epafi("check", scene(name + ".xml"), "--plot", file)
     claim(code == 0 and os.path.getsize(file) > 5000 and not os.path.exists(file + ".csv.part"),
           "the scene %s is drawn before it is solved" % name)
-# a program without its plotting: nothing is left behind
-os.makedirs(os.path.join(WORK, "bare"), exist_ok=True)
-bare = shutil.copy(EPAFI, os.path.join(WORK, "bare", "epafi"))
-done = subprocess.run([bare, "check", scene("disc.xml"), "--plot", os.path.join(WORK, "no.png")],
-                      stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-claim(done.returncode == 1 and "missing" in done.stderr and
-      not os.path.exists(os.path.join(WORK, "no.png.csv.part")),
-      "a program without its plotting leaves nothing: " + done.stderr.strip())
+# a program without its plotting: nothing is left behind.  On ranks EPAFI is a script around it
+if "EPAFI_TEST_RANKS" not in os.environ:
+    os.makedirs(os.path.join(WORK, "bare"), exist_ok=True)
+    bare = shutil.copy(EPAFI, os.path.join(WORK, "bare", "epafi"))
+    done = subprocess.run([bare, "check", scene("disc.xml"), "--plot", os.path.join(WORK, "no.png")],
+                          stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    claim(done.returncode == 1 and "missing" in done.stderr and
+          not os.path.exists(os.path.join(WORK, "no.png.csv.part")),
+          "a program without its plotting leaves nothing: " + done.stderr.strip())
 code, text = epafi("check", scene("disc.xml"), "--plot", "/nowhere/disc.png")
 claim(code == 1 and "/nowhere" in text, "a picture that cannot be written: " + text[-120:])
 for window, words in [("3,0,-3,3", "X0,Y0,X1,Y1"), ("1,2", "X0,Y0,X1,Y1"),
