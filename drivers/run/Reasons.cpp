@@ -69,10 +69,9 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
   if (last.stage == Stage::FollowOffset)
     return ended(report, last.end) +
            ".  Newton's method and complementary pivoting were tried.  There is no "
-           "solution "
-           "where the load drives a body beyond what friction holds: hold the motion, or "
-           "lessen the load; with a large friction coefficient there may be several, or "
-           "none: try a smaller one, or a finer mesh";
+           "solution where the load drives a body beyond what friction holds: hold the "
+           "motion, or lessen the load; with a large friction coefficient there may be "
+           "several, or none: try a smaller one, or a finer mesh";
   if (last.stage != Stage::FixedPoint || last.parts.empty())
     return ended(report, last.end);
   std::string text;

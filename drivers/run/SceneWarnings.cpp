@@ -300,8 +300,9 @@ void findUnused(const Scene& scene, std::vector<std::string>& warnings) {
                          ": is rigid, and no contact names it");
 }
 
-/// Sides in contact whose pressures what is next to rigid loses digits of: D is that of the softer
-/// body, and from element to element on finer sides the stiffer one's alone.
+/// Sides that carry the multiplier and are next to rigid beside what they meet: what a pressure
+/// does to them is lost in what it does to the softer body, and with it the pressure's digits where
+/// the softer body's mesh does not see it.
 void findStiffSides(const Scene& scene, std::vector<std::string>& warnings) {
   constexpr double large = 1e6;
   for (const ContactPair& pair : scene.contacts) {
