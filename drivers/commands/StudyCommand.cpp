@@ -30,12 +30,6 @@ namespace epafi::drivers {
 
 namespace {
 
-/// What true errors of a scene are measured against.
-struct Reference {
-  Snapshot solution;
-  double estimate = 0;  ///< its own [(stress length²)^½]
-};
-
 /// A name as a file name: one in this folder, and not hidden.
 std::string fileName(const std::string& name) {
   std::string result;
@@ -144,8 +138,9 @@ class StudyRun {
     if (!kept)
       return std::nullopt;
     const std::vector<std::string> cells = lastCells(kept->history);
-    Reference reference{takeSnapshot(*scene.reference, kept->level, energyOf(cells)),
-                        kept->level.estimate()};
+    Reference reference(takeSnapshots(*scene.reference, kept->level, energyOf(cells),
+                                      dissipatedOf(kept->steps, kept->level.number)),
+                        kept->level.estimate(), *scene.reference);
     out_ << scene.name << ": reference " << (fresh ? "computed" : "kept from before")
          << ", " << kept->level.elements() << " elements, estimate " << reference.estimate
          << "\n"
@@ -240,10 +235,14 @@ class StudyRun {
     if (study_.smallestEigenvalue)
       studied.smallestEigenvalue = smallestEigenvalue(variant.scene, level);
     if (reference) {
-      studied.error =
-          trueError(takeSnapshot(variant.scene, level.level, energyOf(historyCells(row))),
-                    reference->solution, variant.scene);
-      studied.counted = studied.error->energyNorm >= 10 * reference->estimate;
+      std::vector<double> dissipated;
+      if (level.path != nullptr)
+        for (const auto& step : level.path->steps)
+          dissipated.push_back(step->row.energyDissipated);
+      studied.error = trueError(takeSnapshots(variant.scene, level.level,
+                                              energyOf(historyCells(row)), dissipated),
+                                *reference, variant.scene);
+      studied.counted = studied.error->largest >= 10 * reference->estimate;
     }
     table_.level(scene.name, variant, row, studied);
     folder_.write("study.csv", table_.text());

@@ -1,9 +1,10 @@
 #include "drivers/output/StepsTable.hpp"
 
 #include "drivers/output/Csv.hpp"
+#include "drivers/scene/Text.hpp"
 
+#include <sstream>
 #include <utility>
-#include <vector>
 
 namespace epafi::drivers {
 
@@ -54,6 +55,13 @@ constexpr Column<RigidRow> rigidColumns[] = {
      [](const RigidRow& r) { return number(r.load.moment + r.reaction.moment); }},
 };
 
+std::size_t place(const std::string& name) {
+  std::size_t at = 0;
+  while (name != columns[at].name)
+    ++at;
+  return at;
+}
+
 }  // namespace
 
 std::string stepsHead(const StepRow& row) {
@@ -74,6 +82,19 @@ std::string stepsLine(const StepRow& row) {
   for (const RigidRow& body : row.rigid)
     addCells(rigidColumns, body, cells);
   return csvLine(cells);
+}
+
+std::vector<double> dissipatedOf(const std::string& steps, int level) {
+  std::vector<double> work;
+  std::istringstream lines(steps);
+  std::string line;
+  std::getline(lines, line);  // the head
+  while (std::getline(lines, line)) {
+    const std::vector<std::string> cells = csvCells(line);
+    if (cells.at(place("level")) == std::to_string(level))
+      work.push_back(numberIn<double>(cells.at(place("energy_dissipated"))).value());
+  }
+  return work;
 }
 
 }  // namespace epafi::drivers

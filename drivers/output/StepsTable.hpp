@@ -3,6 +3,7 @@
 #include "drivers/run/Path.hpp"
 
 #include <string>
+#include <vector>
 
 namespace epafi::drivers {
 
@@ -10,5 +11,8 @@ namespace epafi::drivers {
 /// elasticity, and one line per level and step.
 std::string stepsHead(const StepRow& row);
 std::string stepsLine(const StepRow& row);
+
+/// Friction's work up to each step of a level, as steps.csv has it; nothing of an empty text.
+std::vector<double> dissipatedOf(const std::string& steps, int level);
 
 }  // namespace epafi::drivers

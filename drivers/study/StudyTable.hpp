@@ -11,7 +11,7 @@ namespace epafi::drivers {
 /// What a study knows of a level beyond its row of history.csv.
 struct StudiedLevel {
   std::optional<TrueError> error;
-  bool counted = false;  ///< the error is at least ten times the reference's estimate
+  bool counted = false;  ///< its largest is at least ten times the reference's estimate
   double smallestEigenvalue = std::numeric_limits<double>::quiet_NaN();
   std::string folder;  ///< with the variant's files, in the study's
 };
@@ -21,6 +21,8 @@ struct StudiedLevel {
 ///   error, error_multiplier, error_energy     relative, see TrueError
 ///   counted                                   1 if the error is far above the reference's
 ///   effectivity                               estimate over the absolute energy-norm error
+///   error_path, error_path_multiplier, error_path_friction, worst_step
+///                                             on a path, see TrueError::Path
 ///   sweep_value, smallest_eigenvalue, reason
 ///   folder                                    of the variant, in the study's
 ///

@@ -1,11 +1,14 @@
 #include "drivers/study/TrueError.hpp"
 
+#include "bem/base/Error.hpp"
 #include "bem/operators/EnergyNorm.hpp"
 #include "bem/quadrature/Gauss.hpp"
+#include "contact/problem/Numbering.hpp"
 #include "drivers/run/BodySpaces.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace epafi::drivers {
 
@@ -39,52 +42,141 @@ double multiplierDistance(const BodySnapshot& level, const BodySnapshot& referen
   return sum;
 }
 
-}  // namespace
-
-Snapshot takeSnapshot(const Scene& scene, const Level& level, double energy) {
-  const BodySpaces spaces(scene, meshesOf(scene, level));
-  Snapshot snapshot{{}, energy};
-  for (std::size_t b = 0; b < spaces.size(); ++b) {
-    const bem::Space& space = spaces.space(b);
-    const contact::MultiplierSpace& multiplier = spaces.multiplier(b);
-    const BodyLevel& own = level.bodies[b];
-    const std::size_t elements = space.mesh().size();
-    BodySnapshot body{bem::makeCauchyData(space, own.displacement, own.density),
-                      std::vector<Series>(elements), std::vector<bool>(elements)};
-    for (const auto& element : multiplier.elements()) {
-      body.contact[element.element] = true;
-      body.multiplier[element.element] = bem::project(
-          [&](double t) {
-            const auto value = multiplier.at(own.state.multiplier, element, t);
-            return bem::Complex(value.normal, value.tangential);
-          },
-          element.degree);
-    }
-    snapshot.bodies.push_back(std::move(body));
+/// A body's displacement, density and multiplier as functions.
+BodySnapshot bodySnapshot(const BodySpaces& spaces, std::size_t b,
+                          const bem::Vector& displacement, const bem::Vector& density,
+                          const bem::Vector& multiplier) {
+  const bem::Space& space = spaces.space(b);
+  const contact::MultiplierSpace& own = spaces.multiplier(b);
+  const std::size_t elements = space.mesh().size();
+  BodySnapshot body{bem::makeCauchyData(space, displacement, density),
+                    std::vector<Series>(elements), std::vector<bool>(elements)};
+  for (const auto& element : own.elements()) {
+    body.contact[element.element] = true;
+    body.multiplier[element.element] = bem::project(
+        [&](double t) {
+          const auto value = own.at(multiplier, element, t);
+          return bem::Complex(value.normal, value.tangential);
+        },
+        element.degree);
   }
-  return snapshot;
+  return body;
 }
 
-TrueError trueError(const Snapshot& level, const Snapshot& reference,
-                    const Scene& scene) {
-  const bem::Units units = scene.units();
-  double size = 0;
-  double distance = 0;
+/// The state of the path at a time that was asked for: of all bodies together.
+const contact::State& stateAt(const Level& level, double t) {
+  for (const PathPoint& point : level.path)
+    if (point.t == t)
+      return point.state;
+  throw bem::NumericalError(
+      bem::message("the path has no state at t = ", t, ", which it was asked for"));
+}
+
+/// Of one time, dimensionless.
+struct Distance {
+  double norm = 0;
   double multiplier = 0;
+};
+
+Distance distanceOf(const Snapshot& level, const Snapshot& reference,
+                    const Scene& scene) {
+  Distance distance;
+  double squares = 0;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const bem::Lame lame = scene.lame(b);
     const BodySnapshot& own = level.bodies[b];
     const BodySnapshot& other = reference.bodies[b];
-    size = std::hypot(size, bem::energyNorm(other.data, lame));
-    distance = std::hypot(distance,
-                          bem::energyNorm(bem::difference(own.data, other.data), lame));
-    multiplier += multiplierDistance(own, other) / lame.mu;
+    distance.norm = std::hypot(
+        distance.norm, bem::energyNorm(bem::difference(own.data, other.data), lame));
+    squares += multiplierDistance(own, other) / lame.mu;
   }
+  distance.multiplier = std::sqrt(squares);
+  return distance;
+}
+
+}  // namespace
+
+Snapshots takeSnapshots(const Scene& scene, const Level& level, double energy,
+                        const std::vector<double>& dissipated) {
+  const BodySpaces spaces(scene, meshesOf(scene, level));
+  Snapshots result{{}, energy};
+  if (level.steps.empty()) {
+    Snapshot& only = result.steps.emplace_back();
+    for (std::size_t b = 0; b < spaces.size(); ++b) {
+      const BodyLevel& own = level.bodies[b];
+      only.bodies.push_back(
+          bodySnapshot(spaces, b, own.displacement, own.density, own.state.multiplier));
+    }
+    return result;
+  }
+  std::vector<contact::Numbering::Count> counts;
+  for (std::size_t b = 0; b < spaces.size(); ++b)
+    counts.push_back({spaces.multiplier(b).normals(), spaces.multiplier(b).size()});
+  const contact::Numbering numbering(counts);
+  for (const StepFields& step : level.steps) {
+    Snapshot& snapshot = result.steps.emplace_back();
+    snapshot.t = step.t;
+    snapshot.dissipated = dissipated.at(result.steps.size() - 1);
+    const bem::Vector& all = stateAt(level, step.t).multiplier;
+    for (std::size_t b = 0; b < spaces.size(); ++b) {
+      bem::Vector own(numbering.sizeOf(b));
+      for (std::size_t i = 0; i < own.size(); ++i)
+        own[i] = all[numbering(b, static_cast<bem::Index>(i))];
+      snapshot.bodies.push_back(
+          bodySnapshot(spaces, b, step.displacement[b], step.density[b], own));
+    }
+  }
+  return result;
+}
+
+Reference::Reference(Snapshots snapshots, double estimate_, const Scene& scene)
+    : solution(std::move(snapshots)), estimate(estimate_) {
+  for (const Snapshot& step : solution.steps) {
+    double norm = 0;
+    for (std::size_t b = 0; b < step.bodies.size(); ++b)
+      norm = std::hypot(norm, bem::energyNorm(step.bodies[b].data, scene.lame(b)));
+    norms.push_back(norm);
+  }
+}
+
+TrueError trueError(const Snapshots& level, const Reference& reference,
+                    const Scene& scene) {
+  const bem::Units units = scene.units();
+  const std::vector<Snapshot>& others = reference.solution.steps;
+  const Distance last = distanceOf(level.steps.back(), others.back(), scene);
   TrueError error;
-  error.energyNorm = distance * std::sqrt(units.stress) * units.length;
-  error.relative = distance / size;
-  error.multiplier = std::sqrt(multiplier) / size;
-  error.energy = std::abs(level.energy / reference.energy - 1);
+  error.energyNorm = last.norm * std::sqrt(units.stress) * units.length;
+  error.relative = last.norm / reference.norms.back();
+  error.multiplier = last.multiplier / reference.norms.back();
+  error.energy = std::abs(level.energy / reference.solution.energy - 1);
+  error.largest = error.energyNorm;
+  if (!scene.history)
+    return error;
+  const double largest =
+      *std::max_element(reference.norms.begin(), reference.norms.end());
+  const double work = std::abs(others.back().dissipated);
+  TrueError::Path path;
+  for (std::size_t k = 0; k < level.steps.size(); ++k) {
+    const Snapshot& step = level.steps[k];
+    const auto other = std::find_if(others.begin(), others.end(), [&](const auto& s) {
+      return std::abs(s.t - step.t) <= 1e-9 * step.t;
+    });
+    if (other == others.end())
+      continue;
+    const Distance distance = distanceOf(step, *other, scene);
+    if (path.step == 0 || distance.norm / largest > path.relative) {
+      path.relative = distance.norm / largest;
+      path.step = static_cast<int>(k) + 1;
+    }
+    path.multiplier = std::max(path.multiplier, distance.multiplier / largest);
+    if (work > 0)
+      path.friction =
+          std::max(path.friction, std::abs(step.dissipated - other->dissipated) / work);
+  }
+  if (path.step > 0) {
+    error.path = path;
+    error.largest = path.relative * largest * std::sqrt(units.stress) * units.length;
+  }
   return error;
 }
 

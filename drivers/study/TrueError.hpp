@@ -5,6 +5,7 @@
 #include "drivers/scene/Scene.hpp"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace epafi::drivers {
@@ -18,13 +19,33 @@ struct BodySnapshot {
   std::vector<std::array<bem::Complex, bem::largestDegree + 1>> multiplier;
   std::vector<bool> contact;  ///< of each element
 };
+
+/// All bodies at a time.
 struct Snapshot {
+  double t = 1;
   std::vector<BodySnapshot> bodies;
-  double energy = 0;  ///< ½ uᵀ S u - fᵀ u + ∫ bound |uₜ| [stress length²]
+  double dissipated = 0;  ///< on a path: friction's work so far [stress length²]
 };
 
-/// Of a level just solved or read from a file; `energy`: see energyOf.
-Snapshot takeSnapshot(const Scene& scene, const Level& level, double energy);
+/// A solved level: of a path each step that was asked for, else one state.
+struct Snapshots {
+  std::vector<Snapshot> steps;
+  double energy = 0;  ///< of the last: ½ uᵀ S u - fᵀ u + ∫ bound |uₜ| [stress length²]
+};
+
+/// Of a level just solved or read from a file; `energy`: see energyOf; `dissipated`: of each
+/// step that was asked for, see dissipatedOf.
+Snapshots takeSnapshots(const Scene& scene, const Level& level, double energy,
+                        const std::vector<double>& dissipated);
+
+/// What true errors of a scene are measured against.
+struct Reference {
+  Reference(Snapshots snapshots, double estimate, const Scene& scene);
+
+  Snapshots solution;
+  std::vector<double> norms;  ///< of each step in the energy norm, dimensionless
+  double estimate;            ///< its own [(stress length²)^½]
+};
 
 /// How far a level is from a reference.
 struct TrueError {
@@ -35,9 +56,21 @@ struct TrueError {
   /// `relative`.
   double multiplier = 0;
   double energy = 0;  ///< |difference of the energies| over the reference's
+
+  double largest = 0;  ///< `energyNorm`, on a path the largest of any step
+
+  /// The largest over the steps of a path that have their time in common with the reference.
+  struct Path {
+    double relative = 0;    ///< as above, over the largest norm of any step
+    double multiplier = 0;  ///< likewise
+    double friction = 0;    ///< of friction's work so far, over all of the reference's
+    int step = 0;           ///< that of `relative`: 1, 2, ...
+  };
+  std::optional<Path> path{};  ///< nothing without a History
 };
 
 /// On the union of the two meshes, without further error.
-TrueError trueError(const Snapshot& level, const Snapshot& reference, const Scene& scene);
+TrueError trueError(const Snapshots& level, const Reference& reference,
+                    const Scene& scene);
 
 }  // namespace epafi::drivers

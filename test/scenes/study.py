@@ -54,10 +54,10 @@ HOPELESS = """
     </ParameterList>"""
 
 
-def study(name, variants, template=STUDY):
+def study(name, variants, template=STUDY, scene="coulomb.xml"):
     file = os.path.join(WORK, name + ".xml")
     with open(file, "w") as stream:
-        stream.write(template % (os.path.abspath(os.path.join(SCENES, "coulomb.xml")), variants))
+        stream.write(template % (os.path.abspath(os.path.join(SCENES, scene)), variants))
     return file
 
 
@@ -123,6 +123,35 @@ swept = [row for row in rows if row["variant"].startswith("sweep") and row["fold
 claim(len(swept) == 2 and all(sorted(os.listdir(os.path.join(folder, row["folder"]))) ==
                               ["contact.csv", "used.xml"] for row in swept),
       "a value of a sweep keeps its contact: " + swept[0]["folder"])
+claim(all(row["error_path"] == row["worst_step"] == "" for row in uniform),
+      "one load is no path")
+
+# a path: every step is compared, the worst one is named
+PATH = STUDY.replace("Adaptivity->Maximum Levels=100, Adaptivity->Maximum Degrees of Freedom=700",
+                     "Adaptivity->Maximum Levels=3, Adaptivity->Maximum Degrees of Freedom=900")
+SAME = """
+    <ParameterList name="%s">
+      <Parameter name="Set" type="Array(string)" value="{
+        Adaptivity->Strategy=Adaptive hp, Adaptivity->Marking Fraction=0.5,
+        Adaptivity->Maximum Levels=3, History->Steps={%s}}"/>
+    </ParameterList>"""
+path = study("path", SAME % ("same", "1, 1, 1") + SAME % ("halved", "2, 2, 2"), PATH,
+             "there-and-back.xml")
+paths = fresh("path")
+code, text = epafi("study", path, "--output", paths)
+rows = table(os.path.join(paths, "study.csv"))
+claim(code == 0, "a study of paths (exit %d) %s" % (code, "" if code == 0 else text))
+same, halved = of("same"), of("halved")
+claim(len(same) == 3 and same[-1]["error_path"] == same[-1]["error_path_friction"] == 0,
+      "what is solved as the reference has no error in any step")
+for row in same[:-1]:
+    claim(row["error_path"] > 0 and row["error_path_multiplier"] > 0 and
+          row["error_path_friction"] > 0 and row["worst_step"] in (1, 2, 3),
+          "a coarser mesh has: %g, step %d" % (row["error_path"], row["worst_step"]))
+claim(same[1]["error_path"] < same[0]["error_path"], "it falls")
+claim(halved[-1]["error_path"] > 0 and halved[-1]["worst_step"] in (2, 4, 6),
+      "with other steps, those at common times are compared: %d" % halved[-1]["worst_step"])
+claim(os.path.isfile(os.path.join(paths, "path.png")), "path.png is drawn")
 
 # --quiet draws, and says nothing; pictures that cannot be drawn are told
 sweep = study("sweep", HOPELESS[HOPELESS.index('    <ParameterList name="sweep">'):])
