@@ -116,16 +116,25 @@ void Recorder::takeStep(const SolvedLevel& level) {
   path_.times.push_back(row.t);
   if (scene_.hasSeveral())
     bodies_ += bodiesLines(scene_, row.level, row.step, row.bodies, row.rigid);
-  folder_->stage("steps.csv", path_.steps);
+  BoundaryLines grid;
   if (scene_.output.fields) {
-    const BoundaryLines grid = boundaryLines(scene_, level);
+    grid = boundaryLines(scene_, level);
     path_.boundaries.push_back(boundaryVtu(grid));
-    folder_->stage("solution.hdf", solution(level.level, countedOn(level.row), grid));
   }
+  if (isKnown(level.level))
+    return;
+  folder_->stage("steps.csv", path_.steps);
+  if (scene_.output.fields)
+    folder_->stage("solution.hdf", solution(level.level, countedOn(level.row), grid));
   folder_->commit();
   written_(level.level);
   progress_.clear();
   table_ << tableLine(row) << std::flush;
+}
+
+bool Recorder::isKnown(const Level& level) const {
+  return earlier_ && level.number == earlier_->level.number &&
+         level.path.size() < earlier_->level.path.size();
 }
 
 void Recorder::writeTimings(PhaseTimer& timer) {
