@@ -91,6 +91,7 @@ void Recorder::write() {
     folder_->stage("bodies.csv", bodies_);
   if (scene_.output.fields)
     folder_->stage("solution.hdf", solution(*last_, waiting_->row, waiting_->grid));
+  folder_->dropMade();
   folder_->commit();
   path_ = {path_.steps, {}, {}, {}};
   waiting_.reset();
@@ -126,6 +127,7 @@ void Recorder::takeStep(const SolvedLevel& level) {
   folder_->stage("steps.csv", path_.steps);
   if (scene_.output.fields)
     folder_->stage("solution.hdf", solution(level.level, countedOn(level.row), grid));
+  folder_->dropMade();
   folder_->commit();
   written_(level.level);
   progress_.clear();
