@@ -91,6 +91,7 @@ void Recorder::write() {
     folder_->stage("bodies.csv", bodies_);
   if (scene_.output.fields)
     folder_->stage("solution.hdf", solution(*last_, waiting_->row, waiting_->grid));
+  folder_->dropMade();
   folder_->commit();
   path_ = {path_.steps, {}, {}, {}};
   waiting_.reset();
@@ -116,16 +117,26 @@ void Recorder::takeStep(const SolvedLevel& level) {
   path_.times.push_back(row.t);
   if (scene_.hasSeveral())
     bodies_ += bodiesLines(scene_, row.level, row.step, row.bodies, row.rigid);
-  folder_->stage("steps.csv", path_.steps);
+  BoundaryLines grid;
   if (scene_.output.fields) {
-    const BoundaryLines grid = boundaryLines(scene_, level);
+    grid = boundaryLines(scene_, level);
     path_.boundaries.push_back(boundaryVtu(grid));
-    folder_->stage("solution.hdf", solution(level.level, countedOn(level.row), grid));
   }
+  if (isKnown(level.level))
+    return;
+  folder_->stage("steps.csv", path_.steps);
+  if (scene_.output.fields)
+    folder_->stage("solution.hdf", solution(level.level, countedOn(level.row), grid));
+  folder_->dropMade();
   folder_->commit();
   written_(level.level);
   progress_.clear();
   table_ << tableLine(row) << std::flush;
+}
+
+bool Recorder::isKnown(const Level& level) const {
+  return earlier_ && level.number == earlier_->level.number &&
+         level.path.size() < earlier_->level.path.size();
 }
 
 void Recorder::writeTimings(PhaseTimer& timer) {

@@ -28,7 +28,8 @@ class Recorder {
 
   /// A solved level; its files are written now or, if they were written a moment ago, later.
   void take(const SolvedLevel& level);
-  /// A step on the way to a level: what a run that is killed now goes on from.
+  /// A step on the way to a level: what a run that is killed now goes on from, unless the
+  /// earlier run has left more.
   void takeStep(const SolvedLevel& level);
   /// The files of the level taken last, if they wait: they take the place of those of the level
   /// before, the one that a restart begins with last.
@@ -63,6 +64,8 @@ class Recorder {
   /// The row with the earlier run's seconds.
   LevelRow countedOn(LevelRow row) const;
   void note(const SolvedLevel& level);
+  /// Is it a step that the earlier run went beyond?  Its files would take the place of more.
+  bool isKnown(const Level& level) const;
 
   const Scene& scene_;
   const std::optional<Checkpoint>& earlier_;

@@ -80,6 +80,11 @@ std::string processesAndThreads(int processes) {
              : counted(processes, "process", "processes") + " with " + text + " each";
 }
 
+/// A file's name as one word of a command, and no option.
+std::string fileWord(const std::string& name) {
+  return shellWord(name.rfind('-', 0) == 0 ? "./" + name : name);
+}
+
 /// What an interrupted run says; `level`: what is written last, a level or a step on the way to
 /// one, or null.
 std::string advice(const Given& given, const Scene& scene, const std::string& folder,
@@ -89,11 +94,11 @@ std::string advice(const Given& given, const Scene& scene, const std::string& fo
   if (!scene.output.fields)
     return bem::message("interrupted ", placeOf(*level), "; its files are in ", folder,
                         ", but Output->Fields = false leaves nothing to go on from");
-  std::string command = "epafi run " + given.argument;
+  std::string command = "epafi run " + fileWord(given.argument);
   for (const std::string& assignment : given.values("--set"))
-    command += " --set '" + assignment + "'";
+    command += " --set " + shellWord(assignment);
   return bem::message("interrupted ", placeOf(*level), "; to go on from it: ", command,
-                      " --restart ", folder);
+                      " --restart ", fileWord(folder));
 }
 
 /// For people, so not under --quiet.

@@ -2,6 +2,7 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/system/Definiteness.hpp"
 #include "drivers/commands/Commands.hpp"
+#include "drivers/output/BodiesTable.hpp"
 #include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/ContactTable.hpp"
 #include "drivers/output/HistoryTable.hpp"
@@ -80,19 +81,31 @@ struct Record {
   std::string used = usedXml(scene);
   std::string history = historyHead();
   std::string steps{};  ///< where the scene has a History
+  std::string bodies = scene.hasSeveral() ? bodiesHead() : "";  ///< likewise of several
 
   void add(const SolvedLevel& level, const LevelRow& row) {
     history += historyLine(row);
-    if (level.path != nullptr)
-      for (const auto& step : level.path->steps)
+    if (level.path == nullptr)
+      bodies += bodiesOf(0, row);
+    else
+      for (const auto& step : level.path->steps) {
         steps += (steps.empty() ? stepsHead(step->row) : "") + stepsLine(step->row);
+        bodies += bodiesOf(step->row.step, step->row);
+      }
   }
   /// solution.hdf
   std::string solution(const SolvedLevel& level, const BoundaryLines& grid) const {
     return solutionFile(scene,
-                        {level.level, used, history, steps, "", level.row.secondsTotal,
-                         level.row.secondsWall},
+                        {level.level, used, history, steps, bodies,
+                         level.row.secondsTotal, level.row.secondsWall},
                         grid);
+  }
+
+ private:
+  template <class Row>
+  std::string bodiesOf(int step, const Row& row) const {
+    return scene.hasSeveral() ? bodiesLines(scene, row.level, step, row.bodies, row.rigid)
+                              : "";
   }
 };
 
@@ -277,6 +290,8 @@ class StudyRun {
     if (variant.swept && !study_.keepSolutions)
       return;
     folder.write("history.csv", record.history);
+    if (scene.hasSeveral())
+      folder.write("bodies.csv", record.bodies);
     if (!scene.output.fields)
       return;
     const BoundaryLines grid = boundaryLines(scene, level);

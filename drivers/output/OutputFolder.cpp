@@ -18,11 +18,83 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// All files that a run may write; only these are ever deleted.
-constexpr const char* outputFiles[] = {
-    "history.csv",  "steps.csv",    "contact.csv",       "boundary.csv", "bodies.csv",
-    "interior.csv", "solution.hdf", "used.xml",          "timings.txt",  "study.csv",
-    "fields.csv",   "fields.vtu",   "fields-window.csv", "steps.pvd"};
+/// All files that a run may write; only these and what is made of them are ever deleted.
+constexpr const char* outputFiles[] = {"history.csv",  "steps.csv",  "contact.csv",
+                                       "boundary.csv", "bodies.csv", "interior.csv",
+                                       "solution.hdf", "used.xml",   "timings.txt",
+                                       "study.csv",    "steps.pvd"};
+
+/// What `epafi fields` and `epafi plot` make of them, beside pictures.
+constexpr const char* madeFiles[] = {"fields.csv", "fields.vtu", "fields-window.csv",
+                                     "movie.gif"};
+
+/// Pictures of these names, .png and .svg.                       [python/epafi/plot]
+constexpr const char* pictures[] = {"convergence",
+                                    "time",
+                                    "contributions",
+                                    "mesh",
+                                    "deformed",
+                                    "contact",
+                                    "path",
+                                    "rigid",
+                                    "steps",
+                                    "contact_stress",
+                                    "effectivity",
+                                    "work-precision",
+                                    "exponential",
+                                    "sweep",
+                                    "sweep_forces",
+                                    "sweep_contact",
+                                    "ux",
+                                    "uy",
+                                    "sxx",
+                                    "syy",
+                                    "sxy",
+                                    "szz",
+                                    "von_mises",
+                                    "principal_1",
+                                    "principal_2"};
+
+template <class Names>
+bool isAmong(const Names& names, const std::string& name) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+bool isMade(const std::string& name) {
+  const fs::path file = name;
+  if (file.extension() != ".png" && file.extension() != ".svg")
+    return isAmong(madeFiles, name);
+  std::string stem = file.stem().string();
+  const std::string numbered = "sweep_contact_";
+  if (stem.rfind(numbered, 0) == 0 &&
+      stem.find_first_not_of("0123456789", numbered.size()) == std::string::npos)
+    stem = "sweep_contact";
+  return isAmong(pictures, stem);
+}
+
+/// Those of them that a folder has.
+std::vector<std::string> madeIn(const fs::path& path) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(path, ignored))
+    if (isMade(entry.path().filename().string()) && !entry.is_directory(ignored))
+      names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// All files of an earlier run that a folder has.
+std::vector<std::string> filesIn(const fs::path& path) {
+  std::vector<std::string> names;
+  for (const char* name : outputFiles) {
+    std::error_code error;
+    if (fs::exists(fs::symlink_status(path / name, error)))
+      names.emplace_back(name);
+  }
+  const std::vector<std::string> made = madeIn(path);
+  names.insert(names.end(), made.begin(), made.end());
+  return names;
+}
 
 /// Where a file stands in a folder while it is staged.
 std::string temporaryFile(const fs::path& folder, const std::string& name) {
@@ -52,12 +124,11 @@ bool hasRows(const fs::path& table) {
 /// A run that ended before its first level was solved leaves what repeats and times it: not
 /// worth keeping, and no reason to refuse the next one.
 bool holdsSolvedLevel(const fs::path& path) {
-  for (const std::string name : outputFiles) {
+  for (const std::string& name : filesIn(path)) {
     const bool table = name == "history.csv" || name == "study.csv";
     const fs::path file = path / name;
     std::error_code error;
-    if (name == "used.xml" || name == "timings.txt" ||
-        !fs::exists(fs::symlink_status(file, error)))
+    if (name == "used.xml" || name == "timings.txt")
       continue;
     if (!table || !fs::is_regular_file(file, error) || hasRows(file))
       return true;
@@ -106,11 +177,9 @@ void deleteEarlierRun(const fs::path& path, EarlierRun earlier) {
   if (earlier == EarlierRun::Delete)
     deleteSteps(path);
   const bool refuse = earlier == EarlierRun::Refuse && holdsSolvedLevel(path);
-  for (const std::string name : outputFiles) {
+  for (const std::string& name : filesIn(path)) {
     const fs::path file = path / name;
     std::error_code error;
-    if (!fs::exists(fs::symlink_status(file, error)))
-      continue;
     if (refuse)
       refuseEarlier(path, name);
     if (fs::is_directory(file, error) || !fs::remove(file, error))
@@ -197,6 +266,11 @@ void OutputFolder::write(const std::string& name, const std::string& text) {
 void OutputFolder::drop(const std::string& name) const {
   std::error_code ignored;
   fs::remove(fs::path(path_) / name, ignored);
+}
+
+void OutputFolder::dropMade() const {
+  for (const std::string& name : madeIn(path_))
+    drop(name);
 }
 
 void OutputFolder::discard() {

@@ -39,6 +39,9 @@ class OutputFolder {
 
   /// Deletes an earlier run's file that this run does not write.
   void drop(const std::string& name) const;
+  /// Deletes fields and pictures that other commands have made of a solution which is no longer
+  /// the folder's.
+  void dropMade() const;
 
   const std::string& path() const { return path_; }
   /// Names of the files written so far.

@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "drivers/output/BodiesTable.hpp"
 #include "drivers/output/HistoryTable.hpp"
+#include "drivers/output/StepsTable.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
@@ -72,8 +73,16 @@ void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
         "Adaptivity->Weights and Adaptivity->Residual Factor must be as they were");
 }
 
-/// The numbers must be those of the meshes; a checksum does not know what they mean.
-void checkSizes(const Level& level, const Scene& scene) {
+void checkHead(const std::string& table, const std::string& head) {
+  if (table.rfind(head, 0) != 0)
+    throw InputError(
+        "has tables with other columns than this version of Epafi; solve the "
+        "scene again");
+}
+
+/// Numbers and columns must be those of the meshes; a checksum does not know what they mean.
+void checkMeaning(const Checkpoint& checkpoint, const Scene& scene) {
+  const Level& level = checkpoint.level;
   if (level.bodies.size() != scene.bodies.size())
     throw InputError("has not as many bodies as the scene");
   for (std::size_t b = 0; b < level.bodies.size(); ++b) {
@@ -100,13 +109,8 @@ void checkSizes(const Level& level, const Scene& scene) {
         size(body.indicators.squares) != spaces.space(b).mesh().size())
       throw InputError("does not fit its own mesh");
   }
-}
-
-void checkHead(const std::string& table, const std::string& head) {
-  if (table.rfind(head, 0) != 0)
-    throw InputError(
-        "has tables with other columns than this version of Epafi; solve the "
-        "scene again");
+  if (!checkpoint.steps.empty())
+    checkHead(checkpoint.steps, stepsHead(emptyRow(scene, spaces)));
 }
 
 /// Rows of the levels that the run goes on behind.
@@ -138,7 +142,7 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
     Checkpoint checkpoint = readSolution(path);
     within("'" + path + "' ", [&] {
       checkScene(checkpoint, scene);
-      checkSizes(checkpoint.level, scene);
+      checkMeaning(checkpoint, scene);
       checkpoint.history = historyBehind(checkpoint);
       checkpoint.steps = rowsBehind(checkpoint.steps, checkpoint);
       checkpoint.bodies = rowsBehind(checkpoint.bodies, checkpoint);
@@ -159,7 +163,7 @@ std::optional<Checkpoint> readSolutionOf(const Scene& scene, const std::string& 
         list->remove(section, false);
     if (!difference(then, now, "").empty())
       return std::nullopt;
-    checkSizes(checkpoint.level, scene);
+    checkMeaning(checkpoint, scene);
     if (!checkpoint.level.complete)
       return std::nullopt;
     checkpoint.history = historyBehind(checkpoint);

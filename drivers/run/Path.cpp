@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -22,7 +23,8 @@ class Follower {
         earlier_(earlier),
         timer_(timer),
         memory_(atZero),
-        prediction_(atZero) {
+        prediction_(atZero),
+        empty_(emptyRow(ground.scene, ground.spaces)) {
     std::vector<bem::Vector> still;
     for (std::size_t b = 0; b < atZero.size(); ++b)
       still.emplace_back(atZero.body(b).load().size());
@@ -33,7 +35,7 @@ class Follower {
 
   /// Up to a time; false where the path ends before it.
   bool goTo(double time) {
-    row_ = {};
+    row_ = empty_;
     row_.level = ground_.level;
     row_.step = static_cast<int>(path_.steps.size()) + 1;
     row_.t = time;
@@ -132,24 +134,17 @@ class Follower {
     row_.energyStabilisation = energy * (stored - strain);
     row_.energyError = energy * memory_.imbalance(stored);
     row_.rigid = step.solved->rigidRows();
-    std::map<std::string, int> uses;  // of a name
-    for (const RigidRow& body : row_.rigid)
-      ++uses[body.name];
-    std::vector<std::map<std::string, contact::Summary>> contacts;
-    for (const contact::Solved& body : step.solved->bodies()) {
-      contacts.push_back(contact::summarizeContacts(body));
-      for (const auto& [name, summary] : contacts.back())
-        ++uses[name];
-    }
+    auto contact = row_.contacts.begin();
     for (std::size_t b = 0; b < system.size(); ++b) {
       step.frictionWork.push_back(
           system.numbering().tangentialsOf(b, memory_.frictionWork()));
       auto work = contact::frictionWorkOfContacts(system.body(b).multiplier(),
                                                   step.frictionWork[b]);
-      for (const auto& [name, summary] : contacts[b]) {
-        const std::string& body = ground_.scene.bodies[b].name;
-        row_.contacts.push_back({uses[name] > 1 ? bem::message(body, ":", name) : name,
-                                 summary, energy * work[name]});
+      for (const auto& [name, summary] :
+           contact::summarizeContacts(step.solved->bodies()[b])) {
+        contact->summary = summary;
+        contact->dissipated = energy * work[name];
+        ++contact;
       }
     }
     if (ground_.scene.hasSeveral())
@@ -166,6 +161,7 @@ class Follower {
   contact::Prediction prediction_;
   std::vector<contact::LoadResponses> responses_;
   Path path_;
+  const StepRow empty_;
   StepRow row_;
   std::unique_ptr<PathStep> latest_;
   contact::Configuration latestAt_;
@@ -173,6 +169,27 @@ class Follower {
 };
 
 }  // namespace
+
+StepRow emptyRow(const Scene& scene, const BodySpaces& spaces) {
+  StepRow row;
+  std::map<std::string, int> uses;  // of a name
+  for (const RigidBody& body : scene.rigid) {
+    row.rigid.push_back({body.name, body.pole, {}, {}, {}, {}});
+    ++uses[body.name];
+  }
+  std::vector<std::set<std::string>> contacts(spaces.size());
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    for (const auto& element : spaces.multiplier(b).elements())
+      contacts[b].insert(contact::nameOf(element));
+    for (const std::string& name : contacts[b])
+      ++uses[name];
+  }
+  for (std::size_t b = 0; b < spaces.size(); ++b)
+    for (const std::string& name : contacts[b])
+      row.contacts.push_back(
+          {uses[name] > 1 ? bem::message(scene.bodies[b].name, ":", name) : name, {}, 0});
+  return row;
+}
 
 Path followPath(const Ground& ground, const contact::ContactSystem& atZero,
                 const std::vector<PathPoint>& earlier, PhaseTimer& timer,

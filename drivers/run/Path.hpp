@@ -37,6 +37,10 @@ struct StepRow {
   std::vector<contact::Summary> bodies;  ///< in scenes of several
 };
 
+/// A row without numbers: the names of contacts, with the body's in front where another one has
+/// the same, and of bodies without elasticity, in their order.
+StepRow emptyRow(const Scene& scene, const BodySpaces& spaces);
+
 /// A solved step with all that its fields are made from.
 struct PathStep {
   StepRow row;

@@ -35,6 +35,10 @@ std::string trimmed(const std::string& text);
 /// "1 step", "2 steps"
 std::string counted(std::size_t count, const std::string& one, const std::string& many);
 
+/// A text as a POSIX shell takes it for one word: as it is where no sign means anything else
+/// there, else between single quotes.
+std::string shellWord(const std::string& text);
+
 /// The pieces of "a, f(b, c), {d, e}": commas within parentheses and braces do not count,
 /// unless these are not in pairs: then every comma does.
 std::vector<std::string> pieces(const std::string& text);

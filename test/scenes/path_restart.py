@@ -6,6 +6,10 @@ import random
 import subprocess
 import sys
 import time
+import zlib
+
+import h5py
+import numpy
 
 from halves import half, history
 from runs import EPAFI, WORK, claim, epafi, finish, fresh, scene, table
@@ -82,6 +86,63 @@ for k in range(int(sys.argv[4])):
     claim(code == 0, "killed behind %d steps: goes on%s" % (before, "" if code == 0 else text))
     same("killed behind %d steps" % before, whole, folder)
 claim(resumed > 0, "%d of the folders could be gone on from" % resumed)
+
+# one that goes on and is killed as soon as it writes has lost no step
+def solved(folder):
+    with h5py.File(os.path.join(folder, "solution.hdf")) as file:
+        return 40 * int(file["Epafi"].attrs["level"]) + len(file["Epafi/path_t"])
+
+
+def killed_when(ready, *arguments):
+    process = subprocess.Popen([EPAFI, "run", *SCENE, *arguments])
+    while process.poll() is None and not ready():
+        time.sleep(0.001)
+    process.kill()
+    process.wait()
+
+
+def file_number(folder):
+    return os.stat(os.path.join(folder, "solution.hdf")).st_ino
+
+
+folder = fresh("twice")
+steps = os.path.join(folder, "steps.csv")
+killed_when(lambda: os.path.exists(steps) and len(table(steps)) >= 25, "--output", folder)
+for k in range(3):
+    before, number = solved(folder), file_number(folder)
+    killed_when(lambda: file_number(folder) != number, "--restart", folder)
+    claim(solved(folder) >= before and len(table(steps)) >= before,
+          "killed again behind %d steps: %d in solution.hdf, %d in steps.csv" % (
+              before, solved(folder), len(table(steps))))
+code, text = epafi("run", *SCENE, "--restart", folder)
+claim(code == 0, "killed four times: goes on" + ("" if code == 0 else text))
+same("killed four times", whole, folder)
+
+# steps.csv of another version: the checksum is right, the columns are not
+ARRAYS = ("edge degree position indicators multiplier rigid contact_state friction_state "
+          "displacement density bodies rigid_bodies path_t path_iterations path_multiplier "
+          "path_rigid step_t step_displacement step_density").split()
+
+
+def checksum(data):
+    said = data.attrs
+    sum = zlib.crc32(numpy.array([said[key] for key in ("level", "converged", "complete")], "<i4"))
+    sum = zlib.crc32(numpy.array([said["seconds_total"], said["seconds_wall"]], "<f8"), sum)
+    for name in ("reason", "used", "history", "steps", "resultants"):
+        sum = zlib.crc32(data[name][()], sum)
+    for name in ARRAYS:
+        sum = zlib.crc32(numpy.ascontiguousarray(data[name]), sum)
+    return sum
+
+
+with h5py.File(os.path.join(folder, "solution.hdf"), "r+") as file:
+    data = file["Epafi"]
+    claim(checksum(data) == data.attrs["checksum"], "the checksum is CRC-32 of what the page says")
+    text = data["steps"][()].replace(b",parts,", b",Parts,", 1)
+    data["steps"][...] = text
+    data.attrs.modify("checksum", numpy.uint64(checksum(data)))
+code, text = epafi("run", *SCENE, "--restart", folder)
+claim(code == 1 and "other columns" in text, "another head of steps.csv is refused: " + text.strip())
 
 # another path, or an idle restart
 code, text = epafi("run", *SCENE, "--restart", whole, "--set", "History->Steps={1, 7, 16, 17}")

@@ -96,6 +96,23 @@ for name, bodies, wanted in (
     claim(code == 0, "the path of %s is drawn: %s" % (name, text.strip()[-200:]))
     drawn(os.path.join(WORK, name + " solved"), wanted, name)
 
+# what was drawn of one solution does not stay beside another one; other files do
+folder = os.path.join(WORK, "punch")
+code, text = epafi("fields", folder, "--grid", "5,5")
+for field in ("ux", "uy", "sxx", "syy", "sxy", "szz", "von_mises", "principal_1", "principal_2"):
+    code, text = epafi("plot", folder, "--field", field)
+    claim(code == 0, "%s is drawn" % field)
+for name in ("mine.png", "sweep_contact_a.svg"):
+    shutil.copy(os.path.join(folder, "path.png"), os.path.join(folder, name))
+code, text = epafi("run", scene("patch.xml"), "--output", folder)
+claim(code == 1 and "--force" in text, "they are the run's: " + text.strip())
+code, text = epafi("run", scene("patch.xml"), "--output", folder, "--force")
+new = fresh("patch")
+epafi("run", scene("patch.xml"), "--output", new)
+claim(code == 0 and sorted(os.listdir(folder)) == sorted(
+    os.listdir(new) + ["mine.png", "sweep_contact_a.svg"]),
+      "--force leaves no picture and no field: " + " ".join(sorted(os.listdir(folder))))
+
 points = table(os.path.join(WORK, "tresca", "boundary.csv"))
 claim(points[-1]["element"] == 63 and {point["degree"] for point in points} == {1},
       "boundary.csv names each point's element and degree")

@@ -1,5 +1,6 @@
 """The program itself: exit codes, folders, options, signals."""
 import os
+import shutil
 import signal
 import subprocess
 import time
@@ -191,20 +192,27 @@ def deep(folder):
 
 interrupted("Ctrl-C", "ctrl-c", [EPAFI], deep, {130})
 
-# on a path behind the last step
-folder = fresh("ctrl-c.path")
-process = subprocess.Popen([EPAFI, "run", scene("fretting.xml"), "--quiet", "--output", folder,
-                            "--set", "History->Steps={10, 200, 200, 200}"],
+# on a path behind the last step, in words that a shell takes for what was given
+place = fresh("ctrl-c.path")
+os.makedirs(place)
+file, folder, setting = "-it's $HOME.xml", 'my "out" `ls`;', "History->Steps={10, 200, 200, 200}"
+shutil.copy(scene("fretting.xml"), os.path.join(place, file))
+process = subprocess.Popen([os.path.abspath(EPAFI), "run", "--quiet", "--output", folder,
+                            "--set", setting, "--", file], cwd=place,
                            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
                            universal_newlines=True)
 deadline = time.time() + 60
-while time.time() < deadline and not os.path.exists(os.path.join(folder, "solution.hdf")):
+while time.time() < deadline and not os.path.exists(os.path.join(place, folder, "solution.hdf")):
     time.sleep(0.02)
 process.send_signal(signal.SIGINT)
 text = process.communicate()[1]
-claim(process.returncode == 130 and "in level 0, behind " in text and
-      "--restart " + folder in text, "Ctrl-C on the first level of a path: " + text.strip())
-with h5py.File(os.path.join(folder, "solution.hdf")) as file:
+told, _, command = text.strip().partition("; to go on from it: epafi run ")
+words = subprocess.run(["sh", "-c", "printf '%s\\n' " + command], stdout=subprocess.PIPE,
+                       universal_newlines=True).stdout.splitlines()
+claim(process.returncode == 130 and "in level 0, behind " in told and
+      words == ["./" + file, "--set", setting, "--restart", folder],
+      "Ctrl-C on the first level of a path: %s" % text.strip())
+with h5py.File(os.path.join(place, folder, "solution.hdf")) as file:
     seconds = [float(file["Epafi"].attrs["seconds_" + name]) for name in ("total", "wall")]
 claim(all(0 < value < 120 for value in seconds), "whose file has its seconds: %s" % seconds)
 

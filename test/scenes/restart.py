@@ -106,6 +106,18 @@ claim(code == 0 and content(done) == before, "nothing to do changes nothing")
 code, text = solve("tresca.xml", fresh("idle"), 3, HP, "--restart", done)
 claim(code == 0 and "level 2 are in " + done in text,
       "nothing to do elsewhere names the folder that has the fields")
+drawn = copy(base, "drawn")
+epafi("plot", drawn)
+epafi("fields", drawn, "--grid", "5,5")
+shutil.copy(os.path.join(drawn, "mesh.png"), os.path.join(drawn, "mine.png"))
+before_more = set(os.listdir(drawn))
+code, text = solve("tresca.xml", None, 3, HP, "--restart", drawn)
+claim(code == 0 and set(os.listdir(drawn)) == before_more and {"mesh.svg", "fields.csv"} < before_more,
+      "nor what was drawn of it")
+code, text = solve("tresca.xml", None, 4, HP, "--restart", drawn)
+claim(code == 0 and set(os.listdir(drawn)) == set(os.listdir(base)) | {"mine.png"},
+      "another level leaves no picture and no field of the one before: " +
+      " ".join(sorted(os.listdir(drawn))))
 with open(os.path.join(done, HISTORY), "a") as stream:
     stream.write("99,a torn row")
 code, text = solve("tresca.xml", None, 3, HP, "--restart", done)

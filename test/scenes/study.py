@@ -178,6 +178,32 @@ code, text = epafi("fields", value, "--grid", "3,3")
 claim(code == 0 and os.path.isfile(os.path.join(value, "fields.csv")),
       "fields of a value of a sweep: " + text.strip())
 
+# a variant of several bodies keeps their sums on all levels, and so does a run that goes on from it
+TWO = ["Adaptivity->Strategy=Uniform h"]
+with open(os.path.join(WORK, "bodies.xml"), "w") as stream:
+    stream.write("""<ParameterList name="Study of two bodies">
+  <Parameter name="Keep Solutions" type="bool" value="true"/>
+  <ParameterList name="Scenes"><ParameterList name="two">
+    <Parameter name="File" type="string" value="%s"/></ParameterList></ParameterList>
+  <ParameterList name="Variants"><ParameterList name="few">
+    <Parameter name="Set" type="Array(string)" value="{%s, Adaptivity->Maximum Levels=2}"/>
+  </ParameterList></ParameterList>
+</ParameterList>""" % (os.path.abspath(os.path.join(SCENES, "two-blocks.xml")), ", ".join(TWO)))
+folders = fresh("bodies"), fresh("bodies.run")
+code, text = epafi("study", os.path.join(WORK, "bodies.xml"), "--output", folders[0], "--quiet",
+                   "--no-plot")
+few = os.path.join(folders[0], "few")
+settings = [word for setting in TWO + ["Adaptivity->Maximum Levels=3"] for word in ("--set", setting)]
+two_blocks = os.path.join(SCENES, "two-blocks.xml")
+epafi("run", two_blocks, "--output", folders[1], *settings)
+expected = table(os.path.join(folders[1], "bodies.csv"))
+file_of = os.path.join(few, "bodies.csv")
+claim(code == 0 and os.path.exists(file_of) and
+      table(file_of) == [row for row in expected if row["level"] < 2],
+      "a study keeps bodies.csv of all levels: " + text)
+code, text = epafi("run", two_blocks, "--restart", few, *settings)
+claim(code == 0 and table(file_of) == expected, "and a run goes on with it: " + text[-200:])
+
 # a load path keeps its steps, and the fields of each
 with open(os.path.join(WORK, "path.xml"), "w") as stream:
     stream.write("""<ParameterList name="Study of a path">
