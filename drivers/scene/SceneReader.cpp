@@ -114,6 +114,7 @@ Scene build(const std::string& file, const RawScene& raw) {
   pinIncompressible(scene);
   scene.solver = readSolver(used.sublist("Solver"));
   readHistory(used, scene);
+  scene.drivesAt(scene.endOfPath());  // what is no number in t shall be said at once
   if (scene.history && scene.solver.loadSteps > 1)
     throw InputError(
         "Solver->Load Steps = ", scene.solver.loadSteps,
