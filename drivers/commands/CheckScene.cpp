@@ -43,7 +43,6 @@ void evaluateAll(const Scene& scene) {
   const std::vector<bem::Mesh> meshes = firstLevel(scene).meshes;
   const BodySpaces spaces(scene, meshes);
   const bem::Units units = scene.units();
-  scene.drivesAt(scene.endOfPath());
   for (std::size_t b = 0; b < meshes.size(); ++b) {
     const contact::Conditions& conditions = scene.bodies[b].conditions;
     contact::makeLoads(spaces.space(b), conditions, units);

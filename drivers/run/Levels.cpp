@@ -172,6 +172,7 @@ Attempt solvePath(const Ground& ground, const contact::ContactSystem& atZero,
 }
 
 Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
+                  const std::vector<contact::Conditions>& conditions,
                   const LevelStart& from, const NewLevel& begun) {
   PhaseTimer& timer = begun.timer;
   const bem::DenseAlgebra& algebra = ground.stiffness.front().algebra();
@@ -188,9 +189,6 @@ Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
                : system.configuration(outcome.solution.state);
   });
   system.numbers().flexibility.release();  // estimates take as much
-  std::vector<contact::Conditions> conditions;
-  for (const Body& body : ground.scene.bodies)
-    conditions.push_back(body.conditions);
   const SolvedBodies solved(ground, system, conditions, std::move(at));
   Level level = solved.level(ground.level);
   level.status = report.status;
@@ -251,20 +249,19 @@ Attempt solveLevel(const Scene& scene, const BodySpaces& spaces,
   const auto stiffness = stiffnessesOf(scene, spaces, lames, algebra, krylov, begun);
   const Ground ground{scene, from.level, spaces, lames, stiffness};
   // a path starts with the conditions at t = 0
-  const std::vector<contact::Conditions> first =
-      scene.history ? scene.conditionsAt(0) : std::vector<contact::Conditions>();
+  const double start = scene.history ? 0 : 1;
+  const std::vector<contact::Conditions> first = scene.conditionsAt(start);
   const auto system = begun.timer.run(Phase::Stabilization, [&] {
     std::vector<contact::ContactProblem::Input> inputs;
     for (std::size_t b = 0; b < spaces.size(); ++b)
-      inputs.push_back({spaces.space(b), stiffness[b], lames[b], scene.units(),
-                        scene.history ? first[b] : scene.bodies[b].conditions, basis,
-                        scene.stabilization, spaces.opposite(b),
+      inputs.push_back({spaces.space(b), stiffness[b], lames[b], scene.units(), first[b],
+                        basis, scene.stabilization, spaces.opposite(b),
                         formedUpTo(scene.history.steps())});
-    return contact::ContactSystem(inputs, scene.drivesAt(scene.history ? 0 : 1));
+    return contact::ContactSystem(inputs, scene.drivesAt(start));
   });
   checkResistance(scene, system);
   return scene.history ? solvePath(ground, system, from.path, begun)
-                       : solveOnce(ground, system, from, begun);
+                       : solveOnce(ground, system, first, from, begun);
 }
 
 /// With dense operators where compressed ones fail and the plan lets it: which is told.  Of several

@@ -236,6 +236,7 @@ double evaluateAt(double t, const std::string& text, const Place& place,
                   const Names& names) {
   Names now = names;
   now.t = t;
+  now.normal = {};  // a number has no place, on a boundary either
   return Expression(text, place, now, Form::OfTime)({});
 }
 

@@ -59,20 +59,19 @@ OutputOptions readOutput(const ParameterList& list, const Scene& scene) {
   return output;
 }
 
-void readHistory(ParameterList& used, Scene& scene) {
-  scene.history = parseHistory(used.sublist("History"));
-  if (!scene.history) {
-    used.remove("History");
-    return;
-  }
-  scene.conditionsAt = [lists = scene.used, file = scene.file, bodies = scene.bodies,
-                        names = scene.names()](double t) {
+/// The conditions of all bodies at a time: what their lists say then, on what reading the
+/// bodies and their contacts has found for good.
+std::function<std::vector<contact::Conditions>(double t)> conditionsOf(
+    const Scene& scene) {
+  return [lists = scene.used, file = scene.file, bodies = scene.bodies,
+          names = scene.names()](double t) {
     Names now = names;
     now.t = t;
     std::vector<contact::Conditions> all;
     for (const Body& body : bodies) {
       all.push_back(readConditions(lists->sublist("Bodies").sublist(body.name),
                                    {file, "Bodies->" + body.name}, *body.outline, now));
+      all.back().pins = body.conditions.pins;
       for (const auto& [boundary, contact] : body.conditions.contact)
         if (!contact.name.empty()) {
           now.normal = normalOn(*body.outline, boundary);
@@ -86,6 +85,15 @@ void readHistory(ParameterList& used, Scene& scene) {
     }
     return all;
   };
+}
+
+void readHistory(ParameterList& used, Scene& scene) {
+  scene.history = parseHistory(used.sublist("History"));
+  scene.conditionsAt = conditionsOf(scene);
+  if (!scene.history) {
+    used.remove("History");
+    return;
+  }
   const std::vector<contact::Conditions> end = scene.conditionsAt(scene.endOfPath());
   for (std::size_t b = 0; b < end.size(); ++b)
     scene.bodies[b].conditions = end[b];
@@ -114,6 +122,7 @@ Scene build(const std::string& file, const RawScene& raw) {
   pinIncompressible(scene);
   scene.solver = readSolver(used.sublist("Solver"));
   readHistory(used, scene);
+  scene.drivesAt(scene.endOfPath());  // what is no number in t shall be said at once
   if (scene.history && scene.solver.loadSteps > 1)
     throw InputError(
         "Solver->Load Steps = ", scene.solver.loadSteps,

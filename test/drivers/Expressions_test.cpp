@@ -236,9 +236,35 @@ TEUCHOS_UNIT_TEST(Forces, areTheUniformTractionTimesTheLength) {
   TEST_ASSERT(contains(
       complaint(parameter("Force X", "1") + parameter("Traction X", "1")), "not both"));
   TEST_EQUALITY(complaint(parameter("Force X", "1") + parameter("Traction Y", "x")), "");
-  TEST_ASSERT(contains(complaint(parameter("Force Y", "x")), "no expression in t"));
+  for (const char* key : {"Force X", "Force Y"})
+    for (const char* ofPlace : {"x", "y", "3*nx + 10", "ny"})
+      TEST_ASSERT(contains(
+          complaint(parameter(key, ofPlace)),
+          std::string("load->") + key + " = '" + ofPlace + "' is no expression in t: "));
   TEST_ASSERT(contains(complaint(parameter("Force Y", "1/(2-t)")),
                        "at t = 2; one finite number is needed"));
+}
+
+TEUCHOS_UNIT_TEST(Motions, areExpressionsInTimeAlone) {
+  for (const char* key :
+       {"Displacement X", "Displacement Y", "Rotation", "Force X", "Force Y", "Moment"})
+    for (const char* text : {"t", "x", "y", "nx", "ny"}) {
+      SceneText scene;
+      scene.bodies = R"(<ParameterList name="punch"><ParameterList name="Material">
+          <Parameter name="Rigid" type="bool" value="true"/></ParameterList>
+        <ParameterList name="Geometry">
+          <Parameter name="Vertices" type='TwoDArray(double)' value="3x2:{0,2, 1,2, 0,3}"/>
+          <Parameter name="Edges" type='Array(string)' value="{a, b, c}"/></ParameterList>
+        <ParameterList name="Motion">)" +
+                     parameter(key, text) + "</ParameterList></ParameterList>";
+      const std::string complaint = complaintOf(scene.xml());
+      TEST_EQUALITY(complaint,
+                    std::string(text) == "t"
+                        ? ""
+                        : bem::message("Bodies->punch->Motion->", key, " = '", text,
+                                       "' is no expression in t: Unexpected token \"",
+                                       text, "\" found at position 0."));
+    }
 }
 
 }  // namespace

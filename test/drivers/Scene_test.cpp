@@ -86,6 +86,25 @@ TEUCHOS_UNIT_TEST(Scene, defaultsAreThoseOfTheOptions) {
   TEST_ASSERT(scene.output.fields);
 }
 
+/// What reading a scene finds once holds on all of its path.
+TEUCHOS_UNIT_TEST(Scene, pinsIncompressibleBodiesAtAllTimes) {
+  SceneText text;
+  text.material =
+      R"(<Parameter name="Young's Modulus" type="double" value="200"/>
+         <Parameter name="Poisson's Ratio" type="double" value="0.5"/>)";
+  text.base = R"(<Parameter name="Type" type="string" value="Neumann"/>
+                 <Parameter name="Traction Y" type="string" value="t"/>)";
+  text.rigid = "";
+  text.discretization += R"(<ParameterList name="Stabilization">
+    <Parameter name="Form" type="string" value="Density"/></ParameterList>)";
+  const drivers::Scene once = read(text);
+  TEST_ASSERT((once.bodies[0].conditions.pins == std::vector<int>{1}));
+  const drivers::Scene path = read(text, {"History->Times={1, 2}"});
+  TEST_ASSERT(path.bodies[0].conditions.pins == once.bodies[0].conditions.pins);
+  for (const double t : {0.0, 0.5, 2.0})
+    TEST_ASSERT(path.conditionsAt(t)[0].pins == once.bodies[0].conditions.pins);
+}
+
 TEUCHOS_UNIT_TEST(Scene, isTheSameFromXmlAndYaml) {
   const test::TemporaryFile file("scene.yaml", yaml);
   const drivers::Scene fromYaml = drivers::readScene(file.path());

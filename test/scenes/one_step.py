@@ -1,0 +1,42 @@
+"""A path of one step is the solve without a path: a body of nu = 1/2 with closed lines that carry
+no stress of contact."""
+import os
+
+from runs import ENERGIES, WORK, claim, differ, finish, run
+
+RING = """Ring:
+  Bodies:
+    ring:
+      Material: {Young's Modulus: 200, Poisson's Ratio: 0.5}
+      Geometry:
+        Vertices: [[0, 0], [2, 0], [2, 1], [0, 1]]
+        Edges: [base, right, top, left]
+        Hole 1 Vertices: [[0.8, 0.5], [1.2, 0.5]]
+        Hole 1 Edges: [hole, hole]
+        Hole 1 Bulges: [1, 1]
+      Boundary Conditions:
+        base: %s
+        top: {Type: Dirichlet, Displacement X: 0.002, Displacement Y: -0.01}
+  Discretization:
+    Elements per Edge: [8, 4, 8, 4]
+    Hole 1 Elements per Edge: [4, 4]
+    Stabilization: {Form: Density}
+"""
+
+
+def written(name, base):
+    os.makedirs(WORK, exist_ok=True)
+    file = os.path.join(WORK, name + ".yaml")
+    with open(file, "w") as stream:
+        stream.write(RING % base)
+    return file
+
+
+for name, file in [
+        ("a hole alone is pinned", written("hole", "{Type: Contact}")),
+        ("no line is in contact", written("free", "{Type: Neumann, Traction Y: 10}"))]:
+    once, path = (run(file, kind, more)[0] for kind, more in (("once", []), ("path", ["History->Times={1}"])))
+    size = max(abs(once[-1][energy]) for energy in ENERGIES)
+    off = max(differ(a[energy], b[energy], size) for a, b in zip(once, path) for energy in ENERGIES)
+    claim(len(once) == len(path) and off < 1e-12, "%s: one step is the whole, off by %.1e" % (name, off))
+finish()
