@@ -55,16 +55,13 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
   if (stages.empty())
     return report.said;
   const StageRun& last = stages.back();
-  if (last.stage == Stage::Load)
-    return message("the load could be raised to ", report.loadReached,
-                   " of itself, not beyond: ", worded(report, last.parts));
   if (last.end == End::TooLarge && stages.size() > 1)
     return worded(report, {stages.begin(), stages.end() - 1}) +
            message(
                ".  Complementary pivoting, which mostly solves what Newton's steps do "
                "not, was not tried: operators that are not dense allow it for up to ",
                contact::Tresca::mostToPivot,
-               " contact coefficients.  Try Solver->Load Steps, a smaller friction "
+               " contact coefficients.  Try a smaller friction "
                "coefficient, or a coarser mesh on the sides in contact");
   if (last.stage == Stage::FollowOffset)
     return ended(report, last.end) +

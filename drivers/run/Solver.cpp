@@ -3,7 +3,7 @@
 #include "contact/equation/Equilibrium.hpp"
 #include "contact/newton/KeptFactor.hpp"
 #include "contact/nox/NoxNewton.hpp"
-#include "contact/solve/LoadContinuation.hpp"
+#include "contact/tresca/Tresca.hpp"
 #include "drivers/run/Reasons.hpp"
 #include "drivers/run/UnheldMotions.hpp"
 
@@ -85,8 +85,7 @@ SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
     try {
       contact::Solution solution =
           assembled(system.numbers(), scene.solver, nullptr, [&](const auto& solver) {
-            return contact::solveInLoadSteps(solver, system.numbers(), system.gap(),
-                                             start, scene.solver.loadSteps);
+            return solver.solve(system.numbers(), start);
           });
       const std::string reason = reasonOf(solution.report, scene) +
                                  restlessPlaces(solution.report, scene, system, spaces);

@@ -28,7 +28,7 @@ SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
                     const BodySpaces& spaces, const contact::State& start,
                     const bem::DenseAlgebra& algebra);
 
-/// The same for a step of a path, without Load Steps: from where it is predicted, and if that
+/// The same for a step of a path: from where it is predicted, and if that
 /// fails from the state before.  It may fail and be tried in parts: a bem::NumericalError is
 /// the reason of a report without a state.
 SolvedProblem solveStep(const Scene& scene, const contact::ContactSystem& system,

@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "drivers/scene/LexicalCheck.hpp"
+#include "drivers/scene/RemovedKeys.hpp"
 #include "drivers/scene/Schema.hpp"
 #include "drivers/scene/Text.hpp"
 
@@ -114,7 +115,10 @@ void applyOverride(Teuchos::ParameterList& list, const std::string& assignment) 
     throw InputError("--set '", assignment, "': write 'A->B->Key=value'");
   const std::string path = assignment.substr(0, equal);
   const std::string value = assignment.substr(equal + 1);
-  within("--set ", [&] { setAt(list, path, value); });
+  within("--set ", [&] {
+    refuseRemovedKey(path);
+    setAt(list, path, value);
+  });
 }
 
 }  // namespace epafi::drivers

@@ -96,7 +96,6 @@ struct Scene {
   struct Solver {
     contact::TrescaOptions tresca;
     contact::CoulombOptions coulomb;
-    int loadSteps = 1;
     /// Handed to NOX in every run; null means Epafi's own choice.
     std::shared_ptr<const Teuchos::ParameterList> nox;
   } solver;

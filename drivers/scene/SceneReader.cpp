@@ -2,7 +2,6 @@
 
 #include "bem/base/Error.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
-#include "contact/solve/LoadContinuation.hpp"
 #include "drivers/process/Versions.hpp"
 #include "drivers/scene/BodiesReader.hpp"
 #include "drivers/scene/ConditionsReader.hpp"
@@ -10,6 +9,7 @@
 #include "drivers/scene/GeometryReader.hpp"
 #include "drivers/scene/Incompressible.hpp"
 #include "drivers/scene/Override.hpp"
+#include "drivers/scene/RemovedKeys.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
 
@@ -29,8 +29,7 @@ void checkAnyBody(const ParameterList& list) {
 }
 
 Scene::Solver readSolver(const ParameterList& list) {
-  Scene::Solver solver{contact::parseTresca(list), contact::parseCoulomb(list),
-                       contact::parseLoadSteps(list), nullptr};
+  Scene::Solver solver{contact::parseTresca(list), contact::parseCoulomb(list), nullptr};
   if (list.isSublist("NOX") && list.sublist("NOX").numParams() > 0) {
     const auto nox = std::make_shared<ParameterList>(list.sublist("NOX"));
     nox->setName("Solver->NOX");
@@ -123,11 +122,6 @@ Scene build(const std::string& file, const RawScene& raw) {
   scene.solver = readSolver(used.sublist("Solver"));
   readHistory(used, scene);
   scene.drivesAt(scene.endOfPath());  // what is no number in t shall be said at once
-  if (scene.history && scene.solver.loadSteps > 1)
-    throw InputError(
-        "Solver->Load Steps = ", scene.solver.loadSteps,
-        ": a continuation without memory does not go together with History; "
-        "History->Steps makes the steps of a path, and one that fails is halved");
   scene.linear = parseLinear(used.sublist("Solver").sublist("Linear"));
   checkLinear(scene);
   scene.adaptivity = readAdaptivity(used.sublist("Adaptivity"));
@@ -162,6 +156,7 @@ Scene sceneOf(const std::string& text, const std::string& file,
       throw InputError("is a study, not a scene; to run it: epafi study " + file);
     for (const std::string& assignment : overrides)
       applyOverride(raw.list, assignment);
+    dropRemovedKeys(raw.list);
     return build(file, raw);
   });
 }

@@ -4,7 +4,6 @@
 #include "contact/law/FrictionLaw.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/nox/NoxNewton.hpp"
-#include "contact/solve/LoadContinuation.hpp"
 #include "contact/stabilization/Stabilization.hpp"
 #include "drivers/scene/History.hpp"
 #include "drivers/scene/Interpolant.hpp"
@@ -205,7 +204,6 @@ void addSolver(Table& table) {
   add(table, Row("Solver", Kind::List, "how the nonlinear problem is solved"),
       contact::coulombRows());
   append(table, contact::trescaRows(), "Solver");
-  append(table, contact::loadRows(), "Solver");
   append(table, {contact::noxRow()}, "Solver");
   add(table, Row("Solver->Linear", Kind::List, "how linear systems are solved"),
       linearRows());

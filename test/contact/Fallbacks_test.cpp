@@ -98,28 +98,6 @@ TEUCHOS_UNIT_TEST(Fallbacks, balancedLoadsAreNeverRefused) {
   }
 }
 
-TEUCHOS_UNIT_TEST(Fallbacks, loadStepsLeadToTheSameSolution) {
-  std::mt19937 random(47);
-  for (int k = 0; k < 60; ++k) {
-    test::Recipe recipe;
-    const char* laws[] = {"None", "Tresca", "Coulomb"};
-    recipe.law = laws[k % 3];
-    recipe.strength = 0.3;
-    recipe.normals = 3 + k % 20;
-    const Problem problem = randomProblem(recipe, random);
-    const contact::Vector gap(problem.normals, 0.1);
-    SolverOptions options;
-    const auto once = solve(problem, {}, options, gap);
-    options.loadSteps = 1 + k % 7;
-    const auto stepwise = solve(problem, {}, options, gap);
-    TEST_ASSERT(stepwise.report.status == contact::Status::Converged);
-    TEST_COMPARE(reference::violation(problem, stepwise.state), <, 1e-9);
-    for (std::size_t i = 0; i < once.state.multiplier.size(); ++i)
-      TEST_COMPARE(std::abs(once.state.multiplier[i] - stepwise.state.multiplier[i]), <,
-                   1e-8);
-  }
-}
-
 TEUCHOS_UNIT_TEST(Fallbacks, stagesAccountForEveryStep) {
   std::mt19937 random(53);
   for (int k = 0; k < 300; ++k) {
@@ -197,22 +175,6 @@ TEUCHOS_UNIT_TEST(Fallbacks, aProblemTooLargeToPivotSaysThatThisWasNotTried) {
   TEST_ASSERT(report.stages.front().end == contact::End::Iterations);
   TEST_ASSERT(report.stages.back().stage == contact::Stage::FollowOffset);
   TEST_ASSERT(report.stages.back().end == contact::End::TooLarge);
-}
-
-/// Tresca's friction carries 1, the load asks for T: the report says how far it could go.
-TEUCHOS_UNIT_TEST(Fallbacks, aLoadThatCannotBeReachedIsReportedWithItsFactor) {
-  for (const double load : {1.1, 4.0}) {
-    Problem sliding = block(load);
-    sliding.tangentials = {{0, test::pointLaw("Tresca", {0.5})},
-                           {1, test::pointLaw("Tresca", {0.5})}};
-    SolverOptions options;
-    options.loadSteps = 2;
-    const auto solution = solve(sliding, {}, options, {0, 0});
-    TEST_ASSERT(solution.report.status == contact::Status::NotConverged);
-    const double reached = solution.report.loadReached;
-    TEST_COMPARE(reached, <=, 1 / load + 1e-4);
-    TEST_COMPARE(reached, >=, 1 / load - 2e-3);
-  }
 }
 
 }  // namespace

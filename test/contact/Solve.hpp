@@ -2,7 +2,7 @@
 
 #include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/nox/NoxNewton.hpp"
-#include "contact/solve/LoadContinuation.hpp"
+#include "contact/tresca/Tresca.hpp"
 
 #include <memory>
 
@@ -12,22 +12,19 @@ namespace epafi::test {
 struct SolverOptions {
   contact::TrescaOptions tresca;
   contact::CoulombOptions coulomb;
-  int loadSteps = 1;
   std::shared_ptr<const Teuchos::ParameterList> nox;
 };
 
 inline contact::Solution solve(const contact::Problem& problem,
                                const contact::State& start = {},
-                               const SolverOptions& options = {},
-                               const contact::Vector& gap = {}) {
+                               const SolverOptions& options = {}) {
   const contact::NoxNewton newton(options.nox);
   const contact::Tresca tresca(newton, options.tresca);
   const auto coulomb = makeCoulomb(tresca, options.coulomb);
   const contact::NonlinearSolver* solver = &tresca;
   if (problem.boundDependsOnPressure())
     solver = coulomb.get();
-  return gap.empty() ? solver->solve(problem, start)
-                     : solveInLoadSteps(*solver, problem, gap, start, options.loadSteps);
+  return solver->solve(problem, start);
 }
 
 /// rₜ at a state: the slip weighted by the multiplier's functions, stabilisation included.

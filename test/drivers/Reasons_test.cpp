@@ -26,7 +26,6 @@ TEUCHOS_UNIT_TEST(Reasons, nameTheLimitOfWhatWasNotTried) {
   report.stages.push_back({Stage::FollowOffset, 0, 1, End::TooLarge});
   const std::string both = reasonOf(report, scene);
   TEST_ASSERT(says(both, "Solver->Maximum Iterations") && says(both, limit));
-  TEST_ASSERT(says(both, "Solver->Load Steps"));
   TEST_ASSERT(says(contact::told(report.stages), "follow offset 0 too large"));
 }
 

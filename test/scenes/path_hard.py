@@ -27,9 +27,6 @@ def path(file):
             if load.get("name") in LOADS and load.get("value") != "0":
                 load.set("type", "string")
                 load.set("value", "(%s)*(0.55 + 0.45*sin(pi/2*t))" % load.get("value"))
-    for solver in root.iter("ParameterList"):
-        for steps in solver.findall("Parameter[@name='Load Steps']"):
-            solver.remove(steps)
     history = xml.SubElement(root, "ParameterList", name="History")
     xml.SubElement(history, "Parameter", name="Times", type="Array(double)", value="{1, 2, 3, 4, 5}")
     xml.SubElement(history, "Parameter", name="Steps", type="Array(int)", value="{4, 4, 4, 4, 4}")

@@ -42,10 +42,4 @@ Report asOne(Report report, Stage stage) {
   return report;
 }
 
-Report failed(const bem::NumericalError& error) {
-  Report report;
-  report.said = error.what();
-  return report;
-}
-
 }  // namespace epafi::contact

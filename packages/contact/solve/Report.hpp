@@ -19,7 +19,6 @@ struct Report {
   double tolerance = 0;          ///< what it was compared with, rounding floor included
   std::vector<int> setChanges;   ///< coefficients that changed state, step by step
   std::vector<StageRun> stages;  ///< what was tried, in order; the last one decides
-  double loadReached = 1;        ///< the part of the load that could be applied in steps
   std::string said;              ///< by the arithmetic, of a linear system that failed
   std::vector<Index> restless;  ///< coefficients still changing state, when not converged
 
@@ -40,8 +39,5 @@ Report joined(Report later, const Report& earlier);
 
 /// All stages of a report as the parts of one.
 Report asOne(Report report, Stage stage);
-
-/// The report of what ended with an error of the arithmetic.
-Report failed(const bem::NumericalError& error);
 
 }  // namespace epafi::contact

@@ -6,7 +6,7 @@ namespace {
 
 // As the enumerators come.
 constexpr const char* stages[] = {"full steps", "follow offset", "near start",
-                                  "fixed point", "load"};
+                                  "fixed point"};
 constexpr const char* ends[] = {"converged",  "unfinished", "restless", "grows",
                                 "not finite", "stalled",    "singular", "no balance",
                                 "too large",  "unsettled"};

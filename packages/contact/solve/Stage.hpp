@@ -12,8 +12,7 @@ enum class Stage {
   FullSteps,     ///< Newton's steps from the start, or from where sweeps lead
   FollowOffset,  ///< complementary pivoting from an offset that is solved
   NearStart,     ///< a few steps to a slip bound to begin with
-  FixedPoint,    ///< updates of the slip bound
-  Load           ///< a part of the load
+  FixedPoint     ///< updates of the slip bound
 };
 
 /// What one of them did.
