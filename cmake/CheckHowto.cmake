@@ -2,10 +2,12 @@
 #
 #   cmake -DBUILD=<build folder> -DSOURCES=<of the application> -DPROGRAM=<its name>
 #         -DRANKS=1,2 -DMPIEXEC=<mpirun> -DWORK=<temporary folder> [-DOPTIONS=<for cmake>]
-#         [-DCHECKER=<a Python program> -DEPAFI=<the program>] -P CheckHowto.cmake
+#         [-DCHECKER=<a Python program> -DEPAFI=<the program>] [-DPAGE=<page>.md]
+#         -P CheckHowto.cmake
 #
 # Installs into a fresh folder, builds a copy of the application against it, runs it on each
-# number of ranks; all must print the same numbers to 1e-9 of the column's scale.
+# number of ranks; all must print the same numbers to 1e-9 of the column's scale, and the table
+# of the page, if one is given, be what they print.
 # Or leaves all that to the checker.
 cmake_minimum_required(VERSION 3.20)
 
@@ -41,3 +43,7 @@ foreach(ranks IN LISTS RANKS)
 endforeach()
 
 run(awk -f ${CMAKE_CURRENT_LIST_DIR}/CompareColumns.awk ${outputs})
+if(PAGE)
+  list(GET outputs 0 output)
+  run(awk -f ${CMAKE_CURRENT_LIST_DIR}/ComparePage.awk ${PAGE} ${output})
+endif()

@@ -15,7 +15,7 @@ namespace {
 
 // What a signal handler can reach: plain memory, of which two halves take turns, so that
 // one is whole while the other is written.
-constexpr std::size_t room = 1024;
+constexpr std::size_t room = 1 << 14;  // a command that is cut off is another one
 std::array<std::array<char, room>, 2> advice{};
 volatile std::sig_atomic_t current = 0;
 volatile std::sig_atomic_t length = 0;

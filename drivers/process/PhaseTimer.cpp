@@ -34,6 +34,12 @@ void PhaseTimer::endLevel() {
   levelName_.clear();
 }
 
+void PhaseTimer::tell(const std::string& progress) {
+  char seconds[32];
+  std::snprintf(seconds, sizeof seconds, " (%.1f s so far)", wallSeconds());
+  watch_(levelName_ + ": " + progress + seconds);
+}
+
 std::string PhaseTimer::report() {
   endLevel();
   stack_->stopBaseTimer();
@@ -47,9 +53,7 @@ std::string PhaseTimer::report() {
 
 PhaseTimer::Scope::Scope(PhaseTimer& timer, Phase phase)
     : timer_(timer), phase_(phase), start_(cpuSeconds()) {
-  char seconds[32];
-  std::snprintf(seconds, sizeof seconds, " (%.1f s so far)", timer.wallSeconds());
-  timer.watch_(timer.levelName_ + ": " + nameOf(phase) + seconds);
+  timer.tell(nameOf(phase));
   timer.stack_->start(nameOf(phase));
 }
 

@@ -30,7 +30,8 @@ const char* nameOf(Phase phase);
 /// Times the phases of a run.
 class PhaseTimer {
  public:
-  /// Is told ahead of each phase what begins; what it throws ends the run there.
+  /// Is told ahead of each phase what begins, and of long ones how far they are; what it throws
+  /// ends the run there.
   using Watch = std::function<void(const std::string& phase)>;
   explicit PhaseTimer(Watch watch = [](const std::string&) {});
   ~PhaseTimer();
@@ -44,6 +45,9 @@ class PhaseTimer {
     const Scope scope(*this, phase);
     return work();
   }
+
+  /// Tells the watch how far a phase is.
+  void tell(const std::string& progress);
 
   /// CPU seconds of the phases, all threads: of this level, of all.
   const std::array<double, phaseCount>& levelSeconds() const { return level_; }

@@ -178,7 +178,7 @@ Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
   const bem::DenseAlgebra& algebra = ground.stiffness.front().algebra();
   const SolvedProblem outcome = timer.run(Phase::Newton, [&] {
     return solve(ground.scene, system, ground.spaces,
-                 system.joined(from.start, from.rigid), algebra);
+                 system.joined(from.start, from.rigid), algebra, timer);
   });
   const contact::Report& report = outcome.solution.report;
   if (begun.plan.denseInstead && !report.converged())

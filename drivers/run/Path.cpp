@@ -86,7 +86,7 @@ class Follower {
     } else {
       attempt = timer_.run(Phase::Newton, [&] {
         return solveStep(ground_.scene, *now->system, ground_.spaces, prediction_,
-                         ground_.stiffness.front().algebra());
+                         ground_.stiffness.front().algebra(), timer_);
       });
     }
     row_.newtonIterations += solved.report.newtonIterations;

@@ -55,14 +55,22 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
   if (stages.empty())
     return report.said;
   const StageRun& last = stages.back();
-  if (last.end == End::TooLarge && stages.size() > 1)
-    return worded(report, {stages.begin(), stages.end() - 1}) +
-           message(
-               ".  Complementary pivoting, which mostly solves what Newton's steps do "
-               "not, was not tried: operators that are not dense allow it for up to ",
-               contact::Tresca::mostToPivot,
-               " contact coefficients.  Try a smaller friction "
-               "coefficient, or a coarser mesh on the sides in contact");
+  if ((last.end == End::TooLarge || last.end == End::TooLong) && stages.size() > 1) {
+    const auto before = std::find_if(
+        stages.begin(), stages.end(),
+        [](const StageRun& run) { return run.stage == Stage::FollowOffset; });
+    return worded(report, {stages.begin(), before}) +
+           ".  Complementary pivoting, which mostly solves what Newton's steps do "
+           "not, was " +
+           (last.end == End::TooLarge
+                ? message("not tried: operators that are not dense allow it for up to ",
+                          contact::Tresca::mostToPivot, " contact coefficients")
+                : message("given up after ", contact::TrescaOptions().mostWork,
+                          " operations: with so many contact coefficients it would take "
+                          "hours")) +
+           ".  Try a smaller friction coefficient, or a coarser mesh on "
+           " the sides in contact";
+  }
   if (last.stage == Stage::FollowOffset)
     return ended(report, last.end) +
            ".  Newton's method and complementary pivoting were tried.  There is no "

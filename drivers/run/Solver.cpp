@@ -17,12 +17,16 @@ namespace {
 using bem::Vector;
 
 /// solve(solver) with what the options are assembled to for a problem; `memory`: see
-/// contact::NoxNewton.
+/// contact::NoxNewton; the timer's watch is told of long paths of pivots.
 template <class Solve>
 contact::Solution assembled(const contact::Problem& problem, const Scene::Solver& options,
-                            contact::FactorMemory* memory, const Solve& solve) {
+                            contact::FactorMemory* memory, PhaseTimer& timer,
+                            const Solve& solve) {
   const contact::NoxNewton newton(options.nox, memory);
-  const contact::Tresca tresca(newton, options.tresca);
+  const contact::Tresca tresca(newton, options.tresca, [&](int pivots, int most) {
+    timer.tell(bem::message(nameOf(Phase::Newton), ", complementary pivoting: ", pivots,
+                            " of at most ", most, " changes"));
+  });
   const bool follows = problem.boundDependsOnPressure();
   const auto coulomb = follows ? contact::makeCoulomb(tresca, options.coulomb) : nullptr;
   const contact::NonlinearSolver* solver = &tresca;
@@ -80,13 +84,12 @@ SolvedProblem onFirstRank(const contact::ContactSystem& system,
 
 SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
                     const BodySpaces& spaces, const contact::State& start,
-                    const bem::DenseAlgebra& algebra) {
+                    const bem::DenseAlgebra& algebra, PhaseTimer& timer) {
   return onFirstRank(system, algebra, [&]() -> SolvedProblem {
     try {
-      contact::Solution solution =
-          assembled(system.numbers(), scene.solver, nullptr, [&](const auto& solver) {
-            return solver.solve(system.numbers(), start);
-          });
+      contact::Solution solution = assembled(
+          system.numbers(), scene.solver, nullptr, timer,
+          [&](const auto& solver) { return solver.solve(system.numbers(), start); });
       const std::string reason = reasonOf(solution.report, scene) +
                                  restlessPlaces(solution.report, scene, system, spaces);
       return {std::move(solution), reason};
@@ -98,13 +101,13 @@ SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
 
 SolvedProblem solveStep(const Scene& scene, const contact::ContactSystem& system,
                         const BodySpaces& spaces, const contact::Prediction& prediction,
-                        const bem::DenseAlgebra& algebra) {
+                        const bem::DenseAlgebra& algebra, PhaseTimer& timer) {
   const auto from = [&](const contact::State& start) -> SolvedProblem {
     try {
       // of this step only: a run that goes on behind it shall compute the same digits
       contact::FactorMemory memory;
       contact::Solution solution = assembled(
-          system.numbers(), scene.solver, &memory,
+          system.numbers(), scene.solver, &memory, timer,
           [&](const auto& solver) { return solver.solve(system.numbers(), start); });
       const std::string reason = reasonOf(solution.report, scene);
       return {std::move(solution), reason};

@@ -4,6 +4,7 @@
 #include "contact/path/Prediction.hpp"
 #include "contact/solve/Report.hpp"
 #include "contact/system/ContactSystem.hpp"
+#include "drivers/process/PhaseTimer.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/Scene.hpp"
 
@@ -22,17 +23,17 @@ struct SolvedProblem {
 ///
 /// Rank 0 solves and tells the others, so that all go on with the same bits.  They get
 /// state, status, iterations, residual, tolerance and reason; the histories of the steps
-/// stay where they are.
-/// \throws see contact::NonlinearSolver
+/// stay where they are.  The timer's watch is told how far what takes long is.
+/// \throws see contact::NonlinearSolver; what the watch throws
 SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
                     const BodySpaces& spaces, const contact::State& start,
-                    const bem::DenseAlgebra& algebra);
+                    const bem::DenseAlgebra& algebra, PhaseTimer& timer);
 
 /// The same for a step of a path: from where it is predicted, and if that
 /// fails from the state before.  It may fail and be tried in parts: a bem::NumericalError is
 /// the reason of a report without a state.
 SolvedProblem solveStep(const Scene& scene, const contact::ContactSystem& system,
                         const BodySpaces& spaces, const contact::Prediction& prediction,
-                        const bem::DenseAlgebra& algebra);
+                        const bem::DenseAlgebra& algebra, PhaseTimer& timer);
 
 }  // namespace epafi::drivers

@@ -177,6 +177,23 @@ TEUCHOS_UNIT_TEST(Fallbacks, aProblemTooLargeToPivotSaysThatThisWasNotTried) {
   TEST_ASSERT(report.stages.back().end == contact::End::TooLarge);
 }
 
+TEUCHOS_UNIT_TEST(Fallbacks, pivotingIsGivenUpAfterSoMuchWork) {
+  const Problem problem = cantilever(80);
+  SolverOptions options;
+  options.tresca.complementarity = "Fischer-Burmeister";
+  options.tresca.maximumIterations = 3;
+  const auto solved = solve(problem, {}, options).report;
+  TEST_ASSERT(solved.converged());
+  TEST_ASSERT(solved.stages.back().stage == contact::Stage::FollowOffset);
+  options.tresca.mostWork = 5.5 * contact::workOfPivot(problem.size());
+  const auto report = solve(problem, {}, options).report;
+  TEST_ASSERT(!report.converged());
+  TEST_EQUALITY(report.stages.size(), 3u);
+  TEST_ASSERT(report.stages[1].stage == contact::Stage::FollowOffset);
+  TEST_ASSERT(report.stages[2].stage == contact::Stage::FollowOffset);
+  TEST_ASSERT(report.stages[2].end == contact::End::TooLong);
+}
+
 }  // namespace
 
 }  // namespace epafi

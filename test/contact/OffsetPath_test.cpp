@@ -7,7 +7,10 @@
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include <cmath>
+#include <exception>
 #include <random>
+#include <utility>
+#include <vector>
 
 namespace epafi {
 
@@ -92,6 +95,23 @@ TEUCHOS_UNIT_TEST(OffsetPath, followsALawOfPieces) {
       TEST_ASSERT(path.arrived);
       TEST_COMPARE(reference::violation(problem, stateOf(problem, path)), <, 1e-9);
     }
+}
+
+/// Whoever waits is told, and may end it.
+TEUCHOS_UNIT_TEST(OffsetPath, tellsHowFarItIs) {
+  struct Enough : std::exception {};
+  std::mt19937 random(11);
+  const Problem problem = randomProblem(test::Recipe(), random);
+  std::vector<std::pair<int, int>> told;
+  const contact::Vector none(problem.rigidLoad.size(), 0.0);
+  const OffsetPath path = followOffset(problem, none, 0, 1000, [&](int pivots, int most) {
+    told.push_back({pivots, most});
+  });
+  TEST_ASSERT(path.arrived && path.pivots > 0);
+  TEST_EQUALITY(told.size(), 1u);  // so little work is done in a moment
+  TEST_ASSERT(told.front() == std::make_pair(0, 1000));
+  TEST_THROW(followOffset(problem, none, 0, 1000, [](int, int) { throw Enough(); }),
+             Enough);
 }
 
 /// Springs place a free body to 1e-5 of what the load moves, about, and a second path from there to

@@ -29,6 +29,19 @@ TEUCHOS_UNIT_TEST(Reasons, nameTheLimitOfWhatWasNotTried) {
   TEST_ASSERT(says(contact::told(report.stages), "follow offset 0 too large"));
 }
 
+TEUCHOS_UNIT_TEST(Reasons, nameTheWorkThatWasTooMuch) {
+  const drivers::Scene scene = test::read(test::SceneText());
+  contact::Report report;
+  report.stages = {{Stage::FullSteps, 50, 1, End::Iterations},
+                   {Stage::FollowOffset, 20, 1, End::Restless},
+                   {Stage::FollowOffset, 0, 1, End::TooLong}};
+  const std::string text = reasonOf(report, scene);
+  TEST_ASSERT(says(text, "Solver->Maximum Iterations") &&
+              says(text, "given up after 5e+12"));
+  TEST_ASSERT(says(text, "Solver->Load Steps") && !says(text, "There is no solution"));
+  TEST_ASSERT(says(contact::told(report.stages), "follow offset 0 too long"));
+}
+
 }  // namespace
 
 }  // namespace epafi

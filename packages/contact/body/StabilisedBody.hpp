@@ -30,8 +30,10 @@ class HeldStiffness {
 ///   A u + Cᵀ λ = f,   C u - M λ - g in the conditions      [doc/theory/contact.md, In numbers]
 ///
 /// All that differs from form to form is here; whoever condenses, solves or goes back to
-/// the displacement needs no more.  A new form is one more class and one line in
-/// makeStabilisedBody.
+/// the displacement needs no more.  Where S is dense makeCoupledBody makes it of any form from
+/// its Coupling, where it is compressed makeCompressedBody, of forms Density and None.  A new
+/// form is a name in Stabilization and what it puts into the Coupling; densities and compliance
+/// of its own it gets from makeSpace and densityCompliance.
 class StabilisedBody {
  public:
   virtual ~StabilisedBody() = default;

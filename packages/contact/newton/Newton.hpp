@@ -18,6 +18,7 @@ enum class End {
   Singular,   ///< of the Newton matrix
   NoBalance,  ///< nothing balances the load with these bounds
   TooLarge,   ///< more coefficients than the method is for: not tried
+  TooLong,    ///< it would take more work than a method may
   Unsettled   ///< the slip bound still changes after the allowed updates
 };
 

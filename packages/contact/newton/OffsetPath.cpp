@@ -113,11 +113,14 @@ class Path {
     begin(direction);
   }
 
-  OffsetPath run(int mostPivots) {
+  OffsetPath run(int mostPivots, const OffsetWatch& watch) {
+    const int silent = static_cast<int>(std::clamp(1e9 / workOfPivot(size()), 1.0, 1e9));
     double t = start_;
     double direction = -1;
     OffsetPath result;
     while (result.pivots < mostPivots && t <= farthest * start_) {
+      if (watch && result.pivots % silent == 0)
+        watch(result.pivots, mostPivots);
       const double end = direction < 0 ? t : 2 * farthest * start_ - t;
       const Event event = firstKink(t, direction, firstChange(t, direction, end));
       t += direction * event.distance;
@@ -322,8 +325,8 @@ class Path {
 }  // namespace
 
 OffsetPath followOffset(const Problem& problem, const Vector& placement, int direction,
-                        int mostPivots) {
-  return Path(problem, placement, direction).run(mostPivots);
+                        int mostPivots, const OffsetWatch& watch) {
+  return Path(problem, placement, direction).run(mostPivots, watch);
 }
 
 }  // namespace epafi::contact

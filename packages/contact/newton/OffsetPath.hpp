@@ -2,6 +2,8 @@
 
 #include "contact/problem/Problem.hpp"
 
+#include <functional>
+
 namespace epafi::contact {
 
 /// Where a path of offsets ended.
@@ -10,6 +12,15 @@ struct OffsetPath {
   int pivots = 0;        ///< changes of a set or of a bound's piece, one at a time
   bool arrived = false;  ///< at the problem's own offset
 };
+
+/// Operations of one pivot on n coefficients.
+inline double workOfPivot(Index n) {
+  return 2 * static_cast<double>(n) * static_cast<double>(n);
+}
+
+/// Is told how many pivots of how many a path has made, first at its beginning and then every
+/// 10⁹ operations; what it throws ends the path.
+using OffsetWatch = std::function<void(int pivots, int mostPivots)>;
 
 /// Solves a problem by complementary pivoting, from no start.                   [Lemke 1965]
 ///
@@ -24,11 +35,12 @@ struct OffsetPath {
 /// Free rigid motions get springs at `placement`, 1e5 times as soft as D: Newton's method
 /// finds the last digits.
 ///
-/// A change takes 2 n² operations, n of them as many as three factorisations.
+/// A change takes 2 n² operations, see workOfPivot, n of them as many as three factorisations.
 /// \param placement   α, where the springs are without force
 /// \param direction   another v for each; one path in a few thousand is ended by rounding
+/// \param watch       may be empty
 /// \pre problem.flexibility.isFormed()
 OffsetPath followOffset(const Problem& problem, const Vector& placement, int direction,
-                        int mostPivots);
+                        int mostPivots, const OffsetWatch& watch = {});
 
 }  // namespace epafi::contact

@@ -9,7 +9,7 @@ constexpr const char* stages[] = {"full steps", "follow offset", "near start",
                                   "fixed point"};
 constexpr const char* ends[] = {"converged",  "unfinished", "restless", "grows",
                                 "not finite", "stalled",    "singular", "no balance",
-                                "too large",  "unsettled"};
+                                "too large",  "too long",   "unsettled"};
 
 }  // namespace
 

@@ -72,21 +72,27 @@ class Stages {
     constexpr int price = 3;  // of as many pivots as there are coefficients
     const int run = tresca_.options().maximumIterations;
     const Index size = std::max<Index>(1, problem_.size());
-    const auto mostPivots = static_cast<int>(
-        std::min<Index>(run * size / price, std::numeric_limits<int>::max()));
+    const double work = workOfPivot(size);
+    double left = tresca_.options().mostWork;
     // Where free motions are placed by springs, or a bound was a polygon's, a second path
     // begins at the first one's end or from another direction.
     Vector placement = state_.rigid;
     for (int direction = 0; direction < directions && !converged(); ++direction) {
-      const OffsetPath path =
-          contact::followOffset(problem_, placement, direction, mostPivots);
-      if (path.unknowns.empty())
-        continue;
-      NewtonRun last =
-          tresca_.newton().run(sharp_, path.unknowns, std::min(polishing, run));
-      last.iterations += static_cast<int>(price * path.pivots / size);
-      add(Stage::FollowOffset, last);
-      placement = unpack(problem_, path.unknowns).rigid;
+      const auto mostPivots = static_cast<int>(
+          std::min({static_cast<double>(run) * static_cast<double>(size) / price,
+                    left / work, 1.0 * std::numeric_limits<int>::max()}));
+      const OffsetPath path = contact::followOffset(problem_, placement, direction,
+                                                    mostPivots, tresca_.watch());
+      left -= path.pivots * work;
+      if (!path.unknowns.empty()) {
+        NewtonRun last =
+            tresca_.newton().run(sharp_, path.unknowns, std::min(polishing, run));
+        last.iterations += static_cast<int>(price * path.pivots / size);
+        add(Stage::FollowOffset, last);
+        placement = unpack(problem_, path.unknowns).rigid;
+      }
+      if (!converged() && left < work)
+        return end(End::TooLong);
     }
   }
 
@@ -101,13 +107,16 @@ class Stages {
     state_ = unpack(problem_, converged() ? run.last : run.best);
   }
 
+  // Of what is not tried, or no longer.
+  void end(End why) {
+    report_.stages.push_back({Stage::FollowOffset, 0, report_.residual, why});
+  }
+
   // Products in a tree have fewer digits than Newton's last steps want here, so that the
   // solve goes on with the entries.
   void followFormedOffset() {
-    if (problem_.size() > Tresca::mostToPivot) {
-      report_.stages.push_back({Stage::FollowOffset, 0, report_.residual, End::TooLarge});
-      return;
-    }
+    if (problem_.size() > Tresca::mostToPivot)
+      return end(End::TooLarge);
     Problem formed = problem_.copy();
     formed.flexibility = problem_.flexibility.formed();
     Stages there(tresca_, formed, std::move(state_), equation_.bound());
