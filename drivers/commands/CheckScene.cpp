@@ -6,6 +6,7 @@
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/NextLevel.hpp"
 #include "drivers/run/SceneWarnings.hpp"
+#include "drivers/run/UnheldMotions.hpp"
 #include "drivers/scene/SceneReader.hpp"
 #include "drivers/scene/Text.hpp"
 
@@ -38,20 +39,38 @@ void evaluate(const bem::Mesh& mesh, const std::string& boundary,
           function(mesh.physicalPoint(e, t));
 }
 
-/// By what a run itself makes of the conditions, at its own points.
-void evaluateAll(const Scene& scene) {
-  const std::vector<bem::Mesh> meshes = firstLevel(scene).meshes;
-  const BodySpaces spaces(scene, meshes);
+/// By what a run itself makes of the conditions at a time, at its own points.
+void evaluateAt(const Scene& scene, const BodySpaces& spaces,
+                const std::vector<contact::Conditions>& conditions, double t) {
   const bem::Units units = scene.units();
-  for (std::size_t b = 0; b < meshes.size(); ++b) {
-    const contact::Conditions& conditions = scene.bodies[b].conditions;
-    contact::makeLoads(spaces.space(b), conditions, units);
-    contact::makeObstacle(spaces.space(b).mesh(), spaces.multiplier(b),
-                          *spaces.opposite(b), units);
+  scene.drivesAt(t);
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    contact::makeLoads(spaces.space(b), conditions[b], units);
+    contact::makeObstacle(spaces.space(b).mesh(),
+                          spaces.multiplier(b).under(conditions[b]), *spaces.opposite(b),
+                          units);
+  }
+  within(scene.file + ": ", [&] { checkBalance(scene, spaces, conditions, t); });
+}
+
+/// On a path at all of its times, which begin with 0.
+void evaluateAll(const Scene& scene) {
+  const BodySpaces spaces(scene, firstLevel(scene).meshes);
+  if (scene.history)
+    evaluateAt(scene, spaces, scene.conditionsAt(0), 0);
+  for (std::size_t k = 0; k + 1 < scene.history.times.size(); ++k)
+    evaluateAt(scene, spaces, scene.conditionsAt(scene.history.times[k]),
+               scene.history.times[k]);
+  std::vector<contact::Conditions> last;
+  for (const Body& body : scene.bodies)
+    last.push_back(body.conditions);
+  evaluateAt(scene, spaces, last, scene.endOfPath());
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    const bem::Mesh& mesh = spaces.space(b).mesh();
     const std::vector<double> places = outputPlaces(scene, scene.bodies[b].degree);
-    for (const auto& [boundary, condition] : conditions.contact) {
-      evaluate(meshes[b], boundary, {condition.gap}, places);
-      evaluate(meshes[b], boundary, condition.friction.fields, places);
+    for (const auto& [boundary, condition] : last[b].contact) {
+      evaluate(mesh, boundary, {condition.gap}, places);
+      evaluate(mesh, boundary, condition.friction.fields, places);
     }
   }
 }

@@ -69,7 +69,7 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
                           " operations: with so many contact coefficients it would take "
                           "hours")) +
            ".  Try a smaller friction coefficient, or a coarser mesh on "
-           " the sides in contact";
+           "the sides in contact";
   }
   if (last.stage == Stage::FollowOffset)
     return ended(report, last.end) +

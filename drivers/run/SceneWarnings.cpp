@@ -5,6 +5,7 @@
 #include "bem/quadrature/Piecewise.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/run/BodySpaces.hpp"
+#include "drivers/scene/OverlapCheck.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -332,6 +333,43 @@ void findUnstable(const Scene& scene, std::vector<std::string>& warnings) {
         scene.multiplier + "' may oscillate");
 }
 
+/// Sides that are drawn into each other, or pressed by Interference, by far more than small strains
+/// can take up.  Bonded ones are as they are drawn.
+void findDeepOverlaps(const Scene& scene, std::vector<std::string>& warnings) {
+  if (scene.contacts.empty())
+    return;
+  struct Deepest {
+    double depth = 0;
+    bem::Vec2 place;
+  };
+  std::map<std::string, Deepest> deepest;  // by contact
+  std::vector<bem::Mesh> meshes;
+  for (const Body& body : scene.bodies)
+    meshes.push_back(firstMesh(body));
+  const BodySpaces spaces(scene, meshes);
+  for (std::size_t b = 0; b < spaces.size(); ++b)
+    for (const auto& element : spaces.multiplier(b).elements())
+      for (const double t : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+        if (element.condition->name.empty() || element.ties())
+          continue;
+        const double depth =
+            -spaces.opposite(b)->at(element, t).gap * scene.units().length;
+        Deepest& most = deepest[element.condition->name];
+        if (depth > most.depth)
+          most = {depth, meshes[b].physicalPoint(element.element, t)};
+      }
+  for (const ContactPair& pair : scene.contacts) {
+    const auto& [depth, place] = deepest[pair.name];
+    if (depth > largestInterference(scene, pair))
+      warnings.push_back(message(
+          "Contacts->", pair.name, ": '", scene.nameOf(pair.side), ":",
+          pair.side.boundary, "' lies ", depth, " deep in '", scene.nameOf(pair.met), ":",
+          pair.met.boundary, "' at (", place.x, ", ", place.y,
+          "), far more than an interference; strains are not small there, and the energy "
+          "grows with the depth's square"));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> warningsOf(const Scene& scene) {
@@ -353,6 +391,7 @@ std::vector<std::string> warningsOf(const Scene& scene) {
   findUnused(scene, warnings);
   findStiffSides(scene, warnings);
   findUnstable(scene, warnings);
+  findDeepOverlaps(scene, warnings);
   return warnings;
 }
 

@@ -1,8 +1,15 @@
 #include "drivers/run/UnheldMotions.hpp"
 
+#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
+#include "contact/body/Coupling.hpp"
+#include "contact/body/ElasticBody.hpp"
 #include "contact/equation/Equilibrium.hpp"
+#include "contact/opposite/MortarCoupling.hpp"
+#include "contact/opposite/Obstacle.hpp"
+#include "contact/opposite/RigidBodies.hpp"
+#include "contact/problem/Numbering.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,13 +28,27 @@ void orthogonalise(const std::vector<Vector>& basis, Vector& v) {
       bem::axpy(-bem::dot(q, v), q, v);
 }
 
-}  // namespace
+/// The free rigid motions of each elastic body, as displacements.
+using FreeMotions = std::vector<std::vector<Vector>>;
 
-void checkResistance(const Scene& scene, const contact::ContactSystem& system) {
+FreeMotions motionsOf(const contact::ContactSystem& system) {
+  FreeMotions motions(system.size());
+  for (std::size_t b = 0; b < system.size(); ++b)
+    for (bem::Index k = 0; k < system.body(b).freeMotions(); ++k) {
+      Vector sizes(system.body(b).freeMotions());
+      sizes[k] = 1;
+      motions[b].push_back(system.body(b).moved(sizes.data()));
+    }
+  return motions;
+}
+
+/// \throws bem::InputError naming a body of which a combination of the motions, a column each of
+/// what they do to contact, leaves all contacts as they are.
+void requireResistance(const Scene& scene, const bem::Matrix& motions,
+                       const FreeMotions& free) {
   if (!scene.hasSeveral())
     return;
   constexpr double rounding = 1e-9;
-  const bem::Matrix& motions = system.numbers().rigid;
   double largest = 0;
   for (bem::Index k = 0; k < motions.columns(); ++k) {
     const Vector column = bem::columnOf(motions, k);
@@ -47,8 +68,8 @@ void checkResistance(const Scene& scene, const contact::ContactSystem& system) {
       x /= size;
     basis.push_back(std::move(rest));
   };
-  for (std::size_t b = 0; b < system.size(); ++b)
-    for (bem::Index own = 0; own < system.body(b).freeMotions(); ++own)
+  for (std::size_t b = 0; b < free.size(); ++b)
+    for (std::size_t own = 0; own < free[b].size(); ++own)
       resist(scene.bodies[b].name,
              "hold it by a Dirichlet condition, Rigid Motions->Fix, contact or friction");
   for (const RigidBody& body : scene.rigid)
@@ -58,8 +79,6 @@ void checkResistance(const Scene& scene, const contact::ContactSystem& system) {
                "give it a Displacement or a Rotation instead of a Force or a Moment, or "
                "contact or friction");
 }
-
-namespace {
 
 struct Moved {
   double size = 0;    ///< of the largest displacement, scaled
@@ -116,11 +135,9 @@ Moved movedBy(const std::array<double, 3>& components, const RigidBody& body) {
                                   : "drives Bodies->" + body.name + direction(slide)};
 }
 
-}  // namespace
-
 std::string unresisted(const Scene& scene, const BodySpaces& spaces,
-                       const contact::ContactSystem& system) {
-  const Vector motion = contact::unresistedMotion(system.numbers());
+                       const contact::Problem& numbers, const FreeMotions& free) {
+  const Vector motion = contact::unresistedMotion(numbers);
   if (motion.empty())
     return "";
   Moved most;
@@ -129,9 +146,11 @@ std::string unresisted(const Scene& scene, const BodySpaces& spaces,
       most = std::move(moved);
   };
   const double* next = motion.data();
-  for (std::size_t b = 0; b < system.size(); ++b) {
-    keepLarger(movedBy(system.body(b).moved(next), spaces.space(b), scene.bodies[b]));
-    next += system.body(b).freeMotions();
+  for (std::size_t b = 0; b < free.size(); ++b) {
+    Vector moved(spaces.space(b).displacements());
+    for (const Vector& one : free[b])
+      bem::axpy(*next++, one, moved);
+    keepLarger(movedBy(moved, spaces.space(b), scene.bodies[b]));
   }
   for (const RigidBody& body : scene.rigid) {
     std::array<double, 3> components{};
@@ -142,6 +161,140 @@ std::string unresisted(const Scene& scene, const BodySpaces& spaces,
   }
   return "the load " + most.words +
          ", a rigid motion in which neither contact nor friction can balance it";
+}
+
+/// What contact feels of free rigid motions and what loads do along them, the part of a contact
+/// system that needs no operators.
+struct Balance {
+  contact::Problem numbers;  ///< without D and d0
+  FreeMotions free;
+};
+
+class BalanceOf {
+ public:
+  BalanceOf(const Scene& scene, const BodySpaces& spaces,
+            const std::vector<contact::Conditions>& conditions, double t)
+      : scene_(scene), spaces_(spaces), numbering_(numberingOf(spaces)) {
+    const bem::Units units = scene.units();
+    result_.free.resize(spaces.size());
+    contact::Problem& numbers = result_.numbers;
+    numbers.normals = numbering_.normals();
+    double size = 0;
+    for (std::size_t b = 0; b < spaces.size(); ++b) {
+      multipliers_.push_back(spaces.multiplier(b).under(conditions[b]));
+      const contact::Obstacle obstacle = contact::makeObstacle(
+          spaces.space(b).mesh(), multipliers_[b], *spaces.opposite(b), units);
+      for (const contact::Tangential& tangential : obstacle.tangentials)
+        numbers.tangentials.push_back(tangential.shifted(numbering_(b, 0)));
+      size += obstacle.largestPenetration;
+    }
+    for (std::size_t b = 0; b < spaces.size(); ++b) {
+      const contact::Holding holding =
+          contact::makeHolding(spaces.space(b), conditions[b], units);
+      size += holding.loads.largestTraction + holding.loads.largestDisplacement;
+      addElastic(b, holding);
+    }
+    size += addRigid(scene.drivesAt(t));
+    numbers.stress = size > 0 ? size : 1;
+    numbers.rigid =
+        bem::Matrix(numbering_.size(), static_cast<bem::Index>(columns_.size()));
+    for (std::size_t k = 0; k < columns_.size(); ++k)
+      std::copy(columns_[k].begin(), columns_[k].end(),
+                numbers.rigid.column(static_cast<bem::Index>(k)));
+  }
+
+  Balance take() { return std::move(result_); }
+
+ private:
+  static contact::Numbering numberingOf(const BodySpaces& spaces) {
+    std::vector<contact::Numbering::Count> counts;
+    for (std::size_t b = 0; b < spaces.size(); ++b)
+      counts.push_back({spaces.multiplier(b).normals(), spaces.multiplier(b).size()});
+    return contact::Numbering(counts);
+  }
+
+  void addTo(Vector& column, std::size_t carrier, const Vector& values,
+             double factor) const {
+    for (bem::Index i = 0; i < numbering_.sizeOf(carrier); ++i)
+      column[numbering_(carrier, i)] += factor * values[i];
+  }
+
+  void addElastic(std::size_t b, const contact::Holding& holding) {
+    const bem::Space& space = spaces_.space(b);
+    contact::Stabilization none;  // rigid motions have no tractions
+    none.form = contact::Stabilization::Form::None;
+    const contact::Coupling own = contact::makeLocalCoupling(
+        space, multipliers_[b], none, scene_.lame(b), scene_.units());
+    std::vector<std::pair<std::size_t, contact::MortarCoupling>> met;
+    for (std::size_t a = 0; a < spaces_.size(); ++a)
+      for (const int body : spaces_.opposite(a)->bodies())
+        if (body == static_cast<int>(b))
+          met.emplace_back(
+              a, contact::mortarCoupling(spaces_.space(a).mesh(), multipliers_[a],
+                                         *spaces_.opposite(a), space, body));
+    const contact::RigidConstraints& rigid = holding.rigid;
+    for (bem::Index k = rigid.fixed(); k < rigid.allowed.columns(); ++k) {
+      const Vector u = bem::columnOf(rigid.allowed, k);
+      Vector column(numbering_.size());
+      addTo(column, b, own.pull(bem::LapackAlgebra(), u), 1);
+      for (const auto& [carrier, coupling] : met)
+        addTo(column, carrier, coupling.pull(u), 1);
+      columns_.push_back(std::move(column));
+      result_.numbers.rigidLoad.push_back(bem::dot(u, holding.loads.load));
+      result_.free[b].push_back(u);
+    }
+  }
+
+  /// The size of what drives them.
+  double addRigid(const std::vector<contact::Drive>& drives) {
+    double size = 0;
+    for (std::size_t k = 0; k < drives.size(); ++k) {
+      std::vector<contact::RigidTraces> traces;
+      for (std::size_t a = 0; a < spaces_.size(); ++a)
+        traces.push_back(contact::rigidTraces(spaces_.space(a).mesh(), multipliers_[a],
+                                              *spaces_.opposite(a), static_cast<int>(k)));
+      for (std::size_t c = 0; c < 3; ++c) {
+        const contact::Drive::Component& drive = drives[k].components[c];
+        size += std::abs(drive.value);
+        if (!drive.free)
+          continue;
+        Vector column(numbering_.size());
+        for (std::size_t a = 0; a < spaces_.size(); ++a)
+          addTo(column, a, bem::columnOf(traces[a].traces, static_cast<bem::Index>(c)),
+                c == 2 ? -traces[a].lever : -1);
+        columns_.push_back(std::move(column));
+        result_.numbers.rigidLoad.push_back(drive.value);
+      }
+    }
+    return size;
+  }
+
+  const Scene& scene_;
+  const BodySpaces& spaces_;
+  contact::Numbering numbering_;
+  std::vector<contact::MultiplierSpace> multipliers_;
+  std::vector<Vector> columns_;
+  Balance result_;
+};
+
+}  // namespace
+
+void checkResistance(const Scene& scene, const contact::ContactSystem& system) {
+  requireResistance(scene, system.numbers().rigid, motionsOf(system));
+}
+
+std::string unresisted(const Scene& scene, const BodySpaces& spaces,
+                       const contact::ContactSystem& system) {
+  return unresisted(scene, spaces, system.numbers(), motionsOf(system));
+}
+
+void checkBalance(const Scene& scene, const BodySpaces& spaces,
+                  const std::vector<contact::Conditions>& conditions, double t) {
+  const Balance balance = BalanceOf(scene, spaces, conditions, t).take();
+  requireResistance(scene, balance.numbers.rigid, balance.free);
+  const std::string motion = unresisted(scene, spaces, balance.numbers, balance.free);
+  if (!motion.empty())
+    throw bem::InputError(scene.history ? bem::message("at t = ", t, " ") : "", motion);
 }
 
 }  // namespace epafi::drivers

@@ -18,4 +18,10 @@ void checkResistance(const Scene& scene, const contact::ContactSystem& system);
 std::string unresisted(const Scene& scene, const BodySpaces& spaces,
                        const contact::ContactSystem& system);
 
+/// Both of a scene's conditions at a time, from geometry alone.
+/// \throws bem::InputError naming a body that nothing holds, or that loads drive along a rigid motion
+/// in which neither contact nor friction can balance them.
+void checkBalance(const Scene& scene, const BodySpaces& spaces,
+                  const std::vector<contact::Conditions>& conditions, double t);
+
 }  // namespace epafi::drivers

@@ -35,12 +35,14 @@ bem::Function readFunction(const ParameterList& list, const std::string& key,
 }
 
 /// A bound on the shear cannot be negative.
-bem::Function nonNegative(const bem::Function& function, const Place& place) {
-  return [function, place](bem::Vec2 point) {
+bem::Function nonNegative(const bem::Function& function, const Place& place, double t) {
+  return [function, place, t](bem::Vec2 point) {
     const double value = function(point);
     if (value < 0)
       throw InputError(place.file, ": ", place.path, " is ", value, " at (x, y) = (",
-                       point.x, ", ", point.y, "); it must be >= 0 there");
+                       point.x, ", ", point.y, ")",
+                       t == 1 ? "" : bem::message(", t = ", t),
+                       "; it must be >= 0 there");
     return value;
   };
 }
@@ -49,7 +51,8 @@ contact::Friction readFriction(const ParameterList& list, const Where& where) {
   const ParameterList& friction = list.sublist("Friction");
   const Where inner = where.under("Friction");
   return contact::parseFriction(friction, [&](const std::string& key) {
-    return nonNegative(readFunction(friction, key, inner), inner.under(key).place);
+    return nonNegative(readFunction(friction, key, inner), inner.under(key).place,
+                       where.names.t);
   });
 }
 

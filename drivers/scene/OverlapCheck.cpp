@@ -3,7 +3,9 @@
 #include "bem/base/Error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
+#include <utility>
 
 namespace epafi::drivers {
 
@@ -16,6 +18,7 @@ struct Stroke {
   Vec2 from;
   Vec2 to;
   bool inContact = false;  ///< with the other body of the pair
+  const std::string* boundary = nullptr;
 };
 
 std::vector<Stroke> strokes(const bem::Outline& outline,
@@ -28,7 +31,8 @@ std::vector<Stroke> strokes(const bem::Outline& outline,
       const auto place = [&](int i) {
         return outline.physical(edge.curve.point(-1 + 2.0 * i / count));
       };
-      result.push_back({place(k), place(k + 1), touching.count(edge.boundary) != 0});
+      result.push_back(
+          {place(k), place(k + 1), touching.count(edge.boundary) != 0, &edge.boundary});
     }
   }
   return result;
@@ -57,9 +61,16 @@ struct Named {
   std::set<std::string> touching;  ///< boundaries in contact with the other of a pair
 };
 
-[[noreturn]] void refuse(const Named& a, const Named& b, Vec2 where) {
+[[noreturn]] void refuse(const Named& a, const Named& b, Vec2 where,
+                         const std::string& how) {
   throw bem::InputError("Bodies: '", a.name, "' and '", b.name, "' overlap at (", where.x,
-                        ", ", where.y, "), away from a contact between them");
+                        ", ", where.y, "), away from a contact between them: ", how);
+}
+
+/// A side of a that is not in contact with b, at a place inside b.
+[[noreturn]] void refuse(const Named& a, const std::string& boundary, const Named& b,
+                         Vec2 where) {
+  refuse(a, b, where, "'" + a.name + ":" + boundary + "' reaches into '" + b.name + "'");
 }
 
 void checkCorners(const Named& a, const std::vector<Stroke>& ofA, const Named& b) {
@@ -69,7 +80,7 @@ void checkCorners(const Named& a, const std::vector<Stroke>& ofA, const Named& b
     });
     const bool touches = ofA[k].inContact || (ends != ofA.end() && ends->inContact);
     if (!touches && b.outline.contains(ofA[k].from))
-      refuse(a, b, ofA[k].from);
+      refuse(a, *ofA[k].boundary, b, ofA[k].from);
   }
 }
 
@@ -81,25 +92,93 @@ void checkMiddles(const Named& a, const Named& b) {
     const Vec2 where =
         a.outline.physical(curve.point(0) - inside * curve.length() * curve.normal(0));
     if (a.touching.count(edge.boundary) == 0 && b.outline.contains(where))
-      refuse(a, b, where);
+      refuse(a, edge.boundary, b, where);
   }
 }
 
-void checkPair(const Named& a, const Named& b) {
+/// How deep a place lies inside a body, and behind which of its boundaries; zero outside.
+std::pair<double, const std::string*> depthIn(const bem::Outline& outline, Vec2 place) {
+  if (!outline.contains(place))
+    return {0, nullptr};
+  const Vec2 x = outline.scaled(place);
+  const auto nearest =
+      std::min_element(outline.edges().begin(), outline.edges().end(),
+                       [x](const bem::Edge& a, const bem::Edge& b) {
+                         return a.curve.distance(x) < b.curve.distance(x);
+                       });
+  return {nearest->curve.distance(x) * outline.scaling().length, &nearest->boundary};
+}
+
+/// Beside a contact its neighbours may reach into the other body as far as an interference does.
+void checkNeighbours(const Named& a, const Named& b, double plausible) {
+  constexpr int perEdge = 16;
+  double deepest = 0;
+  Vec2 there;
+  const std::string* side = nullptr;
+  const std::string* behind = nullptr;
+  for (const bem::Edge& edge : a.outline.edges())
+    for (int k = 0; k <= perEdge && a.touching.count(edge.boundary) == 0; ++k) {
+      const Vec2 where = a.outline.physical(edge.curve.point(-1 + 2.0 * k / perEdge));
+      const auto [depth, nearest] = depthIn(b.outline, where);
+      if (depth > deepest) {
+        deepest = depth;
+        there = where;
+        side = &edge.boundary;
+        behind = nearest;
+      }
+    }
+  if (deepest > plausible)
+    throw bem::InputError("Bodies: '", a.name, "' and '", b.name, "' overlap by ",
+                          deepest, " at (", there.x, ", ", there.y,
+                          "), far more than an interference: '", a.name, ":", *side,
+                          "', which is not in contact with '", b.name,
+                          "', reaches into it behind '", b.name, ":", *behind, "'");
+}
+
+/// `plausible`: an interference, zero without contact between the two.
+void checkPair(const Named& a, const Named& b, double plausible) {
   const std::vector<Stroke> ofA = strokes(a.outline, a.touching);
   const std::vector<Stroke> ofB = strokes(b.outline, b.touching);
   Vec2 where;
   for (const Stroke& one : ofA)
     for (const Stroke& other : ofB)
       if (!one.inContact && !other.inContact && cross(one, other, where))
-        refuse(a, b, where);
+        refuse(a, b, where,
+               "'" + a.name + ":" + *one.boundary + "' crosses '" + b.name + ":" +
+                   *other.boundary + "'");
   checkCorners(a, ofA, b);
   checkCorners(b, ofB, a);
   checkMiddles(a, b);
   checkMiddles(b, a);
+  if (plausible > 0) {
+    checkNeighbours(a, b, plausible);
+    checkNeighbours(b, a, plausible);
+  }
+}
+
+/// Twice the area over the outline's length, in the user's unit of length.
+double thicknessOf(const bem::Outline& outline) {
+  double area = 0;
+  double length = 0;
+  for (const bem::Edge& edge : outline.edges()) {
+    const bem::Curve& curve = edge.curve;
+    const double angle = curve.angle();
+    area += bem::cross(curve.from(), curve.to());
+    if (!curve.isStraight())  // r² (angle - sin angle)
+      area += (angle - std::sin(angle)) / (curve.curvature() * curve.curvature());
+    length += curve.length();
+  }
+  return area / length * outline.scaling().length;
 }
 
 }  // namespace
+
+double largestInterference(const Scene& scene, const ContactPair& pair) {
+  constexpr double share = 0.05;
+  const double own = thicknessOf(scene.outlineOf(pair.side));
+  return share *
+         (pair.met.rigid ? own : std::min(own, thicknessOf(scene.outlineOf(pair.met))));
+}
 
 void checkOverlaps(const Scene& scene) {
   std::vector<SideOfBody> all;
@@ -114,7 +193,9 @@ void checkOverlaps(const Scene& scene) {
     for (std::size_t j = i + 1; j < all.size(); ++j) {
       Named a{scene.nameOf(all[i]), scene.outlineOf(all[i]), {}};
       Named b{scene.nameOf(all[j]), scene.outlineOf(all[j]), {}};
+      double plausible = 0;
       for (const ContactPair& pair : scene.contacts) {
+        const std::size_t before = a.touching.size() + b.touching.size();
         if (same(pair.side, all[i]) && same(pair.met, all[j])) {
           a.touching.insert(pair.side.boundary);
           b.touching.insert(pair.met.boundary);
@@ -122,8 +203,10 @@ void checkOverlaps(const Scene& scene) {
           b.touching.insert(pair.side.boundary);
           a.touching.insert(pair.met.boundary);
         }
+        if (a.touching.size() + b.touching.size() > before)
+          plausible = largestInterference(scene, pair);
       }
-      checkPair(a, b);
+      checkPair(a, b, plausible);
     }
 }
 

@@ -91,23 +91,34 @@ TEUCHOS_UNIT_TEST(Arcs, selfAndNeighboursOnACircle) {
   testPairs(meshOf(disc(2, 0.5), 2, 2), {{0, 1}}, out, success);
 }
 
+TEUCHOS_UNIT_TEST(Arcs, thatTouchAtBothEnds) {
+  testPairs(meshOf(disc(2, 0.5), 1, 1), {{0, 1}}, out, success);
+  testPairs(meshOf(lens(1, 0), 1, 1), {{0, 1}}, out, success);
+}
+
+/// Its elements see each other across its opening.
+TEUCHOS_UNIT_TEST(Arcs, ofAnArcOfMoreThanHalfACircle) {
+  const double bulge = std::tan(3 * std::acos(-1.0) / 8);
+  const auto outline = std::make_shared<const bem::Outline>(lens(bulge, 1 / bulge));
+  testPairs(bem::makeMesh(outline, {2, 1}, 1), {{0, 1}, {0, 2}}, out, success);
+}
+
 TEUCHOS_UNIT_TEST(Arcs, arcOnArcAtACorner) {
   testPairs(meshOf(curvedSample(), 1, 2), {{0, 0}, {1, 0}}, out, success);
 }
 
 /// Where polynomials of both ask for the largest rules that there are.
 TEUCHOS_UNIT_TEST(Arcs, atCornersMayHaveTheLargestDegree) {
-  const auto outline = std::make_shared<const bem::Outline>(curvedSample());
-  const std::vector<int> elements(outline->edges().size(), 1);
-  for (const int degree : {8, bem::largestDegree}) {
-    const Mesh mesh = bem::makeMesh(outline, elements, degree);
-    double worst = 0;
-    for (int e = 0; e < mesh.size(); ++e)
-      if (!mesh[e].curve.isStraight() || !mesh[mesh[e].next].curve.isStraight())
-        worst = std::max(worst, differenceFromFiner(mesh, e));
-    out << "degree " << degree << ": ";
-    TEST_COMPARE(worst, <, 1e-13);
-  }
+  for (const bem::Loop& loop : {curvedSample(), disc(2, 0.5), lens(1, 0), lens(0.1, 0.2)})
+    for (const int degree : {8, bem::largestDegree}) {
+      const Mesh mesh = meshOf(loop, 1, degree);
+      double worst = 0;
+      for (int e = 0; e < mesh.size(); ++e)
+        if (!mesh[e].curve.isStraight() || !mesh[mesh[e].next].curve.isStraight())
+          worst = std::max(worst, differenceFromFiner(mesh, e));
+      out << mesh.size() << " elements of degree " << degree << ": ";
+      TEST_COMPARE(worst, <, 1e-13);
+    }
 }
 
 TEUCHOS_UNIT_TEST(Arcs, areFarAsTheyAreNear) {

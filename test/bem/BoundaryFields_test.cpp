@@ -190,10 +190,12 @@ TEUCHOS_UNIT_TEST(TouchingRule, integratesLogarithms) {
   const auto claim = [&](const std::vector<bem::Feature>& others, int power) {
     const auto profile = [&](const bem::EndPoint& x) {
       double sum = std::log(x.toEnd) * std::pow(x.toEnd, power == 5 ? 1 : 0);
-      for (const bem::Feature& feature : others)
-        sum +=
-            0.5 * std::log(std::pow(x.t - feature.t, 2) + std::pow(feature.distance, 2));
-      return sum * (1 + x.t);
+      for (const bem::Feature& feature : others) {
+        const double along =
+            feature.t < 0 ? x.fromStart - (1 + feature.t) : 1 - feature.t - x.toEnd;
+        sum += 0.5 * std::log(std::pow(along, 2) + std::pow(feature.distance, 2));
+      }
+      return sum * x.fromStart;
     };
     const auto integral = [&](const bem::GradedRule& rule) {
       double sum = 0;
@@ -213,6 +215,8 @@ TEUCHOS_UNIT_TEST(TouchingRule, integratesLogarithms) {
     claim({{1, 0.1}}, power);
     claim({{0.3, 1e-4}, {-1.1, 0}}, power);
     claim({{0.999, 1e-9}}, power);
+    claim({{-1, 0}}, power);
+    claim({{-1, 0}, {-1.2, 0}}, power);
   }
 }
 

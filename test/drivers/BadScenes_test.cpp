@@ -209,8 +209,8 @@ TEUCHOS_UNIT_TEST(BadScenes, checkLooksWhereARunIntegratesLoads) {
                 traction + "\"/>";
     return scene;
   };
-  TEST_ASSERT(contains(complaintOfCheck(withTraction("1/(x &gt; 0.005)")), "is inf at"));
-  TEST_EQUALITY(complaintOfCheck(withTraction("1/(x &gt; 0.003)")), "");
+  TEST_ASSERT(contains(complaintOfCheck(withTraction("-1/(x &gt; 0.005)")), "is -inf at"));
+  TEST_EQUALITY(complaintOfCheck(withTraction("-1/(x &gt; 0.003)")), "");
 }
 
 TEUCHOS_UNIT_TEST(BadScenes, interiorPointsLieInside) {

@@ -48,6 +48,12 @@ Loop disc(int arcs, double radius) {
   return loop;
 }
 
+Loop lens(double first, double second) {
+  Loop loop = polygon({{0.5, 0}, {-0.5, 0}});
+  loop.bulges = {first, second};
+  return loop;
+}
+
 // A slit of height 0.02 on the right, between an arc and a segment; below it a corner of 5
 // degrees between a segment and an arc.
 Loop curvedSample() {

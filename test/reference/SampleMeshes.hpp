@@ -18,6 +18,9 @@ bem::Loop square();
 /// A circle of equal arcs about the origin; two at least.
 bem::Loop disc(int arcs, double radius);
 
+/// Two edges of these bulges that close a loop, from (0.5, 0) above and back below.
+bem::Loop lens(double first, double second);
+
 /// Arcs to either side and segments: arc on arc and arc on segment at right, wide and acute
 /// corners (5 degrees) and at a smooth joint, an arc facing another closely.
 bem::Loop curvedSample();

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cassert>
 #include <iterator>
 #include <stdexcept>
 #include <tuple>
@@ -128,15 +127,20 @@ std::vector<LeafRestriction> CompressedFactor::restricted(std::vector<char> dirt
           places[active[i]] = static_cast<Index>(i);
         }
     }
+  const auto requireLeaf = [&](Index unknown, std::size_t c) {
+    if (operators_->leafOf(unknown) != static_cast<int>(c))
+      throw std::logic_error(
+          "a restriction of the compressed system connects unknowns of two leaves");
+  };
   for (const auto& [follower, leader, factor] : restriction_.followers) {
     const std::size_t c = operators_->leafOf(follower);
-    assert(operators_->leafOf(leader) == static_cast<int>(c));
+    requireLeaf(leader, c);
     if (dirty[c] != 0 && restriction_.held[leader] == 0)
       leaves[c].followers.push_back({places[follower], places[leader], factor});
   }
   const auto add = [&](const Entry& entry) {
     const std::size_t c = operators_->leafOf(entry.row);
-    assert(operators_->leafOf(entry.column) == static_cast<int>(c));
+    requireLeaf(entry.column, c);
     if (dirty[c] != 0 && restriction_.held[entry.row] == 0 &&
         restriction_.held[entry.column] == 0)
       leaves[c].added.push_back({places[entry.row], places[entry.column], entry.value});

@@ -41,6 +41,7 @@ class CompressedFactor {
  public:
   /// `changing`: leaves in which updates may differ, where memory is to be saved.
   /// \throws NumericalError where a leaf or F is singular.
+  /// \throws std::logic_error for a follower or an entry between two leaves.
   CompressedFactor(const CompressedOperators& operators, Restriction restriction,
                    const std::vector<int>& changing);
   CompressedFactor(const CompressedOperators& operators, Restriction restriction);
@@ -54,14 +55,15 @@ class CompressedFactor {
 
   /// The same with another restriction: only leaves where it differs and what is above
   /// them are eliminated anew.  Returns how many clusters that were.
-  /// \throws std::logic_error where a leaf may not change, and nothing has happened.
+  /// \throws std::logic_error where a leaf may not change, and nothing has happened, or for what
+  /// connects two leaves.
   /// \throws NumericalError as above; then there is no solution before another update.
   int update(Restriction restriction);
 
   /// X of Z X = B on what is not held; held unknowns are zero, or follow.  With
   /// `refinements` corrections by the product of what is left of the densities' equations;
   /// the elimination alone leaves more there as elements get many.
-  /// \pre not of within().
+  /// \throws std::logic_error of within().
   Matrix solve(const Matrix& b, int refinements = 1) const;
 
   /// The same, unrefined, of a right side that is zero in other leaves than those of

@@ -3,7 +3,7 @@
 #include "bem/compressed/CompressedFactor.hpp"
 #include "bem/compressed/TreeSweeps.hpp"
 
-#include <cassert>
+#include <stdexcept>
 
 namespace epafi::bem {
 
@@ -121,7 +121,8 @@ Matrix CompressedFactor::solveAlong(const std::vector<char>& paths,
 }
 
 Matrix CompressedFactor::solve(const Matrix& b, int refinements) const {
-  assert(top_ == 0);
+  if (top_ != 0)
+    throw std::logic_error("a part of the compressed system does not know all unknowns");
   const SerialBlas serial;
   const std::vector<char> all(nodes_.size(), 1);
   Matrix x = solveOnce(b, all);

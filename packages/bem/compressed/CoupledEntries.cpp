@@ -4,13 +4,6 @@
 
 namespace epafi::bem {
 
-namespace {
-
-// From this distance on, in diameters, plain coordinates lose no digits that count.
-constexpr double plainDistance = 1e-2;
-
-}  // namespace
-
 CoupledEntries::CoupledEntries(const Space& space, const Lame& lame,
                                const NearBlocks& near,
                                const std::vector<Unknown>& unknowns)
@@ -80,7 +73,6 @@ Matrix CoupledEntries::symmetric(const std::vector<Index>& unknowns) {
 
 void CoupledEntries::addColumn(const std::vector<Wanted>& rows, std::size_t first,
                                const Wanted& column, Matrix& out) {
-  const Mesh& mesh = space_.mesh();
   const int f = column.element;
   std::vector<const Wanted*> waiting;
   const auto flush = [&] {
@@ -91,16 +83,14 @@ void CoupledEntries::addColumn(const std::vector<Wanted>& rows, std::size_t firs
   };
   for (std::size_t k = first; k < rows.size(); ++k) {
     const int e = rows[k].element;
-    if (!near_.isDeep(e, f)) {
+    const Vec2 w = near_.offset(e, f);
+    if (!near_.isDeep(e, f, w)) {
       const NearBlocks::View block = near_.of(e, f);
       for (const auto& [b, place] : column.functions)
         for (const auto& [a, row] : rows[k].functions)
           out(row, place) += block(a, b);
       continue;
     }
-    Vec2 w = near_.middle(e) - near_.middle(f);
-    if (dot(w, w) < plainDistance * plainDistance)
-      w = mesh.difference(mesh.at(e, 0), mesh.at(f, 0));
     waiting.push_back(&rows[k]);
     tests_.push_back({e, w});
     if (tests_.size() == lanes)

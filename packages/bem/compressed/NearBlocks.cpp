@@ -1,11 +1,12 @@
 #include "bem/compressed/NearBlocks.hpp"
 
+#include "bem/base/Error.hpp"
 #include "bem/operators/LocalTerms.hpp"
 #include "bem/operators/TileBlocks.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
+#include <stdexcept>
 
 namespace epafi::bem {
 
@@ -142,25 +143,25 @@ class Distances {
 }  // namespace
 
 NearBlocks::NearBlocks(const Space& space, const Lame& lame, const ClusterTree& tree,
-                       const std::vector<char>& first, const std::vector<char>& second) {
-  findPairs(space, tree, first, second);
-  const Mesh& mesh = space.mesh();
+                       const std::vector<char>& first, const std::vector<char>& second)
+    : mesh_(space.mesh()) {
+  findPairs(tree, first, second);
 #pragma omp parallel
   {
     PairByParts byParts(space, lame);
     FarBlocks far(space, lame);
 #pragma omp for schedule(dynamic, 16)
-    for (int e = 0; e < mesh.size(); ++e)
+    for (int e = 0; e < mesh_.size(); ++e)
       for (const Pair& pair : pairs_[e]) {
         const int f = pair.element;
         double* out = values_.data() + pair.start;
         byParts.evaluate(e, f, out);
-        const Distances distances(mesh, e, f);
+        const Distances distances(mesh_, e, f);
         if (!distances.areFar())
           continue;
-        far.evaluate({{e, mesh.difference(mesh.at(e, 0), mesh.at(f, 0))}}, f);
-        const int rows = LocalFunctions(mesh[e]).size();
-        const int columns = LocalFunctions(mesh[f]).size();
+        far.evaluate({{e, mesh_.difference(mesh_.at(e, 0), mesh_.at(f, 0))}}, f);
+        const int rows = LocalFunctions(mesh_[e]).size();
+        const int columns = LocalFunctions(mesh_[f]).size();
         for (int a = 0; a < rows; ++a)
           for (int b = 0; b < columns; ++b)
             if (distances.areFar(a, b))
@@ -169,35 +170,34 @@ NearBlocks::NearBlocks(const Space& space, const Lame& lame, const ClusterTree& 
   }
 }
 
-void NearBlocks::measure(const Mesh& mesh) {
-  for (int e = 0; e < mesh.size(); ++e) {
-    const Element& element = mesh[e];
-    const double before = mesh[element.previous].half;
-    const double behind = mesh[element.next].half;
-    hoods_.push_back({mesh.scaledPoint(e, 0), element.half + 2 * std::max(before, behind),
+void NearBlocks::measure() {
+  for (int e = 0; e < mesh_.size(); ++e) {
+    const Element& element = mesh_[e];
+    const double before = mesh_[element.previous].half;
+    const double behind = mesh_[element.next].half;
+    hoods_.push_back({mesh_.scaledPoint(e, 0),
+                      element.half + 2 * std::max(before, behind),
                       std::max({element.half, before, behind})});
     sizes_.push_back(LocalFunctions(element).size());
   }
 }
 
-std::vector<NearBlocks::Hood> NearBlocks::around(const ClusterTree& tree,
-                                                 const Mesh& mesh) const {
+std::vector<NearBlocks::Hood> NearBlocks::around(const ClusterTree& tree) const {
   std::vector<Hood> around(tree.size());
   for (int c = 0; c < tree.size(); ++c)
     for (int k = tree[c].first; k < tree[c].last; ++k) {
       const int e = tree.element(k);
       Hood& all = around[c];
       all.half = std::max(all.half, hoods_[e].half);
-      all.radius = std::max(all.radius,
-                            hoods_[e].radius + length(tree.fromCentre(c, mesh.at(e, 0))));
+      all.radius = std::max(
+          all.radius, hoods_[e].radius + length(tree.fromCentre(c, mesh_.at(e, 0))));
     }
   return around;
 }
 
-void NearBlocks::findPairs(const Space& space, const ClusterTree& tree,
-                           const std::vector<char>& first,
+void NearBlocks::findPairs(const ClusterTree& tree, const std::vector<char>& first,
                            const std::vector<char>& second) {
-  measure(space.mesh());
+  measure();
   pairs_.resize(hoods_.size());
   std::size_t next = 0;
   const auto addPair = [&](int e, int f) {
@@ -207,7 +207,7 @@ void NearBlocks::findPairs(const Space& space, const ClusterTree& tree,
     pairs_[e].push_back({f, next});
     next += static_cast<std::size_t>(sizes_[e] * sizes_[f]);
   };
-  const std::vector<Hood> hoods = around(tree, space.mesh());
+  const std::vector<Hood> hoods = around(tree);
   const auto areFar = [&](int a, int b) {
     return length(tree.between(a, b)) > clearly * clearly *
                                             (hoods[a].radius + hoods[b].radius +
@@ -246,7 +246,9 @@ NearBlocks::View NearBlocks::of(int e, int f) const {
   const auto found = std::lower_bound(
       pairs.begin(), pairs.end(), other,
       [](const Pair& pair, int element) { return pair.element < element; });
-  assert(found != pairs.end() && found->element == other);
+  if (found == pairs.end() || found->element != other)
+    throw std::logic_error(
+        message("elements ", e, " and ", f, " have no block among the near ones"));
   const double* data = values_.data() + found->start;
   const Index columns = sizes_[other];
   return e <= f ? View{data, columns, 1} : View{data, 1, columns};

@@ -15,20 +15,28 @@ namespace epafi::bem {
 class NearBlocks {
  public:
   /// Of pairs with one element among the first (by element) and one among the second.
+  /// Refers to the space's mesh.
   NearBlocks(const Space& space, const Lame& lame, const ClusterTree& tree,
              const std::vector<char>& first, const std::vector<char>& second);
 
   /// Are all functions of a pair far?  Then it is none of these.
-  bool isDeep(int e, int f) const {
+  bool isDeep(int e, int f) const { return isDeep(e, f, offset(e, f)); }
+  /// The same; `offset` is theirs.
+  bool isDeep(int e, int f, Vec2 offset) const {
     const Hood& a = hoods_[e];
     const Hood& b = hoods_[f];
     const double reach =
         clearly * (a.radius + b.radius + (a.half > b.half ? a.half : b.half));
-    const Vec2 w = a.middle - b.middle;
-    return dot(w, w) >= reach * reach;
+    return dot(offset, offset) >= reach * reach;
   }
-  /// The middle of an element; as exact as its coordinates.
-  Vec2 middle(int e) const { return hoods_[e].middle; }
+  /// The middle of e less that of f; exactly the opposite of what it is from f to e.
+  Vec2 offset(int e, int f) const {
+    const Vec2 w = hoods_[e].middle - hoods_[f].middle;
+    if (dot(w, w) >= plainDistance * plainDistance)
+      return w;
+    return e < f ? mesh_.difference(mesh_.at(e, 0), mesh_.at(f, 0))
+                 : -mesh_.difference(mesh_.at(f, 0), mesh_.at(e, 0));
+  }
 
   /// Row by row: functions of e by functions of f, see LocalFunctions.
   struct View {
@@ -37,17 +45,19 @@ class NearBlocks {
     Index nextColumn;
     double operator()(int a, int b) const { return data[a * nextRow + b * nextColumn]; }
   };
-  /// \pre the pair is not deep, and one of those asked for.
+  /// \throws std::logic_error if the pair is deep, or none of those asked for.
   View of(int e, int f) const;
 
  private:
   // Rounding may call elements near whose distance is the limit's, which meshes of halved
   // elements are full of; a pair beside them must not count as deep then.
   static constexpr double clearly = 1 + 1e-6;
+  // From this distance on, in diameters, plain coordinates lose no digits that count.
+  static constexpr double plainDistance = 1e-2;
 
   /// An element with its neighbours.
   struct Hood {
-    Vec2 middle;
+    Vec2 middle;        ///< as exact as its coordinates
     double radius = 0;  ///< about its middle
     double half = 0;    ///< the largest
   };
@@ -56,12 +66,13 @@ class NearBlocks {
     std::size_t start;
   };
 
-  void measure(const Mesh& mesh);
+  void measure();
   /// Of clusters: about their centres.
-  std::vector<Hood> around(const ClusterTree& tree, const Mesh& mesh) const;
-  void findPairs(const Space& space, const ClusterTree& tree,
-                 const std::vector<char>& first, const std::vector<char>& second);
+  std::vector<Hood> around(const ClusterTree& tree) const;
+  void findPairs(const ClusterTree& tree, const std::vector<char>& first,
+                 const std::vector<char>& second);
 
+  const Mesh& mesh_;
   std::vector<Hood> hoods_;
   std::vector<std::vector<Pair>> pairs_;
   std::vector<Index> sizes_;

@@ -2,7 +2,7 @@
 
 #include "bem/base/Vec2.hpp"
 
-#include <cassert>
+#include <stdexcept>
 
 namespace epafi::bem {
 
@@ -75,8 +75,10 @@ class Curve {
 
   const Frame& frame() const { return frame_; }
   /// The frame of a segment, which is the same everywhere: for what knows no arcs yet.
+  /// \throws std::logic_error of an arc.
   const Frame& segment() const {
-    assert(isStraight());
+    if (!isStraight())
+      throw std::logic_error("an arc is taken for a segment");
     return frame_;
   }
 

@@ -30,7 +30,7 @@ struct Element {
   int degree = 1;     ///< p: displacements of degree p
   int densities = 1;  ///< functions of a density, P_0 ... : p of them, or more
 
-  /// The frame of a straight element: for what knows no arcs yet.
+  /// The frame of a straight element, see Curve::segment.
   const Curve::Frame& segment() const { return curve.segment(); }
 };
 

@@ -1,6 +1,7 @@
 #include "bem/moments/NearPairs.hpp"
 
 #include "bem/moments/ArcPairs.hpp"
+#include "bem/moments/ArcWeights.hpp"
 #include "bem/moments/LegendreLanes.hpp"
 #include "bem/moments/RelativeTarget.hpp"
 #include "bem/quadrature/Graded.hpp"
@@ -103,9 +104,21 @@ struct NearKernel {
   }
 };
 
+/// Of one edge, where places are told along it: a segment, or an arc that turns by half a circle
+/// at most from one's far end to the other's.  Beyond that the way across is the shorter one.
+bool areOnLine(const Mesh& mesh, int e, int f) {
+  const Piece& x = mesh[e].piece;
+  const Piece& y = mesh[f].piece;
+  if (x.edge != y.edge)
+    return false;
+  const double length =
+      std::max(distanceAlong(x.start, y.end), distanceAlong(y.start, x.end));
+  return length * std::abs(mesh[e].curve.curvature()) <= largestAngle;
+}
+
 /// 1e-13 of the moments' norm with polynomials of both degrees: where the elements touch,
 /// integrands are like log s in the distance s, on one line like s log s.
-GradedRule nearRule(const Mesh& mesh, int outer, int inner) {
+GradedRule nearRule(const Mesh& mesh, int outer, int inner, bool onLine) {
   const Piece& piece = mesh[inner].piece;
   std::vector<Feature> features;
   for (const Position& end : {piece.start, piece.end}) {
@@ -114,7 +127,6 @@ GradedRule nearRule(const Mesh& mesh, int outer, int inner) {
   }
   const bool hasArc = !mesh[outer].curve.isStraight() || !mesh[inner].curve.isStraight();
   const int degree = mesh[outer].densities + mesh[inner].densities + (hasArc ? 6 : 0);
-  const bool onLine = mesh[outer].piece.edge == piece.edge;
   return touchingRule(
       features, 17 + degree / 2,
       onLine ? Softening{5, 20 + 7 * degree / 6} : Softening{7, 26 + 27 * degree / 20});
@@ -131,7 +143,7 @@ void NearMoments::evaluate(const Mesh& mesh, int e, int f, TileMoments& m, int l
                            InstructionSet set) {
   const int rows = mesh[e].densities;
   const int columns = mesh[f].densities;
-  const bool onLine = mesh[e].piece.edge == mesh[f].piece.edge;
+  const bool onLine = areOnLine(mesh, e, f);
   if (onLine)  // w·n = 0
     for (int i = 0; i <= rows; ++i)
       for (int j = 0; j <= columns; ++j) {
@@ -155,7 +167,7 @@ void NearMoments::evaluate(const Mesh& mesh, int e, int f, TileMoments& m, int l
   const Element& y = mesh[inner];
   const Shape shape = {x.densities, y.densities};
   sums_.assign(shape.size(), AlignedLane{});
-  const GradedRule rule = nearRule(mesh, outer, inner);
+  const GradedRule rule = nearRule(mesh, outer, inner, onLine);
   if (hasArc && !onLine)
     return nearArcMoments(mesh, e, f, rule, m, lane);
   const Sight sight = sightOf(mesh, outer, inner);

@@ -61,14 +61,25 @@ Touches touches(const Interval& interval, const Feature& feature, double distanc
 }
 
 /// `smallest`: for each feature, how far intervals are cut for its sake; zero: not at all
-/// where they touch it.
+/// where they touch it at one end alone.
 void refine(const Interval& interval, const std::vector<Feature>& features,
             const std::vector<double>& smallest, std::vector<Interval>& leaves) {
   const double length = interval.length();
-  double ratio = largestRatio;
+  bool atStart = false;
+  bool atEnd = false;
   for (std::size_t k = 0; k < features.size(); ++k)
-    if (smallest[k] == 0 && touches(interval, features[k], closest) != Touches::Nothing)
-      ratio = 1;
+    if (smallest[k] == 0) {
+      const Touches end = touches(interval, features[k], closest);
+      atStart = atStart || end == Touches::From;
+      atEnd = atEnd || end == Touches::To;
+    }
+  if (atStart && atEnd) {  // a leaf is softened at one end
+    const EndPoint cut = between(interval.from, interval.to, 0.5);
+    refine({interval.from, cut}, features, smallest, leaves);
+    refine({cut, interval.to}, features, smallest, leaves);
+    return;
+  }
+  const double ratio = atStart || atEnd ? 1 : largestRatio;
   for (std::size_t k = 0; k < features.size(); ++k) {
     const Feature& feature = features[k];
     if (length <= smallest[k] ||

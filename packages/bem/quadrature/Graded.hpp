@@ -40,8 +40,8 @@ struct Softening {
 };
 
 /// The same with far fewer points where features touch [-1, 1] (closer than 1e-12): an
-/// interval that does is not cut for their sake, and softened; other features are as far
-/// from it as it is long.  Elsewhere intervals shrink toward features as above, with
+/// interval that does at one end is not cut for their sake, and softened; other features are
+/// as far from it as it is long, and it is cut in half where both of its ends touch one.  Elsewhere intervals shrink toward features as above, with
 /// `order` points on each.
 GradedRule touchingRule(const std::vector<Feature>& features, int order,
                         const Softening& softening);
