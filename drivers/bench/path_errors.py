@@ -6,7 +6,7 @@
 
 Prints for each level its unknowns, CPU seconds of one thread so far and the largest error of any
 step: of strain energy and of friction's work, relative to the step's own, and with --pressure of
-lambda_n, relative in L2 along s or, where it is given as x0:x1, along x.  `best` columns are the
+lambda_n and of pressure in contact.csv, relative in L2 for x0 < x < x1.  `best` columns are the
 best of the last three levels.  The reference is solved in DIR/reference unless it is there.
 """
 import argparse
@@ -18,6 +18,9 @@ import subprocess
 
 ALWAYS = ["Adaptivity->Maximum Levels=1000", "Output->Contact Samples per Element=40",
           "Output->Fields=true"]
+
+
+PRESSURES = ["lambda_n", "pressure"]
 
 
 def table(path):
@@ -32,10 +35,10 @@ def run(epafi, scene, folder, settings, more=()):
 
 
 class Profile:
-    """lambda_n of a step along x, linear between samples."""
+    """A column of a step along x, linear between samples."""
 
-    def __init__(self, path):
-        points = sorted((float(row["x"]), float(row["lambda_n"])) for row in table(path))
+    def __init__(self, path, column="lambda_n"):
+        points = sorted((float(row["x"]), float(row[column])) for row in table(path))
         self.x, self.values = zip(*points)
 
     def at(self, x):
@@ -45,15 +48,15 @@ class Profile:
         return (1 - w) * self.values[k - 1] + w * self.values[k]
 
 
-def grid(interval, count=3600):
+def grid(interval, count=1800):
     a, b = interval
     return [a + (b - a) * (k + 0.5) / count for k in range(count)]
 
 
-def profiles(folder, interval):
+def profiles(folder, interval, column):
     result = []
     while os.path.exists(os.path.join(folder, "steps", str(len(result) + 1), "contact.csv")):
-        profile = Profile(os.path.join(folder, "steps", str(len(result) + 1), "contact.csv"))
+        profile = Profile(os.path.join(folder, "steps", str(len(result) + 1), "contact.csv"), column)
         result.append([profile.at(x) for x in grid(interval)])
     return result
 
@@ -87,7 +90,7 @@ def measured(options, name, reference):
     exact = steps(reference)
     exact = exact[max(exact)]
     interval = options.pressure
-    exactProfiles = profiles(reference, interval) if interval else []
+    exactProfiles = profiles(reference, interval, "lambda_n") if interval else []
     subprocess.run(["rm", "-rf", folder], check=True)
     cap = "Adaptivity->Maximum Degrees of Freedom=%d" % options.cap
     rows = []
@@ -102,13 +105,13 @@ def measured(options, name, reference):
                 [*settings, cap, "Adaptivity->Maximum Levels=%d" % (len(found) + 1)], more)
             if len(table(os.path.join(folder, "history.csv"))) == len(found):
                 break
-            found.append(profiles(folder, interval))
+            found.append([profiles(folder, interval, column) for column in PRESSURES])
     for row, (_, level), profile in zip(table(os.path.join(folder, "history.csv")),
                                         sorted(steps(folder).items()), found):
         errors = [largest(relative(float(a[key]), float(b[key])) for a, b in zip(level, exact))
                   for key in ("energy_strain", "energy_dissipated")]
         if interval:
-            errors.append(largest(distance(p, q) for p, q in zip(profile, exactProfiles)))
+            errors += [largest(distance(p, q) for p, q in zip(of, exactProfiles)) for of in profile]
         rows.append((int(row["dof"]), float(row["seconds_total"]), errors))
     return rows
 
@@ -130,8 +133,8 @@ def main():
             ["--output", reference, "--force"])
     for name in options.strategies.split(","):
         print("%s\n%6s %7s  %s" % (name, "dof", "s", "   ".join(
-            "%-27s" % what for what in ["energy step best", "work step best", "pressure step best"]
-            [:3 if options.pressure else 2])), flush=True)
+            "%-27s" % (what + " step best") for what in
+            ["energy", "work", *(PRESSURES if options.pressure else [])])), flush=True)
         rows = measured(options, name, reference)
         for k, (dof, seconds, errors) in enumerate(rows):
             cells = ["%.2e %3d %.2e" % (error, step, min(
