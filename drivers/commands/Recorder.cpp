@@ -180,7 +180,7 @@ void Recorder::note(const SolvedLevel& level) {
   contact_ = PathContact(scene_);
   progress_.clear();
   table_ << tableLine(row) << gamma0Note(row, scene_.stabilization.firstGamma0())
-         << operatorsNote(row) << std::flush;
+         << operatorsNote(row) << worstStepNote(row) << std::flush;
 }
 
 }  // namespace epafi::drivers

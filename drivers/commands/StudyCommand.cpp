@@ -261,7 +261,7 @@ class StudyRun {
     folder_.write("study.csv", table_.text());
     out_ << studyLine(row, studied)
          << gamma0Note(row, variant.scene.stabilization.firstGamma0())
-         << operatorsNote(row);
+         << operatorsNote(row) << worstStepNote(row);
     if (row.report.status != contact::Status::Converged)
       out_ << "  not converged: " << row.reason << "\n";
     out_ << std::flush;

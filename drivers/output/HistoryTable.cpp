@@ -87,6 +87,8 @@ constexpr Column<LevelRow> columns[] = {
     {"gamma0", cell<&LevelRow::gamma0>},
     {"memory_forecast_mb", size<&Size::memory>},
     {"operators", [](const LevelRow& r) { return r.operators; }},
+    {"worst_step", cell<&LevelRow::worstStep>},
+    {"worst_step_estimate", cell<&LevelRow::worstEstimate>},
 };
 
 }  // namespace

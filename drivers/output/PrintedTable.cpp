@@ -111,6 +111,14 @@ std::string operatorsNote(const LevelRow& row) {
              : "        level " + std::to_string(row.level) + ": " + row.note + "\n";
 }
 
+std::string worstStepNote(const LevelRow& row) {
+  return row.worstStep == 0 ? ""
+                            : "        level " + std::to_string(row.level) +
+                                  ": the largest error is that of step " +
+                                  std::to_string(row.worstStep) + ", estimated " +
+                                  significant(row.worstEstimate, 4) + "\n";
+}
+
 std::string timeSummary(const PhaseTimer& timer) {
   std::ostringstream text;
   text << "time    " << fixed(cpuSeconds(), 2) << " s of CPU, "

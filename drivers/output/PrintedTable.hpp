@@ -25,6 +25,9 @@ std::string gamma0Note(const LevelRow& row, double wanted);
 /// Says what became of a level's operators, or what would cost less; else empty.
 std::string operatorsNote(const LevelRow& row);
 
+/// Says of a level of a path which step has the largest estimated error; else empty.
+std::string worstStepNote(const LevelRow& row);
+
 /// Where the time went, for the end of a run.
 std::string timeSummary(const PhaseTimer& timer);
 

@@ -111,11 +111,30 @@ std::vector<SolutionArrays> parted(const SolutionArrays& all) {
   return parts;
 }
 
+contact::ContactState contactStateOf(const std::vector<int>& contact,
+                                     const std::vector<int>& friction) {
+  return {states(contact, contact::NormalState::Closed),
+          states(friction, contact::FrictionState::SlipBackward)};
+}
+
+/// Motions of bodies without elasticity, and back.
+void appendMotions(std::vector<double>& to,
+                   const std::vector<contact::RigidMotion>& motions) {
+  for (const contact::RigidMotion& motion : motions)
+    append(to, {motion.slide.x, motion.slide.y, motion.turn});
+}
+
+std::vector<contact::RigidMotion> motionsOf(const std::vector<double>& numbers) {
+  std::vector<contact::RigidMotion> motions;
+  for (const auto& [x, y, turn] : rowsOf<3>(numbers))
+    motions.push_back({{x, y}, turn});
+  return motions;
+}
+
 BodyLevel bodyOf(const SolutionArrays& arrays) {
   return {piecesOf(arrays),
           {arrays.multiplier, arrays.rigid},
-          {states(arrays.contact, contact::NormalState::Closed),
-           states(arrays.friction, contact::FrictionState::SlipBackward)},
+          contactStateOf(arrays.contact, arrays.friction),
           arrays.displacement,
           arrays.density,
           {rowsOf<adaptivity::sourceCount>(arrays.indicators)}};
@@ -143,12 +162,15 @@ std::vector<PathPoint> pathOf(const SolutionArrays& arrays) {
   return path;
 }
 
-/// Of bodies whose sizes are known.
+/// Of bodies whose sizes are known, rigid ones included.
 std::vector<StepFields> stepsOf(const SolutionArrays& arrays,
                                 const std::vector<BodyLevel>& bodies) {
   std::vector<StepFields> steps;
   std::size_t displacement = 0;
   std::size_t density = 0;
+  std::size_t contact = 0;
+  std::size_t friction = 0;
+  std::size_t motion = 0;
   for (const double t : arrays.stepTimes) {
     steps.push_back({t, {}, {}});
     for (const BodyLevel& body : bodies) {
@@ -156,7 +178,12 @@ std::vector<StepFields> stepsOf(const SolutionArrays& arrays,
           taken(arrays.stepDisplacement, body.displacement.size(), displacement));
       steps.back().density.push_back(
           taken(arrays.stepDensity, body.density.size(), density));
+      steps.back().states.push_back(contactStateOf(
+          taken(arrays.stepContact, body.states.normal.size(), contact),
+          taken(arrays.stepFriction, body.states.tangential.size(), friction)));
     }
+    steps.back().rigid =
+        motionsOf(taken(arrays.stepRigidBodies, arrays.rigidBodies.size(), motion));
   }
   return steps;
 }
@@ -167,8 +194,7 @@ SolutionArrays arraysOf(const Level& level) {
   SolutionArrays arrays;
   for (const BodyLevel& body : level.bodies)
     append(body, arrays);
-  for (const contact::RigidMotion& motion : level.rigid)
-    append(arrays.rigidBodies, {motion.slide.x, motion.slide.y, motion.turn});
+  appendMotions(arrays.rigidBodies, level.rigid);
   for (const PathPoint& point : level.path) {
     arrays.pathTimes.push_back(point.t);
     append(arrays.pathIterations, {point.newtonIterations, point.coulombIterations});
@@ -180,7 +206,10 @@ SolutionArrays arraysOf(const Level& level) {
     for (std::size_t b = 0; b < step.displacement.size(); ++b) {
       append(arrays.stepDisplacement, step.displacement[b]);
       append(arrays.stepDensity, step.density[b]);
+      appendStates(arrays.stepContact, step.states[b].normal);
+      appendStates(arrays.stepFriction, step.states[b].tangential);
     }
+    appendMotions(arrays.stepRigidBodies, step.rigid);
   }
   return arrays;
 }
@@ -189,8 +218,7 @@ Level levelOf(const SolutionArrays& arrays) {
   Level level;
   for (const SolutionArrays& part : parted(arrays))
     level.bodies.push_back(bodyOf(part));
-  for (const auto& [x, y, turn] : rowsOf<3>(arrays.rigidBodies))
-    level.rigid.push_back({{x, y}, turn});
+  level.rigid = motionsOf(arrays.rigidBodies);
   level.path = pathOf(arrays);
   level.steps = stepsOf(arrays, level.bodies);
   return level;

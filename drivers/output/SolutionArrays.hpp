@@ -35,6 +35,9 @@ struct SolutionArrays {
   std::vector<double> stepTimes;
   std::vector<double> stepDisplacement;
   std::vector<double> stepDensity;
+  std::vector<int> stepContact;
+  std::vector<int> stepFriction;
+  std::vector<double> stepRigidBodies;  ///< motions
 };
 
 /// What a body has of something.
@@ -79,7 +82,10 @@ constexpr std::tuple otherDataSets(
     DataSet<double>{"path_rigid", &SolutionArrays::pathRigid},
     DataSet<double>{"step_t", &SolutionArrays::stepTimes},
     DataSet<double>{"step_displacement", &SolutionArrays::stepDisplacement},
-    DataSet<double>{"step_density", &SolutionArrays::stepDensity});
+    DataSet<double>{"step_density", &SolutionArrays::stepDensity},
+    DataSet<int>{"step_contact_state", &SolutionArrays::stepContact},
+    DataSet<int>{"step_friction_state", &SolutionArrays::stepFriction},
+    DataSet<double>{"step_rigid_bodies", &SolutionArrays::stepRigidBodies, 3});
 
 /// visit(data set) of each.
 template <class Visit>

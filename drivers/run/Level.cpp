@@ -24,6 +24,19 @@ double Level::estimate() const {
   return std::sqrt(sum);
 }
 
+std::vector<StepFields> Level::solved() const {
+  if (!steps.empty())
+    return steps;
+  StepFields only;
+  only.rigid = rigid;
+  for (const BodyLevel& body : bodies) {
+    only.displacement.push_back(body.displacement);
+    only.density.push_back(body.density);
+    only.states.push_back(body.states);
+  }
+  return {only};
+}
+
 std::size_t Level::elements() const {
   std::size_t sum = 0;
   for (const BodyLevel& body : bodies)

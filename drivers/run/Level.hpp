@@ -35,6 +35,8 @@ struct StepFields {
   double t = 0;
   std::vector<bem::Vector> displacement;
   std::vector<bem::Vector> density;
+  std::vector<contact::ContactState> states{};
+  std::vector<contact::RigidMotion> rigid{};  ///< of bodies without elasticity
 };
 
 /// A solved level as numbers: all that the next one is made from, and what a file keeps.
@@ -55,6 +57,8 @@ struct Level {
   /// Of each step that was asked for, at the end of a path only: a file on the way would grow
   /// with every step that it is written after.
   std::vector<StepFields> steps{};
+  /// The steps, or the one state that there is without a History, whose t is 0.
+  std::vector<StepFields> solved() const;
   /// Did the path get to its end, or is this a step on the way?  True without a History.
   bool complete = true;
 };
@@ -104,6 +108,9 @@ struct LevelRow {
   double gamma0 = 0;                    ///< zero without stabilisation
   double estimate = 0;                  ///< [(stress length²)^½] under Weights "Energy"
   adaptivity::Contributions squares{};  ///< of which it is made
+  /// With a History the step whose estimate is the largest, from 1; else 0.
+  int worstStep = 0;
+  double worstEstimate = 0;                  ///< that step's own, else that of the level
   std::array<double, phaseCount> seconds{};  ///< of this level, CPU, all threads
   double secondsTotal = 0;                   ///< CPU since the program's start
   double secondsWall = 0;           ///< by the clock on the wall since the timer's

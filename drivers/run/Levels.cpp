@@ -16,6 +16,9 @@
 #include "drivers/run/UnheldMotions.hpp"
 #include "drivers/scene/LinearCost.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace epafi::drivers {
 
 namespace {
@@ -49,17 +52,22 @@ bem::SteklovPoincare stiffnessOf(bem::Operators operators,
   return bem::SteklovPoincare(std::move(operators), algebra, compliance);
 }
 
-/// Of each body the largest indicators over some states.
-void estimate(const Ground& ground, const std::vector<const SolvedBodies*>& states,
-              Level& level) {
+/// Of each body the largest indicators over some states; returns each state's own estimate.
+bem::Vector estimate(const Ground& ground, const std::vector<const SolvedBodies*>& states,
+                     Level& level) {
+  bem::Vector estimates(states.size(), 0.0);
   for (std::size_t b = 0; b < level.bodies.size(); ++b) {
     std::vector<adaptivity::Estimated> ofBody;
     ofBody.reserve(states.size());
     for (const SolvedBodies* solved : states)
       ofBody.push_back({solved->bodies()[b], solved->densities()[b]});
-    level.bodies[b].indicators = adaptivity::largest(adaptivity::estimateResiduals(
-        ofBody, ground.lames[b], ground.scene.adaptivity.estimator));
+    const std::vector<adaptivity::Indicators> all = adaptivity::estimateResiduals(
+        ofBody, ground.lames[b], ground.scene.adaptivity.estimator);
+    for (std::size_t k = 0; k < all.size(); ++k)
+      estimates[k] = std::hypot(estimates[k], all[k].estimate());
+    level.bodies[b].indicators = adaptivity::largest(all);
   }
+  return estimates;
 }
 
 /// A level that is solved now.
@@ -108,6 +116,7 @@ LevelRow makeRow(const Level& level, const NewLevel& begun, double gamma0,
   row.reason = level.reason;
   row.gamma0 = gamma0;
   row.estimate = level.estimate();
+  row.worstEstimate = row.estimate;
   row.squares = level.squares();
   addTimes(solved, begun.timer, row);
   return row;
@@ -126,7 +135,8 @@ std::vector<StepFields> fieldsOf(const Path& path) {
   std::vector<StepFields> steps;
   for (const auto& step : path.steps)
     steps.push_back({step->row.t, step->solved->placement().displacements,
-                     step->solved->densities()});
+                     step->solved->densities(), step->solved->states(),
+                     step->solved->at().rigid});
   return steps;
 }
 
@@ -162,10 +172,14 @@ Attempt solvePath(const Ground& ground, const contact::ContactSystem& atZero,
   const SolvedBodies& solved = *path.last().solved;
   Level level = levelOf(ground, path);
   level.steps = fieldsOf(path);
-  timer.run(Phase::Estimate, [&] { estimate(ground, statesOf(path), level); });
+  const bem::Vector estimates =
+      timer.run(Phase::Estimate, [&] { return estimate(ground, statesOf(path), level); });
   timer.run(Phase::Results, [&] {
     LevelRow row = makeRow(level, begun, gamma0Of(atZero), solved, path.report);
     row.summary.energyFriction = path.last().row.energyDissipated;
+    const auto worst = std::max_element(estimates.begin(), estimates.end());
+    row.worstStep = 1 + static_cast<int>(worst - estimates.begin());
+    row.worstEstimate = *worst;
     begun.handOut({solved.bodies(), level, row, &path});
   });
   return level;

@@ -9,6 +9,7 @@
 #include "drivers/run/FacingMarks.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace epafi::drivers {
 
@@ -29,31 +30,49 @@ adaptivity::GradingOptions gradingOf(const Scene& scene) {
 
 std::vector<adaptivity::PreparedMesh> prepareAll(const Scene& scene,
                                                  const BodySpaces& spaces,
-                                                 const Level& level,
+                                                 const std::vector<StepFields>& steps,
                                                  const adaptivity::Strategy& strategy,
                                                  const bem::DenseAlgebra& algebra) {
-  std::vector<bem::Vector> displacements;
-  for (const BodyLevel& body : level.bodies)
-    displacements.push_back(body.displacement);
-  const contact::Motions motions = spaces.motions(displacements, level.rigid);
+  std::vector<contact::Motions> motions;
+  for (const StepFields& step : steps)
+    motions.push_back(spaces.motions(step.displacement, step.rigid));
   const std::vector<bem::Mesh> coarse = firstLevel(scene).meshes;
   std::vector<adaptivity::PreparedMesh> prepared;
-  for (std::size_t b = 0; b < spaces.size(); ++b)
+  for (std::size_t b = 0; b < spaces.size(); ++b) {
+    std::vector<adaptivity::SolvedStep> ofBody;
+    for (std::size_t k = 0; k < steps.size(); ++k)
+      ofBody.push_back({steps[k].states[b], steps[k].displacement[b], &motions[k],
+                        k == 0 ? nullptr : &steps[k - 1].displacement[b],
+                        k == 0 ? nullptr : &motions[k - 1]});
     prepared.push_back(adaptivity::prepare(
         strategy,
-        {spaces.space(b), scene.bodies[b].conditions, spaces.multiplier(b),
-         level.bodies[b].states, level.bodies[b].displacement, coarse[b],
-         *spaces.opposite(b), &motions},
+        {spaces.space(b), scene.bodies[b].conditions, spaces.multiplier(b), coarse[b],
+         *spaces.opposite(b), std::move(ofBody)},
         gradingOf(scene), algebra));
+  }
   shareSingularPoints(scene, prepared);
   return prepared;
+}
+
+/// Of each element of a body: does it look analytic in every step?
+std::vector<bool> analyticIn(const std::vector<StepFields>& steps, std::size_t b,
+                             const Scene& scene, const bem::Space& space) {
+  std::vector<bool> always(space.mesh().size(), true);
+  for (const StepFields& step : steps) {
+    const std::vector<bool> now = adaptivity::looksAnalytic(
+        space, scene.bodies[b].conditions, step.displacement[b], step.density[b],
+        scene.adaptivity.strategy.analyticityThreshold);
+    std::transform(now.begin(), now.end(), always.begin(), always.begin(),
+                   std::logical_and<>());
+  }
+  return always;
 }
 
 /// The elements that carry most of the estimate are chosen among those of all bodies; where
 /// Graded hp cuts one side of a contact, the other follows.
 std::vector<adaptivity::Marks> marksOf(
     const Scene& scene, const BodySpaces& spaces, const Level& level,
-    const adaptivity::Strategy& strategy,
+    const std::vector<StepFields>& steps, const adaptivity::Strategy& strategy,
     const std::vector<adaptivity::PreparedMesh>& prepared,
     const bem::DenseAlgebra& algebra) {
   std::vector<bem::Vector> squares;
@@ -64,12 +83,9 @@ std::vector<adaptivity::Marks> marksOf(
     worst = withFacing(scene, prepared, std::move(worst));
   std::vector<adaptivity::Marks> marks;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
-    const adaptivity::LevelData data{
-        prepared[b].mesh, worst[b],
-        adaptivity::looksAnalytic(spaces.space(b), scene.bodies[b].conditions,
-                                  level.bodies[b].displacement, level.bodies[b].density,
-                                  scene.adaptivity.strategy.analyticityThreshold),
-        prepared[b].singular, gradingOf(scene)};
+    const adaptivity::LevelData data{prepared[b].mesh, worst[b],
+                                     analyticIn(steps, b, scene, spaces.space(b)),
+                                     prepared[b].singular, gradingOf(scene)};
     marks.push_back(adaptivity::decide(strategy, data, algebra));
   }
   return marks;
@@ -93,10 +109,11 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
   const BodySpaces spaces(scene, meshesOf(scene, level));
   const adaptivity::Strategy& strategy =
       adaptivity::strategies().at(scene.adaptivity.strategy.name);
+  const std::vector<StepFields> steps = level.solved();
   const std::vector<adaptivity::PreparedMesh> prepared =
-      prepareAll(scene, spaces, level, strategy, algebra);
+      prepareAll(scene, spaces, steps, strategy, algebra);
   const std::vector<adaptivity::Marks> marks =
-      marksOf(scene, spaces, level, strategy, prepared, algebra);
+      marksOf(scene, spaces, level, steps, strategy, prepared, algebra);
   if (std::none_of(marks.begin(), marks.end(), adaptivity::anyMarked))
     return converged("there is nothing to refine");
 

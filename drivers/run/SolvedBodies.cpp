@@ -60,15 +60,23 @@ SolvedBodies::SolvedBodies(const Ground& ground, const contact::ContactSystem& s
     bodies_[b].pressed = contact::ForeignPressure(b, bodies_);
 }
 
+std::vector<contact::ContactState> SolvedBodies::states() const {
+  const contact::ContactState all = contact::classify(system_.numbers(), at_.state);
+  std::vector<contact::ContactState> result;
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    result.push_back(ofBody(system_.numbering(), b, all));
+  return result;
+}
+
 Level SolvedBodies::level(int number) const {
   Level level;
   level.number = number;
   level.rigid = at_.rigid;
-  const contact::ContactState kinds = contact::classify(system_.numbers(), at_.state);
+  std::vector<contact::ContactState> kinds = states();
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     level.bodies.push_back({piecesOf(bodies_[b].space.mesh()), at_.bodies[b],
-                            ofBody(system_.numbering(), b, kinds),
-                            placement_.displacements[b], densities_[b]});
+                            std::move(kinds[b]), placement_.displacements[b],
+                            densities_[b]});
   return level;
 }
 

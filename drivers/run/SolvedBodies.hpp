@@ -47,6 +47,9 @@ class SolvedBodies {
   const std::vector<bem::Vector>& densities() const { return densities_; }
   const std::vector<contact::Solved>& bodies() const { return bodies_; }
 
+  /// Of each body's coefficients.
+  std::vector<contact::ContactState> states() const;
+
   /// Everything of a level but its status, indicators and path.
   Level level(int number) const;
 

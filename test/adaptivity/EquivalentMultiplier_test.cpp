@@ -79,8 +79,8 @@ TEUCHOS_UNIT_TEST(EndValue, standsForTheValueAtTheEnd) {
       for (std::size_t q = 0; q < rule.points.size(); ++q) {
         const double t = rule.points[q];
         const double v = rule.weights[q] * std::pow(t, power);
-        end += v * adaptivity::endValues(degree, t).end;
-        start += v * adaptivity::endValues(degree, t).start;
+        end += v * bem::endValues(degree, t).end;
+        start += v * bem::endValues(degree, t).start;
       }
       TEST_FLOATING_EQUALITY(end, 1.0, 1e-12);
       TEST_FLOATING_EQUALITY(start, power % 2 == 0 ? 1.0 : -1.0, 1e-12);
@@ -168,9 +168,9 @@ TEUCHOS_UNIT_TEST(ContactCost, hasTheResidualsSquareExactly) {
       const double t = rule.points[q];
       const double weight = rule.weights[q] * element.half;
       moments.start =
-          moments.start + weight * adaptivity::endValues(contact.degree, t).start * r(t);
+          moments.start + weight * bem::endValues(contact.degree, t).start * r(t);
       moments.end =
-          moments.end + weight * adaptivity::endValues(contact.degree, t).end * r(t);
+          moments.end + weight * bem::endValues(contact.degree, t).end * r(t);
       const Vec2 w = valueAt(c, element, t);
       change += weight * (dot(r(t) + w, r(t) + w) - dot(r(t), r(t)));
     }

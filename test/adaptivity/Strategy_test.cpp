@@ -156,6 +156,24 @@ TEUCHOS_UNIT_TEST(GradedHp, doesWithTransitionsWhatItsOptionSays) {
   TEST_ASSERT(adaptivity::strategies().at("Graded hp").marks(level)[3] == Mark::Bisect);
 }
 
+// Between steps the kinks move, so that a piece of high degree has one inside in most of them.
+TEUCHOS_UNIT_TEST(GradedHp, leavesDegreeTwoToPiecesThatTransitionsOfSeveralStatesCross) {
+  using adaptivity::Mark;
+  for (const int degree : {1, 2, 5}) {
+    const bem::Mesh mesh = test::squareMesh(degree);
+    adaptivity::LevelData level = allMarkedOn(mesh);
+    level.singular.inside[3] = {-0.3, 0.1};
+    const auto marked = [&] {
+      return adaptivity::strategies().at("Graded hp").marks(level);
+    };
+    TEST_ASSERT(marked()[3] == Mark::cut({-0.3, 0.1}, {degree, degree, degree}));
+    level.singular.states = 2;
+    const int low = std::min(degree, 2);
+    TEST_ASSERT(marked()[3] == Mark::cut({-0.3, 0.1}, {low, low, low}));
+    TEST_ASSERT(marked()[1] == Mark::RaiseDegree);
+  }
+}
+
 TEUCHOS_UNIT_TEST(GradedHp, takesRatioStepAndDecayFromItsOptions) {
   using adaptivity::Mark;
   const bem::Mesh mesh = test::squareMesh(2);

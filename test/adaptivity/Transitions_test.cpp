@@ -62,10 +62,11 @@ LocatedTransitions locate(const bem::Mesh& mesh, const char* law, const Opening&
       mesh, contact::multiplierBasis("Gauss-Legendre-Lagrange"), conditions);
   const bem::Vector u =
       space.interpolate([&](bem::Vec2 x) { return opening.displacement(x, mesh); });
+  const contact::ContactState states =
+      other != nullptr ? *other : opening.states(mesh, multiplier);
   return adaptivity::locateTransitions(
-      space, u, conditions, multiplier,
-      other != nullptr ? *other : opening.states(mesh, multiplier),
-      contact::DistantObstacle(mesh, mesh.outline().scaling().length));
+      space, conditions, multiplier,
+      contact::DistantObstacle(mesh, mesh.outline().scaling().length), {states, u});
 }
 
 Samples sampled(double a, double slope) {

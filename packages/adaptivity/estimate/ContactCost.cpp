@@ -94,8 +94,8 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
   size_ = 2 * geometry.half / p;
   stiffness_ = shearModulus / size_;
   weight_ = 2.0 / p * of(factors_, Source::Contact);
-  self_ = endValues(p, 1).end;
-  other_ = endValues(p, 1).start;
+  self_ = bem::endValues(p, 1).end;
+  other_ = bem::endValues(p, 1).start;
 
   const ContactProfiles profiles = contactProfiles(solved, element, {});
   const bem::Rule& rule = bem::gaussLegendre(p + 10);
@@ -107,7 +107,7 @@ ContactCost::ContactCost(const contact::Solved& solved, const ContactElement& el
     const contact::PointLaw friction = element.condition->friction.at(
         mesh.physicalPoint(element.element, t), solved.units.stress);
     const Vec2 normal = geometry.curve.normal(t);
-    const EndValues e = endValues(p, t);
+    const bem::EndValues e = bem::endValues(p, t);
     add(q, {normal.x, normal.y, rule.weights[q] * geometry.half, e.start / geometry.half,
             e.end / geometry.half, pressure, profiles.shear(t),
             positive(profiles.opening(t)), profiles.tangential(t),

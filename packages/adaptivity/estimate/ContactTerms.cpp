@@ -112,7 +112,7 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
         [&, part](double t) {
           const double start = dot(correction.start, direction(t)) / geometry.half;
           const double end = dot(correction.end, direction(t)) / geometry.half;
-          const EndValues e = endValues(p, t);
+          const bem::EndValues e = bem::endValues(p, t);
           return multiplier.at(solved.state.multiplier, element, t).*part +
                  start * e.start + end * e.end;
         },

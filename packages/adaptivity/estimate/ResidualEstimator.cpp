@@ -90,7 +90,7 @@ class Residuals {
     for (std::size_t q = 0; q < values.size(); ++q) {
       const double t = values[q].place.t;
       const Vec2 r = values[q].weight * residual[q];
-      const EndValues e = endValues(contact.degree, t);
+      const bem::EndValues e = bem::endValues(contact.degree, t);
       moments.start = moments.start + e.start * r;
       moments.end = moments.end + e.end * r;
     }

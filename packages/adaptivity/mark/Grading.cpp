@@ -1,7 +1,6 @@
 #include "adaptivity/mark/Grading.hpp"
 
 #include "adaptivity/refine/MovingNodes.hpp"
-#include "adaptivity/singular/Transitions.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -14,6 +13,10 @@ using bem::Kind;
 using bem::Row;
 
 namespace {
+
+/// The largest degree of what ends of contact or stick cross from step to step: pieces whose
+/// kinks lie elsewhere in each of them converge by their size alone.
+constexpr int crossed = 2;
 
 int raised(int degree, const GradingOptions& options) {
   return std::max(degree, std::min(degree + options.degreeStep, options.largestDegree));
@@ -54,23 +57,32 @@ PreparedMesh ignore(const SolvedMesh& level, const GradingOptions&,
 PreparedMesh find(const SolvedMesh& level, const GradingOptions&,
                   const bem::DenseAlgebra&) {
   const bem::Mesh& mesh = level.space.mesh();
-  return {mesh,
-          findSingularPoints(mesh, level.conditions, level.multiplier, level.states)};
+  std::vector<SingularPoints> all;
+  for (const SolvedStep& step : level.steps)
+    all.push_back(
+        findSingularPoints(mesh, level.conditions, level.multiplier, step.states));
+  return {mesh, united(all)};
 }
 
 /// Moves nodes to where contact and friction change.
 PreparedMesh follow(const SolvedMesh& level, const GradingOptions& options,
                     const bem::DenseAlgebra& algebra) {
   const bem::Mesh& mesh = level.space.mesh();
-  const auto located =
-      locateTransitions(level.space, level.displacement, level.conditions,
-                        level.multiplier, level.states, level.opposite, level.motions);
+  std::vector<LocatedTransitions> located;
+  std::vector<Transition> transitions;
+  for (const SolvedStep& step : level.steps) {
+    located.push_back(locateTransitions(level.space, level.conditions, level.multiplier,
+                                        level.opposite, step));
+    const std::vector<Transition>& more = located.back().transitions;
+    transitions.insert(transitions.end(), more.begin(), more.end());
+  }
   const std::vector<bool> held = heldNodes(mesh, level.coarse);
-  const auto moves =
-      agree(chooseMoves(mesh, held, located.transitions, options.reach), algebra);
+  const auto moves = agree(chooseMoves(mesh, held, transitions, options.reach), algebra);
   bem::Mesh moved = moveNodes(mesh, held, moves);
-  SingularPoints singular = placeOn(moved, located);
-  return {std::move(moved), std::move(singular)};
+  std::vector<SingularPoints> singular;
+  for (const LocatedTransitions& ofStep : located)
+    singular.push_back(placeOn(moved, ofStep));
+  return {std::move(moved), united(singular)};
 }
 
 }  // namespace
@@ -166,7 +178,9 @@ Mark gradedMark(const bem::Mesh& mesh, int element, const SingularPoints& singul
   const int degree = mesh[element].degree;
   const std::vector<double>& changes = singular.inside[element];
   if (!changes.empty())
-    return transitions().at(options.transitions).mark(changes, degree, options);
+    return transitions()
+        .at(options.transitions)
+        .mark(changes, singular.states > 1 ? std::min(degree, crossed) : degree, options);
   const bool patient = analytic && degree < options.weakDegree;
   const auto isSingular = [&](bool end) {
     const Singularity s = singular.at(mesh, element, end);

@@ -1,13 +1,12 @@
 #pragma once
 
 #include "adaptivity/refine/Refine.hpp"
-#include "adaptivity/singular/SingularPoints.hpp"
+#include "adaptivity/singular/Transitions.hpp"
 #include "bem/base/DenseAlgebra.hpp"
 #include "bem/base/Family.hpp"
 #include "bem/base/SchemaRow.hpp"
 #include "bem/basis/Legendre.hpp"
 #include "bem/space/Space.hpp"
-#include "contact/opposite/Opposite.hpp"
 
 #include <string>
 #include <vector>
@@ -21,11 +20,9 @@ struct SolvedMesh {
   const bem::Space& space;
   const contact::Conditions& conditions;
   const contact::MultiplierSpace& multiplier;
-  const contact::ContactState& states;
-  const bem::Vector& displacement;
   const bem::Mesh& coarse;            ///< the scene's own: its nodes stay, see heldNodes
-  const contact::Opposite& opposite;  ///< what its contact sides meet, and how that moves
-  const contact::Motions* motions = nullptr;
+  const contact::Opposite& opposite;  ///< what its contact sides meet
+  std::vector<SolvedStep> steps;      ///< of a path; a single load is one
 };
 
 /// The mesh that is refined, and where its singular points are.

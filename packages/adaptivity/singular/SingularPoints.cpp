@@ -1,5 +1,8 @@
 #include "adaptivity/singular/SingularPoints.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace epafi::adaptivity {
 
 namespace {
@@ -56,6 +59,26 @@ SingularPoints findSingularPoints(const bem::Mesh& mesh,
         points.inside[element.element].push_back(0.5 * (places[i] + places[i + 1]));
   }
   return points;
+}
+
+SingularPoints united(const std::vector<SingularPoints>& all) {
+  constexpr double apart = 0.2;  // a tenth of an element, in t
+  SingularPoints result = all.front();
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    const SingularPoints& more = all[k];
+    for (std::size_t n = 0; n < result.nodes.size(); ++n)
+      result.nodes[n] = std::max(result.nodes[n], more.nodes[n]);
+    for (std::size_t e = 0; e < result.inside.size(); ++e) {
+      std::vector<double>& inside = result.inside[e];
+      const std::vector<double> known = inside;
+      for (const double t : more.inside[e])
+        if (std::none_of(known.begin(), known.end(),
+                         [t](double other) { return std::abs(t - other) < apart; }))
+          inside.insert(std::upper_bound(inside.begin(), inside.end(), t), t);
+    }
+    result.states += more.states;
+  }
+  return result;
 }
 
 PointState pointState(const contact::MultiplierSpace& multiplier,

@@ -22,6 +22,8 @@ struct SingularPoints {
   /// Places in (-1, 1) of each element where a contact or friction state changes: between
   /// two coefficients of the multiplier in different states, in the middle.
   std::vector<std::vector<double>> inside;
+  /// Of how many states they are: those of several lie where contact and stick end in turn.
+  int states = 1;
 
   Singularity at(const bem::Mesh& mesh, int element, bool end) const {
     const bem::Element& e = mesh[element];
@@ -38,6 +40,11 @@ SingularPoints findSingularPoints(const bem::Mesh& mesh,
                                   const contact::Conditions& conditions,
                                   const contact::MultiplierSpace& multiplier,
                                   const contact::ContactState& states);
+
+/// Those of all states that they belong to, on one mesh: a node is as bad as the worst of them
+/// makes it, and places closer than a tenth of an element are one, the first state's.
+/// \pre at least one
+SingularPoints united(const std::vector<SingularPoints>& all);
 
 /// What the place of a multiplier's coefficient does.
 struct PointState {

@@ -27,17 +27,25 @@ Freedom frictionFreedom(const PointState& state) {
                                                          : Freedom::Moving;
 }
 
+/// How a place moves relative to what it meets.
+struct Motion {
+  bem::Vec2 total;
+  bem::Vec2 inStep;
+};
+
 /// The two respects, and how far a held place would have moved if it were free.
 struct Respect {
   Freedom (*freedom)(const PointState&);
-  double (*motion)(bem::Vec2 displacement, bem::Vec2 normal, double gap);
+  double (*freeMotion)(const Motion& motion, bem::Vec2 normal, double gap);
 };
 
 const Respect respects[] = {
-    {contactFreedom,
-     [](bem::Vec2 u, bem::Vec2 normal, double gap) { return gap - dot(u, normal); }},
-    {frictionFreedom, [](bem::Vec2 u, bem::Vec2 normal,
-                         double /*gap*/) { return std::abs(cross(normal, u)); }},
+    {contactFreedom, [](const Motion& motion, bem::Vec2 normal,
+                        double gap) { return gap - dot(motion.total, normal); }},
+    {frictionFreedom,
+     [](const Motion& motion, bem::Vec2 normal, double /*gap*/) {
+       return std::abs(cross(normal, motion.inStep));
+     }},
 };
 
 /// A coefficient's place.
@@ -156,13 +164,9 @@ bool endsShortZone(const Places& places, const std::vector<Changes>& all, std::s
 /// What the side that moves tells about a group's place.
 class Locator {
  public:
-  Locator(const bem::Space& space, const bem::Vector& displacement, const Places& places,
-          const contact::Opposite& opposite, const contact::Motions* motions)
-      : space_(space),
-        displacement_(displacement),
-        places_(places),
-        opposite_(opposite),
-        motions_(motions) {}
+  Locator(const bem::Space& space, const SolvedStep& step, const Places& places,
+          const contact::Opposite& opposite)
+      : space_(space), step_(step), places_(places), opposite_(opposite) {}
 
   std::optional<double> locate(const Changes& group, const Respect& respect) const {
     const std::size_t first = group.front();
@@ -191,7 +195,7 @@ class Locator {
         if (direction * (place - bound) <= 0)
           continue;
         result.places.push_back(place);
-        result.values.push_back(motion(*element, t, respect));
+        result.values.push_back(freeMotion(*element, t, respect));
       }
     return result;
   }
@@ -212,20 +216,25 @@ class Locator {
     return elements;
   }
 
-  double motion(const ContactElement& element, double t, const Respect& respect) const {
-    const bem::Mesh& mesh = space_.mesh();
+  double freeMotion(const ContactElement& element, double t,
+                    const Respect& respect) const {
     const int e = element.element;
     const auto met = opposite_.at(element, t);
-    return respect.motion(
-        space_.displacementAt(displacement_, e, t) - motionAt(motions_, met),
-        mesh[e].curve.normal(t), met.gap);
+    Motion motion;
+    motion.total =
+        space_.displacementAt(step_.displacement, e, t) - motionAt(step_.motions, met);
+    motion.inStep = motion.total;
+    if (step_.displacementBefore != nullptr)
+      motion.inStep =
+          motion.total - (space_.displacementAt(*step_.displacementBefore, e, t) -
+                          motionAt(step_.motionsBefore, met));
+    return respect.freeMotion(motion, space_.mesh()[e].curve.normal(t), met.gap);
   }
 
   const bem::Space& space_;
-  const bem::Vector& displacement_;
+  const SolvedStep& step_;
   const Places& places_;
   const contact::Opposite& opposite_;
-  const contact::Motions* motions_;
 };
 
 /// The singular points of the conditions, and the changes of state of which not every
@@ -253,15 +262,13 @@ SingularPoints unexplained(const bem::Mesh& mesh, const contact::Conditions& con
 }  // namespace
 
 LocatedTransitions locateTransitions(const bem::Space& space,
-                                     const bem::Vector& displacement,
                                      const contact::Conditions& conditions,
                                      const contact::MultiplierSpace& multiplier,
-                                     const contact::ContactState& states,
                                      const contact::Opposite& opposite,
-                                     const contact::Motions* motions) {
+                                     const SolvedStep& step) {
   const bem::Mesh& mesh = space.mesh();
-  const Places places(mesh, multiplier, states);
-  const Locator locator(space, displacement, places, opposite, motions);
+  const Places places(mesh, multiplier, step.states);
+  const Locator locator(space, step, places, opposite);
   LocatedTransitions result;
   std::vector<int> explained(places.size());  // changes of a respect after each place
   for (const Respect& respect : respects) {

@@ -5,6 +5,16 @@
 
 namespace epafi::adaptivity {
 
+/// A state of a body: a step of a path, or all of a load at once.
+struct SolvedStep {
+  const contact::ContactState& states;
+  const bem::Vector& displacement;
+  const contact::Motions* motions = nullptr;  ///< of what it meets; null: stands still
+  /// Before the step; null: nothing had moved.
+  const bem::Vector* displacementBefore = nullptr;
+  const contact::Motions* motionsBefore = nullptr;
+};
+
 /// A place on an edge of the outline where contact or friction changes its state.
 struct Transition {
   int edge = 0;
@@ -22,8 +32,8 @@ struct LocatedTransitions {
 /// Finds the ends of contact and of stick by the solution's structure.
 ///
 /// Next to the end of contact the gap opens like d^(3/2), next to the end of stick the
-/// slip grows like d^(3/2), d the distance from it, times functions that are analytic in
-/// d.  So the power 2/3 of the displacement is fitted by a parabola, least squares over
+/// slip of the step grows like d^(3/2), d the distance from it, times functions that are
+/// analytic in d.  So the power 2/3 of the displacement is fitted by a parabola, least squares over
 /// up to three elements of the side that moves, and the parabola's zero is the place.
 /// The displacement is used because the multiplier, which falls like d^(1/2) on the other
 /// side, oscillates there.
@@ -35,14 +45,12 @@ struct LocatedTransitions {
 /// of a jump.  A place outside the elements in which the states change is not believed:
 /// then they stay with `others`, as do changes between the two directions of slip.
 ///
-/// `opposite`, `motions`: what the contact sides meet, and how that moves.
+/// `opposite`: what the contact sides meet.
 LocatedTransitions locateTransitions(const bem::Space& space,
-                                     const bem::Vector& displacement,
                                      const contact::Conditions& conditions,
                                      const contact::MultiplierSpace& multiplier,
-                                     const contact::ContactState& states,
                                      const contact::Opposite& opposite,
-                                     const contact::Motions* motions = nullptr);
+                                     const SolvedStep& step);
 
 /// All of them as singular points of a mesh, which may differ from the one they were
 /// found on by moved nodes: a transition less than one percent of an element away from a

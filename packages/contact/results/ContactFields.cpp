@@ -1,5 +1,7 @@
 #include "contact/results/ContactFields.hpp"
 
+#include "contact/multiplier/ContinuousMultiplier.hpp"
+
 #include <cmath>
 
 namespace epafi::contact {
@@ -22,6 +24,8 @@ ContactFields::ContactFields(const Solved& solved)
       units_(solved.units),
       multiplier_(solved.state.multiplier),
       bounds_(boundsAsCoefficients(solved.problem.numbers(), solved.state.multiplier)),
+      continuous_(
+          withoutJumps(solved.space.mesh(), multiplierSpace(), multiplier_, bounds_)),
       tolerance_(stateTolerance * solved.problem.numbers().stress) {}
 
 double ContactFields::closing(const Element& element,
@@ -48,9 +52,19 @@ double ContactFields::slipping(const Element& element, double t) const {
                   multiplierSpace().at(bounds_, element, t).tangential);
 }
 
-MultiplierSpace::Value ContactFields::stress(const Element& element, double t) const {
-  const auto stress = multiplierSpace().at(multiplier_, element, t);
+MultiplierSpace::Value ContactFields::inUnits(const Vector& multiplier,
+                                              const Element& element, double t) const {
+  const auto stress = multiplierSpace().at(multiplier, element, t);
   return {units_.stress * stress.normal, units_.stress * stress.tangential};
+}
+
+MultiplierSpace::Value ContactFields::stress(const Element& element, double t) const {
+  return inUnits(multiplier_, element, t);
+}
+
+MultiplierSpace::Value ContactFields::continuousStress(const Element& element,
+                                                       double t) const {
+  return inUnits(continuous_, element, t);
 }
 
 double ContactFields::slip(const Element& element, double t) const {

@@ -41,6 +41,9 @@ class ContactFields {
 
   ContactPoint at(const Element& element, double t) const;
 
+  /// λ without the jumps that no equation sees, see withoutJumps.  [stress]
+  MultiplierSpace::Value continuousStress(const Element& element, double t) const;
+
   /// λ [stress] and uₜ [length] of at(), which costs more.
   MultiplierSpace::Value stress(const Element& element, double t) const;
   double slip(const Element& element, double t) const;
@@ -58,6 +61,8 @@ class ContactFields {
  private:
   const MultiplierSpace& multiplierSpace() const { return solved_.problem.multiplier(); }
   double closing(const Element& element, const MultiplierSpace::Value& stress) const;
+  MultiplierSpace::Value inUnits(const Vector& multiplier, const Element& element,
+                                 double t) const;
   /// Of dimensionless numbers.
   double slipping(const Element& element, double shear, double bound) const;
 
@@ -65,6 +70,7 @@ class ContactFields {
   bem::Units units_;
   const Vector& multiplier_;
   Vector bounds_;  ///< slip bounds as coefficients, in place of the tangential ones
+  Vector continuous_;
   double tolerance_;
 };
 

@@ -1,0 +1,175 @@
+#include "contact/multiplier/ContinuousMultiplier.hpp"
+
+#include "bem/basis/EndValues.hpp"
+#include "bem/quadrature/Gauss.hpp"
+#include "contact/multiplier/Collocation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace epafi::contact {
+
+namespace {
+
+using Element = MultiplierSpace::ContactElement;
+
+constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+/// λₙ or λₜ.
+struct Component {
+  double MultiplierSpace::Value::*value;
+  Index (Element::*number)(int) const;
+};
+
+double largestOf(const Vector& numbers) {
+  double largest = 0;
+  for (const double x : numbers)
+    largest = std::max(largest, std::abs(x));
+  return largest;
+}
+
+class Jumps {
+ public:
+  Jumps(const bem::Mesh& mesh, const MultiplierSpace& space, const Vector& multiplier,
+        const Vector& bounds, const Component& component)
+      : mesh_(mesh),
+        space_(space),
+        multiplier_(multiplier),
+        bounds_(bounds),
+        component_(component),
+        before_(space.elements().size(), none),
+        behind_(before_),
+        factors_(before_.size(), 0.0),
+        small_(1e-9 * largestOf(multiplier)) {
+    std::vector<std::size_t> contactOf(static_cast<std::size_t>(mesh.size()), none);
+    for (std::size_t k = 0; k < before_.size(); ++k)
+      contactOf[at(element(k).element)] = k;
+    for (std::size_t k = 0; k < before_.size(); ++k) {
+      const std::size_t next = contactOf[at(mesh[element(k).element].next)];
+      if (next != none && next != k && isJoint(element(k), element(next))) {
+        behind_[k] = next;
+        before_[next] = k;
+      }
+    }
+    close();
+  }
+
+  /// Adds what makes it continuous.
+  void addTo(Vector& result) const {
+    for (std::size_t k = 0; k < before_.size(); ++k) {
+      if (before_[k] == none && behind_[k] == none)
+        continue;
+      const Element& here = element(k);
+      const Collocation collocation(space_.basis(),
+                                    bem::gaussLegendre(here.degree + 1).points);
+      Vector values;
+      for (const double t : collocation.places())
+        values.push_back(correction(k, t));
+      const Vector more = collocation.coefficients(std::move(values));
+      for (int i = 0; i <= here.degree; ++i)
+        result[(here.*component_.number)(i)] += more[at(i)];
+    }
+  }
+
+ private:
+  const Element& element(std::size_t k) const { return space_.elements()[k]; }
+  double half(std::size_t k) const { return mesh_[element(k).element].half; }
+
+  double coefficient(const Element& e, int i) const {
+    return multiplier_[(e.*component_.number)(i)];
+  }
+
+  bool isNormal() const { return component_.value == &MultiplierSpace::Value::normal; }
+
+  bool isStressed(const Element& e) const {
+    for (int i = 0; i <= e.degree && (isNormal() || e.tangential >= 0); ++i)
+      if (std::abs(coefficient(e, i)) > small_)
+        return true;
+    return false;
+  }
+
+  /// Is the coefficient at its bound?
+  bool slips(const Element& e, int i) const {
+    constexpr double almost = 1 - 1e-9;
+    return std::abs(coefficient(e, i)) >= almost * bounds_[(e.*component_.number)(i)];
+  }
+
+  bool isJoint(const Element& a, const Element& b) const {
+    if (mesh_[a.element].piece.edge != mesh_[b.element].piece.edge ||
+        a.condition != b.condition || !isStressed(a) || !isStressed(b))
+      return false;
+    const bool turns = coefficient(a, a.degree) * coefficient(b, 0) < 0;
+    return isNormal() || !turns || !slips(a, a.degree) || !slips(b, 0);
+  }
+
+  /// Σ c_i w_i on an element.
+  double correction(std::size_t k, double t) const {
+    const bem::EndValues e = bem::endValues(element(k).degree, t);
+    double value = 0;
+    if (behind_[k] != none)
+      value += factors_[k] * e.end / half(k);
+    if (before_[k] != none)
+      value -= factors_[before_[k]] * e.start / half(k);
+    return value;
+  }
+
+  double valueAt(std::size_t k, double t) const {
+    return space_.at(multiplier_, element(k), t).*component_.value;
+  }
+
+  /// e(±1)/half.
+  bem::EndValues ends(std::size_t k) const {
+    const bem::EndValues e = bem::endValues(element(k).degree, 1);
+    return {e.start / half(k), e.end / half(k)};
+  }
+
+  /// A linear equation for each joint, by Gauss' and Seidel's method: neighbours' factors
+  /// enter by a (p + 1)-th of their own.
+  void close() {
+    constexpr int sweeps = 60;
+    Vector jumps(before_.size(), 0.0);
+    for (std::size_t k = 0; k < jumps.size(); ++k)
+      if (behind_[k] != none)
+        jumps[k] = valueAt(k, 1) - valueAt(behind_[k], -1);
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+      for (std::size_t k = 0; k < jumps.size(); ++k) {
+        const std::size_t next = behind_[k];
+        if (next == none)
+          continue;
+        const bem::EndValues here = ends(k);
+        const bem::EndValues there = ends(next);
+        double jump = jumps[k] - factors_[next] * there.start;
+        if (before_[k] != none)
+          jump -= factors_[before_[k]] * here.start;
+        factors_[k] = -jump / (here.end + there.end);
+      }
+  }
+
+  const bem::Mesh& mesh_;
+  const MultiplierSpace& space_;
+  const Vector& multiplier_;
+  const Vector& bounds_;
+  const Component& component_;
+  std::vector<std::size_t> before_;  ///< elements beyond a joint, of each contact element
+  std::vector<std::size_t> behind_;
+  Vector factors_;  ///< c_i, each with the element before its node
+  double small_;
+};
+
+}  // namespace
+
+Vector withoutJumps(const bem::Mesh& mesh, const MultiplierSpace& space,
+                    const Vector& multiplier, const Vector& bounds) {
+  static const Component components[] = {
+      {&MultiplierSpace::Value::normal, &Element::normalOf},
+      {&MultiplierSpace::Value::tangential, &Element::tangentialOf}};
+  Vector result = multiplier;
+  if (space.basis().sharesNodes)
+    return result;
+  for (const Component& component : components)
+    Jumps(mesh, space, multiplier, bounds, component).addTo(result);
+  return result;
+}
+
+}  // namespace epafi::contact
