@@ -1,5 +1,6 @@
 #include "drivers/output/Inside.hpp"
 
+#include "bem/base/Parallel.hpp"
 #include "bem/fields/Interior.hpp"
 #include "drivers/output/Csv.hpp"
 
@@ -54,14 +55,18 @@ InsideValue BodyInsides::atBoundary(std::size_t b, int e, double t) const {
   return value;
 }
 
+double BodyInsides::workAtPoint(std::size_t b) const {
+  constexpr double ofElement = 200;  // ns
+  return ofElement * mesh(b).size();
+}
+
 std::vector<InsideValue> BodyInsides::at(const std::vector<InsidePoint>& points) const {
   std::vector<InsideValue> values(points.size());
-  const auto n = static_cast<long>(points.size());
-#pragma omp parallel for schedule(dynamic, 16)
-  for (long k = 0; k < n; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    values[i] = at(points[i]);
-  }
+  double work = 0;
+  for (const InsidePoint& point : points)
+    work += workAtPoint(point.body);
+  bem::parallelFor({static_cast<bem::Index>(points.size()), work, 16},
+                   [&](bem::Index k) { values[bem::at(k)] = at(points[bem::at(k)]); });
   return values;
 }
 

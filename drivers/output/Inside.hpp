@@ -42,7 +42,10 @@ class BodyInsides {
   /// where the stress of a piecewise density has logarithms.
   InsideValue atBoundary(std::size_t b, int e, double t) const;
 
-  /// On all threads.
+  /// Of a value in body b [ns], see Parallel.hpp.
+  double workAtPoint(std::size_t b) const;
+
+  /// In parallel.
   std::vector<InsideValue> at(const std::vector<InsidePoint>& points) const;
   /// x,y,ux,uy,sxx,syy,sxy,von_mises,body,szz,principal_1,principal_2: a row per point.
   std::string csv(const std::vector<InsidePoint>& points,

@@ -1,5 +1,6 @@
 #include "drivers/output/InsideVtu.hpp"
 
+#include "bem/base/Parallel.hpp"
 #include "drivers/output/BoundaryVtk.hpp"
 #include "drivers/output/Triangulation.hpp"
 
@@ -79,15 +80,15 @@ FilledBodies fill(const BodyInsides& insides) {
   for (std::size_t b = 0; b < insides.size(); ++b) {
     const Triangulation own = triangulate(insides.mesh(b));
     std::vector<InsideValue> values(own.points.size());
-    const auto n = static_cast<long>(values.size());
-#pragma omp parallel for schedule(dynamic, 16)
-    for (long k = 0; k < n; ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      const InsidePoint point{b, own.points[i]};
-      const bool boundary =
-          own.onBoundary[i] || !insides.mesh(b).outline().contains(point.x);
-      values[i] = boundary ? onBoundary(insides, point) : insides.at(point);
-    }
+    const auto n = static_cast<bem::Index>(values.size());
+    bem::parallelFor(
+        {n, insides.workAtPoint(b) * static_cast<double>(n), 16}, [&](bem::Index k) {
+          const std::size_t i = bem::at(k);
+          const InsidePoint point{b, own.points[i]};
+          const bool boundary =
+              own.onBoundary[i] || !insides.mesh(b).outline().contains(point.x);
+          values[i] = boundary ? onBoundary(insides, point) : insides.at(point);
+        });
     const auto first = static_cast<int>(all.values.size());
     for (const auto& c : own.corners)
       all.corners.push_back({first + c[0], first + c[1], first + c[2]});

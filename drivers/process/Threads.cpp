@@ -75,24 +75,26 @@ std::string blasCore() {
 }
 
 void tuneBlas() {
-  bool isChanged = false;
-  const auto propose = [&](const char* variable, const char* value) {
-    if (std::getenv(variable) == nullptr && setenv(variable, value, 1) == 0)
-      isChanged = true;
+  const auto propose = [](const char* variable, const char* value) {
+    return std::getenv(variable) == nullptr && setenv(variable, value, 1) == 0;
   };
+  const auto endThreads = blasFunction<int()>("blas_thread_shutdown_");
+  const auto threadsOfBlas = blasFunction<int()>("openblas_get_num_threads");
+  const auto readVariables = blasFunction<void()>("openblas_read_env");
+  if (endThreads != nullptr && threadsOfBlas != nullptr && readVariables != nullptr &&
+      threadsOfBlas() > 1 && propose(waitVariable, shortWait)) {
+    readVariables();
+    endThreads();
+  }
   const char* fitting = fittingCore();
   const std::string core = blasCore();
-  if (core != "unknown" && fitting != nullptr && !isAsGood(core, fitting))
-    propose(coreVariable, fitting);
-  const auto threadsOfBlas = blasFunction<int()>("openblas_get_num_threads");
-  if (threadsOfBlas != nullptr && threadsOfBlas() > 1)
-    propose(waitVariable, shortWait);
-  const auto unload = blasFunction<void()>("gotoblas_quit");
-  const auto load = blasFunction<void()>("gotoblas_init");
-  if (!isChanged || unload == nullptr || load == nullptr)
-    return;
-  unload();
-  load();
+  const auto dropKernels = blasFunction<void()>("gotoblas_dynamic_quit");
+  const auto chooseKernels = blasFunction<void()>("gotoblas_dynamic_init");
+  if (dropKernels != nullptr && chooseKernels != nullptr && core != "unknown" &&
+      fitting != nullptr && !isAsGood(core, fitting) && propose(coreVariable, fitting)) {
+    dropKernels();
+    chooseKernels();
+  }
 }
 
 }  // namespace epafi::drivers

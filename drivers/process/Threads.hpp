@@ -22,12 +22,13 @@ int threads();
 /// The kernels that OpenBLAS chose, "unknown" for another BLAS.
 std::string blasCore();
 
-/// Has OpenBLAS begin anew, as its destructor and constructor do, with better variables:
+/// Sets variables that OpenBLAS reads when it is loaded, and has it read them again:
 ///
 ///   OPENBLAS_CORETYPE        if it has chosen kernels below what the processor has:
 ///                            Debian's does not know newer processors and then computes
-///                            five times slower
-///   OPENBLAS_THREAD_TIMEOUT  if it has threads: they shall not wait at OpenMP's expense
+///                            five times slower; the table of kernels is chosen again
+///   OPENBLAS_THREAD_TIMEOUT  if it has threads: they shall not wait at others' expense;
+///                            they end, and begin again when they are asked for
 ///
 /// Call it first in main, before MPI_Init and threads.  A user's own variables and another
 /// BLAS are left alone.

@@ -75,6 +75,16 @@ for count in (2, 3):
                     "and there is one message, here %s" % done.messages)
         ranks.claim(done.seconds < limit(), "and it takes %.1f s" % done.seconds)
 
+# What goes wrong on a thread that helps is told as if it had gone wrong on the first one.
+LONG = ["--threads", "2", "--set", "Adaptivity->Strategy=None",
+        "--set", "Adaptivity->Maximum Degrees of Freedom=10000",
+        "--set", "Discretization->Stabilization->Form=Density",
+        "--set", "Discretization->Elements per Edge={160, 160, 160, 160, 160, 160}"]
+for method in ("Dense", "Compressed"):
+    expect(run("heap", 1, [*LONG, "--set", "Solver->Linear->Method=" + method],
+               environment={"EPAFI_FAULT": "0 0 heap"}), 2, "the memory does not suffice",
+           "a thread without memory, " + method)
+
 # A compressed level that breaks down, in its operators, its system, its solution or its
 # estimate: dense matrices take its place, unless the scene asks for compressed ones by name.
 LARGE = [*COMPRESSED[2:], "--set", "Discretization->Degree=9", "--set", "Adaptivity->Strategy=None",

@@ -2,6 +2,7 @@
 
 #include "adaptivity/estimate/EquivalentMultiplier.hpp"
 #include "adaptivity/estimate/Weights.hpp"
+#include "bem/base/Parallel.hpp"
 #include "bem/fields/BoundaryFields.hpp"
 #include "contact/body/Loads.hpp"
 
@@ -220,12 +221,16 @@ std::vector<Fields> fieldsOf(const std::vector<Estimated>& states,
     sources.push_back({state.solved.displacement, state.density});
   const bem::BoundaryFields fields(any.space, lame, sources);
   std::vector<Fields> result(states.size(), Fields(size));
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int e = algebra.rank(); e < size; e += algebra.processes()) {
-    bem::BoundaryFields::Values values = fields.on(e, any.pressed.breaks(e));
-    for (std::size_t k = 0; k < result.size(); ++k)
-      result[k][e] = std::move(values[k]);
-  }
+  const int processes = algebra.processes();
+  const bem::Index mine = (size - algebra.rank() + processes - 1) / processes;
+  constexpr double ofSource = 2e3;  // ns
+  bem::parallelFor(
+      {mine, ofSource * static_cast<double>(mine * size)}, [&](bem::Index k) {
+        const int e = algebra.rank() + bem::asInt(k) * processes;
+        bem::BoundaryFields::Values values = fields.on(e, any.pressed.breaks(e));
+        for (std::size_t s = 0; s < result.size(); ++s)
+          result[s][e] = std::move(values[s]);
+      });
   return result;
 }
 

@@ -1,7 +1,9 @@
 #include "bem/algebra/LapackAlgebra.hpp"
 
 #include "bem/algebra/Blas.hpp"
+#include "bem/base/BlasThreads.hpp"
 #include "bem/base/Error.hpp"
+#include "bem/base/Parallel.hpp"
 
 #include <Teuchos_BLAS.hpp>
 #include <Teuchos_LAPACK.hpp>
@@ -17,6 +19,14 @@ using Lapack = Teuchos::LAPACK<int, double>;
 using Teuchos::LOWER_TRI;
 using Teuchos::NO_TRANS;
 using Teuchos::TRANS;
+
+double size(Index n) { return static_cast<double>(n); }
+
+/// As many threads of BLAS as so many operations pay for, while it lives.
+struct ThreadsForFlops : BlasThreads {
+  explicit ThreadsForFlops(double flops)
+      : BlasThreads(blasThreadsFor(workOfFlops(flops))) {}
+};
 
 /// The lower triangle in rectangular full packed form, in its own memory, and the rest of
 /// that given back.  With k columns of length `height`, column j has the triangle's
@@ -53,6 +63,7 @@ class LapackFactor final : public CholeskyFactor {
     Vector x = b;
     const int one = 1;
     int info = 0;
+    const ThreadsForFlops threads(2 * size(rows_) * size(rows_));
     if (rows_ > 0)
       dpftrs_("N", "L", &rows_, &one, packed_.data(), x.data(), &rows_, &info);
     return x;
@@ -76,6 +87,7 @@ class LapackFactor final : public CholeskyFactor {
       for (Index i = j; i < count; ++i)
         inverse(i, j) = entry(first + i, first + j);
     int info = 0;
+    const ThreadsForFlops threads(size(count) * size(count) * size(count) / 3);
     if (count > 0)
       Lapack().TRTRI('L', 'N', asInt(count), inverse.data(), asInt(inverse.stride()),
                      &info);
@@ -95,6 +107,7 @@ class LapackFactor final : public CholeskyFactor {
 
   void triangularSolve(const char* transposed, int columns, double* b, int ld) const {
     const double one = 1;
+    const ThreadsForFlops threads(size(rows_) * size(rows_) * size(columns));
     if (rows_ > 0 && columns > 0)
       dtfsm_("N", "L", "L", transposed, "N", &rows_, &columns, &one, packed_.data(), b,
              &ld);
@@ -110,6 +123,7 @@ std::unique_ptr<CholeskyFactor> LapackAlgebra::cholesky(Matrix lower,
                                                         const char* name) const {
   const int n = asInt(lower.rows());
   int info = 0;
+  const ThreadsForFlops threads(size(n) * size(n) * size(n) / 3);
   if (n > 0)
     Lapack().POTRF('L', n, lower.data(), asInt(lower.stride()), &info);
   if (info != 0)
@@ -119,6 +133,7 @@ std::unique_ptr<CholeskyFactor> LapackAlgebra::cholesky(Matrix lower,
 }
 
 Matrix LapackAlgebra::addGram(Matrix c, const Matrix& y) const {
+  const ThreadsForFlops threads(size(c.rows()) * size(c.rows()) * size(y.rows()));
   if (!y.empty())
     Blas().SYRK(LOWER_TRI, TRANS, asInt(c.rows()), asInt(y.rows()), 1, y.data(),
                 asInt(y.stride()), 1, c.data(), asInt(c.stride()));
@@ -126,6 +141,7 @@ Matrix LapackAlgebra::addGram(Matrix c, const Matrix& y) const {
 }
 
 Matrix LapackAlgebra::addOuter(Matrix c, const Matrix& x, double scale) const {
+  const ThreadsForFlops threads(size(c.rows()) * size(c.rows()) * size(x.columns()));
   if (!x.empty())
     Blas().SYRK(LOWER_TRI, NO_TRANS, asInt(c.rows()), asInt(x.columns()), scale, x.data(),
                 asInt(x.stride()), 1, c.data(), asInt(c.stride()));
@@ -134,6 +150,8 @@ Matrix LapackAlgebra::addOuter(Matrix c, const Matrix& x, double scale) const {
 
 Matrix LapackAlgebra::addTransposeTimes(Matrix c, const Matrix& x,
                                         const Matrix& y) const {
+  const ThreadsForFlops threads(2 * size(x.rows()) * size(x.columns()) *
+                                size(y.columns()));
   if (!x.empty() && !y.empty())
     Blas().GEMM(TRANS, NO_TRANS, asInt(x.columns()), asInt(y.columns()), asInt(x.rows()),
                 1, x.data(), asInt(x.stride()), y.data(), asInt(y.stride()), 1, c.data(),
@@ -143,6 +161,7 @@ Matrix LapackAlgebra::addTransposeTimes(Matrix c, const Matrix& x,
 
 Vector LapackAlgebra::multiply(const Matrix& a, Index n, const Vector& x) const {
   Vector y(n);
+  const ThreadsForFlops threads(2 * size(a.rows()) * size(a.columns()));
   if (!a.empty())
     Blas().GEMV(NO_TRANS, asInt(a.rows()), asInt(a.columns()), 1, a.data(),
                 asInt(a.stride()), x.data(), 1, 0, y.data(), 1);
@@ -156,6 +175,7 @@ Vector LapackAlgebra::multiplySymmetric(const Matrix& lower, const Vector& x) co
   const int step = 1;
   const double one = 1;
   const double zero = 0;
+  const ThreadsForFlops threads(2 * size(n) * size(n));
   if (n > 0)
     dsymv_("L", &n, &one, lower.data(), &ld, x.data(), &step, &zero, y.data(), &step);
   return y;

@@ -1,5 +1,8 @@
 #include "bem/algebra/LuFactor.hpp"
 
+#include "bem/base/BlasThreads.hpp"
+#include "bem/base/Parallel.hpp"
+
 #include <Teuchos_LAPACK.hpp>
 
 #include <algorithm>
@@ -11,6 +14,11 @@ namespace {
 
 using Lapack = Teuchos::LAPACK<int, double>;
 
+/// Of A X, or of a factorisation with as many columns.
+int threadsOf(const Matrix& a, Index columns) {
+  return blasThreadsFor(workOfProduct(a.rows(), a.rows(), columns));
+}
+
 }  // namespace
 
 LuFactor::LuFactor(Matrix a) : lu_(std::move(a)), pivots_(at(lu_.columns())) {
@@ -21,6 +29,7 @@ LuFactor::LuFactor(Matrix a) : lu_(std::move(a)), pivots_(at(lu_.columns())) {
     norm_ = std::max(norm_, sum);
   }
   int info = 0;
+  const BlasThreads threads(threadsOf(lu_, lu_.rows() / 3));
   if (!lu_.empty())
     Lapack().GETRF(asInt(lu_.rows()), asInt(lu_.rows()), lu_.data(), asInt(lu_.stride()),
                    pivots_.data(), &info);
@@ -34,6 +43,7 @@ double LuFactor::reciprocalCondition() const {
   std::vector<int> integers(pivots_.size());
   double reciprocal = 0;
   int info = 0;
+  const BlasThreads threads(threadsOf(lu_, 1));
   Lapack().GECON('1', asInt(lu_.rows()), lu_.data(), asInt(lu_.stride()), norm_,
                  &reciprocal, work.data(), integers.data(), &info);
   return info == 0 ? reciprocal : 0;
@@ -41,6 +51,7 @@ double LuFactor::reciprocalCondition() const {
 
 void LuFactor::solve(double* x, Index columns, Index stride) const {
   int info = 0;
+  const BlasThreads threads(threadsOf(lu_, columns));
   if (!lu_.empty() && columns > 0)
     Lapack().GETRS('N', asInt(lu_.rows()), asInt(columns), lu_.data(),
                    asInt(lu_.stride()), pivots_.data(), x, asInt(stride), &info);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/Matrix.hpp"
+#include "bem/base/Parallel.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -9,7 +9,7 @@ namespace epafi::bem {
 
 // Products and parts of matrices of any size.
 
-/// C += s A B, and C += s Aᵀ B; by OpenMP's threads, see byColumns
+/// C += s A B, and C += s Aᵀ B; in parallel, see byColumns
 void addProduct(double s, const Matrix& a, const Matrix& b, Matrix& c);
 void addTransposedProduct(double s, const Matrix& a, const Matrix& b, Matrix& c);
 inline Matrix product(const Matrix& a, const Matrix& b) {
@@ -59,14 +59,12 @@ inline Matrix columnsBetween(const Matrix& a, Index first, Index last) {
   return result;
 }
 
-/// Calls action(first, count) for blocks of columns, by OpenMP's threads where none of their
-/// loops has begun.
+/// Calls action(first, count) for blocks of columns, in parallel; `work` of all [ns].
 template <class Action>
-void byColumns(Index columns, const Action& action) {
+void byColumns(Index columns, double work, const Action& action) {
   constexpr Index width = 128;
-#pragma omp parallel for schedule(dynamic, 1) if (columns > width)
-  for (Index first = 0; first < columns; first += width)
-    action(first, std::min(width, columns - first));
+  parallelFor({(columns + width - 1) / width, work},
+              [&](Index k) { action(k * width, std::min(width, columns - k * width)); });
 }
 
 }  // namespace epafi::bem

@@ -1,5 +1,8 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 
+#include "bem/base/BlasThreads.hpp"
+#include "bem/base/Parallel.hpp"
+
 #include <Teuchos_BLAS.hpp>
 #include <Teuchos_LAPACK.hpp>
 
@@ -29,6 +32,7 @@ namespace {
 Matrix product(Teuchos::ETransp op, Index rows, Index depth, const Matrix& a,
                const Matrix& b) {
   Matrix c(rows, b.columns());
+  const BlasThreads threads(blasThreadsFor(workOfProduct(rows, depth, b.columns())));
   if (!c.empty() && depth > 0)
     Teuchos::BLAS<int, double>().GEMM(
         op, Teuchos::NO_TRANS, asInt(rows), asInt(b.columns()), asInt(depth), 1, a.data(),
@@ -58,6 +62,7 @@ std::vector<Index> pivotedTriangle(Matrix& a) {
   Vector tau(a.columns());
   Vector work(2 * n + 64 * (n + 1));
   int info = 0;
+  const BlasThreads threads(blasThreadsFor(workOfProduct(a.rows(), n, n)));
   Lapack().GEQP3(asInt(a.rows()), n, a.data(), asInt(a.stride()), pivots.data(),
                  tau.data(), work.data(), static_cast<int>(work.size()), nullptr, &info);
   std::vector<Index> places;
@@ -68,6 +73,8 @@ std::vector<Index> pivotedTriangle(Matrix& a) {
 
 int cholesky(Matrix& a) {
   int info = 0;
+  const BlasThreads threads(
+      blasThreadsFor(workOfProduct(a.rows(), a.rows(), a.rows() / 6)));
   if (a.rows() > 0)
     Lapack().POTRF('L', asInt(a.rows()), a.data(), asInt(a.stride()), &info);
   return info;
@@ -75,6 +82,8 @@ int cholesky(Matrix& a) {
 
 void choleskySolve(const Matrix& factor, double* b, Index columns, Index stride) {
   int info = 0;
+  const BlasThreads threads(
+      blasThreadsFor(workOfProduct(factor.rows(), factor.rows(), columns)));
   if (factor.rows() > 0 && columns > 0)
     Lapack().POTRS('L', asInt(factor.rows()), asInt(columns), factor.data(),
                    asInt(factor.stride()), b, asInt(stride), &info);

@@ -1,13 +1,14 @@
 #include "bem/compressed/CompressedFactor.hpp"
 
 #include "bem/algebra/Products.hpp"
-#include "bem/algebra/SerialBlas.hpp"
+#include "bem/base/BlasThreads.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/compressed/TreeSweeps.hpp"
 
 #include <algorithm>
 #include <atomic>
 #include <iterator>
+#include <mutex>
 #include <stdexcept>
 #include <tuple>
 
@@ -167,11 +168,17 @@ EliminatedCluster CompressedFactor::eliminated(int c, LeafRestriction restrictio
 }
 
 void CompressedFactor::eliminate(const std::vector<char>& dirty) {
-  const SerialBlas serial;
+  const BlasThreads serial(1);
   const ClusterTree& tree = operators_->tree();
   std::vector<LeafRestriction> leaves = restricted(dirty);
   std::atomic<bool> fails = false;
   std::string failure;
+  std::mutex failing;
+  // an LU factor, the answers to a skeleton and what they do outside
+  const auto work = [&](int cluster) {
+    const double n = static_cast<double>(operators_->part(cluster).active.size());
+    return workOfFlops(5 * n * n * n);
+  };
   const auto visit = [&](int cluster) {
     if (fails)
       return;
@@ -186,12 +193,12 @@ void CompressedFactor::eliminate(const std::vector<char>& dirty) {
           responses_[child] = nullptr;
       nodes_[cluster] = std::move(own);
     } catch (const NumericalError& error) {
-#pragma omp critical(epafi_compressed_factor)
+      const std::lock_guard<std::mutex> lock(failing);
       failure = error.what();
       fails = true;
     }
   };
-  upwards(tree, operators_->subtrees(), dirty, visit,
+  upwards(tree, operators_->subtrees(), dirty, work, visit,
           [&] { exchangeResponses(dirty, failure); });
   if (fails)  // of what is everybody's, or of one process
     throw NumericalError(failure);

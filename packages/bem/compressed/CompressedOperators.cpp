@@ -1,7 +1,7 @@
 #include "bem/compressed/CompressedOperators.hpp"
 
 #include "bem/algebra/Products.hpp"
-#include "bem/algebra/SerialBlas.hpp"
+#include "bem/base/BlasThreads.hpp"
 #include "bem/compressed/BodyShare.hpp"
 #include "bem/compressed/FacingOrder.hpp"
 #include "bem/compressed/TreeSweeps.hpp"
@@ -95,7 +95,7 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
                                          const Compression& options,
                                          const LocalCoupling& local,
                                          const DenseAlgebra& algebra) {
-  const SerialBlas serial;
+  const BlasThreads serial(1);
   std::vector<const Space*> spaces;
   AllUnknowns all(bodies.size());
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -183,7 +183,7 @@ void CompressedOperators::Rotations::addTo(Matrix& y, const Matrix& x) const {
 
 // Upwards what leaves each cluster, downwards what comes to it from outside.
 Matrix CompressedOperators::times(const Matrix& x) const {
-  const SerialBlas serial;
+  const BlasThreads serial(1);
   const Index columns = x.columns();
   Matrix result(x.rows(), columns);
   std::vector<Matrix> out(parts_.size());
@@ -216,11 +216,12 @@ Matrix CompressedOperators::times(const Matrix& x) const {
   };
   const std::vector<char> everywhere(parts_.size(), 1);
   const double check = subtrees_->isAlone() ? 0 : checkOf(x);
-  upwards(tree(), *subtrees_, everywhere, up, [&] {
+  const auto work = [&](int c) { return part(c).sweepWork(columns); };
+  upwards(tree(), *subtrees_, everywhere, work, up, [&] {
     subtrees_->exchangeRoots(
         everywhere, check, [&](int c) { return skeletonOf(c); }, columns, out);
   });
-  downwards(tree(), *subtrees_, everywhere, down);
+  downwards(tree(), *subtrees_, everywhere, work, down);
   exchangeRows(everywhere, check, result);
   rotations_.addTo(result, x);
   return result;

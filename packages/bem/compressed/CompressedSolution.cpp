@@ -1,5 +1,5 @@
 #include "bem/algebra/Products.hpp"
-#include "bem/algebra/SerialBlas.hpp"
+#include "bem/base/BlasThreads.hpp"
 #include "bem/compressed/CompressedFactor.hpp"
 #include "bem/compressed/TreeSweeps.hpp"
 
@@ -74,12 +74,13 @@ Matrix CompressedFactor::solveSprung(const Matrix& b,
     addTransposedProduct(1, part.block, rowsBetween(own, 0, split), second);
   };
   const double check = subtrees.isAlone() ? 0 : checkOf(b);
-  upwards(tree, subtrees, on, up, [&] {
+  const auto work = [&](int c) { return operators_->part(c).sweepWork(columns); };
+  upwards(tree, subtrees, on, work, up, [&] {
     if (subtrees.isEverybodys(top_))
       subtrees.exchangeRoots(
           on, check, [&](int c) { return operators_->skeletonOf(c); }, columns, out);
   });
-  downwards(tree, subtrees, on, down);
+  downwards(tree, subtrees, on, work, down);
   operators_->exchangeRows(paths, check, x);
   return x;
 }
@@ -116,14 +117,14 @@ Matrix CompressedFactor::leftOfDensities(const Matrix& b, const Matrix& x) const
 
 Matrix CompressedFactor::solveAlong(const std::vector<char>& paths,
                                     const Matrix& b) const {
-  const SerialBlas serial;
+  const BlasThreads serial(1);
   return solveOnce(b, paths);
 }
 
 Matrix CompressedFactor::solve(const Matrix& b, int refinements) const {
   if (top_ != 0)
     throw std::logic_error("a part of the compressed system does not know all unknowns");
-  const SerialBlas serial;
+  const BlasThreads serial(1);
   const std::vector<char> all(nodes_.size(), 1);
   Matrix x = solveOnce(b, all);
   for (int step = 0; step < refinements; ++step) {

@@ -3,6 +3,7 @@
 #include "bem/algebra/Blas.hpp"
 #include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/base/Parallel.hpp"
 
 #include <Teuchos_BLAS.hpp>
 
@@ -61,6 +62,11 @@ Matrix Interpolation::transposed() const {
       result(rest[i], j) = weights(j, static_cast<Index>(i));
   }
   return result;
+}
+
+double ClusterPart::sweepWork(Index columns) const {
+  const auto n = static_cast<Index>(active.size());
+  return workOfProduct(n, n, columns);
 }
 
 Interpolation interpolateColumns(Matrix a, double threshold) {

@@ -36,6 +36,9 @@ struct ClusterPart {
   Interpolation weights;  ///< T, of the active by the skeleton; of all but the root
   /// A leaf's entries, or those of one child's skeleton with the other's.
   Matrix block;
+
+  /// Of the products that a sweep makes with so many columns at once [ns], see Parallel.hpp.
+  double sweepWork(Index columns) const;
 };
 
 }  // namespace epafi::bem

@@ -1,6 +1,7 @@
 #include "bem/compressed/NearBlocks.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/base/Parallel.hpp"
 #include "bem/operators/LocalTerms.hpp"
 #include "bem/operators/TileBlocks.hpp"
 
@@ -146,28 +147,34 @@ NearBlocks::NearBlocks(const Space& space, const Lame& lame, const ClusterTree& 
                        const std::vector<char>& first, const std::vector<char>& second)
     : mesh_(space.mesh()) {
   findPairs(tree, first, second);
-#pragma omp parallel
-  {
-    PairByParts byParts(space, lame);
-    FarBlocks far(space, lame);
-#pragma omp for schedule(dynamic, 16)
-    for (int e = 0; e < mesh_.size(); ++e)
-      for (const Pair& pair : pairs_[e]) {
-        const int f = pair.element;
-        double* out = values_.data() + pair.start;
-        byParts.evaluate(e, f, out);
-        const Distances distances(mesh_, e, f);
-        if (!distances.areFar())
-          continue;
-        far.evaluate({{e, mesh_.difference(mesh_.at(e, 0), mesh_.at(f, 0))}}, f);
-        const int rows = LocalFunctions(mesh_[e]).size();
-        const int columns = LocalFunctions(mesh_[f]).size();
-        for (int a = 0; a < rows; ++a)
-          for (int b = 0; b < columns; ++b)
-            if (distances.areFar(a, b))
-              out[a * columns + b] = far.lane(a, b)[0];
-      }
-  }
+  struct Workspace {
+    PairByParts byParts;
+    FarBlocks far;
+  };
+  constexpr double ofEntry = 20;  // ns
+  parallelFor(
+      {mesh_.size(), ofEntry * static_cast<double>(values_.size()), 16},
+      [&] {
+        return Workspace{{space, lame}, {space, lame}};
+      },
+      [&](Workspace& own, Index row) {
+        const int e = asInt(row);
+        for (const Pair& pair : pairs_[at(row)]) {
+          const int f = pair.element;
+          double* out = values_.data() + pair.start;
+          own.byParts.evaluate(e, f, out);
+          const Distances distances(mesh_, e, f);
+          if (!distances.areFar())
+            continue;
+          own.far.evaluate({{e, mesh_.difference(mesh_.at(e, 0), mesh_.at(f, 0))}}, f);
+          const int rows = LocalFunctions(mesh_[e]).size();
+          const int columns = LocalFunctions(mesh_[f]).size();
+          for (int a = 0; a < rows; ++a)
+            for (int b = 0; b < columns; ++b)
+              if (distances.areFar(a, b))
+                out[a * columns + b] = own.far.lane(a, b)[0];
+        }
+      });
 }
 
 void NearBlocks::measure() {

@@ -47,7 +47,8 @@ void ScaledLu::solve(Matrix& x) const {
   if (n == 0)
     return;
   scaleRows(scales_, x);
-  byColumns(x.columns(), [&](Index first, Index count) {
+  const double work = workOfProduct(n, n, x.columns());
+  byColumns(x.columns(), work, [&](Index first, Index count) {
     int info = 0;
     Lapack().GETRS('N', n, asInt(count), lu_.data(), asInt(lu_.stride()), pivots_.data(),
                    x.column(first), asInt(x.stride()), &info);

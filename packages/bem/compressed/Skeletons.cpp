@@ -1,5 +1,6 @@
 #include "bem/compressed/Skeletons.hpp"
 
+#include "bem/base/Parallel.hpp"
 #include "bem/compressed/CoupledEntries.hpp"
 #include "bem/compressed/NearBlocks.hpp"
 #include "bem/compressed/ProxyRows.hpp"
@@ -67,17 +68,14 @@ class Builder {
         if (subtrees_.isEverybodys(c) && top_ == nullptr)
           makeTop(l);
       }
-#pragma omp parallel
-      {
-        Worker worker(*this);
-#pragma omp for schedule(dynamic, 1)
-        // NOLINTNEXTLINE(modernize-loop-convert): OpenMP divides it
-        for (std::size_t k = 0; k < mine.size(); ++k) {
-          worker.fillBlock(mine[k]);
-          if (l > 0 && !tree_[mine[k]].isEmpty())
-            worker.compress(mine[k]);
-        }
-      }
+      parallelFor(
+          {static_cast<Index>(mine.size()), workOf(mine)}, [&] { return Worker(*this); },
+          [&](Worker& worker, Index k) {
+            const int c = mine[at(k)];
+            worker.fillBlock(c);
+            if (l > 0 && !tree_[c].isEmpty())
+              worker.compress(c);
+          });
       exchangeSkeletons(l);
     }
   }
@@ -250,6 +248,17 @@ class Builder {
   };
 
   ClusterPart& part(int c) const { return out_.parts[c]; }
+
+  /// Of entries with what is near, and of the triangle of a few times as many rows [ns].
+  double workOf(const std::vector<int>& clusters) const {
+    constexpr double ofEntry = 50;
+    double work = 0;
+    for (const int c : clusters) {
+      const auto n = static_cast<double>(part(c).active.size());
+      work += n * n * (ofEntry + workOfFlops(8 * n));
+    }
+    return work;
+  }
 
   void fillLeaves() {
     for (std::size_t i = 0; i < out_.unknowns.size(); ++i)

@@ -1,30 +1,33 @@
 #pragma once
 
+#include "bem/base/Parallel.hpp"
 #include "bem/compressed/Subtrees.hpp"
 
 namespace epafi::bem {
 
-/// visit(c) for the clusters of a level that are asked for, by OpenMP's threads; a single
-/// cluster has them for itself, see byColumns.
-template <class Asked, class Visit>
-void visitLevel(const ClusterTree& tree, int level, const Asked& asked,
+/// visit(c) for the clusters of a level that are asked for, in parallel, each of which takes
+/// work(c) [ns], see Parallel.hpp; a single one has all threads for itself, see byColumns.
+template <class Asked, class Work, class Visit>
+void visitLevel(const ClusterTree& tree, int level, const Asked& asked, const Work& work,
                 const Visit& visit) {
   std::vector<int> clusters;
+  double all = 0;
   for (const int c : tree.level(level))
-    if (asked(c))
+    if (asked(c)) {
       clusters.push_back(c);
-#pragma omp parallel for schedule(dynamic, 1) if (clusters.size() > 1)
-  // NOLINTNEXTLINE(modernize-loop-convert): OpenMP divides it
-  for (std::size_t k = 0; k < clusters.size(); ++k)
-    visit(clusters[k]);
+      all += work(c);
+    }
+  parallelFor({static_cast<Index>(clusters.size()), all},
+              [&](Index k) { visit(clusters[at(k)]); });
 }
 
 /// visit(c) for all clusters of `on` that are mine, children first: this process's subtrees,
 /// then meet(), where processes tell each other what they have of the roots, then what is
 /// everybody's.
-template <class Visit, class Meet>
+template <class Work, class Visit, class Meet>
 void upwards(const ClusterTree& tree, const Subtrees& subtrees,
-             const std::vector<char>& on, const Visit& visit, const Meet& meet) {
+             const std::vector<char>& on, const Work& work, const Visit& visit,
+             const Meet& meet) {
   for (const bool everybodys : {false, true}) {
     for (int l = tree.levels() - 1; l >= 0; --l)
       visitLevel(
@@ -33,19 +36,19 @@ void upwards(const ClusterTree& tree, const Subtrees& subtrees,
             return on[c] != 0 && subtrees.isMine(c) &&
                    subtrees.isEverybodys(c) == everybodys;
           },
-          visit);
+          work, visit);
     if (!everybodys && !subtrees.isAlone())
       meet();
   }
 }
 
 /// The same, parents first; nothing is to be told.
-template <class Visit>
+template <class Work, class Visit>
 void downwards(const ClusterTree& tree, const Subtrees& subtrees,
-               const std::vector<char>& on, const Visit& visit) {
+               const std::vector<char>& on, const Work& work, const Visit& visit) {
   for (int l = 0; l < tree.levels(); ++l)
     visitLevel(
-        tree, l, [&](int c) { return on[c] != 0 && subtrees.isMine(c); }, visit);
+        tree, l, [&](int c) { return on[c] != 0 && subtrees.isMine(c); }, work, visit);
 }
 
 }  // namespace epafi::bem

@@ -1,5 +1,6 @@
 #include "bem/operators/Assembly.hpp"
 
+#include "bem/base/Parallel.hpp"
 #include "bem/operators/LocalTerms.hpp"
 #include "bem/operators/MyElements.hpp"
 #include "bem/operators/TileWriter.hpp"
@@ -51,7 +52,16 @@ class ColumnsOfTiles {
 
 /// Groups that a thread takes at once: a few, since a huge page has the columns of
 /// several, and two threads that meet in a new one both clear it.
-int groupsAtOnce(int count) { return std::clamp(count / 8, 1, 4); }
+Index groupsAtOnce(Index count) { return std::clamp<Index>(count / 8, 1, 4); }
+
+/// Of all pairs [ns].
+double workOf(const Space& space) {
+  constexpr double ofPair = 200;
+  constexpr double ofEntry = 2;
+  const double elements = space.mesh().size();
+  const auto unknowns = static_cast<double>(space.densities());
+  return 0.5 * (ofPair * elements * elements + ofEntry * unknowns * unknowns);
+}
 
 }  // namespace
 
@@ -67,18 +77,20 @@ Operators assembleOperators(const Space& space, const Lame& lame,
   const ElementRuns runs(space.mesh());
   const std::vector<bool> mine = myElements(space, algebra);
   GhostNodes ghosts(space, runs, densities.size());
-#pragma omp parallel
-  {
-    ColumnsOfTiles columns(runs, mine, TileWriter(space, lame, algebra, out, ghosts));
-    // Groups of one colour share no node, so that the columns and the transposed rows that
-    // they write are different.
-    for (int colour = 0; colour < 2; ++colour) {
-      // The first groups have the most pairs: first come, first served, from the front.
-      const int count = (runs.size() + 1 - colour) / 2;
-#pragma omp for schedule(dynamic, groupsAtOnce(count))
-      for (int g = 0; g < count; ++g)
-        columns.assemble(2 * g + colour);
-    }
+  // Groups of one colour share no node, so that the columns and the transposed rows that
+  // they write are different.
+  for (int colour = 0; colour < 2; ++colour) {
+    // The first groups have the most pairs: first come, first served, from the front.
+    const Index count = (runs.size() + 1 - colour) / 2;
+    parallelFor(
+        {count, workOf(space) / 2, groupsAtOnce(count)},
+        [&] {
+          return ColumnsOfTiles(runs, mine,
+                                TileWriter(space, lame, algebra, out, ghosts));
+        },
+        [&](ColumnsOfTiles& columns, Index g) {
+          columns.assemble(asInt(2 * g + colour));
+        });
   }
   ghosts.fold(displacements, out);
   std::vector<int> all(static_cast<std::size_t>(space.mesh().size()));

@@ -25,7 +25,7 @@ struct Operators {
 ///   <W u, v> = <V* u', v'>                              [doc/theory/operators.md]
 ///
 /// Every entry is accurate to 1e-12 of the norm of its element pair's block.
-/// Threads: OpenMP over blocks of elements.
+/// Threads: over blocks of elements.
 ///
 /// Where `tractionElements` are given, the kernels of their projected tractions come from
 /// the same moments.

@@ -1,5 +1,6 @@
 #include "bem/operators/EnergyNorm.hpp"
 
+#include "bem/base/Parallel.hpp"
 #include "bem/moments/Tile.hpp"
 
 #include <algorithm>
@@ -64,13 +65,15 @@ double energyNorm(const CauchyData& data, const Lame& lame) {
   const PairSum pairs(data, lame);
   const ElementRuns runs(data.mesh);
   Vector rows(data.fields.size());
-#pragma omp parallel
-  {
-    Tile tile(runs);
-#pragma omp for schedule(dynamic, 1)
-    for (int e = data.mesh.size() - 1; e >= 0; --e)
-      rows[static_cast<std::size_t>(e)] = pairs.row(e, runs, tile);
-  }
+  const Index count = data.mesh.size();
+  constexpr double ofPair = 500;  // ns
+  const double work = 0.5 * ofPair * static_cast<double>(count * count);
+  parallelFor(
+      {count, work}, [&] { return Tile(runs); },
+      [&](Tile& tile, Index k) {  // the longest rows first
+        const Index e = count - 1 - k;
+        rows[at(e)] = pairs.row(asInt(e), runs, tile);
+      });
   return std::sqrt(std::max(0.0, std::accumulate(rows.begin(), rows.end(), 0.0)));
 }
 

@@ -1,6 +1,7 @@
 #include "bem/operators/SteklovPoincare.hpp"
 
 #include "bem/algebra/Products.hpp"
+#include "bem/base/Parallel.hpp"
 #include "bem/operators/ExactRotation.hpp"
 
 #include <algorithm>
@@ -37,13 +38,13 @@ std::vector<Index> withLast(Index n, const std::vector<Index>& last) {
 }
 
 Matrix rowsInOrder(Matrix a, const std::vector<Index>& order) {
-#pragma omp parallel for
-  for (Index j = 0; j < a.columns(); ++j) {
+  const double work = workOfNumbers(3.0 * static_cast<double>(a.rows() * a.columns()));
+  parallelFor({a.columns(), work, 16}, [&](Index j) {
     double* column = a.column(j);
     const Vector before(column, column + a.rows());
     for (std::size_t i = 0; i < order.size(); ++i)
       column[i] = before[static_cast<std::size_t>(order[i])];
-  }
+  });
   return a;
 }
 
@@ -51,14 +52,14 @@ Matrix rowsInOrder(Matrix a, const std::vector<Index>& order) {
 Matrix symmetricInOrder(const Matrix& lower, const std::vector<Index>& order) {
   const auto n = static_cast<Index>(order.size());
   Matrix result(n, n);
-#pragma omp parallel for schedule(dynamic, 16)
-  for (Index j = 0; j < n; ++j) {
+  const double work = workOfNumbers(2.0 * static_cast<double>(n * n));
+  parallelFor({n, work, 16}, [&](Index j) {
     const Index column = order[static_cast<std::size_t>(j)];
     for (Index i = j; i < n; ++i) {
       const Index row = order[static_cast<std::size_t>(i)];
       result(i, j) = lower(std::max(row, column), std::min(row, column));
     }
-  }
+  });
   return result;
 }
 

@@ -1,5 +1,6 @@
 #include "bem/tractions/ProjectedTractions.hpp"
 
+#include "bem/base/Parallel.hpp"
 #include "bem/moments/EndMoments.hpp"
 #include "bem/moments/NearPairs.hpp"
 #include "bem/tractions/FarTractionRows.hpp"
@@ -30,28 +31,29 @@ ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
     return;
   for (std::size_t k = 0; k < elements.size(); ++k)
     raise(k);
-  const auto count = static_cast<int>(elements.size());
   const Index columns = kernels_.lowest.back() + (space.rotation() == nullptr ? 0 : 1);
   kernels_.hypersingular = Matrix(displacementRows_.size(), columns);
   kernels_.adjoint = Matrix(densityRows_.size(), columns);
   const FarTractionRows far(space, lame, algebra);
-#pragma omp parallel
-  {
+  struct Workspace {
     NearMoments near;
-    const auto tile = std::make_unique<TileMoments>();
-#pragma omp for schedule(dynamic, 4)
-    for (int k = 0; k < count; ++k) {
-      const int test = elements[at(k)];
-      const Index first = kernels_.lowest[at(k)];
-      const Index last = kernels_.lowest[at(k) + 1];
-      far.write(test, static_cast<int>(last - first) / 2, largestSmoothOrder, first,
-                kernels_.hypersingular, kernels_.adjoint);
-      for (const int source : far.near(test, largestSmoothOrder)) {
-        near.evaluate(mesh, test, source, *tile, 0);
-        addPair(test, source, first, last, *tile);
-      }
-    }
-  }
+    std::unique_ptr<TileMoments> tile = std::make_unique<TileMoments>();
+  };
+  const auto count = static_cast<Index>(elements.size());
+  constexpr double ofSource = 200;  // ns
+  parallelFor(
+      {count, ofSource * count * mesh.size(), 4}, [] { return Workspace(); },
+      [&](Workspace& own, Index k) {
+        const int test = elements[at(k)];
+        const Index first = kernels_.lowest[at(k)];
+        const Index last = kernels_.lowest[at(k) + 1];
+        far.write(test, static_cast<int>(last - first) / 2, largestSmoothOrder, first,
+                  kernels_.hypersingular, kernels_.adjoint);
+        for (const int source : far.near(test, largestSmoothOrder)) {
+          own.near.evaluate(mesh, test, source, *own.tile, 0);
+          addPair(test, source, first, last, *own.tile);
+        }
+      });
 }
 
 // φ_i = slope(i) (P_i - P_{i-2}) / (2i-1),  P̂_i = √((2i+1)/2h) P_i;  a hat is (P_0 + P_1) / 2

@@ -63,7 +63,7 @@ struct TractionRows {
 ///   <K'ψ, P_i e>_E = <ψ, K(P_i e)>,  K v = K_Δ v - ∫ X J v' ds + [X J v],
 ///
 /// J v = (v₂, -v₁), X as in kernel/Elasticity.  Errors of near pairs are absolute, 1e-16 of
-/// a potential of size 1.  Threads: OpenMP over the elements.
+/// a potential of size 1.  Threads: over the elements.
 class ProjectedTractions {
  public:
   ProjectedTractions(const Space& space, const Lame& lame, const DenseAlgebra& algebra,

@@ -2,6 +2,7 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
+#include "bem/base/Parallel.hpp"
 #include "bem/kernel/ElementSums.hpp"
 #include "bem/moments/RelativeTarget.hpp"
 #include "bem/operators/MyElements.hpp"
@@ -273,11 +274,13 @@ std::shared_ptr<const TractionRows> tractionRows(const Space& space, const Lame&
 
   const DenseAlgebra& algebra = stiffness.algebra();
   const FarTractionRows far(space, lame, algebra);
-  const auto count = static_cast<int>(elements.size());
+  const auto count = static_cast<Index>(elements.size());
+  constexpr double ofNearSources = 2e5;  // ns
+  constexpr double ofFarSource = 1e3;
   std::vector<std::unique_ptr<ElementRows>> parts(elements.size());
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int k = 0; k < count; ++k)
-    parts[k] = std::make_unique<ElementRows>(far, space, lame, elements[k], form);
+  parallelFor({count, ofNearSources * count}, [&](Index k) {
+    parts[at(k)] = std::make_unique<ElementRows>(far, space, lame, elements[at(k)], form);
+  });
 
   TractionRows result;
   result.start.assign(1, 0);
@@ -290,10 +293,11 @@ std::shared_ptr<const TractionRows> tractionRows(const Space& space, const Lame&
   const Rows densityRows = algebra.myRows(space.densities());
   Matrix hypersingular(displacementRows.size(), result.start.back());
   Matrix adjoint(densityRows.size(), result.start.back());
-#pragma omp parallel for schedule(dynamic, 1)
-  for (int k = 0; k < count; ++k)
-    parts[k]->write(result.start[k], mine, displacementRows, densityRows, hypersingular,
-                    adjoint);
+  const double work = (ofNearSources + ofFarSource * space.mesh().size()) * count;
+  parallelFor({count, work}, [&](Index k) {
+    parts[at(k)]->write(result.start[at(k)], mine, displacementRows, densityRows,
+                        hypersingular, adjoint);
+  });
   result.rows = stiffness.addAdjointDensity(std::move(hypersingular), std::move(adjoint));
   return std::make_shared<const TractionRows>(std::move(result));
 }

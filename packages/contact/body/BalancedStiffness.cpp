@@ -1,6 +1,7 @@
 #include "contact/body/BalancedStiffness.hpp"
 
 #include "bem/algebra/DoubledSums.hpp"
+#include "bem/base/Parallel.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -13,6 +14,9 @@ constexpr Index motions = 3;
 
 // Rows that a thread sums up: each in one order, whatever the number of threads.
 constexpr Index rowsAtOnce = 128;
+Index panels(Index rows) { return (rows + rowsAtOnce - 1) / rowsAtOnce; }
+
+constexpr double ofEntry = 1;  // ns
 
 }  // namespace
 
@@ -86,13 +90,14 @@ BalancedStiffness::Extended BalancedStiffness::stiffnessTimes(const Extended& u)
   const bem::Rows mine = lower.rows();
   const bem::Doubled x(u);
   Extended below(u.size());
-#pragma omp parallel for schedule(dynamic, 16)
-  for (Index j = 0; j < mine.end; ++j)
+  const double work = ofEntry * 0.5 * static_cast<double>(mine.size() * mine.end);
+  bem::parallelFor({mine.end, work, 16}, [&](Index j) {
     below[j] = bem::dotDoubled(lower.column(j), mine.end - lower.firstRow(j), x,
                                lower.firstRow(j));
+  });
   bem::Doubled result(below);
-#pragma omp parallel for schedule(dynamic, 1)
-  for (Index first = mine.begin; first < mine.end; first += rowsAtOnce) {
+  bem::parallelFor({panels(mine.size()), work}, [&](Index k) {
+    const Index first = mine.begin + k * rowsAtOnce;
     const Index last = std::min(first + rowsAtOnce, mine.end);
     for (Index j = 0; j < last; ++j) {
       const Index from = std::max(j + 1, first);
@@ -100,7 +105,7 @@ BalancedStiffness::Extended BalancedStiffness::stiffnessTimes(const Extended& u)
         bem::addDoubled(u[j], lower.column(j) + (from - lower.firstRow(j)), last - from,
                         result, from);
     }
-  }
+  });
   return sum(result.joined());
 }
 
@@ -113,21 +118,22 @@ void BalancedStiffness::subtractStabilisation(const Extended& u, Extended& force
     return;
   const bem::Doubled x(u);
   Extended tractions(columns);
-#pragma omp parallel for
-  for (Index c = 0; c < columns; ++c)
+  const double work = ofEntry * static_cast<double>(mine.size() * columns);
+  bem::parallelFor({columns, work, 16}, [&](Index c) {
     tractions[c] = bem::dotDoubled(rows.column(c), mine.size(), x, mine.begin);
+  });
   tractions = sum(tractions);
   for (std::size_t k = 0; k < gamma_.size(); ++k)
     for (Index c = tractions_->start[k]; c < tractions_->start[k + 1]; ++c)
       tractions[c] *= gamma_[k];
   bem::Doubled stabilisation(u.size());
-#pragma omp parallel for
-  for (Index first = 0; first < mine.size(); first += rowsAtOnce) {
+  bem::parallelFor({panels(mine.size()), work}, [&](Index k) {
+    const Index first = k * rowsAtOnce;
     const Index last = std::min(first + rowsAtOnce, mine.size());
     for (Index c = 0; c < columns; ++c)
       bem::addDoubled(tractions[c], rows.column(c) + first, last - first, stabilisation,
                       mine.begin + first);
-  }
+  });
   const Extended all = sum(stabilisation.joined());
   for (std::size_t i = 0; i < forces.size(); ++i)
     forces[i] -= all[i];
