@@ -64,7 +64,8 @@ Level SolvedBodies::level(int number) const {
   Level level;
   level.number = number;
   level.rigid = at_.rigid;
-  const contact::ContactState kinds = contact::classify(system_.numbers(), at_.state);
+  const contact::ContactState kinds =
+      contact::classify(system_.numbers(), at_.state, at_.penetration);
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     level.bodies.push_back({piecesOf(bodies_[b].space.mesh()), at_.bodies[b],
                             ofBody(system_.numbering(), b, kinds),
