@@ -61,7 +61,8 @@ SolvedBodies::SolvedBodies(const Ground& ground, const contact::ContactSystem& s
 }
 
 std::vector<contact::ContactState> SolvedBodies::states() const {
-  const contact::ContactState all = contact::classify(system_.numbers(), at_.state);
+  const contact::ContactState all =
+      contact::classify(system_.numbers(), at_.state, at_.penetration);
   std::vector<contact::ContactState> result;
   for (std::size_t b = 0; b < bodies_.size(); ++b)
     result.push_back(ofBody(system_.numbering(), b, all));

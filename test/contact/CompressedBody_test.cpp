@@ -208,10 +208,10 @@ TEUCHOS_UNIT_TEST(CompressedBody, problemsAreTheDenseOnes) {
     TEST_ASSERT(own.solution.report.converged());
     TEST_COMPARE(own.solution.report.newtonIterations, <=,
                  exact.solution.report.newtonIterations);
-    TEST_ASSERT(contact::classify(a, exact.solution.state).normal ==
-                contact::classify(b, own.solution.state).normal);
-    TEST_ASSERT(contact::classify(a, exact.solution.state).tangential ==
-                contact::classify(b, own.solution.state).tangential);
+    TEST_ASSERT(test::statesOf(a, exact.solution.state).normal ==
+                test::statesOf(b, own.solution.state).normal);
+    TEST_ASSERT(test::statesOf(a, exact.solution.state).tangential ==
+                test::statesOf(b, own.solution.state).tangential);
     const Vector& lambda = exact.solution.state.multiplier;
     TEST_COMPARE(difference(own.solution.state.multiplier, lambda, largest(lambda)), <,
                  1e-8);

@@ -8,12 +8,14 @@
 #include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/compressed/CompressedOperators.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
+#include "contact/equation/ContactState.hpp"
 #include "contact/equation/Equation.hpp"
 #include "contact/path/PathMemory.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
 #include <cmath>
+#include <iostream>
 
 namespace epafi {
 
@@ -32,7 +34,8 @@ struct Case {
   Form form;
   const char* basis;
   int degree;
-  double bulge = 0;  ///< of the side in contact
+  double bulge = 0;       ///< of the side in contact
+  double friction = 0.3;  ///< coefficient
 };
 
 /// A body of height 1 on a plane: what presses it down varies along it, a push from the left.
@@ -92,7 +95,7 @@ struct Body {
     const double length = c.length;
     conditions.contact["bottom"] = {
         [](Vec2 x) { return 0.1 * std::max(0.0, -x.y); },
-        contact::makeFriction("Coulomb", {[](Vec2) { return 0.3; }})};
+        contact::makeFriction("Coulomb", {[c](Vec2) { return c.friction; }})};
     conditions.neumann["top"] = {
         [](Vec2) { return 0.0; },
         [length](Vec2 x) { return -0.01 * (1 + 0.5 * std::sin(7 * x.x / length)); }};
@@ -166,6 +169,44 @@ TEUCHOS_UNIT_TEST(DefectCorrection, slenderBodiesLieWhereContactHoldsThem) {
   TEST_COMPARE(open(exact, reference), <, 1e-10);
   TEST_COMPARE(off(before), >, 1e-6);
   TEST_COMPARE(off(after), <, 5e-8);
+}
+
+/// What has its shear at the bound slips there, a little near the ends of what sticks: less than
+/// D rounds by, which says of some places that they stick.
+TEUCHOS_UNIT_TEST(DefectCorrection, placesThatSlipALittleAreSaidToSlip) {
+  const Body body({200, Form::None, "Biorthogonal", 1, 0, 0.007});
+  const bem::SteklovPoincare compressed = body.compressed();
+  const contact::ContactSystem system = body.system(compressed);
+  const contact::Problem& problem = system.numbers();
+  const contact::Configuration at =
+      corrected(system, test::solve(problem).state, test::algebra());
+  const Vector bounds = problem.slipBounds(at.state.multiplier);
+  const auto atBoundButStuck = [&](const contact::ContactState& states) {
+    int count = 0;
+    for (std::size_t t = 0; t < bounds.size(); ++t)
+      count +=
+          states.tangential[t] == contact::FrictionState::Stick &&
+          std::abs(at.state.multiplier[problem.normals + t]) >= (1 - 1e-9) * bounds[t];
+    return count;
+  };
+  const auto slips = [&](const contact::ContactState& states) {
+    return std::count(states.tangential.begin(), states.tangential.end(),
+                      contact::FrictionState::SlipForward);
+  };
+  const auto states = contact::classify(problem, at.state, at.penetration);
+  TEST_EQUALITY(atBoundButStuck(states), 0);
+  TEST_COMPARE(slips(states), >, 100);
+  TEST_COMPARE(atBoundButStuck(test::statesOf(problem, at.state)), >, 0);
+
+  contact::PathMemory memory(system);
+  memory.add(system, at);
+  for (std::size_t t = 0; t < bounds.size(); ++t) {
+    const std::size_t i = problem.normals + t;
+    const double work = at.state.multiplier[i] * at.penetration[i];
+    const bool sticks = states.tangential[t] == contact::FrictionState::Stick;
+    TEST_EQUALITY(memory.frictionWork()[t], sticks ? 0 : work);
+    TEST_ASSERT(sticks || work > 0);
+  }
 }
 
 /// What stands still costs no step of Newton's, although r by D and by displacements differ.

@@ -209,6 +209,23 @@ TEUCHOS_UNIT_TEST(NewtonOptions, noxSearchesLeadToTheSolution) {
       }
 }
 
+/// A step that goes a part of the way leaves most of the residual, which is no rounding then.
+TEUCHOS_UNIT_TEST(NewtonOptions, shortStepsDoNotLeaveRounding) {
+  const Problem problem = someProblem("Tresca", 0);
+  const Equation equation(problem, contact::projection(), Equation::Bound::Differentiated,
+                          1e-12);
+  Vector start = pack(problem, solve(problem).state);
+  for (double& x : start)
+    x *= 1 + 1e-9;
+  const auto list = std::make_shared<Teuchos::ParameterList>("NOX");
+  list->sublist("Line Search").sublist("Full Step").set("Full Step", 0.08);
+  const contact::NewtonRun run = contact::NoxNewton(list).run(equation, start, 200);
+  TEST_ASSERT(run.end == contact::End::Converged);
+  TEST_COMPARE(equation.at(start).scaled, >, 1e-11);
+  TEST_COMPARE(run.residual, <=, 1e-12);
+  TEST_COMPARE(run.iterations, >, 20);
+}
+
 TEUCHOS_UNIT_TEST(NewtonOptions, whatNoxLeavesUnusedIsAnErrorWithItsPath) {
   SolverOptions options;
   options.nox = lineSearch("Metod", "Backtrack");

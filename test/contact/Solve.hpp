@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/equation/ContactState.hpp"
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/tresca/Tresca.hpp"
 
@@ -32,6 +33,12 @@ inline contact::Vector slip(const contact::Problem& problem,
                             const contact::State& state) {
   const contact::Vector r = contact::penetration(problem, state);
   return {r.begin() + problem.normals, r.end()};
+}
+
+/// What each coefficient does, by D.
+inline contact::ContactState statesOf(const contact::Problem& problem,
+                                      const contact::State& state) {
+  return classify(problem, state, contact::penetration(problem, state));
 }
 
 }  // namespace epafi::test

@@ -261,7 +261,7 @@ TEUCHOS_UNIT_TEST(Solver, aBoundOfZeroIsNoFriction) {
       TEST_ASSERT(solution.report.status == Status::Converged);
       for (Index i = problem.normals; i < problem.size(); ++i)
         TEST_COMPARE(std::abs(solution.state.multiplier[i]), <, 1e-12);
-      for (const auto friction : classify(problem, solution.state).tangential)
+      for (const auto friction : test::statesOf(problem, solution.state).tangential)
         TEST_ASSERT(friction == contact::FrictionState::None);
     }
 }
@@ -275,7 +275,7 @@ TEUCHOS_UNIT_TEST(Solver, classifiesContactAndFriction) {
   problem.offset = {2, 2, -1, 0.3, -4, 5};
   problem.rigid = contact::Matrix(6, 0);
   const Solution solution = solve(problem, {}, {});
-  const auto state = classify(problem, solution.state);
+  const auto state = test::statesOf(problem, solution.state);
   using contact::FrictionState;
   using contact::NormalState;
   TEST_ASSERT(

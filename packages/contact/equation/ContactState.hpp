@@ -18,6 +18,14 @@ struct ContactState {
 };
 
 /// Closed where λ + c r > 0 (c: see Equation); slip where |λ + c r| reaches the bound.
-ContactState classify(const Problem& problem, const State& state);
+/// `penetration`: r, by displacements where there are any, see Configuration: what rounds in
+/// D λ makes states of its own on slender bodies.
+ContactState classify(const Problem& problem, const State& state,
+                      const Vector& penetration);
+
+/// Friction's work λₜ,i rₜ,i of each tangential coefficient that slips by r, of the others
+/// zero, dimensionless.  None is negative.                    [doc/theory/paths.md, Energies]
+Vector frictionWork(const Problem& problem, const State& state,
+                    const Vector& penetration);
 
 }  // namespace epafi::contact

@@ -2,7 +2,7 @@
 
 #include "contact/nox/ContactJacobian.hpp"
 
-#include <NOX_Solver_Generic.H>
+#include <NOX_Solver_LineSearchBased.H>
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +86,9 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
     status_ = NOX::StatusTest::Converged;
   } else {
     const ActiveSet linear = linearProblem(e);
-    if (point->equation().hasActiveSets() && isRounding(linear, e.scaled)) {
+    const auto& newton = dynamic_cast<const NOX::Solver::LineSearchBased&>(solver);
+    if (point->equation().hasActiveSets() && newton.getStepSize() == 1 &&
+        isRounding(linear, e.scaled)) {
       run_.end = End::Converged;
       run_.tolerance = e.scaled;
       return status_ = NOX::StatusTest::Converged;

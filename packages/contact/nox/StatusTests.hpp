@@ -13,8 +13,8 @@ namespace epafi::contact {
 
 /// Decides after each step whether to go on, and keeps the history that a report needs.
 ///
-/// Converged: by the scaled residual, or where a step on the same sets, which solves a linear
-/// problem, leaves it as it was: then it is what D rounds by. Never because a set of states
+/// Converged: by the scaled residual, or where a full step on the same sets, which solves a
+/// linear problem, leaves it as it was: then it is what D rounds by. Never because a set of states
 /// came back later.
 /// Failed: a set came back although the residual has not fallen since (the classical
 /// cycle of active sets), the residual grew a million times, or it is no number.

@@ -85,16 +85,9 @@ PathMemory::PathMemory(const ContactSystem& atZero)
 void PathMemory::add(const ContactSystem& step, const Configuration& at) {
   const Problem& problem = step.numbers();
   const std::size_t normals = problem.normals;
-  const Vector increment(at.penetration.begin() + problem.normals, at.penetration.end());
-  const ContactState states = classify(problem, at.state);
-  for (std::size_t t = 0; t < increment.size(); ++t) {
-    const double shear = at.state.multiplier[normals + t];
-    const FrictionState friction = states.tangential[t];
-    if (friction == FrictionState::SlipForward || friction == FrictionState::SlipBackward)
-      // the solver's rounding may leave the other sign of nothing
-      friction_[t] += std::max(0.0, shear * increment[t]);
-    trapezoidal_ += 0.5 * (shear + multiplier_[normals + t]) * increment[t];
-  }
+  bem::axpy(1, contact::frictionWork(problem, at.state, at.penetration), friction_);
+  for (std::size_t i = normals; i < multiplier_.size(); ++i)
+    trapezoidal_ += 0.5 * (at.state.multiplier[i] + multiplier_[i]) * at.penetration[i];
   Vector forces = forcesFromOutside(step, at);
   Vector motions = motionsOf(at);
   outside_ +=
