@@ -4,6 +4,7 @@
 #include "drivers/scene/Text.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace epafi::drivers {
 
@@ -89,6 +90,7 @@ constexpr Column<LevelRow> columns[] = {
     {"operators", [](const LevelRow& r) { return r.operators; }},
     {"worst_step", cell<&LevelRow::worstStep>},
     {"worst_step_estimate", cell<&LevelRow::worstEstimate>},
+    {"estimate_relative", cell<&LevelRow::relativeEstimate>},
 };
 
 }  // namespace
@@ -119,6 +121,12 @@ std::string historyLine(const LevelRow& row) { return csvLine(historyCells(row))
 std::vector<std::string> lastCells(const std::string& history) {
   const std::size_t begin = history.rfind('\n', history.size() - 2) + 1;
   return csvCells(history.substr(begin));
+}
+
+double relativeEstimateOf(const std::vector<std::string>& cells) {
+  const std::string& cell = cells.at(historyColumn("estimate_relative"));
+  return cell == "inf" ? std::numeric_limits<double>::infinity()
+                       : numberIn<double>(cell).value();
 }
 
 double energyOf(const std::vector<std::string>& cells) {

@@ -19,6 +19,8 @@ std::string historyLine(const LevelRow& row);
 
 /// The cells of the last line of a history.csv of this version.
 std::vector<std::string> lastCells(const std::string& history);
+/// Level::relativeEstimate as such cells have it.
+double relativeEstimateOf(const std::vector<std::string>& cells);
 /// ½ uᵀ S u - fᵀ u + ∫ bound |uₜ| as such cells have it [stress length²].
 double energyOf(const std::vector<std::string>& cells);
 

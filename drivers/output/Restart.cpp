@@ -144,6 +144,10 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
       checkScene(checkpoint, scene);
       checkMeaning(checkpoint, scene);
       checkpoint.history = historyBehind(checkpoint);
+      if (checkpoint.level.status == contact::Status::Converged &&
+          checkpoint.level.complete)
+        checkpoint.level.relativeEstimate =
+            relativeEstimateOf(lastCells(checkpoint.history));
       checkpoint.steps = rowsBehind(checkpoint.steps, checkpoint);
       checkpoint.bodies = rowsBehind(checkpoint.bodies, checkpoint);
       if (!checkpoint.bodies.empty())

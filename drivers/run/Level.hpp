@@ -52,6 +52,11 @@ struct Level {
   double estimate() const;
   std::size_t elements() const;
 
+  /// The estimated error over the energy norm of the solution, (2 energyStrain)^½; on a path the
+  /// largest of any step, whose norm counts as at least a tenth of the largest one: a step
+  /// without a load has none.  Infinite where only the error is not zero.
+  double relativeEstimate = 0;
+
   /// All steps that led to the state, where the scene has a History; else empty.
   std::vector<PathPoint> path{};
   /// Of each step that was asked for, at the end of a path only: a file on the way would grow
@@ -107,6 +112,7 @@ struct LevelRow {
   std::string reason;                   ///< empty when converged
   double gamma0 = 0;                    ///< zero without stabilisation
   double estimate = 0;                  ///< [(stress length²)^½] under Weights "Energy"
+  double relativeEstimate = 0;          ///< see Level
   adaptivity::Contributions squares{};  ///< of which it is made
   /// With a History the step whose estimate is the largest, from 1; else 0.
   int worstStep = 0;

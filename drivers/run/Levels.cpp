@@ -70,6 +70,17 @@ bem::Vector estimate(const Ground& ground, const std::vector<const SolvedBodies*
   return estimates;
 }
 
+/// See Level::relativeEstimate; `strainEnergies`: of each state, in the user's units.
+double relative(const bem::Vector& estimates, const bem::Vector& strainEnergies) {
+  const double largest = *std::max_element(strainEnergies.begin(), strainEnergies.end());
+  double result = 0;
+  for (std::size_t k = 0; k < estimates.size(); ++k)
+    if (estimates[k] > 0)
+      result = std::max(result, estimates[k] / std::sqrt(2 * std::max(strainEnergies[k],
+                                                                      largest / 100)));
+  return result;
+}
+
 /// A level that is solved now.
 struct NewLevel {
   const Size& size;
@@ -116,6 +127,7 @@ LevelRow makeRow(const Level& level, const NewLevel& begun, double gamma0,
   row.reason = level.reason;
   row.gamma0 = gamma0;
   row.estimate = level.estimate();
+  row.relativeEstimate = level.relativeEstimate;
   row.worstEstimate = row.estimate;
   row.squares = level.squares();
   addTimes(solved, begun.timer, row);
@@ -174,6 +186,10 @@ Attempt solvePath(const Ground& ground, const contact::ContactSystem& atZero,
   level.steps = fieldsOf(path);
   const bem::Vector estimates =
       timer.run(Phase::Estimate, [&] { return estimate(ground, statesOf(path), level); });
+  bem::Vector energies;
+  for (const auto& step : path.steps)
+    energies.push_back(step->row.energyStrain);
+  level.relativeEstimate = relative(estimates, energies);
   timer.run(Phase::Results, [&] {
     LevelRow row = makeRow(level, begun, gamma0Of(atZero), solved, path.report);
     row.summary.energyFriction = path.last().row.energyDissipated;
@@ -207,7 +223,10 @@ Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
   Level level = solved.level(ground.level);
   level.status = report.status;
   level.reason = outcome.reason;
-  timer.run(Phase::Estimate, [&] { estimate(ground, {&solved}, level); });
+  const bem::Vector estimates =
+      timer.run(Phase::Estimate, [&] { return estimate(ground, {&solved}, level); });
+  level.relativeEstimate = relative(
+      estimates, {contact::sumOf(contact::summarizeAll(solved.bodies())).energyStrain});
   timer.run(Phase::Results, [&] {
     begun.handOut({solved.bodies(), level,
                    makeRow(level, begun, gamma0Of(system), solved, report)});
@@ -315,19 +334,21 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
 
   std::string advice;  // as it was given, once
   double allowed = 0;  // memory, as it was found
+  std::string missing = earlier ? missingTo(scene, *earlier) : "";
   auto next = earlier ? levelAfterRestart(scene, *earlier, algebra) : firstLevel(scene);
   while (const auto* from = std::get_if<LevelStart>(&next)) {
     const int number = from->level;
     const BodySpaces spaces(scene, from->meshes);
     Size size = spaces.totalSize();
     if (size.dof() > scene.adaptivity.limits.degreesOfFreedom)
-      return {contact::Status::Converged,
-              capReached(number, size, scene.adaptivity.limits.degreesOfFreedom)};
+      return {
+          contact::Status::Converged,
+          capReached(number, size, scene.adaptivity.limits.degreesOfFreedom) + missing};
     const Plan plan = planOf(scene, spaces, ranks, allowed);
     allowed = plan.allowed;
     size.memory = plan.memory;
     if (const auto reason = tooLarge(number, size, plan, scene, ranks))
-      return {contact::Status::Converged, *reason};
+      return {contact::Status::Converged, *reason + missing};
     timer.startLevel(number);
 
     std::size_t handed = 0;  // steps, which another attempt does not hand out again
@@ -349,6 +370,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
     if (advice.empty())
       advice = plan.advice;
     timer.endLevel();
+    missing = missingTo(scene, level);
     next = nextLevel(scene, level, algebra);
   }
   return std::get<Outcome>(next);

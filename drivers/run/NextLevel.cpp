@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <iomanip>
+#include <sstream>
 
 namespace epafi::drivers {
 
@@ -91,16 +93,40 @@ std::vector<adaptivity::Marks> marksOf(
   return marks;
 }
 
+bool isReached(const Scene& scene, const Level& level) {
+  const auto& tolerance = scene.adaptivity.limits.tolerance;
+  return tolerance && level.relativeEstimate <= *tolerance;
+}
+
+/// What is reached of Adaptivity->Tolerance.
+std::string reached(const Scene& scene, const Level& level) {
+  std::ostringstream text;
+  text << std::setprecision(3) << "the estimated error is "
+       << 100 * level.relativeEstimate << " % of the energy norm"
+       << (scene.history ? " in the worst step" : "")
+       << (isReached(scene, level) ? ", within" : ", above")
+       << " Adaptivity->Tolerance = " << *scene.adaptivity.limits.tolerance;
+  return text.str();
+}
+
 }  // namespace
+
+std::string missingTo(const Scene& scene, const Level& level) {
+  return scene.adaptivity.limits.tolerance && !isReached(scene, level)
+             ? "; " + reached(scene, level)
+             : "";
+}
 
 std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& level,
                                             const bem::DenseAlgebra& algebra) {
-  const auto converged = [](const char* reason) {
-    return Outcome{contact::Status::Converged, reason};
+  const auto converged = [&](const std::string& reason) {
+    return Outcome{contact::Status::Converged, reason + missingTo(scene, level)};
   };
   if (level.status != contact::Status::Converged)
     return Outcome{level.status, bem::message("level ", level.number,
                                               " is not converged: ", level.reason)};
+  if (isReached(scene, level))
+    return converged(reached(scene, level));
   if (level.estimate() < scene.adaptivity.limits.estimate)
     return converged("the estimate is below the target");
   if (level.number + 1 >= scene.adaptivity.limits.levels)

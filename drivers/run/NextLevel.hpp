@@ -27,6 +27,10 @@ struct Outcome {
 /// The meshes that the scene describes, started from zero.
 LevelStart firstLevel(const Scene& scene);
 
+/// "; the estimated error is ...", what a level lacks of Adaptivity->Tolerance; empty if it is
+/// reached or not asked for.
+std::string missingTo(const Scene& scene, const Level& level);
+
 /// The level after a solved one, or why there is none.
 ///
 /// Everything is taken from the numbers of the level and from the scene, so that a level

@@ -12,6 +12,14 @@ using bem::Row;
 bem::SchemaRows limitRows() {
   const RunLimits defaults;
   return {
+      Row("Tolerance", Kind::Real,
+          "a run ends at the first level whose estimated error is at most this part of "
+          "the "
+          "energy norm of the solution, on a path in every step; alone it means Strategy "
+          "= "
+          "Graded hp and Maximum Levels = 100")
+          .unit("1")
+          .range({0, 1, true, true}),
       Row("Target Estimate", Kind::Real,
           "a run ends at the first level with a smaller estimate")
           .unit("as the estimate: root of stress length^2 under Weights Energy")
@@ -38,7 +46,10 @@ RunLimits parseLimits(const Teuchos::ParameterList& list) {
   RunLimits limits{list.get<int>("Maximum Levels"),
                    list.get<int>("Maximum Degrees of Freedom"),
                    list.get<double>("Target Estimate"),
+                   {},
                    {}};
+  if (list.isParameter("Tolerance"))
+    limits.tolerance = list.get<double>("Tolerance");
   if (list.isParameter("Maximum Memory"))
     limits.memory = list.get<double>("Maximum Memory");
   return limits;

@@ -13,6 +13,8 @@ struct RunLimits {
   int levels = 6;                ///< the first included
   long degreesOfFreedom = 4000;  ///< of a level, displacement and multiplier
   double estimate = 0;           ///< a smaller one ends the run
+  /// So does a Level::relativeEstimate of at most this.
+  std::optional<double> tolerance{};
   std::optional<double> memory;  ///< of a level, all processes [MiB]; else what is free
 };
 

@@ -38,9 +38,28 @@ Scene::Solver readSolver(const ParameterList& list) {
   return solver;
 }
 
+/// The scene with what a tolerance alone asks for.
+ParameterList withStrategy(ParameterList scene) {
+  if (scene.isSublist("Adaptivity") &&
+      scene.sublist("Adaptivity").isParameter("Tolerance")) {
+    ParameterList& list = scene.sublist("Adaptivity");
+    if (!list.isParameter("Strategy"))
+      list.set("Strategy", "Graded hp");
+    if (!list.isParameter("Maximum Levels"))
+      list.set("Maximum Levels", 100);
+  }
+  return scene;
+}
+
 Scene::Adaptivity readAdaptivity(const ParameterList& list) {
   Scene::Adaptivity adaptivity{adaptivity::parseStrategy(list),
                                adaptivity::parseEstimator(list), parseLimits(list)};
+  if (adaptivity.limits.tolerance && (adaptivity.estimator.weights != "Energy" ||
+                                      adaptivity.estimator.residualFactor != 1))
+    throw InputError(
+        "Adaptivity->Tolerance: is a part of the energy norm, and so needs Weights = "
+        "Energy "
+        "and Residual Factor = 1");
   if (adaptivity::strategies().at(adaptivity.strategy.name).levels ==
       adaptivity::Levels::One)
     adaptivity.limits.levels = 1;
@@ -103,8 +122,8 @@ Scene build(const std::string& file, const RawScene& raw) {
   Scene scene;
   scene.title = raw.title;
   scene.file = file;
-  scene.used =
-      Teuchos::rcp(new ParameterList(bem::complete(parameters(), raw.list, raw.title)));
+  scene.used = Teuchos::rcp(
+      new ParameterList(bem::complete(parameters(), withStrategy(raw.list), raw.title)));
   ParameterList& used = *scene.used;
 
   scene.tables = readTables(used.sublist("Tables"), {file, "Tables"});
