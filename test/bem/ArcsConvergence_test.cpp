@@ -19,8 +19,8 @@ TEUCHOS_UNIT_TEST(Arcs, allPairsOfABodyWithCornersAndASlit) {
 // Two elements that touch at both ends: lenses, a crescent, half a disc and little more.
 TEUCHOS_UNIT_TEST(Arcs, allPairsOfLoopsOfTwoElements) {
   for (const auto& [first, second] :
-       {std::pair(1.0, 1.0), {0.2, 0.2}, {0.02, 0.01}, {1.0, -0.3}, {1.0, 0.05}})
-    testPairs(meshOf(lens(first, second), 1, 3), {{0, 1}, {1, 0}}, out, success);
+       {std::pair(1.0, 1.0), {0.2, 0.2}, {1.0, -0.3}, {1.0, 0.05}})
+    testPairs(meshOf(lens(first, second), 1, 2), {{0, 1}}, out, success);
 }
 
 // Elements of one arc see each other across its opening.
