@@ -19,7 +19,7 @@ std::string historyLine(const LevelRow& row);
 
 /// The cells of the last line of a history.csv of this version.
 std::vector<std::string> lastCells(const std::string& history);
-/// ½ uᵀ S u - fᵀ u + ∫ bound |uₜ| as such cells have it [stress length²].
+/// strain energy - fᵀ u + friction's work as such cells have it [stress length²].
 double energyOf(const std::vector<std::string>& cells);
 
 }  // namespace epafi::drivers

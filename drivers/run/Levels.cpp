@@ -94,7 +94,8 @@ void addTimes(const SolvedBodies& solved, const PhaseTimer& timer, LevelRow& row
 }
 
 LevelRow makeRow(const Level& level, const NewLevel& begun, double gamma0,
-                 const SolvedBodies& solved, const contact::Report& report) {
+                 const SolvedBodies& solved, const contact::Report& report,
+                 double energyFriction) {
   LevelRow row;
   row.level = level.number;
   row.size = begun.size;
@@ -104,6 +105,7 @@ LevelRow makeRow(const Level& level, const NewLevel& begun, double gamma0,
   row.bodies = contact::summarizeAll(solved.bodies());
   row.rigid = solved.rigidRows();
   row.summary = contact::sumOf(row.bodies);
+  row.energyFriction = energyFriction;
   row.report = report;
   row.reason = level.reason;
   row.gamma0 = gamma0;
@@ -164,9 +166,10 @@ Attempt solvePath(const Ground& ground, const contact::ContactSystem& atZero,
   level.steps = fieldsOf(path);
   timer.run(Phase::Estimate, [&] { estimate(ground, statesOf(path), level); });
   timer.run(Phase::Results, [&] {
-    LevelRow row = makeRow(level, begun, gamma0Of(atZero), solved, path.report);
-    row.summary.energyFriction = path.last().row.energyDissipated;
-    begun.handOut({solved.bodies(), level, row, &path});
+    begun.handOut({solved.bodies(), level,
+                   makeRow(level, begun, gamma0Of(atZero), solved, path.report,
+                           path.last().row.energyDissipated),
+                   &path});
   });
   return level;
 }
@@ -195,8 +198,9 @@ Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
   level.reason = outcome.reason;
   timer.run(Phase::Estimate, [&] { estimate(ground, {&solved}, level); });
   timer.run(Phase::Results, [&] {
-    begun.handOut({solved.bodies(), level,
-                   makeRow(level, begun, gamma0Of(system), solved, report)});
+    begun.handOut(
+        {solved.bodies(), level,
+         makeRow(level, begun, gamma0Of(system), solved, report, solved.frictionWork())});
   });
   return level;
 }

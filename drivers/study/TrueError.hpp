@@ -20,7 +20,7 @@ struct BodySnapshot {
 };
 struct Snapshot {
   std::vector<BodySnapshot> bodies;
-  double energy = 0;  ///< ½ uᵀ S u - fᵀ u + ∫ bound |uₜ| [stress length²]
+  double energy = 0;  ///< strain energy - fᵀ u + friction's work [stress length²]
 };
 
 /// Of a level just solved or read from a file; `energy`: see energyOf.
