@@ -56,7 +56,7 @@ constexpr Column<LevelRow> columns[] = {
     {"eta_slip", eta<Source::Slip>},
     {"energy_strain", sum<&Summary::energyStrain>},
     {"energy_load", sum<&Summary::energyLoad>},
-    {"energy_friction", sum<&Summary::energyFriction>},
+    {"energy_friction", cell<&LevelRow::energyFriction>},
     {"force_normal", sum<&Summary::forceNormal>},
     {"force_tangential", sum<&Summary::forceTangential>},
     {"reaction_x", sum<&Summary::reaction, &Resultant::x>},

@@ -106,6 +106,7 @@ struct LevelRow {
   int level = 0;
   Size size;
   contact::Summary summary;                ///< over all bodies
+  double energyFriction = 0;               ///< friction's work so far [stress length²]
   std::vector<contact::Summary> bodies{};  ///< of each
   std::vector<RigidRow> rigid{};
   contact::Report report;

@@ -113,7 +113,8 @@ void addTimes(const SolvedBodies& solved, const PhaseTimer& timer, LevelRow& row
 }
 
 LevelRow makeRow(const Level& level, const NewLevel& begun, double gamma0,
-                 const SolvedBodies& solved, const contact::Report& report) {
+                 const SolvedBodies& solved, const contact::Report& report,
+                 double energyFriction) {
   LevelRow row;
   row.level = level.number;
   row.size = begun.size;
@@ -123,6 +124,7 @@ LevelRow makeRow(const Level& level, const NewLevel& begun, double gamma0,
   row.bodies = contact::summarizeAll(solved.bodies());
   row.rigid = solved.rigidRows();
   row.summary = contact::sumOf(row.bodies);
+  row.energyFriction = energyFriction;
   row.report = report;
   row.reason = level.reason;
   row.gamma0 = gamma0;
@@ -191,8 +193,8 @@ Attempt solvePath(const Ground& ground, const contact::ContactSystem& atZero,
     energies.push_back(step->row.energyStrain);
   level.relativeEstimate = relative(estimates, energies);
   timer.run(Phase::Results, [&] {
-    LevelRow row = makeRow(level, begun, gamma0Of(atZero), solved, path.report);
-    row.summary.energyFriction = path.last().row.energyDissipated;
+    LevelRow row = makeRow(level, begun, gamma0Of(atZero), solved, path.report,
+                           path.last().row.energyDissipated);
     const auto worst = std::max_element(estimates.begin(), estimates.end());
     row.worstStep = 1 + static_cast<int>(worst - estimates.begin());
     row.worstEstimate = *worst;
@@ -228,8 +230,9 @@ Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
   level.relativeEstimate = relative(
       estimates, {contact::sumOf(contact::summarizeAll(solved.bodies())).energyStrain});
   timer.run(Phase::Results, [&] {
-    begun.handOut({solved.bodies(), level,
-                   makeRow(level, begun, gamma0Of(system), solved, report)});
+    begun.handOut(
+        {solved.bodies(), level,
+         makeRow(level, begun, gamma0Of(system), solved, report, solved.frictionWork())});
   });
   return level;
 }

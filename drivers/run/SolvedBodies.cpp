@@ -2,6 +2,8 @@
 
 #include "contact/equation/ContactState.hpp"
 
+#include <numeric>
+
 namespace epafi::drivers {
 
 namespace {
@@ -79,6 +81,14 @@ Level SolvedBodies::level(int number) const {
                             std::move(kinds[b]), placement_.displacements[b],
                             densities_[b]});
   return level;
+}
+
+double SolvedBodies::frictionWork() const {
+  const bem::Units units = ground_.scene.units();
+  const bem::Vector work =
+      contact::frictionWork(system_.numbers(), at_.state, at_.penetration);
+  return units.stress * units.length * units.length *
+         std::accumulate(work.begin(), work.end(), 0.0);
 }
 
 std::vector<RigidRow> SolvedBodies::rigidRows() const {

@@ -53,7 +53,8 @@ class SolvedBodies {
   /// Everything of a level but its status, indicators and path.
   Level level(int number) const;
 
-  /// In the user's units.
+  /// In the user's units, of one step the work of its own.
+  double frictionWork() const;
   std::vector<RigidRow> rigidRows() const;
 
  private:

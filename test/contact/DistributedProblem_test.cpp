@@ -118,10 +118,10 @@ TEUCHOS_UNIT_TEST(DistributedProblem, isTheSameOnAnyNumberOfRanks) {
     TEST_COMPARE(difference(all.displacement, one.displacement), <, 1e-12);
     TEST_COMPARE(difference(all.clampWork, one.clampWork), <, 1e-12);
     const auto scalars = [](const contact::Summary& s) {
-      return Vector{s.energyStrain,  s.energyLoad,  s.energyFriction,  s.load.x,
-                    s.load.y,        s.load.moment, s.contact.x,       s.contact.y,
-                    s.reaction.x,    s.reaction.y,  s.reaction.moment, s.contact.moment,
-                    s.contactLength, s.slipLength};
+      return Vector{s.energyStrain, s.energyLoad,      s.load.x,         s.load.y,
+                    s.load.moment,  s.contact.x,       s.contact.y,      s.reaction.x,
+                    s.reaction.y,   s.reaction.moment, s.contact.moment, s.contactLength,
+                    s.slipLength};
     };
     TEST_COMPARE(difference(scalars(all.summary), scalars(one.summary)), <, 1e-12);
   }

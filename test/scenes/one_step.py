@@ -1,8 +1,8 @@
-"""A path of one step is the solve without a path: a body of nu = 1/2 with closed lines that carry
-no stress of contact."""
+"""A path of one step is the solve without a path: Coulomb and Tresca, bodies in contact, and a
+body of nu = 1/2 with closed lines that carry no stress of contact."""
 import os
 
-from runs import ENERGIES, WORK, claim, differ, finish, run
+from runs import ENERGIES, WORK, claim, differ, finish, levels, run, scene
 
 RING = """Ring:
   Bodies:
@@ -32,11 +32,17 @@ def written(name, base):
     return file
 
 
-for name, file in [
-        ("a hole alone is pinned", written("hole", "{Type: Contact}")),
-        ("no line is in contact", written("free", "{Type: Neumann, Traction Y: 10}"))]:
-    once, path = (run(file, kind, more)[0] for kind, more in (("once", []), ("path", ["History->Times={1}"])))
+SLIDES = "{Type: Contact, Friction: {Law: Coulomb, Coefficient: 0.3}}"
+for name, file, settings, slips in [
+        ("a hole alone is pinned", written("hole", SLIDES), [], True),
+        ("no line is in contact", written("free", "{Type: Neumann, Traction Y: 10}"), [], False),
+        ("Tresca", scene("tresca.xml"), levels(2), True),
+        ("Coulomb", scene("coulomb.xml"), levels(2), True),
+        ("two blocks", scene("two-blocks.xml"), levels(2), True)]:
+    once, path = (run(file, kind, [*settings, *more])[0]
+                  for kind, more in (("once", []), ("path", ["History->Times={1}"])))
     size = max(abs(once[-1][energy]) for energy in ENERGIES)
     off = max(differ(a[energy], b[energy], size) for a, b in zip(once, path) for energy in ENERGIES)
     claim(len(once) == len(path) and off < 1e-12, "%s: one step is the whole, off by %.1e" % (name, off))
+    claim((once[-1]["energy_friction"] > 0) == slips, "  and friction works: %s" % slips)
 finish()

@@ -37,10 +37,6 @@ double ContactFields::closing(const Element& element, double t) const {
   return closing(element, multiplierSpace().at(multiplier_, element, t));
 }
 
-double ContactFields::discreteBound(const Element& element, double t) const {
-  return units_.stress * multiplierSpace().at(bounds_, element, t).tangential;
-}
-
 double ContactFields::slipping(const Element& element, double shear, double bound) const {
   if (element.tangential < 0 || element.ties() || bound <= tolerance_)
     return -tolerance_;

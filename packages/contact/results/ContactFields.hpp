@@ -48,10 +48,6 @@ class ContactFields {
   MultiplierSpace::Value stress(const Element& element, double t) const;
   double slip(const Element& element, double t) const;
 
-  /// The slip bound as the multiplier's basis represents it: what the discrete problem
-  /// holds λₜ to.  [stress]
-  double discreteBound(const Element& element, double t) const;
-
   /// λₙ, and how far |λₜ| is above the bound as the basis represents it, with the
   /// tolerance added in favour of "closed" being false and "slip" true: both change sign
   /// with the state.  Dimensionless.

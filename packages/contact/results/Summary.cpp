@@ -36,32 +36,6 @@ double positivePart(const Profile& f, int degree) {
   return sum;
 }
 
-/// ∫ bound |uₜ| over one contact element, dt.  Kinks: where uₜ or λₙ changes its sign.
-double frictionWork(const ContactFields& fields, const Element& element) {
-  const auto slip = [&](double t) { return fields.slip(element, t); };
-  const auto pressure = [&](double t) { return fields.stress(element, t).normal; };
-  bem::Vector breaks = bem::signChanges(slip, element.degree);
-  const bem::Vector more = bem::signChanges(pressure, element.degree);
-  breaks.insert(breaks.end(), more.begin(), more.end());
-  const Opposite& opposite = fields.opposite();
-  const bem::Vector nodes = opposite.breaks(element);
-  breaks.insert(breaks.end(), nodes.begin(), nodes.end());
-  for (int i = 1; i < 4; ++i)  // the bound is the user's: it may bend anywhere
-    breaks.push_back(-1 + 0.5 * i);
-  // A bound that follows the pressure is taken as the discrete problem has it: the
-  // pressure's positive part at a point errs where the contact ends, by 3e-4 of the
-  // result in [P] 8.2.
-  const bool discrete = element.condition->friction.law->dependsOnPressure();
-  const auto work = [&](double t) {
-    if (discrete)
-      return fields.discreteBound(element, t) * std::abs(fields.slip(element, t));
-    const ContactPoint point = fields.at(element, t);
-    return point.bound * std::abs(point.tangential);
-  };
-  const int degree = std::max(element.degree, opposite.degree(element));
-  return integrate(work, bem::piecewiseRule(breaks, degree + 4));
-}
-
 void add(const Resultant& more, Resultant& sum) {
   sum.x += more.x;
   sum.y += more.y;
@@ -104,8 +78,6 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
   if (element.tangential < 0)
     return;
   summary.forceTangential += half * integrate(tangential, bem::gaussLegendre(p + 1));
-  if (solved.displacementBefore == nullptr && !element.ties())
-    summary.energyFriction += half * frictionWork(fields, element);
   summary.slipLength +=
       half * positivePart([&](double t) { return fields.slipping(element, t); }, p);
 }
@@ -183,7 +155,7 @@ Summary summarize(const Solved& solved) {
   summary.energyStrain = energy * solved.problem.strainEnergy(solved.state, u);
   summary.energyLoad = energy * bem::dot(solved.problem.load(), u);
   addContact(solved, [&](const Element&) -> Summary& { return summary; });
-  if (!std::isfinite(summary.energyStrain + summary.energyLoad + summary.energyFriction))
+  if (!std::isfinite(summary.energyStrain + summary.energyLoad))
     throw bem::NumericalError(
         "energies are beyond numbers: displacements are too large for all; look at the "
         "units of Young's modulus, loads and lengths");
@@ -262,9 +234,8 @@ Summary sumOf(const std::vector<Summary>& bodies) {
   Summary sum;
   for (const Summary& body : bodies) {
     for (const auto member :
-         {&Summary::energyStrain, &Summary::energyLoad, &Summary::energyFriction,
-          &Summary::forceNormal, &Summary::forceTangential, &Summary::contactLength,
-          &Summary::slipLength})
+         {&Summary::energyStrain, &Summary::energyLoad, &Summary::forceNormal,
+          &Summary::forceTangential, &Summary::contactLength, &Summary::slipLength})
       sum.*member += body.*member;
     for (const auto member : {&Summary::load, &Summary::reaction, &Summary::obstacle})
       add(body.*member, sum.*member);

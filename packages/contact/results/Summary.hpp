@@ -18,10 +18,7 @@ struct Resultant {
 /// energies [stress length²], forces [stress length], moment [stress length²], lengths.
 struct Summary {
   double energyStrain = 0;  ///< ½ <W u, u> + ½ <V ψ, ψ>; without Form Density ½ uᵀ S u
-  double energyLoad = 0;  ///< fᵀ u
-  /// ∫ bound |uₜ| over all contact sides; zero for a step of a path, where PathMemory has
-  /// friction's work.
-  double energyFriction = 0;
+  double energyLoad = 0;       ///< fᵀ u
   double forceNormal = 0;      ///< ∫ λₙ over all contact sides
   double forceTangential = 0;  ///< ∫ λₜ
   Resultant load;              ///< of the Neumann data
