@@ -77,8 +77,9 @@ int helpCommand(const Given& given, std::ostream& out) {
 const Option output{"--output", "DIR",
                     "the folder for the results; default: ./<scene name>.out",
                     Offer::Folders};
-const Option threads{"--threads", "N",
-                     "OpenMP and BLAS together; default: all cores, 1 under mpirun"};
+const Option threads{
+    "--threads", "N",
+    "at most so many, as the work pays for; default: all cores, 1 under mpirun"};
 const Option force{"--force", "", "replace the files of an earlier run"};
 const Option quiet{"--quiet", "", "print nothing but errors"};
 const Option set{"--set",

@@ -47,6 +47,7 @@ std::string PhaseTimer::report() {
   options.output_fraction = true;
   options.print_warnings = false;
   std::ostringstream text;
+  text << "start: " << start_ << "\n";
   stack_->report(text, Teuchos::rcp(new Teuchos::SerialComm<int>), options);
   return text.str();
 }

@@ -57,7 +57,8 @@ class PhaseTimer {
     return std::chrono::duration<double>(Clock::now() - begin_).count();
   }
 
-  /// What timings.txt says; ends the timing.
+  /// What timings.txt says, first how long the process took to get to this object: loading
+  /// libraries, reading and checking.  Ends the timing.
   std::string report();
 
  private:
@@ -79,6 +80,7 @@ class PhaseTimer {
   static std::size_t at(Phase phase) { return static_cast<std::size_t>(phase); }
 
   Watch watch_;
+  double start_ = secondsSinceStart();
   Clock::time_point begin_ = Clock::now();
   Teuchos::RCP<Teuchos::StackedTimer> stack_;
   std::string levelName_;

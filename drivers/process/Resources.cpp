@@ -115,6 +115,23 @@ double cpuSeconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
+double secondsSinceStart() {
+  std::string line;
+  std::getline(std::ifstream("/proc/self/stat"), line);
+  // the 22nd number, of which the second is a name in parentheses
+  std::istringstream numbers(line.substr(line.rfind(')') + 1));
+  std::string skipped;
+  for (int k = 3; k < 22; ++k)
+    numbers >> skipped;
+  double ticks = 0;
+  timespec now{};
+  if (!(numbers >> ticks) || clock_gettime(CLOCK_BOOTTIME, &now) != 0)
+    return 0;
+  const double start = ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec) -
+         start;
+}
+
 double peakMemory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -21,6 +21,9 @@ double ownMemory();
 /// CPU seconds of this process since it started, all threads.
 double cpuSeconds();
 
+/// Seconds by the clock since this process started, counted in hundredths.
+double secondsSinceStart();
+
 /// Largest resident memory of this process so far [MiB].
 double peakMemory();
 

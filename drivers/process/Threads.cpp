@@ -17,7 +17,7 @@ constexpr const char* coreVariable = "OPENBLAS_CORETYPE";
 constexpr const char* waitVariable = "OPENBLAS_THREAD_TIMEOUT";
 
 /// log2 of the cycles that a thread of OpenBLAS without work keeps asking for some: 20
-/// microseconds.  OpenBLAS' own 20 milliseconds take the processor from OpenMP's threads
+/// microseconds.  OpenBLAS' own 20 milliseconds take the processor from other threads
 /// in between, so that on small levels two threads are slower than one.
 constexpr const char* shortWait = "16";
 

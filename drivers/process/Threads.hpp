@@ -9,14 +9,14 @@ class Ranks;
 /// More, and stacks take all of the memory.
 constexpr int mostThreads = 4096;
 
-/// Threads of OpenMP and BLAS together.
+/// At most so many threads for loops, see bem/base/Parallel, and for BLAS.
 void setThreads(int threads);
 
 /// As many as are wanted; 0: the default, all cores or what the environment says, but one for each
 /// process under mpirun.
 void chooseThreads(int wanted, const Ranks& ranks);
 
-/// What OpenMP will use.
+/// At most so many are used.
 int threads();
 
 /// The kernels that OpenBLAS chose, "unknown" for another BLAS.

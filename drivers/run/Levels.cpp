@@ -169,11 +169,11 @@ Attempt solvePath(const Ground& ground, const contact::ContactSystem& atZero,
     const bool another = begun.plan.denseInstead && !sofar.last().row.converged;
     if (!begun.handOutStep || another)
       return;
-    Level level = levelOf(ground, sofar);
-    level.complete = false;
-    for (BodyLevel& body : level.bodies)
-      body.indicators.squares.resize(body.pieces.size());
     timer.run(Phase::Results, [&] {
+      Level level = levelOf(ground, sofar);
+      level.complete = false;
+      for (BodyLevel& body : level.bodies)
+        body.indicators.squares.resize(body.pieces.size());
       const SolvedBodies& solved = *sofar.last().solved;
       LevelRow times;
       addTimes(solved, timer, times);

@@ -56,7 +56,7 @@ class Follower {
       break;
     }
     row_.converged = now_ == time;
-    finish();
+    timer_.run(Phase::Results, [&] { finish(); });
     return row_.converged;
   }
 
@@ -73,10 +73,12 @@ class Follower {
     if (isKnown)
       next = earlier_[path_.points.size()].t;
     auto now = std::make_unique<PathStep>();
-    now->conditions = ground_.scene.conditionsAt(next);
-    now->system = std::make_unique<const contact::ContactSystem>(
-        atZero_.under({now->conditions, ground_.scene.drivesAt(next), memory_.slip(),
-                       memory_.defect(), memory_.largestLoad(), responses_}));
+    timer_.run(Phase::Stabilization, [&] {
+      now->conditions = ground_.scene.conditionsAt(next);
+      now->system = std::make_unique<const contact::ContactSystem>(
+          atZero_.under({now->conditions, ground_.scene.drivesAt(next), memory_.slip(),
+                         memory_.defect(), memory_.largestLoad(), responses_}));
+    });
     if (isKnown) {
       const PathPoint& point = earlier_[path_.points.size()];
       solved.state = point.state;
@@ -95,17 +97,19 @@ class Follower {
     const bool converged = solved.report.converged();
     if (solved.state.multiplier.empty())
       solved.state = prediction_.last();
-    latestAt_ = timer_.run(Phase::Newton, [&] {
-      return converged && !isKnown
-                 ? contact::corrected(*now->system, solved.state,
-                                      ground_.stiffness.front().algebra())
-                 : now->system->configuration(solved.state);
-    });
-    if (converged) {
-      ++row_.parts;
+    timer_.run(Phase::Newton, [&] {
+      latestAt_ = converged && !isKnown
+                      ? contact::corrected(*now->system, solved.state,
+                                           ground_.stiffness.front().algebra())
+                      : now->system->configuration(solved.state);
+      if (!converged)
+        return;
       memory_.add(*now->system, latestAt_);
       prediction_.add(*now->system, latestAt_.state);
       responses_ = now->system->responses();
+    });
+    if (converged) {
+      ++row_.parts;
       path_.points.push_back({next, latestAt_.state, solved.report.newtonIterations,
                               solved.report.coulombIterations});
       now_ = next;

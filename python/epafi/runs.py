@@ -134,7 +134,7 @@ def run(scene: Scene | Mapping[str, Any] | str | os.PathLike[str],
 
     output    folder for the results; without it a temporary one that lives as long as the Run
     set       {"A->B->Key": value}, as `Scene.changed`
-    threads   of OpenMP and BLAS together; all cores without it
+    threads   at most so many, as the work pays for; all cores without it
     restart   a run, or its folder, to go on from
     force     replace the files of an earlier run in `output`
     progress  is told each line that the program prints as it comes: print

@@ -50,6 +50,19 @@ for command in ("parameters", "schema", "help"):
     claim(done.returncode == 1 and "cannot be written" in done.stderr,
           "epafi %s on a full disk: exit %d, %s" % (command, done.returncode, done.stderr.strip()))
 
+# where the time goes, on a path too: all of it is some phase's
+folder = fresh("times")
+code, text = epafi("run", scene("fretting.xml"), "--output", folder, "--set",
+                   "History->Steps={1, 2, 2, 2}", "--threads", "1")
+with open(os.path.join(folder, "timings.txt")) as stream:
+    times = [line.strip("| ").split(" ") for line in stream if ": " in line]
+begun = [float(words[1]) for words in times if words[0] == "start:"]
+rest = sum(float(words[1]) for words in times if words[0] == "Remainder:")
+total = [float(words[2]) for words in times if words[:2] == ["epafi", "run:"]]
+claim(code == 0 and len(begun) == len(total) == 1 and 0 < begun[0] < 60,
+      "timings.txt has the start, %s s, and all of a run: %s" % (begun, total))
+claim(rest < 0.05 * total[0], "phases cover 95 %% of %g s: %g s are left" % (total[0], rest))
+
 # folders
 folder = os.path.join(fresh("deep"), "er", "still")
 code, text = epafi("run", TRESCA, "--output", folder, *ONE)
