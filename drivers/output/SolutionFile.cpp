@@ -11,7 +11,7 @@ namespace epafi::drivers {
 
 namespace {
 
-constexpr int format = 5;  // 1 to 4 were before the first version
+constexpr int format = 6;  // 1 to 5 were before the first version
 const std::string group = "/Epafi";
 
 bool converged(const Level& level) { return level.status == contact::Status::Converged; }

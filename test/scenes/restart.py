@@ -178,7 +178,7 @@ subprocess.run(["/usr/bin/python3", "-c", """import h5py, numpy, sys
 with h5py.File(sys.argv[1], 'r+') as f:
     f['Epafi'].attrs.modify('format', numpy.int32(4))
 """, os.path.join(other_format, SOLUTION)], check=True)
-refused("another format", ["format 4", "reads format 5", SOLUTION], "run", scene("tresca.xml"),
+refused("another format", ["format 4", "reads format 6", SOLUTION], "run", scene("tresca.xml"),
         "--restart", other_format)
 
 # a folder or disk that takes nothing

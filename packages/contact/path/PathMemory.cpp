@@ -5,6 +5,7 @@
 #include "contact/equation/ContactState.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace epafi::contact {
@@ -66,10 +67,12 @@ Vector motionsOf(const Configuration& at) {
 
 }  // namespace
 
-PathMemory::PathMemory(const ContactSystem& atZero)
-    : slip_(atZero.numbers().tangentials.size(), 0.0),
+PathMemory::PathMemory(const ContactSystem& atZero, Shear shear)
+    : shear_(shear),
+      slip_(atZero.numbers().tangentials.size(), 0.0),
       friction_(slip_.size(), 0.0),
       multiplier_(atZero.numbers().size(), 0.0),
+      bounds_(slip_.size(), 0.0),
       gap_(atZero.gap()),
       jump_(multiplier_.size(), 0.0) {
   std::size_t size = 3 * atZero.drives().size();
@@ -87,12 +90,17 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
   const std::size_t normals = problem.normals;
   const Vector increment(at.penetration.begin() + problem.normals, at.penetration.end());
   const ContactState states = classify(problem, at.state);
+  Vector bounds = problem.slipBounds(at.state.multiplier);
   for (std::size_t t = 0; t < increment.size(); ++t) {
     const double shear = at.state.multiplier[normals + t];
     const FrictionState friction = states.tangential[t];
-    if (friction == FrictionState::SlipForward || friction == FrictionState::SlipBackward)
+    if (friction == FrictionState::SlipForward ||
+        friction == FrictionState::SlipBackward) {
+      const double work = shear * increment[t];
+      const double share = shear_ == Shear::Mean ? 0.5 + 0.5 * bounds_[t] / bounds[t] : 1;
       // the solver's rounding may leave the other sign of nothing
-      friction_[t] += std::max(0.0, shear * increment[t]);
+      friction_[t] += share * std::max(0.0, work);
+    }
     trapezoidal_ += 0.5 * (shear + multiplier_[normals + t]) * increment[t];
   }
   Vector forces = forcesFromOutside(step, at);
@@ -105,6 +113,7 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
   defect_ = step.defect(at);
   largestLoad_ = std::max(largestLoad_, step.loadSize());
   multiplier_ = at.state.multiplier;
+  bounds_ = std::move(bounds);
   motions_ = std::move(motions);
   forces_ = std::move(forces);
   gap_ = step.gap();
@@ -113,6 +122,17 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
 
 double PathMemory::friction() const {
   return std::accumulate(friction_.begin(), friction_.end(), 0.0);
+}
+
+PathMemory::Difference PathMemory::apart(const PathMemory& other) const {
+  Difference difference;
+  for (std::size_t t = 0; t < friction_.size(); ++t) {
+    difference.work += std::abs(friction_[t] - other.friction_[t]);
+    const double bound = std::max(bounds_[t], other.bounds_[t]);
+    if (std::isfinite(bound))  // else what is bonded, which does no work
+      difference.slip += bound * std::abs(slip_[t] - other.slip_[t]);
+  }
+  return difference;
 }
 
 std::map<std::string, double> frictionWorkOfContacts(const MultiplierSpace& multiplier,
