@@ -148,7 +148,7 @@ std::vector<PathPoint> pathOf(const SolutionArrays& arrays) {
   const std::size_t motions = arrays.pathRigid.size() / count;
   if (arrays.pathIterations.size() != 2 * count ||
       arrays.pathMultiplier.size() != count * multipliers ||
-      arrays.pathRigid.size() != count * motions)
+      arrays.pathRigid.size() != count * motions || arrays.pathErrors.size() != count)
     throw bem::InputError("/Epafi: the arrays of the path are of different lengths");
   std::vector<PathPoint> path;
   std::size_t multiplier = 0;
@@ -158,7 +158,8 @@ std::vector<PathPoint> pathOf(const SolutionArrays& arrays) {
                     {taken(arrays.pathMultiplier, multipliers, multiplier),
                      taken(arrays.pathRigid, motions, rigid)},
                     arrays.pathIterations[2 * k],
-                    arrays.pathIterations[2 * k + 1]});
+                    arrays.pathIterations[2 * k + 1],
+                    arrays.pathErrors[k]});
   return path;
 }
 
@@ -200,6 +201,7 @@ SolutionArrays arraysOf(const Level& level) {
     append(arrays.pathIterations, {point.newtonIterations, point.coulombIterations});
     append(arrays.pathMultiplier, point.state.multiplier);
     append(arrays.pathRigid, point.state.rigid);
+    arrays.pathErrors.push_back(point.workError);
   }
   for (const StepFields& step : level.steps) {
     arrays.stepTimes.push_back(step.t);

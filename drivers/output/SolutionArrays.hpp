@@ -30,6 +30,7 @@ struct SolutionArrays {
   std::vector<int> pathIterations;  ///< Newton's and Coulomb's
   std::vector<double> pathMultiplier;
   std::vector<double> pathRigid;
+  std::vector<double> pathErrors;  ///< see PathPoint::workError
 
   /// Of the steps that were asked for; a path on its way has none.
   std::vector<double> stepTimes;
@@ -80,6 +81,7 @@ constexpr std::tuple otherDataSets(
     DataSet<int>{"path_iterations", &SolutionArrays::pathIterations, 2},
     DataSet<double>{"path_multiplier", &SolutionArrays::pathMultiplier},
     DataSet<double>{"path_rigid", &SolutionArrays::pathRigid},
+    DataSet<double>{"path_work_error", &SolutionArrays::pathErrors},
     DataSet<double>{"step_t", &SolutionArrays::stepTimes},
     DataSet<double>{"step_displacement", &SolutionArrays::stepDisplacement},
     DataSet<double>{"step_density", &SolutionArrays::stepDensity},

@@ -30,6 +30,7 @@ constexpr Column<StepRow> columns[] = {
     {"energy_stabilisation", cell<&StepRow::energyStabilisation>},
     {"energy_error", cell<&StepRow::energyError>},
     {"parts", cell<&StepRow::parts>},
+    {"energy_dissipated_error", cell<&StepRow::energyDissipatedError>},
 };
 
 constexpr Column<ContactRow> contactColumns[] = {

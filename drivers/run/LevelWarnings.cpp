@@ -100,6 +100,23 @@ void findLostDigits(const Scene& scene, const SolvedLevel& level,
         message("contact is met up to ", defect, " of the displacements; ", why));
 }
 
+/// Friction's work that steps as short as they may be do not tell to the tolerance.
+void findErrorInTime(const Scene& scene, const SolvedLevel& level,
+                     std::vector<std::string>& warnings) {
+  if (level.path == nullptr)
+    return;
+  const StepRow& last = level.path->last().row;
+  const double tolerance = scene.history.tolerance;
+  const double work =
+      std::max(last.energyDissipated, leastFriction * std::abs(last.energyOutside));
+  // each section may take the tolerance of its own work or of its share of the path's
+  if (tolerance > 0 && last.energyDissipatedError > 2 * tolerance * work)
+    warnings.push_back(message(
+        "friction's work has an estimated error in time of ",
+        last.energyDissipatedError / work, " of itself, more than History->Tolerance = ",
+        tolerance, ": a smaller History->Minimum Step, or more of History->Times"));
+}
+
 bool isDeformed(const SolvedLevel& level) {
   return std::any_of(
       level.bodies.begin(), level.bodies.end(), [](const contact::Solved& solved) {
@@ -147,6 +164,8 @@ std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level
         "the signs of loads (tractions pull along x and y) and at the gap");
   if (isSolved)
     findLostDigits(scene, level, warnings);
+  if (isSolved)
+    findErrorInTime(scene, level, warnings);
   constexpr double small = 0.1;
   for (const auto& [name, share] : slidingOf(level))
     if (share > small)

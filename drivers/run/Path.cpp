@@ -5,6 +5,7 @@
 #include "drivers/run/Solver.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string>
@@ -14,6 +15,14 @@ namespace epafi::drivers {
 
 namespace {
 
+/// Where a path stands: what its next step depends on.
+struct Standing {
+  contact::PathMemory memory;
+  contact::Prediction prediction;
+  std::vector<contact::LoadResponses> responses{};
+  double t = 0;
+};
+
 class Follower {
  public:
   Follower(const Ground& ground, const contact::ContactSystem& atZero,
@@ -22,8 +31,10 @@ class Follower {
         atZero_(atZero),
         earlier_(earlier),
         timer_(timer),
-        memory_(atZero),
-        prediction_(atZero),
+        here_{contact::PathMemory(atZero, ground.scene.history.tolerance > 0
+                                              ? contact::PathMemory::Shear::Mean
+                                              : contact::PathMemory::Shear::AtEnd),
+              contact::Prediction(atZero)},
         empty_(emptyRow(ground.scene, ground.spaces)) {
     std::vector<bem::Vector> still;
     for (std::size_t b = 0; b < atZero.size(); ++b)
@@ -40,22 +51,11 @@ class Follower {
     row_.step = static_cast<int>(path_.steps.size()) + 1;
     row_.t = time;
     row_.parts = 0;
-    double step = time - now_;
-    const double shortest = ground_.scene.history.shortest(step);
-    while (now_ < time) {
-      // rounding shall not leave a tiny last part
-      const double next = now_ + step > time - 1e-9 * step ? time : now_ + step;
-      if (solve(next))
-        continue;
-      step *= 0.5;
-      if (step >= shortest)
-        continue;
-      path_.reason = bem::message(
-          "step ", row_.step, " of the path ends at t = ", now_, ", before t = ", time,
-          ", although it was halved down to ", 2 * step, ": ", path_.reason);
-      break;
-    }
-    row_.converged = now_ == time;
+    while (here_.t < time && isKnown())
+      solve(earlier_[path_.points.size()].t);
+    if (here_.t < time)
+      follow(time);
+    row_.converged = here_.t == time;
     timer_.run(Phase::Results, [&] { finish(); });
     return row_.converged;
   }
@@ -64,22 +64,84 @@ class Follower {
 
  private:
   contact::Report& report() { return path_.report; }
+  bool isKnown() const { return path_.points.size() < earlier_.size(); }
+
+  /// Up to a time at once; with a tolerance again and again in steps half as long, until friction
+  /// does the same in both.
+  void follow(double time) {
+    const History& history = ground_.scene.history;
+    const Standing before = here_;
+    const std::size_t points = path_.points.size();
+    const double whole = time - before.t;
+    const double shortest = history.shortest(whole);
+    double step = whole;
+    inSteps(time, step, shortest);
+    while (history.tolerance > 0 && here_.t == time && 0.5 * step >= shortest) {
+      const Standing there = std::exchange(here_, before);
+      leavePoints(points);
+      step *= 0.5;
+      inSteps(time, step, shortest);
+      if (here_.t < time)
+        break;
+      const contact::PathMemory::Difference error = here_.memory.apart(there.memory);
+      path_.points.back().workError = error.work;
+      const double work = workOf(before, whole);
+      // what friction does later with a wrong slip is not known yet
+      const double later = 1e-2 * std::abs(here_.memory.outside());
+      // two steps see as little as one of what goes and comes back
+      if (4 * step <= whole && error.work <= history.tolerance * work &&
+          error.slip <= history.tolerance * std::max(work, later))
+        break;
+    }
+  }
+
+  /// All but the first ones; what they cost stays.
+  void leavePoints(std::size_t first) {
+    for (; path_.points.size() > first; path_.points.pop_back()) {
+      newtonIterations_ += path_.points.back().newtonIterations;
+      coulombIterations_ += path_.points.back().coulombIterations;
+      --row_.parts;
+    }
+  }
+
+  /// What friction's work since then may count as: its own, or its share of the path's.
+  double workOf(const Standing& before, double whole) const {
+    const double sofar = here_.memory.friction();
+    const double share = whole / ground_.scene.endOfPath();
+    return std::max({sofar - before.memory.friction(), share * sofar,
+                     leastFriction * std::abs(here_.memory.outside())});
+  }
+
+  /// Up to a time in steps, each halved if it fails; the path may end before.
+  void inSteps(double time, double step, double shortest) {
+    while (here_.t < time) {
+      // rounding shall not leave a tiny last part
+      const double next = here_.t + step > time - 1e-9 * step ? time : here_.t + step;
+      if (solve(next))
+        continue;
+      step *= 0.5;
+      if (step >= shortest)
+        continue;
+      path_.reason = bem::message(
+          "step ", row_.step, " of the path ends at t = ", here_.t, ", before t = ", time,
+          ", although it was halved down to ", 2 * step, ": ", path_.reason);
+      break;
+    }
+  }
 
   // One step to a time; what it ends with is kept also where it fails.
   bool solve(double next) {
     SolvedProblem attempt;
     contact::Solution& solved = attempt.solution;
-    const bool isKnown = path_.points.size() < earlier_.size();
-    if (isKnown)
-      next = earlier_[path_.points.size()].t;
+    const bool known = isKnown();
     auto now = std::make_unique<PathStep>();
     timer_.run(Phase::Stabilization, [&] {
       now->conditions = ground_.scene.conditionsAt(next);
-      now->system = std::make_unique<const contact::ContactSystem>(
-          atZero_.under({now->conditions, ground_.scene.drivesAt(next), memory_.slip(),
-                         memory_.defect(), memory_.largestLoad(), responses_}));
+      now->system = std::make_unique<const contact::ContactSystem>(atZero_.under(
+          {now->conditions, ground_.scene.drivesAt(next), here_.memory.slip(),
+           here_.memory.defect(), here_.memory.largestLoad(), here_.responses}));
     });
-    if (isKnown) {
+    if (known) {
       const PathPoint& point = earlier_[path_.points.size()];
       solved.state = point.state;
       solved.report.newtonIterations = point.newtonIterations;
@@ -87,32 +149,35 @@ class Follower {
       solved.report.status = contact::Status::Converged;
     } else {
       attempt = timer_.run(Phase::Newton, [&] {
-        return solveStep(ground_.scene, *now->system, ground_.spaces, prediction_,
+        return solveStep(ground_.scene, *now->system, ground_.spaces, here_.prediction,
                          ground_.stiffness.front().algebra(), timer_);
       });
     }
     row_.newtonIterations += solved.report.newtonIterations;
+    newtonIterations_ += solved.report.newtonIterations;
+    coulombIterations_ += solved.report.coulombIterations;
     report() = contact::joined(solved.report, report());
     path_.reason = attempt.reason;
     const bool converged = solved.report.converged();
     if (solved.state.multiplier.empty())
-      solved.state = prediction_.last();
+      solved.state = here_.prediction.last();
     timer_.run(Phase::Newton, [&] {
-      latestAt_ = converged && !isKnown
+      latestAt_ = converged && !known
                       ? contact::corrected(*now->system, solved.state,
                                            ground_.stiffness.front().algebra())
                       : now->system->configuration(solved.state);
       if (!converged)
         return;
-      memory_.add(*now->system, latestAt_);
-      prediction_.add(*now->system, latestAt_.state);
-      responses_ = now->system->responses();
+      here_.memory.add(*now->system, latestAt_);
+      here_.prediction.add(*now->system, latestAt_.state);
+      here_.responses = now->system->responses();
     });
     if (converged) {
       ++row_.parts;
-      path_.points.push_back({next, latestAt_.state, solved.report.newtonIterations,
-                              solved.report.coulombIterations});
-      now_ = next;
+      path_.points.push_back({next, latestAt_.state, std::exchange(newtonIterations_, 0),
+                              std::exchange(coulombIterations_, 0),
+                              known ? earlier_[path_.points.size()].workError : 0});
+      here_.t = next;
     }
     latest_ = std::move(now);
     return converged;
@@ -132,16 +197,20 @@ class Follower {
     const double strain = system.strainEnergy(at);
     const double stored = system.storedEnergy(at);
     row_.energyStrain = energy * strain;
-    row_.energyDissipated = energy * memory_.friction();
-    row_.energyTrapezoidal = energy * memory_.trapezoidal();
-    row_.energyOutside = energy * memory_.outside();
+    row_.energyDissipated = energy * here_.memory.friction();
+    double error = 0;
+    for (const PathPoint& point : path_.points)
+      error += point.workError;
+    row_.energyDissipatedError = energy * error;
+    row_.energyTrapezoidal = energy * here_.memory.trapezoidal();
+    row_.energyOutside = energy * here_.memory.outside();
     row_.energyStabilisation = energy * (stored - strain);
-    row_.energyError = energy * memory_.imbalance(stored);
+    row_.energyError = energy * here_.memory.imbalance(stored);
     row_.rigid = step.solved->rigidRows();
     auto contact = row_.contacts.begin();
     for (std::size_t b = 0; b < system.size(); ++b) {
       step.frictionWork.push_back(
-          system.numbering().tangentialsOf(b, memory_.frictionWork()));
+          system.numbering().tangentialsOf(b, here_.memory.frictionWork()));
       auto work = contact::frictionWorkOfContacts(system.body(b).multiplier(),
                                                   step.frictionWork[b]);
       for (const auto& [name, summary] :
@@ -161,15 +230,15 @@ class Follower {
   const contact::ContactSystem& atZero_;
   const std::vector<PathPoint>& earlier_;
   PhaseTimer& timer_;
-  contact::PathMemory memory_;
-  contact::Prediction prediction_;
-  std::vector<contact::LoadResponses> responses_;
+  Standing here_;
+  // since the last point, of what failed or was left, too
+  int newtonIterations_ = 0;
+  int coulombIterations_ = 0;
   Path path_;
   const StepRow empty_;
   StepRow row_;
   std::unique_ptr<PathStep> latest_;
   contact::Configuration latestAt_;
-  double now_ = 0;
 };
 
 }  // namespace

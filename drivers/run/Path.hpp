@@ -11,6 +11,10 @@
 
 namespace epafi::drivers {
 
+/// What friction's work counts as at least where an error is relative to it, as a part of the
+/// work from outside: below it lie first touches of a mesh.
+constexpr double leastFriction = 1e-4;
+
 /// A contact in a row of steps.csv, in the user's units.
 struct ContactRow {
   std::string name;
@@ -24,10 +28,11 @@ struct StepRow {
   int step = 0;  ///< 1, 2, ...: the times that the scene asks for
   double t = 0;
   int newtonIterations = 0;  ///< of all parts of the step
-  int parts = 1;             ///< in how many steps it was solved: more where one failed
+  int parts = 1;  ///< in how many steps it was solved: more where one failed or erred
   bool converged = false;
   double energyStrain = 0;
   double energyDissipated = 0;
+  double energyDissipatedError = 0;  ///< of it, in time; zero without History->Tolerance
   double energyTrapezoidal = 0;
   double energyOutside = 0;        ///< work of loads, clamps and moving obstacles
   double energyStabilisation = 0;  ///< what it stores
@@ -65,9 +70,12 @@ struct Path {
 /// Follows the scene's path; operators, factors and D are those of `atZero` for all steps.
 ///
 /// Each step starts where contact::Prediction says; one that fails is halved, down to
-/// History->Minimum Step, and then the path ends there.  `earlier` are points that an
-/// earlier run has solved: they are taken as they are.  `handOut` receives each step asked
-/// for as soon as it is solved, and the path so far.  Collective.
+/// History->Minimum Step, and then the path ends there.  With History->Tolerance the steps
+/// between two times asked for are halved until friction's work hardly changes, and the
+/// last of these solutions is the path's.          [doc/theory/paths.md, Steps that fit]
+/// `earlier` are points that an earlier run has solved: they are taken as they are.
+/// `handOut` receives each step asked for as soon as it is solved, and the path so far.
+/// Collective.
 /// \throws bem::InputError, Interrupted.
 Path followPath(const Ground& ground, const contact::ContactSystem& atZero,
                 const std::vector<PathPoint>& earlier, PhaseTimer& timer,

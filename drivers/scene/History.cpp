@@ -48,9 +48,15 @@ bem::SchemaRows historyRows() {
           .unit("1")
           .range({1, mostSteps}),
       Row("Minimum Step", Kind::Real,
-          "a step that fails is halved down to this; without it to 1/64 of the step")
+          "a step that fails is halved down to this; without it to 1/64 of the step, "
+          "to 1/1024 under a Tolerance")
           .unit("that of t in the expressions")
           .range(bem::above(0)),
+      Row("Tolerance", Kind::Real,
+          "error in time of friction's work, relative: chooses how many steps are solved "
+          "up to each time that Times and Steps ask for; without it, or if 0, one")
+          .unit("1")
+          .range({0, 1, false, true}),
   };
 }
 
@@ -80,6 +86,8 @@ History parseHistory(const Teuchos::ParameterList& list) {
   }
   if (list.isParameter("Minimum Step"))
     history.minimumStep = list.get<double>("Minimum Step");
+  if (list.isParameter("Tolerance"))
+    history.tolerance = list.get<double>("Tolerance");
   return history;
 }
 

@@ -10,13 +10,16 @@ namespace epafi::drivers {
 /// `times`, in this order.  Without times there is no path, only one load at t = 1.
 struct History {
   std::vector<double> times;
-  /// What a step that fails is halved down to; 0: 1/64 of that step.
+  /// What a step is halved down to; 0: 1/64 of that step, with a tolerance 1/1024.
   double minimumStep = 0;
+  double tolerance = 0;  ///< of friction's work in time, relative; 0: steps as given
 
   explicit operator bool() const { return !times.empty(); }
   /// One of a scene without a path.
   int steps() const { return times.empty() ? 1 : static_cast<int>(times.size()); }
-  double shortest(double step) const { return minimumStep > 0 ? minimumStep : step / 64; }
+  double shortest(double step) const {
+    return minimumStep > 0 ? minimumStep : step / (tolerance > 0 ? 1024 : 64);
+  }
 };
 
 /// The keys of the list History, and what a list that they have completed says.

@@ -60,12 +60,12 @@ contact::Stabilization formOf(Form form) {
 }
 
 /// Pressed and pushed, the more the larger t: the solution is a multiple of t.
-contact::Conditions inProportion(double t) {
+contact::Conditions inProportion(double t, double push = 0.003) {
   contact::Conditions conditions;
   conditions.contact["bottom"] = {
       [](Vec2) { return 0.0; },
       contact::makeFriction("Coulomb", {[](Vec2) { return 0.4; }})};
-  conditions.dirichlet["top"] = {[t](Vec2) { return 0.003 * t; },
+  conditions.dirichlet["top"] = {[t, push](Vec2) { return push * t; },
                                  [t](Vec2) { return -0.01 * t; }};
   return conditions;
 }
@@ -178,6 +178,38 @@ TEUCHOS_UNIT_TEST(Path, theBalanceOfEnergyIsOfSecondOrderInTheStep) {
     // 16 times less, but which points open and close in a step is up to chance
     TEST_COMPARE(std::abs(fine.imbalance), <, std::abs(coarse.imbalance) / 6);
   }
+}
+
+TEUCHOS_UNIT_TEST(Path, workAtTheMeanBoundIsExactInProportion) {
+  using Shear = contact::PathMemory::Shear;
+  const Square square(Form::Density, 0);
+  const auto none = alone(inProportion(0));
+  const contact::ContactSystem problem = square.problem.under({none});
+  const auto follow = [&](int steps, Shear shear) {
+    contact::PathMemory memory(problem, shear);
+    State state;
+    for (int k = 1; k <= steps; ++k) {
+      const auto now = alone(inProportion(4.0 * k / steps, 0.02));
+      const contact::ContactSystem step =
+          problem.under({now, {}, memory.slip(), memory.defect(), memory.largestLoad()});
+      state = test::solve(step.numbers(), state).state;
+      memory.add(step, step.configuration(state));
+    }
+    return memory;
+  };
+  const double exact = follow(8, Shear::Mean).friction();
+  TEST_COMPARE(exact, >, 1e-7);
+  for (const int steps : {1, 3})
+    TEST_FLOATING_EQUALITY(follow(steps, Shear::Mean).friction(), exact, 1e-8);
+  // s r in place of ½ s r; of n steps 1 + 1/n times as much
+  TEST_FLOATING_EQUALITY(follow(1, Shear::AtEnd).friction(), 2 * exact, 1e-8);
+  TEST_FLOATING_EQUALITY(follow(4, Shear::AtEnd).friction(), 1.25 * exact, 1e-8);
+
+  const auto apart = follow(1, Shear::Mean).apart(follow(3, Shear::Mean));
+  TEST_COMPARE(apart.work, <, 1e-8 * exact);
+  TEST_COMPARE(apart.slip, <, 1e-8 * exact);
+  TEST_COMPARE(follow(1, Shear::AtEnd).apart(follow(4, Shear::AtEnd)).work, >,
+               0.7 * exact);
 }
 
 TEUCHOS_UNIT_TEST(Path, aStepBeginsOnTheLineThroughTheLastTwo) {

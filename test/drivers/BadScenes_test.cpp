@@ -122,6 +122,8 @@ TEUCHOS_UNIT_TEST(BadScenes, aPathGoesForward) {
                  "Array(int)");
   TEST_COMPLAINT(withHistory(times("{1}") + real("Minimum Step", "0")),
                  "History->Minimum Step", "> 0");
+  TEST_COMPLAINT(withHistory(times("{1}") + real("Tolerance", "1")), "History->Tolerance",
+                 "[0, 1)");
   TEST_COMPLAINT(withHistory(times("{1}") + real("Step", "1")), "History->Step", "Steps");
 }
 

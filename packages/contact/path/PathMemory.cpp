@@ -5,6 +5,7 @@
 #include "contact/equation/ContactState.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace epafi::contact {
@@ -66,10 +67,12 @@ Vector motionsOf(const Configuration& at) {
 
 }  // namespace
 
-PathMemory::PathMemory(const ContactSystem& atZero)
-    : slip_(atZero.numbers().tangentials.size(), 0.0),
+PathMemory::PathMemory(const ContactSystem& atZero, Shear shear)
+    : shear_(shear),
+      slip_(atZero.numbers().tangentials.size(), 0.0),
       friction_(slip_.size(), 0.0),
       multiplier_(atZero.numbers().size(), 0.0),
+      bounds_(slip_.size(), 0.0),
       gap_(atZero.gap()),
       jump_(multiplier_.size(), 0.0) {
   std::size_t size = 3 * atZero.drives().size();
@@ -85,7 +88,12 @@ PathMemory::PathMemory(const ContactSystem& atZero)
 void PathMemory::add(const ContactSystem& step, const Configuration& at) {
   const Problem& problem = step.numbers();
   const std::size_t normals = problem.normals;
-  bem::axpy(1, contact::frictionWork(problem, at.state, at.penetration), friction_);
+  Vector bounds = problem.slipBounds(at.state.multiplier);
+  Vector work = contact::frictionWork(problem, at.state, at.penetration);
+  for (std::size_t t = 0; shear_ == Shear::Mean && t < work.size(); ++t)
+    if (work[t] > 0)
+      work[t] *= 0.5 + 0.5 * bounds_[t] / bounds[t];
+  bem::axpy(1, work, friction_);
   for (std::size_t i = normals; i < multiplier_.size(); ++i)
     trapezoidal_ += 0.5 * (at.state.multiplier[i] + multiplier_[i]) * at.penetration[i];
   Vector forces = forcesFromOutside(step, at);
@@ -98,6 +106,7 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
   defect_ = step.defect(at);
   largestLoad_ = std::max(largestLoad_, step.loadSize());
   multiplier_ = at.state.multiplier;
+  bounds_ = std::move(bounds);
   motions_ = std::move(motions);
   forces_ = std::move(forces);
   gap_ = step.gap();
@@ -106,6 +115,17 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
 
 double PathMemory::friction() const {
   return std::accumulate(friction_.begin(), friction_.end(), 0.0);
+}
+
+PathMemory::Difference PathMemory::apart(const PathMemory& other) const {
+  Difference difference;
+  for (std::size_t t = 0; t < friction_.size(); ++t) {
+    difference.work += std::abs(friction_[t] - other.friction_[t]);
+    const double bound = std::max(bounds_[t], other.bounds_[t]);
+    if (std::isfinite(bound))  // else what is bonded, which does no work
+      difference.slip += bound * std::abs(slip_[t] - other.slip_[t]);
+  }
+  return difference;
 }
 
 std::map<std::string, double> frictionWorkOfContacts(const MultiplierSpace& multiplier,

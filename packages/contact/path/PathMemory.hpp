@@ -11,7 +11,7 @@ namespace epafi::contact {
 ///
 /// Energies are dimensionless.  Works are sums over the steps,
 ///
-///   friction      Σ λₜ,i Δrₜ,i   each term >= 0: the discrete problem's own weights
+///   friction      Σ σₜ,i Δrₜ,i   each term >= 0: the discrete problem's own weights
 ///   trapezoidal   Σ ½ (λₜ,i + λₜ,i⁻) Δrₜ,i
 ///   outside       Σ ½ (f + f⁻)·Δu + ½ (R + R⁻)·Δu - ½ (λₙ + λₙ⁻)·Δg
 ///
@@ -20,8 +20,14 @@ namespace epafi::contact {
 /// displacement.                                        [doc/theory/paths.md, Energies]
 class PathMemory {
  public:
+  /// The shear σₜ that slips: ± s of the step's end, which is λₜ, or ± ½ (s + s⁻).
+  ///
+  /// What slips does so at its bound all along, so that both are exact where bounds stay; where they
+  /// change the first errs by the first order in the step, the second by the second.
+  enum class Shear { AtEnd, Mean };
+
   /// \param atZero the problem at t = 0, for the gaps to begin with
-  explicit PathMemory(const ContactSystem& atZero);
+  explicit PathMemory(const ContactSystem& atZero, Shear shear = Shear::AtEnd);
 
   /// Adds a solved step.  \pre the step was told slip(), defect() and largestLoad().
   void add(const ContactSystem& step, const Configuration& at);
@@ -33,6 +39,14 @@ class PathMemory {
   /// Friction's work so far, one number per tangential coefficient, none ever falls.
   const Vector& frictionWork() const { return friction_; }
   double friction() const;
+  /// How far two ways to one time on one mesh are apart.
+  struct Difference {
+    double work = 0;  ///< Σ |w_i - w_i'|, of friction so far
+    /// Σ s_i |rₜ,i - rₜ,i'|, the work of friction in what one remembers and the other does not:
+    /// of slip before a place closed, which has done none.
+    double slip = 0;
+  };
+  Difference apart(const PathMemory& other) const;
   double trapezoidal() const { return trapezoidal_; }
   double outside() const { return outside_; }
 
@@ -41,6 +55,7 @@ class PathMemory {
   double imbalance(double stored) const { return outside_ - trapezoidal_ - stored; }
 
  private:
+  Shear shear_;
   Vector slip_;
   Vector defect_;
   Vector friction_;
@@ -49,6 +64,7 @@ class PathMemory {
   double largestLoad_ = 0;
   // of the step before
   Vector multiplier_;
+  Vector bounds_;
   Vector
       motions_;  ///< displacements of all bodies and motions of those that do not deform
   Vector forces_;  ///< f + R, and what moves these

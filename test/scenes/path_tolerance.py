@@ -1,0 +1,104 @@
+"""Paths whose steps are chosen: History->Tolerance against closed forms and against many steps."""
+import os
+import signal
+import subprocess
+import time
+
+from halves import loop
+from runs import EPAFI, WORK, claim, epafi, finish, fresh, scene, table
+
+SCENE = scene("fretting.xml")
+COARSE = ["Discretization->Elements per Edge={2, 2, 2, 3, 24, 3, 2, 2, 2, 3, 3, 3}"]
+BODY = "Bodies->block->Boundary Conditions->far->"
+
+
+def arguments(settings):
+    return [SCENE, "--threads", "1"] + [x for s in settings for x in ("--set", s)]
+
+
+def solve(name, settings):
+    folder = fresh(name)
+    code, text = epafi("run", *arguments(settings), "--output", folder)
+    claim(code == 0, "%s: solved%s" % (name, "" if code == 0 else " " + text[-300:]))
+    return folder, text
+
+
+def steps(folder):
+    return table(os.path.join(folder, "steps.csv"))
+
+
+def path(times, count, tolerance):
+    return ["History->Times={%s}" % ", ".join(map(str, times)), "History->Steps={%d}" % count] + (
+        ["History->Tolerance=%g" % tolerance] if tolerance else [])
+
+
+def loads(push, press):
+    return [BODY + "Traction %s=2/pi*((%s)*x - (%s)*y)*(x*nx + y*ny)*%s/(x^2 + y^2)^2" % (
+        component, push, press, along) for component, along in (("X", "x"), ("Y", "y"))]
+
+
+os.makedirs(WORK, exist_ok=True)
+
+# where bounds stay, few steps are exact; what the mesh errs by is in paths.py
+folder, text = solve("loop", path([1, 2, 4, 6], 1, 1e-3))
+rows = steps(folder)
+claim([row["t"] for row in rows] == [1, 2, 4, 6], "a row for each time that is asked for")
+claim([row["parts"] for row in rows] == [4] * 4, "four steps each are enough under a constant pressure")
+cycle = rows[3]["energy_dissipated"] - rows[1]["energy_dissipated"]
+claim(abs(cycle / loop(0.5) - 1) < 1e-3, "a cycle's work is off by %.1e" % (cycle / loop(0.5) - 1))
+
+# pressure and push swing, not in time with each other
+SWING = COARSE + loads("0.2*pi/400*(t < 1 ? 0 : sin(pi*(t - 1)/2))",
+                       "pi/400*min(t, 1)*(t < 1 ? 1 : 1 + 0.4*sin(pi*(t - 1)/2 + 1))")
+many = steps(solve("many", SWING + path([1, 3, 5], 320, 0))[0])
+exact = {row["t"]: row["energy_dissipated_trapezoidal"] for row in many}
+for tolerance in (1e-2, 2e-3):
+    folder, text = solve("swing %g" % tolerance, SWING + path([1, 3, 5], 1, tolerance))
+    rows = steps(folder)
+    for row in rows[1:]:
+        error = abs(row["energy_dissipated"] / exact[row["t"]] - 1)
+        told = row["energy_dissipated_error"] / row["energy_dissipated"]
+        claim(error < tolerance, "tolerance %g: work up to t = %g in %d steps off by %.1e, told %.1e" % (
+            tolerance, row["t"], row["parts"], error, told))
+    claim(4 < max(row["parts"] for row in rows) < 320, "their number is chosen")
+    claim("error in time" not in text, "no warning")
+
+# places that slip before they close: friction does little until they are pushed
+MIXED = COARSE + ["Bodies->block->Material->Poisson's Ratio=0.3"] + loads(
+    "0.1*pi/400*max(0, t - 1)", "pi/400*min(t, 1)")
+exact = steps(solve("mixed, many", MIXED + path([1, 2], 400, 0))[0])[-1]["energy_dissipated_trapezoidal"]
+rows = steps(solve("mixed", MIXED + path([1, 2], 1, 2e-3))[0])
+error = abs(rows[-1]["energy_dissipated"] / exact - 1)
+claim(error < 2e-3, "pressed in %d steps, pushed in %d: work off by %.1e" % (
+    rows[0]["parts"], rows[1]["parts"], error))
+
+# a section that ends where it begins
+folder, text = solve("there and back", COARSE + path([1, 5], 1, 1e-2))
+claim(steps(folder)[1]["energy_dissipated"] > 0.7 * loop(0.5), "what goes and comes back is seen")
+
+# as short as steps may be is not short enough
+folder, text = solve("too long", SWING + path([1, 3], 1, 1e-4) + ["History->Minimum Step=0.25"])
+claim("error in time" in text and "History->Tolerance" in text, "what is missing is told")
+claim(steps(folder)[1]["parts"] == 8, "down to the shortest step")
+
+# stopped behind a step, gone on with: the same steps
+LONG = SWING + path([1, 2, 3, 4, 5], 1, 5e-3) + ["Adaptivity->Strategy=Adaptive h",
+                                                 "Adaptivity->Maximum Levels=2"]
+whole, _ = solve("whole", LONG)
+part = fresh("part")
+process = subprocess.Popen([EPAFI, "run", *arguments(LONG), "--quiet", "--output", part])
+while process.poll() is None and not (os.path.exists(os.path.join(part, "steps.csv"))
+                                      and len(steps(part)) >= 5):
+    time.sleep(0.01)
+process.send_signal(signal.SIGTERM)
+process.wait()
+before = len(steps(part))
+code, text = epafi("run", *arguments(LONG), "--restart", part)
+claim(code == 0 and 0 < before < 10, "stopped behind %d steps, gone on with%s" % (
+    before, "" if code == 0 else ": " + text[-300:]))
+a, b = steps(whole), steps(part)
+same = len(a) == len(b) and all(
+    x == y if isinstance(x, str) else abs(x - y) <= 1e-10 * max(abs(r[key]) for r in a)
+    for one, two in zip(a, b) for (key, x), y in zip(one.items(), two.values()))
+claim(same, "the same steps.csv as without a stop")
+finish()
