@@ -7,9 +7,10 @@ squares add up to the estimate's, so squares are what is compared, and rounding'
 """
 ASIDE = ("seconds_", "memory_")
 FAMILIES = ("energy_", "_length", "eta_")
-ROOTS = ("eta_", "estimate")
+ROOTS = ("eta_", "estimate", "worst_step_estimate")
 FORCES = ("force_", "reaction_", "load_", "contact_x", "contact_y", "contact_moment")
-SHARED = (("u_n", "u_t", "gap"), ("x", "y"), ("lambda_n", "lambda_t", "bound"))
+SHARED = (("u_n", "u_t", "gap"), ("x", "y"), ("lambda_n", "lambda_t", "bound"),
+          ("pressure", "shear"))
 
 
 def numbers(rows, name):

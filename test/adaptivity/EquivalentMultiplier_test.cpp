@@ -169,8 +169,7 @@ TEUCHOS_UNIT_TEST(ContactCost, hasTheResidualsSquareExactly) {
       const double weight = rule.weights[q] * element.half;
       moments.start =
           moments.start + weight * bem::endValues(contact.degree, t).start * r(t);
-      moments.end =
-          moments.end + weight * bem::endValues(contact.degree, t).end * r(t);
+      moments.end = moments.end + weight * bem::endValues(contact.degree, t).end * r(t);
       const Vec2 w = valueAt(c, element, t);
       change += weight * (dot(r(t) + w, r(t) + w) - dot(r(t), r(t)));
     }

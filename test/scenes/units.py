@@ -64,7 +64,7 @@ for law in ("Coulomb", "Tresca"):
             claim(error < 1e-10, "%s, level %d: the same %s (%.1e)" % (
                 law, a["level"], key, error))
     units = {"x": 1e3, "y": 1e3, "u_n": 1e3, "u_t": 1e3, "gap": 1e3, "lambda_n": 1e-6,
-             "lambda_t": 1e-6, "bound": 1e-6}
+             "lambda_t": 1e-6, "bound": 1e-6, "pressure": 1e-6, "shear": 1e-6}
     for key, unit in units.items():
         scale = max(abs(point[key]) for point in metre[1]) or 1
         error = max(differ(b[key] / unit, a[key], scale)
