@@ -22,7 +22,8 @@ namespace epafi::drivers {
 namespace {
 
 /// How much work may wait for its files [CPU seconds]: so much of a run is lost at most if it
-/// is killed, and files of small levels cost as much as solving them.
+/// is killed, and files of small levels, or of a step with all before it, cost as much as
+/// solving them.
 constexpr double longestWait = 0.5;
 
 /// On the level that ends a run only: many points cost more than the levels.
@@ -73,10 +74,26 @@ void Recorder::take(const SolvedLevel& level) {
     write();
 }
 
+void Recorder::writeStep() {
+  folder_->stage("steps.csv", path_.steps);
+  if (scene_.output.fields)
+    folder_->stage("solution.hdf",
+                   solution(waitingStep_->level, waitingStep_->row, waitingStep_->grid));
+  folder_->dropMade();
+  folder_->commit();
+  written_(waitingStep_->level);
+  waitingStep_.reset();
+  writtenAt_ = cpuSeconds();
+}
+
 void Recorder::write() {
+  if (waitingStep_)
+    writeStep();
   if (!waiting_)
     return;
   folder_->stage("history.csv", history_);
+  if (!path_.contacts.empty())
+    folder_->stage("steps.csv", path_.steps);
   for (std::size_t k = 0; k < path_.contacts.size(); ++k)
     folder_->stage(stepFile(k + 1, "contact.csv"), path_.contacts[k]);
   for (std::size_t k = 0; k < path_.boundaries.size(); ++k)
@@ -124,12 +141,9 @@ void Recorder::takeStep(const SolvedLevel& level) {
   }
   if (isKnown(level.level))
     return;
-  folder_->stage("steps.csv", path_.steps);
-  if (scene_.output.fields)
-    folder_->stage("solution.hdf", solution(level.level, countedOn(level.row), grid));
-  folder_->dropMade();
-  folder_->commit();
-  written_(level.level);
+  waitingStep_ = {level.level, countedOn(level.row), std::move(grid)};
+  if (cpuSeconds() - writtenAt_ > longestWait)
+    writeStep();
   progress_.clear();
   table_ << tableLine(row) << std::flush;
 }
@@ -168,6 +182,7 @@ void Recorder::note(const SolvedLevel& level) {
                           contact::told(level.row.report.stages), "\n");
   if (level.path == nullptr)
     bodies_ += bodiesLines(scene_, level.row.level, 0, level.row.bodies, level.row.rigid);
+  waitingStep_.reset();
   waiting_ = LevelFiles();
   if (!path_.contacts.empty())
     waiting_->contact = path_.contacts.back();

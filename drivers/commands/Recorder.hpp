@@ -28,11 +28,11 @@ class Recorder {
 
   /// A solved level; its files are written now or, if they were written a moment ago, later.
   void take(const SolvedLevel& level);
-  /// A step on the way to a level: what a run that is killed now goes on from, unless the
-  /// earlier run has left more.
+  /// A step on the way to a level: what a run that is killed goes on from, once it is written,
+  /// which may be later likewise, and unless the earlier run has left more.
   void takeStep(const SolvedLevel& level);
-  /// The files of the level taken last, if they wait: they take the place of those of the level
-  /// before, the one that a restart begins with last.
+  /// The files of the level or step taken last, if they wait: they take the place of those
+  /// before, which a restart begins with last.
   /// \throws bem::InputError for a file that cannot be written.
   void write();
   /// What is written once, from the last level that there is.
@@ -59,6 +59,14 @@ class Recorder {
     LevelRow row;
   };
 
+  /// What a step leaves in the file that grows with all of them.
+  struct StepFiles {
+    Level level;
+    LevelRow row;
+    BoundaryLines grid;  ///< empty without Fields
+  };
+
+  void writeStep();
   std::string solution(const Level& level, const LevelRow& row,
                        const BoundaryLines& grid) const;
   /// The row with the earlier run's seconds.
@@ -80,7 +88,8 @@ class Recorder {
   PathContact contact_;
   std::string stages_ = "\nSolver stages, steps, how they ended\n";
   std::optional<Level> last_;
-  std::optional<LevelFiles> waiting_;  ///< of the last level, until they are written
+  std::optional<LevelFiles> waiting_;     ///< of the last level, until they are written
+  std::optional<StepFiles> waitingStep_;  ///< likewise, of a step behind it
   double writtenAt_ = cpuSeconds();
   std::vector<std::string> warnings_;
   std::vector<std::string> told_;  ///< likewise, of all levels
