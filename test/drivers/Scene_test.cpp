@@ -68,7 +68,6 @@ TEUCHOS_UNIT_TEST(Scene, defaultsAreThoseOfTheOptions) {
   TEST_EQUALITY(scene.solver.tresca.maximumIterations, solver.tresca.maximumIterations);
   TEST_EQUALITY(scene.solver.coulomb.tolerance, solver.coulomb.tolerance);
   TEST_EQUALITY(scene.solver.coulomb.maximumIterations, solver.coulomb.maximumIterations);
-  TEST_EQUALITY(scene.solver.loadSteps, solver.loadSteps);
   TEST_ASSERT(scene.solver.nox == nullptr);
   const contact::Stabilization stabilization;
   TEST_ASSERT(scene.stabilization.form == stabilization.form);
