@@ -199,7 +199,10 @@ std::string checkScene(const Scene& scene) {
          << " up to t = " << scene.endOfPath() << "\n";
   text << "  strategy    " << scene.adaptivity.strategy.name << ", at most "
        << scene.adaptivity.limits.levels << " levels and "
-       << scene.adaptivity.limits.degreesOfFreedom << " degrees of freedom\n"
+       << scene.adaptivity.limits.degreesOfFreedom << " degrees of freedom";
+  if (const auto& tolerance = scene.adaptivity.limits.tolerance)
+    text << ", to " << 100 * *tolerance << " %";
+  text << "\n"
        << "The scene is valid.\n";
   for (const std::string& warning : warningsOf(scene))
     text << "warning: " << warning << "\n";

@@ -30,7 +30,8 @@ struct Snapshot {
 /// A solved level: of a path each step that was asked for, else one state.
 struct Snapshots {
   std::vector<Snapshot> steps;
-  double energy = 0;  ///< of the last: strain energy - fᵀ u + friction's work [stress length²]
+  double energy =
+      0;  ///< of the last: strain energy - fᵀ u + friction's work [stress length²]
 };
 
 /// Of a level just solved or read from a file; `energy`: see energyOf; `dissipated`: of each

@@ -211,7 +211,8 @@ TEUCHOS_UNIT_TEST(BadScenes, checkLooksWhereARunIntegratesLoads) {
                 traction + "\"/>";
     return scene;
   };
-  TEST_ASSERT(contains(complaintOfCheck(withTraction("-1/(x &gt; 0.005)")), "is -inf at"));
+  TEST_ASSERT(
+      contains(complaintOfCheck(withTraction("-1/(x &gt; 0.005)")), "is -inf at"));
   TEST_EQUALITY(complaintOfCheck(withTraction("-1/(x &gt; 0.003)")), "");
 }
 

@@ -62,7 +62,7 @@ for line in commands:
     if words == ["run", "block.xml"]:
         said = [row for row in answers[1].splitlines() if re.match(r" +\d+ ", row)]
         shown = [row for row in text.splitlines() if re.match(r" +\d+ ", row)]
-        claim(len(said) == 4 and alike(said, shown), "and run:\n" + text)
+        claim(len(said) > 4 and alike(said, shown), "and run:\n" + text)
 claim(len(commands) >= 9, "%d commands" % len(commands))
 
 write("block.yaml", "".join(re.findall(r"```yaml\n(.*?)```", page, re.S)))
