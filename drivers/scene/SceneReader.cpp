@@ -54,12 +54,10 @@ ParameterList withStrategy(ParameterList scene) {
 Scene::Adaptivity readAdaptivity(const ParameterList& list) {
   Scene::Adaptivity adaptivity{adaptivity::parseStrategy(list),
                                adaptivity::parseEstimator(list), parseLimits(list)};
-  if (adaptivity.limits.tolerance && (adaptivity.estimator.weights != "Energy" ||
-                                      adaptivity.estimator.residualFactor != 1))
+  if (adaptivity.limits.tolerance && adaptivity.estimator.weights != "Energy")
     throw InputError(
         "Adaptivity->Tolerance: is a part of the energy norm, and so needs Weights = "
-        "Energy "
-        "and Residual Factor = 1");
+        "Energy");
   if (adaptivity::strategies().at(adaptivity.strategy.name).levels ==
       adaptivity::Levels::One)
     adaptivity.limits.levels = 1;

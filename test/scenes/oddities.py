@@ -27,6 +27,7 @@ PUSHED = CONDITIONS + "top={Type=Dirichlet, Displacement X=0, Displacement Y=-0.
 SLID = CONDITIONS + "top={Type=Dirichlet, Displacement X=0.12, Displacement Y=-0.01}"
 SMOOTH = CONDITIONS + "foundation->Friction={Law=None}"
 HELD = "Bodies->block->Rigid Motions="
+FIXED = "Bodies->block->Rigid Motions={Fix={X, Y, Rotation}}"
 FREE = CONDITIONS + "top={Type=Neumann}"
 for sentence, settings, words in [
         ("no load", [FREE, CONDITIONS + "side={Type=Neumann}"], "nothing loads the scene"),
@@ -55,7 +56,8 @@ for sentence, setting, words in [
         ("a load that is there half way along a path alone",
          CONDITIONS + "top={Type=Neumann, Traction Y=-100*t*(1 - t)*(abs(x - 0.0612) < 0.001)}",
          "->top: the traction is narrower")]:
-    code, text = epafi("check", scene("coulomb.xml"), "--set", setting,
+    code, text = epafi("check", scene("coulomb.xml"), "--set", setting, "--set",
+                       FIXED if "top" in setting else HELD,
                        *(["--set", "History->Times={0.5, 1}"] if "t*(" in setting else []))
     warnings = [line for line in text.splitlines() if line.startswith("warning: ")]
     claim(code == 0 and len(warnings) == 1 and words in warnings[0], "%s: %s" % (sentence, warnings))
@@ -65,7 +67,8 @@ for sentence, setting in [
          "side={Type=Dirichlet, Displacement X=0, Displacement Y=0.01}"),
         ("one that touches but for rounding", CONDITIONS +
          "side={Type=Dirichlet, Displacement X=0, Displacement Y=-0.01*sin(pi)}")]:
-    code, text = epafi("check", scene("coulomb.xml"), "--set", setting)
+    code, text = epafi("check", scene("coulomb.xml"), "--set", setting, "--set",
+                       FIXED if "top" in setting else HELD)
     claim(code == 0 and "warning" not in text, "%s is none: %s" % (sentence, text.splitlines()[-1]))
 for sentence, file, setting, words in [
         ("an unstable pair", "coulomb.xml", "Discretization->Stabilization={Form=None}",
