@@ -27,7 +27,7 @@ def write(name, text):
 
 
 def numbers(line):
-    return [float(word) for word in re.split(r"[ /]+", line.strip())
+    return [float(word) for word in re.split(r"[ /]+|(?<=\d)-(?=\d)", line.strip())
             if re.fullmatch(r"[-+.\de]+", word)]
 
 
