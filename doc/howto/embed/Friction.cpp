@@ -40,7 +40,8 @@ contact::State solved(const contact::Problem& problem) {
 Point measure(const Block& block, const contact::ContactProblem& problem,
               const ContactModel& model, double factor, const contact::State& state) {
   const contact::Problem numbers = model.family().at({1, factor});
-  const contact::ContactState contact = classify(numbers, state);
+  const contact::ContactState contact =
+      classify(numbers, state, penetration(numbers, state));
   const auto slips = [&](std::size_t t) {
     return contact.tangential[t] == contact::FrictionState::SlipForward ||
            contact.tangential[t] == contact::FrictionState::SlipBackward;
