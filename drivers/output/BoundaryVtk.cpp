@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
+#include <string_view>
 #include <type_traits>
 
 namespace epafi::drivers {
@@ -24,6 +26,18 @@ std::string base64(const std::string& bytes) {
     for (std::size_t k = 0; k < 4; ++k)
       text += i + k > bytes.size() ? '=' : letters[group >> (18 - 6 * k) & 63U];
   }
+  return text;
+}
+
+/// With memory for all of them at once: what is long and grows is copied again and again.
+std::string joined(std::initializer_list<std::string_view> parts) {
+  std::size_t size = 0;
+  for (const std::string_view part : parts)
+    size += part.size();
+  std::string text;
+  text.reserve(size);
+  for (const std::string_view part : parts)
+    text += part;
   return text;
 }
 
@@ -77,9 +91,10 @@ std::string dataArray(const char* name, const std::vector<T>& values, int compon
   std::string bytes(sizeof size + size, '\0');
   std::memcpy(bytes.data(), &size, sizeof size);
   std::memcpy(bytes.data() + sizeof size, values.data(), size);
-  return std::string("<DataArray type=\"") + typeName<T>() + "\" Name=\"" + name +
-         R"(" NumberOfComponents=")" + std::to_string(components) +
-         R"(" format="binary">)" + base64(bytes) + "</DataArray>\n";
+  const std::string head = std::string("<DataArray type=\"") + typeName<T>() +
+                           "\" Name=\"" + name + R"(" NumberOfComponents=")" +
+                           std::to_string(components) + R"(" format="binary">)";
+  return joined({head, base64(bytes), "</DataArray>\n"});
 }
 
 template std::string dataArray(const char*, const std::vector<double>&, int);
@@ -88,13 +103,14 @@ template std::string dataArray(const char*, const std::vector<long long>&, int);
 template std::string dataArray(const char*, const std::vector<unsigned char>&, int);
 
 std::string vtuText(const VtuGrid& grid) {
-  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" " + format +
-         "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" + std::to_string(grid.points) +
-         "\" NumberOfCells=\"" + std::to_string(grid.cells) + "\">\n<PointData " +
-         grid.shown + ">\n" + grid.pointData + "</PointData>\n<CellData>\n" +
-         grid.cellData + "</CellData>\n<Points>\n" + grid.places +
-         "</Points>\n<Cells>\n" + grid.topology +
-         "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  const std::string head =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" " + format +
+      "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" + std::to_string(grid.points) +
+      "\" NumberOfCells=\"" + std::to_string(grid.cells) + "\">\n<PointData " +
+      grid.shown + ">\n";
+  return joined({head, grid.pointData, "</PointData>\n<CellData>\n", grid.cellData,
+                 "</CellData>\n<Points>\n", grid.places, "</Points>\n<Cells>\n",
+                 grid.topology, "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n"});
 }
 
 std::string boundaryVtu(const BoundaryLines& grid) {
