@@ -11,7 +11,8 @@ from scales import difference, worst
 
 SETTINGS = ["Discretization->Elements per Edge={2, 2, 2, 3, 40, 3, 2, 2, 2, 3, 3, 3}",
             "History->Times={1, 2, 4}", "History->Steps={1, 2, 4}"]
-OF_DENSITY = ("eta_neumann", "eta_density", "estimate")
+OF_DENSITY = ("eta_neumann", "eta_density", "estimate", "estimate_relative",
+              "worst_step_estimate")
 
 
 def solve(count, ratio):
