@@ -47,6 +47,19 @@ claim([row["parts"] for row in rows] == [4] * 4, "four steps each are enough und
 cycle = rows[3]["energy_dissipated"] - rows[1]["energy_dissipated"]
 claim(abs(cycle / loop(0.5) - 1) < 1e-3, "a cycle's work is off by %.1e" % (cycle / loop(0.5) - 1))
 
+# loops of other amplitudes, on small elements where slip is
+CUTS = [-40, -16, -6, -2.5, -1.25, -1.02, -0.8, 0.8, 1.02, 1.25, 2.5, 6, 16, 40]
+LAYERS = [
+    "Bodies->block->Geometry->Vertices=16x2:{%s, 40, 80, -40, 80}" % ", ".join("%g, 0" % x for x in CUTS),
+    "Bodies->block->Geometry->Edges={%s, far, far, far}" % ", ".join(
+        ["free"] * 4 + ["contact"] * 5 + ["free"] * 4),
+    "Discretization->Elements per Edge={4, 4, 4, 6, 4, 36, 64, 36, 4, 6, 4, 4, 4, 6, 6, 6}"]
+for q in (0.2, 0.5, 0.9):
+    folder, text = solve("loop of %g" % q, LAYERS + ["Constants->Q=%g*f*P" % q] + path([1, 2, 4, 6], 1, 1e-3))
+    rows = steps(folder)
+    error = (rows[3]["energy_dissipated"] - rows[1]["energy_dissipated"]) / loop(q) - 1
+    claim(abs(error) < 5e-4, "a cycle's work at %g f P is off by %.1e" % (q, error))
+
 # pressure and push swing, not in time with each other
 SWING = COARSE + loads("0.2*pi/400*(t < 1 ? 0 : sin(pi*(t - 1)/2))",
                        "pi/400*min(t, 1)*(t < 1 ? 1 : 1 + 0.4*sin(pi*(t - 1)/2 + 1))")
