@@ -15,6 +15,9 @@ namespace epafi::drivers {
 
 namespace {
 
+/// Of a section under a tolerance: fewer see little of what goes and comes back.
+constexpr int fewestSteps = 8;
+
 /// Where a path stands: what its next step depends on.
 struct Standing {
   contact::PathMemory memory;
@@ -76,6 +79,7 @@ class Follower {
     const double shortest = history.shortest(whole);
     double step = whole;
     inSteps(time, step, shortest);
+    contact::PathMemory::Difference last;
     while (history.tolerance > 0 && here_.t == time && 0.5 * step >= shortest) {
       const Standing there = std::exchange(here_, before);
       leavePoints(points);
@@ -83,13 +87,17 @@ class Follower {
       inSteps(time, step, shortest);
       if (here_.t < time)
         break;
-      const contact::PathMemory::Difference error = here_.memory.apart(there.memory);
+      // of what is of first order half as much is left as before; where nothing is, both may
+      // have missed what happens in between
+      const contact::PathMemory::Difference now = here_.memory.apart(there.memory);
+      const contact::PathMemory::Difference error{std::max(now.work, 0.5 * last.work),
+                                                  std::max(now.slip, 0.5 * last.slip)};
+      last = now;
       path_.points.back().workError = error.work;
       const double work = workOf(before, whole);
       // what friction does later with a wrong slip is not known yet
       const double later = 1e-2 * std::abs(here_.memory.outside());
-      // two steps see as little as one of what goes and comes back
-      if (4 * step <= whole && error.work <= history.tolerance * work &&
+      if (fewestSteps * step <= whole && error.work <= history.tolerance * work &&
           error.slip <= history.tolerance * std::max(work, later))
         break;
     }

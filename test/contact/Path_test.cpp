@@ -212,6 +212,29 @@ TEUCHOS_UNIT_TEST(Path, workAtTheMeanBoundIsExactInProportion) {
                0.7 * exact);
 }
 
+TEUCHOS_UNIT_TEST(Path, boundsThatStayCountFromTheFirstStepOn) {
+  using Shear = contact::PathMemory::Shear;
+  const auto at = [](double t) {
+    contact::Conditions conditions = inProportion(t, 0.02);
+    conditions.contact["bottom"].friction =
+        contact::makeFriction("Tresca", {[](Vec2) { return 0.001; }});
+    return conditions;
+  };
+  const Square square(Form::Density, 0);
+  const auto none = alone(at(0));
+  const contact::ContactSystem problem = square.problem.under({none});
+  const auto now = alone(at(1));
+  const contact::ContactSystem step = problem.under({now});
+  const contact::Configuration solved =
+      step.configuration(test::solve(step.numbers(), {}).state);
+  contact::PathMemory atEnd(problem);
+  contact::PathMemory mean(problem, Shear::Mean);
+  atEnd.add(step, solved);
+  mean.add(step, solved);
+  TEST_COMPARE(atEnd.friction(), >, 1e-7);
+  TEST_FLOATING_EQUALITY(mean.friction(), atEnd.friction(), 1e-12);
+}
+
 TEUCHOS_UNIT_TEST(Path, aStepBeginsOnTheLineThroughTheLastTwo) {
   const Square square(Form::Projected, 0);
   const auto none = alone(inProportion(0));

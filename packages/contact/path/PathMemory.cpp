@@ -72,7 +72,7 @@ PathMemory::PathMemory(const ContactSystem& atZero, Shear shear)
       slip_(atZero.numbers().tangentials.size(), 0.0),
       friction_(slip_.size(), 0.0),
       multiplier_(atZero.numbers().size(), 0.0),
-      bounds_(slip_.size(), 0.0),
+      bounds_(atZero.numbers().slipBounds(multiplier_)),
       gap_(atZero.gap()),
       jump_(multiplier_.size(), 0.0) {
   std::size_t size = 3 * atZero.drives().size();

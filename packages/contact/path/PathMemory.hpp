@@ -26,7 +26,7 @@ class PathMemory {
   /// change the first errs by the first order in the step, the second by the second.
   enum class Shear { AtEnd, Mean };
 
-  /// \param atZero the problem at t = 0, for the gaps to begin with
+  /// \param atZero the problem at t = 0, for the gaps and bounds to begin with
   explicit PathMemory(const ContactSystem& atZero, Shear shear = Shear::AtEnd);
 
   /// Adds a solved step.  \pre the step was told slip(), defect() and largestLoad().
