@@ -26,8 +26,7 @@ struct BodyLevel {
 struct PathPoint {
   double t = 0;
   contact::State state;
-  int newtonIterations =
-      0;  ///< since the point before, those of steps that were not taken too
+  int newtonIterations = 0;  ///< since the point before, of steps that were left, too
   int coulombIterations = 0;
   /// Of friction's work since the last point that tells one, in time, dimensionless.
   double workError = 0;
