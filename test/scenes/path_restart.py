@@ -107,7 +107,8 @@ def file_number(folder):
 
 folder = fresh("twice")
 steps = os.path.join(folder, "steps.csv")
-killed_when(lambda: os.path.exists(steps) and len(table(steps)) >= 25, "--output", folder)
+solution = os.path.join(folder, "solution.hdf")  # the last file of a write
+killed_when(lambda: os.path.exists(solution) and len(table(steps)) >= 25, "--output", folder)
 for k in range(3):
     before, number = solved(folder), file_number(folder)
     killed_when(lambda: file_number(folder) != number, "--restart", folder)
