@@ -49,7 +49,7 @@ std::vector<Case> cases() {
        0.02},
       {"Density, p = 3", Form::Density, "Gauss-Legendre-Lagrange", 3, true, "Coulomb",
        0.4},
-      {"coupled bounds", Form::Density, "Bernstein", 3, true, "Coulomb", 0.4},
+      {"control points", Form::Density, "Bernstein", 3, true, "Coulomb", 0.4},
       {"incompressible", Form::Density, "Gauss-Legendre-Lagrange", 1, true, "Coulomb",
        0.4, 0.4999},
       {"free to fall", Form::None, "Biorthogonal", 1, false, "Coulomb", 0.3},

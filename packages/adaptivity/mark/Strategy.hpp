@@ -25,7 +25,7 @@ enum class Start {
   Carried  ///< from this level's state, see refine
 };
 
-/// Whether it obeys GradingOptions: what it does, and where nodes are moved.
+/// Whether it obeys GradingOptions.
 enum class Grading { Ignored, Obeyed };
 
 /// Which strategy, and what its marks depend on.
@@ -54,10 +54,13 @@ struct Strategy {
   Marks (*marks)(const LevelData& level);
 };
 
-/// The mesh that the strategy refines: the level's own, or with nodes that follow the
-/// transitions.  Collective.
-PreparedMesh prepare(const Strategy& strategy, const SolvedMesh& level,
-                     const GradingOptions& options, const bem::DenseAlgebra& algebra);
+/// The singular points of a body that the strategy looks at: those that the conditions tell and, where
+/// it grades toward transitions, those of all states, of which there is at least one.
+SingularPoints singularPoints(const Strategy& strategy, const GradingOptions& options,
+                              const bem::Mesh& mesh,
+                              const contact::Conditions& conditions,
+                              const contact::MultiplierSpace& multiplier,
+                              const std::vector<contact::ContactState>& states);
 
 /// The strategy's marks as rank 0 takes them; all processes must call.
 Marks decide(const Strategy& strategy, const LevelData& level,
