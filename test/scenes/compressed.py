@@ -8,7 +8,7 @@ from written import with_moduli
 
 LEVELS = ["Adaptivity->Maximum Levels=3"]
 SCENES = {
-    "fretting": ["Discretization->Elements per Edge={2, 2, 2, 3, 40, 3, 2, 2, 2, 3, 3, 3}",
+    "fretting": ["Discretization->Elements per Edge={2, 2, 2, 3, 1, 9, 20, 9, 1, 3, 2, 2, 2, 3, 3, 3}",
                  "History->Times={1, 2, 3}", "History->Steps={1, 3, 3}"],
     "tilting-punch": [],
     "two-blocks": LEVELS,

@@ -25,7 +25,7 @@ if sys.argv[5:] == ["2"]:
     SCENE = [FILE]
 else:
     SCENE = [scene("fretting.xml"),
-             "--set", "Discretization->Elements per Edge={2, 2, 2, 3, 20, 3, 2, 2, 2, 3, 3, 3}",
+             "--set", "Discretization->Elements per Edge={2, 2, 2, 3, 1, 4, 10, 4, 1, 3, 2, 2, 2, 3, 3, 3}",
              "--set", "History->Times={1, 2, 4, 6}", "--set", "History->Steps={1, 7, 16, 16}"]
 SCENE += ["--quiet", "--threads", "1", "--set", "Adaptivity->Strategy=Adaptive h",
           "--set", "Adaptivity->Maximum Levels=2"]
