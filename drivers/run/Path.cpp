@@ -202,9 +202,11 @@ class Follower {
     const contact::Configuration& at = step.solved->at();
     const bem::Units units = ground_.scene.units();
     const double energy = units.stress * units.length * units.length;
-    const double strain = system.strainEnergy(at);
+    if (ground_.scene.hasSeveral())
+      row_.bodies = contact::summarizeAll(step.solved->bodies());
+    row_.energyStrain = row_.bodies.empty() ? energy * system.strainEnergy(at)
+                                            : contact::sumOf(row_.bodies).energyStrain;
     const double stored = system.storedEnergy(at);
-    row_.energyStrain = energy * strain;
     row_.energyDissipated = energy * here_.memory.friction();
     double error = 0;
     for (const PathPoint& point : path_.points)
@@ -212,7 +214,7 @@ class Follower {
     row_.energyDissipatedError = energy * error;
     row_.energyTrapezoidal = energy * here_.memory.trapezoidal();
     row_.energyOutside = energy * here_.memory.outside();
-    row_.energyStabilisation = energy * (stored - strain);
+    row_.energyStabilisation = energy * stored - row_.energyStrain;
     row_.energyError = energy * here_.memory.imbalance(stored);
     row_.rigid = step.solved->rigidRows();
     auto contact = row_.contacts.begin();
@@ -228,8 +230,6 @@ class Follower {
         ++contact;
       }
     }
-    if (ground_.scene.hasSeveral())
-      row_.bodies = contact::summarizeAll(step.solved->bodies());
     step.row = row_;
     path_.steps.push_back(std::move(latest_));
   }
