@@ -14,7 +14,6 @@
 #include "drivers/run/SolvedBodies.hpp"
 #include "drivers/run/Solver.hpp"
 #include "drivers/run/UnheldMotions.hpp"
-#include "drivers/scene/LinearCost.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -66,8 +66,8 @@ Vec2 middleOf(const std::vector<Vec2>& points) {
   return 0.5 * (low + high);
 }
 
-/// The diameter; less 1e-9 of it where it would take all pairs of many points on a circle.
-/// What is not finite is left to those who say so.
+/// The diameter, but for rounding; from the points farthest from the middle on, since others
+/// cannot be farther apart.  What is not finite is left to those who say so.
 double sizeOf(const Loop& loop) {
   std::vector<Vec2> points = extent(loop);
   const Vec2 middle = middleOf(points);
@@ -79,7 +79,7 @@ double sizeOf(const Loop& loop) {
   double size = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = i + 1; j < points.size(); ++j) {
-      if (reach(points[i]) + reach(points[j]) <= size * (1 + 1e-9))
+      if (reach(points[i]) + reach(points[j]) <= size)
         break;
       size = std::max(size, norm(points[i] - points[j]));
     }
