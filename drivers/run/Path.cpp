@@ -217,9 +217,11 @@ class Follower {
     const double energy = units.stress * units.length * units.length;
     if (ground_.scene.hasSeveral())
       row_.bodies = contact::summarizeAll(step.solved->bodies());
-    row_.energyStrain = row_.bodies.empty() ? energy * system.strainEnergy(at)
-                                            : contact::sumOf(row_.bodies).energyStrain;
+    const double strain = row_.bodies.empty()
+                              ? system.strainEnergy(at)
+                              : contact::sumOf(row_.bodies).energyStrain / energy;
     const double stored = system.storedEnergy(at);
+    row_.energyStrain = energy * strain;
     row_.energyDissipated = energy * here_.memory.friction();
     double error = 0;
     for (const PathPoint& point : path_.points)
@@ -227,7 +229,7 @@ class Follower {
     row_.energyDissipatedError = energy * error;
     row_.energyTrapezoidal = energy * here_.memory.trapezoidal();
     row_.energyOutside = energy * here_.memory.outside();
-    row_.energyStabilisation = energy * stored - row_.energyStrain;
+    row_.energyStabilisation = energy * (stored - strain);
     row_.energyError = energy * here_.memory.imbalance(stored);
     row_.rigid = step.solved->rigidRows();
     auto contact = row_.contacts.begin();
