@@ -163,8 +163,7 @@ folder = fresh("interrupted")
 process = subprocess.Popen([EPAFI, "run", TRESCA, "--output", folder, "--set",
                             "Adaptivity->Strategy=Uniform h", "--set",
                             "Adaptivity->Maximum Levels=20", "--set",
-                            "Adaptivity->Maximum Degrees of Freedom=1000000", "--set",
-                            "Solver->Complementarity=Fischer-Burmeister"],
+                            "Adaptivity->Maximum Degrees of Freedom=1000000"],
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 wait_for_a_level(folder)
 process.send_signal(signal.SIGTERM)
