@@ -49,8 +49,8 @@ struct System {
   double end = cpuSeconds();
 
   System(const bem::Space& space, const bem::Lame& lame, double tolerance,
-         const bem::Restriction& restriction, const bem::TpetraAlgebra& algebra)
-      : operators(space, lame, with(tolerance), {}, algebra),
+         const bem::Restriction& restriction, const bem::MpiProcesses& processes)
+      : operators(space, lame, with(tolerance), {}, processes),
         factor(operators, restriction, {}) {}
 
  private:
@@ -95,23 +95,22 @@ struct Solved {
 
 /// By Belos' GMRES on `system`, preconditioned by `coarse`.
 Solved byGmres(const System& system, const System& coarse, const std::vector<char>& held,
-               const Matrix& right, const bem::TpetraAlgebra& algebra) {
+               const Matrix& right, const bem::MpiProcesses& processes) {
   using Operator = Tpetra::Operator<>;
   using Problem = Belos::LinearProblem<double, MultiVector, Operator>;
   const double start = cpuSeconds();
   const Index n = right.rows();
   const auto matrix = Teuchos::rcp(new WholeVectorOperator(
       n, [&](const Matrix& x) { return restricted(system.operators, held, x); },
-      algebra));
+      processes));
   const auto inverse = Teuchos::rcp(new WholeVectorOperator(
-      n, [&](const Matrix& x) { return coarse.factor.solve(x, 0); }, algebra));
+      n, [&](const Matrix& x) { return coarse.factor.solve(x, 0); }, processes));
   const auto x = Teuchos::rcp(new MultiVector(matrix->getDomainMap(), 1));
   const auto b = Teuchos::rcp(new MultiVector(matrix->getDomainMap(), 1));
-  const bem::Rows mine = algebra.myRows(n);
   {
     const auto view = b->getLocalViewHost(Tpetra::Access::OverwriteAll);
-    for (Index i = 0; i < mine.size(); ++i)
-      view(i, 0) = right(mine.begin + i, 0);
+    for (std::size_t i = 0; i < view.extent(0); ++i)
+      view(i, 0) = right(b->getMap()->getGlobalElement(bem::asInt(i)), 0);
   }
   const auto problem = Teuchos::rcp(new Problem(matrix, x, b));
   problem->setRightPrec(inverse);
@@ -121,12 +120,7 @@ Solved byGmres(const System& system, const System& coarse, const std::vector<cha
   list->set("Maximum Iterations", 200);
   Belos::PseudoBlockGmresSolMgr<double, MultiVector, Operator> manager(problem, list);
   manager.solve();
-  Solved solved{manager.getNumIters(), cpuSeconds() - start, Matrix(mine.size(), 1)};
-  const auto view = x->getLocalViewHost(Tpetra::Access::ReadOnly);
-  for (Index i = 0; i < mine.size(); ++i)
-    solved.x(i, 0) = view(i, 0);
-  solved.x = algebra.replicate(std::move(solved.x), n);
-  return solved;
+  return {manager.getNumIters(), cpuSeconds() - start, matrix->whole(*x)};
 }
 
 double difference(const Matrix& a, const Matrix& b) {
@@ -140,11 +134,11 @@ double difference(const Matrix& a, const Matrix& b) {
 }
 
 void measure(int elements, const std::vector<double>& tolerances,
-             const bem::TpetraAlgebra& algebra) {
+             const bem::MpiProcesses& processes) {
   const bem::Lame lame({1, 0.3, false});
   const bem::Space space = square(elements);
   const bem::Restriction restriction = lowerSideHeld(space);
-  const System fine(space, lame, 1e-12, restriction, algebra);
+  const System fine(space, lame, 1e-12, restriction, processes);
   Matrix right(fine.operators.size(), 1);
   for (Index i = 0; i < space.displacements(); ++i)
     if (restriction.held[bem::at(i)] == 0)
@@ -153,20 +147,20 @@ void measure(int elements, const std::vector<double>& tolerances,
   const Matrix exact = fine.factor.solve(right, 1);
   const auto say = [&](double tolerance, const System& system, int steps, double seconds,
                        double error) {
-    if (algebra.rank() == 0)
+    if (processes.rank() == 0)
       std::printf("| %.0e | %.2f | %.2f | %d | %.2f | %.0e |\n", tolerance,
                   system.compressed - system.start, system.end - system.compressed, steps,
                   seconds, error);
   };
-  if (algebra.rank() == 0)
+  if (processes.rank() == 0)
     std::printf(
         "| %d elements | compression | factor | steps | solution | difference "
         "|\n|---|---|---|---|---|---|\n",
         elements);
   say(1e-12, fine, 0, cpuSeconds() - start, 0);
   for (const double tolerance : tolerances) {
-    const System coarse(space, lame, tolerance, restriction, algebra);
-    const Solved solved = byGmres(fine, coarse, restriction.held, right, algebra);
+    const System coarse(space, lame, tolerance, restriction, processes);
+    const Solved solved = byGmres(fine, coarse, restriction.held, right, processes);
     say(tolerance, coarse, solved.steps, solved.seconds, difference(solved.x, exact));
   }
 }
@@ -183,6 +177,6 @@ int main(int argc, char** argv) {
     tolerances.push_back(std::atof(argv[i]));
   if (tolerances.empty())
     tolerances = {1e-8, 1e-6, 1e-4};
-  const epafi::bem::TpetraAlgebra algebra(Tpetra::getDefaultComm());
-  epafi::measure(elements, tolerances, algebra);
+  const epafi::bem::MpiProcesses processes(Tpetra::getDefaultComm());
+  epafi::measure(elements, tolerances, processes);
 }

@@ -63,9 +63,9 @@ std::vector<BodySize> sizesOf(const BodySpaces& spaces) {
 
 /// Maximum Memory, or what is free; what this process holds now is in a forecast, too.
 double allowedMemory(const Scene& scene, const Ranks& ranks) {
-  const bem::DenseAlgebra& algebra = ranks.algebra();
+  const bem::Processes& processes = ranks.processes();
   const double free =
-      algebra.broadcast({freeMemory() + ownMemory() * algebra.processes()}).front();
+      processes.broadcast({freeMemory() + ownMemory() * processes.count()}).front();
   return scene.adaptivity.limits.memory.value_or(free);
 }
 
@@ -109,7 +109,7 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks,
             double allowedBefore) {
   using Operators = LinearMethod::Operators;
   const Operators wanted = linearMethods().at(scene.linear.method).operators;
-  const int processes = ranks.algebra().processes();
+  const int processes = ranks.processes().count();
   const std::vector<BodySize> sizes = sizesOf(spaces);
   const int steps = scene.history.steps();
   const bool isThin = std::any_of(scene.bodies.begin(), scene.bodies.end(), isSlender);
@@ -146,7 +146,7 @@ std::optional<std::string> tooLarge(int level, const Size& size, const Plan& pla
   const std::optional<double>& limit = scene.adaptivity.limits.memory;
   if (plan.memory <= plan.allowed)
     return std::nullopt;
-  const double program = programMemory * ranks.algebra().processes();
+  const double program = programMemory * ranks.processes().count();
   const double share = std::max((plan.allowed - program) / (plan.memory - program), 0.0);
   // matrices grow with the square
   const long cap = static_cast<long>((plan.compressed ? share : std::sqrt(share)) *

@@ -34,7 +34,7 @@ std::vector<adaptivity::PreparedMesh> prepareAll(const Scene& scene,
                                                  const BodySpaces& spaces,
                                                  const std::vector<StepFields>& steps,
                                                  const adaptivity::Strategy& strategy,
-                                                 const bem::DenseAlgebra& algebra) {
+                                                 const bem::Processes& processes) {
   std::vector<contact::Motions> motions;
   for (const StepFields& step : steps)
     motions.push_back(spaces.motions(step.displacement, step.rigid));
@@ -50,7 +50,7 @@ std::vector<adaptivity::PreparedMesh> prepareAll(const Scene& scene,
         strategy,
         {spaces.space(b), scene.bodies[b].conditions, spaces.multiplier(b), coarse[b],
          *spaces.opposite(b), std::move(ofBody)},
-        gradingOf(scene), algebra));
+        gradingOf(scene), processes));
   }
   shareSingularPoints(scene, prepared);
   return prepared;
@@ -76,7 +76,7 @@ std::vector<adaptivity::Marks> marksOf(
     const Scene& scene, const BodySpaces& spaces, const Level& level,
     const std::vector<StepFields>& steps, const adaptivity::Strategy& strategy,
     const std::vector<adaptivity::PreparedMesh>& prepared,
-    const bem::DenseAlgebra& algebra) {
+    const bem::Processes& processes) {
   std::vector<bem::Vector> squares;
   for (const BodyLevel& body : level.bodies)
     squares.push_back(body.indicators.elements());
@@ -88,7 +88,7 @@ std::vector<adaptivity::Marks> marksOf(
     const adaptivity::LevelData data{prepared[b].mesh, worst[b],
                                      analyticIn(steps, b, scene, spaces.space(b)),
                                      prepared[b].singular, gradingOf(scene)};
-    marks.push_back(adaptivity::decide(strategy, data, algebra));
+    marks.push_back(adaptivity::decide(strategy, data, processes));
   }
   return marks;
 }
@@ -118,7 +118,7 @@ std::string missingTo(const Scene& scene, const Level& level) {
 }
 
 std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& level,
-                                            const bem::DenseAlgebra& algebra) {
+                                            const bem::Processes& processes) {
   const auto converged = [&](const std::string& reason) {
     return Outcome{contact::Status::Converged, reason + missingTo(scene, level)};
   };
@@ -137,9 +137,9 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
       adaptivity::strategies().at(scene.adaptivity.strategy.name);
   const std::vector<StepFields> steps = level.solved();
   const std::vector<adaptivity::PreparedMesh> prepared =
-      prepareAll(scene, spaces, steps, strategy, algebra);
+      prepareAll(scene, spaces, steps, strategy, processes);
   const std::vector<adaptivity::Marks> marks =
-      marksOf(scene, spaces, level, steps, strategy, prepared, algebra);
+      marksOf(scene, spaces, level, steps, strategy, prepared, processes);
   if (std::none_of(marks.begin(), marks.end(), adaptivity::anyMarked))
     return converged("there is nothing to refine");
 
@@ -159,14 +159,14 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
 
 std::variant<LevelStart, Outcome> levelAfterRestart(const Scene& scene,
                                                     const Level& level,
-                                                    const bem::DenseAlgebra& algebra) {
+                                                    const bem::Processes& processes) {
   if (level.status != contact::Status::Converged || !level.complete) {
     LevelStart again{level.number, meshesOf(scene, level), {}, level.path, level.rigid};
     for (const BodyLevel& body : level.bodies)
       again.start.push_back(body.state);
     return again;
   }
-  return nextLevel(scene, level, algebra);
+  return nextLevel(scene, level, processes);
 }
 
 }  // namespace epafi::drivers

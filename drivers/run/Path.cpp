@@ -97,8 +97,9 @@ class Follower {
       const double work = workOf(before, whole);
       // what friction does later with a wrong slip is not known yet
       const double later = 1e-2 * std::abs(here_.memory.outside());
-      if (fewestSteps * step <= whole && error.work <= history.tolerance * work &&
-          error.slip <= history.tolerance * std::max(work, later))
+      if (ground_.processes.agreed(
+              fewestSteps * step <= whole && error.work <= history.tolerance * work &&
+              error.slip <= history.tolerance * std::max(work, later)))
         break;
     }
   }
@@ -158,7 +159,7 @@ class Follower {
     } else {
       attempt = timer_.run(Phase::Newton, [&] {
         return solveStep(ground_.scene, *now->system, ground_.spaces, here_.prediction,
-                         ground_.stiffness.front().algebra(), timer_);
+                         ground_.processes, timer_);
       });
     }
     row_.newtonIterations += solved.report.newtonIterations;
@@ -171,8 +172,7 @@ class Follower {
       solved.state = here_.prediction.last();
     timer_.run(Phase::Newton, [&] {
       latestAt_ = converged && !known
-                      ? contact::corrected(*now->system, solved.state,
-                                           ground_.stiffness.front().algebra())
+                      ? contact::corrected(*now->system, solved.state, ground_.processes)
                       : now->system->configuration(solved.state);
       if (!converged)
         return;

@@ -34,7 +34,7 @@ Cost denseCost(const std::vector<BodySize>& bodies, int steps, int processes) {
     all += m;
   }
   seconds += steps * newtonSeconds(all);
-  return {seconds, processes * programMemory + bytes / mebi};
+  return {seconds, processes * (programMemory + bytes / mebi)};
 }
 
 Cost compressedCost(const std::vector<BodySize>& bodies, int steps, int processes) {

@@ -36,7 +36,7 @@ int formedUpTo(int steps);
 ///
 /// what Cholesky's factors, S, D and the densities' responses multiply, the assembly, Newton's
 /// steps; K with its transpose, V and S in halves, traction rows, D and what is made on the way
-/// (doc/decisions/0016), fitted to the peaks of 56 levels.
+/// (doc/decisions/0016), fitted to the peaks of 56 levels.  Every process has all of it.
 Cost denseCost(const std::vector<BodySize>& bodies, int steps, int processes);
 
 /// With compressed operators,

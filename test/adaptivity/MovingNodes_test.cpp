@@ -1,7 +1,7 @@
 // Nodes that follow a transition, and the layers that go along.
 #include "adaptivity/refine/MovingNodes.hpp"
 
-#include "Algebra.hpp"
+#include "Processes.hpp"
 #include "adaptivity/refine/Refine.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/space/CauchyData.hpp"
@@ -116,12 +116,12 @@ TEUCHOS_UNIT_TEST(MovingNodes, digitsNextToVerticesSurvive) {
 
 TEUCHOS_UNIT_TEST(MovingNodes, allRanksTakeThoseOfTheFirst) {
   const std::vector<Move> moves = movesTo({0.307}, 1);
-  const std::vector<Move> agreed = adaptivity::agree(moves, test::algebra());
+  const std::vector<Move> agreed = adaptivity::agree(moves, test::processes());
   TEST_EQUALITY(agreed.size(), moves.size());
   TEST_EQUALITY(agreed.front().node, moves.front().node);
   TEST_EQUALITY(agreed.front().to.fromStart, moves.front().to.fromStart);
   TEST_EQUALITY(agreed.front().to.toEnd, moves.front().to.toEnd);
-  TEST_ASSERT(adaptivity::agree({}, test::algebra()).empty());
+  TEST_ASSERT(adaptivity::agree({}, test::processes()).empty());
 }
 
 TEUCHOS_UNIT_TEST(MovingNodes, leaveAMultiplierThatIsOnePolynomialUnchanged) {

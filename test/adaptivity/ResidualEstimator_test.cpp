@@ -36,7 +36,7 @@ Indicators estimate(const SolvedScene& scene, const std::string& weights = "Ener
                     double residualFactor = 1) {
   const auto solved = scene.solved();
   return adaptivity::estimateResiduals({{solved, scene.density()}}, scene.lame(),
-                                       {weights, residualFactor})
+                                       {weights, residualFactor}, test::processes())
       .front();
 }
 

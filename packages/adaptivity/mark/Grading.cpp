@@ -50,12 +50,11 @@ Mark bisect(const std::vector<double>&, int, const GradingOptions&) {
 }
 
 PreparedMesh ignore(const SolvedMesh& level, const GradingOptions&,
-                    const bem::DenseAlgebra&) {
+                    const bem::Processes&) {
   return withoutTransitions(level);
 }
 
-PreparedMesh find(const SolvedMesh& level, const GradingOptions&,
-                  const bem::DenseAlgebra&) {
+PreparedMesh find(const SolvedMesh& level, const GradingOptions&, const bem::Processes&) {
   const bem::Mesh& mesh = level.space.mesh();
   std::vector<SingularPoints> all;
   for (const SolvedStep& step : level.steps)
@@ -66,7 +65,7 @@ PreparedMesh find(const SolvedMesh& level, const GradingOptions&,
 
 /// Moves nodes to where contact and friction change.
 PreparedMesh follow(const SolvedMesh& level, const GradingOptions& options,
-                    const bem::DenseAlgebra& algebra) {
+                    const bem::Processes& processes) {
   const bem::Mesh& mesh = level.space.mesh();
   std::vector<LocatedTransitions> located;
   std::vector<Transition> transitions;
@@ -77,7 +76,8 @@ PreparedMesh follow(const SolvedMesh& level, const GradingOptions& options,
     transitions.insert(transitions.end(), more.begin(), more.end());
   }
   const std::vector<bool> held = heldNodes(mesh, level.coarse);
-  const auto moves = agree(chooseMoves(mesh, held, transitions, options.reach), algebra);
+  const auto moves =
+      agree(chooseMoves(mesh, held, transitions, options.reach), processes);
   bem::Mesh moved = moveNodes(mesh, held, moves);
   std::vector<SingularPoints> singular;
   for (const LocatedTransitions& ofStep : located)
@@ -169,8 +169,8 @@ PreparedMesh withoutTransitions(const SolvedMesh& level) {
 }
 
 PreparedMesh withTransitions(const SolvedMesh& level, const GradingOptions& options,
-                             const bem::DenseAlgebra& algebra) {
-  return transitions().at(options.transitions).prepare(level, options, algebra);
+                             const bem::Processes& processes) {
+  return transitions().at(options.transitions).prepare(level, options, processes);
 }
 
 Mark gradedMark(const bem::Mesh& mesh, int element, const SingularPoints& singular,

@@ -2,8 +2,8 @@
 
 #include "adaptivity/refine/Refine.hpp"
 #include "adaptivity/singular/Transitions.hpp"
-#include "bem/base/DenseAlgebra.hpp"
 #include "bem/base/Family.hpp"
+#include "bem/base/Processes.hpp"
 #include "bem/base/SchemaRow.hpp"
 #include "bem/basis/Legendre.hpp"
 #include "bem/space/Space.hpp"
@@ -37,7 +37,7 @@ struct Transitions {
   const char* meaning;
   /// Collective.
   PreparedMesh (*prepare)(const SolvedMesh& level, const GradingOptions& options,
-                          const bem::DenseAlgebra& algebra);
+                          const bem::Processes& processes);
   /// Of an element with changes at these places, of which there are some, in order.
   Mark (*mark)(const std::vector<double>& changes, int degree,
                const GradingOptions& options);
@@ -73,7 +73,7 @@ PreparedMesh withoutTransitions(const SolvedMesh& level);
 /// What the option `transitions` makes of a level.  Collective.
 /// \throws bem::InputError if there is no such row.
 PreparedMesh withTransitions(const SolvedMesh& level, const GradingOptions& options,
-                             const bem::DenseAlgebra& algebra);
+                             const bem::Processes& processes);
 
 /// The mark of a refined element: cut toward singular points, a higher degree elsewhere.
 ///

@@ -95,17 +95,17 @@ Mark read(const double*& numbers) {
 }  // namespace
 
 PreparedMesh prepare(const Strategy& strategy, const SolvedMesh& level,
-                     const GradingOptions& options, const bem::DenseAlgebra& algebra) {
-  return strategy.grading == Grading::Obeyed ? withTransitions(level, options, algebra)
+                     const GradingOptions& options, const bem::Processes& processes) {
+  return strategy.grading == Grading::Obeyed ? withTransitions(level, options, processes)
                                              : withoutTransitions(level);
 }
 
 Marks decide(const Strategy& strategy, const LevelData& level,
-             const bem::DenseAlgebra& algebra) {
+             const bem::Processes& processes) {
   bem::Vector numbers;
   for (const Mark& mark : strategy.marks(level))
     write(mark, numbers);
-  const bem::Vector agreed = algebra.broadcast(std::move(numbers));
+  const bem::Vector agreed = processes.broadcast(std::move(numbers));
   Marks marks;
   for (const double* next = agreed.data(); next != agreed.data() + agreed.size();)
     marks.push_back(read(next));

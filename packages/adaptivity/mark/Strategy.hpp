@@ -3,7 +3,7 @@
 #include "adaptivity/mark/Grading.hpp"
 #include "adaptivity/refine/Refine.hpp"
 #include "adaptivity/singular/SingularPoints.hpp"
-#include "bem/base/DenseAlgebra.hpp"
+#include "bem/base/Processes.hpp"
 
 #include <string>
 #include <vector>
@@ -57,11 +57,11 @@ struct Strategy {
 /// The mesh that the strategy refines: the level's own, or with nodes that follow the
 /// transitions.  Collective.
 PreparedMesh prepare(const Strategy& strategy, const SolvedMesh& level,
-                     const GradingOptions& options, const bem::DenseAlgebra& algebra);
+                     const GradingOptions& options, const bem::Processes& processes);
 
 /// The strategy's marks as rank 0 takes them; all processes must call.
 Marks decide(const Strategy& strategy, const LevelData& level,
-             const bem::DenseAlgebra& algebra);
+             const bem::Processes& processes);
 
 /// All strategies; a program may add others before it reads its first scene.  A built-in
 /// one is one line in Strategy.cpp.

@@ -150,13 +150,12 @@ std::vector<Move> chooseMoves(const bem::Mesh& mesh, const std::vector<bool>& he
   return moves;
 }
 
-std::vector<Move> agree(const std::vector<Move>& moves,
-                        const bem::DenseAlgebra& algebra) {
+std::vector<Move> agree(const std::vector<Move>& moves, const bem::Processes& processes) {
   bem::Vector numbers;
   for (const Move& move : moves)
     numbers.insert(numbers.end(),
                    {static_cast<double>(move.node), move.to.fromStart, move.to.toEnd});
-  numbers = algebra.broadcast(std::move(numbers));
+  numbers = processes.broadcast(std::move(numbers));
   std::vector<Move> agreed;
   for (std::size_t k = 0; k < numbers.size(); k += 3)
     agreed.push_back({static_cast<int>(numbers[k]), {numbers[k + 1], numbers[k + 2]}});

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "adaptivity/singular/Transitions.hpp"
-#include "bem/base/DenseAlgebra.hpp"
+#include "bem/base/Processes.hpp"
 
 namespace epafi::adaptivity {
 
@@ -26,7 +26,7 @@ std::vector<Move> chooseMoves(const bem::Mesh& mesh, const std::vector<bool>& he
                               const std::vector<Transition>& transitions, double reach);
 
 /// The moves of rank 0; all processes must call.
-std::vector<Move> agree(const std::vector<Move>& moves, const bem::DenseAlgebra& algebra);
+std::vector<Move> agree(const std::vector<Move>& moves, const bem::Processes& processes);
 
 /// The mesh with some nodes moved.  Between two that are held or move, all sizes change
 /// in proportion, so that geometric layers go along and stay geometric.
