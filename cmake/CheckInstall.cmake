@@ -9,7 +9,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/pre
   OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 foreach(file bin/epafi libexec/epafi/triangulate share/man/man1/epafi.1
     share/bash-completion/completions/epafi share/epafi/schema/epafi.rng
-    share/epafi/schema/scene.json share/epafi/schema/study.json share/epafi/scenes/tresca.xml
+    share/epafi/schema/scene.json share/epafi/schema/study.json share/epafi/parameters share/epafi/scenes/tresca.xml
     share/epafi/studies/work-precision.xml share/doc/epafi/README.md share/doc/epafi/LICENSE share/doc/epafi/doc/theory
     share/doc/epafi/doc/howto/embed/main.cpp share/doc/epafi/doc/images
     include/epafi/contact/system/ContactProblem.hpp)
@@ -18,7 +18,7 @@ foreach(file bin/epafi libexec/epafi/triangulate share/man/man1/epafi.1
   endif()
 endforeach()
 set(scenes ${WORK}/prefix/share/epafi/scenes)
-foreach(arguments "run;${scenes}/patch.xml" "plot;patch.out;--field;syy")
+foreach(arguments "run;${scenes}/patch.xml" "plot;patch.out;--field;syy" "schema" "help;--format;man")
   execute_process(COMMAND ${WORK}/prefix/bin/epafi ${arguments} WORKING_DIRECTORY ${WORK}
     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endforeach()

@@ -3,7 +3,8 @@
   1. A page that a source, script, scene or page names (some-page.md) is in the repository, by its
      name alone or by the end of its path; names in capitals are placeholders of a usage.
   2. A relative link of a page leads to a file, and its #part to a heading.
-  3. A decision cited by its number exists.
+  3. A decision cited by its number exists: a page of its own, a section "## 12. ..." of a page of
+     several, or a row <a id="d12"></a> of doc/decisions/history.md; once.
   4. What pages say of today (decisions, the changelog and benchmarks tell of their day): `a/path` in
      it, from the root, from a layer or its end, leads to a file or a folder; `Type::member` are words
      of a header.
@@ -30,18 +31,28 @@ def of_today(path):
 
 
 def anchors(text):
-    """GitHub's: lower case, without signs, spaces as dashes."""
+    """GitHub's: lower case, without signs, spaces as dashes; and places that are named."""
     heads = re.findall(r"^#+ (.*)$", text, re.M)
     return {re.sub(r"[^\w\- ]", "", re.sub(r"\]\([^)]*\)", "]", head)).lower().replace(" ", "-")
-            for head in heads}
+            for head in heads} | set(re.findall(r'<a id="([\w-]+)">', text))
+
+
+def decided(path, text):
+    """Numbers of the decisions that a page holds."""
+    if os.path.basename(path) == "history.md":
+        return [int(number) for number in re.findall(r'^\| <a id="d(\d+)"></a>\1 \|', text, re.M)]
+    sections = [int(number) for number in re.findall(r"^## (\d+)\. ", text, re.M)]
+    return sections or [int(re.match(r"\d+", os.path.basename(path)).group())]
 
 
 def problems(files):
     """`files`: path -> text, or None where only the name matters; sentences about the rest."""
     ends = {path[at:] for path in files for at in
             [0] + [k + 1 for k, c in enumerate(path) if c == "/"]}
-    decisions = {int(match.group(1)) for match in
-                 (re.search(r"decisions/(\d+)-", path) for path in files) if match}
+    numbers = [number for path, text in sorted(files.items())
+               if re.search(r"decisions/(\d+-[^/]*|history)\.md$", path)
+               for number in decided(path, text or "")]
+    decisions = set(numbers)
     folders = {os.path.dirname(path) for path in files}
     # From the root or from a folder on the way, without an ending, too.
     known = ends | {end.rsplit(".", 1)[0] for end in ends} | {
@@ -49,7 +60,8 @@ def problems(files):
         [0] + [k + 1 for k, c in enumerate(folder) if c == "/"]}
     words = set(re.findall(r"\w+", " ".join(
         text or "" for path, text in files.items() if path.endswith((".hpp", "CMakeLists.txt")))))
-    found = []
+    found = ["decision %d stands twice" % number for number in decisions
+             if numbers.count(number) > 1]
     for path, text in sorted(files.items()):
         if text is None:
             continue
@@ -101,15 +113,20 @@ def check_itself():
     """Each kind is found, and what is sound is not."""
     sound = {"doc/a.md": "# A b\n[x](sub/b.md#c-d) [y](#a-b) [z](https://no.where/)",
              "doc/sub/b.md": "## C: d\nsee ../a.md", "doc/decisions/0003-x.md": "",
+             "doc/decisions/0005-y.md": "# 5. Y\n## 5. a\n## 6. b",
+             "doc/decisions/history.md": '| <a id="d7"></a>7 | x |\n[x](#d7)',
              "doc/d.md": "`src/x` `src/` `T::m` `build/bin/x`", "src/t.hpp": "struct T { int m; }",
-             "src/x.cpp": "// [doc/a.md], [sub/b.md], decision 3; usage: x TABLE.md"}
+             "src/x.cpp": "// [doc/a.md], [sub/b.md], decision 3; usage: x TABLE.md",
+             "src/w.cpp": "// decision 6, decision 7"}
     assert problems(sound) == [], problems(sound)
     for path, text, word in (("src/y.hpp", "/// [b.md], c.md", "c.md"),
                              ("src/y.hpp", "/// theory/a.md", "theory/a.md"),
                              ("doc/c.md", "[x](b.md)", "b.md"),
                              ("doc/c.md", "[x](a.md#b)", "a.md#b"),
                              ("doc/c.md", "`src/z`", "src/z"), ("doc/c.md", "`T::n`", "T::n"),
-                             ("src/y.hpp", "/// decision 4", "decision 4")):
+                             ("src/y.hpp", "/// decision 4", "decision 4"),
+                             ("doc/decisions/0007-z.md", "", "decision 7"),
+                             ("doc/c.md", "[x](decisions/history.md#d8)", "#d8")):
         found = problems({**sound, path: text})
         assert len(found) == 1 and word in found[0], (text, found)
 

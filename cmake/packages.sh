@@ -14,7 +14,7 @@ packagesOf() {
       echo libtrilinos-{rtop,epetra,epetraext,triutils,xpetra,aztecoo,amesos,amesos2}-dev
       echo libtrilinos-{anasazi,galeri,ifpack,ifpack2,isorropia,ml,shylu,teko}-dev
       echo libtrilinos-{zoltan,zoltan2,trilinosss}-dev
-      echo python3 python3-h5py python3-matplotlib  # epafi plot
+      echo python3 python3-h5py python3-matplotlib  # epafi plot; the build's descriptions
       ;;
     check) echo clang-format-14 libxml2-utils python3-jsonschema python3-yaml ;;
     site) echo mkdocs doxygen libjs-jquery ;;  # the documentation as a site: ninja -C build site

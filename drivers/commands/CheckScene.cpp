@@ -50,7 +50,14 @@ void evaluateAt(const Scene& scene, const BodySpaces& spaces,
                           spaces.multiplier(b).under(conditions[b]), *spaces.opposite(b),
                           units);
   }
-  within(scene.file + ": ", [&] { checkBalance(scene, spaces, conditions, t); });
+  try {
+    checkBalance(scene, spaces, conditions, t);
+  } catch (const bem::InputError& error) {  // of which a warning may name the cause
+    std::string words = scene.file + ": " + error.what();
+    for (const std::string& warning : warningsOf(scene))
+      words += "\nwarning: " + warning;
+    throw bem::InputError(words);
+  }
 }
 
 /// On a path at all of its times, which begin with 0.

@@ -45,10 +45,10 @@ int onFirst(const Given& given, std::ostream& out, const Ranks& ranks) {
 
 std::string helpAs(const std::string& format) {
   if (format == "man")
-    return manPage(commands());
+    return madeWithProgram("man/man1/epafi.1");
   if (format == "bash")
-    return bashCompletion(commands());
-  return helpOf(commands());
+    return madeWithProgram("bash-completion/completions/epafi");
+  return format == "json" ? description(commands()) : helpOf(commands());
 }
 
 const Command& commandNamed(const std::string& name) {
@@ -174,9 +174,11 @@ std::vector<Command> makeCommands() {
        alone<schemaCommand>},
       {"version", "what this program is made of", {}, {}, alone<versionCommand>},
       {"help",
-       "this page, or the options of one command; as man page or completion of bash",
+       "this page, or the options of one command; as man page or completion of bash; "
+       "json: "
+       "all commands and parameters",
        {"COMMAND", "command", Offer::Nothing, false},
-       {format({"text", "man", "bash"})},
+       {format({"text", "man", "bash", "json"})},
        alone<helpCommand>},
   };
 }

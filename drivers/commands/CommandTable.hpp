@@ -5,7 +5,8 @@
 namespace epafi::drivers {
 
 /// All commands of the program, in the order of its help.  This table alone feeds the
-/// parser, --help, the man page and the completion of the shell.
+/// parser, --help, the man page and the completion of the shell
+/// (`description`).
 const std::vector<Command>& commands();
 
 /// Does what the arguments of main say, the program's name left out.  Returns the exit code.

@@ -83,19 +83,26 @@ struct Grammar {
 /// Scenes and studies; one of them, or both for an empty name.
 std::vector<Grammar> grammars(const std::string& name = "");
 
+/// What the listings say of a key: "string: expression in x, y".
+std::string typeOf(const Parameter& row);
+/// Its default, "required", or "may be left out": keys of such a list have their defaults then.
+std::string standardOf(const Parameter& row);
+/// "only with Law 'Tresca'"
+std::string restriction(const Parameter& row);
+
 /// `epafi parameters`: all keys of the grammars as text or markdown; as xml a list of the
 /// first one that Teuchos can read: every key, with its default or a sample value.
 int parametersCommand(const Given& given, std::ostream& out);
+/// As text or xml.
 std::string parametersText(const std::vector<Grammar>& grammars,
                            const std::string& format);
 
-/// `epafi schema [--format rng|json] [--of scene|study]`
+/// `epafi schema [--format rng|json] [--of scene|study]`: RELAX NG of the XML files or JSON
+/// Schema of the YAML files.
 int schemaCommand(const Given& given, std::ostream& out);
-/// RELAX NG of the XML files, for editors and xmllint: names, types, words and ranges.  What
-/// depends on other keys, and what is required, the program checks.
-std::string relaxNg(const std::vector<Grammar>& grammars);
-/// JSON Schema (draft 7) of the YAML files: the same, and what is required whatever other
-/// keys say.  Keys that depend on others (a law's, a condition's) stand side by side in it.
-std::string jsonSchema(const std::vector<Grammar>& grammars);
+
+/// A file that was made of this program's `description` when it was built: share/... beside it.
+/// \throws bem::InputError if it is not there.
+std::string madeWithProgram(const std::string& file);
 
 }  // namespace epafi::drivers

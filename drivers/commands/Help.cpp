@@ -1,26 +1,13 @@
 #include "drivers/commands/Help.hpp"
 
-#include "drivers/process/ExitCode.hpp"
-
-#include <boost/algorithm/string/join.hpp>
 #include <sstream>
 
 namespace epafi::drivers {
 
 namespace {
 
-const char* const title = "frictional contact of linear elastic bodies in the plane";
-
-std::string nameOf(const ExitMeaning& exit) {
-  return std::to_string(exit.code) + exit.more;
-}
-
 std::string leftOf(const Option& option) {
   return option.name + (option.value.empty() ? "" : " " + option.value);
-}
-
-std::string meaningOf(const Option& option) {
-  return option.meaning + (option.repeatable ? "; repeatable" : "");
 }
 
 /// `text` in lines of at most `width`, all but the first indented.
@@ -60,20 +47,15 @@ std::string optionLines(const Command& command, std::size_t indent) {
   return text;
 }
 
-/// For roff: a hyphen is a minus sign, a line does not begin with a control character.
-std::string roff(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '-' || c == '\\')
-      result += '\\';
-    if ((c == '.' || c == '\'') && (result.empty() || result.back() == '\n'))
-      result += "\\&";
-    result += c;
-  }
-  return result;
+}  // namespace
+
+std::string nameOf(const ExitMeaning& exit) {
+  return std::to_string(exit.code) + exit.more;
 }
 
-}  // namespace
+std::string meaningOf(const Option& option) {
+  return option.meaning + (option.repeatable ? "; repeatable" : "");
+}
 
 std::string usageLine(const Command& command) {
   const std::string& name = command.argument.name;
@@ -96,7 +78,7 @@ std::string helpOf(const Command& command) {
 }
 
 std::string helpOf(const std::vector<Command>& commands) {
-  std::string text = "Epafi: " + std::string(title) + "\n\n";
+  std::string text = "Epafi: " + title + "\n\n";
   for (const Command& command : commands)
     text += line(usageLine(command), command.purpose, 2) + optionLines(command, 6);
   text += line("epafi COMMAND --help", "the same of one command", 2) + "\nExit codes\n";
@@ -110,78 +92,6 @@ std::string listOf(const std::vector<Command>& commands) {
   for (const Command& command : commands)
     text += line(command.name, command.purpose, 2);
   return text;
-}
-
-std::string manPage(const std::vector<Command>& commands) {
-  std::ostringstream out;
-  out << ".TH EPAFI 1\n.SH NAME\nepafi \\- " << title << "\n.SH SYNOPSIS\n";
-  for (const Command& command : commands)
-    out << ".B " << roff(usageLine(command)) << "\n.br\n";
-  out << ".SH COMMANDS\n";
-  for (const Command& command : commands) {
-    out << ".SS " << roff(usageLine(command)) << "\n" << roff(command.purpose) << ".\n";
-    for (const Option& option : command.options)
-      out << ".TP\n.B " << roff(leftOf(option)) << "\n"
-          << roff(meaningOf(option)) << "\n";
-  }
-  out << ".SH EXIT STATUS\n";
-  for (const ExitMeaning& exit : exitCodes)
-    out << ".TP\n.B " << nameOf(exit) << "\n" << roff(exit.meaning) << "\n";
-  out << ".SH FILES\nA run writes a folder, ./<scene>.out unless \\-\\-output says "
-         "otherwise:\nhistory.csv, contact.csv, boundary.csv, interior.csv, "
-         "solution.hdf, used.xml,\ntimings.txt; a study study.csv.\n";
-  return out.str();
-}
-
-namespace {
-
-std::string offered(Offer offer, const std::vector<std::string>& words) {
-  switch (offer) {
-    case Offer::Scenes:
-      return "mapfile -t COMPREPLY < <(compgen -f -X '!*.@(xml|yaml|yml)' -- \"$word\"; "
-             "compgen -d -- \"$word\")";
-    case Offer::Folders:
-      return "mapfile -t COMPREPLY < <(compgen -d -- \"$word\")";
-    case Offer::Files:
-      return "mapfile -t COMPREPLY < <(compgen -f -- \"$word\")";
-    case Offer::Words:
-      return "mapfile -t COMPREPLY < <(compgen -W '" +
-             boost::algorithm::join(words, " ") + "' -- \"$word\")";
-    case Offer::Nothing:
-      break;
-  }
-  return "COMPREPLY=()";
-}
-
-}  // namespace
-
-std::string bashCompletion(const std::vector<Command>& commands) {
-  std::ostringstream out;
-  out << "# bash completion of epafi; written by `epafi help --format bash`.\n"
-         "shopt -s extglob\n"
-         "_epafi() {\n"
-         "  local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]}\n"
-         "  if ((COMP_CWORD == 1)); then\n"
-         "    mapfile -t COMPREPLY < <(compgen -W '";
-  for (const Command& command : commands)
-    out << command.name << ' ';
-  out << "--help' -- \"$word\")\n    return\n  fi\n  case ${COMP_WORDS[1]} in\n";
-  for (const Command& command : commands) {
-    out << "    " << command.name << ")\n";
-    std::string names;
-    for (const Option& option : command.options) {
-      names += option.name + " ";
-      if (!option.value.empty())
-        out << "      [[ $before == " << option.name << " ]] && { "
-            << offered(option.offer, option.words) << "; return; }\n";
-    }
-    out << "      if [[ $word == -* ]]; then\n        mapfile -t COMPREPLY < <(compgen "
-           "-W '"
-        << names << "--help' -- \"$word\")\n      else\n        "
-        << offered(command.argument.offer, {}) << "\n      fi\n      ;;\n";
-  }
-  out << "  esac\n}\ncomplete -o filenames -F _epafi epafi\n";
-  return out.str();
 }
 
 }  // namespace epafi::drivers

@@ -1,11 +1,21 @@
 #pragma once
 
 #include "drivers/commands/Command.hpp"
+#include "drivers/process/ExitCode.hpp"
 
 #include <string>
 #include <vector>
 
 namespace epafi::drivers {
+
+inline const std::string title =
+    "frictional contact of linear elastic bodies in the plane";
+
+/// "128 + signal"
+std::string nameOf(const ExitMeaning& exit);
+
+/// What an option does, and whether it may be given more than once.
+std::string meaningOf(const Option& option);
 
 /// "epafi run SCENE.xml [options]"
 std::string usageLine(const Command& command);
@@ -19,10 +29,8 @@ std::string helpOf(const std::vector<Command>& commands);
 /// The commands with their purposes, a line each.
 std::string listOf(const std::vector<Command>& commands);
 
-/// The same as a page for man(1).
-std::string manPage(const std::vector<Command>& commands);
-
-/// The commands as a completion for bash.
-std::string bashCompletion(const std::vector<Command>& commands);
+/// The commands, the exit codes and all keys of scenes and studies in JSON, of which
+/// python/epafi/describe.py makes the man page, the completion, the schemas and the tables.
+std::string description(const std::vector<Command>& commands);
 
 }  // namespace epafi::drivers

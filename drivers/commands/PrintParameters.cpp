@@ -1,12 +1,13 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
 #include "drivers/commands/Commands.hpp"
+#include "drivers/process/ChildProgram.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
 #include "drivers/study/Study.hpp"
 
 #include <boost/algorithm/string/predicate.hpp>
-#include <boost/algorithm/string/replace.hpp>
+#include <filesystem>
 #include <functional>
 #include <ostream>
 #include <sstream>
@@ -15,19 +16,12 @@ namespace epafi::drivers {
 
 namespace {
 
-std::string markdownText(std::string text) {
-  constexpr std::pair<const char*, const char*> signs[] = {
-      {"|", "\\|"}, {"<", "&lt;"}, {">", "&gt;"}, {"*", "\\*"}};
-  for (const auto& [sign, replacement] : signs)
-    boost::algorithm::replace_all(text, sign, replacement);
-  return text;
-}
-
 bool isList(const Parameter& row) {
   return row.kind == Kind::List || row.kind == Kind::Free;
 }
 
-/// A list that is not required may be left out: its keys then have their defaults.
+}  // namespace
+
 std::string standardOf(const Parameter& row) {
   if (row.required)
     return "required";
@@ -41,7 +35,6 @@ std::string typeOf(const Parameter& row) {
   return row.kind == Kind::Expression ? type + ": expression in x, y" : type;
 }
 
-/// "only with Law 'Tresca'"
 std::string restriction(const Parameter& row) {
   if (row.only.empty())
     return "";
@@ -49,6 +42,8 @@ std::string restriction(const Parameter& row) {
   return bem::message("only with ", friction ? "Law" : "Type", " ",
                       bem::quotedList(row.only));
 }
+
+namespace {
 
 std::string remarks(const Parameter& row) {
   std::string text = row.meaning;
@@ -68,35 +63,6 @@ std::string plainText(const bem::SchemaRows& rows) {
       out << ", range: " << row.range();
     out << "\n    " << remarks(row) << "\n";
   }
-  return out.str();
-}
-
-/// One table per list.
-std::string markdown(const Grammar& grammar) {
-  const bem::SchemaRows& rows = *grammar.rows;
-  std::ostringstream out;
-  out << "# Parameters of a " << grammar.name << "\n\n"
-      << "Written by `epafi parameters --format markdown`.  `<body>` and the like stand "
-         "for names of your choice,\n`<k>` for 1, 2, ...\n";
-  const auto table = [&](const std::string& parent) {
-    out << "\n| key | type | default | range | meaning | unit "
-           "|\n|---|---|---|---|---|---|\n";
-    for (const Parameter* row : childrenOf(rows, parent)) {
-      const std::string only = restriction(*row);
-      out << "| " << markdownText(row->name()) << " | " << typeOf(*row) << " | "
-          << markdownText(standardOf(*row)) << " | " << markdownText(row->range())
-          << " | " << markdownText(row->meaning + (only.empty() ? "" : "; " + only))
-          << " | " << row->unit << " |\n";
-    }
-  };
-  out << "\n## The " << grammar.name << "\n";
-  table("");
-  for (const Parameter& list : rows)
-    if (list.kind == Kind::List) {
-      out << "\n## " << markdownText(list.path) << "\n\n"
-          << markdownText(remarks(list)) << "\n";
-      table(list.path);
-    }
   return out.str();
 }
 
@@ -156,24 +122,36 @@ std::string parametersText(const std::vector<Grammar>& grammars,
     return xml(*grammars.front().rows);
   std::string text;
   for (const Grammar& grammar : grammars) {
-    text += text.empty() ? "" : "\n";
-    if (format == "markdown")
-      text += markdown(grammar);
-    else
-      text += (grammars.size() == 1 ? "" : "A " + grammar.name + "\n\n") +
-              plainText(*grammar.rows);
+    if (grammars.size() > 1)
+      text += (text.empty() ? "A " : "\nA ") + grammar.name + "\n\n";
+    text += plainText(*grammar.rows);
   }
   return text;
 }
 
+std::string madeWithProgram(const std::string& file) {
+  const std::string path = besideProgram("share/" + file);
+  if (!std::filesystem::exists(path))
+    throw bem::InputError("'", path,
+                          "' is missing; it is built and installed along with epafi");
+  return readText(path);
+}
+
 int parametersCommand(const Given& given, std::ostream& out) {
-  out << parametersText(grammars(given.value("--of")), given.value("--format", "text"));
+  const std::vector<Grammar> wanted = grammars(given.value("--of"));
+  const std::string format = given.value("--format", "text");
+  if (format == "markdown")
+    for (const Grammar& grammar : wanted)
+      out << (&grammar == &wanted.front() ? "" : "\n")
+          << madeWithProgram("epafi/parameters/" + grammar.name + ".md");
+  else
+    out << parametersText(wanted, format);
   return 0;
 }
 
 int schemaCommand(const Given& given, std::ostream& out) {
-  const std::vector<Grammar> wanted = grammars(given.value("--of"));
-  out << (given.value("--format", "rng") == "rng" ? relaxNg(wanted) : jsonSchema(wanted));
+  out << madeWithProgram("epafi/schema/" + given.value("--of", "epafi") + "." +
+                         given.value("--format", "rng"));
   return 0;
 }
 

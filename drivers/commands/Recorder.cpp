@@ -14,6 +14,7 @@
 #include "drivers/run/LevelWarnings.hpp"
 #include "drivers/scene/SceneReader.hpp"
 
+#include <algorithm>
 #include <ostream>
 #include <utility>
 
@@ -22,9 +23,10 @@ namespace epafi::drivers {
 namespace {
 
 /// How much work may wait for its files [CPU seconds]: so much of a run is lost at most if it
-/// is killed, and files of small levels, or of a step with all before it, cost as much as
-/// solving them.
+/// is killed, and files of small levels and of steps cost as much as solving them.
 constexpr double longestWait = 0.5;
+/// Or so many times as much work as the files took last: those of a path grow with its steps.
+constexpr double workPerWriting = 10;
 
 /// On the level that ends a run only: many points cost more than the levels.
 void writeInterior(const Scene& scene, const Level& level, OutputFolder& folder) {
@@ -49,7 +51,7 @@ Recorder::Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
       used_(usedXml(scene)),
       history_(earlier ? earlier->history : historyHead()),
       bodies_(earlier && !earlier->bodies.empty() ? earlier->bodies : bodiesHead()),
-      path_{earlier ? earlier->steps : "", {}, {}, {}},
+      steps_(earlier ? earlier->steps : ""),
       contact_(scene) {
   if (!folder_)
     return;
@@ -70,50 +72,53 @@ void Recorder::take(const SolvedLevel& level) {
   if (level.row.operators == denseInstead)
     told_.push_back(bem::message("level ", level.row.level, ": ", level.row.note));
   warnings_.insert(warnings_.begin(), told_.begin(), told_.end());
-  if (level.path != nullptr || cpuSeconds() - writtenAt_ > longestWait)
+  if (isDue())
     write();
 }
 
-void Recorder::writeStep() {
-  folder_->stage("steps.csv", path_.steps);
+bool Recorder::isDue() const {
+  return cpuSeconds() - writtenAt_ > std::max(longestWait, workPerWriting * writingTook_);
+}
+
+void Recorder::stage(const LevelFiles& files) {
+  folder_->stage("history.csv", history_);
+  const PathRecord& path = files.path;
+  for (std::size_t k = 0; k < path.contacts.size(); ++k)
+    folder_->stage(stepFile(k + 1, "contact.csv"), path.contacts[k]);
+  for (std::size_t k = 0; k < path.boundaries.size(); ++k)
+    folder_->stage(stepFile(k + 1, "boundary.vtu"), path.boundaries[k]);
+  if (!path.boundaries.empty())
+    folder_->stage("steps.pvd", stepsPvd(path.times));
+  if (scene_.hasContact())
+    folder_->stage("contact.csv", files.contact);
   if (scene_.output.fields)
-    folder_->stage("solution.hdf",
-                   solution(waitingStep_->level, waitingStep_->row, waitingStep_->grid));
-  folder_->dropMade();
-  folder_->commit();
-  written_(waitingStep_->level);
-  waitingStep_.reset();
-  writtenAt_ = cpuSeconds();
+    folder_->stage("boundary.csv", boundaryCsv(scene_, files.grid));
+  if (scene_.hasSeveral())
+    folder_->stage("bodies.csv", files.bodies);
 }
 
 void Recorder::write() {
-  if (waitingStep_)
-    writeStep();
-  if (!waiting_)
+  if (!waiting_ && !waitingStep_)
     return;
-  folder_->stage("history.csv", history_);
-  if (!path_.contacts.empty())
-    folder_->stage("steps.csv", path_.steps);
-  for (std::size_t k = 0; k < path_.contacts.size(); ++k)
-    folder_->stage(stepFile(k + 1, "contact.csv"), path_.contacts[k]);
-  for (std::size_t k = 0; k < path_.boundaries.size(); ++k)
-    folder_->stage(stepFile(k + 1, "boundary.vtu"), path_.boundaries[k]);
-  if (!path_.boundaries.empty())
-    folder_->stage("steps.pvd", stepsPvd(path_.times));
-  if (scene_.hasContact())
-    folder_->stage("contact.csv", waiting_->contact);
+  const double begin = cpuSeconds();
+  if (waiting_)
+    stage(*waiting_);
+  if (!steps_.empty())
+    folder_->stage("steps.csv", steps_);
+  if (waitingStep_)
+    waitingStep_->level.path = path_.points;
+  const Level& level = waitingStep_ ? waitingStep_->level : *last_;
   if (scene_.output.fields)
-    folder_->stage("boundary.csv", boundaryCsv(scene_, waiting_->grid));
-  if (scene_.hasSeveral())
-    folder_->stage("bodies.csv", bodies_);
-  if (scene_.output.fields)
-    folder_->stage("solution.hdf", solution(*last_, waiting_->row, waiting_->grid));
+    folder_->stage("solution.hdf",
+                   waitingStep_ ? solution(level, waitingStep_->row, waitingStep_->grid)
+                                : solution(level, waiting_->row, waiting_->grid));
   folder_->dropMade();
   folder_->commit();
-  path_ = {path_.steps, {}, {}, {}};
+  written_(level);
   waiting_.reset();
+  waitingStep_.reset();
   writtenAt_ = cpuSeconds();
-  written_(*last_);
+  writingTook_ = writtenAt_ - begin;
 }
 
 void Recorder::finish(PhaseTimer& timer) {
@@ -129,7 +134,7 @@ void Recorder::takeStep(const SolvedLevel& level) {
   if (!folder_)
     return;
   const StepRow& row = level.path->steps.back()->row;
-  path_.steps += (path_.steps.empty() ? stepsHead(row) : "") + stepsLine(row);
+  steps_ += (steps_.empty() ? stepsHead(row) : "") + stepsLine(row);
   path_.contacts.push_back(contact_.next(level));
   path_.times.push_back(row.t);
   if (scene_.hasSeveral())
@@ -139,18 +144,21 @@ void Recorder::takeStep(const SolvedLevel& level) {
     grid = boundaryLines(scene_, level);
     path_.boundaries.push_back(boundaryVtu(grid));
   }
+  for (const PathPoint& point : level.path->points)
+    if (path_.points.empty() || point.t > path_.points.back().t)
+      path_.points.push_back(point);
   if (isKnown(level.level))
     return;
   waitingStep_ = {level.level, countedOn(level.row), std::move(grid)};
-  if (cpuSeconds() - writtenAt_ > longestWait)
-    writeStep();
+  if (isDue())
+    write();
   progress_.clear();
   table_ << tableLine(row) << std::flush;
 }
 
 bool Recorder::isKnown(const Level& level) const {
   return earlier_ && level.number == earlier_->level.number &&
-         level.path.size() < earlier_->level.path.size();
+         path_.points.size() < earlier_->level.path.size();
 }
 
 void Recorder::writeTimings(PhaseTimer& timer) {
@@ -160,11 +168,10 @@ void Recorder::writeTimings(PhaseTimer& timer) {
 
 std::string Recorder::solution(const Level& level, const LevelRow& row,
                                const BoundaryLines& grid) const {
-  return solutionFile(
-      scene_,
-      {level, used_, history_, path_.steps, scene_.hasSeveral() ? bodies_ : "",
-       row.secondsTotal, row.secondsWall},
-      grid);
+  return solutionFile(scene_,
+                      {level, used_, history_, steps_, scene_.hasSeveral() ? bodies_ : "",
+                       row.secondsTotal, row.secondsWall},
+                      grid);
 }
 
 LevelRow Recorder::countedOn(LevelRow row) const {
@@ -183,9 +190,9 @@ void Recorder::note(const SolvedLevel& level) {
   if (level.path == nullptr)
     bodies_ += bodiesLines(scene_, level.row.level, 0, level.row.bodies, level.row.rigid);
   waitingStep_.reset();
-  waiting_ = LevelFiles();
-  if (!path_.contacts.empty())
-    waiting_->contact = path_.contacts.back();
+  waiting_ = LevelFiles{bodies_, std::exchange(path_, {})};
+  if (!waiting_->path.contacts.empty())
+    waiting_->contact = waiting_->path.contacts.back();
   else if (scene_.hasContact())
     waiting_->contact = contactCsv(scene_, level.bodies);
   if (scene_.output.fields)

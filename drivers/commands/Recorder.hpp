@@ -28,10 +28,10 @@ class Recorder {
 
   /// A solved level; its files are written now or, if they were written a moment ago, later.
   void take(const SolvedLevel& level);
-  /// A step on the way to a level: what a run that is killed goes on from, once it is written,
-  /// which may be later likewise, and unless the earlier run has left more.
+  /// A step on the way to a level: what a run that is killed goes on from once it is written, now
+  /// or later likewise, unless the earlier run has left more.
   void takeStep(const SolvedLevel& level);
-  /// The files of the level or step taken last, if they wait: they take the place of those
+  /// The files of the level and the step taken last, if they wait: they take the place of those
   /// before, which a restart begins with last.
   /// \throws bem::InputError for a file that cannot be written.
   void write();
@@ -44,19 +44,21 @@ class Recorder {
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  /// What the steps of a path leave in files.
+  /// What the steps of a level leave in files.
   struct PathRecord {
-    std::string steps;                    ///< steps.csv of all levels so far
-    std::vector<std::string> contacts;    ///< contact.csv of the steps of this level
-    std::vector<std::string> boundaries;  ///< likewise boundary.vtu
-    std::vector<double> times;            ///< likewise
+    std::vector<std::string> contacts{};    ///< contact.csv
+    std::vector<std::string> boundaries{};  ///< boundary.vtu
+    std::vector<double> times{};
+    std::vector<PathPoint> points{};  ///< that led to these steps
   };
 
   /// What a solved level leaves in files, good after its operators are gone.
   struct LevelFiles {
-    std::string contact;
-    BoundaryLines grid;
-    LevelRow row;
+    std::string bodies;
+    PathRecord path;
+    std::string contact{};
+    BoundaryLines grid{};
+    LevelRow row{};
   };
 
   /// What a step leaves in the file that grows with all of them.
@@ -66,14 +68,16 @@ class Recorder {
     BoundaryLines grid;  ///< empty without Fields
   };
 
-  void writeStep();
+  void stage(const LevelFiles& files);
   std::string solution(const Level& level, const LevelRow& row,
                        const BoundaryLines& grid) const;
   /// The row with the earlier run's seconds.
   LevelRow countedOn(LevelRow row) const;
   void note(const SolvedLevel& level);
-  /// Is it a step that the earlier run went beyond?  Its files would take the place of more.
+  /// Is the last step one that the earlier run went beyond?  Its files would replace more.
   bool isKnown(const Level& level) const;
+  /// Has what waits for its files waited long enough?
+  bool isDue() const;
 
   const Scene& scene_;
   const std::optional<Checkpoint>& earlier_;
@@ -84,13 +88,15 @@ class Recorder {
   std::string used_;
   std::string history_;
   std::string bodies_;  ///< bodies.csv of all levels so far
-  PathRecord path_;
+  std::string steps_;   ///< likewise steps.csv
+  PathRecord path_;     ///< of the level that is solved now
   PathContact contact_;
   std::string stages_ = "\nSolver stages, steps, how they ended\n";
   std::optional<Level> last_;
   std::optional<LevelFiles> waiting_;     ///< of the last level, until they are written
   std::optional<StepFiles> waitingStep_;  ///< likewise, of a step behind it
   double writtenAt_ = cpuSeconds();
+  double writingTook_ = 0;
   std::vector<std::string> warnings_;
   std::vector<std::string> told_;  ///< likewise, of all levels
   int levels_ = 0;

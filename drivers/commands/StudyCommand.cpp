@@ -247,7 +247,8 @@ class StudyRun {
     studied.folder = folder;
     if (study_.smallestEigenvalue)
       studied.smallestEigenvalue = smallestEigenvalue(variant.scene, level);
-    if (reference) {
+    // a path that broke off ends under other loads
+    if (reference && (level.path == nullptr || level.path->last().row.converged)) {
       std::vector<double> dissipated;
       if (level.path != nullptr)
         for (const auto& step : level.path->steps)

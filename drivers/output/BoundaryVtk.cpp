@@ -4,41 +4,30 @@
 
 #include <cstdint>
 #include <cstring>
-#include <initializer_list>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 namespace epafi::drivers {
 
 namespace {
 
-/// RFC 4648.
-std::string base64(const std::string& bytes) {
+/// Adds bytes in letters of RFC 4648.
+void addBase64(std::string bytes, std::string& text) {
   constexpr char letters[] =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve(4 * bytes.size() / 3 + 4);
+  const std::size_t missing = (3 - bytes.size() % 3) % 3;
+  bytes.resize(bytes.size() + missing);
+  std::size_t place = text.size();
+  text.resize(place + bytes.size() / 3 * 4);
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     std::uint32_t group = 0;
     for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8 |
-              (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+      group = group << 8 | static_cast<unsigned char>(bytes[i + k]);
     for (std::size_t k = 0; k < 4; ++k)
-      text += i + k > bytes.size() ? '=' : letters[group >> (18 - 6 * k) & 63U];
+      text[place++] = letters[group >> (18 - 6 * k) & 63U];
   }
-  return text;
-}
-
-/// With memory for all of them at once: what is long and grows is copied again and again.
-std::string joined(std::initializer_list<std::string_view> parts) {
-  std::size_t size = 0;
-  for (const std::string_view part : parts)
-    size += part.size();
-  std::string text;
-  text.reserve(size);
-  for (const std::string_view part : parts)
-    text += part;
-  return text;
+  text.replace(place - missing, missing, missing, '=');
 }
 
 template <class T>
@@ -91,10 +80,13 @@ std::string dataArray(const char* name, const std::vector<T>& values, int compon
   std::string bytes(sizeof size + size, '\0');
   std::memcpy(bytes.data(), &size, sizeof size);
   std::memcpy(bytes.data() + sizeof size, values.data(), size);
-  const std::string head = std::string("<DataArray type=\"") + typeName<T>() +
-                           "\" Name=\"" + name + R"(" NumberOfComponents=")" +
-                           std::to_string(components) + R"(" format="binary">)";
-  return joined({head, base64(bytes), "</DataArray>\n"});
+  std::string text = std::string("<DataArray type=\"") + typeName<T>() + "\" Name=\"" +
+                     name + R"(" NumberOfComponents=")" + std::to_string(components) +
+                     R"(" format="binary">)";
+  text.reserve(text.size() + 4 * bytes.size() / 3 + 20);
+  addBase64(std::move(bytes), text);
+  text += "</DataArray>\n";
+  return text;
 }
 
 template std::string dataArray(const char*, const std::vector<double>&, int);
@@ -108,24 +100,39 @@ std::string vtuText(const VtuGrid& grid) {
       "<UnstructuredGrid>\n<Piece NumberOfPoints=\"" + std::to_string(grid.points) +
       "\" NumberOfCells=\"" + std::to_string(grid.cells) + "\">\n<PointData " +
       grid.shown + ">\n";
-  return joined({head, grid.pointData, "</PointData>\n<CellData>\n", grid.cellData,
-                 "</CellData>\n<Points>\n", grid.places, "</Points>\n<Cells>\n",
-                 grid.topology, "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n"});
+  std::vector<std::string_view> parts{head};
+  const auto add = [&](const std::vector<std::string>& arrays, std::string_view end) {
+    parts.insert(parts.end(), arrays.begin(), arrays.end());
+    parts.push_back(end);
+  };
+  add(grid.pointData, "</PointData>\n<CellData>\n");
+  add(grid.cellData, "</CellData>\n<Points>\n");
+  add(grid.places, "</Points>\n<Cells>\n");
+  add(grid.topology, "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
+  // with memory for all of them at once: what is long and grows is copied again and again
+  std::size_t size = 0;
+  for (const std::string_view part : parts)
+    size += part.size();
+  std::string text;
+  text.reserve(size);
+  for (const std::string_view part : parts)
+    text += part;
+  return text;
 }
 
 std::string boundaryVtu(const BoundaryLines& grid) {
   const std::size_t lines = grid.element.size();
   VtuGrid vtu{grid.pressure.size(), lines, "Vectors=\"displacement\""};
   forPointData(grid, [&](const char* name, const auto& array, int columns) {
-    vtu.pointData += dataArray(name, array, columns);
+    vtu.pointData.push_back(dataArray(name, array, columns));
   });
   forCellData(grid, [&](const char* name, const auto& array, int columns) {
-    vtu.cellData += dataArray(name, array, columns);
+    vtu.cellData.push_back(dataArray(name, array, columns));
   });
-  vtu.places = dataArray("Points", grid.points, 3);
-  vtu.topology = dataArray("connectivity", grid.ends) +
-                 dataArray("offsets", offsetsOf(1, lines)) +
-                 dataArray("types", std::vector<unsigned char>(lines, vtkLine));
+  vtu.places = {dataArray("Points", grid.points, 3)};
+  vtu.topology = {dataArray("connectivity", grid.ends),
+                  dataArray("offsets", offsetsOf(1, lines)),
+                  dataArray("types", std::vector<unsigned char>(lines, vtkLine))};
   return vtuText(vtu);
 }
 

@@ -13,10 +13,10 @@ struct VtuGrid {
   std::size_t points;
   std::size_t cells;
   std::string shown;  ///< the arrays that ParaView begins with
-  std::string pointData{};
-  std::string cellData{};
-  std::string places{};
-  std::string topology{};
+  std::vector<std::string> pointData{};
+  std::vector<std::string> cellData{};
+  std::vector<std::string> places{};
+  std::vector<std::string> topology{};
 };
 std::string vtuText(const VtuGrid& grid);
 /// A data array of it, in base64.  For T = double, int, long long, unsigned char.

@@ -46,6 +46,7 @@ std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& b
   const int samples = scene.output.contactSamples;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const contact::ContactFields fields(bodies[b]);
+    const bem::Vector continuous = fields.continuous();
     ArcLength arc(bodies[b].space.mesh(), bodies[b].units.length);
     for (const auto& element : fields.elements())
       for (int k = 0; k < samples; ++k) {
@@ -70,7 +71,7 @@ std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& b
         if (more.cells)
           for (std::string& cell : more.cells(b, element, t, p))
             cells.push_back(std::move(cell));
-        const auto stress = fields.continuousStress(element, t);
+        const auto stress = fields.inUnits(continuous, element, t);
         cells.insert(cells.end(), {exactly(stress.normal), exactly(stress.tangential)});
         csv += csvLine(cells);
       }

@@ -113,15 +113,15 @@ std::string vtuFile(const FilledBodies& bodies) {
     places.insert(places.end(), {x.x, x.y, 0});
     body.push_back(static_cast<int>(b));
   }
-  vtu.pointData = dataArray("displacement", displacements, 3);
+  vtu.pointData = {dataArray("displacement", displacements, 3)};
   for (const Field& field : fields) {
     std::vector<double> values;
     for (const InsideValue& value : bodies.values)
       values.push_back(field.of(value));
-    vtu.pointData += dataArray(field.name, values);
+    vtu.pointData.push_back(dataArray(field.name, values));
   }
-  vtu.pointData += dataArray("body", body);
-  vtu.places = dataArray("Points", places, 3);
+  vtu.pointData.push_back(dataArray("body", body));
+  vtu.places = {dataArray("Points", places, 3)};
   std::vector<long long> ends;
   std::vector<long long> offsets;
   for (const auto& corners : bodies.corners) {
@@ -129,8 +129,8 @@ std::string vtuFile(const FilledBodies& bodies) {
     offsets.push_back(static_cast<long long>(ends.size()));
   }
   constexpr unsigned char triangle = 5;  // VTK's number
-  vtu.topology = dataArray("connectivity", ends) + dataArray("offsets", offsets) +
-                 dataArray("types", std::vector<unsigned char>(cells, triangle));
+  vtu.topology = {dataArray("connectivity", ends), dataArray("offsets", offsets),
+                  dataArray("types", std::vector<unsigned char>(cells, triangle))};
   return vtuText(vtu);
 }
 

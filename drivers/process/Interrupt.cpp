@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
-#include <cstdlib>
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -22,32 +19,6 @@ volatile std::sig_atomic_t length = 0;
 volatile std::sig_atomic_t received = 0;
 volatile std::sig_atomic_t graceSeconds = 1;
 bool speaks = true;
-int heard = STDERR_FILENO;  // where it is written
-
-bool isPipe(int file) {
-  struct stat status {};
-  return fstat(file, &status) == 0 && S_ISFIFO(status.st_mode);
-}
-
-// Open MPI's mpirun sleeps for a second after it has sent its signal, kills its ranks, and
-// may end before it has read what they said.  A rank whose parent is mpirun itself
-// speaks to mpirun's own terminal or pipe instead.  In a file it would be overwritten.
-int openStandardErrorOfMpirun() {
-  const auto value = [](const char* name) {
-    const char* text = std::getenv(name);
-    return std::string(text == nullptr ? "" : text);
-  };
-  const std::string launcher = value("OMPI_MCA_orte_hnp_uri");
-  if (launcher.empty() || launcher != value("OMPI_MCA_orte_local_daemon_uri") ||
-      !isPipe(STDERR_FILENO))
-    return STDERR_FILENO;
-  const std::string path = "/proc/" + std::to_string(getppid()) + "/fd/2";
-  const int file = open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC | O_NOCTTY);
-  if (isPipe(file) || isatty(file) != 0)
-    return file;
-  close(file);
-  return STDERR_FILENO;
-}
 
 void startTimer() {
   itimerval time{};
@@ -59,7 +30,8 @@ void endNow(int) {
   if (!speaks)
     sleep(2);  // when one rank ends mpirun kills the others, and the first is to speak
   const auto& text = advice[current];
-  if (length > 0 && write(heard, text.data(), static_cast<std::size_t>(length)) < 0)
+  if (length > 0 &&
+      write(STDERR_FILENO, text.data(), static_cast<std::size_t>(length)) < 0)
     _exit(128 + received);  // nobody is left to tell
   _exit(128 + received);
 }
@@ -79,8 +51,6 @@ std::string told;
 void catchSignals(Grace grace, Voice voice) {
   speaks = voice == Voice::Loud;
   graceSeconds = grace == Grace::Second ? 1 : 0;
-  if (grace == Grace::None && speaks)
-    heard = openStandardErrorOfMpirun();
   struct sigaction timer {};
   timer.sa_handler = endNow;
   sigaction(SIGALRM, &timer, nullptr);

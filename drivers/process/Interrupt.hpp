@@ -13,7 +13,7 @@ struct Interrupted {
 /// How long a phase may go on after a signal.
 enum class Grace {
   Second,  ///< 1 s
-  None  ///< under mpirun, which soon kills its ranks; the advice goes past it where it can
+  None     ///< under mpirun, which soon kills its ranks
 };
 
 /// Whether this process says anything: one of several ranks does.

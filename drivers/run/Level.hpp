@@ -59,7 +59,7 @@ struct Level {
   /// without a load has none.  Infinite where only the error is not zero.
   double relativeEstimate = 0;
 
-  /// All steps that led to the state, where the scene has a History; else empty.
+  /// All steps that led to a state at the end of a path; on the way SolvedLevel's Path has them.
   std::vector<PathPoint> path{};
   /// Of each step that was asked for, at the end of a path only: a file on the way would grow
   /// with every step that it is written after.

@@ -3,7 +3,6 @@
 #include "bem/base/Error.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
 #include "drivers/process/Resources.hpp"
-#include "drivers/scene/LinearCost.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,6 +39,61 @@ bool isSlender(const Body& body) {
   return diameter * diameter > mostSlender * area;
 }
 
+/// What a body brings to a level.
+struct BodySize {
+  double displacements = 0;
+  double densities = 0;
+  double multipliers = 0;
+  double elements = 0;
+  double grading = 1;  ///< largest over smallest element
+  double met = 0;      ///< normal multipliers that act on another body, too
+
+  double unknowns() const { return displacements + densities; }
+};
+
+// Memory of a process without matrices [MiB].
+constexpr double programMemory = 47;
+
+constexpr double mebi = 1024.0 * 1024.0;
+
+/// Peak with dense matrices [MiB]: K with its transpose, V and S in halves, traction rows, D and
+/// what is made on the way (doc/decisions/0016).  Every process has all of it.
+double denseMemory(const std::vector<BodySize>& sizes, int processes) {
+  double bytes = 0;
+  for (const BodySize& b : sizes)
+    bytes +=
+        8 * (3.85 * b.displacements * b.densities + 2.4 * b.multipliers * b.multipliers) +
+        13000 * b.elements;
+  return processes * (programMemory + bytes / mebi);
+}
+
+/// Peak with compressed operators [MiB]: skeletons, larger on graded meshes and where bodies
+/// meet, what a step of a path keeps for its results, the top of the tree on every process.
+///                                                          [doc/benchmarks/compression.md]
+double compressedMemory(const std::vector<BodySize>& sizes, int steps, int processes) {
+  double bytes = 0;
+  for (const BodySize& b : sizes)
+    bytes += (14e3 * (1 + 0.13 * std::log2(std::max(b.grading, 1.0))) +
+              450.0 * (steps - 1) + 3e3 * (processes - 1)) *
+                 b.unknowns() +
+             36e3 * b.multipliers + 6e5 * b.met;
+  return processes * programMemory + bytes / mebi;
+}
+
+/// What dense matrices cost, the cubes of the bodies' unknowns, over what compressed operators
+/// do, their number and thirty times that of normal multipliers between bodies, which stay in
+/// skeletons.  1 at 3100 unknowns of one body, at some 7300 of two that meet.
+double gainOf(const std::vector<BodySize>& sizes) {
+  constexpr double asMany = 3100;
+  double dense = 0;
+  double compressed = 0;
+  for (const BodySize& b : sizes) {
+    dense += b.unknowns() * b.unknowns() * b.unknowns();
+    compressed += asMany * asMany * (b.unknowns() + 30 * b.met);
+  }
+  return dense / compressed;
+}
+
 std::vector<BodySize> sizesOf(const BodySpaces& spaces) {
   std::vector<BodySize> sizes;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
@@ -69,41 +123,23 @@ double allowedMemory(const Scene& scene, const Ranks& ranks) {
   return scene.adaptivity.limits.memory.value_or(free);
 }
 
-/// A level both ways.
-struct Forecast {
-  Cost dense{};
-  Cost compressed{};
-  double allowed = 0;       ///< memory [MiB]
-  bool isDelicate = false;  ///< compressed operators would lose digits
-
-  bool denseFits() const { return dense.memory <= allowed; }
-  /// Does it cost less to compress, in time by this factor?
-  bool compresses(double gain) const {
-    const bool compressedFits = compressed.memory <= allowed;
-    if (denseFits() != compressedFits)
-      return compressedFits;
-    if (!denseFits())
-      return compressed.memory < dense.memory;
-    return !isDelicate && gain * compressed.seconds < dense.seconds;
-  }
-};
-
-/// What compressed operators would save in place of dense ones that a scene asks for.
-std::string advised(const Forecast& forecast, bool isAutomatic, bool isPossible) {
-  constexpr double worthTelling = 2;
-  if (!forecast.compresses(worthTelling))
-    return "";
-  return bem::message(
-      "with ", isAutomatic ? "" : "Solver->Linear->Method = Automatic",
-      isAutomatic || isPossible ? "" : " and ",
-      isPossible ? "" : "Discretization->Stabilization->Form = Density",
-      " operators could be compressed: about ",
-      std::ceil(100 * forecast.compressed.seconds / forecast.dense.seconds),
-      " % of the time and ", std::ceil(forecast.compressed.memory), " in place of ",
-      std::ceil(forecast.dense.memory), " MiB");
+/// What compressed operators would save in place of dense ones.
+std::string advised(double gain, bool isAutomatic, bool isPossible, double compressed,
+                    double dense) {
+  std::string with;
+  if (!isAutomatic || gain <= 1)
+    with =
+        bem::message("Solver->Linear->Method = ", gain > 1 ? "Automatic" : "Compressed");
+  if (!isPossible)
+    with += std::string(with.empty() ? "" : " and ") +
+            "Discretization->Stabilization->Form = Density";
+  return bem::message("with ", with, " operators could be compressed: about ",
+                      std::ceil(compressed), " in place of ", std::ceil(dense), " MiB");
 }
 
 }  // namespace
+
+int formedUpTo(int steps) { return std::min(500 * (1 + steps), 3000); }
 
 Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks,
             double allowedBefore) {
@@ -111,33 +147,34 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks,
   const Operators wanted = linearMethods().at(scene.linear.method).operators;
   const int processes = ranks.processes().count();
   const std::vector<BodySize> sizes = sizesOf(spaces);
-  const int steps = scene.history.steps();
   const bool isThin = std::any_of(scene.bodies.begin(), scene.bodies.end(), isSlender);
   const bool isGraded = std::any_of(sizes.begin(), sizes.end(), [](const BodySize& b) {
     return b.grading > mostGraded;
   });
-  Forecast forecast{denseCost(sizes, steps, processes),
-                    compressedCost(sizes, steps, processes)};
-  Plan compressed{true, forecast.compressed.memory, {}, isThin ? fewerDigits : ""};
-  const double most = std::max(forecast.dense.memory, forecast.compressed.memory);
-  compressed.allowed =
+  Plan compressed{true,
+                  compressedMemory(sizes, scene.history.steps(), processes),
+                  {},
+                  isThin ? fewerDigits : ""};
+  Plan dense{false, denseMemory(sizes, processes)};
+  const double most = std::max(dense.memory, compressed.memory);
+  compressed.allowed = dense.allowed =
       most < plentiful * allowedBefore ? allowedBefore : allowedMemory(scene, ranks);
   if (wanted == Operators::Compressed)
     return compressed;
 
-  forecast.allowed = compressed.allowed;
-  forecast.isDelicate = isThin || isGraded;
+  const double gain = isThin || isGraded ? 0 : gainOf(sizes);
   const bool isAutomatic = wanted == Operators::Cheaper;
   const bool isPossible = contact::whyNotCompressed(scene.stabilization).empty();
-  if (isAutomatic && isPossible && forecast.compresses(1)) {
-    if (forecast.denseFits())
-      compressed.denseInstead = forecast.dense.memory;
+  const bool denseFits = dense.memory <= dense.allowed;
+  if (isAutomatic && isPossible && gain > 1) {
+    if (denseFits)
+      compressed.denseInstead = dense.memory;
     return compressed;
   }
-  Plan dense{false, forecast.dense.memory};
-  dense.allowed = forecast.allowed;
-  if (!isAutomatic || !isPossible)
-    dense.advice = advised(forecast, isAutomatic, isPossible);
+  constexpr double worthTelling = 2;
+  if (compressed.memory < dense.memory && (gain > worthTelling || !denseFits))
+    dense.advice =
+        advised(gain, isAutomatic, isPossible, compressed.memory, dense.memory);
   return dense;
 }
 

@@ -20,9 +20,14 @@ struct Plan {
   double allowed = 0;  ///< Maximum Memory, or else what is free [MiB]
 };
 
-/// As Solver->Linear->Method wants it; "Automatic": compressed where the scene allows it and
-/// less time is foretold, for meshes that are not graded to rounding, of bodies that are not
-/// slender; or where dense matrices do not fit.  Collective.
+/// Up to so many multipliers of all bodies D is formed where operators are compressed, once
+/// for all steps of a path: beyond, eliminations in the tree cost less.
+int formedUpTo(int steps);
+
+/// As Solver->Linear->Method wants it; "Automatic": compressed where the scene allows it, from
+/// 3100 unknowns of one body on, some 7300 of two that meet, for meshes that are not graded to
+/// rounding, of bodies that are not slender: by sizes and shape, alike on every machine
+/// (doc/decisions/0071).  Collective.
 /// \param allowedBefore  `allowed` of an earlier level; 0 if there is none.
 Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks,
             double allowedBefore);

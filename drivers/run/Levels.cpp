@@ -14,7 +14,6 @@
 #include "drivers/run/SolvedBodies.hpp"
 #include "drivers/run/Solver.hpp"
 #include "drivers/run/UnheldMotions.hpp"
-#include "drivers/scene/LinearCost.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -136,12 +135,11 @@ LevelRow makeRow(const Ground& ground, const Level& level, const NewLevel& begun
   return row;
 }
 
-/// The level at the end of the path so far; everything but the indicators.
+/// The level at the end of the path so far; everything but the indicators and its points.
 Level levelOf(const Ground& ground, const Path& path) {
   Level level = path.last().solved->level(ground.level);
   level.status = path.report.status;
   level.reason = path.reason;
-  level.path = path.points;
   return level;
 }
 
@@ -185,6 +183,7 @@ Attempt solvePath(const Ground& ground, const contact::ContactSystem& atZero,
     return path.reason;
   const SolvedBodies& solved = *path.last().solved;
   Level level = levelOf(ground, path);
+  level.path = path.points;
   level.steps = fieldsOf(path);
   const bem::Vector estimates =
       timer.run(Phase::Estimate, [&] { return estimate(ground, statesOf(path), level); });

@@ -15,9 +15,6 @@ namespace epafi::drivers {
 
 namespace {
 
-/// Of a section under a tolerance: fewer see little of what goes and comes back.
-constexpr int fewestSteps = 8;
-
 /// Where a path stands: what its next step depends on.
 struct Standing {
   contact::PathMemory memory;
@@ -33,6 +30,7 @@ class Follower {
       : ground_(ground),
         atZero_(atZero),
         earlier_(earlier),
+        known_(knownOf(earlier, ground.scene.history)),
         timer_(timer),
         here_{contact::PathMemory(atZero, ground.scene.history.tolerance > 0
                                               ? contact::PathMemory::Shear::Mean
@@ -67,7 +65,19 @@ class Follower {
 
  private:
   contact::Report& report() { return path_.report; }
-  bool isKnown() const { return path_.points.size() < earlier_.size(); }
+  bool isKnown() const { return path_.points.size() < known_; }
+
+  /// How many points of an earlier run hold: under a tolerance those of sections that it
+  /// finished, which are compared as a whole.
+  static std::size_t knownOf(const std::vector<PathPoint>& earlier,
+                             const History& history) {
+    std::size_t known = earlier.size();
+    while (history.tolerance > 0 && known > 0 &&
+           std::find(history.times.begin(), history.times.end(), earlier[known - 1].t) ==
+               history.times.end())
+      --known;
+    return known;
+  }
 
   /// Up to a time at once; with a tolerance again and again in steps half as long, until friction
   /// does the same in both.
@@ -77,14 +87,14 @@ class Follower {
     const std::size_t points = path_.points.size();
     const double whole = time - before.t;
     const double shortest = history.shortest(whole);
-    double step = whole;
-    inSteps(time, step, shortest);
+    double step = inSteps(time, whole, shortest);
     contact::PathMemory::Difference last;
-    while (history.tolerance > 0 && here_.t == time && 0.5 * step >= shortest) {
+    while (history.tolerance > 0 && here_.t == time &&
+           0.5 * step >= (1 - 1e-9) * shortest) {
       const Standing there = std::exchange(here_, before);
       leavePoints(points);
-      step *= 0.5;
-      inSteps(time, step, shortest);
+      const double longest = 0.5 * step;
+      step = inSteps(time, longest, shortest);
       if (here_.t < time)
         break;
       // of what is of first order half as much is left as before; where nothing is, both may
@@ -97,9 +107,9 @@ class Follower {
       const double work = workOf(before, whole);
       // what friction does later with a wrong slip is not known yet
       const double later = 1e-2 * std::abs(here_.memory.outside());
-      if (ground_.processes.agreed(
-              fewestSteps * step <= whole && error.work <= history.tolerance * work &&
-              error.slip <= history.tolerance * std::max(work, later)))
+      if (ground_.processes.agreed(History::fewestSteps * longest <= whole &&
+                                   error.work <= history.tolerance * work &&
+                                   error.slip <= history.tolerance * std::max(work, later)))
         break;
     }
   }
@@ -121,8 +131,9 @@ class Follower {
                      leastFriction * std::abs(here_.memory.outside())});
   }
 
-  /// Up to a time in steps, each halved if it fails; the path may end before.
-  void inSteps(double time, double step, double shortest) {
+  /// Up to a time in steps, halved where one fails; the path may end before.  Returns the last
+  /// length: where steps are compared with shorter ones, those are shorter than all of these.
+  double inSteps(double time, double step, double shortest) {
     while (here_.t < time) {
       // rounding shall not leave a tiny last part
       const double next = here_.t + step > time - 1e-9 * step ? time : here_.t + step;
@@ -136,6 +147,7 @@ class Follower {
           ", although it was halved down to ", 2 * step, ": ", path_.reason);
       break;
     }
+    return step;
   }
 
   // One step to a time; what it ends with is kept also where it fails.
@@ -202,7 +214,11 @@ class Follower {
     const contact::Configuration& at = step.solved->at();
     const bem::Units units = ground_.scene.units();
     const double energy = units.stress * units.length * units.length;
-    const double strain = system.strainEnergy(at);
+    if (ground_.scene.hasSeveral())
+      row_.bodies = contact::summarizeAll(step.solved->bodies());
+    const double strain = row_.bodies.empty()
+                              ? system.strainEnergy(at)
+                              : contact::sumOf(row_.bodies).energyStrain / energy;
     const double stored = system.storedEnergy(at);
     row_.energyStrain = energy * strain;
     row_.energyDissipated = energy * here_.memory.friction();
@@ -228,8 +244,6 @@ class Follower {
         ++contact;
       }
     }
-    if (ground_.scene.hasSeveral())
-      row_.bodies = contact::summarizeAll(step.solved->bodies());
     step.row = row_;
     path_.steps.push_back(std::move(latest_));
   }
@@ -237,6 +251,7 @@ class Follower {
   const Ground& ground_;
   const contact::ContactSystem& atZero_;
   const std::vector<PathPoint>& earlier_;
+  const std::size_t known_;
   PhaseTimer& timer_;
   Standing here_;
   // since the last point, of what failed or was left, too

@@ -26,8 +26,8 @@ struct Advice {
 constexpr Advice advices[] = {
     {End::Iterations, "raise Solver->Maximum Iterations"},
     {End::Restless,
-     "the active sets repeat; use the other Solver->Complementarity, another Multiplier, "
-     "or a finer mesh where the contact ends"},
+     "the active sets repeat; use another Multiplier, or a finer mesh where the contact "
+     "ends"},
     {End::Growth, "the residual grows; check load and units, or load in steps"},
     {End::Stalled,
      "no step length decreases the merit function; the problem may be too "

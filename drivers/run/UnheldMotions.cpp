@@ -115,7 +115,7 @@ Moved movedBy(const Vector& u, const bem::Space& space, const Body& body) {
   }
   turn /= squares;
   const double arc = std::abs(turn) * farthest;
-  const bool turns = arc > 1e-6 * norm(mean);
+  const bool turns = arc > 1e-3 * norm(mean);  // else about a point far away
   std::string how = direction(mean);
   if (turns) {
     const bem::Vec2 pole = body.outline->physical(centre + (1 / turn) * turnLeft(mean));
@@ -129,7 +129,7 @@ Moved movedBy(const Vector& u, const bem::Space& space, const Body& body) {
 Moved movedBy(const std::array<double, 3>& components, const RigidBody& body) {
   const bem::Vec2 slide{components[0], components[1]};
   const double turn = std::abs(components[2]);
-  return {norm(slide) + turn, turn > 1e-6 * norm(slide)
+  return {norm(slide) + turn, turn > 1e-3 * norm(slide)
                                   ? "turns Bodies->" + body.name
                                   : "drives Bodies->" + body.name + direction(slide)};
 }

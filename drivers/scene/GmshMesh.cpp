@@ -108,20 +108,15 @@ class Lines {
   int number_ = 0;
 };
 
-enum class Format { V2, V4 };
-
-Format readFormat(Lines& lines) {
+void checkFormat(Lines& lines) {
   lines.need("the format");
   const std::string version = lines.word("the format's version");
   const Tag type = lines.whole("the file type");
+  if (version != "4.1")
+    lines.fail(message("format ", version, " is not read, only 4.1; export it again by ",
+                       "gmsh OLD.msh -save -format msh41 -o NEW.msh"));
   if (type != 0)
     lines.fail("the mesh is binary; write it as ASCII (Mesh.Binary = 0)");
-  if (version == "2.2" || version == "2.1" || version == "2")
-    return Format::V2;
-  if (version == "4.1")
-    return Format::V4;
-  lines.fail(message("format ", version, " is not read; write 2.2 or 4.1 ",
-                     "(Mesh.MshFileVersion = 4.1)"));
 }
 
 void readNames(Lines& lines, GmshMesh& mesh) {
@@ -159,24 +154,7 @@ void readEntities(Lines& lines, GmshMesh& mesh) {
   }
 }
 
-void addNode(Lines& lines, GmshMesh& mesh, Tag tag) {
-  const double x = lines.real("x");
-  const double y = lines.real("y");
-  const double z = lines.real("z");
-  if (!mesh.nodes.insert({tag, {{x, y}, z}}).second)
-    lines.fail(message("node ", tag, " is given twice"));
-}
-
-void readNodes2(Lines& lines, GmshMesh& mesh) {
-  lines.need("the number of nodes");
-  for (Tag n = lines.count("the number of nodes"); n > 0; --n) {
-    lines.need("a node");
-    const Tag tag = lines.whole("a node's tag");
-    addNode(lines, mesh, tag);
-  }
-}
-
-void readNodes4(Lines& lines, GmshMesh& mesh) {
+void readNodes(Lines& lines, GmshMesh& mesh) {
   lines.need("the numbers of nodes");
   for (Tag blocks = lines.count("the number of blocks"); blocks > 0; --blocks) {
     lines.need("a block of nodes");
@@ -191,7 +169,11 @@ void readNodes4(Lines& lines, GmshMesh& mesh) {
     }
     for (const Tag tag : tags) {
       lines.need("a node");
-      addNode(lines, mesh, tag);
+      const double x = lines.real("x");
+      const double y = lines.real("y");
+      const double z = lines.real("z");
+      if (!mesh.nodes.insert({tag, {{x, y}, z}}).second)
+        lines.fail(message("node ", tag, " is given twice"));
     }
   }
 }
@@ -220,20 +202,6 @@ void addLine(Lines& lines, GmshMesh& mesh, Tag type, Tag group) {
   mesh.lines.push_back(line);
 }
 
-void readElements2(Lines& lines, GmshMesh& mesh) {
-  lines.need("the number of elements");
-  for (Tag n = lines.count("the number of elements"); n > 0; --n) {
-    lines.need("an element");
-    lines.whole("an element's number");
-    const Tag type = lines.whole("an element's type");
-    const Tag tags = lines.count("the number of tags");
-    const Tag group = tags > 0 ? physical(lines) : 0;
-    for (Tag t = 1; t < tags; ++t)
-      lines.whole("a tag");
-    addLine(lines, mesh, type, group);
-  }
-}
-
 Tag groupOf(const Lines& lines, const GmshMesh& mesh, Tag curve) {
   const auto found = mesh.groups.find(curve);
   if (found == mesh.groups.end() || found->second.empty())
@@ -244,7 +212,7 @@ Tag groupOf(const Lines& lines, const GmshMesh& mesh, Tag curve) {
   return found->second.front();
 }
 
-void readElements4(Lines& lines, GmshMesh& mesh) {
+void readElements(Lines& lines, GmshMesh& mesh) {
   lines.need("the numbers of elements");
   for (Tag blocks = lines.count("the number of blocks"); blocks > 0; --blocks) {
     lines.need("a block of elements");
@@ -268,18 +236,17 @@ GmshMesh readGmshMesh(const std::string& text) {
   GmshMesh mesh;
   if (!lines.next() || !lines.is("$MeshFormat"))
     throw InputError("line 1: $MeshFormat is missing; this is no Gmsh mesh");
-  const Format format = readFormat(lines);
-  const bool four = format == Format::V4;
+  checkFormat(lines);
   bool elements = false;
   while (lines.next()) {
     if (lines.is("$PhysicalNames"))
       readNames(lines, mesh);
-    else if (lines.is("$Entities") && four)
+    else if (lines.is("$Entities"))
       readEntities(lines, mesh);
     else if (lines.is("$Nodes"))
-      four ? readNodes4(lines, mesh) : readNodes2(lines, mesh);
+      readNodes(lines, mesh);
     else if (lines.is("$Elements")) {
-      four ? readElements4(lines, mesh) : readElements2(lines, mesh);
+      readElements(lines, mesh);
       elements = true;
     }
   }

@@ -27,15 +27,14 @@ struct GmshLine {
 /// What a .msh file says of boundaries: nodes, physical curves and the lines on them.
 struct GmshMesh {
   std::map<GmshTag, std::string> names;            // of the physical curves
-  std::map<GmshTag, std::vector<GmshTag>> groups;  // of the curves, format 4.1
+  std::map<GmshTag, std::vector<GmshTag>> groups;  // of the curves
   std::map<GmshTag, GmshNode> nodes;
   std::vector<GmshLine> lines;
 };
 
-/// Reads ASCII, format 2.2 or 4.1; elements that are no lines of a physical group are
-/// skipped.
-/// \throws bem::InputError naming the line of the file, for what is no mesh, has lines of
-///   third or higher order, or no line in a physical group.
+/// Reads ASCII, format 4.1; elements that are no lines of a physical group are skipped.
+/// \throws bem::InputError naming the line of the file, for what is no mesh, has another
+///   format, lines of third or higher order, or no line in a physical group.
 GmshMesh readGmshMesh(const std::string& text);
 
 }  // namespace epafi::drivers

@@ -6,7 +6,7 @@
 
 namespace epafi::drivers {
 
-/// The outline in a Gmsh mesh (.msh, ASCII, format 2.2 or 4.1).
+/// The outline in a Gmsh mesh (.msh, ASCII, format 4.1).
 ///
 /// Read are the line elements that belong to a physical group; the group's name (its
 /// number where it has none) is the boundary's name.  Lines of second order are the circular

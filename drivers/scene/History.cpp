@@ -31,6 +31,19 @@ std::vector<int> stepsOf(const Teuchos::ParameterList& list, std::size_t times) 
   return steps;
 }
 
+/// A tolerance compares at least two ways through each section.
+void requireShortSteps(const History& history) {
+  double start = 0;
+  for (const double end : history.times) {
+    const double most = (end - start) / History::fewestSteps;
+    if (history.tolerance > 0 && history.shortest(end - start) > (1 + 1e-9) * most)
+      throw InputError("History->Minimum Step = ", history.minimumStep,
+                       ": a Tolerance takes at least ", History::fewestSteps,
+                       " steps from t = ", start, " to ", end, "; at most ", most);
+    start = end;
+  }
+}
+
 }  // namespace
 
 bem::SchemaRows historyRows() {
@@ -49,7 +62,7 @@ bem::SchemaRows historyRows() {
           .range({1, mostSteps}),
       Row("Minimum Step", Kind::Real,
           "a step that fails is halved down to this; without it to 1/64 of the step, "
-          "to 1/1024 under a Tolerance")
+          "to 1/1024 under a Tolerance, which needs at least 1/8")
           .unit("that of t in the expressions")
           .range(bem::above(0)),
       Row("Tolerance", Kind::Real,
@@ -88,6 +101,7 @@ History parseHistory(const Teuchos::ParameterList& list) {
     history.minimumStep = list.get<double>("Minimum Step");
   if (list.isParameter("Tolerance"))
     history.tolerance = list.get<double>("Tolerance");
+  requireShortSteps(history);
   return history;
 }
 

@@ -14,6 +14,9 @@ struct History {
   double minimumStep = 0;
   double tolerance = 0;  ///< of friction's work in time, relative; 0: steps as given
 
+  /// Up to each time under a tolerance: fewer see little of what goes and comes back.
+  static constexpr int fewestSteps = 8;
+
   explicit operator bool() const { return !times.empty(); }
   /// One of a scene without a path.
   int steps() const { return times.empty() ? 1 : static_cast<int>(times.size()); }
@@ -25,7 +28,8 @@ struct History {
 /// The keys of the list History, and what a list that they have completed says.
 bem::SchemaRows historyRows();
 /// \throws bem::InputError if Times do not increase from 0 on, if Steps are not one or as
-///   many as Times, or if there are other keys and no Times.
+///   many as Times, if Minimum Step is too long for a Tolerance, or if there are other keys and
+///   no Times.
 History parseHistory(const Teuchos::ParameterList& list);
 
 }  // namespace epafi::drivers

@@ -32,10 +32,11 @@ bem::Family<LinearMethod>& linearMethods() {
            "Stabilization->Form Density or None",
            factors, LinearMethod::Operators::Compressed},
           {"Automatic",
-           "Compressed where that is possible and costs less, by a forecast from sizes, "
-           "on meshes graded by less than 1e6 of bodies that are not slender, or where "
-           "Dense would not fit; else Dense; "
-           "never changes Stabilization->Form",
+           "Compressed where that is possible, from 3100 displacements and densities of "
+           "one "
+           "body on, later where bodies meet, on meshes graded by less than 1e6 of "
+           "bodies "
+           "that are not slender; else Dense; never changes Stabilization->Form",
            factors, LinearMethod::Operators::Cheaper},
       });
   return family;

@@ -17,6 +17,9 @@ struct RemovedKey {
 constexpr RemovedKey removedKeys[] = {
     {"Solver", "Load Steps", "1",
      "a History applies a load in steps, and halves one that fails"},
+    {"Solver", "Complementarity", "Projection",
+     "Newton's steps are the projection's; Fischer-Burmeister's function is the merit of "
+     "NOX's line searches"},
 };
 
 [[noreturn]] void refuse(const RemovedKey& key) {

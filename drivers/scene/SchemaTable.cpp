@@ -80,7 +80,7 @@ void addBody(Table& table) {
               .unit("1")
               .range({-10, 10, false, false}),
           Row("File", Kind::Text,
-              "instead of vertices and edges: a Gmsh mesh (.msh, ASCII 2.2 or 4.1), "
+              "instead of vertices and edges: a Gmsh mesh (.msh, ASCII 4.1), "
               "relative to the scene; its physical curves name the boundaries"),
       });
 }

@@ -138,8 +138,15 @@ Study build(const std::string& file, const RawScene& raw) {
       const ParameterList& settingsList = list.sublist("Variants").sublist(variant.first);
       if (!belongs(settingsList, name))
         continue;
-      for (Variant& one : variantsOf(variant.first, settingsList, sceneFile, common))
+      for (Variant& one : variantsOf(variant.first, settingsList, sceneFile, common)) {
+        const double end = one.scene.endOfPath();
+        if (scene.reference && end != scene.reference->endOfPath())
+          throw InputError("Variants->", one.name, ": its path ends at t = ", end,
+                           ", that of Scenes->", name, "->Reference at ",
+                           scene.reference->endOfPath(),
+                           "; errors compare solutions under the same loads");
         scene.variants.push_back(std::move(one));
+      }
     }
     study.scenes.push_back(std::move(scene));
   }

@@ -11,6 +11,8 @@ import tempfile
 import warnings
 from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence
 
+from epafi.describe import json_object
+
 if TYPE_CHECKING:
     from epafi.runs import Run
 
@@ -111,8 +113,7 @@ def call(arguments: Sequence[str], said: Optional[Callable[[str], Any]] = None,
 @functools.lru_cache(maxsize=None)
 def schema() -> dict[str, Any]:
     """The JSON Schema of a scene: keys, types, words, ranges."""
-    return json.loads(call(["schema", "--format", "json", "--of", "scene"]))[
-        "additionalProperties"]
+    return json_object(json.loads(call(["help", "--format", "json"]))["keys"]["scene"])
 
 
 def version() -> dict[str, str]:

@@ -5,6 +5,7 @@
 #include "Processes.hpp"
 #include "bem/algebra/Products.hpp"
 #include "bem/base/Error.hpp"
+#include "bem/compressed/NearBlocks.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -226,6 +227,25 @@ TEUCHOS_UNIT_TEST(Compressed, partsAreOfLeavesThatMayChange) {
   const bem::CompressedFactor factor(z, clamped(space, 0, 48), {leafOf(100)});
   TEST_THROW(factor.within({leafOf(10)}), std::logic_error);
   TEST_NOTHROW(factor.within({leafOf(100), leafOf(10)}));
+}
+
+/// What would be read beside its place is refused: followers in other leaves than their
+/// leaders, blocks of pairs that are far from one another.
+TEUCHOS_UNIT_TEST(Compressed, nothingIsReadBesideItsPlace) {
+  const bem::Space space(bem::makeMesh(outlineOf(square()), {48, 48, 48, 48}, 1));
+  const bem::Lame lame({1, 0.3, false});
+  const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::processes());
+  bem::Restriction apart = clamped(space, 0, 48);
+  const Index follower = space.displacement(100, 0, 0);
+  apart.held[follower] = 1;
+  apart.followers = {{follower, space.displacement(60, 0, 0), 1}};
+  TEST_THROW(bem::CompressedFactor(z, apart), std::logic_error);
+
+  const bem::ClusterTree tree(space, 60);
+  const std::vector<char> everywhere(space.mesh().size(), 1);
+  const bem::NearBlocks near(space, lame, tree, everywhere, everywhere);
+  TEST_NOTHROW(near.of(10, 11));
+  TEST_THROW(near.of(10, 100), std::logic_error);
 }
 
 /// An unknown that touches nothing, held: the others are as without it.

@@ -41,6 +41,16 @@ Vec2 beside(const Curve& curve, double t, double depth) {
 
 }  // namespace
 
+TEUCHOS_UNIT_TEST(Curve, segmentsAloneHaveOneFrame) {
+  for (const Curve& curve : samples()) {
+    if (curve.isStraight()) {
+      TEST_NOTHROW(curve.segment());
+    } else {
+      TEST_THROW(curve.segment(), std::logic_error);
+    }
+  }
+}
+
 TEUCHOS_UNIT_TEST(Curve, goesFromOneEndToTheOtherOnOneCircle) {
   for (const Curve& curve : samples()) {
     TEST_COMPARE(norm(curve.point(-1) - from), <, 1e-15);

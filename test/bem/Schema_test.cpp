@@ -47,12 +47,11 @@ ParameterList with(const std::string& name, const T& value) {
 }  // namespace
 
 TEUCHOS_UNIT_TEST(Schema, editDistanceCountsTheFewestChanges) {
-  TEST_EQUALITY(bem::editDistance("Degree", "Degree"), 0.0);
-  TEST_EQUALITY(bem::editDistance("Degre", "Degree"), 1.0);
-  TEST_EQUALITY(bem::editDistance("Dergee", "Degree"), 1.0);  // neighbours swapped
-  TEST_EQUALITY(bem::editDistance("degree", "Degree"), 0.5);
-  TEST_EQUALITY(bem::editDistance("kitten", "sitting"), 3.0);
-  TEST_EQUALITY(bem::editDistance("", "abc"), 3.0);
+  TEST_EQUALITY(bem::editDistance("Degree", "Degree"), 0);
+  TEST_EQUALITY(bem::editDistance("Degre", "Degree"), 1);
+  TEST_EQUALITY(bem::editDistance("kitten", "sitting"), 3);
+  TEST_EQUALITY(bem::editDistance("abc", ""), 3);
+  TEST_EQUALITY(bem::editDistance("", "abc"), 3);
   TEST_EQUALITY(bem::nearest("Gama0", {"Beta", "Gamma0", "Eta"}), "Gamma0");
   // Candidates that are too long to be the nearest do not hide those that are not.
   TEST_EQUALITY(bem::nearest("Gam", {"Gamma0 of the stabilisation", "Beta", "Gamma0"}),

@@ -10,7 +10,7 @@ import sys
 import ranks
 from scales import difference, worst
 
-SETTINGS = ["Discretization->Elements per Edge={2, 2, 2, 3, 40, 3, 2, 2, 2, 3, 3, 3}",
+SETTINGS = ["Discretization->Elements per Edge={2, 2, 2, 3, 1, 9, 20, 9, 1, 3, 2, 2, 2, 3, 3, 3}",
             "History->Times={1, 2, 4}", "History->Steps={1, 2, 4}"]
 OF_DENSITY = ("eta_neumann", "eta_density", "estimate", "estimate_relative",
               "worst_step_estimate")

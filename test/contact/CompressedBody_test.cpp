@@ -273,14 +273,13 @@ System systemOf(const contact::Problem& problem, Index n) {
   System system;
   for (Index i = 0; i < problem.normals; i += n)
     system.rows.push_back(i);
-  system.shifts.assign(system.rows.size(), 0.0);
   return system;
 }
 
 /// What is not a number breaks every elimination, whatever the kernels' order of sums.
 System brokenSystem(const contact::Problem& problem) {
-  System system = systemOf(problem, 1);
-  system.shifts.front() = std::numeric_limits<double>::quiet_NaN();
+  System system = systemOf(problem, 2);
+  system.followers.push_back({1, 0, std::numeric_limits<double>::quiet_NaN()});
   return system;
 }
 
@@ -345,9 +344,8 @@ TEUCHOS_UNIT_TEST(CompressedBody, aFailedStepLeavesNothingBehind) {
         if (failsBefore) {
           Step failing(atZero, c, 2);
           const contact::Problem& problem = failing.system.numbers();
-          const contact::Equation equation(problem, contact::projection(),
-                                           contact::Equation::Bound::Differentiated,
-                                           1e-12);
+          const contact::Equation equation(
+              problem, contact::Equation::Bound::Differentiated, 1e-12);
           const contact::NewtonRun run =
               contact::NoxNewton().run(equation, Vector(bem::at(equation.size())), 1);
           TEST_ASSERT(run.end != contact::End::Converged);

@@ -106,8 +106,7 @@ double open(const contact::ContactSystem& system, const contact::Configuration& 
   const contact::Problem& problem = system.numbers();
   const Vector& r = at.penetration;
   const Vector lengths = system.lengths();
-  const auto set = contact::Equation(problem, contact::projection(),
-                                     contact::Equation::Bound::Differentiated, 0)
+  const auto set = contact::Equation(problem, contact::Equation::Bound::Differentiated, 0)
                        .at(pack(problem, at.state))
                        .set;
   double most = 0;

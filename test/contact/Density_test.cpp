@@ -81,7 +81,7 @@ contact::State stateOf(Index size) {
   return state;
 }
 
-Condensed condensed(const Case& c, const bem::DenseAlgebra& algebra) {
+Condensed condensed(const Case& c) {
   const bem::Lame lame({1, c.nu, false});
   const contact::Conditions conditions = conditionsOf(c.law);
   const Stabilization stabilization = stabilizationOf(c);

@@ -65,10 +65,10 @@ Vector combined(const Vector& a, double factor, const Vector& b) {
 
 TEUCHOS_UNIT_TEST(Equation, jacobianIsTheDifferenceQuotient) {
   std::mt19937 random(22);
-  for (const auto& function : contact::complementarities())
+  for (int k = 0; k < 2; ++k)
     for (contact::Index rigidMotions : {0, 2}) {
       const Problem problem = someProblem("Coulomb", rigidMotions);
-      const Equation equation(problem, function, Equation::Bound::Differentiated, 1e-12);
+      const Equation equation(problem, Equation::Bound::Differentiated, 1e-12);
       const Vector x = randomVector(equation.size(), random);
       const Vector d = randomVector(x.size(), random);
       const double h = 1e-7;
@@ -84,8 +84,7 @@ TEUCHOS_UNIT_TEST(Equation, meritGradientIsTheDifferenceQuotient) {
   std::mt19937 random(23);
   for (contact::Index rigidMotions : {0, 2}) {
     const Problem problem = someProblem("Coulomb", rigidMotions);
-    const Equation equation(problem, contact::projection(),
-                            Equation::Bound::Differentiated, 1e-12);
+    const Equation equation(problem, Equation::Bound::Differentiated, 1e-12);
     const Vector x = randomVector(equation.size(), random);
     const Vector d = randomVector(x.size(), random);
     const double h = 1e-6;
@@ -104,23 +103,22 @@ TEUCHOS_UNIT_TEST(Equation, meritGradientIsTheDifferenceQuotient) {
 TEUCHOS_UNIT_TEST(NewtonSystem, invertsTheJacobian) {
   std::mt19937 random(24);
   int solved = 0;
-  for (const auto& function : contact::complementarities())
-    for (const auto bound : {Equation::Bound::Differentiated, Equation::Bound::Lagged})
-      for (contact::Index rigidMotions : {0, 1, 2, 3}) {
-        const Problem problem = someProblem("Coulomb", rigidMotions);
-        const Equation equation(problem, function, bound, 1e-12);
-        for (int k = 0; k < 10; ++k) {
-          const auto e = equation.at(randomVector(equation.size(), random));
-          const Vector b = randomVector(e.unknowns.size(), random);
-          const contact::NewtonSystem system(equation, e.linear);
-          if (!system.unheld(b).empty())
-            continue;
-          ++solved;
-          const Vector d = system.solve(b);
-          const Vector defect = combined(equation.jacobianTimes(e.linear, d), -1, b);
-          TEST_COMPARE(largest(defect), <, 1e-11 * (1 + largest(d)));
-        }
+  for (const auto bound : {Equation::Bound::Differentiated, Equation::Bound::Lagged})
+    for (contact::Index rigidMotions : {0, 1, 2, 3}) {
+      const Problem problem = someProblem("Coulomb", rigidMotions);
+      const Equation equation(problem, bound, 1e-12);
+      for (int k = 0; k < 20; ++k) {
+        const auto e = equation.at(randomVector(equation.size(), random));
+        const Vector b = randomVector(e.unknowns.size(), random);
+        const contact::NewtonSystem system(equation, e.linear);
+        if (!system.unheld(b).empty())
+          continue;
+        ++solved;
+        const Vector d = system.solve(b);
+        const Vector defect = combined(equation.jacobianTimes(e.linear, d), -1, b);
+        TEST_COMPARE(largest(defect), <, 1e-11 * (1 + largest(d)));
       }
+    }
   TEST_COMPARE(solved, >=, 150);  // of 160; nothing holds the body in the others
 }
 
@@ -201,7 +199,6 @@ TEUCHOS_UNIT_TEST(NewtonOptions, noxSearchesLeadToTheSolution) {
       for (contact::Index rigidMotions : {0, 1}) {
         const Problem problem = someProblem(law, rigidMotions);
         SolverOptions options;
-        options.tresca.complementarity = "Fischer-Burmeister";
         options.nox = lineSearch("Method", method);
         const auto solution = solve(problem, {}, options);
         TEST_ASSERT(solution.report.status == Status::Converged);
@@ -212,8 +209,7 @@ TEUCHOS_UNIT_TEST(NewtonOptions, noxSearchesLeadToTheSolution) {
 /// A step that goes a part of the way leaves most of the residual, which is no rounding then.
 TEUCHOS_UNIT_TEST(NewtonOptions, shortStepsDoNotLeaveRounding) {
   const Problem problem = someProblem("Tresca", 0);
-  const Equation equation(problem, contact::projection(), Equation::Bound::Differentiated,
-                          1e-12);
+  const Equation equation(problem, Equation::Bound::Differentiated, 1e-12);
   Vector start = pack(problem, solve(problem).state);
   for (double& x : start)
     x *= 1 + 1e-9;

@@ -127,8 +127,8 @@ TEUCHOS_UNIT_TEST(OffsetPath, placesFreeBodies) {
     const Problem problem = randomProblem(recipe, random);
     const State state = stateOf(problem, pathOf(problem));
     const contact::NoxNewton newton;
-    const contact::Equation equation(problem, contact::projection(),
-                                     contact::Equation::Bound::Differentiated, 1e-12);
+    const contact::Equation equation(problem, contact::Equation::Bound::Differentiated,
+                                     1e-12);
     const contact::NewtonRun run = newton.run(equation, pack(problem, state), 5);
     TEST_ASSERT(run.end == contact::End::Converged);
   }

@@ -285,11 +285,9 @@ TEUCHOS_UNIT_TEST(Path, theIncrementLeadsFromTheStepBeforeToThisOne) {
   TEST_ASSERT(family.isStep());
 
   // the step before is solved by its own state, friction included, and not by another part
-  const auto& function = contact::complementarities().at("Projection");
   const auto residual = [&](double s, const Vector& x) {
     const contact::Problem problem = family.at({1, 1, s});
-    return contact::Equation(problem, function, contact::Equation::Bound::Differentiated,
-                             0)
+    return contact::Equation(problem, contact::Equation::Bound::Differentiated, 0)
         .at(x)
         .linear.residual;
   };
@@ -304,8 +302,7 @@ TEUCHOS_UNIT_TEST(Path, theIncrementLeadsFromTheStepBeforeToThisOne) {
   TEST_COMPARE(largest(residual(1, x)), >, 1e-4 * step.numbers().stress);
 
   const contact::Problem middle = family.at({1, 1, 0.5});
-  const contact::Equation equation(middle, function,
-                                   contact::Equation::Bound::Differentiated, 0);
+  const contact::Equation equation(middle, contact::Equation::Bound::Differentiated, 0);
   const contact::Evaluation e = equation.at(x);
   const Vector derivative = family.incrementDerivative(equation, e);
   constexpr double h = 1e-6;

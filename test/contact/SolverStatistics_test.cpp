@@ -19,7 +19,6 @@ namespace {
 
 using contact::Status;
 using test::solve;
-using test::SolverOptions;
 
 struct Statistics {
   std::vector<int> steps;
@@ -39,8 +38,7 @@ std::string path(std::vector<contact::StageRun> stages) {
   return text;
 }
 
-Statistics statistics(std::ostream& out, test::Recipe recipe,
-                      const SolverOptions& options) {
+Statistics statistics(std::ostream& out, test::Recipe recipe) {
   std::mt19937 random(31);
   Statistics result;
   for (int k = 0; k < 1000; ++k) {
@@ -48,7 +46,7 @@ Statistics statistics(std::ostream& out, test::Recipe recipe,
     recipe.ties = k % 4 == 0;
     recipe.grading = k % 3 == 0 ? 1e3 : 1;
     const auto problem = randomProblem(recipe, random);
-    const auto solution = solve(problem, {}, options);
+    const auto solution = solve(problem);
     result.steps.push_back(solution.report.newtonIterations);
     result.paths[path(solution.report.stages)] += 1;
     if (solution.report.status != Status::Converged) {
@@ -63,49 +61,41 @@ Statistics statistics(std::ostream& out, test::Recipe recipe,
   return result;
 }
 
-void print(std::ostream& out, const char* what, const char* how, const Statistics& s) {
-  out << what << ", " << how << ": steps median " << s.steps[s.steps.size() / 2]
-      << ", 99 % " << s.steps[s.steps.size() * 99 / 100] << ", worst " << s.steps.back()
+void print(std::ostream& out, const char* what, const Statistics& s) {
+  out << what << ": steps median " << s.steps[s.steps.size() / 2] << ", 99 % "
+      << s.steps[s.steps.size() * 99 / 100] << ", worst " << s.steps.back()
       << "; unsolved " << s.unsolved << ", violation " << s.violation << "\n";
   for (const auto& [stages, count] : s.paths)
     out << "  " << count << "  " << stages << "\n";
 }
 
-constexpr const char* functions[] = {"Projection", "Fischer-Burmeister"};
-
 TEUCHOS_UNIT_TEST(SolverStatistics, everyProblemWithFixedBoundsIsSolved) {
   for (const char* law : {"None", "Tresca"})
-    for (const contact::Index rigidMotions : {0, 1, 2})
-      for (const char* function : functions) {
-        SolverOptions options;
-        options.tresca.complementarity = function;
-        test::Recipe recipe;
-        recipe.law = law;
-        recipe.rigidMotions = rigidMotions;
-        const Statistics s = statistics(out, recipe, options);
-        print(out, law, function, s);
-        TEST_EQUALITY(s.unsolved, 0);
-        TEST_COMPARE(s.violation, <, 1e-10);
-      }
+    for (const contact::Index rigidMotions : {0, 1, 2}) {
+      test::Recipe recipe;
+      recipe.law = law;
+      recipe.rigidMotions = rigidMotions;
+      const Statistics s = statistics(out, recipe);
+      print(out, law, s);
+      TEST_EQUALITY(s.unsolved, 0);
+      TEST_COMPARE(s.violation, <, 1e-10);
+    }
 }
 
 TEUCHOS_UNIT_TEST(SolverStatistics,
                   coulombIsSolvedForSmallFrictionAndNearlyAlwaysForLarge) {
   for (const int coupling : {0, 2, 5})
-    for (const double strength : {0.3, 1.0, 3.0, 10.0})
-      for (const char* function : functions) {
-        SolverOptions options;
-        options.tresca.complementarity = function;
-        test::Recipe recipe;
-        recipe.law = "Coulomb";
-        recipe.coupling = coupling;
-        recipe.strength = strength;
-        const Statistics s = statistics(out, recipe, options);
-        out << "f up to " << strength << ", bounds of degree " << coupling << ": ";
-        print(out, recipe.law, function, s);
-        TEST_COMPARE(s.unsolved, <=, strength <= 3 ? 0 : 5);
-        TEST_COMPARE(s.violation, <, 1e-9);
-      }
+    for (const double strength : {0.3, 1.0, 3.0, 10.0}) {
+      test::Recipe recipe;
+      recipe.law = "Coulomb";
+      recipe.coupling = coupling;
+      recipe.strength = strength;
+      const Statistics s = statistics(out, recipe);
+      out << "f up to " << strength << ", bounds of degree " << coupling << ": ";
+      print(out, recipe.law, s);
+      TEST_COMPARE(s.unsolved, <=, strength <= 3 ? 0 : 5);
+      TEST_COMPARE(s.violation, <, 1e-9);
+    }
 }
 
 }  // namespace

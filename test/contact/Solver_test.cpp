@@ -33,15 +33,6 @@ using test::Recipe;
 using test::solve;
 using test::SolverOptions;
 
-SolverOptions with(const char* function) {
-  SolverOptions options;
-  options.tresca.complementarity = function;
-  return options;
-}
-
-constexpr const char* projection = "Projection";
-constexpr const char* fischerBurmeister = "Fischer-Burmeister";
-
 // Recipes of every kind, one per number.
 Recipe recipeOf(int k, std::mt19937& random) {
   Recipe recipe;
@@ -60,13 +51,11 @@ TEUCHOS_UNIT_TEST(Solver, findsTheContactStateOfRandomFixedBoundProblems) {
   std::mt19937 random(11);
   for (int k = 0; k < 240; ++k) {
     const Problem problem = randomProblem(recipeOf(k, random), random);
-    for (const auto function : {projection, fischerBurmeister}) {
-      const Solution solution = solve(problem, {}, with(function));
-      TEST_ASSERT(solution.report.status == Status::Converged);
-      TEST_COMPARE(solution.report.residual, <=, solution.report.tolerance);
-      TEST_COMPARE(reference::violation(problem, solution.state), <=,
-                   4 * solution.report.tolerance);
-    }
+    const Solution solution = solve(problem);
+    TEST_ASSERT(solution.report.status == Status::Converged);
+    TEST_COMPARE(solution.report.residual, <=, solution.report.tolerance);
+    TEST_COMPARE(reference::violation(problem, solution.state), <=,
+                 4 * solution.report.tolerance);
   }
 }
 
@@ -116,21 +105,18 @@ TEUCHOS_UNIT_TEST(Solver, coulombsThreeIterationsAgree) {
     recipe.rigidMotions = k % 3 == 0 ? 1 : 0;
     recipe.coupling = k < 60 ? 0 : 2 + k % 3;
     const Problem problem = randomProblem(recipe, random);
-    for (const auto function : {projection, fischerBurmeister}) {
-      SolverOptions options = with(function);
-      const Solution newton = solve(problem, {}, options);
-      options.coulomb.iteration = "Inexact Fixed Point";
-      const Solution inexact = solve(problem, {}, options);
-      options.coulomb.iteration = "Fixed Point";
-      const Solution fixedPoint = solve(problem, {}, options);
-      for (const Solution* solution : {&newton, &inexact, &fixedPoint}) {
-        TEST_ASSERT(solution->report.status == Status::Converged);
-        TEST_COMPARE(solution->report.coulombIterations, >, 0);
-        TEST_COMPARE(
-            largestDifference(solution->state.multiplier, newton.state.multiplier), <,
-            1e-8);
-        TEST_COMPARE(reference::violation(problem, solution->state), <, 1e-9);
-      }
+    SolverOptions options;
+    const Solution newton = solve(problem, {}, options);
+    options.coulomb.iteration = "Inexact Fixed Point";
+    const Solution inexact = solve(problem, {}, options);
+    options.coulomb.iteration = "Fixed Point";
+    const Solution fixedPoint = solve(problem, {}, options);
+    for (const Solution* solution : {&newton, &inexact, &fixedPoint}) {
+      TEST_ASSERT(solution->report.status == Status::Converged);
+      TEST_COMPARE(solution->report.coulombIterations, >, 0);
+      TEST_COMPARE(largestDifference(solution->state.multiplier, newton.state.multiplier),
+                   <, 1e-8);
+      TEST_COMPARE(reference::violation(problem, solution->state), <, 1e-9);
     }
   }
 }
@@ -147,28 +133,26 @@ TEUCHOS_UNIT_TEST(Solver, holdsBondedPlacesWhateverTheirForce) {
     recipe.normals = 4 + k % 20;
     recipe.rigidMotions = k % 3;
     const Problem problem = randomProblem(recipe, random);
-    for (const auto function : {projection, fischerBurmeister})
-      for (const char* iteration : {"Newton", "Inexact Fixed Point", "Fixed Point"}) {
-        SolverOptions options = with(function);
-        options.coulomb.iteration = iteration;
-        const Solution solution = solve(problem, {}, options);
-        TEST_ASSERT(solution.report.status == Status::Converged);
-        TEST_COMPARE(reference::violation(problem, solution.state), <, 1e-9);
-        const Vector slip = test::slip(problem, solution.state);
-        for (std::size_t t = 0; t < slip.size(); t += 3) {
-          const Index i = problem.normals + static_cast<Index>(t);
-          TEST_COMPARE(std::abs(slip[t]), <, 1e-9 * problem.flexibility(i, i));
-          pulling += solution.state.multiplier[i] < -0.1 ? 1 : 0;
-        }
+    for (const char* iteration : {"Newton", "Inexact Fixed Point", "Fixed Point"}) {
+      SolverOptions options;
+      options.coulomb.iteration = iteration;
+      const Solution solution = solve(problem, {}, options);
+      TEST_ASSERT(solution.report.status == Status::Converged);
+      TEST_COMPARE(reference::violation(problem, solution.state), <, 1e-9);
+      const Vector slip = test::slip(problem, solution.state);
+      for (std::size_t t = 0; t < slip.size(); t += 3) {
+        const Index i = problem.normals + static_cast<Index>(t);
+        TEST_COMPARE(std::abs(slip[t]), <, 1e-9 * problem.flexibility(i, i));
+        pulling += solution.state.multiplier[i] < -0.1 ? 1 : 0;
       }
+    }
   }
-  TEST_COMPARE(pulling, >, 500);
+  TEST_COMPARE(pulling, >, 250);
 }
 
 TEUCHOS_UNIT_TEST(Solver, fullStepsCycleWithPeriodThreeOnTheClassicalExample) {
   const Problem problem = test::cyclingProblem();
-  const Equation equation(problem, contact::projection(), Equation::Bound::Differentiated,
-                          1e-12);
+  const Equation equation(problem, Equation::Bound::Differentiated, 1e-12);
   auto e = equation.at({0, 0, 0});
   std::vector<contact::ActiveSet> sets;
   for (int step = 0; step < 9; ++step) {
@@ -201,12 +185,11 @@ TEUCHOS_UNIT_TEST(Solver, theMeritFunctionFallsWithEachStepOfALineSearch) {
   const contact::NoxNewton newton(list);
   std::mt19937 random(14);
   int steps = 0;
-  for (int k = 0; k < 60; ++k) {
+  for (int k = 0; k < 120; ++k) {
     Recipe recipe = recipeOf(k, random);
     recipe.law = k % 3 == 0 ? "Coulomb" : recipe.law;
     const Problem problem = randomProblem(recipe, random);
-    const Equation equation(problem, contact::fischerBurmeister(),
-                            Equation::Bound::Differentiated, 1e-12);
+    const Equation equation(problem, Equation::Bound::Differentiated, 1e-12);
     Vector now(equation.size(), 0.0);
     for (Index i = 0; i < problem.size(); ++i)
       now[i] = std::uniform_real_distribution<double>(-3, 3)(random);
@@ -251,19 +234,18 @@ TEUCHOS_UNIT_TEST(Solver, theSolutionNeedsNoStepAndItsNeighboursFew) {
 
 TEUCHOS_UNIT_TEST(Solver, aBoundOfZeroIsNoFriction) {
   std::mt19937 random(16);
-  for (const char* law : {"Tresca", "Coulomb"})
-    for (const auto function : {projection, fischerBurmeister}) {
-      Recipe recipe;
-      recipe.law = law;
-      recipe.strength = 0;
-      const Problem problem = randomProblem(recipe, random);
-      const Solution solution = solve(problem, {}, with(function));
-      TEST_ASSERT(solution.report.status == Status::Converged);
-      for (Index i = problem.normals; i < problem.size(); ++i)
-        TEST_COMPARE(std::abs(solution.state.multiplier[i]), <, 1e-12);
-      for (const auto friction : test::statesOf(problem, solution.state).tangential)
-        TEST_ASSERT(friction == contact::FrictionState::None);
-    }
+  for (const char* law : {"Tresca", "Coulomb"}) {
+    Recipe recipe;
+    recipe.law = law;
+    recipe.strength = 0;
+    const Problem problem = randomProblem(recipe, random);
+    const Solution solution = solve(problem);
+    TEST_ASSERT(solution.report.status == Status::Converged);
+    for (Index i = problem.normals; i < problem.size(); ++i)
+      TEST_COMPARE(std::abs(solution.state.multiplier[i]), <, 1e-12);
+    for (const auto friction : test::statesOf(problem, solution.state).tangential)
+      TEST_ASSERT(friction == contact::FrictionState::None);
+  }
 }
 
 TEUCHOS_UNIT_TEST(Solver, classifiesContactAndFriction) {

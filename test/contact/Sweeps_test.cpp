@@ -22,7 +22,7 @@ using contact::Vector;
 using test::solve;
 
 Equation equationOf(const Problem& problem) {
-  return {problem, contact::projection(), Equation::Bound::Differentiated, 1e-12};
+  return {problem, Equation::Bound::Differentiated, 1e-12};
 }
 
 /// Copies of the cycling problem for the normal coefficients, random tangential ones, and

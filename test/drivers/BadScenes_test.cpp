@@ -129,16 +129,19 @@ TEUCHOS_UNIT_TEST(BadScenes, aPathGoesForward) {
 
 /// A used.xml of an earlier program holds all defaults of its time.
 TEUCHOS_UNIT_TEST(BadScenes, removedKeysSayWhatTakesTheirPlace) {
-  const auto withLoadSteps = [](const std::string& steps) {
+  const auto withSolver = [](const std::string& key) {
     SceneText scene;
     scene.rest =
-        "<ParameterList name=\"Solver\"><Parameter name=\"Load Steps\" type=\"int\" "
-        "value=\"" +
-        steps + "\"/></ParameterList>";
+        "<ParameterList name=\"Solver\"><Parameter " + key + "/></ParameterList>";
     return scene;
   };
-  TEST_COMPLAINT(withLoadSteps("4").xml(), "Solver->Load Steps", "History");
-  TEST_NOTHROW(test::read(withLoadSteps("1")));
+  const std::string steps = R"(name="Load Steps" type="int" value=)";
+  TEST_COMPLAINT(withSolver(steps + R"("4")").xml(), "Solver->Load Steps", "History");
+  TEST_NOTHROW(test::read(withSolver(steps + R"("1")")));
+  const std::string function = R"(name="Complementarity" type="string" value=)";
+  TEST_COMPLAINT(withSolver(function + R"("Fischer-Burmeister")").xml(),
+                 "Solver->Complementarity", "merit");
+  TEST_NOTHROW(test::read(withSolver(function + R"("Projection")")));
 }
 
 TEUCHOS_UNIT_TEST(BadScenes, theMeshFitsTheOutline) {

@@ -75,6 +75,10 @@ checked("that lifts later", 1, ["at t = 2.5", "drives Bodies->upper in the direc
         [lower(), upper(5, 10, 30, conditions=condition("top", "Neumann", Traction_Y="0.01*(t-2.4)"))],
         LAP, HISTORY)
 checked("a body alone", 1, ["drives Bodies->lower in the direction (0, -1)"], [lower(conditions=PRESS)])
+NARROW = "0.01*exp(-((x-7.3)/0.004)^2)"
+checked("a load that its elements do not see", 1,
+        ["drives Bodies->lower", "warning: Bodies->lower->Boundary Conditions->bottom: the traction is narrower"],
+        [lower(conditions=PRESS + condition("bottom", "Neumann", Traction_Y=NARROW))])
 checked("one whose loads balance", 0, ["valid"], [lower(conditions=PRESS + condition(
     "bottom", "Neumann", Traction_Y="0.01"))])
 

@@ -112,6 +112,11 @@ claim([row["variant"] for row in table(os.path.join(again, "study.csv"))] == ["c
 code, text = epafi("parameters")
 claim("Variants-><variant>->Set" in text and "Adaptivity->Strategy" in text,
       "parameters covers scenes and studies")
+keys = [path.rpartition("->")[2] for path in re.findall(r"^(\S.*)\n    ", text, re.M)]
+code, tables = epafi("parameters", "--format", "markdown")
+claim(code == 0 and len(keys) > 100 and
+      all("\n| %s |" % key.replace("<", "&lt;").replace(">", "&gt;") in tables for key in keys),
+      "%d keys stand in its tables" % len(keys))
 rng = os.path.join(WORK, "epafi.rng")
 with open(rng, "w") as stream:
     stream.write(epafi("schema")[1])

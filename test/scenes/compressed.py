@@ -1,5 +1,5 @@
 """Compressed operators give what dense ones give: energies, states of contact, Newton's steps.
-Method "Automatic" takes them where a forecast says so."""
+Method "Automatic" takes them by sizes and shape."""
 import os
 
 from runs import ENERGIES, WORK, claim, differ, epafi, finish, fresh, run, scene
@@ -8,7 +8,7 @@ from written import with_moduli
 
 LEVELS = ["Adaptivity->Maximum Levels=3"]
 SCENES = {
-    "fretting": ["Discretization->Elements per Edge={2, 2, 2, 3, 40, 3, 2, 2, 2, 3, 3, 3}",
+    "fretting": ["Discretization->Elements per Edge={2, 2, 2, 3, 1, 9, 20, 9, 1, 3, 2, 2, 2, 3, 3, 3}",
                  "History->Times={1, 2, 3}", "History->Steps={1, 3, 3}"],
     "tilting-punch": [],
     "two-blocks": LEVELS,
@@ -75,10 +75,14 @@ claim("slender" in chosen("told", "coulomb.xml", [64, 8, 64, 8],
       "which a run with Compressed says")
 FOUNDATION = [176, 176, 44, 88, 44, 176]
 claim(chosen("fits", "tresca.xml", FOUNDATION, NONE)[0] == "dense", "a level of 704 elements is dense")
-claim(chosen("narrow", "tresca.xml", FOUNDATION, [*NONE, "Adaptivity->Maximum Memory=112"])[0] ==
-      "compressed", "but compressed where dense matrices do not fit")
-claim(chosen("none", "tresca.xml", FOUNDATION, [*NONE, "Adaptivity->Maximum Memory=80"])[0] == "none",
-      "and refused where neither fits")
+for limit, words in [(112, "Method = Compressed operators could be compressed"), (80, "coarser")]:
+    method, said = chosen("narrow", "tresca.xml", FOUNDATION, [
+        *NONE, "Adaptivity->Maximum Memory=%d" % limit])
+    claim(method == "none" and words in said, "refused where it does not fit, not solved otherwise "
+          "than on a larger machine: " + said.strip()[-300:])
+for count, wanted in [(768, "dense"), (832, "compressed")]:
+    claim(chosen("crossover", "tresca.xml", [count // 4] * 2 + [count // 16, count // 8, count // 16,
+                 count // 4], NONE)[0] == wanted, "%d elements: %s" % (count, wanted))
 method, said = chosen("dense", "coulomb.xml", [320] * 4, [*DENSITY, "Solver->Linear->Method=Dense"])
 claim(method == "dense" and "Method = Automatic operators could be compressed" in said,
       "where dense is asked for, a large level names Automatic")

@@ -38,7 +38,7 @@ def elements(outer, inner=()):
     """One on each arc, two where it turns by more than half a circle."""
     def counts(angles):
         return "{%s}" % ", ".join("2" if angle > 180 else "1" for angle in angles)
-    return parameter("Elements per Edge", "Array(int)", counts(outer)) + (
+    return (parameter("Elements per Edge", "Array(int)", counts(outer)) if outer else "") + (
         parameter("Hole 1 Elements per Edge", "Array(int)", counts(inner)) if inner else "")
 
 
@@ -71,7 +71,8 @@ def compressed_uniformly(area):
     return PRESSURE ** 2 * (1 - 2 * NU) * (1 + NU) * area
 
 
-# degrees, and how far arcs of at most half a circle are resolved then
+# Degrees, and how far arcs of at most half a circle are resolved then.  The best polynomials on half
+# a circle miss u = c x by 8e-5, 2.3e-12, 2e-21 of the energy; on a quarter by 2e-7, 2e-17, 8e-29.
 DEGREES = ((4, 2e-4, 1e-3), (8, 1e-11, 1e-5), (12, 1e-13, 1e-9))
 
 for method in METHODS:
@@ -98,6 +99,15 @@ for method in METHODS:
             error = abs(value / compressed_uniformly(area) - 1)
             claim(error < limit and estimate < estimated, "%s arcs %s on a chord, degree %d: energy within %.1e, "
                   "estimate %.1e" % (method, angles, degree, error, estimate))
+
+# a square with a hole: of two arcs and of four, one outer mesh
+for method in METHODS:
+    energies = [energy("square", outline(*([(-2, -2), (2, -2), (2, 2), (-2, 2)], (0,) * 4), arcs(angles, 0.5, 0.7)),
+                       parameter("Elements per Edge", "Array(int)", "{4, 4, 4, 4}") + elements((), angles), 12,
+                       method, 2 * PRESSURE)[0] for angles in ([180, 180], [270, 90], [90] * 4)]
+    for name, value in zip(("two halves", "270 and 90 degrees"), energies):
+        error = abs(value / energies[-1] - 1)
+        claim(error < 1e-11, "%s square with a hole of %s: energy of four quarters within %.1e" % (method, name, error))
 
 # a disc of two arcs in a ring whose hole has two: a press fit, p/d of plane strain
 for method in METHODS:

@@ -90,10 +90,10 @@ for a, b in zip(rows, rows[1:]):
     claim(b[1][5] < a[1][5] / 1.5, "uniform tractions: shear %.1e of f p0 on %d a, %.1e on %d a" % (
         a[1][5], a[0], b[1][5], b[0]))
 page += ["## Two equal bodies", "",
-         "Blocks as high as wide, ν = 0.3, degree 2, elements of 0.004 a where slip ends; P, then Q = Qm = 0.5 f P, 0 and -Qm, a",
-         "step each. Errors, the largest of the three: half the stick width (a = 1), the shear over f p0 anywhere in contact, and in the",
-         "mean. With the half-plane's tractions on the outer sides the width does not matter, the largest error is that of the",
-         "elements where slip ends; with uniform ones on the far sides the error falls with the width.", "",
+         "Blocks as high as wide, ν = 0.3, degree 2, elements of 0.004 a where slip ends. The load is P, then Q = Qm = 0.5 f P, 0 and",
+         "-Qm, one step each. The largest errors of the three last steps: half the stick width (a = 1), the shear relative to f p0 at its",
+         "worst point in contact, and its mean. With the half-plane's tractions on the outer sides the error does not depend on the width: it comes",
+         "from the elements where slip ends. With uniform tractions on the far sides it falls with the width.", "",
          "| width | stick | shear | mean | uniform: stick | shear | mean |",
          "|---:|---:|---:|---:|---:|---:|---:|"]
 page += ["| %d a | %s |" % (width, " | ".join("%.1e" % e for e in errors)) for width, errors in rows]
@@ -107,7 +107,7 @@ for first, second in (("upper", "lower"), ("lower", "upper")):
     neverFalls(folder)
 
 # loops of other amplitudes, counted from +Qm
-page += ["", "## Loops", "", "fretting.xml, 40 steps a cycle, friction's work per cycle from +Qm on, in (f P)²/(π E*).", "",
+page += ["", "## Loops", "", "fretting.xml, 40 steps per cycle: friction's work per cycle, counted from +Qm, in units of (f P)²/(π E*).", "",
          "| Qm/(f P) | exact | first cycle | second less first, relative |", "|---:|---:|---:|---:|"]
 BODY = "Bodies->block->Boundary Conditions->far->"
 
@@ -161,8 +161,8 @@ for count in (1, 8):
 
 # errors in time
 page += ["", "## Errors in time", "",
-         "fretting.xml. The second column of friction's work, trapezoidal, from Qm to -Qm, against friction's work in 160",
-         "steps; the balance of energy while P grows, over the work from outside.", "",
+         "fretting.xml. Relative error of friction's work by the trapezoidal rule (`energy_dissipated_trapezoidal`) from Qm to -Qm, against",
+         "160 steps; and the error of the energy balance while P grows, relative to the work from outside.", "",
          "| steps | trapezoidal work | balance |", "|---:|---:|---:|"]
 
 
@@ -187,7 +187,7 @@ for (a, b), (c, d), count in zip(inTime, inTime[1:], counts[1:]):
 
 if len(sys.argv) > 4:
     with open(sys.argv[4], "w") as file:
-        file.write("# Load paths\n\nCattaneo's and Mindlin's closed forms ([theory](../theory/paths.md)); this page was made by\n\n"
+        file.write("# Load paths\n\n**Claim.** Load paths converge to Cattaneo's and Mindlin's closed forms ([theory](../theory/paths.md)). This page was made by\n\n"
                    "    python3 test/scenes/path_claims.py build/bin/epafi drivers/scenes build/path_claims "
                    "doc/benchmarks/paths.md\n\n" + "\n".join(page) + "\n")
 finish()

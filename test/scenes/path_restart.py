@@ -25,10 +25,10 @@ if sys.argv[5:] == ["2"]:
     SCENE = [FILE]
 else:
     SCENE = [scene("fretting.xml"),
-             "--set", "Discretization->Elements per Edge={2, 2, 2, 3, 20, 3, 2, 2, 2, 3, 3, 3}",
+             "--set", "Discretization->Elements per Edge={2, 2, 2, 3, 1, 4, 10, 4, 1, 3, 2, 2, 2, 3, 3, 3}",
              "--set", "History->Times={1, 2, 4, 6}", "--set", "History->Steps={1, 7, 16, 16}"]
 SCENE += ["--quiet", "--threads", "1", "--set", "Adaptivity->Strategy=Adaptive h",
-          "--set", "Adaptivity->Maximum Levels=2"]
+          "--set", "Adaptivity->Maximum Levels=3"]
 MEASURED = ("seconds", "memory")
 
 
@@ -65,7 +65,7 @@ whole = fresh("whole")
 began = time.monotonic()
 code, text = epafi("run", *SCENE, "--output", whole)
 duration = time.monotonic() - began
-claim(code == 0 and len(rows(whole, "steps.csv")) == 80, "40 steps on 2 levels: " + text[-100:])
+claim(code == 0 and len(rows(whole, "steps.csv")) == 120, "40 steps on 3 levels: " + text[-100:])
 
 moments = random.Random(15)
 resumed = 0

@@ -8,7 +8,7 @@ from halves import loop
 from runs import EPAFI, WORK, claim, epafi, finish, fresh, scene, table
 
 SCENE = scene("fretting.xml")
-COARSE = ["Discretization->Elements per Edge={2, 2, 2, 3, 24, 3, 2, 2, 2, 3, 3, 3}"]
+COARSE = ["Discretization->Elements per Edge={2, 2, 2, 3, 1, 5, 12, 5, 1, 3, 2, 2, 2, 3, 3, 3}"]
 BODY = "Bodies->block->Boundary Conditions->far->"
 
 

@@ -163,8 +163,7 @@ folder = fresh("interrupted")
 process = subprocess.Popen([EPAFI, "run", TRESCA, "--output", folder, "--set",
                             "Adaptivity->Strategy=Uniform h", "--set",
                             "Adaptivity->Maximum Levels=20", "--set",
-                            "Adaptivity->Maximum Degrees of Freedom=1000000", "--set",
-                            "Solver->Complementarity=Fischer-Burmeister"],
+                            "Adaptivity->Maximum Degrees of Freedom=1000000"],
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 wait_for_a_level(folder)
 process.send_signal(signal.SIGTERM)
@@ -174,7 +173,7 @@ claim(len(rows) >= 1 and all(row["memory_mb"] is not None for row in rows),
       "rows are whole after a signal")
 
 # Ctrl-C answers soon, also in the midst of a long phase, and says how to go on
-def interrupted(sentence, name, command, ready, codes):
+def interrupted(sentence, name, command, ready, codes, heard=True):
     folder = fresh(name)
     process = subprocess.Popen([*command, "run", TRESCA, "--quiet", "--output", folder, "--set",
                                 "Adaptivity->Strategy=Uniform h", "--set",
@@ -192,8 +191,8 @@ def interrupted(sentence, name, command, ready, codes):
     process.send_signal(signal.SIGINT)
     text = process.communicate()[1]
     took = time.time() - began
-    claim(process.returncode in codes and took < 2 and
-          "--restart " + folder in text and text.count("--restart") == 1,
+    claim(process.returncode in codes and took < 2 and (not heard or
+          "--restart " + folder in text and text.count("--restart") == 1),
           "%s: %.2f s, exit %d, %s" % (sentence, took, process.returncode, text.strip()))
 
 
@@ -229,7 +228,7 @@ with h5py.File(os.path.join(place, folder, "solution.hdf")) as file:
     seconds = [float(file["Epafi"].attrs["seconds_" + name]) for name in ("total", "wall")]
 claim(all(0 < value < 120 for value in seconds), "whose file has its seconds: %s" % seconds)
 
-if os.environ.get("MPIEXEC"):  # whose own exit code says nothing
+if os.environ.get("MPIEXEC"):  # whose own exit code says nothing, and which may end first
     interrupted("Ctrl-C on two ranks", "ctrl-c.2",
-                [os.environ["MPIEXEC"], "-n", "2", EPAFI], deep, {1, 130})
+                [os.environ["MPIEXEC"], "-n", "2", EPAFI], deep, {1, 130}, heard=False)
 finish()

@@ -212,7 +212,7 @@ with open(os.path.join(WORK, "path.xml"), "w") as stream:
     <Parameter name="File" type="string" value="%s"/></ParameterList></ParameterList>
   <ParameterList name="Variants"><ParameterList name="coarse">
     <Parameter name="Set" type="Array(string)" value="{History->Times={1, 2}, History->Steps={1, 2},
-      Discretization->Elements per Edge={2, 2, 2, 3, 20, 3, 2, 2, 2, 3, 3, 3},
+      Discretization->Elements per Edge={2, 2, 2, 3, 1, 4, 10, 4, 1, 3, 2, 2, 2, 3, 3, 3},
       Adaptivity->Strategy=Adaptive h, Adaptivity->Maximum Levels=2}"/>
   </ParameterList></ParameterList>
 </ParameterList>""" % os.path.abspath(os.path.join(SCENES, "fretting.xml")))

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
 
 namespace epafi::adaptivity {
 
@@ -130,16 +133,24 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   const auto motion = [&solved](const contact::Opposite::Point& met) {
     return motionAt(solved.motions, met);
   };
-  const auto opening = [&opposite, &element, across, normal, motion](double t) {
-    const auto met = opposite.at(element, t);
+  // several profiles ask for the same point one after the other
+  using Met = contact::Opposite::Point;
+  const auto last = std::make_shared<std::pair<std::optional<double>, Met>>();
+  const auto metAt = [&opposite, &element, last](double t) {
+    if (last->first != t)
+      *last = {t, opposite.at(element, t)};
+    return last->second;
+  };
+  const auto opening = [metAt, across, normal, motion](double t) {
+    const Met met = metAt(t);
     return met.gap + dot(motion(met), across(t)) - normal(t);
   };
   // the whole jump of bonded sides is an error, not what a step adds to it
   const bool ties = element.ties();
   const Polynomial own = component(along, ties ? nullptr : solved.displacementBefore);
   const contact::Motions* before = ties ? nullptr : solved.motionsBefore;
-  const auto tangential = [&opposite, &element, along, own, motion, before](double t) {
-    const auto met = opposite.at(element, t);
+  const auto tangential = [metAt, along, own, motion, before](double t) {
+    const Met met = metAt(t);
     return own(t) - dot(motion(met) - motionAt(before, met), along(t));
   };
   const auto bound = [&mesh, &condition, units, e, pressure](double t) {
@@ -148,8 +159,8 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   };
   bem::Profile fineness = [](double) { return 1.0; };
   if (solved.motions != nullptr)
-    fineness = [&opposite, &element, &geometry, p, &solved](double t) {
-      const auto met = opposite.at(element, t);
+    fineness = [metAt, &geometry, p, &solved](double t) {
+      const Met met = metAt(t);
       if (met.element < 0)
         return 1.0;
       const bem::Element& other =

@@ -3,46 +3,30 @@
 #include "bem/base/Error.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
+#include <numeric>
 
 namespace epafi::bem {
 
-double editDistance(const std::string& a, const std::string& b) {
-  const auto differ = [](char p, char q) {
-    const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-    return p == q ? 0.0 : lower(p) == lower(q) ? 0.5 : 1.0;
-  };
-  const std::size_t m = a.size();
-  const std::size_t n = b.size();
-  std::vector<double> table((m + 1) * (n + 1));
-  const auto d = [&table, n](std::size_t i, std::size_t j) -> double& {
-    return table[i * (n + 1) + j];
-  };
-  for (std::size_t i = 0; i <= m; ++i)
-    for (std::size_t j = 0; j <= n; ++j) {
-      if (i == 0 || j == 0) {
-        d(i, j) = static_cast<double>(i + j);
-        continue;
-      }
-      d(i, j) = std::min({d(i - 1, j) + 1, d(i, j - 1) + 1,
-                          d(i - 1, j - 1) + differ(a[i - 1], b[j - 1])});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-        d(i, j) = std::min(d(i, j), d(i - 2, j - 2) + 1);
+int editDistance(const std::string& a, const std::string& b) {
+  std::vector<int> row(b.size() + 1);  // of what is read of a, to each beginning of b
+  std::iota(row.begin(), row.end(), 0);
+  for (const char c : a) {
+    int before = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const int replaced = before + (c == b[j] ? 0 : 1);
+      before = row[j + 1];
+      row[j + 1] = std::min({before + 1, row[j] + 1, replaced});
     }
-  return d(m, n);
+  }
+  return row.back();
 }
 
 std::string nearest(const std::string& name, const std::vector<std::string>& candidates) {
   std::string best;
-  double smallest = std::numeric_limits<double>::infinity();
+  int smallest = std::numeric_limits<int>::max();
   for (const std::string& candidate : candidates) {
-    // What differs in length takes at least that many insertions.
-    const std::size_t longer = std::max(name.size(), candidate.size());
-    const std::size_t shorter = std::min(name.size(), candidate.size());
-    if (static_cast<double>(longer - shorter) >= smallest)
-      continue;
-    const double distance = editDistance(name, candidate);
+    const int distance = editDistance(name, candidate);
     if (distance < smallest) {
       smallest = distance;
       best = candidate;

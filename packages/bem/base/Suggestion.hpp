@@ -5,9 +5,8 @@
 
 namespace epafi::bem {
 
-/// Fewest insertions, deletions, replacements and swaps of neighbours that turn one word
-/// into the other; upper and lower case count as equal half. [Damerau64]
-double editDistance(const std::string& a, const std::string& b);
+/// Fewest insertions, deletions and replacements that turn one word into the other.
+int editDistance(const std::string& a, const std::string& b);
 
 /// The candidate with the smallest editDistance; empty if there is none.
 std::string nearest(const std::string& name, const std::vector<std::string>& candidates);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace epafi::bem {
 
@@ -53,49 +54,35 @@ std::vector<Vec2> extent(const Loop& loop) {
 /// difference of two coordinates has no correct digit left.
 constexpr double resolution = 1e-13;
 
-/// The corners of the smallest convex polygon around points, counter-clockwise; what is not
-/// finite is left to those who say so.
-std::vector<Vec2> hullOf(std::vector<Vec2> points) {
-  const auto isNowhere = [](Vec2 p) {
-    return !std::isfinite(p.x) || !std::isfinite(p.y);
-  };
-  points.erase(std::remove_if(points.begin(), points.end(), isNowhere), points.end());
-  const auto before = [](Vec2 a, Vec2 b) {
-    return a.x < b.x || (a.x == b.x && a.y < b.y);
-  };
-  std::sort(points.begin(), points.end(), before);
-  std::vector<Vec2> hull;
-  for (int side = 0; side < 2; ++side) {  // below, then above
-    const std::size_t first = hull.size();
-    for (const Vec2 point : points) {
-      while (hull.size() >= first + 2 &&
-             !(cross(hull.back() - hull[hull.size() - 2], point - hull.back()) > 0))
-        hull.pop_back();
-      hull.push_back(point);
-    }
-    if (!hull.empty())
-      hull.pop_back();  // the other side starts with it
-    std::reverse(points.begin(), points.end());
+/// Of the box around points.
+Vec2 middleOf(const std::vector<Vec2>& points) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Vec2 low{infinity, infinity};
+  Vec2 high{-infinity, -infinity};
+  for (Vec2 v : points) {
+    low = {std::min(low.x, v.x), std::min(low.y, v.y)};
+    high = {std::max(high.x, v.x), std::max(high.y, v.y)};
   }
-  return hull;
+  return 0.5 * (low + high);
 }
 
-/// The diameter.
+/// The diameter, but for rounding; from the points farthest from the middle on, since others
+/// cannot be farther apart.  What is not finite is left to those who say so.
 double sizeOf(const Loop& loop) {
-  const std::vector<Vec2> hull = hullOf(extent(loop));
-  const auto corner = [&](std::size_t k) { return hull[k % hull.size()]; };
+  std::vector<Vec2> points = extent(loop);
+  const Vec2 middle = middleOf(points);
+  const auto reach = [middle](Vec2 v) { return norm(v - middle); };
+  const auto isNowhere = [&](Vec2 v) { return !std::isfinite(reach(v)); };
+  points.erase(std::remove_if(points.begin(), points.end(), isNowhere), points.end());
+  std::sort(points.begin(), points.end(),
+            [&](Vec2 a, Vec2 b) { return reach(a) > reach(b); });
   double size = 0;
-  // the corner farthest from each side goes around with it
-  std::size_t far = 0;
-  for (std::size_t k = 0; k < hull.size(); ++k) {
-    far = std::max(far, k + 1);
-    const Vec2 side = corner(k + 1) - corner(k);
-    while (far < k + hull.size() && cross(side, corner(far + 1) - corner(far)) > 0)
-      ++far;
-    for (const Vec2 end : {corner(k), corner(k + 1)})
-      for (const Vec2 other : {corner(far - 1), corner(far), corner(far + 1)})
-        size = std::max(size, norm(end - other));
-  }
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = i + 1; j < points.size(); ++j) {
+      if (reach(points[i]) + reach(points[j]) <= size)
+        break;
+      size = std::max(size, norm(points[i] - points[j]));
+    }
   return size;
 }
 
@@ -246,13 +233,7 @@ Scaling scalingOf(const Loop& outer) {
   if (outer.vertices.empty() || !bulgesFit(outer))  // Outline says so
     return scaling;
   scaling.length = sizeOf(outer);
-  Vec2 low = outer.vertices[0];
-  Vec2 high = low;
-  for (Vec2 v : extent(outer)) {
-    low = {std::min(low.x, v.x), std::min(low.y, v.y)};
-    high = {std::max(high.x, v.x), std::max(high.y, v.y)};
-  }
-  scaling.origin = 0.5 * (low + high);
+  scaling.origin = middleOf(extent(outer));
   return scaling;
 }
 

@@ -24,15 +24,8 @@ ReducedFlexibility::ReducedFlexibility(const CompressedFlexibility& whole, Syste
       number_(whole.nextNumber()),
       restriction_(whole.restriction()) {
   const Index first = whole.coupling().first;
-  for (std::size_t k = 0; k < system_.rows.size(); ++k) {
-    restriction_.held[at(first + system_.rows[k])] = 0;
-    if (system_.shifts[k] != 0)
-      restriction_.entries.push_back(
-          {first + system_.rows[k], first + system_.rows[k], -system_.shifts[k]});
-  }
-  for (const bem::Entry& entry : system_.entries)
-    restriction_.entries.push_back(
-        {first + entry.row, first + entry.column, -entry.value});
+  for (const Index row : system_.rows)
+    restriction_.held[at(first + row)] = 0;
   for (const auto& [follower, leader, factor] : system_.followers)
     restriction_.followers.push_back({first + follower, first + leader, factor});
   makeCorrection();
@@ -60,7 +53,7 @@ Vector ReducedFlexibility::withoutMotions(Vector b, const Vector& known) const {
   return b;
 }
 
-// Z y + Ĉᵀ x = 0,  Ĉ y - M x - shift x = -b  in the rows, with the known coefficients in x
+// Z y + Ĉᵀ x = 0,  Ĉ y - M x = -b  in the rows, with the known coefficients in x
 Vector ReducedFlexibility::solveSprung(const Vector& b, const Vector& known) const {
   const CompressedCoupling& coupling = whole_.coupling();
   Matrix right(whole_.operators().size(), 1);

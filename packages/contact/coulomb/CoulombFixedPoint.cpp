@@ -31,7 +31,8 @@ Solution CoulombFixedPoint::firstBound(const Problem& problem, const State& star
   if (problem.rigidMotions() == 0 || !slippery)
     return {start, {}};
   const NewtonRun run = tresca_.newton().run(
-      tresca_.equation(problem, Equation::Bound::Lagged), pack(problem, start), steps);
+      Equation(problem, Equation::Bound::Lagged, tresca_.options().tolerance),
+      pack(problem, start), steps);
   return {unpack(problem, run.last), extended({}, Stage::NearStart, run, problem)};
 }
 
@@ -54,9 +55,7 @@ Solution CoulombFixedPoint::update(const Problem& tresca, Solution before) const
 
 Solution CoulombFixedPoint::updates(const Problem& problem, const State& start) const {
   const double tolerance = std::max(tresca_.options().tolerance, options_.tolerance);
-  const Equation coulomb(problem,
-                         complementarities().at(tresca_.options().complementarity),
-                         Equation::Bound::Lagged, tolerance);
+  const Equation coulomb(problem, Equation::Bound::Lagged, tolerance);
   Solution solution = firstBound(problem, start);
   Vector bounds = problem.slipBounds(solution.state.multiplier);
   double damping = 1;

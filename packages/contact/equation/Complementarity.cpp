@@ -4,19 +4,13 @@
 
 namespace epafi::contact {
 
-namespace {
-
-using Value = Complementarity::Value;
-
-// λ - P(λ + y) with P the projection onto [0, ∞).
-Value projectedNormal(double multiplier, double penetration) {
+Complementarity projectedNormal(double multiplier, double penetration) {
   if (multiplier + penetration > 0)
     return {-penetration, 0, -1, 0};
   return {multiplier, 1, 0, 0};
 }
 
-// λ - P(λ + y) with P the projection onto [-s, s].
-Value projectedTangential(double multiplier, double slip, double bound) {
+Complementarity projectedTangential(double multiplier, double slip, double bound) {
   const double trial = multiplier + slip;
   if (trial >= bound)
     return {multiplier - bound, 1, 0, -1};
@@ -24,6 +18,8 @@ Value projectedTangential(double multiplier, double slip, double bound) {
     return {multiplier + bound, 1, 0, 1};
   return {-slip, 0, -1, 0};
 }
+
+namespace {
 
 // φ(a,b) = a + b - √(a²+b²): zero exactly when a ≥ 0, b ≥ 0 and ab = 0.    [Fischer 1992]
 struct Phi {
@@ -49,7 +45,9 @@ Phi fischer(double a, double b) {
   return {value, oneMinusCosine(a, b, h), oneMinusCosine(b, a, h)};
 }
 
-Value fischerNormal(double multiplier, double penetration) {
+}  // namespace
+
+Complementarity fischerNormal(double multiplier, double penetration) {
   const Phi phi = fischer(multiplier, -penetration);
   return {phi.value, phi.a, -phi.b, 0};
 }
@@ -57,32 +55,11 @@ Value fischerNormal(double multiplier, double penetration) {
 // φ(λ + s, -φ(s - λ, y)): the inner φ replaces y by something that is <= 0 exactly where
 // the upper bound is respected, the outer one adds the lower bound. [Billups 1995] Where
 // the inner φ has its kink (λ = s, y = 0) the outer one vanishes: the square is smooth.
-Value fischerTangential(double multiplier, double slip, double bound) {
+Complementarity fischerTangential(double multiplier, double slip, double bound) {
   const Phi upper = fischer(bound - multiplier, slip);
   const Phi both = fischer(multiplier + bound, -upper.value);
   return {both.value, both.a + both.b * upper.a, -both.b * upper.b,
           both.a - both.b * upper.a};
-}
-
-}  // namespace
-
-bem::Family<Complementarity>& complementarities() {
-  static bem::Family<Complementarity> family(
-      "complementarity",
-      {
-          {"Projection",
-           "multiplier = projection of multiplier + penetration: active sets", false,
-           true, projectedNormal, projectedTangential},
-          {"Fischer-Burmeister", "a + b - sqrt(a^2 + b^2): a smooth merit function", true,
-           false, fischerNormal, fischerTangential},
-      });
-  return family;
-}
-
-const Complementarity& projection() { return complementarities().at("Projection"); }
-
-const Complementarity& fischerBurmeister() {
-  return complementarities().at("Fischer-Burmeister");
 }
 
 }  // namespace epafi::contact

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "bem/base/Family.hpp"
-
 namespace epafi::contact {
 
-/// The contact conditions of one coefficient as an equation  F(λ, y, s) = 0.
+/// The contact conditions of one coefficient as an equation  F(λ, y, s) = 0: its value, and one
+/// element of its generalised gradient, a limit of gradients from nearby.
 ///
 /// y = c r is the penetration (normal) or the slip (tangential) turned into a stress by a
 /// positive factor c; s >= 0 is the slip bound.  F = 0 says
@@ -15,30 +14,20 @@ namespace epafi::contact {
 /// F is semismooth, grows with λ, falls with y; s = 0 is allowed and means λ = 0, s = ∞ means
 /// y = 0.
 struct Complementarity {
-  /// F and one element of its generalised gradient, a limit of gradients from nearby.
-  struct Value {
-    double value;
-    double multiplier;   ///< ∂F/∂λ >= 0
-    double penetration;  ///< ∂F/∂y <= 0
-    double bound;        ///< ∂F/∂s
-  };
-
-  const char* name;
-  const char* meaning;
-  /// Whether F² is continuously differentiable, so that ½|F|² can serve a line search.
-  bool meritIsSmooth;
-  /// Whether its rows are those of active sets: of the projection.
-  bool hasActiveSets;
-  Value (*normal)(double multiplier, double penetration);
-  Value (*tangential)(double multiplier, double slip, double bound);
+  double value;
+  double multiplier;   ///< ∂F/∂λ >= 0
+  double penetration;  ///< ∂F/∂y <= 0
+  double bound;        ///< ∂F/∂s
 };
 
-/// All complementarity functions; a program may add others before it reads its first
-/// scene.  A built-in one is one line in Complementarity.cpp.
-bem::Family<Complementarity>& complementarities();
+/// λ - P(λ + y), P the projection onto [0, ∞) or [-s, s]: the equation.  Active sets: either ∂F/∂λ or
+/// ∂F/∂y is zero, and where λ follows s, F does not depend on y.
+Complementarity projectedNormal(double multiplier, double penetration);
+Complementarity projectedTangential(double multiplier, double slip, double bound);
 
-/// Two that parts of the solver ask for by name: active sets, and a smooth merit function.
-const Complementarity& projection();
-const Complementarity& fischerBurmeister();
+/// By Fischer and Burmeister's a + b - √(a² + b²).  F² is continuously differentiable, which that
+/// of the projection is not: the merit function's, see SmoothMerit.
+Complementarity fischerNormal(double multiplier, double penetration);
+Complementarity fischerTangential(double multiplier, double slip, double bound);
 
 }  // namespace epafi::contact

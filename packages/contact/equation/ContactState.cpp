@@ -8,7 +8,7 @@ namespace epafi::contact {
 
 ContactState classify(const Problem& problem, const State& state,
                       const Vector& penetration) {
-  const Equation equation(problem, projection(), Equation::Bound::Lagged, 0);
+  const Equation equation(problem, Equation::Bound::Lagged, 0);
   const Evaluation e = equation.at(pack(problem, state), penetration);
   ContactState result;
   for (Index i = 0; i < problem.normals; ++i)

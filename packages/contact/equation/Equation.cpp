@@ -54,10 +54,8 @@ int differences(const ActiveSet& a, const ActiveSet& b) {
                             std::not_equal_to<>());
 }
 
-Equation::Equation(const Problem& problem, const Complementarity& function, Bound bound,
-                   double tolerance)
+Equation::Equation(const Problem& problem, Bound bound, double tolerance)
     : problem_(problem),
-      function_(function),
       bound_(bound),
       tolerance_(tolerance / problem.amplification),
       weights_(responseWeights(problem)) {
@@ -109,17 +107,17 @@ void Equation::complete(Evaluation& e, const Vector& magnitude) const {
   measure(e, magnitude);
 }
 
-// With active sets the bound follows the sets of normal coefficients, not their signs: a
+// The bound follows the sets of normal coefficients, not their signs: a
 // point that the step closes carries s(λₙ + δλₙ) after it, one that it opens nothing.
 // With p = λₙ + c rₙ and the row rₙ + δrₙ = 0 of a closed point,
 // s(p) + s'(p) (δλₙ + c δrₙ) says so.  A bound that only looks at λₙ⁺ pins points to zero
 // shear that are about to close, and the sets wander on meshes graded to contact's ends.
-Complementarity::Value Equation::tangentialRow(const Evaluation& e, Index t) const {
+Complementarity Equation::tangentialRow(const Evaluation& e, Index t) const {
   const double multiplier = entry(e.unknowns, problem_.normals + t);
   const double y = entry(e.penetration, problem_.normals + t);
   const double bound = e.linear.stepBounds[static_cast<std::size_t>(t)].value;
   if (bound >= 0)
-    return function_.tangential(multiplier, y, bound);
+    return projectedTangential(multiplier, y, bound);
   // a negative pressure about to become positive: which way it slips shows already
   const double side = multiplier + y >= 0 ? 1 : -1;
   return {multiplier - side * bound, 1, 0, -side};
@@ -138,8 +136,6 @@ std::vector<StepBound> Equation::stepBounds(
   for (const Tangential& t : tangentials)
     if (bound_ == Bound::Lagged)
       result.push_back({t.bound(e.unknowns)});
-    else if (!function_.hasActiveSets)
-      result.push_back({t.bound(e.unknowns), t.slopes(e.unknowns)});
     else
       result.push_back(extrapolated(t, trial, back));
   return result;
@@ -152,7 +148,7 @@ void Equation::evaluateRows(Evaluation& e) const {
     const double multiplier = entry(e.unknowns, i);
     const double y = entry(e.penetration, i);
     e.linear.rows.push_back(i < problem_.normals
-                                ? function_.normal(multiplier, y)
+                                ? projectedNormal(multiplier, y)
                                 : tangentialRow(e, i - problem_.normals));
     e.linear.residual.push_back(e.linear.rows.back().value);
   }

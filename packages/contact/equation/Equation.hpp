@@ -14,9 +14,9 @@ int differences(const ActiveSet& a, const ActiveSet& b);
 
 /// F at a point with one element of its generalised Jacobian: what a Newton step makes zero.
 struct LinearRows {
-  std::vector<Complementarity::Value> rows;  ///< one per coefficient
-  std::vector<StepBound> stepBounds;         ///< what the rows hold the shear to
-  Vector residual;                           ///< F: the rows' values, then the balance
+  std::vector<Complementarity> rows;  ///< one per coefficient
+  std::vector<StepBound> stepBounds;  ///< what the rows hold the shear to
+  Vector residual;                    ///< F: the rows' values, then the balance
 };
 
 /// The nonsmooth equation at one point x = (λ, α).
@@ -36,12 +36,12 @@ struct Evaluation {
 
 /// F(x) = 0, the condensed contact problem as a semismooth equation in stresses.
 ///
-///   rows of λ:   complementarity(λ_i, c_i r_i, s_i),   c_i = 1/Σ|D_ij| (j of i's kind)
+///   rows of λ:   λ_i - P(λ_i + c_i r_i),   c_i = 1/Σ|D_ij| (j of i's kind)
 ///   rows of α:   (Gᵀλ - q)_j / Σ_i |G_ij|
 ///
-/// Convergence is measured by the natural residual λ - P(λ + c r) whatever the function
-/// is, times what it leaves open in the values of λ, so that a tolerance means the same for
-/// all functions and bases.  A row counts as solved when it is below the tolerance over
+/// P projects onto what contact and friction allow, [0, ∞) or [-s_i, s_i]: Newton's method is one of
+/// active sets.  Convergence is measured by the largest row of λ, of the bound s(λ) itself, times what
+/// it leaves open in the values of λ, so that a tolerance means the same for all bases.  A row counts as solved when it is below the tolerance over
 /// Problem::amplification or below what rounding makes of it,
 ///
 ///   8 eps c_i (|D||λ| + |d₀| + |G||α|)_i.
@@ -55,15 +55,10 @@ class Equation {
   };
 
   /// \throws bem::NumericalError if the problem holds a number that is not finite.
-  Equation(const Problem& problem, const Complementarity& function, Bound bound,
-           double tolerance);
+  Equation(const Problem& problem, Bound bound, double tolerance);
 
   const Problem& problem() const { return problem_; }
   Bound bound() const { return bound_; }
-  /// Are the rows linearised by active sets, the slip bound's included?
-  bool hasActiveSets() const {
-    return function_.hasActiveSets && bound_ == Bound::Differentiated;
-  }
   /// c, one per coefficient.
   const Vector& weights() const { return weights_; }
   /// Σ_i |G_ij|, one per rigid motion; 1 for an empty column.
@@ -75,9 +70,8 @@ class Equation {
   Evaluation at(Vector unknowns, const Vector& penetration) const;
 
   /// The rows' bounds at a point; `tangentials` are the problem's, or of other strengths.
-  /// With active sets a bound follows the sets of normal coefficients: s(λₙ) of those
-  /// where λₙ + c rₙ > 0, whatever λₙ has for a sign, nothing of the others.  Else
-  /// s(λₙ⁺).
+  /// A differentiated bound follows the sets of normal coefficients: s(λₙ) of those where
+  /// λₙ + c rₙ > 0, whatever λₙ has for a sign, nothing of the others.  A lagged one is s(λₙ⁺).
   std::vector<StepBound> stepBounds(const Evaluation& e,
                                     const std::vector<Tangential>& tangentials) const;
 
@@ -92,12 +86,11 @@ class Equation {
  private:
   /// All else from unknowns and penetration.
   void complete(Evaluation& e, const Vector& magnitude) const;
-  Complementarity::Value tangentialRow(const Evaluation& e, Index t) const;
+  Complementarity tangentialRow(const Evaluation& e, Index t) const;
   void evaluateRows(Evaluation& e) const;
   void measure(Evaluation& e, const Vector& magnitude) const;
 
   const Problem& problem_;
-  const Complementarity& function_;
   Bound bound_;
   double tolerance_;
   Vector weights_;

@@ -7,7 +7,6 @@ namespace epafi::contact {
 namespace {
 
 LinearRows smoothRows(const Equation& equation, const Evaluation& e) {
-  const Complementarity& smooth = fischerBurmeister();
   const Problem& problem = equation.problem();
   LinearRows result;
   result.residual = e.linear.residual;  // the balance is the same
@@ -15,10 +14,10 @@ LinearRows smoothRows(const Equation& equation, const Evaluation& e) {
     const double multiplier = e.unknowns[at(i)];
     const double y = e.penetration[at(i)];
     if (i < problem.normals) {
-      result.rows.push_back(smooth.normal(multiplier, y));
+      result.rows.push_back(fischerNormal(multiplier, y));
     } else {
       const std::size_t t = at(i - problem.normals);
-      result.rows.push_back(smooth.tangential(multiplier, y, e.bounds[t]));
+      result.rows.push_back(fischerTangential(multiplier, y, e.bounds[t]));
       result.stepBounds.push_back(
           {e.bounds[t], problem.tangentials[t].slopes(e.unknowns)});
     }

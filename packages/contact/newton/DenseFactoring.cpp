@@ -12,14 +12,13 @@ using bem::dot;
 
 namespace {
 
-/// (D + shift) of the inactive coefficients, scaled, in the corner of a matrix of this size.
+/// D of the inactive coefficients, scaled, in the corner of a matrix of this size.
 Matrix reducedMatrix(const Reduction& r, Index size) {
   Matrix m(size, size);
   for (Index q = 0; q < r.count(); ++q) {
     const double* column = r.problem.flexibility.column(r.inactive[at(q)]);
     for (Index p = 0; p < r.count(); ++p)
       m(p, q) = r.scale[at(p)] * r.scale[at(q)] * column[r.inactive[at(p)]];
-    m(q, q) += r.scale[at(q)] * r.scale[at(q)] * r.shift(r.inactive[at(q)]);
   }
   return m;
 }
@@ -47,7 +46,7 @@ class Dense : public Factoring {
  private:
   // The inactive rows after the known changes d, scaled, and then the held balances.
   Vector rightSide(const Vector& b, const Vector& d) const {
-    Vector x = r_.rowsAfter(b, d);
+    Vector x = r_.rightSides(b);
     for (Index j = 0; j < r_.n; ++j) {
       const double* column = r_.problem.flexibility.column(j);
       for (Index p = 0; p < r_.count() && d[at(j)] != 0; ++p)
@@ -139,13 +138,6 @@ class ByLu final : public Dense {
         m(p, count + j) = -r_.border(p, j);
         m(count + j, p) = r_.border(p, j);
       }
-    for (const Index i : r_.inactive)
-      for (const NormalShare& part : r_.boundParts[at(i)])
-        if (!r_.isKnown(part.normal)) {
-          const Index p = r_.position[at(i)];
-          const Index q = r_.position[at(part.normal)];
-          m(p, q) += r_.scale[at(p)] * r_.scale[at(q)] * part.value / r_.divisor(i);
-        }
     r_.forEachFollower([&](Index i, Index leader, double factor) {
       const Index q = r_.position[at(leader)];
       const double* column = r_.problem.flexibility.column(i);

@@ -24,7 +24,7 @@ class Factoring {
 
 /// By D's entries in the inactive rows,
 ///
-///   D_II + diag(shift) ,   bordered by the held rigid motions Ĝ:
+///   D_II,   bordered by the held rigid motions Ĝ:
 ///
 /// symmetric positive definite on {Ĝᵀ d = 0} as long as no slip bound follows an unknown
 /// pressure.  Cholesky then, with the border by its Schur complement; else LU of the same size.
@@ -36,8 +36,8 @@ std::unique_ptr<const Factoring> denseFactoring(const Reduction& reduction);
 /// By the factor in a memory, brought up to date.  Solutions want refinement, and may not
 /// converge.
 ///
-/// Refers to the reduction.  Null where the system is not D and G alone, whatever the point is,
-/// and where the memory's factor and a new one are of no use.  \pre D is formed.
+/// Refers to the reduction.  Null where motions are not held, and where the memory's factor and a
+/// new one are of no use.  \pre D is formed.
 std::unique_ptr<const Factoring> keptFactoring(const Reduction& reduction,
                                                FactorMemory& memory);
 

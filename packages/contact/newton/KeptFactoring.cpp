@@ -7,12 +7,6 @@ namespace epafi::contact {
 
 namespace {
 
-bool isOfProblemAlone(const Reduction& r) {
-  return r.loose.columns() == 0 && r.boundsFollowKnownRows() &&
-         std::all_of(r.inactive.begin(), r.inactive.end(),
-                     [&](Index i) { return r.row(i).multiplier == 0; });
-}
-
 std::vector<KeptFactor::Row> rowsOf(const Reduction& r) {
   std::vector<KeptFactor::Row> rows(at(r.n));
   for (const Index i : r.inactive)
@@ -39,7 +33,7 @@ class ByKept final : public Factoring {
 
   Vector solve(const Vector& b) const override {
     Vector right = r_.knownChanges(b);
-    const Vector rows = r_.rowsAfter(b, right);
+    const Vector rows = r_.rightSides(b);
     for (Index p = 0; p < r_.count(); ++p)
       right[at(r_.inactive[at(p)])] = rows[at(p)];
     const Vector rest = r_.balance(b, Vector(at(r_.n), 0.0));
@@ -59,7 +53,7 @@ class ByKept final : public Factoring {
 
 std::unique_ptr<const Factoring> keptFactoring(const Reduction& reduction,
                                                FactorMemory& memory) {
-  if (!isOfProblemAlone(reduction))
+  if (reduction.loose.columns() > 0)
     return nullptr;
   auto factor = KeptFactor::make(reduction.problem.flexibility, scaledMotions(reduction),
                                  rowsOf(reduction), memory);

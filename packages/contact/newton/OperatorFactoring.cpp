@@ -16,15 +16,9 @@ class ByOperator final : public Factoring {
       : r_(reduction), responses_(reduction.n, reduction.held.columns()) {
     Flexibility::Operator::System system;
     system.rows = r_.inactive;
-    for (const Index i : r_.inactive)
-      system.shifts.push_back(r_.shift(i));
     r_.forEachFollower([&](Index i, Index leader, double factor) {
       system.followers.push_back({i, leader, factor});
     });
-    for (Index i = r_.problem.normals; i < r_.n; ++i)
-      for (const NormalShare& part : r_.boundParts[at(i)])
-        if (!r_.isKnown(i) && !r_.isKnown(part.normal) && part.value != 0)
-          system.entries.push_back({i, part.normal, part.value / r_.divisor(i)});
     factor_ = r_.problem.flexibility.factor(system);
 
     const Index held = responses_.columns();
@@ -46,7 +40,7 @@ class ByOperator final : public Factoring {
 
   Vector solve(const Vector& b) const override {
     const Vector known = r_.knownChanges(b);
-    Vector d = factor_->solve(r_.rowsAfter(b, known), known);
+    Vector d = factor_->solve(r_.rightSides(b), known);
     Vector added = d;
     for (Index i = 0; i < r_.n; ++i)
       added[at(i)] -= known[at(i)];

@@ -29,24 +29,23 @@ Reduction::Reduction(const Equation& equation_, const LinearRows& at_)
 
 void Reduction::chooseInactive() {
   position.assign(at(n), -1);
-  boundParts.resize(at(n));
+  followed.resize(at(n));
   for (Index i = 0; i < n; ++i) {
-    const bool known = -row(i).penetration <= 1e-15 * row(i).multiplier;
-    if (!known) {
+    const Complementarity& row = e.rows[at(i)];
+    if (row.penetration != 0) {
       position[at(i)] = count();
       inactive.push_back(i);
-    }
-    if (i < problem.normals || row(i).bound == 0)
-      continue;
-    for (const NormalShare& slope : e.stepBounds[at(i - problem.normals)].slopes) {
-      boundParts[at(i)].push_back({slope.normal, row(i).bound * slope.value});
-      // A bound that follows an open contact is known, too.
-      symmetric = symmetric && isKnown(slope.normal);
+    } else if (i >= problem.normals && row.bound != 0) {
+      for (const NormalShare& slope : e.stepBounds[at(i - problem.normals)].slopes) {
+        followed[at(i)].push_back({slope.normal, -row.bound * slope.value});
+        // A bound that follows an open contact is known, too.
+        symmetric = symmetric && isKnown(slope.normal);
+      }
     }
   }
   for (const Index i : inactive) {
-    const double d = problem.flexibility.isFormed() ? problem.flexibility(i, i) + shift(i)
-                                                    : 1 / weight(i) + shift(i);
+    const double d =
+        problem.flexibility.isFormed() ? problem.flexibility(i, i) : 1 / weight(i);
     scale.push_back(d > 0 ? 1 / std::sqrt(d) : 1);
   }
 }
@@ -82,14 +81,6 @@ void Reduction::splitMotions() {
   border = multiply(motions, held);
 }
 
-bool Reduction::boundsFollowKnownRows() const {
-  return std::all_of(inactive.begin(), inactive.end(), [&](Index i) {
-    const auto& parts = boundParts[at(i)];
-    return std::all_of(parts.begin(), parts.end(),
-                       [](const NormalShare& part) { return part.value == 0; });
-  });
-}
-
 double Reduction::heldEntry(Index i, Index j) const {
   double sum = 0;
   for (Index m = 0; m < k; ++m)
@@ -101,10 +92,10 @@ Vector Reduction::knownChanges(const Vector& b) const {
   Vector d(at(n), 0.0);
   for (Index i = 0; i < n; ++i)
     if (isKnown(i)) {
-      d[at(i)] = b[at(i)] / row(i).multiplier;
-      for (const NormalShare& part : boundParts[at(i)])
+      d[at(i)] = b[at(i)];
+      for (const NormalShare& part : followed[at(i)])
         if (isKnown(part.normal))
-          d[at(i)] += following(i, part.value) * d[at(part.normal)];
+          d[at(i)] += part.value * d[at(part.normal)];
     }
   return d;
 }
@@ -125,15 +116,10 @@ Vector Reduction::balance(const Vector& b, const Vector& known) const {
   return rest;
 }
 
-Vector Reduction::rowsAfter(const Vector& b, const Vector& known) const {
+Vector Reduction::rightSides(const Vector& b) const {
   Vector x;
-  for (const Index i : inactive) {
-    const double m = divisor(i);
-    x.push_back(b[at(i)] / m);
-    for (const NormalShare& part : boundParts[at(i)])
-      if (isKnown(part.normal))
-        x.back() -= part.value / m * known[at(part.normal)];
-  }
+  for (const Index i : inactive)
+    x.push_back(b[at(i)] / weight(i));
   return x;
 }
 

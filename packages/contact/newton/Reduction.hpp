@@ -9,9 +9,9 @@ namespace epafi::contact {
 /// The linear system J d = b of a Newton step without the coefficients whose change is known
 /// from their own rows (open, slipping):
 ///
-///   known      d_i = b_i / a_i + Σ_j f_ij d_j,   j: pressures that the bound of i follows
-///   inactive   Σ_j D_ij d_j + shift_i d_i + Σ_j s_ij d_j - Σ_j G_ij α_j = b_i / m_i
-///   balance    Σ_i G_ij d_i = b_j,       a = ∂F/∂λ,  m = -c ∂F/∂y,  f, s: of ∂F/∂s
+///   known      d_i = b_i + Σ_j f_ij d_j,   j: pressures that the bound of i follows
+///   inactive   Σ_j D_ij d_j - Σ_j G_ij α_j = b_i / c_i
+///   balance    Σ_i G_ij d_i = b_j
 ///
 /// Rigid motions, measured in units in which each has size one, are split into the
 /// combinations that the inactive rows hold and those that they do not.
@@ -28,7 +28,7 @@ struct Reduction {
 
   std::vector<Index> inactive;  ///< the coefficients that are solved for
   std::vector<Index> position;  ///< where a coefficient stands in `inactive`, or -1
-  std::vector<std::vector<NormalShare>> boundParts;  ///< ∂F_i/∂λₙ through the bound
+  std::vector<std::vector<NormalShare>> followed;  ///< f of the known changes
   bool symmetric = true;  ///< does no bound follow an unknown pressure?
 
   Vector scale;        ///< 1/sqrt of the reduced diagonal
@@ -38,24 +38,17 @@ struct Reduction {
   Matrix border;       ///< Ĝ = scale G_I motionScale held
 
   Index count() const { return static_cast<Index>(inactive.size()); }
-  const Complementarity::Value& row(Index i) const { return e.rows[at(i)]; }
   bool isKnown(Index i) const { return position[at(i)] < 0; }
-
-  /// Does no bound reach into the row of an inactive coefficient?
-  bool boundsFollowKnownRows() const;
 
   /// visit(i, j, f_ij) of the known changes that follow unknown ones.
   template <class Visit>
   void forEachFollower(const Visit& visit) const {
     for (Index i = problem.normals; i < n; ++i)
-      for (const NormalShare& part : boundParts[at(i)])
-        if (isKnown(i) && !isKnown(part.normal) && part.value != 0)
-          visit(i, part.normal, following(i, part.value));
+      for (const NormalShare& part : followed[at(i)])
+        if (!isKnown(part.normal) && part.value != 0)
+          visit(i, part.normal, part.value);
   }
 
-  double shift(Index i) const { return row(i).multiplier / divisor(i); }
-  /// m_i
-  double divisor(Index i) const { return -row(i).penetration * weight(i); }
   /// G_i in the scaled held combination j, without the row's own scale.
   double heldEntry(Index i, Index j) const;
 
@@ -65,8 +58,8 @@ struct Reduction {
   void follow(Vector& d) const;
   /// What is left of the balance of each scaled motion after the known changes.
   Vector balance(const Vector& b, const Vector& known) const;
-  /// The inactive rows without what bounds have of the known changes; D's part is there yet.
-  Vector rowsAfter(const Vector& b, const Vector& known) const;
+  /// The right sides of the inactive rows.
+  Vector rightSides(const Vector& b) const;
   /// Appends α to d, from the sizes of the held combinations.
   void appendMotions(const double* sizes, Vector& d) const;
 
@@ -74,9 +67,6 @@ struct Reduction {
   void chooseInactive();
   void splitMotions();
   double weight(Index i) const { return equation.weights()[at(i)]; }
-  double following(Index i, double boundPart) const {
-    return -boundPart / row(i).multiplier;
-  }
 };
 
 }  // namespace epafi::contact

@@ -13,7 +13,7 @@ ActiveSet rowSet(const Evaluation& e) {
   const std::size_t normals = e.linear.rows.size() - e.bounds.size();
   ActiveSet set;
   for (std::size_t i = 0; i < e.linear.rows.size(); ++i) {
-    const Complementarity::Value& row = e.linear.rows[i];
+    const Complementarity& row = e.linear.rows[i];
     const bool open = row.penetration == 0;
     if (i < normals)
       set.push_back(open ? 0 : 1);

@@ -40,10 +40,10 @@ constexpr double noTolerance = 0;
 }  // namespace
 
 struct ContactModel::Member {
-  Member(const ProblemFamily& family, const Factors& factors_, const Complementarity& f)
+  Member(const ProblemFamily& family, const Factors& factors_)
       : factors(factors_),
         problem(family.at(factors)),
-        equation(problem, f, Equation::Bound::Differentiated, noTolerance) {}
+        equation(problem, Equation::Bound::Differentiated, noTolerance) {}
 
   Factors factors;
   Problem problem;
@@ -56,7 +56,6 @@ ContactModel::ContactModel(const ContactProblem& problem, const Options& options
 ContactModel::ContactModel(ProblemFamily family, const Options& options)
     : family_(std::move(family)),
       stress_(family_->original().stress),
-      complementarity_(&complementarities().at(options.complementarity)),
       space_(spaceOf(family_->original(), options)),
       parameterSpace_(
           Thyra::locallyReplicatedDefaultSpmdVectorSpace<double>(space_->getComm(), 1)),
@@ -160,7 +159,7 @@ std::shared_ptr<const Equation> ContactModel::equationAt(const Factors& factors)
   if (latest_ == nullptr || latest_->factors.load != factors.load ||
       latest_->factors.friction != factors.friction ||
       latest_->factors.increment != factors.increment)
-    latest_ = std::make_shared<const Member>(*family_, factors, *complementarity_);
+    latest_ = std::make_shared<const Member>(*family_, factors);
   return {latest_, &latest_->equation};
 }
 

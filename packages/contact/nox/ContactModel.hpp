@@ -37,7 +37,6 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
   enum Parameter { Load = 0, Friction = 1, Increment = 2 };
 
   struct Options {
-    std::string complementarity = "Projection";  ///< a name of complementarities()
     /// How x and f are distributed: unknowns() entries, each process a contiguous piece,
     /// as Thyra::createVectorSpace<double>(map) has it for a Tpetra map.  Null: one
     /// process, no MPI.  The equation is replicated, and evaluating it is collective.
@@ -113,7 +112,6 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
 
   std::optional<ProblemFamily> family_;
   double stress_;
-  const Complementarity* complementarity_ = nullptr;
   Teuchos::RCP<const SpmdSpace> space_;
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> parameterSpace_;
   std::shared_ptr<const Equation> single_;

@@ -6,10 +6,9 @@
 
 namespace epafi::contact {
 
-/// Ψ = ½ |F|² with Fischer-Burmeister's function, whatever function the equation has: the
-/// merit function of every line search.
+/// Ψ = ½ |F|² with Fischer-Burmeister's function: the merit function of every line search.
 ///
-/// F is only semismooth, Ψ is continuously differentiable where the slip bound is.
+/// The equation's own F and its square have kinks, Ψ is continuously differentiable where the slip bound is.
 ///                                                       [De Luca, Facchinei, Kanzow 1996]
 class Merit final : public NOX::MeritFunction::Generic {
  public:

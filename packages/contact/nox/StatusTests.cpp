@@ -87,8 +87,8 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
   } else {
     const ActiveSet linear = linearProblem(e);
     const auto& newton = dynamic_cast<const NOX::Solver::LineSearchBased&>(solver);
-    if (point->equation().hasActiveSets() && newton.getStepSize() == 1 &&
-        isRounding(linear, e.scaled)) {
+    if (point->equation().bound() == Equation::Bound::Differentiated &&
+        newton.getStepSize() == 1 && isRounding(linear, e.scaled)) {
       run_.end = End::Converged;
       run_.tolerance = e.scaled;
       return status_ = NOX::StatusTest::Converged;

@@ -42,6 +42,19 @@ FacingBodies::FacingBodies(const bem::Mesh& mesh, const MultiplierSpace& multipl
     sight.stretches =
         facing(mesh[element.element].curve.moved(side.shift), side.curves, side.reach);
   }
+  for (std::size_t e = 0; e < sights_.size(); ++e)
+    for (std::size_t k = 0; k < sights_[e].stretches.size(); ++k)
+      if (const MetSide& side = *sights_[e].side; side.body >= 0)
+        facing_[{side.body, side.elements[sights_[e].stretches[k].curve]}].push_back(
+            {e, k});
+}
+
+template <class Visit>
+void FacingBodies::forEachFacing(int body, int element, const Visit& visit) const {
+  const auto found = facing_.find({body, element});
+  if (found != facing_.end())
+    for (const auto& [e, k] : found->second)
+      visit(sights_[e], sights_[e].stretches[k]);
 }
 
 Opposite::Point FacingBodies::at(const ContactElement& element, double t) const {
@@ -102,44 +115,32 @@ std::vector<int> FacingBodies::bodies() const {
 std::vector<Opposite::Source> FacingBodies::sources(int body, int element,
                                                     double t) const {
   std::vector<Source> result;
-  for (const Sight& here : sights_) {
-    if (here.side == nullptr || here.side->body != body)
-      continue;
-    for (const Facing& stretch : here.stretches) {
-      if (here.side->elements[stretch.curve] != element)
-        continue;
-      const bem::Curve& met = here.side->curves[stretch.curve];
-      const bem::Curve& own = mesh_[here.element->element].curve;
-      const double foot = footOn(own, met.point(t) - here.side->shift);
-      if (foot < stretch.begin - 1e-12 || foot > stretch.end + 1e-12)
-        continue;
-      // the foot runs along the side with the part of the way that is along it, which an arc
-      // draws in or out by the distance from its centre
-      const double distance =
-          dot(met.point(t) - here.side->shift - own.point(foot), own.normal(foot));
-      const double along = std::abs(dot(met.tangent(t), own.tangent(foot))) /
-                           std::abs(1 + own.curvature() * distance);
-      result.push_back({here.element, std::clamp(foot, -1.0, 1.0), along});
-    }
-  }
+  forEachFacing(body, element, [&](const Sight& here, const Facing& stretch) {
+    const bem::Curve& met = here.side->curves[stretch.curve];
+    const bem::Curve& own = mesh_[here.element->element].curve;
+    const double foot = footOn(own, met.point(t) - here.side->shift);
+    if (foot < stretch.begin - 1e-12 || foot > stretch.end + 1e-12)
+      return;
+    // the foot runs along the side with the part of the way that is along it, which an arc
+    // draws in or out by the distance from its centre
+    const double distance =
+        dot(met.point(t) - here.side->shift - own.point(foot), own.normal(foot));
+    const double along = std::abs(dot(met.tangent(t), own.tangent(foot))) /
+                         std::abs(1 + own.curvature() * distance);
+    result.push_back({here.element, std::clamp(foot, -1.0, 1.0), along});
+  });
   return result;
 }
 
 Vector FacingBodies::sourceBreaks(int body, int element) const {
   Vector result;
-  for (const Sight& here : sights_) {
-    if (here.side == nullptr || here.side->body != body)
-      continue;
+  forEachFacing(body, element, [&](const Sight& here, const Facing& stretch) {
     const bem::Curve& own = mesh_[here.element->element].curve;
-    for (const Facing& stretch : here.stretches) {
-      if (here.side->elements[stretch.curve] != element)
-        continue;
-      for (const double t : {stretch.begin, stretch.end})
-        if (const auto met = crossing(own.point(t) + here.side->shift, own.normal(t),
-                                      here.side->curves[stretch.curve]))
-          result.push_back(std::clamp(met->t, -1.0, 1.0));
-    }
-  }
+    for (const double t : {stretch.begin, stretch.end})
+      if (const auto met = crossing(own.point(t) + here.side->shift, own.normal(t),
+                                    here.side->curves[stretch.curve]))
+        result.push_back(std::clamp(met->t, -1.0, 1.0));
+  });
   return result;
 }
 

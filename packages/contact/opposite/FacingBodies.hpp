@@ -5,6 +5,8 @@
 
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace epafi::contact {
 
@@ -49,12 +51,17 @@ class FacingBodies final : public Opposite {
   const Sight& sight(const MultiplierSpace::ContactElement& element) const {
     return sights_[element.element];
   }
+  /// visit(sight, stretch) of all that face an element of a body, in the order of the side.
+  template <class Visit>
+  void forEachFacing(int body, int element, const Visit& visit) const;
 
   const bem::Mesh& mesh_;
   double length_;
   DistantObstacle distant_;
   std::map<std::string, MetSide> met_;
   std::vector<Sight> sights_;  ///< by element of the mesh
+  /// By body and its element: what faces it, of sights_ and of their stretches.
+  std::map<std::pair<int, int>, std::vector<std::pair<std::size_t, std::size_t>>> facing_;
 };
 
 }  // namespace epafi::contact

@@ -90,9 +90,11 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
   const std::size_t normals = problem.normals;
   Vector bounds = problem.slipBounds(at.state.multiplier);
   Vector work = contact::frictionWork(problem, at.state, at.penetration);
+  // what opens slides on without a bound: no rounding shall decide whether that counts
+  constexpr double most = 3;
   for (std::size_t t = 0; shear_ == Shear::Mean && t < work.size(); ++t)
     if (work[t] > 0)
-      work[t] *= 0.5 + 0.5 * bounds_[t] / bounds[t];
+      work[t] *= 0.5 + 0.5 * std::min(bounds_[t] / bounds[t], most);
   bem::axpy(1, work, friction_);
   for (std::size_t i = normals; i < multiplier_.size(); ++i)
     trapezoidal_ += 0.5 * (at.state.multiplier[i] + multiplier_[i]) * at.penetration[i];

@@ -20,7 +20,7 @@ namespace epafi::contact {
 /// displacement.                                        [doc/theory/paths.md, Energies]
 class PathMemory {
  public:
-  /// The shear σₜ that slips: ± s of the step's end, which is λₜ, or ± ½ (s + s⁻).
+  /// The shear σₜ that slips: ± s of the step's end, which is λₜ, or ± ½ (s + min(s⁻, 3 s)).
   ///
   /// What slips does so at its bound all along, so that both are exact where bounds stay; where they
   /// change the first errs by the first order in the step, the second by the second.

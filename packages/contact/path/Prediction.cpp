@@ -10,7 +10,7 @@ using bem::dot;
 namespace {
 
 Equation sharp(const Problem& problem) {
-  return Equation(problem, projection(), Equation::Bound::Differentiated, 0);
+  return Equation(problem, Equation::Bound::Differentiated, 0);
 }
 
 ActiveSet setOf(const Problem& problem, const State& state) {

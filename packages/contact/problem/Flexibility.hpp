@@ -39,16 +39,13 @@ class Flexibility {
     /// A linear system in some of the coefficients.
     struct System {
       std::vector<Index> rows;  ///< the coefficients that are solved for
-      Vector shifts;            ///< one each, added to D's diagonal
       /// A coefficient that is not, but changes with one that is, by so much of that.
       std::vector<bem::Entry> followers;
-      /// Added to D between two of the rows, whose coefficients belong to one element.
-      std::vector<bem::Entry> entries;
     };
     class Factor {
      public:
       virtual ~Factor() = default;
-      /// x with  Σ_j (D + entries)_ij x_j + shift_i x_i = b_i  in the rows i, where all other x_j are
+      /// x with  Σ_j D_ij x_j = b_i  in the rows i, where all other x_j are
       /// known_j + Σ factor x_leader; `b` by rows.
       virtual Vector solve(const Vector& b, const Vector& known) const = 0;
     };

@@ -24,8 +24,6 @@ ContactFields::ContactFields(const Solved& solved)
       units_(solved.units),
       multiplier_(solved.state.multiplier),
       bounds_(boundsAsCoefficients(solved.problem.numbers(), solved.state.multiplier)),
-      continuous_(
-          withoutJumps(solved.space.mesh(), multiplierSpace(), multiplier_, bounds_)),
       tolerance_(stateTolerance * solved.problem.numbers().stress) {}
 
 double ContactFields::closing(const Element& element,
@@ -58,9 +56,8 @@ MultiplierSpace::Value ContactFields::stress(const Element& element, double t) c
   return inUnits(multiplier_, element, t);
 }
 
-MultiplierSpace::Value ContactFields::continuousStress(const Element& element,
-                                                       double t) const {
-  return inUnits(continuous_, element, t);
+Vector ContactFields::continuous() const {
+  return withoutJumps(solved_.space.mesh(), multiplierSpace(), multiplier_, bounds_);
 }
 
 double ContactFields::slip(const Element& element, double t) const {

@@ -41,8 +41,11 @@ class ContactFields {
 
   ContactPoint at(const Element& element, double t) const;
 
-  /// λ without the jumps that no equation sees, see withoutJumps.  [stress]
-  MultiplierSpace::Value continuousStress(const Element& element, double t) const;
+  /// λ without the jumps that no equation sees, see withoutJumps, for inUnits.
+  Vector continuous() const;
+  /// Such coefficients at a point.  [stress]
+  MultiplierSpace::Value inUnits(const Vector& multiplier, const Element& element,
+                                 double t) const;
 
   /// λ [stress] and uₜ [length] of at(), which costs more.
   MultiplierSpace::Value stress(const Element& element, double t) const;
@@ -57,8 +60,6 @@ class ContactFields {
  private:
   const MultiplierSpace& multiplierSpace() const { return solved_.problem.multiplier(); }
   double closing(const Element& element, const MultiplierSpace::Value& stress) const;
-  MultiplierSpace::Value inUnits(const Vector& multiplier, const Element& element,
-                                 double t) const;
   /// Of dimensionless numbers.
   double slipping(const Element& element, double shear, double bound) const;
 
@@ -66,7 +67,6 @@ class ContactFields {
   bem::Units units_;
   const Vector& multiplier_;
   Vector bounds_;  ///< slip bounds as coefficients, in place of the tangential ones
-  Vector continuous_;
   double tolerance_;
 };
 

@@ -27,7 +27,7 @@ class DefectCorrection {
       : system_(system),
         processes_(processes),
         lengths_(system.lengths()),
-        equation_(system.numbers(), projection(), Equation::Bound::Differentiated, 0) {}
+        equation_(system.numbers(), Equation::Bound::Differentiated, 0) {}
 
   /// A configuration with its defect, and the conditions there.
   struct Point {

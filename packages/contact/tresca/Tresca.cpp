@@ -17,10 +17,6 @@ using bem::Row;
 bem::SchemaRows trescaRows() {
   const TrescaOptions defaults;
   return {
-      Row("Complementarity", Kind::Text,
-          "the equation that says contact or gap; " + meanings(complementarities()))
-          .standard(defaults.complementarity)
-          .allowed(complementarities().names()),
       Row("Tolerance", Kind::Real, "residual, relative to the load")
           .unit("1")
           .standard(defaults.tolerance)
@@ -35,8 +31,7 @@ bem::SchemaRows trescaRows() {
 }
 
 TrescaOptions parseTresca(const Teuchos::ParameterList& list) {
-  return {list.get<std::string>("Complementarity"), list.get<double>("Tolerance"),
-          list.get<int>("Maximum Iterations")};
+  return {list.get<double>("Tolerance"), list.get<int>("Maximum Iterations")};
 }
 
 namespace {
@@ -47,13 +42,12 @@ class Stages {
   Stages(const Tresca& tresca, const Problem& problem, State start, Equation::Bound bound)
       : tresca_(tresca),
         problem_(problem),
-        equation_(tresca.equation(problem, bound)),
-        sharp_(problem, projection(), Equation::Bound::Differentiated,
-               tresca.options().tolerance),
+        equation_(problem, bound, tresca.options().tolerance),
+        sharp_(problem, Equation::Bound::Differentiated, tresca.options().tolerance),
         state_(std::move(start)) {}
 
   void fullSteps(int most) {
-    const bool knowsSets = equation_.hasActiveSets() &&
+    const bool knowsSets = isDifferentiated() &&
                            std::any_of(state_.multiplier.begin(), state_.multiplier.end(),
                                        [](double x) { return x != 0; });
     const Vector start = pack(problem_, state_);
@@ -97,6 +91,9 @@ class Stages {
   }
 
   bool converged() const { return report_.converged(); }
+  bool isDifferentiated() const {
+    return equation_.bound() == Equation::Bound::Differentiated;
+  }
   Solution solution() && { return {std::move(state_), std::move(report_)}; }
 
  private:
@@ -131,24 +128,19 @@ class Stages {
     const End end = report_.stages.back().end;
     if (end == End::NoBalance)
       throw NoBalance(report_.said);
-    if (end == End::Singular && equation_.hasActiveSets() && problem_.rigidMotions() == 0)
+    if (end == End::Singular && isDifferentiated() && problem_.rigidMotions() == 0)
       throw bem::NumericalError(report_.said);
   }
 
   const Tresca& tresca_;
   const Problem& problem_;
   Equation equation_;
-  Equation sharp_;  // the same by the projection, which has active sets
+  Equation sharp_;  // the same with the bound differentiated
   State state_;
   Report report_;
 };
 
 }  // namespace
-
-Equation Tresca::equation(const Problem& problem, Equation::Bound bound) const {
-  return {problem, complementarities().at(options_.complementarity), bound,
-          options_.tolerance};
-}
 
 Solution Tresca::inStages(const Problem& problem, const State& start,
                           Equation::Bound bound, int steps) const {

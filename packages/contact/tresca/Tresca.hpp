@@ -5,7 +5,6 @@
 #include "contact/newton/OffsetPath.hpp"
 #include "contact/solve/NonlinearSolver.hpp"
 
-#include <string>
 #include <utility>
 
 namespace Teuchos {
@@ -16,11 +15,10 @@ namespace epafi::contact {
 
 /// What Newton's method does for problems with given slip bounds.
 struct TrescaOptions {
-  std::string complementarity = "Projection";  ///< a name of complementarities()
-  double tolerance = 1e-12;                    ///< scaled residual, relative to the load
-  int maximumIterations = 50;                  ///< steps of one run
-  double mostWork = 5e12;  ///< operations of all pivots of a solve, see
-                           ///< workOfPivot: some twenty minutes
+  double tolerance = 1e-12;    ///< scaled residual, relative to the load
+  int maximumIterations = 50;  ///< steps of one run
+  double mostWork = 5e12;      ///< operations of all pivots of a solve, see
+                               ///< workOfPivot: some twenty minutes
 };
 
 /// The keys of a list of these, and what a list that they have completed says.
@@ -43,7 +41,6 @@ class Tresca final : public NonlinearSolver {
   const Newton& newton() const { return newton_; }
   const TrescaOptions& options() const { return options_; }
   const OffsetWatch& watch() const { return watch_; }
-  Equation equation(const Problem& problem, Equation::Bound bound) const;
 
   /// In stages with the bound differentiated, of a problem known to be sound.
   Solution solveSound(const Problem& problem, const State& start) const override;
