@@ -109,7 +109,8 @@ class Follower {
       const double later = 1e-2 * std::abs(here_.memory.outside());
       if (ground_.processes.agreed(History::fewestSteps * longest <= whole &&
                                    error.work <= history.tolerance * work &&
-                                   error.slip <= history.tolerance * std::max(work, later)))
+                                   error.slip <=
+                                       history.tolerance * std::max(work, later)))
         break;
     }
   }

@@ -1,5 +1,6 @@
 #include "adaptivity/estimate/EquivalentMultiplier.hpp"
 
+#include "Processes.hpp"
 #include "SolvedScene.hpp"
 #include "bem/quadrature/Gauss.hpp"
 

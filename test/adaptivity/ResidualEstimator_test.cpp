@@ -1,5 +1,6 @@
 #include "adaptivity/estimate/ResidualEstimator.hpp"
 
+#include "Processes.hpp"
 #include "SolvedScene.hpp"
 #include "adaptivity/estimate/Weights.hpp"
 #include "bem/base/Error.hpp"

@@ -104,7 +104,7 @@ TEUCHOS_UNIT_TEST(TileWriter, leavesAloneWhatIsBeforeItsGroup) {
       ++group;
     ++group;
     bem::Operators written = untouched(space);
-    bem::GhostNodes ghosts(space, runs, space.densities());
+    bem::GhostNodes ghosts(space, runs);
     bem::TileWriter writer(space, lame, written, ghosts);
     bem::Tile tile(runs);
     const int first = runs[group].first;
