@@ -90,9 +90,13 @@ folder, text = solve("there and back", COARSE + path([1, 5], 1, 1e-2))
 claim(steps(folder)[1]["energy_dissipated"] > 0.7 * loop(0.5), "what goes and comes back is seen")
 
 # as short as steps may be is not short enough
-folder, text = solve("too long", SWING + path([1, 3], 1, 1e-4) + ["History->Minimum Step=0.25"])
+folder, text = solve("too long", SWING + path([1, 3], 1, 1e-4) + ["History->Minimum Step=0.125"])
 claim("error in time" in text and "History->Tolerance" in text, "what is missing is told")
-claim(steps(folder)[1]["parts"] == 8, "down to the shortest step")
+claim(steps(folder)[1]["parts"] == 16, "down to the shortest step")
+code, text = epafi("run", *arguments(SWING + path([1, 3], 1, 1e-4) + ["History->Minimum Step=0.126"]),
+                   "--output", fresh("none"))
+claim(code == 1 and "at least 8 steps from t = 0 to 1; at most 0.125" in text,
+      "steps that leave nothing to compare are refused: %s" % text.strip())
 
 # stopped behind a step, gone on with: the same steps
 LONG = SWING + path([1, 2, 3, 4, 5], 1, 5e-3) + ["Adaptivity->Strategy=Adaptive h",
