@@ -68,7 +68,7 @@ std::vector<adaptivity::Marks> marksOf(const Scene& scene, const BodySpaces& spa
                                        const std::vector<StepFields>& steps,
                                        const adaptivity::Strategy& strategy,
                                        const std::vector<SingularMesh>& meshes,
-                                       const bem::DenseAlgebra& algebra) {
+                                       const bem::Processes& processes) {
   std::vector<bem::Vector> squares;
   for (const BodyLevel& body : level.bodies)
     squares.push_back(body.indicators.elements());
@@ -80,7 +80,7 @@ std::vector<adaptivity::Marks> marksOf(const Scene& scene, const BodySpaces& spa
     const adaptivity::LevelData data{meshes[b].mesh, worst[b],
                                      analyticIn(steps, b, scene, spaces.space(b)),
                                      meshes[b].singular, gradingOf(scene)};
-    marks.push_back(adaptivity::decide(strategy, data, algebra));
+    marks.push_back(adaptivity::decide(strategy, data, processes));
   }
   return marks;
 }
@@ -110,7 +110,7 @@ std::string missingTo(const Scene& scene, const Level& level) {
 }
 
 std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& level,
-                                            const bem::DenseAlgebra& algebra) {
+                                            const bem::Processes& processes) {
   const auto converged = [&](const std::string& reason) {
     return Outcome{contact::Status::Converged, reason + missingTo(scene, level)};
   };
@@ -130,7 +130,7 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
   const std::vector<StepFields> steps = level.solved();
   const std::vector<SingularMesh> meshes = singularMeshes(scene, spaces, steps, strategy);
   const std::vector<adaptivity::Marks> marks =
-      marksOf(scene, spaces, level, steps, strategy, meshes, algebra);
+      marksOf(scene, spaces, level, steps, strategy, meshes, processes);
   if (std::none_of(marks.begin(), marks.end(), adaptivity::anyMarked))
     return converged("there is nothing to refine");
 
@@ -150,14 +150,14 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
 
 std::variant<LevelStart, Outcome> levelAfterRestart(const Scene& scene,
                                                     const Level& level,
-                                                    const bem::DenseAlgebra& algebra) {
+                                                    const bem::Processes& processes) {
   if (level.status != contact::Status::Converged || !level.complete) {
     LevelStart again{level.number, meshesOf(scene, level), {}, level.path, level.rigid};
     for (const BodyLevel& body : level.bodies)
       again.start.push_back(body.state);
     return again;
   }
-  return nextLevel(scene, level, algebra);
+  return nextLevel(scene, level, processes);
 }
 
 }  // namespace epafi::drivers

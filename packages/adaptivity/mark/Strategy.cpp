@@ -109,11 +109,11 @@ SingularPoints singularPoints(const Strategy& strategy, const GradingOptions& op
 }
 
 Marks decide(const Strategy& strategy, const LevelData& level,
-             const bem::DenseAlgebra& algebra) {
+             const bem::Processes& processes) {
   bem::Vector numbers;
   for (const Mark& mark : strategy.marks(level))
     write(mark, numbers);
-  const bem::Vector agreed = algebra.broadcast(std::move(numbers));
+  const bem::Vector agreed = processes.broadcast(std::move(numbers));
   Marks marks;
   for (const double* next = agreed.data(); next != agreed.data() + agreed.size();)
     marks.push_back(read(next));

@@ -3,7 +3,7 @@
 #include "adaptivity/mark/Grading.hpp"
 #include "adaptivity/refine/Refine.hpp"
 #include "adaptivity/singular/SingularPoints.hpp"
-#include "bem/base/DenseAlgebra.hpp"
+#include "bem/base/Processes.hpp"
 
 #include <string>
 #include <vector>
@@ -54,8 +54,9 @@ struct Strategy {
   Marks (*marks)(const LevelData& level);
 };
 
-/// The singular points of a body that the strategy looks at: those that the conditions tell and, where
-/// it grades toward transitions, those of all states, of which there is at least one.
+/// The singular points of a body that the strategy looks at: those that the conditions tell
+/// and, where it grades toward transitions, those of all states, of which there is at least
+/// one.
 SingularPoints singularPoints(const Strategy& strategy, const GradingOptions& options,
                               const bem::Mesh& mesh,
                               const contact::Conditions& conditions,
@@ -64,7 +65,7 @@ SingularPoints singularPoints(const Strategy& strategy, const GradingOptions& op
 
 /// The strategy's marks as rank 0 takes them; all processes must call.
 Marks decide(const Strategy& strategy, const LevelData& level,
-             const bem::DenseAlgebra& algebra);
+             const bem::Processes& processes);
 
 /// All strategies; a program may add others before it reads its first scene.  A built-in
 /// one is one line in Strategy.cpp.
