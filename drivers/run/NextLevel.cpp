@@ -30,18 +30,22 @@ adaptivity::GradingOptions gradingOf(const Scene& scene) {
   return grading;
 }
 
+const adaptivity::Strategy& strategyOf(const Scene& scene) {
+  return adaptivity::strategies().at(scene.adaptivity.strategy.name);
+}
+
 std::vector<SingularMesh> singularMeshes(const Scene& scene, const BodySpaces& spaces,
-                                         const std::vector<StepFields>& steps,
-                                         const adaptivity::Strategy& strategy) {
+                                         const std::vector<StepFields>& steps) {
   std::vector<SingularMesh> meshes;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     std::vector<contact::ContactState> states;
     for (const StepFields& step : steps)
       states.push_back(step.states[b]);
     const bem::Mesh& mesh = spaces.space(b).mesh();
-    meshes.push_back({mesh, adaptivity::singularPoints(strategy, gradingOf(scene), mesh,
-                                                       scene.bodies[b].conditions,
-                                                       spaces.multiplier(b), states)});
+    meshes.push_back(
+        {mesh, adaptivity::singularPoints(strategyOf(scene), gradingOf(scene), mesh,
+                                          scene.bodies[b].conditions,
+                                          spaces.multiplier(b), states)});
   }
   shareSingularPoints(scene, meshes);
   return meshes;
@@ -65,10 +69,10 @@ std::vector<bool> analyticIn(const std::vector<StepFields>& steps, std::size_t b
 /// Graded hp cuts one side of a contact, the other follows.
 std::vector<adaptivity::Marks> marksOf(const Scene& scene, const BodySpaces& spaces,
                                        const Level& level,
-                                       const std::vector<StepFields>& steps,
-                                       const adaptivity::Strategy& strategy,
-                                       const std::vector<SingularMesh>& meshes,
                                        const bem::Processes& processes) {
+  const std::vector<StepFields> steps = level.solved();
+  const std::vector<SingularMesh> meshes = singularMeshes(scene, spaces, steps);
+  const adaptivity::Strategy& strategy = strategyOf(scene);
   std::vector<bem::Vector> squares;
   for (const BodyLevel& body : level.bodies)
     squares.push_back(body.indicators.elements());
@@ -125,23 +129,20 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
     return converged("all levels that the scene allows are computed");
 
   const BodySpaces spaces(scene, meshesOf(scene, level));
-  const adaptivity::Strategy& strategy =
-      adaptivity::strategies().at(scene.adaptivity.strategy.name);
-  const std::vector<StepFields> steps = level.solved();
-  const std::vector<SingularMesh> meshes = singularMeshes(scene, spaces, steps, strategy);
-  const std::vector<adaptivity::Marks> marks =
-      marksOf(scene, spaces, level, steps, strategy, meshes, processes);
+  const std::vector<adaptivity::Marks> marks = marksOf(scene, spaces, level, processes);
   if (std::none_of(marks.begin(), marks.end(), adaptivity::anyMarked))
     return converged("there is nothing to refine");
 
   LevelStart next{level.number + 1, {}, {}};
-  const bool carries = strategy.start == adaptivity::Start::Carried && !scene.history;
+  const bool carries =
+      strategyOf(scene).start == adaptivity::Start::Carried && !scene.history;
   if (carries)
     next.rigid = level.rigid;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
-    next.meshes.push_back(adaptivity::refine(meshes[b].mesh, marks[b]));
+    const bem::Mesh& mesh = spaces.space(b).mesh();
+    next.meshes.push_back(adaptivity::refine(mesh, marks[b]));
     if (carries)
-      next.start.push_back(adaptivity::carry(spaces.space(b).mesh(), spaces.multiplier(b),
+      next.start.push_back(adaptivity::carry(mesh, spaces.multiplier(b),
                                              level.bodies[b].state, next.meshes.back(),
                                              scene.bodies[b].conditions));
   }
