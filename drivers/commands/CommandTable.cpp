@@ -103,6 +103,7 @@ Option of(const std::string& standard) {
           {"scene", "study"}};
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Command> makeCommands() {
   const Argument scene{"SCENE.xml", "scene", Offer::Scenes};
   return {
