@@ -31,7 +31,7 @@ enum class Grading { Ignored, Obeyed };
 /// Which strategy, and what its marks depend on.
 struct StrategyOptions {
   std::string name = "None";          ///< a name of strategies()
-  double markingFraction = 0.3;       ///< of the squared estimate, in (0, 1]
+  double markingFraction = 0.6;       ///< of the squared estimate, in (0, 1]
   double analyticityThreshold = 0.5;  ///< see looksAnalytic
   GradingOptions grading;
 };
