@@ -115,11 +115,10 @@ TEUCHOS_UNIT_TEST(DenseAlgebra, multipliesAsWritten) {
     Matrix outer = d.copy();
     bem::addProduct(-0.7, x, bem::transposed(x), outer);
     TEST_COMPARE(differenceBelow(bem::addOuter(lowerOf(d), x, -0.7), outer), <, rounding);
-    Matrix mixed = randomMatrix(17, 5, 6);
-    Matrix sum = mixed.copy();
+    Matrix sum = randomMatrix(17, 5, 6);
+    const Matrix mixed = bem::addTransposeTimes(sum.copy(), x, y);
     bem::addTransposedProduct(1, x, y, sum);
-    TEST_COMPARE(differenceBelow(bem::addTransposeTimes(std::move(mixed), x, y), sum), <,
-                 rounding);
+    TEST_COMPARE(differenceBelow(mixed, sum), <, rounding);
     const Vector v = randomVector(n);
     TEST_COMPARE(test::largestDifference(bem::multiplySymmetric(lowerOf(d), v),
                                          bem::multiply(d, v)),
