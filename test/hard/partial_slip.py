@@ -60,7 +60,7 @@ def study(law, scene):
             "block", '<Parameter name="File" type="string" value="%s"/>' % os.path.abspath(
                 files[".xml"]) + sublist("Reference", settings(REFERENCE)))) +
             sublist("Variants", compared)))
-    done = subprocess.run([EPAFI, "study", files[".study.xml"], "--quiet", "--force",
+    done = subprocess.run([EPAFI, "study", files[".study.xml"], "--quiet", "--force", "--no-plot",
                            "--output", files[".out"]], stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, universal_newlines=True)
     if done.returncode != 0:
