@@ -15,21 +15,21 @@ function(add_package name)
   endif()
 endfunction()
 
-# add_unit_tests(<suite> SOURCES <file>... [USES <target>...] [LABEL <label>] [ALGEBRA]):
+# add_unit_tests(<suite> SOURCES <file>... [USES <target>...] [LABEL <label>] [RANKS]):
 # one executable, one ctest entry <label>.<suite>; the label defaults to "unit".
 #
-# Unit tests run under mpirun, too: as border.unit.<suite>.2 and .3, every rank the whole
-# suite by itself; with ALGEBRA (test/Algebra.hpp) all ranks together.
+# With RANKS (test/Processes.hpp) the suite is also border.unit.<suite>.2 and .3: all ranks of
+# mpirun together.
 function(add_unit_tests suite)
-  cmake_parse_arguments(arg "ALGEBRA" "LABEL" "SOURCES;USES" ${ARGN})
+  cmake_parse_arguments(arg "RANKS" "LABEL" "SOURCES;USES" ${ARGN})
   if(NOT arg_LABEL)
     set(arg_LABEL unit)
   endif()
   set(program ${suite}_${arg_LABEL}_tests)
-  if(arg_ALGEBRA)
+  if(arg_RANKS)
     add_border_program(${suite}_ranks_tests
-      SOURCES ${arg_SOURCES} ${PROJECT_SOURCE_DIR}/test/RankAlgebra.cpp USES ${arg_USES})
-    list(APPEND arg_SOURCES ${PROJECT_SOURCE_DIR}/test/SerialAlgebra.cpp)
+      SOURCES ${arg_SOURCES} ${PROJECT_SOURCE_DIR}/test/RankProcesses.cpp USES ${arg_USES})
+    list(APPEND arg_SOURCES ${PROJECT_SOURCE_DIR}/test/SerialProcesses.cpp)
   endif()
   add_executable(${program} ${PROJECT_SOURCE_DIR}/test/TestMain.cpp ${arg_SOURCES})
   target_compile_options(${program} PRIVATE -Wall -Wextra -Wshadow)
@@ -38,11 +38,8 @@ function(add_unit_tests suite)
   add_test(NAME ${arg_LABEL}.${suite} COMMAND ${program})
   set_tests_properties(${arg_LABEL}.${suite} PROPERTIES LABELS ${arg_LABEL}
     ENVIRONMENT "${EPAFI_TEST_ENVIRONMENT}")
-  if(arg_ALGEBRA)
-    set(program ${suite}_ranks_tests)
-  endif()
-  if(arg_LABEL STREQUAL unit)
-    add_border_test(unit.${suite} RANKS 2 3 TIMEOUT 240 COMMAND $<TARGET_FILE:${program}>)
+  if(arg_RANKS)
+    add_border_test(unit.${suite} RANKS 2 3 TIMEOUT 240 COMMAND $<TARGET_FILE:${suite}_ranks_tests>)
   endif()
 endfunction()
 

@@ -3,7 +3,6 @@
 // algebra.
 //
 //   build/bin/bench_kernels [--benchmark_filter=REGEX] [--benchmark_repetitions=5]
-#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/fields/BoundaryFields.hpp"
 #include "bem/moments/FarPairs.hpp"
 #include "bem/moments/NearPairs.hpp"
@@ -24,7 +23,6 @@ namespace epafi::bem {
 namespace {
 
 const Lame lame({100, 0.3, true});
-const LapackAlgebra algebra;
 
 std::shared_ptr<const Outline> square() {
   return std::make_shared<const Outline>(
@@ -120,7 +118,7 @@ void farTractionRows(benchmark::State& state) {
       uniform(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))));
   const std::vector<int> contact = space.mesh().elementsOf("contact");
   const int moments = static_cast<int>(state.range(1)) + 1;
-  const FarTractionRows rows(space, lame, algebra);
+  const FarTractionRows rows(space, lame);
   const auto columns = static_cast<Index>(2 * moments * static_cast<int>(contact.size()));
   Matrix hypersingular(space.displacements(), columns);
   Matrix adjoint(space.densities(), columns);
@@ -160,7 +158,7 @@ void assembleOn(benchmark::State& state, const Mesh& mesh,
   const Space space(mesh);
   for (auto _ : state)
     benchmark::DoNotOptimize(
-        assembleOperators(space, lame, algebra, tractionElements).singleLayer.data());
+        assembleOperators(space, lame, tractionElements).singleLayer.data());
   perItem(state, "seconds_per_ordered_pair",
           static_cast<double>(mesh.size()) * mesh.size());
 }
@@ -208,9 +206,9 @@ void steklovPoincare(benchmark::State& state) {
       uniform(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))));
   for (auto _ : state) {
     state.PauseTiming();
-    Operators operators = assembleOperators(space, lame, algebra);
+    Operators operators = assembleOperators(space, lame);
     state.ResumeTiming();
-    const SteklovPoincare s(std::move(operators), algebra);
+    const SteklovPoincare s(std::move(operators));
     benchmark::DoNotOptimize(s.stiffness().column(0));
   }
 }
@@ -223,7 +221,7 @@ void projectedTractions(benchmark::State& state) {
   const std::vector<int> contact = space.mesh().elementsOf("contact");
   for (auto _ : state) {
     state.PauseTiming();
-    SteklovPoincare s(assembleOperators(space, lame, algebra, contact), algebra);
+    SteklovPoincare s(assembleOperators(space, lame, contact));
     state.ResumeTiming();
     benchmark::DoNotOptimize(
         tractionRows(space, lame, s, contact, TractionForm::Projected)->rows.data());

@@ -2,11 +2,11 @@
 """Runs the studies behind doc/benchmarks and writes their tables and the picture.
 
     study_tables.py EPAFI [--study work-precision] [--study ablation] [--study stabilization]
-                    [--output DIR] [--threads N] [--tables-only]
+                    [--study paths] [--output DIR] [--threads N] [--tables-only]
 
 Without --study all.  A study goes to DIR/<name>; with --tables-only that of an earlier run is
 read.  Between the lines "<!-- table NAME -->" and "<!-- end -->" of README.md and
-doc/benchmarks/*.md the tables are replaced, doc/benchmarks/work-precision.png is copied.
+doc/benchmarks/*.md the tables are replaced; pictures are copied to doc/benchmarks.
 
 A cell says what the first level took whose relative error in the energy norm is at most the
 column's: degrees of freedom (displacement and contact stress) and CPU seconds of all threads,
@@ -37,10 +37,10 @@ class Study:
         return [row for row in self.rows if row["scene"] == scene
                 and row["variant"] == variant and row["counted"] == "1"]
 
-    def first(self, scene, variant, bound):
+    def first(self, scene, variant, bound, column="error"):
         """The first level with an error at most `bound`, or None."""
         return next((row for row in self.levels(scene, variant)
-                     if float(row["error"]) <= bound), None)
+                     if float(row[column]) <= bound), None)
 
     def failures(self):
         return [row for row in self.rows if row["status"] in ("failed", "not converged")]
@@ -61,10 +61,11 @@ def work(level):
     return "%s, %.2f s" % (level["dof"], float(level["seconds_total"]))
 
 
-def work_table(study, bounds):
+def work_table(study, bounds, column="error"):
     tables = []
     for scene in study.scenes:
-        rows = [[variant] + [work(study.first(scene, variant, bound)) for bound in bounds]
+        rows = [[variant] + [work(study.first(scene, variant, bound, column))
+                             for bound in bounds]
                 for variant in study.variants if study.levels(scene, variant)]
         tables.append(markdown([scene] + ["%.0e" % bound for bound in bounds], rows))
     return "\n\n".join(tables).replace("e-0", "e-")
@@ -199,8 +200,20 @@ def write_stabilization(folder):
         "references": reference_lines(study)})
 
 
+def write_paths(folder):
+    study = Study(folder)
+    replace(os.path.join(BENCHMARKS, "path-errors.md"), {
+        "energy": work_table(study, [1e-2, 1e-3, 1e-4, 1e-5], "error_path"),
+        "pressure": work_table(study, [1e-1, 1e-2, 3e-3], "error_path_multiplier"),
+        "friction": work_table(study, [1e-2, 1e-3, 1e-4], "error_path_friction"),
+        "references": reference_lines(study),
+        "failures": failure_lines(study)})
+    shutil.copy(os.path.join(folder, "path_time.png"),
+                os.path.join(BENCHMARKS, "path-errors.png"))
+
+
 WRITERS = {"work-precision": write_work_precision, "ablation": write_ablation,
-           "stabilization": write_stabilization}
+           "stabilization": write_stabilization, "paths": write_paths}
 
 
 def main():

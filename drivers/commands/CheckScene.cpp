@@ -20,9 +20,9 @@ namespace {
 /// Where contact.csv and solution.hdf look at an element.
 std::vector<double> outputPlaces(const Scene& scene, int degree) {
   const int samples = scene.output.contactSamples;
-  std::vector<double> places;
+  std::vector<double> places(bem::at(samples));
   for (int k = 0; k < samples; ++k)
-    places.push_back(-1 + (2.0 * k + 1) / samples);
+    places[bem::at(k)] = -1 + (2.0 * k + 1) / samples;
   const int lines = scene.output.fields ? 2 * (degree + 1) : 0;
   for (int k = 0; k <= lines && lines > 0; ++k)
     places.push_back(-1 + 2.0 * k / lines);
@@ -118,6 +118,24 @@ std::string fixedMotions(const contact::Conditions::Fix& fix) {
   return names.empty() ? " none" : names;
 }
 
+/// Condition, traction and gap of a point x of a boundary, which is not at a corner if it is
+/// `inside`: loads and gaps need not exist there.
+std::vector<std::string> conditionAt(const contact::Conditions& conditions,
+                                     const std::string& boundary, bem::Vec2 x,
+                                     bool inside) {
+  const auto value = [&](const bem::Function& f) {
+    return inside ? f ? exactly(f(x)) : "0" : "";
+  };
+  const auto contact = conditions.contact.find(boundary);
+  if (contact != conditions.contact.end())
+    return {"Contact", "", "",
+            contact->second.name.empty() ? value(contact->second.gap) : ""};
+  const auto load = conditions.neumann.find(boundary);
+  if (load != conditions.neumann.end())
+    return {"Neumann", value(load->second.x), value(load->second.y), ""};
+  return {conditions.dirichlet.count(boundary) != 0 ? "Dirichlet" : "free", "", "", ""};
+}
+
 /// What `epafi check --plot` draws, as csv: points along the first meshes with the loads and
 /// gaps there.
 std::string sceneCsv(const Scene& scene) {
@@ -134,33 +152,15 @@ std::string sceneCsv(const Scene& scene) {
     csv += csvLine(cells);
   };
   constexpr int lines = 4;
-  for (std::size_t b = 0; b < meshes.size(); ++b) {
-    const contact::Conditions& conditions = scene.bodies[b].conditions;
+  for (std::size_t b = 0; b < meshes.size(); ++b)
     for (int e = 0; e < meshes[b].size(); ++e)
       for (int k = 0; k <= lines; ++k) {
         const std::string& boundary = meshes[b].boundary(e);
         const double t = -1 + 2.0 * k / lines;
         const bem::Vec2 x = meshes[b].physicalPoint(e, t);
-        const auto value = [x](const bem::Function& f) {
-          return f ? exactly(f(x)) : "0";
-        };
-        std::vector<std::string> rest = {"free", "", "", ""};
-        if (conditions.dirichlet.count(boundary) != 0)
-          rest = {"Dirichlet", "", "", ""};
-        const auto load = conditions.neumann.find(boundary);
-        if (load != conditions.neumann.end() && k > 0 && k < lines)
-          rest = {"Neumann", value(load->second.x), value(load->second.y), ""};
-        else if (load != conditions.neumann.end())  // loads need not exist at corners
-          rest = {"Neumann", "", "", ""};
-        const auto contact = conditions.contact.find(boundary);
-        if (contact != conditions.contact.end())
-          rest = {"Contact", "", "",
-                  contact->second.name.empty() && k > 0 && k < lines
-                      ? value(contact->second.gap)
-                      : ""};
-        row(x, meshes[b][e].curve.normal(t), scene.bodies[b].name, boundary, e, rest);
+        row(x, meshes[b][e].curve.normal(t), scene.bodies[b].name, boundary, e,
+            conditionAt(scene.bodies[b].conditions, boundary, x, k > 0 && k < lines));
       }
-  }
   for (const RigidBody& body : scene.rigid)
     for (std::size_t e = 0; e < body.outline->edges().size(); ++e)
       for (int k = 0; k <= 4 * lines; ++k) {

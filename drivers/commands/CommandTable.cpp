@@ -36,7 +36,8 @@ int onFirst(const Given& given, std::ostream& out, const Ranks& ranks) {
       problem = std::current_exception();
     }
   }
-  code = static_cast<int>(ranks.algebra().broadcast({static_cast<double>(code)}).front());
+  code =
+      static_cast<int>(ranks.processes().broadcast({static_cast<double>(code)}).front());
   if (problem)
     std::rethrow_exception(problem);
   return code;
@@ -102,6 +103,7 @@ Option of(const std::string& standard) {
           {"scene", "study"}};
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Command> makeCommands() {
   const Argument scene{"SCENE.xml", "scene", Offer::Scenes};
   return {

@@ -148,7 +148,7 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
                       adviseOnInterrupt(advice(given, scene, beginning.folder, &level));
                     });
   table << scene.title << " (" << scene.file << "), BLAS core " << versions().blasCore
-        << ", " << processesAndThreads(ranks.algebra().processes()) << "\n";
+        << ", " << processesAndThreads(ranks.processes().count()) << "\n";
   if (beginning.earlier)
     table << "goes on " << placeOf(beginning.earlier->level) << " in " << restart << "\n";
   if (ranks.isFirst())

@@ -324,7 +324,7 @@ class StudyRun {
 }  // namespace
 
 int studyCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
-  if (ranks.algebra().processes() > 1)
+  if (ranks.processes().count() > 1)
     throw bem::InputError(
         "study: runs on one process, so that its times mean something; --threads N uses "
         "more cores");

@@ -2,7 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/tpetra/BelosSolver.hpp"
-#include "bem/tpetra/TpetraAlgebra.hpp"
+#include "bem/tpetra/MpiProcesses.hpp"
 #include "drivers/process/ExitCode.hpp"
 #include "drivers/process/Interrupt.hpp"
 
@@ -34,7 +34,7 @@ Ranks::Ranks() : underMpirun_(startedByLauncher()) {
 
 Ranks::~Ranks() = default;
 
-const bem::TpetraAlgebra& Ranks::tpetra() const {
+const bem::MpiProcesses& Ranks::tpetra() const {
   if (tpetra_ == nullptr) {
     // not main's arguments: Kokkos would take --threads and --help for its own
     std::string name = "epafi";
@@ -42,12 +42,12 @@ const bem::TpetraAlgebra& Ranks::tpetra() const {
     char** argv = names;
     int argc = 1;
     scope_ = std::make_unique<Tpetra::ScopeGuard>(&argc, &argv);
-    tpetra_ = std::make_unique<const bem::TpetraAlgebra>(Tpetra::getDefaultComm(), tell);
+    tpetra_ = std::make_unique<const bem::MpiProcesses>(Tpetra::getDefaultComm(), tell);
   }
   return *tpetra_;
 }
 
-const bem::DenseAlgebra& Ranks::algebra() const {
+const bem::Processes& Ranks::processes() const {
   if (underMpirun_)
     return *tpetra_;
   return alone_;
@@ -95,13 +95,13 @@ void tell(const bem::Failure& failure) {
   std::cerr << "epafi: " + failure.message + "\n" << std::flush;
 }
 
-bem::Vector largestOverRanks(const bem::DenseAlgebra& algebra, const bem::Vector& mine) {
+bem::Vector largestOverRanks(const bem::Processes& processes, const bem::Vector& mine) {
   const std::size_t n = mine.size();
-  const std::size_t ranks = algebra.processes();
+  const std::size_t ranks = processes.count();
   bem::Vector all(ranks * n);
   std::copy(mine.begin(), mine.end(),
-            all.begin() + algebra.rank() * static_cast<std::ptrdiff_t>(n));
-  all = algebra.sum(std::move(all));
+            all.begin() + processes.rank() * static_cast<std::ptrdiff_t>(n));
+  all = processes.sum(std::move(all));
   bem::Vector largest = mine;
   for (std::size_t r = 0; r < ranks; ++r)
     for (std::size_t i = 0; i < n; ++i)

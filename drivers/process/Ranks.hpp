@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/base/Processes.hpp"
 #include "bem/operators/SingleLayerSolver.hpp"
 #include "bem/tpetra/BelosOptions.hpp"
 #include "bem/tpetra/Consent.hpp"
@@ -13,7 +13,7 @@ class ScopeGuard;
 }
 
 namespace epafi::bem {
-class TpetraAlgebra;
+class MpiProcesses;
 }
 
 namespace epafi::drivers {
@@ -28,14 +28,14 @@ class Ranks {
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
 
-  const bem::DenseAlgebra& algebra() const;
+  const bem::Processes& processes() const;
 
   /// Starts MPI, if that is still to be done: Belos does not work without.
   std::unique_ptr<const bem::SingleLayerSolver> belosSolver(
       const bem::BelosOptions& options) const;
 
   /// One rank writes files and speaks.
-  bool isFirst() const { return algebra().rank() == 0; }
+  bool isFirst() const { return processes().rank() == 0; }
   bool underMpirun() const { return underMpirun_; }
   /// catchSignals as is right for this rank.
   void listenToSignals() const;
@@ -60,19 +60,19 @@ class Ranks {
   void confirm() const;
   bem::Failure agree(const bem::Failure& mine) const;
 
-  const bem::TpetraAlgebra& tpetra() const;
+  const bem::MpiProcesses& tpetra() const;
 
   bool underMpirun_;
-  bem::LapackAlgebra alone_;
+  bem::OneProcess alone_;
   // made when they are needed; scope_ ends MPI, last of all
   mutable std::unique_ptr<Tpetra::ScopeGuard> scope_;
-  mutable std::unique_ptr<const bem::TpetraAlgebra> tpetra_;
+  mutable std::unique_ptr<const bem::MpiProcesses> tpetra_;
 };
 
 /// Prints the one message of a run that fails.
 void tell(const bem::Failure& failure);
 
 /// The largest over all ranks, number by number.
-bem::Vector largestOverRanks(const bem::DenseAlgebra& algebra, const bem::Vector& mine);
+bem::Vector largestOverRanks(const bem::Processes& processes, const bem::Vector& mine);
 
 }  // namespace epafi::drivers

@@ -1,6 +1,5 @@
 #include "drivers/run/FacingMarks.hpp"
 
-#include "adaptivity/singular/Transitions.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
 #include "contact/opposite/NormalRay.hpp"
 
@@ -14,7 +13,6 @@ namespace epafi::drivers {
 
 namespace {
 
-using adaptivity::PreparedMesh;
 using adaptivity::Singularity;
 
 /// A place on one of several curves.
@@ -43,7 +41,7 @@ std::optional<Place> oppositeTo(const Scene& scene, const ContactPair& pair,
 /// Strong where contact between two bodies that deform ends, even at a corner: the pressure is
 /// unbounded there, or jumps.
 void markEnds(const ContactPair& pair, const contact::Conditions& conditions,
-              PreparedMesh& side) {
+              SingularMesh& side) {
   const auto touches = [&](int e) {
     const auto* contact = contact::contactOn(side.mesh, e, conditions);
     return contact != nullptr && contact->name == pair.name;
@@ -58,7 +56,7 @@ void markEnds(const ContactPair& pair, const contact::Conditions& conditions,
 }
 
 /// Places of an element that lie beside strong singular points.
-bem::Vector besideSingular(const PreparedMesh& side, int e) {
+bem::Vector besideSingular(const SingularMesh& side, int e) {
   constexpr double close = 1e-6;
   bem::Vector places;
   if (side.singular.at(side.mesh, e, false) == Singularity::Strong)
@@ -82,15 +80,15 @@ void add(int e, std::vector<int>& elements) {
 }
 
 /// What a side's singular points are opposite to on the body that it meets.
-std::vector<adaptivity::Transition> oppositePoints(const Scene& scene,
-                                                   const ContactPair& pair,
-                                                   const PreparedMesh& prepared) {
-  const bem::Mesh& mesh = prepared.mesh;
+std::vector<adaptivity::EdgePlace> oppositePoints(const Scene& scene,
+                                                  const ContactPair& pair,
+                                                  const SingularMesh& side) {
+  const bem::Mesh& mesh = side.mesh;
   const Scene::MetEdges met = scene.metEdges(pair);
-  std::vector<adaptivity::Transition> found;
+  std::vector<adaptivity::EdgePlace> found;
   for (const int e : mesh.elementsOf(pair.side.boundary)) {
-    bem::Vector places = prepared.singular.inside[e];
-    if (prepared.singular.at(mesh, e, false) == Singularity::Strong)
+    bem::Vector places = side.singular.inside[e];
+    if (side.singular.at(mesh, e, false) == Singularity::Strong)
       places.push_back(-1);
     for (const double t : places)
       if (const auto there = oppositeTo(scene, pair, mesh[e].curve, t, met.curves))
@@ -102,7 +100,7 @@ std::vector<adaptivity::Transition> oppositePoints(const Scene& scene,
 
 /// Elements of a side and of the one that it meets, beside a singular point of the side.
 std::vector<std::pair<int, int>> facingPairs(const Scene& scene, const ContactPair& pair,
-                                             const PreparedMesh& side,
+                                             const SingularMesh& side,
                                              const bem::Mesh& met) {
   const std::vector<int> numbers = met.elementsOf(pair.met.boundary);
   std::vector<bem::Curve> curves;
@@ -118,26 +116,26 @@ std::vector<std::pair<int, int>> facingPairs(const Scene& scene, const ContactPa
 
 }  // namespace
 
-void shareSingularPoints(const Scene& scene, std::vector<PreparedMesh>& prepared) {
-  std::vector<std::vector<adaptivity::Transition>> found(prepared.size());
-  for (std::size_t b = 0; b < prepared.size(); ++b)
+void shareSingularPoints(const Scene& scene, std::vector<SingularMesh>& meshes) {
+  std::vector<std::vector<adaptivity::EdgePlace>> found(meshes.size());
+  for (std::size_t b = 0; b < meshes.size(); ++b)
     for (const RequiredNode& node : scene.bodies[b].nodes)
       found[b].push_back({node.edge, node.place});
   for (const ContactPair& pair : scene.contacts) {
     if (pair.met.rigid)
       continue;
-    markEnds(pair, scene.bodies[pair.side.body].conditions, prepared[pair.side.body]);
-    const auto points = oppositePoints(scene, pair, prepared[pair.side.body]);
+    markEnds(pair, scene.bodies[pair.side.body].conditions, meshes[pair.side.body]);
+    const auto points = oppositePoints(scene, pair, meshes[pair.side.body]);
     found[pair.met.body].insert(found[pair.met.body].end(), points.begin(), points.end());
   }
-  for (std::size_t b = 0; b < prepared.size(); ++b)
+  for (std::size_t b = 0; b < meshes.size(); ++b)
     if (!found[b].empty())
-      prepared[b].singular =
-          adaptivity::placeOn(prepared[b].mesh, {found[b], prepared[b].singular});
+      meshes[b].singular =
+          adaptivity::withStrong(std::move(meshes[b].singular), meshes[b].mesh, found[b]);
 }
 
 std::vector<std::vector<int>> withFacing(const Scene& scene,
-                                         const std::vector<PreparedMesh>& prepared,
+                                         const std::vector<SingularMesh>& meshes,
                                          std::vector<std::vector<int>> worst) {
   constexpr double shortest = 0.5 + 1e-6;  // half as long is common, and no more
   const std::vector<std::vector<int>> chosen = worst;
@@ -146,9 +144,9 @@ std::vector<std::vector<int>> withFacing(const Scene& scene,
       continue;
     const std::size_t a = pair.side.body;
     const std::size_t b = pair.met.body;
-    const bem::Mesh& side = prepared[a].mesh;
-    const bem::Mesh& met = prepared[b].mesh;
-    for (const auto& [e, facing] : facingPairs(scene, pair, prepared[a], met)) {
+    const bem::Mesh& side = meshes[a].mesh;
+    const bem::Mesh& met = meshes[b].mesh;
+    for (const auto& [e, facing] : facingPairs(scene, pair, meshes[a], met)) {
       if (has(chosen[a], e) && met[facing].half > shortest * side[e].half)
         add(facing, worst[b]);
       if (has(chosen[b], facing) && side[e].half > shortest * met[facing].half)

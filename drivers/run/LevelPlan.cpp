@@ -57,14 +57,14 @@ constexpr double programMemory = 47;
 constexpr double mebi = 1024.0 * 1024.0;
 
 /// Peak with dense matrices [MiB]: K with its transpose, V and S in halves, traction rows, D and
-/// what is made on the way (doc/decisions/0016).
+/// what is made on the way (doc/decisions/0016).  Every process has all of it.
 double denseMemory(const std::vector<BodySize>& sizes, int processes) {
   double bytes = 0;
   for (const BodySize& b : sizes)
     bytes +=
         8 * (3.85 * b.displacements * b.densities + 2.4 * b.multipliers * b.multipliers) +
         13000 * b.elements;
-  return processes * programMemory + bytes / mebi;
+  return processes * (programMemory + bytes / mebi);
 }
 
 /// Peak with compressed operators [MiB]: skeletons, larger on graded meshes and where bodies
@@ -117,9 +117,9 @@ std::vector<BodySize> sizesOf(const BodySpaces& spaces) {
 
 /// Maximum Memory, or what is free; what this process holds now is in a forecast, too.
 double allowedMemory(const Scene& scene, const Ranks& ranks) {
-  const bem::DenseAlgebra& algebra = ranks.algebra();
+  const bem::Processes& processes = ranks.processes();
   const double free =
-      algebra.broadcast({freeMemory() + ownMemory() * algebra.processes()}).front();
+      processes.broadcast({freeMemory() + ownMemory() * processes.count()}).front();
   return scene.adaptivity.limits.memory.value_or(free);
 }
 
@@ -145,7 +145,7 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks,
             double allowedBefore) {
   using Operators = LinearMethod::Operators;
   const Operators wanted = linearMethods().at(scene.linear.method).operators;
-  const int processes = ranks.algebra().processes();
+  const int processes = ranks.processes().count();
   const std::vector<BodySize> sizes = sizesOf(spaces);
   const bool isThin = std::any_of(scene.bodies.begin(), scene.bodies.end(), isSlender);
   const bool isGraded = std::any_of(sizes.begin(), sizes.end(), [](const BodySize& b) {
@@ -183,7 +183,7 @@ std::optional<std::string> tooLarge(int level, const Size& size, const Plan& pla
   const std::optional<double>& limit = scene.adaptivity.limits.memory;
   if (plan.memory <= plan.allowed)
     return std::nullopt;
-  const double program = programMemory * ranks.algebra().processes();
+  const double program = programMemory * ranks.processes().count();
   const double share = std::max((plan.allowed - program) / (plan.memory - program), 0.0);
   // matrices grow with the square
   const long cap = static_cast<long>((plan.compressed ? share : std::sqrt(share)) *

@@ -43,12 +43,11 @@ std::string capReached(int level, const Size& size, long cap) {
 }
 
 bem::SteklovPoincare stiffnessOf(bem::Operators operators,
-                                 const bem::DenseAlgebra& algebra,
                                  const bem::SingleLayerSolver* krylov,
                                  const bem::LocalCompliance& compliance) {
   if (krylov != nullptr)
-    return bem::SteklovPoincare(std::move(operators), algebra, *krylov, compliance);
-  return bem::SteklovPoincare(std::move(operators), algebra, compliance);
+    return bem::SteklovPoincare(std::move(operators), *krylov, compliance);
+  return bem::SteklovPoincare(std::move(operators), compliance);
 }
 
 /// Of each body the largest indicators over some states; returns each state's own estimate.
@@ -61,7 +60,7 @@ bem::Vector estimate(const Ground& ground, const std::vector<const SolvedBodies*
     for (const SolvedBodies* solved : states)
       ofBody.push_back({solved->bodies()[b], solved->densities()[b]});
     const std::vector<adaptivity::Indicators> all = adaptivity::estimateResiduals(
-        ofBody, ground.lames[b], ground.scene.adaptivity.estimator);
+        ofBody, ground.lames[b], ground.scene.adaptivity.estimator, ground.processes);
     for (std::size_t k = 0; k < all.size(); ++k)
       estimates[k] = std::hypot(estimates[k], all[k].estimate());
     level.bodies[b].indicators = adaptivity::largest(all);
@@ -70,14 +69,15 @@ bem::Vector estimate(const Ground& ground, const std::vector<const SolvedBodies*
 }
 
 /// See Level::relativeEstimate; `strainEnergies`: of each state, in the user's units.
-double relative(const bem::Vector& estimates, const bem::Vector& strainEnergies) {
+double relative(const bem::Vector& estimates, const bem::Vector& strainEnergies,
+                const bem::Processes& processes) {
   const double largest = *std::max_element(strainEnergies.begin(), strainEnergies.end());
   double result = 0;
   for (std::size_t k = 0; k < estimates.size(); ++k)
     if (estimates[k] > 0)
       result = std::max(result, estimates[k] / std::sqrt(2 * std::max(strainEnergies[k],
                                                                       largest / 100)));
-  return result;
+  return processes.broadcast({result}).front();
 }
 
 /// A level that is solved now.
@@ -100,19 +100,19 @@ struct NewLevel {
 using Attempt = std::variant<Level, std::string>;
 
 /// CPU seconds and memory until now, of all processes.
-void addTimes(const SolvedBodies& solved, const PhaseTimer& timer, LevelRow& row) {
+void addTimes(const bem::Processes& processes, const PhaseTimer& timer, LevelRow& row) {
   const auto& phases = timer.levelSeconds();
   bem::Vector cost(phases.begin(), phases.end());
   cost.insert(cost.end(), {cpuSeconds(), timer.wallSeconds(), peakMemory()});
-  cost = largestOverRanks(solved.bodies().front().stiffness.algebra(), cost);
+  cost = largestOverRanks(processes, cost);
   std::copy_n(cost.begin(), phaseCount, row.seconds.begin());
   row.secondsTotal = cost[phaseCount];
   row.secondsWall = cost[phaseCount + 1];
   row.memory = cost[phaseCount + 2];
 }
 
-LevelRow makeRow(const Level& level, const NewLevel& begun, double gamma0,
-                 const SolvedBodies& solved, const contact::Report& report,
+LevelRow makeRow(const Ground& ground, const Level& level, const NewLevel& begun,
+                 double gamma0, const SolvedBodies& solved, const contact::Report& report,
                  double energyFriction) {
   LevelRow row;
   row.level = level.number;
@@ -131,7 +131,7 @@ LevelRow makeRow(const Level& level, const NewLevel& begun, double gamma0,
   row.relativeEstimate = level.relativeEstimate;
   row.worstEstimate = row.estimate;
   row.squares = level.squares();
-  addTimes(solved, begun.timer, row);
+  addTimes(ground.processes, begun.timer, row);
   return row;
 }
 
@@ -174,7 +174,7 @@ Attempt solvePath(const Ground& ground, const contact::ContactSystem& atZero,
         body.indicators.squares.resize(body.pieces.size());
       const SolvedBodies& solved = *sofar.last().solved;
       LevelRow times;
-      addTimes(solved, timer, times);
+      addTimes(ground.processes, timer, times);
       begun.handOutStep({solved.bodies(), level, times, &sofar});
     });
   });
@@ -190,9 +190,9 @@ Attempt solvePath(const Ground& ground, const contact::ContactSystem& atZero,
   bem::Vector energies;
   for (const auto& step : path.steps)
     energies.push_back(step->row.energyStrain);
-  level.relativeEstimate = relative(estimates, energies);
+  level.relativeEstimate = relative(estimates, energies, ground.processes);
   timer.run(Phase::Results, [&] {
-    LevelRow row = makeRow(level, begun, gamma0Of(atZero), solved, path.report,
+    LevelRow row = makeRow(ground, level, begun, gamma0Of(atZero), solved, path.report,
                            path.last().row.energyDissipated);
     const auto worst = std::max_element(estimates.begin(), estimates.end());
     row.worstStep = 1 + static_cast<int>(worst - estimates.begin());
@@ -206,17 +206,16 @@ Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
                   const std::vector<contact::Conditions>& conditions,
                   const LevelStart& from, const NewLevel& begun) {
   PhaseTimer& timer = begun.timer;
-  const bem::DenseAlgebra& algebra = ground.stiffness.front().algebra();
   const SolvedProblem outcome = timer.run(Phase::Newton, [&] {
     return solve(ground.scene, system, ground.spaces,
-                 system.joined(from.start, from.rigid), algebra, timer);
+                 system.joined(from.start, from.rigid), ground.processes, timer);
   });
   const contact::Report& report = outcome.solution.report;
   if (begun.plan.denseInstead && !report.converged())
     return outcome.reason;
   contact::Configuration at = timer.run(Phase::Newton, [&] {
     return report.converged()
-               ? contact::corrected(system, outcome.solution.state, algebra)
+               ? contact::corrected(system, outcome.solution.state, ground.processes)
                : system.configuration(outcome.solution.state);
   });
   system.numbers().flexibility.release();  // estimates take as much
@@ -227,11 +226,12 @@ Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
   const bem::Vector estimates =
       timer.run(Phase::Estimate, [&] { return estimate(ground, {&solved}, level); });
   level.relativeEstimate = relative(
-      estimates, {contact::sumOf(contact::summarizeAll(solved.bodies())).energyStrain});
+      estimates, {contact::sumOf(contact::summarizeAll(solved.bodies())).energyStrain},
+      ground.processes);
   timer.run(Phase::Results, [&] {
-    begun.handOut(
-        {solved.bodies(), level,
-         makeRow(level, begun, gamma0Of(system), solved, report, solved.frictionWork())});
+    begun.handOut({solved.bodies(), level,
+                   makeRow(ground, level, begun, gamma0Of(system), solved, report,
+                           solved.frictionWork())});
   });
   return level;
 }
@@ -240,7 +240,7 @@ Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
 std::vector<bem::SteklovPoincare> stiffnessesOf(const Scene& scene,
                                                 const BodySpaces& spaces,
                                                 const std::vector<bem::Lame>& lames,
-                                                const bem::DenseAlgebra& algebra,
+                                                const bem::Processes& processes,
                                                 const bem::SingleLayerSolver* krylov,
                                                 const NewLevel& begun) {
   const bem::Units units = scene.units();
@@ -251,24 +251,24 @@ std::vector<bem::SteklovPoincare> stiffnessesOf(const Scene& scene,
       for (std::size_t b = 0; b < count; ++b)
         bodies.push_back(
             {spaces.space(b), spaces.multiplier(b), lames[b], spaces.opposite(b).get()});
-      return contact::makeCompressedStiffness(bodies, scene.stabilization, units, algebra,
-                                              scene.linear.compression);
+      return contact::makeCompressedStiffness(bodies, scene.stabilization, units,
+                                              processes, scene.linear.compression);
     });
   auto operators = begun.timer.run(Phase::Assembly, [&] {
     std::vector<bem::Operators> all;
     for (std::size_t b = 0; b < count; ++b)
       all.push_back(bem::withExactRotation(
           bem::assembleOperators(
-              spaces.space(b), lames[b], algebra,
+              spaces.space(b), lames[b],
               contact::tractionElements(spaces.multiplier(b), scene.stabilization)),
-          spaces.space(b), algebra));
+          spaces.space(b)));
     return all;
   });
   return begun.timer.run(Phase::Factorization, [&] {
     std::vector<bem::SteklovPoincare> all;
     for (std::size_t b = 0; b < count; ++b)
       all.push_back(
-          stiffnessOf(std::move(operators[b]), algebra, krylov,
+          stiffnessOf(std::move(operators[b]), krylov,
                       contact::densityCompliance(spaces.space(b), spaces.multiplier(b),
                                                  scene.stabilization, lames[b], units)));
     return all;
@@ -277,12 +277,12 @@ std::vector<bem::SteklovPoincare> stiffnessesOf(const Scene& scene,
 
 /// A level's operators, its system and its solution.
 Attempt solveLevel(const Scene& scene, const BodySpaces& spaces,
-                   const std::vector<bem::Lame>& lames, const bem::DenseAlgebra& algebra,
+                   const std::vector<bem::Lame>& lames, const bem::Processes& processes,
                    const bem::SingleLayerSolver* krylov, const LevelStart& from,
                    const NewLevel& begun) {
   const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
-  const auto stiffness = stiffnessesOf(scene, spaces, lames, algebra, krylov, begun);
-  const Ground ground{scene, from.level, spaces, lames, stiffness};
+  const auto stiffness = stiffnessesOf(scene, spaces, lames, processes, krylov, begun);
+  const Ground ground{scene, from.level, spaces, lames, stiffness, processes};
   // a path starts with the conditions at t = 0
   const double start = scene.history ? 0 : 1;
   const std::vector<contact::Conditions> first = scene.conditionsAt(start);
@@ -302,7 +302,8 @@ Attempt solveLevel(const Scene& scene, const BodySpaces& spaces,
 /// With dense operators where compressed ones fail and the plan lets it: which is told.  Of several
 /// processes one may have broken down alone: that ends all of them.
 template <class Attempts>
-Level solveAnyhow(const Attempts& attempt, const NewLevel& begun, int processes) {
+Level solveAnyhow(const Attempts& attempt, const NewLevel& begun,
+                  const bem::Processes& processes) {
   std::string failure;
   try {
     Attempt first = attempt(begun);
@@ -310,7 +311,7 @@ Level solveAnyhow(const Attempts& attempt, const NewLevel& begun, int processes)
       return std::move(*level);
     failure = std::get<std::string>(first);
   } catch (const bem::NumericalError& error) {
-    if (!begun.plan.denseInstead || processes > 1)
+    if (!begun.plan.denseInstead || processes.count() > 1)
       throw;
     failure = error.what();
   }
@@ -328,7 +329,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                     const std::function<void(const SolvedLevel&)>& handOut,
                     const std::optional<Level>& earlier,
                     const std::function<void(const SolvedLevel&)>& handOutStep) {
-  const bem::DenseAlgebra& algebra = ranks.algebra();
+  const bem::Processes& processes = ranks.processes();
   const auto krylov = linearMethods().at(scene.linear.method).solver(ranks, scene.linear);
   std::vector<bem::Lame> lames;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
@@ -337,7 +338,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
   std::string advice;  // as it was given, once
   double allowed = 0;  // memory, as it was found
   std::string missing = earlier ? missingTo(scene, *earlier) : "";
-  auto next = earlier ? levelAfterRestart(scene, *earlier, algebra) : firstLevel(scene);
+  auto next = earlier ? levelAfterRestart(scene, *earlier, processes) : firstLevel(scene);
   while (const auto* from = std::get_if<LevelStart>(&next)) {
     const int number = from->level;
     const BodySpaces spaces(scene, from->meshes);
@@ -364,16 +365,16 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
       };
     const Level level = solveAnyhow(
         [&](const NewLevel& begun) {
-          return solveLevel(scene, spaces, lames, algebra, krylov.get(), *from, begun);
+          return solveLevel(scene, spaces, lames, processes, krylov.get(), *from, begun);
         },
         NewLevel{size, plan, timer, handOut, handOutNew,
                  advice.empty() ? plan.advice : ""},
-        algebra.processes());
+        processes);
     if (advice.empty())
       advice = plan.advice;
     timer.endLevel();
     missing = missingTo(scene, level);
-    next = nextLevel(scene, level, algebra);
+    next = nextLevel(scene, level, processes);
   }
   return std::get<Outcome>(next);
 }

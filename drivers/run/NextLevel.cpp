@@ -30,30 +30,25 @@ adaptivity::GradingOptions gradingOf(const Scene& scene) {
   return grading;
 }
 
-std::vector<adaptivity::PreparedMesh> prepareAll(const Scene& scene,
-                                                 const BodySpaces& spaces,
-                                                 const std::vector<StepFields>& steps,
-                                                 const adaptivity::Strategy& strategy,
-                                                 const bem::DenseAlgebra& algebra) {
-  std::vector<contact::Motions> motions;
-  for (const StepFields& step : steps)
-    motions.push_back(spaces.motions(step.displacement, step.rigid));
-  const std::vector<bem::Mesh> coarse = firstLevel(scene).meshes;
-  std::vector<adaptivity::PreparedMesh> prepared;
+const adaptivity::Strategy& strategyOf(const Scene& scene) {
+  return adaptivity::strategies().at(scene.adaptivity.strategy.name);
+}
+
+std::vector<SingularMesh> singularMeshes(const Scene& scene, const BodySpaces& spaces,
+                                         const std::vector<StepFields>& steps) {
+  std::vector<SingularMesh> meshes;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
-    std::vector<adaptivity::SolvedStep> ofBody;
-    for (std::size_t k = 0; k < steps.size(); ++k)
-      ofBody.push_back({steps[k].states[b], steps[k].displacement[b], &motions[k],
-                        k == 0 ? nullptr : &steps[k - 1].displacement[b],
-                        k == 0 ? nullptr : &motions[k - 1]});
-    prepared.push_back(adaptivity::prepare(
-        strategy,
-        {spaces.space(b), scene.bodies[b].conditions, spaces.multiplier(b), coarse[b],
-         *spaces.opposite(b), std::move(ofBody)},
-        gradingOf(scene), algebra));
+    std::vector<contact::ContactState> states;
+    for (const StepFields& step : steps)
+      states.push_back(step.states[b]);
+    const bem::Mesh& mesh = spaces.space(b).mesh();
+    meshes.push_back(
+        {mesh, adaptivity::singularPoints(strategyOf(scene), gradingOf(scene), mesh,
+                                          scene.bodies[b].conditions,
+                                          spaces.multiplier(b), states)});
   }
-  shareSingularPoints(scene, prepared);
-  return prepared;
+  shareSingularPoints(scene, meshes);
+  return meshes;
 }
 
 /// Of each element of a body: does it look analytic in every step?
@@ -72,23 +67,24 @@ std::vector<bool> analyticIn(const std::vector<StepFields>& steps, std::size_t b
 
 /// The elements that carry most of the estimate are chosen among those of all bodies; where
 /// Graded hp cuts one side of a contact, the other follows.
-std::vector<adaptivity::Marks> marksOf(
-    const Scene& scene, const BodySpaces& spaces, const Level& level,
-    const std::vector<StepFields>& steps, const adaptivity::Strategy& strategy,
-    const std::vector<adaptivity::PreparedMesh>& prepared,
-    const bem::DenseAlgebra& algebra) {
+std::vector<adaptivity::Marks> marksOf(const Scene& scene, const BodySpaces& spaces,
+                                       const Level& level,
+                                       const bem::Processes& processes) {
+  const std::vector<StepFields> steps = level.solved();
+  const std::vector<SingularMesh> meshes = singularMeshes(scene, spaces, steps);
+  const adaptivity::Strategy& strategy = strategyOf(scene);
   std::vector<bem::Vector> squares;
   for (const BodyLevel& body : level.bodies)
     squares.push_back(body.indicators.elements());
   auto worst = adaptivity::doerfler(squares, scene.adaptivity.strategy.markingFraction);
   if (strategy.grading == adaptivity::Grading::Obeyed)
-    worst = withFacing(scene, prepared, std::move(worst));
+    worst = withFacing(scene, meshes, std::move(worst));
   std::vector<adaptivity::Marks> marks;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
-    const adaptivity::LevelData data{prepared[b].mesh, worst[b],
+    const adaptivity::LevelData data{meshes[b].mesh, worst[b],
                                      analyticIn(steps, b, scene, spaces.space(b)),
-                                     prepared[b].singular, gradingOf(scene)};
-    marks.push_back(adaptivity::decide(strategy, data, algebra));
+                                     meshes[b].singular, gradingOf(scene)};
+    marks.push_back(adaptivity::decide(strategy, data, processes));
   }
   return marks;
 }
@@ -118,7 +114,7 @@ std::string missingTo(const Scene& scene, const Level& level) {
 }
 
 std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& level,
-                                            const bem::DenseAlgebra& algebra) {
+                                            const bem::Processes& processes) {
   const auto converged = [&](const std::string& reason) {
     return Outcome{contact::Status::Converged, reason + missingTo(scene, level)};
   };
@@ -133,24 +129,20 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
     return converged("all levels that the scene allows are computed");
 
   const BodySpaces spaces(scene, meshesOf(scene, level));
-  const adaptivity::Strategy& strategy =
-      adaptivity::strategies().at(scene.adaptivity.strategy.name);
-  const std::vector<StepFields> steps = level.solved();
-  const std::vector<adaptivity::PreparedMesh> prepared =
-      prepareAll(scene, spaces, steps, strategy, algebra);
-  const std::vector<adaptivity::Marks> marks =
-      marksOf(scene, spaces, level, steps, strategy, prepared, algebra);
+  const std::vector<adaptivity::Marks> marks = marksOf(scene, spaces, level, processes);
   if (std::none_of(marks.begin(), marks.end(), adaptivity::anyMarked))
     return converged("there is nothing to refine");
 
   LevelStart next{level.number + 1, {}, {}};
-  const bool carries = strategy.start == adaptivity::Start::Carried && !scene.history;
+  const bool carries =
+      strategyOf(scene).start == adaptivity::Start::Carried && !scene.history;
   if (carries)
     next.rigid = level.rigid;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
-    next.meshes.push_back(adaptivity::refine(prepared[b].mesh, marks[b]));
+    const bem::Mesh& mesh = spaces.space(b).mesh();
+    next.meshes.push_back(adaptivity::refine(mesh, marks[b]));
     if (carries)
-      next.start.push_back(adaptivity::carry(spaces.space(b).mesh(), spaces.multiplier(b),
+      next.start.push_back(adaptivity::carry(mesh, spaces.multiplier(b),
                                              level.bodies[b].state, next.meshes.back(),
                                              scene.bodies[b].conditions));
   }
@@ -159,14 +151,14 @@ std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& lev
 
 std::variant<LevelStart, Outcome> levelAfterRestart(const Scene& scene,
                                                     const Level& level,
-                                                    const bem::DenseAlgebra& algebra) {
+                                                    const bem::Processes& processes) {
   if (level.status != contact::Status::Converged || !level.complete) {
     LevelStart again{level.number, meshesOf(scene, level), {}, level.path, level.rigid};
     for (const BodyLevel& body : level.bodies)
       again.start.push_back(body.state);
     return again;
   }
-  return nextLevel(scene, level, algebra);
+  return nextLevel(scene, level, processes);
 }
 
 }  // namespace epafi::drivers

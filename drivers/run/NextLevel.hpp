@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/DenseAlgebra.hpp"
+#include "bem/base/Processes.hpp"
 #include "drivers/run/Level.hpp"
 #include "drivers/scene/Scene.hpp"
 
@@ -37,12 +37,12 @@ std::string missingTo(const Scene& scene, const Level& level);
 /// read from a file leads to the same next one as a level just computed.  Collective.
 /// \throws bem::InputError if the pieces are no meshes on the scene's outlines.
 std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& level,
-                                            const bem::DenseAlgebra& algebra);
+                                            const bem::Processes& processes);
 
 /// Where a run goes on that ended with this level: nextLevel, but a level that has not
 /// converged is solved again from the state it was left in.
 std::variant<LevelStart, Outcome> levelAfterRestart(const Scene& scene,
                                                     const Level& level,
-                                                    const bem::DenseAlgebra& algebra);
+                                                    const bem::Processes& processes);
 
 }  // namespace epafi::drivers

@@ -107,9 +107,10 @@ class Follower {
       const double work = workOf(before, whole);
       // what friction does later with a wrong slip is not known yet
       const double later = 1e-2 * std::abs(here_.memory.outside());
-      if (History::fewestSteps * longest <= whole &&
-          error.work <= history.tolerance * work &&
-          error.slip <= history.tolerance * std::max(work, later))
+      if (ground_.processes.agreed(History::fewestSteps * longest <= whole &&
+                                   error.work <= history.tolerance * work &&
+                                   error.slip <=
+                                       history.tolerance * std::max(work, later)))
         break;
     }
   }
@@ -171,7 +172,7 @@ class Follower {
     } else {
       attempt = timer_.run(Phase::Newton, [&] {
         return solveStep(ground_.scene, *now->system, ground_.spaces, here_.prediction,
-                         ground_.stiffness.front().algebra(), timer_);
+                         ground_.processes, timer_);
       });
     }
     row_.newtonIterations += solved.report.newtonIterations;
@@ -184,8 +185,7 @@ class Follower {
       solved.state = here_.prediction.last();
     timer_.run(Phase::Newton, [&] {
       latestAt_ = converged && !known
-                      ? contact::corrected(*now->system, solved.state,
-                                           ground_.stiffness.front().algebra())
+                      ? contact::corrected(*now->system, solved.state, ground_.processes)
                       : now->system->configuration(solved.state);
       if (!converged)
         return;

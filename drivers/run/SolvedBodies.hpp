@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/base/Processes.hpp"
 #include "contact/system/ContactSystem.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/Level.hpp"
@@ -17,6 +18,7 @@ struct Ground {
   const BodySpaces& spaces;
   const std::vector<bem::Lame>& lames;
   const std::vector<bem::SteklovPoincare>& stiffness;  ///< of each body
+  const bem::Processes& processes;
 };
 
 /// Displacements before the first step of a path, or behind one.

@@ -63,19 +63,19 @@ void unpack(const Vector& numbers, SolvedProblem& solved) {
 /// it, and take the same steps.
 template <class Solve>
 SolvedProblem onFirstRank(const contact::ContactSystem& system,
-                          const bem::DenseAlgebra& algebra, const Solve& solve) {
+                          const bem::Processes& processes, const Solve& solve) {
   if (!system.numbers().flexibility.isFormed())
     return solve();
   SolvedProblem solved;
   contact::State& state = solved.solution.state;
-  if (algebra.rank() == 0)
+  if (processes.rank() == 0)
     solved = solve();
-  if (algebra.processes() == 1)
+  if (processes.count() == 1)
     return solved;
-  state.multiplier = algebra.broadcast(std::move(state.multiplier));
-  state.rigid = algebra.broadcast(std::move(state.rigid));
-  const Vector numbers = algebra.broadcast(packed(solved));
-  if (algebra.rank() != 0)
+  state.multiplier = processes.broadcast(std::move(state.multiplier));
+  state.rigid = processes.broadcast(std::move(state.rigid));
+  const Vector numbers = processes.broadcast(packed(solved));
+  if (processes.rank() != 0)
     unpack(numbers, solved);
   return solved;
 }
@@ -84,8 +84,8 @@ SolvedProblem onFirstRank(const contact::ContactSystem& system,
 
 SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
                     const BodySpaces& spaces, const contact::State& start,
-                    const bem::DenseAlgebra& algebra, PhaseTimer& timer) {
-  return onFirstRank(system, algebra, [&]() -> SolvedProblem {
+                    const bem::Processes& processes, PhaseTimer& timer) {
+  return onFirstRank(system, processes, [&]() -> SolvedProblem {
     try {
       contact::Solution solution = assembled(
           system.numbers(), scene.solver, nullptr, timer,
@@ -101,7 +101,7 @@ SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
 
 SolvedProblem solveStep(const Scene& scene, const contact::ContactSystem& system,
                         const BodySpaces& spaces, const contact::Prediction& prediction,
-                        const bem::DenseAlgebra& algebra, PhaseTimer& timer) {
+                        const bem::Processes& processes, PhaseTimer& timer) {
   const auto from = [&](const contact::State& start) -> SolvedProblem {
     try {
       // of this step only: a run that goes on behind it shall compute the same digits
@@ -117,7 +117,7 @@ SolvedProblem solveStep(const Scene& scene, const contact::ContactSystem& system
       return {{}, error.what()};
     }
   };
-  return onFirstRank(system, algebra, [&] {
+  return onFirstRank(system, processes, [&] {
     const contact::State start = prediction.start(system);
     SolvedProblem solved = from(start);
     if (solved.solution.report.converged() ||

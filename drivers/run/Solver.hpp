@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/DenseAlgebra.hpp"
+#include "bem/base/Processes.hpp"
 #include "contact/path/Prediction.hpp"
 #include "contact/solve/Report.hpp"
 #include "contact/system/ContactSystem.hpp"
@@ -27,13 +27,13 @@ struct SolvedProblem {
 /// \throws see contact::NonlinearSolver; what the watch throws
 SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
                     const BodySpaces& spaces, const contact::State& start,
-                    const bem::DenseAlgebra& algebra, PhaseTimer& timer);
+                    const bem::Processes& processes, PhaseTimer& timer);
 
 /// The same for a step of a path: from where it is predicted, and if that
 /// fails from the state before.  It may fail and be tried in parts: a bem::NumericalError is
 /// the reason of a report without a state.
 SolvedProblem solveStep(const Scene& scene, const contact::ContactSystem& system,
                         const BodySpaces& spaces, const contact::Prediction& prediction,
-                        const bem::DenseAlgebra& algebra, PhaseTimer& timer);
+                        const bem::Processes& processes, PhaseTimer& timer);
 
 }  // namespace epafi::drivers

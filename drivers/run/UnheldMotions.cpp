@@ -1,6 +1,5 @@
 #include "drivers/run/UnheldMotions.hpp"
 
-#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/body/Coupling.hpp"
@@ -236,7 +235,7 @@ class BalanceOf {
     for (bem::Index k = rigid.fixed(); k < rigid.allowed.columns(); ++k) {
       const Vector u = bem::columnOf(rigid.allowed, k);
       Vector column(numbering_.size());
-      addTo(column, b, own.pull(bem::LapackAlgebra(), u), 1);
+      addTo(column, b, own.pull(u), 1);
       for (const auto& [carrier, coupling] : met)
         addTo(column, carrier, coupling.pull(u), 1);
       columns_.push_back(std::move(column));

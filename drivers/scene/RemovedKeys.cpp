@@ -20,6 +20,8 @@ constexpr RemovedKey removedKeys[] = {
     {"Solver", "Complementarity", "Projection",
      "Newton's steps are the projection's; Fischer-Burmeister's function is the merit of "
      "NOX's line searches"},
+    {"Adaptivity->Grading", "Reach", "1",
+     "nodes stay where refinement made them: use Transitions Node"},
 };
 
 [[noreturn]] void refuse(const RemovedKey& key) {

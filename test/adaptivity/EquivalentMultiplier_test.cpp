@@ -1,5 +1,6 @@
 #include "adaptivity/estimate/EquivalentMultiplier.hpp"
 
+#include "Processes.hpp"
 #include "SolvedScene.hpp"
 #include "bem/quadrature/Gauss.hpp"
 
@@ -124,13 +125,14 @@ TEUCHOS_UNIT_TEST(EquivalentMultiplier, doesTheSameWorkOnEveryDisplacement) {
 }
 
 TEUCHOS_UNIT_TEST(EquivalentMultiplier, allRanksTakeThatOfTheFirst) {
-  const double rank = test::algebra().rank();
-  const std::vector<AtEnds> agreed = adaptivity::agree(
-      {{{rank + 1, 2}, {3, 4 - rank}}, {{5 + rank, 6}, {7, rank + 8}}}, test::algebra());
+  const double rank = test::processes().rank();
+  const std::vector<AtEnds> agreed =
+      adaptivity::agree({{{rank + 1, 2}, {3, 4 - rank}}, {{5 + rank, 6}, {7, rank + 8}}},
+                        test::processes());
   TEST_EQUALITY(agreed.size(), 2u);
   TEST_ASSERT(agreed[0].start == (Vec2{1, 2}) && agreed[0].end == (Vec2{3, 4}));
   TEST_ASSERT(agreed[1].start == (Vec2{5, 6}) && agreed[1].end == (Vec2{7, 8}));
-  TEST_ASSERT(adaptivity::agree({}, test::algebra()).empty());
+  TEST_ASSERT(adaptivity::agree({}, test::processes()).empty());
 }
 
 TEUCHOS_UNIT_TEST(EquivalentMultiplier, costsLess) {

@@ -3,10 +3,14 @@
 #include "SquareMesh.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
+#include "bem/space/CauchyData.hpp"
+#include "reference/SampleMeshes.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace epafi {
 
@@ -167,6 +171,101 @@ TEUCHOS_UNIT_TEST(Refine, anEmptyStateStaysEmpty) {
 TEUCHOS_UNIT_TEST(Refine, degreesAboveTheLargestAreRefused) {
   const bem::Mesh mesh = test::squareMesh(bem::largestDegree);
   TEST_THROW(adaptivity::refine(mesh, only(mesh, 0, Mark::RaiseDegree)), bem::InputError);
+}
+
+namespace {
+
+/// The unit square with nodes on its first edge, geometrically layered around a fraction of it.
+bem::Mesh layeredAt(double middle) {
+  const auto outline = std::make_shared<const bem::Outline>(reference::square());
+  std::vector<double> nodes = {0.2, 0.4, 0.5, 0.8};
+  for (const double layer : {-1e-2, -1e-3, 0.0, 1e-3, 1e-2})
+    nodes.push_back(middle + layer);
+  std::sort(nodes.begin(), nodes.end());
+  return reference::cutMesh(outline, {{0, nodes}}, {3});
+}
+
+}  // namespace
+
+TEUCHOS_UNIT_TEST(OtherNodes, leaveAMultiplierThatIsOnePolynomialUnchanged) {
+  contact::Conditions conditions;
+  conditions.contact["side"] = {
+      {}, contact::makeFriction("Tresca", {[](bem::Vec2) { return 1.0; }})};
+  const bem::Mesh from = layeredAt(0.3);
+  const bem::Mesh to = layeredAt(0.307);
+  const auto cubic = [](double s) { return 1 - 2 * s + 3 * s * s - 5 * s * s * s; };
+  for (const contact::MultiplierBasis& basis : contact::multiplierBases()) {
+    const std::string name = basis.name;
+    if (name.find("Lagrange") == std::string::npos)
+      continue;  // the others' coefficients are no values
+    const auto values = [&](const bem::Mesh& mesh) {
+      const MultiplierSpace space(mesh, basis, conditions);
+      bem::Vector normal;
+      bem::Vector tangential;
+      for (const auto& element : space.elements())
+        for (const double t : basis.places(element.degree)) {
+          const bem::Element& e = mesh[element.element];
+          const double s = e.piece.start.fromStart + e.half * (1 + t);
+          normal.push_back(cubic(s));
+          tangential.push_back(-2 * cubic(s));
+        }
+      normal.insert(normal.end(), tangential.begin(), tangential.end());
+      return normal;
+    };
+    const bem::Vector carried = adaptivity::carryMultiplier(
+        from, MultiplierSpace(from, basis, conditions), values(from), to,
+        MultiplierSpace(to, basis, conditions));
+    const bem::Vector expected = values(to);
+    TEST_EQUALITY(carried.size(), expected.size());
+    for (std::size_t k = 0; k < expected.size(); ++k)
+      TEST_COMPARE(std::abs(carried[k] - expected[k]), <, 1e-11);
+  }
+}
+
+TEUCHOS_UNIT_TEST(OtherNodes, nothingIsCarriedToWhereNoContactWas) {
+  const bem::Loop loop{{{0, 0}, {1, 0}, {1, 1}, {0, 1}},
+                       {"bottom", "right", "top", "left"}};
+  const bem::Mesh mesh =
+      bem::makeMesh(std::make_shared<bem::Outline>(loop), {2, 2, 2, 2}, 1);
+  const contact::MultiplierBasis& basis =
+      contact::multiplierBasis("Gauss-Legendre-Lagrange");
+  contact::Conditions one;
+  one.contact["bottom"] = {};
+  contact::Conditions two = one;
+  two.contact["right"] = {};
+  const MultiplierSpace oneSide(mesh, basis, one);
+  const MultiplierSpace twoSides(mesh, basis, two);
+  contact::Conditions other;
+  other.contact["right"] = {};
+  const MultiplierSpace otherSide(mesh, basis, other);
+  const auto carry = [&](const MultiplierSpace& from, const MultiplierSpace& to) {
+    const bem::Vector ones(from.size(), 1.0);
+    return adaptivity::carryMultiplier(mesh, from, ones, mesh, to);
+  };
+  TEST_THROW(carry(oneSide, twoSides), bem::NumericalError);
+  TEST_THROW(carry(oneSide, otherSide), bem::NumericalError);
+  TEST_EQUALITY(carry(oneSide, oneSide).size(), static_cast<std::size_t>(oneSide.size()));
+}
+
+// Errors against a reference with other nodes rest on this.
+TEUCHOS_UNIT_TEST(OtherNodes, aUnionHoldsTheNodesOfBothMeshes) {
+  const bem::Mesh a = layeredAt(0.3);
+  const bem::Mesh b = layeredAt(0.2937);
+  const bem::UnionMesh both = bem::unite(a, b);
+  // the middle and the two layers on either side of it differ
+  TEST_EQUALITY(both.mesh.size(), a.size() + 5);
+  for (int e = 0; e < both.mesh.size(); ++e) {
+    for (const double t : {-1.0, 0.3, 1.0}) {
+      const bem::Vec2 place = both.mesh.scaledPoint(e, t);
+      const bem::Origin& inA = both.first[e];
+      const bem::Origin& inB = both.second[e];
+      const double ta = inA.middle + inA.scale * t;
+      const double tb = inB.middle + inB.scale * t;
+      TEST_COMPARE(norm(place - a.scaledPoint(inA.element, ta)), <, 1e-14);
+      TEST_COMPARE(norm(place - b.scaledPoint(inB.element, tb)), <, 1e-14);
+      TEST_COMPARE(std::max(std::abs(ta), std::abs(tb)), <, 1 + 1e-9);
+    }
+  }
 }
 
 }  // namespace epafi

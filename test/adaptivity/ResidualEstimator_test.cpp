@@ -1,5 +1,6 @@
 #include "adaptivity/estimate/ResidualEstimator.hpp"
 
+#include "Processes.hpp"
 #include "SolvedScene.hpp"
 #include "adaptivity/estimate/Weights.hpp"
 #include "bem/base/Error.hpp"
@@ -36,7 +37,7 @@ Indicators estimate(const SolvedScene& scene, const std::string& weights = "Ener
                     double residualFactor = 1) {
   const auto solved = scene.solved();
   return adaptivity::estimateResiduals({{solved, scene.density()}}, scene.lame(),
-                                       {weights, residualFactor})
+                                       {weights, residualFactor}, test::processes())
       .front();
 }
 

@@ -1,5 +1,7 @@
-// The singular points of several steps on one mesh.
+// The singular points of several steps on one mesh, and further ones.
 #include "adaptivity/singular/SingularPoints.hpp"
+
+#include "SquareMesh.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -52,6 +54,30 @@ TEUCHOS_UNIT_TEST(United, keepElementsApart) {
       united({points({0.1}, {-0.5}), points({}, {0.1}), points({0.6}, {})});
   TEST_ASSERT(result.inside == std::vector<Places>({{0.1, 0.6}, {-0.5, 0.1}}));
   TEST_EQUALITY(result.states, 3);
+}
+
+TEUCHOS_UNIT_TEST(WithStrong, nextToANodeTheyAreAtTheNode) {
+  const bem::Mesh mesh = test::squareMesh(2);
+  const double h = 2 * mesh[0].half;
+  SingularPoints none;
+  none.nodes.resize(mesh.size());
+  none.inside.resize(mesh.size());
+  const auto placed = [&](const std::vector<double>& fromStart) {
+    std::vector<adaptivity::EdgePlace> places;
+    for (const double place : fromStart)
+      places.push_back({0, place});
+    return adaptivity::withStrong(none, mesh, places);
+  };
+  for (const double offset : {-0.009, 0.0, 0.009}) {
+    const auto points = placed({(1 + offset) * h});
+    TEST_ASSERT(points.nodes[1] == Singularity::Strong);
+    TEST_ASSERT(points.inside[0].empty() && points.inside[1].empty());
+  }
+  // and of two that are as close the first one counts
+  const auto points = placed({1.25 * h, 1.259 * h});
+  TEST_ASSERT(points.nodes[1] == Singularity::None);
+  TEST_EQUALITY(points.inside[1].size(), 1u);
+  TEST_FLOATING_EQUALITY(points.inside[1].front(), -0.5, 1e-12);
 }
 
 }  // namespace epafi

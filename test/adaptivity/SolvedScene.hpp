@@ -1,6 +1,5 @@
 #pragma once
 
-#include "Algebra.hpp"
 #include "contact/Solve.hpp"
 #include "contact/results/Summary.hpp"
 
@@ -26,7 +25,7 @@ class SolvedScene {
             space_,
             contact::MultiplierSpace(
                 space_.mesh(), contact::multiplierBasis(input.multiplier), conditions_),
-            input.stabilization, lame_, units_, algebra())),
+            input.stabilization, lame_, units_)),
         problem_({space_, stiffness_, lame_, units_, conditions_,
                   contact::multiplierBasis(input.multiplier), input.stabilization}),
         solution_(test::solve(problem_.numbers())),

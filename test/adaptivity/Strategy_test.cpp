@@ -1,6 +1,6 @@
 #include "adaptivity/mark/Strategy.hpp"
 
-#include "Algebra.hpp"
+#include "Processes.hpp"
 #include "SquareMesh.hpp"
 #include "adaptivity/mark/Doerfler.hpp"
 #include "bem/base/Error.hpp"
@@ -107,7 +107,7 @@ TEUCHOS_UNIT_TEST(Strategy, adaptiveHpBisectsWhereTheDegreeIsTheLargest) {
 TEUCHOS_UNIT_TEST(Strategy, decisionsAreTheStrategysMarks) {
   const bem::Mesh mesh = test::squareMesh(2);
   for (const adaptivity::Strategy& strategy : adaptivity::strategies())
-    TEST_ASSERT(adaptivity::decide(strategy, levelOn(mesh), test::algebra()) ==
+    TEST_ASSERT(adaptivity::decide(strategy, levelOn(mesh), test::processes()) ==
                 strategy.marks(levelOn(mesh)));
 }
 

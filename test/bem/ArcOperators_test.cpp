@@ -1,5 +1,4 @@
 // Operators and fields on bodies with arcs against closed forms.
-#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/fields/Interior.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
 #include "reference/ExactFields.hpp"
@@ -16,7 +15,6 @@ namespace {
 using bem::Vec2;
 using bem::Vector;
 
-const bem::LapackAlgebra algebra;
 const bem::Lame lame({1, 0.3, false});
 
 bem::Mesh meshOf(const bem::Loop& loop, int elementsPerEdge, int degree) {
@@ -43,7 +41,7 @@ Vec2 wave(Vec2 x, int k) {
 // [doc/theory/operators.md]  S e^{ikθ} = 2μk/(κR) e^{ikθ}, k >= 2, and so on.
 TEUCHOS_UNIT_TEST(ArcOperators, haveTheEigenvaluesOfTheDisc) {
   const bem::Space space(meshOf(disc(4, 0.5), 2, 12));
-  const bem::SteklovPoincare s(bem::assembleOperators(space, lame, algebra), algebra);
+  const bem::SteklovPoincare s(bem::assembleOperators(space, lame));
   const double radius = 0.5;
   const double kappa = 3 - 4 * lame.nu;
   for (int k = -4; k <= 4; ++k) {

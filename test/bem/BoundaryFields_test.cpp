@@ -2,7 +2,7 @@
 // and the Galerkin matrices, which are integrals of the same fields.
 #include "bem/fields/BoundaryFields.hpp"
 
-#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/basis/Legendre.hpp"
 #include "bem/fields/Interior.hpp"
 #include "bem/moments/RelativeTarget.hpp"
@@ -23,8 +23,6 @@ namespace {
 
 using bem::Vec2;
 using bem::Vector;
-
-const bem::LapackAlgebra algebra;
 
 bem::Lame lameOf(double nu) { return bem::Lame({1, nu, false}); }
 
@@ -310,16 +308,15 @@ TEUCHOS_UNIT_TEST(BoundaryFields, integrateToTheGalerkinMatrices) {
     const Vector u = anyVector(space.displacements(), 0.3);
     const Vector psi = anyVector(space.densities(), 1.1);
     const bem::BoundaryFields fields(space, lame, {{u, psi}});
-    const bem::Operators operators = bem::assembleOperators(space, lame, algebra);
-    Vector force = algebra.multiplySymmetric(operators.hypersingular, u);
+    const bem::Operators operators = bem::assembleOperators(space, lame);
+    Vector force = bem::multiplySymmetric(operators.hypersingular, u);
     for (std::size_t j = 0; j < force.size(); ++j)
       for (std::size_t i = 0; i < psi.size(); ++i)
         force[j] += operators.doubleLayer(static_cast<bem::Index>(i),
                                           static_cast<bem::Index>(j)) *
                     psi[i];
-    Vector gap = algebra.multiplySymmetric(operators.singleLayer, psi);
-    const Vector ku =
-        algebra.multiply(operators.doubleLayer, operators.doubleLayer.rows(), u);
+    Vector gap = bem::multiplySymmetric(operators.singleLayer, psi);
+    const Vector ku = bem::multiply(operators.doubleLayer, u);
     for (std::size_t i = 0; i < gap.size(); ++i)
       gap[i] -= ku[i];
 

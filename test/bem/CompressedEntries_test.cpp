@@ -2,7 +2,6 @@
 // themselves; every cluster's skeleton stands for it before everything else.
 #include "CompressedSamples.hpp"
 #include "Largest.hpp"
-#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/algebra/Products.hpp"
 #include "bem/compressed/ProxyRows.hpp"
 #include "bem/operators/Assembly.hpp"
@@ -29,7 +28,7 @@ TEUCHOS_UNIT_TEST(CompressedEntries, areThoseOfTheOperators) {
     const bem::Lame lame({1, sample.nu, false});
     const Matrix z = wholeSystem(space, lame);
     // V and W by their lower triangles
-    const bem::Operators all = bem::assembleOperators(space, lame, bem::LapackAlgebra());
+    const bem::Operators all = bem::assembleOperators(space, lame);
     const Index n = space.displacements();
     double v = 0;
     double k = 0;
@@ -65,8 +64,7 @@ TEUCHOS_UNIT_TEST(CompressedEntries, ofFarHatsAreAccurateInThemselves) {
   for (const int degree : {1, 2}) {
     const bem::Space space(cutMesh(outlineOf(square()), cuts, {degree}));
     const QuadOperators exact = quadOperators(space, lame);
-    const bem::Operators byParts =
-        bem::assembleOperators(space, lame, bem::LapackAlgebra());
+    const bem::Operators byParts = bem::assembleOperators(space, lame);
     const Matrix z = wholeSystem(space, lame);
     double worst = 0;
     double worstByParts = 0;

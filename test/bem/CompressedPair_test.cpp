@@ -1,7 +1,7 @@
 // Two bodies in one compressed system: cut together where they face each other, products and
 // solutions are the dense ones.
-#include "Algebra.hpp"
 #include "CompressedSamples.hpp"
+#include "Processes.hpp"
 #include "bem/algebra/Products.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -111,7 +111,7 @@ TEUCHOS_UNIT_TEST(Compressed, bodiesThatFaceEachOtherAreCutTogether) {
 
   const bem::CompressedOperators shared(
       {{pair.first, pair.soft}, {pair.second, pair.stiff}}, smallLeaves(), pair.local,
-      test::algebra());
+      test::processes());
   Matrix x = oscillating(pair.size(), 2);
   for (Index j = 0; j < 2; ++j)
     for (Index i = 0; i < pair.size(); ++i)

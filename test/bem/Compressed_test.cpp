@@ -1,8 +1,8 @@
 // Products and solutions of the compressed system are the dense ones, alone and on several
 // processes.
-#include "Algebra.hpp"
 #include "CompressedSamples.hpp"
 #include "Largest.hpp"
+#include "Processes.hpp"
 #include "bem/algebra/Products.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/compressed/NearBlocks.hpp"
@@ -23,7 +23,7 @@ TEUCHOS_UNIT_TEST(Compressed, productsAreTheDenseOnes) {
   for (const CompressedSample& sample : compressedSamples()) {
     const bem::Space space(sample.mesh);
     const bem::Lame lame({1, sample.nu, false});
-    const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::algebra());
+    const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::processes());
     const Matrix x = oscillating(z.size(), 3);
     const double error = relativeDifference(
         z.times(x), bem::product(rotated(wholeSystem(space, lame), space), x));
@@ -65,7 +65,7 @@ TEUCHOS_UNIT_TEST(Compressed, solutionsAreTheDenseOnes) {
     const bem::Space space(sample.mesh);
     const bem::Lame lame({1, sample.nu, false});
     const Matrix whole = rotated(wholeSystem(space, lame), space);
-    const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::algebra());
+    const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::processes());
     const Matrix b = loads(space);
     const bem::Restriction clamp = clamped(space, 0, sample.mesh.size() / 5);
     const bem::Restriction dirichlet = clamped(space, 0, sample.mesh.size());
@@ -108,7 +108,7 @@ TEUCHOS_UNIT_TEST(Compressed, bodiesMayBeHeldAtTheirHolesAlone) {
       bem::makeMesh(outline, std::vector<int>(outline->edges().size(), 24), 1);
   const bem::Space space(mesh);
   const bem::Lame lame({1, 0.3, false});
-  const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::algebra());
+  const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::processes());
   const bem::Restriction clamp = clamped(space, 4 * 24, mesh.size());
   const Matrix b = loads(space);
   const Matrix exact = denseSolution(wholeSystem(space, lame), clamp, b.copy());
@@ -120,7 +120,7 @@ TEUCHOS_UNIT_TEST(Compressed, bodiesMayBeHeldAtTheirHolesAlone) {
 TEUCHOS_UNIT_TEST(Compressed, changedRestrictionsAreEliminatedWhereTheyChange) {
   const bem::Space space(bem::makeMesh(outlineOf(square()), {48, 48, 48, 48}, 1));
   const bem::Lame lame({1, 0.3, false});
-  const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::algebra());
+  const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::processes());
   const Matrix b = oscillating(z.size(), 1);
   const bem::Restriction before = clamped(space, 0, 48);
   const bem::Restriction after = clamped(space, 0, 50);
@@ -139,7 +139,7 @@ TEUCHOS_UNIT_TEST(Compressed, processesTogetherAreOne) {
   const bem::Space space(bem::makeMesh(outlineOf(square()), {48, 48, 48, 48}, 1));
   const bem::Lame lame({1, 0.3, false});
   const bem::CompressedOperators alone(space, lame, smallLeaves());
-  const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::algebra());
+  const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::processes());
   const Matrix x = oscillating(z.size(), 2);
   TEST_EQUALITY(relativeDifference(z.times(x), alone.times(x)), 0);
   // leaves at the end of a side, and a side
@@ -166,7 +166,7 @@ TEUCHOS_UNIT_TEST(Compressed, processesTogetherAreOne) {
     TEST_EQUALITY(
         relativeDifference(several.solveAlong(paths, b), one.solveAlong(paths, b)), 0);
   }
-  if (test::algebra().processes() > 1)
+  if (test::processes().count() > 1)
     TEST_COMPARE(z.bytes(), <, alone.bytes());
 }
 
@@ -178,7 +178,7 @@ TEUCHOS_UNIT_TEST(Compressed, singularLeavesAreEverybodys) {
   local.elements = {100};
   local.entries = {
       {space.displacement(100, 0, 0), space.displacements() + space.densities(), 1}};
-  const bem::CompressedOperators z(space, lame, smallLeaves(), local, test::algebra());
+  const bem::CompressedOperators z(space, lame, smallLeaves(), local, test::processes());
   bem::Restriction clamp = clamped(space, 0, 48);
   clamp.held.resize(z.size());
   bem::Restriction all;
@@ -198,7 +198,7 @@ TEUCHOS_UNIT_TEST(Compressed, updatesThatFailAreMadeUpForByTheNext) {
   local.elements = {100};
   const Index further = space.displacements() + space.densities();
   local.entries = {{space.displacement(100, 0, 0), further, 1}};
-  const bem::CompressedOperators z(space, lame, smallLeaves(), local, test::algebra());
+  const bem::CompressedOperators z(space, lame, smallLeaves(), local, test::processes());
   bem::Restriction before = clamped(space, 0, 48);
   before.held.resize(z.size());
   before.held.back() = 1;
@@ -222,7 +222,7 @@ TEUCHOS_UNIT_TEST(Compressed, updatesThatFailAreMadeUpForByTheNext) {
 TEUCHOS_UNIT_TEST(Compressed, partsAreOfLeavesThatMayChange) {
   const bem::Space space(bem::makeMesh(outlineOf(square()), {48, 48, 48, 48}, 1));
   const bem::Lame lame({1, 0.3, false});
-  const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::algebra());
+  const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::processes());
   const auto leafOf = [&](int e) { return z.leafOf(space.displacement(e, 0, 0)); };
   const bem::CompressedFactor factor(z, clamped(space, 0, 48), {leafOf(100)});
   TEST_THROW(factor.within({leafOf(10)}), std::logic_error);
@@ -234,7 +234,7 @@ TEUCHOS_UNIT_TEST(Compressed, partsAreOfLeavesThatMayChange) {
 TEUCHOS_UNIT_TEST(Compressed, nothingIsReadBesideItsPlace) {
   const bem::Space space(bem::makeMesh(outlineOf(square()), {48, 48, 48, 48}, 1));
   const bem::Lame lame({1, 0.3, false});
-  const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::algebra());
+  const bem::CompressedOperators z(space, lame, smallLeaves(), {}, test::processes());
   bem::Restriction apart = clamped(space, 0, 48);
   const Index follower = space.displacement(100, 0, 0);
   apart.held[follower] = 1;
@@ -256,7 +256,7 @@ TEUCHOS_UNIT_TEST(Compressed, unknownsWithoutEntriesLeaveTheirClusterAlone) {
   bem::LocalCoupling local;
   local.elements = {100};
   local.entries = {{space.displacement(100, 0, 0), further, 0}};
-  const bem::CompressedOperators z(space, lame, smallLeaves(), local, test::algebra());
+  const bem::CompressedOperators z(space, lame, smallLeaves(), local, test::processes());
   Matrix x = oscillating(z.size(), 1);
   x(further, 0) = 0;
   const Matrix image = z.times(x);

@@ -1,7 +1,7 @@
 // The energy norm of a difference, on the union of two meshes.
 #include "bem/operators/EnergyNorm.hpp"
 
-#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "reference/SampleMeshes.hpp"
 
@@ -19,7 +19,6 @@ using bem::Index;
 using bem::Vec2;
 using bem::Vector;
 
-const bem::LapackAlgebra algebra;
 const bem::Lame lame({1, 0.3, false});
 
 Vector random(Index size, unsigned seed) {
@@ -32,13 +31,13 @@ Vector random(Index size, unsigned seed) {
 }
 
 double quadratic(const bem::Matrix& lower, const Vector& v) {
-  const Vector product = algebra.multiplySymmetric(lower, v);
+  const Vector product = bem::multiplySymmetric(lower, v);
   return std::inner_product(v.begin(), v.end(), product.begin(), 0.0);
 }
 
 /// By the Galerkin matrices.
 double normByMatrices(const bem::Space& space, const Vector& u, const Vector& psi) {
-  const bem::Operators operators = bem::assembleOperators(space, lame, algebra);
+  const bem::Operators operators = bem::assembleOperators(space, lame);
   return std::sqrt(quadratic(operators.hypersingular, u) +
                    quadratic(operators.singleLayer, psi));
 }

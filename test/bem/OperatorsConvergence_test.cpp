@@ -1,5 +1,4 @@
 // Every entry of V, K + 1/2 and W on all hard meshes against 33 digits.
-#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "reference/OperatorErrors.hpp"
 #include "reference/SampleMeshes.hpp"
@@ -13,13 +12,12 @@ namespace epafi::reference {
 namespace {
 
 TEUCHOS_UNIT_TEST(OperatorsConvergence, everyEntryIsExactTo12DigitsOfItsBlock) {
-  const bem::LapackAlgebra algebra;
   for (const Sample& sample : hardSamples())
     for (double nu : {-0.5, 0.3, 0.4999999}) {
       const bem::Space space(sample.mesh);
       const bem::Lame lame({1, nu, false});
-      const OperatorErrors error = operatorErrors(
-          bem::assembleOperators(space, lame, algebra), quadOperators(space, lame));
+      const OperatorErrors error =
+          operatorErrors(bem::assembleOperators(space, lame), quadOperators(space, lame));
       out << sample.name << ", nu = " << nu << ":\n";
       TEST_COMPARE(error.singleLayer, <, 1e-12);
       TEST_COMPARE(error.doubleLayer, <, 1e-12);
@@ -31,10 +29,9 @@ TEUCHOS_UNIT_TEST(OperatorsConvergence, everyEntryIsExactTo12DigitsOfItsBlock) {
 // small it is: entries of tiny hats far away are exact to rounding of their row, not of
 // their block.
 TEUCHOS_UNIT_TEST(OperatorsConvergence, lengthsOfOneTo1e10CostNoDigits) {
-  const bem::LapackAlgebra algebra;
   const bem::Space space(gradedSample().mesh);
   const bem::Lame lame({1, 0.3, false});
-  const bem::Operators operators = bem::assembleOperators(space, lame, algebra);
+  const bem::Operators operators = bem::assembleOperators(space, lame);
   const QuadOperators exact = quadOperators(space, lame);
   const OperatorErrors error = operatorErrors(operators, exact);
   TEST_COMPARE(error.singleLayer, <, 1e-12);

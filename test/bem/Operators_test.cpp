@@ -1,7 +1,7 @@
 // The Galerkin matrices against 33 digits (a sample; all of it in
 // OperatorsConvergence_test) and against identities that hold for whole problems.
 #include "Largest.hpp"
-#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "reference/ExactFields.hpp"
@@ -21,8 +21,6 @@ using bem::Vec2;
 using bem::Vector;
 using test::largest;
 
-const bem::LapackAlgebra algebra;
-
 bem::Lame lameOf(double nu) { return bem::Lame({1, nu, false}); }
 
 Vector minus(Vector a, const Vector& b) {
@@ -32,23 +30,22 @@ Vector minus(Vector a, const Vector& b) {
 }
 
 Vector doubleLayerTimes(const bem::Operators& operators, const Vector& u) {
-  return algebra.multiply(operators.doubleLayer, operators.doubleLayer.rows(), u);
+  return bem::multiply(operators.doubleLayer, u);
 }
 
 /// (K + 1/2) u - V t, which vanishes for the Cauchy data of a solution.
 double calderonResidual(const bem::Operators& operators, const Vector& u,
                         const Vector& t) {
   return largest(minus(doubleLayerTimes(operators, u),
-                       algebra.multiplySymmetric(operators.singleLayer, t)));
+                       bem::multiplySymmetric(operators.singleLayer, t)));
 }
 
 TEUCHOS_UNIT_TEST(Operators, areExactTo12DigitsOfTheirBlocks) {
   for (const Sample& sample : quickSamples())
     for (double nu : {0.3, 0.4999999}) {
       const bem::Space space(sample.mesh);
-      const OperatorErrors error =
-          operatorErrors(bem::assembleOperators(space, lameOf(nu), algebra),
-                         quadOperators(space, lameOf(nu)));
+      const OperatorErrors error = operatorErrors(
+          bem::assembleOperators(space, lameOf(nu)), quadOperators(space, lameOf(nu)));
       out << sample.name << ", nu = " << nu << ": ";
       TEST_COMPARE(error.singleLayer, <, 1e-12);
       TEST_COMPARE(error.doubleLayer, <, 1e-12);
@@ -60,7 +57,7 @@ TEUCHOS_UNIT_TEST(Operators, areExactTo12DigitsOfTheirBlocks) {
 TEUCHOS_UNIT_TEST(Operators, ofAnotherMaterialAreToldApart) {
   const bem::Space space(quickSamples().front().mesh);
   const OperatorErrors error =
-      operatorErrors(bem::assembleOperators(space, lameOf(0.3 + 1e-10), algebra),
+      operatorErrors(bem::assembleOperators(space, lameOf(0.3 + 1e-10)),
                      quadOperators(space, lameOf(0.3)));
   TEST_COMPARE(error.singleLayer, >, 1e-12);
   TEST_COMPARE(error.doubleLayer, >, 1e-12);
@@ -71,13 +68,13 @@ TEUCHOS_UNIT_TEST(Operators, annihilateRigidMotions) {
   for (const Sample& sample : hardSamples())
     for (double nu : {-0.5, 0.3, 0.4999999}) {
       const bem::Space space(sample.mesh);
-      const bem::Operators operators = bem::assembleOperators(space, lameOf(nu), algebra);
+      const bem::Operators operators = bem::assembleOperators(space, lameOf(nu));
       const bem::Matrix motions = space.rigidMotions();
       for (int k = 0; k < 3; ++k) {
         const Vector r(motions.column(k), motions.column(k) + motions.rows());
         out << sample.name << ", nu = " << nu << ": ";
         TEST_COMPARE(largest(doubleLayerTimes(operators, r)), <, 1e-14);
-        TEST_COMPARE(largest(algebra.multiplySymmetric(operators.hypersingular, r)), <,
+        TEST_COMPARE(largest(bem::multiplySymmetric(operators.hypersingular, r)), <,
                      1e-14 * largest(operators.hypersingular));
       }
     }
@@ -90,8 +87,7 @@ TEUCHOS_UNIT_TEST(Operators, satisfyCalderonsIdentityForConstantStress) {
            {PlaneStressTensor{1, 0, 0}, PlaneStressTensor{0, 1, 0},
             PlaneStressTensor{0, 0, 1}}) {
         const bem::Space space(sample.mesh);
-        const bem::Operators operators =
-            bem::assembleOperators(space, lameOf(nu), algebra);
+        const bem::Operators operators = bem::assembleOperators(space, lameOf(nu));
         const ExactField field = constantStress(lameOf(nu), sigma, 0.3);
         out << sample.name << ", nu = " << nu << ": ";
         TEST_COMPARE(calderonResidual(operators, displacementOf(space, field),
@@ -105,10 +101,10 @@ TEUCHOS_UNIT_TEST(Operators, satisfyCalderonsIdentityForConstantStress) {
 double pointForceError(const bem::Mesh& mesh, double nu) {
   const bem::Space space(mesh);
   const ExactField field = pointForce(lameOf(nu), {0.8, 0.5}, {0.6, -0.8});
-  bem::Operators operators = bem::assembleOperators(space, lameOf(nu), algebra);
+  bem::Operators operators = bem::assembleOperators(space, lameOf(nu));
   const Vector right = doubleLayerTimes(operators, displacementOf(space, field));
-  const auto factor = algebra.cholesky(std::move(operators.singleLayer), "V");
-  return tractionError(space, factor->solve(right), field);
+  const bem::CholeskyFactor factor(std::move(operators.singleLayer), "V");
+  return tractionError(space, factor.solve(right), field);
 }
 
 std::shared_ptr<const bem::Outline> squareOutline() {
@@ -154,10 +150,10 @@ double discEigenvalue(int sides, int k, double nu) {
     const double angle = k * std::atan2(x.y, x.x);
     return Vec2{std::cos(angle), std::sin(angle)};
   });
-  bem::Operators operators = bem::assembleOperators(space, lameOf(nu), algebra);
-  const Vector wu = algebra.multiplySymmetric(operators.hypersingular, u);
+  bem::Operators operators = bem::assembleOperators(space, lameOf(nu));
+  const Vector wu = bem::multiplySymmetric(operators.hypersingular, u);
   const Vector ku = doubleLayerTimes(operators, u);
-  const Vector psi = algebra.cholesky(std::move(operators.singleLayer), "V")->solve(ku);
+  const Vector psi = bem::CholeskyFactor(std::move(operators.singleLayer), "V").solve(ku);
   double energy = 0;
   for (std::size_t i = 0; i < u.size(); ++i)
     energy += wu[i] * u[i];
@@ -201,8 +197,8 @@ TEUCHOS_UNIT_TEST(Operators, onPolygonsConvergeToTheDiscsSingleLayer) {
       ones[space.density(e, 0, 0)] = 1;
       length += 2 * space.mesh()[e].half;
     }
-    const Vector v = algebra.multiplySymmetric(
-        bem::assembleOperators(space, lame, algebra).singleLayer, ones);
+    const Vector v =
+        bem::multiplySymmetric(bem::assembleOperators(space, lame).singleLayer, ones);
     double energy = 0;
     for (std::size_t i = 0; i < v.size(); ++i)
       energy += v[i] * ones[i];
@@ -220,7 +216,7 @@ TEUCHOS_UNIT_TEST(Operators, doNotDependOnUnitsOrOnTheOrigin) {
     return bem::assembleOperators(
         bem::Space(
             bem::makeMesh(std::make_shared<const bem::Outline>(loop), {2, 1, 1, 2}, 3)),
-        lameOf(0.3), algebra);
+        lameOf(0.3));
   };
   const auto difference = [](const bem::Matrix& a, const bem::Matrix& b) {
     double error = 0;
@@ -275,8 +271,8 @@ TEUCHOS_UNIT_TEST(Operators, moreDensitiesAreThoseOfAHigherDegree) {
   const bem::Space space(plain.withDensities(densities));
   const bem::Space higher({shared, pieces});
   const bem::Lame lame = lameOf(0.3);
-  const bem::Operators mine = bem::assembleOperators(space, lame, algebra);
-  const bem::Operators theirs = bem::assembleOperators(higher, lame, algebra);
+  const bem::Operators mine = bem::assembleOperators(space, lame);
+  const bem::Operators theirs = bem::assembleOperators(higher, lame);
   double apart = 0;
   int compared = 0;
   for (int e = 0; e < plain.size(); ++e)

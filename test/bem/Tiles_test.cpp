@@ -1,5 +1,4 @@
 // Pairs tile by tile are pairs one by one.
-#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/operators/TileWriter.hpp"
 #include "reference/PairwiseOperators.hpp"
 #include "reference/SampleMeshes.hpp"
@@ -15,7 +14,6 @@ namespace {
 
 using bem::Index;
 
-const bem::LapackAlgebra algebra;
 const bem::Lame lame({1, 0.3, false});
 
 enum class Part { All, Lower };
@@ -65,8 +63,8 @@ std::vector<Sample> samples() {
 TEUCHOS_UNIT_TEST(TileBlocks, giveTheMatricesThatPairsGiveOneByOne) {
   for (const Sample& sample : samples()) {
     const bem::Space space(sample.mesh);
-    const bem::Operators tiles = bem::assembleOperators(space, lame, algebra);
-    const bem::Operators pairs = pairwiseOperators(space, lame, algebra);
+    const bem::Operators tiles = bem::assembleOperators(space, lame);
+    const bem::Operators pairs = pairwiseOperators(space, lame);
     out << sample.name << ", " << sample.mesh.size() << " elements: ";
     TEST_COMPARE(difference(tiles.singleLayer, pairs.singleLayer, Part::Lower), <, 1e-13);
     TEST_COMPARE(difference(tiles.doubleLayer, pairs.doubleLayer, Part::All), <, 1e-13);
@@ -106,8 +104,8 @@ TEUCHOS_UNIT_TEST(TileWriter, leavesAloneWhatIsBeforeItsGroup) {
       ++group;
     ++group;
     bem::Operators written = untouched(space);
-    bem::GhostNodes ghosts(space, runs, space.densities());
-    bem::TileWriter writer(space, lame, algebra, written, ghosts);
+    bem::GhostNodes ghosts(space, runs);
+    bem::TileWriter writer(space, lame, written, ghosts);
     bem::Tile tile(runs);
     const int first = runs[group].first;
     for (int r = group; r < runs.size(); ++r) {

@@ -1,5 +1,4 @@
 #include "Largest.hpp"
-#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/fields/Interior.hpp"
 #include "bem/operators/ExactRotation.hpp"
@@ -24,8 +23,6 @@ using bem::Vec2;
 using bem::Vector;
 using test::largest;
 
-const bem::LapackAlgebra algebra;
-
 std::vector<int> allElements(const bem::Mesh& mesh) {
   std::vector<int> elements(mesh.size());
   std::iota(elements.begin(), elements.end(), 0);
@@ -34,10 +31,8 @@ std::vector<int> allElements(const bem::Mesh& mesh) {
 
 bem::SteklovPoincare stiffnessOf(const bem::Space& space, const bem::Lame& lame,
                                  const std::vector<int>& tractionElements) {
-  return bem::SteklovPoincare(
-      bem::withExactRotation(
-          bem::assembleOperators(space, lame, algebra, tractionElements), space, algebra),
-      algebra);
+  return bem::SteklovPoincare(bem::withExactRotation(
+      bem::assembleOperators(space, lame, tractionElements), space));
 }
 
 /// Of the tractions on some elements, made from the assembly's moments and S, and from W φ and
@@ -86,8 +81,7 @@ TEUCHOS_UNIT_TEST(ExactTractions, ofAConstantStressHaveItsNorm) {
   for (const auto& sample : reference::quickSamples()) {
     const bem::Space space(sample.mesh);
     const std::vector<int> elements = allElements(sample.mesh);
-    const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame, algebra),
-                                         algebra);
+    const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame));
     const Vector u = reference::displacementOf(space, field);
     for (const auto form : {bem::TractionForm::Projected, bem::TractionForm::Exact}) {
       const auto rows = bem::tractionRows(space, lame, stiffness, elements, form);
@@ -107,48 +101,6 @@ TEUCHOS_UNIT_TEST(ExactTractions, ofAConstantStressHaveItsNorm) {
   }
 }
 
-/// Rank 0 of two, of which the other has found another rank of the exact tractions.
-class Disagreeing final : public bem::DenseAlgebra {
- public:
-  bem::Rows myRows(Index n) const override { return algebra.myRows(n); }
-  std::unique_ptr<bem::CholeskyFactor> cholesky(Matrix a, const char* b) const override {
-    return algebra.cholesky(std::move(a), b);
-  }
-  Matrix addGram(Matrix c, const Matrix& y) const override {
-    return algebra.addGram(std::move(c), y);
-  }
-  Matrix addOuter(Matrix c, const Matrix& x, double s) const override {
-    return algebra.addOuter(std::move(c), x, s);
-  }
-  Matrix addTransposeTimes(Matrix c, const Matrix& x, const Matrix& y) const override {
-    return algebra.addTransposeTimes(std::move(c), x, y);
-  }
-  Vector multiply(const Matrix& a, Index n, const Vector& x) const override {
-    return algebra.multiply(a, n, x);
-  }
-  Vector multiplySymmetric(const Matrix& a, const Vector& x) const override {
-    return algebra.multiplySymmetric(a, x);
-  }
-  Matrix replicate(Matrix a, Index) const override { return a; }
-  Vector sum(Vector mine) const override {
-    for (double& x : mine)
-      x += 1;
-    return mine;
-  }
-  Vector broadcast(Vector root) const override { return root; }
-  int rank() const override { return 0; }
-  int processes() const override { return 2; }
-};
-
-TEUCHOS_UNIT_TEST(ExactTractions, areRefusedByAllProcessesIfByOne) {
-  const bem::Space space(reference::quickSamples().front().mesh);
-  const bem::Lame lame({1, 0.3, false});
-  const Disagreeing ranks;
-  const bem::SteklovPoincare s(bem::assembleOperators(space, lame, ranks), ranks);
-  TEST_THROW(bem::tractionRows(space, lame, s, {0, 1}, bem::TractionForm::Exact),
-             bem::NumericalError);
-}
-
 /// They would miss what the density has beyond the displacements' degree.
 TEUCHOS_UNIT_TEST(ProjectedTractions, areRefusedWithFurtherDensities) {
   const bem::Mesh mesh = reference::quickSamples().front().mesh;
@@ -157,7 +109,7 @@ TEUCHOS_UNIT_TEST(ProjectedTractions, areRefusedWithFurtherDensities) {
     densities.push_back(element.degree + 1);
   const bem::Space space(mesh.withDensities(densities));
   const bem::Lame lame({1, 0.3, false});
-  TEST_THROW(bem::assembleOperators(space, lame, algebra, {0, 1}), bem::InputError);
+  TEST_THROW(bem::assembleOperators(space, lame, {0, 1}), bem::InputError);
   const bem::SteklovPoincare s = stiffnessOf(space, lame, {});
   TEST_THROW(bem::tractionRows(space, lame, s, {0, 1}, bem::TractionForm::Exact),
              bem::InputError);
@@ -167,8 +119,7 @@ TEUCHOS_UNIT_TEST(ExactTractions, containTheProjectedOnes) {
   const bem::Lame lame(bem::Material{1, 0.3, false});
   const bem::Space space(reference::quickSamples().front().mesh);
   const std::vector<int> elements = allElements(space.mesh());
-  const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame, algebra),
-                                       algebra);
+  const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame));
   const auto projected =
       bem::tractionRows(space, lame, stiffness, elements, bem::TractionForm::Projected);
   const auto exact =
@@ -200,8 +151,7 @@ TEUCHOS_UNIT_TEST(Interior, fieldsAreExactUpToTheBoundary) {
   for (const double nu : {0.3, 0.45}) {
     const bem::Lame lame(bem::Material{1, nu, false});
     const bem::Space space(bem::makeMesh(outline, {4, 4, 4, 4}, 14));
-    const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame, algebra),
-                                         algebra);
+    const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame));
     for (const auto& field :
          {reference::constantStress(lame, {0.4, -0.3, 0.2}, 0.7),
           reference::pointForce(lame, outline->scaled({1.0, -1.2}), {0.6, -0.8})}) {

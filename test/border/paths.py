@@ -1,4 +1,5 @@
-"""A load path on 2 and 3 ranks is that of 1 rank: history.csv, steps.csv and contact.csv.
+"""A load path on 2 and 3 ranks is that of 1 rank, with dense and with compressed operators:
+history.csv, steps.csv and contact.csv.
 
 All columns agree to 1e-10 of their scale. At nu = 1/2 the density knows the mean pressure from
 gamma alone, so that rounding of u comes back in it 1e7 times as large: what is made of it, the
@@ -15,10 +16,11 @@ OF_DENSITY = ("eta_neumann", "eta_density", "estimate", "estimate_relative",
               "worst_step_estimate")
 
 
-def solve(count, ratio):
-    folder = ranks.fresh("%g-%d" % (ratio, count))
+def solve(count, ratio, method):
+    folder = ranks.fresh("%s-%g-%d" % (method, ratio, count))
     arguments = ["run", os.path.join(ranks.SCENES, "fretting.xml"), "--output", folder]
-    for setting in SETTINGS + ["Bodies->block->Material->Poisson's Ratio=%g" % ratio]:
+    for setting in SETTINGS + ["Solver->Linear->Method=" + method,
+                               "Bodies->block->Material->Poisson's Ratio=%g" % ratio]:
         arguments += ["--set", setting]
     run = ranks.Run(count, arguments)
     if run.codes != [0] * count:
@@ -27,15 +29,16 @@ def solve(count, ratio):
             ("history.csv", "steps.csv", "contact.csv")]
 
 
-for ratio, aside, point in ((0.3, (), 1e-10), (0.5, OF_DENSITY, 1e-9)):
-    alone = solve(1, ratio)
+for method, ratio, aside, point in (("Dense", 0.3, (), 1e-10), ("Dense", 0.5, OF_DENSITY, 1e-9),
+                                    ("Compressed", 0.3, (), 1e-10)):
+    alone = solve(1, ratio, method)
     for count in (2, 3):
-        together = solve(count, ratio)
+        together = solve(count, ratio, method)
         for name, one, other, bound in zip(("history.csv", "steps.csv", "contact.csv"), alone,
                                            together, (1e-10, 1e-10, point)):
             apart = worst(one, other, [column for column in one[0] if column not in aside])
-            ranks.claim(apart[0] <= bound, "nu = %g, %d ranks, %s: %.1e, in %s" % (
-                ratio, count, name, *apart))
+            ranks.claim(apart[0] <= bound, "%s, nu = %g, %d ranks, %s: %.1e, in %s" % (
+                method, ratio, count, name, *apart))
         for column in aside:
             apart = difference(alone[0], together[0], column)
             ranks.claim(apart <= 1e-8, "nu = %g, %d ranks, %s: %.1e" % (ratio, count, column, apart))

@@ -1,4 +1,5 @@
-"""solution.hdf of 2 and 3 ranks is that of 1 rank; a run goes on with any number of ranks."""
+"""solution.hdf of 2 and 3 ranks is that of 1 rank, with dense and with compressed operators; a run
+goes on with any number of ranks."""
 import os
 import subprocess
 
@@ -8,6 +9,9 @@ import numpy
 import ranks
 
 TRESCA = os.path.join(ranks.SCENES, "tresca.xml")
+METHODS = {"Dense": ["--set", "Solver->Linear->Method=Dense"],
+           "Compressed": ["--set", "Solver->Linear->Method=Compressed",
+                          "--set", "Discretization->Stabilization->Form=Density"]}
 EPSILON = 1e-9  # of a data set's largest number; lambda is only as exact as Newton's last step
 
 
@@ -45,18 +49,20 @@ def compare(one, other, what):
     ranks.claim(worst[0] <= EPSILON, "%s: the same numbers, %.1e in %s" % (what, *worst))
 
 
-whole = {}
-for count in (1, 2, 3):
-    whole[count] = ranks.fresh("whole-%d" % count)
-    solve(count, "%d ranks" % count, 6, "--output", whole[count])
-    compare(whole[1], whole[count], "%d ranks" % count)
-for first, second in ((2, 3), (3, 1), (1, 2)):
-    name = "%d ranks, then %d" % (first, second)
-    folder = ranks.fresh("part-%d-%d" % (first, second))
-    solve(first, name, 3, "--output", folder)
-    solve(second, name, 6, "--restart", folder)
-    compare(whole[1], folder, name)
-    ranks.claim(iterations(folder) == iterations(whole[1]), name + ": the same iterations")
+for method, settings in METHODS.items():
+    whole = {}
+    for count in (1, 2, 3):
+        name = "%s, %d ranks" % (method, count)
+        whole[count] = ranks.fresh("whole-%s-%d" % (method, count))
+        solve(count, name, 6, *settings, "--output", whole[count])
+        compare(whole[1], whole[count], name)
+    for first, second in ((2, 3), (3, 1), (1, 2)):
+        name = "%s, %d ranks, then %d" % (method, first, second)
+        folder = ranks.fresh("part-%s-%d-%d" % (method, first, second))
+        solve(first, name, 3, *settings, "--output", folder)
+        solve(second, name, 6, *settings, "--restart", folder)
+        compare(whole[1], folder, name)
+        ranks.claim(iterations(folder) == iterations(whole[1]), name + ": the same iterations")
 
 # What is wrong with the file or the disk is one message on all ranks.
 with open(os.path.join(folder, "solution.hdf"), "r+b") as stream:

@@ -1,6 +1,5 @@
 // Forces and moments balance where rounding of the stiffness is far larger than the load,
 // on any number of ranks.
-#include "Algebra.hpp"
 #include "Projected.hpp"
 #include "contact/body/BalancedStiffness.hpp"
 #include "contact/body/IterativeRefinement.hpp"
@@ -32,8 +31,7 @@ struct Body {
                                           {"bottom", "right", "top", "left"}},
                                 std::vector<bem::Loop>{}),
                             elements, 2)),
-        stiffness(bem::assembleOperators(space, lame, test::algebra(), {}),
-                  test::algebra()) {}
+        stiffness(bem::assembleOperators(space, lame, {})) {}
 };
 
 double zero(bem::Vec2) { return 0; }

@@ -1,6 +1,5 @@
 // A problem of two bodies: what the one that carries the multiplier meets gives way, too.
 // On any number of ranks.
-#include "Algebra.hpp"
 #include "contact/body/CoupledBody.hpp"
 #include "contact/body/ElasticBody.hpp"
 #include "contact/opposite/MortarCoupling.hpp"
@@ -36,8 +35,7 @@ struct Block {
                           {"bottom", "right", "top", "left"}},
                 std::vector<bem::Loop>{}),
             {across, 4, across, 4}, degree)),
-        stiffness(bem::assembleOperators(space, lame, test::algebra(), {}),
-                  test::algebra()) {}
+        stiffness(bem::assembleOperators(space, lame, {})) {}
 };
 
 /// The upper side of a block that lies under the contact side, however it is cut.
@@ -103,7 +101,6 @@ struct Two {
 };
 
 Two problems(const Block& above, const Block& below, bool held) {
-  const bem::DenseAlgebra& algebra = test::algebra();
   contact::Stabilization none;
   none.form = contact::Stabilization::Form::None;
   const auto& basis = contact::multiplierBasis("Gauss-Legendre-Lagrange");
@@ -116,29 +113,27 @@ Two problems(const Block& above, const Block& below, bool held) {
     const contact::MultiplierSpace own(block.space.mesh(), basis, conditions);
     const auto form = makeCoupledBody(input, own);
     const auto holding = contact::makeHolding(block.space, conditions, units);
-    const contact::ElasticBody elastic(*form, algebra, holding);
+    const contact::ElasticBody elastic(*form, holding);
     return elastic.response(coupling(*form));
   };
   const contact::MultiplierSpace multiplier(above.space.mesh(), basis, top);
   const auto own = [](const contact::StabilisedBody& form) { return form.coupling(); };
   const auto met = [&](const contact::StabilisedBody&) {
-    const bem::Rows mine = algebra.myRows(below.space.displacements());
-    Matrix coupling(mine.size(), multiplier.size());
+    Matrix coupling(below.space.displacements(), multiplier.size());
     for (const auto& entry :
          mortarCoupling(above.space.mesh(), multiplier,
                         BlockBelow(above.space.mesh(), below.space.mesh()), below.space)
              .entries)
-      if (mine.contain(entry.row))
-        coupling(entry.row - mine.begin, entry.column) += entry.value;
+      coupling(entry.row, entry.column) += entry.value;
     return coupling;
   };
   const Index m = multiplier.size();
   Two two;
   std::vector<contact::ElasticBody::Response> responses;
   responses.push_back(body(above, top, own));
-  two.alone = condense(algebra, Matrix(m, m), responses);
+  two.alone = condense(Matrix(m, m), responses);
   responses.push_back(body(below, bottom, met));
-  two.both = condense(algebra, Matrix(m, m), responses);
+  two.both = condense(Matrix(m, m), responses);
   two.alone.normals = two.both.normals = multiplier.normals();
   return two;
 }

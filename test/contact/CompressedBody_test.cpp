@@ -1,9 +1,8 @@
 // A contact problem on compressed operators is the one on dense matrices: flexibility,
 // solution and number of Newton's steps, displacement, reactions, energy.
-#include "Algebra.hpp"
 #include "Largest.hpp"
+#include "Processes.hpp"
 #include "Solve.hpp"
-#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/compressed/CompressedOperators.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/equation/ContactState.hpp"
@@ -23,8 +22,6 @@ using bem::Index;
 using bem::Vector;
 using contact::Stabilization;
 using test::largest;
-
-const bem::LapackAlgebra algebra;
 
 struct Case {
   std::string name;
@@ -49,7 +46,7 @@ std::vector<Case> cases() {
        0.02},
       {"Density, p = 3", Form::Density, "Gauss-Legendre-Lagrange", 3, true, "Coulomb",
        0.4},
-      {"coupled bounds", Form::Density, "Bernstein", 3, true, "Coulomb", 0.4},
+      {"control points", Form::Density, "Bernstein", 3, true, "Coulomb", 0.4},
       {"incompressible", Form::Density, "Gauss-Legendre-Lagrange", 1, true, "Coulomb",
        0.4, 0.4999},
       {"free to fall", Form::None, "Biorthogonal", 1, false, "Coulomb", 0.3},
@@ -149,11 +146,10 @@ struct Pair {
                                  conditions, stabilization)),
         basis(contact::multiplierBasis(c.basis)),
         multiplier(space.mesh(), basis, conditions),
-        dense(contact::makeStiffness(space, multiplier, stabilization, lame, units,
-                                     algebra)),
+        dense(contact::makeStiffness(space, multiplier, stabilization, lame, units)),
         compressed(contact::makeCompressedStiffness({{space, multiplier, lame}},
-                                                    stabilization, units, test::algebra(),
-                                                    smallLeaves())) {}
+                                                    stabilization, units,
+                                                    test::processes(), smallLeaves())) {}
 
   static std::shared_ptr<const bem::Outline> outlineOf(const Case& c) {
     bem::Loop loop{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {"bottom", "right", "top", "left"}};

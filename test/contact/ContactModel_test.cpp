@@ -105,19 +105,15 @@ RCP<ThyraVector> times(const Thyra::LinearOpBase<double>& a, Thyra::EOpTransp tr
 }
 
 // Every law and number of rigid motions; load and friction factor off one.
-// Under Coulomb's with bounds that follow one pressure, and several.
 template <class Claim>
 void forAll(const Claim& claim) {
   std::mt19937 random(71);
   for (const char* law : {"None", "Tresca", "Coulomb"})
     for (const Index rigidMotions : {0, 1, 2})
       for (const double stress : {1.0, 2e-7}) {
-        const int largest = law == std::string("Coulomb") ? 3 : 0;
-        for (const int coupling : {0, largest}) {
-          const ModelSample s = modelSample(law, rigidMotions, stress, random, coupling);
-          const ContactModel model(s.problem, s.gap, {});
-          claim(s, model, Factors{1.3, 0.7}, random);
-        }
+        const ModelSample s = modelSample(law, rigidMotions, stress, random);
+        const ContactModel model(s.problem, s.gap, {});
+        claim(s, model, Factors{1.3, 0.7}, random);
       }
 }
 
@@ -125,8 +121,7 @@ TEUCHOS_UNIT_TEST(ContactModel, residualVanishesAtTheSolutionOfTheScaledProblem)
   std::mt19937 random(72);
   for (const char* law : {"None", "Tresca", "Coulomb"})
     for (const Index rigidMotions : {0, 1}) {
-      const bool coupled = law == std::string("Coulomb") && rigidMotions == 0;
-      const ModelSample s = modelSample(law, rigidMotions, 3e-6, random, coupled ? 2 : 0);
+      const ModelSample s = modelSample(law, rigidMotions, 3e-6, random);
       const ContactModel model(s.problem, s.gap, {});
       for (const Factors factors : {Factors{1, 1}, Factors{1.5, 0.5}, Factors{0.5, 0}}) {
         const Problem scaled = model.family().at(factors);
@@ -220,7 +215,7 @@ TEUCHOS_UNIT_TEST(ContactModel, wSolvesWithTheJacobian) {
     TEST_COMPARE(distance(*times(*w, Thyra::NOTRANS, *x), *b), <,
                  1e-10 * (1 + Thyra::norm_2(*x)));
   });
-  TEST_COMPARE(solved, >=, 30);
+  TEST_COMPARE(solved, >=, 15);
 }
 
 TEUCHOS_UNIT_TEST(ContactModel, wKeepsItsPointWhenTheModelMovesOn) {

@@ -2,10 +2,9 @@
 // and on slender ones what steps of correction take away.  On any number of ranks.
 #include "contact/solve/DefectCorrection.hpp"
 
-#include "Algebra.hpp"
 #include "Largest.hpp"
+#include "Processes.hpp"
 #include "Solve.hpp"
-#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/compressed/CompressedOperators.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/equation/ContactState.hpp"
@@ -26,8 +25,6 @@ using bem::Vector;
 using contact::Stabilization;
 using Form = Stabilization::Form;
 using test::largest;
-
-const bem::LapackAlgebra algebra;
 
 struct Case {
   double length;
@@ -66,13 +63,13 @@ struct Body {
         {{space, stiffness, lame, units, conditions, basis, stabilization}});
   }
   bem::SteklovPoincare dense() const {
-    return contact::makeStiffness(space, multiplier, stabilization, lame, units, algebra);
+    return contact::makeStiffness(space, multiplier, stabilization, lame, units);
   }
   bem::SteklovPoincare compressed() const {
     bem::Compression options;
     options.leafUnknowns = 60;
     auto all = contact::makeCompressedStiffness(
-        {{space, multiplier, lame}}, stabilization, units, test::algebra(), options);
+        {{space, multiplier, lame}}, stabilization, units, test::processes(), options);
     return std::move(all.front());
   }
 
@@ -155,8 +152,9 @@ TEUCHOS_UNIT_TEST(DefectCorrection, slenderBodiesLieWhereContactHoldsThem) {
   };
   const contact::State first = solved(own);
   const contact::Configuration before = own.configuration(first);
-  const contact::Configuration after = corrected(own, first, test::algebra());
-  const contact::Configuration reference = corrected(exact, solved(exact), algebra);
+  const contact::Configuration after = corrected(own, first, test::processes());
+  const contact::Configuration reference =
+      corrected(exact, solved(exact), bem::oneProcess());
   const auto off = [&](const contact::Configuration& at) {
     const Vector& u = reference.displacements.front();
     return test::largestDifference(at.displacements.front(), u) / largest(u);
@@ -178,7 +176,7 @@ TEUCHOS_UNIT_TEST(DefectCorrection, placesThatSlipALittleAreSaidToSlip) {
   const contact::ContactSystem system = body.system(compressed);
   const contact::Problem& problem = system.numbers();
   const contact::Configuration at =
-      corrected(system, test::solve(problem).state, test::algebra());
+      corrected(system, test::solve(problem).state, test::processes());
   const Vector bounds = problem.slipBounds(at.state.multiplier);
   const auto atBoundButStuck = [&](const contact::ContactState& states) {
     int count = 0;
@@ -223,7 +221,7 @@ TEUCHOS_UNIT_TEST(DefectCorrection, heldLoadsAreSolvedByTheStepBefore) {
     TEST_ASSERT(solution.report.converged());
     if (step > 0)
       TEST_EQUALITY(solution.report.newtonIterations, 0);
-    const contact::Configuration at = corrected(now, solution.state, test::algebra());
+    const contact::Configuration at = corrected(now, solution.state, test::processes());
     memory.add(now, at);
     state = at.state;
   }

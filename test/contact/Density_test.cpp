@@ -1,8 +1,6 @@
 // Stabilisation by the density: what ContactProblem condenses is the saddle point of
 //   1/2 <W u,u> + <ψ,(K+1/2) u> - 1/2 <V ψ,ψ> + <λ,u> - 1/2 Σ γ |λ + ψ|²,
 // solved here as a whole, with forms integrated anew.
-#include "Algebra.hpp"
-#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/algebra/LuFactor.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "contact/results/Summary.hpp"
@@ -23,7 +21,6 @@ using bem::Vec2;
 using bem::Vector;
 using contact::Stabilization;
 
-const bem::LapackAlgebra lapack;
 const bem::Units units{1, 1};
 
 /// A square of diameter one whose bottom touches, and its right side if asked for.
@@ -84,7 +81,7 @@ contact::State stateOf(Index size) {
   return state;
 }
 
-Condensed condensed(const Case& c, const bem::DenseAlgebra& algebra) {
+Condensed condensed(const Case& c) {
   const bem::Lame lame({1, c.nu, false});
   const contact::Conditions conditions = conditionsOf(c.law);
   const Stabilization stabilization = stabilizationOf(c);
@@ -93,7 +90,7 @@ Condensed condensed(const Case& c, const bem::DenseAlgebra& algebra) {
       contact::makeSpace(squareMesh(c.elements, c.degree), conditions, stabilization);
   const contact::MultiplierSpace multiplier(space.mesh(), basis, conditions);
   const bem::SteklovPoincare stiffness(
-      bem::assembleOperators(space, lame, algebra), algebra,
+      bem::assembleOperators(space, lame),
       contact::densityCompliance(space, multiplier, stabilization, lame, units));
   const contact::ContactProblem problem(
       {space, stiffness, lame, units, conditions, basis, stabilization});
@@ -122,7 +119,7 @@ Condensed whole(const Case& c) {
   const bem::Mesh& mesh = space.mesh();
   const contact::MultiplierSpace multiplier(mesh, contact::multiplierBasis(c.basis),
                                             conditions);
-  const bem::Operators operators = bem::assembleOperators(space, lame, lapack);
+  const bem::Operators operators = bem::assembleOperators(space, lame);
   const Index n = space.displacements();
   const Index size = n + space.densities();
   const contact::State state = stateOf(multiplier.size());
@@ -266,7 +263,7 @@ TEUCHOS_UNIT_TEST(Density, theCondensedProblemIsTheSaddlePoint) {
       {{2, 9, 3, 2}, 3, "Gauss-Lobatto-Lagrange", "Tresca", true, 0.5, 0.5},
   };
   for (const Case& c : cases) {
-    const Condensed small = condensed(c, test::algebra());
+    const Condensed small = condensed(c);
     const Condensed large = whole(c);
     TEST_COMPARE(apart(small.displacement, large.displacement), <, 1e-11);
     TEST_COMPARE(apart(small.density, large.density), <, 1e-9);
@@ -280,11 +277,11 @@ TEUCHOS_UNIT_TEST(Density, theCondensedProblemIsTheSaddlePoint) {
 
 TEUCHOS_UNIT_TEST(Density, incompressibilityIsALimitLikeAnyOther) {
   Case c{{6, 4, 6, 4}, 2, "Gauss-Legendre-Lagrange", "Coulomb", false, 0.5, 0.5};
-  const Condensed limit = condensed(c, test::algebra());
+  const Condensed limit = condensed(c);
   double last = 1;
   for (const double nu : {0.4999, 0.499999, 0.49999999}) {
     c.nu = nu;
-    const Condensed near = condensed(c, test::algebra());
+    const Condensed near = condensed(c);
     const double distance = apart(near.residual, limit.residual);
     TEST_COMPARE(distance, <, 10 * (0.5 - nu));
     TEST_COMPARE(distance, <, 0.1 * last);

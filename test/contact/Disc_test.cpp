@@ -1,6 +1,5 @@
 // Contact on circular arcs: normals turn along an element, sides close, and a rotation is no
 // polynomial.  On any number of ranks.
-#include "Algebra.hpp"
 #include "bem/operators/ExactRotation.hpp"
 #include "contact/Solve.hpp"
 #include "contact/results/Summary.hpp"
@@ -50,9 +49,8 @@ struct Disc {
                             std::vector<int>(names.size(), elementsPerEdge), degree)),
         basis(contact::multiplierBasis(basisName)),
         stabilization(with(form)),
-        stiffness(operators(), test::algebra(),
-                  contact::densityCompliance(space, multiplier(), stabilization, lame,
-                                             units())),
+        stiffness(operators(), contact::densityCompliance(space, multiplier(),
+                                                          stabilization, lame, units())),
         problem({space, stiffness, lame, units(), conditions, basis, stabilization}),
         solution(test::solve(problem.numbers(), {}, {})),
         displacement(problem.displacement(solution.state)) {}
@@ -74,9 +72,9 @@ struct Disc {
   }
   bem::Operators operators() const {
     return bem::withExactRotation(
-        bem::assembleOperators(space, lame, test::algebra(),
+        bem::assembleOperators(space, lame,
                                contact::tractionElements(multiplier(), stabilization)),
-        space, test::algebra());
+        space);
   }
 };
 

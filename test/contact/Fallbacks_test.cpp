@@ -108,7 +108,6 @@ TEUCHOS_UNIT_TEST(Fallbacks, stagesAccountForEveryStep) {
     recipe.law = laws[k % 3];
     recipe.normals = 4 + k % 30;
     recipe.strength = 10;
-    recipe.coupling = k % 3 == 2 && k % 5 == 0 ? 2 : 0;
     SolverOptions options;
     options.coulomb.iteration = k % 2 == 0 ? "Newton" : "Fixed Point";
     const auto report = solve(randomProblem(recipe, random), {}, options).report;

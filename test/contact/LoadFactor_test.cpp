@@ -1,4 +1,3 @@
-#include "Algebra.hpp"
 #include "Largest.hpp"
 #include "contact/Solve.hpp"
 #include "contact/equation/ProblemFamily.hpp"
@@ -46,7 +45,7 @@ struct Scene {
                                  {})),
         stiffness(contact::makeStiffness(
             space, contact::MultiplierSpace(space.mesh(), basis, conditions), {}, lame,
-            units, algebra)),
+            units)),
         problem({space, stiffness, lame, units, conditions, basis, {}}) {}
 
   static std::shared_ptr<const bem::Outline> outline() {
@@ -54,7 +53,6 @@ struct Scene {
                                                     {"bottom", "right", "top", "left"}});
   }
 
-  const bem::DenseAlgebra& algebra = epafi::test::algebra();
   bem::Lame lame{bem::Material{5, 0.3, false}};
   bem::Units units{outline()->diameter(), 5};
   const contact::MultiplierBasis& basis =

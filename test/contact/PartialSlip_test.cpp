@@ -1,6 +1,5 @@
 // Manufactured partial slip: a smooth exact field, two contact sides, one that sticks and
 // one that slips; rates in displacement and contact stress for every basis.
-#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "contact/Solve.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
@@ -121,7 +120,6 @@ struct Choice {
 
 Errors errorsOn(const Manufactured& exact, int elements, int degree,
                 const Choice& choice) {
-  const bem::LapackAlgebra algebra;
   const bem::Mesh mesh =
       bem::makeMesh(exact.outline, {elements, elements, elements, elements}, degree);
   const bem::Space space(mesh);
@@ -130,10 +128,8 @@ Errors errorsOn(const Manufactured& exact, int elements, int degree,
   Stabilization stabilization;
   stabilization.form = choice.form;
   const contact::MultiplierSpace multiplier(mesh, basis, conditions);
-  const bem::SteklovPoincare stiffness(
-      bem::assembleOperators(space, lame, algebra,
-                             contact::tractionElements(multiplier, stabilization)),
-      algebra);
+  const bem::SteklovPoincare stiffness(bem::assembleOperators(
+      space, lame, contact::tractionElements(multiplier, stabilization)));
   const bem::Units units{exact.outline->diameter(), 1};
   const contact::ContactProblem problem(
       {space, stiffness, lame, units, conditions, basis, stabilization});

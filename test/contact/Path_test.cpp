@@ -1,5 +1,4 @@
 // Steps of a path: one problem at many times, and what friction remembers of them.
-#include "Algebra.hpp"
 #include "contact/Solve.hpp"
 #include "contact/equation/ProblemFamily.hpp"
 #include "contact/path/PathMemory.hpp"
@@ -97,8 +96,7 @@ struct Square {
         stabilization(formOf(form)),
         space(contact::makeSpace(mesh(2, bulge), conditions, stabilization)),
         multiplier(space.mesh(), basis, conditions),
-        stiffness(contact::makeStiffness(space, multiplier, stabilization, lame, units,
-                                         test::algebra())),
+        stiffness(contact::makeStiffness(space, multiplier, stabilization, lame, units)),
         problem({{space, stiffness, lame, units, conditions, basis, stabilization}}) {}
 };
 

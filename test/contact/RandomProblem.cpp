@@ -16,25 +16,6 @@ double draw(std::mt19937& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-// Strengths of whole elements, of a coefficient that waves between zero and the largest.
-void couple(Problem& problem, const Recipe& recipe, std::mt19937& random) {
-  const int q = recipe.coupling;
-  for (Index first = 0; first + q < problem.normals; first += q + 1) {
-    const double wave = draw(random, 0, 3);
-    const double phase = draw(random, -3, 3);
-    const double mean = draw(random, 0, 0.5 * recipe.strength);
-    std::vector<Index> normals;
-    for (Index i = 0; i <= q; ++i)
-      normals.push_back(first + i);
-    const auto tangentials = contact::elementTangentials(
-        contact::multiplierBasis("Bernstein"), normals,
-        contact::makeFriction(recipe.law, {[](bem::Vec2) { return 0.0; }}).law,
-        [&](double t) { return Vector{mean * (1 + std::sin(wave * t + phase))}; }, 1);
-    std::copy(tangentials.begin(), tangentials.end(),
-              problem.tangentials.begin() + first);
-  }
-}
-
 // A kernel of the boundary element method's kind, plus a Gram matrix of random vectors
 // that couples everything with everything.
 Matrix randomFlexibility(const Problem& problem, const Recipe& recipe,
@@ -107,8 +88,6 @@ Problem randomProblem(const Recipe& recipe, std::mt19937& random) {
           i, test::pointLaw(
                  recipe.law,
                  {draw(random, 0, 1) < 0.2 ? 0.0 : draw(random, 0, recipe.strength)}));
-  if (recipe.coupling > 0)
-    couple(problem, recipe, random);
   for (std::size_t t = 0; t < problem.tangentials.size() && recipe.bonded; t += 3)
     problem.tangentials[t] = contact::Tangential::tied();
   problem.flexibility = randomFlexibility(problem, recipe, random);

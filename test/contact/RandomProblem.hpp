@@ -15,8 +15,6 @@ struct Recipe {
   double softness = 1e-2;  ///< smallest eigenvalue of D over its diagonal, about
   double grading = 1;      ///< ratio of the largest to the smallest coefficient's size
   contact::Index rigidMotions = 0;
-  /// Degree of the Bernstein polynomials whose elements couple Coulomb's bounds; 0: none.
-  int coupling = 0;
   bool ties = false;    ///< loads and gaps from a few values, many of them zero
   bool bonded = false;  ///< every third tangential coefficient is of bonded sides
 };

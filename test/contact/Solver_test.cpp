@@ -80,20 +80,6 @@ TEUCHOS_UNIT_TEST(Solver, agreesWithProjectedSor) {
     }
 }
 
-TEUCHOS_UNIT_TEST(Solver, agreesWithProjectedSorWhereBoundsAreCoupled) {
-  std::mt19937 random(17);
-  for (int k = 0; k < 24; ++k) {
-    Recipe recipe;
-    recipe.law = "Coulomb";
-    recipe.coupling = 2 + k % 4;
-    recipe.strength = 0.3;
-    recipe.softness = 1;
-    recipe.normals = 4 + k;
-    recipe.rigidMotions = k % 2;
-    TEST_COMPARE(differenceFromProjectedSor(recipe, random), <, 1e-10);
-  }
-}
-
 TEUCHOS_UNIT_TEST(Solver, coulombsThreeIterationsAgree) {
   std::mt19937 random(13);
   for (int k = 0; k < 120; ++k) {
@@ -103,7 +89,6 @@ TEUCHOS_UNIT_TEST(Solver, coulombsThreeIterationsAgree) {
     recipe.softness = k % 2 == 0 ? 1 : 0.1;
     recipe.normals = 4 + k % 20;
     recipe.rigidMotions = k % 3 == 0 ? 1 : 0;
-    recipe.coupling = k < 60 ? 0 : 2 + k % 3;
     const Problem problem = randomProblem(recipe, random);
     SolverOptions options;
     const Solution newton = solve(problem, {}, options);

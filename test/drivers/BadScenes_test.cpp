@@ -142,6 +142,15 @@ TEUCHOS_UNIT_TEST(BadScenes, removedKeysSayWhatTakesTheirPlace) {
   TEST_COMPLAINT(withSolver(function + R"("Fischer-Burmeister")").xml(),
                  "Solver->Complementarity", "merit");
   TEST_NOTHROW(test::read(withSolver(function + R"("Projection")")));
+  const auto withReach = [](const std::string& reach) {
+    SceneText scene;
+    scene.rest = R"(<ParameterList name="Adaptivity"><ParameterList name="Grading">)"
+                 R"(<Parameter name="Reach" type="double" value=")" +
+                 reach + R"("/></ParameterList></ParameterList>)";
+    return scene;
+  };
+  TEST_COMPLAINT(withReach("0.5").xml(), "Adaptivity->Grading->Reach", "nodes stay");
+  TEST_NOTHROW(test::read(withReach("1.0")));
 }
 
 TEUCHOS_UNIT_TEST(BadScenes, theMeshFitsTheOutline) {

@@ -29,15 +29,14 @@ void copyLane(const bem::TileMoments& tile, int lane, const bem::Element& e,
 
 }  // namespace
 
-bem::Operators pairwiseOperators(const bem::Space& space, const bem::Lame& lame,
-                                 const bem::DenseAlgebra& algebra) {
-  const bem::Index densities = algebra.myRows(space.densities()).size();
-  const bem::Index displacements = algebra.myRows(space.displacements()).size();
+bem::Operators pairwiseOperators(const bem::Space& space, const bem::Lame& lame) {
+  const bem::Index densities = space.densities();
+  const bem::Index displacements = space.displacements();
   bem::Operators out{bem::Matrix(densities, space.densities()),
                      bem::Matrix(densities, space.displacements()),
                      bem::Matrix(displacements, space.displacements()),
                      {}};
-  const Scatter scatter(space, lame, algebra, out);
+  const Scatter scatter(space, lame, out);
   const bem::Mesh& mesh = space.mesh();
   const bem::ElementRuns runs(mesh);
   bem::Tile tile(runs);

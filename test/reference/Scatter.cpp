@@ -8,13 +8,8 @@ namespace epafi::reference {
 
 using namespace epafi::bem;
 
-Scatter::Scatter(const Space& space, const Lame& lame, const DenseAlgebra& algebra,
-                 Operators& out)
-    : space_(space),
-      lame_(lame),
-      densityRows_(algebra.myRows(space.densities())),
-      displacementRows_(algebra.myRows(space.displacements())),
-      out_(out) {
+Scatter::Scatter(const Space& space, const Lame& lame, Operators& out)
+    : space_(space), lame_(lame), out_(out) {
   for (int k = 0; k <= largestDegree; ++k)
     slopes_[k] = DisplacementBasis::slope(k);
 }
@@ -32,8 +27,7 @@ void Scatter::add(int e, int f, const LaneMoments& m) const {
       const double log = m.log(i, j);
       const double area = x.half * y.half;
       const double xy = area * lame_.b * radial.xy;
-      addBlock(out_.singleLayer, densityRows_, space_.density(e, i, 0),
-               space_.density(f, j, 0),
+      addBlock(out_.singleLayer, space_.density(e, i, 0), space_.density(f, j, 0),
                {area * (lame_.b * radial.xx - lame_.a * log), xy, xy,
                 area * (lame_.b * radial.yy - lame_.a * log)});
       if (i < x.degree && j < y.degree)
@@ -78,7 +72,7 @@ void Scatter::addDoubleLayer(int test, int source, const Moments& m) const {
       const double re = ofPhase * m.phaseReal(i, j);
       const double im = slope * ofPhase * m.phaseImag(i, j);
       const double log = ofLog * m.log(i, j);
-      addBlock(out_.doubleLayer, densityRows_, row, space_.displacement(source, k, 0),
+      addBlock(out_.doubleLayer, row, space_.displacement(source, k, 0),
                {im + laplace, slope * (-re - log), slope * (log - re), laplace - im});
     }
   }
@@ -104,7 +98,7 @@ void Scatter::addTurningAtEnds(int test, int source, const Kernel& turning) cons
     if (mesh[neighbour].piece.edge == y.piece.edge)
       continue;
     const double s = mesh[test].half * slopes_[k];
-    addBlock(out_.doubleLayer, densityRows_, row, space_.displacement(source, k, 0),
+    addBlock(out_.doubleLayer, row, space_.displacement(source, k, 0),
              {s * turning.xy, s * turning.yy, -s * turning.xx, -s * turning.xy});
   }
 }
@@ -125,8 +119,8 @@ void Scatter::addHypersingular(int e, int i, int f, int j, const Kernel& v) cons
         continue;  // comes again with k and l exchanged
       if (e != f && row == column)
         s *= 2;
-      addBlock(out_.hypersingular, displacementRows_, std::max(row, column),
-               std::min(row, column), {s * v.xx, s * v.xy, s * v.xy, s * v.yy});
+      addBlock(out_.hypersingular, std::max(row, column), std::min(row, column),
+               {s * v.xx, s * v.xy, s * v.xy, s * v.yy});
     }
 }
 
@@ -136,8 +130,8 @@ void Scatter::addHalfMass(int e) const {
   for (int i = 0; i < std::min(x.densities, x.degree + 1); ++i)
     for (int k = 0; k <= x.degree; ++k) {
       const double mass = x.half * coefficients(i, k) / (2 * i + 1);
-      addBlock(out_.doubleLayer, densityRows_, space_.density(e, i, 0),
-               space_.displacement(e, k, 0), {mass, 0, 0, mass});
+      addBlock(out_.doubleLayer, space_.density(e, i, 0), space_.displacement(e, k, 0),
+               {mass, 0, 0, mass});
     }
 }
 

@@ -8,11 +8,10 @@
 namespace epafi::reference {
 
 /// Turns the moments of a pair (e, f), f <= e, into entries of V, K + 1/2 and W and adds
-/// them to the rows that are mine, entry by entry.
+/// them entry by entry.
 class Scatter {
  public:
-  Scatter(const bem::Space& space, const bem::Lame& lame,
-          const bem::DenseAlgebra& algebra, bem::Operators& out);
+  Scatter(const bem::Space& space, const bem::Lame& lame, bem::Operators& out);
 
   void add(int e, int f, const LaneMoments& moments) const;
 
@@ -33,8 +32,6 @@ class Scatter {
 
   const bem::Space& space_;
   bem::Lame lame_;
-  bem::Rows densityRows_;
-  bem::Rows displacementRows_;
   std::array<double, bem::largestDegree + 1> slopes_{};
   bem::Operators& out_;
 };

@@ -29,12 +29,12 @@ double zero(Vec2) { return 0; }
 
 }  // namespace
 
-Block::Block(const bem::DenseAlgebra& algebra, int elementsPerSide)
+Block::Block(int elementsPerSide)
     : material(steelLike()),
       lame(material),
       space(squareMesh(elementsPerSide)),
       units{space.mesh().outline().diameter(), material.youngsModulus},
-      stiffness(bem::assembleOperators(space, lame, algebra), algebra) {}
+      stiffness(bem::assembleOperators(space, lame)) {}
 
 contact::Conditions pulled() {
   contact::Conditions conditions;

@@ -9,7 +9,7 @@ namespace embed {
 
 /// A square elastic block of side 1 and the operator S on its boundary.
 struct Block {
-  Block(const epafi::bem::DenseAlgebra& algebra, int elementsPerSide);
+  explicit Block(int elementsPerSide);
 
   epafi::bem::Material material;
   epafi::bem::Lame lame;

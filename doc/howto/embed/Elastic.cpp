@@ -1,6 +1,6 @@
 #include "Elastic.hpp"
 
-#include "bem/tpetra/SymmetricOperator.hpp"
+#include "bem/tpetra/SteklovPoincareOperator.hpp"
 #include "contact/body/Loads.hpp"
 
 #include <BelosLinearProblem.hpp>
@@ -63,9 +63,9 @@ RCP<MultiVector> distributed(const RCP<const Map>& map, std::size_t columns,
 
 }  // namespace
 
-Elastic solveElastic(const Block& block, const bem::TpetraAlgebra& algebra) {
+Elastic solveElastic(const Block& block, const bem::MpiProcesses& processes) {
   const RCP<const Operator> s =
-      rcp(new bem::SteklovPoincareOperator(block.stiffness, algebra));
+      rcp(new bem::SteklovPoincareOperator(block.stiffness, processes));
   const contact::RigidModes modes = contact::makeRigidModes(block.space);
   const RCP<const MultiVector> functionals =
       distributed(s->getDomainMap(), 3, [&](std::size_t j) {

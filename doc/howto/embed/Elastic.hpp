@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Block.hpp"
-#include "bem/tpetra/TpetraAlgebra.hpp"
+#include "bem/tpetra/MpiProcesses.hpp"
 
 namespace embed {
 
@@ -13,6 +13,6 @@ struct Elastic {
 };
 
 /// \throws std::runtime_error if Belos does not converge.
-Elastic solveElastic(const Block& block, const epafi::bem::TpetraAlgebra& algebra);
+Elastic solveElastic(const Block& block, const epafi::bem::MpiProcesses& processes);
 
 }  // namespace embed

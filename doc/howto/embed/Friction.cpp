@@ -104,7 +104,8 @@ RCP<ParameterList> parameters() {
 
 }  // namespace
 
-std::vector<Point> followFriction(const Block& block, const bem::TpetraAlgebra& algebra) {
+std::vector<Point> followFriction(const Block& block,
+                                  const bem::MpiProcesses& processes) {
   const contact::Conditions conditions = pressed();
   const contact::MultiplierBasis& basis =
       contact::multiplierBasis("Gauss-Legendre-Lagrange");
@@ -114,13 +115,13 @@ std::vector<Point> followFriction(const Block& block, const bem::TpetraAlgebra& 
       contact::makeSpace(block.space.mesh(), conditions, stabilization);
   const bem::SteklovPoincare stiffness = contact::makeStiffness(
       space, contact::MultiplierSpace(space.mesh(), basis, conditions), stabilization,
-      block.lame, block.units, algebra);
+      block.lame, block.units);
   const contact::ContactProblem problem(
       {space, stiffness, block.lame, block.units, conditions, basis, stabilization});
 
   ContactModel::Options options;
   options.space = Thyra::createVectorSpace<double>(
-      algebra.rowMap(ContactModel::unknowns(problem.numbers())));
+      processes.rowMap(ContactModel::unknowns(problem.numbers())));
   const auto model = rcp(new ContactModel(problem, options));
 
   const auto norm =

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Block.hpp"
-#include "bem/tpetra/TpetraAlgebra.hpp"
+#include "bem/tpetra/MpiProcesses.hpp"
 
 #include <vector>
 
@@ -18,6 +18,6 @@ struct Point {
 /// Follows the pressed block over the friction factor, 0.1 to 2.
 /// \throws std::runtime_error if LOCA does not get there.
 std::vector<Point> followFriction(const Block& block,
-                                  const epafi::bem::TpetraAlgebra& algebra);
+                                  const epafi::bem::MpiProcesses& processes);
 
 }  // namespace embed

@@ -14,10 +14,10 @@
 namespace {
 
 int run(const Teuchos::RCP<const Teuchos::Comm<int>>& comm) {
-  const epafi::bem::TpetraAlgebra algebra(comm);
-  const embed::Block block(algebra, 16);
-  const embed::Elastic elastic = embed::solveElastic(block, algebra);
-  const std::vector<embed::Point> path = embed::followFriction(block, algebra);
+  const epafi::bem::MpiProcesses processes(comm);
+  const embed::Block block(16);
+  const embed::Elastic elastic = embed::solveElastic(block, processes);
+  const std::vector<embed::Point> path = embed::followFriction(block, processes);
 
   bool good = std::abs(elastic.energy - elastic.exact) < 1e-10;
   if (comm->getRank() == 0) {

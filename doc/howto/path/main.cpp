@@ -3,7 +3,6 @@
 //
 //   drive        prints t, where the actuator is, its force and friction's work so far
 
-#include "bem/algebra/LapackAlgebra.hpp"
 #include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/newton/KeptFactor.hpp"
 #include "contact/nox/ContactModel.hpp"
@@ -73,7 +72,6 @@ double residual(const ContactModel& model, const contact::State& state, double p
 }
 
 int run() {
-  const bem::LapackAlgebra algebra;
   const bem::Material steelLike{5, 0.3, false};
   const bem::Lame lame{steelLike};
   const contact::Stabilization stabilization;
@@ -83,7 +81,7 @@ int run() {
   const bem::Units units{space.mesh().outline().diameter(), steelLike.youngsModulus};
   const bem::SteklovPoincare stiffness = contact::makeStiffness(
       space, contact::MultiplierSpace(space.mesh(), basis, start[0]), stabilization, lame,
-      units, algebra);
+      units);
   // operators, factors and D: once
   const contact::ContactSystem system(
       {{space, stiffness, lame, units, start[0], basis, stabilization}});
@@ -112,7 +110,7 @@ int run() {
     const contact::State state = solved(step.numbers(), prediction.start(step));
     good = good && residual(model, state, 1) < 1e-9;
 
-    const contact::Configuration at = contact::corrected(step, state, algebra);
+    const contact::Configuration at = contact::corrected(step, state, bem::oneProcess());
     memory.add(step, at);
     prediction.add(step, at.state);
     good = good && memory.friction() >= work;

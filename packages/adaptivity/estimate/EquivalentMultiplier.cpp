@@ -203,11 +203,11 @@ std::vector<AtEnds> equivalentMultiplier(const bem::Mesh& mesh,
 }
 
 std::vector<AtEnds> agree(const std::vector<AtEnds>& factors,
-                          const bem::DenseAlgebra& algebra) {
+                          const bem::Processes& processes) {
   bem::Vector numbers;
   for (const AtEnds& c : factors)
     numbers.insert(numbers.end(), {c.start.x, c.start.y, c.end.x, c.end.y});
-  numbers = algebra.broadcast(std::move(numbers));
+  numbers = processes.broadcast(std::move(numbers));
   std::vector<AtEnds> agreed;
   for (std::size_t k = 0; k < numbers.size(); k += 4)
     agreed.push_back({{numbers[k], numbers[k + 1]}, {numbers[k + 2], numbers[k + 3]}});

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "adaptivity/estimate/ContactCost.hpp"
-#include "bem/base/DenseAlgebra.hpp"
+#include "bem/base/Processes.hpp"
 
 namespace epafi::adaptivity {
 
@@ -26,6 +26,6 @@ std::vector<AtEnds> equivalentMultiplier(const bem::Mesh& mesh,
 /// The factors of rank 0; all processes must call.  Processes of unlike rounding could
 /// choose differently, and the two halves of one w would get different c.
 std::vector<AtEnds> agree(const std::vector<AtEnds>& factors,
-                          const bem::DenseAlgebra& algebra);
+                          const bem::Processes& processes);
 
 }  // namespace epafi::adaptivity

@@ -174,13 +174,13 @@ std::vector<Contributions> squaresOf(const Residuals& residuals, const Fields& f
 /// λ̃ - λʰ on all contact elements, from the moments of mine.
 std::vector<AtEnds> corrections(const contact::Solved& solved, const bem::Lame& lame,
                                 const Contributions& factors,
-                                const std::vector<AtEnds>& moments) {
+                                const std::vector<AtEnds>& moments,
+                                const bem::Processes& processes) {
   const auto& elements = solved.problem.multiplier().elements();
   Vector numbers;
   for (const AtEnds& m : moments)
     numbers.insert(numbers.end(), {m.start.x, m.start.y, m.end.x, m.end.y});
-  const bem::DenseAlgebra& algebra = solved.stiffness.algebra();
-  numbers = algebra.sum(std::move(numbers));
+  numbers = processes.sum(std::move(numbers));
   std::vector<ContactCost> costs;
   const double* next = numbers.data();
   for (const ContactElement& element : elements) {
@@ -190,16 +190,16 @@ std::vector<AtEnds> corrections(const contact::Solved& solved, const bem::Lame& 
   }
   return agree(
       equivalentMultiplier(solved.space.mesh(), solved.conditions, elements, costs),
-      algebra);
+      processes);
 }
 
 /// Sums over the processes.
 Indicators gathered(const std::vector<Contributions>& mine,
-                    const bem::DenseAlgebra& algebra) {
+                    const bem::Processes& processes) {
   Vector all;
   for (const Contributions& squares : mine)
     all.insert(all.end(), squares.begin(), squares.end());
-  all = algebra.sum(std::move(all));
+  all = processes.sum(std::move(all));
   Indicators indicators;
   for (auto next = all.begin(); next != all.end(); next += sourceCount) {
     Contributions squares{};
@@ -211,22 +211,21 @@ Indicators gathered(const std::vector<Contributions>& mine,
 
 /// Of each state on my elements; the rule breaks where foreign pressures jump, which is the same
 /// place in all.
-std::vector<Fields> fieldsOf(const std::vector<Estimated>& states,
-                             const bem::Lame& lame) {
+std::vector<Fields> fieldsOf(const std::vector<Estimated>& states, const bem::Lame& lame,
+                             const bem::Processes& processes) {
   const contact::Solved& any = states.front().solved;
-  const bem::DenseAlgebra& algebra = any.stiffness.algebra();
   const int size = any.space.mesh().size();
   std::vector<bem::BoundaryState> sources;
   for (const Estimated& state : states)
     sources.push_back({state.solved.displacement, state.density});
   const bem::BoundaryFields fields(any.space, lame, sources);
   std::vector<Fields> result(states.size(), Fields(size));
-  const int processes = algebra.processes();
-  const bem::Index mine = (size - algebra.rank() + processes - 1) / processes;
+  const int count = processes.count();
+  const bem::Index mine = (size - processes.rank() + count - 1) / count;
   constexpr double ofSource = 2e3;  // ns
   bem::parallelFor(
       {mine, ofSource * static_cast<double>(mine * size)}, [&](bem::Index k) {
-        const int e = algebra.rank() + bem::asInt(k) * processes;
+        const int e = processes.rank() + bem::asInt(k) * count;
         bem::BoundaryFields::Values values = fields.on(e, any.pressed.breaks(e));
         for (std::size_t s = 0; s < result.size(); ++s)
           result[s][e] = std::move(values[s]);
@@ -236,9 +235,9 @@ std::vector<Fields> fieldsOf(const std::vector<Estimated>& states,
 
 /// Functions of the user's are evaluated, which are not safe to call from several threads.
 Indicators indicatorsOf(const Estimated& state, const Fields& fields,
-                        const bem::Lame& lame, const EstimatorOptions& options) {
+                        const bem::Lame& lame, const EstimatorOptions& options,
+                        const bem::Processes& processes) {
   const auto& [solved, density] = state;
-  const bem::DenseAlgebra& algebra = solved.stiffness.algebra();
   const Weights& weights = weightings().at(options.weights);
   const Contributions factors = factorsOf(solved, lame, options);
   const Residuals residuals(solved, lame, weights);
@@ -259,9 +258,9 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
   const bool sharp = weights.bounds == Bounds::Sharp;
   // another body would tell a multiplier that does the same work on this one
   const bool alone = solved.problem.opposite().bodies().empty();
-  const std::vector<AtEnds> correction = sharp && alone
-                                             ? corrections(solved, lame, factors, moments)
-                                             : std::vector<AtEnds>(touching.size());
+  const std::vector<AtEnds> correction =
+      sharp && alone ? corrections(solved, lame, factors, moments, processes)
+                     : std::vector<AtEnds>(touching.size());
 
   // what the mean of V ψ - (K + 1/2) u, -γ (λ + ψ) under Form Density, adds to h |mismatch|²: its
   // square over h, integrated
@@ -290,14 +289,15 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
     for (std::size_t i = 0; i < sourceCount; ++i)
       all[i] += contact[i];
   }
-  return gathered(squares, algebra);
+  return gathered(squares, processes);
 }
 
 }  // namespace
 
 std::vector<Indicators> estimateResiduals(const std::vector<Estimated>& states,
                                           const bem::Lame& lame,
-                                          const EstimatorOptions& options) {
+                                          const EstimatorOptions& options,
+                                          const bem::Processes& processes) {
   constexpr std::size_t atOnce = 8;
   std::vector<Indicators> result;
   for (std::size_t first = 0; first < states.size(); first += atOnce) {
@@ -305,9 +305,9 @@ std::vector<Indicators> estimateResiduals(const std::vector<Estimated>& states,
         states.begin() + static_cast<std::ptrdiff_t>(first),
         states.begin() +
             static_cast<std::ptrdiff_t>(std::min(first + atOnce, states.size())));
-    const std::vector<Fields> fields = fieldsOf(some, lame);
+    const std::vector<Fields> fields = fieldsOf(some, lame, processes);
     for (std::size_t k = 0; k < some.size(); ++k)
-      result.push_back(indicatorsOf(some[k], fields[k], lame, options));
+      result.push_back(indicatorsOf(some[k], fields[k], lame, options, processes));
   }
   return result;
 }

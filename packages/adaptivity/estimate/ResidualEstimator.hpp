@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adaptivity/estimate/Indicators.hpp"
+#include "bem/base/Processes.hpp"
 #include "bem/base/SchemaRow.hpp"
 #include "contact/results/Summary.hpp"
 
@@ -45,6 +46,7 @@ struct Estimated {
 /// among the processes; every one gets all.  Some states at a time share their fields' kernels.
 std::vector<Indicators> estimateResiduals(const std::vector<Estimated>& states,
                                           const bem::Lame& lame,
-                                          const EstimatorOptions& options);
+                                          const EstimatorOptions& options,
+                                          const bem::Processes& processes);
 
 }  // namespace epafi::adaptivity

@@ -1,7 +1,5 @@
 #include "adaptivity/mark/Grading.hpp"
 
-#include "adaptivity/refine/MovingNodes.hpp"
-
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
@@ -49,55 +47,18 @@ Mark bisect(const std::vector<double>&, int, const GradingOptions&) {
   return Mark::Bisect;
 }
 
-PreparedMesh ignore(const SolvedMesh& level, const GradingOptions&,
-                    const bem::DenseAlgebra&) {
-  return withoutTransitions(level);
-}
-
-PreparedMesh find(const SolvedMesh& level, const GradingOptions&,
-                  const bem::DenseAlgebra&) {
-  const bem::Mesh& mesh = level.space.mesh();
-  std::vector<SingularPoints> all;
-  for (const SolvedStep& step : level.steps)
-    all.push_back(
-        findSingularPoints(mesh, level.conditions, level.multiplier, step.states));
-  return {mesh, united(all)};
-}
-
-/// Moves nodes to where contact and friction change.
-PreparedMesh follow(const SolvedMesh& level, const GradingOptions& options,
-                    const bem::DenseAlgebra& algebra) {
-  const bem::Mesh& mesh = level.space.mesh();
-  std::vector<LocatedTransitions> located;
-  std::vector<Transition> transitions;
-  for (const SolvedStep& step : level.steps) {
-    located.push_back(locateTransitions(level.space, level.conditions, level.multiplier,
-                                        level.opposite, step));
-    const std::vector<Transition>& more = located.back().transitions;
-    transitions.insert(transitions.end(), more.begin(), more.end());
-  }
-  const std::vector<bool> held = heldNodes(mesh, level.coarse);
-  const auto moves = agree(chooseMoves(mesh, held, transitions, options.reach), algebra);
-  bem::Mesh moved = moveNodes(mesh, held, moves);
-  std::vector<SingularPoints> singular;
-  for (const LocatedTransitions& ofStep : located)
-    singular.push_back(placeOn(moved, ofStep));
-  return {std::move(moved), united(singular)};
-}
-
 }  // namespace
 
 bem::Family<Transitions>& transitions() {
   static bem::Family<Transitions> family(
       "transitions",
       {
-          {"Node", "cut at it", find, cutAt},
-          {"Follow", "cut at it, and move that node when it moves", follow, cutAt},
-          {"Surround", "cut on both sides of it, so that it lies in a small piece", find,
+          {"Node", "cut at it", true, cutAt},
+          {"Surround", "cut on both sides of it, so that it lies in a small piece", true,
            cutAround},
-          {"Bisect", "halve the element", find, bisect},
-          {"Ignore", "treat the element and its nodes as if nothing changed there",
-           ignore, cutAt},
+          {"Bisect", "halve the element", true, bisect},
+          {"Ignore", "treat the element and its nodes as if nothing changed there", false,
+           cutAt},
       });
   return family;
 }
@@ -139,12 +100,6 @@ bem::SchemaRows gradingRows() {
               meanings(transitions()))
           .standard(defaults.transitions)
           .allowed(transitions().names()),
-      Row("Reach", Kind::Real,
-          "Follow moves a node to a transition that lies off it by at most this part of "
-          "the length of the element the transition is in; 0: no node moves")
-          .unit("1")
-          .standard(defaults.reach)
-          .range({0, 1, false, false}),
       Row("Smooth Elements", Kind::Text,
           "raise the degree away from singular points; " + meanings(smoothElements()))
           .standard(defaults.smooth)
@@ -158,19 +113,8 @@ GradingOptions parseGrading(const Teuchos::ParameterList& list) {
   grading.degreeStep = list.get<int>("Degree Step");
   grading.weakDegree = list.get<int>("Weak Point Degree");
   grading.transitions = list.get<std::string>("Transitions");
-  grading.reach = list.get<double>("Reach");
   grading.smooth = list.get<std::string>("Smooth Elements");
   return grading;
-}
-
-PreparedMesh withoutTransitions(const SolvedMesh& level) {
-  const bem::Mesh& mesh = level.space.mesh();
-  return {mesh, findSingularPoints(mesh, level.conditions)};
-}
-
-PreparedMesh withTransitions(const SolvedMesh& level, const GradingOptions& options,
-                             const bem::DenseAlgebra& algebra) {
-  return transitions().at(options.transitions).prepare(level, options, algebra);
 }
 
 Mark gradedMark(const bem::Mesh& mesh, int element, const SingularPoints& singular,

@@ -1,12 +1,10 @@
 #pragma once
 
 #include "adaptivity/refine/Refine.hpp"
-#include "adaptivity/singular/Transitions.hpp"
-#include "bem/base/DenseAlgebra.hpp"
+#include "adaptivity/singular/SingularPoints.hpp"
 #include "bem/base/Family.hpp"
 #include "bem/base/SchemaRow.hpp"
 #include "bem/basis/Legendre.hpp"
-#include "bem/space/Space.hpp"
 
 #include <string>
 #include <vector>
@@ -15,29 +13,11 @@ namespace epafi::adaptivity {
 
 struct GradingOptions;
 
-/// A solved level whose singular points are looked for.
-struct SolvedMesh {
-  const bem::Space& space;
-  const contact::Conditions& conditions;
-  const contact::MultiplierSpace& multiplier;
-  const bem::Mesh& coarse;            ///< the scene's own: its nodes stay, see heldNodes
-  const contact::Opposite& opposite;  ///< what its contact sides meet
-  std::vector<SolvedStep> steps;      ///< of a path; a single load is one
-};
-
-/// The mesh that is refined, and where its singular points are.
-struct PreparedMesh {
-  bem::Mesh mesh;
-  SingularPoints singular;
-};
-
 /// What Graded hp does where contact or friction changes its state.
 struct Transitions {
   const char* name;
   const char* meaning;
-  /// Collective.
-  PreparedMesh (*prepare)(const SolvedMesh& level, const GradingOptions& options,
-                          const bem::DenseAlgebra& algebra);
+  bool areSingular;  ///< do changes of state count as singular points?
   /// Of an element with changes at these places, of which there are some, in order.
   Mark (*mark)(const std::vector<double>& changes, int degree,
                const GradingOptions& options);
@@ -59,21 +39,12 @@ struct GradingOptions {
   int weakDegree = 4;  ///< a weak point is left to the degree below this one
   std::string transitions = "Node";        ///< a name of transitions()
   int largestDegree = bem::largestDegree;  ///< that is used: the multiplier's basis'
-  double reach = 1;                        ///< in [0, 1]: see chooseMoves
   std::string smooth = "Raise Degree";     ///< a name of smoothElements()
 };
 
 /// The keys of a list of these, and what a list that they have completed says.
 bem::SchemaRows gradingRows();
 GradingOptions parseGrading(const Teuchos::ParameterList& list);
-
-/// The level's own mesh with the singular points that the conditions alone tell.
-PreparedMesh withoutTransitions(const SolvedMesh& level);
-
-/// What the option `transitions` makes of a level.  Collective.
-/// \throws bem::InputError if there is no such row.
-PreparedMesh withTransitions(const SolvedMesh& level, const GradingOptions& options,
-                             const bem::DenseAlgebra& algebra);
 
 /// The mark of a refined element: cut toward singular points, a higher degree elsewhere.
 ///

@@ -94,18 +94,26 @@ Mark read(const double*& numbers) {
 
 }  // namespace
 
-PreparedMesh prepare(const Strategy& strategy, const SolvedMesh& level,
-                     const GradingOptions& options, const bem::DenseAlgebra& algebra) {
-  return strategy.grading == Grading::Obeyed ? withTransitions(level, options, algebra)
-                                             : withoutTransitions(level);
+SingularPoints singularPoints(const Strategy& strategy, const GradingOptions& options,
+                              const bem::Mesh& mesh,
+                              const contact::Conditions& conditions,
+                              const contact::MultiplierSpace& multiplier,
+                              const std::vector<contact::ContactState>& states) {
+  if (strategy.grading == Grading::Ignored ||
+      !transitions().at(options.transitions).areSingular)
+    return findSingularPoints(mesh, conditions);
+  std::vector<SingularPoints> all;
+  for (const contact::ContactState& state : states)
+    all.push_back(findSingularPoints(mesh, conditions, multiplier, state));
+  return united(all);
 }
 
 Marks decide(const Strategy& strategy, const LevelData& level,
-             const bem::DenseAlgebra& algebra) {
+             const bem::Processes& processes) {
   bem::Vector numbers;
   for (const Mark& mark : strategy.marks(level))
     write(mark, numbers);
-  const bem::Vector agreed = algebra.broadcast(std::move(numbers));
+  const bem::Vector agreed = processes.broadcast(std::move(numbers));
   Marks marks;
   for (const double* next = agreed.data(); next != agreed.data() + agreed.size();)
     marks.push_back(read(next));

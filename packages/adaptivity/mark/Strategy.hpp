@@ -3,7 +3,7 @@
 #include "adaptivity/mark/Grading.hpp"
 #include "adaptivity/refine/Refine.hpp"
 #include "adaptivity/singular/SingularPoints.hpp"
-#include "bem/base/DenseAlgebra.hpp"
+#include "bem/base/Processes.hpp"
 
 #include <string>
 #include <vector>
@@ -25,13 +25,13 @@ enum class Start {
   Carried  ///< from this level's state, see refine
 };
 
-/// Whether it obeys GradingOptions: what it does, and where nodes are moved.
+/// Whether it obeys GradingOptions.
 enum class Grading { Ignored, Obeyed };
 
 /// Which strategy, and what its marks depend on.
 struct StrategyOptions {
   std::string name = "None";          ///< a name of strategies()
-  double markingFraction = 0.3;       ///< of the squared estimate, in (0, 1]
+  double markingFraction = 0.6;       ///< of the squared estimate, in (0, 1]
   double analyticityThreshold = 0.5;  ///< see looksAnalytic
   GradingOptions grading;
 };
@@ -54,14 +54,18 @@ struct Strategy {
   Marks (*marks)(const LevelData& level);
 };
 
-/// The mesh that the strategy refines: the level's own, or with nodes that follow the
-/// transitions.  Collective.
-PreparedMesh prepare(const Strategy& strategy, const SolvedMesh& level,
-                     const GradingOptions& options, const bem::DenseAlgebra& algebra);
+/// The singular points of a body that the strategy looks at: those that the conditions tell
+/// and, where it grades toward transitions, those of all states, of which there is at least
+/// one.
+SingularPoints singularPoints(const Strategy& strategy, const GradingOptions& options,
+                              const bem::Mesh& mesh,
+                              const contact::Conditions& conditions,
+                              const contact::MultiplierSpace& multiplier,
+                              const std::vector<contact::ContactState>& states);
 
 /// The strategy's marks as rank 0 takes them; all processes must call.
 Marks decide(const Strategy& strategy, const LevelData& level,
-             const bem::DenseAlgebra& algebra);
+             const bem::Processes& processes);
 
 /// All strategies; a program may add others before it reads its first scene.  A built-in
 /// one is one line in Strategy.cpp.

@@ -81,6 +81,29 @@ SingularPoints united(const std::vector<SingularPoints>& all) {
   return result;
 }
 
+SingularPoints withStrong(SingularPoints points, const bem::Mesh& mesh,
+                          const std::vector<EdgePlace>& places) {
+  constexpr double close = 0.01;
+  for (const EdgePlace& place : places)
+    for (int e = 0; e < mesh.size(); ++e) {
+      const bem::Element& element = mesh[e];
+      const double t =
+          (place.fromStart - element.piece.start.fromStart) / element.half - 1;
+      if (element.piece.edge != place.edge || t < -1 || t >= 1)
+        continue;
+      std::vector<double>& inside = points.inside[e];
+      if (1 + t < 2 * close)
+        points.nodes[element.startNode] = Singularity::Strong;
+      else if (1 - t < 2 * close)
+        points.nodes[element.endNode] = Singularity::Strong;
+      else if (std::none_of(inside.begin(), inside.end(), [t](double other) {
+                 return std::abs(t - other) < 2 * close;
+               }))
+        inside.insert(std::upper_bound(inside.begin(), inside.end(), t), t);
+    }
+  return points;
+}
+
 PointState pointState(const contact::MultiplierSpace& multiplier,
                       const contact::MultiplierSpace::ContactElement& element, int i,
                       const contact::ContactState& states) {

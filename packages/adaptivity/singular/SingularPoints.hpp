@@ -46,6 +46,17 @@ SingularPoints findSingularPoints(const bem::Mesh& mesh,
 /// \pre at least one
 SingularPoints united(const std::vector<SingularPoints>& all);
 
+/// A place on an edge of the outline.
+struct EdgePlace {
+  int edge = 0;
+  double fromStart = 0;  ///< [outline diameters]
+};
+
+/// With further strong ones: less than one percent of an element away from a node such a place is at
+/// the node, and as close to another one of the element it is that one.
+SingularPoints withStrong(SingularPoints points, const bem::Mesh& mesh,
+                          const std::vector<EdgePlace>& places);
+
 /// What the place of a multiplier's coefficient does.
 struct PointState {
   contact::NormalState normal = contact::NormalState::Open;

@@ -5,7 +5,7 @@
 namespace epafi::bem {
 
 // Dense algebra of the size of a contact boundary or of three rigid motions, on one rank.
-// What grows with the body is bem::DenseAlgebra's.
+// What grows with the body is bem/algebra/DenseAlgebra's.
 
 double dot(const Vector& a, const Vector& b);
 

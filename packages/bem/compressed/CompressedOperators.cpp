@@ -94,7 +94,7 @@ struct AllUnknowns {
 CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
                                          const Compression& options,
                                          const LocalCoupling& local,
-                                         const DenseAlgebra& algebra) {
+                                         const Processes& processes) {
   const BlasThreads serial(1);
   std::vector<const Space*> spaces;
   AllUnknowns all(bodies.size());
@@ -123,7 +123,7 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
     for (int c = leaves_.back(); c >= 0; c = tree()[c].parent)
       ++unknowns[c];
   }
-  subtrees_ = std::make_unique<const Subtrees>(tree(), unknowns, algebra);
+  subtrees_ = std::make_unique<const Subtrees>(tree(), unknowns, processes);
   all.setAbroad(between, leaves_);
   for (std::size_t b = 0; b < bodies.size(); ++b)
     skeletonise(all.shares[b], bodies[b].space, bodies[b].lame, trees_[b], options,

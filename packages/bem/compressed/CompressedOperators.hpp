@@ -39,11 +39,12 @@ class CompressedOperators {
   explicit CompressedOperators(const std::vector<Body>& bodies,
                                const Compression& options = {},
                                const LocalCoupling& local = {},
-                               const DenseAlgebra& algebra = oneProcess());
+                               const Processes& processes = oneProcess());
   CompressedOperators(const Space& space, const Lame& lame,
                       const Compression& options = {}, const LocalCoupling& local = {},
-                      const DenseAlgebra& algebra = oneProcess())
-      : CompressedOperators(std::vector<Body>{{space, lame}}, options, local, algebra) {}
+                      const Processes& processes = oneProcess())
+      : CompressedOperators(std::vector<Body>{{space, lame}}, options, local, processes) {
+  }
 
   /// The numbers of a body's unknowns: displacements, then densities.
   struct Range {

@@ -1,6 +1,5 @@
 #include "bem/compressed/Subtrees.hpp"
 
-#include "bem/algebra/LapackAlgebra.hpp"
 #include "bem/base/Error.hpp"
 
 #include <algorithm>
@@ -14,17 +13,17 @@ namespace epafi::bem {
 // has least so far.  Neighbours are on different processes then, and so is what changes
 // together.
 Subtrees::Subtrees(const ClusterTree& tree, const std::vector<Index>& weights,
-                   const DenseAlgebra& algebra)
-    : algebra_(&algebra), owners_(tree.size(), -1) {
+                   const Processes& processes)
+    : processes_(&processes), owners_(tree.size(), -1) {
   if (isAlone() || tree.levels() == 1)
     return;
   constexpr std::size_t each = 4;
-  const std::size_t processes = algebra.processes();
+  const auto count = static_cast<std::size_t>(processes.count());
   int level = 1;
-  while (level < tree.levels() - 1 && tree.cut(level).size() < each * processes)
+  while (level < tree.levels() - 1 && tree.cut(level).size() < each * count)
     ++level;
   roots_ = tree.cut(level);
-  std::vector<Index> loads(processes);
+  std::vector<Index> loads(count);
   for (const int root : roots_) {
     const auto least = std::min_element(loads.begin(), loads.end());
     *least += weights[root];
@@ -39,12 +38,11 @@ Vector Subtrees::summed(double kind, double check, const std::string& failure,
                         Vector numbers) const {
   const std::size_t count = numbers.size();
   const double own[3] = {kind, check, failure.empty() ? 0.0 : 1.0};
-  numbers.resize(count +
-                 std::size(own) * static_cast<std::size_t>(algebra_->processes()));
+  numbers.resize(count + std::size(own) * static_cast<std::size_t>(processes_->count()));
   std::copy(std::begin(own), std::end(own),
             numbers.end() - static_cast<std::ptrdiff_t>(std::size(own)) *
-                                (algebra_->processes() - algebra_->rank()));
-  numbers = algebra_->sum(std::move(numbers));
+                                (processes_->count() - processes_->rank()));
+  numbers = processes_->sum(std::move(numbers));
   bool fails = false;
   for (std::size_t r = count; r < numbers.size(); r += std::size(own)) {
     if (numbers[r] != kind || numbers[r + 1] != check)
@@ -60,15 +58,15 @@ Vector Subtrees::summed(double kind, double check, const std::string& failure,
 
 // That of the lowest rank which has one.
 void Subtrees::throwFirst(const std::string& failure) const {
-  Vector sizes(algebra_->processes());
-  sizes[algebra_->rank()] = static_cast<double>(failure.size());
-  sizes = algebra_->sum(std::move(sizes));
+  Vector sizes(processes_->count());
+  sizes[processes_->rank()] = static_cast<double>(failure.size());
+  sizes = processes_->sum(std::move(sizes));
   const auto first =
       std::find_if(sizes.begin(), sizes.end(), [](double size) { return size > 0; });
   Vector text(static_cast<std::size_t>(*first));
-  if (first - sizes.begin() == algebra_->rank())
+  if (first - sizes.begin() == processes_->rank())
     std::copy(failure.begin(), failure.end(), text.begin());
-  text = algebra_->sum(std::move(text));
+  text = processes_->sum(std::move(text));
   std::string message;
   for (const double c : text)
     message += static_cast<char>(c);
@@ -86,11 +84,6 @@ void Subtrees::exchangeRows(const ClusterTree& tree,
           for (Index j = 0; j < x.columns(); ++j)
             action(c, x(i, j));
   });
-}
-
-const DenseAlgebra& oneProcess() {
-  static const LapackAlgebra algebra;
-  return algebra;
 }
 
 double checkOf(const Matrix& x) {

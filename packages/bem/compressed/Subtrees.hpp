@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/DenseAlgebra.hpp"
+#include "bem/base/Processes.hpp"
 #include "bem/compressed/ClusterTree.hpp"
 #include "bem/compressed/Interpolation.hpp"
 
@@ -17,14 +17,14 @@ namespace epafi::bem {
 /// a check of the numbers that all should agree in.
 class Subtrees {
  public:
-  /// `weights`: of the clusters, by which the work is balanced.  The algebra outlives it.
+  /// `weights`: of the clusters, by which the work is balanced.  The processes outlive it.
   Subtrees(const ClusterTree& tree, const std::vector<Index>& weights,
-           const DenseAlgebra& algebra);
+           const Processes& processes);
 
-  bool isAlone() const { return algebra_->processes() == 1; }
+  bool isAlone() const { return processes_->count() == 1; }
 
   /// Does this process compute with a cluster?
-  bool isMine(int c) const { return isEverybodys(c) || ownerOf(c) == algebra_->rank(); }
+  bool isMine(int c) const { return isEverybodys(c) || ownerOf(c) == processes_->rank(); }
   bool isEverybodys(int c) const { return ownerOf(c) < 0; }
   /// -1: everybody
   int ownerOf(int c) const { return owners_[c]; }
@@ -43,7 +43,7 @@ class Subtrees {
       return;
     Vector numbers;
     forNumbers([&](int c, double number) {
-      numbers.push_back(ownerOf(c) == algebra_->rank() ? number : 0);
+      numbers.push_back(ownerOf(c) == processes_->rank() ? number : 0);
     });
     numbers = summed(kind, check, failure, std::move(numbers));
     auto next = numbers.begin();
@@ -92,13 +92,10 @@ class Subtrees {
                 Vector numbers) const;
   [[noreturn]] void throwFirst(const std::string& failure) const;
 
-  const DenseAlgebra* algebra_;
+  const Processes* processes_;
   std::vector<int> owners_;  ///< of the clusters
   std::vector<int> roots_;
 };
-
-/// That of whoever names none.
-const DenseAlgebra& oneProcess();
 
 /// A number that hardly any other numbers have.
 double checkOf(const Matrix& x);

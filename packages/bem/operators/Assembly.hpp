@@ -1,14 +1,13 @@
 #pragma once
 
-#include "bem/base/DenseAlgebra.hpp"
 #include "bem/base/Material.hpp"
 #include "bem/space/Space.hpp"
 #include "bem/tractions/ProjectedTractions.hpp"
 
 namespace epafi::bem {
 
-/// The boundary operators as Galerkin matrices, by this process's rows.  [P sec. 2], with
-/// the signs of doc/theory/operators.md; dimensionless.
+/// The boundary operators as Galerkin matrices, [P sec. 2], with the signs of
+/// doc/theory/operators.md; dimensionless.
 struct Operators {
   Matrix singleLayer;         ///< V, densities x densities, lower triangle
   Matrix doubleLayer;         ///< K + 1/2, densities x displacements
@@ -30,7 +29,6 @@ struct Operators {
 /// Where `tractionElements` are given, the kernels of their projected tractions come from
 /// the same moments.
 Operators assembleOperators(const Space& space, const Lame& lame,
-                            const DenseAlgebra& algebra,
                             const std::vector<int>& tractionElements = {});
 
 }  // namespace epafi::bem

@@ -1,11 +1,12 @@
 #include "bem/operators/ExactRotation.hpp"
 
+#include "bem/algebra/DenseAlgebra.hpp"
+
 #include <algorithm>
 
 namespace epafi::bem {
 
-Operators withExactRotation(Operators operators, const Space& space,
-                            const DenseAlgebra& algebra) {
+Operators withExactRotation(Operators operators, const Space& space) {
   operators.rotation = space.rotation();
   if (operators.rotation == nullptr)
     return operators;
@@ -13,14 +14,13 @@ Operators withExactRotation(Operators operators, const Space& space,
   const Vector& q = operators.rotation->functional();
   // Pᵀ W P = W - q wᵀ - w qᵀ + (r·w) q qᵀ,  w = W r_I
   Matrix& hypersingular = operators.hypersingular;
-  const Vector w = algebra.multiplySymmetric(hypersingular, r);
+  const Vector w = multiplySymmetric(hypersingular, r);
   double square = 0;
   for (std::size_t i = 0; i < r.size(); ++i)
     square += r[i] * w[i];
-  const Rows mine = algebra.myRows(space.displacements());
   for (Index j = 0; j < hypersingular.columns(); ++j)
-    for (Index i = std::max(j, mine.begin); i < mine.end; ++i)
-      hypersingular(i - mine.begin, j) -=
+    for (Index i = j; i < hypersingular.rows(); ++i)
+      hypersingular(i, j) -=
           q[at(i)] * (w[at(j)] - square * q[at(j)]) + w[at(i)] * q[at(j)];
   Matrix& doubleLayer = operators.doubleLayer;
   Vector k(at(doubleLayer.rows()));
@@ -34,25 +34,21 @@ Operators withExactRotation(Operators operators, const Space& space,
     return operators;
   TractionKernels& tractions = operators.tractions;
   const Index last = tractions.adjoint.columns() - 1;
-  std::copy(w.begin() + mine.begin, w.begin() + mine.end,
-            tractions.hypersingular.column(last));
+  std::copy(w.begin(), w.end(), tractions.hypersingular.column(last));
   std::copy(k.begin(), k.end(), tractions.adjoint.column(last));
   return operators;
 }
 
-Matrix withoutRotation(Matrix columns, const Rotation& rotation,
-                       const DenseAlgebra& algebra) {
+Matrix withoutRotation(Matrix columns, const Rotation& rotation) {
   const Vector& r = rotation.motion();
   const Vector& q = rotation.functional();
-  const Rows mine = algebra.myRows(static_cast<Index>(r.size()));
-  Vector work(at(columns.columns()));
-  for (Index c = 0; c < columns.columns(); ++c)
-    for (Index i = 0; i < mine.size(); ++i)
-      work[at(c)] += columns(i, c) * r[at(i + mine.begin)];
-  work = algebra.sum(std::move(work));
-  for (Index c = 0; c < columns.columns(); ++c)
-    for (Index i = 0; i < mine.size(); ++i)
-      columns(i, c) -= q[at(i + mine.begin)] * work[at(c)];
+  for (Index c = 0; c < columns.columns(); ++c) {
+    double work = 0;
+    for (Index i = 0; i < columns.rows(); ++i)
+      work += columns(i, c) * r[at(i)];
+    for (Index i = 0; i < columns.rows(); ++i)
+      columns(i, c) -= q[at(i)] * work;
+  }
   return columns;
 }
 

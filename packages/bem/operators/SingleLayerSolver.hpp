@@ -9,7 +9,7 @@ class SingleLayerSolver {
  public:
   virtual ~SingleLayerSolver() = default;
 
-  /// V⁻¹ B; V by the lower triangle, all by my rows of the densities.  Collective.
+  /// V⁻¹ B; V by the lower triangle.  Collective.
   /// \throws NumericalError if V is not positive definite, or if it takes too long.
   virtual Matrix solve(Matrix lower, const Matrix& right) const = 0;
 };

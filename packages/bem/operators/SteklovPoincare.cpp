@@ -11,16 +11,12 @@ namespace epafi::bem {
 
 namespace {
 
-/// V + G, my rows of the lower triangle.
-Matrix added(Matrix lower, const Rows& mine, const LocalCompliance& compliance) {
-  for (std::size_t k = 0; k < compliance.densities.size(); ++k) {
-    const Index i = compliance.densities[k];
-    if (mine.contain(i))
-      lower(i - mine.begin, i) += compliance.diagonal[k];
-  }
+/// V + G, the lower triangle.
+Matrix added(Matrix lower, const LocalCompliance& compliance) {
+  for (std::size_t k = 0; k < compliance.densities.size(); ++k)
+    lower(compliance.densities[k], compliance.densities[k]) += compliance.diagonal[k];
   for (const auto& [i, value] : compliance.pinned)
-    if (mine.contain(i))
-      lower(i - mine.begin, i) += value;
+    lower(i, i) += value;
   return lower;
 }
 
@@ -63,14 +59,13 @@ Matrix symmetricInOrder(const Matrix& lower, const std::vector<Index>& order) {
   return result;
 }
 
-/// A beside the unit vectors of some densities, my rows.
-Matrix besideUnits(const Matrix& a, const Rows& mine, const std::vector<Index>& units) {
+/// A beside the unit vectors of some densities.
+Matrix besideUnits(const Matrix& a, const std::vector<Index>& units) {
   Matrix result(a.rows(), a.columns() + static_cast<Index>(units.size()));
   for (Index j = 0; j < a.columns(); ++j)
     std::copy_n(a.column(j), a.rows(), result.column(j));
   for (std::size_t k = 0; k < units.size(); ++k)
-    if (mine.contain(units[k]))
-      result(units[k] - mine.begin, a.columns() + static_cast<Index>(k)) = 1;
+    result(units[k], a.columns() + static_cast<Index>(k)) = 1;
   return result;
 }
 
@@ -82,89 +77,54 @@ void fillUpper(Matrix& lower) {
 
 }  // namespace
 
-SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebra,
-                                 const LocalCompliance& compliance)
-    : algebra_(&algebra),
-      densities_(operators.singleLayer.columns()),
-      rotation_(operators.rotation) {
-  Matrix v =
-      added(std::move(operators.singleLayer), algebra.myRows(densities_), compliance);
+SteklovPoincare::SteklovPoincare(Operators operators, const LocalCompliance& compliance)
+    : rotation_(operators.rotation) {
+  Matrix v = added(std::move(operators.singleLayer), compliance);
   Matrix k = std::move(operators.doubleLayer);
-  if (algebra.processes() == 1 && !compliance.densities.empty()) {
-    order_ = withLast(densities_, compliance.densities);
+  if (!compliance.densities.empty()) {
+    order_ = withLast(v.columns(), compliance.densities);
     v = symmetricInOrder(v, order_);
     k = rowsInOrder(std::move(k), order_);
   }
-  factor_ = algebra.cholesky(std::move(v), "the single layer potential V");
+  factor_.emplace(std::move(v), "the single layer potential V");
   half_ = factor_->forward(std::move(k));
-  const Rows mine = algebra.myRows(operators.hypersingular.columns());
-  stiffness_ =
-      LowerTriangle(algebra.addGram(std::move(operators.hypersingular), half_), mine);
+  stiffness_ = LowerTriangle(addGram(std::move(operators.hypersingular), half_));
   makeTractions(std::move(operators.tractions));
   if (compliance.densities.empty())
     return;
-  // with T = L⁻¹ E:  Yᵀ T  and  Tᵀ T; on one process all of T is in the last rows
+  // with T = L⁻¹ E, all of which is in the last rows:  Yᵀ T  and  Tᵀ T
   const auto count = static_cast<Index>(compliance.densities.size());
-  const bool alone = algebra.processes() == 1;
-  const Matrix t = alone ? factor_->inverseOfLast(count)
-                         : factor_->forward(besideUnits(
-                               Matrix(algebra.myRows(densities_).size(), 0),
-                               algebra.myRows(densities_), compliance.densities));
-  const Matrix last =
-      alone ? rowsBetween(half_, half_.rows() - count, half_.rows()) : Matrix();
-  Matrix displacements = algebra.addTransposeTimes(
-      Matrix(mine.size(), count), alone ? last : std::as_const(half_), t);
-  Matrix gram(algebra.myRows(count).size(), count);
-  gram = algebra.replicate(algebra.addGram(std::move(gram), t), count);
+  const Matrix t = factor_->inverseOfLast(count);
+  Matrix displacements =
+      addTransposeTimes(Matrix(half_.columns(), count),
+                        rowsBetween(half_, half_.rows() - count, half_.rows()), t);
+  Matrix gram = addGram(Matrix(count, count), t);
   fillUpper(gram);
   response_ = std::make_shared<DensityResponse>(
       DensityResponse{compliance.densities, std::move(displacements), std::move(gram)});
 }
 
-SteklovPoincare::SteklovPoincare(Operators operators, const DenseAlgebra& algebra,
-                                 const SingleLayerSolver& solver,
+SteklovPoincare::SteklovPoincare(Operators operators, const SingleLayerSolver& solver,
                                  const LocalCompliance& compliance)
-    : algebra_(&algebra),
-      densities_(operators.singleLayer.columns()),
-      rotation_(operators.rotation) {
-  const Rows mine = algebra.myRows(densities_);
-  const Index displacements = operators.doubleLayer.columns();
+    : rotation_(operators.rotation) {
+  const Matrix& k = operators.doubleLayer;
   const auto count = static_cast<Index>(compliance.densities.size());
-  Matrix v = added(std::move(operators.singleLayer), mine, compliance);
-  if (count == 0) {
-    half_ = solver.solve(std::move(v), operators.doubleLayer);
-  } else {
-    half_ = solver.solve(std::move(v),
-                         besideUnits(operators.doubleLayer, mine, compliance.densities));
-    units_ = Matrix(mine.size(), count);
-    for (Index k = 0; k < count; ++k)
-      std::copy_n(half_.column(displacements + k), mine.size(), units_.column(k));
-    half_.shrink(displacements);
-  }
-  const Rows mineOfDisplacements = algebra.myRows(displacements);
-  stiffness_ = LowerTriangle(algebra.addTransposeTimes(std::move(operators.hypersingular),
-                                                       operators.doubleLayer, half_),
-                             mineOfDisplacements);
+  Matrix v = added(std::move(operators.singleLayer), compliance);
+  half_ = solver.solve(std::move(v), besideUnits(k, compliance.densities));
+  units_ = columnsBetween(half_, k.columns(), k.columns() + count);
+  half_.shrink(k.columns());
+  stiffness_ =
+      LowerTriangle(addTransposeTimes(std::move(operators.hypersingular), k, half_));
   makeTractions(std::move(operators.tractions));
   if (count == 0)
     return;
-  Vector picked(static_cast<std::size_t>(count * count));
-  for (Index i = 0; i < count; ++i) {
-    const Index row = compliance.densities[static_cast<std::size_t>(i)];
-    for (Index j = 0; j < count && mine.contain(row); ++j)
-      picked[static_cast<std::size_t>(i + j * count)] = units_(row - mine.begin, j);
-  }
-  picked = algebra.sum(std::move(picked));
-  Matrix density(count, count);
+  Matrix density = rowsOf(units_, compliance.densities);
   for (Index j = 0; j < count; ++j)
-    for (Index i = 0; i < count; ++i)
-      density(i, j) = 0.5 * (picked[static_cast<std::size_t>(i + j * count)] +
-                             picked[static_cast<std::size_t>(j + i * count)]);
-  response_ = std::make_shared<DensityResponse>(
-      DensityResponse{compliance.densities,
-                      algebra.addTransposeTimes(Matrix(mineOfDisplacements.size(), count),
-                                                operators.doubleLayer, units_),
-                      std::move(density)});
+    for (Index i = 0; i < j; ++i)
+      density(i, j) = density(j, i) = 0.5 * (density(i, j) + density(j, i));
+  response_ = std::make_shared<DensityResponse>(DensityResponse{
+      compliance.densities, addTransposeTimes(Matrix(k.columns(), count), k, units_),
+      std::move(density)});
 }
 
 // S φ = W φ + (K' + 1/2) V⁻¹ (K + 1/2) φ, transposed
@@ -191,17 +151,16 @@ void SteklovPoincare::makeTractions(TractionKernels kernels) {
 void SteklovPoincare::addRaised(const std::vector<TractionKernels::Raised>& raised,
                                 const Matrix& lowest, Matrix& rows) const {
   constexpr std::size_t atOnce = 64;
-  const Index mine = stiffness_.rows().begin;
   const Index n = static_cast<Index>(half_.columns());
   for (std::size_t first = 0; first < raised.size(); first += atOnce) {
     const std::size_t last = std::min(first + atOnce, raised.size());
     std::vector<Index> which;
     for (std::size_t k = first; k < last; ++k)
       which.push_back(raised[k].displacement);
-    const Vector columns = algebra_->sum(stiffness_.columns(which));
+    const Vector columns = stiffness_.columns(which);
     for (std::size_t k = first; k < last; ++k) {
       const TractionKernels::Raised& r = raised[k];
-      const double* stiffness = columns.data() + n * static_cast<Index>(k - first) + mine;
+      const double* stiffness = columns.data() + n * static_cast<Index>(k - first);
       for (Index i = 0; i < rows.rows(); ++i)
         rows(i, r.column) = r.ofStiffness * stiffness[i];
       for (const auto& [earlier, factor] : r.earlier)
@@ -216,13 +175,11 @@ void SteklovPoincare::addRaised(const std::vector<TractionKernels::Raised>& rais
   }
 }
 
-Vector SteklovPoincare::apply(const Vector& u) const {
-  return algebra_->sum(stiffness_.times(u));
-}
+Vector SteklovPoincare::apply(const Vector& u) const { return stiffness_.times(u); }
 
 Vector SteklovPoincare::density(const Vector& u) const {
-  Vector psi = algebra_->multiply(half_, densities_, u);
-  return factor_ == nullptr ? psi : unordered(factor_->backward(psi));
+  Vector psi = multiply(half_, u);
+  return factor_ ? unordered(factor_->backward(psi)) : psi;
 }
 
 Vector SteklovPoincare::density(const Vector& u, const Vector& b) const {
@@ -230,8 +187,8 @@ Vector SteklovPoincare::density(const Vector& u, const Vector& b) const {
   if (response_ == nullptr)
     return psi;
   Vector less;
-  if (factor_ == nullptr) {
-    less = algebra_->multiply(units_, densities_, b);
+  if (!factor_) {
+    less = multiply(units_, b);
   } else {
     Vector right(psi.size());
     for (std::size_t k = 0; k < b.size(); ++k)
@@ -259,11 +216,11 @@ Vector SteklovPoincare::unordered(const Vector& b) const {
 
 Matrix SteklovPoincare::addAdjointDensity(Matrix c, Matrix b) const {
   if (rotation_ != nullptr)
-    c = withoutRotation(std::move(c), *rotation_, *algebra_);
-  if (factor_ != nullptr)
+    c = withoutRotation(std::move(c), *rotation_);
+  if (factor_)
     b = factor_->forward(order_.empty() ? std::move(b)
                                         : rowsInOrder(std::move(b), order_));
-  return algebra_->addTransposeTimes(std::move(c), half_, b);
+  return addTransposeTimes(std::move(c), half_, b);
 }
 
 }  // namespace epafi::bem

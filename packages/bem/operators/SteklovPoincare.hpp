@@ -1,10 +1,12 @@
 #pragma once
 
+#include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/base/LowerTriangle.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "bem/operators/SingleLayerSolver.hpp"
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace epafi::bem {
@@ -23,8 +25,8 @@ class CompressedOperators;
 /// What the densities E of a LocalCompliance do by themselves.
 struct DensityResponse {
   std::vector<Index> densities;
-  Matrix displacements;  ///< (K + 1/2)ᵀ (V + G)⁻¹ E, my rows of the displacements
-  Matrix density;        ///< Eᵀ (V + G)⁻¹ E, whole on every process
+  Matrix displacements;  ///< (K + 1/2)ᵀ (V + G)⁻¹ E
+  Matrix density;        ///< Eᵀ (V + G)⁻¹ E
 };
 
 /// The discrete Steklov-Poincaré operator, which maps displacements to tractions:
@@ -41,24 +43,21 @@ class SteklovPoincare {
  public:
   /// CPU seconds are not this class's business: callers time assembleOperators and this.
   /// \throws NumericalError if V is not positive definite.
-  SteklovPoincare(Operators operators, const DenseAlgebra& algebra,
-                  const LocalCompliance& compliance = {});
+  explicit SteklovPoincare(Operators operators, const LocalCompliance& compliance = {});
 
   /// The same with Z = V⁻¹ (K + 1/2) column by column:  S = W + (K + 1/2)ᵀ Z.
-  SteklovPoincare(Operators operators, const DenseAlgebra& algebra,
-                  const SingleLayerSolver& solver,
+  SteklovPoincare(Operators operators, const SingleLayerSolver& solver,
                   const LocalCompliance& compliance = {});
 
-  /// S of one of the operators' bodies, never formed: nothing below but algebra() and this is
-  /// there.
-  SteklovPoincare(std::shared_ptr<const CompressedOperators> operators,
-                  const DenseAlgebra& algebra, std::size_t body = 0)
-      : algebra_(&algebra), compressed_(std::move(operators)), body_(body) {}
+  /// S of one of the operators' bodies, never formed: nothing below but this is there.
+  explicit SteklovPoincare(std::shared_ptr<const CompressedOperators> operators,
+                           std::size_t body = 0)
+      : compressed_(std::move(operators)), body_(body) {}
   /// Null where S is formed.
   std::shared_ptr<const CompressedOperators> compressed() const { return compressed_; }
   std::size_t compressedBody() const { return body_; }
 
-  /// S, my rows.
+  /// S
   const LowerTriangle& stiffness() const { return stiffness_; }
   /// The elements for whose projected tractions the assembly was asked.
   const std::vector<int>& tractionElements() const { return tractionElements_; }
@@ -66,7 +65,6 @@ class SteklovPoincare {
   std::shared_ptr<const TractionRows> tractions() const { return tractions_; }
   /// Of the densities with a compliance of their own; null without any.
   std::shared_ptr<const DensityResponse> response() const { return response_; }
-  const DenseAlgebra& algebra() const { return *algebra_; }
 
   Vector apply(const Vector& u) const;
 
@@ -76,8 +74,7 @@ class SteklovPoincare {
   /// V⁻¹ ((K + 1/2) u - E b), E the unit vectors of response().
   Vector density(const Vector& u, const Vector& b) const;
 
-  /// C + (K + 1/2)ᵀ V⁻¹ B, my rows of the displacements, with Pᵀ C where displacements
-  /// hold a rotation beside polynomials; B by my rows of the densities.
+  /// C + (K + 1/2)ᵀ V⁻¹ B, with Pᵀ C where displacements hold a rotation beside polynomials.
   Matrix addAdjointDensity(Matrix c, Matrix b) const;
 
  private:
@@ -89,17 +86,15 @@ class SteklovPoincare {
   Vector ordered(const Vector& b) const;
   Vector unordered(const Vector& b) const;
 
-  const DenseAlgebra* algebra_;
   std::shared_ptr<const CompressedOperators> compressed_;
   std::size_t body_ = 0;
-  Index densities_ = 0;
   std::shared_ptr<const Rotation> rotation_;
-  /// Density of each row of the factor; empty: as numbered.  On one process those with a
-  /// compliance come last, so that what they do needs but the end of the factor.
+  /// Density of each row of the factor; empty: as numbered.  Those with a compliance come
+  /// last, so that what they do needs but the end of the factor.
   std::vector<Index> order_;
-  std::unique_ptr<CholeskyFactor> factor_;  ///< null: with a solver
-  Matrix half_;                             ///< Y, or Z; my rows of the densities
-  Matrix units_;                            ///< with a solver: V⁻¹ E
+  std::optional<CholeskyFactor> factor_;  ///< none: with a solver
+  Matrix half_;                           ///< Y, or Z
+  Matrix units_;                          ///< with a solver: V⁻¹ E
   LowerTriangle stiffness_;
   std::shared_ptr<const DensityResponse> response_;
   std::vector<int> tractionElements_;

@@ -31,25 +31,21 @@ struct Addition {
 
 }  // namespace
 
-GhostNodes::GhostNodes(const Space& space, const ElementRuns& runs, Index densities) {
+GhostNodes::GhostNodes(const Space& space, const ElementRuns& runs) {
   for (int r = 0; r < runs.size(); ++r)
     if (runs[r].closesLoop)
       first.push_back(space.displacement(runs[r].last - 1, 1, 0));
   const auto ghosts = static_cast<Index>(2 * first.size());
-  doubleLayer = Matrix(densities, ghosts);
+  doubleLayer = Matrix(space.densities(), ghosts);
   hypersingular = Matrix(space.displacements() + ghosts, ghosts);
 }
 
-void GhostNodes::fold(const Rows& mine, Operators& out) const {
+void GhostNodes::fold(Operators& out) const {
   const Index displacements = out.doubleLayer.columns();
   const auto real = [&](Index row) {
     return row < displacements
                ? row
                : first[static_cast<std::size_t>((row - displacements) / 2)] + row % 2;
-  };
-  const auto add = [&](Index row, Index column, double value) {
-    if (mine.contain(row))
-      out.hypersingular(row - mine.begin, column) += value;
   };
   for (Index ghost = 0; ghost < doubleLayer.columns(); ++ghost) {
     const Index node = first[static_cast<std::size_t>(ghost / 2)];
@@ -60,24 +56,19 @@ void GhostNodes::fold(const Rows& mine, Operators& out) const {
       const double value = hypersingular(from, ghost);
       const Index row = real(from);
       if (row / 2 != node / 2) {
-        add(std::max(row, column), std::min(row, column), value);
+        out.hypersingular(std::max(row, column), std::min(row, column)) += value;
         continue;
       }
-      add(row, column, value);
+      out.hypersingular(row, column) += value;
       if (from < displacements)  // <W φ, g> and <W g, φ>
-        add(column, row, value);
+        out.hypersingular(column, row) += value;
     }
   }
 }
 
-TileWriter::TileWriter(const Space& space, const Lame& lame, const DenseAlgebra& algebra,
-                       Operators& out, GhostNodes& ghosts)
-    : space_(space),
-      densityRows_(algebra.myRows(space.densities())),
-      displacementRows_(algebra.myRows(space.displacements())),
-      out_(out),
-      ghosts_(ghosts),
-      blocks_(space, lame) {
+TileWriter::TileWriter(const Space& space, const Lame& lame, Operators& out,
+                       GhostNodes& ghosts)
+    : space_(space), out_(out), ghosts_(ghosts), blocks_(space, lame) {
   for (int k = 0; k <= largestDegree; ++k)
     slopes_[static_cast<std::size_t>(k)] = DisplacementBasis::slope(k);
 }
@@ -91,17 +82,13 @@ void TileWriter::begin(const ElementRun& group, const ElementRun& run) {
   isEmpty_ = true;
 }
 
-void TileWriter::append(const Target& target, Index first, Index column,
-                        const double* from, Index size, double scale) {
-  const Index begin = std::max(first, target.mine.begin);
-  const Index end = std::min(first + size, target.mine.end);
-  if (begin >= end)
-    return;
+void TileWriter::append(Matrix& matrix, Index first, Index column, const double* from,
+                        Index size, double scale) {
   // in its place: copying a fresh one by wider words than it was written by waits for these
   Stretch& stretch = stretches_.emplace_back();
-  stretch.to = target.matrix.column(column) + (begin - target.mine.begin);
-  stretch.from = from + (begin - first);
-  stretch.size = end - begin;
+  stretch.to = matrix.column(column) + first;
+  stretch.from = from;
+  stretch.size = size;
   stretch.scale = scale;
 }
 
@@ -113,11 +100,11 @@ void TileWriter::add(const Tile& tile) {
   stretches_.clear();
   for (int c = 0; c < 2; ++c) {
     for (int i = 0; i < element.densities; ++i)
-      append({out_.singleLayer, densityRows_}, densities, space_.density(f, i, c),
+      append(out_.singleLayer, densities, space_.density(f, i, c),
              blocks_.singleLayer(i, c), blocks_.densities(), 1);
     for (int k = 0; k <= element.degree; ++k) {
       const bool isGhost = k == 1 && element.next != f + 1;
-      append({isGhost ? ghosts_.doubleLayer : out_.doubleLayer, densityRows_}, densities,
+      append(isGhost ? ghosts_.doubleLayer : out_.doubleLayer, densities,
              isGhost ? 2 * group_->loop + c : space_.displacement(f, k, c),
              blocks_.doubleLayer(k, c), blocks_.densities(), 1);
       appendHypersingular(f, k, c);
@@ -138,11 +125,8 @@ void TileWriter::appendHypersingular(int f, int k, int c) {
   const bool closes = space_.mesh()[f].next != f + 1;
   const bool isGhost = k == 1 && closes;
   const Index column = isGhost ? 2 * group_->loop + c : space_.displacement(f, k, c);
-  if (isGhost)
-    append({ghosts_.hypersingular, {0, ghosts_.hypersingular.rows()}}, first, column,
-           from, inARow, scale);
-  else
-    append({out_.hypersingular, displacementRows_}, first, column, from, inARow, scale);
+  append(isGhost ? ghosts_.hypersingular : out_.hypersingular, first, column, from,
+         inARow, scale);
   // f with itself comes with its ghost's columns
   if (!run_->closesLoop || (closes && !isGhost && run_->last == f + 1))
     return;
@@ -156,7 +140,7 @@ void TileWriter::appendHypersingular(int f, int k, int c) {
 // The node between f and the element behind it has both <W φ, ψ> and <W ψ, φ>.
 void TileWriter::addCommonNode(int f, const Block& slopes) {
   const Index node = space_.displacement(f, 1, 0);
-  addBlock(out_.hypersingular, displacementRows_, node, node, -slopes_[1] * slopes);
+  addBlock(out_.hypersingular, node, node, -slopes_[1] * slopes);
 }
 
 void TileWriter::collect(int f) {
@@ -184,7 +168,7 @@ void TileWriter::finish() {
   stretches_.clear();
   for (Index k = 0; k < ends + 2; ++k) {
     const bool isGhost = run_->closesLoop && k >= ends;
-    append({isGhost ? ghosts_.doubleLayer : out_.doubleLayer, densityRows_}, groupStart_,
+    append(isGhost ? ghosts_.doubleLayer : out_.doubleLayer, groupStart_,
            isGhost ? 2 * run_->loop + k - ends : first + k,
            collected_.data() + k * groupSize_, groupSize_, 1);
   }

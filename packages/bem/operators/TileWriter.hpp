@@ -9,20 +9,20 @@ namespace epafi::bem {
 /// first nodes, numbered far from there: kept apart, they are ghosts, one for each loop,
 /// and elements are written in any order by several threads.
 struct GhostNodes {
-  GhostNodes(const Space& space, const ElementRuns& runs, Index densities);
+  GhostNodes(const Space& space, const ElementRuns& runs);
 
   std::vector<Index> first;  ///< by loop: its first node's displacement
-  Matrix doubleLayer;        ///< my rows of the densities x 2 ghosts
+  Matrix doubleLayer;        ///< densities x 2 ghosts
   /// All displacements, then the ghosts, x 2 ghosts; of two ghosts once, of one with itself
   /// the whole block.
   Matrix hypersingular;
 
   /// Adds them to the first nodes.
-  void fold(const Rows& displacementRows, Operators& out) const;
+  void fold(Operators& out) const;
 };
 
-/// Adds tiles to the rows of V, K and W that are mine: a group of consecutive elements f,
-/// which is a run, against a run of elements e from f on.
+/// Adds tiles to V, K and W: a group of consecutive elements f, which is a run, against a run
+/// of elements e from f on.
 ///
 /// Entries by columns of f are long stretches of rows and are added at once; those of K
 /// by columns of e are short, and are collected until the group is through.
@@ -33,8 +33,7 @@ struct GhostNodes {
 /// added at the same time.
 class TileWriter {
  public:
-  TileWriter(const Space& space, const Lame& lame, const DenseAlgebra& algebra,
-             Operators& out, GhostNodes& ghosts);
+  TileWriter(const Space& space, const Lame& lame, Operators& out, GhostNodes& ghosts);
 
   /// Begins the tiles of the elements f of a group and a run.
   void begin(const ElementRun& group, const ElementRun& run);
@@ -54,20 +53,14 @@ class TileWriter {
   };
 
  private:
-  struct Target {
-    Matrix& matrix;
-    Rows mine;
-  };
-  /// `from` has the rows first, first + 1, ... of a column; only mine are added.
-  void append(const Target& target, Index first, Index column, const double* from,
-              Index size, double scale);
+  /// `from` has the rows first, first + 1, ... of a column.
+  void append(Matrix& matrix, Index first, Index column, const double* from, Index size,
+              double scale);
   void appendHypersingular(int f, int k, int c);
   void addCommonNode(int f, const Block& slopes);
   void collect(int f);
 
   const Space& space_;
-  Rows densityRows_;
-  Rows displacementRows_;
   Operators& out_;
   GhostNodes& ghosts_;
   TileBlocks blocks_;

@@ -2,11 +2,12 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
-#include "bem/tpetra/SymmetricOperator.hpp"
+#include "bem/tpetra/WholeVectorOperator.hpp"
 
 #include <BelosLinearProblem.hpp>
 #include <BelosPseudoBlockCGSolMgr.hpp>
 #include <BelosTpetraAdapter.hpp>
+#include <Teuchos_BLAS.hpp>
 
 #include <algorithm>
 
@@ -19,20 +20,19 @@ using Teuchos::rcp;
 using Operator = Tpetra::Operator<>;
 using MultiVector = Tpetra::MultiVector<>;
 
-/// The inverses of the processes' own diagonal blocks.
+/// The inverses of the diagonal blocks of the processes' own rows.
 class OwnBlocks final : public Operator {
  public:
-  OwnBlocks(const SymmetricOperator& matrix, const TpetraAlgebra& algebra)
-      : map_(matrix.getDomainMap()) {
-    const Rows mine = algebra.myRows(matrix.rows().columns());
-    factor_ = Matrix(mine.size(), mine.size());
-    for (Index j = 0; j < mine.size(); ++j)
-      std::copy_n(matrix.rows().column(mine.begin + j), mine.size(), factor_.column(j));
+  OwnBlocks(const Matrix& lower, RCP<const Tpetra::Map<>> map) : map_(std::move(map)) {
+    const auto size = static_cast<Index>(map_->getNodeNumElements());
+    const Index first = size > 0 ? map_->getMinGlobalIndex() : 0;
+    factor_ = Matrix(size, size);
+    for (Index j = 0; j < size; ++j)
+      std::copy_n(lower.column(first + j) + first + j, size - j, factor_.column(j) + j);
     const int info = cholesky(factor_);
     if (info != 0)
-      throw NumericalError(
-          message("the single layer potential V is not positive definite in row ",
-                  mine.begin + info));
+      throw NumericalError(message(
+          "the single layer potential V is not positive definite in row ", first + info));
   }
 
   RCP<const Tpetra::Map<>> getDomainMap() const override { return map_; }
@@ -55,6 +55,17 @@ class OwnBlocks final : public Operator {
   Matrix factor_;
 };
 
+/// A X of a symmetric matrix.
+Matrix symmetricProduct(const Matrix& lower, const Matrix& x) {
+  Matrix y(x.rows(), x.columns());
+  if (!x.empty())
+    Teuchos::BLAS<int, double>().SYMM(Teuchos::LEFT_SIDE, Teuchos::LOWER_TRI,
+                                      asInt(x.rows()), asInt(x.columns()), 1,
+                                      lower.data(), asInt(lower.stride()), x.data(),
+                                      asInt(x.stride()), 0, y.data(), asInt(y.stride()));
+  return y;
+}
+
 RCP<Teuchos::ParameterList> listOf(const BelosOptions& options) {
   auto list = Teuchos::parameterList();
   list->set("Convergence Tolerance", options.tolerance);
@@ -67,23 +78,23 @@ RCP<Teuchos::ParameterList> listOf(const BelosOptions& options) {
 Matrix BelosSolver::solve(Matrix lower, const Matrix& right) const {
   using Problem = Belos::LinearProblem<double, MultiVector, Operator>;
   using Manager = Belos::PseudoBlockCGSolMgr<double, MultiVector, Operator>;
-  const auto matrix = rcp(new SymmetricOperator(lower, algebra_));
-  lower = Matrix();
-  const auto blocks = rcp(new OwnBlocks(*matrix, algebra_));
+  const auto matrix = rcp(new WholeVectorOperator(
+      lower.rows(), [&](const Matrix& x) { return symmetricProduct(lower, x); },
+      processes_));
+  const auto map = matrix->getDomainMap();
+  const auto blocks = rcp(new OwnBlocks(lower, map));
   Matrix result(right.rows(), right.columns());
   for (Index first = 0; first < right.columns(); first += options_.blockSize) {
     const Index count = std::min<Index>(options_.blockSize, right.columns() - first);
-    const auto x =
-        rcp(new MultiVector(matrix->getDomainMap(), static_cast<std::size_t>(count)));
-    const auto b =
-        rcp(new MultiVector(matrix->getDomainMap(), static_cast<std::size_t>(count)));
+    const auto x = rcp(new MultiVector(map, at(count)));
+    const auto b = rcp(new MultiVector(map, at(count)));
     {
       const auto view = b->getLocalViewHost(Tpetra::Access::OverwriteAll);
       for (Index j = 0; j < count; ++j)
-        for (Index i = 0; i < right.rows(); ++i)
-          view(i, j) = right(i, first + j);
+        for (std::size_t i = 0; i < view.extent(0); ++i)
+          view(i, j) = right(map->getGlobalElement(asInt(i)), first + j);
     }
-    algebra_.consent().confirm();
+    processes_.consent().confirm();
     const auto problem = rcp(new Problem(matrix, x, b));
     problem->setLeftPrec(blocks);
     problem->setProblem();
@@ -98,10 +109,9 @@ Matrix BelosSolver::solve(Matrix lower, const Matrix& right) const {
       throw NumericalError(
           "the single layer potential V: Belos does not reach the Tolerance ",
           options_.tolerance, " within ", manager.getNumIters(), " iterations");
-    const auto view = x->getLocalViewHost(Tpetra::Access::ReadOnly);
+    const Matrix solved = matrix->whole(*x);
     for (Index j = 0; j < count; ++j)
-      for (Index i = 0; i < right.rows(); ++i)
-        result(i, first + j) = view(i, j);
+      std::copy_n(solved.column(j), solved.rows(), result.column(first + j));
   }
   return result;
 }

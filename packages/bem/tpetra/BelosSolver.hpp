@@ -2,22 +2,22 @@
 
 #include "bem/operators/SingleLayerSolver.hpp"
 #include "bem/tpetra/BelosOptions.hpp"
-#include "bem/tpetra/TpetraAlgebra.hpp"
+#include "bem/tpetra/MpiProcesses.hpp"
 
 namespace epafi::bem {
 
-/// V⁻¹ by Belos' conjugate gradients on the distributed rows, preconditioned by the
-/// inverse of every process's own diagonal block.  On one process that block is V, and
-/// one step solves; the more processes, the more steps.
+/// V⁻¹ by Belos' conjugate gradients on distributed vectors, preconditioned by the inverse of
+/// the diagonal block of every process's own rows.  On one process that block is V, and one
+/// step solves; the more processes, the more steps.
 class BelosSolver final : public SingleLayerSolver {
  public:
-  BelosSolver(const TpetraAlgebra& algebra, const BelosOptions& options)
-      : algebra_(algebra), options_(options) {}
+  BelosSolver(const MpiProcesses& processes, const BelosOptions& options)
+      : processes_(processes), options_(options) {}
 
   Matrix solve(Matrix lower, const Matrix& right) const override;
 
  private:
-  const TpetraAlgebra& algebra_;
+  const MpiProcesses& processes_;
   BelosOptions options_;
 };
 

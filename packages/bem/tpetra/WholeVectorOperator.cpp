@@ -6,17 +6,25 @@
 namespace epafi::bem {
 
 WholeVectorOperator::WholeVectorOperator(Index n, Action action,
-                                         const TpetraAlgebra& algebra)
+                                         const MpiProcesses& processes)
     : action_(std::move(action)),
-      mine_(algebra.myRows(n)),
-      map_(algebra.rowMap(n)),
-      replicated_(algebra.replicatedMap(n)),
+      map_(processes.rowMap(n)),
+      replicated_(processes.replicatedMap(n)),
       import_(map_, replicated_) {}
 
 void WholeVectorOperator::apply(const MultiVector& x, MultiVector& y,
                                 Teuchos::ETransp mode, double alpha, double beta) const {
   if (mode != Teuchos::NO_TRANS)
     throw std::logic_error("an operator on whole vectors does not know its transpose");
+  const Matrix image = action_(whole(x));
+  const auto out = y.getLocalViewHost(Tpetra::Access::ReadWrite);
+  for (Index j = 0; j < image.columns(); ++j)
+    for (std::size_t i = 0; i < out.extent(0); ++i)
+      out(i, j) = alpha * image(map_->getGlobalElement(asInt(i)), j) +
+                  (beta == 0 ? 0 : beta * out(i, j));
+}
+
+Matrix WholeVectorOperator::whole(const MultiVector& x) const {
   MultiVector all(replicated_, x.getNumVectors());
   all.doImport(x, import_, Tpetra::INSERT);
   const auto in = all.getLocalViewHost(Tpetra::Access::ReadOnly);
@@ -24,11 +32,7 @@ void WholeVectorOperator::apply(const MultiVector& x, MultiVector& y,
   for (Index j = 0; j < columns.columns(); ++j)
     for (Index i = 0; i < columns.rows(); ++i)
       columns(i, j) = in(i, j);
-  const Matrix image = action_(columns);
-  const auto out = y.getLocalViewHost(Tpetra::Access::ReadWrite);
-  for (Index j = 0; j < image.columns(); ++j)
-    for (Index i = 0; i < mine_.size(); ++i)
-      out(i, j) = alpha * image(mine_.begin + i, j) + (beta == 0 ? 0 : beta * out(i, j));
+  return columns;
 }
 
 }  // namespace epafi::bem

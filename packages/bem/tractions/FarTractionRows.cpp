@@ -1,7 +1,6 @@
 #include "bem/tractions/FarTractionRows.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/operators/MyElements.hpp"
 #include "bem/tractions/FarTractions.hpp"
 
 #include <algorithm>
@@ -38,14 +37,9 @@ void copyRun(const FarTractions& values, const Space& space, const ElementRun& r
 
 }  // namespace
 
-FarTractionRows::FarTractionRows(const Space& space, const Lame& lame,
-                                 const DenseAlgebra& algebra)
-    : space_(space),
-      lame_(lame),
-      runs_(space.mesh()),
-      densityRows_(algebra.myRows(space.densities())) {
+FarTractionRows::FarTractionRows(const Space& space, const Lame& lame)
+    : space_(space), lame_(lame), runs_(space.mesh()) {
   const Mesh& mesh = space.mesh();
-  const Rows mine = algebra.myRows(space.displacements());
   for (const Element& element : mesh.elements())
     if (element.densities > element.degree)
       throw InputError("tractions of ", element.densities,
@@ -53,24 +47,12 @@ FarTractionRows::FarTractionRows(const Space& space, const Lame& lame,
                        "; as many as its degree are possible");
   for (int f = 0; f < mesh.size(); ++f)
     for (int c = 0; c < 2; ++c) {
-      const Index node = space.displacement(f, 0, c);
-      if (mine.contain(node))
-        appendNode(node - mine.begin, space.density(mesh[f].previous, 0, c),
-                   space.density(f, 0, c));
-      for (int j = 1; j < mesh[f].degree; ++j) {
-        const Index bubble = space.displacement(f, j + 1, c);
-        if (mine.contain(bubble))
-          bubbles_.push_back({bubble - mine.begin, space.density(f, j, c),
-                              2 * DisplacementBasis::slope(j + 1)});
-      }
+      appendNode(space.displacement(f, 0, c), space.density(mesh[f].previous, 0, c),
+                 space.density(f, 0, c));
+      for (int j = 1; j < mesh[f].degree; ++j)
+        bubbles_.push_back({space.displacement(f, j + 1, c), space.density(f, j, c),
+                            2 * DisplacementBasis::slope(j + 1)});
     }
-  const std::vector<bool> mineOfAll = myElements(space, algebra);
-  for (int r = 0; r < runs_.size(); ++r) {
-    const auto first = mineOfAll.begin() + runs_[r].first;
-    const auto last = mineOfAll.begin() + runs_[r].last;
-    if (std::find(first, last, true) != last)
-      myRuns_.push_back(r);
-  }
 }
 
 std::vector<int> FarTractionRows::near(int element, int largestOuter) const {
@@ -103,7 +85,7 @@ void FarTractionRows::write(int element, int moments, int largestOuter, Index fi
   const Element& test = space_.mesh()[element];
   FarTractions values(test, lame_, moments);
   FarBatch batch{};
-  for (const int r : myRuns_) {
+  for (int r = 0; r < runs_.size(); ++r) {
     const ElementRun& run = runs_[r];
     const FarLanes chosen =
         runs_.choose(element, r, {run.first, run.last}, batch, largestOuter);
@@ -121,8 +103,7 @@ void FarTractionRows::write(int element, int moments, int largestOuter, Index fi
     copyRun(values, space_, run, chosen, Operator::Hypersingular, slopes);
   }
   for (int k = 0; k < 2 * moments; ++k) {
-    std::copy_n(densities.column(k) + densityRows_.begin, densityRows_.size(),
-                adjoint.column(first + k));
+    std::copy_n(densities.column(k), densities.rows(), adjoint.column(first + k));
     gatherSlopes(slopes.column(k), hypersingular.column(first + k));
   }
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bem/base/DenseAlgebra.hpp"
 #include "bem/base/Material.hpp"
+#include "bem/base/Matrix.hpp"
 #include "bem/moments/ElementRuns.hpp"
 #include "bem/space/Space.hpp"
 
@@ -10,12 +10,12 @@
 namespace epafi::bem {
 
 /// What elements far from a test element E contribute to <W φ, P̂_i e_a>_E and to
-/// <K' ψ, P̂_i e_a>_E, one column for each (i, a), rows mine: a run of sources at a time
-/// into a buffer of densities, from which derivatives are gathered at the nodes.
+/// <K' ψ, P̂_i e_a>_E, one column for each (i, a): a run of sources at a time into a buffer of
+/// densities, from which derivatives are gathered at the nodes.
 class FarTractionRows {
  public:
   /// \throws InputError for densities beyond the degree of their element.
-  FarTractionRows(const Space& space, const Lame& lame, const DenseAlgebra& algebra);
+  FarTractionRows(const Space& space, const Lame& lame);
 
   /// The sources that are not far, as ElementRuns::choose says.
   std::vector<int> near(int element, int largestOuter) const;
@@ -47,8 +47,6 @@ class FarTractionRows {
   const Space& space_;
   Lame lame_;
   ElementRuns runs_;
-  Rows densityRows_;
-  std::vector<int> myRuns_;  ///< with an element of which a row is mine
   std::vector<Nodes> nodes_;
   std::vector<Bubble> bubbles_;
 };

@@ -17,12 +17,8 @@ constexpr int moments = 2;  // those of P_0 and P_1
 }  // namespace
 
 ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
-                                       const DenseAlgebra& algebra,
                                        const std::vector<int>& elements)
-    : space_(space),
-      lame_(lame),
-      densityRows_(algebra.myRows(space.densities())),
-      displacementRows_(algebra.myRows(space.displacements())) {
+    : space_(space), lame_(lame) {
   const Mesh& mesh = space.mesh();
   kernels_.elements = elements;
   kernels_.start.assign(1, 0);
@@ -32,9 +28,9 @@ ProjectedTractions::ProjectedTractions(const Space& space, const Lame& lame,
   for (std::size_t k = 0; k < elements.size(); ++k)
     raise(k);
   const Index columns = kernels_.lowest.back() + (space.rotation() == nullptr ? 0 : 1);
-  kernels_.hypersingular = Matrix(displacementRows_.size(), columns);
-  kernels_.adjoint = Matrix(densityRows_.size(), columns);
-  const FarTractionRows far(space, lame, algebra);
+  kernels_.hypersingular = Matrix(space.displacements(), columns);
+  kernels_.adjoint = Matrix(space.densities(), columns);
+  const FarTractionRows far(space, lame);
   struct Workspace {
     NearMoments near;
     std::unique_ptr<TileMoments> tile = std::make_unique<TileMoments>();
@@ -91,8 +87,8 @@ void ProjectedTractions::addHypersingular(int source, int j, Index column,
                                           const Block& block) {
   const auto [first, last] = DisplacementBasis::withDerivative(j);
   for (int k = first; k <= last; ++k)
-    addBlock(kernels_.hypersingular, displacementRows_, space_.displacement(source, k, 0),
-             column, DisplacementBasis::slope(k) * block);
+    addBlock(kernels_.hypersingular, space_.displacement(source, k, 0), column,
+             DisplacementBasis::slope(k) * block);
 }
 
 void ProjectedTractions::addPair(int test, int source, Index first, Index last,
@@ -126,7 +122,7 @@ void ProjectedTractions::addPair(int test, int source, Index first, Index last,
         adjoint.xx += 1.0 / (2 * i + 1);
         adjoint.yy += 1.0 / (2 * i + 1);
       }
-      addBlock(kernels_.adjoint, densityRows_, density, column, scale * y.half * adjoint);
+      addBlock(kernels_.adjoint, density, column, scale * y.half * adjoint);
     }
   }
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "bem/base/DenseAlgebra.hpp"
 #include "bem/base/Material.hpp"
 #include "bem/moments/TileMoments.hpp"
 #include "bem/operators/Block.hpp"
@@ -12,8 +11,8 @@ namespace epafi::bem {
 
 /// <W φ, P̂_i e_a>_E and <(K' + 1/2) ψ, P̂_i e_a>_E on some elements E, P̂_i orthonormal on
 /// E: the kernels' part of the projected tractions of [P (42)], transposed.  Column
-/// lowest[k] + 2 i + a belongs to the k-th element; rows are mine.  i < 2 on elements that
-/// follow none of the others, i = 0 on those that do.
+/// lowest[k] + 2 i + a belongs to the k-th element.  i < 2 on elements that follow none of
+/// the others, i = 0 on those that do.
 ///
 /// The others are in S: P_i - P_{i-2} is a multiple of a displacement that lives on E, and
 /// P_1 is in the hat between E and the element before it.
@@ -50,7 +49,7 @@ struct TractionKernels {
 ///
 ///   ∫_E S φ · S ψ ds = Σ over all columns of E.
 ///
-/// Rows are displacements, mine; this is the transpose of what one would draw.
+/// Rows are displacements; this is the transpose of what one would draw.
 struct TractionRows {
   Matrix rows;
   std::vector<Index> start;
@@ -66,7 +65,7 @@ struct TractionRows {
 /// a potential of size 1.  Threads: over the elements.
 class ProjectedTractions {
  public:
-  ProjectedTractions(const Space& space, const Lame& lame, const DenseAlgebra& algebra,
+  ProjectedTractions(const Space& space, const Lame& lame,
                      const std::vector<int>& elements);
 
   /// Gives the result away.
@@ -85,8 +84,6 @@ class ProjectedTractions {
 
   const Space& space_;
   Lame lame_;
-  Rows densityRows_;
-  Rows displacementRows_;
   TractionKernels kernels_;
 };
 

@@ -1,11 +1,9 @@
 #include "bem/tractions/TractionRows.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
-#include "bem/base/Error.hpp"
 #include "bem/base/Parallel.hpp"
 #include "bem/kernel/ElementSums.hpp"
 #include "bem/moments/RelativeTarget.hpp"
-#include "bem/operators/MyElements.hpp"
 #include "bem/quadrature/Graded.hpp"
 #include "bem/tractions/FarTractionRows.hpp"
 
@@ -49,17 +47,6 @@ void forEachSource(const Space& space, int f, const SourceValues& values,
     }
 }
 
-/// The rows of a matrix that are mine.
-struct MyRows {
-  const Rows& rows;
-  Matrix& matrix;
-
-  void add(Index row, Index column, double value) const {
-    if (rows.contain(row))
-      matrix(row - rows.begin, column) += value;
-  }
-};
-
 class ElementRows {
  public:
   ElementRows(const FarTractionRows& far, const Space& space, const Lame& lame,
@@ -78,14 +65,10 @@ class ElementRows {
 
   Index columns() const { return 2 * moments_ + extra_.rows(); }
 
-  /// Adds the kernels' columns, from `first` on, to the transposed rows of W and K' +
-  /// 1/2, where they are mine.
-  void write(Index first, const std::vector<bool>& mine, const Rows& displacementRows,
-             const Rows& densityRows, Matrix& hyper, Matrix& adjoint) const {
-    const MyRows density{densityRows, adjoint};
-    const MyRows displacement{displacementRows, hyper};
+  /// Adds the kernels' columns, from `first` on, to the transposed rows of W and K' + 1/2.
+  void write(Index first, Matrix& hyper, Matrix& adjoint) const {
     const auto put = [&](Kind kind, Index unknown, Index column, double value) {
-      (kind == Kind::Density ? density : displacement).add(unknown, column, value);
+      (kind == Kind::Density ? adjoint : hyper)(unknown, column) += value;
     };
     const auto putMoments = [&](double weight, const double* legendre) {
       return [&, weight, legendre](Kind kind, Index unknown, Complex value) {
@@ -102,8 +85,6 @@ class ElementRows {
     for (int q = 0; q < rule_.size(); ++q) {
       legendreValues(moments_ - 1, rule_.points[q].t, legendre);
       for (const int f : near_) {
-        if (!mine[f])
-          continue;
         evaluate(f, place(rule_.points[q]), rule_.points[q].t, values);
         forEachSource(space_, f, values, putMoments(rule_.weights[q], legendre));
       }
@@ -254,15 +235,6 @@ class ElementRows {
   Matrix extra_;
 };
 
-/// The exact form's columns are chosen by rounding errors: unlike processors could
-/// differ.  Then all throw: what follows is collective.
-void requireAgreement(const DenseAlgebra& algebra, const std::vector<Index>& start) {
-  const Vector mine(start.begin(), start.end());
-  const double differs = algebra.broadcast(mine) != mine ? 1 : 0;
-  if (algebra.sum({differs}).front() > 0)
-    throw NumericalError("the processes disagree on the rank of the exact tractions");
-}
-
 }  // namespace
 
 std::shared_ptr<const TractionRows> tractionRows(const Space& space, const Lame& lame,
@@ -272,8 +244,7 @@ std::shared_ptr<const TractionRows> tractionRows(const Space& space, const Lame&
   if (form == TractionForm::Projected && stiffness.tractionElements() == elements)
     return stiffness.tractions();
 
-  const DenseAlgebra& algebra = stiffness.algebra();
-  const FarTractionRows far(space, lame, algebra);
+  const FarTractionRows far(space, lame);
   const auto count = static_cast<Index>(elements.size());
   constexpr double ofNearSources = 2e5;  // ns
   constexpr double ofFarSource = 1e3;
@@ -287,16 +258,11 @@ std::shared_ptr<const TractionRows> tractionRows(const Space& space, const Lame&
   for (const auto& part : parts)
     result.start.push_back(result.start.back() + part->columns());
 
-  requireAgreement(algebra, result.start);
-  const std::vector<bool> mine = myElements(space, algebra);
-  const Rows displacementRows = algebra.myRows(space.displacements());
-  const Rows densityRows = algebra.myRows(space.densities());
-  Matrix hypersingular(displacementRows.size(), result.start.back());
-  Matrix adjoint(densityRows.size(), result.start.back());
+  Matrix hypersingular(space.displacements(), result.start.back());
+  Matrix adjoint(space.densities(), result.start.back());
   const double work = (ofNearSources + ofFarSource * space.mesh().size()) * count;
   parallelFor({count, work}, [&](Index k) {
-    parts[at(k)]->write(result.start[at(k)], mine, displacementRows, densityRows,
-                        hypersingular, adjoint);
+    parts[at(k)]->write(result.start[at(k)], hypersingular, adjoint);
   });
   result.rows = stiffness.addAdjointDensity(std::move(hypersingular), std::move(adjoint));
   return std::make_shared<const TractionRows>(std::move(result));

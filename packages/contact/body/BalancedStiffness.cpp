@@ -83,82 +83,56 @@ BalancedStiffness::Extended BalancedStiffness::balanced(Extended forces) const {
   return forces;
 }
 
-// S u from the lower triangle's rows that are mine: what stands below the diagonal in a
-// column, then what stands before it in a row.
+// S u from the lower triangle: what stands below the diagonal in a column, then what stands
+// before it in a row.
 BalancedStiffness::Extended BalancedStiffness::stiffnessTimes(const Extended& u) const {
   const bem::LowerTriangle& lower = stiffness_->stiffness();
-  const bem::Rows mine = lower.rows();
+  const Index n = lower.size();
   const bem::Doubled x(u);
   Extended below(u.size());
-  const double work = ofEntry * 0.5 * static_cast<double>(mine.size() * mine.end);
-  bem::parallelFor({mine.end, work, 16}, [&](Index j) {
-    below[j] = bem::dotDoubled(lower.column(j), mine.end - lower.firstRow(j), x,
-                               lower.firstRow(j));
+  const double work = ofEntry * 0.5 * static_cast<double>(n * n);
+  bem::parallelFor({n, work, 16}, [&](Index j) {
+    below[j] = bem::dotDoubled(lower.column(j), n - j, x, j);
   });
   bem::Doubled result(below);
-  bem::parallelFor({panels(mine.size()), work}, [&](Index k) {
-    const Index first = mine.begin + k * rowsAtOnce;
-    const Index last = std::min(first + rowsAtOnce, mine.end);
+  bem::parallelFor({panels(n), work}, [&](Index k) {
+    const Index first = k * rowsAtOnce;
+    const Index last = std::min(first + rowsAtOnce, n);
     for (Index j = 0; j < last; ++j) {
       const Index from = std::max(j + 1, first);
       if (from < last)
-        bem::addDoubled(u[j], lower.column(j) + (from - lower.firstRow(j)), last - from,
-                        result, from);
+        bem::addDoubled(u[j], lower.column(j) + (from - j), last - from, result, from);
     }
   });
-  return sum(result.joined());
+  return result.joined();
 }
 
 // S^ u = R γ Rᵀ u with the tractions R.
 void BalancedStiffness::subtractStabilisation(const Extended& u, Extended& forces) const {
   const bem::Matrix& rows = tractions_->rows;
-  const bem::Rows mine = stiffness_->algebra().myRows(static_cast<Index>(u.size()));
   const Index columns = tractions_->start.back();
   if (columns == 0)
     return;
   const bem::Doubled x(u);
   Extended tractions(columns);
-  const double work = ofEntry * static_cast<double>(mine.size() * columns);
+  const double work = ofEntry * static_cast<double>(rows.rows() * columns);
   bem::parallelFor({columns, work, 16}, [&](Index c) {
-    tractions[c] = bem::dotDoubled(rows.column(c), mine.size(), x, mine.begin);
+    tractions[c] = bem::dotDoubled(rows.column(c), rows.rows(), x, 0);
   });
-  tractions = sum(tractions);
   for (std::size_t k = 0; k < gamma_.size(); ++k)
     for (Index c = tractions_->start[k]; c < tractions_->start[k + 1]; ++c)
       tractions[c] *= gamma_[k];
   bem::Doubled stabilisation(u.size());
-  bem::parallelFor({panels(mine.size()), work}, [&](Index k) {
+  bem::parallelFor({panels(rows.rows()), work}, [&](Index k) {
     const Index first = k * rowsAtOnce;
-    const Index last = std::min(first + rowsAtOnce, mine.size());
+    const Index last = std::min(first + rowsAtOnce, rows.rows());
     for (Index c = 0; c < columns; ++c)
       bem::addDoubled(tractions[c], rows.column(c) + first, last - first, stabilisation,
-                      mine.begin + first);
+                      first);
   });
-  const Extended all = sum(stabilisation.joined());
+  const Extended all = stabilisation.joined();
   for (std::size_t i = 0; i < forces.size(); ++i)
     forces[i] -= all[i];
-}
-
-/// Over all processes, each number as a double and what that leaves, brought together
-/// before they are added: a sum in doubles would round at the size of what cancels.
-BalancedStiffness::Extended BalancedStiffness::sum(const Extended& mine) const {
-  const bem::DenseAlgebra& algebra = stiffness_->algebra();
-  if (algebra.processes() == 1 || mine.empty())
-    return mine;
-  const std::size_t n = mine.size();
-  const std::size_t processes = algebra.processes();
-  Vector parts(2 * n * processes);
-  const std::size_t own = 2 * n * at(algebra.rank());
-  for (std::size_t i = 0; i < n; ++i) {
-    parts[own + i] = static_cast<double>(mine[i]);
-    parts[own + n + i] = static_cast<double>(mine[i] - parts[own + i]);
-  }
-  parts = algebra.sum(std::move(parts));
-  Extended result(n);
-  for (std::size_t part = 0; part < parts.size(); part += n)
-    for (std::size_t i = 0; i < n; ++i)
-      result[i] += parts[part + i];
-  return result;
 }
 
 }  // namespace epafi::contact

@@ -20,7 +20,7 @@ class BalancedStiffness {
   BalancedStiffness(const bem::SteklovPoincare& stiffness, RigidModes modes,
                     const Coupling& coupling);
 
-  /// f - A u, replicated.
+  /// f - A u
   Vector residual(const Vector& force, const Vector& u) const;
 
   /// uᵀ S u, to the rounding of what deforms the body: not of S's large entries where
@@ -34,7 +34,6 @@ class BalancedStiffness {
   Extended balanced(Extended forces) const;
   Extended stiffnessTimes(const Extended& u) const;
   void subtractStabilisation(const Extended& u, Extended& forces) const;
-  Extended sum(const Extended& mine) const;
 
   const bem::SteklovPoincare* stiffness_;
   RigidModes modes_;

@@ -1,12 +1,12 @@
 #include "contact/body/CoupledBody.hpp"
 
+#include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/body/BalancedStiffness.hpp"
 #include "contact/body/Coupling.hpp"
 #include "contact/body/ElasticBody.hpp"
 
 #include <algorithm>
-#include <optional>
 
 namespace epafi::contact {
 
@@ -47,30 +47,27 @@ Matrix rowsAt(const std::vector<Index>& which, Matrix a) {
 
 class Factored final : public HeldStiffness {
  public:
-  /// Of the displacements at `free` alone; none given: of all.
-  Factored(std::unique_ptr<const bem::CholeskyFactor> factor,
-           std::optional<std::vector<Index>> free)
-      : factor_(std::move(factor)), free_(std::move(free)) {}
+  /// Of the displacements at `free` alone.
+  Factored(Matrix lower, std::vector<Index> free)
+      : factor_(std::move(lower), "the stiffness matrix"), free_(std::move(free)) {}
 
   Vector solve(const Vector& force) const override {
-    if (!free_)
-      return factor_->solve(force);
     Vector u;
-    for (const Index i : *free_)
+    for (const Index i : free_)
       u.push_back(force[i]);
-    const Vector solved = factor_->solve(u);
+    const Vector solved = factor_.solve(u);
     u.assign(force.size(), 0.0);
     for (std::size_t k = 0; k < solved.size(); ++k)
-      u[(*free_)[k]] = solved[k];
+      u[free_[k]] = solved[k];
     return u;
   }
   Matrix forward(Matrix rows) const override {
-    return factor_->forward(free_ ? rowsAt(*free_, std::move(rows)) : std::move(rows));
+    return factor_.forward(rowsAt(free_, std::move(rows)));
   }
 
  private:
-  std::unique_ptr<const bem::CholeskyFactor> factor_;
-  std::optional<std::vector<Index>> free_;
+  bem::CholeskyFactor factor_;
+  std::vector<Index> free_;
 };
 
 /// The forms that fit into a Coupling: those of [P], which insert the traction S u, the one
@@ -81,33 +78,24 @@ class Coupled final : public StabilisedBody {
           Coupling coupling)
       : space_(space),
         stiffness_(stiffness),
-        algebra_(stiffness.algebra()),
         coupling_(std::move(coupling)),
         balanced_(stiffness_, makeRigidModes(space), coupling_) {}
 
   std::shared_ptr<const HeldStiffness> held(const Holding& holding) const override {
-    std::optional<std::vector<Index>> free;
-    Matrix a;
-    if (algebra_.processes() > 1) {
-      a = constrained(subtract(stiffness_.stiffness().unpacked(), free),
-                      algebra_.myRows(coupling_.unknowns), holding);
-    } else {
-      free = unclamped(holding.loads);
-      a = algebra_.addOuter(subtract(unpackedAt(*free, stiffness_.stiffness()), free),
-                            rowsAt(*free, holding.rigid.functionals.copy()), 1);
-    }
-    return std::make_shared<const Factored>(
-        algebra_.cholesky(std::move(a), "the stiffness matrix"), std::move(free));
+    std::vector<Index> free = unclamped(holding.loads);
+    Matrix a = addOuter(subtract(unpackedAt(free, stiffness_.stiffness()), free),
+                        rowsAt(free, holding.rigid.functionals.copy()), 1);
+    return std::make_shared<const Factored>(std::move(a), std::move(free));
   }
 
   Vector residual(const Vector& force, const Vector& u) const override {
     return balanced_.residual(force, u);
   }
-  Matrix coupling() const override { return coupling_.transposed(algebra_); }
+  Matrix coupling() const override { return coupling_.transposed(); }
   Vector push(const Vector& multiplier) const override {
-    return coupling_.push(algebra_, multiplier);
+    return coupling_.push(multiplier);
   }
-  Vector pull(const Vector& u) const override { return coupling_.pull(algebra_, u); }
+  Vector pull(const Vector& u) const override { return coupling_.pull(u); }
   Vector contactTerms(const Vector& u, const Vector& multiplier) const override {
     Vector terms = pull(u);
     bem::axpy(-1, coupling_.massTimes(multiplier), terms);
@@ -132,7 +120,7 @@ class Coupled final : public StabilisedBody {
     if (!byDensity())
       return 0.5 * twice;
     const Vector w = coupling_.weighted(multiplier);
-    twice -= 2 * dot(u, algebra_.multiply(*coupling_.columns, coupling_.unknowns, w));
+    twice -= 2 * dot(u, multiply(*coupling_.columns, w));
     return 0.5 * (twice + quadratic(coupling_.response->density, w));
   }
 
@@ -156,22 +144,19 @@ class Coupled final : public StabilisedBody {
   }
 
  private:
-  // S - S^ = S - X Xᵀ.  One process takes a panel of X at a time, which saves its memory;
-  // several would exchange the whole sum for every panel.
-  Matrix subtract(Matrix a, const std::optional<std::vector<Index>>& free) const {
+  // S - S^ = S - X Xᵀ, a panel of X at a time, which saves memory
+  Matrix subtract(Matrix a, const std::vector<Index>& free) const {
+    constexpr Index width = 256;
     const Index columns = coupling_.stabilisationColumns();
-    const Index width = algebra_.processes() == 1 ? 256 : std::max<Index>(1, columns);
     for (Index first = 0; first < columns; first += width) {
       Matrix half = coupling_.stabilisationHalf(first, std::min(first + width, columns));
-      a = algebra_.addOuter(std::move(a),
-                            free ? rowsAt(*free, std::move(half)) : std::move(half), -1);
+      a = addOuter(std::move(a), rowsAt(free, std::move(half)), -1);
     }
     return a;
   }
 
   const bem::Space& space_;
   const bem::SteklovPoincare& stiffness_;
-  const bem::DenseAlgebra& algebra_;
   Coupling coupling_;
   BalancedStiffness balanced_;
 };

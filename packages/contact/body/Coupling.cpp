@@ -1,5 +1,6 @@
 #include "contact/body/Coupling.hpp"
 
+#include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "contact/body/ElementCoupling.hpp"
@@ -8,7 +9,6 @@
 
 namespace epafi::contact {
 
-using bem::Rows;
 using ContactElement = MultiplierSpace::ContactElement;
 
 namespace {
@@ -191,22 +191,20 @@ std::vector<bem::Vec2> Coupling::meanSlacks(const Vector& lambda,
   return means;
 }
 
-Matrix Coupling::transposed(const bem::DenseAlgebra& algebra) const {
-  const Rows mine = algebra.myRows(unknowns);
-  Matrix result(mine.size(), multipliers);
+Matrix Coupling::transposed() const {
+  Matrix result(unknowns, multipliers);
   for (const bem::Entry& entry : trace)
-    if (mine.contain(entry.row))
-      result(entry.row - mine.begin, entry.column) += entry.value;
+    result(entry.row, entry.column) += entry.value;
   for (const bem::Entry& entry : weights) {
     const double* traction = columns->column(entry.row);
     double* column = result.column(entry.column);
-    for (Index j = 0; j < mine.size(); ++j)
+    for (Index j = 0; j < unknowns; ++j)
       column[j] -= entry.value * traction[j];
   }
   if (rotation != nullptr)
     for (Index i = 0; i < multipliers; ++i)
-      for (Index j = 0; j < mine.size(); ++j)
-        result(j, i) += traceOfRotation[i] * rotation->functional()[j + mine.begin];
+      for (Index j = 0; j < unknowns; ++j)
+        result(j, i) += traceOfRotation[i] * rotation->functional()[j];
   return result;
 }
 
@@ -219,10 +217,10 @@ Vector Coupling::weighted(const Vector& lambda) const {
   return result;
 }
 
-Vector Coupling::push(const bem::DenseAlgebra& algebra, const Vector& lambda) const {
+Vector Coupling::push(const Vector& lambda) const {
   Vector result(unknowns);
   if (!weights.empty()) {
-    result = algebra.multiply(*columns, unknowns, weighted(lambda));
+    result = multiply(*columns, weighted(lambda));
     for (double& x : result)
       x = -x;
   }
@@ -238,14 +236,12 @@ Vector Coupling::push(const bem::DenseAlgebra& algebra, const Vector& lambda) co
   return result;
 }
 
-Vector Coupling::pull(const bem::DenseAlgebra& algebra, const Vector& u) const {
+Vector Coupling::pull(const Vector& u) const {
   Vector result(multipliers);
   if (!weights.empty()) {
-    const Rows mine = algebra.myRows(unknowns);
     Vector tractionOf(columns->columns());  // Rᵀ u
     for (Index k = 0; k < columns->columns(); ++k)
-      tractionOf[k] = product(columns->column(k), u.data() + mine.begin, mine.size());
-    tractionOf = algebra.sum(std::move(tractionOf));
+      tractionOf[k] = product(columns->column(k), u.data(), unknowns);
     for (const bem::Entry& entry : weights)
       result[entry.column] -= entry.value * tractionOf[entry.row];
   }

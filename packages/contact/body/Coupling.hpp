@@ -34,13 +34,13 @@ struct Coupling {
   std::shared_ptr<const bem::TractionRows> tractions;    ///< S φ; empty: no S^
   std::shared_ptr<const bem::DensityResponse> response;  ///< Density; else null
   bem::LocalCompliance compliance;        ///< of the densities in X's order
-  std::shared_ptr<const Matrix> columns;  ///< R, my rows
+  std::shared_ptr<const Matrix> columns;  ///< R
   std::vector<Index> start;               ///< of an element's columns in R
 
   /// γ becomes factor times as large, and all that is proportional to it.
   void weaken(double factor);
 
-  /// M, whole; with Density less Nᵀ X N.
+  /// M; with Density less Nᵀ X N.
   Matrix multiplierMass() const;
   /// M λ and λᵀ M λ, without forming M.
   Vector massTimes(const Vector& lambda) const;
@@ -49,17 +49,17 @@ struct Coupling {
   double complianceWork(const Vector& density) const;
   /// See ContactProblem; zero without densities.
   std::vector<bem::Vec2> meanSlacks(const Vector& lambda, const Vector& density) const;
-  /// Bᵀ, my rows.
-  Matrix transposed(const bem::DenseAlgebra& algebra) const;
+  /// Bᵀ
+  Matrix transposed() const;
   /// G λ: what the multiplier puts on each column of R.
   Vector weighted(const Vector& lambda) const;
-  /// Bᵀ λ, completed ends included; replicated.
-  Vector push(const bem::DenseAlgebra& algebra, const Vector& lambda) const;
+  /// Bᵀ λ, completed ends included.
+  Vector push(const Vector& lambda) const;
 
-  /// B u of a replicated displacement.
-  Vector pull(const bem::DenseAlgebra& algebra, const Vector& u) const;
+  /// B u
+  Vector pull(const Vector& u) const;
 
-  /// X with S^ = X Xᵀ has so many columns, and by rows the displacements (mine).
+  /// X with S^ = X Xᵀ has so many columns, and by rows the displacements.
   Index stabilisationColumns() const { return tractions->start.back(); }
   /// Its columns from `first` to before `last`.
   Matrix stabilisationHalf(Index first, Index last) const;

@@ -1,6 +1,6 @@
 #include "contact/body/ElasticBody.hpp"
 
-#include "bem/algebra/Products.hpp"
+#include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/body/IterativeRefinement.hpp"
 
@@ -10,9 +10,6 @@ namespace epafi::contact {
 
 using bem::axpy;
 using bem::dot;
-
-using bem::DenseAlgebra;
-using bem::Rows;
 
 namespace {
 
@@ -37,12 +34,26 @@ Vector withoutFixedMotions(const Holding& holding) {
   return result;
 }
 
-/// lower += or -= half's Gram matrix is DenseAlgebra's; this is - Σ (C r)(C r)ᵀ.
-void subtractMotions(const Matrix& motions, const Rows& mine, Matrix& lower) {
+/// - Σ (C r)(C r)ᵀ
+void subtractMotions(const Matrix& motions, Matrix& d) {
   for (Index k = 0; k < motions.columns(); ++k)
-    for (Index j = 0; j < lower.columns(); ++j)
-      for (Index i = 0; i < mine.size(); ++i)
-        lower(i, j) -= motions(i + mine.begin, k) * motions(j, k);
+    for (Index j = 0; j < d.columns(); ++j)
+      for (Index i = 0; i < d.rows(); ++i)
+        d(i, j) -= motions(i, k) * motions(j, k);
+}
+
+/// C u from Cᵀ.
+Vector pulled(const Matrix& transposed, const Vector& u) {
+  Vector result(transposed.columns());
+  for (Index i = 0; i < transposed.columns(); ++i) {
+    const double* column = transposed.column(i);
+    double sum = 0;
+#pragma omp simd reduction(+ : sum)
+    for (Index j = 0; j < transposed.rows(); ++j)
+      sum += column[j] * u[j];
+    result[i] = sum;
+  }
+  return result;
 }
 
 }  // namespace
@@ -58,43 +69,8 @@ Holding makeHolding(const bem::Space& space, const Conditions& conditions,
   return {std::move(loads), std::move(modes), std::move(rigid)};
 }
 
-Vector pull(const DenseAlgebra& algebra, const Matrix& transposed, const Vector& u) {
-  const Rows mine = algebra.myRows(static_cast<Index>(u.size()));
-  Vector result(transposed.columns());
-  for (Index i = 0; i < transposed.columns(); ++i) {
-    const double* column = transposed.column(i);
-    const double* own = u.data() + mine.begin;
-    double sum = 0;
-#pragma omp simd reduction(+ : sum)
-    for (Index j = 0; j < mine.size(); ++j)
-      sum += column[j] * own[j];
-    result[i] = sum;
-  }
-  return algebra.sum(std::move(result));
-}
-
-Matrix constrained(Matrix lower, const Rows& mine, const Holding& holding) {
-  const std::vector<char>& clamped = holding.loads.clamped;
-  const auto diagonal = [&](Index j) { return std::max<Index>(0, j - mine.begin); };
-  for (Index j = 0; j < lower.columns(); ++j)
-    for (Index i = diagonal(j); i < lower.rows(); ++i) {
-      const Index row = i + mine.begin;
-      if (clamped[row] != 0 || clamped[j] != 0)
-        lower(i, j) = row == j ? 1 : 0;
-    }
-  for (Index k = 0; k < holding.rigid.functionals.columns(); ++k) {
-    const double* c = holding.rigid.functionals.column(k);
-    for (Index j = 0; j < lower.columns(); ++j)
-      for (Index i = diagonal(j); i < lower.rows(); ++i)
-        lower(i, j) += c[i + mine.begin] * c[j];
-  }
-  return lower;
-}
-
-ElasticBody::ElasticBody(const StabilisedBody& form, const DenseAlgebra& algebra,
-                         const Holding& holding)
+ElasticBody::ElasticBody(const StabilisedBody& form, const Holding& holding)
     : form_(&form),
-      algebra_(&algebra),
       holding_(&holding),
       load_(holding.loads.load),
       constant_(withoutFixedMotions(holding)) {
@@ -128,12 +104,7 @@ Vector ElasticBody::respond(Vector force) const {
 
 ElasticBody::Response ElasticBody::response(Matrix coupling) const {
   Response response =
-      this->response([&](const Vector& u) { return pull(*algebra_, coupling, u); });
-  const Rows mine = algebra_->myRows(static_cast<Index>(load_.size()));
-  for (Index j = 0; j < coupling.columns(); ++j)
-    for (Index i = 0; i < coupling.rows(); ++i)
-      if (holding_->loads.clamped[i + mine.begin] != 0)
-        coupling(i, j) = 0;
+      this->response([&](const Vector& u) { return pulled(coupling, u); });
   response.half = stiffness_->forward(std::move(coupling));
   return response;
 }
@@ -259,19 +230,15 @@ Problem condense(Flexibility flexibility,
   return problem;
 }
 
-Problem condense(const DenseAlgebra& algebra, Matrix multiplierMass,
+Problem condense(Matrix multiplierMass,
                  const std::vector<ElasticBody::Response>& bodies) {
-  const auto m = static_cast<Index>(bodies.front().offset.size());
-  const Rows mine = algebra.myRows(m);
-  Matrix d = mine.size() == m ? std::move(multiplierMass)
-                              : bem::rowsBetween(multiplierMass, mine.begin, mine.end);
+  Matrix d = std::move(multiplierMass);
   for (const auto& body : bodies) {
-    subtractMotions(body.motions, mine, d);
-    d = algebra.addGram(std::move(d), body.half);
+    subtractMotions(body.motions, d);
+    d = addGram(std::move(d), body.half);
   }
-  d = algebra.replicate(std::move(d), m);
-  for (Index j = 0; j < m; ++j)
-    for (Index i = j + 1; i < m; ++i)
+  for (Index j = 0; j < d.columns(); ++j)
+    for (Index i = j + 1; i < d.rows(); ++i)
       d(j, i) = d(i, j);
   return condense(Flexibility(std::move(d)), bodies);
 }

@@ -19,14 +19,6 @@ struct Holding {
 Holding makeHolding(const bem::Space& space, const Conditions& conditions,
                     bem::Units units);
 
-/// A + Σ c cᵀ: clamped rows and columns are the identity's, and every allowed rigid motion
-/// has the stiffness of its functional c, so that the result is positive definite where A
-/// is on all other displacements.  My rows.
-Matrix constrained(Matrix lower, const bem::Rows& mine, const Holding& holding);
-
-/// C u of a replicated displacement, replicated; Cᵀ: my rows.
-Vector pull(const bem::DenseAlgebra& algebra, const Matrix& transposed, const Vector& u);
-
 /// A body among those of a contact problem: its stiffness factored, how it answers loads
 /// and contact forces, and its free rigid motions.
 ///
@@ -34,8 +26,7 @@ Vector pull(const bem::DenseAlgebra& algebra, const Matrix& transposed, const Ve
 class ElasticBody {
  public:
   /// Both outlive the body.  \throws bem::NumericalError if A is not definite.
-  ElasticBody(const StabilisedBody& form, const bem::DenseAlgebra& algebra,
-              const Holding& holding);
+  ElasticBody(const StabilisedBody& form, const Holding& holding);
 
   /// The same body under other loads and prescribed displacements; A's factor is shared.
   /// The holding clamps and fixes the same, and outlives the body.
@@ -45,9 +36,9 @@ class ElasticBody {
   /// R α of their sizes.
   Vector moved(const double* motions) const;
 
-  /// What the body adds to a condensed problem through a Cᵀ (my rows):
+  /// What the body adds to a condensed problem through a Cᵀ:
   struct Response {
-    Matrix half;       ///< L⁻¹ Cᵀ, my rows:  C A⁻¹ Cᵀ is its Gram matrix ...
+    Matrix half;       ///< L⁻¹ Cᵀ:  C A⁻¹ Cᵀ is its Gram matrix ...
     Matrix motions;    ///< ... less this times its transpose: C R, fixed, then free
     Vector offset;     ///< C u for λ = 0, α = 0
     Vector rigidLoad;  ///< Rᵀ f of the free motions
@@ -84,7 +75,6 @@ class ElasticBody {
   Vector respond(Vector force) const;
 
   const StabilisedBody* form_;
-  const bem::DenseAlgebra* algebra_;
   const Holding* holding_;
   Vector load_;      ///< f - A u_D
   Vector constant_;  ///< u_D and what Fix makes of it
@@ -95,9 +85,8 @@ class ElasticBody {
 ///
 ///   D = Σ_b C_b A_b⁺ C_bᵀ + M,   d₀ = Σ_b C_b u_b,   G = (C_b R_b)_b,   q = (R_bᵀ f_b)_b
 ///
-/// `multiplierMass` is M, whole.  Bounds, gaps and normals are the contacts' business.
-Problem condense(const bem::DenseAlgebra& algebra, Matrix multiplierMass,
-                 const std::vector<ElasticBody::Response>& bodies);
+/// `multiplierMass` is M.  Bounds, gaps and normals are the contacts' business.
+Problem condense(Matrix multiplierMass, const std::vector<ElasticBody::Response>& bodies);
 /// The same where D is given.
 Problem condense(Flexibility flexibility,
                  const std::vector<ElasticBody::Response>& bodies);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/DenseAlgebra.hpp"
+#include "bem/base/Matrix.hpp"
 
 #include <memory>
 
@@ -17,9 +17,11 @@ class HeldStiffness {
  public:
   virtual ~HeldStiffness() = default;
 
-  /// (A + Σ c cᵀ)⁻¹ f on what is not clamped, zero elsewhere; see constrained().
+  /// (A + Σ c cᵀ)⁻¹ f on what is not clamped, zero elsewhere: every allowed rigid motion has
+  /// the stiffness of its functional c, so that the sum is positive definite where A is on all
+  /// other displacements.
   virtual Vector solve(const Vector& force) const = 0;
-  /// L⁻¹ Cᵀ, my rows, where A is formed.
+  /// L⁻¹ Cᵀ where A is formed; rows that are clamped do not count.
   virtual Matrix forward(Matrix rows) const = 0;
   /// Where A is not; else null.
   virtual std::shared_ptr<const CompressedHolding> compressed() const { return {}; }
@@ -40,17 +42,17 @@ class StabilisedBody {
 
   /// The holding outlives the result.
   virtual std::shared_ptr<const HeldStiffness> held(const Holding& holding) const = 0;
-  /// f - A u, replicated, free of what rounding of A would leave in the balance.
+  /// f - A u, free of what rounding of A would leave in the balance.
   virtual Vector residual(const Vector& force, const Vector& u) const = 0;
-  /// Cᵀ, my rows.
+  /// Cᵀ
   virtual Matrix coupling() const = 0;
-  /// Cᵀ λ, replicated, with what clamps and corners feel of λ.
+  /// Cᵀ λ, with what clamps and corners feel of λ.
   virtual Vector push(const Vector& multiplier) const = 0;
-  /// C u of a replicated displacement, replicated.
+  /// C u
   virtual Vector pull(const Vector& u) const = 0;
-  /// C u - M λ, replicated.
+  /// C u - M λ
   virtual Vector contactTerms(const Vector& u, const Vector& multiplier) const = 0;
-  virtual Matrix multiplierMass() const = 0;                          ///< M, whole
+  virtual Matrix multiplierMass() const = 0;                          ///< M
   virtual double multiplierWork(const Vector& multiplier) const = 0;  ///< λᵀ M λ
   /// ψ of the displacement and the multiplier.
   virtual Vector density(const Vector& u, const Vector& multiplier) const = 0;
@@ -63,7 +65,7 @@ class StabilisedBody {
   /// γ on a contact element (index into MultiplierSpace::elements()), dimensionless.
   virtual double gamma(std::size_t contactElement) const = 0;
 
-  /// X, my rows, of A = S - X Xᵀ, which has no columns where γ cannot be too large.
+  /// X of A = S - X Xᵀ, which has no columns where γ cannot be too large.
   virtual Matrix subtracted() const = 0;
   /// The same with a γ that is factor times as large.
   virtual std::unique_ptr<const StabilisedBody> weakened(double factor) const = 0;

@@ -112,7 +112,7 @@ CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bo
 
 std::vector<bem::SteklovPoincare> makeCompressedStiffness(
     const std::vector<CompressedInput>& bodies, const Stabilization& stabilization,
-    bem::Units units, const bem::DenseAlgebra& algebra, const bem::Compression& options) {
+    bem::Units units, const bem::Processes& processes, const bem::Compression& options) {
   const std::string reason = whyNotCompressed(stabilization);
   if (!reason.empty())
     throw bem::InputError("the operators cannot be compressed: " + reason);
@@ -153,11 +153,11 @@ std::vector<bem::SteklovPoincare> makeCompressedStiffness(
       comply(density, value);
     first += space.densities();
   }
-  const auto operators =
-      std::make_shared<const bem::CompressedOperators>(operands, options, local, algebra);
+  const auto operators = std::make_shared<const bem::CompressedOperators>(
+      operands, options, local, processes);
   std::vector<bem::SteklovPoincare> result;
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    result.emplace_back(operators, algebra, b);
+    result.emplace_back(operators, b);
   return result;
 }
 

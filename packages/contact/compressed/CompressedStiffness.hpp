@@ -36,7 +36,7 @@ CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bo
 /// \throws bem::InputError for another form.
 std::vector<bem::SteklovPoincare> makeCompressedStiffness(
     const std::vector<CompressedInput>& bodies, const Stabilization& stabilization,
-    bem::Units units, const bem::DenseAlgebra& algebra, const bem::Compression& options);
+    bem::Units units, const bem::Processes& processes, const bem::Compression& options);
 
 /// Why a stiffness cannot be compressed; empty: it can.
 std::string whyNotCompressed(const Stabilization& stabilization);

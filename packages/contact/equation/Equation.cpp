@@ -41,9 +41,9 @@ Vector responseWeights(const Problem& problem) {
 /// s at some pressures, and from there along its derivative by a change of them.
 StepBound extrapolated(const Tangential& tangential, const Vector& pressures,
                        const Vector& change) {
-  StepBound bound{tangential.bound(pressures), tangential.slopes(pressures)};
-  for (const NormalShare& slope : bound.slopes)
-    bound.value += slope.value * entry(change, slope.normal);
+  StepBound bound{tangential.bound(pressures), tangential.slope(pressures)};
+  if (bound.slope != 0)
+    bound.value += bound.slope * entry(change, tangential.normal());
   return bound;
 }
 
@@ -218,8 +218,8 @@ Vector Equation::jacobianTimes(const LinearRows& e, const Vector& direction) con
         row.multiplier * entry(direction, i) + row.penetration * entry(weights_, i) * r;
     if (i >= problem_.normals) {
       const auto t = static_cast<std::size_t>(i - problem_.normals);
-      for (const NormalShare& slope : e.stepBounds[t].slopes)
-        value += row.bound * slope.value * entry(direction, slope.normal);
+      if (const double slope = e.stepBounds[t].slope; slope != 0)
+        value += row.bound * slope * entry(direction, problem_.tangentials[t].normal());
     }
     result.push_back(value);
   }
@@ -243,8 +243,9 @@ Vector Equation::transposeTimes(const LinearRows& e, const Vector& v) const {
     entry(result, i) += row.multiplier * entry(v, i);
     if (i >= problem_.normals) {
       const auto t = static_cast<std::size_t>(i - problem_.normals);
-      for (const NormalShare& slope : e.stepBounds[t].slopes)
-        entry(result, slope.normal) += row.bound * slope.value * entry(v, i);
+      if (const double slope = e.stepBounds[t].slope; slope != 0)
+        entry(result, problem_.tangentials[t].normal()) +=
+            row.bound * slope * entry(v, i);
     }
     factors.push_back(row.penetration * entry(weights_, i) * entry(v, i));
     for (Index j = 0; j < problem_.rigidMotions(); ++j)

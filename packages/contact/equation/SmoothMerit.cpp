@@ -19,7 +19,7 @@ LinearRows smoothRows(const Equation& equation, const Evaluation& e) {
       const std::size_t t = at(i - problem.normals);
       result.rows.push_back(fischerTangential(multiplier, y, e.bounds[t]));
       result.stepBounds.push_back(
-          {e.bounds[t], problem.tangentials[t].slopes(e.unknowns)});
+          {e.bounds[t], problem.tangentials[t].slope(e.unknowns)});
     }
     result.residual[at(i)] = result.rows.back().value;
   }

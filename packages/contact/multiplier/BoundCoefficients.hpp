@@ -23,29 +23,4 @@ namespace epafi::contact {
 bem::Vector boundCoefficients(const MultiplierBasis& basis, int degree,
                               const std::function<double(double)>& bound);
 
-/// What a law of the pressure needs of one of its fields f >= 0 on an element.
-struct PressureBound {
-  bem::Vector alone;        ///< for each coefficient alone: boundCoefficients
-  bool isConstant = false;  ///< but for rounding
-  bool isSmooth = false;    ///< do boundCoefficients take the polynomial through `nodes`?
-  bem::Vector nodes{};      ///< the Gauss-Lobatto points
-  bem::Vector atNodes{};    ///< f there
-  double least = 0;         ///< >= 0
-  double most = 0;
-};
-
-/// `field`: f at t in [-1, 1].  Where coefficients are values, `alone` is all there is.
-///
-/// Control points of a product are not the products of control points: with those of
-/// f λ_n through the Gauss-Lobatto points the bound is of order q + 1, see Tangential.
-/// least and most are those of f, so that the bound stays between what they give.  Smooth f
-/// with an extremum inside, whose own coefficients are outside, get as much again as f and
-/// they vary: the limits then bite only where λ_n varies much on the element.
-PressureBound pressureBound(const MultiplierBasis& basis, int degree,
-                            const std::function<double(double)>& field);
-
-/// Does a law with these fields follow all pressures of the element?  Where one is smooth
-/// and varies, and none jumps.
-bool isCoupled(const std::vector<PressureBound>& fields);
-
 }  // namespace epafi::contact

@@ -65,13 +65,14 @@ class Scaled {
   /// The tangent of a bound at some pressures.
   BoundPiece tangent(Index i, const Vector& pressures) const {
     const Tangential& t = problem_.tangentials[at(i - problem_.normals)];
-    BoundPiece piece{t.bound(pressures), t.slopes(pressures)};
+    BoundPiece piece{t.bound(pressures), t.slope(pressures)};
     double parts = piece.constant;
-    for (NormalShare& share : piece.slopes) {
-      const double part = share.value * pressures[at(share.normal)];
+    if (piece.slope != 0) {
+      piece.normal = t.normal();
+      const double part = piece.slope * pressures[at(piece.normal)];
       piece.constant -= part;
       parts += std::abs(part);
-      share.value *= scale(share.normal) / scale(i);
+      piece.slope *= scale(piece.normal) / scale(i);
     }
     const double rounding = 64 * std::numeric_limits<double>::epsilon() * parts;
     piece.constant = std::abs(piece.constant) <= rounding ? 0 : piece.constant / scale(i);
@@ -108,8 +109,8 @@ class Path {
         tableau_(problem.normals, scaled_.flexibility(), scaled_.offset()),
         following_(at(problem.normals)) {
     for (Index i = problem.normals; i < size(); ++i)
-      for (const Index normal : tangential(i).normals())
-        following_[at(normal)].push_back(i);
+      if (!tangential(i).isTied())
+        following_[at(tangential(i).normal())].push_back(i);
     begin(direction);
   }
 
@@ -157,7 +158,7 @@ class Path {
     if (tableau_.isNormal(i))
       return true;
     return !isTied(i) && (tableau_.piece(i).constant > 0 ||
-                          (!tableau_.piece(i).slopes.empty() && isPressed(i)));
+                          (tableau_.piece(i).slope != 0 && isPressed(i)));
   }
   double sideOfSlip(Index i, double t) const {
     return tableau_.value(i, t) >= 0 ? 1 : -1;
@@ -251,10 +252,10 @@ class Path {
       const double line = tableau_.bound(i, t + direction * where);
       if (!isOn(i, line, pressures, sameBound)) {
         if (meets && near.kind == Event::End && isOn(i, line, pressures, nearBound))
-          near = {Event::Kink, where, i, std::move(piece)};
+          near = {Event::Kink, where, i, piece};
         behind = where;
       } else if (meets) {
-        return {Event::Kink, where, i, std::move(piece)};
+        return {Event::Kink, where, i, piece};
       } else {
         before = where;
       }

@@ -1,7 +1,6 @@
 #include "contact/newton/OffsetTableau.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace epafi::contact {
 
@@ -20,17 +19,13 @@ OffsetTableau::OffsetTableau(Index normals, const Matrix& flexibility,
 }
 
 double OffsetTableau::valueOf(const BoundPiece& piece, double t) const {
-  double sum = piece.constant;
-  for (const NormalShare& share : piece.slopes)
-    sum += share.value * pressure(share.normal, t);
-  return sum;
+  return piece.constant +
+         (piece.slope != 0 ? piece.slope * pressure(piece.normal, t) : 0);
 }
 
 double OffsetTableau::boundRate(Index i) const {
-  double sum = 0;
-  for (const NormalShare& share : piece(i).slopes)
-    sum += isActive(share.normal) ? share.value * rate(share.normal) : 0;
-  return sum;
+  const BoundPiece& own = piece(i);
+  return own.slope != 0 && isActive(own.normal) ? own.slope * rate(own.normal) : 0;
 }
 
 double OffsetTableau::multiplier(Index i, double t) const {
@@ -56,23 +51,23 @@ void OffsetTableau::pivot(Index i) {
   active_[at(i)] = !active_[at(i)];
 }
 
-double OffsetTableau::setPiece(Index i, double side, BoundPiece piece) {
+double OffsetTableau::setPiece(Index i, double side, const BoundPiece& piece) {
   // W: what side s gains, as a row of the tableau
   Vector gain(at(size_ + 2), 0.0);
   const auto add = [&](double factor, const BoundPiece& of) {
     gain[at(size_)] += factor * of.constant;
-    for (const NormalShare& share : of.slopes) {
-      const double by = factor * share.value;
-      if (!isActive(share.normal))
-        gain[at(share.normal)] += by;
-      for (Index c = 0; c < size_ + 2 && isActive(share.normal); ++c)
-        gain[at(c)] += by * T_(share.normal, c);
-    }
+    const double by = factor * of.slope;
+    if (by == 0)
+      return;
+    if (!isActive(of.normal))
+      gain[at(of.normal)] += by;
+    for (Index c = 0; c < size_ + 2 && isActive(of.normal); ++c)
+      gain[at(c)] += by * T_(of.normal, c);
   };
   add(side, piece);
   add(-side_[at(i)], pieces_[at(i)]);
   side_[at(i)] = side;
-  pieces_[at(i)] = std::move(piece);
+  pieces_[at(i)] = piece;
   if (isActive(i)) {
     for (Index c = 0; c < size_ + 2; ++c)
       T_(i, c) -= gain[at(c)];

@@ -7,10 +7,11 @@
 
 namespace epafi::contact {
 
-/// A piece of a slip bound, linear in the pressures:  s = constant + Σ slope λ_normal.
+/// A piece of a slip bound, linear in the pressure:  s = constant + slope λ_normal.
 struct BoundPiece {
   double constant = 0;
-  std::vector<NormalShare> slopes{};
+  double slope = 0;
+  Index normal = 0;  ///< where there is a slope
 };
 
 /// The linear system of a choice of sets, its inverse kept from one choice to the next.
@@ -49,7 +50,7 @@ class OffsetTableau {
   void pivot(Index i);
   /// λ_i = x_i + side s with another side and piece.  Where r_i is basic, the sign of what it
   /// multiplies changes of the bound by: negative where t turns back.
-  double setPiece(Index i, double side, BoundPiece piece);
+  double setPiece(Index i, double side, const BoundPiece& piece);
 
  private:
   double valueOf(const BoundPiece& piece, double t) const;

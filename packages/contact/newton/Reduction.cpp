@@ -35,12 +35,14 @@ void Reduction::chooseInactive() {
     if (row.penetration != 0) {
       position[at(i)] = count();
       inactive.push_back(i);
-    } else if (i >= problem.normals && row.bound != 0) {
-      for (const NormalShare& slope : e.stepBounds[at(i - problem.normals)].slopes) {
-        followed[at(i)].push_back({slope.normal, -row.bound * slope.value});
-        // A bound that follows an open contact is known, too.
-        symmetric = symmetric && isKnown(slope.normal);
-      }
+    } else if (i >= problem.normals) {
+      const std::size_t t = at(i - problem.normals);
+      const double factor = -row.bound * e.stepBounds[t].slope;
+      if (factor == 0)
+        continue;
+      followed[at(i)] = {problem.tangentials[t].normal(), factor};
+      // A bound that follows an open contact is known, too.
+      symmetric = symmetric && isKnown(followed[at(i)].normal);
     }
   }
   for (const Index i : inactive) {
@@ -93,9 +95,8 @@ Vector Reduction::knownChanges(const Vector& b) const {
   for (Index i = 0; i < n; ++i)
     if (isKnown(i)) {
       d[at(i)] = b[at(i)];
-      for (const NormalShare& part : followed[at(i)])
-        if (isKnown(part.normal))
-          d[at(i)] += part.value * d[at(part.normal)];
+      if (const auto& [normal, factor] = followed[at(i)]; factor != 0 && isKnown(normal))
+        d[at(i)] += factor * d[at(normal)];
     }
   return d;
 }

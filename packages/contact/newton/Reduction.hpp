@@ -9,7 +9,7 @@ namespace epafi::contact {
 /// The linear system J d = b of a Newton step without the coefficients whose change is known
 /// from their own rows (open, slipping):
 ///
-///   known      d_i = b_i + Σ_j f_ij d_j,   j: pressures that the bound of i follows
+///   known      d_i = b_i + f_i d_j,   j: the pressure that the bound of i follows
 ///   inactive   Σ_j D_ij d_j - Σ_j G_ij α_j = b_i / c_i
 ///   balance    Σ_i G_ij d_i = b_j
 ///
@@ -28,8 +28,12 @@ struct Reduction {
 
   std::vector<Index> inactive;  ///< the coefficients that are solved for
   std::vector<Index> position;  ///< where a coefficient stands in `inactive`, or -1
-  std::vector<std::vector<NormalShare>> followed;  ///< f of the known changes
-  bool symmetric = true;  ///< does no bound follow an unknown pressure?
+  struct Followed {
+    Index normal = 0;
+    double factor = 0;
+  };
+  std::vector<Followed> followed;  ///< f of the known changes, 0: of none
+  bool symmetric = true;           ///< does no bound follow an unknown pressure?
 
   Vector scale;        ///< 1/sqrt of the reduced diagonal
   Vector motionScale;  ///< gives each rigid motion size one
@@ -40,13 +44,14 @@ struct Reduction {
   Index count() const { return static_cast<Index>(inactive.size()); }
   bool isKnown(Index i) const { return position[at(i)] < 0; }
 
-  /// visit(i, j, f_ij) of the known changes that follow unknown ones.
+  /// visit(i, j, f_i) of the known changes that follow unknown ones.
   template <class Visit>
   void forEachFollower(const Visit& visit) const {
-    for (Index i = problem.normals; i < n; ++i)
-      for (const NormalShare& part : followed[at(i)])
-        if (!isKnown(part.normal) && part.value != 0)
-          visit(i, part.normal, part.value);
+    for (Index i = problem.normals; i < n; ++i) {
+      const auto& [normal, factor] = followed[at(i)];
+      if (factor != 0 && !isKnown(normal))
+        visit(i, normal, factor);
+    }
   }
 
   /// G_i in the scaled held combination j, without the row's own scale.

@@ -92,7 +92,6 @@ Vector smoothed(const Equation& equation, Vector unknowns) {
   Evaluation e = equation.at(unknowns);
   if (e.converged)
     return unknowns;
-  const double first = e.scaled;
   Sweeper sweeper(equation.problem(), unknowns);
   ActiveSet before;
   for (int pair = 0; pair < mostPairs && rowSet(e) != before; ++pair) {
@@ -100,8 +99,7 @@ Vector smoothed(const Equation& equation, Vector unknowns) {
     sweeper.pairOfSweeps();
     e = equation.at(sweeper.unknowns());
   }
-  const bool worse = equation.problem().boundsAreCoupled() && e.scaled > first;
-  return worse ? unknowns : sweeper.unknowns();
+  return sweeper.unknowns();
 }
 
 }  // namespace epafi::contact

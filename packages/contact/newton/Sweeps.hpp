@@ -11,9 +11,7 @@ namespace epafi::contact {
 ///
 /// slip bounds following at once; α stays.  A state carried over from a coarser mesh is
 /// right but for short waves, at the ends of contact and of slip, and these are what
-/// sweeps are good at.  Where slip bounds are coupled and sweeps raise the residual
-/// (Coulomb's law, a smooth solution that is nearly found) the start stays as it is, as it
-/// does where D is not formed.  Ends when a pair of sweeps changes no state, after ten pairs at the
+/// sweeps are good at.  Where D is not formed the start stays as it is.  Ends when a pair of sweeps changes no state, after ten pairs at the
 /// latest.  A pair costs 4 n² operations; a Newton step costs up to n³/3.
 Vector smoothed(const Equation& equation, Vector unknowns);
 

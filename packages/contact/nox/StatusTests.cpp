@@ -19,14 +19,6 @@ constexpr std::size_t patientSteps = 12;  // without progress
 constexpr int many = 16;                  // changes of sets that are settling as a whole
 constexpr std::size_t memory = 4;         // steps looked at for restless coefficients
 
-// The set, and which bounds follow several pressures: what a step's linear problem is.
-ActiveSet linearProblem(const Evaluation& e) {
-  ActiveSet result = e.set;
-  for (const StepBound& bound : e.linear.stepBounds)
-    result.push_back(bound.slopes.size() > 1 ? 1 : 0);
-  return result;
-}
-
 std::vector<Index> changing(const std::vector<ActiveSet>& sets) {
   std::vector<Index> result;
   const std::size_t begin = sets.size() > memory ? sets.size() - memory : 0;
@@ -85,30 +77,29 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
     run_.end = End::Converged;
     status_ = NOX::StatusTest::Converged;
   } else {
-    const ActiveSet linear = linearProblem(e);
     const auto& newton = dynamic_cast<const NOX::Solver::LineSearchBased&>(solver);
     if (point->equation().bound() == Equation::Bound::Differentiated &&
-        newton.getStepSize() == 1 && isRounding(linear, e.scaled)) {
+        newton.getStepSize() == 1 && isRounding(e.set, e.scaled)) {
       run_.end = End::Converged;
       run_.tolerance = e.scaled;
       return status_ = NOX::StatusTest::Converged;
     }
-    last_ = linear;
-    const auto before = seen_.find(linear);
+    last_ = e.set;
+    const auto before = seen_.find(e.set);
     const bool cycles = before != seen_.end() && e.scaled >= hasFallen * before->second &&
                         --patience_ <= 0;
     if (cycles || sets_.size() > progress_ + patientSteps)
       fail(End::Restless);
     else if (e.scaled > growthLimit * std::max(first_, 1.0))
       fail(End::Growth);
-    seen_[linear] = e.scaled;
+    seen_[e.set] = e.scaled;
   }
   return status_;
 }
 
-bool StepTest::isRounding(const ActiveSet& linear, double scaled) const {
-  const auto before = seen_.find(linear);
-  return before != seen_.end() && linear == last_ && scaled <= mostRounding &&
+bool StepTest::isRounding(const ActiveSet& set, double scaled) const {
+  const auto before = seen_.find(set);
+  return before != seen_.end() && set == last_ && scaled <= mostRounding &&
          scaled >= isLeft * before->second;
 }
 

@@ -39,12 +39,11 @@ class StepTest final : public NOX::StatusTest::Generic {
   int patience_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
   NewtonRun run_;
-  bool isRounding(const ActiveSet& linear, double scaled) const;
+  bool isRounding(const ActiveSet& set, double scaled) const;
 
   std::vector<ActiveSet> sets_;
-  ActiveSet last_;  ///< the linear problem of the step before
-  std::map<ActiveSet, double>
-      seen_;  // a linear problem, and the residual when it was last seen
+  ActiveSet last_;                    ///< that of the step before
+  std::map<ActiveSet, double> seen_;  // a set, and the residual when it was last seen
   double first_ = 0;
   double least_ = 0;
   double improved_ = 0;       // the residual at the last real progress

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/base/DenseAlgebra.hpp"
+#include "bem/base/Matrix.hpp"
 #include "bem/base/Vec2.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
 

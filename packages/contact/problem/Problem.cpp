@@ -39,11 +39,9 @@ void Problem::check() const {
   require<InputError>(
       rigid.columns() == rigidMotions() && (rigid.empty() || rigid.rows() == size()),
       "rigid motions do not fit their loads or the multiplier");
-  for (const Tangential& t : tangentials) {
-    const std::vector<Index> followed = t.normals();
-    require<InputError>(std::all_of(followed.begin(), followed.end(), isNormal),
+  for (const Tangential& t : tangentials)
+    require<InputError>(t.isTied() || isNormal(t.normal()),
                         "slip bounds follow pressures that there are not");
-  }
   require<NumericalError>(stress > 0 && std::isfinite(stress), "stress is not positive");
   require<NumericalError>(finite(offset), "load holds a number that is not finite");
   require<NumericalError>(finite(rigidLoad),
@@ -54,11 +52,6 @@ bool Problem::boundDependsOnPressure() const {
   return std::any_of(tangentials.begin(), tangentials.end(), [](const Tangential& t) {
     return t.followsPressure() && t.carries();
   });
-}
-
-bool Problem::boundsAreCoupled() const {
-  return std::any_of(tangentials.begin(), tangentials.end(),
-                     [](const Tangential& t) { return t.followsSeveral(); });
 }
 
 Vector Problem::slipBounds(const Vector& multiplier) const {

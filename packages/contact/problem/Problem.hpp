@@ -45,7 +45,6 @@ struct Problem {
   void check() const;
 
   bool boundDependsOnPressure() const;
-  bool boundsAreCoupled() const;  ///< does one follow several pressures?
 
   /// Slip bounds of all tangentials at a multiplier; λₙ enters through its positive part.
   Vector slipBounds(const Vector& multiplier) const;

@@ -23,9 +23,9 @@ constexpr int mostSteps = 20;
 
 class DefectCorrection {
  public:
-  DefectCorrection(const ContactSystem& system, const bem::DenseAlgebra& algebra)
+  DefectCorrection(const ContactSystem& system, const bem::Processes& processes)
       : system_(system),
-        algebra_(algebra),
+        processes_(processes),
         lengths_(system.lengths()),
         equation_(system.numbers(), Equation::Bound::Differentiated, 0) {}
 
@@ -47,7 +47,7 @@ class DefectCorrection {
     for (std::size_t i = 0; i < r.size(); ++i)
       if (e.linear.rows[i].penetration != 0)
         open[i] = r[i] / lengths_[i];
-    const Vector said = algebra_.broadcast(
+    const Vector said = processes_.broadcast(
         {size > 0 ? largestEntry(open) / size : 0, e.scaled <= consistent ? 1.0 : 0});
     at.defect = said[0];
     return {std::move(at), std::move(e), said[1] != 0};
@@ -57,7 +57,7 @@ class DefectCorrection {
   Vector next(const Evaluation& e) const {
     const bool isFormed = system_.numbers().flexibility.isFormed();
     Vector x;
-    if (!isFormed || algebra_.rank() == 0)
+    if (!isFormed || processes_.rank() == 0)
       try {
         Vector opposite = e.linear.residual;
         for (double& f : opposite)
@@ -67,12 +67,12 @@ class DefectCorrection {
       } catch (const bem::NumericalError&) {  // on all ranks if on any
         x.clear();
       }
-    return isFormed ? algebra_.broadcast(std::move(x)) : x;
+    return isFormed ? processes_.broadcast(std::move(x)) : x;
   }
 
  private:
   const ContactSystem& system_;
-  const bem::DenseAlgebra& algebra_;
+  const bem::Processes& processes_;
   Vector lengths_;
   Equation equation_;
 };
@@ -80,10 +80,10 @@ class DefectCorrection {
 }  // namespace
 
 Configuration corrected(const ContactSystem& system, State state,
-                        const bem::DenseAlgebra& algebra) {
+                        const bem::Processes& processes) {
   if (system.numbers().size() == 0)
     return system.configuration(std::move(state));
-  const DefectCorrection correction(system, algebra);
+  const DefectCorrection correction(system, processes);
   DefectCorrection::Point best = correction.point(std::move(state));
   if (best.at.defect <= enough)
     return std::move(best.at);
@@ -94,8 +94,7 @@ Configuration corrected(const ContactSystem& system, State state,
       break;
     DefectCorrection::Point next = correction.point(unpack(system.numbers(), x));
     // on the way from one set of states to another there is no solution
-    const bool isSettled =
-        algebra.broadcast({next.evaluation.set == e.set ? 1.0 : 0})[0] != 0;
+    const bool isSettled = processes.agreed(next.evaluation.set == e.set);
     const bool isWorthAnother = next.at.defect <= progress * best.at.defect;
     e = next.evaluation;
     if (next.isSolution && next.at.defect < best.at.defect)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/base/Processes.hpp"
 #include "contact/system/ContactSystem.hpp"
 
 namespace epafi::contact {
@@ -22,6 +23,6 @@ namespace epafi::contact {
 ///
 /// Collective.  \pre the solution has converged: it is the result where nothing better is found.
 Configuration corrected(const ContactSystem& system, State state,
-                        const bem::DenseAlgebra& algebra);
+                        const bem::Processes& processes);
 
 }  // namespace epafi::contact

@@ -70,14 +70,13 @@ bem::LocalCompliance densityCompliance(const bem::Space& space,
 bem::SteklovPoincare makeStiffness(const bem::Space& space,
                                    const MultiplierSpace& multiplier,
                                    const Stabilization& stabilization,
-                                   const bem::Lame& lame, bem::Units units,
-                                   const bem::DenseAlgebra& algebra) {
+                                   const bem::Lame& lame, bem::Units units) {
   return bem::SteklovPoincare(
       bem::withExactRotation(
-          bem::assembleOperators(space, lame, algebra,
+          bem::assembleOperators(space, lame,
                                  tractionElements(multiplier, stabilization)),
-          space, algebra),
-      algebra, densityCompliance(space, multiplier, stabilization, lame, units));
+          space),
+      densityCompliance(space, multiplier, stabilization, lame, units));
 }
 
 }  // namespace epafi::contact

@@ -31,7 +31,6 @@ bem::LocalCompliance densityCompliance(const bem::Space& space,
 bem::SteklovPoincare makeStiffness(const bem::Space& space,
                                    const MultiplierSpace& multiplier,
                                    const Stabilization& stabilization,
-                                   const bem::Lame& lame, bem::Units units,
-                                   const bem::DenseAlgebra& algebra);
+                                   const bem::Lame& lame, bem::Units units);
 
 }  // namespace epafi::contact

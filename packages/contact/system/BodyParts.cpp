@@ -29,7 +29,6 @@ BodyParts::BodyParts(const BodyInput& input)
                               : std::make_shared<const DistantObstacle>(
                                     input.space.mesh(), input.units.length)),
       form(makeStabilisedBody(input, multiplier)),
-      algebra(input.stiffness.algebra()),
       obstacle(makeObstacle(input.space.mesh(), multiplier, *opposite, input.units)) {
   factor(input);
   numbers.normals = multiplier.normals();
@@ -48,7 +47,7 @@ void BodyParts::factor(const BodyInput& input) {
                           !multiplier.elements().empty();
   gamma0 = stabilised ? first : 0;
   try {
-    body = std::make_unique<const ElasticBody>(*form, algebra, holding);
+    body = std::make_unique<const ElasticBody>(*form, holding);
     return;
   } catch (const bem::NumericalError&) {
     if (input.stiffness.compressed() != nullptr || form->subtracted().columns() == 0)
@@ -59,7 +58,7 @@ void BodyParts::factor(const BodyInput& input) {
     throw IndefiniteStiffness(first, definiteBelow);
   gamma0 = std::min(first, definiteBelow) / 4;
   form = form->weakened(gamma0 / first);
-  body = std::make_unique<const ElasticBody>(*form, algebra, holding);
+  body = std::make_unique<const ElasticBody>(*form, holding);
 }
 
 BodyParts::BodyParts(const BodyParts& same, const Conditions& conditions)
@@ -69,7 +68,6 @@ BodyParts::BodyParts(const BodyParts& same, const Conditions& conditions)
       multiplier(same.multiplier.under(conditions)),
       opposite(same.opposite),
       form(same.form),
-      algebra(same.algebra),
       obstacle(makeObstacle(space.mesh(), multiplier, *opposite, units)),
       gamma0(same.gamma0),
       body(std::make_unique<const ElasticBody>(same.body->under(holding))) {

@@ -18,7 +18,6 @@ struct BodyParts {
   MultiplierSpace multiplier;
   std::shared_ptr<const Opposite> opposite;
   std::shared_ptr<const StabilisedBody> form;
-  const bem::DenseAlgebra& algebra;
   Obstacle obstacle;
   double gamma0 = 0;
   std::unique_ptr<const ElasticBody> body{};

@@ -55,8 +55,7 @@ struct ContactSystem::Parts {
     } else {
       for (std::size_t b = 0; b < size(); ++b)
         responses.push_back(part(b).body->response(couplings->transposed(b, part(b))));
-      numbers = condense(part(0).algebra, couplings->multiplierMass(partsOf(bodies)),
-                         responses);
+      numbers = condense(couplings->multiplierMass(partsOf(bodies)), responses);
     }
     numbers.normals = numbering.normals();
     if (rigid.freeMotions() > 0)

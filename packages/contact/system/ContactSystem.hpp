@@ -32,7 +32,7 @@ struct Configuration {
 /// Bodies count in one length and one stress.                  [doc/theory/contact.md]
 class ContactSystem {
  public:
-  /// \pre All inputs have the same units and the same algebra; their opposites' points
+  /// \pre All inputs have the same units; their opposites' points
   ///   number the bodies as they come here.
   /// \throws see ContactProblem, and bem::InputError for a multiplier that shares nodes where
   ///   contact with another body meets a clamp or another contact side.

@@ -49,17 +49,15 @@ Matrix Couplings::transposed(std::size_t b, const BodyParts& body) const {
   Matrix all(own.rows(), numbering_.size());
   for (Index j = 0; j < own.columns(); ++j)
     std::copy_n(own.column(j), own.rows(), all.column(numbering_(b, j)));
-  const bem::Rows mine = body.algebra.myRows(body.space.displacements());
   for (const auto& [carrier, coupling] : met_[b]) {
     for (const bem::Entry& entry : coupling.entries)
-      if (mine.contain(entry.row))
-        all(entry.row - mine.begin, numbering_(carrier, entry.column)) += entry.value;
+      all(entry.row, numbering_(carrier, entry.column)) += entry.value;
     if (coupling.rotation == nullptr)
       continue;
     const Vector& q = coupling.rotation->functional();
     for (Index i = 0; i < numbering_.sizeOf(carrier); ++i)
-      for (Index j = 0; j < mine.size(); ++j)
-        all(j, numbering_(carrier, i)) += q[j + mine.begin] * coupling.rests[i];
+      for (Index j = 0; j < all.rows(); ++j)
+        all(j, numbering_(carrier, i)) += q[j] * coupling.rests[i];
   }
   return all;
 }

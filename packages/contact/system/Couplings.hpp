@@ -16,14 +16,14 @@ class Couplings {
   ///   meets a clamp or another contact side.
   Couplings(const AllBodyParts& bodies, Numbering numbering);
 
-  /// C_bᵀ on all multipliers, my rows.
+  /// C_bᵀ on all multipliers.
   Matrix transposed(std::size_t b, const BodyParts& body) const;
   /// C_b u on all multipliers.
   Vector pull(std::size_t b, const BodyParts& body, const Vector& u) const;
   /// C_b u less M λ of the own multiplier, likewise.
   Vector contactTerms(std::size_t b, const BodyParts& body, const Vector& u,
                       const Vector& multiplier) const;
-  /// M of all multipliers, whole.
+  /// M of all multipliers.
   Matrix multiplierMass(const AllBodyParts& bodies) const;
   /// Cᵀ λ of the multipliers of all other bodies against this one; empty: it meets none.
   Vector pressOn(std::size_t b, const BodyParts& body,

@@ -1,5 +1,6 @@
 #include "contact/system/Definiteness.hpp"
 
+#include "bem/algebra/DenseAlgebra.hpp"
 #include "contact/system/BodyParts.hpp"
 
 #include <Teuchos_LAPACK.hpp>
@@ -35,23 +36,14 @@ IndefiniteStiffness::IndefiniteStiffness(double used, double limit)
 
 double limitGamma0(const BodyInput& input, const StabilisedBody& form,
                    const Holding& holding) {
-  const bem::DenseAlgebra& algebra = input.stiffness.algebra();
-  const bem::Rows mine = algebra.myRows(input.space.displacements());
   Matrix half = form.subtracted();
   const Index columns = half.columns();
   if (columns == 0)
     return std::numeric_limits<double>::infinity();
-  for (Index j = 0; j < columns; ++j)
-    for (Index i = 0; i < half.rows(); ++i)
-      if (holding.loads.clamped[i + mine.begin] != 0)
-        half(i, j) = 0;
-  const auto stiffness = algebra.cholesky(
-      constrained(input.stiffness.stiffness().unpacked(), mine, holding), "S");
+  const auto stiffness = form.weakened(0)->held(holding);  // S
   const Matrix reduced = stiffness->forward(std::move(half));
-  const Matrix gram = algebra.replicate(
-      algebra.addGram(Matrix(algebra.myRows(columns).size(), columns), reduced), columns);
-  const double largest = largestEigenvalue(gram.copy());
-  return algebra.broadcast({input.stabilization.firstGamma0() / largest}).front();
+  return input.stabilization.firstGamma0() /
+         largestEigenvalue(addGram(Matrix(columns, columns), reduced));
 }
 
 double limitGamma0(const BodyInput& input) {

@@ -36,7 +36,7 @@ class Tresca final : public NonlinearSolver {
   /// `newton` must outlive this.  `watch`: how far a path of offsets is.
   explicit Tresca(const Newton& newton, TrescaOptions options = {},
                   OffsetWatch watch = {})
-      : newton_(newton), options_(std::move(options)), watch_(std::move(watch)) {}
+      : newton_(newton), options_(options), watch_(std::move(watch)) {}
 
   const Newton& newton() const { return newton_; }
   const TrescaOptions& options() const { return options_; }

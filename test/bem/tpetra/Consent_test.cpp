@@ -1,6 +1,6 @@
 // A failure on one rank reaches all of them, whatever they are about to do.
 #include "bem/base/Error.hpp"
-#include "bem/tpetra/DistributedRows.hpp"
+#include "bem/tpetra/AllRanks.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -12,53 +12,43 @@ namespace {
 
 /// As a program's outermost block does it.
 template <class Work>
-std::optional<bem::Failure> attempt(const bem::TpetraAlgebra& algebra, const Work& work) {
+std::optional<bem::Failure> attempt(const bem::MpiProcesses& processes,
+                                    const Work& work) {
   try {
     work();
-    algebra.consent().confirm();
+    processes.consent().confirm();
     return std::nullopt;
   } catch (const bem::FailedElsewhere& elsewhere) {
     return elsewhere.failure;
   } catch (const std::exception& error) {
-    return algebra.consent().report({2, error.what()});
+    return processes.consent().report({2, error.what()});
   }
 }
 
-/// Much that is collective, with room for a failure of one rank before each call.
+/// Collective calls, with room for a failure of one rank before each.
 template <class Fault>
-void compute(const bem::TpetraAlgebra& algebra, const Fault& fault) {
-  const bem::Index n = 100;
-  const bem::Rows rows = algebra.myRows(n);
-  bem::Matrix a(rows.size(), n);
-  for (bem::Index i = 0; i < rows.size(); ++i)
-    a(i, rows.begin + i) = 4;
-  fault(0);
-  const bem::Matrix copy = a.copy();
-  a = algebra.addGram(std::move(a), copy);
-  fault(1);
-  const bem::Vector x = algebra.multiplySymmetric(a, bem::Vector(100, 1.0));
-  fault(2);
-  const auto factor = algebra.cholesky(std::move(a), "A");
-  fault(3);
-  const bem::Vector y = factor->solve(x);
-  fault(4);
-  (void)algebra.broadcast(factor->backward(y));
-  fault(5);
+void compute(const bem::MpiProcesses& processes, const Fault& fault) {
+  for (int place = 0; place < 3; ++place) {
+    fault(2 * place);
+    const bem::Vector sum = processes.sum(bem::Vector(100, 1.0));
+    fault(2 * place + 1);
+    (void)processes.broadcast(sum);
+  }
 }
 
 TEUCHOS_UNIT_TEST(Consent, isGivenWhereNobodyFails) {
-  const bem::TpetraAlgebra algebra = test::allRanks();
-  TEST_ASSERT(!attempt(algebra, [&] { compute(algebra, [](int) {}); }));
+  const bem::MpiProcesses processes = test::allRanks();
+  TEST_ASSERT(!attempt(processes, [&] { compute(processes, [](int) {}); }));
 }
 
 TEUCHOS_UNIT_TEST(Consent, endsAllRanksWithTheMessageOfTheOneThatFails) {
-  const bem::TpetraAlgebra algebra = test::allRanks();
+  const bem::MpiProcesses processes = test::allRanks();
   for (int place = 0; place < 6; ++place)
-    for (int rank = 0; rank < algebra.processes(); ++rank) {
+    for (int rank = 0; rank < processes.count(); ++rank) {
       const std::string message = bem::message("rank ", rank, " at ", place);
-      const auto failure = attempt(algebra, [&] {
-        compute(algebra, [&](int here) {
-          if (here == place && algebra.rank() == rank)
+      const auto failure = attempt(processes, [&] {
+        compute(processes, [&](int here) {
+          if (here == place && processes.rank() == rank)
             throw bem::NumericalError(message);
         });
       });
@@ -69,9 +59,10 @@ TEUCHOS_UNIT_TEST(Consent, endsAllRanksWithTheMessageOfTheOneThatFails) {
 }
 
 TEUCHOS_UNIT_TEST(Consent, agreesOnTheLowestOfSeveralFailures) {
-  const bem::TpetraAlgebra algebra = test::allRanks();
-  const auto failure = attempt(
-      algebra, [&] { throw bem::NumericalError(bem::message("rank ", algebra.rank())); });
+  const bem::MpiProcesses processes = test::allRanks();
+  const auto failure = attempt(processes, [&] {
+    throw bem::NumericalError(bem::message("rank ", processes.rank()));
+  });
   TEST_ASSERT(failure.has_value());
   TEST_EQUALITY_CONST(failure->message, "rank 0");
 }

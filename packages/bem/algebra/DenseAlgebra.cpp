@@ -1,4 +1,4 @@
-#include "bem/algebra/LapackAlgebra.hpp"
+#include "bem/algebra/DenseAlgebra.hpp"
 
 #include "bem/algebra/Blas.hpp"
 #include "bem/base/BlasThreads.hpp"
@@ -52,75 +52,8 @@ Matrix pack(Matrix lower) {
   return lower;
 }
 
-/// L in LAPACK's rectangular full packed form: half the memory of a square, and BLAS runs
-/// on its three parts as fast as on the whole.
-class LapackFactor final : public CholeskyFactor {
- public:
-  explicit LapackFactor(Matrix lower)
-      : rows_(asInt(lower.rows())), packed_(pack(std::move(lower))) {}
-
-  Vector solve(const Vector& b) const override {
-    Vector x = b;
-    const int one = 1;
-    int info = 0;
-    const ThreadsForFlops threads(2 * size(rows_) * size(rows_));
-    if (rows_ > 0)
-      dpftrs_("N", "L", &rows_, &one, packed_.data(), x.data(), &rows_, &info);
-    return x;
-  }
-
-  Matrix forward(Matrix b) const override {
-    triangularSolve("N", asInt(b.columns()), b.data(), asInt(b.stride()));
-    return b;
-  }
-
-  Vector backward(const Vector& b) const override {
-    Vector x = b;
-    triangularSolve("T", 1, x.data(), rows_);
-    return x;
-  }
-
-  Matrix inverseOfLast(Index count) const override {
-    Matrix inverse(count, count);
-    const Index first = rows_ - count;
-    for (Index j = 0; j < count; ++j)
-      for (Index i = j; i < count; ++i)
-        inverse(i, j) = entry(first + i, first + j);
-    int info = 0;
-    const ThreadsForFlops threads(size(count) * size(count) * size(count) / 3);
-    if (count > 0)
-      Lapack().TRTRI('L', 'N', asInt(count), inverse.data(), asInt(inverse.stride()),
-                     &info);
-    return inverse;
-  }
-
- private:
-  /// L_ij for i >= j, see pack.
-  double entry(Index i, Index j) const {
-    const Index shift = rows_ % 2 == 0 ? 1 : 0;
-    const Index height = rows_ + shift;
-    const Index k = (rows_ + 1) / 2;
-    if (j < k)
-      return packed_.data()[j * height + i + shift];
-    return packed_.data()[(i - k + 1 - shift) * height + j - k];
-  }
-
-  void triangularSolve(const char* transposed, int columns, double* b, int ld) const {
-    const double one = 1;
-    const ThreadsForFlops threads(size(rows_) * size(rows_) * size(columns));
-    if (rows_ > 0 && columns > 0)
-      dtfsm_("N", "L", "L", transposed, "N", &rows_, &columns, &one, packed_.data(), b,
-             &ld);
-  }
-
-  int rows_;
-  Matrix packed_;
-};
-
-}  // namespace
-
-std::unique_ptr<CholeskyFactor> LapackAlgebra::cholesky(Matrix lower,
-                                                        const char* name) const {
+/// L in the lower triangle.
+Matrix factorised(Matrix lower, const char* name) {
   const int n = asInt(lower.rows());
   int info = 0;
   const ThreadsForFlops threads(size(n) * size(n) * size(n) / 3);
@@ -129,10 +62,69 @@ std::unique_ptr<CholeskyFactor> LapackAlgebra::cholesky(Matrix lower,
   if (info != 0)
     throw NumericalError(name, " is not positive definite: Cholesky's factorisation ",
                          "breaks down in row ", info, " of ", n);
-  return std::make_unique<LapackFactor>(std::move(lower));
+  return lower;
 }
 
-Matrix LapackAlgebra::addGram(Matrix c, const Matrix& y) const {
+}  // namespace
+
+CholeskyFactor::CholeskyFactor(Matrix lower, const char* name)
+    : rows_(asInt(lower.rows())), packed_(pack(factorised(std::move(lower), name))) {}
+
+Vector CholeskyFactor::solve(const Vector& b) const {
+  Vector x = b;
+  const int one = 1;
+  int info = 0;
+  const ThreadsForFlops threads(2 * size(rows_) * size(rows_));
+  if (rows_ > 0)
+    dpftrs_("N", "L", &rows_, &one, packed_.data(), x.data(), &rows_, &info);
+  return x;
+}
+
+Matrix CholeskyFactor::forward(Matrix b) const {
+  triangularSolve("N", asInt(b.columns()), b.data(), asInt(b.stride()));
+  return b;
+}
+
+Vector CholeskyFactor::backward(const Vector& b) const {
+  Vector x = b;
+  triangularSolve("T", 1, x.data(), rows_);
+  return x;
+}
+
+Matrix CholeskyFactor::inverseOfLast(Index count) const {
+  Matrix inverse(count, count);
+  const Index first = rows_ - count;
+  for (Index j = 0; j < count; ++j)
+    for (Index i = j; i < count; ++i)
+      inverse(i, j) = entry(first + i, first + j);
+  int info = 0;
+  const ThreadsForFlops threads(size(count) * size(count) * size(count) / 3);
+  if (count > 0)
+    Lapack().TRTRI('L', 'N', asInt(count), inverse.data(), asInt(inverse.stride()),
+                   &info);
+  return inverse;
+}
+
+/// L_ij for i >= j, see pack.
+double CholeskyFactor::entry(Index i, Index j) const {
+  const Index shift = rows_ % 2 == 0 ? 1 : 0;
+  const Index height = rows_ + shift;
+  const Index k = (rows_ + 1) / 2;
+  if (j < k)
+    return packed_.data()[j * height + i + shift];
+  return packed_.data()[(i - k + 1 - shift) * height + j - k];
+}
+
+void CholeskyFactor::triangularSolve(const char* transposed, int columns, double* b,
+                                     int ld) const {
+  const double one = 1;
+  const ThreadsForFlops threads(size(rows_) * size(rows_) * size(columns));
+  if (rows_ > 0 && columns > 0)
+    dtfsm_("N", "L", "L", transposed, "N", &rows_, &columns, &one, packed_.data(), b,
+           &ld);
+}
+
+Matrix addGram(Matrix c, const Matrix& y) {
   const ThreadsForFlops threads(size(c.rows()) * size(c.rows()) * size(y.rows()));
   if (!y.empty())
     Blas().SYRK(LOWER_TRI, TRANS, asInt(c.rows()), asInt(y.rows()), 1, y.data(),
@@ -140,7 +132,7 @@ Matrix LapackAlgebra::addGram(Matrix c, const Matrix& y) const {
   return c;
 }
 
-Matrix LapackAlgebra::addOuter(Matrix c, const Matrix& x, double scale) const {
+Matrix addOuter(Matrix c, const Matrix& x, double scale) {
   const ThreadsForFlops threads(size(c.rows()) * size(c.rows()) * size(x.columns()));
   if (!x.empty())
     Blas().SYRK(LOWER_TRI, NO_TRANS, asInt(c.rows()), asInt(x.columns()), scale, x.data(),
@@ -148,8 +140,7 @@ Matrix LapackAlgebra::addOuter(Matrix c, const Matrix& x, double scale) const {
   return c;
 }
 
-Matrix LapackAlgebra::addTransposeTimes(Matrix c, const Matrix& x,
-                                        const Matrix& y) const {
+Matrix addTransposeTimes(Matrix c, const Matrix& x, const Matrix& y) {
   const ThreadsForFlops threads(2 * size(x.rows()) * size(x.columns()) *
                                 size(y.columns()));
   if (!x.empty() && !y.empty())
@@ -159,8 +150,8 @@ Matrix LapackAlgebra::addTransposeTimes(Matrix c, const Matrix& x,
   return c;
 }
 
-Vector LapackAlgebra::multiply(const Matrix& a, Index n, const Vector& x) const {
-  Vector y(n);
+Vector multiply(const Matrix& a, const Vector& x) {
+  Vector y(at(a.rows()));
   const ThreadsForFlops threads(2 * size(a.rows()) * size(a.columns()));
   if (!a.empty())
     Blas().GEMV(NO_TRANS, asInt(a.rows()), asInt(a.columns()), 1, a.data(),
@@ -168,7 +159,7 @@ Vector LapackAlgebra::multiply(const Matrix& a, Index n, const Vector& x) const 
   return y;
 }
 
-Vector LapackAlgebra::multiplySymmetric(const Matrix& lower, const Vector& x) const {
+Vector multiplySymmetric(const Matrix& lower, const Vector& x) {
   Vector y(x.size());
   const int n = asInt(lower.rows());
   const int ld = asInt(lower.stride());
@@ -180,7 +171,5 @@ Vector LapackAlgebra::multiplySymmetric(const Matrix& lower, const Vector& x) co
     dsymv_("L", &n, &one, lower.data(), &ld, x.data(), &step, &zero, y.data(), &step);
   return y;
 }
-
-Matrix LapackAlgebra::replicate(Matrix rows, Index) const { return rows; }
 
 }  // namespace epafi::bem

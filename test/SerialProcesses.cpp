@@ -1,0 +1,3 @@
+#include "Processes.hpp"
+
+const epafi::bem::Processes& epafi::test::processes() { return bem::oneProcess(); }
