@@ -112,7 +112,7 @@ void addTimes(const bem::Processes& processes, const PhaseTimer& timer, LevelRow
 }
 
 LevelRow makeRow(const Ground& ground, const Level& level, const NewLevel& begun,
-                 double gamma0, const SolvedBodies& solved, const contact::Report& report,
+                 const SolvedBodies& solved, const contact::Report& report,
                  double energyFriction) {
   LevelRow row;
   row.level = level.number;
@@ -126,7 +126,6 @@ LevelRow makeRow(const Ground& ground, const Level& level, const NewLevel& begun
   row.energyFriction = energyFriction;
   row.report = report;
   row.reason = level.reason;
-  row.gamma0 = gamma0;
   row.estimate = level.estimate();
   row.relativeEstimate = level.relativeEstimate;
   row.worstEstimate = row.estimate;
@@ -192,8 +191,9 @@ Attempt solvePath(const Ground& ground, const contact::ContactSystem& atZero,
     energies.push_back(step->row.energyStrain);
   level.relativeEstimate = relative(estimates, energies, ground.processes);
   timer.run(Phase::Results, [&] {
-    LevelRow row = makeRow(ground, level, begun, gamma0Of(atZero), solved, path.report,
+    LevelRow row = makeRow(ground, level, begun, solved, path.report,
                            path.last().row.energyDissipated);
+    row.gamma0 = gamma0Of(atZero);
     const auto worst = std::max_element(estimates.begin(), estimates.end());
     row.worstStep = 1 + static_cast<int>(worst - estimates.begin());
     row.worstEstimate = *worst;
@@ -229,9 +229,9 @@ Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
       estimates, {contact::sumOf(contact::summarizeAll(solved.bodies())).energyStrain},
       ground.processes);
   timer.run(Phase::Results, [&] {
-    begun.handOut({solved.bodies(), level,
-                   makeRow(ground, level, begun, gamma0Of(system), solved, report,
-                           solved.frictionWork())});
+    LevelRow row = makeRow(ground, level, begun, solved, report, solved.frictionWork());
+    row.gamma0 = gamma0Of(system);
+    begun.handOut({solved.bodies(), level, row});
   });
   return level;
 }
@@ -277,9 +277,11 @@ std::vector<bem::SteklovPoincare> stiffnessesOf(const Scene& scene,
 
 /// A level's operators, its system and its solution.
 Attempt solveLevel(const Scene& scene, const BodySpaces& spaces,
-                   const std::vector<bem::Lame>& lames, const bem::Processes& processes,
-                   const bem::SingleLayerSolver* krylov, const LevelStart& from,
-                   const NewLevel& begun) {
+                   const bem::Processes& processes, const bem::SingleLayerSolver* krylov,
+                   const LevelStart& from, const NewLevel& begun) {
+  std::vector<bem::Lame> lames;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    lames.push_back(scene.lame(b));
   const contact::MultiplierBasis& basis = contact::multiplierBasis(scene.multiplier);
   const auto stiffness = stiffnessesOf(scene, spaces, lames, processes, krylov, begun);
   const Ground ground{scene, from.level, spaces, lames, stiffness, processes};
@@ -331,10 +333,6 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                     const std::function<void(const SolvedLevel&)>& handOutStep) {
   const bem::Processes& processes = ranks.processes();
   const auto krylov = linearMethods().at(scene.linear.method).solver(ranks, scene.linear);
-  std::vector<bem::Lame> lames;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    lames.push_back(scene.lame(b));
-
   std::string advice;  // as it was given, once
   double allowed = 0;  // memory, as it was found
   std::string missing = earlier ? missingTo(scene, *earlier) : "";
@@ -365,7 +363,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
       };
     const Level level = solveAnyhow(
         [&](const NewLevel& begun) {
-          return solveLevel(scene, spaces, lames, processes, krylov.get(), *from, begun);
+          return solveLevel(scene, spaces, processes, krylov.get(), *from, begun);
         },
         NewLevel{size, plan, timer, handOut, handOutNew,
                  advice.empty() ? plan.advice : ""},

@@ -39,6 +39,7 @@ std::vector<SingularMesh> singularMeshes(const Scene& scene, const BodySpaces& s
   std::vector<SingularMesh> meshes;
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     std::vector<contact::ContactState> states;
+    states.reserve(steps.size());
     for (const StepFields& step : steps)
       states.push_back(step.states[b]);
     const bem::Mesh& mesh = spaces.space(b).mesh();

@@ -114,12 +114,25 @@ std::optional<double> valueAt(const bem::Function& function, bem::Vec2 place) {
   }
 }
 
+/// Beside an end of a side, to where it would go on: a gap need not exist at corners.
+std::optional<double> gapAtEnd(const bem::Function& gap, const Body& body,
+                               const bem::Edge& side, double end) {
+  constexpr double aside = 1e-9;  // of the side
+  const auto gapAt = [&](double distance) {
+    return valueAt(gap, body.outline->physical(side.curve.point(end * (1 - distance))));
+  };
+  const auto near = gapAt(aside);
+  const auto farther = gapAt(2 * aside);
+  if (!near || !farther)
+    return std::nullopt;
+  return 2 * *near - *farther;
+}
+
 /// Corners where a prescribed displacement goes through the obstacle of the side beside it, one
 /// warning for each pair of boundaries.
 void findPressedCorners(const Body& body, const contact::Conditions& conditions,
                         Warnings& warn) {
   constexpr double same = 1e-6;
-  constexpr double aside = 1e-9;  // of a side's end, beside which its gap is looked at
   const auto compare = [&](const bem::Edge& given, const bem::Edge& side, double end) {
     const auto held = conditions.dirichlet.find(given.boundary);
     const auto met = conditions.contact.find(side.boundary);
@@ -135,21 +148,13 @@ void findPressedCorners(const Body& body, const contact::Conditions& conditions,
         body.outline->physical(end > 0 ? side.curve.to() : side.curve.from());
     const bem::Vec2 moved{x ? x(corner) : 0, y ? y(corner) : 0};
     const double closing = dot(moved, n);
-    const auto gapAt = [&](double distance) {
-      return valueAt(met->second.gap,
-                     body.outline->physical(side.curve.point(end * (1 - distance))));
-    };
-    const auto near = gapAt(aside);
-    const auto farther = gapAt(2 * aside);
-    if (!near || !farther)
-      return;
-    const double gap = 2 * *near - *farther;
-    if (closing > gap &&
-        !areAlike(closing, gap, std::abs(moved.x) + std::abs(moved.y), body))
+    const auto gap = gapAtEnd(met->second.gap, body, side, end);
+    if (gap && closing > *gap &&
+        !areAlike(closing, *gap, std::abs(moved.x) + std::abs(moved.y), body))
       warn("corner " + body.name + given.boundary + "|" + side.boundary, "Bodies->",
            body.name, "->Boundary Conditions: '", given.boundary,
            "' moves its corner with '", side.boundary, "', (", corner.x, ", ", corner.y,
-           "), by ", closing, " along the normal where the gap is ", gap,
+           "), by ", closing, " along the normal where the gap is ", *gap,
            ": through the obstacle; such a jump has no finite energy, and stresses there "
            "grow with every level");
   };
@@ -374,11 +379,10 @@ void findDeepOverlaps(const Scene& scene, std::vector<std::string>& warnings) {
 
 std::vector<std::string> warningsOf(const Scene& scene) {
   std::vector<std::string> warnings;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    for (const auto& [boundary, condition] : scene.bodies[b].conditions.contact)
-      findPolygon(*scene.bodies[b].outline, boundary,
-                  "Bodies->" + scene.bodies[b].name + "->Geometry, '" + boundary + "'",
-                  warnings);
+  for (const Body& body : scene.bodies)
+    for (const auto& [boundary, condition] : body.conditions.contact)
+      findPolygon(*body.outline, boundary,
+                  "Bodies->" + body.name + "->Geometry, '" + boundary + "'", warnings);
   std::set<std::string> seen;
   for (const ContactPair& pair : scene.contacts)
     if (seen.insert(scene.nameOf(pair.met) + ":" + pair.met.boundary).second)

@@ -111,11 +111,12 @@ RigidBody readRigid(const ParameterList& list, const std::string& name,
           " is given, too; a motion is prescribed, or free under a force, not both");
     const std::string key = free ? pushed : moved;
     if (motion.isParameter(key))
-      body.components[c] = {free, [text = motion.get<std::string>(key),
-                                   place = Place{scene.file, path + "->Motion->" + key},
-                                   names = scene.names()](double t) {
-                              return evaluateAt(t, text, place, names);
-                            }};
+      body.components[c] = {
+          free, [text = motion.get<std::string>(key),
+                 place = Place{scene.file, bem::message(path, "->Motion->", key)},
+                 names = scene.names()](double t) {
+            return evaluateAt(t, text, place, names);
+          }};
   }
   return body;
 }

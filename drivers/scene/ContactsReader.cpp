@@ -35,7 +35,7 @@ SideOfBody readSide(const std::string& text, const std::string& path,
   if (colon == std::string::npos)
     throw InputError(
         path, ": '", text,
-        "' is no side; write body:boundary, as in {\"pad:bottom\", \"plate:top\"}");
+        R"(' is no side; write body:boundary, as in {"pad:bottom", "plate:top"})");
   const std::string name = text.substr(0, colon);
   SideOfBody side{false, 0, text.substr(colon + 1)};
   const std::vector<std::string> names = bodyNames(scene);
@@ -114,6 +114,15 @@ void addNode(const bem::Outline& outline, int edge, double place,
   nodes.push_back({edge, place});
 }
 
+/// A part of an edge, or more of the last one.
+void addPart(int edge, double from, double to,
+             std::vector<contact::Conditions::Part>& parts) {
+  if (!parts.empty() && parts.back().edge == edge && parts.back().to == from)
+    parts.back().to = to;
+  else
+    parts.push_back({edge, from, to});
+}
+
 /// What of the first side meets the second; nodes at the ends on both.
 std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scene) {
   const bem::Outline& own = *scene.bodies[pair.side.body].outline;
@@ -125,18 +134,11 @@ std::vector<contact::Conditions::Part> meet(const ContactPair& pair, Scene& scen
     const bem::Edge& edge = own.edges()[e];
     if (edge.boundary != pair.side.boundary)
       continue;
-    const int number = static_cast<int>(e);
     const double half = edge.curve.half();
     for (const contact::Facing& stretch :
          contact::facing(edge.curve.moved(shift), met.curves, scene.reach(pair))) {
-      const double from = half * (1 + stretch.begin);
-      const double to = half * (1 + stretch.end);
-      const bool goesOn =
-          !parts.empty() && parts.back().edge == number && parts.back().to == from;
-      if (goesOn)
-        parts.back().to = to;
-      else
-        parts.push_back({number, from, to});
+      addPart(static_cast<int>(e), half * (1 + stretch.begin), half * (1 + stretch.end),
+              parts);
       if (pair.met.rigid)
         continue;
       // where a stretch begins or ends what is opposite may get a node
