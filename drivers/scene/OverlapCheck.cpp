@@ -127,7 +127,7 @@ void checkNeighbours(const Named& a, const Named& b, double plausible) {
         behind = nearest;
       }
     }
-  if (deepest > plausible)
+  if (side != nullptr && behind != nullptr && deepest > plausible)
     throw bem::InputError("Bodies: '", a.name, "' and '", b.name, "' overlap by ",
                           deepest, " at (", there.x, ", ", there.y,
                           "), far more than an interference: '", a.name, ":", *side,

@@ -17,7 +17,6 @@ namespace epafi::drivers {
 namespace {
 
 using bem::above;
-using bem::from;
 using bem::Row;
 using Table = std::vector<Parameter>;
 
