@@ -52,13 +52,9 @@ Point inside(const std::vector<Point>& hole) {
   return CGAL::midpoint(a, b) + 1e-6 * right;
 }
 
-int triangulate(const char* in, const char* out) {
-  std::ifstream from(in);
-  double largest = 0;
-  std::size_t lines = 0;
-  from >> largest >> lines;
-  Triangulation triangles;
-  std::list<Point> holes;
+/// The lines of `from` into triangles, a point of each hole into `holes`; false if there is none.
+bool read(std::istream& from, std::size_t lines, Triangulation& triangles,
+          std::list<Point>& holes) {
   for (std::size_t l = 0; l < lines; ++l) {
     std::size_t size = 0;
     from >> size;
@@ -70,42 +66,61 @@ int triangulate(const char* in, const char* out) {
       line.emplace_back(x, y);
     }
     if (!from || size < 3)
-      return 1;
+      return false;
     triangles.insert_constraint(line.begin(), line.end(), true);
     if (l > 0)
       holes.push_back(inside(line));
   }
+  return true;
+}
+
+using Face = Triangulation::Face_handle;
+using Vertex = Triangulation::Vertex_handle;
+
+/// The corners of these triangles, each once, in the order of their numbers.
+std::vector<Vertex> numbered(const Triangulation& triangles,
+                             const std::vector<Face>& faces) {
+  for (const auto vertex : triangles.finite_vertex_handles())
+    vertex->info() = -1;
+  std::vector<Vertex> vertices;
+  for (const Face face : faces)
+    for (int i = 0; i < 3; ++i)
+      if (face->vertex(i)->info() < 0) {
+        face->vertex(i)->info() = static_cast<int>(vertices.size());
+        vertices.push_back(face->vertex(i));
+      }
+  return vertices;
+}
+
+int triangulate(const char* in, const char* out) {
+  std::ifstream from(in);
+  double largest = 0;
+  std::size_t lines = 0;
+  from >> largest >> lines;
+  Triangulation triangles;
+  std::list<Point> holes;
+  if (!read(from, lines, triangles, holes))
+    return 1;
   CGAL::Delaunay_mesher_2<Triangulation, Criteria> mesher(triangles,
                                                           Criteria(shape, largest));
   mesher.set_seeds(holes.begin(), holes.end());
   mesher.refine_mesh();
 
-  for (const auto vertex : triangles.finite_vertex_handles())
-    vertex->info() = -1;
-  int points = 0;
-  int count = 0;
-  for (const auto face : triangles.finite_face_handles())
-    if (face->is_in_domain()) {
-      ++count;
-      for (int i = 0; i < 3; ++i)
-        if (face->vertex(i)->info() < 0)
-          face->vertex(i)->info() = points++;
-    }
-  std::vector<Triangulation::Vertex_handle> ordered(points);
-  for (const auto vertex : triangles.finite_vertex_handles())
-    if (vertex->info() >= 0)
-      ordered[vertex->info()] = vertex;
-  std::ofstream to(out);
-  to << std::setprecision(17) << points << ' ' << count << '\n';
-  for (const auto vertex : ordered)
-    to << vertex->point().x() << ' ' << vertex->point().y() << ' '
-       << (triangles.are_there_incident_constraints(vertex) ? 1 : 0) << '\n';
+  std::vector<Face> faces;
   for (const auto face : triangles.finite_face_handles())
     if (face->is_in_domain())
-      to << face->vertex(0)->info() << ' ' << face->vertex(1)->info() << ' '
-         << face->vertex(2)->info() << '\n';
+      faces.push_back(face);
+  const std::vector<Vertex> vertices = numbered(triangles, faces);
+  std::ofstream to(out);
+  to << std::setprecision(17) << vertices.size() << ' ' << faces.size() << '\n';
+  for (const Vertex vertex : vertices)
+    to << vertex->point().x() << ' ' << vertex->point().y() << ' '
+       << (triangles.are_there_incident_constraints(vertex) ? 1 : 0) << '\n';
+  for (const Face face : faces)
+    to << face->vertex(0)->info() << ' ' << face->vertex(1)->info() << ' '
+       << face->vertex(2)->info() << '\n';
   to.close();
-  return to && count > 0 ? 0 : 1;
+  return to && !faces.empty() ? 0 : 1;
 }
 
 }  // namespace

@@ -66,6 +66,7 @@ std::vector<Index> pivotedTriangle(Matrix& a) {
   Lapack().GEQP3(asInt(a.rows()), n, a.data(), asInt(a.stride()), pivots.data(),
                  tau.data(), work.data(), static_cast<int>(work.size()), nullptr, &info);
   std::vector<Index> places;
+  places.reserve(pivots.size());
   for (const int pivot : pivots)
     places.push_back(pivot - 1);
   return places;

@@ -58,6 +58,7 @@ const SchemaRow& required(const SchemaRow* row, const std::vector<const SchemaRo
   if (row != nullptr)
     return *row;
   std::vector<std::string> known;
+  known.reserve(rows.size());
   for (const SchemaRow* other : rows)
     known.push_back(example(other->name()));
   throw InputError(join(path, name), ": unknown", suggestion(name, known));
