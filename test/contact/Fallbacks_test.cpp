@@ -140,19 +140,17 @@ class Springs final : public contact::Flexibility::Operator {
     return y;
   }
   contact::Matrix formed() const override { return test::identity(size_, 2); }
-  std::unique_ptr<Factor> factor(const System& system) const override {
-    return std::make_unique<Solved>(system);
+  std::unique_ptr<Factor> factor(System system) const override {
+    return std::make_unique<Solved>(std::move(system));
   }
 
  private:
   struct Solved final : Factor {
     explicit Solved(System system) : system_(std::move(system)) {}
-    contact::Vector solve(const contact::Vector& b,
-                          const contact::Vector& known) const override {
-      contact::Vector x = known;
-      for (std::size_t p = 0; p < system_.rows.size(); ++p)
-        x[contact::at(system_.rows[p])] = b[p] / 2;
-      return x;
+    contact::Matrix solve(contact::Matrix b) const override {
+      for (const Index i : system_.rows)
+        b(i, 0) /= 2;
+      return b;
     }
     System system_;
   };

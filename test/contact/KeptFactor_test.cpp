@@ -13,45 +13,59 @@ namespace {
 
 using contact::at;
 using contact::Index;
-using contact::KeptFactor;
 using contact::Matrix;
 using contact::Problem;
 using contact::Vector;
-using Rows = std::vector<KeptFactor::Row>;
+using System = contact::Flexibility::Operator::System;
 
 /// The largest residual of the three kinds of rows over what their terms add up to.
-double residual(const Problem& problem, const Matrix& motions, const Rows& rows,
-                const Vector& b, const Vector& z) {
+double residual(const Problem& problem, const System& system, const Matrix& b,
+                const Matrix& z) {
   const Index n = problem.size();
-  double worst = 0;
-  const auto count = [&](double rest, double size) {
-    worst = std::max(worst, std::abs(rest) / size);
+  std::vector<double> sums(at(b.rows()));
+  std::vector<double> sizes(at(b.rows()));
+  const auto add = [&](Index i, double term) {
+    sums[i] += term;
+    sizes[i] += std::abs(term);
   };
+  std::vector<bool> isRow(at(n));
+  for (const Index i : system.rows)
+    isRow[i] = true;
   for (Index i = 0; i < n; ++i) {
-    double sum = rows[i].isSolved ? 0 : z[i];
-    double size = std::abs(b[i]) + std::abs(sum);
-    const auto add = [&](double term) {
-      sum += term;
-      size += std::abs(term);
-    };
-    for (Index j = 0; j < n && rows[i].isSolved; ++j)
-      add(problem.flexibility(i, j) * z[j]);
-    for (Index k = 0; k < motions.columns() && rows[i].isSolved; ++k)
-      add(-motions(i, k) * z[n + k]);
-    for (const KeptFactor::Row::Share& share : rows[i].followed)
-      add(-share.factor * z[share.leader]);
-    count(sum - b[i], size);
-  }
-  for (Index k = 0; k < motions.columns(); ++k) {
-    double sum = 0;
-    double size = std::abs(b[n + k]);
-    for (Index i = 0; i < n; ++i) {
-      sum += motions(i, k) * z[i];
-      size += std::abs(motions(i, k) * z[i]);
+    for (Index j = 0; j < n && isRow[i]; ++j)
+      add(i, problem.flexibility(i, j) * z(j, 0));
+    for (Index k = 0; k < system.motions.columns(); ++k) {
+      if (isRow[i])
+        add(i, -system.motions(i, k) * z(n + k, 0));
+      add(n + k, system.motions(i, k) * z(i, 0));
     }
-    count(sum - b[n + k], size);
+    if (!isRow[i])
+      add(i, z(i, 0));
   }
+  for (const auto& [follower, leader, factor] : system.followers)
+    add(follower, -factor * z(leader, 0));
+  double worst = 0;
+  for (Index i = 0; i < b.rows(); ++i)
+    worst = std::max(worst, std::abs(sums[i] - b(i, 0)) / (std::abs(b(i, 0)) + sizes[i]));
   return worst;
+}
+
+/// What each coefficient does: solved for, or following a leader by so much.
+struct Row {
+  bool isSolved = false;
+  Index leader = -1;
+  double factor = 0;
+};
+
+System systemOf(const Problem& problem, const std::vector<Row>& rows) {
+  System system;
+  system.motions = problem.rigid.copy();
+  for (Index i = 0; i < problem.size(); ++i)
+    if (rows[i].isSolved)
+      system.rows.push_back(i);
+    else if (rows[i].leader >= 0)
+      system.followers.push_back({i, rows[i].leader, rows[i].factor});
+  return system;
 }
 
 }  // namespace
@@ -63,46 +77,46 @@ TEUCHOS_UNIT_TEST(KeptFactor, solvesSystemsThatDifferInFewRows) {
   recipe.law = "Coulomb";
   recipe.rigidMotions = 2;
   const Problem problem = test::randomProblem(recipe, random);
-  const Matrix motions = problem.rigid.copy();
   const Index n = problem.size();
   std::uniform_int_distribution<Index> tangential(problem.normals, n - 1);
   std::uniform_real_distribution<double> number(-1, 1);
 
-  // all normals closed, half of the tangentials follow theirs
-  Rows rows(at(n));
-  for (Index i = 0; i < n; ++i) {
-    rows[i].isSolved = i < problem.normals || i % 2 == 0;
-    if (!rows[i].isSolved)
-      rows[i].followed = {{i - problem.normals, 0.3}};
-  }
-  contact::FactorMemory memory;
-  const Rows first = rows;
-  for (int step = 0; step < 40; ++step) {
-    const auto factor = KeptFactor::make(problem.flexibility, motions, rows, memory);
-    TEST_ASSERT(factor != nullptr);
-    if (factor == nullptr)
-      return;
-    Vector b;
-    for (Index i = 0; i < n + motions.columns(); ++i)
-      b.push_back(number(random));
-    TEST_COMPARE(residual(problem, motions, rows, b, factor->solve(b)), <, 1e-9);
-    // the one before answers as before, whatever was kept since
-    const auto again = KeptFactor::make(problem.flexibility, motions, first, memory);
-    TEST_COMPARE(residual(problem, motions, first, b, again->solve(b)), <, 1e-9);
-    TEST_COMPARE(residual(problem, motions, rows, b, factor->solve(b)), <, 1e-9);
-    for (int change = 0; change < 3; ++change) {
-      KeptFactor::Row& row = rows[tangential(random)];
-      const Index i = &row - rows.data();
-      row.isSolved = !row.isSolved;
-      row.followed.clear();
-      if (!row.isSolved && rows[i - problem.normals].isSolved)
-        row.followed = {{i - problem.normals, step % 2 == 0 ? 0.3 : -0.3}};
+  for (const bool followersFirst : {true, false}) {
+    // all normals closed, half of the tangentials follow theirs, or nothing at first
+    std::vector<Row> rows(at(n));
+    for (Index i = 0; i < n; ++i) {
+      rows[i].isSolved = i < problem.normals || i % 2 == 0;
+      if (!rows[i].isSolved && followersFirst)
+        rows[i] = {false, i - problem.normals, 0.3};
     }
-    // a place that opens takes its friction along
-    const Index opened = step % problem.normals;
-    rows[opened].isSolved = false;
-    rows[opened + problem.normals].isSolved = false;
-    rows[opened + problem.normals].followed.clear();
+    contact::FactorMemory memory;
+    const std::vector<Row> first = rows;
+    for (int step = 0; step < 40; ++step) {
+      const System now = systemOf(problem, rows);
+      const System then = systemOf(problem, first);
+      const auto factor = contact::KeptFactor::make(problem.flexibility, now, memory);
+      Matrix b(n + problem.rigidMotions(), 1);
+      for (Index i = 0; i < b.rows(); ++i)
+        b(i, 0) = number(random);
+      TEST_COMPARE(residual(problem, now, b, factor->solve(b.copy())), <, 1e-9);
+      // the one before answers as before, whatever was kept since
+      const auto again = contact::KeptFactor::make(problem.flexibility, then, memory);
+      TEST_COMPARE(residual(problem, then, b, again->solve(b.copy())), <, 1e-9);
+      TEST_COMPARE(residual(problem, now, b, factor->solve(b.copy())), <, 1e-9);
+      // D's own
+      const auto own = problem.flexibility.factor(systemOf(problem, rows));
+      TEST_COMPARE(residual(problem, now, b, own->solve(b.copy())), <, 1e-9);
+      for (int change = 0; change < 3; ++change) {
+        const Index i = tangential(random);
+        const Index normal = i - problem.normals;
+        rows[i] = {!rows[i].isSolved};
+        if (!rows[i].isSolved && rows[normal].isSolved)
+          rows[i] = {false, normal, step % 2 == 0 ? 0.3 : -0.3};
+      }
+      // a place that opens takes its friction along
+      const Index opened = step % problem.normals;
+      rows[opened] = rows[opened + problem.normals] = {};
+    }
   }
 }
 

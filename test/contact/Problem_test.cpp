@@ -129,6 +129,7 @@ class BreaksDown final : public contact::Flexibility::Operator {
   }
   Vector times(const Vector& x) const override { return x; }
   contact::Matrix formed() const override { return test::identity(5); }
+  std::unique_ptr<Factor> factor(System) const override { return nullptr; }
 
  private:
   mutable int left_;

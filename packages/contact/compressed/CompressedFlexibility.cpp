@@ -123,8 +123,8 @@ Matrix CompressedFlexibility::formed() const {
 }
 
 std::unique_ptr<Flexibility::Operator::Factor> CompressedFlexibility::factor(
-    const System& system) const {
-  return std::make_unique<ReducedFlexibility>(*this, system);
+    System system) const {
+  return std::make_unique<ReducedFlexibility>(*this, std::move(system));
 }
 
 const bem::CompressedFactor& CompressedFlexibility::eliminated(

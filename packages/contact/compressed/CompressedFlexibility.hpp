@@ -18,7 +18,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
   Vector times(const Vector& x) const override;
   /// |D| |x| from the rows' sums over each kind and its largest coefficient.
   Product product(const Vector& x) const override;
-  std::unique_ptr<Factor> factor(const System& system) const override;
+  std::unique_ptr<Factor> factor(System system) const override;
   Matrix formed() const override;
   void release() const override;
 

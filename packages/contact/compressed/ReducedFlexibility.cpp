@@ -4,19 +4,11 @@
 #include "bem/base/Error.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace epafi::contact {
 
 using bem::axpy;
-
-namespace {
-
-Vector difference(Vector a, const Vector& b) {
-  axpy(-1, b, a);
-  return a;
-}
-
-}  // namespace
 
 ReducedFlexibility::ReducedFlexibility(const CompressedFlexibility& whole, System system)
     : whole_(whole),
@@ -29,44 +21,59 @@ ReducedFlexibility::ReducedFlexibility(const CompressedFlexibility& whole, Syste
   for (const auto& [follower, leader, factor] : system_.followers)
     restriction_.followers.push_back({first + follower, first + leader, factor});
   makeCorrection();
+  makeBorder();
 }
 
-Vector ReducedFlexibility::solve(const Vector& b, const Vector& known) const {
-  Vector x = solveSprung(withoutMotions(b, known), known);
-  if (whole_.motionTerms().u.columns() == 0)
-    return x;
-  // D_M x = b - U S Uᵀ x  by Woodbury's formula
-  Vector sizes = whole_.motionTerms().seen(difference(x, known).data());
-  correction_.solve(sizes);
-  for (std::size_t j = 0; j < sizes.size(); ++j)
-    axpy(-sizes[j], columnOf(solved_, static_cast<Index>(j)), x);
-  return x;
-}
-
-// b less what U S Uᵀ makes of the known coefficients
-Vector ReducedFlexibility::withoutMotions(Vector b, const Vector& known) const {
-  const MotionTerms& terms = whole_.motionTerms();
-  const Vector sizes = terms.sizes(known.data());
-  for (std::size_t k = 0; k < b.size(); ++k)
-    for (std::size_t j = 0; j < sizes.size(); ++j)
-      b[k] -= terms.u(system_.rows[k], static_cast<Index>(j)) * sizes[j];
+Matrix ReducedFlexibility::solve(Matrix b) const {
+  for (Index c = 0; c < b.columns(); ++c) {
+    Vector x = coefficients(b.column(c));
+    Vector sizes(b.column(c) + whole_.size(), b.column(c) + b.rows());
+    axpy(-1, columnOf(transposedTimes(system_.motions, bem::asColumn(x)), 0), sizes);
+    border_.solve(sizes);
+    for (std::size_t k = 0; k < sizes.size(); ++k)
+      axpy(sizes[k], columnOf(answers_, static_cast<Index>(k)), x);
+    std::copy(x.begin(), x.end(), b.column(c));
+    std::copy(sizes.begin(), sizes.end(), b.column(c) + whole_.size());
+  }
   return b;
 }
 
+Vector ReducedFlexibility::coefficients(const double* b) const {
+  Vector right(b, b + whole_.size());
+  const MotionTerms& terms = whole_.motionTerms();
+  if (terms.u.columns() == 0)
+    return solveSprung(std::move(right));
+  Vector known = right;
+  for (const Index row : system_.rows)
+    known[at(row)] = 0;
+  // b less what U S Uᵀ makes of the known coefficients
+  const Vector ofKnown = terms.sizes(known.data());
+  for (const Index row : system_.rows)
+    for (std::size_t j = 0; j < ofKnown.size(); ++j)
+      right[at(row)] -= terms.u(row, static_cast<Index>(j)) * ofKnown[j];
+  Vector x = solveSprung(std::move(right));
+  // D_M x = b - U S Uᵀ x  by Woodbury's formula
+  axpy(-1, x, known);
+  Vector sizes = terms.seen(known.data());
+  correction_.solve(sizes);
+  for (std::size_t j = 0; j < sizes.size(); ++j)
+    axpy(sizes[j], columnOf(solved_, static_cast<Index>(j)), x);
+  return x;
+}
+
 // Z y + Ĉᵀ x = 0,  Ĉ y - M x = -b  in the rows, with the known coefficients in x
-Vector ReducedFlexibility::solveSprung(const Vector& b, const Vector& known) const {
+Vector ReducedFlexibility::solveSprung(Vector b) const {
   const CompressedCoupling& coupling = whole_.coupling();
   Matrix right(whole_.operators().size(), 1);
-  coupling.push(-1, known.data(), right.column(0));
+  for (const Index row : system_.rows)
+    right(coupling.first + row, 0) = -std::exchange(b[at(row)], 0.0);
+  coupling.push(-1, b.data(), right.column(0));
   for (const bem::Entry& entry : coupling.mass)
-    right(coupling.first + entry.row, 0) += entry.value * known[at(entry.column)];
-  for (std::size_t k = 0; k < b.size(); ++k)
-    right(coupling.first + system_.rows[k], 0) -= b[k];
+    right(coupling.first + entry.row, 0) += entry.value * b[at(entry.column)];
   const Matrix solution = factor().solveAlong(whole_.paths(), right);
-  Vector x = known;
   for (Index i = 0; i < coupling.multipliers; ++i)
-    x[at(i)] += solution(coupling.first + i, 0);
-  return x;
+    b[at(i)] += solution(coupling.first + i, 0);
+  return b;
 }
 
 void ReducedFlexibility::makeCorrection() {
@@ -90,6 +97,21 @@ void ReducedFlexibility::makeCorrection() {
   correction_ = bem::LuFactor(std::move(correction));
   if (!correction_.isRegular())
     throw bem::NumericalError("the flexibility of the active coefficients is singular");
+}
+
+void ReducedFlexibility::makeBorder() {
+  const Index columns = system_.motions.columns();
+  answers_ = Matrix(whole_.size(), columns);
+  for (Index k = 0; k < columns; ++k) {
+    Vector right(at(whole_.size()), 0.0);
+    for (const Index row : system_.rows)
+      right[at(row)] = system_.motions(row, k);
+    right = coefficients(right.data());
+    std::copy(right.begin(), right.end(), answers_.column(k));
+  }
+  border_ = bem::LuFactor(transposedTimes(system_.motions, answers_));
+  if (!border_.isRegular())
+    throw SingularJacobian("singular Newton matrix: nothing balances the rigid motions");
 }
 
 }  // namespace epafi::contact

@@ -13,12 +13,15 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
   /// \pre `whole` outlives it.  \throws bem::NumericalError, as solve() may.
   ReducedFlexibility(const CompressedFlexibility& whole, System system);
 
-  Vector solve(const Vector& b, const Vector& known) const override;
+  /// Of motions by the Schur complement of what answers them.
+  Matrix solve(Matrix b) const override;
 
  private:
-  Vector withoutMotions(Vector b, const Vector& known) const;
-  Vector solveSprung(const Vector& b, const Vector& known) const;
+  /// x of a right side, all motions of size zero.
+  Vector coefficients(const double* b) const;
+  Vector solveSprung(Vector b) const;
   void makeCorrection();
+  void makeBorder();
   const bem::CompressedFactor& factor() const {
     return whole_.eliminated(number_, restriction_);
   }
@@ -29,6 +32,8 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
   bem::Restriction restriction_;
   Matrix solved_;             ///< D_M⁻¹ U, all coefficients
   bem::LuFactor correction_;  ///< of S⁻¹ + Uᵀ D_M⁻¹ U
+  Matrix answers_;            ///< x for b = Ĝ in the rows
+  bem::LuFactor border_;      ///< of Ĝᵀ times these
 };
 
 }  // namespace epafi::contact

@@ -2,17 +2,20 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/body/IterativeRefinement.hpp"
-#include "contact/newton/Factoring.hpp"
+#include "contact/newton/KeptFactor.hpp"
+
+#include <Teuchos_LAPACK.hpp>
 
 #include <algorithm>
 #include <cmath>
 
 namespace epafi::contact {
 
-using bem::dot;
-
 namespace {
 
+// A rigid motion counts as held when its part in the inactive rows, measured in units in
+// which the whole of it has size one, is larger than this.
+constexpr double heldThreshold = 1e-12;
 // How much of a solution by a kept factor its last refinement may change; another one would
 // change the square of it.
 constexpr double enoughOfKept = 1e-7;
@@ -23,67 +26,163 @@ constexpr double progressOfKept = 1e-3;
 
 NewtonSystem::NewtonSystem(const Equation& equation, const LinearRows& at,
                            FactorMemory* memory)
-    : reduction_(equation, at) {
-  if (!reduction_.problem.flexibility.isFormed())
-    byOperator_ = operatorFactoring(reduction_);
-  else if (memory != nullptr)
-    byKept_ = keptFactoring(reduction_, *memory);
-  if (byOperator_ == nullptr && byKept_ == nullptr)
-    byEntries_ = denseFactoring(reduction_);
+    : equation_(equation), rows_(at), problem_(equation.problem()) {
+  for (Index i = 0; i < problem_.size(); ++i)
+    if (!isKnown(i))
+      inactive_.push_back(i);
+  splitMotions();
+  const Flexibility& flexibility = problem_.flexibility;
+  isKept_ = memory != nullptr && flexibility.isFormed() && loose_.columns() == 0;
+  factor_ = isKept_ ? KeptFactor::make(flexibility, reduced(), *memory)
+                    : flexibility.factor(reduced());
 }
 
-double NewtonSystem::refine(const Factoring& factoring, const Vector& b,
-                            Vector& d) const {
-  Vector defect = reduction_.equation.jacobianTimes(reduction_.e, d);
+std::pair<Index, double> NewtonSystem::followed(Index i) const {
+  if (i < problem_.normals)
+    return {0, 0.0};
+  const std::size_t t = at(i - problem_.normals);
+  return {problem_.tangentials[t].normal(),
+          -rows_.rows[at(i)].bound * rows_.stepBounds[t].slope};
+}
+
+void NewtonSystem::splitMotions() {
+  const Index k = problem_.rigidMotions();
+  const Matrix& rigid = problem_.rigid;
+  const auto product = [&](Index l, Index m, Index i) {
+    return rigid(i, l) * rigid(i, m) * equation_.weights()[at(i)];
+  };
+  for (Index m = 0; m < k; ++m) {
+    double sum = 0;
+    for (Index i = 0; i < problem_.size(); ++i)
+      sum += product(m, m, i);
+    motionScale_.push_back(sum > 0 ? 1 / std::sqrt(sum) : 1);
+  }
+  Matrix gram(k, k);
+  for (Index m = 0; m < k; ++m)
+    for (Index l = 0; l < k; ++l)
+      for (const Index i : inactive_)
+        gram(l, m) += motionScale_[at(l)] * motionScale_[at(m)] * product(l, m, i);
+  Vector eigenvalues(at(k));
+  Vector work(at(8 * k + 8));
+  int info = 0;
+  if (k > 0)
+    Teuchos::LAPACK<int, double>().SYEV(
+        'V', 'L', bem::asInt(k), gram.data(), bem::asInt(gram.stride()),
+        eigenvalues.data(), work.data(), static_cast<int>(work.size()), &info);
+  const auto looseCount = std::count_if(eigenvalues.begin(), eigenvalues.end(),
+                                        [](double v) { return !(v > heldThreshold); });
+  loose_ = Matrix(k, looseCount);
+  held_ = Matrix(k, k - looseCount);
+  // all of them: as they are, so that systems with other rows have the same
+  for (Index j = 0; j < k && looseCount == 0; ++j)
+    held_(j, j) = 1;
+  for (Index j = 0; j < k && looseCount > 0; ++j)
+    std::copy_n(gram.column(j), k,
+                j < looseCount ? loose_.column(j) : held_.column(j - looseCount));
+}
+
+Flexibility::Operator::System NewtonSystem::reduced() const {
+  Flexibility::Operator::System system{inactive_, {}, {}};
+  for (Index i = 0; i < problem_.size(); ++i)
+    if (const auto [normal, factor] = followed(i);
+        isKnown(i) && factor != 0 && !isKnown(normal))
+      system.followers.push_back({i, normal, factor});
+  Matrix combinations = held_.copy();
+  for (Index j = 0; j < held_.columns(); ++j)
+    for (Index m = 0; m < held_.rows(); ++m)
+      combinations(m, j) *= motionScale_[at(m)];
+  system.motions = multiply(problem_.rigid, combinations);
+  return system;
+}
+
+Vector NewtonSystem::knownChanges(const Vector& b) const {
+  Vector d(at(problem_.size()), 0.0);
+  for (Index i = 0; i < problem_.size(); ++i)
+    if (isKnown(i)) {
+      d[at(i)] = b[at(i)];
+      if (const auto [normal, factor] = followed(i); factor != 0 && isKnown(normal))
+        d[at(i)] += factor * d[at(normal)];
+    }
+  return d;
+}
+
+Vector NewtonSystem::balance(const Vector& b) const {
+  Vector scaled;
+  for (std::size_t m = 0; m < motionScale_.size(); ++m)
+    scaled.push_back(b[at(problem_.size()) + m] * equation_.balanceScales()[m] *
+                     motionScale_[m]);
+  return scaled;
+}
+
+Vector NewtonSystem::byFactor(const Vector& b) const {
+  Vector right = knownChanges(b);
+  for (const Index i : inactive_)
+    right[at(i)] = b[at(i)] / equation_.weights()[at(i)];
+  const Matrix balances = transposedTimes(held_, bem::asColumn(balance(b)));
+  right.insert(right.end(), balances.column(0), balances.column(0) + held_.columns());
+  const Matrix solution = factor_->solve(bem::asColumn(right));
+  const double* sizes = solution.column(0) + problem_.size();
+  Vector d(solution.column(0), sizes);
+  for (Index m = 0; m < held_.rows(); ++m) {
+    double sum = 0;
+    for (Index j = 0; j < held_.columns(); ++j)
+      sum += held_(m, j) * sizes[j];
+    d.push_back(motionScale_[at(m)] * sum);
+  }
+  return d;
+}
+
+double NewtonSystem::refine(const Vector& b, Vector& d) const {
+  Vector defect = equation_.jacobianTimes(rows_, d);
   for (std::size_t i = 0; i < b.size(); ++i)
     defect[i] = b[i] - defect[i];
-  const Vector correction = factoring.solve(defect);
+  const Vector correction = byFactor(defect);
   bem::axpy(1, correction, d);
   return largestEntry(correction);
 }
 
 Vector NewtonSystem::solve(const Vector& b) const {
-  if (byOperator_ != nullptr) {
-    Vector d = byOperator_->solve(b);
-    refine(*byOperator_, b, d);
-    return d;
+  Vector d = byFactor(b);
+  double last = largestEntry(d);
+  for (bool converges = isKept_; converges;) {
+    const double change = refine(b, d);
+    if (change <= enoughOfKept * largestEntry(d))
+      return d;
+    converges = change <= progressOfKept * last;
+    last = change;
   }
-  if (byEntries_ == nullptr) {
-    Vector d = byKept_->solve(b);
-    double last = largestEntry(d);
-    for (bool converges = true; converges;) {
-      const double change = refine(*byKept_, b, d);
-      if (change <= enoughOfKept * largestEntry(d))
-        return d;
-      converges = change <= progressOfKept * last;
-      last = change;
-    }
-    byEntries_ = denseFactoring(reduction_);
+  if (isKept_) {
+    factor_ = problem_.flexibility.factor(reduced());
+    isKept_ = false;
+    d = byFactor(b);
   }
-  Vector d = byEntries_->solve(b);
-  refine(*byEntries_, b, d);
+  refine(b, d);
   return d;
 }
 
 Vector NewtonSystem::unheld(const Vector& b) const {
-  const Reduction& r = reduction_;
-  if (r.loose.columns() == 0)
+  if (loose_.columns() == 0)
     return {};
-  const Vector rest = r.balance(b, r.knownChanges(b));
-  Vector direction(at(r.k), 0.0);
-  for (Index j = 0; j < r.loose.columns(); ++j) {
-    const Vector motion = columnOf(r.loose, j);
-    const double share = dot(motion, rest);
-    for (Index m = 0; m < r.k; ++m)
-      direction[at(m)] += r.motionScale[at(m)] * motion[at(m)] * share;
+  const Index k = problem_.rigidMotions();
+  Vector rest = balance(b);
+  const Vector known = knownChanges(b);
+  for (Index m = 0; m < k; ++m)
+    for (Index i = 0; i < problem_.size(); ++i)
+      rest[at(m)] -= motionScale_[at(m)] * problem_.rigid(i, m) * known[at(i)];
+  Vector direction(at(k), 0.0);
+  for (Index j = 0; j < loose_.columns(); ++j) {
+    const Vector motion = columnOf(loose_, j);
+    const double share = bem::dot(motion, rest);
+    for (Index m = 0; m < k; ++m)
+      direction[at(m)] += motionScale_[at(m)] * motion[at(m)] * share;
   }
   // Rounding in the balance is no demand.
   double demand = 0;
-  for (Index m = 0; m < r.k; ++m)
+  for (Index m = 0; m < k; ++m)
     demand =
-        std::max(demand, std::abs(direction[at(m)]) / r.motionScale[at(m)] /
-                             (r.motionScale[at(m)] * r.equation.balanceScales()[at(m)]));
-  return demand > 1e-10 * r.problem.stress ? direction : Vector{};
+        std::max(demand, std::abs(direction[at(m)]) / motionScale_[at(m)] /
+                             (motionScale_[at(m)] * equation_.balanceScales()[at(m)]));
+  return demand > 1e-10 * problem_.stress ? direction : Vector{};
 }
 
 }  // namespace epafi::contact

@@ -1,6 +1,7 @@
 #include "contact/opposite/MortarCoupling.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "contact/opposite/SidePoints.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,41 +12,6 @@ using bem::Vec2;
 using ContactElement = MultiplierSpace::ContactElement;
 
 namespace {
-
-/// The coefficients of one element that act in one direction, at one point of the side.
-struct Acting {
-  Vec2 direction;
-  Index (ContactElement::*number)(int) const = nullptr;
-};
-
-class Writer {
- public:
-  Writer(const bem::Space& met, MortarCoupling& coupling)
-      : met_(met), coupling_(coupling) {}
-
-  /// Adds - weight χ(t) d · φ(P t).
-  void add(const ContactElement& contact, const Vector& chi, const Acting& acting,
-           const Opposite::Point& point, double weight) const {
-    const int degree = met_.mesh()[point.element].degree;
-    std::array<double, bem::largestDegree + 1> phi{};
-    bem::DisplacementBasis::values(degree, point.t, phi.data());
-    const double components[2] = {acting.direction.x, acting.direction.y};
-    const double rest = dot(acting.direction, met_.rotationRest(point.element, point.t));
-    for (int i = 0; i <= contact.degree; ++i)
-      coupling_.rests[(contact.*acting.number)(i)] -= weight * rest * chi[i];
-    for (int k = 0; k <= degree; ++k)
-      for (int c = 0; c < 2; ++c) {
-        const Index row = met_.displacement(point.element, k, c);
-        for (int i = 0; i <= contact.degree; ++i)
-          coupling_.entries.push_back({row, (contact.*acting.number)(i),
-                                       -weight * components[c] * chi[i] * phi[k]});
-      }
-  }
-
- private:
-  const bem::Space& met_;
-  MortarCoupling& coupling_;
-};
 
 /// Each place once.
 std::vector<bem::Entry> summed(std::vector<bem::Entry> entries) {
@@ -83,30 +49,34 @@ void MortarCoupling::push(const Vector& multiplier, Vector& force) const {
 MortarCoupling mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
                               const Opposite& opposite, const bem::Space& met, int body) {
   MortarCoupling coupling{{}, met.rotation(), Vector(at(multiplier.size()))};
-  const Writer writer(met, coupling);
-  for (const ContactElement& contact : multiplier.elements()) {
-    const bem::Element& element = side[contact.element];
-    for (const auto& [middle, half] : stretches(opposite, contact)) {
-      const auto inside = opposite.at(contact, middle);
-      if (inside.element < 0 || inside.body != body)
-        continue;
-      const bem::Rule& rule = mortarRule(contact, element, met.mesh()[inside.element]);
-      for (int q = 0; q < rule.size(); ++q) {
-        const double t = middle + half * rule.points[q];
-        const double weight = rule.weights[q] * half * element.half;
-        const Vector chi = multiplier.basis().values(contact.degree, t);
-        const auto point = opposite.at(contact, t);
-        if (point.element < 0)  // a grazing normal, but for rounding
-          continue;
-        writer.add(contact, chi, {element.curve.normal(t), &ContactElement::normalOf},
-                   point, weight);
-        if (contact.tangential >= 0)
-          writer.add(contact, chi,
-                     {element.curve.tangent(t), &ContactElement::tangentialOf}, point,
-                     weight);
-      }
-    }
-  }
+  forEachSidePoint(
+      side, multiplier.elements(), opposite,
+      [&](const ContactElement& contact, const Opposite::Point& middle) {
+        return middle.element >= 0 && middle.body == body
+                   ? &mortarRule(contact, side[contact.element],
+                                 met.mesh()[middle.element])
+                   : nullptr;
+      },
+      [&](const SidePoint& point) {
+        const int opposed = point.met.element;
+        if (opposed < 0)  // a grazing normal, but for rounding
+          return;
+        const int degree = met.mesh()[opposed].degree;
+        std::array<double, bem::largestDegree + 1> phi{};
+        bem::DisplacementBasis::values(degree, point.met.t, phi.data());
+        const Vec2 rest = met.rotationRest(opposed, point.met.t);
+        point.forEachCoefficient(
+            multiplier.basis().values(point.contact.degree, point.t),
+            [&](Index i, double chi, Vec2 direction) {
+              coupling.rests[i] -= point.weight * dot(direction, rest) * chi;
+              const double components[2] = {direction.x, direction.y};
+              for (int k = 0; k <= degree; ++k)
+                for (int c = 0; c < 2; ++c)
+                  coupling.entries.push_back(
+                      {met.displacement(opposed, k, c), i,
+                       -point.weight * components[c] * chi * phi[k]});
+            });
+      });
   coupling.entries = summed(std::move(coupling.entries));
   return coupling;
 }

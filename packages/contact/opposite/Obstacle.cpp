@@ -1,7 +1,7 @@
 #include "contact/opposite/Obstacle.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/quadrature/Gauss.hpp"
+#include "contact/opposite/SidePoints.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,25 +12,6 @@ namespace {
 
 using bem::Vec2;
 using ContactElement = MultiplierSpace::ContactElement;
-
-void addGap(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
-            const ContactElement& contact, const Opposite& opposite, Obstacle& obstacle) {
-  const bem::Element& element = mesh[contact.element];
-  const bem::Rule& rule = bem::gaussForGiven(contact.degree);
-  for (const auto& [middle, half] : stretches(opposite, contact))
-    for (int q = 0; q < rule.size(); ++q) {
-      const double t = middle + half * rule.points[q];
-      const double gap = opposite.at(contact, t).gap;
-      obstacle.largestPenetration =
-          std::max(obstacle.largestPenetration, contact.ties() ? std::abs(gap) : -gap);
-      const Vector chi = multiplier.basis().values(contact.degree, t);
-      Vector& numbers = contact.ties() ? obstacle.jump : obstacle.gap;
-      for (int i = 0; i <= contact.degree; ++i)
-        if (!contact.holdsNothing(contact.normalCompletions, i))
-          numbers[contact.normalOf(i)] +=
-              half * rule.weights[q] * element.half * gap * chi[i];
-    }
-}
 
 Vector fieldsAt(const ContactElement& contact, Vec2 x) {
   Vector fields = contact.condition->friction.fieldsAt(x);
@@ -74,11 +55,25 @@ Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
   obstacle.gap.assign(multiplier.normals(), 0.0);
   obstacle.jump.assign(multiplier.size(), 0.0);
   obstacle.tangentials.resize(multiplier.size() - multiplier.normals());
-  for (const ContactElement& contact : multiplier.elements()) {
-    addGap(mesh, multiplier, contact, opposite, obstacle);
+  forEachSidePoint(
+      mesh, multiplier.elements(), opposite,
+      [](const ContactElement& contact, const Opposite::Point&) {
+        return &bem::gaussForGiven(contact.degree);
+      },
+      [&](const SidePoint& point) {
+        const ContactElement& contact = point.contact;
+        const double gap = point.met.gap;
+        obstacle.largestPenetration =
+            std::max(obstacle.largestPenetration, contact.ties() ? std::abs(gap) : -gap);
+        const Vector chi = multiplier.basis().values(contact.degree, point.t);
+        Vector& numbers = contact.ties() ? obstacle.jump : obstacle.gap;
+        for (int i = 0; i <= contact.degree; ++i)
+          if (!contact.holdsNothing(contact.normalCompletions, i))
+            numbers[contact.normalOf(i)] += point.weight * gap * chi[i];
+      });
+  for (const ContactElement& contact : multiplier.elements())
     if (contact.tangential >= 0)
       setFriction(mesh, multiplier, contact, units, obstacle);
-  }
   return obstacle;
 }
 

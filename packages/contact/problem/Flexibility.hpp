@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/base/Error.hpp"
 #include "bem/base/Matrix.hpp"
 
 #include <map>
@@ -13,6 +14,11 @@ using bem::at;
 using bem::Index;
 using bem::Matrix;
 using bem::Vector;
+
+/// The linear system of a Newton step has no solution that could be trusted.
+struct SingularJacobian : bem::NumericalError {
+  using bem::NumericalError::NumericalError;
+};
 
 /// The flexibility D of a condensed contact problem: symmetric, positive semidefinite,
 /// never changed, and shared by all problems that differ in something else.
@@ -36,21 +42,25 @@ class Flexibility {
     /// All of D, symmetric, made for who asks.
     virtual Matrix formed() const = 0;
 
-    /// A linear system in some of the coefficients.
+    /// A linear system for the coefficients x and the sizes β of rigid motions Ĝ:
+    ///
+    ///   rows       Σ_j D_ij x_j - Σ_k Ĝ_ik β_k = b_i
+    ///   others     x_i - Σ factor x_leader = b_i
+    ///   balance    Σ_i Ĝ_ik x_i = b_k
     struct System {
-      std::vector<Index> rows;  ///< the coefficients that are solved for
-      /// A coefficient that is not, but changes with one that is, by so much of that.
-      std::vector<bem::Entry> followers;
+      std::vector<Index> rows;            ///< the coefficients that are solved for
+      std::vector<bem::Entry> followers;  ///< of others, with leaders among the rows
+      Matrix motions;                     ///< Ĝ, by all coefficients; the rows hold each
     };
     class Factor {
      public:
       virtual ~Factor() = default;
-      /// x with  Σ_j D_ij x_j = b_i  in the rows i, where all other x_j are
-      /// known_j + Σ factor x_leader; `b` by rows.
-      virtual Vector solve(const Vector& b, const Vector& known) const = 0;
+      /// (x, β) of columns b, as well as the factor can: their error of rounding is one that
+      /// refinement takes away.
+      virtual Matrix solve(Matrix b) const = 0;
     };
-    /// \pre entries() are not there.  \throws bem::NumericalError if it is singular.
-    virtual std::unique_ptr<Factor> factor(const System&) const { return nullptr; }
+    /// Refers to D.  \throws bem::NumericalError if the system is singular.
+    virtual std::unique_ptr<Factor> factor(System system) const = 0;
     /// Frees what it keeps of a system for the next one.
     virtual void release() const {}
   };
@@ -68,10 +78,10 @@ class Flexibility {
   const Vector& responses(Index normals) const;
   Vector times(const Vector& x) const { return operator_->times(x); }
 
-  /// Are the entries there?  D may know how to solve without.
+  /// Are the entries there?
   bool isFormed() const { return entries_ != nullptr; }
-  std::unique_ptr<Operator::Factor> factor(const Operator::System& system) const {
-    return operator_->factor(system);
+  std::unique_ptr<Operator::Factor> factor(Operator::System system) const {
+    return operator_->factor(std::move(system));
   }
   void release() const { operator_->release(); }
   /// \pre isFormed()

@@ -5,6 +5,7 @@
 #include "bem/quadrature/Piecewise.hpp"
 #include "contact/body/Loads.hpp"
 #include "contact/opposite/MortarCoupling.hpp"
+#include "contact/opposite/SidePoints.hpp"
 #include "contact/results/ContactFields.hpp"
 
 #include <algorithm>
@@ -189,30 +190,27 @@ namespace {
 void addReaction(const std::vector<Solved>& bodies, const Solved& side,
                  std::vector<Summary>& summaries) {
   const ContactFields fields(side);
-  const Opposite& opposite = side.problem.opposite();
-  for (const Element& element : fields.elements()) {
-    const bem::Element& curve = side.space.mesh()[element.element];
-    for (const auto& [middle, half] : stretches(opposite, element)) {
-      const Opposite::Point inside = opposite.at(element, middle);
-      if (inside.element < 0)
-        continue;
-      const bem::Rule& rule =
-          mortarRule(element, curve, bodies[inside.body].space.mesh()[inside.element]);
-      for (std::size_t k = 0; k < rule.points.size(); ++k) {
-        const double t = middle + half * rule.points[k];
-        const Opposite::Point met = opposite.at(element, t);
+  const bem::Mesh& mesh = side.space.mesh();
+  forEachSidePoint(
+      mesh, fields.elements(), side.problem.opposite(),
+      [&](const Element& element, const Opposite::Point& middle) {
+        return middle.element >= 0
+                   ? &mortarRule(element, mesh[element.element],
+                                 bodies[middle.body].space.mesh()[middle.element])
+                   : nullptr;
+      },
+      [&](const SidePoint& point) {
+        const Opposite::Point& met = point.met;
         if (met.element < 0)
-          continue;
-        const auto stress = fields.stress(element, t);
-        const double weight = side.units.length * curve.half * half * rule.weights[k];
-        const Vec2 force = weight * (stress.normal * curve.curve.normal(t) +
-                                     stress.tangential * curve.curve.tangent(t));
+          return;
+        const auto stress = fields.stress(point.contact, point.t);
+        const Vec2 force =
+            side.units.length * point.weight *
+            (stress.normal * point.normal + stress.tangential * point.tangent);
         const Vec2 place =
             bodies[met.body].space.mesh().physicalPoint(met.element, met.t);
         add({force.x, force.y, cross(place, force)}, summaries[met.body].contact);
-      }
-    }
-  }
+      });
 }
 
 }  // namespace
