@@ -23,78 +23,25 @@ class CouplingWriter {
                  Coupling& coupling)
       : space_(space), basis_(basis), density_(density), coupling_(coupling) {}
 
-  // By Gauss points: ∫ χ_i d·φ_k, ∫ χ_i d·(r - r_I), and χ_i d in orthonormal polynomials.
-  // Where S u is projected on these, so is λ: on arcs they leave something of it, and M is
-  // the product of what they take.
   void write(const ContactElement& contact, double gamma, Index firstTraction) const {
     const Element& element = space_.mesh()[contact.element];
-    const bool straight = element.curve.isStraight();
-    const bool whole = density_ || straight;
-    const int p = element.degree;
-    const int count = terms(element);
-    const Rule& rule = bem::gaussLegendre(p + (straight ? 1 : bem::pointsOfTurning));
     const std::vector<Turning> unknowns = turningOf(contact);
-    std::vector<Matrix> traces;  // displacement functions x components
-    std::vector<Matrix> parts;   // orthonormal polynomials x components
-    Vector rests(unknowns.size());
-    Matrix mass(static_cast<Index>(unknowns.size()), static_cast<Index>(unknowns.size()));
+    const Integrals integrals = integralsOf(contact, unknowns);
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
-      traces.emplace_back(p + 1, 2);
-      parts.emplace_back(count, 2);
-    }
-    std::array<double, bem::largestDegree + 2> legendre{};
-    std::array<double, bem::largestDegree + 1> phi{};
-    for (std::size_t q = 0; q < rule.points.size(); ++q) {
-      const double t = rule.points[q];
-      const double weight = element.half * rule.weights[q];
-      const Vector chi = basis_.values(p, t);
-      bem::DisplacementBasis::values(p, t, phi.data());
-      bem::legendreValues(count - 1, t, legendre.data());
-      const Vec2 rest = space_.rotationRest(contact.element, t);
-      for (std::size_t i = 0; i < unknowns.size(); ++i) {
-        const Turning& unknown = unknowns[i];
-        const Vec2 direction =
-            unknown.tangential ? element.curve.tangent(t) : element.curve.normal(t);
-        const double value = weight * chi[unknown.function];
-        const double components[2] = {value * direction.x, value * direction.y};
-        for (Index c = 0; c < 2; ++c) {
-          for (Index k = 0; k <= p; ++k)
-            traces[i](k, c) += components[c] * phi[k];
-          for (Index l = 0; l < count; ++l)
-            parts[i](l, c) +=
-                components[c] * legendre[l] *
-                std::sqrt((2 * static_cast<double>(l) + 1) / (2 * element.half));
-        }
-        rests[i] += value * dot(direction, rest);
-        for (std::size_t k = 0; whole && k < unknowns.size(); ++k)
-          if (unknowns[k].tangential == unknown.tangential)
-            mass(static_cast<Index>(i), static_cast<Index>(k)) +=
-                value * chi[unknowns[k].function];
-      }
-    }
-    for (std::size_t i = 0; i < unknowns.size(); ++i) {
-      const auto& [column, completion, tangential, function] = unknowns[i];
-      for (Index k = 0; k <= p; ++k)
+      const Turning& unknown = unknowns[i];
+      for (Index k = 0; k <= element.degree; ++k)
         for (int c = 0; c < 2; ++c)
-          writeTrace(space_.displacement(contact.element, static_cast<int>(k), c), column,
-                     traces[i](k, c), completion);
-      writeRest(column, rests[i], completion);
+          writeTrace(space_.displacement(contact.element, static_cast<int>(k), c),
+                     unknown.column, integrals.traces[i](k, c), unknown.completion);
+      writeRest(unknown.column, integrals.rests[i], unknown.completion);
       if (gamma == 0)
         continue;
-      for (std::size_t k = 0; k < unknowns.size(); ++k) {
-        if (whole && unknowns[k].tangential != tangential)
-          continue;
-        double product = mass(static_cast<Index>(i), static_cast<Index>(k));
-        for (Index l = 0; !whole && l < count; ++l)
-          for (Index c = 0; c < 2; ++c)
-            product += parts[i](l, c) * parts[k](l, c);
-        coupling_.mass.push_back({column, unknowns[k].column, gamma * product});
-      }
-      for (int l = 0; l < count; ++l) {
+      writeMass(element, unknowns, i, gamma, integrals);
+      for (int l = 0; l < terms(element); ++l) {
         const double norm = density_ ? std::sqrt(2 * element.half / (2 * l + 1)) : 1;
         for (int c = 0; c < 2; ++c)
-          coupling_.weights.push_back(
-              {firstTraction + 2 * l + c, column, gamma * norm * parts[i](l, c)});
+          coupling_.weights.push_back({firstTraction + 2 * l + c, unknown.column,
+                                       gamma * norm * integrals.parts[i](l, c)});
       }
     }
   }
@@ -115,6 +62,78 @@ class CouplingWriter {
     int function;
   };
 
+  /// Of each coefficient.
+  struct Integrals {
+    std::vector<Matrix> traces;  ///< ∫ χ_i d·φ_k: displacement functions x components
+    std::vector<Matrix> parts;   ///< χ_i d in orthonormal polynomials x components
+    Vector rests;                ///< ∫ χ_i d·(r - r_I)
+    Matrix mass;                 ///< where isWhole
+  };
+
+  /// Where S u is projected on polynomials, so is λ: on arcs they leave something of it, and M is
+  /// the product of what they take.
+  bool isWhole(const Element& element) const {
+    return density_ || element.curve.isStraight();
+  }
+
+  static double product(const Matrix& a, const Matrix& b) {
+    double sum = 0;
+    for (Index l = 0; l < a.rows(); ++l)
+      for (Index c = 0; c < 2; ++c)
+        sum += a(l, c) * b(l, c);
+    return sum;
+  }
+
+  /// By Gauss points.
+  Integrals integralsOf(const ContactElement& contact,
+                        const std::vector<Turning>& unknowns) const {
+    const Element& element = space_.mesh()[contact.element];
+    const int p = element.degree;
+    const int count = terms(element);
+    const Rule& rule =
+        bem::gaussLegendre(p + (element.curve.isStraight() ? 1 : bem::pointsOfTurning));
+    const auto size = static_cast<Index>(unknowns.size());
+    Integrals result{{}, {}, Vector(unknowns.size()), Matrix(size, size)};
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+      result.traces.emplace_back(p + 1, 2);
+      result.parts.emplace_back(count, 2);
+    }
+    std::array<double, bem::largestDegree + 2> legendre{};
+    std::array<double, bem::largestDegree + 1> phi{};
+    for (std::size_t q = 0; q < rule.points.size(); ++q) {
+      const double t = rule.points[q];
+      const double weight = element.half * rule.weights[q];
+      const Vector chi = basis_.values(p, t);
+      bem::DisplacementBasis::values(p, t, phi.data());
+      bem::legendreValues(count - 1, t, legendre.data());
+      for (int l = 0; l < count; ++l)
+        legendre[l] *= std::sqrt((2 * static_cast<double>(l) + 1) / (2 * element.half));
+      const Vec2 rest = space_.rotationRest(contact.element, t);
+      for (std::size_t i = 0; i < unknowns.size(); ++i) {
+        const Turning& unknown = unknowns[i];
+        const Vec2 direction =
+            unknown.tangential ? element.curve.tangent(t) : element.curve.normal(t);
+        const double value = weight * chi[unknown.function];
+        addOuter(value * direction, phi.data(), result.traces[i]);
+        addOuter(value * direction, legendre.data(), result.parts[i]);
+        result.rests[i] += value * dot(direction, rest);
+        for (std::size_t k = 0; isWhole(element) && k < unknowns.size(); ++k)
+          if (unknowns[k].tangential == unknown.tangential)
+            result.mass(static_cast<Index>(i), static_cast<Index>(k)) +=
+                value * chi[unknowns[k].function];
+      }
+    }
+    return result;
+  }
+
+  /// A += values directionᵀ
+  static void addOuter(Vec2 direction, const double* values, Matrix& a) {
+    for (Index k = 0; k < a.rows(); ++k) {
+      a(k, 0) += direction.x * values[k];
+      a(k, 1) += direction.y * values[k];
+    }
+  }
+
   std::vector<Turning> turningOf(const ContactElement& contact) const {
     std::vector<Turning> result;
     const int p = contact.degree;
@@ -126,6 +145,17 @@ class CouplingWriter {
                                        i, p),
                           tangential, i});
     return result;
+  }
+
+  void writeMass(const Element& element, const std::vector<Turning>& unknowns,
+                 std::size_t i, double gamma, const Integrals& integrals) const {
+    const bool whole = isWhole(element);
+    for (std::size_t k = 0; k < unknowns.size(); ++k)
+      if (!whole || unknowns[k].tangential == unknowns[i].tangential)
+        coupling_.mass.push_back(
+            {unknowns[i].column, unknowns[k].column,
+             gamma * (whole ? integrals.mass(static_cast<Index>(i), static_cast<Index>(k))
+                            : product(integrals.parts[i], integrals.parts[k]))});
   }
 
   void writeRest(Index column, double value, const EndCompletion* completion) const {
@@ -158,6 +188,7 @@ class CouplingWriter {
 
 }  // namespace
 
+// NOLINTNEXTLINE(readability-function-size): who assembles has all of these
 void addElement(const bem::Space& space, const MultiplierBasis& basis, bool byDensity,
                 const ContactElement& contact, double gamma, Index firstRow,
                 Coupling& coupling) {

@@ -46,6 +46,32 @@ LinearRows bonded(const Problem& problem, const Evaluation& e) {
   return rows;
 }
 
+// Where work(t), which falls, is zero for the first time, to 1e-9; `first`: a t to begin with.
+// Below `little` it counts as zero.  `closes`: contact holds the body at last.
+template <class Work>
+double balance(const Work& work, double first, double little, bool closes) {
+  // Gaps may be 1e12 times as large as the load's own displacements, not more.
+  constexpr int quadruplings = 20;
+  double low = 0;
+  double high = first;
+  for (int k = 0; work(high) > little; ++k) {
+    if (k == quadruplings && closes)
+      throw NoBalance(
+          "contact, with gaps 1e12 times as large as the load's own displacements, "
+          "cannot "
+          "balance it: look at the units of Young's modulus, loads and gaps");
+    if (k == quadruplings)
+      throw NoBalance();
+    low = high;
+    high *= 4;
+  }
+  for (int i = 0; i < 100 && high - low > 1e-9 * high; ++i) {
+    const double middle = 0.5 * (low + high);
+    (work(middle) > 0 ? low : high) = middle;
+  }
+  return high;
+}
+
 // Moves the body until the springs' forces P(λ + y) balance the load.
 //
 // Along α + t v these do the work v·(q - Gᵀ P(λ + y)), which falls with t; the step goes to
@@ -85,32 +111,15 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
   const bool closes =
       std::any_of(slope.begin(), slope.begin() + problem.normals,
                   [&](double closing) { return closing > 1e-9 * fastest; });
-  // Gaps may be 1e12 times as large as the load's own displacements, not more.
-  constexpr int quadruplings = 20;
-  double low = 0;
-  double high = fastest > 0 ? problem.stress / fastest : 1;
-  for (int k = 0; work(high) > 1e-12 * scale; ++k) {
-    if (k == quadruplings && closes)
-      throw NoBalance(
-          "contact, with gaps 1e12 times as large as the load's own displacements, "
-          "cannot "
-          "balance it: look at the units of Young's modulus, loads and gaps");
-    if (k == quadruplings)
-      throw NoBalance();
-    low = high;
-    high *= 4;
-  }
-  for (int i = 0; i < 100 && high - low > 1e-9 * high; ++i) {
-    const double middle = 0.5 * (low + high);
-    (work(middle) > 0 ? low : high) = middle;
-  }
+  const double place =
+      balance(work, fastest > 0 ? problem.stress / fastest : 1, 1e-12 * scale, closes);
 
   Vector step(e.unknowns.size());
   const Vector projection = equation.projected(e);
   for (std::size_t i = 0; i < step.size(); ++i)
     step[i] = projection[i] - e.unknowns[i];
   for (Index j = 0; j < problem.rigidMotions(); ++j)
-    step[at(n + j)] = high * motion[at(j)];
+    step[at(n + j)] = place * motion[at(j)];
   return step;
 }
 
