@@ -161,8 +161,7 @@ TEUCHOS_UNIT_TEST(Interior, fieldsAreExactUpToTheBoundary) {
       double stressError = 0;
       for (const Vec2 x : pointsNearTheBoundary()) {
         const Vec2 scaled = outline->scaled(x);
-        const bem::InteriorValue value =
-            bem::evaluateInterior(space, lame, u, psi, scaled);
+        const bem::InteriorValue value = bem::Interior(space, lame, u, psi).at(scaled);
         const Vec2 exact = field.displacement(scaled);
         const auto stress = field.stress(scaled);
         displacementError = std::max(displacementError, norm(value.displacement - exact));

@@ -1,8 +1,8 @@
 #include "bem/compressed/ProxyRows.hpp"
 
-#include "bem/compressed/LocalFunctions.hpp"
 #include "bem/kernel/PointKernels.hpp"
 #include "bem/moments/FarOrder.hpp"
+#include "bem/operators/LocalFunctions.hpp"
 #include "bem/simd/Dispatch.hpp"
 
 #include <boost/math/constants/constants.hpp>

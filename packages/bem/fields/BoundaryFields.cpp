@@ -146,7 +146,6 @@ void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
       stretches.push_back({order, first, last});
     return;
   }
-  const BoundaryPoint middle = mesh_.at(element, 0);
   for (int f = run.first; f < run.last; ++f) {
     const int lane = f - run.first;
     if (!chosen.far[lane]) {
@@ -154,8 +153,8 @@ void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
       continue;
     }
     const FarOrder& smooth = chosen.own[lane];
-    addFar(f, pointsOn(smooth.inner, mesh_[f].degree),
-           -mesh_.difference(middle, mesh_.at(f, 0)), sources.far(2 * smooth.outer));
+    addFar(f, pointsOn(smooth.inner, mesh_[f].degree), -mesh_.offset(element, f),
+           sources.far(2 * smooth.outer));
   }
 }
 

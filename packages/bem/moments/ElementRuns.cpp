@@ -7,10 +7,6 @@ namespace epafi::bem {
 
 namespace {
 
-/// From this distance on (in outline diameters) subtracting coordinates costs no digits
-/// that matter: 2e-15 of the difference.
-constexpr double plainDistance = 0.1;
-
 ElementRun makeRun(const Mesh& mesh, int first) {
   ElementRun run;
   run.first = run.last = first;
@@ -66,27 +62,15 @@ FarLanes ElementRuns::choose(int e, int r, const ElementRange& wanted, FarBatch&
   const bool all = wanted.first <= run.first && run.last <= wanted.last && !hasArcs;
   if (all && chooseAtOnce(e, run, result, batch))
     return result;
-  const BoundaryPoint middle = mesh_->at(e, 0);
   for (int lane = 0; lane < lanes; ++lane) {
     const int f = run.first + lane;
     batch.drop(lane);
     if (f >= run.last || !wanted.contain(f))
       continue;
-    // in one order, so that rounding cannot call a pair near once and far once
-    const BoundaryPoint other = mesh_->at(f, 0);
     FarOrder order;
-    Vec2 w;
-    if (e >= f) {
-      w = mesh_->difference(middle, other);
-      result.far[lane] = !isNear(*mesh_, e, f, w, order);
-    } else {
-      w = mesh_->difference(other, middle);
-      result.far[lane] = !isNear(*mesh_, f, e, w, order);
-      w = -w;
-      std::swap(order.outer, order.inner);
-    }
+    const Vec2 w = mesh_->offset(e, f);
     const Element& source = (*mesh_)[f];
-    result.far[lane] = result.far[lane] && order.outer <= largestOuter;
+    result.far[lane] = !isNear(*mesh_, e, f, w, order) && order.outer <= largestOuter;
     if (!result.far[lane])
       continue;
     batch.set(lane, w, source);
@@ -109,7 +93,7 @@ bool ElementRuns::chooseAtOnce(int e, const ElementRun& run, FarLanes& result,
   const double zE = gap / x.half;
   const double zF = (gap - x.half) / run.largestHalf;
   const bool isFar =
-      gap > plainDistance && gap - x.half > std::max(x.half, run.largestHalf);
+      gap > Mesh::plainDistance && gap - x.half > std::max(x.half, run.largestHalf);
   if (!isFar || std::min(zE, zF) < zOfCircles)
     return false;
   result.smooth = {smoothOrder(zE), smoothOrder(zF)};

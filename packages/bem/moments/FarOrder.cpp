@@ -162,7 +162,14 @@ int farOrder(const Element& element, double distance) {
   return arcOrder(smallestPlace(distance, alpha), alpha);
 }
 
+// In one order, so that rounding cannot call a pair near once and far once.
 bool isNear(const Mesh& mesh, int ie, int jf, Vec2 w, FarOrder& order) {
+  if (ie < jf) {
+    FarOrder swapped;
+    const bool near = isNear(mesh, jf, ie, -w, swapped);
+    order = {swapped.inner, swapped.outer};
+    return near;
+  }
   const Element& e = mesh[ie];
   const Element& f = mesh[jf];
   if (ie == jf || e.next == jf || f.next == ie)

@@ -37,7 +37,8 @@ int smoothOrder(double z);
 int farOrder(const Element& element, double distance);
 
 /// True when a pair is near: the gap is below half the larger length.  Otherwise sets the
-/// orders, separately for the two elements.  `w`: the middle of E minus that of F.
+/// orders, separately for the two elements.  `w`: Mesh::offset of E and F.  Which of the two is E
+/// makes no difference.
 bool isNear(const Mesh& mesh, int e, int f, Vec2 w, FarOrder& order);
 
 /// From this z on (in half lengths) circles around elements are far as they are, without a

@@ -1,5 +1,7 @@
 #include "bem/moments/RelativeTarget.hpp"
 
+#include <algorithm>
+
 namespace epafi::bem {
 
 RelativeTarget seenFrom(const Mesh& mesh, int e, const BoundaryPoint& x) {
@@ -27,6 +29,18 @@ Sight sightOf(const Mesh& mesh, int outer, int inner) {
               ? ratio
               : ratio * Complex(dot(direction, frame.tangent),
                                 onLine ? 0.0 : dot(direction, frame.normal))};
+}
+
+SeenPoints::SeenPoints(const Mesh& mesh, int element, int source,
+                       const std::vector<EndPoint>& points)
+    : mesh_(mesh), element_(element), source_(source), points_(points) {
+  if (mesh[element].curve.isStraight() && mesh[source].curve.isStraight())
+    sight_ = sightOf(mesh, element, source);
+}
+
+RelativeTarget SeenPoints::operator[](std::size_t i) const {
+  const EndPoint& point = points_[std::min(i, points_.size() - 1)];
+  return seenFrom(mesh_, source_, mesh_.at(element_, point.fromStart, point.toEnd));
 }
 
 }  // namespace epafi::bem
