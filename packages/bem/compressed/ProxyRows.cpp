@@ -99,8 +99,9 @@ Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
       y[p / lanes].lane[p % lanes] = radius * std::sin(angle) - middle.y;
     }
     const double distance = radius - length(middle);
-    const Rule& rule = gaussLegendre(gaussPoints(
-        farOrder(element, distance / element.half), element.degree, element.densities));
+    const Rule& rule = gaussLegendre(
+        gaussPoints(farOrder(element.curve.angle(), distance / element.half),
+                    element.degree, element.densities));
     std::vector<double> places;
     for (const double t : rule.points) {
       const Vec2 place = element.curve.fromMiddle(t);

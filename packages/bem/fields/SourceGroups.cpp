@@ -107,8 +107,8 @@ void SourceGroups::addElement(int f, Group& group) const {
   const Element& source = runs_.mesh()[f];
   // the circle that targets stay outside of, seen from the element
   const double z = (separation - 1) * group.radius / source.half;
-  const Rule& rule =
-      gaussLegendre(smoothOrder(std::max(z, 1.1)) + degreeShare(source.degree));
+  const Rule& rule = gaussLegendre(farOrder(source.curve.angle(), std::max(z, 1.1)) +
+                                   degreeShare(source.degree));
   const Complex middle = asComplex(source.curve.frame().middle) - group.centre;
   std::vector<Complex> carried(2 * states_);
   for (std::size_t q = 0; q < rule.points.size(); ++q) {

@@ -26,7 +26,7 @@ ElementRun makeRun(const Mesh& mesh, int first) {
     const Element& element = mesh[f];
     run.elements.set(lane, element.curve.frame().middle, element);
     run.largestHalf = std::max(run.largestHalf, element.half);
-    run.hasArcs = run.hasArcs || !element.curve.isStraight();
+    run.angle = std::max(run.angle, std::abs(element.curve.angle()));
     run.degree = std::max(run.degree, element.degree);
     run.densities = std::max(run.densities, element.densities);
     low = {std::min(low.x, element.curve.frame().middle.x),
@@ -58,8 +58,7 @@ FarLanes ElementRuns::choose(int e, int r, const ElementRange& wanted, FarBatch&
                              int largestOuter) const {
   const ElementRun& run = (*this)[r];
   FarLanes result;
-  const bool hasArcs = run.hasArcs || !(*mesh_)[e].curve.isStraight();
-  const bool all = wanted.first <= run.first && run.last <= wanted.last && !hasArcs;
+  const bool all = wanted.first <= run.first && run.last <= wanted.last;
   if (all && chooseAtOnce(e, run, result, batch))
     return result;
   for (int lane = 0; lane < lanes; ++lane) {
@@ -96,7 +95,11 @@ bool ElementRuns::chooseAtOnce(int e, const ElementRun& run, FarLanes& result,
       gap > Mesh::plainDistance && gap - x.half > std::max(x.half, run.largestHalf);
   if (!isFar || std::min(zE, zF) < zOfCircles)
     return false;
-  result.smooth = {smoothOrder(zE), smoothOrder(zF)};
+  result.smooth = {farOrder(x.curve.angle(), zE), farOrder(run.angle, zF)};
+  if (std::max(result.smooth.outer, result.smooth.inner) > smoothOrderOfCircles) {
+    result.smooth = {};  // arcs'
+    return false;
+  }
   result.atOnce = true;
   result.columns = run.degree;
   result.count = run.last - run.first;
