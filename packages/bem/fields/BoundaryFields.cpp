@@ -251,12 +251,8 @@ BoundaryFields::Values BoundaryFields::on(int element, const Vector& cuts) const
   std::vector<Feature> features;
   int degree = mesh_[element].degree;
   for (const int f : sources.near) {
-    const Piece& piece = mesh_[f].piece;
     degree = std::max(degree, mesh_[f].degree);
-    for (const Position& end : {piece.start, piece.end}) {
-      const RelativeTarget seen = seenFrom(mesh_, element, {piece.edge, end, 0});
-      features.push_back({seen.z().real(), std::abs(seen.b())});
-    }
+    appendEnds(mesh_, element, f, features);
   }
   const GradedRule rule = softenedRule(features, degree + smoothPoints, cuts);
   Values values = at(element, sources, rule.points);

@@ -9,21 +9,6 @@ namespace {
 
 constexpr int stride = TileMoments::stride;
 
-/// Integrals over the outer element x and the inner one y.
-struct Sums {
-  std::array<double, stride * stride> log{};
-  std::array<Complex, stride * stride> phase{};
-  std::array<double, stride * stride> direct{};
-  std::array<double, stride * stride> reverse{};
-};
-
-/// One for each thread: it is large.
-Sums& workspace() {
-  static thread_local Sums sums;
-  sums = Sums();
-  return sums;
-}
-
 /// ∫ P_j τ dt of an element, j below its densities.
 std::vector<Complex> tangentMoments(const Element& e) {
   const ArcRule rule(e.curve, e.densities);
@@ -47,7 +32,7 @@ void nearArcMoments(const Mesh& mesh, int e, int f, const GradedRule& outer,
   const int columns = y.densities;
   const SeenPoints seen(mesh, ix, iy, outer.points);
   ElementPotential inner(y.curve, columns + 1, ElementPotential::Need::All);
-  Sums& sums = workspace();
+  std::vector<PairSums> sums(static_cast<std::size_t>((rows + 1) * (columns + 1)));
   double legendre[stride];
   for (std::size_t q = 0; q < outer.points.size(); ++q) {
     if (q % lanes == 0)
@@ -59,21 +44,21 @@ void nearArcMoments(const Mesh& mesh, int e, int f, const GradedRule& outer,
       const ElementPotential::Values of = inner.at(j, q % lanes);
       const double reverse = -std::real(normal * std::conj(of.overConj));
       for (int i = 0; i <= rows; ++i) {
-        const int at = i * stride + j;
+        PairSums& to = sums[static_cast<std::size_t>(i * (columns + 1) + j)];
         const double p = outer.weights[q] * legendre[i];
-        sums.log[at] += p / y.half * of.log;
-        sums.phase[at] += p / y.half * of.phase;
-        sums.direct[at] += p * of.flow;
-        sums.reverse[at] += p * reverse;
+        to.log += p / y.half * of.log;
+        to.phase += p / y.half * of.phase;
+        to.direct += p * of.flow;
+        to.reverse += p * reverse;
       }
     }
   }
   const Complex tangent = asComplex(mesh[f].curve.frame().tangent);
   const Complex back = std::conj(tangent * tangent);
   m.setPair(rows, columns, transposed, lane, [&](int i, int j) {
-    const int at = i * stride + j;
-    return PairSums{sums.log[at], back * sums.phase[at], sums.direct[at],
-                    sums.reverse[at]};
+    PairSums own = sums[static_cast<std::size_t>(i * (columns + 1) + j)];
+    own.phase *= back;
+    return own;
   });
 }
 

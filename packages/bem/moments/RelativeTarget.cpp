@@ -16,6 +16,15 @@ RelativeTarget seenFrom(const Mesh& mesh, int e, const BoundaryPoint& x) {
   return target;
 }
 
+void appendEnds(const Mesh& mesh, int element, int source,
+                std::vector<Feature>& features) {
+  const Piece& piece = mesh[source].piece;
+  for (const Position& end : {piece.start, piece.end}) {
+    const RelativeTarget seen = seenFrom(mesh, element, {piece.edge, end, 0});
+    features.push_back({seen.z().real(), std::abs(seen.b())});
+  }
+}
+
 Sight sightOf(const Mesh& mesh, int outer, int inner) {
   const Element& x = mesh[outer];
   const Element& y = mesh[inner];

@@ -11,6 +11,10 @@ namespace epafi::bem {
 /// when it lies on the element's own edge.
 RelativeTarget seenFrom(const Mesh& mesh, int e, const BoundaryPoint& x);
 
+/// Appends the ends of element `source` as features on `element`.
+void appendEnds(const Mesh& mesh, int element, int source,
+                std::vector<Feature>& features);
+
 /// The points of an element seen from another one, on its arc or a straight line of
 /// targets: its ends and what half a length of it adds.
 struct Sight {

@@ -102,13 +102,14 @@ class ElementRows {
   void addFar(int f, const FarBlocks& blocks, int lane, Index first,
               KernelRows& out) const {
     const Element& y = mesh_[f];
+    const bool areNodesFar[] = {isFar(f, 0), isFar(f, 1)};
     for (int row = 0; row < 2 * moments_; ++row) {
       const double scale = std::sqrt((row / 2 + 0.5) / mesh_[element_].half);
       double* hypersingular = out.hypersingular.column(first + row);
       double* adjoint = out.adjoint.column(first + row) + space_.density(f, 0, 0);
       const auto value = [&](int b) { return scale * blocks.lane(row, b)[lane]; };
       for (int k = 0; k <= y.degree; ++k)
-        for (int c = 0; c < 2 && isFar(f, k); ++c)
+        for (int c = 0; c < 2 && (k > 1 || areNodesFar[k]); ++c)
           hypersingular[space_.displacement(f, k, c)] += value(2 * k + c);
       for (int b = 0; b < 2 * y.degree; ++b)
         adjoint[b] = value(2 * (y.degree + 1) + b);
@@ -153,11 +154,7 @@ class ElementRows {
       const Element& source = mesh_[component.element];
       degree = std::max(degree, source.degree);
       smallest = std::min(smallest, 1e-16 * source.half / mesh_[element_].half);
-      for (const Position& end : {source.piece.start, source.piece.end}) {
-        const RelativeTarget seen =
-            seenFrom(mesh_, element_, {source.piece.edge, end, 0});
-        features.push_back({seen.z().real(), std::abs(seen.b())});
-      }
+      appendEnds(mesh_, element_, component.element, features);
     }
     degree += moments_;
     return form == TractionForm::Exact
