@@ -8,8 +8,6 @@
 #include "bem/moments/NearPairs.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
-#include "bem/tractions/FarTractionRows.hpp"
-#include "bem/tractions/FarTractions.hpp"
 #include "bem/tractions/TractionRows.hpp"
 
 #include <benchmark/benchmark.h>
@@ -91,53 +89,6 @@ void farPair(benchmark::State& state) {
   perItem(state, "seconds_per_pair", lanes);
 }
 BENCHMARK(farPair)->Args({1, 4})->Args({1, 8})->Args({2, 6})->Args({4, 8})->Args({8, 12});
-
-/// Tractions of a far batch: range: degree, smooth order of both Gauss rules.
-void farTractions(benchmark::State& state) {
-  const int degree = static_cast<int>(state.range(0));
-  const int order = static_cast<int>(state.range(1));
-  const Mesh mesh = uniform(4, degree);
-  const FarBatch batch = farBatch();
-  FarLanes chosen;
-  chosen.columns = degree;
-  chosen.smooth = {order, order};
-  FarTractions tractions(mesh[0], lame, degree + 1);
-  for (auto _ : state) {
-    tractions.evaluate(batch, chosen);
-    benchmark::DoNotOptimize(tractions.at(FarTractions::Operator::Adjoint, 0, 0, 0));
-  }
-  perItem(state, "seconds_per_point_and_element",
-          static_cast<double>(lanes) * FarTractions::outerPoints(chosen, degree + 1));
-}
-BENCHMARK(farTractions)->Args({1, 3})->Args({1, 5})->Args({4, 4});
-
-/// The rows of far sources, on one side of the square, into memory that is already there;
-/// range: elements, degree.  Points: p + 1 on each test element carry its moments.
-void farTractionRows(benchmark::State& state) {
-  const Space space(
-      uniform(static_cast<int>(state.range(0)), static_cast<int>(state.range(1))));
-  const std::vector<int> contact = space.mesh().elementsOf("contact");
-  const int moments = static_cast<int>(state.range(1)) + 1;
-  const FarTractionRows rows(space, lame);
-  const auto columns = static_cast<Index>(2 * moments * static_cast<int>(contact.size()));
-  Matrix hypersingular(space.displacements(), columns);
-  Matrix adjoint(space.densities(), columns);
-  for (auto _ : state) {
-    Index first = 0;
-    for (const int e : contact) {
-      rows.write(e, moments, largestSmoothOrder, first, hypersingular, adjoint);
-      first += 2 * moments;
-    }
-    benchmark::DoNotOptimize(adjoint.data());
-  }
-  perItem(state, "seconds_per_point_and_element",
-          static_cast<double>(moments) * static_cast<double>(contact.size()) *
-              space.mesh().size());
-}
-BENCHMARK(farTractionRows)
-    ->Args({1024, 1})
-    ->Args({256, 4})
-    ->Unit(benchmark::kMillisecond);
 
 /// range: degree, distance of the two elements' numbers (0 self, 1 neighbours, 2 next).
 void nearPair(benchmark::State& state) {

@@ -1,7 +1,5 @@
 #include "drivers/output/Inside.hpp"
 
-#include "bem/base/Parallel.hpp"
-#include "bem/fields/Interior.hpp"
 #include "drivers/output/Csv.hpp"
 
 #include <algorithm>
@@ -19,15 +17,16 @@ constexpr double end = 0.05;
 }  // namespace
 
 BodyInsides::BodyInsides(const Scene& scene, const Level& level)
-    : scene_(scene), level_(level), spaces_(scene, meshesOf(scene, level)) {}
+    : scene_(scene), level_(level), spaces_(scene, meshesOf(scene, level)) {
+  for (std::size_t b = 0; b < size(); ++b)
+    fields_.emplace_back(spaces_.space(b), scene.lame(b), level.bodies[b].displacement,
+                         level.bodies[b].density);
+}
 
-InsideValue BodyInsides::at(const InsidePoint& point) const {
-  const auto& [body, x] = point;
+InsideValue BodyInsides::inUnits(std::size_t body,
+                                 const bem::InteriorValue& field) const {
   const bem::Material& material = scene_.bodies[body].material;
   const bem::Units units = scene_.units();
-  const bem::InteriorValue field = bem::evaluateInterior(
-      spaces_.space(body), scene_.lame(body), level_.bodies[body].displacement,
-      level_.bodies[body].density, mesh(body).outline().scaled(x));
   InsideValue value;
   value.displacement = units.length * field.displacement;
   value.xx = units.stress * field.xx;
@@ -62,11 +61,18 @@ double BodyInsides::workAtPoint(std::size_t b) const {
 
 std::vector<InsideValue> BodyInsides::at(const std::vector<InsidePoint>& points) const {
   std::vector<InsideValue> values(points.size());
-  double work = 0;
-  for (const InsidePoint& point : points)
-    work += workAtPoint(point.body);
-  bem::parallelFor({static_cast<bem::Index>(points.size()), work, 16},
-                   [&](bem::Index k) { values[bem::at(k)] = at(points[bem::at(k)]); });
+  for (std::size_t b = 0; b < size(); ++b) {
+    std::vector<std::size_t> own;
+    std::vector<bem::Vec2> places;
+    for (std::size_t k = 0; k < points.size(); ++k)
+      if (points[k].body == b) {
+        own.push_back(k);
+        places.push_back(mesh(b).outline().scaled(points[k].x));
+      }
+    const std::vector<bem::InteriorValue> fields = fields_[b].at(places);
+    for (std::size_t k = 0; k < own.size(); ++k)
+      values[own[k]] = inUnits(b, fields[k]);
+  }
   return values;
 }
 

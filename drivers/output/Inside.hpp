@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/base/Vec2.hpp"
+#include "bem/fields/Interior.hpp"
 #include "drivers/run/BodySpaces.hpp"
 
 #include <string>
@@ -37,7 +38,9 @@ class BodyInsides {
   std::size_t size() const { return spaces_.size(); }
   const bem::Mesh& mesh(std::size_t b) const { return spaces_.space(b).mesh(); }
 
-  InsideValue at(const InsidePoint& point) const;
+  InsideValue at(const InsidePoint& point) const {
+    return at(std::vector{point}).front();
+  }
   /// At a body's boundary, t in [-1, 1] on element e: just inside, and off the element's ends,
   /// where the stress of a piecewise density has logarithms.
   InsideValue atBoundary(std::size_t b, int e, double t) const;
@@ -45,16 +48,19 @@ class BodyInsides {
   /// Of a value in body b [ns], see Parallel.hpp.
   double workAtPoint(std::size_t b) const;
 
-  /// In parallel.
+  /// In parallel; eight points of a body take as long as one.
   std::vector<InsideValue> at(const std::vector<InsidePoint>& points) const;
   /// x,y,ux,uy,sxx,syy,sxy,von_mises,body,szz,principal_1,principal_2: a row per point.
   std::string csv(const std::vector<InsidePoint>& points,
                   const std::vector<InsideValue>& values) const;
 
  private:
+  InsideValue inUnits(std::size_t body, const bem::InteriorValue& field) const;
+
   const Scene& scene_;
   const Level& level_;
   BodySpaces spaces_;
+  std::vector<bem::Interior> fields_;  ///< of each body
 };
 
 }  // namespace epafi::drivers

@@ -79,21 +79,32 @@ FilledBodies fill(const BodyInsides& insides) {
   FilledBodies all;
   for (std::size_t b = 0; b < insides.size(); ++b) {
     const Triangulation own = triangulate(insides.mesh(b));
-    std::vector<InsideValue> values(own.points.size());
-    const auto n = static_cast<bem::Index>(values.size());
-    bem::parallelFor(
-        {n, insides.workAtPoint(b) * static_cast<double>(n), 16}, [&](bem::Index k) {
-          const std::size_t i = bem::at(k);
-          const InsidePoint point{b, own.points[i]};
-          const bool boundary =
-              own.onBoundary[i] || !insides.mesh(b).outline().contains(point.x);
-          values[i] = boundary ? onBoundary(insides, point) : insides.at(point);
-        });
+    std::vector<InsidePoint> points;
+    for (const bem::Vec2 x : own.points)
+      points.push_back({b, x});
+    std::vector<InsideValue> values(points.size());
+    std::vector<std::size_t> boundary;
+    std::vector<std::size_t> inside;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      (own.onBoundary[i] || !insides.mesh(b).outline().contains(points[i].x) ? boundary
+                                                                             : inside)
+          .push_back(i);
+    const auto n = static_cast<bem::Index>(boundary.size());
+    bem::parallelFor({n, insides.workAtPoint(b) * static_cast<double>(n), 16},
+                     [&](bem::Index k) {
+                       values[boundary[bem::at(k)]] =
+                           onBoundary(insides, points[boundary[bem::at(k)]]);
+                     });
+    std::vector<InsidePoint> places;
+    for (const std::size_t i : inside)
+      places.push_back(points[i]);
+    const std::vector<InsideValue> there = insides.at(places);
+    for (std::size_t k = 0; k < inside.size(); ++k)
+      values[inside[k]] = there[k];
     const auto first = static_cast<int>(all.values.size());
     for (const auto& c : own.corners)
       all.corners.push_back({first + c[0], first + c[1], first + c[2]});
-    for (const bem::Vec2 x : own.points)
-      all.points.push_back({b, x});
+    all.points.insert(all.points.end(), points.begin(), points.end());
     all.values.insert(all.values.end(), values.begin(), values.end());
   }
   return all;

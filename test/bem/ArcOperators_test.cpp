@@ -68,7 +68,7 @@ TEUCHOS_UNIT_TEST(ArcOperators, giveStressesRightUpToTheArc) {
         const bem::Element& element = space.mesh()[e];
         const Vec2 x =
             element.curve.point(at) - (depth * element.half) * element.curve.normal(at);
-        const bem::InteriorValue value = bem::evaluateInterior(space, lame, u, t, x);
+        const bem::InteriorValue value = bem::Interior(space, lame, u, t).at(x);
         const PlaneStressTensor stress = field.stress(x);
         const Vec2 displacement = field.displacement(x);
         TEST_COMPARE(norm(value.displacement - displacement), <, 1e-11);
@@ -76,7 +76,7 @@ TEUCHOS_UNIT_TEST(ArcOperators, giveStressesRightUpToTheArc) {
                          std::abs(value.xy - stress.xy),
                      <, 1e-10);
       }
-  const bem::InteriorValue centre = bem::evaluateInterior(space, lame, u, t, {0, 0});
+  const bem::InteriorValue centre = bem::Interior(space, lame, u, t).at(bem::Vec2{0, 0});
   TEST_COMPARE(norm(centre.displacement - field.displacement({0, 0})), <, 1e-11);
 }
 

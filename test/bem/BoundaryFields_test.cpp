@@ -116,15 +116,15 @@ TEUCHOS_UNIT_TEST(BoundaryFields, areLimitsOfTheFieldsInside) {
       const double step = 2e-3;
       const auto trace = [&](double t) {
         const Vec2 x = mesh.scaledPoint(e, t) - depth * mesh[e].curve.normal(t);
-        return evaluateInterior(space, lame, u, psi, x).displacement -
+        return bem::Interior(space, lame, u, psi).at(x).displacement -
                space.displacementAt(u, e, t);
       };
       const auto values = fields.at(e, {inside(-0.6), inside(0.3)}).front();
       for (const bem::BoundaryValue& value : values) {
         const double t = value.place.t;
         const auto inner =
-            evaluateInterior(space, lame, u, psi,
-                             mesh.scaledPoint(e, t) - depth * mesh[e].curve.normal(t));
+            bem::Interior(space, lame, u, psi)
+                .at(mesh.scaledPoint(e, t) - depth * mesh[e].curve.normal(t));
         const Vec2 traction =
             PlaneStressTensor{inner.xx, inner.yy, inner.xy} * mesh[e].curve.normal(t);
         const Vec2 slope = (1 / (12 * step * mesh[e].half)) *

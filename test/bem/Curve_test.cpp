@@ -1,7 +1,7 @@
 // Segments and arcs: places, directions, and how a target is seen from them.
 #include "bem/geometry/Curve.hpp"
 
-#include "bem/moments/LegendreMoments.hpp"
+#include "bem/moments/LegendreLanes.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/quadrature/Graded.hpp"
 
@@ -176,13 +176,15 @@ TEUCHOS_UNIT_TEST(Curve, isASegmentSeenFromAComplexPlace) {
       const double foot = 0.3;
       const Vec2 x = beside(curve, foot, depth);
       const auto z = curve.seen(x);
-      bem::LegendreMoments moments;
-      bem::evaluateMoments(z, 3, bem::Need::All, moments);
+      bem::RelativeTarget targets[bem::lanes];
+      std::fill_n(targets, bem::lanes, z);
+      bem::LegendreLanes<2> moments{};
+      moments.evaluate(bem::TargetLanes(targets), 4);
       const bem::GradedRule graded = bem::gradedRule(
           {{foot, std::abs(depth) / curve.half()}}, 20, 1e-6 * std::abs(depth));
       for (int j = 0; j <= 3; ++j) {
         double legendre[4];
-        double closed = moments.l[j];
+        double closed = moments.l[j][0];
         for (int q = 0; q < gauss.size(); ++q) {
           bem::legendreValues(3, gauss.points[q], legendre);
           closed += gauss.weights[q] * legendre[j] *

@@ -3,6 +3,7 @@
 #include "Largest.hpp"
 #include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/base/Error.hpp"
+#include "bem/basis/Legendre.hpp"
 #include "bem/operators/Assembly.hpp"
 #include "reference/ExactFields.hpp"
 #include "reference/OperatorErrors.hpp"

@@ -159,10 +159,13 @@ TEUCHOS_UNIT_TEST(Interior, fieldsAreExactUpToTheBoundary) {
       const Vector psi = stiffness.density(u);
       double displacementError = 0;
       double stressError = 0;
-      for (const Vec2 x : pointsNearTheBoundary()) {
-        const Vec2 scaled = outline->scaled(x);
-        const bem::InteriorValue value =
-            bem::evaluateInterior(space, lame, u, psi, scaled);
+      std::vector<Vec2> points;
+      for (const Vec2 x : pointsNearTheBoundary())
+        points.push_back(outline->scaled(x));
+      const auto values = bem::Interior(space, lame, u, psi).at(points);
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const Vec2 scaled = points[k];
+        const bem::InteriorValue& value = values[k];
         const Vec2 exact = field.displacement(scaled);
         const auto stress = field.stress(scaled);
         displacementError = std::max(displacementError, norm(value.displacement - exact));

@@ -2,8 +2,8 @@
 
 #include "bem/compressed/ClusterTree.hpp"
 #include "bem/compressed/Interpolation.hpp"
-#include "bem/compressed/LocalFunctions.hpp"
 #include "bem/compressed/Subtrees.hpp"
+#include "bem/operators/LocalFunctions.hpp"
 
 namespace epafi::bem {
 

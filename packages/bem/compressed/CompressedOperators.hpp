@@ -3,9 +3,9 @@
 #include "bem/base/Material.hpp"
 #include "bem/compressed/ClusterTree.hpp"
 #include "bem/compressed/Interpolation.hpp"
-#include "bem/compressed/LocalFunctions.hpp"
 #include "bem/compressed/Skeletons.hpp"
 #include "bem/compressed/Subtrees.hpp"
+#include "bem/operators/LocalFunctions.hpp"
 
 #include <memory>
 #include <vector>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "bem/base/Matrix.hpp"
-#include "bem/compressed/FarBlocks.hpp"
-#include "bem/compressed/LocalFunctions.hpp"
 #include "bem/compressed/NearBlocks.hpp"
+#include "bem/operators/FarBlocks.hpp"
+#include "bem/operators/LocalFunctions.hpp"
 
 #include <vector>
 

@@ -112,12 +112,9 @@ class Distances {
     const int trials[3] = {mesh[f].previous, f, mesh[f].next};
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
-        // in one order: where the gap is the limit's, rounding decides, and pairs beside
-        // each other must agree
-        const auto [a, b] = std::minmax(tests[i], trials[j]);
-        const Vec2 w = mesh.difference(mesh.at(a, 0), mesh.at(b, 0));
         FarOrder order;
-        far_[i][j] = !isNear(mesh, a, b, w, order);
+        const Vec2 w = mesh.offset(tests[i], trials[j]);
+        far_[i][j] = !isNear(mesh, tests[i], trials[j], w, order);
       }
   }
   /// Of the elements themselves.
@@ -166,7 +163,7 @@ NearBlocks::NearBlocks(const Space& space, const Lame& lame, const ClusterTree& 
           const Distances distances(mesh_, e, f);
           if (!distances.areFar())
             continue;
-          own.far.evaluate({{e, mesh_.difference(mesh_.at(e, 0), mesh_.at(f, 0))}}, f);
+          own.far.evaluate({{e, mesh_.offset(e, f)}}, f);
           const int rows = LocalFunctions(mesh_[e]).size();
           const int columns = LocalFunctions(mesh_[f]).size();
           for (int a = 0; a < rows; ++a)

@@ -2,8 +2,8 @@
 
 #include "bem/base/Material.hpp"
 #include "bem/compressed/ClusterTree.hpp"
-#include "bem/compressed/FarBlocks.hpp"
-#include "bem/compressed/LocalFunctions.hpp"
+#include "bem/operators/FarBlocks.hpp"
+#include "bem/operators/LocalFunctions.hpp"
 
 #include <vector>
 
@@ -32,10 +32,7 @@ class NearBlocks {
   /// The middle of e less that of f; exactly the opposite of what it is from f to e.
   Vec2 offset(int e, int f) const {
     const Vec2 w = hoods_[e].middle - hoods_[f].middle;
-    if (dot(w, w) >= plainDistance * plainDistance)
-      return w;
-    return e < f ? mesh_.difference(mesh_.at(e, 0), mesh_.at(f, 0))
-                 : -mesh_.difference(mesh_.at(f, 0), mesh_.at(e, 0));
+    return dot(w, w) >= plainDistance * plainDistance ? w : mesh_.offset(e, f);
   }
 
   /// Row by row: functions of e by functions of f, see LocalFunctions.

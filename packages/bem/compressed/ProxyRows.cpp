@@ -1,8 +1,8 @@
 #include "bem/compressed/ProxyRows.hpp"
 
-#include "bem/compressed/LocalFunctions.hpp"
 #include "bem/kernel/PointKernels.hpp"
 #include "bem/moments/FarOrder.hpp"
+#include "bem/operators/LocalFunctions.hpp"
 #include "bem/simd/Dispatch.hpp"
 
 #include <boost/math/constants/constants.hpp>
@@ -99,8 +99,9 @@ Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
       y[p / lanes].lane[p % lanes] = radius * std::sin(angle) - middle.y;
     }
     const double distance = radius - length(middle);
-    const Rule& rule = gaussLegendre(gaussPoints(
-        farOrder(element, distance / element.half), element.degree, element.densities));
+    const Rule& rule = gaussLegendre(
+        gaussPoints(farOrder(element.curve.angle(), distance / element.half),
+                    element.degree, element.densities));
     std::vector<double> places;
     for (const double t : rule.points) {
       const Vec2 place = element.curve.fromMiddle(t);

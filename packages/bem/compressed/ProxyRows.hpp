@@ -2,8 +2,8 @@
 
 #include "bem/base/Material.hpp"
 #include "bem/compressed/ClusterTree.hpp"
-#include "bem/compressed/LocalFunctions.hpp"
 #include "bem/moments/TileMoments.hpp"
+#include "bem/operators/LocalFunctions.hpp"
 #include "bem/simd/InstructionSet.hpp"
 
 #include <vector>

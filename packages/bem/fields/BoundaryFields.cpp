@@ -28,9 +28,7 @@ struct BoundaryFields::Stretch {
 struct BoundaryFields::Far {
   std::vector<Stretch> stretches{};
   std::vector<const SourceGroups::Group*> groups{};
-  PointSources points;   ///< places relative to the middle of the target
-  Stretch awaited{};     ///< there is what some of them carry,
-  std::size_t from = 0;  ///< from this one on
+  PointSources points;  ///< places relative to the middle of the target
 
   explicit Far(std::size_t states) : points(states) {}
 };
@@ -103,30 +101,14 @@ void BoundaryFields::carry(int f, int order, PointSources& points) const {
   }
 }
 
-// What elements in a row carry is copied at once.
-void BoundaryFields::addFar(int f, int order, Vec2 middle, Far& far) const {
-  const std::size_t point = far.points.size();
-  addPlaces(f, order, middle, far.points);
-  if (static_cast<std::size_t>(order) >= everything_.size()) {
-    carry(f, order, far.points);
-    return;
-  }
+void BoundaryFields::addFar(int f, int order, Vec2 middle, PointSources& points) const {
+  const std::size_t point = points.size();
+  addPlaces(f, order, middle, points);
   const std::size_t first = static_cast<std::size_t>(f) * order;
-  Stretch& last = far.awaited;
-  if (last.order == order && last.last == first &&
-      far.from + last.last - last.first == point) {
-    last.last += order;
-    return;
-  }
-  take(far);
-  last = {order, first, first + order};
-  far.from = point;
-}
-
-void BoundaryFields::take(Far& far) const {
-  const Stretch& there = far.awaited;
-  if (there.order > 0)
-    far.points.carry(far.from, everything_[there.order], there.first, there.last);
+  if (static_cast<std::size_t>(order) < everything_.size())
+    points.carry(point, everything_[order], first, first + order);
+  else
+    carry(f, order, points);
 }
 
 void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
@@ -146,7 +128,6 @@ void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
       stretches.push_back({order, first, last});
     return;
   }
-  const BoundaryPoint middle = mesh_.at(element, 0);
   for (int f = run.first; f < run.last; ++f) {
     const int lane = f - run.first;
     if (!chosen.far[lane]) {
@@ -154,8 +135,8 @@ void BoundaryFields::splitRun(int element, int r, Sources& sources) const {
       continue;
     }
     const FarOrder& smooth = chosen.own[lane];
-    addFar(f, pointsOn(smooth.inner, mesh_[f].degree),
-           -mesh_.difference(middle, mesh_.at(f, 0)), sources.far(2 * smooth.outer));
+    addFar(f, pointsOn(smooth.inner, mesh_[f].degree), -mesh_.offset(element, f),
+           sources.far(2 * smooth.outer).points);
   }
 }
 
@@ -171,9 +152,9 @@ BoundaryFields::Sources BoundaryFields::split(int element) const {
   while (!waiting.empty()) {
     const SourceGroups::Group& group = groups[waiting.back()];
     waiting.pop_back();
-    if (SourceGroups::isFar(group, middle, half) && mesh_[element].curve.isStraight()) {
+    if (SourceGroups::isFar(group, middle, half)) {
       const double z = (std::abs(middle - group.centre) - group.radius) / half;
-      sources.far(2 * smoothOrder(z)).groups.push_back(&group);
+      sources.far(2 * farOrder(mesh_[element].curve.angle(), z)).groups.push_back(&group);
     } else if (group.children[0] >= 0) {
       waiting.insert(waiting.end(), {group.children[1], group.children[0]});
     } else {
@@ -181,8 +162,6 @@ BoundaryFields::Sources BoundaryFields::split(int element) const {
         splitRun(element, r, sources);
     }
   }
-  for (auto& [order, far] : sources.all)
-    take(far);
   return sources;
 }
 
@@ -272,12 +251,8 @@ BoundaryFields::Values BoundaryFields::on(int element, const Vector& cuts) const
   std::vector<Feature> features;
   int degree = mesh_[element].degree;
   for (const int f : sources.near) {
-    const Piece& piece = mesh_[f].piece;
     degree = std::max(degree, mesh_[f].degree);
-    for (const Position& end : {piece.start, piece.end}) {
-      const RelativeTarget seen = seenFrom(mesh_, element, {piece.edge, end, 0});
-      features.push_back({seen.z().real(), std::abs(seen.b())});
-    }
+    appendEnds(mesh_, element, f, features);
   }
   const GradedRule rule = softenedRule(features, degree + smoothPoints, cuts);
   Values values = at(element, sources, rule.points);

@@ -57,8 +57,7 @@ class BoundaryFields {
 
   void addPlaces(int f, int order, Vec2 middle, PointSources& points) const;
   void carry(int f, int order, PointSources& points) const;
-  void addFar(int f, int order, Vec2 middle, Far& far) const;
-  void take(Far& far) const;
+  void addFar(int f, int order, Vec2 middle, PointSources& points) const;
   void splitRun(int element, int r, Sources& sources) const;
   Sources split(int element) const;
   std::vector<SmoothSeries> smoothSeries(int element, const Sources& sources) const;

@@ -1,100 +1,123 @@
 #include "bem/fields/Interior.hpp"
 
-#include "bem/kernel/ElementSums.hpp"
-#include "bem/moments/ArcWeights.hpp"
-#include "bem/space/LocalField.hpp"
+#include "bem/base/Parallel.hpp"
+#include "bem/fields/PointSources.hpp"
+#include "bem/moments/ElementPotential.hpp"
+#include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace epafi::bem {
 
 namespace {
 
-/// V of f P_j in closed form.
-Complex singleLayerOf(const Lame& lame, const Element& element,
-                      const RelativeTarget& target, const LegendreMoments& m, int j,
-                      Complex f) {
-  const Complex tangent = asComplex(element.segment().tangent);
-  const double whole = j == 0 ? 2 : 0;
-  const Complex phase = tangent * tangent * (whole - Complex(0, 2 * target.b()) * m.c[j]);
-  return element.half * singleLayer(lame, (m.l[j] + whole * std::log(element.half)) * f,
-                                    whole * f, std::conj(f) * phase);
-}
-
-/// Displacement and sums of what is on one element.
-struct ElementFields {
-  Complex displacement;
-  FieldSums sums;
+/// Eight points, and what the elements so far give there.
+struct Targets {
+  AlignedLane x;
+  AlignedLane y;
+  ComplexLanes displacement{};
+  PointSources::Sums sums;
 };
 
-ElementFields fieldsOfSegment(const Lame& lame, const Element& element,
-                              const RelativeTarget& target, const LocalField& field,
-                              int terms) {
-  ElementFields fields;
-  ElementSums in;
-  in.evaluate(element.curve, target, terms + 1, Need::All);
-  const Complex normal = asComplex(element.segment().normal);
-  for (int j = 0; j <= terms; ++j) {
-    const Complex v = field.value[j];
-    fields.displacement -=
-        doubleLayer(lame, normal * v * in[j], std::real(std::conj(normal) * v) * in[j]);
-    fields.displacement +=
-        singleLayerOf(lame, element, target, in.moments(), j, field.density[j]);
-    fields.sums.add({field.density[j] * in[j], field.slope[j] * in[j]});
-  }
-  return fields;
-}
+/// What a carrier of an element has of u, du/ds and ψ.
+struct Share {
+  Complex value;
+  Complex slope;
+  Complex density;
+};
 
-/// At the points of an arc.
-ElementFields fieldsOfArc(const Lame& lame, const Element& element,
-                          const RelativeTarget& target, const LocalField& field,
-                          int terms) {
-  const ArcRule rule(element.curve, terms);
-  ArcWeights weights;
-  weights.evaluate(rule, target, ArcNeed::All);
-  ElementFields fields;
-  for (int q = 0; q < rule.size(); ++q) {
-    const double t = rule.point(q);
-    const double half = element.half;
-    const Complex normal = rule.normal(q);
-    const SourceSums unit = {half * weights.overW[q], half * std::conj(weights.overW[q]),
-                             half * weights.cubic[q]};
-    const Complex v = evaluate(field.value, element.degree, t);
-    const Complex f = evaluate(field.density, element.densities - 1, t);
-    fields.displacement -=
-        doubleLayer(lame, normal * v * unit, std::real(std::conj(normal) * v) * unit);
-    fields.displacement +=
-        half * singleLayer(lame, weights.log[q] * f, rule.weight(q) * f,
-                           std::conj(f) * weights.phase[q]);
-    fields.sums.add({f * unit, evaluate(field.slope, element.degree - 1, t) * unit});
+struct Addition {
+  const Lame& lame;
+  const ElementPotential& kernels;
+  const std::vector<Share>& shares;
+  Targets& to;
+
+  template <Division>
+  EPAFI_INLINE void run() const {
+    ComplexPack displacement = to.displacement.load();
+    Pack sums[2][6] = {};
+    for (int k = 0; k < kernels.size(); ++k) {
+      const KernelLanes& of = kernels[k];
+      const Share& share = shares[static_cast<std::size_t>(k)];
+      const ComplexPack overConj = of.overConj.load();
+      const SumsOf<ComplexPack> unit{conj(overConj), overConj, of.cubic.load()};
+      const ComplexPack log{load(of.log.lane), Pack{}};
+      const ComplexPack whole{Pack{} + kernels.whole(k), Pack{}};
+      const Complex normal = kernels.normal(k);
+      const double normalPart = std::real(std::conj(normal) * share.value);
+      displacement =
+          displacement +
+          singleLayer(lame, share.density * log, share.density * whole,
+                      std::conj(share.density) * of.phase.load()) -
+          doubleLayer(lame, normal * share.value * unit, Complex(normalPart) * unit);
+      PointSources::addProducts(share.density, overConj, unit.cubic, sums[0]);
+      PointSources::addProducts(share.slope, overConj, unit.cubic, sums[1]);
+    }
+    to.displacement.store(displacement);
+    for (int field = 0; field < 2; ++field)
+      for (int part = 0; part < 6; ++part)
+        add(to.sums.of[field][part].lane, sums[field][part]);
   }
-  return fields;
+};
+
+void addElement(const Lame& lame, const Element& element, const LocalField& field,
+                std::vector<Targets>& targets) {
+  ElementPotential kernels(element.curve, std::max(element.degree, element.densities) + 1,
+                           ElementPotential::Need::All);
+  std::vector<Share> shares;
+  for (int k = 0; k < kernels.size(); ++k)
+    shares.push_back({kernels.share(field.value, k), kernels.share(field.slope, k),
+                      kernels.share(field.density, k)});
+  for (Targets& to : targets) {
+    kernels.evaluate(to.x, to.y);
+    dispatch(largestInstructionSet(), Addition{lame, kernels, shares, to});
+  }
 }
 
 }  // namespace
 
-InteriorValue evaluateInterior(const Space& space, const Lame& lame, const Vector& u,
-                               const Vector& psi, Vec2 x) {
-  Complex displacement = 0;
-  FieldSums sums;
+Interior::Interior(const Space& space, const Lame& lame, const Vector& u,
+                   const Vector& psi)
+    : space_(space), lame_(lame) {
   const Vector inner = space.withoutRotation(u);
-  for (int e = 0; e < space.mesh().size(); ++e) {
-    const Element& element = space.mesh()[e];
-    const RelativeTarget target = element.curve.seen(x);
-    const int terms = std::max(element.degree, element.densities);
-    const auto ofElement = element.curve.isStraight() ? fieldsOfSegment : fieldsOfArc;
-    const ElementFields fields =
-        ofElement(lame, element, target, localField(space, inner, psi, e), terms);
-    displacement += fields.displacement;
-    sums.add(fields.sums);
-  }
+  for (int e = 0; e < space.mesh().size(); ++e)
+    fields_.push_back(localField(space, inner, psi, e));
   if (space.rotation() != nullptr)
-    displacement += space.rotation()->amount(u) * asComplex(space.rotation()->at(x));
-  const Complex onX = traction(lame, Complex(1, 0), sums);
-  const Complex onY = traction(lame, Complex(0, 1), sums);
-  return {asVector(displacement), onX.real(), onY.imag(),
-          0.5 * (onX.imag() + onY.real())};
+    rotation_ = space.rotation()->amount(u);
+}
+
+std::vector<InteriorValue> Interior::at(const std::vector<Vec2>& points) const {
+  constexpr std::size_t atOnce = 8 * lanes;
+  constexpr double ofElement = 30;  // ns
+  const Mesh& mesh = space_.mesh();
+  std::vector<InteriorValue> values(points.size());
+  const std::size_t rounds = (points.size() + atOnce - 1) / atOnce;
+  const double work = ofElement * static_cast<double>(points.size()) * mesh.size();
+  parallelFor({static_cast<Index>(rounds), work}, [&](Index round) {
+    const std::size_t first = bem::at(round) * atOnce;
+    const std::size_t last = std::min(first + atOnce, points.size());
+    std::vector<Targets> targets((last - first + lanes - 1) / lanes);
+    for (std::size_t k = 0; k < targets.size() * lanes; ++k) {
+      const Vec2 x = points[std::min(first + k, last - 1)];
+      targets[k / lanes].x.lane[k % lanes] = x.x;
+      targets[k / lanes].y.lane[k % lanes] = x.y;
+    }
+    for (int e = 0; e < mesh.size(); ++e)
+      addElement(lame_, mesh[e], fields_[bem::at(e)], targets);
+    for (std::size_t k = first; k < last; ++k) {
+      const Targets& own = targets[(k - first) / lanes];
+      const std::size_t lane = (k - first) % lanes;
+      Complex displacement = own.displacement[lane];
+      if (space_.rotation() != nullptr)
+        displacement += rotation_ * asComplex(space_.rotation()->at(points[k]));
+      const FieldSums sums = own.sums.at(lane);
+      const Complex onX = traction(lame_, Complex(1, 0), sums);
+      const Complex onY = traction(lame_, Complex(0, 1), sums);
+      values[k] = {asVector(displacement), onX.real(), onY.imag(),
+                   0.5 * (onX.imag() + onY.real())};
+    }
+  });
+  return values;
 }
 
 }  // namespace epafi::bem

@@ -8,12 +8,10 @@ namespace epafi::bem {
 
 namespace {
 
-/// 1/w = a - ib,  1/conj(w) = a + ib,  w/conj(w)² = gx + i gy  at eight points.
+/// At eight points.
 struct Kernels {
-  Pack a;
-  Pack b;
-  Pack gx;
-  Pack gy;
+  ComplexPack overConj;  ///< 1/conj(w)
+  ComplexPack cubic;     ///< w/conj(w)²
 };
 
 EPAFI_INLINE void load(const double* from, Pack& to) {
@@ -24,19 +22,8 @@ template <Division How>
 EPAFI_INLINE void evaluate(const Pack& wx, const Pack& wy, Kernels& k) {
   Pack inverse;
   reciprocal<How>(wx * wx + wy * wy, inverse);
-  k.a = wx * inverse;
-  k.b = wy * inverse;
-  const Pack ex = k.a * wx - k.b * wy;
-  const Pack ey = k.a * wy + k.b * wx;
-  k.gx = ex * k.a - ey * k.b;
-  k.gy = ex * k.b + ey * k.a;
-}
-
-double total(const AlignedLane& of) {
-  double sum = 0;
-  for (const double number : of.lane)
-    sum += number;
-  return sum;
+  k.overConj = {wx * inverse, wy * inverse};
+  k.cubic = ComplexPack{wx, wy} * k.overConj * k.overConj;
 }
 
 struct Summation {
@@ -69,17 +56,10 @@ struct Summation {
   EPAFI_INLINE void add(std::size_t state, std::size_t k, const Kernels& by,
                         Pack (&to)[2][6]) const {
     for (std::size_t field = 0; field < 2; ++field) {
-      Pack fx;
-      Pack fy;
-      read(2 + 4 * state + 2 * field, k, 0, fx);
-      read(3 + 4 * state + 2 * field, k, 0, fy);
-      Pack(&s)[6] = to[field];
-      s[0] += fx * by.a;
-      s[1] += fy * by.b;
-      s[2] += fy * by.a;
-      s[3] += fx * by.b;
-      s[4] += by.gx * fx + by.gy * fy;
-      s[5] += by.gy * fx - by.gx * fy;
+      ComplexPack density;
+      read(2 + 4 * state + 2 * field, k, 0, density.re);
+      read(3 + 4 * state + 2 * field, k, 0, density.im);
+      PointSources::addProducts(density, by.overConj, by.cubic, to[field]);
     }
   }
 
@@ -156,16 +136,20 @@ void PointSources::addAt(Complex x, std::size_t first, std::size_t last,
   dispatch(set, Summation{data_.get(), capacity_, first, last, x.real(), x.imag(), sums});
 }
 
+FieldSums PointSources::Sums::at(std::size_t lane) const {
+  const auto sums = [lane](const AlignedLane(&parts)[6]) {
+    const auto s = [&](int part) { return parts[part].lane[lane]; };
+    return SourceSums{
+        {s(0) + s(1), s(2) - s(3)}, {s(0) - s(1), s(2) + s(3)}, {s(4), s(5)}};
+  };
+  return {sums(of[0]), sums(of[1])};
+}
+
 FieldSums PointSources::Sums::total() const {
-  SourceSums result[2];
-  for (int field = 0; field < 2; ++field) {
-    double s[6];
-    for (int part = 0; part < 6; ++part)
-      s[part] = bem::total(of[field][part]);
-    result[field] = {
-        {s[0] + s[1], s[2] - s[3]}, {s[0] - s[1], s[2] + s[3]}, {s[4], s[5]}};
-  }
-  return {result[0], result[1]};
+  FieldSums sum;
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    sum.add(at(lane));
+  return sum;
 }
 
 }  // namespace epafi::bem

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bem/kernel/Elasticity.hpp"
+#include "bem/simd/ComplexPack.hpp"
 #include "bem/simd/InstructionSet.hpp"
-#include "bem/simd/Pack.hpp"
 
 #include <memory>
 #include <vector>
@@ -34,12 +34,27 @@ class PointSources {
   void carry(std::size_t point, const PointSources& others, std::size_t first,
              std::size_t last);
 
-  /// Sums of a state over every eighth point: Re g a, Im g b, Im g a, Re g b for 1/w = a - ib,
-  /// and the cubic part; of the density and of the slope.
+  /// Sums of a state in eight lanes: Re g a, Im g b, Im g a, Re g b for 1/w = a - ib, and the cubic
+  /// part; of the density and of the slope.
   struct Sums {
     AlignedLane of[2][6] = {};
+    FieldSums at(std::size_t lane) const;
     FieldSums total() const;
   };
+  /// Adds the products of a density and of kernels 1/conj(w) and w/conj(w)².
+  template <class Density>
+  static EPAFI_INLINE void addProducts(const Density& density,
+                                       const ComplexPack& overConj,
+                                       const ComplexPack& cubic, Pack (&to)[6]) {
+    const auto x = real(density);
+    const auto y = imag(density);
+    to[0] += x * overConj.re;
+    to[1] += y * overConj.im;
+    to[2] += y * overConj.re;
+    to[3] += x * overConj.im;
+    to[4] += cubic.re * x + cubic.im * y;
+    to[5] += cubic.im * x - cubic.re * y;
+  }
 
   /// Adds those of the points first ... last - 1 at x for each state, in about 1 ns a point.
   void addAt(Complex x, std::size_t first, std::size_t last, std::vector<Sums>& sums,

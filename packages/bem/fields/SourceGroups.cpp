@@ -21,45 +21,29 @@ int termsFor(double q) {
   return std::max(4, static_cast<int>(std::ceil(std::log(wanted) / std::log(q))) + 2);
 }
 
-/// A complex number or four densities and slopes of them.
-template <class Number>
-struct Parts {
-  Number re{};
-  Number im{};
-};
-
-EPAFI_INLINE void addProduct(Complex factor, const AlignedLane (&m)[2],
-                             Parts<Pack>& sum) {
-  const Pack& re = load(m[0].lane);
-  const Pack& im = load(m[1].lane);
-  sum.re += factor.real() * re - factor.imag() * im;
-  sum.im += factor.real() * im + factor.imag() * re;
-}
-
 /// Σ of the powers times the moments.
 struct Series {
   const SourceGroups::Group::Moments* moments;
   std::size_t terms;
   Complex first;
   Complex q;
-  Parts<AlignedLane> (&sums)[4];  // plain, conjugate, square, shifted
+  ComplexLanes (&sums)[4];  // plain, conjugate, square, shifted
 
   template <Division>
   EPAFI_INLINE void run() const {
-    Parts<Pack> sum[4];
+    ComplexPack sum[4];
     Complex power = first;
     for (std::size_t k = 0; k < terms; ++k) {
       const Complex next = static_cast<double>(k + 1) * power;
-      addProduct(power, moments[k].plain, sum[0]);
-      addProduct(power, moments[k].conjugate, sum[1]);
-      addProduct(next, moments[k].plain, sum[2]);
-      addProduct(next, moments[k].shifted, sum[3]);
+      const ComplexPack plain = moments[k].plain.load();
+      sum[0] = sum[0] + power * plain;
+      sum[1] = sum[1] + power * moments[k].conjugate.load();
+      sum[2] = sum[2] + next * plain;
+      sum[3] = sum[3] + next * moments[k].shifted.load();
       power *= q;
     }
-    for (int i = 0; i < 4; ++i) {
-      store(sums[i].re.lane, sum[i].re);
-      store(sums[i].im.lane, sum[i].im);
-    }
+    for (int i = 0; i < 4; ++i)
+      sums[i].store(sum[i]);
   }
 };
 
@@ -107,8 +91,8 @@ void SourceGroups::addElement(int f, Group& group) const {
   const Element& source = runs_.mesh()[f];
   // the circle that targets stay outside of, seen from the element
   const double z = (separation - 1) * group.radius / source.half;
-  const Rule& rule =
-      gaussLegendre(smoothOrder(std::max(z, 1.1)) + degreeShare(source.degree));
+  const Rule& rule = gaussLegendre(farOrder(source.curve.angle(), std::max(z, 1.1)) +
+                                   degreeShare(source.degree));
   const Complex middle = asComplex(source.curve.frame().middle) - group.centre;
   std::vector<Complex> carried(2 * states_);
   for (std::size_t q = 0; q < rule.points.size(); ++q) {
@@ -127,9 +111,9 @@ void SourceGroups::addElement(int f, Group& group) const {
       const Complex shifted = std::conj(place) * power;
       for (std::size_t i = 0; i < 2 * states_; ++i) {
         Group::Moments& m = group.moments[i / lanes * group.terms + k];
-        const auto add = [i](AlignedLane(&parts)[2], Complex value) {
-          parts[0].lane[i % lanes] += value.real();
-          parts[1].lane[i % lanes] += value.imag();
+        const auto add = [lane = static_cast<int>(i % lanes)](ComplexLanes& to,
+                                                              Complex value) {
+          to.set(lane, to[lane] + value);
         };
         add(m.plain, carried[i] * power);
         add(m.conjugate, std::conj(carried[i]) * power);
@@ -146,17 +130,14 @@ void SourceGroups::addAt(const Group& group, Complex x, std::vector<FieldSums>& 
   const Complex q = group.radius / z;
   const auto terms =
       std::min(static_cast<std::size_t>(termsFor(std::abs(q))), group.terms);
-  Parts<AlignedLane> of[4];
+  ComplexLanes of[4];
   for (std::size_t i = 0; i < 2 * sums.size(); ++i) {
     const std::size_t lane = i % lanes;
     if (lane == 0)  // q^(k+1) / R
       dispatch(set, Series{group.moments.data() + i / lanes * group.terms, terms, 1.0 / z,
                            q, of});
-    const auto number = [&](int n) {
-      return Complex(of[n].re.lane[lane], of[n].im.lane[lane]);
-    };
-    const SourceSums own{number(0), std::conj(number(1)),
-                         std::conj((std::conj(z) * number(2) - number(3)) / z)};
+    const SourceSums own{of[0][lane], std::conj(of[1][lane]),
+                         std::conj((std::conj(z) * of[2][lane] - of[3][lane]) / z)};
     (i % 2 == 0 ? sums[i / 2].density : sums[i / 2].slope).add(own);
   }
 }

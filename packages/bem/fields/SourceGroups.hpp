@@ -2,8 +2,8 @@
 
 #include "bem/kernel/Elasticity.hpp"
 #include "bem/moments/ElementRuns.hpp"
+#include "bem/simd/ComplexPack.hpp"
 #include "bem/simd/InstructionSet.hpp"
-#include "bem/simd/Pack.hpp"
 #include "bem/space/LocalField.hpp"
 
 #include <vector>
@@ -31,11 +31,11 @@ class SourceGroups {
     int children[2] = {-1, -1};
     Complex centre;
     double radius = 0;
-    /// M, N and P, real and imaginary parts: of the densities and slopes of four states.
+    /// M, N and P of the densities and slopes of four states.
     struct Moments {
-      AlignedLane plain[2];
-      AlignedLane conjugate[2];
-      AlignedLane shifted[2];
+      ComplexLanes plain{};
+      ComplexLanes conjugate{};
+      ComplexLanes shifted{};
     };
     std::vector<Moments>
         moments;            ///< none where runs are treated one by one; of the first four

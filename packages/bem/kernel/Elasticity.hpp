@@ -2,6 +2,7 @@
 
 #include "bem/base/Material.hpp"
 #include "bem/base/Vec2.hpp"
+#include "bem/simd/ComplexPack.hpp"
 
 // Kelvin's kernels and their derivatives (PointKernels has the first four in real numbers, at
 // eight pairs of points).  In complex numbers, w = x - y, N and τ = iN unit normal and tangent:
@@ -17,41 +18,86 @@ namespace epafi::bem {
 /// A complex density g as kernels at a point see it:
 ///
 ///   overW = ∫ g ds/w,  overConj = ∫ g ds/conj(w),  cubic = ∫ conj(g) w/conj(w)² ds
-struct SourceSums {
-  Complex overW;
-  Complex overConj;
-  Complex cubic;
+template <class Number>
+struct SumsOf {
+  Number overW{};
+  Number overConj{};
+  Number cubic{};
 
-  void add(const SourceSums& other) {
+  void add(const SumsOf& other) {
     overW += other.overW;
     overConj += other.overConj;
     cubic += other.cubic;
   }
 };
+using SourceSums = SumsOf<Complex>;
 
 /// Of the density g f, from those of f, g a constant.
-inline SourceSums operator*(Complex g, const SourceSums& f) {
+template <class Number>
+EPAFI_INLINE SumsOf<Number> operator*(const Complex& g, const SumsOf<Number>& f) {
   return {g * f.overW, g * f.overConj, std::conj(g) * f.cubic};
 }
 
+// Number: Complex, or a ComplexPack of targets.
+
 /// V f from ∫ f log|w| ds, ∫ f ds and ∫ conj(f) w/conj(w) ds.
-Complex singleLayer(const Lame& lame, Complex log, Complex whole, Complex phase);
+template <class Number>
+EPAFI_INLINE Number singleLayer(const Lame& lame, const Number& log, const Number& whole,
+                                const Number& phase) {
+  return -lame.a * log + 0.5 * lame.b * (whole + phase);
+}
 
 /// K v from the sums of N_y v and from those of the real Re(conj(N_y) v).
-Complex doubleLayer(const Lame& lame, const SourceSums& normalTimesV,
-                    const SourceSums& normalPart);
+template <class Number>
+EPAFI_INLINE Number doubleLayer(const Lame& lame, const SumsOf<Number>& normalTimesV,
+                                const SumsOf<Number>& normalPart) {
+  return lame.mu * (2 * lame.b * normalPart.overConj + lame.a * normalTimesV.overW +
+                    lame.b * normalTimesV.cubic);
+}
 
 /// K' f on a line with unit normal N_x.
-Complex adjointDoubleLayer(const Lame& lame, Complex normal, const SourceSums& f);
+template <class Number>
+EPAFI_INLINE Number adjointDoubleLayer(const Lame& lame, const Number& normal,
+                                       const SumsOf<Number>& f) {
+  return -2 * lame.mu * lame.b * (real(f.overW) * normal) -
+         lame.mu * (conj(normal) * (lame.a * f.overConj + lame.b * f.cubic));
+}
+
+/// ∫ Re(τ/w) g ds
+template <class Number>
+EPAFI_INLINE Number alongTangent(const Number& tangent, const SumsOf<Number>& g) {
+  return 0.5 * (tangent * g.overW + conj(tangent) * g.overConj);
+}
+
+/// ∫ conj(g) (τ/conj(w) - conj(τ) w/conj(w)²) ds
+template <class Number>
+EPAFI_INLINE Number turned(const Number& tangent, const SumsOf<Number>& g) {
+  return tangent * conj(g.overW) - conj(tangent) * g.cubic;
+}
 
 /// W v there, from the sums of v' = dv/ds.
-Complex hypersingular(const Lame& lame, Complex normal, const SourceSums& slope);
+template <class Number>
+EPAFI_INLINE Number hypersingular(const Lame& lame, const Number& normal,
+                                  const SumsOf<Number>& slope) {
+  const Number tangent = Complex(0, 1) * normal;
+  return lame.d * (alongTangent(tangent, slope) - 0.5 * turned(tangent, slope));
+}
 
 /// d/ds V f there, along the tangent τ = iN.
-Complex singleLayerSlope(const Lame& lame, Complex normal, const SourceSums& f);
+inline Complex singleLayerSlope(const Lame& lame, const Complex& normal,
+                                const SourceSums& f) {
+  const Complex tangent = Complex(0, 1) * normal;
+  return -lame.a * alongTangent(tangent, f) + 0.5 * lame.b * turned(tangent, f);
+}
 
 /// d/ds K v there, from the sums of v'; by parts, for a closed boundary.
-Complex doubleLayerSlope(const Lame& lame, Complex normal, const SourceSums& slope);
+inline Complex doubleLayerSlope(const Lame& lame, const Complex& normal,
+                                const SourceSums& slope) {
+  const Complex tangent = Complex(0, 1) * normal;
+  return Complex(0, lame.mu) *
+         (lame.b * std::conj(tangent) * slope.overConj - lame.a * tangent * slope.overW -
+          lame.b * turned(tangent, slope));
+}
 
 /// Sums of a density ψ and of a displacement's derivative u'.
 struct FieldSums {
@@ -106,8 +152,8 @@ inline Block operator*(double s, const Block& b) {
 /// V*, whose functions are derivatives by arc length.
 /// d d'/r² = (I + [Re, Im; Im, -Re] of w/conj(w)) / 2.
 template <class Number>
-inline __attribute__((always_inline)) KernelBlock<Number> singleLayerBlock(
-    double isotropic, double radial, const PotentialMoments<Number>& m) {
+EPAFI_INLINE KernelBlock<Number> singleLayerBlock(double isotropic, double radial,
+                                                  const PotentialMoments<Number>& m) {
   const Number log = isotropic * m.log;
   const Number xy = 0.5 * radial * m.phaseImag;
   return {0.5 * radial * (m.whole + m.phaseReal) - log, xy, xy,
@@ -122,8 +168,9 @@ inline __attribute__((always_inline)) KernelBlock<Number> singleLayerBlock(
 /// V_Δ and K_Δ Laplace's potentials.  X without its constant part, which ∫ v' = 0 over a
 /// loop removes; 2μA - 1/2π = μ (A - B) = 2 μ (1-2ν) B keeps its digits as ν -> 1/2.
 template <class Number>
-inline __attribute__((always_inline)) KernelBlock<Number> doubleLayerBlock(
-    const Lame& lame, const PotentialMoments<Number>& m, const Number& laplace) {
+EPAFI_INLINE KernelBlock<Number> doubleLayerBlock(const Lame& lame,
+                                                  const PotentialMoments<Number>& m,
+                                                  const Number& laplace) {
   const double ofPhase = lame.mu * lame.b;
   const double ofLog = 2 * ofPhase * (1 - 2 * lame.nu);
   const Number re = ofPhase * m.phaseReal;

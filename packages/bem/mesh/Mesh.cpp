@@ -155,6 +155,13 @@ Vec2 Mesh::difference(const BoundaryPoint& x, const BoundaryPoint& y) const {
          (startsY ? ey.curve.fromStart(fromStartOfY) : ey.curve.fromEnd(-toEndOfY));
 }
 
+Vec2 Mesh::offset(int e, int f) const {
+  const Vec2 w = (*this)[e].curve.frame().middle - (*this)[f].curve.frame().middle;
+  if (dot(w, w) >= plainDistance * plainDistance)
+    return w;
+  return e < f ? -difference(at(f, 0), at(e, 0)) : difference(at(e, 0), at(f, 0));
+}
+
 Mesh makeMesh(std::shared_ptr<const Outline> outline,
               const std::vector<int>& elementsPerEdge, int degree) {
   const std::size_t edges = outline->edges().size();

@@ -80,6 +80,11 @@ class Mesh {
 
   /// x - y, without the loss of digits that subtracting coordinates brings.
   Vec2 difference(const BoundaryPoint& x, const BoundaryPoint& y) const;
+  /// From this distance on (in outline diameters) subtracting coordinates costs no digits
+  /// that matter: 2e-15 of the difference.
+  static constexpr double plainDistance = 0.1;
+  /// The middle of e less that of f; exactly the opposite of what it is from f to e.
+  Vec2 offset(int e, int f) const;
 
  private:
   std::shared_ptr<const Outline> outline_;

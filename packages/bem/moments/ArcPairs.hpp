@@ -12,7 +12,7 @@ void farArcMoments(const Element& e, const FarBatch& batch, PairDegrees degrees,
                    InstructionSet set = largestInstructionSet());
 
 /// NearMoments::evaluate of elements that are not on one line, one of them an arc at
-/// least: the larger one acts through ArcWeights at the points `rule` of the smaller one.
+/// least: the larger one's potential at the points `rule` of the smaller one.
 void nearArcMoments(const Mesh& mesh, int e, int f, const GradedRule& rule,
                     TileMoments& moments, int lane);
 

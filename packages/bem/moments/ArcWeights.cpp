@@ -1,7 +1,7 @@
 #include "bem/moments/ArcWeights.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/moments/LegendreMoments.hpp"
+#include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,17 +10,13 @@ namespace epafi::bem {
 
 namespace {
 
-static_assert(ArcRule::largestSize <= longestSeries + 1);
-
-/// log |z + √(z²-1)| of a real z > 1.
-double logRadius(double z) { return std::acosh(std::max(z, 1.0 + 1e-3)); }
-
 /// Terms by which 1/g falls below 1e-15: its poles are the places of the target on other
 /// turns of the circle, farther than π/α.
 int termsOfFactor(double alpha) {
   constexpr double digits = 35;
-  return alpha == 0 ? 1
-                    : static_cast<int>(digits / logRadius(3.14159 / std::abs(alpha))) + 2;
+  return alpha == 0
+             ? 1
+             : static_cast<int>(digits / std::acosh(3.14159 / std::abs(alpha))) + 2;
 }
 
 /// Table[q * n + k] = (k + 1/2) w_q P_k(t_q) of the rule with n points, by n.
@@ -43,21 +39,111 @@ const std::vector<double>& coefficientTable(int n) {
   return tables[n];
 }
 
-/// So far off that the Gauss rule itself does: error R^-(2n - degree).
-bool isFar(const ArcRule& rule, const RelativeTarget& x) {
-  constexpr double digits = 37;
-  const double focal = 0.5 * (std::abs(x.zMinus1) + std::abs(x.zPlus1));
-  return focal > 1.5 && (2 * rule.size() - rule.degree()) * logRadius(focal) > digits;
+/// sin(s)/s by its series where |s| < 1/2.
+EPAFI_INLINE ComplexPack shortSinc(const ComplexPack& s) {
+  const ComplexPack square = s * s;
+  const ComplexPack one{Pack{} + 1.0, Pack{}};
+  ComplexPack sum = one;
+#pragma GCC unroll 8
+  for (int k = 7; k >= 1; --k)
+    sum = one + (-1.0 / (2 * k * (2 * k + 1))) * (square * sum);
+  return sum;
 }
 
-/// ∫ P_k log|z-t| dt where z is an end.
-void endLogarithms(bool atStart, int last, LongLegendreMoments& m) {
-  m.l[0] = 2 * std::log(2.0) - 2;
-  for (int k = 1; k <= last; ++k) {
-    const double limit = -2.0 / (k * (k + 1.0));
-    m.l[k] = atStart && k % 2 == 1 ? -limit : limit;
+/// Parts 1: on the arc or its continuation, b = 0.
+template <int Parts>
+struct ArcKernel {
+  const ArcRule& rule;
+  const RelativeTarget (&targets)[lanes];
+  KernelLanes* weights;
+
+  template <Division>
+  EPAFI_INLINE void run() const {
+    const int n = rule.size();
+    const TargetLanes x(targets);
+    const double alpha = 0.5 * rule.curve().angle();
+    // e^{iA} and A = α conj(z)/2
+    ComplexLanes turn;
+    for (int lane = 0; lane < lanes; ++lane)
+      turn.set(lane, std::exp(Complex(0.5 * alpha * x.b[lane], 0.5 * alpha * x.z[lane])));
+    const ComplexPack place = (0.5 * alpha) * conj(x.complex());
+    const ComplexPack there = turn.load();
+    Pack squareOfThere;
+    squareOf(there, squareOfThere);
+    const ComplexPack back = (1.0 / squareOfThere) * conj(there);
+    const ComplexPack sine = Complex(0, -0.5) * (there - back);
+    const ComplexPack cosine = 0.5 * (there + back);
+    // So far off that the Gauss rule itself does: error R^-(2n - degree).
+    constexpr double digits = 37;
+    const double limit = std::max(1.5, std::cosh(digits / (2 * n - rule.degree())));
+    int far = 0;
+    Pack isFar{};  // 1 where
+    for (int lane = 0; lane < lanes; ++lane)
+      if (0.5 * (std::abs(targets[lane].zMinus1) + std::abs(targets[lane].zPlus1)) >
+          limit) {
+        isFar[lane] = 1;
+        ++far;
+      }
+    LegendreLanes<Parts, ArcRule::largestSize> legendre;
+    if (far < lanes)
+      legendre.evaluate(x, n);
+    ComplexPack cubics[ArcRule::largestSize];
+    for (int k = 0; k < n && far < lanes; ++k)
+      cubics[k] = legendre.cubic(x, k);
+    const double* row = coefficientTable(n).data();
+    for (int q = 0; q < n; ++q, row += n) {
+      const double weight = rule.weight(q);
+      ComplexPack first;  // of f/(z-t)
+      ComplexPack cubic;  // of f/(z-t) - 2ib f/(z-t)²
+      Pack log{};
+      for (int k = 0; k < n && far < lanes; ++k) {
+        first = first + row[k] * legendre.at(k);
+        cubic = cubic + row[k] * cubics[k];
+        log += row[k] * legendre.l[k];
+      }
+      if (far > 0) {
+        const ComplexPack difference{x.z - rule.point(q), x.b};
+        Pack square;
+        squareOf(difference, square);
+        const ComplexPack inverse = (1.0 / square) * conj(difference);
+        Pack logOfSquare;
+        logarithm(square, logOfSquare);
+        const auto chosen = isFar > 0.5;
+        const ComplexPack direct = weight * inverse;
+        const ComplexPack turned = direct + Complex(0, -2) * (x.b * (direct * inverse));
+        first = {chosen ? direct.re : first.re, chosen ? direct.im : first.im};
+        cubic = {chosen ? turned.re : cubic.re, chosen ? turned.im : cubic.im};
+        log = chosen ? (0.5 * weight) * logOfSquare : log;
+      }
+      // g = half τ e^{i(A+B)} sinc(A-B),  B = α t/2
+      const double angle = 0.5 * alpha * rule.point(q);
+      const ComplexPack s{place.re - angle, place.im};
+      Pack size;
+      squareOf(s, size);
+      const ComplexPack series = shortSinc(s);
+      const ComplexPack sum =
+          (1.0 / size) * (conj(s) * (std::cos(angle) * sine - std::sin(angle) * cosine));
+      const auto isShort = size < 0.25;
+      const ComplexPack sinc{isShort ? series.re : sum.re, isShort ? series.im : sum.im};
+      const ComplexPack g =
+          (rule.curve().half() * asComplex(rule.curve().frame().tangent) *
+           Complex(std::cos(angle), std::sin(angle))) *
+          (there * sinc);
+      Pack square;
+      squareOf(g, square);
+      const ComplexPack inverse = (1.0 / square) * g;  // 1/conj(g)
+      Pack logOfSquare;
+      logarithm(square, logOfSquare);
+      const double half = rule.curve().half();
+      KernelLanes& to = weights[q];
+      to.overConj.store(half * (first * inverse));
+      to.cubic.store(half * (cubic * g * inverse * inverse));
+      const ComplexPack turning{weight + 2.0 * x.b * first.im, -2.0 * x.b * first.re};
+      to.phase.store(half * (turning * g * inverse));
+      store(to.log.lane, half * (log + (0.5 * weight) * logOfSquare));
+    }
   }
-}
+};
 
 }  // namespace
 
@@ -73,51 +159,14 @@ ArcRule::ArcRule(const Curve& curve, int degree) : curve_(curve), degree_(degree
   }
 }
 
-void ArcWeights::evaluate(const ArcRule& rule, const RelativeTarget& x, ArcNeed need) {
-  const int n = rule.size();
-  const bool potentials = need != ArcNeed::Sums;
-  const bool sums = need != ArcNeed::Potentials;
-  const bool atStart = x.zPlus1 == 0.0;
-  const bool atEnd = x.zMinus1 == 0.0;
-  const bool closed = !isFar(rule, x);
-  const Complex z = x.z();
-  const Complex turn(0, 2 * x.b());
-  LongLegendreMoments m;
-  if (atStart || atEnd)
-    endLogarithms(atStart, n - 1, m);
-  else if (closed)
-    evaluateMoments(x, n - 1, sums ? (potentials ? Need::All : Need::CandD) : Need::CandL,
-                    m);
-  const std::vector<double>& table = coefficientTable(n);
-  for (int q = 0; q < n; ++q) {
-    const auto k = static_cast<std::size_t>(q);
-    const Complex g = rule.curve().factor(x, rule.point(q));
-    const Complex conj = std::conj(g);
-    const double weight = rule.weight(q);
-    Complex first = 0;   // of f/(z-t)
-    Complex second = 0;  // of f/(z-t)²
-    double logarithm = 0;
-    if (closed) {
-      const double* row = table.data() + k * static_cast<std::size_t>(n);
-      for (std::size_t i = 0; i < static_cast<std::size_t>(n); ++i) {
-        first += row[i] * m.c[i];
-        second += row[i] * m.d[i];
-        logarithm += row[i] * m.l[i];
-      }
-    } else {
-      const Complex inverse = 1.0 / (z - rule.point(q));
-      first = weight * inverse;
-      second = first * inverse;
-      logarithm = -weight * std::log(std::abs(inverse));
-    }
-    overW[k] = std::conj(first / conj);
-    if (potentials) {
-      log[k] = logarithm + weight * std::log(std::abs(g));
-      phase[k] = (weight - turn * first) * (g / conj);
-    }
-    if (sums)  // on the arc b = 0, and the second need not exist
-      cubic[k] = (x.b() == 0 ? first : first - turn * second) * g / (conj * conj);
-  }
+void arcWeights(const ArcRule& rule, const RelativeTarget (&targets)[lanes],
+                KernelLanes* weights, InstructionSet set) {
+  const bool onLine = std::all_of(std::begin(targets), std::end(targets),
+                                  [](const RelativeTarget& x) { return x.b() == 0; });
+  if (onLine)
+    dispatch(set, ArcKernel<1>{rule, targets, weights});
+  else
+    dispatch(set, ArcKernel<2>{rule, targets, weights});
 }
 
 }  // namespace epafi::bem

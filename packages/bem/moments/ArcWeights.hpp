@@ -1,7 +1,9 @@
 #pragma once
 
-#include "bem/geometry/Curve.hpp"
+#include "bem/moments/LegendreLanes.hpp"
 #include "bem/quadrature/Gauss.hpp"
+#include "bem/simd/ComplexPack.hpp"
+#include "bem/simd/InstructionSet.hpp"
 
 #include <array>
 #include <vector>
@@ -43,26 +45,21 @@ class ArcRule {
 /// By how much an element may turn.
 constexpr double largestAngle = 3.1415926535897932 * (1 + 1e-12);
 
-/// Which weights are wanted.
-enum class ArcNeed { Potentials, Sums, All };
-
-/// The kernels at a target x as weights of an arc's points: for polynomials f of the rule's
-/// degree, w = x - y(t), on the arc as principal values,
-///
-///   ∫ f log|w| dt = Σ f_q log_q            ∫ f dt/w               = Σ f_q overW_q
-///   ∫ f w/conj(w) dt = Σ f_q phase_q       ∫ conj(f) w/conj(w)² dt = Σ conj(f_q) cubic_q
-///
-/// accurate right up to the arc: 1/(t₀-t) and its like are integrated against Legendre
-/// polynomials in closed form (LegendreMoments).  At an end of the arc log and phase have
-/// limits, the others none.
-struct ArcWeights {
-  std::array<double, ArcRule::largestSize> log{};
-  std::array<Complex, ArcRule::largestSize> phase{};
-  std::array<Complex, ArcRule::largestSize> overW{};
-  std::array<Complex, ArcRule::largestSize> cubic{};
-
-  /// Potentials: log, phase and overW; Sums: overW and cubic.
-  void evaluate(const ArcRule& rule, const RelativeTarget& x, ArcNeed need);
+/// What a density g has of the kernels at eight targets x, w = x - y.  Without ds where g is a
+/// function of t.
+struct KernelLanes {
+  ComplexLanes
+      overConj;  ///< ∫ g ds/conj(w); that of 1/w is its conjugate, where g is real
+  ComplexLanes cubic;  ///< ∫ g w/conj(w)² ds
+  ComplexLanes phase;  ///< ∫ g w/conj(w) ds
+  AlignedLane log;     ///< ∫ g log|w| ds
 };
+
+/// The kernels at eight targets as weights of an arc's points: for real polynomials f of the
+/// rule's degree ∫ f ds/conj(w) = Σ f_q overConj_q and so on, on the arc as principal values,
+/// accurate right up to the arc: 1/(t₀-t) and its like are integrated against Legendre
+/// polynomials in closed form (LegendreLanes).
+void arcWeights(const ArcRule& rule, const RelativeTarget (&targets)[lanes],
+                KernelLanes* weights, InstructionSet set = largestInstructionSet());
 
 }  // namespace epafi::bem

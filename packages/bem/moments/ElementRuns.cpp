@@ -7,10 +7,6 @@ namespace epafi::bem {
 
 namespace {
 
-/// From this distance on (in outline diameters) subtracting coordinates costs no digits
-/// that matter: 2e-15 of the difference.
-constexpr double plainDistance = 0.1;
-
 ElementRun makeRun(const Mesh& mesh, int first) {
   ElementRun run;
   run.first = run.last = first;
@@ -30,7 +26,7 @@ ElementRun makeRun(const Mesh& mesh, int first) {
     const Element& element = mesh[f];
     run.elements.set(lane, element.curve.frame().middle, element);
     run.largestHalf = std::max(run.largestHalf, element.half);
-    run.hasArcs = run.hasArcs || !element.curve.isStraight();
+    run.angle = std::max(run.angle, std::abs(element.curve.angle()));
     run.degree = std::max(run.degree, element.degree);
     run.densities = std::max(run.densities, element.densities);
     low = {std::min(low.x, element.curve.frame().middle.x),
@@ -62,31 +58,18 @@ FarLanes ElementRuns::choose(int e, int r, const ElementRange& wanted, FarBatch&
                              int largestOuter) const {
   const ElementRun& run = (*this)[r];
   FarLanes result;
-  const bool hasArcs = run.hasArcs || !(*mesh_)[e].curve.isStraight();
-  const bool all = wanted.first <= run.first && run.last <= wanted.last && !hasArcs;
+  const bool all = wanted.first <= run.first && run.last <= wanted.last;
   if (all && chooseAtOnce(e, run, result, batch))
     return result;
-  const BoundaryPoint middle = mesh_->at(e, 0);
   for (int lane = 0; lane < lanes; ++lane) {
     const int f = run.first + lane;
     batch.drop(lane);
     if (f >= run.last || !wanted.contain(f))
       continue;
-    // in one order, so that rounding cannot call a pair near once and far once
-    const BoundaryPoint other = mesh_->at(f, 0);
     FarOrder order;
-    Vec2 w;
-    if (e >= f) {
-      w = mesh_->difference(middle, other);
-      result.far[lane] = !isNear(*mesh_, e, f, w, order);
-    } else {
-      w = mesh_->difference(other, middle);
-      result.far[lane] = !isNear(*mesh_, f, e, w, order);
-      w = -w;
-      std::swap(order.outer, order.inner);
-    }
+    const Vec2 w = mesh_->offset(e, f);
     const Element& source = (*mesh_)[f];
-    result.far[lane] = result.far[lane] && order.outer <= largestOuter;
+    result.far[lane] = !isNear(*mesh_, e, f, w, order) && order.outer <= largestOuter;
     if (!result.far[lane])
       continue;
     batch.set(lane, w, source);
@@ -109,10 +92,14 @@ bool ElementRuns::chooseAtOnce(int e, const ElementRun& run, FarLanes& result,
   const double zE = gap / x.half;
   const double zF = (gap - x.half) / run.largestHalf;
   const bool isFar =
-      gap > plainDistance && gap - x.half > std::max(x.half, run.largestHalf);
+      gap > Mesh::plainDistance && gap - x.half > std::max(x.half, run.largestHalf);
   if (!isFar || std::min(zE, zF) < zOfCircles)
     return false;
-  result.smooth = {smoothOrder(zE), smoothOrder(zF)};
+  result.smooth = {farOrder(x.curve.angle(), zE), farOrder(run.angle, zF)};
+  if (std::max(result.smooth.outer, result.smooth.inner) > smoothOrderOfCircles) {
+    result.smooth = {};  // arcs'
+    return false;
+  }
   result.atOnce = true;
   result.columns = run.degree;
   result.count = run.last - run.first;

@@ -26,7 +26,7 @@ struct ElementRun {
   int densities = 0;        ///< the largest number of them
   int loop = 0;             ///< loops are counted from 0
   bool closesLoop = false;  ///< behind the last is the loop's first node
-  bool hasArcs = false;
+  double angle = 0;         ///< by which one turns, the largest
 };
 
 /// Which pairs of an element and a run are far, and the Gauss orders that serve them all.
@@ -50,7 +50,7 @@ class ElementRuns {
   const ElementRun& operator[](int r) const { return runs_[r]; }
 
   /// The far pairs of e and the wanted elements of run r; fills the batch.  One look
-  /// suffices when all are wanted, none is an arc, and the circle is far.  Whether a pair is far does not
+  /// suffices when all are wanted and the circle is far.  Whether a pair is far does not
   /// depend on which of the two is e, unless pairs that need more than `largestOuter`
   /// Gauss points on e (beside the degree's share) are asked to count as near; 7 are
   /// always enough for circles.

@@ -129,24 +129,6 @@ int arcOrder(double z, double alpha) {
                                largestSmoothOrder);
 }
 
-/// isNear of elements that are no neighbours, one of them an arc at least.
-bool isNearArc(const Element& e, const Element& f, Vec2 w, FarOrder& order) {
-  const double distance = length(w);
-  const double larger = std::max(e.half, f.half);
-  if (distance - e.half - f.half < larger && sampledGap(e, f, w) < larger)
-    return true;
-  const double alphaE = 0.5 * e.curve.angle();
-  const double alphaF = 0.5 * f.curve.angle();
-  double zE = smallestPlace((distance - f.half) / e.half, alphaE);
-  double zF = smallestPlace((distance - e.half) / f.half, alphaF);
-  if (zE < 4)
-    zE = std::max(zE, arcRatio(e, f, w));
-  if (zF < 4)
-    zF = std::max(zF, arcRatio(f, e, -w));
-  order = {arcOrder(zE, alphaE), arcOrder(zF, alphaF)};
-  return false;
-}
-
 }  // namespace
 
 int smoothOrder(double z) {
@@ -157,30 +139,38 @@ int smoothOrder(double z) {
   return base;
 }
 
-int farOrder(const Element& element, double distance) {
-  const double alpha = 0.5 * element.curve.angle();
-  return arcOrder(smallestPlace(distance, alpha), alpha);
+int farOrder(double angle, double distance) {
+  return arcOrder(smallestPlace(distance, 0.5 * angle), 0.5 * angle);
 }
 
+// In one order, so that rounding cannot call a pair near once and far once.
 bool isNear(const Mesh& mesh, int ie, int jf, Vec2 w, FarOrder& order) {
+  if (ie < jf) {
+    FarOrder swapped;
+    const bool near = isNear(mesh, jf, ie, -w, swapped);
+    order = {swapped.inner, swapped.outer};
+    return near;
+  }
   const Element& e = mesh[ie];
   const Element& f = mesh[jf];
   if (ie == jf || e.next == jf || f.next == ie)
     return true;
-  if (!e.curve.isStraight() || !f.curve.isStraight())
-    return isNearArc(e, f, w, order);
+  const double alphaE = 0.5 * e.curve.angle();
+  const double alphaF = 0.5 * f.curve.angle();
+  const bool areStraight = alphaE == 0 && alphaF == 0;
   const double distance = length(w);
   const double larger = std::max(e.half, f.half);
-  if (distance - e.half - f.half < larger && gap(e, f, w) < larger)
+  if (distance - e.half - f.half < larger &&
+      (areStraight ? gap(e, f, w) : sampledGap(e, f, w)) < larger)
     return true;
   // |y-e0| + |y-e1| >= 2 |y-m|: a bound that costs no projections
-  double zE = (distance - f.half) / e.half;
-  double zF = (distance - e.half) / f.half;
+  double zE = smallestPlace((distance - f.half) / e.half, alphaE);
+  double zF = smallestPlace((distance - e.half) / f.half, alphaF);
   if (zE < 4)
-    zE = std::max(zE, focalRatio(e, f, -w));
+    zE = std::max(zE, areStraight ? focalRatio(e, f, -w) : arcRatio(e, f, w));
   if (zF < 4)
-    zF = std::max(zF, focalRatio(f, e, w));
-  order = {smoothOrder(zE), smoothOrder(zF)};
+    zF = std::max(zF, areStraight ? focalRatio(f, e, w) : arcRatio(f, e, -w));
+  order = {arcOrder(zE, alphaE), arcOrder(zF, alphaF)};
   return false;
 }
 

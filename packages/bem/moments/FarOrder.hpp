@@ -32,12 +32,13 @@ static_assert(largestSmoothOrder + degreeShare(largestMoment) <= largestGaussOrd
 /// ellipse about the element whose sum of focal distances is z lengths.
 int smoothOrder(double z);
 
-/// The same on an element of either shape, the other one at this distance [half lengths] from its
-/// middle or farther.
-int farOrder(const Element& element, double distance);
+/// The same on an element that turns by an angle (0: a segment), the other one at this distance
+/// [half lengths] from its middle or farther.  Grows with the angle.
+int farOrder(double angle, double distance);
 
 /// True when a pair is near: the gap is below half the larger length.  Otherwise sets the
-/// orders, separately for the two elements.  `w`: the middle of E minus that of F.
+/// orders, separately for the two elements.  `w`: Mesh::offset of E and F.  Which of the two is E
+/// makes no difference.
 bool isNear(const Mesh& mesh, int e, int f, Vec2 w, FarOrder& order);
 
 /// From this z on (in half lengths) circles around elements are far as they are, without a

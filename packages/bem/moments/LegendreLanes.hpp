@@ -3,13 +3,11 @@
 #include "bem/moments/FarOrder.hpp"
 #include "bem/moments/RelativeTarget.hpp"
 #include "bem/quadrature/Graded.hpp"
-#include "bem/simd/Pack.hpp"
+#include "bem/simd/ComplexPack.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-
-// LegendreMoments of eight targets at once, which lie on a straight line.
 
 namespace epafi::bem {
 
@@ -37,6 +35,48 @@ struct TargetLanes {
   Pack b;
 
   EPAFI_INLINE TargetLanes(const Sight& s, const PointLanes& points) {
+    setSeen(s, points);
+  }
+
+  EPAFI_INLINE TargetLanes(const SeenPoints& points, std::size_t first) {
+    if (points.sight()) {
+      setSeen(*points.sight(), PointLanes(points.points(), first));
+      return;
+    }
+    for (int lane = 0; lane < lanes; ++lane)
+      set(lane, points[first + static_cast<std::size_t>(lane)]);
+  }
+
+  EPAFI_INLINE explicit TargetLanes(const RelativeTarget (&targets)[lanes]) {
+    for (int lane = 0; lane < lanes; ++lane)
+      set(lane, targets[lane]);
+  }
+
+  /// Of a segment; points by their coordinates.
+  EPAFI_INLINE TargetLanes(const Curve& segment, const Pack& x, const Pack& y) {
+    const Vec2 along = (1 / segment.half()) * segment.frame().tangent;
+    const Vec2 across = (1 / segment.half()) * segment.frame().normal;
+    const Pack fromStartX = x - segment.from().x;
+    const Pack fromStartY = y - segment.from().y;
+    const Pack fromEndX = x - segment.to().x;
+    const Pack fromEndY = y - segment.to().y;
+    minus = fromEndX * along.x + fromEndY * along.y;
+    b = fromEndX * across.x + fromEndY * across.y;
+    plus = fromStartX * along.x + fromStartY * along.y;
+    takeNearer(fromStartX * across.x + fromStartY * across.y);
+  }
+
+  EPAFI_INLINE ComplexPack complex() const { return {z, b}; }
+
+ private:
+  EPAFI_INLINE void set(int lane, const RelativeTarget& target) {
+    z[lane] = target.z().real();
+    minus[lane] = target.zMinus1.real();
+    plus[lane] = target.zPlus1.real();
+    b[lane] = target.b();
+  }
+
+  EPAFI_INLINE void setSeen(const Sight& s, const PointLanes& points) {
     const Pack fromStart = load(points.fromStart);
     const Pack toEnd = load(points.toEnd);
     const Pack zero{};
@@ -49,7 +89,11 @@ struct TargetLanes {
     Pack bOfPlus;
     from(s.start.zMinus1, s.end.zMinus1, minus, b);
     from(s.start.zPlus1, s.end.zPlus1, plus, bOfPlus);
-    // both from the offset to the nearer end
+    takeNearer(bOfPlus);
+  }
+
+  /// Both from the offset to the nearer end.
+  EPAFI_INLINE void takeNearer(const Pack& bOfPlus) {
     const auto atOne = minus * minus + b * b < plus * plus + bOfPlus * bOfPlus;
     z = atOne ? 1.0 + minus : plus - 1.0;
     const Pack other = atOne ? minus + 2.0 : plus;
@@ -59,11 +103,16 @@ struct TargetLanes {
   }
 };
 
-/// 2 Q_j and Re ∫ P_j log(z-t) dt of eight targets; Parts 1: on the element's line, where
+/// Integrals of Legendre polynomials over [-1, 1] against the kernels' building blocks, in closed
+/// form by the Legendre functions of the second kind Q_j.       [doc/theory/operators.md]
+///
+///   c[j] = ∫ P_j/(z-t) dt = 2 Q_j(z),  j <= top,    l[j] = Re ∫ P_j log(z-t) dt,  j < top
+///
+/// Errors are absolute, 1e-15 for low degrees, and 1e-14.  Parts 1: on the element's line, where
 /// all is real.
-template <int Parts>
+template <int Parts, int Longest = largestMoment>
 struct LegendreLanes {
-  static constexpr int size = largestMoment + 1;
+  static constexpr int size = Longest + 1;
   Pack c[Parts][size];
   Pack l[size];
 
@@ -110,6 +159,24 @@ struct LegendreLanes {
     }
     for (int j = 1; j < top; ++j)
       l[j] = (c[0][j + 1] - c[0][j - 1]) * (1.0 / (2 * j + 1));
+  }
+
+  EPAFI_INLINE ComplexPack at(int j) const {
+    if constexpr (Parts == 1)
+      return {c[0][j], Pack{}};
+    else
+      return {c[0][j], c[1][j]};
+  }
+  /// ∫ P_j (1/(z-t) - 2ib/(z-t)²) dt, j < top:  (1 - z²) ∫ P_j/(z-t)² = (j+1) (C_{j+1} - z C_j).
+  /// On the line b = 0, and the second part need not exist.
+  EPAFI_INLINE ComplexPack cubic(const TargetLanes& x, int j) const {
+    if constexpr (Parts == 1)
+      return at(j);
+    const Pack real = x.minus * x.plus - x.b * x.b;  // of z² - 1
+    const Pack imag = x.b * (x.minus + x.plus);
+    const Pack scale = 2.0 * x.b / (real * real + imag * imag);
+    const ComplexPack factor{scale * imag, scale * real};  // 2ib / (z² - 1)
+    return at(j) + (j + 1.0) * (factor * (at(j + 1) - x.complex() * at(j)));
   }
 
  private:

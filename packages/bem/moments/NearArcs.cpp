@@ -1,6 +1,5 @@
 #include "bem/moments/ArcPairs.hpp"
-#include "bem/moments/ArcWeights.hpp"
-#include "bem/moments/RelativeTarget.hpp"
+#include "bem/moments/ElementPotential.hpp"
 
 #include <cmath>
 
@@ -9,44 +8,6 @@ namespace epafi::bem {
 namespace {
 
 constexpr int stride = TileMoments::stride;
-
-/// Integrals over the outer element x and the inner one y.
-struct Sums {
-  std::array<double, stride * stride> log{};
-  std::array<Complex, stride * stride> phase{};
-  std::array<double, stride * stride> direct{};
-  std::array<double, stride * stride> reverse{};
-};
-
-/// ∫ P_j of the integrands at one outer point.
-struct Inner {
-  std::array<double, stride> log{};
-  std::array<Complex, stride> phase{};
-  std::array<Complex, stride> overW{};
-  std::array<double, stride> direct{};
-};
-
-Inner innerIntegrals(const ArcRule& rule, const ArcWeights& weights, double half) {
-  Inner in;
-  for (int q = 0; q < rule.size(); ++q) {
-    const double direct = half * std::real(rule.normal(q) * weights.overW[q]);
-    for (int j = 0; j <= rule.degree(); ++j) {
-      const double p = rule.legendre(q, j);
-      in.log[j] += p * weights.log[q];
-      in.phase[j] += p * weights.phase[q];
-      in.overW[j] += p * weights.overW[q];
-      in.direct[j] += p * direct;
-    }
-  }
-  return in;
-}
-
-/// One for each thread: it is large.
-Sums& workspace() {
-  static thread_local Sums sums;
-  sums = Sums();
-  return sums;
-}
 
 /// ∫ P_j τ dt of an element, j below its densities.
 std::vector<Complex> tangentMoments(const Element& e) {
@@ -69,34 +30,35 @@ void nearArcMoments(const Mesh& mesh, int e, int f, const GradedRule& outer,
   const Element& y = mesh[iy];
   const int rows = x.densities;
   const int columns = y.densities;
-  const ArcRule rule(y.curve, columns);
-  ArcWeights weights;
-  Sums& sums = workspace();
+  const SeenPoints seen(mesh, ix, iy, outer.points);
+  ElementPotential inner(y.curve, columns + 1, ElementPotential::Need::All);
+  std::vector<PairSums> sums(static_cast<std::size_t>((rows + 1) * (columns + 1)));
   double legendre[stride];
-  for (int q = 0; q < outer.size(); ++q) {
-    const EndPoint& point = outer.points[q];
-    weights.evaluate(rule, seenFrom(mesh, iy, mesh.at(ix, point.fromStart, point.toEnd)),
-                     ArcNeed::Potentials);
-    const Inner in = innerIntegrals(rule, weights, y.half);
-    const Complex normal = asComplex(x.curve.normal(point.t));
-    legendreValues(rows, point.t, legendre);
-    for (int i = 0; i <= rows; ++i) {
-      const double p = outer.weights[q] * legendre[i];
-      for (int j = 0; j <= columns; ++j) {
-        const int at = i * stride + j;
-        sums.log[at] += p * in.log[j];
-        sums.phase[at] += p * in.phase[j];
-        sums.direct[at] += p * in.direct[j];
-        sums.reverse[at] -= p * x.half * std::real(normal * in.overW[j]);
+  for (std::size_t q = 0; q < outer.points.size(); ++q) {
+    if (q % lanes == 0)
+      inner.evaluate(seen, q);
+    const double t = outer.points[q].t;
+    const Complex normal = x.half / y.half * asComplex(x.curve.normal(t));
+    legendreValues(rows, t, legendre);
+    for (int j = 0; j <= columns; ++j) {
+      const ElementPotential::Values of = inner.at(j, q % lanes);
+      const double reverse = -std::real(normal * std::conj(of.overConj));
+      for (int i = 0; i <= rows; ++i) {
+        PairSums& to = sums[static_cast<std::size_t>(i * (columns + 1) + j)];
+        const double p = outer.weights[q] * legendre[i];
+        to.log += p / y.half * of.log;
+        to.phase += p / y.half * of.phase;
+        to.direct += p * of.flow;
+        to.reverse += p * reverse;
       }
     }
   }
   const Complex tangent = asComplex(mesh[f].curve.frame().tangent);
   const Complex back = std::conj(tangent * tangent);
   m.setPair(rows, columns, transposed, lane, [&](int i, int j) {
-    const int at = i * stride + j;
-    return PairSums{sums.log[at], back * sums.phase[at], sums.direct[at],
-                    sums.reverse[at]};
+    PairSums own = sums[static_cast<std::size_t>(i * (columns + 1) + j)];
+    own.phase *= back;
+    return own;
   });
 }
 

@@ -119,12 +119,8 @@ bool areOnLine(const Mesh& mesh, int e, int f) {
 /// 1e-13 of the moments' norm with polynomials of both degrees: where the elements touch,
 /// integrands are like log s in the distance s, on one line like s log s.
 GradedRule nearRule(const Mesh& mesh, int outer, int inner, bool onLine) {
-  const Piece& piece = mesh[inner].piece;
   std::vector<Feature> features;
-  for (const Position& end : {piece.start, piece.end}) {
-    const RelativeTarget seen = seenFrom(mesh, outer, {piece.edge, end, 0});
-    features.push_back({seen.z().real(), std::abs(seen.b())});
-  }
+  appendEnds(mesh, outer, inner, features);
   const bool hasArc = !mesh[outer].curve.isStraight() || !mesh[inner].curve.isStraight();
   const int degree = mesh[outer].densities + mesh[inner].densities + (hasArc ? 6 : 0);
   return touchingRule(

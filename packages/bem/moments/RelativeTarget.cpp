@@ -1,5 +1,7 @@
 #include "bem/moments/RelativeTarget.hpp"
 
+#include <algorithm>
+
 namespace epafi::bem {
 
 RelativeTarget seenFrom(const Mesh& mesh, int e, const BoundaryPoint& x) {
@@ -12,6 +14,15 @@ RelativeTarget seenFrom(const Mesh& mesh, int e, const BoundaryPoint& x) {
     target.zPlus1.imag(0.0);
   }
   return target;
+}
+
+void appendEnds(const Mesh& mesh, int element, int source,
+                std::vector<Feature>& features) {
+  const Piece& piece = mesh[source].piece;
+  for (const Position& end : {piece.start, piece.end}) {
+    const RelativeTarget seen = seenFrom(mesh, element, {piece.edge, end, 0});
+    features.push_back({seen.z().real(), std::abs(seen.b())});
+  }
 }
 
 Sight sightOf(const Mesh& mesh, int outer, int inner) {
@@ -27,6 +38,18 @@ Sight sightOf(const Mesh& mesh, int outer, int inner) {
               ? ratio
               : ratio * Complex(dot(direction, frame.tangent),
                                 onLine ? 0.0 : dot(direction, frame.normal))};
+}
+
+SeenPoints::SeenPoints(const Mesh& mesh, int element, int source,
+                       const std::vector<EndPoint>& points)
+    : mesh_(mesh), element_(element), source_(source), points_(points) {
+  if (mesh[element].curve.isStraight() && mesh[source].curve.isStraight())
+    sight_ = sightOf(mesh, element, source);
+}
+
+RelativeTarget SeenPoints::operator[](std::size_t i) const {
+  const EndPoint& point = points_[std::min(i, points_.size() - 1)];
+  return seenFrom(mesh_, source_, mesh_.at(element_, point.fromStart, point.toEnd));
 }
 
 }  // namespace epafi::bem

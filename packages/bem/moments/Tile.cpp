@@ -16,7 +16,7 @@ void Tile::evaluate(int trial, int r, const ElementRange& wanted, InstructionSet
   const FarLanes chosen = runs_.choose(trial, r, wanted_, batch_);
   std::copy_n(chosen.far, lanes, far_);
   const Element& element = mesh()[trial];
-  const bool hasArcs = run().hasArcs || !element.curve.isStraight();
+  const bool hasArcs = run().angle != 0 || element.curve.angle() != 0;
   const auto far = hasArcs ? farArcMoments : farMoments;
   far(element, batch_, {element.densities, run().densities},
       {std::max(1, chosen.smooth.outer), std::max(1, chosen.smooth.inner)}, *moments_,

@@ -79,7 +79,7 @@ Operators assembleOperators(const Space& space, const Lame& lame,
   };
   addHalfMass(space.mesh(), all, add);
   addEdgeEnds(space.mesh(), lame, all, all, add);
-  out.tractions = ProjectedTractions(space, lame, tractionElements).finish();
+  out.tractions = projectedTractions(space, lame, tractionElements);
   return out;
 }
 

@@ -26,8 +26,7 @@ struct Operators {
 /// Every entry is accurate to 1e-12 of the norm of its element pair's block.
 /// Threads: over blocks of elements.
 ///
-/// Where `tractionElements` are given, the kernels of their projected tractions come from
-/// the same moments.
+/// Where `tractionElements` are given, the kernels of their projected tractions come with them.
 Operators assembleOperators(const Space& space, const Lame& lame,
                             const std::vector<int>& tractionElements = {});
 

@@ -32,7 +32,7 @@ Operators withExactRotation(Operators operators, const Space& space) {
       doubleLayer(i, j) -= k[at(i)] * q[at(j)];
   if (operators.tractions.elements.empty())
     return operators;
-  TractionKernels& tractions = operators.tractions;
+  KernelRows& tractions = operators.tractions.lowest;
   const Index last = tractions.adjoint.columns() - 1;
   std::copy(w.begin(), w.end(), tractions.hypersingular.column(last));
   std::copy(k.begin(), k.end(), tractions.adjoint.column(last));

@@ -135,13 +135,13 @@ void SteklovPoincare::makeTractions(TractionKernels kernels) {
         std::make_shared<const TractionRows>(TractionRows{{}, std::move(kernels.start)});
     return;
   }
-  const Matrix lowest =
-      addAdjointDensity(std::move(kernels.hypersingular), std::move(kernels.adjoint));
+  const Matrix lowest = addAdjointDensity(std::move(kernels.lowest.hypersingular),
+                                          std::move(kernels.lowest.adjoint));
   Matrix rows(lowest.rows(), kernels.start.back());
   for (std::size_t k = 0; k < tractionElements_.size(); ++k)
-    for (Index c = kernels.lowest[k]; c < kernels.lowest[k + 1]; ++c)
+    for (Index c = kernels.lowest.start[k]; c < kernels.lowest.start[k + 1]; ++c)
       std::copy_n(lowest.column(c), lowest.rows(),
-                  rows.column(kernels.start[k] + c - kernels.lowest[k]));
+                  rows.column(kernels.start[k] + c - kernels.lowest.start[k]));
   addRaised(kernels.raised, lowest, rows);
   tractions_ = std::make_shared<const TractionRows>(
       TractionRows{std::move(rows), std::move(kernels.start)});

@@ -1,8 +1,8 @@
-#include "bem/compressed/FarBlocks.hpp"
+#include "bem/operators/FarBlocks.hpp"
 
 #include "bem/basis/Legendre.hpp"
-#include "bem/compressed/LocalFunctions.hpp"
 #include "bem/kernel/PointKernels.hpp"
+#include "bem/operators/LocalFunctions.hpp"
 #include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
@@ -23,6 +23,9 @@ struct Inner {
 
 using Work = FarBlocks::Work;
 
+/// Without V and K where tractions alone are wanted.
+enum class Rows { All, Tractions };
+
 struct Integrate {
   const KernelConstants& constants;
   const Work& work;
@@ -36,17 +39,24 @@ struct Integrate {
 
   template <Division How>
   EPAFI_INLINE void run() const {
-    if (work.rowDegree == 1 && work.columnDegree == 1 && work.rowDensities == 1 &&
-        work.columnDensities == 1)
-      integrate<How, 1>();
+    const bool isLinear = work.columnDegree == 1 && work.columnDensities == 1;
+    if (work.rowDensities == 0)
+      isLinear ? integrate<How, 1, Rows::Tractions>()
+               : integrate<How, 0, Rows::Tractions>();
+    else if (isLinear && work.rowNodes == 2 && work.rowDensities == 1)
+      integrate<How, 1, Rows::All>();
     else
-      integrate<How, 0>();
+      integrate<How, 0, Rows::All>();
   }
 
-  template <Division How, int Degree>
+  /// Degree: of the trial element, and of the tests where all rows are wanted; 0: any.
+  template <Division How, int Degree, Rows Wanted>
   EPAFI_INLINE void integrate() const {
-    const int rowNodes = (Degree > 0 ? Degree : work.rowDegree) + 1;
-    const int rowDensities = Degree > 0 ? Degree : work.rowDensities;
+    constexpr bool isFixed = Degree > 0 && Wanted == Rows::All;
+    const int rowNodes = isFixed ? Degree + 1 : work.rowNodes;
+    const int rowDensities = isFixed               ? Degree
+                             : Wanted == Rows::All ? work.rowDensities
+                                                   : 0;
     const int nodes = (Degree > 0 ? Degree : work.columnDegree) + 1;
     const int densities = Degree > 0 ? Degree : work.columnDensities;
     const int columns = 2 * (nodes + densities);
@@ -55,7 +65,7 @@ struct Integrate {
       store(block[i].lane, Pack{});
     const auto to = [&](int a, int b) { return block[a * columns + b].lane; };
     for (int p = 0; p < work.outer; ++p) {
-      sumInner<How, Degree>(p, nodes, densities);
+      sumInner<How, Degree, Wanted>(p, nodes, densities);
       const Inner in = place(nodes, densities);
       const double* values = outerValues + p * (rowNodes + rowDensities);
       for (int i = 0; i < rowNodes; ++i) {
@@ -104,7 +114,7 @@ struct Integrate {
     return {sums, k, t, t + 4 * densities};
   }
 
-  template <Division How, int Degree>
+  template <Division How, int Degree, Rows Wanted>
   EPAFI_INLINE void sumInner(int p, int nodes, int densities) const {
     const Pack x = load(outer[4 * p].lane);
     const Pack y = load(outer[4 * p + 1].lane);
@@ -121,12 +131,16 @@ struct Integrate {
         PointKernels g;
         g.evaluate<How>(constants, x - s[0], y - s[1], tx, ty, s[2], s[3]);
         for (int i = 0; i < 3; ++i) {
-          v[i] += values[2] * g.v[i];
           w[i] += values[0] * g.w[i];
           w[3 + i] += values[1] * g.w[i];
         }
-        for (int i = 0; i < 4; ++i) {
+        for (int i = 0; i < 4; ++i)
           t[i] += values[2] * g.t[i];
+        if (Wanted == Rows::Tractions)
+          continue;
+        for (int i = 0; i < 3; ++i)
+          v[i] += values[2] * g.v[i];
+        for (int i = 0; i < 4; ++i) {
           k[i] += values[0] * g.k[i];
           k[4 + i] += values[1] * g.k[i];
         }
@@ -153,11 +167,11 @@ struct Integrate {
       for (int j = 0; j < nodes; ++j) {
         for (int i = 0; i < 3; ++i)
           add(in.w[3 * j + i].lane, values[j] * g.w[i]);
-        for (int i = 0; i < 4; ++i)
+        for (int i = 0; i < 4 && Wanted == Rows::All; ++i)
           add(in.k[4 * j + i].lane, values[j] * g.k[i]);
       }
       for (int j = 0; j < densities; ++j) {
-        for (int i = 0; i < 3; ++i)
+        for (int i = 0; i < 3 && Wanted == Rows::All; ++i)
           add(in.v[3 * j + i].lane, values[nodes + j] * g.v[i]);
         for (int i = 0; i < 4; ++i)
           add(in.t[4 * j + i].lane, values[nodes + j] * g.t[i]);
@@ -230,7 +244,6 @@ void FarBlocks::sampleTests(const std::vector<Test>& tests) {
       to[3].lane[lane] = tangent.y;
     }
   }
-  outerValues_ = functions(work_.outer, work_.rowDegree, work_.rowDensities).data();
 }
 
 void FarBlocks::sampleTrial(const Element& element) {
@@ -251,24 +264,40 @@ void FarBlocks::sampleTrial(const Element& element) {
 }
 
 void FarBlocks::evaluate(const std::vector<Test>& tests, int trial, InstructionSet set) {
-  const Element& element = space_.mesh()[trial];
-  const FarOrder order = orderOf(tests, trial);
-  work_ = {};
+  Functions rows;
   for (const Test& test : tests) {
     const Element& row = space_.mesh()[test.element];
-    work_.rowDegree = std::max(work_.rowDegree, row.degree);
-    work_.rowDensities = std::max(work_.rowDensities, row.densities);
+    rows.degree = std::max(rows.degree, row.degree);
+    rows.densities = std::max(rows.densities, row.densities);
   }
+  work_.rowNodes = rows.degree + 1;
+  work_.rowDensities = rows.densities;
+  integrate(tests, rows, trial, set);
+}
+
+void FarBlocks::evaluateTractions(const std::vector<Test>& tests, int trial, int moments,
+                                  InstructionSet set) {
+  work_.rowNodes = moments;
+  work_.rowDensities = 0;
+  integrate(tests, {-1, moments}, trial, set);
+}
+
+void FarBlocks::integrate(const std::vector<Test>& tests, const Functions& rows,
+                          int trial, InstructionSet set) {
+  const Element& element = space_.mesh()[trial];
+  const FarOrder order = orderOf(tests, trial);
   work_.columnDegree = element.degree;
   work_.columnDensities = element.densities;
-  work_.outer = gaussPoints(order.outer, work_.rowDegree, work_.rowDensities);
+  // P_i themselves are larger at an element's ends than φ_k are
+  const int atEnds = rows.degree < 0 ? 2 : 0;
+  work_.outer = gaussPoints(order.outer, rows.degree, rows.densities + atEnds);
   work_.inner = gaussPoints(order.inner, element.degree, element.densities);
   sampleTests(tests);
+  outerValues_ = functions(work_.outer, rows.degree, rows.densities).data();
   sampleTrial(element);
   columns_ = 2 * (element.degree + 1 + element.densities);
-  const int rows = 2 * (work_.rowDegree + 1 + work_.rowDensities);
   sums_.resize(7 * columns_ / 2);
-  block_.resize(rows * columns_);
+  block_.resize(2 * (work_.rowNodes + work_.rowDensities) * columns_);
   const KernelConstants constants(lame_);
   dispatch(set,
            Integrate{constants, work_, outer_.data(), outerValues_, halves_,

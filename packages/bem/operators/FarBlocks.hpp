@@ -34,17 +34,21 @@ class FarBlocks {
   };
   void evaluate(const std::vector<Test>& tests, int trial,
                 InstructionSet set = largestInstructionSet());
+  /// Tractions instead: rows 2 i + a, i < moments, with the first row's kernels tested by P_i e_a
+  /// on each test element.
+  void evaluateTractions(const std::vector<Test>& tests, int trial, int moments,
+                         InstructionSet set = largestInstructionSet());
 
   /// Of the functions a of the tests and b of the trial element, see LocalFunctions; the
   /// tests of an evaluation side by side.  Displacements and densities of a test are those
   /// of the largest degree among the tests: see densities().
   const double* lane(int a, int b) const { return block_[a * columns_ + b].lane; }
   /// Where the tests' densities begin.
-  int densities() const { return 2 * (work_.rowDegree + 1); }
+  int densities() const { return 2 * work_.rowNodes; }
 
   struct Work {
-    int rowDegree = 0;
-    int rowDensities = 0;
+    int rowNodes = 0;      ///< functions that see W and K'
+    int rowDensities = 0;  ///< and K and V
     int columnDegree = 0;
     int columnDensities = 0;
     int outer = 0;  ///< points
@@ -52,7 +56,15 @@ class FarBlocks {
   };
 
  private:
+  /// On the tests: φ_k up to a degree (-1: none), and densities.
+  struct Functions {
+    int degree = -1;
+    int densities = 0;
+  };
+
   FarOrder orderOf(const std::vector<Test>& tests, int trial) const;
+  void integrate(const std::vector<Test>& tests, const Functions& rows, int trial,
+                 InstructionSet set);
   void sampleTests(const std::vector<Test>& tests);
   void sampleTrial(const Element& element);
 

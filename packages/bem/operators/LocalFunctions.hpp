@@ -62,15 +62,16 @@ struct LocalCoupling {
   std::vector<Entry> entries;
 };
 
-/// Displacements φ_k, then densities P_i, at the points of a rule one after the other,
-/// times its weights and a scale.
+/// Displacements φ_k (degree -1: none), then densities P_i, at the points of a rule one after
+/// the other, times its weights and a scale.
 inline std::vector<double> weightedFunctions(const Rule& rule, int degree, int densities,
                                              double scale) {
   const int count = degree + 1 + densities;
   std::vector<double> values(rule.points.size() * static_cast<std::size_t>(count));
   double* to = values.data();
   for (std::size_t q = 0; q < rule.points.size(); ++q, to += count) {
-    DisplacementBasis::values(degree, rule.points[q], to);
+    if (degree > 0)
+      DisplacementBasis::values(degree, rule.points[q], to);
     legendreValues(densities - 1, rule.points[q], to + degree + 1);
     for (int i = 0; i < count; ++i)
       to[i] *= scale * rule.weights[q];

@@ -1,0 +1,120 @@
+#include "bem/moments/ElementPotential.hpp"
+
+#include "bem/simd/Dispatch.hpp"
+
+#include <cmath>
+
+namespace epafi::bem {
+
+namespace {
+
+using Need = ElementPotential::Need;
+
+/// With w = (h/2) τ conj(z-t), C_j = ∫ P_j dt/(z-t):
+///
+///   ∫ P_j ds/conj(w) = τ C_j,          ∫ P_j w/conj(w)² ds = τ³ ∫ P_j (1/(z-t) - 2ib/(z-t)²) dt,
+///   ∫ P_j w/conj(w) dt = τ² (2δ_j0 - 2ib C_j)
+template <int Parts>
+EPAFI_INLINE void evaluateSegment(const TargetLanes& x, const Curve& curve, int terms,
+                                  Need need, KernelLanes* to) {
+  const Complex tangent = asComplex(curve.frame().tangent);
+  const Complex square = tangent * tangent;
+  LegendreLanes<Parts> legendre;
+  legendre.evaluate(x, Parts == 1 && need == Need::Sums ? terms - 1 : terms);
+  for (int j = 0; j < terms; ++j) {
+    const ComplexPack c = legendre.at(j);
+    to[j].overConj.store(tangent * c);
+    to[j].cubic.store((tangent * square) * legendre.cubic(x, j));
+    if (need == Need::Sums)
+      continue;
+    const double half = curve.half();
+    const double whole = j == 0 ? 2 * half : 0;
+    const Pack b = (2 * half) * x.b;
+    to[j].phase.store(square * ComplexPack{whole + b * c.im, -b * c.re});
+    store(to[j].log.lane, half * legendre.l[j] + whole * std::log(half));
+  }
+}
+
+struct AtPoints {
+  const SeenPoints& points;
+  std::size_t first;
+  const Curve& curve;
+  int terms;
+  Need need;
+  KernelLanes* to;
+
+  template <Division>
+  EPAFI_INLINE void run() const {
+    const TargetLanes x(points, first);
+    if (points.areOnLine())
+      evaluateSegment<1>(x, curve, terms, need, to);
+    else
+      evaluateSegment<2>(x, curve, terms, need, to);
+  }
+};
+
+struct AtPlaces {
+  const AlignedLane& x;
+  const AlignedLane& y;
+  const Curve& curve;
+  int terms;
+  Need need;
+  KernelLanes* to;
+
+  template <Division>
+  EPAFI_INLINE void run() const {
+    evaluateSegment<2>(TargetLanes(curve, load(x.lane), load(y.lane)), curve, terms, need,
+                       to);
+  }
+};
+
+}  // namespace
+
+ElementPotential::ElementPotential(const Curve& curve, int terms, Need need)
+    : curve_(curve), terms_(terms), need_(need) {
+  if (!curve.isStraight())
+    rule_.emplace(curve, terms - 1);
+}
+
+void ElementPotential::evaluate(const SeenPoints& points, std::size_t first,
+                                InstructionSet set) {
+  if (!rule_)
+    return dispatch(set, AtPoints{points, first, curve_, terms_, need_, lanes_.data()});
+  RelativeTarget targets[lanes];
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    targets[lane] = points[first + lane];
+  arcWeights(*rule_, targets, lanes_.data(), set);
+}
+
+void ElementPotential::evaluate(const AlignedLane& x, const AlignedLane& y,
+                                InstructionSet set) {
+  if (!rule_)
+    return dispatch(set, AtPlaces{x, y, curve_, terms_, need_, lanes_.data()});
+  RelativeTarget targets[lanes];
+  for (int lane = 0; lane < lanes; ++lane)
+    targets[lane] = curve_.seen({x.lane[lane], y.lane[lane]});
+  arcWeights(*rule_, targets, lanes_.data(), set);
+}
+
+Complex ElementPotential::share(const LegendreSeries<Complex>& density, int k) const {
+  return rule_ ? bem::evaluate(density, terms_ - 1, rule_->point(k))
+               : density[static_cast<std::size_t>(k)];
+}
+
+ElementPotential::Values ElementPotential::at(int j, std::size_t lane) const {
+  Values sum;
+  for (int k = rule_ ? 0 : j; k < (rule_ ? size() : j + 1); ++k) {
+    const KernelLanes& of = (*this)[k];
+    const double share = rule_ ? rule_->legendre(k, j) : 1;
+    sum.overConj += share * of.overConj[lane];
+    sum.cubic += share * of.cubic[lane];
+    sum.flow += share * std::real(normal(k) * std::conj(of.overConj[lane]));
+    if (need_ == Need::Sums)
+      continue;
+    sum.phase += share * of.phase[lane];
+    sum.log += share * of.log.lane[lane];
+  }
+  return sum;
+}
+
+}  // namespace epafi::bem
