@@ -8,6 +8,7 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -154,6 +155,55 @@ TEUCHOS_UNIT_TEST(Limits, brokenNumbersAreErrors) {
   problem.offset = {1, 1};
   const auto solution = [&] { return solve(problem, {}, {}); };
   TEST_THROW(solution(), bem::NumericalError);
+}
+
+/// A half-plane's side of length 1, by two points of each element, on a rigid parabola: a force of 1
+/// at x = `place` presses it flat over about 2 a, where its elements are small.
+Problem narrowContact(double a, double place) {
+  contact::Vector nodes = {-0.5, -0.25, -0.05, 0.05, 0.25, 0.5};
+  for (int k = -32; k <= 32; ++k)
+    nodes.push_back(a * k / 8);
+  std::sort(nodes.begin(), nodes.end());
+  contact::Vector x;
+  contact::Vector lengths;
+  for (std::size_t e = 0; e + 1 < nodes.size(); ++e)
+    for (const double t : {-1 / std::sqrt(3.0), 1 / std::sqrt(3.0)}) {
+      lengths.push_back((nodes[e + 1] - nodes[e]) / 2);
+      x.push_back((nodes[e + 1] + nodes[e]) / 2 + t * lengths.back());
+    }
+  const double pi = std::acos(-1.0);
+  const auto n = static_cast<Index>(x.size());
+  Problem problem;
+  problem.normals = n;
+  contact::Matrix d(n, n);
+  problem.rigid = contact::Matrix(n, 2);
+  for (Index i = 0; i < n; ++i) {
+    const double length = lengths[bem::at(i)];
+    const double own = x[bem::at(i)];
+    for (Index j = 0; j < n; ++j)
+      d(i, j) = length * lengths[bem::at(j)] / pi *
+                (i == j ? 1.5 - std::log(length)
+                        : 0.7 - std::log(std::abs(own - x[bem::at(j)])));
+    problem.offset.push_back(-length * own * own / (a * a * pi));
+    problem.rigid(i, 0) = length;
+    problem.rigid(i, 1) = length * own;
+  }
+  problem.flexibility = std::move(d);
+  problem.rigidLoad = {1, place};
+  problem.stress = 2 / (pi * a);
+  return problem;
+}
+
+TEUCHOS_UNIT_TEST(Limits, aNarrowContactHoldsARotation) {
+  for (const double a : {1e-2, 1e-4, 1e-5, 2e-6}) {
+    const Problem problem = narrowContact(a, 0.3 * a);
+    const Solution solution = solve(problem);
+    TEST_ASSERT(solution.report.status == Status::Converged);
+    double moment = 0;
+    for (Index i = 0; i < problem.normals; ++i)
+      moment += problem.rigid(i, 1) * solution.state.multiplier[bem::at(i)];
+    TEST_COMPARE(std::abs(moment - 0.3 * a), <, 1e-9 * a);
+  }
 }
 
 }  // namespace

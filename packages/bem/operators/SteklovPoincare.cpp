@@ -110,7 +110,8 @@ SteklovPoincare::SteklovPoincare(Operators operators, const SingleLayerSolver& s
   const Matrix& k = operators.doubleLayer;
   const auto count = static_cast<Index>(compliance.densities.size());
   Matrix v = added(std::move(operators.singleLayer), compliance);
-  half_ = solver.solve(std::move(v), besideUnits(k, compliance.densities));
+  half_ = count > 0 ? solver.solve(std::move(v), besideUnits(k, compliance.densities))
+                    : solver.solve(std::move(v), k);
   units_ = columnsBetween(half_, k.columns(), k.columns() + count);
   half_.shrink(k.columns());
   stiffness_ =

@@ -13,8 +13,8 @@ namespace epafi::contact {
 
 namespace {
 
-// A rigid motion counts as held when its part in the inactive rows, measured in units in
-// which the whole of it has size one, is larger than this.
+// A rigid motion counts as held when its square in the inactive rows is more than this of that of
+// the motion which they hold best: contact of a millionth of its side still holds a rotation.
 constexpr double heldThreshold = 1e-12;
 // How much of a solution by a kept factor its last refinement may change; another one would
 // change the square of it.
@@ -69,8 +69,9 @@ void NewtonSystem::splitMotions() {
     Teuchos::LAPACK<int, double>().SYEV(
         'V', 'L', bem::asInt(k), gram.data(), bem::asInt(gram.stride()),
         eigenvalues.data(), work.data(), static_cast<int>(work.size()), &info);
+  const double least = k > 0 ? heldThreshold * eigenvalues.back() : 0;
   const auto looseCount = std::count_if(eigenvalues.begin(), eigenvalues.end(),
-                                        [](double v) { return !(v > heldThreshold); });
+                                        [&](double v) { return !(v > least); });
   loose_ = Matrix(k, looseCount);
   held_ = Matrix(k, k - looseCount);
   // all of them: as they are, so that systems with other rows have the same
