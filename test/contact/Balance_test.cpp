@@ -4,6 +4,7 @@
 #include "contact/body/BalancedStiffness.hpp"
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/results/Summary.hpp"
+#include "contact/system/Definiteness.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -177,6 +178,43 @@ TEUCHOS_UNIT_TEST(Refinement, endsWhereCorrectionsDoNotShrink) {
   const Vector u = contact::refined(
       {1}, [](const Vector&) { return Vector{std::numeric_limits<double>::infinity()}; });
   TEST_EQUALITY(u[0], 1.0);
+}
+
+/// A wedge of 5 degrees in contact up to its tip.
+TEUCHOS_UNIT_TEST(Definiteness, aDefaultGammaGivesWayAndOneThatIsWrittenIsRefused) {
+  const bem::Lame lame({1, 0.3, false});
+  const bem::Loop wedge{{{0, 0}, {1, 0}, {1, 0.0875}}, {"bottom", "left", "top"}};
+  const bem::Space space(
+      bem::makeMesh(std::make_shared<const bem::Outline>(wedge, std::vector<bem::Loop>{}),
+                    {8, 2, 8}, 1));
+  const bem::SteklovPoincare stiffness(bem::assembleOperators(space, lame));
+  contact::Conditions conditions;
+  conditions.dirichlet["left"] = {zero, zero};
+  conditions.contact["bottom"] = {zero, nullptr, {}};
+  contact::Stabilization stabilization = test::projected();
+  const auto used = [&] {
+    return contact::ContactProblem({space, stiffness, lame, bem::Units{1, 1}, conditions,
+                                    contact::multiplierBasis("Gauss-Legendre-Lagrange"),
+                                    stabilization})
+        .gamma0();
+  };
+  const double first = stabilization.firstGamma0();
+  const double weakened = used();
+  stabilization.gamma0 = first;
+  double limit = 0;
+  try {
+    used();
+  } catch (const contact::IndefiniteStiffness& refused) {
+    TEST_EQUALITY(refused.gamma0, first);
+    limit = refused.limitGamma0;
+  }
+  TEST_COMPARE(limit, >, 0);
+  TEST_COMPARE(limit, <, first);
+  TEST_FLOATING_EQUALITY(weakened, limit / 4, 1e-9);
+  stabilization.gamma0 = 0.999 * limit;
+  TEST_EQUALITY(used(), 0.999 * limit);
+  stabilization.gamma0 = 1.001 * limit;
+  TEST_THROW(used(), contact::IndefiniteStiffness);
 }
 
 }  // namespace

@@ -14,9 +14,18 @@ using Need = ElementPotential::Need;
 ///
 ///   ∫ P_j ds/conj(w) = τ C_j,          ∫ P_j w/conj(w)² ds = τ³ ∫ P_j (1/(z-t) - 2ib/(z-t)²) dt,
 ///   ∫ P_j w/conj(w) dt = τ² (2δ_j0 - 2ib C_j)
+struct OfSegment {
+  const Curve& curve;
+  int terms;
+  Need need;
+  KernelLanes* to;
+
+  template <int Parts>
+  EPAFI_INLINE void evaluate(const TargetLanes& x) const;
+};
+
 template <int Parts>
-EPAFI_INLINE void evaluateSegment(const TargetLanes& x, const Curve& curve, int terms,
-                                  Need need, KernelLanes* to) {
+EPAFI_INLINE void OfSegment::evaluate(const TargetLanes& x) const {
   const Complex tangent = asComplex(curve.frame().tangent);
   const Complex square = tangent * tangent;
   LegendreLanes<Parts> legendre;
@@ -36,35 +45,28 @@ EPAFI_INLINE void evaluateSegment(const TargetLanes& x, const Curve& curve, int 
 }
 
 struct AtPoints {
+  const OfSegment& segment;
   const SeenPoints& points;
   std::size_t first;
-  const Curve& curve;
-  int terms;
-  Need need;
-  KernelLanes* to;
 
   template <Division>
   EPAFI_INLINE void run() const {
     const TargetLanes x(points, first);
     if (points.areOnLine())
-      evaluateSegment<1>(x, curve, terms, need, to);
+      segment.evaluate<1>(x);
     else
-      evaluateSegment<2>(x, curve, terms, need, to);
+      segment.evaluate<2>(x);
   }
 };
 
 struct AtPlaces {
+  const OfSegment& segment;
   const AlignedLane& x;
   const AlignedLane& y;
-  const Curve& curve;
-  int terms;
-  Need need;
-  KernelLanes* to;
 
   template <Division>
   EPAFI_INLINE void run() const {
-    evaluateSegment<2>(TargetLanes(curve, load(x.lane), load(y.lane)), curve, terms, need,
-                       to);
+    segment.evaluate<2>(TargetLanes(segment.curve, load(x.lane), load(y.lane)));
   }
 };
 
@@ -79,7 +81,8 @@ ElementPotential::ElementPotential(const Curve& curve, int terms, Need need)
 void ElementPotential::evaluate(const SeenPoints& points, std::size_t first,
                                 InstructionSet set) {
   if (!rule_)
-    return dispatch(set, AtPoints{points, first, curve_, terms_, need_, lanes_.data()});
+    return dispatch(
+        set, AtPoints{OfSegment{curve_, terms_, need_, lanes_.data()}, points, first});
   RelativeTarget targets[lanes];
   for (std::size_t lane = 0; lane < lanes; ++lane)
     targets[lane] = points[first + lane];
@@ -89,7 +92,7 @@ void ElementPotential::evaluate(const SeenPoints& points, std::size_t first,
 void ElementPotential::evaluate(const AlignedLane& x, const AlignedLane& y,
                                 InstructionSet set) {
   if (!rule_)
-    return dispatch(set, AtPlaces{x, y, curve_, terms_, need_, lanes_.data()});
+    return dispatch(set, AtPlaces{OfSegment{curve_, terms_, need_, lanes_.data()}, x, y});
   RelativeTarget targets[lanes];
   for (int lane = 0; lane < lanes; ++lane)
     targets[lane] = curve_.seen({x.lane[lane], y.lane[lane]});

@@ -49,7 +49,7 @@ class Factored final : public HeldStiffness {
  public:
   /// Of the displacements at `free` alone.
   Factored(Matrix lower, std::vector<Index> free)
-      : factor_(std::move(lower), "the stiffness matrix"), free_(std::move(free)) {}
+      : factor_(factorOf(std::move(lower))), free_(std::move(free)) {}
 
   Vector solve(const Vector& force) const override {
     Vector u;
@@ -66,6 +66,15 @@ class Factored final : public HeldStiffness {
   }
 
  private:
+  static bem::CholeskyFactor factorOf(Matrix lower) try {
+    return bem::CholeskyFactor(std::move(lower), "the stiffness matrix");
+  } catch (const bem::NumericalError& error) {
+    throw bem::NumericalError(
+        error.what(),
+        "; rounding has taken its digits, as it does in bodies slender by more than "
+        "1 : 1000: look at the outline");
+  }
+
   bem::CholeskyFactor factor_;
   std::vector<Index> free_;
 };

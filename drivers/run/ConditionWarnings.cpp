@@ -1,0 +1,218 @@
+#include "drivers/run/ConditionWarnings.hpp"
+
+#include "bem/base/Error.hpp"
+#include "bem/quadrature/Piecewise.hpp"
+#include "drivers/run/BodySpaces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::message;
+
+/// Sentences of which each is said once, whatever the time of a path.
+class Warnings {
+ public:
+  explicit Warnings(std::vector<std::string>& all) : all_(all) {}
+  template <class... Parts>
+  void operator()(const std::string& about, const Parts&... parts) {
+    if (seen_.insert(about).second)
+      all_.push_back(message(parts...));
+  }
+
+ private:
+  std::vector<std::string>& all_;
+  std::set<std::string> seen_;
+};
+
+/// Displacements that differ by no more than rounding, in the user's unit of length.
+bool areAlike(double a, double b, double size, const Body& body) {
+  return std::abs(a - b) <= 1e-6 * size + 1e-12 * body.outline->diameter();
+}
+
+/// Corners where two sides prescribe displacements that differ.
+void findJumps(const Body& body, const contact::Conditions& conditions, Warnings& warn) {
+  const auto& held = conditions.dirichlet;
+  for (const bem::Edge& edge : body.outline->edges()) {
+    const std::string& next = body.outline->edge(edge.next).boundary;
+    const auto before = held.find(edge.boundary);
+    const auto behind = held.find(next);
+    if (before == held.end() || behind == held.end() || before == behind)
+      continue;
+    const bem::Vec2 corner = body.outline->physical(edge.curve.to());
+    const auto differ = [&](const bem::Function& one, const bem::Function& other) {
+      if (!one || !other)
+        return false;
+      const double a = one(corner);
+      const double b = other(corner);
+      return !areAlike(a, b, std::max(std::abs(a), std::abs(b)), body);
+    };
+    if (differ(before->second.x, behind->second.x) ||
+        differ(before->second.y, behind->second.y))
+      warn(message("jump ", body.name, corner.x, corner.y), "Bodies->", body.name,
+           "->Boundary Conditions: '", edge.boundary, "' and '", next,
+           "' prescribe different displacements of their corner (", corner.x, ", ",
+           corner.y,
+           "); a jump has no finite energy: stresses there grow with every level");
+  }
+}
+
+/// A function need not exist where no run looks at it.
+std::optional<double> valueAt(const bem::Function& function, bem::Vec2 place) {
+  try {
+    return function(place);
+  } catch (const bem::InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// Beside an end of a side, to where it would go on: a gap need not exist at corners.
+std::optional<double> gapAtEnd(const bem::Function& gap, const Body& body,
+                               const bem::Edge& side, double end) {
+  constexpr double aside = 1e-9;  // of the side
+  const auto gapAt = [&](double distance) {
+    return valueAt(gap, body.outline->physical(side.curve.point(end * (1 - distance))));
+  };
+  const auto near = gapAt(aside);
+  const auto farther = gapAt(2 * aside);
+  if (!near || !farther)
+    return std::nullopt;
+  return 2 * *near - *farther;
+}
+
+/// Corners where a prescribed displacement goes through the obstacle of the side beside it, one
+/// warning for each pair of boundaries.
+void findPressedCorners(const Body& body, const contact::Conditions& conditions,
+                        Warnings& warn) {
+  constexpr double same = 1e-6;
+  const auto compare = [&](const bem::Edge& given, const bem::Edge& side, double end) {
+    const auto held = conditions.dirichlet.find(given.boundary);
+    const auto met = conditions.contact.find(side.boundary);
+    if (held == conditions.dirichlet.end() || met == conditions.contact.end() ||
+        !met->second.name.empty() || met->second.friction.ties())
+      return;
+    // a component that is free can give way
+    const auto& [x, y] = held->second;
+    const bem::Vec2 n = side.curve.normal(end);
+    if ((!x && std::abs(n.x) > same) || (!y && std::abs(n.y) > same))
+      return;
+    const bem::Vec2 corner =
+        body.outline->physical(end > 0 ? side.curve.to() : side.curve.from());
+    const bem::Vec2 moved{x ? x(corner) : 0, y ? y(corner) : 0};
+    const double closing = dot(moved, n);
+    const auto gap = gapAtEnd(met->second.gap, body, side, end);
+    if (gap && closing > *gap &&
+        !areAlike(closing, *gap, std::abs(moved.x) + std::abs(moved.y), body))
+      warn("corner " + body.name + given.boundary + "|" + side.boundary, "Bodies->",
+           body.name, "->Boundary Conditions: '", given.boundary,
+           "' moves its corner with '", side.boundary, "', (", corner.x, ", ", corner.y,
+           "), by ", closing, " along the normal where the gap is ", *gap,
+           ": through the obstacle; such a jump has no finite energy, and stresses there "
+           "grow with every level");
+  };
+  for (const bem::Edge& edge : body.outline->edges()) {
+    const bem::Edge& next = body.outline->edge(edge.next);
+    compare(edge, next, -1);
+    compare(next, edge, 1);
+  }
+}
+
+/// The force of a traction on some elements, and the integral of its size.
+struct Force {
+  bem::Vec2 sum;
+  double size = 0;
+};
+
+Force forceOf(const contact::Conditions::Neumann& traction, const bem::Mesh& mesh,
+              const std::vector<int>& elements, const bem::Rule& rule) {
+  Force force;
+  for (const int e : elements)
+    for (int q = 0; q < rule.size(); ++q) {
+      const bem::Vec2 x = mesh.physicalPoint(e, rule.points[q]);
+      const bem::Vec2 part = rule.weights[q] * mesh[e].half *
+                             mesh.outline().scaling().length * traction.at(x);
+      force.sum = force.sum + part;
+      force.size += norm(part);
+    }
+  return force;
+}
+
+/// Tractions that change between the points at which a mesh takes them on one of a boundary's edges.
+void findNarrowLoad(const Body& body, const bem::Mesh& mesh, const std::string& boundary,
+                    const contact::Conditions::Neumann& traction, Warnings& warn) {
+  constexpr double far = 0.1;
+  constexpr double points = 4096;  // of the boundary, about
+  constexpr std::size_t order = 16;
+  std::map<int, std::vector<int>> edges;
+  double whole = 0;
+  for (const int e : mesh.elementsOf(boundary)) {
+    edges[mesh[e].piece.edge].push_back(e);
+    whole += mesh[e].half;
+  }
+  std::vector<std::pair<Force, Force>> forces;
+  double largest = 0;
+  for (const auto& [edge, elements] : edges) {
+    const double share = 0.5 * mesh.outline().edge(edge).curve.length() / whole;
+    const int pieces = 1 + static_cast<int>(share * points /
+                                            static_cast<double>(order * elements.size()));
+    bem::Vector breaks;
+    for (int k = 1; k < pieces; ++k)
+      breaks.push_back(-1 + 2.0 * k / pieces);
+    try {
+      forces.emplace_back(
+          forceOf(traction, mesh, elements, bem::gaussForGiven(body.degree)),
+          forceOf(traction, mesh, elements, bem::piecewiseRule(breaks, order)));
+    } catch (const bem::InputError&) {
+      continue;
+    }
+    largest = std::max({largest, forces.back().first.size, forces.back().second.size});
+  }
+  for (const auto& [used, fine] : forces)
+    if (norm(used.sum - fine.sum) >
+        far * std::max({used.size, fine.size, 1e-6 * largest}))
+      warn("load " + body.name + boundary, "Bodies->", body.name,
+           "->Boundary Conditions->", boundary,
+           ": the traction is narrower than its elements can see: on one edge they take "
+           "a force of (",
+           used.sum.x, ", ", used.sum.y, "), a finer rule finds (", fine.sum.x, ", ",
+           fine.sum.y,
+           "); use more elements there (Discretization), or a vertex where the load "
+           "begins and one where it ends");
+}
+
+/// What a body's conditions at some time say that is probably not meant.
+void findInConditions(const Body& body, const contact::Conditions& conditions,
+                      Warnings& warn) {
+  findJumps(body, conditions, warn);
+  findPressedCorners(body, conditions, warn);
+  if (conditions.neumann.empty())
+    return;
+  const bem::Mesh mesh = firstMesh(body);
+  for (const auto& [boundary, traction] : conditions.neumann)
+    findNarrowLoad(body, mesh, boundary, traction, warn);
+}
+
+}  // namespace
+
+void findInConditions(const Scene& scene, std::vector<std::string>& warnings) {
+  Warnings warn(warnings);
+  for (const Body& body : scene.bodies)
+    findInConditions(body, body.conditions, warn);
+  constexpr std::size_t most = 12;
+  const std::vector<double>& times = scene.history.times;
+  const std::size_t stride = times.size() / most + 1;
+  for (std::size_t k = 0; k + 1 < times.size(); k += stride) {
+    const std::vector<contact::Conditions> now = scene.conditionsAt(times[k]);
+    for (std::size_t b = 0; b < now.size(); ++b)
+      findInConditions(scene.bodies[b], now[b], warn);
+  }
+}
+
+}  // namespace epafi::drivers
