@@ -5,6 +5,7 @@
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(LAPACK REQUIRED)
 find_package(muparser REQUIRED CONFIG)
+find_package(yaml-cpp REQUIRED CONFIG)
 set(CGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE TRUE)
 find_package(CGAL 5.5 REQUIRED CONFIG)  # drivers/triangulate alone
 find_package(CLI11 REQUIRED CONFIG)

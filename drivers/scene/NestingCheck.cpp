@@ -2,8 +2,6 @@
 
 #include "bem/base/Error.hpp"
 
-#include <cstring>
-
 namespace epafi::drivers {
 
 namespace {
@@ -25,15 +23,6 @@ std::size_t endOfTag(const std::string& text, std::size_t at) {
   return at;
 }
 
-/// Where a quoted text of YAML ends that begins at `at`; or the text's size.
-std::size_t endOfQuote(const std::string& text, std::size_t at) {
-  const char quote = text[at++];
-  for (; at < text.size() && text[at] != quote; ++at)
-    if (text[at] == '\\' && quote == '"')
-      ++at;
-  return at;
-}
-
 }  // namespace
 
 void checkNestingOfXml(const std::string& text) {
@@ -49,21 +38,6 @@ void checkNestingOfXml(const std::string& text) {
     checkDepth(depth += first == '/' ? -1 : opens ? 1 : 0);
     at = end;
   }
-}
-
-void checkNestingOfYaml(const std::string& text) {
-  int depth = 0;
-  char before = '\n';  // the last one that is no blank; behind others ' is an apostrophe
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    const char c = text[at];
-    if ((c == '"' || c == '\'') && std::strchr("\n[{,:-?", before) != nullptr)
-      at = endOfQuote(text, at);
-    checkDepth(depth += c == '{' || c == '[' ? 1 : c == '}' || c == ']' ? -1 : 0);
-    if (c != ' ' && c != '\t' && c != '\r')
-      before = c;
-  }
-  if (text.find("\n" + std::string(deepest + 1, ' ')) != std::string::npos)
-    throw bem::InputError("a line is indented by more than ", deepest, " columns");
 }
 
 }  // namespace epafi::drivers

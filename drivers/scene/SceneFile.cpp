@@ -5,6 +5,7 @@
 #include "drivers/scene/LexicalCheck.hpp"
 #include "drivers/scene/NestingCheck.hpp"
 #include "drivers/scene/Text.hpp"
+#include "drivers/scene/YamlText.hpp"
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterEntryXMLConverterDB.hpp>
@@ -12,7 +13,6 @@
 #include <Teuchos_TwoDArray.hpp>
 #include <Teuchos_XMLObject.hpp>
 #include <Teuchos_XMLParameterListReader.hpp>
-#include <Teuchos_YamlParameterListCoreHelpers.hpp>
 
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
@@ -31,6 +31,7 @@ namespace {
 using bem::InputError;
 using bem::message;
 using bem::shortest;
+using Teuchos::XMLObject;
 
 /// What Teuchos complains about, without where in its sources it did.
 std::string complaint(const std::exception& error) {
@@ -48,9 +49,9 @@ std::string complaint(const std::exception& error) {
 }
 
 /// Arrays of texts for Teuchos, and back.
-void hideNesting(const Teuchos::XMLObject& object) {
+void hideNesting(const XMLObject& object) {
   for (int i = 0; i < object.numChildren(); ++i) {
-    Teuchos::XMLObject child = object.getChild(i);
+    XMLObject child = object.getChild(i);
     if (child.getTag() == "ParameterList")
       hideNesting(child);
     else if (child.getRequired("type") == "Array(string)")
@@ -70,9 +71,9 @@ void showNesting(Teuchos::ParameterList& list) {
   }
 }
 
-RawScene readXml(const std::string& text, const std::string& standardTitle) {
+XMLObject parsedXml(const std::string& text) {
   checkNestingOfXml(text);
-  Teuchos::XMLObject root;
+  XMLObject root;
   try {
     root = Teuchos::StringInputSource(text).getObject();
   } catch (const std::exception& error) {
@@ -80,6 +81,10 @@ RawScene readXml(const std::string& text, const std::string& standardTitle) {
   }
   if (root.isEmpty())
     throw InputError("malformed XML: no root element");
+  return root;
+}
+
+RawScene sceneOf(const XMLObject& root, const std::string& standardTitle) {
   checkLexically(root);
   hideNesting(root);
   try {
@@ -91,25 +96,6 @@ RawScene readXml(const std::string& text, const std::string& standardTitle) {
     return scene;
   } catch (const std::exception& error) {
     throw InputError("cannot be read as a list of parameters: " + complaint(error));
-  }
-}
-
-RawScene readYaml(const std::string& text, const std::string& standardTitle) {
-  checkNestingOfYaml(text);
-  try {
-    const auto list = Teuchos::getParametersFromYamlString(text);
-    const std::string name = list->name();
-    return {name.empty() || name == "ANONYMOUS" ? standardTitle : name, *list};
-  } catch (const std::exception& error) {
-    // Two keys at the root end in an assertion about the parser's stack.
-    if (std::string(error.what()).find("rhs.at") != std::string::npos)
-      throw InputError(
-          "malformed YAML: everything must stand under one title, 'My scene:'");
-    const bool nested =
-        text.find("- [") != std::string::npos || text.find("- - ") != std::string::npos;
-    throw InputError(
-        "malformed YAML: " + complaint(error) +
-        (nested ? "; arrays of arrays stand in brackets, [[0, 0], [1, 0]]" : ""));
   }
 }
 
@@ -138,7 +124,7 @@ Spelling spell(const Teuchos::ParameterEntry& entry, const std::string& name) {
     return {"TwoDArray(double)", text + "}"};
   }
   const auto whole = Teuchos::rcp(new Teuchos::ParameterEntry(entry));
-  const Teuchos::XMLObject xml = Teuchos::ParameterEntryXMLConverterDB::convertEntry(
+  const XMLObject xml = Teuchos::ParameterEntryXMLConverterDB::convertEntry(
       whole, name, 0, Teuchos::ValidatortoIDMap());
   return {xml.getRequired("type"), xml.getRequired("value")};
 }
@@ -238,8 +224,7 @@ RawScene rawScene(const std::string& marked, const std::string& file) {
   const std::string extension =
       boost::algorithm::to_lower_copy(path.extension().string());
   const bool yaml = extension == ".yaml" || extension == ".yml";
-  return yaml ? readYaml(text, path.stem().string())
-              : readXml(text, path.stem().string());
+  return sceneOf(yaml ? xmlOfYaml(text) : parsedXml(text), path.stem().string());
 }
 
 std::vector<std::string> assignments(const Teuchos::ParameterList& list) {

@@ -62,6 +62,13 @@ std::vector<std::string> pieces(const std::string& text) {
   return result;
 }
 
+std::string hiddenEntry(std::string entry) {
+  for (char& c : entry)
+    if (const char* sign = std::strchr(signs, c))
+      c = standIns[sign - signs];
+  return entry;
+}
+
 std::string hidden(const std::string& array) {
   const auto first = array.find('{');
   const auto last = array.rfind('}');
@@ -70,11 +77,8 @@ std::string hidden(const std::string& array) {
     return array;
   std::string result = array.substr(0, first) + "{";
   const char* separator = "";
-  for (std::string entry : pieces(array.substr(first + 1, last - first - 1))) {
-    for (char& c : entry)
-      if (const char* sign = std::strchr(signs, c))
-        c = standIns[sign - signs];
-    result += separator + entry;
+  for (const std::string& entry : pieces(array.substr(first + 1, last - first - 1))) {
+    result += separator + hiddenEntry(entry);
     separator = ",";
   }
   return result + array.substr(last);

@@ -49,6 +49,7 @@ bool isBalanced(const std::string& text);
 /// An array of texts "{A={4, 4}, B=1}" in which Teuchos, who splits at every comma and ends
 /// at the first brace, finds the entries: signs within an entry are hidden.
 std::string hidden(const std::string& array);
+std::string hiddenEntry(std::string entry);
 /// An entry with its own signs again.
 std::string shown(const std::string& entry);
 

@@ -161,8 +161,22 @@ TEUCHOS_UNIT_TEST(BadInput, aFileThatIsNoSceneSaysSo) {
   TEST_ASSERT(contains(complaintOf("", "scene.yaml"), "empty"));
   TEST_ASSERT(contains(complaintOf("a: 1\nb: 2\n", "scene.yaml"), "YAML"));
   TEST_ASSERT(contains(complaintOf("a:\n  b: [1, 2\n", "scene.yaml"), "YAML"));
+  TEST_ASSERT(contains(complaintOf("a:\n\tb: 1\n", "scene.yaml"), "not by tabs"));
+  const std::string colon =
+      complaintOf("a:\n  Constants:\n    g: x > 0 ? 1 : 2\n", "scene.yaml");
+  TEST_ASSERT(contains(colon, "line 3") && contains(colon, "quotes round"));
   TEST_ASSERT(
-      contains(complaintOf("a:\n  b:\n    - - 1.0\n", "scene.yaml"), "in brackets"));
+      contains(complaintOf("a:\n  b: &b\n    c: *b\n", "scene.yaml"), "too deep"));
+  TEST_ASSERT(contains(complaintOf("a: {}\n---\nb: {}\n", "scene.yaml"), "2 documents"));
+  TEST_ASSERT(
+      contains(complaintOf("a:\n  Vertices: [[1, 2], [3]]\n", "scene.yaml"), "entry 1"));
+  std::string laughs = "a:\n  b0: &b0 [1, 2]\n";  // three times as many from key to key
+  for (int i = 1; i < 30; ++i) {
+    const std::string of = "*b" + std::to_string(i - 1);
+    laughs += "  b" + std::to_string(i) + ": &b" + std::to_string(i) + " {p: " + of +
+              ", q: " + of + ", r: " + of + "}\n";
+  }
+  TEST_ASSERT(contains(complaintOf(laughs, "scene.yaml"), "anchors"));
   const std::string twice = complaintOf("a:\n  Bodies: 1\n  Bodies: 2\n", "scene.yaml");
   out << twice << "\n";
   TEST_ASSERT(contains(twice, "Bodies") && !contains(twice, "packages"));
@@ -195,12 +209,12 @@ TEUCHOS_UNIT_TEST(BadInput, listsTooDeepAreRefusedAtOnce) {
                    "1000 deep");
     for (const char* open : {"{a: ", "[", "{\"]\": ", "{']': "})
       TEST_ASSERT(
-          contains(complaintOf("a: " + times(depth, open), "scene.yaml"), "1000 deep"));
+          contains(complaintOf("a: " + times(depth, open), "scene.yaml"), "too deep"));
   }
   std::string yaml;
   for (int column = 0; column < 3000; ++column)
     yaml += std::string(column, ' ') + "a:\n";
-  TEST_ASSERT(contains(complaintOf(yaml, "scene.yaml"), "1000 columns"));
+  TEST_ASSERT(contains(complaintOf(yaml, "scene.yaml"), "too deep"));
   // what is wide, not deep, is read on
   const std::string wide = times(2000,
                                  "<ParameterList name='a'/><ParameterList name='a'>"

@@ -36,6 +36,54 @@ const char* const yaml = R"(A test:
     Elements per Edge: [4, 2, 4, 2]
 )";
 
+/// The same in other forms that YAML has: anchors, merged lists, arrays over lines and in blocks,
+/// colons and signs within words, a text in quotes.
+const char* const otherYaml = R"(--- # one document
+A test:
+  Bodies:
+    block:
+      Material:
+        <<: &steel
+          Young's Modulus: 200
+          Poisson's Ratio: 0.3
+        Poisson's Ratio: 0.25
+      Geometry:
+        Vertices:
+          - [0, 0]
+          - [2,
+             0]
+          - - 2
+            - 1
+          - [0, 1]
+        Edges: [base, "right",
+                top,
+                left]
+      Boundary Conditions:
+        base:
+          Type: Contact
+          Gap: 0.1*x^2
+          Friction: {Law: Coulomb, Coefficient: 0.3}
+        top: &top
+          Type: Dirichlet
+          Displacement Y: -0.01
+      Rigid Motions:
+        Fix:
+        - X
+  Discretization:
+    Elements per Edge: [4, 2, 4, 2]
+...
+)";
+
+drivers::Scene readYaml(const std::string& text) {
+  const test::TemporaryFile file("scene.yaml", text);
+  return drivers::readScene(file.path());
+}
+
+/// \pre a occurs in the text.
+std::string with(std::string text, const std::string& a, const std::string& b) {
+  return text.replace(text.find(a), a.size(), b);
+}
+
 }  // namespace
 
 TEUCHOS_UNIT_TEST(Scene, saysWhatTheFileSays) {
@@ -104,12 +152,31 @@ TEUCHOS_UNIT_TEST(Scene, pinsIncompressibleBodiesAtAllTimes) {
 }
 
 TEUCHOS_UNIT_TEST(Scene, isTheSameFromXmlAndYaml) {
-  const test::TemporaryFile file("scene.yaml", yaml);
-  const drivers::Scene fromYaml = drivers::readScene(file.path());
+  const drivers::Scene fromYaml = readYaml(yaml);
   const drivers::Scene fromXml = read(SceneText());
   TEST_EQUALITY(drivers::usedXml(fromYaml), drivers::usedXml(fromXml));
   TEST_EQUALITY(fromYaml.bodies[0].conditions.contact.at("base").gap({2, 0}),
                 fromXml.bodies[0].conditions.contact.at("base").gap({2, 0}));
+  TEST_EQUALITY(drivers::usedXml(readYaml(otherYaml)), drivers::usedXml(fromXml));
+}
+
+TEUCHOS_UNIT_TEST(Scene, yamlTakesExpressionsAndArraysWithoutQuotes) {
+  const auto gapAt = [](const std::string& gap, const bem::Vec2& x) {
+    return readYaml(with(yaml, "'0.1*x^2'", gap))
+        .bodies[0]
+        .conditions.contact.at("base")
+        .gap(x);
+  };
+  TEST_EQUALITY(gapAt("0.1*(x > 1)", {2, 0}), 0.1);
+  TEST_EQUALITY(gapAt("\"x > 1 ? 0.1 : 0\"", {2, 0}), 0.1);
+  TEST_EQUALITY(gapAt("max(0.1, -x)", {2, 0}), 0.1);
+  const auto printed = [](const std::string& output) {
+    const std::string used = drivers::usedXml(readYaml(yaml + output));
+    return used.substr(used.find("Interior Points"), 70);
+  };
+  TEST_EQUALITY(
+      printed("  Output: {Interior Points: [[1, 0.5], [1, 1e-1]]}\n"),
+      printed("  Output:\n    Interior Points:\n    - [1, 0.5]\n    - [1, .1]\n"));
 }
 
 TEUCHOS_UNIT_TEST(Scene, usedXmlGivesTheSameSceneBitByBit) {
