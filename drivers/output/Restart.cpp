@@ -5,8 +5,7 @@
 #include "drivers/output/HistoryTable.hpp"
 #include "drivers/output/StepsTable.hpp"
 #include "drivers/run/BodySpaces.hpp"
-#include "drivers/scene/SceneFile.hpp"
-#include "drivers/scene/Schema.hpp"
+#include "drivers/scene/SceneReader.hpp"
 #include "drivers/scene/Text.hpp"
 
 #include <algorithm>
@@ -47,11 +46,7 @@ std::string difference(const ParameterList& a, const ParameterList& b,
 
 /// The scene that a file was written by.
 ParameterList sceneOf(const Checkpoint& checkpoint) {
-  const RawScene scene = rawScene(checkpoint.used, "used.xml");
-  ParameterList list = bem::complete(parameters(), scene.list, scene.title);
-  if (!list.sublist("History").isParameter("Times"))
-    list.remove("History");  // as a scene without a path has none
-  return list;
+  return *drivers::sceneOf(checkpoint.used, "used.xml", {}).used;
 }
 
 void checkScene(const Checkpoint& checkpoint, const Scene& scene) {

@@ -56,23 +56,22 @@ void findPolygon(const bem::Outline& outline, const std::string& boundary,
                                "exact; so is a straight side with the shape in its Gap"));
 }
 
+void addWords(const std::string& text, std::set<std::string>& words) {
+  std::string word;
+  for (const char c : text + " ")
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_')
+      word += c;
+    else
+      words.insert(std::exchange(word, {}));
+}
+
 /// Adds the words of all texts of a list and its sublists.
 void collectWords(const Teuchos::ParameterList& list, std::set<std::string>& words) {
-  for (const auto& item : list) {
-    const Teuchos::ParameterEntry& entry = item.second;
-    if (entry.isList()) {
-      collectWords(Teuchos::getValue<Teuchos::ParameterList>(entry), words);
-      continue;
-    }
-    if (!entry.isType<std::string>())
-      continue;
-    std::string word;
-    for (const char c : Teuchos::getValue<std::string>(entry) + " ")
-      if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_')
-        word += c;
-      else
-        words.insert(std::exchange(word, {}));
-  }
+  for (const auto& item : list)
+    if (item.second.isList())
+      collectWords(Teuchos::getValue<Teuchos::ParameterList>(item.second), words);
+    else if (item.second.isType<std::string>())
+      addWords(Teuchos::getValue<std::string>(item.second), words);
 }
 
 /// What has no effect: constants that no expression knows (a misspelt one that --set made,
@@ -80,6 +79,8 @@ void collectWords(const Teuchos::ParameterList& list, std::set<std::string>& wor
 void findUnused(const Scene& scene, std::vector<std::string>& warnings) {
   std::set<std::string> words;
   collectWords(*scene.used, words);
+  for (const auto& [path, entry] : scene.expressions)
+    addWords(message(entry.getAny(false)), words);
   std::vector<std::string> used;
   for (const auto& [name, value] : scene.constants)
     if (words.count(name) != 0)

@@ -34,7 +34,7 @@ std::size_t loneEqualSign(const std::string& text) {
 constexpr double pi = boost::math::constants::pi<double>();
 
 /// What an expression may be made of.
-enum class Form { Constant, OfTime, OfPoint };
+enum class Form { Constant, OfConstants, OfTime, OfPoint };
 
 double valueIn(void* table, double at) {
   return (*static_cast<const Interpolant*>(table))(at);
@@ -49,12 +49,13 @@ std::string namesIn(const Map& map, const char* before) {
 }
 
 std::string toldOf(Form form, const Names& names) {
-  const std::string text = form == Form::Constant ? "constants before it"
-                           : form == Form::OfTime ? "t"
-                           : names.normal         ? "x, y, t, nx and ny"
-                                                  : "x, y and t";
+  const std::string text = form == Form::Constant      ? "constants before it"
+                           : form == Form::OfConstants ? "constants"
+                           : form == Form::OfTime      ? "t"
+                           : names.normal              ? "x, y, t, nx and ny"
+                                                       : "x, y and t";
   return text +
-         namesIn(names.constants, form == Form::Constant ? ": " : " and the constants ") +
+         namesIn(names.constants, form < Form::OfTime ? ": " : " and the constants ") +
          namesIn(names.tables, " and the tables ");
 }
 
@@ -69,7 +70,7 @@ class Parser {
         parser_.DefineConst(name, value);
       for (const auto& [name, table] : names.tables)
         parser_.DefineFunUserData(name, valueIn, const_cast<Interpolant*>(table.get()));
-      if (form != Form::Constant)
+      if (form >= Form::OfTime)
         parser_.DefineConst("t", names.t);
       if (form == Form::OfPoint) {
         parser_.DefineVar("x", &point_.x);
@@ -238,6 +239,10 @@ double evaluateAt(double t, const std::string& text, const Place& place,
   now.t = t;
   now.normal = {};  // a number has no place, on a boundary either
   return Expression(text, place, now, Form::OfTime)({});
+}
+
+double evaluateConstant(const std::string& text, const Place& place, const Names& names) {
+  return Expression(text, place, names, Form::OfConstants)({});
 }
 
 namespace {

@@ -43,6 +43,10 @@ bem::Function makeExpression(const std::string& text, const Place& place,
 double evaluateAt(double t, const std::string& text, const Place& place,
                   const Names& names);
 
+/// The value of an expression in the constants and the tables alone.
+/// \throws bem::InputError as evaluateAt.
+double evaluateConstant(const std::string& text, const Place& place, const Names& names);
+
 /// A list of constants; each may use those that stand before it, and the tables.
 /// \throws bem::InputError for a name that expressions could not use, or that means
 ///   something already, and for what is not one finite number.

@@ -8,7 +8,7 @@
 #include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/opposite/RigidBodies.hpp"
 #include "contact/stabilization/Stabilization.hpp"
-#include "drivers/scene/Expression.hpp"
+#include "drivers/scene/ConstantNumbers.hpp"
 #include "drivers/scene/History.hpp"
 #include "drivers/scene/LinearMethod.hpp"
 #include "drivers/scene/RunOptions.hpp"
@@ -158,8 +158,10 @@ struct Scene {
                        [](const Body& body) { return !body.conditions.contact.empty(); });
   }
 
-  /// The complete list with every default filled in: what used.xml says.
+  /// The complete list with every default filled in.
   Teuchos::RCP<Teuchos::ParameterList> used;
+  /// Where it has numbers for expressions in constants: these, which used.xml says.
+  Entries expressions;
 };
 
 /// The names of an outline's boundaries, in the order of its edges.

@@ -54,7 +54,7 @@ void hideNesting(const XMLObject& object) {
     XMLObject child = object.getChild(i);
     if (child.getTag() == "ParameterList")
       hideNesting(child);
-    else if (child.getRequired("type") == "Array(string)")
+    else if (child.getRequired("type").find("Array(string)") != std::string::npos)
       child.addAttribute("value", hidden(child.getRequired("value")));
   }
 }
@@ -68,6 +68,12 @@ void showNesting(Teuchos::ParameterList& list) {
     else if (entry.isType<Texts>())
       for (std::string& text : Teuchos::getValue<Texts>(entry))
         text = shown(text);
+    else if (entry.isType<Teuchos::TwoDArray<std::string>>()) {
+      auto& texts = Teuchos::getValue<Teuchos::TwoDArray<std::string>>(entry);
+      for (int i = 0; i < texts.getNumRows(); ++i)
+        for (int j = 0; j < texts.getNumCols(); ++j)
+          texts(i, j) = shown(texts(i, j));
+    }
   }
 }
 

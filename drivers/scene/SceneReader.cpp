@@ -75,6 +75,24 @@ OutputOptions readOutput(const ParameterList& list, const Scene& scene) {
   return output;
 }
 
+/// Reads the lists Tables and Constants, which the others may name.
+void readNames(ParameterList& given, Scene& scene) {
+  ParameterList names;
+  for (const char* list : {"Tables", "Constants"})
+    if (given.isParameter(list))
+      names.setEntry(list, given.getEntry(list));
+  bem::SchemaRows rows;
+  for (const Parameter& row : parameters())
+    if (row.path.rfind("Tables", 0) == 0 || row.path.rfind("Constants", 0) == 0)
+      rows.push_back(row);
+  names = bem::complete(rows, names, "");
+  scene.tables = readTables(names.sublist("Tables"), {scene.file, "Tables"});
+  scene.constants =
+      readConstants(names.sublist("Constants"), {scene.file, "Constants"}, scene.tables);
+  for (const auto& item : names)
+    given.setEntry(item.first, item.second);
+}
+
 /// The conditions of all bodies at a time: what their lists say then, on what reading the
 /// bodies and their contacts has found for good.
 std::function<std::vector<contact::Conditions>(double t)> conditionsOf(
@@ -120,13 +138,12 @@ Scene build(const std::string& file, const RawScene& raw) {
   Scene scene;
   scene.title = raw.title;
   scene.file = file;
-  scene.used = Teuchos::rcp(
-      new ParameterList(bem::complete(parameters(), withStrategy(raw.list), raw.title)));
+  ParameterList given = withStrategy(raw.list);
+  readNames(given, scene);
+  scene.expressions = evaluateNumbers(given, file, scene.names());
+  scene.used =
+      Teuchos::rcp(new ParameterList(bem::complete(parameters(), given, raw.title)));
   ParameterList& used = *scene.used;
-
-  scene.tables = readTables(used.sublist("Tables"), {file, "Tables"});
-  scene.constants =
-      readConstants(used.sublist("Constants"), {file, "Constants"}, scene.tables);
   const ParameterList& discretization = used.sublist("Discretization");
   readBodies(used.sublist("Bodies"), discretization, scene);
   readContacts(used.sublist("Contacts"), file, scene);
@@ -180,6 +197,7 @@ Scene sceneOf(const std::string& text, const std::string& file,
 
 std::string usedXml(const Scene& scene) {
   ParameterList list(*scene.used);
+  putBack(scene.expressions, list);
   const Versions current = versions();
   list.remove("Versions", false);
   list.sublist("Versions")

@@ -148,8 +148,9 @@ class Spelling {
     std::size_t rows = 0;
     for (const YAML::Node& entry : node) {
       if (!entry.IsSequence() || entry.size() != columns)
-        throw InputError("entry ", rows, " is no array of ", columns,
-                         " numbers, as the first one is");
+        throw InputError(
+            "entry ", rows, " is no array of ", columns,
+            " numbers, as the first one is; a text with a comma needs quotes");
       text += (rows++ == 0 ? "" : ", ") + row(entry, type, first);
     }
     return {message("TwoDArray(", nameOf(type), ")"),

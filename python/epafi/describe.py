@@ -16,16 +16,18 @@ OFFERED = {
     "folders": 'compgen -d -- "$word"',
     "files": 'compgen -f -- "$word"',
     "words": """compgen -W '%s' -- "$word\""""}
-# What a value may be: types in XML, and in JSON.
-TYPES = {"double": ("double int", "number"),
-         "int": ("int", "integer"),
+# What a value may be: types in XML, and in JSON.  A text in place of a number is an expression in
+# constants.
+TYPES = {"double": ("double int string", ["number", "string"]),
+         "int": ("int string", ["integer", "string"]),
          "bool": ("bool", "boolean"),
          "string": ("string", "string"),
          "string: expression in x, y": ("string double int", ["string", "number"]),
          "Array(string)": ("Array(string)", "array string"),
-         "Array(int)": ("Array(int) int", "integer"),
-         "Array(double)": ("Array(double) Array(int) double int", "number"),
-         "TwoDArray(double)": ("TwoDArray(double) TwoDArray(int)", None)}
+         "Array(int)": ("Array(int) int Array(string) string", ["integer", "string"]),
+         "Array(double)": ("Array(double) Array(int) double int Array(string) string",
+                           ["number", "string"]),
+         "TwoDArray(double)": ("TwoDArray(double) TwoDArray(int) TwoDArray(string)", None)}
 
 
 def roff(text: str) -> str:
@@ -152,12 +154,13 @@ def json_value(keys: list[Key], key: Key) -> dict[str, Any]:
     words = {"enum": key["allowed"]} if key["allowed"] else {}
     type_ = TYPES[key["type"]][1]
     if key["type"] == "TwoDArray(double)":
-        pair = {"type": "array", "minItems": 2, "maxItems": 2, "items": {"type": "number"}}
+        pair = {"type": "array", "minItems": 2, "maxItems": 2,
+                "items": {"type": ["number", "string"]}}
         return {"type": "array", "items": pair}
     if key["type"] == "Array(string)":
         return {"type": "array", "items": {"type": "string", **words}}
     if key["type"].startswith("Array"):
-        return {"type": ["array", type_], "items": {"type": type_, **key["limits"]},
+        return {"type": ["array", *type_], "items": {"type": type_, **key["limits"]},
                 **key["limits"]}
     return {"type": type_, **key["limits"], **(words if type_ == "string" else {})}
 
@@ -210,18 +213,29 @@ def rng_list(parent: xml.Element, keys: list[Key], path: str = "") -> None:
             rng_value(entry, key)
 
 
+def rng_types(parent: xml.Element, types: list[str]) -> None:
+    choice = node(node(parent, "attribute", name="type"), "choice")
+    for type_ in types:
+        node(choice, "value", type_)
+
+
 def rng_value(entry: xml.Element, key: Key) -> None:
-    types = node(node(entry, "attribute", name="type"), "choice")
-    for type_ in TYPES[key["type"]][0].split():
-        node(types, "value", type_)
-    value = node(entry, "attribute", name="value")
     if key["type"] in ("double", "int"):
+        ways = node(entry, "choice")
+        number, text = node(ways, "group"), node(ways, "group")
+        rng_types(number, TYPES[key["type"]][0].split()[:-1])
+        value = node(number, "attribute", name="value")
         data = node(value, "data", type="integer" if key["type"] == "int" else "double")
-        for limit, number in key["limits"].items():
+        for limit, bound in key["limits"].items():
             name = {"minimum": "minInclusive", "maximum": "maxInclusive",
                     "exclusiveMinimum": "minExclusive", "exclusiveMaximum": "maxExclusive"}
-            node(data, "param", "%.15g" % number, name=name[limit])
-    elif key["type"] == "bool" or key["type"] == "string" and key["allowed"]:
+            node(data, "param", "%.15g" % bound, name=name[limit])
+        rng_types(text, ["string"])
+        node(node(text, "attribute", name="value"), "text")
+        return
+    rng_types(entry, TYPES[key["type"]][0].split())
+    value = node(entry, "attribute", name="value")
+    if key["type"] == "bool" or key["type"] == "string" and key["allowed"]:
         words = node(value, "choice")
         for word in key["allowed"] or ("true", "false"):
             node(words, "value", word)

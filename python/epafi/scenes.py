@@ -148,27 +148,26 @@ def _check(value: Any, rules: Mapping[str, Any], path: str) -> None:
         _check(entry, rule, here)
 
 
-def _numbers(values: list[Any]) -> str:
-    return ", ".join(repr(float(value)) for value in values)
-
-
 def _entry(value: Any, rules: Mapping[str, Any]) -> tuple[str, str]:
     """Teuchos' type and text of a value; without rules by what it is."""
     value = _plain(value)
     kinds = rules.get("type")
     if isinstance(value, list):
-        items = rules.get("items", {"type": "string" if all(isinstance(entry, str)
-                                                            for entry in value) else "number"})
-        if items["type"] == "array":
-            if len({len(row) for row in value}) != 1:
-                raise InputError("a table has rows of one length: %r" % (value,))
-            return "TwoDArray(double)", "%dx%d:{%s}" % (
-                len(value), len(value[0]), _numbers([x for row in value for x in row]))
-        if items["type"] == "string":
-            return "Array(string)", "{%s}" % ", ".join(value)
-        if items["type"] == "integer":
-            return "Array(int)", "{%s}" % ", ".join(map(str, value))
-        return "Array(double)", "{%s}" % _numbers(value)
+        table = bool(value) and isinstance(value[0], list)
+        cells = [x for row in value for x in row] if table else value
+        if table and len({len(row) for row in value}) != 1:
+            raise InputError("a table has rows of one length: %r" % (value,))
+        wanted = rules.get("items", {}).get("type", "number")
+        if wanted == "string" or any(isinstance(cell, str) for cell in cells):
+            type_, words = "string", map(str, cells)
+        elif "integer" in wanted:
+            type_, words = "int", map(str, cells)
+        else:
+            type_, words = "double", (repr(float(cell)) for cell in cells)
+        text = "{%s}" % ", ".join(words)
+        if table:
+            return "TwoDArray(%s)" % type_, "%dx%d:%s" % (len(value), len(value[0]), text)
+        return "Array(%s)" % type_, text
     if isinstance(value, bool):
         return "bool", "true" if value else "false"
     if isinstance(value, str):

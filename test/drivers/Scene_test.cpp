@@ -179,6 +179,25 @@ TEUCHOS_UNIT_TEST(Scene, yamlTakesExpressionsAndArraysWithoutQuotes) {
       printed("  Output:\n    Interior Points:\n    - [1, 0.5]\n    - [1, .1]\n"));
 }
 
+/// Wherever a number is wanted, an expression in constants may stand; used.xml keeps it, so that
+/// it repeats the run and still follows its constants.
+TEUCHOS_UNIT_TEST(Scene, numbersAreExpressionsInConstants) {
+  std::string text = with(yaml, "[2, 0], [2, 1]", "[L, 0], [2*H, \"max(H, 0)\"]");
+  text = with(text, "Modulus: 200", "Modulus: 100*L");
+  text = with(text, "[4, 2, 4, 2]", "[2*L, L, 2*L, L]") + "  Constants: {L: 2, H: L/2}\n";
+  const drivers::Scene scene = readYaml(text);
+  const drivers::Scene plain = readYaml(yaml);
+  TEST_ASSERT(scene.bodies[0].outline->diameter() == plain.bodies[0].outline->diameter());
+  TEST_EQUALITY(scene.bodies[0].material.youngsModulus, 200);
+  TEST_ASSERT(scene.bodies[0].elementsPerEdge == plain.bodies[0].elementsPerEdge);
+  const test::TemporaryFile used("used.xml", drivers::usedXml(scene));
+  TEST_EQUALITY(drivers::usedXml(drivers::readScene(used.path())),
+                drivers::usedXml(scene));
+  const drivers::Scene longer = drivers::readScene(used.path(), {"Constants->L=4"});
+  TEST_EQUALITY(longer.bodies[0].material.youngsModulus, 400);
+  TEST_ASSERT(longer.bodies[0].outline->diameter() > scene.bodies[0].outline->diameter());
+}
+
 TEUCHOS_UNIT_TEST(Scene, usedXmlGivesTheSameSceneBitByBit) {
   SceneText text;
   text.material =
