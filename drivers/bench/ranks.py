@@ -6,7 +6,7 @@
 One level of the Tresca scene, p = 1, one thread a rank, 1 and 2 ranks by turns, so that what
 else the machine does meets both.  Above 8000 elements without stabilisation, by compressed
 operators.  Prints medians and minima of the seconds by the clock on the
-wall and of the largest memory of a rank, as rows of doc/benchmarks/mpi.md's table; all runs go
+wall and of the largest memory of a rank, as rows of doc/benchmarks/speed.md's table; all runs go
 into the csv with the machine's load.
 Standard library only.
 """

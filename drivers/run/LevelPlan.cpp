@@ -57,7 +57,7 @@ constexpr double programMemory = 47;
 constexpr double mebi = 1024.0 * 1024.0;
 
 /// Peak with dense matrices [MiB]: K with its transpose, V and S in halves, traction rows, D and
-/// what is made on the way (doc/decisions/0016).  Every process has all of it.
+/// what is made on the way (decision 16).  Every process has all of it.
 double denseMemory(const std::vector<BodySize>& sizes, int processes) {
   double bytes = 0;
   for (const BodySize& b : sizes)

@@ -27,7 +27,7 @@ int formedUpTo(int steps);
 /// As Solver->Linear->Method wants it; "Automatic": compressed where the scene allows it, from
 /// 3100 unknowns of one body on, some 7300 of two that meet, for meshes that are not graded to
 /// rounding, of bodies that are not slender: by sizes and shape, alike on every machine
-/// (doc/decisions/0071).  Collective.
+/// (decision 71).  Collective.
 /// \param allowedBefore  `allowed` of an earlier level; 0 if there is none.
 Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks,
             double allowedBefore);
