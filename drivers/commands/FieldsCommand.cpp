@@ -67,6 +67,8 @@ class SavedRun {
       level.bodies[b].displacement = std::move(step.displacement[b]);
       level.bodies[b].density = std::move(step.density[b]);
     }
+    while (level.path.size() > 1 && level.path.back().t > step.t)
+      level.path.pop_back();
     return run;
   }
 

@@ -93,7 +93,7 @@ void Recorder::stage(const LevelFiles& files) {
     folder_->stage("contact.csv", files.contact);
   if (scene_.output.fields)
     folder_->stage("boundary.csv", boundaryCsv(scene_, files.grid));
-  if (scene_.hasSeveral())
+  if (scene_.tellsBodies())
     folder_->stage("bodies.csv", files.bodies);
 }
 
@@ -137,7 +137,7 @@ void Recorder::takeStep(const SolvedLevel& level) {
   steps_ += (steps_.empty() ? stepsHead(row) : "") + stepsLine(row);
   path_.contacts.push_back(contact_.next(level));
   path_.times.push_back(row.t);
-  if (scene_.hasSeveral())
+  if (scene_.tellsBodies())
     bodies_ += bodiesLines(scene_, row.level, row.step, row.bodies, row.rigid);
   BoundaryLines grid;
   if (scene_.output.fields) {
@@ -168,10 +168,11 @@ void Recorder::writeTimings(PhaseTimer& timer) {
 
 std::string Recorder::solution(const Level& level, const LevelRow& row,
                                const BoundaryLines& grid) const {
-  return solutionFile(scene_,
-                      {level, used_, history_, steps_, scene_.hasSeveral() ? bodies_ : "",
-                       row.secondsTotal, row.secondsWall},
-                      grid);
+  return solutionFile(
+      scene_,
+      {level, used_, history_, steps_, scene_.tellsBodies() ? bodies_ : "",
+       row.secondsTotal, row.secondsWall},
+      grid);
 }
 
 LevelRow Recorder::countedOn(LevelRow row) const {

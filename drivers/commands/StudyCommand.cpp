@@ -81,7 +81,7 @@ struct Record {
   std::string used = usedXml(scene);
   std::string history = historyHead();
   std::string steps{};  ///< where the scene has a History
-  std::string bodies = scene.hasSeveral() ? bodiesHead() : "";  ///< likewise of several
+  std::string bodies = scene.tellsBodies() ? bodiesHead() : "";  ///< likewise of several
 
   void add(const SolvedLevel& level, const LevelRow& row) {
     history += historyLine(row);
@@ -104,8 +104,9 @@ struct Record {
  private:
   template <class Row>
   std::string bodiesOf(int step, const Row& row) const {
-    return scene.hasSeveral() ? bodiesLines(scene, row.level, step, row.bodies, row.rigid)
-                              : "";
+    return scene.tellsBodies()
+               ? bodiesLines(scene, row.level, step, row.bodies, row.rigid)
+               : "";
   }
 };
 
@@ -291,7 +292,7 @@ class StudyRun {
     if (variant.swept && !study_.keepSolutions)
       return;
     folder.write("history.csv", record.history);
-    if (scene.hasSeveral())
+    if (scene.tellsBodies())
       folder.write("bodies.csv", record.bodies);
     if (!scene.output.fields)
       return;

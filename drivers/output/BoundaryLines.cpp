@@ -87,10 +87,11 @@ class Sampler {
     const auto* contact = contacts_[e];
     if (contact != nullptr)
       point = fields_.at(*contact, t);
-    addPoint(mesh().physicalPoint(e, t),
-             units.length * solved_.space.displacementAt(solved_.displacement, e, t),
-             units.stress * solved_.space.densityAt(density_, e, t),
-             contact == nullptr ? nullptr : &point, grid);
+    bem::Vec2 traction = solved_.space.densityAt(density_, e, t);
+    if (solved_.conditions.inside)
+      traction = traction + solved_.conditions.inside->traction(mesh(), e, t);
+    addPoint(mesh().physicalPoint(e, t), units.length * solved_.displacementAt(e, t),
+             units.stress * traction, contact == nullptr ? nullptr : &point, grid);
   }
 
   const contact::Solved& solved_;

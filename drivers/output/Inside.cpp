@@ -18,12 +18,14 @@ constexpr double end = 0.05;
 
 BodyInsides::BodyInsides(const Scene& scene, const Level& level)
     : scene_(scene), level_(level), spaces_(scene, meshesOf(scene, level)) {
+  for (const auto& conditions : scene.conditionsAt(level.time(scene.endOfPath())))
+    inside_.push_back(conditions.inside);
   for (std::size_t b = 0; b < size(); ++b)
     fields_.emplace_back(spaces_.space(b), scene.lame(b), level.bodies[b].displacement,
                          level.bodies[b].density);
 }
 
-InsideValue BodyInsides::inUnits(std::size_t body,
+InsideValue BodyInsides::inUnits(std::size_t body, bem::Vec2 scaled,
                                  const bem::InteriorValue& field) const {
   const bem::Material& material = scene_.bodies[body].material;
   const bem::Units units = scene_.units();
@@ -32,7 +34,18 @@ InsideValue BodyInsides::inUnits(std::size_t body,
   value.xx = units.stress * field.xx;
   value.yy = units.stress * field.yy;
   value.xy = units.stress * field.xy;
+  if (const contact::Inside& inside = inside_[body]) {
+    const auto stress = inside->stress(scaled);
+    value.displacement = value.displacement + units.length * inside->displacement(scaled);
+    value.xx += units.stress * stress.xx;
+    value.yy += units.stress * stress.yy;
+    value.xy += units.stress * stress.xy;
+  }
   value.zz = material.planeStress ? 0 : material.poissonsRatio * (value.xx + value.yy);
+  if (const contact::Inside& inside = inside_[body]) {
+    value.zz += units.stress * inside->stressAcross(scaled);
+    value.temperature = inside->temperature(scaled);
+  }
   const double a = value.xx - value.yy;
   const double b = value.yy - value.zz;
   const double c = value.zz - value.xx;
@@ -49,8 +62,10 @@ InsideValue BodyInsides::atBoundary(std::size_t b, int e, double t) const {
   const bem::Vec2 inward = -1 * element.curve.normal(place);
   const bem::Vec2 x = element.curve.point(place) + (skin * element.half) * inward;
   InsideValue value = at({b, mesh(b).outline().physical(x)});
-  value.displacement = scene_.units().length * spaces_.space(b).displacementAt(
-                                                   level_.bodies[b].displacement, e, t);
+  bem::Vec2 u = spaces_.space(b).displacementAt(level_.bodies[b].displacement, e, t);
+  if (inside_[b])
+    u = u + inside_[b]->displacement(mesh(b), e, t);
+  value.displacement = scene_.units().length * u;
   return value;
 }
 
@@ -71,7 +86,7 @@ std::vector<InsideValue> BodyInsides::at(const std::vector<InsidePoint>& points)
       }
     const std::vector<bem::InteriorValue> fields = fields_[b].at(places);
     for (std::size_t k = 0; k < own.size(); ++k)
-      values[own[k]] = inUnits(b, fields[k]);
+      values[own[k]] = inUnits(b, places[k], fields[k]);
   }
   return values;
 }
@@ -79,14 +94,14 @@ std::vector<InsideValue> BodyInsides::at(const std::vector<InsidePoint>& points)
 std::string BodyInsides::csv(const std::vector<InsidePoint>& points,
                              const std::vector<InsideValue>& values) const {
   std::string csv = csvLine({"x", "y", "ux", "uy", "sxx", "syy", "sxy", "von_mises",
-                             "body", "szz", "principal_1", "principal_2"});
+                             "body", "szz", "principal_1", "principal_2", "temperature"});
   for (std::size_t i = 0; i < points.size(); ++i) {
     const InsideValue& v = values[i];
-    csv += csvLine({exactly(points[i].x.x), exactly(points[i].x.y),
-                    exactly(v.displacement.x), exactly(v.displacement.y), exactly(v.xx),
-                    exactly(v.yy), exactly(v.xy), exactly(v.vonMises),
-                    scene_.bodies[points[i].body].name, exactly(v.zz),
-                    exactly(v.principal1), exactly(v.principal2)});
+    csv += csvLine(
+        {exactly(points[i].x.x), exactly(points[i].x.y), exactly(v.displacement.x),
+         exactly(v.displacement.y), exactly(v.xx), exactly(v.yy), exactly(v.xy),
+         exactly(v.vonMises), scene_.bodies[points[i].body].name, exactly(v.zz),
+         exactly(v.principal1), exactly(v.principal2), exactly(v.temperature)});
   }
   return csv;
 }

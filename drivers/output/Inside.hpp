@@ -15,10 +15,11 @@ struct InsideValue {
   double xx = 0;
   double yy = 0;
   double xy = 0;
-  double zz = 0;        ///< across the plane: ν (σxx + σyy), or 0 in plane stress
+  double zz = 0;  ///< across the plane: ν (σxx + σyy) - E α T, or 0 in plane stress
   double vonMises = 0;  ///< √(½ Σ of squared differences of normal stresses + 3 σxy²)
   double principal1 = 0;  ///< the larger principal stress in the plane
   double principal2 = 0;
+  double temperature = 0;  ///< above the stress-free state [temperature]
 };
 
 /// A point inside a body, in the user's coordinates.  As drawn bodies may overlap: the point alone
@@ -50,17 +51,20 @@ class BodyInsides {
 
   /// In parallel; eight points of a body take as long as one.
   std::vector<InsideValue> at(const std::vector<InsidePoint>& points) const;
-  /// x,y,ux,uy,sxx,syy,sxy,von_mises,body,szz,principal_1,principal_2: a row per point.
+  /// x,y,ux,uy,sxx,syy,sxy,von_mises,body,szz,principal_1,principal_2,temperature: a row per
+  /// point.
   std::string csv(const std::vector<InsidePoint>& points,
                   const std::vector<InsideValue>& values) const;
 
  private:
-  InsideValue inUnits(std::size_t body, const bem::InteriorValue& field) const;
+  InsideValue inUnits(std::size_t body, bem::Vec2 scaled,
+                      const bem::InteriorValue& field) const;
 
   const Scene& scene_;
   const Level& level_;
   BodySpaces spaces_;
-  std::vector<bem::Interior> fields_;  ///< of each body
+  std::vector<contact::Inside> inside_;  ///< of each body, at the level's last time
+  std::vector<bem::Interior> fields_;    ///< of each body
 };
 
 }  // namespace epafi::drivers

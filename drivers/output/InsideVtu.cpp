@@ -27,6 +27,7 @@ constexpr Field fields[] = {
     {"von_mises", [](const InsideValue& v) { return v.vonMises; }},
     {"principal_1", [](const InsideValue& v) { return v.principal1; }},
     {"principal_2", [](const InsideValue& v) { return v.principal2; }},
+    {"temperature", [](const InsideValue& v) { return v.temperature; }},
 };
 
 /// Where a point of the boundary lies.
@@ -56,7 +57,8 @@ InsideValue mean(const InsideValue& a, const InsideValue& b) {
   m.displacement = 0.5 * (a.displacement + b.displacement);
   for (const auto part :
        {&InsideValue::xx, &InsideValue::yy, &InsideValue::xy, &InsideValue::zz,
-        &InsideValue::vonMises, &InsideValue::principal1, &InsideValue::principal2})
+        &InsideValue::vonMises, &InsideValue::principal1, &InsideValue::principal2,
+        &InsideValue::temperature})
     m.*part = 0.5 * (a.*part + b.*part);
   return m;
 }

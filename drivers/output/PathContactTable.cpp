@@ -21,8 +21,17 @@ double stressAlong(const contact::Solved& solved, const bem::Material& material,
   const double strain = dot({slope.real(), slope.imag()}, on.curve.tangent(t));
   const double nu = material.poissonsRatio;
   const double e = material.youngsModulus;
-  return material.planeStress ? e * strain - nu * pressure
-                              : e / (1 - nu * nu) * strain - nu / (1 - nu) * pressure;
+  double ofInside = 0;
+  if (const contact::Inside& inside = solved.conditions.inside) {
+    const bem::Vec2 along = on.curve.tangent(t);
+    const auto stress = inside->stress(solved.space.mesh().scaledPoint(element, t));
+    ofInside = solved.units.stress * dot(stress.on(along), along);
+    pressure +=
+        solved.units.stress * dot(stress.on(on.curve.normal(t)), on.curve.normal(t));
+  }
+  return ofInside + (material.planeStress
+                         ? e * strain - nu * pressure
+                         : e / (1 - nu * nu) * strain - nu / (1 - nu) * pressure);
 }
 
 }  // namespace

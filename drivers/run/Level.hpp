@@ -64,6 +64,8 @@ struct Level {
   /// Of each step that was asked for, at the end of a path only: a file on the way would grow
   /// with every step that it is written after.
   std::vector<StepFields> steps{};
+  /// Of its last state; `end`: of scenes without a History.
+  double time(double end) const { return path.empty() ? end : path.back().t; }
   /// The steps, or the one state that there is without a History, whose t is 0.
   std::vector<StepFields> solved() const;
   /// Did the path get to its end, or is this a step on the way?  True without a History.
@@ -97,7 +99,8 @@ struct RigidRow {
   contact::RigidMotion motion;
   contact::Resultant load;      ///< given with the scene
   contact::Resultant reaction;  ///< of what gives it its motion
-  contact::Resultant contact;   ///< of all contacts; all three add up to nothing
+  contact::Resultant contact;   ///< of all contacts
+  contact::Resultant inside;    ///< of what acts inside; all four add up to nothing
 };
 
 /// Says of a level that compressed operators failed on it.

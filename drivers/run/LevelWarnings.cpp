@@ -48,8 +48,7 @@ double largestMotion(const contact::Solved& solved, const bem::Outline& outline)
   double largest = 0;
   for (int e = 0; e < solved.space.mesh().size(); ++e)
     for (const double t : {-1.0, 0.0, 1.0})
-      largest =
-          std::max(largest, norm(solved.space.displacementAt(solved.displacement, e, t)));
+      largest = std::max(largest, norm(solved.displacementAt(e, t)));
   return largest * solved.units.length / outline.diameter();
 }
 
@@ -63,7 +62,7 @@ double imbalanceOf(const contact::Summary& body, double motion, double youngsMod
     return 0;
   double largest = 2 * body.energyStrain / motion;
   bem::Vec2 sum;
-  for (const auto* force : {&body.load, &body.contact, &body.reaction}) {
+  for (const auto* force : {&body.load, &body.inside, &body.contact, &body.reaction}) {
     sum = sum + bem::Vec2{force->x, force->y};
     largest = std::max({largest, std::abs(force->x), std::abs(force->y)});
   }

@@ -215,13 +215,18 @@ class Follower {
     const contact::Configuration& at = step.solved->at();
     const bem::Units units = ground_.scene.units();
     const double energy = units.stress * units.length * units.length;
-    if (ground_.scene.hasSeveral())
+    if (ground_.scene.tellsBodies())
       row_.bodies = contact::summarizeAll(step.solved->bodies());
-    const double strain = row_.bodies.empty()
-                              ? system.strainEnergy(at)
-                              : contact::sumOf(row_.bodies).energyStrain / energy;
+    double ofInside = 0;
+    for (const contact::Solved& solved : step.solved->bodies())
+      ofInside += contact::energiesOfInside(solved).strain;
+    const double strain =
+        row_.bodies.empty()
+            ? system.strainEnergy(at)
+            : contact::sumOf(row_.bodies).energyStrain / energy - ofInside;
     const double stored = system.storedEnergy(at);
-    row_.energyStrain = energy * strain;
+    row_.energyStrain = energy * (strain + ofInside);
+    row_.energyStored = energy * stored;
     row_.energyDissipated = energy * here_.memory.friction();
     double error = 0;
     for (const PathPoint& point : path_.points)
@@ -271,7 +276,7 @@ StepRow emptyRow(const Scene& scene, const BodySpaces& spaces) {
   StepRow row;
   std::map<std::string, int> uses;  // of a name
   for (const RigidBody& body : scene.rigid) {
-    row.rigid.push_back({body.name, body.pole, {}, {}, {}, {}});
+    row.rigid.push_back({body.name, body.pole, {}, {}, {}, {}, {}});
     ++uses[body.name];
   }
   std::vector<std::set<std::string>> contacts(spaces.size());

@@ -37,7 +37,7 @@ SolvedBodies::SolvedBodies(const Ground& ground, const contact::ContactSystem& s
     : ground_(ground),
       system_(system),
       at_(std::move(at)),
-      placement_(ground.spaces, at_.displacements, at_.rigid) {
+      placement_(ground.spaces, at_.displacements, at_.rigid, conditions) {
   const std::size_t count = system.size();
   bodies_.reserve(count);  // pressed refers to all of them
   for (std::size_t b = 0; b < count; ++b) {
@@ -56,6 +56,8 @@ SolvedBodies::SolvedBodies(const Ground& ground, const contact::ContactSystem& s
     if (before != nullptr) {
       bodies_[b].displacementBefore = &before->displacements[b];
       bodies_[b].motionsBefore = &before->motions;
+      if (!before->motions.inside.empty())
+        bodies_[b].insideBefore = before->motions.inside[b];
     }
   }
   for (std::size_t b = 0; b < count; ++b)
@@ -98,7 +100,7 @@ std::vector<RigidRow> SolvedBodies::rigidRows() const {
   std::vector<RigidRow> rows;
   for (std::size_t k = 0; k < forces.size(); ++k) {
     const RigidBody& body = ground_.scene.rigid[k];
-    RigidRow row{body.name, body.pole, at_.rigid[k], {}, {}, {}};
+    RigidRow row{body.name, body.pole, at_.rigid[k], {}, {}, {}, {}};
     row.motion.slide = units.length * row.motion.slide;
     const double scales[] = {force, force, force * units.length};
     constexpr double contact::Resultant::*members[] = {
@@ -106,10 +108,11 @@ std::vector<RigidRow> SolvedBodies::rigidRows() const {
     for (std::size_t c = 0; c < 3; ++c) {
       const contact::Drive::Component& drive = system_.drives()[k].components[c];
       row.contact.*members[c] = scales[c] * forces[k][c];
+      row.inside.*members[c] = scales[c] * drive.inside;
       if (drive.free)
         row.load.*members[c] = scales[c] * drive.value;
       else
-        row.reaction.*members[c] = -scales[c] * forces[k][c];
+        row.reaction.*members[c] = -scales[c] * (forces[k][c] + drive.inside);
     }
     rows.push_back(std::move(row));
   }

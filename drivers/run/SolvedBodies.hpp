@@ -26,9 +26,14 @@ struct Placement {
   std::vector<bem::Vector> displacements;
   contact::Motions motions;  ///< of these
 
+  /// `conditions`: that bodies are there under; none: nothing acts inside.
   Placement(const BodySpaces& spaces, std::vector<bem::Vector> all,
-            const std::vector<contact::RigidMotion>& rigid)
-      : displacements(std::move(all)), motions(spaces.motions(displacements, rigid)) {}
+            const std::vector<contact::RigidMotion>& rigid,
+            const std::vector<contact::Conditions>& conditions = {})
+      : displacements(std::move(all)), motions(spaces.motions(displacements, rigid)) {
+    for (const contact::Conditions& ofBody : conditions)
+      motions.inside.push_back(ofBody.inside);
+  }
   Placement(const Placement&) = delete;
   Placement& operator=(const Placement&) = delete;
 };

@@ -190,7 +190,7 @@ class BalanceOf {
     for (std::size_t b = 0; b < spaces.size(); ++b) {
       const contact::Holding holding =
           contact::makeHolding(spaces.space(b), conditions[b], units);
-      size += holding.loads.largestTraction + holding.loads.largestDisplacement;
+      size += holding.loads.size();
       addElastic(b, holding);
     }
     size += addRigid(scene.drivesAt(t));
@@ -254,7 +254,7 @@ class BalanceOf {
                                               *spaces_.opposite(a), static_cast<int>(k)));
       for (std::size_t c = 0; c < 3; ++c) {
         const contact::Drive::Component& drive = drives[k].components[c];
-        size += std::abs(drive.value);
+        size += std::abs(drive.value + drive.inside);
         if (!drive.free)
           continue;
         Vector column(numbering_.size());
@@ -262,7 +262,7 @@ class BalanceOf {
           addTo(column, a, bem::columnOf(traces[a].traces, static_cast<bem::Index>(c)),
                 c == 2 ? -traces[a].lever : -1);
         columns_.push_back(std::move(column));
-        result_.numbers.rigidLoad.push_back(drive.value);
+        result_.numbers.rigidLoad.push_back(drive.value + drive.inside);
       }
     }
     return size;

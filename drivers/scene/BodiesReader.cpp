@@ -1,6 +1,7 @@
 #include "drivers/scene/BodiesReader.hpp"
 
 #include "bem/base/Error.hpp"
+#include "drivers/scene/BodyLoadsReader.hpp"
 #include "drivers/scene/ConditionsReader.hpp"
 #include "drivers/scene/Expression.hpp"
 #include "drivers/scene/GeometryReader.hpp"
@@ -59,7 +60,7 @@ void refuseElasticity(const ParameterList& list, const std::string& path) {
   const auto refuse = [&](const std::string& key) {
     throw InputError(path, "->", key,
                      ": the body is rigid (Material->Rigid = true); it has "
-                     "Geometry and Motion alone");
+                     "Geometry, Motion and what acts on mass alone");
   };
   for (const char* key : {"Young's Modulus", "Poisson's Ratio"})
     if (list.sublist("Material").isParameter(key))
@@ -117,6 +118,16 @@ RigidBody readRigid(const ParameterList& list, const std::string& name,
                  names = scene.names()](double t) {
             return evaluateAt(t, text, place, names);
           }};
+  }
+  const BodyLoadsReader loads(*scene.used, name, {scene.file, ""});
+  if (loads.actsOnRigid()) {
+    body.inside = [loads, used = scene.used, outline = body.outline, pole = body.pole,
+                   names = scene.names()](double t) {
+      Names now = names;
+      now.t = t;
+      return loads.resultant(*outline, pole, now);
+    };
+    body.inside(1);  // what contradicts itself shall be said at once
   }
   return body;
 }

@@ -28,11 +28,14 @@ std::vector<contact::Drive> Scene::drivesAt(double t) const {
   std::vector<contact::Drive> drives;
   for (const RigidBody& body : rigid) {
     contact::Drive drive;
+    const contact::Resultant inside = body.inside ? body.inside(t) : contact::Resultant{};
+    const double ofInside[] = {inside.x, inside.y, inside.moment};
     for (std::size_t c = 0; c < 3; ++c) {
       const RigidBody::Component& component = body.components[c];
       const double one = component.free ? forces[c] : motions[c];
       drive.components[c] = {component.free,
-                             component.value ? component.value(t) / one : 0};
+                             component.value ? component.value(t) / one : 0,
+                             ofInside[c] / forces[c]};
     }
     drives.push_back(drive);
   }

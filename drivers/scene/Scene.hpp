@@ -7,6 +7,7 @@
 #include "contact/conditions/Conditions.hpp"
 #include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/opposite/RigidBodies.hpp"
+#include "contact/results/Summary.hpp"
 #include "contact/stabilization/Stabilization.hpp"
 #include "drivers/scene/ConstantNumbers.hpp"
 #include "drivers/scene/History.hpp"
@@ -56,6 +57,8 @@ struct RigidBody {
   std::shared_ptr<const bem::Outline> outline;
   std::array<Component, 3> components;
   bem::Vec2 pole;  ///< reference point
+  /// Of what acts inside, about that point; empty: nothing does.
+  std::function<contact::Resultant(double t)> inside{};
 };
 
 /// A boundary of a body.
@@ -117,6 +120,10 @@ struct Scene {
   bem::Units units() const { return bodies.front().outline->units(stress); }
   bem::Lame lame(std::size_t b) const { return {bodies[b].material, stress}; }
   bool hasSeveral() const { return bodies.size() + rigid.size() > 1; }
+  /// Do bodies have forces of their own to be told, beside those of the scene?
+  bool tellsBodies() const {
+    return hasSeveral() || bodies.front().conditions.inside != nullptr;
+  }
   /// "base", or among several bodies "block:base".
   std::string boundaryName(std::size_t b, const std::string& boundary) const {
     return !hasSeveral() ? boundary : bodies[b].name + ":" + boundary;

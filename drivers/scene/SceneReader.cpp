@@ -4,6 +4,7 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/process/Versions.hpp"
 #include "drivers/scene/BodiesReader.hpp"
+#include "drivers/scene/BodyLoadsReader.hpp"
 #include "drivers/scene/ConditionsReader.hpp"
 #include "drivers/scene/ContactsReader.hpp"
 #include "drivers/scene/GeometryReader.hpp"
@@ -98,7 +99,7 @@ void readNames(ParameterList& given, Scene& scene) {
 std::function<std::vector<contact::Conditions>(double t)> conditionsOf(
     const Scene& scene) {
   return [lists = scene.used, file = scene.file, bodies = scene.bodies,
-          names = scene.names()](double t) {
+          stress = scene.stress, names = scene.names()](double t) {
     Names now = names;
     now.t = t;
     std::vector<contact::Conditions> all;
@@ -106,6 +107,8 @@ std::function<std::vector<contact::Conditions>(double t)> conditionsOf(
       all.push_back(readConditions(lists->sublist("Bodies").sublist(body.name),
                                    {file, "Bodies->" + body.name}, *body.outline, now));
       all.back().pins = body.conditions.pins;
+      all.back().inside = BodyLoadsReader(*lists, body.name, {file, ""})
+                              .inside(*body.outline, body.material, stress, now);
       for (const auto& [boundary, contact] : body.conditions.contact)
         if (!contact.name.empty()) {
           now.normal = normalOn(*body.outline, boundary);
@@ -124,10 +127,8 @@ std::function<std::vector<contact::Conditions>(double t)> conditionsOf(
 void readHistory(ParameterList& used, Scene& scene) {
   scene.history = parseHistory(used.sublist("History"));
   scene.conditionsAt = conditionsOf(scene);
-  if (!scene.history) {
+  if (!scene.history)
     used.remove("History");
-    return;
-  }
   const std::vector<contact::Conditions> end = scene.conditionsAt(scene.endOfPath());
   for (std::size_t b = 0; b < end.size(); ++b)
     scene.bodies[b].conditions = end[b];

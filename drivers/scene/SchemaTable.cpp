@@ -5,6 +5,7 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/stabilization/Stabilization.hpp"
+#include "drivers/scene/BodyLoadsReader.hpp"
 #include "drivers/scene/History.hpp"
 #include "drivers/scene/Interpolant.hpp"
 #include "drivers/scene/LinearMethod.hpp"
@@ -17,6 +18,7 @@ namespace epafi::drivers {
 namespace {
 
 using bem::above;
+using bem::from;
 using bem::Row;
 using Table = std::vector<Parameter>;
 
@@ -53,6 +55,12 @@ void addBody(Table& table) {
           Row("Plane State", Kind::Text, "no strain or no stress across the plane")
               .standard("Plane Strain")
               .allowed({"Plane Strain", "Plane Stress"}),
+          Row("Density", Kind::Real, "mass density, of bodies on which Body Loads act")
+              .unit("mass / volume")
+              .range(from(0)),
+          Row("Thermal Expansion", Kind::Real,
+              "coefficient of linear thermal expansion, of bodies with a Temperature")
+              .unit("1 / temperature"),
       });
   add(table,
       Row(geometry, Kind::List, "the outline: a polygon of segments and arcs, with holes")
@@ -134,6 +142,14 @@ void addConditions(Table& table) {
               "uniform traction of that mode")
               .allowed({"X", "Y", "Rotation"}),
       });
+  add(table,
+      Row("Bodies-><body>->Body Loads", Kind::List,
+          "what acts inside the body, its own in place of the list at the root"),
+      bodyLoadsRows());
+  add(table,
+      Row("Body Loads", Kind::List,
+          "what acts inside every body that has no such list of its own"),
+      bodyLoadsRows());
 }
 
 void addSeveralBodies(Table& table) {

@@ -35,8 +35,8 @@ def words(node, name):
 
 class Products:
     """A scene of every kind times: bodies of nu = 1/2 where the conditions allow it; a hole, free,
-    under pressure or about a plug; a path on which loads and overlaps come and go.  `paths`: may it
-    have a History?"""
+    under pressure or about a plug; a path on which loads and overlaps come and go; weight, spin and
+    heat inside, by any form of the stabilisation.  `paths`: may it have a History?"""
 
     KINDS = (Scene, TwoBodies, ThreeBodies, Rings, Oddities)
 
@@ -66,6 +66,47 @@ class Products:
             self.root.remove(history)
         elif history is None and paths and draw.random() < 0.5:
             self.path()
+        if draw.random() < 0.5:
+            self.inside(scene, size)
+
+    def inside(self, scene, size):
+        """Forces of all bodies at the root, heat of each by itself.  What is free to fall has nothing
+        but weight, downwards."""
+        draw, factor = self.draw, ""
+        if child(self.root, "History") is not None:
+            factor = "*(0.6 + 0.4*sin(%.3g*t + %.3g))" % (draw.uniform(1, 4), draw.uniform(0, 6))
+        held = isinstance(scene, Rings) or isinstance(scene, Scene) and scene.held in ("clamp", "mean")
+        force = self.stress / size  # per volume
+        kinds = [kind for kind in ("weight", "spin", "heat") if draw.random() < 0.6]
+        bodies, loads = list(child(self.root, "Bodies")), {}
+        if "weight" in kinds:
+            name = draw.choice(("Gravity", "Force"))
+            loads[name + " Y"] = -force * draw.uniform(0.1, 1)
+            if held:
+                loads[name + " X"] = force * draw.uniform(-1, 1)
+        if "spin" in kinds and held:
+            loads["Spin"] = (force / size * draw.uniform(0, 1)) ** 0.5
+            loads["Angular Acceleration"] = force / size * draw.uniform(-1, 1)
+        for body in bodies:
+            put(sublist(body, "Material"), "Density", "double", "%.6g" % draw.uniform(0.5, 2))
+        owners = [self.root]
+        if "heat" in kinds:
+            owners = self.bodies
+        for owner in owners:
+            inner = sublist(owner, "Body Loads") if loads or "heat" in kinds else None
+            for key, value in loads.items():
+                put(inner, key, "string", "(%.6g)%s" % (value, factor))
+            if "heat" in kinds:
+                put(child(owner, "Material"), "Thermal Expansion", "double", "1e-5")
+                strain = self.stress / self.modulus(owner) / 1e-5
+                terms = ["%.4g*(x/%.6g)^%d*(y/%.6g)^%d" % (
+                    draw.uniform(-1, 1), size, a, size, b)
+                    for a, b in ((0, 0), (1, 0), (draw.randint(0, 2), draw.randint(0, 2)))]
+                put(inner, "Temperature", "string", "%.6g*(%s)%s" % (strain, " + ".join(terms), factor))
+        self.features += kinds
+        if "incompressible" not in self.features and self.basis != "Biorthogonal":
+            put(sublist(child(self.root, "Discretization"), "Stabilization"), "Form", "string",
+                draw.choice(("Density", "Projected", "Exact")))
 
     def xml(self):
         return tree.tostring(self.root, encoding="unicode")

@@ -99,16 +99,19 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   constexpr int forTurning = 8;
   const int degree =
       geometry.curve.isStraight() ? p : std::min(p + forTurning, bem::largestDegree);
-  const auto component = [&](const auto& direction, const Vector* before) {
+  // that of a particular solution is of another degree than the element
+  const bool acts = solved.conditions.inside || solved.insideBefore;
+  const int degreeOfMotion =
+      acts ? std::min(std::max(degree, p + forTurning), bem::largestDegree) : degree;
+  const auto component = [&](const auto& direction, bool since) {
     return Polynomial(
-        [&, before](double t) {
-          bem::Vec2 u =
-              solved.space.displacementAt(solved.displacement, element.element, t);
-          if (before != nullptr)
-            u = u - solved.space.displacementAt(*before, element.element, t);
+        [&, since](double t) {
+          bem::Vec2 u = solved.displacementAt(element.element, t);
+          if (since)
+            u = u - solved.displacementBeforeAt(element.element, t);
           return dot(u, direction(t));
         },
-        degree);
+        degreeOfMotion);
   };
   const auto stress = [&](auto part, const auto& direction) {
     return Polynomial(
@@ -125,7 +128,7 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   const auto along = [&geometry](double t) { return geometry.curve.tangent(t); };
   const auto across = [&geometry](double t) { return geometry.curve.normal(t); };
   const Polynomial pressure = stress(&Value::normal, across);
-  const Polynomial normal = component(across, nullptr);
+  const Polynomial normal = component(across, false);
   const contact::Conditions::Contact& condition = *element.condition;
   const bem::Units units = solved.units;
   const int e = element.element;
@@ -147,7 +150,7 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   };
   // the whole jump of bonded sides is an error, not what a step adds to it
   const bool ties = element.ties();
-  const Polynomial own = component(along, ties ? nullptr : solved.displacementBefore);
+  const Polynomial own = component(along, !ties && solved.displacementBefore != nullptr);
   const contact::Motions* before = ties ? nullptr : solved.motionsBefore;
   const auto tangential = [metAt, along, own, motion, before](double t) {
     const Met met = metAt(t);

@@ -33,6 +33,27 @@ class FixedTraction {
   Vector amplitudes_;
 };
 
+/// p/h |u_D - u|² of what clamps hold on an element: a particular solution is interpolated there.
+double clampSquares(const contact::Solved& solved, int e,
+                    const std::vector<bem::BoundaryValue>& values) {
+  const bem::Mesh& mesh = solved.space.mesh();
+  const auto clamp = solved.conditions.dirichlet.find(mesh.boundary(e));
+  if (!solved.conditions.inside || clamp == solved.conditions.dirichlet.end())
+    return 0;
+  double square = 0;
+  for (const bem::BoundaryValue& value : values) {
+    const double t = value.place.t;
+    const Vec2 u = solved.displacementAt(e, t);
+    const Vec2 x = mesh.physicalPoint(e, t);
+    const auto error = [&](const bem::Function& given, double own) {
+      return given ? given(x) / solved.units.length - own : 0;
+    };
+    const Vec2 missed{error(clamp->second.x, u.x), error(clamp->second.y, u.y)};
+    square += value.weight * mesh[e].degree / (2 * mesh[e].half) * dot(missed, missed);
+  }
+  return square;
+}
+
 class Residuals {
  public:
   Residuals(const contact::Solved& solved, const bem::Lame& lame, const Weights& weights)
@@ -50,6 +71,7 @@ class Residuals {
     for (const bem::BoundaryValue& value : values)
       of(squares, Source::Density) +=
           value.weight * h * dot(value.mismatch, value.mismatch);
+    of(squares, Source::Density) += clampSquares(solved_, e, values);
     if (touching)
       return squares;
     const Vec2 free = Vec2{1, 1} - solved_.conditions.given(mesh_.boundary(e));
@@ -60,7 +82,9 @@ class Residuals {
       const Vec2 load = loaded ? (1 / solved_.units.stress) *
                                      neumann->second.at(mesh_.physicalPoint(e, t))
                                : Vec2{};
-      const Vec2 r = load + solved_.pressed.at(e, t) + fixed_.at(e, t) - value.traction;
+      Vec2 r = load + solved_.pressed.at(e, t) + fixed_.at(e, t) - value.traction;
+      if (solved_.conditions.inside)
+        r = r - solved_.conditions.inside->traction(mesh_, e, t);
       of(squares, Source::Neumann) +=
           value.weight * h / mesh_[e].degree * (free.x * r.x * r.x + free.y * r.y * r.y);
     }
@@ -79,6 +103,8 @@ class Residuals {
       result.push_back(stress.normal * mesh_[e].curve.normal(t) +
                        stress.tangential * mesh_[e].curve.tangent(t) + value.traction -
                        fixed_.at(e, t));
+      if (solved_.conditions.inside)
+        result.back() = result.back() + solved_.conditions.inside->traction(mesh_, e, t);
     }
     return result;
   }

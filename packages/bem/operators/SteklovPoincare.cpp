@@ -1,6 +1,7 @@
 #include "bem/operators/SteklovPoincare.hpp"
 
 #include "bem/algebra/Products.hpp"
+#include "bem/base/Error.hpp"
 #include "bem/base/Parallel.hpp"
 #include "bem/operators/ExactRotation.hpp"
 
@@ -187,18 +188,28 @@ Vector SteklovPoincare::density(const Vector& u, const Vector& b) const {
   Vector psi = density(u);
   if (response_ == nullptr)
     return psi;
-  Vector less;
-  if (!factor_) {
-    less = multiply(units_, b);
-  } else {
-    Vector right(psi.size());
-    for (std::size_t k = 0; k < b.size(); ++k)
-      right[static_cast<std::size_t>(response_->densities[k])] = b[k];
-    less = unordered(factor_->solve(ordered(right)));
-  }
+  Vector right(psi.size());
+  for (std::size_t k = 0; k < b.size(); ++k)
+    right[static_cast<std::size_t>(response_->densities[k])] = b[k];
+  const Vector less = densityOf(right);
   for (std::size_t i = 0; i < psi.size(); ++i)
     psi[i] -= less[i];
   return psi;
+}
+
+Vector SteklovPoincare::densityOf(const Vector& b) const {
+  if (factor_)
+    return unordered(factor_->solve(ordered(b)));
+  Vector rest = b;
+  Vector known;
+  if (response_ != nullptr)
+    for (const Index k : response_->densities)
+      known.push_back(std::exchange(rest[at(k)], 0.0));
+  if (std::any_of(rest.begin(), rest.end(), [](double x) { return x != 0; }))
+    throw InputError(
+        "Solver->Linear->Method = Belos cannot have body loads on a body with Poisson's "
+        "Ratio = 1/2 and a line without contact; Dense and Compressed can");
+  return known.empty() ? rest : multiply(units_, known);
 }
 
 Vector SteklovPoincare::ordered(const Vector& b) const {

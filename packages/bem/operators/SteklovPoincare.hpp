@@ -74,6 +74,10 @@ class SteklovPoincare {
   /// V⁻¹ ((K + 1/2) u - E b), E the unit vectors of response().
   Vector density(const Vector& u, const Vector& b) const;
 
+  /// V⁻¹ b, b by all densities.
+  /// \throws InputError where solved for column by column, but for those of response().
+  Vector densityOf(const Vector& b) const;
+
   /// C + (K + 1/2)ᵀ V⁻¹ B, with Pᵀ C where displacements hold a rotation beside polynomials.
   Matrix addAdjointDensity(Matrix c, Matrix b) const;
 

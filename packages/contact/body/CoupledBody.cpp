@@ -5,6 +5,7 @@
 #include "contact/body/BalancedStiffness.hpp"
 #include "contact/body/Coupling.hpp"
 #include "contact/body/ElasticBody.hpp"
+#include "contact/body/ElementCoupling.hpp"
 
 #include <algorithm>
 
@@ -121,23 +122,58 @@ class Coupled final : public StabilisedBody {
 
   // With w = N λ:  uᵀ A u - 2 uᵀ R w + wᵀ X w - ψᵀ G ψ, which has no differences of what
   // grows as ν -> 1/2 while γ is there.
-  double strainEnergy(const Vector& u, const Vector& multiplier) const override {
+  // What acts inside adds g to w in all places, ψ_p = -(V + G)⁻¹ g.
+  double strainEnergy(const Vector& u, const Vector& multiplier,
+                      const ResidualTerms& terms) const override {
     double twice = balanced_.stiffnessWork(u);
     if (!byDensity() && coupling_.compliance.pinned.empty())
       return 0.5 * twice;
-    twice -= coupling_.complianceWork(density(u, multiplier));
+    const Vector& ofInside = terms.density;
+    Vector psi = density(u, multiplier);
+    if (!ofInside.empty()) {
+      bem::axpy(1, ofInside, psi);
+      twice -= 2 * dot(u, terms.force) + dot(terms.compliance, ofInside);
+    }
+    twice -= coupling_.complianceWork(psi);
     if (!byDensity())
       return 0.5 * twice;
     const Vector w = coupling_.weighted(multiplier);
+    for (std::size_t k = 0; k < w.size() && !ofInside.empty(); ++k)
+      twice -= 2 * w[k] * ofInside[at(coupling_.compliance.densities[k])];
     twice -= 2 * dot(u, multiply(*coupling_.columns, w));
     return 0.5 * (twice + quadratic(coupling_.response->density, w));
   }
 
+  ResidualTerms residualTerms(const MultiplierSpace& multiplier) const override {
+    const Inside& inside = multiplier.conditions().inside;
+    if (!inside)
+      return {};
+    const TractionMoments moments =
+        tractionMoments(space_, multiplier, byDensity(), coupling_, *inside);
+    ResidualTerms terms;
+    terms.terms.assign(moments.multipliers.size(), 0.0);
+    bem::axpy(-1, moments.multipliers, terms.terms);
+    if (!byDensity() && coupling_.compliance.pinned.empty()) {
+      if (coupling_.columns->columns() > 0)
+        terms.force = multiply(*coupling_.columns, moments.weights);
+      return terms;
+    }
+    terms.compliance = coupling_.complianceOf(space_, moments.weights, *inside);
+    terms.density = stiffness_.densityOf(terms.compliance);
+    for (double& x : terms.density)
+      x = -x;
+    coupling_.subtractWeighted(terms.density, terms.terms);
+    terms.force = columnOf(stiffness_.addAdjointDensity(Matrix(space_.displacements(), 1),
+                                                        bem::asColumn(terms.compliance)),
+                           0);
+    return terms;
+  }
+
   bool byDensity() const override { return coupling_.response != nullptr; }
 
-  std::vector<bem::Vec2> meanSlacks(const Vector& multiplier,
-                                    const Vector& density) const override {
-    return coupling_.meanSlacks(multiplier, density);
+  std::vector<bem::Vec2> meanSlacks(const Vector& multiplier, const Vector& density,
+                                    const Vector& ofInside) const override {
+    return coupling_.meanSlacks(multiplier, density, ofInside);
   }
 
   double gamma(std::size_t contactElement) const override {

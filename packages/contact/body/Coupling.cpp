@@ -3,6 +3,7 @@
 #include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
+#include "bem/quadrature/Gauss.hpp"
 #include "contact/body/ElementCoupling.hpp"
 
 #include <algorithm>
@@ -173,13 +174,39 @@ double Coupling::complianceWork(const Vector& density) const {
   return work;
 }
 
-std::vector<bem::Vec2> Coupling::meanSlacks(const Vector& lambda,
-                                            const Vector& density) const {
+Vector Coupling::complianceOf(const bem::Space& space, const Vector& onContacts,
+                              const ParticularSolution& inside) const {
+  const bem::Mesh& mesh = space.mesh();
+  Vector result(at(space.densities()));
+  for (std::size_t k = 0; k < compliance.densities.size(); ++k)
+    result[at(compliance.densities[k])] = onContacts[k];
+  for (const auto& [i, value] : compliance.pinned)
+    for (int e = 0; e < mesh.size(); ++e)
+      for (const int c : {0, 1}) {
+        const bem::Rule& rule = bem::gaussForGiven(0);
+        for (int q = 0; q < rule.size() && space.density(e, 0, c) == i; ++q) {
+          const bem::Vec2 traction = inside.traction(mesh, e, rule.points[q]);
+          result[at(i)] +=
+              value * 0.5 * rule.weights[q] * (c == 0 ? traction.x : traction.y);
+        }
+      }
+  return result;
+}
+
+void Coupling::subtractWeighted(const Vector& density, Vector& r) const {
+  for (const bem::Entry& entry : weights)
+    r[at(entry.column)] -= entry.value * density[at(compliance.densities[at(entry.row)])];
+}
+
+std::vector<bem::Vec2> Coupling::meanSlacks(const Vector& lambda, const Vector& density,
+                                            const Vector& ofInside) const {
   std::vector<bem::Vec2> means(gamma.size());
   if (compliance.densities.empty())
     return means;
   // P_0 is 1: its rows of N λ and of G ψ are integrals
-  const Vector w = weighted(lambda);
+  Vector w = weighted(lambda);
+  for (std::size_t k = 0; k < w.size() && !ofInside.empty(); ++k)
+    w[k] += ofInside[at(compliance.densities[k])];
   const auto integral = [&](Index k) {
     return w[k] + compliance.diagonal[k] * density[compliance.densities[k]];
   };

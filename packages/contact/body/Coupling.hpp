@@ -47,8 +47,16 @@ struct Coupling {
   double multiplierWork(const Vector& lambda) const;
   /// ψᵀ G ψ, all that V + G has beyond V.
   double complianceWork(const Vector& density) const;
-  /// See ContactProblem; zero without densities.
-  std::vector<bem::Vec2> meanSlacks(const Vector& lambda, const Vector& density) const;
+  /// <γ t_p, P_i> of all densities: on contact elements by the weights of TractionMoments, on
+  /// pinned ones by their means.
+  Vector complianceOf(const bem::Space& space, const Vector& onContacts,
+                      const ParticularSolution& inside) const;
+  /// r -= Nᵀ ψ
+  void subtractWeighted(const Vector& density, Vector& r) const;
+  /// See ContactProblem; zero without densities.  `ofInside`: the compliance of
+  /// ResidualTerms.
+  std::vector<bem::Vec2> meanSlacks(const Vector& lambda, const Vector& density,
+                                    const Vector& ofInside) const;
   /// Bᵀ
   Matrix transposed() const;
   /// G λ: what the multiplier puts on each column of R.

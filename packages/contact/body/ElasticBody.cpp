@@ -22,14 +22,17 @@ Vector onlyRounding(Vector correction, const Vector& u) {
   return correction;
 }
 
-/// What Fix makes of the prescribed displacement: the whole of u has no mean motion.
+/// What Fix makes of the prescribed displacement: the whole of u, what the particular solution has
+/// of it included, has no mean motion.
 Vector withoutFixedMotions(const Holding& holding) {
   const RigidConstraints& rigid = holding.rigid;
   Vector result = holding.loads.prescribed;
   for (Index k = 0; k < rigid.fixed(); ++k) {
     const Vector functional = columnOf(holding.modes.functionals, rigid.fixedModes[k]);
-    axpy(-rigid.scale(k) * dot(functional, holding.loads.prescribed),
-         columnOf(rigid.allowed, k), result);
+    double mean = dot(functional, holding.loads.prescribed);
+    if (!holding.means.empty())
+      mean += holding.means[at(rigid.fixedModes[k])];
+    axpy(-rigid.scale(k) * mean, columnOf(rigid.allowed, k), result);
   }
   return result;
 }
@@ -66,7 +69,8 @@ Holding makeHolding(const bem::Space& space, const Conditions& conditions,
   const bem::Outline& outline = space.mesh().outline();
   if (outline.diameter() < outline.scaling().length)
     scalePairs(rigid);
-  return {std::move(loads), std::move(modes), std::move(rigid)};
+  Vector means = meansOf(conditions.inside, space.mesh(), modes.centroid);
+  return {std::move(loads), std::move(modes), std::move(rigid), std::move(means)};
 }
 
 ElasticBody::ElasticBody(const StabilisedBody& form, const Holding& holding)

@@ -13,6 +13,7 @@ struct Holding {
   Loads loads;
   RigidModes modes;
   RigidConstraints rigid;
+  Vector means{};  ///< see meansOf
 };
 
 /// \throws bem::InputError, see makeLoads, makeRigidConstraints.

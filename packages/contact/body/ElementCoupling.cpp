@@ -38,16 +38,63 @@ class CouplingWriter {
         continue;
       writeMass(element, unknowns, i, gamma, integrals);
       for (int l = 0; l < terms(element); ++l) {
-        const double norm = density_ ? std::sqrt(2 * element.half / (2 * l + 1)) : 1;
         for (int c = 0; c < 2; ++c)
-          coupling_.weights.push_back({firstTraction + 2 * l + c, unknown.column,
-                                       gamma * norm * integrals.parts[i](l, c)});
+          coupling_.weights.push_back(
+              {firstTraction + 2 * l + c, unknown.column,
+               gamma * normOf(element, l) * integrals.parts[i](l, c)});
       }
     }
   }
 
+  /// Adds the moments of a traction on an element in λ's place.
+  void addMoments(const ContactElement& contact, double gamma, Index firstRow,
+                  const ParticularSolution& inside, TractionMoments& moments) const {
+    const bem::Mesh& mesh = space_.mesh();
+    const Element& element = mesh[contact.element];
+    const std::vector<Turning> unknowns = turningOf(contact);
+    const Rule& rule = bem::gaussForGiven(element.degree);
+    Matrix parts(terms(element), 2);
+    for (int q = 0; q < rule.size(); ++q) {
+      const double t = rule.points[q];
+      const Vec2 traction =
+          element.half * rule.weights[q] * inside.traction(mesh, contact.element, t);
+      addOuter(traction, orthonormal(element, t).data(), parts);
+      const Vector chi = basis_.values(element.degree, t);
+      for (const Turning& unknown : unknowns)
+        if (isWhole(element))
+          moments.multipliers[at(unknown.column)] +=
+              gamma * chi[at(unknown.function)] *
+              dot(traction, unknown.tangential ? element.curve.tangent(t)
+                                               : element.curve.normal(t));
+    }
+    if (!isWhole(element)) {
+      const Integrals integrals = integralsOf(contact, unknowns);
+      for (std::size_t i = 0; i < unknowns.size(); ++i)
+        moments.multipliers[at(unknowns[i].column)] +=
+            gamma * product(integrals.parts[i], parts);
+    }
+    for (int l = 0; l < terms(element); ++l)
+      for (int c = 0; c < 2; ++c)
+        moments.weights[at(firstRow + 2 * l + c)] =
+            gamma * normOf(element, l) * parts(l, c);
+  }
+
  private:
   using Completions = std::array<EndCompletion, 2>;
+
+  /// Legendre polynomials on an element, orthonormal, and what one of them is multiplied by to be
+  /// that of G's row.
+  std::array<double, bem::largestDegree + 2> orthonormal(const Element& element,
+                                                         double t) const {
+    std::array<double, bem::largestDegree + 2> legendre{};
+    bem::legendreValues(terms(element) - 1, t, legendre.data());
+    for (int l = 0; l < terms(element); ++l)
+      legendre[l] *= std::sqrt((2 * static_cast<double>(l) + 1) / (2 * element.half));
+    return legendre;
+  }
+  double normOf(const Element& element, int l) const {
+    return density_ ? std::sqrt(2 * element.half / (2 * l + 1)) : 1;
+  }
 
   /// The columns of an element's tractions, or its densities, by components.
   int terms(const Element& element) const {
@@ -98,16 +145,13 @@ class CouplingWriter {
       result.traces.emplace_back(p + 1, 2);
       result.parts.emplace_back(count, 2);
     }
-    std::array<double, bem::largestDegree + 2> legendre{};
     std::array<double, bem::largestDegree + 1> phi{};
     for (std::size_t q = 0; q < rule.points.size(); ++q) {
       const double t = rule.points[q];
       const double weight = element.half * rule.weights[q];
       const Vector chi = basis_.values(p, t);
       bem::DisplacementBasis::values(p, t, phi.data());
-      bem::legendreValues(count - 1, t, legendre.data());
-      for (int l = 0; l < count; ++l)
-        legendre[l] *= std::sqrt((2 * static_cast<double>(l) + 1) / (2 * element.half));
+      const auto legendre = orthonormal(element, t);
       const Vec2 rest = space_.rotationRest(contact.element, t);
       for (std::size_t i = 0; i < unknowns.size(); ++i) {
         const Turning& unknown = unknowns[i];
@@ -193,6 +237,21 @@ void addElement(const bem::Space& space, const MultiplierBasis& basis, bool byDe
                 const ContactElement& contact, double gamma, Index firstRow,
                 Coupling& coupling) {
   CouplingWriter(space, basis, byDensity, coupling).write(contact, gamma, firstRow);
+}
+
+TractionMoments tractionMoments(const bem::Space& space,
+                                const MultiplierSpace& multiplier, bool byDensity,
+                                const Coupling& coupling,
+                                const ParticularSolution& inside) {
+  TractionMoments moments{Vector(at(coupling.start.back())),
+                          Vector(at(multiplier.size()))};
+  Coupling none;
+  const CouplingWriter writer(space, multiplier.basis(), byDensity, none);
+  for (std::size_t k = 0; k < multiplier.elements().size(); ++k)
+    if (coupling.gamma[k] != 0)
+      writer.addMoments(multiplier.elements()[k], coupling.gamma[k], coupling.start[k],
+                        inside, moments);
+  return moments;
 }
 
 }  // namespace epafi::contact

@@ -12,4 +12,14 @@ void addElement(const bem::Space& space, const MultiplierBasis& basis, bool byDe
                 const MultiplierSpace::ContactElement& contact, double gamma,
                 Index firstRow, Coupling& coupling);
 
+/// What the traction t_p of a particular solution does through the residual λ + t_p + S u.
+struct TractionMoments {
+  Vector weights;      ///< by G's rows: <γ t_p, P> as G λ has <γ λ, P>
+  Vector multipliers;  ///< <γ t_p, χ_i> as M λ has <γ λ, χ_i>
+};
+TractionMoments tractionMoments(const bem::Space& space,
+                                const MultiplierSpace& multiplier, bool byDensity,
+                                const Coupling& coupling,
+                                const ParticularSolution& inside);
+
 }  // namespace epafi::contact

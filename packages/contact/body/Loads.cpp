@@ -1,5 +1,6 @@
 #include "contact/body/Loads.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/basis/Legendre.hpp"
 #include "bem/quadrature/Gauss.hpp"
@@ -35,27 +36,50 @@ void checkBoundaries(const bem::Mesh& mesh, const Conditions& conditions) {
   check(conditions.contact);
 }
 
-/// Returns what the rest of the rotation adds, see bem::Rotation.
-double addNeumann(const bem::Space& space, int e, const Conditions::Neumann& neumann,
-                  bem::Units units, Loads& loads) {
+/// Adds ∫ traction · φ_j ds of an element, the traction a function of the place t on it.  Returns
+/// what the rest of the rotation adds, see bem::Rotation.
+template <class Traction>
+double addTraction(const bem::Space& space, int e, const Traction& tractionAt,
+                   Vector& load) {
   const Element& element = space.mesh()[e];
   const bem::Rule& rule = bem::gaussForGiven(element.degree);
   std::array<double, bem::largestDegree + 1> phi{};
   double rest = 0;
   for (int q = 0; q < rule.size(); ++q) {
-    const Vec2 x = space.mesh().physicalPoint(e, rule.points[q]);
-    const Vec2 traction = (1 / units.stress) * neumann.at(x);
-    loads.largestTraction = std::max(loads.largestTraction, norm(traction));
+    const Vec2 traction = tractionAt(rule.points[q], rule.weights[q] * element.half);
     bem::DisplacementBasis::values(element.degree, rule.points[q], phi.data());
     for (int k = 0; k <= element.degree; ++k) {
       const double weight = rule.weights[q] * element.half * phi[k];
-      loads.load[space.displacement(e, k, 0)] += weight * traction.x;
-      loads.load[space.displacement(e, k, 1)] += weight * traction.y;
+      load[space.displacement(e, k, 0)] += weight * traction.x;
+      load[space.displacement(e, k, 1)] += weight * traction.y;
     }
     rest += rule.weights[q] * element.half *
             dot(traction, space.rotationRest(e, rule.points[q]));
   }
   return rest;
+}
+
+/// What acts inside leaves -t_p to the boundary, on all of it: where a clamp holds, too, whose
+/// reaction is that of the whole stress.
+void addInside(const bem::Space& space, const ParticularSolution& inside, Loads& loads) {
+  const bem::Mesh& mesh = space.mesh();
+  loads.inside.given = loads.load;
+  loads.inside.traction.assign(loads.load.size(), 0.0);
+  double rest = 0;
+  for (int e = 0; e < mesh.size(); ++e)
+    rest += addTraction(
+        space, e,
+        [&](double t, double) {
+          const Vec2 traction = inside.traction(mesh, e, t);
+          loads.largestTraction = std::max(loads.largestTraction, norm(traction));
+          loads.inside.largestDisplacement = std::max(
+              loads.inside.largestDisplacement, norm(inside.displacement(mesh, e, t)));
+          return traction;
+        },
+        loads.inside.traction);
+  if (space.rotation() != nullptr)
+    space.rotation()->complete(rest, loads.inside.traction);
+  bem::axpy(-1, loads.inside.traction, loads.load);
 }
 
 void clamp(const bem::Space& space, int e, const Vector& values, int component,
@@ -70,15 +94,19 @@ void clamp(const bem::Space& space, int e, const Vector& values, int component,
 }
 
 void addDirichlet(const bem::Space& space, const std::string& name,
-                  const Conditions::Dirichlet& dirichlet, bem::Units units,
-                  Loads& loads) {
+                  const Conditions::Dirichlet& dirichlet, const Inside& inside,
+                  bem::Units units, Loads& loads) {
   const bem::Mesh& mesh = space.mesh();
   const std::vector<int> elements = mesh.elementsOf(name);
   // interpolates on every element; only the named ones are used, where the functions
   // exist
   const auto values = [&](const Function& f, int component) {
     return space.interpolateOn(elements, [&](Vec2 scaled) {
-      const double value = f(mesh.outline().physical(scaled)) / units.length;
+      double value = f(mesh.outline().physical(scaled)) / units.length;
+      if (inside) {
+        const Vec2 known = inside->displacement(scaled);
+        value -= component == 0 ? known.x : known.y;
+      }
       return component == 0 ? Vec2{value, 0} : Vec2{0, value};
     });
   };
@@ -97,6 +125,7 @@ void addDirichlet(const bem::Space& space, const std::string& name,
 Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Units units) {
   checkBoundaries(space.mesh(), conditions);
   const std::size_t size = space.displacements();
+  const Inside& inside = conditions.inside;
   Loads loads;
   loads.load.assign(size, 0.0);
   loads.prescribed.assign(size, 0.0);
@@ -104,13 +133,25 @@ Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Unit
   double rest = 0;
   for (int e = 0; e < space.mesh().size(); ++e) {
     const auto neumann = conditions.neumann.find(space.mesh().boundary(e));
-    if (neumann != conditions.neumann.end())
-      rest += addNeumann(space, e, neumann->second, units, loads);
+    if (neumann == conditions.neumann.end())
+      continue;
+    const auto tractionAt = [&, &given = neumann->second](double t, double weight) {
+      const Vec2 traction =
+          (1 / units.stress) * given.at(space.mesh().physicalPoint(e, t));
+      loads.largestTraction = std::max(loads.largestTraction, norm(traction));
+      if (inside)
+        loads.inside.work +=
+            weight * dot(traction, inside->displacement(space.mesh(), e, t));
+      return traction;
+    };
+    rest += addTraction(space, e, tractionAt, loads.load);
   }
   if (space.rotation() != nullptr)
     space.rotation()->complete(rest, loads.load);
+  if (inside)
+    addInside(space, *inside, loads);
   for (const auto& [name, dirichlet] : conditions.dirichlet)
-    addDirichlet(space, name, dirichlet, units, loads);
+    addDirichlet(space, name, dirichlet, inside, units, loads);
   return loads;
 }
 
@@ -160,6 +201,23 @@ RigidModes makeRigidModes(const bem::Space& space) {
       for (Index j = 0; j < space.displacements(); ++j)
         modes.functionals(j, k) += rest[k] * space.rotation()->functional()[j];
   return modes;
+}
+
+Vector meansOf(const Inside& inside, const bem::Mesh& mesh, Vec2 centroid) {
+  if (!inside)
+    return {};
+  Vector means(3, 0.0);
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bem::Rule& rule = bem::gaussForGiven(mesh[e].degree);
+    for (int q = 0; q < rule.size(); ++q) {
+      const Vec2 u =
+          rule.weights[q] * mesh[e].half * inside->displacement(mesh, e, rule.points[q]);
+      means[0] += u.x;
+      means[1] += u.y;
+      means[2] += cross(mesh.scaledPoint(e, rule.points[q]) - centroid, u);
+    }
+  }
+  return means;
 }
 
 }  // namespace epafi::contact

@@ -13,11 +13,25 @@ using bem::Vector;
 
 /// Loads and prescribed displacements as numbers, dimensionless.
 struct Loads {
-  Vector load;                ///< f_j = ∫ traction · φ_j ds
+  /// f_j = ∫ traction · φ_j ds; where something acts inside less that of the particular
+  /// solution's traction, and with what this adds through the stabilisation.
+  Vector load;
   Vector prescribed;          ///< displacement with the clamped values, zero elsewhere
   std::vector<char> clamped;  ///< per unknown: given by a Dirichlet condition?
   double largestTraction = 0;
   double largestDisplacement = 0;
+
+  /// Where something acts inside; else empty, and zero.
+  struct OfInside {
+    Vector given;     ///< ∫ traction · φ_j ds of what the conditions give alone
+    Vector traction;  ///< ∫ t_p · φ_j ds
+    double work = 0;  ///< ∫ given traction · u_p ds
+    double largestDisplacement = 0;
+  } inside{};
+
+  double size() const {
+    return largestTraction + largestDisplacement + inside.largestDisplacement;
+  }
 };
 
 /// \throws bem::InputError for a condition on a boundary that the mesh does not have, or
@@ -33,5 +47,8 @@ struct RigidModes {
 };
 
 RigidModes makeRigidModes(const bem::Space& space);
+
+/// ∫ u_p · r_k ds of these motions; empty: nothing acts inside.
+Vector meansOf(const Inside& inside, const bem::Mesh& mesh, bem::Vec2 centroid);
 
 }  // namespace epafi::contact

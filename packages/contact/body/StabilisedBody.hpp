@@ -11,6 +11,16 @@ using bem::Vector;
 
 struct Holding;
 class CompressedHolding;
+class MultiplierSpace;
+
+/// What the traction t_p of a particular solution, which does not depend on u and λ, adds through
+/// the residual λ + t_p + S u of the stabilisation; empty: nothing.  [doc/theory/body-loads.md]
+struct ResidualTerms {
+  Vector force;       ///< to f
+  Vector terms;       ///< to C u - M λ
+  Vector density;     ///< to ψ
+  Vector compliance;  ///< g = <γ t_p, P_i> of all densities, K u - (V + G) ψ - N λ = g
+};
 
 /// A body's stiffness, held as its conditions say, and factored.
 class HeldStiffness {
@@ -56,12 +66,16 @@ class StabilisedBody {
   virtual double multiplierWork(const Vector& multiplier) const = 0;  ///< λᵀ M λ
   /// ψ of the displacement and the multiplier.
   virtual Vector density(const Vector& u, const Vector& multiplier) const = 0;
-  /// 1/2 <W u, u> + 1/2 <V ψ, ψ>
-  virtual double strainEnergy(const Vector& u, const Vector& multiplier) const = 0;
+  /// 1/2 <W u, u> + 1/2 <V ψ, ψ>, ψ with the terms'.
+  virtual double strainEnergy(const Vector& u, const Vector& multiplier,
+                              const ResidualTerms& terms) const = 0;
+  /// Of what acts inside under the multiplier's conditions.
+  virtual ResidualTerms residualTerms(const MultiplierSpace& multiplier) const = 0;
   /// See ContactProblem.
   virtual bool byDensity() const = 0;
   virtual std::vector<bem::Vec2> meanSlacks(const Vector& multiplier,
-                                            const Vector& density) const = 0;
+                                            const Vector& density,
+                                            const Vector& ofInside) const = 0;
   /// γ on a contact element (index into MultiplierSpace::elements()), dimensionless.
   virtual double gamma(std::size_t contactElement) const = 0;
 

@@ -2,6 +2,7 @@
 
 #include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "contact/body/ElementCoupling.hpp"
 #include "contact/compressed/CompressedCoupling.hpp"
 #include "contact/compressed/CompressedHolding.hpp"
 
@@ -99,8 +100,11 @@ class CompressedBody final : public StabilisedBody {
   }
 
   // 1/2 uᵀ W u + 1/2 ψᵀ V ψ from Z's products with u and ψ, -(V + G) there
-  double strainEnergy(const Vector& u, const Vector& multiplier) const override {
-    const Vector psi = density(u, multiplier);
+  double strainEnergy(const Vector& u, const Vector& multiplier,
+                      const ResidualTerms& terms) const override {
+    Vector psi = density(u, multiplier);
+    if (!terms.density.empty())
+      bem::axpy(1, terms.density, psi);
     const Matrix& images = fieldOf(u).images;
     const auto work = [](const Vector& x, const Matrix& image, Index column,
                          Index first) {
@@ -110,14 +114,37 @@ class CompressedBody final : public StabilisedBody {
         work(u, images, 0, range_.first) - work(psi, images, 1, range_.densities);
     if (byDensity() && !multiplier.empty())
       twice -= work(psi, under(multiplier).image, 0, range_.densities);
+    if (!terms.density.empty())
+      twice -= dot(psi, terms.compliance);
     return 0.5 * (twice - coupling_.complianceWork(psi));
+  }
+
+  ResidualTerms residualTerms(const MultiplierSpace& multiplier) const override {
+    const Inside& inside = multiplier.conditions().inside;
+    if (!inside)
+      return {};
+    const TractionMoments moments =
+        tractionMoments(space_, multiplier, true, coupling_, *inside);
+    ResidualTerms terms;
+    terms.compliance = coupling_.complianceOf(space_, moments.weights, *inside);
+    Matrix right(operators_->size(), 1);
+    std::copy(terms.compliance.begin(), terms.compliance.end(),
+              right.data() + range_.densities);
+    terms.density = densityFor(right, 1);
+    const Matrix image = operators_->times(placed({}, terms.density));
+    for (Index i = range_.first; i < range_.densities; ++i)
+      terms.force.push_back(-image(i, 0));
+    terms.terms.assign(moments.multipliers.size(), 0.0);
+    bem::axpy(-1, moments.multipliers, terms.terms);
+    coupling_.subtractWeighted(terms.density, terms.terms);
+    return terms;
   }
 
   bool byDensity() const override { return !coupling_.compliance.densities.empty(); }
 
-  std::vector<bem::Vec2> meanSlacks(const Vector& multiplier,
-                                    const Vector& density) const override {
-    return coupling_.meanSlacks(multiplier, density);
+  std::vector<bem::Vec2> meanSlacks(const Vector& multiplier, const Vector& density,
+                                    const Vector& ofInside) const override {
+    return coupling_.meanSlacks(multiplier, density, ofInside);
   }
 
   double gamma(std::size_t contactElement) const override {

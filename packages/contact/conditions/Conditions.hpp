@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/base/Function.hpp"
+#include "contact/conditions/ParticularSolution.hpp"
 #include "contact/law/FrictionLaw.hpp"
 
 #include <algorithm>
@@ -81,6 +82,9 @@ struct Conditions {
   /// Edges without load, one of each closed line without multiplier, that hold ψ at ν = 1/2
   /// (doc/theory/contact.md, "ν = 1/2").
   std::vector<int> pins{};
+
+  /// What acts inside the body; none: nothing does.
+  Inside inside{};
 };
 
 }  // namespace epafi::contact

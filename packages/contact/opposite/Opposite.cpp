@@ -29,8 +29,11 @@ Vec2 motionAt(const Motions* motions, const Opposite::Point& point) {
     return motions->rigid[point.rigid].at(point.arm);
   if (point.element < 0)
     return {};
-  return motions->spaces[point.body]->displacementAt(*motions->displacements[point.body],
-                                                     point.element, point.t);
+  const bem::Space& space = *motions->spaces[point.body];
+  const Vec2 u =
+      space.displacementAt(*motions->displacements[point.body], point.element, point.t);
+  const Inside inside = motions->inside.empty() ? nullptr : motions->inside[point.body];
+  return inside ? u + inside->displacement(space.mesh(), point.element, point.t) : u;
 }
 
 }  // namespace epafi::contact

@@ -89,6 +89,7 @@ struct Motions {
   std::vector<const Vector*> displacements;
   std::vector<RigidMotion> rigid{};  ///< of bodies that do not deform, dimensionless
   Vector shearModuli;                ///< dimensionless
+  std::vector<Inside> inside{};      ///< what acts inside each; none: nothing does
 };
 
 /// Of what is met at a point, dimensionless; null: it stands still.

@@ -11,7 +11,8 @@ namespace epafi::contact {
 struct Drive {
   struct Component {
     bool free = false;
-    double value = 0;  ///< the force or moment of a free component; else the motion
+    double value = 0;   ///< the force or moment of a free component; else the motion
+    double inside = 0;  ///< force or moment of what acts inside
   };
   std::array<Component, 3> components{};
 };

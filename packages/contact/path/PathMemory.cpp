@@ -43,6 +43,11 @@ Vector inARow(const Parts& parts) {
   return all;
 }
 
+/// Then what Fix holds moves, u_h against the particular solution.
+bool actsInside(const ContactSystem& step, std::size_t b) {
+  return step.body(b).multiplier().conditions().inside != nullptr;
+}
+
 /// What acts on bodies from outside: on those that deform loads and clamps, on the others
 /// what moves them against the contact.
 Vector forcesFromOutside(const ContactSystem& step, const Configuration& at) {
@@ -51,6 +56,8 @@ Vector forcesFromOutside(const ContactSystem& step, const Configuration& at) {
     forces.push_back(
         step.body(b).clampForces(at.bodies[b], at.displacements[b], at.met[b]));
     bem::axpy(1, step.body(b).load(), forces.back());
+    if (actsInside(step, b))
+      forces.push_back(step.body(b).fixedReactions(at.bodies[b], at.met[b]));
   }
   for (const auto& [x, y, moment] : step.rigidForces(at.state))
     forces.push_back({-x, -y, -moment});
@@ -58,8 +65,13 @@ Vector forcesFromOutside(const ContactSystem& step, const Configuration& at) {
 }
 
 /// In the same order.
-Vector motionsOf(const Configuration& at) {
-  std::vector<Vector> motions = at.displacements;
+Vector motionsOf(const ContactSystem& step, const Configuration& at) {
+  std::vector<Vector> motions;
+  for (std::size_t b = 0; b < step.size(); ++b) {
+    motions.push_back(at.displacements[b]);
+    if (actsInside(step, b))
+      motions.push_back(step.body(b).fixedMeans(at.displacements[b]));
+  }
   for (const RigidMotion& motion : at.rigid)
     motions.push_back({motion.slide.x, motion.slide.y, motion.turn});
   return inARow(motions);
@@ -77,7 +89,7 @@ PathMemory::PathMemory(const ContactSystem& atZero, Shear shear)
       jump_(multiplier_.size(), 0.0) {
   std::size_t size = 3 * atZero.drives().size();
   for (std::size_t b = 0; b < atZero.size(); ++b)
-    size += atZero.body(b).load().size();
+    size += atZero.body(b).load().size() + (actsInside(atZero, b) ? 3 : 0);
   motions_.assign(size, 0.0);
   forces_ = motions_;
   // what overlaps without a displacement is pushed apart from touching on
@@ -99,11 +111,14 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
   for (std::size_t i = normals; i < multiplier_.size(); ++i)
     trapezoidal_ += 0.5 * (at.state.multiplier[i] + multiplier_[i]) * at.penetration[i];
   Vector forces = forcesFromOutside(step, at);
-  Vector motions = motionsOf(at);
+  Vector motions = motionsOf(step, at);
   outside_ +=
       trapezoid(forces, forces_, motions, motions_, motions.size()) -
       trapezoid(at.state.multiplier, multiplier_, step.gap(), gap_, normals) -
       trapezoid(at.state.multiplier, multiplier_, step.jump(), jump_, jump_.size());
+  ofInside_.resize(step.ofInside().size());
+  outside_ += trapezoid(at.state.multiplier, multiplier_, step.ofInside(), ofInside_,
+                        ofInside_.size());
   slip_ = step.slipSoFar(at);
   defect_ = step.defect(at);
   largestLoad_ = std::max(largestLoad_, step.loadSize());
@@ -113,6 +128,7 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
   forces_ = std::move(forces);
   gap_ = step.gap();
   jump_ = step.jump();
+  ofInside_ = step.ofInside();
 }
 
 double PathMemory::friction() const {

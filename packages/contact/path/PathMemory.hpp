@@ -18,6 +18,9 @@ namespace epafi::contact {
 /// over all bodies, of loads f, clamps R and obstacles that move; a body that does not deform
 /// adds what moves it times its motion.  ⁻: the step before, at first no load and no
 /// displacement.                                        [doc/theory/paths.md, Energies]
+///
+/// Where something acts inside bodies, f and u are those of the equations, u less the particular
+/// solution u_p, which moves the sides as a gap does: ½ (λ + λ⁻)·Δu_p more.
 class PathMemory {
  public:
   /// The shear σₜ that slips: ± s of the step's end, which is λₜ, or ± ½ (s + min(s⁻, 3 s)).
@@ -70,6 +73,7 @@ class PathMemory {
   Vector forces_;  ///< f + R, and what moves these
   Vector gap_;
   Vector jump_;  ///< of bonded sides
+  Vector ofInside_;
 };
 
 /// Friction's work so far of each contact of a body, see nameOf; dimensionless, likewise its

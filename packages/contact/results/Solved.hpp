@@ -40,11 +40,29 @@ struct Solved {
   const Vector* displacementBefore = nullptr;
   const Motions* motionsBefore = nullptr;  ///< likewise of all bodies
 
+  Inside insideBefore{};  ///< what acted inside then
+
+  /// u, the particular solution's included, dimensionless.
+  bem::Vec2 displacementAt(int element, double t) const {
+    return whole(displacement, conditions.inside, element, t);
+  }
+  /// That of the step before, zero without one.
+  bem::Vec2 displacementBeforeAt(int element, double t) const {
+    return displacementBefore == nullptr
+               ? bem::Vec2{}
+               : whole(*displacementBefore, insideBefore, element, t);
+  }
+
   /// [u] = u - u of what is met, dimensionless.
   bem::Vec2 relativeDisplacement(const MultiplierSpace::ContactElement& element, double t,
                                  const Opposite::Point& opposite) const {
-    return space.displacementAt(displacement, element.element, t) -
-           motionAt(motions, opposite);
+    return displacementAt(element.element, t) - motionAt(motions, opposite);
+  }
+
+ private:
+  bem::Vec2 whole(const Vector& u, const Inside& inside, int element, double t) const {
+    const bem::Vec2 own = space.displacementAt(u, element, t);
+    return inside ? own + inside->displacement(space.mesh(), element, t) : own;
   }
 };
 

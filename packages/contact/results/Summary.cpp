@@ -128,18 +128,21 @@ Resultant resultantOf(const std::array<double, 3>& work, const Solved& solved) {
 /// The rigid motion with the moments of u over the boundary, [length] and radian.
 RigidMotion meanMotion(const Solved& solved) {
   const RigidModes modes = makeRigidModes(solved.space);
+  const Vector ofInside =
+      meansOf(solved.conditions.inside, solved.space.mesh(), modes.centroid);
   const auto mean = [&](Index k) {
     const Vector functional = bem::columnOf(modes.functionals, k);
-    return bem::dot(functional, solved.displacement) /
-           bem::dot(functional, bem::columnOf(modes.motions, k));
+    double whole = bem::dot(functional, solved.displacement);
+    if (!ofInside.empty())
+      whole += ofInside[at(k)];
+    return whole / bem::dot(functional, bem::columnOf(modes.motions, k));
   };
   return {{solved.units.length * mean(0), solved.units.length * mean(1)}, mean(2)};
 }
 
-/// Work of the loads on the rigid motions, fᵀ v.
-std::array<double, 3> loadWork(const Solved& solved) {
+/// Work of a load on the rigid motions, fᵀ v.
+std::array<double, 3> workOf(const Vector& load, const Solved& solved) {
   const bem::Matrix motions = solved.space.rigidMotions();
-  const Vector& load = solved.problem.load();
   std::array<double, 3> work{};
   for (Index v = 0; v < 3; ++v)
     for (Index i = 0; i < motions.rows(); ++i)
@@ -147,21 +150,86 @@ std::array<double, 3> loadWork(const Solved& solved) {
   return work;
 }
 
+/// ∫ f over the body from its boundary: ∮ y·n ∫ s f(s y) ds, s in (0, 1); exact for polynomials of
+/// degree 8.
+template <class Density>
+double integralInside(const bem::Mesh& mesh, const Density& f) {
+  const bem::Rule& radial = bem::gaussLegendre(5);
+  double sum = 0;
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bem::Rule& rule = bem::gaussForGiven(mesh[e].degree);
+    for (int q = 0; q < rule.size(); ++q) {
+      const double t = rule.points[q];
+      const Vec2 y = mesh.scaledPoint(e, t);
+      double along = 0;
+      for (int k = 0; k < radial.size(); ++k) {
+        const double s = 0.5 * (1 + radial.points[k]);
+        along += 0.5 * radial.weights[k] * s * f(s * y);
+      }
+      sum += mesh[e].half * rule.weights[q] * dot(y, mesh[e].curve.normal(t)) * along;
+    }
+  }
+  return sum;
+}
+
 }  // namespace
+
+// By Betti's formula ∫ b·u_h = ∮ t_h·u_b - t_b·u_h.
+EnergiesOfInside energiesOfInside(const Solved& solved) {
+  const Inside& inside = solved.conditions.inside;
+  if (!inside)
+    return {};
+  const bem::Mesh& mesh = solved.space.mesh();
+  const Vector& u = solved.displacement;
+  const Vector psi = solved.problem.density(solved.state, u);
+  double ofForces = 0;  // ∮ t_h·u_b
+  double ofHeat = 0;    // ∮ t_T·u_h
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bem::Rule& rule = bem::gaussForGiven(mesh[e].degree);
+    for (int q = 0; q < rule.size(); ++q) {
+      const double t = rule.points[q];
+      const double weight = mesh[e].half * rule.weights[q];
+      const Vec2 y = mesh.scaledPoint(e, t);
+      ofForces += weight *
+                  dot(solved.space.densityAt(psi, e, t), inside->displacementOfForces(y));
+      ofHeat += weight * dot(inside->stressOfHeat(y).on(mesh[e].curve.normal(t)),
+                             solved.space.displacementAt(u, e, t));
+    }
+  }
+  const double own =
+      integralInside(mesh, [&](Vec2 y) { return inside->energyDensity(y); });
+  const double within = integralInside(
+      mesh, [&](Vec2 y) { return dot(inside->force(y), inside->displacement(y)); });
+  const Loads::OfInside& loads = solved.problem.ofInside();
+  const double weight = ofForces - (bem::dot(loads.traction, u) - ofHeat) + within;
+  return {ofForces + ofHeat + own, loads.work + weight};
+}
 
 Summary summarize(const Solved& solved) {
   const double energy = solved.units.stress * solved.units.length * solved.units.length;
   const Vector& u = solved.displacement;
   Summary summary;
+  const bool acts = solved.conditions.inside != nullptr;
+  const Vector& load = acts ? solved.problem.ofInside().given : solved.problem.load();
   summary.energyStrain = energy * solved.problem.strainEnergy(solved.state, u);
-  summary.energyLoad = energy * bem::dot(solved.problem.load(), u);
+  summary.energyLoad = energy * bem::dot(load, u);
+  if (acts) {
+    const EnergiesOfInside more = energiesOfInside(solved);
+    summary.energyStrain += energy * more.strain;
+    summary.energyLoad += energy * more.load;
+    // what it leaves to the boundary is its negative
+    std::array<double, 3> work = workOf(solved.problem.ofInside().traction, solved);
+    for (double& x : work)
+      x = -x;
+    summary.inside = resultantOf(work, solved);
+  }
   addContact(solved, [&](const Element&) -> Summary& { return summary; });
   if (!std::isfinite(summary.energyStrain + summary.energyLoad))
     throw bem::NumericalError(
         "energies are beyond numbers: displacements are too large for all; look at the "
         "units of Young's modulus, loads and lengths");
   summary.motion = meanMotion(solved);
-  summary.load = resultantOf(loadWork(solved), solved);
+  summary.load = resultantOf(workOf(load, solved), solved);
   summary.reaction = resultantOf(reactionWork(solved), solved);
   return summary;
 }
@@ -235,7 +303,8 @@ Summary sumOf(const std::vector<Summary>& bodies) {
          {&Summary::energyStrain, &Summary::energyLoad, &Summary::forceNormal,
           &Summary::forceTangential, &Summary::contactLength, &Summary::slipLength})
       sum.*member += body.*member;
-    for (const auto member : {&Summary::load, &Summary::reaction, &Summary::obstacle})
+    for (const auto member :
+         {&Summary::load, &Summary::inside, &Summary::reaction, &Summary::obstacle})
       add(body.*member, sum.*member);
   }
   sum.contact = sum.obstacle;

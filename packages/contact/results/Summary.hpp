@@ -18,10 +18,11 @@ struct Resultant {
 /// energies [stress length²], forces [stress length], moment [stress length²], lengths.
 struct Summary {
   double energyStrain = 0;  ///< ½ <W u, u> + ½ <V ψ, ψ>; without Form Density ½ uᵀ S u
-  double energyLoad = 0;       ///< fᵀ u
+  double energyLoad = 0;       ///< fᵀ u, what acts inside included
   double forceNormal = 0;      ///< ∫ λₙ over all contact sides
   double forceTangential = 0;  ///< ∫ λₜ
   Resultant load;              ///< of the Neumann data
+  Resultant inside;            ///< of what acts inside
   Resultant contact;           ///< of all contact sides: ∫ -λₙ n - λₜ t
   /// The part of it that comes from what does not deform: obstacles and rigid bodies.
   Resultant obstacle;
@@ -35,10 +36,19 @@ struct Summary {
 /// unknowns, paired with rigid motions, contact forces from the multiplier as a function,
 /// loads from the data: none knows of the others, so that
 ///
-///   load + contact + reaction = 0    in x, y and moment
+///   load + inside + contact + reaction = 0    in x, y and moment
 ///
 /// tests the whole solution.
 Summary summarize(const Solved& solved);
+
+/// What a particular solution u_p = u_b + u_T, of forces and of heat, adds to the energies of the
+/// rest u_h, dimensionless: to the strain energy ∫ t_h·u_b + t_T·u_h ds + ½ ∫ σ_p : C⁻¹ σ_p, to the
+/// loads' work ∫ f·u_p ds + ∫ b·u.
+struct EnergiesOfInside {
+  double strain = 0;
+  double load = 0;
+};
+EnergiesOfInside energiesOfInside(const Solved& solved);
 
 /// The same of every body; a force between two bodies is in the `contact` of both, what they
 /// do to each other in the lengths and energies of the one that carries the multiplier.

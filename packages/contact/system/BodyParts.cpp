@@ -37,8 +37,15 @@ BodyParts::BodyParts(const BodyInput& input)
 
 double BodyParts::size() const {
   // dimensionless: strains and stresses are of one size
-  return holding.loads.largestTraction + holding.loads.largestDisplacement +
-         obstacle.largestPenetration;
+  return holding.loads.size() + obstacle.largestPenetration;
+}
+
+void BodyParts::setTerms() {
+  if (!terms.force.empty())
+    axpy(-1, terms.force, holding.loads.load);
+  terms = form->residualTerms(multiplier);
+  if (!terms.force.empty())
+    axpy(1, terms.force, holding.loads.load);
 }
 
 void BodyParts::factor(const BodyInput& input) {
@@ -46,6 +53,7 @@ void BodyParts::factor(const BodyInput& input) {
   const bool stabilised = input.stabilization.form != Stabilization::Form::None &&
                           !multiplier.elements().empty();
   gamma0 = stabilised ? first : 0;
+  setTerms();
   try {
     body = std::make_unique<const ElasticBody>(*form, holding);
     return;
@@ -58,6 +66,7 @@ void BodyParts::factor(const BodyInput& input) {
     throw IndefiniteStiffness(first, definiteBelow);
   gamma0 = std::min(first, definiteBelow) / 4;
   form = form->weakened(gamma0 / first);
+  setTerms();
   body = std::make_unique<const ElasticBody>(*form, holding);
 }
 
@@ -69,8 +78,9 @@ BodyParts::BodyParts(const BodyParts& same, const Conditions& conditions)
       opposite(same.opposite),
       form(same.form),
       obstacle(makeObstacle(space.mesh(), multiplier, *opposite, units)),
-      gamma0(same.gamma0),
-      body(std::make_unique<const ElasticBody>(same.body->under(holding))) {
+      gamma0(same.gamma0) {
+  setTerms();
+  body = std::make_unique<const ElasticBody>(same.body->under(holding));
   numbers.normals = multiplier.normals();
   numbers.tangentials = obstacle.tangentials;
 }

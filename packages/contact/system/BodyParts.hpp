@@ -20,6 +20,7 @@ struct BodyParts {
   std::shared_ptr<const StabilisedBody> form;
   Obstacle obstacle;
   double gamma0 = 0;
+  ResidualTerms terms{};  ///< their force is part of the holding's load
   std::unique_ptr<const ElasticBody> body{};
   Problem numbers{};
 
@@ -29,6 +30,8 @@ struct BodyParts {
   Vector push(const State& state, const Vector& met) const;
 
  private:
+  /// The form's terms of what acts inside take the place of earlier ones.
+  void setTerms();
   struct Pushed {
     Vector multiplier;
     Vector force;

@@ -1,5 +1,6 @@
 #include "contact/system/ContactProblem.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/system/BodyParts.hpp"
 
 namespace epafi::contact {
@@ -19,6 +20,9 @@ Vector ContactProblem::moved(const double* motions) const {
 }
 const Vector& ContactProblem::gap() const { return parts_->obstacle.gap; }
 const Vector& ContactProblem::load() const { return parts_->holding.loads.load; }
+const Loads::OfInside& ContactProblem::ofInside() const {
+  return parts_->holding.loads.inside;
+}
 double ContactProblem::gamma0() const { return parts_->gamma0; }
 double ContactProblem::gamma(std::size_t contactElement) const {
   return parts_->form->gamma(contactElement);
@@ -34,12 +38,12 @@ bool ContactProblem::byDensity() const { return parts_->form->byDensity(); }
 
 std::vector<bem::Vec2> ContactProblem::meanSlacks(const State& state,
                                                   const Vector& density) const {
-  return parts_->form->meanSlacks(state.multiplier, density);
+  return parts_->form->meanSlacks(state.multiplier, density, parts_->terms.compliance);
 }
 
 double ContactProblem::strainEnergy(const State& state,
                                     const Vector& displacement) const {
-  return parts_->form->strainEnergy(displacement, state.multiplier);
+  return parts_->form->strainEnergy(displacement, state.multiplier, parts_->terms);
 }
 
 double ContactProblem::storedEnergy(const State& state,
@@ -55,7 +59,10 @@ double ContactProblem::storedEnergy(const State& state,
 }
 
 Vector ContactProblem::density(const State& state, const Vector& displacement) const {
-  return parts_->form->density(displacement, state.multiplier);
+  Vector psi = parts_->form->density(displacement, state.multiplier);
+  if (!parts_->terms.density.empty())
+    bem::axpy(1, parts_->terms.density, psi);
+  return psi;
 }
 
 Vector ContactProblem::clampForces(const State& state, const Vector& displacement,
@@ -70,6 +77,16 @@ Vector ContactProblem::clampWork(const State& state, const Vector& displacement,
 
 Vector ContactProblem::fixedReactions(const State& state, const Vector& met) const {
   return parts_->body->fixedReactions(parts_->push(state, met));
+}
+
+Vector ContactProblem::fixedMeans(const Vector& displacement) const {
+  const Holding& holding = parts_->holding;
+  Vector means(3, 0.0);
+  for (std::size_t i = 0; i < displacement.size(); ++i)
+    for (Index k = 0; holding.loads.clamped[i] == 0 && k < 3; ++k)
+      means[at(k)] +=
+          holding.modes.functionals(static_cast<Index>(i), k) * displacement[i];
+  return means;
 }
 
 }  // namespace epafi::contact

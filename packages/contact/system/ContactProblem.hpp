@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/body/BodyInput.hpp"
+#include "contact/body/Loads.hpp"
 #include "contact/problem/Problem.hpp"
 
 namespace epafi::contact {
@@ -58,8 +59,10 @@ class ContactProblem {
   /// to it.  What loads, clamps and friction do changes this by their work.
   double storedEnergy(const State& state, const Vector& displacement) const;
 
-  /// Consistent load f of the Neumann data, all unknowns.
+  /// f of the equations, see Loads, all unknowns: the Neumann data's where nothing acts inside.
   const Vector& load() const;
+  /// What is given and what acts inside by themselves; vectors are empty where nothing does.
+  const Loads::OfInside& ofInside() const;
 
   /// A u + Bᵀ λ - f on prescribed displacements: what clamps do to the body; zero elsewhere.
   Vector clampForces(const State& state, const Vector& displacement,
@@ -88,6 +91,10 @@ class ContactProblem {
   /// ρ: amplitude of the uniform traction that holds each fixed rigid motion (x, y,
   /// rotation about the boundary's centroid); zero for those not fixed.
   Vector fixedReactions(const State& state, const Vector& met = {}) const;
+
+  /// Σ u_i ∫ φ_i · r_k ds over what is not prescribed, what these tractions do work on: zero but
+  /// for clamps and for what acts inside.
+  Vector fixedMeans(const Vector& displacement) const;
 
   Index freeMotions() const;
   /// The displacement that their sizes make.

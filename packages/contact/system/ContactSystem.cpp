@@ -3,6 +3,7 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
+#include "contact/opposite/SidePoints.hpp"
 #include "contact/system/RigidDrives.hpp"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ struct ContactSystem::Parts {
   Problem numbers{};
   Vector gap{};
   Vector jump{};
+  Vector ofInside{};
   Vector slipBefore{};
   Vector defectBefore{};
   std::vector<LoadResponses> toLoads{};
@@ -102,9 +104,47 @@ struct ContactSystem::Parts {
           gap[k] = own.obstacle.gap[i];
       }
     }
+    measureInside();
     addGiven(numbers.offset);
     rigid.addForces(numbers.rigidLoad);
     setScale(loadSize());
+  }
+
+  /// ∫ χ_i d · (u_p - u_p∘P) ds of the bodies' particular solutions, and what their tractions add.
+  void measureInside() {
+    const auto insideOf = [&](std::size_t b) -> const Inside& {
+      return part(b).multiplier.conditions().inside;
+    };
+    for (std::size_t b = 0; b < size(); ++b)
+      if (insideOf(b))
+        ofInside.resize(jump.size());
+    for (std::size_t b = 0; b < size() && !ofInside.empty(); ++b) {
+      const BodyParts& own = part(b);
+      const Vector& terms = own.terms.terms;
+      for (std::size_t i = 0; i < terms.size(); ++i)
+        ofInside[at(numbering(b, static_cast<Index>(i)))] += terms[i];
+      const bem::Mesh& mesh = own.space.mesh();
+      forEachSidePoint(
+          mesh, own.multiplier.elements(), *own.opposite,
+          [](const auto& contact, const Opposite::Point&) {
+            return &bem::gaussForGiven(contact.degree);
+          },
+          [&](const SidePoint& point) {
+            const Opposite::Point& met = point.met;
+            bem::Vec2 u;
+            if (insideOf(b))
+              u = insideOf(b)->displacement(mesh, point.contact.element, point.t);
+            if (met.element >= 0 && insideOf(at(met.body)))
+              u = u -
+                  insideOf(at(met.body))
+                      ->displacement(part(at(met.body)).space.mesh(), met.element, met.t);
+            point.forEachCoefficient(
+                own.multiplier.basis().values(point.contact.degree, point.t),
+                [&](Index i, double chi, bem::Vec2 direction) {
+                  ofInside[at(numbering(b, i))] += point.weight * chi * dot(u, direction);
+                });
+          });
+    }
   }
 
   /// What is given of r: all that does not come from elastic bodies or free motions.
@@ -112,6 +152,8 @@ struct ContactSystem::Parts {
     axpy(-1, jump, r);
     for (std::size_t i = 0; i < gap.size(); ++i)
       r[i] -= gap[i];
+    if (!ofInside.empty())
+      axpy(1, ofInside, r);
     rigid.addGiven(r);
   }
 
@@ -246,6 +288,7 @@ const ContactProblem& ContactSystem::body(std::size_t b) const {
 const Problem& ContactSystem::numbers() const { return parts_->numbers; }
 const Vector& ContactSystem::gap() const { return parts_->gap; }
 const Vector& ContactSystem::jump() const { return parts_->jump; }
+const Vector& ContactSystem::ofInside() const { return parts_->ofInside; }
 const Numbering& ContactSystem::numbering() const { return parts_->numbering; }
 const std::vector<Drive>& ContactSystem::drives() const { return parts_->rigid.drives(); }
 

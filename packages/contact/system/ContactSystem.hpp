@@ -83,6 +83,10 @@ class ContactSystem {
   /// The jump that bonded sides are given, one number per coefficient.
   const Vector& jump() const;
 
+  /// What is given of r where something acts inside, by coefficients: the displacement u_p of the
+  /// sides and what t_p adds through the stabilisation; empty: nothing does.
+  const Vector& ofInside() const;
+
   /// The state of all from each body's own, where an empty vector stays empty, and back with
   /// everything that follows from it, where it is zero.  `rigid`: motions of bodies that do not deform; empty:
   /// they begin where they are.

@@ -57,9 +57,10 @@ double RigidDrives::loadSize() const {
     bem::Vec2 slide;
     double others = 0;  // turning, and forces as pressures on what is met
     for (std::size_t c = 0; c < 3; ++c) {
-      const auto& [free, value] = drives_[k].components[c];
+      const auto& [free, value, inside] = drives_[k].components[c];
       if (free)
-        others += met.length > 0 ? std::abs(value) / scaleOf(k, c) / met.length : 0;
+        others +=
+            met.length > 0 ? std::abs(value + inside) / scaleOf(k, c) / met.length : 0;
       else if (c == 2)
         others += met.lever * std::abs(value);
       else
@@ -85,7 +86,7 @@ Matrix RigidDrives::withFreeMotions(const Matrix& elastic) const {
 void RigidDrives::addGiven(Vector& penetration) const {
   for (std::size_t k = 0; k < drives_.size(); ++k)
     for (std::size_t c = 0; c < 3; ++c) {
-      const auto& [free, value] = drives_[k].components[c];
+      const auto& [free, value, inside] = drives_[k].components[c];
       for (std::size_t i = 0; !free && value != 0 && i < penetration.size(); ++i)
         penetration[i] -= scaleOf(k, c) * value * trace(k, c)[i];
     }
@@ -93,7 +94,8 @@ void RigidDrives::addGiven(Vector& penetration) const {
 
 void RigidDrives::addForces(Vector& rigidLoad) const {
   forEachFree([&](std::size_t k, std::size_t c) {
-    rigidLoad.push_back(drives_[k].components[c].value / scaleOf(k, c));
+    const Drive::Component& drive = drives_[k].components[c];
+    rigidLoad.push_back((drive.value + drive.inside) / scaleOf(k, c));
   });
 }
 

@@ -9,7 +9,8 @@ from epafi.plot.movie import arrays
 NAMES = {"ux": "displacement in x", "uy": "displacement in y", "sxx": r"$\sigma_{xx}$",
          "syy": r"$\sigma_{yy}$", "sxy": r"$\sigma_{xy}$", "szz": r"$\sigma_{zz}$",
          "von_mises": "von Mises stress", "principal_1": "larger principal stress",
-         "principal_2": "smaller principal stress"}
+         "principal_2": "smaller principal stress",
+         "temperature": "temperature"}
 # Of the area, that may be beyond the ends of the colours: singular stresses are.
 BEYOND = 1e-3
 
@@ -21,7 +22,7 @@ class Inside:
         read = arrays(file)
         self.points = read["Points"][:, :2]
         self.corners = read["connectivity"].reshape(-1, 3)
-        self.values = {name: read[name] for name in NAMES}
+        self.values = {name: read[name] for name in NAMES if name in read}
         self.values["displacement"] = read["displacement"][:, :2]
 
     def area(self):

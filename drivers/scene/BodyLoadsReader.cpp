@@ -1,0 +1,272 @@
+#include "drivers/scene/BodyLoadsReader.hpp"
+
+#include "bem/algebra/LuFactor.hpp"
+#include "bem/algebra/SmallAlgebra.hpp"
+#include "bem/base/Error.hpp"
+#include "bem/quadrature/Gauss.hpp"
+
+#include <Teuchos_Array.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::asVector;
+using bem::Complex;
+using bem::InputError;
+using bem::Vec2;
+using Teuchos::ParameterList;
+
+bool saysAnything(const ParameterList& list) {
+  return std::any_of(list.begin(), list.end(),
+                     [](const auto& item) { return !item.second.isDefault(); });
+}
+
+/// ∫ 1, ∫ y and ∫ |y|² over what an outline encloses, scaled.
+struct AreaMoments {
+  double area = 0;
+  Vec2 first;
+  double polar = 0;
+};
+
+AreaMoments momentsOf(const bem::Outline& outline) {
+  AreaMoments moments;
+  const bem::Rule& rule = bem::gaussLegendre(bem::largestGaussOrder);
+  for (const bem::Edge& edge : outline.edges())
+    for (int q = 0; q < rule.size(); ++q) {
+      const double t = rule.points[q];
+      const Vec2 y = edge.curve.point(t);
+      const double flux =
+          0.5 * edge.curve.length() * rule.weights[q] * dot(y, edge.curve.normal(t));
+      moments.area += flux / 2;
+      moments.first = moments.first + (flux / 3) * y;
+      moments.polar += flux / 4 * dot(y, y);
+    }
+  return moments;
+}
+
+/// Of each z^a z̄^b of degree at most 4 with a >= b the real part and, where a > b, the imaginary
+/// one: a basis of all polynomials in x and y of this degree.
+constexpr int highest = 4;
+template <class Visit>
+void forEachMonomial(Complex z, const Visit& visit) {
+  Complex ofB = 1;
+  for (int b = 0; 2 * b <= highest; ++b, ofB *= std::norm(z)) {
+    Complex value = ofB;
+    for (int a = b; a + b <= highest; ++a, value *= z)
+      visit(a, b, value);
+  }
+}
+
+std::vector<double> monomialsAt(Complex z) {
+  std::vector<double> values;
+  forEachMonomial(z, [&](int a, int b, Complex value) {
+    values.push_back(value.real());
+    if (a > b)
+      values.push_back(value.imag());
+  });
+  return values;
+}
+
+/// Of values at points, by least squares.
+contact::BodyLoads::Terms fit(const std::vector<Complex>& points,
+                              const std::vector<double>& values) {
+  const auto size = static_cast<bem::Index>(monomialsAt(0).size());
+  bem::Matrix rows(static_cast<bem::Index>(points.size()), size);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const std::vector<double> row = monomialsAt(points[k]);
+    for (bem::Index j = 0; j < size; ++j)
+      rows(static_cast<bem::Index>(k), j) = row[bem::at(j)];
+  }
+  const bem::LuFactor factor(bem::transposedTimes(rows, rows));
+  bem::Vector c = columnOf(bem::transposedTimes(rows, bem::asColumn(values)), 0);
+  factor.solve(c);
+  contact::BodyLoads::Terms terms;
+  std::size_t next = 0;
+  forEachMonomial(0, [&](int a, int b, Complex) {
+    if (a == b) {
+      terms.push_back({a, b, c[next++]});
+      return;
+    }
+    const Complex half = 0.5 * Complex(c[next], -c[next + 1]);
+    next += 2;
+    terms.push_back({a, b, half});
+    terms.push_back({b, a, std::conj(half)});
+  });
+  return terms;
+}
+
+}  // namespace
+
+bem::SchemaRows bodyLoadsRows() {
+  using bem::Kind;
+  using bem::Row;
+  return {
+      Row("Gravity X", Kind::Expression,
+          "acceleration; the force per volume is Density times it; in t and constants")
+          .unit("force / mass"),
+      Row("Gravity Y", Kind::Expression, "likewise; down is negative")
+          .unit("force / mass"),
+      Row("Force X", Kind::Expression, "instead of Gravity X: the force per volume")
+          .unit("stress / length"),
+      Row("Force Y", Kind::Expression, "instead of Gravity Y, likewise")
+          .unit("stress / length"),
+      Row("Spin", Kind::Expression,
+          "angular velocity about Center; the force per volume is Density times its "
+          "square "
+          "times the way from there; in t and constants")
+          .unit("radian / time"),
+      Row("Angular Acceleration", Kind::Expression,
+          "the body's own about Center, counter-clockwise; not taken from Spin; likewise")
+          .unit("radian / time^2"),
+      Row("Center", Kind::Reals,
+          "of Spin and Angular Acceleration; without it the origin")
+          .unit("length"),
+      Row("Temperature", Kind::Expression,
+          "difference from the stress-free state, a polynomial in x and y of degree at "
+          "most 4 with coefficients in t; of elastic bodies")
+          .unit("temperature"),
+  };
+}
+
+BodyLoadsReader::BodyLoadsReader(const ParameterList& root, const std::string& body,
+                                 Place file)
+    : body_(body), place_(std::move(file)) {
+  const ParameterList& list = root.sublist("Bodies").sublist(body);
+  material_ = &list.sublist("Material");
+  own_ = saysAnything(list.sublist("Body Loads"));
+  const ParameterList& ofAll = root.sublist("Body Loads");
+  list_ = own_ ? &list.sublist("Body Loads") : saysAnything(ofAll) ? &ofAll : nullptr;
+  place_.path = own_ ? "Bodies->" + body + "->Body Loads" : "Body Loads";
+}
+
+bool BodyLoadsReader::has(const char* key) const { return list_->isParameter(key); }
+
+double BodyLoadsReader::value(const char* key, const Names& names) const {
+  return has(key) ? evaluateAt(names.t, list_->get<std::string>(key),
+                               {place_.file, place_.path + "->" + key}, names)
+                  : 0;
+}
+
+double BodyLoadsReader::ofMaterial(const char* property, const char* why) const {
+  if (!material_->isParameter(property))
+    throw InputError("Bodies->", body_, "->Material->", property, ": missing; ",
+                     place_.path, "->", why, " needs it");
+  return material_->get<double>(property);
+}
+
+BodyLoadsReader::Force BodyLoadsReader::forceAt(Vec2 origin, const Names& names) const {
+  const auto along = [&](const char* weight, const char* force) {
+    if (!has(weight))
+      return value(force, names);
+    if (has(force))
+      throw InputError(place_.path, "->", force, ": give this or ", weight, ", not both");
+    return ofMaterial("Density", weight) * value(weight, names);
+  };
+  Force force{{along("Gravity X", "Force X"), along("Gravity Y", "Force Y")}, {}};
+  if (has("Spin"))
+    force.linear += ofMaterial("Density", "Spin") * std::pow(value("Spin", names), 2);
+  if (has("Angular Acceleration"))
+    force.linear -= ofMaterial("Density", "Angular Acceleration") *
+                    Complex(0, value("Angular Acceleration", names));
+  Vec2 center;
+  if (has("Center")) {
+    const auto& point = list_->get<Teuchos::Array<double>>("Center");
+    if (point.size() != 2)
+      throw InputError(place_.path, "->Center: has ", point.size(),
+                       " numbers; a point has two");
+    center = {point[0], point[1]};
+  }
+  force.uniform += force.linear * asComplex(origin - center);
+  return force;
+}
+
+// Points of a square lattice on the outline's box; of as many again between them the deviation.
+contact::BodyLoads::Terms BodyLoadsReader::temperature(const bem::Outline& outline,
+                                                       const Names& names) const {
+  const Place place{place_.file, place_.path + "->Temperature"};
+  const bem::Function given =
+      makeExpression(list_->get<std::string>("Temperature"), place, names);
+  Vec2 low{1, 1};
+  Vec2 high{-1, -1};
+  for (const bem::Edge& edge : outline.edges())
+    for (const double t : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+      const Vec2 y = edge.curve.point(t);
+      low = {std::min(low.x, y.x), std::min(low.y, y.y)};
+      high = {std::max(high.x, y.x), std::max(high.y, y.y)};
+    }
+  const auto latticeOf = [&](int n, double shift) {
+    std::vector<Complex> points;
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j)
+        points.emplace_back(low.x + (high.x - low.x) * (i + shift) / n,
+                            low.y + (high.y - low.y) * (j + shift) / n);
+    return points;
+  };
+  const std::vector<Complex> points = latticeOf(8, 0.5);
+  std::vector<double> values;
+  double largest = 0;
+  for (const Complex y : points) {
+    values.push_back(given(outline.physical(asVector(y))));
+    largest = std::max(largest, std::abs(values.back()));
+  }
+  contact::BodyLoads::Terms terms = fit(points, values);
+  const contact::ParticularSolution fitted({{}, {}, terms}, bem::Lame(bem::Material{}));
+  double deviation = 0;
+  for (const Complex y : latticeOf(9, 0.4))
+    deviation = std::max(deviation, std::abs(given(outline.physical(asVector(y))) -
+                                             fitted.temperature(asVector(y))));
+  if (deviation > 1e-9 * largest)
+    throw InputError(place.path, ": is no polynomial in x and y of degree at most ",
+                     highest, "; the nearest one is off by up to ", deviation);
+  return terms;
+}
+
+contact::Inside BodyLoadsReader::inside(const bem::Outline& outline,
+                                        const bem::Material& material, double stress,
+                                        const Names& names) const {
+  if (list_ == nullptr)
+    return nullptr;
+  const Force force = forceAt(outline.scaling().origin, names);
+  const double length = outline.scaling().length;
+  contact::BodyLoads loads;
+  loads.uniform = force.uniform * (length / stress);
+  loads.linear = force.linear * (length * length / stress);
+  if (has("Temperature")) {
+    const double alpha = ofMaterial("Thermal Expansion", "Temperature");
+    loads.temperature = temperature(outline, names);
+    loads.expansion = material.planeStress ? alpha : (1 + material.poissonsRatio) * alpha;
+    loads.across = material.planeStress ? 0 : -alpha * material.youngsModulus / stress;
+  }
+  return std::make_shared<const contact::ParticularSolution>(loads,
+                                                             bem::Lame(material, stress));
+}
+
+bool BodyLoadsReader::actsOnRigid() const {
+  if (own_ && has("Temperature"))
+    throw InputError(place_.path,
+                     "->Temperature: the body is rigid (Material->Rigid = "
+                     "true), heat does nothing to it");
+  return list_ != nullptr && (own_ || material_->isParameter("Density"));
+}
+
+// ∫ b and ∫ (x - pole) × b,  x - pole = d + y,  b = uniform + linear y
+contact::Resultant BodyLoadsReader::resultant(const bem::Outline& outline, Vec2 pole,
+                                              const Names& names) const {
+  const Vec2 origin = outline.scaling().origin;
+  const double length = outline.scaling().length;
+  const auto [uniform, linear] = forceAt(origin, names);
+  const AreaMoments scaled = momentsOf(outline);
+  const double area = scaled.area * std::pow(length, 2);
+  const Complex first = std::pow(length, 3) * asComplex(scaled.first);
+  const double polar = scaled.polar * std::pow(length, 4);
+  const Complex force = uniform * area + linear * first;
+  const Complex about = std::conj(asComplex(origin - pole)) * force +
+                        std::conj(first) * uniform + linear * polar;
+  return {force.real(), force.imag(), about.imag()};
+}
+
+}  // namespace epafi::drivers

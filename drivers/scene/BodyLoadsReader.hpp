@@ -1,0 +1,54 @@
+#pragma once
+
+#include "contact/results/Summary.hpp"
+#include "drivers/scene/Scene.hpp"
+
+namespace epafi::drivers {
+
+/// The keys of a list Body Loads.
+bem::SchemaRows bodyLoadsRows();
+
+/// What acts inside a body at a time, from its validated lists Material and Body Loads; the root's
+/// Body Loads serve bodies that have none of their own.
+class BodyLoadsReader {
+ public:
+  /// `root`: the scene's whole list.
+  BodyLoadsReader(const Teuchos::ParameterList& root, const std::string& body,
+                  Place file);
+
+  /// Of an elastic body; none where no list says anything.
+  /// `material`, `stress`: the body's, and what stresses count in.
+  /// \throws bem::InputError for a load by mass on a body without Density, a force beside a weight,
+  ///   a temperature that is no polynomial of degree 4, or of a body without Thermal Expansion, and
+  ///   what is not one finite number at this time.
+  contact::Inside inside(const bem::Outline& outline, const bem::Material& material,
+                         double stress, const Names& names) const;
+
+  /// Of a rigid one, about its reference point, in the user's units; without a Density of its own
+  /// nothing of the root's.  \throws bem::InputError as above.
+  contact::Resultant resultant(const bem::Outline& outline, bem::Vec2 pole,
+                               const Names& names) const;
+  /// Does anything act on a rigid body?
+  bool actsOnRigid() const;
+
+ private:
+  /// b(x) = uniform + linear (x - origin), per volume, complex, in the user's units.
+  struct Force {
+    bem::Complex uniform;
+    bem::Complex linear;
+  };
+  Force forceAt(bem::Vec2 origin, const Names& names) const;
+  bool has(const char* key) const;
+  double value(const char* key, const Names& names) const;
+  double ofMaterial(const char* property, const char* why) const;
+  contact::BodyLoads::Terms temperature(const bem::Outline& outline,
+                                        const Names& names) const;
+
+  const Teuchos::ParameterList* material_;
+  const Teuchos::ParameterList* list_;  ///< null: none
+  bool own_ = false;
+  std::string body_;
+  Place place_;  ///< of the list
+};
+
+}  // namespace epafi::drivers

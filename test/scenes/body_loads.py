@@ -1,0 +1,356 @@
+"""Weight, spin and heat inside bodies against closed forms (doc/theory/body-loads.md)."""
+import math
+import os
+
+from runs import WORK, claim, epafi, finish, fresh, run, table
+from written import (QUARTERS, block, body, circle, condition, contact, friction, geometry,
+                     listed, loop, parameter, rigid, written)
+
+FORMS = ("Density", "Projected", "Exact")
+
+
+def loads(**functions):
+    return listed("Body Loads", *(
+        parameter(key.replace("_", " "), "Array(double)" if key == "Center" else "string", value)
+        for key, value in functions.items()))
+
+
+def material(text, density=None, expansion=None, plane=None):
+    """A body with more of its Material said."""
+    more = ""
+    if density is not None:
+        more += parameter("Density", "double", repr(density))
+    if expansion is not None:
+        more += parameter("Thermal Expansion", "double", repr(expansion))
+    if plane is not None:
+        more += parameter("Plane State", "string", plane)
+    return text.replace("</ParameterList>", more + "</ParameterList>", 1)
+
+
+def with_loads(text, inside):
+    """A body with its own Body Loads."""
+    return text[:-len("</ParameterList>")] + inside + "</ParameterList>"
+
+
+def history(times, steps=1):
+    return listed("History", parameter("Times", "Array(double)", "{%s}" % ", ".join(
+        map(str, times))), parameter("Steps", "Array(int)", "{%s}" % steps))
+
+
+def points_at(*points):
+    return listed("Output", parameter("Interior Points", "TwoDArray(double)", "%dx2:{%s}" % (
+        len(points), ", ".join("%r,%r" % p for p in points))))
+
+
+def rows(name, file="bodies.csv"):
+    return table(os.path.join(WORK, name, file))
+
+
+def off_balance(name, scale):
+    """Of every body in every row, over the largest of its forces, at least a scale: all may cancel."""
+    worst = 0
+    for row in rows(name):
+        sums, largest = [], scale
+        for c, inside in (("x", "body_force_x"), ("y", "body_force_y"),
+                          ("moment", "body_moment")):
+            parts = [row["%s_%s" % (what, c)] for what in ("load", "contact", "reaction")]
+            parts.append(row[inside])
+            sums.append(abs(sum(parts)))
+            largest = max([largest] + [abs(part) for part in parts])
+        worst = max(worst, max(sums) / (largest or 1))
+    return worst
+
+
+def balanced(name, limit=1e-12, scale=0):
+    worst = off_balance(name, scale)
+    claim(worst < limit, "%s: every body balances, %.1e" % (name, worst))
+
+
+def primed(ratio, alpha, plane):
+    """E'/E, nu', al' of a plane state."""
+    if plane == "Plane Stress":
+        return 1, ratio, alpha
+    return 1 / (1 - ratio ** 2), ratio / (1 - ratio), (1 + ratio) * alpha
+
+
+def largest(values):
+    return max(abs(value) for value in values)
+
+
+# a block in a frictionless channel: weight and a temperature over the height, linear in space
+E, RHO, G, HEIGHT, ALPHA = 5.0, 0.2, 0.5, 3.0, 0.01
+HEAT = (1.0, -0.8, 0.3)
+WALLS = condition("left", "Dirichlet", Displacement_X="0") + condition(
+    "right", "Dirichlet", Displacement_X="0")
+
+
+def temperature(y):
+    return sum(c * y ** k for k, c in enumerate(HEAT))
+
+
+def channel(name, form, plane, ratio, y0=2.0, degree=3):
+    up = "(y - %r)" % y0
+    slab = with_loads(material(body(
+        "slab", block(1, y0, 3, y0 + HEIGHT), E, condition("bottom", "Contact") + WALLS, "",
+        ratio=ratio), RHO, ALPHA, plane), loads(
+            Gravity_Y="-%r*t" % G, Temperature="t*(%r + %r*%s + %r*%s^2)" % (
+                HEAT[0], HEAT[1], up, HEAT[2], up)))
+    file = written(name, [slab], "", form, 0.75, degree, points_at((2.0, y0 + 1.0)))
+    return run(file, name)
+
+
+for form in FORMS:
+    for plane, ratio in (("Plane Strain", 0.3), ("Plane Stress", 0.3), ("Plane Strain", 0.5)):
+        if ratio == 0.5 and form != "Density":
+            continue
+        name = "channel %s %s %g" % (form, plane, ratio)
+        levels, contacts = channel(name, form, plane, ratio)
+        e, nu, al = primed(ratio, ALPHA, plane)
+        e *= E
+        weight = RHO * G * HEIGHT
+        worst = largest(p["lambda_n"] / weight - 1 for p in contacts)
+        claim(worst < 1e-10, "%s: the floor carries the weight, %.1e" % (name, worst))
+        sides = rows(name, "boundary.csv")
+        error = largest(
+            p["tx"] - nx * -(nu * RHO * G * (HEIGHT - p["y"] + 2) + e * al * temperature(p["y"] - 2))
+            for p in sides for nx in ((1,) if p["boundary"] == "right" else
+                                      (-1,) if p["boundary"] == "left" else ()))
+        claim(error < 1e-10 * weight, "%s: pressure of the walls, %.1e" % (name, error))
+        rises = sum(c * HEIGHT ** (k + 1) / (k + 1) for k, c in enumerate(HEAT))
+        exact = -(1 - nu ** 2) * RHO * G * HEIGHT ** 2 / (2 * e) + (1 + nu) * al * rises
+        error = largest(p["uy"] - exact for p in sides if p["boundary"] == "top") / abs(exact)
+        claim(error < 1e-10, "%s: the top moves as it should, %.1e" % (name, error))
+        inside = rows(name, "interior.csv")[0]
+        syy = -RHO * G * (HEIGHT - 1)
+        sxx = nu * syy - e * al * temperature(1)
+        szz = 0 if plane == "Plane Stress" else ratio * (sxx + syy) - E * ALPHA * temperature(1)
+        error = largest([inside["sxx"] - sxx, inside["syy"] - syy, inside["sxy"],
+                         inside["szz"] - szz, inside["temperature"] - temperature(1)])
+        claim(error < 1e-9, "%s: inside, %.1e" % (name, error))
+        claim(levels[-1]["estimate"] < 1e-9, "%s: estimate %.1e" % (name, levels[-1]["estimate"]))
+        balanced(name)
+
+# at degree 1 it is an approximation that converges, and the estimate bounds it
+previous = None
+for size in (0.75, 0.375):
+    name = "channel of degree 1, %g" % size
+    slab = with_loads(material(body(
+        "slab", block(1, 2, 3, 5), E, condition("bottom", "Contact") + WALLS), RHO), loads(
+            Gravity_Y="-%r" % G))
+    level = run(written(name, [slab], "", "Density", size, 1), name)[0][-1]
+    nu = 0.3 / 0.7
+    exact = (1 - nu ** 2) * (RHO * G) ** 2 * HEIGHT ** 3 / (3 * E / 0.91)  # 2 wide, halved
+    error = math.sqrt(2 * abs(level["energy_strain"] - exact))
+    claim(error < 4 * level["estimate"], "degree 1: energy %.6e, exact %.6e, estimate %.1e" % (
+        level["energy_strain"], exact, level["estimate"]))
+    previous = level["estimate"] / previous if previous else level["estimate"]
+claim(previous < 0.6, "halved elements: the estimate falls by %.2f" % previous)
+
+
+def disc(radius, x=0.0, y=0.0, side="rim"):
+    return geometry(circle(radius, x, y), "{%s}" % ", ".join([side] * 4), QUARTERS)
+
+
+FREE = "{X, Y, Rotation}"
+R, OMEGA = 2.0, 0.6
+
+# the rotating disc, wherever it is, in both plane states
+for plane, ratio, x in (("Plane Strain", 0.3, 0.0), ("Plane Stress", 0.3, 7.0)):
+    name = "disc %s %g" % (plane, x)
+    turned = with_loads(material(body("disc", disc(R, x), E, "", FREE, ratio=ratio), RHO, None,
+                                 plane), loads(Spin="%r" % OMEGA, Center="{%r, 0}" % x))
+    e, nu, _ = primed(ratio, 0, plane)
+    e *= E
+    c = RHO * OMEGA ** 2
+    file = written(name, [turned], "", "Density", 1, 10, points_at((x + 1e-3, 0.0)))
+    level = run(file, name)[0][-1]
+    inside = rows(name, "interior.csv")[0]
+    exact = (3 + nu) * c * R ** 2 / 8
+    claim(abs(inside["sxx"] / exact - 1) < 1e-6 and abs(inside["syy"] / exact - 1) < 1e-6,
+          "%s: stress in the middle" % name)
+    exact = (1 - nu) * c * R ** 3 / (4 * e)
+    error = largest(math.hypot(p["ux"], p["uy"]) / exact - 1 for p in rows(name, "boundary.csv"))
+    claim(error < 1e-10, "%s: the rim moves outwards, %.1e" % (name, error))
+    error = largest(math.hypot(p["tx"], p["ty"]) for p in rows(name, "boundary.csv"))
+    claim(error < 1e-9 * c * R ** 2, "%s: no traction on the rim, %.1e" % (name, error))
+    exact = math.pi * c ** 2 * (1 - nu) * (7 + nu) * R ** 6 / (96 * e)
+    claim(abs(level["energy_strain"] / exact - 1) < 1e-9,
+          "%s: strain energy %.12e, exact %.12e" % (name, level["energy_strain"], exact))
+    claim(abs(level["energy_load"] / (2 * exact) - 1) < 1e-9, "%s: twice that is the load's work" % name)
+    balanced(name, scale=c * R ** 3)
+
+# a disc in a rigid hole, heated and spinning; the clearance is lost, by every form
+CLEARANCE = 1e-3
+for form, ratio, plane in ([(form, 0.3, "Plane Strain") for form in FORMS] +
+                           [("Density", 0.3, "Plane Stress")]):
+    name = "disc in hole %s %s %g" % (form, plane, ratio)
+    filled = with_loads(material(body("disc", disc(R), E, condition(
+        "rim", "Contact", Gap=repr(CLEARANCE)), FREE, ratio=ratio), RHO, ALPHA, plane), loads(
+            Spin=repr(OMEGA), Temperature="2"))
+    contacts = run(written(name, [filled], "", form, 1, 10), name)[1]
+    e, nu, al = primed(ratio, ALPHA, plane)
+    exact = E * e / (1 - nu) * (2 * al - CLEARANCE / R) + RHO * OMEGA ** 2 * R ** 2 / 4
+    error = largest(p["lambda_n"] / exact - 1 for p in contacts)
+    claim(error < 1e-9, "%s: pressure, %.1e" % (name, error))
+
+# nu = 1/2: a spinning ring on a shaft, in a housing: u = a/r on both; the other line is pinned
+MU_HALF, INNER, OVERLAP = E / 3, 1.0, 0.1
+C_HALF = RHO * OMEGA ** 2
+for method in ("Dense", "Compressed"):
+    for side, radius, other, way in (("in", INNER, R, 1), ("out", R, INNER, -1)):
+        name = "ring held %s, %s" % (side, method)
+        outline = geometry(circle(R), "{out, out, out, out}", QUARTERS, loop(
+            circle(INNER), "{in, in, in, in}", QUARTERS, "Hole 1 "))
+        held = condition(side, "Contact", Gap=repr(-OVERLAP)).replace(
+            "</ParameterList>", friction(0.1) + "</ParameterList>")
+        spun = with_loads(material(body("ring", outline, E, held, ratio=0.5), RHO),
+                          loads(Spin=repr(OMEGA)))
+        contacts = run(written(name, [spun], "", "Density", 1, 9, listed("Solver", listed(
+            "Linear", parameter("Method", "string", method)))), name)[1]
+        a = way * OVERLAP * radius
+        exact = (2 * MU_HALF * a * (1 / radius ** 2 - 1 / other ** 2) +
+                 C_HALF * (radius ** 2 - other ** 2) / 2)
+        error = largest(p["lambda_n"] / exact - 1 for p in contacts)
+        claim(error < 1e-8, "%s: pressure %.6e, %.1e" % (name, exact, error))
+        error = largest(math.hypot(p["tx"], p["ty"]) for p in rows(name, "boundary.csv")
+                        if p["boundary"] != side) / abs(exact)
+        claim(error < 1e-7, "%s: no traction on the other line, %.1e" % (name, error))
+        balanced(name, 1e-11, C_HALF * R ** 3)
+
+# ring on shaft along a path of speed: pressure falls with its square, the fit is lost and found
+STEEL, RI, RF, RO, FIT, TON = 210e3, 10.0, 20.0, 30.0, 0.01, 7.85e-9
+
+
+def ring(name, inner, outer, x=0.0, sides=("inside", "outside"), more=""):
+    outline = geometry(circle(outer, x), "{%s}" % ", ".join([sides[1]] * 4), QUARTERS,
+                       loop(circle(inner, x), "{%s}" % ", ".join([sides[0]] * 4), QUARTERS,
+                            "Hole 1 "))
+    return material(body(name, outline, STEEL, "", FREE) + "", TON, 12e-6, "Plane Stress")
+
+
+def press_fit(name, spin, heat="0", x=0.0, path="", first="ring:inside", second="shaft:outside",
+              more=""):
+    root = loads(Spin=spin, Center="{%r, 0}" % x)
+    hot = loads(Spin=spin, Center="{%r, 0}" % x, Temperature=heat)
+    file = written(name, [ring("shaft", RI, RF, x), with_loads(ring("ring", RF, RO, x), hot)],
+                   contact("fit", first, second, parameter("Interference", "string", FIT)),
+                   "Density", 20, 8, root + path + more)
+    return run(file, name)
+
+
+C = RF * ((RO ** 2 + RF ** 2) / (RO ** 2 - RF ** 2) + 0.3 +
+          (RF ** 2 + RI ** 2) / (RF ** 2 - RI ** 2) - 0.3) / STEEL
+S = RF * TON * (3.3 * RO ** 2 + 0.7 * RF ** 2 - 0.7 * RF ** 2 - 3.3 * RI ** 2) / STEEL / 4
+LOST = math.sqrt(FIT / S)
+claim(abs(LOST - 4501.817172) < 1e-6, "the speed at which the fit is lost: %.6f" % LOST)
+_, contacts = press_fit("speed", "3000*t", "0", 0, history([1, 1.6, 2.6, 3.2]))
+for step, t in enumerate((1, 1.6, 2.6, 3.2)):
+    exact = max(0, (FIT - S * (3000 * t) ** 2) / C)
+    force = rows("speed", "steps.csv")[step]["fit.force_normal"] / (2 * math.pi * RF)
+    claim(abs(force - exact) < 1e-9 * 24.6, "ring at %g of 3000/s: pressure %.9f, exact %.9f" % (
+        t, force, exact))
+balanced("speed", 1e-11, 24.6 * RF)
+_, contacts = press_fit("hot ring", "0", "10", 5.0)
+error = largest(p["lambda_n"] / 18.7031250 - 1 for p in contacts)
+claim(error < 1e-9, "ring 10 K hotter: 18.7031250 within %.1e" % error)
+_, other = press_fit("hot ring swapped", "0", "10", 5.0, "", "shaft:outside", "ring:inside")
+error = largest(p["lambda_n"] / 18.7031250 - 1 for p in other)
+claim(error < 1e-9, "the other side first: within %.1e" % error)
+_, other = press_fit("hot ring compressed", "0", "10", 5.0, "", more=listed(
+    "Solver", listed("Linear", parameter("Method", "string", "Compressed"))))
+error = largest(p["lambda_n"] / 18.7031250 - 1 for p in other)
+claim(error < 1e-9, "compressed operators: within %.1e" % error)
+balanced("hot ring compressed", 1e-10, 18.7 * RF)
+
+# a block on an incline: slides at tan a = mu, and carries downhill of its middle
+W, H, MU = 2.0, 1.0, 0.3
+for slope, slides in ((MU * (1 - 1e-9), False), (MU * (1 + 1e-9), True)):
+    a = math.atan(slope)
+    name = "incline %.10f" % slope
+    held = condition("bottom", "Contact").replace("</ParameterList>",
+                                                  friction(MU) + "</ParameterList>")
+    lying = with_loads(material(body("block", block(-W / 2, 0, W / 2, H), E, held), RHO), loads(
+        Gravity_X="%.17g" % math.sin(a), Gravity_Y="%.17g" % -math.cos(a)))
+    code, text = epafi("run", written(name, [lying], "", "Density", 0.25, 3), "--output",
+                       fresh(name))
+    claim((code == 0) != slides, "an incline of %.9f mu: %s" % (
+        slope / MU, "slides" if slides else "holds"))
+    if not slides:
+        row = rows(name)[-1]
+        middle = row["contact_moment"] / row["contact_y"]
+        claim(abs(middle - H / 2 * slope) < 1e-9, "centre of pressure %.9f, exact %.9f" % (
+            middle, H / 2 * slope))
+        balanced(name)
+
+# bodies on bodies: weights add up, a rigid one's too; the other side first, compressed
+UPPER, LOWER = block(-0.5, 0.5, 0.5, 1.5), block(-1, 0, 1, 0.5)
+LIST = loads(Gravity_X="0.01", Gravity_Y="-1")
+
+
+def heap(name, first="lid:bottom", second="block:top", more="", form="Density"):
+    lid = material(rigid("lid", UPPER, listed(
+        "Motion", parameter("Force X", "string", "0"), parameter("Force Y", "string", "-0.01"))),
+        3 * RHO)
+    lying = material(body("block", LOWER, E, ""), RHO)
+    floor = rigid("floor", block(-2, -1, 2, 0))
+    pair = [("lid", "block:top", "lid:bottom"), ("floor", "block:bottom", "floor:top")]
+    return run(written(name, [lid, lying, floor], "".join(
+        contact(*sides, friction(0.4)) for sides in pair), form, 0.25, 2, LIST + more), name)
+
+
+for form in FORMS:
+    name = "heap " + form
+    heap(name, form=form)
+    last = {row["body"]: row for row in rows(name)}
+    claim(abs(last["floor"]["reaction_y"] - (0.01 + 3 * RHO + RHO)) < 1e-12,
+          "%s: the floor carries all, %.15f" % (name, last["floor"]["reaction_y"]))
+    claim(abs(last["lid"]["body_force_y"] + 3 * RHO) < 1e-14, "the lid weighs what it weighs")
+    balanced(name)
+
+# up and down again, weight and heat, without friction and with it
+for law, friction_law in (("smooth", ""), ("rough", friction(0.2))):
+    errors = []
+    for steps in (4, 16):
+        name = "there and back %s %d" % (law, steps)
+        held = condition("bottom", "Contact", Gap="0.02*x^2").replace(
+            "</ParameterList>", friction_law + "</ParameterList>")
+        lying = with_loads(material(body(
+            "block", block(-1, 0, 1, 1), E, held, "{X, Rotation}"), RHO, ALPHA), loads(
+                Gravity_Y="-2*min(t, 1)",
+                Temperature="(t < 1 ? 0 : 1 - abs(t - 2))*(1 + 2*x + x*y)"))
+        run(written(name, [lying], "", "Density", 0.5, 3, history([1, 2, 3], steps)), name)
+        first, last = (table(os.path.join(WORK, name, "steps", str(k), "contact.csv"))
+                       for k in (steps, 3 * steps))
+        size = largest(p["lambda_n"] for p in first)
+        apart = largest(p["lambda_n"] - q["lambda_n"] for p, q in zip(first, last)) / size
+        row = rows(name, "steps.csv")[-1]
+        errors.append(abs(row["energy_error"]) / abs(row["energy_outside"]))
+        if law == "smooth":
+            claim(apart < 1e-10, "without friction heat comes and goes: %.1e" % apart)
+        else:
+            claim(apart > 1e-4, "with friction it leaves something: %.1e" % apart)
+        balanced(name)
+    claim(errors[1] < errors[0] / 5, "%s: balance of energy to %.1e, %.1e" % (law, *errors))
+
+# what is refused
+BARE = body("block", block(0, 0, 1, 1), E, condition("bottom", "Contact"), "{X, Rotation}")
+for text, what in (
+        (with_loads(BARE, loads(Gravity_Y="-1")), "Density: missing; Bodies->block->Body Loads->"
+         "Gravity Y needs it"),
+        (with_loads(BARE, loads(Spin="1")), "Spin needs it"),
+        (with_loads(BARE, loads(Angular_Acceleration="1")), "Angular Acceleration needs it"),
+        (with_loads(BARE, loads(Temperature="1")), "Thermal Expansion: missing"),
+        (with_loads(material(BARE, 1.0), loads(Gravity_X="1", Force_X="1")), "not both"),
+        (with_loads(material(BARE, 1.0), loads(Spin="1", Center="{1}")), "a point has two"),
+        (with_loads(material(BARE, None, 1e-5), loads(Temperature="exp(x)")),
+         "is no polynomial in x and y of degree at most 4; the nearest one is off by up to"),
+        (with_loads(material(BARE, 1.0), loads(Gravity_Y="-x")), "Gravity Y")):
+    file = written("refused", [text], "", "Density")
+    code, said = epafi("check", file)
+    claim(code == 1 and what in said, "refused: " + what + ("" if what in said else said))
+code, said = epafi("check", written("refused", [BARE, with_loads(
+    rigid("floor", block(-1, -2, 2, -1)), loads(Temperature="1"))], contact(
+        "on", "block:right", "floor:top"), "Density"))
+claim(code == 1 and "heat does nothing to it" in said, "refused: a rigid body that is hot")
+
+finish()
