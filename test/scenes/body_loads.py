@@ -187,11 +187,20 @@ for form, ratio, plane in ([(form, 0.3, "Plane Strain") for form in FORMS] +
     filled = with_loads(material(body("disc", disc(R), E, condition(
         "rim", "Contact", Gap=repr(CLEARANCE)), FREE, ratio=ratio), RHO, ALPHA, plane), loads(
             Spin=repr(OMEGA), Temperature="2"))
-    contacts = run(written(name, [filled], "", form, 1, 10), name)[1]
+    levels, contacts = run(written(name, [filled], "", form, 1, 10), name)
     e, nu, al = primed(ratio, ALPHA, plane)
-    exact = E * e / (1 - nu) * (2 * al - CLEARANCE / R) + RHO * OMEGA ** 2 * R ** 2 / 4
+    c = RHO * OMEGA ** 2
+    exact = E * e / (1 - nu) * (2 * al - CLEARANCE / R) + c * R ** 2 / 4
     error = largest(p["lambda_n"] / exact - 1 for p in contacts)
     claim(error < 1e-9, "%s: pressure, %.1e" % (name, error))
+    # radial and hoop stress are a - (3+nu) c r^2/8 and a - (1+3nu) c r^2/8
+    a = (3 + nu) * c * R ** 2 / 8 - exact
+    squares = [R ** (2 + n) / (2 + n) for n in (0, 2, 4)]  # of r^n r dr
+    terms = (a * a * (1 - nu), -a * c * (1 - nu ** 2) / 2,
+             c ** 2 / 128 * ((3 + nu) ** 2 + (1 + 3 * nu) ** 2 - 2 * nu * (3 + nu) * (1 + 3 * nu)))
+    exact = 2 * math.pi / (E * e) * sum(x * y for x, y in zip(terms, squares))
+    claim(abs(levels[-1]["energy_strain"] / exact - 1) < 1e-9,
+          "%s: strain energy %.9e, exact %.9e" % (name, levels[-1]["energy_strain"], exact))
 
 # nu = 1/2: a spinning ring on a shaft, in a housing: u = a/r on both; the other line is pinned
 MU_HALF, INNER, OVERLAP = E / 3, 1.0, 0.1
@@ -281,6 +290,60 @@ for slope, slides in ((MU * (1 - 1e-9), False), (MU * (1 + 1e-9), True)):
         claim(abs(middle - H / 2 * slope) < 1e-9, "centre of pressure %.9f, exact %.9f" % (
             middle, H / 2 * slope))
         balanced(name)
+
+# a block on a plane under its own weight: the pressure is not uniform
+upright = with_loads(material(body("block", block(-0.5, 0, 0.5, 1), 1.0, condition(
+    "bottom", "Contact"), "{X, Rotation}"), 1.0), loads(Gravity_Y="-1"))
+_, contacts = run(written("own weight", [upright], "", "Density", 0.25, 3, listed(
+    "Adaptivity", parameter("Strategy", "string", "Graded hp"),
+    parameter("Maximum Levels", "int", 15)) + listed("Output", parameter(
+        "Contact Samples per Element", "int", 40))), "own weight")
+for x, exact in ((0, 0.097791745), (0.25, 0.039662894)):
+    near = sorted(sorted(contacts, key=lambda p: abs(p["x"] - x))[:4], key=lambda p: p["x"])
+    value = sum(p["lambda_n"] * math.prod((x - q["x"]) / (p["x"] - q["x"])
+                                          for q in near if q is not p) for p in near)
+    error = abs((value - 1) / (0.3 / 0.7) - exact)
+    claim(error < 1e-7, "own weight: pressure at %g W within %.1e" % (x, error))
+balanced("own weight")
+
+# a block that hangs from a clamp at degree 1: the clamp carries it
+hung = with_loads(material(body("block", block(3, 4, 4, 6), E, condition(
+    "top", "Dirichlet", Displacement_X="0", Displacement_Y="0")), RHO, ALPHA), loads(
+        Gravity_Y="-1", Gravity_X="0.3", Temperature="x^2 - y"))
+level = run(written("hung", [hung], "", "Density", 0.5, 1), "hung")[0][-1]
+claim(abs(level["reaction_y"] / (2 * RHO) - 1) < 1e-12 and
+      abs(level["reaction_x"] / (-0.6 * RHO) - 1) < 1e-12, "a clamp carries what hangs from it")
+balanced("hung")
+
+# a ring whose hub is held while it is to turn faster; a rigid square in the same motion
+GAMMA, INSIDE = 0.7, 1.0
+outline = geometry(circle(R), "{out, out, out, out}", QUARTERS, loop(
+    circle(INSIDE), "{in, in, in, in}", QUARTERS, "Hole 1 "))
+wheel = with_loads(material(body("wheel", outline, E, condition(
+    "in", "Dirichlet", Displacement_X="0", Displacement_Y="0")), RHO),
+    loads(Angular_Acceleration=repr(GAMMA)))
+level = run(written("wheel", [wheel], "", "Density", 1, 10), "wheel")[0][-1]
+exact = RHO * GAMMA * math.pi * (R ** 4 - INSIDE ** 4) / 2
+claim(abs(level["reaction_moment"] / exact - 1) < 1e-11, "the hub turns the wheel: %.9f, exact %.9f" % (
+    level["reaction_moment"], exact))
+exact = R * RHO * GAMMA / (4 * E / 2.6) * ((R ** 2 - INSIDE ** 2) / 2 + R ** 4 / 2 * (
+    1 / R ** 2 - 1 / INSIDE ** 2))
+error = largest((p["uy"] * p["x"] - p["ux"] * p["y"]) / R / exact - 1
+                for p in rows("wheel", "boundary.csv") if p["boundary"] == "out")
+claim(error < 1e-9, "the rim stays behind, %.1e" % error)
+balanced("wheel")
+square = with_loads(material(rigid("square", block(2, 0, 3, 1)), RHO),
+                    loads(Spin=repr(OMEGA), Angular_Acceleration=repr(GAMMA)))
+beside = body("beside", block(3, 0, 4, 1), E, condition("right", "Dirichlet", Displacement_X="0",
+                                                        Displacement_Y="0"))
+run(written("square", [beside, square], contact("at", "beside:left", "square:right"), "Density",
+            0.5, 2), "square")
+row = next(row for row in rows("square") if row["body"] == "square")
+for key, exact in (("body_force_x", RHO * (OMEGA ** 2 * 2.5 + GAMMA * 0.5)),
+                   ("body_force_y", RHO * (OMEGA ** 2 * 0.5 - GAMMA * 2.5)),
+                   ("body_moment", -RHO * GAMMA * (2.5 ** 2 + 0.5 ** 2 + 1 / 6))):
+    claim(abs(row[key] - exact) < 1e-13, "a rigid square: %s %.12f" % (key, row[key]))
+balanced("square")
 
 # bodies on bodies: weights add up, a rigid one's too; the other side first, compressed
 UPPER, LOWER = block(-0.5, 0.5, 0.5, 1.5), block(-1, 0, 1, 0.5)
