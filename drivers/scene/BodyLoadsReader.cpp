@@ -25,29 +25,6 @@ bool saysAnything(const ParameterList& list) {
                      [](const auto& item) { return !item.second.isDefault(); });
 }
 
-/// ∫ 1, ∫ y and ∫ |y|² over what an outline encloses, scaled.
-struct AreaMoments {
-  double area = 0;
-  Vec2 first;
-  double polar = 0;
-};
-
-AreaMoments momentsOf(const bem::Outline& outline) {
-  AreaMoments moments;
-  const bem::Rule& rule = bem::gaussLegendre(bem::largestGaussOrder);
-  for (const bem::Edge& edge : outline.edges())
-    for (int q = 0; q < rule.size(); ++q) {
-      const double t = rule.points[q];
-      const Vec2 y = edge.curve.point(t);
-      const double flux =
-          0.5 * edge.curve.length() * rule.weights[q] * dot(y, edge.curve.normal(t));
-      moments.area += flux / 2;
-      moments.first = moments.first + (flux / 3) * y;
-      moments.polar += flux / 4 * dot(y, y);
-    }
-  return moments;
-}
-
 /// Of each z^a z̄^b of degree at most 4 with a >= b the real part and, where a > b, the imaginary
 /// one: a basis of all polynomials in x and y of this degree.
 constexpr int highest = 4;
@@ -253,20 +230,26 @@ bool BodyLoadsReader::actsOnRigid() const {
   return list_ != nullptr && (own_ || material_->isParameter("Density"));
 }
 
-// ∫ b and ∫ (x - pole) × b,  x - pole = d + y,  b = uniform + linear y
+// What acts inside is the opposite of the tractions that a particular solution has on the outline.
 contact::Resultant BodyLoadsReader::resultant(const bem::Outline& outline, Vec2 pole,
                                               const Names& names) const {
-  const Vec2 origin = outline.scaling().origin;
   const double length = outline.scaling().length;
-  const auto [uniform, linear] = forceAt(origin, names);
-  const AreaMoments scaled = momentsOf(outline);
-  const double area = scaled.area * std::pow(length, 2);
-  const Complex first = std::pow(length, 3) * asComplex(scaled.first);
-  const double polar = scaled.polar * std::pow(length, 4);
-  const Complex force = uniform * area + linear * first;
-  const Complex about = std::conj(asComplex(origin - pole)) * force +
-                        std::conj(first) * uniform + linear * polar;
-  return {force.real(), force.imag(), about.imag()};
+  const Force force = forceAt(outline.scaling().origin, names);
+  const contact::ParticularSolution solution(
+      {force.uniform * length, force.linear * length * length},
+      bem::Lame(bem::Material{}));
+  const bem::Rule& rule = bem::gaussLegendre(bem::largestGaussOrder);
+  contact::Resultant sum;
+  for (const bem::Edge& edge : outline.edges())
+    for (int q = 0; q < rule.size(); ++q) {
+      const Vec2 y = edge.curve.point(rule.points[q]);
+      const Vec2 b = -0.5 * length * edge.curve.length() * rule.weights[q] *
+                     solution.stress(y).on(edge.curve.normal(rule.points[q]));
+      sum.x += b.x;
+      sum.y += b.y;
+      sum.moment += cross(outline.physical(y) - pole, b);
+    }
+  return sum;
 }
 
 }  // namespace epafi::drivers
