@@ -31,6 +31,7 @@ constexpr Column<StepRow> columns[] = {
     {"energy_error", cell<&StepRow::energyError>},
     {"parts", cell<&StepRow::parts>},
     {"energy_dissipated_error", cell<&StepRow::energyDissipatedError>},
+    {"energy_interface", cell<&StepRow::energyInterface>},
 };
 
 constexpr Column<ContactRow> contactColumns[] = {

@@ -230,7 +230,9 @@ class Follower {
     row_.energyTrapezoidal = energy * here_.memory.trapezoidal();
     row_.energyOutside = energy * here_.memory.outside();
     row_.energyStabilisation = energy * (stored - strain);
-    row_.energyError = energy * here_.memory.imbalance(stored);
+    row_.energyInterface = step.solved->interfaceEnergy();
+    row_.energyError =
+        energy * here_.memory.imbalance(stored + row_.energyInterface / energy);
     row_.rigid = step.solved->rigidRows();
     auto contact = row_.contacts.begin();
     for (std::size_t b = 0; b < system.size(); ++b) {

@@ -36,6 +36,7 @@ struct StepRow {
   double energyTrapezoidal = 0;
   double energyOutside = 0;        ///< work of loads, clamps and moving obstacles
   double energyStabilisation = 0;  ///< what it stores
+  double energyInterface = 0;      ///< what the surfaces of contacts store
   double energyError = 0;          ///< outside - trapezoidal - stored
   std::vector<ContactRow> contacts;
   std::vector<RigidRow> rigid;
