@@ -41,7 +41,7 @@ std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& b
                                     "gap",      "bound",        "contact", "friction",
                                     "body",     "contact_name", "s"};
   names.insert(names.end(), more.names.begin(), more.names.end());
-  names.insert(names.end(), {"pressure", "shear"});
+  names.insert(names.end(), {"normal_closing", "pressure", "shear"});
   std::string csv = csvLine(names);
   const int samples = scene.output.contactSamples;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -72,7 +72,8 @@ std::string contactCsv(const Scene& scene, const std::vector<contact::Solved>& b
           for (std::string& cell : more.cells(b, element, t, p))
             cells.push_back(std::move(cell));
         const auto stress = fields.inUnits(continuous, element, t);
-        cells.insert(cells.end(), {exactly(stress.normal), exactly(stress.tangential)});
+        cells.insert(cells.end(), {exactly(p.closing), exactly(stress.normal),
+                                   exactly(stress.tangential)});
         csv += csvLine(cells);
       }
   }

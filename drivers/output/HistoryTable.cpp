@@ -91,6 +91,7 @@ constexpr Column<LevelRow> columns[] = {
     {"worst_step", cell<&LevelRow::worstStep>},
     {"worst_step_estimate", cell<&LevelRow::worstEstimate>},
     {"estimate_relative", cell<&LevelRow::relativeEstimate>},
+    {"energy_interface", cell<&LevelRow::energyInterface>},
 };
 
 }  // namespace
@@ -133,7 +134,8 @@ double energyOf(const std::vector<std::string>& cells) {
   const auto value = [&](const char* name) {
     return numberIn<double>(cells.at(historyColumn(name))).value();
   };
-  return value("energy_strain") - value("energy_load") + value("energy_friction");
+  return value("energy_strain") - value("energy_load") + value("energy_friction") +
+         value("energy_interface");
 }
 
 }  // namespace epafi::drivers

@@ -21,7 +21,7 @@ std::string historyLine(const LevelRow& row);
 std::vector<std::string> lastCells(const std::string& history);
 /// Level::relativeEstimate as such cells have it.
 double relativeEstimateOf(const std::vector<std::string>& cells);
-/// strain energy - fᵀ u + friction's work as such cells have it [stress length²].
+/// strain and surface energy - fᵀ u + friction's work as such cells have it [stress length²].
 double energyOf(const std::vector<std::string>& cells);
 
 }  // namespace epafi::drivers

@@ -32,6 +32,7 @@ constexpr Column<StepRow> columns[] = {
     {"parts", cell<&StepRow::parts>},
     {"energy_dissipated_error", cell<&StepRow::energyDissipatedError>},
     {"energy_stored", cell<&StepRow::energyStored>},
+    {"energy_interface", cell<&StepRow::energyInterface>},
 };
 
 constexpr Column<ContactRow> contactColumns[] = {

@@ -112,6 +112,7 @@ struct LevelRow {
   Size size;
   contact::Summary summary;                ///< over all bodies
   double energyFriction = 0;               ///< friction's work so far [stress length²]
+  double energyInterface = 0;              ///< what the surfaces of contacts store
   std::vector<contact::Summary> bodies{};  ///< of each
   std::vector<RigidRow> rigid{};
   contact::Report report;

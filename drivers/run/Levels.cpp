@@ -124,6 +124,7 @@ LevelRow makeRow(const Ground& ground, const Level& level, const NewLevel& begun
   row.rigid = solved.rigidRows();
   row.summary = contact::sumOf(row.bodies);
   row.energyFriction = energyFriction;
+  row.energyInterface = solved.interfaceEnergy();
   row.report = report;
   row.reason = level.reason;
   row.estimate = level.estimate();

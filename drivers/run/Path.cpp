@@ -226,7 +226,6 @@ class Follower {
             : contact::sumOf(row_.bodies).energyStrain / energy - ofInside;
     const double stored = system.storedEnergy(at);
     row_.energyStrain = energy * (strain + ofInside);
-    row_.energyStored = energy * stored;
     row_.energyDissipated = energy * here_.memory.friction();
     double error = 0;
     for (const PathPoint& point : path_.points)
@@ -235,7 +234,9 @@ class Follower {
     row_.energyTrapezoidal = energy * here_.memory.trapezoidal();
     row_.energyOutside = energy * here_.memory.outside();
     row_.energyStabilisation = energy * (stored - strain);
-    row_.energyError = energy * here_.memory.imbalance(stored);
+    row_.energyInterface = step.solved->interfaceEnergy();
+    row_.energyStored = energy * stored + row_.energyInterface;
+    row_.energyError = energy * here_.memory.imbalance(row_.energyStored / energy);
     row_.rigid = step.solved->rigidRows();
     auto contact = row_.contacts.begin();
     for (std::size_t b = 0; b < system.size(); ++b) {

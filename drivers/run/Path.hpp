@@ -37,6 +37,7 @@ struct StepRow {
   double energyOutside = 0;        ///< work of loads, clamps and moving obstacles
   double energyStabilisation = 0;  ///< what it stores
   double energyStored = 0;         ///< with that, of what the boundary operators know
+  double energyInterface = 0;      ///< what the surfaces of contacts store
   double energyError = 0;          ///< outside - trapezoidal - stored
   std::vector<ContactRow> contacts;
   std::vector<RigidRow> rigid;

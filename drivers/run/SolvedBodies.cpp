@@ -93,6 +93,12 @@ double SolvedBodies::frictionWork() const {
          std::accumulate(work.begin(), work.end(), 0.0);
 }
 
+double SolvedBodies::interfaceEnergy() const {
+  const bem::Units units = ground_.scene.units();
+  return units.stress * units.length * units.length *
+         system_.numbers().surface.energy(at_.state.multiplier);
+}
+
 std::vector<RigidRow> SolvedBodies::rigidRows() const {
   const bem::Units units = ground_.scene.units();
   const double force = units.stress * units.length;

@@ -62,6 +62,8 @@ class SolvedBodies {
 
   /// In the user's units, of one step the work of its own.
   double frictionWork() const;
+  /// What the surfaces of contacts store, likewise.
+  double interfaceEnergy() const;
   std::vector<RigidRow> rigidRows() const;
 
  private:

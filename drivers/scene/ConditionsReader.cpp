@@ -56,10 +56,22 @@ contact::Friction readFriction(const ParameterList& list, const Where& where) {
   });
 }
 
-contact::Conditions::Contact readContact(const ParameterList& list, const Where& where) {
+/// What all contacts have.
+contact::Conditions::Contact readSurface(const ParameterList& list, const Where& where) {
   contact::Conditions::Contact condition;
-  condition.gap = readFunction(list, "Gap", where);
   condition.friction = readFriction(list, where);
+  const ParameterList& normal = list.sublist("Normal");
+  const Where inner = where.under("Normal");
+  condition.normal = contact::parseNormal(normal, [&](const std::string& key) {
+    return nonNegative(readFunction(normal, key, inner), inner.under(key).place,
+                       where.names.t);
+  });
+  return condition;
+}
+
+contact::Conditions::Contact readContact(const ParameterList& list, const Where& where) {
+  contact::Conditions::Contact condition = readSurface(list, where);
+  condition.gap = readFunction(list, "Gap", where);
   return condition;
 }
 
@@ -67,10 +79,9 @@ contact::Conditions::Contact readContact(const ParameterList& list, const Where&
 
 contact::Conditions::Contact readContactOfBodies(const ParameterList& list,
                                                  const Place& place, const Names& names) {
-  contact::Conditions::Contact condition;
+  contact::Conditions::Contact condition = readSurface(list, {place, names});
   const bem::Function interference = readFunction(list, "Interference", {place, names});
   condition.gap = [interference](bem::Vec2 x) { return -interference(x); };
-  condition.friction = readFriction(list, {place, names});
   return condition;
 }
 

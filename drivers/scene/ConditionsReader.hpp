@@ -18,7 +18,7 @@ contact::Conditions readConditions(const Teuchos::ParameterList& body, const Pla
 void checkNamed(const std::string& boundary, const std::string& path,
                 const bem::Outline& outline);
 
-/// Interference and Friction of a validated list under Contacts; `names` with the normal.
+/// Interference and surfaces of a validated list under Contacts; `names` with the normal.
 contact::Conditions::Contact readContactOfBodies(const Teuchos::ParameterList& list,
                                                  const Place& place, const Names& names);
 

@@ -2,6 +2,7 @@
 #include "adaptivity/mark/Strategy.hpp"
 #include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/law/FrictionLaw.hpp"
+#include "contact/law/NormalLaw.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/stabilization/Stabilization.hpp"
@@ -92,6 +93,18 @@ void addBody(Table& table) {
       });
 }
 
+/// What all contacts have; `only`: under these types of their list, none: whatever there is.
+void addSurface(Table& table, const std::string& contact,
+                const std::vector<std::string>& only) {
+  const auto addLaw = [&](const char* name, const char* meaning, const Table& rows) {
+    Parameter list = Row(contact + name, Kind::List, meaning);
+    list.only = only;
+    add(table, list, rows);
+  };
+  addLaw("->Friction", "how much shear the contact carries", contact::frictionRows());
+  addLaw("->Normal", "how far the surfaces yield to the pressure", contact::normalRows());
+}
+
 void addConditions(Table& table) {
   const std::string conditions = "Bodies-><body>->Boundary Conditions";
   const std::string boundary = conditions + "-><boundary>";
@@ -129,10 +142,8 @@ void addConditions(Table& table) {
               .unit("length")
               .standard("0")
               .only("Contact"),
-          Row("Friction", Kind::List, "how much shear the contact carries")
-              .only("Contact"),
       });
-  append(table, contact::frictionRows(), boundary + "->Friction");
+  addSurface(table, boundary, {"Contact"});
   add(table,
       Row("Bodies-><body>->Rigid Motions", Kind::List,
           "how a body without a clamp is held"),
@@ -192,9 +203,8 @@ void addSeveralBodies(Table& table) {
               "outlines as drawn; alone where Law is Tied")
               .unit("length")
               .standard("0"),
-          Row("Friction", Kind::List, "how much shear the contact carries"),
       });
-  append(table, contact::frictionRows(), contact + "->Friction");
+  addSurface(table, contact, {});
 }
 
 void addHistory(Table& table) {

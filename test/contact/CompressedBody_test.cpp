@@ -33,7 +33,8 @@ struct Case {
   std::string law;
   double friction;
   double nu = 0.3;
-  double bulge = 0;  ///< of the side in contact, and of others alike
+  double bulge = 0;              ///< of the side in contact, and of others alike
+  const char* normal = nullptr;  ///< law by which the side yields
 };
 
 std::vector<Case> cases() {
@@ -58,6 +59,12 @@ std::vector<Case> cases() {
        0.3, 0.2},
       {"arcs, free to fall", Form::Density, "Gauss-Legendre-Lagrange", 1, false,
        "Coulomb", 0.3, 0.3, 0.2},
+      {"rough", Form::Density, "Gauss-Legendre-Lagrange", 3, true, "Coulomb", 0.4, 0.3, 0,
+       "Exponential"},
+      {"a layer, control points", Form::Density, "Bernstein", 3, true, "Coulomb", 0.4,
+       0.3, 0, "Linear"},
+      {"a layer, free to fall", Form::Density, "Gauss-Legendre-Lagrange", 1, false,
+       "Coulomb", 0.3, 0.3, 0.2, "Linear"},
   };
 }
 
@@ -81,6 +88,10 @@ contact::Conditions conditionsOf(const Case& c, double load = 1) {
         }});
   conditions.contact["bottom"] = {
       [](bem::Vec2 x) { return 0.004 * (x.x - 0.5) * (x.x - 0.5); }, friction};
+  if (c.normal != nullptr)
+    conditions.contact["bottom"].normal = contact::makeNormal(
+        c.normal, std::vector<bem::Function>(c.normal == std::string("Linear") ? 1 : 2,
+                                             [](bem::Vec2) { return 0.01; }));
   return conditions;
 }
 

@@ -1,5 +1,7 @@
 #include "contact/RandomProblem.hpp"
 
+#include <Teuchos_ParameterList.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -77,6 +79,24 @@ void addRigidMotions(Problem& problem, Index count, std::mt19937& random) {
   }
 }
 
+// Of all but every tenth place; shear by pairs of places that act on each other.
+void addSurface(Problem& problem, const Recipe& recipe, std::mt19937& random) {
+  for (Index i = 0; i < problem.normals; ++i)
+    if (i % 10 != 9)
+      problem.surface.places.push_back(
+          {i, 1,
+           pointClosing(recipe.normal, recipe.yield * problem.flexibility(i, i) *
+                                           std::pow(10, -draw(random, 0, 2)))});
+  for (Index i = problem.normals; i + 1 < problem.size(); i += 4) {
+    const double c = recipe.yield * std::sqrt(problem.flexibility(i, i) *
+                                              problem.flexibility(i + 1, i + 1));
+    for (const bem::Entry& entry :
+         {bem::Entry{i, i, c}, bem::Entry{i, i + 1, -0.4 * c},
+          bem::Entry{i + 1, i, -0.4 * c}, bem::Entry{i + 1, i + 1, c}})
+      problem.surface.linear.push_back(entry);
+  }
+}
+
 }  // namespace
 
 Problem randomProblem(const Recipe& recipe, std::mt19937& random) {
@@ -99,7 +119,25 @@ Problem randomProblem(const Recipe& recipe, std::mt19937& random) {
   problem.rigid = Matrix(problem.size(), 0);
   if (recipe.rigidMotions > 0)
     addRigidMotions(problem, recipe.rigidMotions, random);
+  if (recipe.normal != std::string("Rigid"))
+    addSurface(problem, recipe, random);
   return problem;
+}
+
+contact::PointClosing pointClosing(const std::string& law, double slope) {
+  Teuchos::ParameterList list;
+  list.set("Law", law == "Root" || law == "Square" ? "Power" : law);
+  list.set("Exponent", law == "Root" ? 0.5 : 2.0);
+  const double exponent = list.get<double>("Exponent");
+  const contact::Normal normal =
+      contact::parseNormal(list, [&](const std::string& key) -> bem::Function {
+        const double value = law == "Linear"        ? slope
+                             : key == "Pressure"    ? (law == "Exponential" ? 0.01 : 1)
+                             : law == "Exponential" ? 1.01 * slope
+                                                    : slope / exponent;
+        return [value](bem::Vec2) { return value; };
+      });
+  return normal.at({}, {});
 }
 
 contact::PointLaw pointLaw(const std::string& law, const contact::Vector& fields) {

@@ -17,6 +17,11 @@ struct Recipe {
   contact::Index rigidMotions = 0;
   bool ties = false;    ///< loads and gaps from a few values, many of them zero
   bool bonded = false;  ///< every third tangential coefficient is of bonded sides
+  /// Normal law of nine in ten normal coefficients: "Linear", "Root", "Square", "Exponential"; with
+  /// one, half of the pairs of neighbouring tangential ones are elastic.
+  const char* normal = "Rigid";
+  double yield =
+      1;  ///< φ'(1) is drawn from [0.01, 1] times this, in units of D's diagonal
 };
 
 /// Contact-like: D is a logarithmic kernel on random points plus random coupling of
@@ -26,6 +31,9 @@ contact::Problem randomProblem(const Recipe& recipe, std::mt19937& random);
 
 /// A law whose fields have these values, in units of stress.
 contact::PointLaw pointLaw(const std::string& law, const contact::Vector& fields);
+
+/// By how much a coefficient of length one closes: φ'(1) = slope.
+contact::PointClosing pointClosing(const std::string& law, double slope);
 
 /// `value` times the identity: every coefficient on a spring of its own.
 contact::Matrix identity(contact::Index size, double value = 1);

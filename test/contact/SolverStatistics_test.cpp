@@ -96,6 +96,24 @@ TEUCHOS_UNIT_TEST(SolverStatistics,
   }
 }
 
+TEUCHOS_UNIT_TEST(SolverStatistics, surfacesYieldByAnyLawAndByAnyAmount) {
+  for (const char* normal : {"Linear", "Root", "Square", "Exponential"})
+    for (const double yield : {1e-3, 1.0, 1e3})
+      for (const char* law : {"None", "Tresca", "Coulomb"}) {
+        test::Recipe recipe;
+        recipe.law = law;
+        recipe.strength = 0.3;
+        recipe.normal = normal;
+        recipe.yield = yield;
+        recipe.rigidMotions = law == std::string("None") ? 1 : 0;
+        const Statistics s = statistics(out, recipe);
+        out << normal << ", " << yield << ", ";
+        print(out, law, s);
+        TEST_EQUALITY(s.unsolved, 0);
+        TEST_COMPARE(s.violation, <, 1e-10);
+      }
+}
+
 }  // namespace
 
 }  // namespace epafi

@@ -84,17 +84,23 @@ State projectedSor(const Problem& problem) {
 }
 
 double violation(const Problem& problem, const State& state) {
+  const Vector closing = problem.surface.closing(state.multiplier);
+  // where surfaces yield lengths count as the pressures that make them, down to rounding
+  Vector yields(state.multiplier.size(), 0.0);
+  for (const auto& [i, length, law] : problem.surface.places)
+    at(yields, i) =
+        length * law.slope(std::max(at(state.multiplier, i), 1e-12 * problem.stress));
   double worst = 0;
   const auto count = [&](double value) {
     worst = std::isfinite(value) ? std::max(worst, value) : HUGE_VAL;
   };
   for (Index i = 0; i < problem.size(); ++i) {
-    double r = at(problem.offset, i);
+    double r = at(problem.offset, i) - at(closing, i);
     for (Index j = 0; j < problem.size(); ++j)
       r -= problem.flexibility(i, j) * at(state.multiplier, j);
     for (Index j = 0; j < problem.rigidMotions(); ++j)
       r += problem.rigid(i, j) * at(state.rigid, j);
-    const double y = r / response(problem, i);
+    const double y = r / (response(problem, i) + at(yields, i));
     const double x = at(state.multiplier, i);
     if (i < problem.normals) {
       count(-x);

@@ -13,14 +13,17 @@ import numpy
 
 from halves import half, history
 from runs import EPAFI, WORK, claim, epafi, finish, fresh, scene, table
-from written import contact, friction, parameter, written
+from written import contact, friction, listed, parameter, written
 
 os.makedirs(WORK, exist_ok=True)
 if sys.argv[5:] == ["2"]:
     PUSH = "0.25*pi/400*(t < 1 ? 0 : 2/pi*asin(sin(pi/2*(t - 1))))"
     FILE = written("two", [half("upper", 1, 2, PUSH), half("lower", -1, 3, PUSH, ratio=0.2)],
                    contact("fret", "upper:contact", "lower:contact", friction("0.5") + parameter(
-                       "Interference", "string", "-x^2/200")), "Density",
+                       "Interference", "string", "-x^2/200") + listed(
+                           "Normal", parameter("Law", "string", "Exponential"),
+                           parameter("Length", "string", "1e-4"),
+                           parameter("Pressure", "string", "1e-3"))), "Density",
                    more=history([1, 2, 4, 6], [1, 7, 16, 16]))
     SCENE = [FILE]
 else:

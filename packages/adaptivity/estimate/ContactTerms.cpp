@@ -18,11 +18,18 @@ struct Values {
   double bound;
   double slip;
   double fineness;
+  double yield;
 };
 
 Values valuesAt(const ContactProfiles& c, double t) {
-  return {c.pressure(t), c.opening(t),    c.shear(t),
-          c.bound(t),    c.tangential(t), c.fineness(t)};
+  const double opening = c.opening(t);
+  return {c.pressure(t),   opening,       c.shear(t),         c.bound(t),
+          c.tangential(t), c.fineness(t), c.yield(t, opening)};
+}
+
+/// A stiffness in series with surfaces that yield.
+double softened(double stiffness, double yield) {
+  return stiffness / (1 + stiffness * yield);
 }
 
 /// Where functions of the values change their signs; all look at the same samples, since a
@@ -144,9 +151,14 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
       *last = {t, opposite.at(element, t)};
     return last->second;
   };
-  const auto opening = [metAt, across, normal, motion](double t) {
+  const auto closing = [&mesh, &condition, units, e, pressure](double t) {
+    return condition.normal
+               ? condition.normal.at(mesh.physicalPoint(e, t), units).closing(pressure(t))
+               : 0;
+  };
+  const auto opening = [metAt, across, normal, motion, closing](double t) {
     const Met met = metAt(t);
-    return met.gap + dot(motion(met), across(t)) - normal(t);
+    return met.gap + closing(t) + dot(motion(met), across(t)) - normal(t);
   };
   // the whole jump of bonded sides is an error, not what a step adds to it
   const bool ties = element.ties();
@@ -170,6 +182,20 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
           solved.motions->spaces[static_cast<std::size_t>(met.body)]->mesh()[met.element];
       return std::max(1.0, other.degree * geometry.half / (p * other.half));
     };
+  const double stiffness = 0.5 * p / geometry.half;  // p/h for Young's modulus 1
+  const auto yield = [&mesh, &condition, units, e, pressure, stiffness](double t,
+                                                                        double length) {
+    if (!condition.normal)
+      return 0.0;
+    const contact::PointClosing law =
+        condition.normal.at(mesh.physicalPoint(e, t), units);
+    // as stiff as where the pressure has closed what overlaps; open sides do not yield
+    const double pressed = std::max(pressure(t), 0.0);
+    const double touching = std::max(
+        pressed,
+        law.resolvent(stiffness, pressed + stiffness * (law.closing(pressed) - length)));
+    return touching > 0 ? law.slope(touching) : 0.0;
+  };
   return {pressure,
           stress(&Value::tangential, along),
           opposite.isStill() ? bem::Profile(own) : bem::Profile(tangential),
@@ -180,15 +206,16 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
           opposite.breaks(element),
           std::max(p, opposite.degree(element)),
           element.ties(),
-          fineness};
+          fineness,
+          yield};
 }
 
 namespace {
 
 /// Both kinds of terms; `complementarity` and `slip` are the densities of the first and
-/// the last.
+/// the last, `softness` what surfaces yield in units of p/h.
 template <class Complementarity, class Slip>
-Contributions terms(const ContactProfiles& c, const Vector& breaks,
+Contributions terms(const ContactProfiles& c, const Vector& breaks, double softness,
                     const Complementarity& complementarity, const Slip& slip) {
   const bem::Rule rule = bem::piecewiseRule(breaks, c.highest + 6);
   const double size = 2 * c.half / c.degree;  // h/p
@@ -200,8 +227,9 @@ Contributions terms(const ContactProfiles& c, const Vector& breaks,
     const double penetration = positive(-v.opening);
     const double excess = positive(std::abs(v.shear) - v.bound);
     of(squares, Source::Complementarity) += weight * complementarity(v);
-    of(squares, Source::Penetration) +=
-        weight * v.fineness / size * penetration * penetration;
+    of(squares, Source::Penetration) += weight *
+                                        softened(v.fineness / size, softness * v.yield) *
+                                        penetration * penetration;
     of(squares, Source::Tension) += weight * size * tension * tension;
     of(squares, Source::Bound) += weight * size * excess * excess;
     of(squares, Source::Slip) += weight * slip(v);
@@ -229,7 +257,7 @@ Contributions contactTerms(const ContactProfiles& profiles) {
   if (profiles.tied)
     return jump(profiles);
   return terms(
-      profiles, breaks(profiles, Changes(profiles)),
+      profiles, breaks(profiles, Changes(profiles)), 0,
       [](const Values& v) { return positive(v.pressure) * positive(v.opening); },
       [](const Values& v) {
         return positive(v.bound - std::abs(v.shear)) * std::abs(v.slip) +
@@ -242,10 +270,11 @@ Contributions sharpContactTerms(const ContactProfiles& profiles, double shearMod
     return jump(profiles);
   const double stiffness = shearModulus * profiles.degree / (2 * profiles.half);
   return terms(
-      profiles, sharpBreaks(profiles, stiffness),
+      profiles, sharpBreaks(profiles, stiffness), shearModulus,
       [stiffness](const Values& v) {
-        return lostWork(positive(v.pressure), positive(v.opening), stiffness,
-                        v.fineness * stiffness);
+        return lostWork(positive(v.pressure), positive(v.opening),
+                        softened(stiffness, v.yield),
+                        softened(v.fineness * stiffness, v.yield));
       },
       [stiffness](const Values& v) {
         return lostWork(unusedBound(v.bound, v.shear, v.slip), std::abs(v.slip),

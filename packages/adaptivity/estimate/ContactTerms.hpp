@@ -33,7 +33,7 @@ struct ContactProfiles {
   Polynomial pressure;      ///< λₙ
   Polynomial shear;         ///< λₜ
   bem::Profile tangential;  ///< uₜ, in a step of a path what is added to it
-  bem::Profile opening;     ///< g - uₙ
+  bem::Profile opening;     ///< g - uₙ, what the sides yield by included
   bem::Profile bound;       ///< s, for the pressure's positive part
   int degree;
   double half;           ///< of the element's length
@@ -42,6 +42,10 @@ struct ContactProfiles {
   bool tied = false;     ///< are the sides bonded?
   /// p/h of what is met over that of the side, where that is finer; else 1.
   bem::Profile fineness = [](double) { return 1.0; };
+  /// φ' of sides that yield, at a place of this opening; else 0.
+  std::function<double(double t, double opening)> yield = [](double, double) {
+    return 0.0;
+  };
 };
 
 /// Of λʰ + valueAt(correction); s is that of its pressure.
@@ -62,7 +66,8 @@ Contributions contactTerms(const ContactProfiles& profiles);
 ///
 ///   ∫ H(λₙ⁺, (g-uₙ)⁺),   ∫ H(s - λ̃ sign uₜ, |uₜ|),   λ̃ = max(-s, min(s, λₜ)),
 ///
-/// H = lostWork for the stiffness μ p/h, that of the finer side for lengths.
+/// H = lostWork for the stiffness μ p/h, that of the finer side for lengths.  Where sides yield,
+/// an error of the length may be one of the pressure: p/h is 1/(h/p + μ φ') there.
 Contributions sharpContactTerms(const ContactProfiles& profiles, double shearModulus);
 
 /// What a force along a length that excludes it adds to the squared error, split between

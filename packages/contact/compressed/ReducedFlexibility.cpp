@@ -20,6 +20,8 @@ ReducedFlexibility::ReducedFlexibility(const CompressedFlexibility& whole, Syste
     restriction_.held[at(first + row)] = 0;
   for (const auto& [follower, leader, factor] : system_.followers)
     restriction_.followers.push_back({first + follower, first + leader, factor});
+  for (const auto& [row, column, value] : system_.added)
+    restriction_.entries.push_back({first + row, first + column, -value});
   makeCorrection();
   makeBorder();
 }
@@ -68,8 +70,9 @@ Vector ReducedFlexibility::solveSprung(Vector b) const {
   for (const Index row : system_.rows)
     right(coupling.first + row, 0) = -std::exchange(b[at(row)], 0.0);
   coupling.push(-1, b.data(), right.column(0));
-  for (const bem::Entry& entry : coupling.mass)
-    right(coupling.first + entry.row, 0) += entry.value * b[at(entry.column)];
+  for (const auto* entries : {&coupling.mass, &system_.added})
+    for (const bem::Entry& entry : *entries)
+      right(coupling.first + entry.row, 0) += entry.value * b[at(entry.column)];
   const Matrix solution = factor().solveAlong(whole_.paths(), right);
   for (Index i = 0; i < coupling.multipliers; ++i)
     b[at(i)] += solution(coupling.first + i, 0);

@@ -3,6 +3,7 @@
 #include "bem/base/Function.hpp"
 #include "contact/conditions/ParticularSolution.hpp"
 #include "contact/law/FrictionLaw.hpp"
+#include "contact/law/NormalLaw.hpp"
 
 #include <algorithm>
 #include <map>
@@ -42,6 +43,7 @@ struct Conditions {
     Friction friction;
     std::string name{};         ///< the scene's for contact with another body; else empty
     std::vector<Part> parts{};  ///< of the boundary that meets it; else all of it does
+    Normal normal{};            ///< how far the sides yield
 
     bool holds(int edge, double place) const {
       return name.empty() ||

@@ -35,6 +35,13 @@ Vector responseWeights(const Problem& problem) {
   // A coefficient that only moves the body as a whole has no flexibility of its own.
   for (const double response : responses)
     weights.push_back(1 / (response > 0 ? response : largest > 0 ? largest : 1));
+  if (problem.surface.empty())
+    return weights;
+  Vector yields(weights.size(), 0.0);
+  for (const auto& [row, column, value] : problem.surface.linear)
+    entry(yields, row) += std::abs(value);
+  for (std::size_t i = 0; i < weights.size(); ++i)
+    weights[i] /= 1 + weights[i] * yields[i];
   return weights;
 }
 
@@ -76,6 +83,7 @@ Evaluation Equation::at(Vector unknowns) const {
 
   auto [dLambda, magnitude] =
       problem_.flexibility.product({e.unknowns.begin(), e.unknowns.begin() + n});
+  Vector penetration;
   for (Index i = 0; i < n; ++i) {
     double r = entry(problem_.offset, i) - entry(dLambda, i);
     entry(magnitude, i) += std::abs(entry(problem_.offset, i));
@@ -84,23 +92,34 @@ Evaluation Equation::at(Vector unknowns) const {
       r += term;
       entry(magnitude, i) += std::abs(term);
     }
-    e.penetration.push_back(entry(weights_, i) * r);
-    entry(magnitude, i) *= entry(weights_, i);
+    penetration.push_back(r);
   }
-  complete(e, magnitude);
+  if (!problem_.surface.empty()) {
+    const Vector closing = problem_.surface.closing(
+        {e.unknowns.begin(), e.unknowns.begin() + problem_.size()});
+    for (Index i = 0; i < n; ++i) {
+      entry(penetration, i) -= entry(closing, i);
+      entry(magnitude, i) += std::abs(entry(closing, i));
+    }
+  }
+  complete(e, std::move(penetration), std::move(magnitude));
   return e;
 }
 
 Evaluation Equation::at(Vector unknowns, const Vector& penetration) const {
   Evaluation e;
   e.unknowns = std::move(unknowns);
-  std::transform(weights_.begin(), weights_.end(), penetration.begin(),
-                 std::back_inserter(e.penetration), std::multiplies<>());
-  complete(e, Vector(penetration.size()));
+  complete(e, penetration, Vector(penetration.size()));
   return e;
 }
 
-void Equation::complete(Evaluation& e, const Vector& magnitude) const {
+void Equation::complete(Evaluation& e, Vector r, Vector magnitude) const {
+  e.linear.weights = weights_;
+  e.linear.slopes = problem_.surface.linearise(e.unknowns, r, e.linear.weights);
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    e.penetration.push_back(e.linear.weights[i] * r[i]);
+    magnitude[i] *= e.linear.weights[i];
+  }
   e.bounds = problem_.slipBounds(e.unknowns);
   e.linear.stepBounds = stepBounds(e, problem_.tangentials);
   evaluateRows(e);
@@ -205,8 +224,9 @@ void Equation::measure(Evaluation& e, const Vector& magnitude) const {
 
 Vector Equation::jacobianTimes(const LinearRows& e, const Vector& direction) const {
   const Index n = problem_.size();
-  const Vector dDirection =
+  Vector dDirection =
       problem_.flexibility.times({direction.begin(), direction.begin() + n});
+  addTimes(1, e.slopes, direction, dDirection);
   Vector result;
   result.reserve(direction.size());
   for (Index i = 0; i < n; ++i) {
@@ -215,7 +235,7 @@ Vector Equation::jacobianTimes(const LinearRows& e, const Vector& direction) con
     for (Index j = 0; j < problem_.rigidMotions(); ++j)
       r += problem_.rigid(i, j) * entry(direction, n + j);
     double value =
-        row.multiplier * entry(direction, i) + row.penetration * entry(weights_, i) * r;
+        row.multiplier * entry(direction, i) + row.penetration * entry(e.weights, i) * r;
     if (i >= problem_.normals) {
       const auto t = static_cast<std::size_t>(i - problem_.normals);
       if (const double slope = e.stepBounds[t].slope; slope != 0)
@@ -247,11 +267,12 @@ Vector Equation::transposeTimes(const LinearRows& e, const Vector& v) const {
         entry(result, problem_.tangentials[t].normal()) +=
             row.bound * slope * entry(v, i);
     }
-    factors.push_back(row.penetration * entry(weights_, i) * entry(v, i));
+    factors.push_back(row.penetration * entry(e.weights, i) * entry(v, i));
     for (Index j = 0; j < problem_.rigidMotions(); ++j)
       entry(result, n + j) += factors.back() * problem_.rigid(i, j);
   }
-  const Vector throughD = problem_.flexibility.times(factors);
+  Vector throughD = problem_.flexibility.times(factors);
+  addTimes(1, e.slopes, factors, throughD);  // symmetric, too
   for (Index i = 0; i < n; ++i)
     entry(result, i) -= entry(throughD, i);
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {
@@ -259,6 +280,17 @@ Vector Equation::transposeTimes(const LinearRows& e, const Vector& v) const {
     for (Index i = 0; i < n; ++i)
       entry(result, i) += factor * problem_.rigid(i, j);
   }
+  return result;
+}
+
+Problem Equation::withTangent(const Evaluation& e) const {
+  Problem result = problem_.copy();
+  if (problem_.surface.places.empty())
+    return result;
+  result.surface = {e.linear.slopes, {}};
+  const Vector r = penetration(result, unpack(problem_, e.unknowns));
+  for (std::size_t i = 0; i < r.size(); ++i)
+    result.offset[i] += e.penetration[i] / e.linear.weights[i] - r[i];
   return result;
 }
 

@@ -16,13 +16,15 @@ int differences(const ActiveSet& a, const ActiveSet& b);
 struct LinearRows {
   std::vector<Complementarity> rows;  ///< one per coefficient
   std::vector<StepBound> stepBounds;  ///< what the rows hold the shear to
+  std::vector<bem::Entry> slopes{};   ///< Φ' beside D
+  Vector weights{};                   ///< c of the tangent, see Surface
   Vector residual;                    ///< F: the rows' values, then the balance
 };
 
 /// The nonsmooth equation at one point x = (λ, α).
 struct Evaluation {
   Vector unknowns;     ///< x
-  Vector penetration;  ///< y = c r
+  Vector penetration;  ///< y = c r, r by the tangent of Φ
   Vector bounds;       ///< s, one per tangential
   LinearRows linear;
 
@@ -36,7 +38,7 @@ struct Evaluation {
 
 /// F(x) = 0, the condensed contact problem as a semismooth equation in stresses.
 ///
-///   rows of λ:   λ_i - P(λ_i + c_i r_i),   c_i = 1/Σ|D_ij| (j of i's kind)
+///   rows of λ:   λ_i - P(λ_i + c_i r_i),   c_i = 1/Σ|D_ij + L_ij| (j of i's kind)
 ///   rows of α:   (Gᵀλ - q)_j / Σ_i |G_ij|
 ///
 /// P projects onto what contact and friction allow, [0, ∞) or [-s_i, s_i]: Newton's method is one of
@@ -59,7 +61,7 @@ class Equation {
 
   const Problem& problem() const { return problem_; }
   Bound bound() const { return bound_; }
-  /// c, one per coefficient.
+  /// c, one per coefficient, of D and L alone.
   const Vector& weights() const { return weights_; }
   /// Σ_i |G_ij|, one per rigid motion; 1 for an empty column.
   const Vector& balanceScales() const { return balanceScales_; }
@@ -80,12 +82,15 @@ class Equation {
   /// Jᵀ v.
   Vector transposeTimes(const LinearRows& at, const Vector& v) const;
 
+  /// The problem with Φ replaced by the tangent at e, so that all of r is linear.
+  Problem withTangent(const Evaluation& e) const;
+
   /// P(λ) onto the box of the slip bounds at e; α is kept.
   Vector projected(const Evaluation& e) const;
 
  private:
-  /// All else from unknowns and penetration.
-  void complete(Evaluation& e, const Vector& magnitude) const;
+  /// All else from unknowns and r.
+  void complete(Evaluation& e, Vector r, Vector magnitude) const;
   Complementarity tangentialRow(const Evaluation& e, Index t) const;
   void evaluateRows(Evaluation& e) const;
   void measure(Evaluation& e, const Vector& magnitude) const;

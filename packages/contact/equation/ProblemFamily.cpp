@@ -63,7 +63,7 @@ Vector ProblemFamily::derivative(const Equation& equation, const Evaluation& e,
   Vector result;
   result.reserve(e.linear.residual.size());
   for (std::size_t i = 0; i < offset.size(); ++i)
-    result.push_back(e.linear.rows[i].penetration * equation.weights()[i] * offset[i]);
+    result.push_back(e.linear.rows[i].penetration * e.linear.weights[i] * offset[i]);
   for (std::size_t j = 0; j < rigidLoad.size(); ++j)
     result.push_back(-rigidLoad[j] / equation.balanceScales()[j]);
   return result;

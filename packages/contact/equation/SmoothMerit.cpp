@@ -10,6 +10,8 @@ LinearRows smoothRows(const Equation& equation, const Evaluation& e) {
   const Problem& problem = equation.problem();
   LinearRows result;
   result.residual = e.linear.residual;  // the balance is the same
+  result.slopes = e.linear.slopes;
+  result.weights = e.linear.weights;
   for (Index i = 0; i < problem.size(); ++i) {
     const double multiplier = e.unknowns[at(i)];
     const double y = e.penetration[at(i)];

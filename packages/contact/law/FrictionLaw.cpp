@@ -1,25 +1,18 @@
 #include "contact/law/FrictionLaw.hpp"
 
+#include "contact/law/LawTable.hpp"
 #include "contact/law/Laws.hpp"
 
 #include <Teuchos_ParameterList.hpp>
-
-#include <algorithm>
 
 namespace epafi::contact {
 
 namespace {
 
-using bem::Kind;
-using Teuchos::ParameterList;
-
 template <class Law>
 FrictionLawMember member(const char* name) {
-  return {name, Law::rows(),
-          [](const ParameterList&) { return std::make_shared<const Law>(); }};
+  return lawOfFields<FrictionLaw, Law>(name);
 }
-
-bool isField(const bem::SchemaRow& row) { return row.kind == Kind::Expression; }
 
 }  // namespace
 
@@ -35,18 +28,7 @@ bem::Family<FrictionLawMember>& frictionLaws() {
   return laws;
 }
 
-bem::SchemaRows frictionRows() {
-  bem::SchemaRows table = {bem::Row("Law", Kind::Text, "friction law")
-                               .standard(frictionLaws().front().name)
-                               .allowed(frictionLaws().names())};
-  for (const FrictionLawMember& law : frictionLaws()) {
-    bem::SchemaRows rows = law.rows;
-    for (bem::SchemaRow& row : rows)
-      row.only = {law.name};
-    append(table, rows);
-  }
-  return table;
-}
+bem::SchemaRows frictionRows() { return lawRows(frictionLaws(), "friction law"); }
 
 double PointLaw::bound(double pressure) const {
   return law_ == nullptr
@@ -66,35 +48,12 @@ double PointLaw::steepest() const {
   return largest;
 }
 
-Vector Friction::fieldsAt(bem::Vec2 place) const {
-  Vector values;
-  for (const bem::Function& field : fields)
-    values.push_back(field(place));
-  return values;
-}
-
 Friction makeFriction(const std::string& law, std::vector<bem::Function> fields) {
-  const FrictionLawMember& entry = frictionLaws().at(law);
-  const auto wanted = std::count_if(entry.rows.begin(), entry.rows.end(), isField);
-  if (static_cast<std::size_t>(wanted) != fields.size() ||
-      entry.rows.size() != fields.size())
-    throw bem::InputError("friction law '", law, "' has ", wanted, " fields and ",
-                          entry.rows.size() - static_cast<std::size_t>(wanted),
-                          " other keys; ", fields.size(), " fields are given");
-  return {entry.make ? entry.make(ParameterList()) : nullptr, std::move(fields)};
+  return {makeLaw(frictionLaws(), "friction law", law, std::move(fields), {})};
 }
 
-Friction parseFriction(const ParameterList& list,
-                       const std::function<bem::Function(const std::string&)>& field) {
-  const FrictionLawMember& entry = frictionLaws().at(list.get<std::string>("Law"));
-  Friction friction;
-  if (!entry.make)
-    return friction;
-  friction.law = entry.make(list);
-  for (const bem::SchemaRow& row : entry.rows)
-    if (isField(row))
-      friction.fields.push_back(field(row.name()));
-  return friction;
+Friction parseFriction(const Teuchos::ParameterList& list, const FieldOf& field) {
+  return {parseLaw(frictionLaws(), list.get<std::string>("Law"), list, field)};
 }
 
 }  // namespace epafi::contact

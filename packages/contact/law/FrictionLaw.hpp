@@ -1,18 +1,8 @@
 #pragma once
 
-#include "bem/base/Family.hpp"
-#include "bem/base/Function.hpp"
-#include "bem/base/Matrix.hpp"
-#include "bem/base/SchemaRow.hpp"
-
-#include <functional>
-#include <memory>
-#include <string>
-#include <vector>
+#include "contact/law/Law.hpp"
 
 namespace epafi::contact {
-
-using bem::Vector;
 
 /// How much shear a contact point carries:  |λₜ| ≤ s(λₙ).      [P (2)], doc/theory/friction.md
 ///
@@ -36,14 +26,7 @@ class FrictionLaw {
   virtual bool ties() const { return false; }
 };
 
-/// A law's row in the table of laws.
-struct FrictionLawMember {
-  std::string name;
-  /// Its keys under Friction; those of kind Expression are its fields.
-  bem::SchemaRows rows;
-  /// The law with the other keys' values; an empty function stands for no friction.
-  std::function<std::shared_ptr<const FrictionLaw>(const Teuchos::ParameterList&)> make;
-};
+using FrictionLawMember = LawMember<FrictionLaw>;
 
 /// All laws: Epafi's own, and what a program adds.
 bem::Family<FrictionLawMember>& frictionLaws();
@@ -78,15 +61,9 @@ class PointLaw {
   double bound_ = 0;
 };
 
-/// The friction of a boundary: a law and its fields as functions of the place, both in the
-/// user's units.  Without a law there is none.
-struct Friction {
-  std::shared_ptr<const FrictionLaw> law;
-  std::vector<bem::Function> fields;
-
-  explicit operator bool() const { return law != nullptr; }
+/// The friction of a boundary.
+struct Friction : LawOnBoundary<FrictionLaw> {
   bool ties() const { return law != nullptr && law->ties(); }
-  Vector fieldsAt(bem::Vec2 place) const;
   PointLaw at(bem::Vec2 place, double stress) const {
     return law == nullptr ? PointLaw() : PointLaw(law, fieldsAt(place), stress);
   }
@@ -97,7 +74,6 @@ struct Friction {
 Friction makeFriction(const std::string& law, std::vector<bem::Function> fields);
 
 /// From a list that frictionRows() has checked; `field` makes the function of a key.
-Friction parseFriction(const Teuchos::ParameterList& list,
-                       const std::function<bem::Function(const std::string& key)>& field);
+Friction parseFriction(const Teuchos::ParameterList& list, const FieldOf& field);
 
 }  // namespace epafi::contact

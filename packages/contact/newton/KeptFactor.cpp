@@ -42,10 +42,18 @@ class KeptFactor::Base {
         motions_(system.motions.copy()),
         rows_(std::move(rows)),
         most_(mostChanges * static_cast<double>(system.rows.size())),
-        factor_(flexibility.factor({system.rows, system.followers, motions_.copy()})) {}
+        added_(system.added),
+        factor_(flexibility.factor(
+            {system.rows, system.followers, motions_.copy(), system.added})) {}
 
-  bool isOf(const Flexibility& flexibility, const Matrix& motions) const {
+  bool isOf(const Flexibility& flexibility, const System& system) const {
+    const Matrix& motions = system.motions;
+    const auto same = [](const bem::Entry& a, const bem::Entry& b) {
+      return a.row == b.row && a.column == b.column && a.value == b.value;
+    };
     return &flexibility.entries() == &flexibility_.entries() &&
+           std::equal(system.added.begin(), system.added.end(), added_.begin(),
+                      added_.end(), same) &&
            motions.columns() == motions_.columns() &&
            std::equal(motions.data(),
                       motions.data() + motions.stride() * motions.columns(),
@@ -53,6 +61,7 @@ class KeptFactor::Base {
   }
   const Flexibility& flexibility() const { return flexibility_; }
   const Matrix& motions() const { return motions_; }
+  const std::vector<bem::Entry>& added() const { return added_; }
 
   std::vector<Index> changed(const std::vector<Row>& rows) const {
     std::vector<Index> result;
@@ -93,6 +102,7 @@ class KeptFactor::Base {
   Matrix motions_;
   std::vector<Row> rows_;
   double most_;
+  std::vector<bem::Entry> added_;
   std::unique_ptr<const Factor> factor_;
   std::map<Index, Vector> responses_;
 };
@@ -101,7 +111,7 @@ std::unique_ptr<const Flexibility::Operator::Factor> KeptFactor::make(
     const Flexibility& flexibility, const System& system, FactorMemory& memory) {
   const std::vector<Row> rows = rowsOf(system, flexibility.size());
   std::shared_ptr<Base>& base = memory.base_;
-  if (base != nullptr && base->isOf(flexibility, system.motions))
+  if (base != nullptr && base->isOf(flexibility, system))
     if (const std::vector<Index> changed = base->changed(rows); base->isNear(changed)) {
       std::unique_ptr<const KeptFactor> factor(new KeptFactor(base, rows, changed));
       if (factor->factor_.isRegular())
@@ -128,6 +138,9 @@ KeptFactor::KeptFactor(const std::shared_ptr<Base>& base, const std::vector<Row>
                      [&](double entry) { return rowScale_[c] * entry; });
       for (Index k = 0; k < base->motions().columns(); ++k)
         row[size + k] = -rowScale_[c] * base->motions()(i, k);
+      for (const bem::Entry& entry : base->added())
+        if (entry.row == i)
+          row[entry.column] += rowScale_[c] * entry.value;
     } else {
       row[i] = 1;
       row[now.leader] -= now.factor;

@@ -32,9 +32,11 @@ NewtonSystem::NewtonSystem(const Equation& equation, const LinearRows& at,
       inactive_.push_back(i);
   splitMotions();
   const Flexibility& flexibility = problem_.flexibility;
-  isKept_ = memory != nullptr && flexibility.isFormed() && loose_.columns() == 0;
-  factor_ = isKept_ ? KeptFactor::make(flexibility, reduced(), *memory)
-                    : flexibility.factor(reduced());
+  Flexibility::Operator::System system = reduced();
+  isKept_ = memory != nullptr && flexibility.isFormed() && loose_.columns() == 0 &&
+            system.added.size() == rows_.slopes.size();
+  factor_ = isKept_ ? KeptFactor::make(flexibility, system, *memory)
+                    : flexibility.factor(std::move(system));
 }
 
 std::pair<Index, double> NewtonSystem::followed(Index i) const {
@@ -49,7 +51,7 @@ void NewtonSystem::splitMotions() {
   const Index k = problem_.rigidMotions();
   const Matrix& rigid = problem_.rigid;
   const auto product = [&](Index l, Index m, Index i) {
-    return rigid(i, l) * rigid(i, m) * equation_.weights()[at(i)];
+    return rigid(i, l) * rigid(i, m) * rows_.weights[at(i)];
   };
   for (Index m = 0; m < k; ++m) {
     double sum = 0;
@@ -83,11 +85,16 @@ void NewtonSystem::splitMotions() {
 }
 
 Flexibility::Operator::System NewtonSystem::reduced() const {
-  Flexibility::Operator::System system{inactive_, {}, {}};
+  Flexibility::Operator::System system{inactive_, {}, {}, rows_.slopes};
   for (Index i = 0; i < problem_.size(); ++i)
     if (const auto [normal, factor] = followed(i);
         isKnown(i) && factor != 0 && !isKnown(normal))
       system.followers.push_back({i, normal, factor});
+  // what is added between a row and a follower acts between the row and the leader
+  for (const auto& [row, column, value] : rows_.slopes)
+    if (row != column && !isKnown(row) && isKnown(column))
+      if (const auto [normal, factor] = followed(column); factor != 0 && !isKnown(normal))
+        system.added.push_back({row, normal, factor * value});
   Matrix combinations = held_.copy();
   for (Index j = 0; j < held_.columns(); ++j)
     for (Index m = 0; m < held_.rows(); ++m)
@@ -118,7 +125,7 @@ Vector NewtonSystem::balance(const Vector& b) const {
 Vector NewtonSystem::byFactor(const Vector& b) const {
   Vector right = knownChanges(b);
   for (const Index i : inactive_)
-    right[at(i)] = b[at(i)] / equation_.weights()[at(i)];
+    right[at(i)] = b[at(i)] / rows_.weights[at(i)];
   const Matrix balances = transposedTimes(held_, bem::asColumn(balance(b)));
   right.insert(right.end(), balances.column(0), balances.column(0) + held_.columns());
   const Matrix solution = factor_->solve(bem::asColumn(right));

@@ -33,6 +33,8 @@ class Scaled {
         D_(problem.flexibility.entries().copy()) {
     const Index n = problem.size();
     d_ = problem.offset;
+    for (const auto& [row, column, value] : problem.surface.linear)
+      D_(row, column) += value;
     double mean = 0;
     for (Index i = 0; i < n; ++i)
       mean += D_(i, i) / static_cast<double>(n);

@@ -39,7 +39,7 @@ using OffsetWatch = std::function<void(int pivots, int mostPivots)>;
 /// \param placement   α, where the springs are without force
 /// \param direction   another v for each; one path in a few thousand is ended by rounding
 /// \param watch       may be empty
-/// \pre problem.flexibility.isFormed()
+/// \pre problem.flexibility.isFormed(), and Φ is linear, see Equation::withTangent
 OffsetPath followOffset(const Problem& problem, const Vector& placement, int direction,
                         int mostPivots, const OffsetWatch& watch = {});
 

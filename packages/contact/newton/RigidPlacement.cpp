@@ -85,7 +85,7 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
   for (Index j = 0; j < problem.rigidMotions(); ++j) {
     work0 += motion[at(j)] * problem.rigidLoad[at(j)];
     for (Index i = 0; i < n; ++i)
-      slope[at(i)] += equation.weights()[at(i)] * problem.rigid(i, j) * motion[at(j)];
+      slope[at(i)] += e.linear.weights[at(i)] * problem.rigid(i, j) * motion[at(j)];
   }
   const auto penetrationAt = [&](double t) {
     Vector y = e.penetration;
@@ -97,7 +97,7 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
     const Vector forces = springForces(problem, e.unknowns, penetrationAt(t));
     double sum = work0;
     for (Index i = 0; i < n; ++i)
-      sum -= forces[at(i)] * slope[at(i)] / equation.weights()[at(i)];
+      sum -= forces[at(i)] * slope[at(i)] / e.linear.weights[at(i)];
     return sum;
   };
 
@@ -105,7 +105,7 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
   double scale = std::abs(work0);
   for (std::size_t i = 0; i < slope.size(); ++i) {
     fastest = std::max(fastest, std::abs(slope[i]));
-    scale = std::max(scale, std::abs(slope[i] / equation.weights()[i]) * problem.stress);
+    scale = std::max(scale, std::abs(slope[i] / e.linear.weights[i]) * problem.stress);
   }
   // Contact that the motion closes holds it at last.
   const bool closes =

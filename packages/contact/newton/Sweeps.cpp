@@ -1,5 +1,7 @@
 #include "contact/newton/Sweeps.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
+
 #include <algorithm>
 
 namespace epafi::contact {
@@ -26,14 +28,17 @@ ActiveSet rowSet(const Evaluation& e) {
 class Sweeper {
  public:
   Sweeper(const Problem& problem, Vector unknowns)
-      : problem_(problem),
+      : problem_(problem.copy()),
         x_(std::move(unknowns)),
-        r_(problem.offset),
+        r_(problem_.offset),
+        yields_(x_.size()),
         tangentials_(at(problem.normals)) {
+    for (const bem::Entry& entry : problem_.surface.linear)
+      yields_[at(entry.column)].push_back(entry);
     for (Index j = 0; j < problem.size(); ++j)
-      add(problem.flexibility.column(j), -x_[at(j)]);
+      add(j, -x_[at(j)]);
     for (Index j = 0; j < problem.rigidMotions(); ++j)
-      add(problem.rigid.column(j), x_[at(problem.size() + j)]);
+      bem::axpy(x_[at(problem.size() + j)], columnOf(problem.rigid, j), r_);
     for (std::size_t t = 0; t < problem.tangentials.size(); ++t)
       (problem.tangentials[t].isTied()
            ? tied_
@@ -64,22 +69,28 @@ class Sweeper {
 
   template <class Projection>
   void relax(Index i, const Projection& project) {
-    const double* column = problem_.flexibility.column(i);
-    if (!(column[i] > 0))
+    double diagonal = problem_.flexibility.column(i)[i];
+    for (const bem::Entry& entry : yields_[at(i)])
+      diagonal += entry.row == i ? entry.value : 0;
+    if (!(diagonal > 0))
       return;
-    const double next = project(x_[at(i)] + r_[at(i)] / column[i]);
-    add(column, x_[at(i)] - next);
+    const double next = project(x_[at(i)] + r_[at(i)] / diagonal);
+    add(i, x_[at(i)] - next);
     x_[at(i)] = next;
   }
 
-  void add(const double* column, double factor) {
+  void add(Index j, double factor) {
+    const double* column = problem_.flexibility.column(j);
     for (Index i = 0; i < problem_.size() && factor != 0; ++i)
       r_[at(i)] += factor * column[i];
+    for (const bem::Entry& entry : yields_[at(j)])
+      r_[at(entry.row)] += factor * entry.value;
   }
 
-  const Problem& problem_;
+  const Problem problem_;
   Vector x_;
   Vector r_;
+  std::vector<std::vector<bem::Entry>> yields_;  // by column
   std::vector<std::vector<Index>> tangentials_;  // of each normal coefficient
   std::vector<Index> tied_;
 };
@@ -92,7 +103,7 @@ Vector smoothed(const Equation& equation, Vector unknowns) {
   Evaluation e = equation.at(unknowns);
   if (e.converged)
     return unknowns;
-  Sweeper sweeper(equation.problem(), unknowns);
+  Sweeper sweeper(equation.withTangent(e), unknowns);
   ActiveSet before;
   for (int pair = 0; pair < mostPairs && rowSet(e) != before; ++pair) {
     before = rowSet(e);

@@ -13,14 +13,56 @@ namespace {
 using bem::Vec2;
 using ContactElement = MultiplierSpace::ContactElement;
 
-Vector fieldsAt(const ContactElement& contact, Vec2 x) {
-  Vector fields = contact.condition->friction.fieldsAt(x);
+template <class Law>
+Vector fieldsAt(const LawOnBoundary<Law>& law, const char* kind,
+                const ContactElement& contact, Vec2 x) {
+  Vector fields = law.fieldsAt(x);
   for (const double value : fields)
     if (!(value >= 0 && std::isfinite(value)))
-      throw bem::InputError("boundary '", *contact.boundary,
-                            "': a field of the friction law is ", value, " at (", x.x,
-                            ", ", x.y, "); it must be finite and not negative");
+      throw bem::InputError("boundary '", *contact.boundary, "': a field of the ", kind,
+                            " law is ", value, " at (", x.x, ", ", x.y,
+                            "); it must be finite and not negative");
   return fields;
+}
+
+/// What an element's side yields by, from the points of a rule by which ∫ χ_i χ_j is exact.
+/// A law that is not linear acts on values there: other bases would lose their order.
+void setSurface(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
+                const ContactElement& contact, bem::Units units, Surface& surface) {
+  const Normal& normal = contact.condition->normal;
+  if (!normal)
+    return;
+  const auto refuse = [&](const char* what, const char* instead) {
+    throw bem::InputError("boundary '", *contact.boundary, "': ", what, "; ", instead);
+  };
+  if (multiplier.basis().sharesNodes)
+    refuse("contacts under the multiplier 'Biorthogonal' do not yield",
+           "use Gauss-Legendre-Lagrange");
+  const bool isLinear = normal.law->isLinear();
+  if (contact.ties() && !isLinear)
+    refuse("a bond yields by the normal law 'Linear' alone", "use that or none");
+  const bem::Rule& rule = bem::gaussLegendre(contact.degree + 1);
+  for (int q = 0; q < rule.size(); ++q) {
+    const Vec2 x = mesh.physicalPoint(contact.element, rule.points[q]);
+    const Vector fields = fieldsAt(normal, "normal", contact, x);
+    if (!isLinear && *std::min_element(fields.begin(), fields.end()) <= 0)
+      refuse("a field of the normal law is zero", "it must be positive");
+    const PointClosing law(normal.law, fields, units);
+    const double length = mesh[contact.element].half * rule.weights[q];
+    const Vector chi = multiplier.basis().values(contact.degree, rule.points[q]);
+    if (!isLinear &&
+        (chi[q] != 1 || std::count(chi.begin(), chi.end(), 0) != contact.degree))
+      refuse(
+          "only coefficients that are values at Gauss points follow a normal law that is "
+          "not linear",
+          "use the multiplier Gauss-Legendre-Lagrange");
+    if (!isLinear)
+      surface.places.push_back({contact.normalOf(q), length, law});
+    for (int i = 0; isLinear && i <= contact.degree; ++i)
+      for (int j = 0; j <= contact.degree; ++j)
+        if (const double value = length * law.slope(0) * chi[i] * chi[j]; value != 0)
+          surface.linear.push_back({contact.normalOf(i), contact.normalOf(j), value});
+  }
 }
 
 void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
@@ -40,7 +82,10 @@ void setFriction(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
     normals.push_back(contact.normalOf(i));
   std::vector<Tangential> tangentials = elementTangentials(
       multiplier.basis(), normals, contact.condition->friction.law,
-      [&](double t) { return fieldsAt(contact, mesh.physicalPoint(contact.element, t)); },
+      [&](double t) {
+        return fieldsAt(contact.condition->friction, "friction", contact,
+                        mesh.physicalPoint(contact.element, t));
+      },
       units.stress);
   for (int i = 0; i <= contact.degree; ++i)
     if (ContactElement::isOwn(contact.tangentialEnds, contact.degree, i))
@@ -71,9 +116,11 @@ Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
           if (!contact.holdsNothing(contact.normalCompletions, i))
             numbers[contact.normalOf(i)] += point.weight * gap * chi[i];
       });
-  for (const ContactElement& contact : multiplier.elements())
+  for (const ContactElement& contact : multiplier.elements()) {
     if (contact.tangential >= 0)
       setFriction(mesh, multiplier, contact, units, obstacle);
+    setSurface(mesh, multiplier, contact, units, obstacle.surface);
+  }
   return obstacle;
 }
 

@@ -12,11 +12,12 @@ struct Obstacle {
   Vector gap;   ///< per normal coefficient
   Vector jump;  ///< of bonded sides likewise, per coefficient of the multiplier
   std::vector<Tangential> tangentials;
+  Surface surface;                ///< what the sides yield by
   double largestPenetration = 0;  ///< max of -g, of |g| where sides are bonded
 };
 
-/// \throws bem::InputError if a field of a friction law is negative or not finite, naming
-/// boundary and point.
+/// \throws bem::InputError if a field of a law is negative or not finite, naming boundary and
+/// point, and where a normal law does not go with the basis or with a bond.
 Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
                       const Opposite& opposite, bem::Units units);
 

@@ -26,10 +26,18 @@ class Dense : public Flexibility::Operator::Factor {
         place_(at(entries.rows()), -1),
         border_(count(), motions()),
         entries_(entries) {
+    Vector diagonal(at(count()));
     for (Index p = 0; p < count(); ++p) {
       const Index i = system_.rows[at(p)];
       place_[at(i)] = p;
-      scale_.push_back(entries(i, i) > 0 ? 1 / std::sqrt(entries(i, i)) : 1);
+      diagonal[at(p)] = entries(i, i);
+    }
+    for (const auto& [row, column, value] : system_.added)
+      if (row == column && place_[at(row)] >= 0)
+        diagonal[at(place_[at(row)])] += value;
+    for (Index p = 0; p < count(); ++p) {
+      const Index i = system_.rows[at(p)];
+      scale_.push_back(diagonal[at(p)] > 0 ? 1 / std::sqrt(diagonal[at(p)]) : 1);
       for (Index k = 0; k < motions(); ++k)
         border_(p, k) = scale_[at(p)] * system_.motions(i, k);
     }
@@ -64,6 +72,12 @@ class Dense : public Flexibility::Operator::Factor {
     Matrix m(size, size);
     for (Index q = 0; q < count(); ++q)
       addColumn(system_.rows[at(q)], 1, q, m);
+    for (const auto& [row, column, value] : system_.added) {
+      const Index p = place_[at(row)];
+      const Index q = place_[at(column)];
+      if (p >= 0 && q >= 0)
+        m(p, q) += scale_[at(p)] * scale_[at(q)] * value;
+    }
     return m;
   }
 
@@ -94,6 +108,9 @@ class Dense : public Flexibility::Operator::Factor {
       for (Index k = 0; k < motions(); ++k)
         to[count() + k] -= system_.motions(j, k) * from[j];
     }
+    for (const auto& [row, column, value] : system_.added)
+      if (place_[at(row)] >= 0 && place_[at(column)] < 0)
+        to[place_[at(row)]] -= value * from[column];
     for (Index p = 0; p < count(); ++p)
       to[p] *= scale_[at(p)];
   }

@@ -44,13 +44,14 @@ class Flexibility {
 
     /// A linear system for the coefficients x and the sizes β of rigid motions Ĝ:
     ///
-    ///   rows       Σ_j D_ij x_j - Σ_k Ĝ_ik β_k = b_i
+    ///   rows       Σ_j (D + L)_ij x_j - Σ_k Ĝ_ik β_k = b_i
     ///   others     x_i - Σ factor x_leader = b_i
     ///   balance    Σ_i Ĝ_ik x_i = b_k
     struct System {
       std::vector<Index> rows;            ///< the coefficients that are solved for
       std::vector<bem::Entry> followers;  ///< of others, with leaders among the rows
       Matrix motions;                     ///< Ĝ, by all coefficients; the rows hold each
+      std::vector<bem::Entry> added{};    ///< L, by all coefficients, local to elements
     };
     class Factor {
      public:

@@ -24,8 +24,8 @@ bool finite(const Vector& v) {
 }  // namespace
 
 Problem Problem::copy() const {
-  return {normals,      tangentials, flexibility, offset,
-          rigid.copy(), rigidLoad,   stress,      amplification};
+  return {normals,   tangentials, flexibility,   offset, rigid.copy(),
+          rigidLoad, stress,      amplification, surface};
 }
 
 void Problem::check() const {
@@ -78,6 +78,8 @@ Vector penetration(const Problem& problem, const State& state) {
   bem::axpy(-1, problem.flexibility.times(state.multiplier), r);
   for (Index j = 0; j < problem.rigidMotions(); ++j)
     bem::axpy(state.rigid[at(j)], columnOf(problem.rigid, j), r);
+  if (!problem.surface.empty())
+    bem::axpy(-1, problem.surface.closing(state.multiplier), r);
   return r;
 }
 

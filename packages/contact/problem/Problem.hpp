@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/problem/Flexibility.hpp"
+#include "contact/problem/Surface.hpp"
 #include "contact/problem/Tangential.hpp"
 
 #include <vector>
@@ -13,7 +14,7 @@ namespace epafi::contact {
 ///   λ = (λₙ, λₜ): `normals` normal coefficients, then one tangential per entry of
 ///   `tangentials`; α: the displacement's free rigid motions.
 ///
-///   r = d₀ - D λ + G α       weighted penetration and slip
+///   r = d₀ - D λ + G α - Φ(λ)   weighted penetration and slip
 ///   Gᵀ λ = q                 balance of the free rigid motions
 ///   λₙ ≥ 0,  rₙ ≤ 0,  λₙ rₙ = 0
 ///   |λₜ| ≤ s,  |λₜ| < s ⇒ rₜ = 0,  λₜ = ± s ⇒ ± rₜ ≥ 0,   s = s(λₙ) ≥ 0, see Tangential
@@ -31,6 +32,7 @@ struct Problem {
   double stress = 1;        ///< size of the load, which the residual is measured by; > 0
   /// How many times more a value of λ may err than the residuals of its coefficients say.
   double amplification = 1;
+  Surface surface{};  ///< Φ
 
   Index size() const { return normals + static_cast<Index>(tangentials.size()); }
   Index rigidMotions() const { return static_cast<Index>(rigidLoad.size()); }

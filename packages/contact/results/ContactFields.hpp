@@ -20,6 +20,7 @@ struct ContactPoint {
   double tangential = 0;  ///< uₜ likewise [length]
   double gap = 0;         ///< [length]
   double bound = 0;       ///< what the law lets |λₜ| be at this pressure [stress]
+  double closing = 0;     ///< by how much the sides yield to the pressure [length]
   bool closed = false;    ///< λₙ > 0
   FrictionKind friction = FrictionKind::None;
 };

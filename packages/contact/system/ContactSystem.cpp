@@ -87,6 +87,7 @@ struct ContactSystem::Parts {
 
   /// Gaps, jumps, given motions and forces of bodies that do not deform, bounds and scales.
   void finish() {
+    numbers.surface = {};
     gap.assign(numbering.normals(), 0.0);
     jump.assign(numbering.size(), 0.0);
     for (std::size_t b = 0; b < size(); ++b) {
@@ -103,6 +104,11 @@ struct ContactSystem::Parts {
         if (i < numbering.normalsOf(b))
           gap[k] = own.obstacle.gap[i];
       }
+      for (const auto& [row, column, value] : own.obstacle.surface.linear)
+        numbers.surface.linear.push_back(
+            {numbering(b, row), numbering(b, column), value});
+      for (const auto& [i, length, law] : own.obstacle.surface.places)
+        numbers.surface.places.push_back({numbering(b, i), length, law});
     }
     measureInside();
     addGiven(numbers.offset);
@@ -236,6 +242,8 @@ Vector ContactSystem::penetration(const Configuration& at) const {
     axpy(at.state.rigid[k], columnOf(numbers().rigid, k), r);
   for (std::size_t t = 0; t < slipBefore().size(); ++t)
     r[numbering().normals() + t] -= slipBefore()[t];
+  if (!numbers().surface.empty())
+    axpy(-1, numbers().surface.closing(at.state.multiplier), r);
   return r;
 }
 

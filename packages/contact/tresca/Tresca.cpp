@@ -75,8 +75,9 @@ class Stages {
       const auto mostPivots = static_cast<int>(
           std::min({static_cast<double>(run) * static_cast<double>(size) / price,
                     left / work, 1.0 * std::numeric_limits<int>::max()}));
-      const OffsetPath path = contact::followOffset(problem_, placement, direction,
-                                                    mostPivots, tresca_.watch());
+      const OffsetPath path =
+          contact::followOffset(sharp_.withTangent(sharp_.at(pack(problem_, state_))),
+                                placement, direction, mostPivots, tresca_.watch());
       left -= path.pivots * work;
       if (!path.unknowns.empty()) {
         NewtonRun last =

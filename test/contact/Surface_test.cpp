@@ -1,0 +1,175 @@
+// Normal laws, and problems whose surfaces yield.
+#include "contact/RandomProblem.hpp"
+#include "contact/Solve.hpp"
+#include "contact/newton/KeptFactor.hpp"
+#include "contact/newton/NewtonSystem.hpp"
+#include "reference/ProjectedSor.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <cmath>
+
+namespace epafi {
+
+namespace {
+
+using contact::Index;
+using contact::Vector;
+
+constexpr const char* laws[] = {"Linear", "Root", "Square", "Exponential"};
+
+double relative(double a, double b) { return std::abs(a - b) / std::abs(b); }
+
+TEUCHOS_UNIT_TEST(Surface, lawsAreConsistent) {
+  for (const char* name : laws) {
+    const contact::PointClosing law = test::pointClosing(name, 0.3);
+    TEST_EQUALITY(law.closing(0), 0);
+    TEST_FLOATING_EQUALITY(law.slope(1), 0.3, 1e-14);
+    for (const double p : {1e-3, 0.02, 0.7, 5.0}) {
+      const double h = 1e-5 * p;
+      const auto quotient = [&](const auto& f) {
+        return (f(p + h) - f(p - h)) / (2 * h);
+      };
+      const double slope = quotient([&](double x) { return law.closing(x); });
+      const double work = quotient([&](double x) { return law.energy(x); });
+      TEST_COMPARE(relative(slope, law.slope(p)), <, 1e-8);
+      TEST_COMPARE(relative(work, p * law.slope(p)), <, 1e-8);
+      for (const double c : {0.0, 1e-6, 1.0, 1e8})
+        TEST_COMPARE(relative(law.resolvent(c, p + c * law.closing(p)), p), <, 1e-13);
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(Surface, unitsCancel) {
+  const contact::Normal normal = contact::makeNormal(
+      "Exponential", {[](bem::Vec2) { return 0.002; }, [](bem::Vec2) { return 7.0; }});
+  const contact::PointClosing here = normal.at({}, {1, 1});
+  const contact::PointClosing there = normal.at({}, {10, 210});
+  TEST_FLOATING_EQUALITY(10 * there.closing(5.0 / 210), here.closing(5), 1e-14);
+  TEST_FLOATING_EQUALITY(10.0 / 210 * there.slope(5.0 / 210), here.slope(5), 1e-14);
+  TEST_FLOATING_EQUALITY(2100 * there.energy(5.0 / 210), here.energy(5), 1e-14);
+}
+
+contact::Problem drawn(const char* normal, const char* law, std::mt19937& random) {
+  test::Recipe recipe;
+  recipe.law = law;
+  recipe.strength = 0.5;
+  recipe.normal = normal;
+  recipe.rigidMotions = 1;
+  return test::randomProblem(recipe, random);
+}
+
+TEUCHOS_UNIT_TEST(Surface, jacobianIsTheDifferenceQuotientAndIsInverted) {
+  std::mt19937 random(7);
+  for (const char* normal : laws)
+    for (const char* law : {"None", "Tresca", "Coulomb"}) {
+      const contact::Problem problem = drawn(normal, law, random);
+      const contact::Equation equation(problem, contact::Equation::Bound::Differentiated,
+                                       0);
+      const contact::Solution solution = test::solve(problem);
+      TEST_ASSERT(solution.report.converged());
+      Vector x = pack(problem, solution.state);
+      for (double& value : x)
+        value += 1e-3 * std::uniform_real_distribution<double>(-1, 1)(random);
+      Vector d(x.size());
+      for (double& value : d)
+        value = std::uniform_real_distribution<double>(-1, 1)(random);
+      const auto residual = [&](double t) {
+        Vector y = x;
+        for (std::size_t i = 0; i < y.size(); ++i)
+          y[i] += t * d[i];
+        return equation.at(y).linear.residual;
+      };
+      const double h = 1e-7;
+      const Vector after = residual(h);
+      const Vector before = residual(-h);
+      const contact::Evaluation e = equation.at(x);
+      const Vector image = equation.jacobianTimes(e.linear, d);
+      double off = 0;
+      for (std::size_t i = 0; i < d.size(); ++i)
+        off = std::max(off, std::abs((after[i] - before[i]) / (2 * h) - image[i]));
+      TEST_COMPARE(off, <, 1e-5);
+      const Vector back = contact::NewtonSystem(equation, e.linear).solve(image);
+      Vector dual(x.size());
+      for (double& value : dual)
+        value = std::uniform_real_distribution<double>(-1, 1)(random);
+      const Vector transposed = equation.transposeTimes(e.linear, dual);
+      double sum = 0;
+      for (std::size_t i = 0; i < d.size(); ++i) {
+        TEST_FLOATING_EQUALITY(back[i], d[i], 1e-7);
+        sum += transposed[i] * d[i] - dual[i] * image[i];
+      }
+      TEST_COMPARE(std::abs(sum), <, 1e-11);
+    }
+}
+
+TEUCHOS_UNIT_TEST(Surface, aKeptFactorKnowsWhatIsAddedToD) {
+  std::mt19937 random(8);
+  contact::FactorMemory memory;
+  contact::Problem problem = drawn("Linear", "Tresca", random);
+  for (const double more : {0.0, 0.1, 0.7}) {
+    problem.surface.linear.push_back({0, 0, more});
+    for (const double load : {1.0, 1.02, 1.05}) {
+      problem.offset[0] *= load;
+      const contact::Equation equation(problem, contact::Equation::Bound::Differentiated,
+                                       0);
+      const contact::Evaluation e =
+          equation.at(pack(problem, test::solve(problem).state));
+      const Vector b(e.unknowns.size(), 1.0);
+      const Vector kept = contact::NewtonSystem(equation, e.linear, &memory).solve(b);
+      const Vector own = contact::NewtonSystem(equation, e.linear).solve(b);
+      for (std::size_t i = 0; i < b.size(); ++i)
+        TEST_FLOATING_EQUALITY(kept[i], own[i], 1e-8);
+    }
+  }
+}
+
+TEUCHOS_UNIT_TEST(Surface, tangentsTouch) {
+  std::mt19937 random(9);
+  for (const char* normal : laws) {
+    const contact::Problem problem = drawn(normal, "Coulomb", random);
+    const contact::Solution solution = test::solve(problem);
+    const contact::Equation equation(problem, contact::Equation::Bound::Differentiated,
+                                     0);
+    const contact::Problem linear =
+        equation.withTangent(equation.at(pack(problem, solution.state)));
+    TEST_ASSERT(linear.surface.places.empty());
+    TEST_COMPARE(reference::violation(problem, solution.state), <, 1e-10);
+    TEST_COMPARE(reference::violation(linear, solution.state), <, 1e-10);
+    TEST_COMPARE(reference::violation(linear, test::solve(linear).state), <, 1e-10);
+  }
+}
+
+// What a law stores is what makes r follow from the minimum of an energy.
+TEUCHOS_UNIT_TEST(Surface, closingIsTheGradientOfTheComplementaryEnergy) {
+  std::mt19937 random(10);
+  for (const char* normal : laws) {
+    const contact::Problem problem = drawn(normal, "Tresca", random);
+    Vector x(static_cast<std::size_t>(problem.size()));
+    for (double& value : x)
+      value = std::uniform_real_distribution<double>(0.1, 1)(random);
+    // λ·Φ less what is stored is ∫ Φ dλ
+    const auto complementary = [&](const Vector& at) {
+      const Vector closing = problem.surface.closing(at);
+      double sum = -problem.surface.energy(at);
+      for (std::size_t i = 0; i < at.size(); ++i)
+        sum += at[i] * closing[i];
+      return sum;
+    };
+    const Vector closing = problem.surface.closing(x);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      const double h = 1e-5;
+      Vector more = x;
+      Vector less = x;
+      more[i] += h;
+      less[i] -= h;
+      const double quotient = (complementary(more) - complementary(less)) / (2 * h);
+      TEST_COMPARE(std::abs(quotient - closing[i]), <, 1e-7);
+    }
+  }
+}
+
+}  // namespace
+
+}  // namespace epafi

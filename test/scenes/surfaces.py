@@ -1,0 +1,164 @@
+"""Surfaces that yield: normal laws against closed forms, in all bases and forms, dense and
+compressed, between bodies, on paths and after a restart."""
+import math
+import os
+
+from runs import WORK, claim, differ, epafi, finish, fresh, table
+from written import (BIORTHOGONAL, block, body, condition, contact, friction, listed,
+                     parameter, rigid, written)
+
+E, NU, DELTA = 1.0, 0.3, 0.01
+MODULUS = E * (1 - NU) / ((1 + NU) * (1 - 2 * NU))
+
+
+def normal(law, **values):
+    return listed("Normal", parameter("Law", "string", law), *(
+        parameter(key, "double" if key == "Exponent" else "string", value)
+        for key, value in values.items()))
+
+
+LINEAR = normal("Linear", Compliance="0.5")
+ROOT = normal("Power", Length="0.05", Pressure="1", Exponent=0.5)
+SQUARE = normal("Power", Length="0.5", Pressure="0.01", Exponent=2.0)
+ROUGH = normal("Exponential", Length="0.002", Pressure="0.001")
+EXACT = {"Linear": (LINEAR, 0.00804597701149), "Power": (ROOT, 0.00759551969723),
+         "Exponential": (ROUGH, 0.00765207815748)}
+
+
+def solved(name, file, settings=(), expect=0):
+    folder = fresh(name)
+    code, text = epafi("run", file, "--output", folder,
+                       *(x for s in settings for x in ("--set", s)))
+    claim(code == expect, "%s: exit code %d%s" % (
+        name, code, "" if code == expect else " " + text[-400:]))
+    return folder, text
+
+
+def rows(folder, file="contact.csv"):
+    return table(os.path.join(folder, file))
+
+
+def discretization(form, basis, degree=2):
+    return listed("Discretization", parameter("Mesh Size", "double", 0.5),
+                  parameter("Degree", "int", degree),
+                  parameter("Multiplier", "string", basis),
+                  listed("Stabilization", parameter("Form", "string", form)))
+
+
+WALLS = (condition("left", "Dirichlet", Displacement_X="0") +
+         condition("right", "Dirichlet", Displacement_X="0"))
+
+
+def confined(name, law, form="Density", basis="Gauss-Legendre-Lagrange", path="",
+             delta="0.01"):
+    """A unit block between frictionless walls, pushed down on a rigid plane."""
+    bottom = listed("bottom", parameter("Type", "string", "Contact"), law)
+    text = listed("confined", listed("Bodies", body(
+        "block", block(0, 0, 1, 1), E, WALLS + bottom +
+        condition("top", "Dirichlet", Displacement_Y="-" + delta))),
+        discretization(form, basis), path)
+    os.makedirs(WORK, exist_ok=True)
+    file = os.path.join(WORK, name + ".xml")
+    with open(file, "w") as stream:
+        stream.write(text)
+    return file
+
+
+def worst(points, exact):
+    return max(differ(p["lambda_n"], exact) for p in points)
+
+
+for law, (keys, exact) in EXACT.items():
+    for form in ("None", "Projected", "Exact", "Density"):
+        folder, _ = solved("%s %s" % (law, form), confined(law + form, keys, form))
+        points = rows(folder)
+        off = worst(points, exact)
+        closes = max(differ(p["normal_closing"], DELTA - exact / MODULUS) for p in points)
+        claim(off < 1e-12 * 5 and closes < 1e-11,
+              "confined block, %s, %s: pressure to %.1e, closing to %.1e" % (
+                  law, form, off, closes))
+for basis in ("Gauss-Lobatto-Lagrange", "Bernstein"):
+    for form in ("None", "Density", "Projected"):
+        folder, _ = solved("%s %s" % (basis, form), confined(basis + form, LINEAR, form, basis))
+        off = worst(rows(folder), EXACT["Linear"][1])
+        claim(off < 5e-12, "confined block, Linear, %s, %s: to %.1e" % (basis, form, off))
+    code, text = epafi("run", confined("refused", ROUGH, "Density", basis), "--output",
+                       fresh("refused"))
+    claim(code == 1 and "Gauss-Legendre-Lagrange" in text,
+          "%s refuses a law that is not linear, and names the basis to use" % basis)
+code, text = epafi("run", confined("dual", LINEAR, "None", "Biorthogonal"), "--output",
+                   fresh("dual"))
+claim(code == 1 and "Gauss-Legendre-Lagrange" in text, "Biorthogonal refuses all laws")
+code, text = epafi("run", confined("bond", ROUGH.replace("Normal", "Normal") + listed(
+    "Friction", parameter("Law", "string", "Tied"))), "--output", fresh("bond"))
+claim(code == 1 and "Linear" in text, "a bond refuses a law that is not linear")
+code, text = epafi("check", confined("negative", normal("Linear", Compliance="-x")))
+claim(code == 1 and "Normal->Compliance" in text and ">= 0" in text,
+      "a negative compliance is refused")
+
+# an elastic bond takes tension, too
+folder, _ = solved("pulled", confined("pulled", LINEAR + listed(
+    "Friction", parameter("Law", "string", "Tied")), delta="(-0.01)"))
+exact = -EXACT["Linear"][1]
+claim(worst(rows(folder), exact) < 1e-12 * 5 and all(
+    differ(p["normal_closing"], 0.5 * exact) < 1e-11 for p in rows(folder)),
+      "an elastic bond that is pulled")
+
+
+# two halves with the law between them: a block of the same height
+def halves(name, law, first, size=0.25, degree=2, curved="", more=""):
+    lower = body("lower", block(0, 0, 1, 0.5), E, WALLS + condition(
+        "bottom", "Dirichlet", Displacement_Y="0"))
+    upper = body("upper", block(0, 0.5, 1, 1), E, WALLS + condition(
+        "top", "Dirichlet", Displacement_Y=curved or "-0.01"))
+    sides = ("upper:bottom", "lower:top")
+    return written(name, [lower, upper], contact(
+        "layer", *(sides if first == "upper" else sides[::-1]), law), "Density", size, degree,
+        more=more)
+
+
+for law, (keys, exact) in EXACT.items():
+    for first in ("upper", "lower"):
+        folder, _ = solved("%s between, %s first" % (law, first), halves("halves", keys, first))
+        claim(worst(rows(folder), exact) < 5e-12, "two halves, %s, %s first" % (law, first))
+
+# a pressure that varies, opens and rubs: other ways to the same numbers
+RUBBED = "-0.006*(1+cos(2*pi*x))"
+for law, (keys, _) in EXACT.items():
+    got = {}
+    for way, first, method in (("upper", "upper", "Dense"), ("lower", "lower", "Dense"),
+                               ("compressed", "upper", "Compressed")):
+        folder, _ = solved("%s varies, %s" % (law, way), halves(
+            "varies", keys + friction("0.3"), first, 1 / 16, 3, RUBBED),
+            ["Solver->Linear->Method=" + method])
+        got[way] = rows(folder, "history.csv")[-1]
+    scale = got["upper"]["energy_strain"]
+    off = max(abs(got["upper"][k] - got["compressed"][k]) / scale for k in (
+        "energy_strain", "energy_interface", "energy_friction"))
+    claim(off < 1e-8, "%s: compressed agrees to %.1e" % (law, off))
+    off = abs(got["upper"]["energy_strain"] + got["upper"]["energy_interface"] -
+              got["lower"]["energy_strain"] - got["lower"]["energy_interface"]) / scale
+    bound = sum((got[k]["estimate"]**2 for k in ("upper", "lower")), 0) / scale
+    claim(off < max(bound, 1e-6), "%s: swapped sides agree to %.1e, estimates %.1e" % (
+        law, off, bound))
+
+# a path, and the same after a restart
+PATH = listed("History", parameter("Times", "Array(double)", "{1, 2}"),
+              parameter("Steps", "Array(int)", "{8, 8}"))
+for law, (keys, _) in EXACT.items():
+    keys += friction("0.3")
+    def path(name, steps, settings=()):
+        file = halves(name, keys, "upper", 0.125, 2, "-0.01*min(t,1)+0.002*max(0,t-1)*x",
+                      PATH.replace("8", str(steps)))
+        folder, _ = solved("%s, %s" % (law, name), file, settings)
+        return folder, rows(folder, "steps.csv")[-1]
+
+    folder, coarse = path("path", 8)
+    _, fine = path("fine path", 16)
+    ratio = fine["energy_error"] / coarse["energy_error"]
+    share = coarse["energy_interface"] / coarse["energy_outside"]
+    claim(share > 0.2 and (abs(coarse["energy_error"]) < 1e-12 * coarse["energy_outside"] or
+                           ratio < 0.3),
+          "%s: energies balance, their error falls to %.2f with twice the steps; %.2f of the work "
+          "is in the surfaces" % (law, ratio, share))
+finish()
