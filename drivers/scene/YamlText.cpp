@@ -182,11 +182,12 @@ std::string advice(const std::string& text, const YAML::Exception& error) {
 
 YAML::Node documentIn(const std::string& text) {
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() > 1)
-      throw InputError("malformed YAML: holds ", documents.size(),
-                       " documents (---); a scene is one");
-    return documents.empty() ? YAML::Node() : documents.front();
+    // Not LoadAll: it never ends where a text begins with a comma.
+    YAML::Node document = YAML::Load(text);
+    const std::size_t begin = document.IsMap() ? document.Mark().pos : 0;
+    if (text.find("\n---", begin) != std::string::npos)
+      throw InputError("malformed YAML: holds several documents (---); a scene is one");
+    return document;
   } catch (const YAML::DeepRecursion&) {
     throw InputError(tooDeep);
   } catch (const YAML::Exception& error) {

@@ -167,9 +167,11 @@ TEUCHOS_UNIT_TEST(BadInput, aFileThatIsNoSceneSaysSo) {
   TEST_ASSERT(contains(colon, "line 3") && contains(colon, "quotes round"));
   TEST_ASSERT(
       contains(complaintOf("a:\n  b: &b\n    c: *b\n", "scene.yaml"), "too deep"));
-  TEST_ASSERT(contains(complaintOf("a: {}\n---\nb: {}\n", "scene.yaml"), "2 documents"));
+  TEST_ASSERT(
+      contains(complaintOf("a: {}\n---\nb: {}\n", "scene.yaml"), "several documents"));
   TEST_ASSERT(
       contains(complaintOf("a:\n  Vertices: [[1, 2], [3]]\n", "scene.yaml"), "entry 1"));
+  TEST_ASSERT(contains(complaintOf(",--\na: {}\n", "scene.yaml"), "under one title"));
   std::string laughs = "a:\n  b0: &b0 [1, 2]\n";  // three times as many from key to key
   for (int i = 1; i < 30; ++i) {
     const std::string of = "*b" + std::to_string(i - 1);
