@@ -131,9 +131,11 @@ std::vector<std::string> conditionAt(const contact::Conditions& conditions,
     return {"Contact", "", "",
             contact->second.name.empty() ? value(contact->second.gap) : ""};
   const auto load = conditions.neumann.find(boundary);
+  const bool held = conditions.dirichlet.count(boundary) != 0;
   if (load != conditions.neumann.end())
-    return {"Neumann", value(load->second.x), value(load->second.y), ""};
-  return {conditions.dirichlet.count(boundary) != 0 ? "Dirichlet" : "free", "", "", ""};
+    return {held ? "Dirichlet" : "Neumann", value(load->second.x), value(load->second.y),
+            ""};
+  return {held ? "Dirichlet" : "free", "", "", ""};
 }
 
 /// What `epafi check --plot` draws, as csv: points along the first meshes with the loads and

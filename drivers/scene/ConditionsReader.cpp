@@ -146,10 +146,19 @@ void readBoundary(const ParameterList& list, const std::string& boundary,
           where.place.path +
           ": a Dirichlet condition needs Displacement X, Displacement Y or both");
     conditions.dirichlet[boundary] = {x, y};
-  } else if (type == "Neumann") {
+  }
+  if (type != "Contact") {
     const double length = lengthOf(outline, boundary);
-    conditions.neumann[boundary] = {readTraction(list, "X", where, length),
-                                    readTraction(list, "Y", where, length)};
+    const contact::Conditions::Neumann load{readTraction(list, "X", where, length),
+                                            readTraction(list, "Y", where, length)};
+    for (const char* axis : {"X", "Y"})
+      if (list.isParameter(std::string("Displacement ") + axis) &&
+          (*axis == 'X' ? load.x : load.y))
+        throw InputError(where.place.path, "->Displacement ", axis,
+                         ": a traction or a force along ", axis,
+                         " is given, too; one of them moves the boundary, not both");
+    if (type == "Neumann" || load.x || load.y)
+      conditions.neumann[boundary] = load;
   } else {
     conditions.contact[boundary] = readContact(list, where);
   }

@@ -137,6 +137,18 @@ void addConditions(Table& table) {
           Row("Force Y", Kind::Expression, "instead of Traction Y, likewise")
               .unit("stress length")
               .only("Neumann"),
+          Row("Traction X", Kind::Expression, "where Displacement X is free")
+              .unit("stress")
+              .only("Dirichlet"),
+          Row("Traction Y", Kind::Expression, "where Displacement Y is free")
+              .unit("stress")
+              .only("Dirichlet"),
+          Row("Force X", Kind::Expression, "where Displacement X is free")
+              .unit("stress length")
+              .only("Dirichlet"),
+          Row("Force Y", Kind::Expression, "where Displacement Y is free")
+              .unit("stress length")
+              .only("Dirichlet"),
           Row("Gap", Kind::Expression,
               "distance to the rigid obstacle along the outward normal")
               .unit("length")

@@ -45,8 +45,8 @@ TEUCHOS_UNIT_TEST(BadInput, anUnknownKeyNamesTheNearestOne) {
 
 TEUCHOS_UNIT_TEST(BadInput, aKeyOfAnotherTypeOfConditionSaysWhereItBelongs) {
   SceneText scene;
-  scene.top += R"(<Parameter name="Traction X" type="string" value="1"/>)";
-  TEST_COMPLAINT(scene.xml(), "Boundary Conditions->top->Traction X", "'Neumann'",
+  scene.top += R"(<Parameter name="Gap" type="string" value="1"/>)";
+  TEST_COMPLAINT(scene.xml(), "Boundary Conditions->top->Gap", "'Contact'",
                  "'Dirichlet'");
 }
 

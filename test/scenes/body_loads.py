@@ -345,6 +345,20 @@ for key, exact in (("body_force_x", RHO * (OMEGA ** 2 * 2.5 + GAMMA * 0.5)),
     claim(abs(row[key] - exact) < 1e-13, "a rigid square: %s %.12f" % (key, row[key]))
 balanced("square")
 
+# a guide that pulls: held along one axis, loaded along the other
+pulled = body("bar", block(0, 0, 2, 1), E, condition(
+    "left", "Dirichlet", Displacement_X="0") + condition(
+        "right", "Dirichlet", Displacement_Y="-%.17g*y" % (0.3 * 0.39 / E), Traction_X="0.3") + condition(
+            "bottom", "Dirichlet", Displacement_Y="0", Force_X="0"))
+level = run(written("guide", [pulled], "", "Density", 0.5, 1), "guide")[0][-1]
+claim(abs(level["reaction_x"] + 0.3) < 1e-12 and abs(level["load_x"] - 0.3) < 1e-14,
+      "a guide that pulls: reaction %.15f" % level["reaction_x"])
+error = largest(p["ux"] - 0.3 * 0.91 / E * p["x"] for p in rows("guide", "boundary.csv"))
+claim(error < 1e-13, "and the bar is as much longer as it should, %.1e" % error)
+code, said = epafi("check", written("refused", [body("bar", block(0, 0, 1, 1), E, condition(
+    "left", "Dirichlet", Displacement_X="0", Traction_X="1"))], "", "Density"))
+claim(code == 1 and "one of them moves the boundary" in said, "refused: both along one axis")
+
 # bodies on bodies: weights add up, a rigid one's too; the other side first, compressed
 UPPER, LOWER = block(-0.5, 0.5, 0.5, 1.5), block(-1, 0, 1, 0.5)
 LIST = loads(Gravity_X="0.01", Gravity_Y="-1")

@@ -31,9 +31,17 @@ void checkBoundaries(const bem::Mesh& mesh, const Conditions& conditions) {
         throw bem::InputError("two conditions on boundary '", name, "'");
     }
   };
-  check(conditions.dirichlet);
   check(conditions.neumann);
   check(conditions.contact);
+  for (const auto& [name, dirichlet] : conditions.dirichlet) {
+    const auto load = conditions.neumann.find(name);
+    const bool pulls = load != conditions.neumann.end() &&
+                       !(load->second.x && dirichlet.x) &&
+                       !(load->second.y && dirichlet.y);
+    if (pulls)
+      seen.erase(name);  // one component each
+  }
+  check(conditions.dirichlet);
 }
 
 /// Adds ∫ traction · φ_j ds of an element, the traction a function of the place t on it.  Returns

@@ -35,7 +35,7 @@ struct Loads {
 };
 
 /// \throws bem::InputError for a condition on a boundary that the mesh does not have, or
-///   on one boundary twice.
+///   on one boundary twice, but for a displacement along one axis and a traction along the other.
 Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Units units);
 
 /// ∫ φ_j · r ds for the rigid motions r of Space::rigidMotions, with the rotation about
