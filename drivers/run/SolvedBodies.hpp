@@ -21,14 +21,18 @@ struct Ground {
   const bem::Processes& processes;
 };
 
-/// Displacements before the first step of a path, or behind one.
+/// Displacements before the first step of a path, or behind one, and what acted there.
 struct Placement {
   std::vector<bem::Vector> displacements;
-  contact::Motions motions;  ///< of these
+  contact::Motions motions;            ///< of these
+  std::vector<contact::State> states;  ///< of each body
 
   Placement(const BodySpaces& spaces, std::vector<bem::Vector> all,
-            const std::vector<contact::RigidMotion>& rigid)
-      : displacements(std::move(all)), motions(spaces.motions(displacements, rigid)) {}
+            const std::vector<contact::RigidMotion>& rigid,
+            std::vector<contact::State> acted)
+      : displacements(std::move(all)),
+        motions(spaces.motions(displacements, rigid)),
+        states(std::move(acted)) {}
   Placement(const Placement&) = delete;
   Placement& operator=(const Placement&) = delete;
 };

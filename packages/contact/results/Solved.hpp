@@ -39,6 +39,7 @@ struct Solved {
   /// there; else null, and slip counts from zero.
   const Vector* displacementBefore = nullptr;
   const Motions* motionsBefore = nullptr;  ///< likewise of all bodies
+  const State* stateBefore = nullptr;      ///< likewise; without numbers: nothing acted
 
   /// [u] = u - u of what is met, dimensionless.
   bem::Vec2 relativeDisplacement(const MultiplierSpace::ContactElement& element, double t,
