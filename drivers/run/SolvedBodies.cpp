@@ -37,7 +37,7 @@ SolvedBodies::SolvedBodies(const Ground& ground, const contact::ContactSystem& s
     : ground_(ground),
       system_(system),
       at_(std::move(at)),
-      placement_(ground.spaces, at_.displacements, at_.rigid, conditions) {
+      placement_(ground.spaces, at_.displacements, at_.rigid, at_.bodies, conditions) {
   const std::size_t count = system.size();
   bodies_.reserve(count);  // pressed refers to all of them
   for (std::size_t b = 0; b < count; ++b) {
@@ -56,6 +56,7 @@ SolvedBodies::SolvedBodies(const Ground& ground, const contact::ContactSystem& s
     if (before != nullptr) {
       bodies_[b].displacementBefore = &before->displacements[b];
       bodies_[b].motionsBefore = &before->motions;
+      bodies_[b].stateBefore = &before->states[b];
       if (!before->motions.inside.empty())
         bodies_[b].insideBefore = before->motions.inside[b];
     }

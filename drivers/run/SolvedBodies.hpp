@@ -21,16 +21,20 @@ struct Ground {
   const bem::Processes& processes;
 };
 
-/// Displacements before the first step of a path, or behind one.
+/// Displacements before the first step of a path, or behind one, and what acted there.
 struct Placement {
   std::vector<bem::Vector> displacements;
-  contact::Motions motions;  ///< of these
+  contact::Motions motions;            ///< of these
+  std::vector<contact::State> states;  ///< of each body
 
   /// `conditions`: that bodies are there under; none: nothing acts inside.
   Placement(const BodySpaces& spaces, std::vector<bem::Vector> all,
             const std::vector<contact::RigidMotion>& rigid,
+            std::vector<contact::State> acted,
             const std::vector<contact::Conditions>& conditions = {})
-      : displacements(std::move(all)), motions(spaces.motions(displacements, rigid)) {
+      : displacements(std::move(all)),
+        motions(spaces.motions(displacements, rigid)),
+        states(std::move(acted)) {
     for (const contact::Conditions& ofBody : conditions)
       motions.inside.push_back(ofBody.inside);
   }

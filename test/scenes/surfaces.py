@@ -161,4 +161,62 @@ for law, (keys, _) in EXACT.items():
                            ratio < 0.3),
           "%s: energies balance, their error falls to %.2f with twice the steps; %.2f of the work "
           "is in the surfaces" % (law, ratio, share))
+
+
+# shear: a block of unit height that shears uniformly, its sides loaded to match
+MU = E / (2 * (1 + NU))
+
+
+def sheared(name, law, u, q, path="", form="Density", basis="Gauss-Legendre-Lagrange", more=""):
+    sides = (condition("left", "Neumann", Traction_Y="-(%s)" % q) +
+             condition("right", "Neumann", Traction_Y=q) +
+             condition("top", "Dirichlet", Displacement_X=u, Displacement_Y="0"))
+    text = listed("sheared", listed("Bodies", body(
+        "block", block(0, 0, 1, 1), E, sides + listed(
+            "bottom", parameter("Type", "string", "Contact"), law, more))),
+        discretization(form, basis), path)
+    file = os.path.join(WORK, name + ".xml")
+    with open(file, "w") as stream:
+        stream.write(text)
+    return file
+
+
+def rub(law, **values):
+    return listed("Friction", parameter("Law", "string", law), *(
+        parameter(key, "string", value) for key, value in values.items()))
+
+
+C, U = 0.7, 0.01
+SHEAR = U / (1 / MU + C)
+for law, values in (("Tresca", {"Threshold": "1"}), ("Tied", {})):
+    for basis, form in (("Gauss-Legendre-Lagrange", "Density"), ("Bernstein", "Projected"),
+                        ("Gauss-Lobatto-Lagrange", "Projected")):
+        folder, _ = solved("shear %s %s" % (law, basis), sheared(
+            "shear", rub(law, Compliance=C, **values), U, repr(SHEAR), "", form, basis))
+        points = rows(folder)
+        off = max(max(differ(p["lambda_t"], SHEAR), differ(p["u_t"], C * SHEAR)) for p in points)
+        claim(off < 1e-11 and all(p["friction"] == 1 for p in points),
+              "elastic shear, %s, %s, %s: to %.1e" % (law, basis, form, off))
+        estimate = rows(folder, "history.csv")[0]
+        claim(estimate["estimate"] < 1e-9 * math.sqrt(estimate["energy_strain"]) + 1e-9,
+              "no error is estimated: %.1e" % estimate["estimate"])
+
+# forth, back and forth: elastic up to the threshold, then slip
+F = 0.002
+TO = "0.01*(t<1 ? t : t<2 ? 2-t : 0)"
+LIMITED = "max(-%r, min(%r, (%s)/(1/%r+%r)))" % (F, F, "0.01*t", MU, C)
+folder, _ = solved("slip", sheared("slip", rub("Tresca", Threshold=F, Compliance=C), "0.01*t", LIMITED, listed(
+    "History", parameter("Times", "Array(double)", "{0.1, 1}"),
+    parameter("Steps", "Array(int)", "{2, 9}"))))
+steps = rows(folder, "steps.csv")
+first, last = steps[1], steps[-1]
+claim(first["energy_dissipated"] == 0 and differ(
+    first["energy_interface"], 0.5 * C * (0.1 * SHEAR)**2) < 1e-9,
+      "below the threshold shear is stored")
+claim(differ(last["energy_dissipated"], F * (U - F * (1 / MU + C))) < 1e-9 and differ(
+    last["energy_interface"], 0.5 * C * F * F) < 1e-9 and
+      abs(last["energy_error"]) < 1e-12 * last["energy_outside"],
+      "above it the rest slips: %.6e dissipated" % last["energy_dissipated"])
+code, text = epafi("check", sheared("none", rub("None", Compliance=C), U, "0"))
+claim(code == 1 and "Compliance" in text, "without friction there is no elastic shear")
 finish()

@@ -19,12 +19,13 @@ struct Values {
   double slip;
   double fineness;
   double yield;
+  double shearYield;
 };
 
 Values valuesAt(const ContactProfiles& c, double t) {
   const double opening = c.opening(t);
-  return {c.pressure(t),   opening,       c.shear(t),         c.bound(t),
-          c.tangential(t), c.fineness(t), c.yield(t, opening)};
+  return {c.pressure(t),   opening,       c.shear(t),          c.bound(t),
+          c.tangential(t), c.fineness(t), c.yield(t, opening), c.shearYield(t)};
 }
 
 /// A stiffness in series with surfaces that yield.
@@ -168,6 +169,24 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
     const Met met = metAt(t);
     return own(t) - dot(motion(met) - motionAt(before, met), along(t));
   };
+  // elastic shear is no slip
+  const Polynomial shear = stress(&Value::tangential, along);
+  bem::Profile shearYield = [](double) { return 0.0; };
+  if (condition.friction.compliance)
+    shearYield = [&mesh, &condition, units, e](double t) {
+      return condition.friction.compliance(mesh.physicalPoint(e, t)) * units.stress /
+             units.length;
+    };
+  const contact::State* stateBefore = ties ? nullptr : solved.stateBefore;
+  bem::Profile slip = opposite.isStill() ? bem::Profile(own) : bem::Profile(tangential);
+  if (condition.friction.compliance)
+    slip = [slip, shear, shearYield, stateBefore, &multiplier, &element](double t) {
+      const double earlier =
+          stateBefore == nullptr || stateBefore->multiplier.empty()
+              ? 0
+              : multiplier.at(stateBefore->multiplier, element, t).tangential;
+      return slip(t) - shearYield(t) * (shear(t) - earlier);
+    };
   const auto bound = [&mesh, &condition, units, e, pressure](double t) {
     return condition.friction.at(mesh.physicalPoint(e, t), units.stress)
         .bound(pressure(t));
@@ -197,8 +216,8 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
     return touching > 0 ? law.slope(touching) : 0.0;
   };
   return {pressure,
-          stress(&Value::tangential, along),
-          opposite.isStill() ? bem::Profile(own) : bem::Profile(tangential),
+          shear,
+          slip,
           opening,
           bound,
           p,
@@ -207,7 +226,8 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
           std::max(p, opposite.degree(element)),
           element.ties(),
           fineness,
-          yield};
+          yield,
+          shearYield};
 }
 
 namespace {
@@ -278,7 +298,8 @@ Contributions sharpContactTerms(const ContactProfiles& profiles, double shearMod
       },
       [stiffness](const Values& v) {
         return lostWork(unusedBound(v.bound, v.shear, v.slip), std::abs(v.slip),
-                        stiffness, v.fineness * stiffness);
+                        softened(stiffness, v.shearYield),
+                        softened(v.fineness * stiffness, v.shearYield));
       });
 }
 

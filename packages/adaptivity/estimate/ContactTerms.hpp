@@ -30,11 +30,12 @@ class Polynomial {
 
 /// What a contact element's terms are made of; functions of t, dimensionless.
 struct ContactProfiles {
-  Polynomial pressure;      ///< λₙ
-  Polynomial shear;         ///< λₜ
-  bem::Profile tangential;  ///< uₜ, in a step of a path what is added to it
-  bem::Profile opening;     ///< g - uₙ, what the sides yield by included
-  bem::Profile bound;       ///< s, for the pressure's positive part
+  Polynomial pressure;  ///< λₙ
+  Polynomial shear;     ///< λₜ
+  bem::Profile
+      tangential;  ///< uₜ less elastic shear, in a step of a path what is added to it
+  bem::Profile opening;  ///< g - uₙ, what the sides yield by included
+  bem::Profile bound;    ///< s, for the pressure's positive part
   int degree;
   double half;           ///< of the element's length
   Vector nodes{};        ///< of what is met, in (-1, 1)
@@ -46,6 +47,7 @@ struct ContactProfiles {
   std::function<double(double t, double opening)> yield = [](double, double) {
     return 0.0;
   };
+  bem::Profile shearYield = [](double) { return 0.0; };  ///< likewise of shear
 };
 
 /// Of λʰ + valueAt(correction); s is that of its pressure.

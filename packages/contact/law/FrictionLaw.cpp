@@ -28,7 +28,17 @@ bem::Family<FrictionLawMember>& frictionLaws() {
   return laws;
 }
 
-bem::SchemaRows frictionRows() { return lawRows(frictionLaws(), "friction law"); }
+bem::SchemaRows frictionRows() {
+  bem::SchemaRows rows = lawRows(frictionLaws(), "friction law");
+  bem::SchemaRow compliance =
+      bem::Row("Compliance", bem::Kind::Expression,
+               "of the surfaces to shear: slip is less by compliance times shear")
+          .unit("length/stress");
+  compliance.only = frictionLaws().names();
+  compliance.only.erase(compliance.only.begin());  // no friction, no shear
+  append(rows, {compliance});
+  return rows;
+}
 
 double PointLaw::bound(double pressure) const {
   return law_ == nullptr
@@ -53,7 +63,10 @@ Friction makeFriction(const std::string& law, std::vector<bem::Function> fields)
 }
 
 Friction parseFriction(const Teuchos::ParameterList& list, const FieldOf& field) {
-  return {parseLaw(frictionLaws(), list.get<std::string>("Law"), list, field)};
+  Friction friction{parseLaw(frictionLaws(), list.get<std::string>("Law"), list, field)};
+  if (list.isParameter("Compliance"))
+    friction.compliance = field("Compliance");
+  return friction;
 }
 
 }  // namespace epafi::contact

@@ -31,7 +31,7 @@ using FrictionLawMember = LawMember<FrictionLaw>;
 /// All laws: Epafi's own, and what a program adds.
 bem::Family<FrictionLawMember>& frictionLaws();
 
-/// Law, and under each law its own keys.
+/// Law, under each law its own keys, and Compliance under all but the first.
 bem::SchemaRows frictionRows();
 
 /// A law at one point, dimensionless: numbers only.
@@ -61,8 +61,11 @@ class PointLaw {
   double bound_ = 0;
 };
 
-/// The friction of a boundary.
+/// The friction of a boundary, and the compliance of its surfaces to shear [length/stress]:
+/// elastic shear is no slip.
 struct Friction : LawOnBoundary<FrictionLaw> {
+  bem::Function compliance{};  ///< none: they are rigid
+
   bool ties() const { return law != nullptr && law->ties(); }
   PointLaw at(bem::Vec2 place, double stress) const {
     return law == nullptr ? PointLaw() : PointLaw(law, fieldsAt(place), stress);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace epafi::contact {
 
@@ -25,12 +26,22 @@ Vector fieldsAt(const LawOnBoundary<Law>& law, const char* kind,
   return fields;
 }
 
+/// L of one component by a point of a rule: weight c χ_i χ_j.
+void addLinear(double weight, const Vector& chi, const std::function<Index(int)>& number,
+               std::vector<bem::Entry>& linear) {
+  for (int i = 0; i < static_cast<int>(chi.size()); ++i)
+    for (int j = 0; j < static_cast<int>(chi.size()); ++j)
+      if (const double value = weight * chi[i] * chi[j]; value != 0)
+        linear.push_back({number(i), number(j), value});
+}
+
 /// What an element's side yields by, from the points of a rule by which ∫ χ_i χ_j is exact.
 /// A law that is not linear acts on values there: other bases would lose their order.
 void setSurface(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
                 const ContactElement& contact, bem::Units units, Surface& surface) {
   const Normal& normal = contact.condition->normal;
-  if (!normal)
+  const bem::Function& ofShear = contact.condition->friction.compliance;
+  if (!normal && !ofShear)
     return;
   const auto refuse = [&](const char* what, const char* instead) {
     throw bem::InputError("boundary '", *contact.boundary, "': ", what, "; ", instead);
@@ -38,30 +49,36 @@ void setSurface(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
   if (multiplier.basis().sharesNodes)
     refuse("contacts under the multiplier 'Biorthogonal' do not yield",
            "use Gauss-Legendre-Lagrange");
-  const bool isLinear = normal.law->isLinear();
+  const bool isLinear = !normal || normal.law->isLinear();
   if (contact.ties() && !isLinear)
     refuse("a bond yields by the normal law 'Linear' alone", "use that or none");
   const bem::Rule& rule = bem::gaussLegendre(contact.degree + 1);
   for (int q = 0; q < rule.size(); ++q) {
     const Vec2 x = mesh.physicalPoint(contact.element, rule.points[q]);
-    const Vector fields = fieldsAt(normal, "normal", contact, x);
-    if (!isLinear && *std::min_element(fields.begin(), fields.end()) <= 0)
-      refuse("a field of the normal law is zero", "it must be positive");
-    const PointClosing law(normal.law, fields, units);
     const double length = mesh[contact.element].half * rule.weights[q];
     const Vector chi = multiplier.basis().values(contact.degree, rule.points[q]);
-    if (!isLinear &&
-        (chi[q] != 1 || std::count(chi.begin(), chi.end(), 0) != contact.degree))
+    if (ofShear)
+      addLinear(
+          length * ofShear(x) * units.stress / units.length, chi,
+          [&](int i) { return contact.tangentialOf(i); }, surface.linear);
+    if (!normal)
+      continue;
+    const Vector fields = fieldsAt(normal, "normal", contact, x);
+    const PointClosing law(normal.law, fields, units);
+    if (isLinear) {
+      addLinear(
+          length * law.slope(0), chi, [&](int i) { return contact.normalOf(i); },
+          surface.linear);
+      continue;
+    }
+    if (*std::min_element(fields.begin(), fields.end()) <= 0)
+      refuse("a field of the normal law is zero", "it must be positive");
+    if (chi[q] != 1 || std::count(chi.begin(), chi.end(), 0) != contact.degree)
       refuse(
-          "only coefficients that are values at Gauss points follow a normal law that is "
-          "not linear",
+          "only coefficients that are values at Gauss points follow a normal law that "
+          "is not linear",
           "use the multiplier Gauss-Legendre-Lagrange");
-    if (!isLinear)
-      surface.places.push_back({contact.normalOf(q), length, law});
-    for (int i = 0; isLinear && i <= contact.degree; ++i)
-      for (int j = 0; j <= contact.degree; ++j)
-        if (const double value = length * law.slope(0) * chi[i] * chi[j]; value != 0)
-          surface.linear.push_back({contact.normalOf(i), contact.normalOf(j), value});
+    surface.places.push_back({contact.normalOf(q), length, law});
   }
 }
 

@@ -39,6 +39,7 @@ struct Solved {
   /// there; else null, and slip counts from zero.
   const Vector* displacementBefore = nullptr;
   const Motions* motionsBefore = nullptr;  ///< likewise of all bodies
+  const State* stateBefore = nullptr;      ///< likewise; without numbers: nothing acted
 
   Inside insideBefore{};  ///< what acted inside then
 
