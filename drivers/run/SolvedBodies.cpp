@@ -37,7 +37,9 @@ SolvedBodies::SolvedBodies(const Ground& ground, const contact::ContactSystem& s
     : ground_(ground),
       system_(system),
       at_(std::move(at)),
-      placement_(ground.spaces, at_.displacements, at_.rigid, at_.bodies) {
+      placement_(ground.spaces, at_.displacements, at_.rigid) {
+  placement_.states = at_.bodies;
+  placement_.conditions = &conditions;
   const std::size_t count = system.size();
   bodies_.reserve(count);  // pressed refers to all of them
   for (std::size_t b = 0; b < count; ++b) {
@@ -56,7 +58,10 @@ SolvedBodies::SolvedBodies(const Ground& ground, const contact::ContactSystem& s
     if (before != nullptr) {
       bodies_[b].displacementBefore = &before->displacements[b];
       bodies_[b].motionsBefore = &before->motions;
-      bodies_[b].stateBefore = &before->states[b];
+      if (before->conditions != nullptr) {
+        bodies_[b].stateBefore = &before->states[b];
+        bodies_[b].conditionsBefore = &(*before->conditions)[b];
+      }
     }
   }
   for (std::size_t b = 0; b < count; ++b)

@@ -24,15 +24,14 @@ struct Ground {
 /// Displacements before the first step of a path, or behind one, and what acted there.
 struct Placement {
   std::vector<bem::Vector> displacements;
-  contact::Motions motions;            ///< of these
-  std::vector<contact::State> states;  ///< of each body
+  contact::Motions motions;              ///< of these
+  std::vector<contact::State> states{};  ///< of each body; none: nothing acted
+  /// Those there, which outlive this; null: none.
+  const std::vector<contact::Conditions>* conditions = nullptr;
 
   Placement(const BodySpaces& spaces, std::vector<bem::Vector> all,
-            const std::vector<contact::RigidMotion>& rigid,
-            std::vector<contact::State> acted)
-      : displacements(std::move(all)),
-        motions(spaces.motions(displacements, rigid)),
-        states(std::move(acted)) {}
+            const std::vector<contact::RigidMotion>& rigid)
+      : displacements(std::move(all)), motions(spaces.motions(displacements, rigid)) {}
   Placement(const Placement&) = delete;
   Placement& operator=(const Placement&) = delete;
 };

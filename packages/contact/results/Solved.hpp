@@ -39,7 +39,8 @@ struct Solved {
   /// there; else null, and slip counts from zero.
   const Vector* displacementBefore = nullptr;
   const Motions* motionsBefore = nullptr;  ///< likewise of all bodies
-  const State* stateBefore = nullptr;      ///< likewise; without numbers: nothing acted
+  const State* stateBefore = nullptr;      ///< likewise; null: nothing acted
+  const Conditions* conditionsBefore = nullptr;  ///< likewise; null: nothing had slid by
 
   /// [u] = u - u of what is met, dimensionless.
   bem::Vec2 relativeDisplacement(const MultiplierSpace::ContactElement& element, double t,

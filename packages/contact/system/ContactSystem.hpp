@@ -80,7 +80,7 @@ class ContactSystem {
   /// What the nonlinear solver sees, and see ContactProblem::gap.
   const Problem& numbers() const;
   const Vector& gap() const;
-  /// The jump that bonded sides are given, one number per coefficient.
+  /// The jump that bonded sides are given, and what slides by, one number per coefficient.
   const Vector& jump() const;
 
   /// The state of all from each body's own, where an empty vector stays empty, and back with
