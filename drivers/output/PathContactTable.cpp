@@ -58,17 +58,18 @@ std::string PathContact::next(const SolvedLevel& level) {
          const contact::Solved& solved = level.bodies[b];
          const double stress = stressAlong(solved, scene_->bodies[b].material,
                                            element.element, t, point.pressure);
+         const double slip = point.tangential - point.sliding;
          if (isFirst)
-           here.first = here.least = here.most = point.tangential;
-         here.least = std::min(here.least, point.tangential);
-         here.most = std::max(here.most, point.tangential);
+           here.first = here.least = here.most = slip;
+         here.least = std::min(here.least, slip);
+         here.most = std::max(here.most, slip);
          here.shear = std::max(here.shear, std::abs(point.shear));
          here.tension = std::max(here.tension, stress);
          const double amplitude = (here.most - here.least) / 2;
          const double work =
              solved.units.stress * solved.units.length *
              solved.problem.multiplier().at(densities[b], element, t).tangential;
-         return std::vector<std::string>{exactly(point.tangential - here.first),
+         return std::vector<std::string>{exactly(slip - here.first),
                                          exactly(work),
                                          exactly(amplitude),
                                          exactly(stress),

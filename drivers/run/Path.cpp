@@ -42,8 +42,7 @@ class Follower {
       still.emplace_back(atZero.body(b).load().size());
     path_.start = std::make_unique<const Placement>(
         ground.spaces, std::move(still),
-        std::vector<contact::RigidMotion>(ground.scene.rigid.size()),
-        std::vector<contact::State>(atZero.size()));
+        std::vector<contact::RigidMotion>(ground.scene.rigid.size()));
   }
 
   /// Up to a time; false where the path ends before it.

@@ -37,7 +37,8 @@ SolvedBodies::SolvedBodies(const Ground& ground, const contact::ContactSystem& s
     : ground_(ground),
       system_(system),
       at_(std::move(at)),
-      placement_(ground.spaces, at_.displacements, at_.rigid, at_.bodies, conditions) {
+      placement_(ground.spaces, at_.displacements, at_.rigid, &conditions) {
+  placement_.states = at_.bodies;
   const std::size_t count = system.size();
   bodies_.reserve(count);  // pressed refers to all of them
   for (std::size_t b = 0; b < count; ++b) {
@@ -56,9 +57,11 @@ SolvedBodies::SolvedBodies(const Ground& ground, const contact::ContactSystem& s
     if (before != nullptr) {
       bodies_[b].displacementBefore = &before->displacements[b];
       bodies_[b].motionsBefore = &before->motions;
-      bodies_[b].stateBefore = &before->states[b];
-      if (!before->motions.inside.empty())
+      if (before->conditions != nullptr) {
+        bodies_[b].stateBefore = &before->states[b];
+        bodies_[b].conditionsBefore = &(*before->conditions)[b];
         bodies_[b].insideBefore = before->motions.inside[b];
+      }
     }
   }
   for (std::size_t b = 0; b < count; ++b)

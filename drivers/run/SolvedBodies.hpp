@@ -24,19 +24,20 @@ struct Ground {
 /// Displacements before the first step of a path, or behind one, and what acted there.
 struct Placement {
   std::vector<bem::Vector> displacements;
-  contact::Motions motions;            ///< of these
-  std::vector<contact::State> states;  ///< of each body
+  contact::Motions motions;              ///< of these
+  std::vector<contact::State> states{};  ///< of each body; none: nothing acted
+  /// Those there, which outlive this; null: none.
+  const std::vector<contact::Conditions>* conditions = nullptr;
 
-  /// `conditions`: that bodies are there under; none: nothing acts inside.
   Placement(const BodySpaces& spaces, std::vector<bem::Vector> all,
             const std::vector<contact::RigidMotion>& rigid,
-            std::vector<contact::State> acted,
-            const std::vector<contact::Conditions>& conditions = {})
+            const std::vector<contact::Conditions>* there = nullptr)
       : displacements(std::move(all)),
         motions(spaces.motions(displacements, rigid)),
-        states(std::move(acted)) {
-    for (const contact::Conditions& ofBody : conditions)
-      motions.inside.push_back(ofBody.inside);
+        conditions(there) {
+    if (conditions != nullptr)
+      for (const contact::Conditions& ofBody : *conditions)
+        motions.inside.push_back(ofBody.inside);
   }
   Placement(const Placement&) = delete;
   Placement& operator=(const Placement&) = delete;

@@ -60,6 +60,13 @@ contact::Friction readFriction(const ParameterList& list, const Where& where) {
 contact::Conditions::Contact readSurface(const ParameterList& list, const Where& where) {
   contact::Conditions::Contact condition;
   condition.friction = readFriction(list, where);
+  if (list.isParameter("Sliding")) {
+    Where start = where;
+    start.names.t = 0;
+    const bem::Function now = readFunction(list, "Sliding", where);
+    const bem::Function before = readFunction(list, "Sliding", start);
+    condition.sliding = [now, before](bem::Vec2 x) { return now(x) - before(x); };
+  }
   const ParameterList& normal = list.sublist("Normal");
   const Where inner = where.under("Normal");
   condition.normal = contact::parseNormal(normal, [&](const std::string& key) {

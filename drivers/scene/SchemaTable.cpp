@@ -101,6 +101,13 @@ void addSurface(Table& table, const std::string& contact,
     list.only = only;
     add(table, list, rows);
   };
+  Parameter sliding =
+      Row(contact + "->Sliding", Kind::Expression,
+          "tangential motion of the other surface along t of the side that carries the "
+          "stresses (n turned anticlockwise), counted from t = 0; geometry stays")
+          .unit("length");
+  sliding.only = only;
+  append(table, {sliding});
   addLaw("->Friction", "how much shear the contact carries", contact::frictionRows());
   addLaw("->Normal", "how far the surfaces yield to the pressure", contact::normalRows());
 }

@@ -1,7 +1,7 @@
-"""Runs random scenes (scenes.py, bodies.py, oddities.py, products.py): each is solved, in few steps of Newton's.
+"""Runs random scenes (scenes.py, bodies.py, oddities.py, products.py, surfaces.py): each is solved, in few steps of Newton's.
 
     run_random.py EPAFI WORK [--first SEED] [--count N] [--jobs N] [--seed SEED]... [--table FILE]
-                  [--bodies 2|3|rings|odd|products] [--set KEY=VALUE]...
+                  [--bodies 2|3|rings|odd|products|surfaces] [--set KEY=VALUE]...
 
 Prints what fails with the scene's file, then steps per level by law, basis, strategy and more,
 and which stages of the solver decided.
@@ -25,10 +25,11 @@ from oddities import Oddities  # noqa: E402
 from products import Products  # noqa: E402
 from scenes import Scene  # noqa: E402
 from stages import levels, printed  # noqa: E402
+from surfaces import Surfaces  # noqa: E402
 
 FEW, MOST = 30, 100
 KINDS = {"1": Scene, "2": TwoBodies, "3": ThreeBodies, "rings": Rings, "odd": Oddities,
-         "products": Products}
+         "products": Products, "surfaces": Surfaces}
 PATIENCE = 600
 
 

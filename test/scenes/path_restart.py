@@ -23,7 +23,8 @@ if sys.argv[5:] == ["2"]:
                        "Interference", "string", "-x^2/200") + listed(
                            "Normal", parameter("Law", "string", "Exponential"),
                            parameter("Length", "string", "1e-4"),
-                           parameter("Pressure", "string", "1e-3"))), "Density",
+                           parameter("Pressure", "string", "1e-3")) + parameter(
+                           "Sliding", "string", "2e-5*t")), "Density",
                    more=history([1, 2, 4, 6], [1, 7, 16, 16]))
     SCENE = [FILE]
 else:

@@ -217,6 +217,64 @@ claim(differ(last["energy_dissipated"], F * (U - F * (1 / MU + C))) < 1e-9 and d
     last["energy_interface"], 0.5 * C * F * F) < 1e-9 and
       abs(last["energy_error"]) < 1e-12 * last["energy_outside"],
       "above it the rest slips: %.6e dissipated" % last["energy_dissipated"])
+# the plane moves instead, whatever its motion begins with: the same, the work comes from it
+MORE = parameter("Sliding", "string", "5-0.01*t")
+folder, _ = solved("slid", sheared("slid", rub("Tresca", Threshold=F, Compliance=C), "0", LIMITED, listed(
+    "History", parameter("Times", "Array(double)", "{0.1, 1}"),
+    parameter("Steps", "Array(int)", "{2, 9}")), more=MORE))
+for a, b in zip(steps, rows(folder, "steps.csv")):
+    off = max(abs(a[k] - b[k]) for k in ("energy_strain", "energy_dissipated", "energy_interface",
+                                         "bottom.force_x"))
+    claim(off < 1e-15 and abs(b["energy_error"]) < 1e-14,
+          "Sliding of the plane at t = %g: as motion of the block to %.1e" % (b["t"], off))
+folder, _ = solved("bond slid", sheared("bond slid", rub("Tied", Compliance=C), "0", repr(SHEAR), listed(
+    "History", parameter("Times", "Array(double)", "{1}")), more=MORE))
+claim(max(differ(p["lambda_t"], SHEAR) for p in rows(folder)) < 1e-11, "a bond gets a jump along")
+claim(all(differ(p["slip"], 0) < 1e-15 for p in rows(folder)), "slip begins at the first step")
+
+# a rigid pad that is pushed, and one that stays while its surface slides by: the same numbers
+SOFT = body("soft", block(-4, -4, 4, 0), 1.0,
+            condition("bottom", "Dirichlet", Displacement_X="0", Displacement_Y="0"))
+PUSH = "0.004*sin(pi/2*max(0, t - 1))"
+
+
+def pad(name, sliding, **motion):
+    return written(name, [SOFT, rigid("pad", block(-1, 0, 1, 1), listed("Motion", *(
+        parameter(key.replace("_", " "), "string", value) for key, value in motion.items())))],
+        contact("rub", "soft:top", "pad:bottom", friction("0.3") + ROUGH + (
+            parameter("Sliding", "string", sliding) if sliding else "")), "Density", 0.5,
+        more=listed("History", parameter("Times", "Array(double)", "{1, 2, 4}"),
+                    parameter("Steps", "Array(int)", "{2, 4, 8}")))
+
+
+pushed, _ = solved("pushed", pad("pushed", "", Displacement_X=PUSH, Displacement_Y="-0.02*min(t, 1)"))
+slid, _ = solved("pad slid", pad("padslid", "-" + PUSH, Displacement_Y="-0.02*min(t, 1)"))
+worst_of = 0
+for a, b in zip(rows(pushed, "steps.csv"), rows(slid, "steps.csv")):
+    worst_of = max([worst_of] + [abs(a[k] - b[k]) for k in a if k.startswith(("energy", "rub."))
+                                and not k.endswith("_length")])
+claim(worst_of < 1e-14, "a pad pushed, and slid by: the same steps to %.1e" % worst_of)
+a, b = rows(pushed, "history.csv")[-1], rows(slid, "history.csv")[-1]
+claim(differ(a["estimate"], b["estimate"]) < 1e-7 and a["energy_friction"] > 1e-6,
+      "and estimates: %g, %g" % (a["estimate"], b["estimate"]))
+off = max(max(abs(a[k] - b[k]) for k in ("slip", "slip_amplitude", "work"))
+          for a, b in zip(rows(pushed), rows(slid)))
+claim(off < 1e-9, "slip counts what slides by: %.1e" % off)
+
+# gross sliding, either side first: the number is the same, t turns with the side
+got = {}
+for first in ("upper", "lower"):
+    folder, _ = solved("gross, %s first" % first, halves(
+        "gross", friction("0.3") + parameter("Sliding", "string", "0.05*t"), first, 0.25, 2,
+        "-0.01*min(1, 4*t)", listed("History", parameter("Times", "Array(double)", "{1}"),
+                                    parameter("Steps", "int", 8))))
+    got[first] = rows(folder, "steps.csv")[-1]
+    slips = differ(got[first]["layer.force_tangential"],
+                   -0.3 * got[first]["layer.force_normal"])
+    claim(slips < 1e-10 and got[first]["energy_dissipated"] > 0.3 * 0.0095 * 0.03,
+          "gross sliding, %s first: shear at its bound, against the motion" % first)
+off = differ(got["upper"]["energy_dissipated"], got["lower"]["energy_dissipated"])
+claim(off < 1e-3, "either side first: dissipated alike to %.1e" % off)
 code, text = epafi("check", sheared("none", rub("None", Compliance=C), U, "0"))
 claim(code == 1 and "Compliance" in text, "without friction there is no elastic shear")
 finish()

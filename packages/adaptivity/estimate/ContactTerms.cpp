@@ -182,11 +182,20 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   if (condition.friction.compliance)
     slip = [slip, shear, shearYield, stateBefore, &multiplier, &element](double t) {
       const double earlier =
-          stateBefore == nullptr || stateBefore->multiplier.empty()
+          stateBefore == nullptr
               ? 0
               : multiplier.at(stateBefore->multiplier, element, t).tangential;
       return slip(t) - shearYield(t) * (shear(t) - earlier);
     };
+  if (condition.sliding) {
+    const auto* then = ties ? nullptr : solved.conditionsBefore;
+    const bem::Function earlier =
+        then == nullptr ? bem::Function() : then->contact.at(*element.boundary).sliding;
+    slip = [slip, &mesh, &condition, earlier, units, e](double t) {
+      const bem::Vec2 x = mesh.physicalPoint(e, t);
+      return slip(t) - (condition.sliding(x) - (earlier ? earlier(x) : 0)) / units.length;
+    };
+  }
   const auto bound = [&mesh, &condition, units, e, pressure](double t) {
     return condition.friction.at(mesh.physicalPoint(e, t), units.stress)
         .bound(pressure(t));

@@ -33,7 +33,7 @@ struct ContactProfiles {
   Polynomial pressure;  ///< λₙ
   Polynomial shear;     ///< λₜ
   bem::Profile
-      tangential;  ///< uₜ less elastic shear, in a step of a path what is added to it
+      tangential;        ///< uₜ less elastic shear and sliding; in a step what is added
   bem::Profile opening;  ///< g - uₙ, what the sides yield by included
   bem::Profile bound;    ///< s, for the pressure's positive part
   int degree;

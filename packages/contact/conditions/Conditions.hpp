@@ -44,6 +44,9 @@ struct Conditions {
     std::string name{};         ///< the scene's for contact with another body; else empty
     std::vector<Part> parts{};  ///< of the boundary that meets it; else all of it does
     Normal normal{};            ///< how far the sides yield
+    /// Motion of what is met along t since the path's beginning, where its geometry stays
+    /// [length]; none: it stands still.
+    bem::Function sliding{};
 
     bool holds(int edge, double place) const {
       return name.empty() ||

@@ -132,6 +132,15 @@ Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
         for (int i = 0; i <= contact.degree; ++i)
           if (!contact.holdsNothing(contact.normalCompletions, i))
             numbers[contact.normalOf(i)] += point.weight * gap * chi[i];
+        const bem::Function& sliding = contact.condition->sliding;
+        if (!sliding || contact.tangential < 0)
+          return;
+        const double m =
+            sliding(mesh.physicalPoint(contact.element, point.t)) / units.length;
+        obstacle.largestSliding = std::max(obstacle.largestSliding, std::abs(m));
+        for (int i = 0; i <= contact.degree; ++i)
+          if (!contact.holdsNothing(contact.tangentialCompletions, i))
+            obstacle.jump[contact.tangentialOf(i)] += point.weight * m * chi[i];
       });
   for (const ContactElement& contact : multiplier.elements()) {
     if (contact.tangential >= 0)

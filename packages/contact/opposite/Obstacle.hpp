@@ -9,10 +9,13 @@ namespace epafi::contact {
 
 /// g_i = <g, χ_i>, dimensionless, and what limits the tangential coefficients.
 struct Obstacle {
-  Vector gap;   ///< per normal coefficient
-  Vector jump;  ///< of bonded sides likewise, per coefficient of the multiplier
+  Vector gap;  ///< per normal coefficient
+  /// Per coefficient of the multiplier: of bonded sides likewise, of tangential ones <m, χ_i>,
+  /// m what slides by.
+  Vector jump;
   std::vector<Tangential> tangentials;
   Surface surface;                ///< what the sides yield by
+  double largestSliding = 0;      ///< max of |m|
   double largestPenetration = 0;  ///< max of -g, of |g| where sides are bonded
 };
 

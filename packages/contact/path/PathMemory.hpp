@@ -72,7 +72,7 @@ class PathMemory {
       motions_;  ///< displacements of all bodies and motions of those that do not deform
   Vector forces_;  ///< f + R, and what moves these
   Vector gap_;
-  Vector jump_;  ///< of bonded sides
+  Vector jump_;  ///< of bonded sides, and what slid by
   Vector ofInside_;
 };
 

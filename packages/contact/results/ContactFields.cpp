@@ -82,6 +82,8 @@ ContactPoint ContactFields::at(const Element& element, double t) const {
   point.tangential = units_.length * dot(u, geometry.curve.tangent(t));
   const Conditions::Contact& condition = *element.condition;
   point.gap = units_.length * opposite.gap;
+  if (condition.sliding)
+    point.sliding = condition.sliding(point.place);
   if (condition.normal)
     point.closing =
         units_.length * condition.normal.at(point.place, units_).closing(stress.normal);

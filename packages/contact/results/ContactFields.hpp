@@ -18,10 +18,12 @@ struct ContactPoint {
   double shear = 0;       ///< λₜ [stress]
   double normal = 0;      ///< uₙ, relative to a body that is met [length]
   double tangential = 0;  ///< uₜ likewise [length]
-  double gap = 0;         ///< [length]
-  double bound = 0;       ///< what the law lets |λₜ| be at this pressure [stress]
-  double closing = 0;     ///< by how much the sides yield to the pressure [length]
-  bool closed = false;    ///< λₙ > 0
+  double sliding =
+      0;           ///< how far what is met slid along t; slip is uₜ less this [length]
+  double gap = 0;  ///< [length]
+  double bound = 0;     ///< what the law lets |λₜ| be at this pressure [stress]
+  double closing = 0;   ///< by how much the sides yield to the pressure [length]
+  bool closed = false;  ///< λₙ > 0
   FrictionKind friction = FrictionKind::None;
 };
 

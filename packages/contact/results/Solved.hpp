@@ -38,8 +38,9 @@ struct Solved {
   /// The displacement of the step before in a step of a path, friction counts slip from
   /// there; else null, and slip counts from zero.
   const Vector* displacementBefore = nullptr;
-  const Motions* motionsBefore = nullptr;  ///< likewise of all bodies
-  const State* stateBefore = nullptr;      ///< likewise; without numbers: nothing acted
+  const Motions* motionsBefore = nullptr;        ///< likewise of all bodies
+  const State* stateBefore = nullptr;            ///< likewise; null: nothing acted
+  const Conditions* conditionsBefore = nullptr;  ///< likewise; null: nothing had slid by
 
   Inside insideBefore{};  ///< what acted inside then
 

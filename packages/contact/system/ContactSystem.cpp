@@ -173,6 +173,9 @@ struct ContactSystem::Parts {
     double load = rigid.loadSize();
     for (std::size_t b = 0; b < size(); ++b)
       load += part(b).size();
+    // shear has the size of what presses, however far that slides
+    for (std::size_t b = 0; b < size() && load == 0; ++b)
+      load = part(b).obstacle.largestSliding;
     return load;
   }
 };

@@ -80,7 +80,7 @@ class ContactSystem {
   /// What the nonlinear solver sees, and see ContactProblem::gap.
   const Problem& numbers() const;
   const Vector& gap() const;
-  /// The jump that bonded sides are given, one number per coefficient.
+  /// The jump that bonded sides are given, and what slides by, one number per coefficient.
   const Vector& jump() const;
 
   /// What is given of r where something acts inside, by coefficients: the displacement u_p of the
