@@ -256,9 +256,9 @@ Contributions terms(const ContactProfiles& c, const Vector& breaks, double softn
     const double penetration = positive(-v.opening);
     const double excess = positive(std::abs(v.shear) - v.bound);
     of(squares, Source::Complementarity) += weight * complementarity(v);
-    of(squares, Source::Penetration) += weight *
-                                        softened(v.fineness / size, softness * v.yield) *
-                                        penetration * penetration;
+    of(squares, Source::Penetration) +=
+        softened(weight * v.fineness / size, softness * v.yield / weight) * penetration *
+        penetration;
     of(squares, Source::Tension) += weight * size * tension * tension;
     of(squares, Source::Bound) += weight * size * excess * excess;
     of(squares, Source::Slip) += weight * slip(v);
