@@ -54,6 +54,14 @@ Type joined(Type a, Type b) {
   return a == b ? a : std::max(a, b) == Type::Real ? Type::Real : Type::Text;
 }
 
+/// YAML ends a text without quotes at a comma between brackets: a function's arguments fall apart.
+void checkWhole(const YAML::Node& scalar) {
+  if (scalar.Tag() == "?" && !isBalanced(scalar.Scalar()))
+    throw InputError(at(scalar.Mark()), ": '", scalar.Scalar(),
+                     "' has brackets that are not in pairs; a text with a comma, as in "
+                     "\"max(x, 0)\", needs quotes");
+}
+
 /// Makes the XML of one document.
 class Spelling {
  public:
@@ -79,6 +87,7 @@ class Spelling {
       count(item.first);
       if (!item.first.IsScalar())
         throw InputError(at(item.first.Mark()), ": a key must be a word or a text");
+      checkWhole(item.second.IsScalar() ? item.second : item.first);
       if (item.first.Scalar() != "<<") {
         own.emplace_back(item.first.Scalar(), item.second);
         continue;
@@ -125,6 +134,7 @@ class Spelling {
     for (const YAML::Node& entry : array) {
       if (!entry.IsScalar())
         throw InputError("an array holds numbers or texts, or arrays of as many numbers");
+      checkWhole(entry);
       count(entry);
       type = first ? typeOf(entry) : joined(type, typeOf(entry));
       first = false;
@@ -147,6 +157,9 @@ class Spelling {
     const std::size_t columns = node.begin()->size();
     std::size_t rows = 0;
     for (const YAML::Node& entry : node) {
+      for (const YAML::Node& cell : entry)
+        if (cell.IsScalar())
+          checkWhole(cell);
       if (!entry.IsSequence() || entry.size() != columns)
         throw InputError(
             "entry ", rows, " is no array of ", columns,

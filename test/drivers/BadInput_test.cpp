@@ -171,6 +171,9 @@ TEUCHOS_UNIT_TEST(BadInput, aFileThatIsNoSceneSaysSo) {
       contains(complaintOf("a: {}\n---\nb: {}\n", "scene.yaml"), "several documents"));
   TEST_ASSERT(
       contains(complaintOf("a:\n  Vertices: [[1, 2], [3]]\n", "scene.yaml"), "entry 1"));
+  for (const char* text : {"a:\n  B: {Gap: max(x, 0)}\n", "a:\n  B: [max(x, 0), 1]\n",
+                           "a:\n  B: [[1, 2], [max(x, 0), 1]]\n"})
+    TEST_ASSERT(contains(complaintOf(text, "scene.yaml"), "a comma"));
   TEST_ASSERT(contains(complaintOf(",--\na: {}\n", "scene.yaml"), "under one title"));
   std::string laughs = "a:\n  b0: &b0 [1, 2]\n";  // three times as many from key to key
   for (int i = 1; i < 30; ++i) {
