@@ -144,7 +144,7 @@ claim(list(history[0])[:9] == ["level", "elements", "dof_displacement", "dof_mul
                                "size_min"], "history.csv begins as promised")
 claim(list(contact[0]) == ["boundary", "element", "x", "y", "lambda_n", "lambda_t", "u_n",
                            "u_t", "gap", "bound", "contact", "friction", "body",
-                              "contact_name", "s", "pressure", "shear"],
+                              "contact_name", "s", "normal_closing", "pressure", "shear"],
       "contact.csv has its columns")
 
 # failures of the numerics
