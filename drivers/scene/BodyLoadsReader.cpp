@@ -59,8 +59,16 @@ contact::BodyLoads::Terms fit(const std::vector<Complex>& points,
       rows(static_cast<bem::Index>(k), j) = row[bem::at(j)];
   }
   const bem::LuFactor factor(bem::transposedTimes(rows, rows));
-  bem::Vector c = columnOf(bem::transposedTimes(rows, bem::asColumn(values)), 0);
-  factor.solve(c);
+  bem::Vector c(bem::at(size), 0.0);
+  bem::Vector left = values;
+  // the normal equations of a thin body leave a part of it behind each time
+  for (int round = 0; round < 3; ++round) {
+    bem::Vector more = columnOf(bem::transposedTimes(rows, bem::asColumn(left)), 0);
+    factor.solve(more);
+    bem::axpy(1, more, c);
+    left = values;
+    bem::axpy(-1, multiply(rows, c), left);
+  }
   contact::BodyLoads::Terms terms;
   std::size_t next = 0;
   forEachMonomial(0, [&](int a, int b, Complex) {
@@ -196,7 +204,8 @@ contact::BodyLoads::Terms BodyLoadsReader::temperature(const bem::Outline& outli
   for (const Complex y : latticeOf(9, 0.4))
     deviation = std::max(deviation, std::abs(given(outline.physical(asVector(y))) -
                                              fitted.temperature(asVector(y))));
-  if (deviation > 1e-9 * largest)
+  // on a body of 1 : 100 powers of z cancel to eight digits
+  if (deviation > 1e-7 * largest)
     throw InputError(place.path, ": is no polynomial in x and y of degree at most ",
                      highest, "; the nearest one is off by up to ", deviation);
   return terms;

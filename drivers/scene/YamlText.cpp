@@ -157,9 +157,10 @@ class Spelling {
     const std::size_t columns = node.begin()->size();
     std::size_t rows = 0;
     for (const YAML::Node& entry : node) {
-      for (const YAML::Node& cell : entry)
-        if (cell.IsScalar())
-          checkWhole(cell);
+      if (entry.IsSequence())
+        for (const YAML::Node& cell : entry)
+          if (cell.IsScalar())
+            checkWhole(cell);
       if (!entry.IsSequence() || entry.size() != columns)
         throw InputError(
             "entry ", rows, " is no array of ", columns,

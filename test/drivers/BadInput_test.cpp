@@ -174,6 +174,8 @@ TEUCHOS_UNIT_TEST(BadInput, aFileThatIsNoSceneSaysSo) {
   for (const char* text : {"a:\n  B: {Gap: max(x, 0)}\n", "a:\n  B: [max(x, 0), 1]\n",
                            "a:\n  B: [[1, 2], [max(x, 0), 1]]\n"})
     TEST_ASSERT(contains(complaintOf(text, "scene.yaml"), "a comma"));
+  TEST_ASSERT(
+      contains(complaintOf("a:\n  B: [[0, 0], {c: 1}]\n", "scene.yaml"), "entry 1"));
   TEST_ASSERT(contains(complaintOf(",--\na: {}\n", "scene.yaml"), "under one title"));
   std::string laughs = "a:\n  b0: &b0 [1, 2]\n";  // three times as many from key to key
   for (int i = 1; i < 30; ++i) {
