@@ -60,7 +60,6 @@ SolvedBodies::SolvedBodies(const Ground& ground, const contact::ContactSystem& s
       if (before->conditions != nullptr) {
         bodies_[b].stateBefore = &before->states[b];
         bodies_[b].conditionsBefore = &(*before->conditions)[b];
-        bodies_[b].insideBefore = before->motions.inside[b];
       }
     }
   }

@@ -108,7 +108,7 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
   const int degree =
       geometry.curve.isStraight() ? p : std::min(p + forTurning, bem::largestDegree);
   // that of a particular solution is of another degree than the element
-  const bool acts = solved.conditions.inside || solved.insideBefore;
+  const bool acts = solved.conditions.inside || solved.insideBefore();
   const int degreeOfMotion =
       acts ? std::min(std::max(degree, p + forTurning), bem::largestDegree) : degree;
   const auto component = [&](const auto& direction, bool since) {

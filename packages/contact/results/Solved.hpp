@@ -40,19 +40,21 @@ struct Solved {
   const Vector* displacementBefore = nullptr;
   const Motions* motionsBefore = nullptr;        ///< likewise of all bodies
   const State* stateBefore = nullptr;            ///< likewise; null: nothing acted
-  const Conditions* conditionsBefore = nullptr;  ///< likewise; null: nothing had slid by
-
-  Inside insideBefore{};  ///< what acted inside then
+  const Conditions* conditionsBefore = nullptr;  ///< likewise; null: there were none
 
   /// u, the particular solution's included, dimensionless.
   bem::Vec2 displacementAt(int element, double t) const {
     return whole(displacement, conditions.inside, element, t);
   }
+  /// What acted inside in the step before.
+  Inside insideBefore() const {
+    return conditionsBefore == nullptr ? nullptr : conditionsBefore->inside;
+  }
   /// That of the step before, zero without one.
   bem::Vec2 displacementBeforeAt(int element, double t) const {
     return displacementBefore == nullptr
                ? bem::Vec2{}
-               : whole(*displacementBefore, insideBefore, element, t);
+               : whole(*displacementBefore, insideBefore(), element, t);
   }
 
   /// [u] = u - u of what is met, dimensionless.
