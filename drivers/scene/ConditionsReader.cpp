@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
+#include "bem/quadrature/Gauss.hpp"
 #include "drivers/scene/Scene.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -117,13 +118,36 @@ std::function<bem::Vec2(bem::Vec2)> normalOn(const bem::Outline& outline,
 
 namespace {
 
-/// [length]
-double lengthOf(const bem::Outline& outline, const std::string& boundary) {
+/// A boundary as a line: its length, its centroid and its polar second moment about that, in
+/// the user's units.
+struct Line {
   double length = 0;
-  for (const bem::Edge& edge : outline.edges())
-    if (edge.boundary == boundary)
-      length += edge.curve.length() * outline.scaling().length;
-  return length;
+  bem::Vec2 centroid;
+  double polarMoment = 0;
+};
+
+Line lineOf(const bem::Outline& outline, const std::string& boundary) {
+  const bem::Rule& rule = bem::gaussLegendre(20);
+  const auto integral = [&](const auto& function) {
+    auto sum = 0 * function(bem::Vec2{});
+    for (const bem::Edge& edge : outline.edges())
+      for (int q = 0; edge.boundary == boundary && q < rule.size(); ++q)
+        sum = sum +
+              (0.5 * edge.curve.length() * outline.scaling().length * rule.weights[q]) *
+                  function(outline.physical(edge.curve.point(rule.points[q])));
+    return sum;
+  };
+  Line line;
+  line.length = integral([](bem::Vec2) { return 1.0; });
+  line.centroid = (1 / line.length) * integral([](bem::Vec2 x) { return x; });
+  line.polarMoment =
+      integral([&](bem::Vec2 x) { return dot(x - line.centroid, x - line.centroid); });
+  return line;
+}
+
+double readNumber(const ParameterList& list, const std::string& key, const Where& where) {
+  return evaluateAt(where.names.t, list.get<std::string>(key), where.under(key).place,
+                    where.names);
 }
 
 /// Along one axis, "X" or "Y": as given, or the uniform one of a given force.
@@ -132,13 +156,26 @@ bem::Function readTraction(const ParameterList& list, const std::string& axis,
   const std::string force = "Force " + axis;
   if (!list.isParameter(force))
     return readFunction(list, "Traction " + axis, where);
-  const Place place = where.under(force).place;
   if (list.isParameter("Traction " + axis))
-    throw InputError(place.path, ": give this or Traction ", axis, ", not both");
-  const double traction =
-      evaluateAt(where.names.t, list.get<std::string>(force), place, where.names) /
-      length;
+    throw InputError(where.under(force).place.path, ": give this or Traction ", axis,
+                     ", not both");
+  const double traction = readNumber(list, force, where) / length;
   return [traction](bem::Vec2) { return traction; };
+}
+
+bem::Function sum(const bem::Function& a, const bem::Function& b) {
+  return a ? [a, b](bem::Vec2 x) { return a(x) + b(x); } : b;
+}
+
+/// Adds the traction M/I J(x - c), I = ∫ |x - c|², c the boundary's centroid.
+void addMoment(const ParameterList& list, const Where& where, const Line& line,
+               contact::Conditions::Neumann& load) {
+  if (!list.isParameter("Moment"))
+    return;
+  const double turn = readNumber(list, "Moment", where) / line.polarMoment;
+  const bem::Vec2 c = line.centroid;
+  load.x = sum(load.x, [turn, c](bem::Vec2 x) { return -turn * (x.y - c.y); });
+  load.y = sum(load.y, [turn, c](bem::Vec2 x) { return turn * (x.x - c.x); });
 }
 
 void readBoundary(const ParameterList& list, const std::string& boundary,
@@ -155,9 +192,10 @@ void readBoundary(const ParameterList& list, const std::string& boundary,
     conditions.dirichlet[boundary] = {x, y};
   }
   if (type != "Contact") {
-    const double length = lengthOf(outline, boundary);
-    const contact::Conditions::Neumann load{readTraction(list, "X", where, length),
-                                            readTraction(list, "Y", where, length)};
+    const Line line = lineOf(outline, boundary);
+    contact::Conditions::Neumann load{readTraction(list, "X", where, line.length),
+                                      readTraction(list, "Y", where, line.length)};
+    addMoment(list, where, line, load);
     for (const char* axis : {"X", "Y"})
       if (list.isParameter(std::string("Displacement ") + axis) &&
           (*axis == 'X' ? load.x : load.y))

@@ -144,6 +144,12 @@ void addConditions(Table& table) {
           Row("Force Y", Kind::Expression, "instead of Traction Y, likewise")
               .unit("stress length")
               .only("Neumann"),
+          Row("Moment", Kind::Expression,
+              "added to it: the traction, linear in place, that turns the boundary about "
+              "its centroid, > 0 anticlockwise, per unit of thickness; in t and "
+              "constants")
+              .unit("stress length^2")
+              .only("Neumann"),
           Row("Traction X", Kind::Expression, "where Displacement X is free")
               .unit("stress")
               .only("Dirichlet"),

@@ -245,6 +245,54 @@ TEUCHOS_UNIT_TEST(Forces, areTheUniformTractionTimesTheLength) {
                        "at t = 2; one finite number is needed"));
 }
 
+/// The resultant of the load at 24 Gauss points of each edge: no force, the moment about any
+/// point; a bore of radius 1/4 takes it as shear M/(2πr²) alone.
+TEUCHOS_UNIT_TEST(Forces, aMomentTurnsTheBoundaryAboutItsCentroid) {
+  SceneText text;
+  text.geometry =
+      R"(<Parameter name="Vertices" type='TwoDArray(double)' value="4x2:{0,0, 2,0, 2,1, 0,1}"/>
+         <Parameter name="Edges" type='Array(string)' value="{base, load, top, load}"/>
+         <Parameter name="Bulges" type='Array(double)' value="{0, 0.7, 0, 0}"/>
+         <Parameter name="Hole 1 Vertices" type='TwoDArray(double)' value="2x2:{0.75,0.5, 1.25,0.5}"/>
+         <Parameter name="Hole 1 Edges" type='Array(string)' value="{bore, bore}"/>
+         <Parameter name="Hole 1 Bulges" type='Array(double)' value="{1, 1}"/>)";
+  text.discretization = R"(<Parameter name="Mesh Size" type="double" value="0.25"/>)";
+  text.conditions =
+      neumann("load", parameter("Moment", "6*t") + parameter("Force Y", "2")) +
+      neumann("bore", parameter("Moment", "-5"));
+  const drivers::Scene scene = read(text);
+  const bem::Outline& outline = *scene.bodies[0].outline;
+  const bem::Rule& rule = bem::gaussLegendre(24);
+  for (const std::string name : {"load", "bore"}) {
+    bem::Vec2 force;
+    double moment = 0;
+    bem::Vec2 middle;
+    double length = 0;
+    for (const bem::Edge& edge : outline.edges())
+      for (int q = 0; edge.boundary == name && q < rule.size(); ++q) {
+        const bem::Vec2 x = outline.physical(edge.curve.point(rule.points[q]));
+        const double w =
+            rule.weights[q] * 0.5 * edge.curve.length() * outline.scaling().length;
+        const bem::Vec2 traction{loadOn(scene, name).x(x), loadOn(scene, name).y(x)};
+        force = force + w * traction;
+        moment += w * cross(x, traction);
+        middle = middle + w * x;
+        length += w;
+      }
+    const double forceY = name == "load" ? 2 : 0;
+    TEST_FLOATING_EQUALITY(1 + force.x, 1.0, 1e-13);
+    TEST_FLOATING_EQUALITY(1 + force.y, 1 + forceY, 1e-13);
+    TEST_FLOATING_EQUALITY(moment - forceY * middle.x / length,
+                           name == "load" ? 6.0 : -5.0, 1e-13);
+  }
+  const double shear = 5 / (2 * std::acos(-1.0) * 0.0625);
+  TEST_FLOATING_EQUALITY(loadOn(scene, "bore").y({0.75, 0.5}), shear, 1e-13);
+  TEST_FLOATING_EQUALITY(loadOn(scene, "bore").x({1, 0.75}), shear, 1e-13);
+  text.conditions = neumann("load", parameter("Moment", "x"));
+  TEST_ASSERT(
+      contains(complaintOf(text.xml()), "load->Moment = 'x' is no expression in t"));
+}
+
 TEUCHOS_UNIT_TEST(Motions, areExpressionsInTimeAlone) {
   for (const char* key :
        {"Displacement X", "Displacement Y", "Rotation", "Force X", "Force Y", "Moment"})
