@@ -1,6 +1,7 @@
 #include "drivers/scene/GeometryReader.hpp"
 
 #include "bem/base/Error.hpp"
+#include "drivers/scene/DxfOutline.hpp"
 #include "drivers/scene/GmshOutline.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Text.hpp"
@@ -100,7 +101,9 @@ void expandGeometryFile(Teuchos::ParameterList& geometry, const std::string& sce
   const std::string file =
       (std::filesystem::path(sceneFile).parent_path() / name).string();
   within(message(path, "->File = '", name, "' (", file, "): "), [&] {
-    const bem::Loops loops = readGmsh(readText(file));
+    const auto extension = std::filesystem::path(name).extension();
+    const bool isDrawing = extension == ".dxf" || extension == ".DXF";
+    const bem::Loops loops = (isDrawing ? readDxf : readGmsh)(readText(file));
     geometry.remove("File");
     setLoop(geometry, "", loops.outer);
     for (std::size_t k = 0; k < loops.holes.size(); ++k)

@@ -3,11 +3,12 @@
 #include "bem/base/Error.hpp"
 #include "drivers/scene/Text.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
-#include <sstream>
-#include <system_error>
 
 namespace epafi::drivers {
 
@@ -15,60 +16,83 @@ namespace {
 
 using bem::InputError;
 using bem::message;
-using Tag = GmshTag;
+using Tag = NodeTag;
 
-/// A file line by line, with numbers and quoted names.
-class Lines {
+/// A file section by section: the words of its lines, or in a binary file the numbers
+/// between the lines that begin and end a section.
+class Sections {
  public:
-  explicit Lines(const std::string& text) : stream_(text) {}
+  explicit Sections(const std::string& text) : text_(text) {}
 
-  /// False at the end of the file.
+  /// The next line that is not empty; false at the end of the file.
   bool next() {
     std::string line;
     do {
-      if (!std::getline(stream_, line))
+      if (at_ >= text_.size())
         return false;
+      const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+      line = text_.substr(at_, end - at_);
+      at_ = end + 1;
       ++number_;
       while (!line.empty() && (line.back() == '\r' || line.back() == ' '))
         line.pop_back();
     } while (line.empty());
-    words_.clear();
     split(line);
-    at_ = 0;
     return true;
   }
 
-  /// The next line, which must be there.
+  /// The next line, which must be there; numbers of a binary file stand in no lines.
   void need(const char* what) {
-    if (!next())
-      throw InputError("line ", number_, ": the file ends where ", what,
-                       " should follow");
+    if (!binary_ && !next())
+      failAtEnd(what);
   }
 
-  const std::string& word(const char* what) {
-    if (at_ == words_.size())
+  bool isBinary() const { return fileIsBinary_; }
+  /// From now to the end of the section numbers are bytes.
+  void beginNumbers() { binary_ = fileIsBinary_; }
+  /// Goes on behind the line `end`, whatever stands before it.
+  void endNumbers(const std::string& end) {
+    if (!binary_)
+      return;
+    binary_ = false;
+    at_ = text_.find(end, at_);
+    if (at_ == std::string::npos)
+      failAtEnd(end.c_str());
+  }
+
+  std::string word(const char* what) {
+    if (word_ == words_.size())
       fail(message("the line ends where ", what, " should follow"));
-    return words_[at_++];
+    return words_[word_++];
   }
 
+  /// Gmsh's int.
   Tag whole(const char* what) {
-    const std::string& text = word(what);
+    if (binary_)
+      return bytes<std::int32_t>(what);
+    const std::string text = word(what);
     const auto value = numberIn<Tag>(text);
     if (!value)
       fail(message("'", text, "' is not a whole number; ", what, " is expected"));
     return *value;
   }
 
-  /// A number that counts what follows.
+  /// Gmsh's size_t: a number that counts what follows, or a tag of a node or an element.
   Tag count(const char* what) {
-    const Tag value = whole(what);
+    const Tag value = binary_ ? bytes<std::int64_t>(what) : whole(what);
     if (value < 0)
       fail(message(what, " is ", value));
     return value;
   }
 
   double real(const char* what) {
-    const std::string& text = word(what);
+    if (binary_) {
+      const auto value = bytes<double>(what);
+      if (!std::isfinite(value))
+        fail(message(what, " is not finite"));
+      return value;
+    }
+    const std::string text = word(what);
     char* end = nullptr;
     const double value = std::strtod(text.c_str(), &end);
     if (end != text.c_str() + text.size() || !std::isfinite(value))
@@ -82,11 +106,39 @@ class Lines {
   int number() const { return number_; }
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw InputError("line ", number_, ": ", what);
+    throw InputError(binary_ ? "byte " : "line ", binary_ ? at_ : number_, ": ", what);
+  }
+
+  /// The file's type, as its first section has it; what follows in a binary one tells the
+  /// order of bytes.
+  void setType(Tag type) {
+    if (type != 0 && type != 1)
+      fail(message("file type ", type, " is unknown; 0 is ASCII, 1 is binary"));
+    fileIsBinary_ = type == 1;
+    beginNumbers();
+    if (binary_ && whole("1") != 1)
+      fail("the mesh was written in another order of bytes; write it as ASCII");
+    endNumbers("$EndMeshFormat");
   }
 
  private:
+  [[noreturn]] void failAtEnd(const char* what) const {
+    throw InputError("line ", number_, ": the file ends where ", what, " should follow");
+  }
+
+  template <class Number>
+  Number bytes(const char* what) {
+    Number value;
+    if (text_.size() - at_ < sizeof value)
+      failAtEnd(what);
+    std::memcpy(&value, text_.data() + at_, sizeof value);
+    at_ += sizeof value;
+    return value;
+  }
+
   void split(const std::string& line) {
+    words_.clear();
+    word_ = 0;
     for (std::size_t i = 0; i < line.size();) {
       if (line[i] == ' ' || line[i] == '\t') {
         ++i;
@@ -102,78 +154,104 @@ class Lines {
     }
   }
 
-  std::istringstream stream_;
+  const std::string& text_;
+  std::size_t at_ = 0;  ///< the next byte
+  bool fileIsBinary_ = false;
+  bool binary_ = false;
   std::vector<std::string> words_;
-  std::size_t at_ = 0;
+  std::size_t word_ = 0;
   int number_ = 0;
 };
 
-void checkFormat(Lines& lines) {
-  lines.need("the format");
-  const std::string version = lines.word("the format's version");
-  const Tag type = lines.whole("the file type");
+void readFormat(Sections& file) {
+  file.need("the format");
+  const std::string version = file.word("the format's version");
+  const Tag type = file.whole("the file type");
   if (version != "4.1")
-    lines.fail(message("format ", version, " is not read, only 4.1; export it again by ",
-                       "gmsh OLD.msh -save -format msh41 -o NEW.msh"));
-  if (type != 0)
-    lines.fail("the mesh is binary; write it as ASCII (Mesh.Binary = 0)");
+    file.fail(message("format ", version, " is not read, only 4.1; export it again by ",
+                      "gmsh OLD.msh -save -format msh41 -o NEW.msh"));
+  file.setType(type);
 }
 
-void readNames(Lines& lines, GmshMesh& mesh) {
-  lines.need("the number of physical names");
-  for (Tag n = lines.count("the number of physical names"); n > 0; --n) {
-    lines.need("a physical name");
-    const Tag dimension = lines.whole("a dimension");
-    const Tag tag = lines.whole("a physical tag");
-    const std::string name = lines.word("a physical name");
+void readNames(Sections& file, GmshMesh& mesh) {
+  file.need("the number of physical names");
+  for (Tag n = file.count("the number of physical names"); n > 0; --n) {
+    file.need("a physical name");
+    const Tag dimension = file.whole("a dimension");
+    const Tag tag = file.whole("a physical tag");
+    const std::string name = file.word("a physical name");
     if (dimension == 1)
       mesh.names[tag] = name;
   }
 }
 
 /// Gmsh marks curves that run backwards by a minus.
-Tag physical(Lines& lines) {
-  const Tag tag = lines.whole("a physical tag");
+Tag physical(Sections& file) {
+  const Tag tag = file.whole("a physical tag");
   return tag < 0 && tag != std::numeric_limits<Tag>::min() ? -tag : tag;
 }
 
+/// A point or a curve after its tag: the box it fills, then its physical groups.
+std::vector<Tag> groupsOfEntity(Sections& file, int reals) {
+  for (int i = 0; i < reals; ++i)
+    file.real("a bounding box");
+  std::vector<Tag> groups;
+  for (Tag g = file.count("the number of physical tags"); g > 0; --g)
+    groups.push_back(physical(file));
+  return groups;
+}
+
 /// Points, then curves; the rest of the section is skipped.
-void readEntities(Lines& lines, GmshMesh& mesh) {
-  lines.need("the numbers of entities");
-  const Tag points = lines.count("the number of points");
-  const Tag curves = lines.count("the number of curves");
-  for (Tag n = 0; n < points; ++n)
-    lines.need("a point");
+void readEntities(Sections& file, GmshMesh& mesh) {
+  file.need("the numbers of entities");
+  const Tag points = file.count("the number of points");
+  const Tag curves = file.count("the number of curves");
+  for (const char* what : {"the number of surfaces", "the number of volumes"})
+    file.count(what);
+  for (Tag n = 0; n < points; ++n) {
+    file.need("a point");
+    file.whole("a point's tag");
+    groupsOfEntity(file, 3);
+  }
   for (Tag n = 0; n < curves; ++n) {
-    lines.need("a curve");
-    const Tag tag = lines.whole("a curve's tag");
-    for (int i = 0; i < 6; ++i)
-      lines.real("a bounding box");
-    for (Tag g = lines.count("the number of physical tags"); g > 0; --g)
-      mesh.groups[tag].push_back(physical(lines));
+    file.need("a curve");
+    const Tag tag = file.whole("a curve's tag");
+    mesh.groups[tag] = groupsOfEntity(file, 6);
+    for (Tag ends = file.count("the number of end points"); ends > 0; --ends)
+      file.whole("a point's tag");
   }
 }
 
-void readNodes(Lines& lines, GmshMesh& mesh) {
-  lines.need("the numbers of nodes");
-  for (Tag blocks = lines.count("the number of blocks"); blocks > 0; --blocks) {
-    lines.need("a block of nodes");
-    lines.whole("a dimension");
-    lines.whole("an entity's tag");
-    lines.whole("'parametric'");
-    const Tag count = lines.count("the number of nodes");
+/// The number of blocks; what else stands there nobody needs.
+Tag countBlocks(Sections& file, const char* what) {
+  file.need(what);
+  const Tag blocks = file.count("the number of blocks");
+  for (int i = 0; i < 3; ++i)
+    file.count(what);
+  return blocks;
+}
+
+void readNodes(Sections& file, GmshMesh& mesh) {
+  for (Tag blocks = countBlocks(file, "the numbers of nodes"); blocks > 0; --blocks) {
+    file.need("a block of nodes");
+    const Tag dimension = file.whole("a dimension");
+    file.whole("an entity's tag");
+    const bool parametric = file.whole("'parametric'") != 0;
+    const Tag count = file.count("the number of nodes");
     std::vector<Tag> tags;
     for (Tag n = 0; n < count; ++n) {
-      lines.need("a node's tag");
-      tags.push_back(lines.whole("a node's tag"));
+      file.need("a node's tag");
+      tags.push_back(file.count("a node's tag"));
     }
     for (const Tag tag : tags) {
-      lines.need("a node");
-      const double x = lines.real("x");
-      const double y = lines.real("y");
-      const double z = lines.real("z");
+      file.need("a node");
+      const double x = file.real("x");
+      const double y = file.real("y");
+      const double z = file.real("z");
+      for (Tag i = 0; parametric && i < std::min<Tag>(dimension, 3); ++i)
+        file.real("a parameter");
       if (!mesh.nodes.insert({tag, {{x, y}, z}}).second)
-        lines.fail(message("node ", tag, " is given twice"));
+        file.fail(message("node ", tag, " is given twice"));
     }
   }
 }
@@ -182,49 +260,59 @@ bool isOfHigherOrder(Tag type) {
   return (26 <= type && type <= 28) || (62 <= type && type <= 66);
 }
 
-/// The nodes of an element's line, if it is a line.
-void addLine(Lines& lines, GmshMesh& mesh, Tag type, Tag group) {
-  constexpr Tag segment = 1;
-  constexpr Tag secondOrder = 8;
-  if (isOfHigherOrder(type))
-    lines.fail(
-        "a line element of third or higher order; write straight ones or arcs "
-        "(Mesh.ElementOrder = 1 or 2)");
-  if ((type != segment && type != secondOrder) || group == 0)
-    return;
-  GmshLine line;
-  line.from = lines.whole("a node's tag");
-  line.to = lines.whole("a node's tag");
-  if (type == secondOrder)
-    line.middle = lines.whole("a node's tag");
-  line.group = group;
-  line.fileLine = lines.number();
-  mesh.lines.push_back(line);
-}
-
-Tag groupOf(const Lines& lines, const GmshMesh& mesh, Tag curve) {
+Tag groupOf(const Sections& file, const GmshMesh& mesh, Tag curve) {
   const auto found = mesh.groups.find(curve);
   if (found == mesh.groups.end() || found->second.empty())
     return 0;
   if (found->second.size() > 1)
-    lines.fail(message("curve ", curve, " belongs to ", found->second.size(),
-                       " physical groups; an edge has one name"));
+    file.fail(message("curve ", curve, " belongs to ", found->second.size(),
+                      " physical groups; an edge has one name"));
   return found->second.front();
 }
 
-void readElements(Lines& lines, GmshMesh& mesh) {
-  lines.need("the numbers of elements");
-  for (Tag blocks = lines.count("the number of blocks"); blocks > 0; --blocks) {
-    lines.need("a block of elements");
-    const Tag dimension = lines.whole("a dimension");
-    const Tag entity = lines.whole("an entity's tag");
-    const Tag type = lines.whole("an element's type");
-    const Tag count = lines.count("the number of elements");
-    const Tag group = dimension == 1 ? groupOf(lines, mesh, entity) : 0;
+/// The lines of a block on a curve.
+void readLines(Sections& file, GmshMesh& mesh, Tag type, Tag group, Tag count) {
+  constexpr Tag segment = 1;
+  constexpr Tag secondOrder = 8;
+  for (Tag n = 0; n < count; ++n) {
+    file.need("an element");
+    file.count("an element's number");
+    if (isOfHigherOrder(type))
+      file.fail(
+          "a line element of third or higher order; write straight ones or arcs "
+          "(Mesh.ElementOrder = 1 or 2)");
+    if (type != segment && type != secondOrder)
+      file.fail(message("an element of type ", type, " on a curve"));
+    GmshLine line;
+    line.from = file.count("a node's tag");
+    line.to = file.count("a node's tag");
+    if (type == secondOrder)
+      line.middle = file.count("a node's tag");
+    line.group = group;
+    line.fileLine = file.number();
+    if (group != 0)
+      mesh.lines.push_back(line);
+  }
+}
+
+/// Points, lines, then what fills the plane, which is skipped.
+void readElements(Sections& file, GmshMesh& mesh) {
+  for (Tag blocks = countBlocks(file, "the numbers of elements"); blocks > 0; --blocks) {
+    file.need("a block of elements");
+    const Tag dimension = file.whole("a dimension");
+    const Tag entity = file.whole("an entity's tag");
+    const Tag type = file.whole("an element's type");
+    const Tag count = file.count("the number of elements");
+    if (dimension == 1) {
+      readLines(file, mesh, type, groupOf(file, mesh, entity), count);
+      continue;
+    }
+    if (dimension > 1 && file.isBinary())
+      return;  // Gmsh writes them last
     for (Tag n = 0; n < count; ++n) {
-      lines.need("an element");
-      lines.whole("an element's number");
-      addLine(lines, mesh, type, group);
+      file.need("an element");
+      file.count("an element's number");
+      file.count("a node's tag");
     }
   }
 }
@@ -232,26 +320,32 @@ void readElements(Lines& lines, GmshMesh& mesh) {
 }  // namespace
 
 GmshMesh readGmshMesh(const std::string& text) {
-  Lines lines(text);
+  struct Section {
+    const char* name;
+    void (*read)(Sections& file, GmshMesh& mesh);
+  };
+  constexpr Section numbers[] = {
+      {"Entities", readEntities}, {"Nodes", readNodes}, {"Elements", readElements}};
+  Sections file(text);
   GmshMesh mesh;
-  if (!lines.next() || !lines.is("$MeshFormat"))
+  if (!file.next() || !file.is("$MeshFormat"))
     throw InputError("line 1: $MeshFormat is missing; this is no Gmsh mesh");
-  checkFormat(lines);
+  readFormat(file);
   bool elements = false;
-  while (lines.next()) {
-    if (lines.is("$PhysicalNames"))
-      readNames(lines, mesh);
-    else if (lines.is("$Entities"))
-      readEntities(lines, mesh);
-    else if (lines.is("$Nodes"))
-      readNodes(lines, mesh);
-    else if (lines.is("$Elements")) {
-      readElements(lines, mesh);
-      elements = true;
-    }
+  while (file.next()) {
+    if (file.is("$PhysicalNames"))
+      readNames(file, mesh);
+    for (const Section& section : numbers)
+      if (file.is(message("$", section.name).c_str())) {
+        file.beginNumbers();
+        section.read(file, mesh);
+        file.endNumbers(message("$End", section.name));
+        elements = elements || section.read == readElements;
+        break;
+      }
   }
   if (!elements)
-    throw InputError("line ", lines.number(), ": the file has no $Elements");
+    throw InputError("line ", file.number(), ": the file has no $Elements");
   if (mesh.lines.empty())
     throw InputError(
         "no line element belongs to a physical group; name the boundary's curves "

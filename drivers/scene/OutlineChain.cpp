@@ -1,8 +1,7 @@
-#include "drivers/scene/GmshOutline.hpp"
+#include "drivers/scene/OutlineChain.hpp"
 
 #include "bem/base/Error.hpp"
 #include "bem/geometry/Crossing.hpp"
-#include "drivers/scene/GmshMesh.hpp"
 
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -18,7 +17,7 @@ using bem::InputError;
 using bem::Loop;
 using bem::message;
 using bem::Vec2;
-using Tag = GmshTag;
+using Tag = NodeTag;
 
 /// Two lines whose directions differ by less (in radians) are one edge.
 constexpr double straight = 1e-9;
@@ -27,92 +26,37 @@ constexpr double straight = 1e-9;
 /// smaller share are parts of one circle: coordinates of 7 digits say no more.
 constexpr double oneCircle = 1e-6;
 
-std::vector<Tag> nodesOf(const GmshLine& line) {
-  std::vector<Tag> nodes = {line.from, line.to};
-  if (line.middle != 0)
-    nodes.push_back(line.middle);
-  return nodes;
-}
-
-/// The lines at every node; exactly two where the mesh is an outline.
-std::map<Tag, std::vector<std::size_t>> incidence(const GmshMesh& mesh) {
+/// The pieces at every node; exactly two where they are an outline.
+std::map<Tag, std::vector<std::size_t>> incidence(const OutlinePieces& all) {
   std::map<Tag, std::vector<std::size_t>> result;
-  std::set<std::pair<std::pair<Tag, Tag>, Tag>> pairs;
-  for (std::size_t i = 0; i < mesh.lines.size(); ++i) {
-    const GmshLine& line = mesh.lines[i];
-    const std::string where = message("line ", line.fileLine, ": ");
-    for (const Tag node : nodesOf(line))
-      if (mesh.nodes.count(node) == 0)
-        throw InputError(where, "there is no node ", node);
-    if (line.from == line.to)
-      throw InputError(where, "an element from node ", line.from, " to itself");
-    if (!pairs.insert({std::minmax(line.from, line.to), line.middle}).second)
-      throw InputError(where, "a second element between nodes ", line.from, " and ",
-                       line.to, "; an edge has one name");
-    result[line.from].push_back(i);
-    result[line.to].push_back(i);
+  std::set<std::pair<std::pair<Tag, Tag>, double>> pairs;
+  for (std::size_t i = 0; i < all.pieces.size(); ++i) {
+    const OutlinePiece& piece = all.pieces[i];
+    const std::string where = message("line ", piece.fileLine, ": ");
+    if (piece.from == piece.to)
+      throw InputError(where, "an element from node ", piece.from, " to itself");
+    const double bulge = piece.from < piece.to ? piece.bulge : -piece.bulge;
+    if (!pairs.insert({std::minmax(piece.from, piece.to), bulge}).second)
+      throw InputError(where, "a second element between nodes ", piece.from, " and ",
+                       piece.to, "; an edge has one name");
+    result[piece.from].push_back(i);
+    result[piece.to].push_back(i);
   }
   for (const auto& [tag, touching] : result)
     if (touching.size() != 2) {
-      const Vec2 place = mesh.nodes.at(tag).place;
-      throw InputError("line ", mesh.lines[touching.front()].fileLine, ": at node ", tag,
+      const Vec2 place = all.nodes.at(tag);
+      throw InputError("line ", all.pieces[touching.front()].fileLine, ": at node ", tag,
                        " = (", place.x, ", ", place.y, ") ",
                        touching.size() == 1
-                           ? "the outline ends; all of its curves need a physical group"
-                           : message(touching.size(), " lines meet; an outline has two"),
-                       " (lines without a physical group are not read)");
+                           ? message("the outline ends; ", all.advice)
+                           : message(touching.size(), " lines meet; an outline has two"));
     }
   return result;
-}
-
-void checkPlane(const GmshMesh& mesh) {
-  double least = 0;
-  double most = 0;
-  double size = 0;
-  bool first = true;
-  for (const GmshLine& line : mesh.lines)
-    for (const Tag tag : nodesOf(line)) {
-      const GmshNode& node = mesh.nodes.at(tag);
-      least = first ? node.z : std::min(least, node.z);
-      most = first ? node.z : std::max(most, node.z);
-      size = std::max({size, std::abs(node.place.x), std::abs(node.place.y)});
-      first = false;
-    }
-  if (most - least > 1e-9 * size)
-    throw InputError("the outline is not in a plane of constant z: from z = ", least,
-                     " to ", most);
-}
-
-std::string nameOf(const GmshMesh& mesh, Tag group) {
-  const auto name = mesh.names.find(group);
-  return name == mesh.names.end() ? std::to_string(group) : name->second;
 }
 
 bem::Curve curveOf(const Loop& loop, std::size_t i) {
   return {loop.vertices[i], loop.vertices[(i + 1) % loop.vertices.size()],
           loop.bulges[i]};
-}
-
-/// tan(angle/4) of the arc through three points: half of its angle is what the chords to
-/// the middle one turn by.
-double bulgeThrough(Vec2 from, Vec2 middle, Vec2 to, const std::string& where) {
-  const double turn =
-      std::atan2(cross(middle - from, to - middle), dot(middle - from, to - middle));
-  constexpr double quarterTurn = 1.5707963267948966;
-  if (!(std::abs(turn) <= quarterTurn * (1 + 1e-9)))
-    throw InputError(where +
-                     "the middle node of a line of second order is not between its ends");
-  return std::abs(turn) < straight ? 0 : std::tan(0.5 * turn);
-}
-
-double bulgeOf(const GmshMesh& mesh, const GmshLine& line, Tag from) {
-  if (line.middle == 0)
-    return 0;
-  const Vec2 a = mesh.nodes.at(line.from).place;
-  const Vec2 b = mesh.nodes.at(line.to).place;
-  const double bulge = bulgeThrough(a, mesh.nodes.at(line.middle).place, b,
-                                    message("line ", line.fileLine, ": "));
-  return from == line.from ? bulge : -bulge;
 }
 
 double twiceArea(const Loop& loop) {
@@ -191,26 +135,28 @@ Loop merged(const Loop& loop, const std::vector<Tag>& tags) {
   return result;
 }
 
-std::vector<Loop> chain(const GmshMesh& mesh) {
-  const auto touching = incidence(mesh);
-  std::vector<bool> used(mesh.lines.size(), false);
+std::vector<Loop> chain(const OutlinePieces& all) {
+  const auto touching = incidence(all);
+  std::vector<bool> used(all.pieces.size(), false);
   std::vector<Loop> loops;
-  for (std::size_t start = 0; start < mesh.lines.size(); ++start) {
+  for (std::size_t start = 0; start < all.pieces.size(); ++start) {
     if (used[start])
       continue;
     Loop loop;
     std::vector<Tag> tags;
-    std::size_t line = start;
-    Tag node = mesh.lines[start].from;
-    while (!used[line]) {
-      used[line] = true;
+    std::size_t at = start;
+    Tag node = all.pieces[start].from;
+    while (!used[at]) {
+      const OutlinePiece& piece = all.pieces[at];
+      const bool forwards = piece.from == node;
+      used[at] = true;
       tags.push_back(node);
-      loop.vertices.push_back(mesh.nodes.at(node).place);
-      loop.edges.push_back(nameOf(mesh, mesh.lines[line].group));
-      loop.bulges.push_back(bulgeOf(mesh, mesh.lines[line], node));
-      node = mesh.lines[line].from == node ? mesh.lines[line].to : mesh.lines[line].from;
+      loop.vertices.push_back(all.nodes.at(node));
+      loop.edges.push_back(piece.boundary);
+      loop.bulges.push_back(forwards ? piece.bulge : -piece.bulge);
+      node = forwards ? piece.to : piece.from;
       const auto& both = touching.at(node);
-      line = both[0] == line ? both[1] : both[0];
+      at = both[0] == at ? both[1] : both[0];
     }
     if (twiceArea(loop) < 0)
       reverse(loop, tags);
@@ -221,10 +167,8 @@ std::vector<Loop> chain(const GmshMesh& mesh) {
 
 }  // namespace
 
-bem::Loops readGmsh(const std::string& text) {
-  const GmshMesh mesh = readGmshMesh(text);
-  std::vector<Loop> loops = chain(mesh);
-  checkPlane(mesh);
+bem::Loops chained(const OutlinePieces& pieces) {
+  std::vector<Loop> loops = chain(pieces);
   for (const Loop& loop : loops)
     if (loop.vertices.size() < (loop.bulges.empty() ? 3 : 2))
       throw InputError("a loop of lines has no area");

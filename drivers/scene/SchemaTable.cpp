@@ -88,8 +88,11 @@ void addBody(Table& table) {
               .unit("1")
               .range({-10, 10, false, false}),
           Row("File", Kind::Text,
-              "instead of vertices and edges: a Gmsh mesh (.msh, ASCII 4.1), "
-              "relative to the scene; its physical curves name the boundaries"),
+              "instead of vertices and edges: a Gmsh mesh (.msh, format 4.1), whose "
+              "physical "
+              "curves name the boundaries, or a drawing (.dxf), whose layers do; "
+              "relative "
+              "to the scene"),
       });
 }
 

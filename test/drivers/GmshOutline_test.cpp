@@ -1,6 +1,7 @@
 #include "drivers/scene/GmshOutline.hpp"
 
 #include "bem/base/Error.hpp"
+#include "drivers/scene/SceneFile.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -119,7 +120,7 @@ TEUCHOS_UNIT_TEST(GmshOutline, namesTheLineOfWhatIsNoMesh) {
   TEST_COMPLAINT("", "line 1: $MeshFormat is missing");
   TEST_COMPLAINT("solid\n", "line 1: $MeshFormat is missing");
   TEST_COMPLAINT("$MeshFormat\n", "the file ends");
-  TEST_COMPLAINT("$MeshFormat\n4.1 1 8\n", "line 2: the mesh is binary");
+  TEST_COMPLAINT("$MeshFormat\n4.1 2 8\n", "line 2: file type 2 is unknown");
   TEST_COMPLAINT("$MeshFormat\n4.1 zero 8\n", "line 2: 'zero' is not a whole number");
   TEST_COMPLAINT(header + names + nodes, "no $Elements");
   const std::string one = header + "$Nodes\n1 1 1 1\n1 1 0 1\n1\n";
@@ -132,6 +133,22 @@ TEUCHOS_UNIT_TEST(GmshOutline, namesTheLineOfWhatIsNoMesh) {
   const std::string start = header + entities + nodes;
   TEST_COMPLAINT(start + elements({line(1, "5")}), "line 28: the line ends");
   TEST_COMPLAINT(start + "$Elements\n9 0 0 0\n1 1 1 1\n1 5 1\n", "the file ends");
+}
+
+/// A plate with a bore, lines of second order, in the plane filled with triangles.
+TEUCHOS_UNIT_TEST(GmshOutline, aBinaryMeshIsTheSameOutline) {
+  const std::string folder = EPAFI_MESHES;
+  const std::string bytes = drivers::readText(folder + "/bore_binary.msh");
+  const Loops loops = drivers::readGmsh(bytes);
+  const Loops same = drivers::readGmsh(drivers::readText(folder + "/bore.msh"));
+  TEST_EQUALITY(loops.holes.size(), 1u);
+  TEST_ASSERT(loops.outer.edges == same.outer.edges);
+  TEST_COMPARE_FLOATING_ARRAYS(loops.holes[0].bulges, same.holes[0].bulges, 1e-14);
+  for (std::size_t i = 0; i < 4; ++i)
+    TEST_EQUALITY(norm(loops.outer.vertices[i] - same.outer.vertices[i]), 0);
+  for (const std::size_t size : {bytes.size() / 4, bytes.size() / 2})
+    TEST_COMPLAINT(bytes.substr(0, size), "the file ends where");
+  TEST_COMPLAINT("$MeshFormat\n4.1 1 8\n" + std::string("\0\0\0\1", 4), "order of bytes");
 }
 
 TEUCHOS_UNIT_TEST(GmshOutline, saysHowAnotherFormatIsExportedAgain) {

@@ -1,5 +1,6 @@
-// The Gmsh reader on any text: it reads loops that Outline judges, or throws.
+// The readers of outlines on any bytes: they read loops that Outline judges, or throw.
 #include "bem/base/Error.hpp"
+#include "drivers/scene/DxfOutline.hpp"
 #include "drivers/scene/GmshOutline.hpp"
 
 #include <cstddef>
@@ -9,13 +10,14 @@
 namespace epafi {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  try {
-    const bem::Loops loops =
-        drivers::readGmsh(std::string(reinterpret_cast<const char*>(data), size));
-    bem::Outline(loops.outer, loops.holes);
-  } catch (const bem::InputError&) {
-    // what a bad mesh gets
-  }
+  const std::string text(reinterpret_cast<const char*>(data), size);
+  for (const auto read : {drivers::readGmsh, drivers::readDxf})
+    try {
+      const bem::Loops loops = read(text);
+      bem::Outline(loops.outer, loops.holes);
+    } catch (const bem::InputError&) {
+      // what a bad file gets
+    }
   return 0;
 }
 

@@ -1,0 +1,237 @@
+#include "drivers/scene/DxfOutline.hpp"
+
+#include "bem/base/Error.hpp"
+#include "drivers/scene/OutlineChain.hpp"
+#include "drivers/scene/Text.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <sstream>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::InputError;
+using bem::message;
+using bem::Vec2;
+
+constexpr double pi = boost::math::constants::pi<double>();
+
+/// A line with a number that says what the next line means, and that line.
+struct Pair {
+  int code = 0;
+  std::string value;
+  int fileLine = 0;
+};
+
+/// What begins with a pair of code 0, and its pairs.
+struct Entity {
+  std::string kind;
+  int fileLine = 0;
+  std::vector<Pair> pairs;
+
+  const Pair* find(int code) const {
+    const auto found = std::find_if(pairs.begin(), pairs.end(),
+                                    [=](const Pair& pair) { return pair.code == code; });
+    return found == pairs.end() ? nullptr : &*found;
+  }
+};
+
+double numberOf(const Pair& pair) {
+  char* end = nullptr;
+  const double value = std::strtod(pair.value.c_str(), &end);
+  if (pair.value.empty() || *end != '\0' || !std::isfinite(value))
+    throw InputError("line ", pair.fileLine, ": '", pair.value,
+                     "' is not a finite number (group ", pair.code, ")");
+  return value;
+}
+
+double numberAt(const Entity& entity, int code) {
+  if (const Pair* pair = entity.find(code))
+    return numberOf(*pair);
+  throw InputError("line ", entity.fileLine, ": ", entity.kind, " has no group ", code);
+}
+
+double numberAt(const Entity& entity, int code, double otherwise) {
+  return entity.find(code) == nullptr ? otherwise : numberAt(entity, code);
+}
+
+/// The pairs of a file, one after the other.
+std::optional<Pair> nextPair(std::istringstream& file, int& line) {
+  std::string code;
+  std::string value;
+  if (!std::getline(file, code))
+    return std::nullopt;
+  ++line;
+  const auto number = numberIn<int>(trimmed(code));
+  if (!number)
+    throw InputError("line ", line, ": '", trimmed(code),
+                     "' is not a group code; this is no drawing in ASCII DXF");
+  if (!std::getline(file, value))
+    throw InputError("line ", line, ": the file ends where a value should follow");
+  ++line;
+  return Pair{*number, trimmed(value), line};
+}
+
+/// What stands between SECTION ENTITIES and its ENDSEC.
+std::vector<Entity> readEntities(const std::string& text) {
+  std::istringstream file(text);
+  std::vector<Entity> all;
+  int line = 0;
+  std::string section;
+  bool found = false;
+  while (const auto pair = nextPair(file, line)) {
+    if (pair->code == 0 && pair->value == "ENDSEC")
+      section.clear();
+    if (pair->code == 2 && section == "SECTION") {
+      section = pair->value;
+      found = found || section == "ENTITIES";
+    } else if (pair->code == 0 && pair->value == "SECTION")
+      section = "SECTION";
+    else if (section == "ENTITIES" && pair->code == 0)
+      all.push_back({pair->value, pair->fileLine, {}});
+    else if (section == "ENTITIES" && !all.empty())
+      all.back().pairs.push_back(*pair);
+  }
+  if (!found)
+    throw InputError("line ", line, ": the file has no section ENTITIES");
+  return all;
+}
+
+/// Puts ends into nodes and entities into pieces.
+class Drawing {
+ public:
+  /// A polyline of old has its vertices and a SEQEND behind it.
+  explicit Drawing(const std::vector<Entity>& entities) {
+    for (std::size_t i = 0; i < entities.size(); ++i) {
+      const Entity& entity = entities[i];
+      if (numberAt(entity, 67, 0) != 0)  // on paper
+        continue;
+      mirrored_ = entity.kind != "LINE" && numberAt(entity, 230, 1) < 0;
+      if (entity.kind == "LINE")
+        add(entity, {numberAt(entity, 10), numberAt(entity, 20)},
+            {numberAt(entity, 11), numberAt(entity, 21)}, 0);
+      else if (entity.kind == "ARC")
+        addArc(entity, numberAt(entity, 50), numberAt(entity, 51));
+      else if (entity.kind == "CIRCLE")
+        addArc(entity, 0, 360);
+      else if (entity.kind == "LWPOLYLINE")
+        addPolyline(entity, entity.pairs);
+      else if (entity.kind == "POLYLINE") {
+        std::vector<Pair> vertices;
+        for (; i + 1 < entities.size() && entities[i + 1].kind == "VERTEX"; ++i)
+          for (const Pair& pair : entities[i + 1].pairs)
+            vertices.push_back(pair);
+        addPolyline(entity, vertices);
+      } else
+        checkIsNoCurve(entity);
+    }
+    if (ends_.empty())
+      throw InputError(
+          "the drawing has no lines, arcs, circles or polylines in model space");
+  }
+
+  /// Pieces without length, as of a closed polyline that ends where it starts, are none.
+  OutlinePieces outline() const {
+    OutlinePieces result;
+    result.advice =
+        "lines, arcs and polylines of all layers must close "
+        "(ends closer than 1e-6 of the drawing's size are one corner)";
+    double size = 0;
+    for (const Vec2 end : ends_)
+      size = std::max({size, std::abs(end.x - ends_[0].x), std::abs(end.y - ends_[0].y)});
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      OutlinePiece piece = pieces_[i];
+      piece.from = nodeAt(result, ends_[2 * i], 1e-6 * size);
+      piece.to = nodeAt(result, ends_[2 * i + 1], 1e-6 * size);
+      if (piece.from != piece.to)
+        result.pieces.push_back(piece);
+    }
+    return result;
+  }
+
+ private:
+  static void checkIsNoCurve(const Entity& entity) {
+    for (const char* kind : {"SPLINE", "ELLIPSE", "INSERT", "MLINE", "REGION"})
+      if (entity.kind == kind)
+        throw InputError("line ", entity.fileLine, ": ", entity.kind,
+                         " is not read; explode it, or draw lines, arcs, circles and "
+                         "polylines");
+  }
+
+  static NodeTag nodeAt(OutlinePieces& outline, Vec2 place, double tolerance) {
+    for (const auto& [tag, node] : outline.nodes)
+      if (norm(node - place) <= tolerance)
+        return tag;
+    const auto tag = static_cast<NodeTag>(outline.nodes.size()) + 1;
+    outline.nodes[tag] = place;
+    return tag;
+  }
+
+  void add(const Entity& entity, Vec2 from, Vec2 to, double bulge) {
+    const Pair* layer = entity.find(8);
+    pieces_.push_back({0, 0, mirrored_ ? -bulge : bulge,
+                       layer == nullptr ? "0" : layer->value, entity.fileLine});
+    for (const Vec2 end : {from, to})
+      ends_.push_back({mirrored_ ? -end.x : end.x, end.y});
+  }
+
+  /// Anticlockwise between two angles in degrees; in halves where it is more than half of a
+  /// circle.
+  void addArc(const Entity& entity, double from, double to) {
+    const Vec2 center{numberAt(entity, 10), numberAt(entity, 20)};
+    const double radius = numberAt(entity, 40);
+    if (!(radius > 0))
+      throw InputError("line ", entity.fileLine, ": ", entity.kind, " has radius ",
+                       radius);
+    double angle = std::fmod(to - from, 360);
+    if (angle <= 0)
+      angle += 360;
+    const int parts = angle > 180 ? 2 : 1;
+    const auto at = [&](int part) {
+      const double degrees = std::fmod(from + part * angle / parts, 360);
+      return center +
+             radius * Vec2{std::cos(degrees * pi / 180), std::sin(degrees * pi / 180)};
+    };
+    for (int part = 0; part < parts; ++part)
+      add(entity, at(part), at(part + 1), std::tan(angle / parts * pi / 720));
+  }
+
+  /// Each vertex begins with its x; its bulge is that of the edge to the next one.
+  void addPolyline(const Entity& entity, const std::vector<Pair>& pairs) {
+    struct Vertex {
+      Vec2 place;
+      double bulge = 0;
+    };
+    std::vector<Vertex> vertices;
+    for (const Pair& pair : pairs) {
+      if (pair.code == 10)
+        vertices.push_back({{numberOf(pair), 0}});
+      else if (pair.code == 20 && !vertices.empty())
+        vertices.back().place.y = numberOf(pair);
+      else if (pair.code == 42 && !vertices.empty())
+        vertices.back().bulge = numberOf(pair);
+    }
+    const auto flags = static_cast<int>(numberAt(entity, 70, 0));
+    const bool closed = (flags & 1) != 0;
+    for (std::size_t i = 0; i + (closed ? 0 : 1) < vertices.size(); ++i)
+      add(entity, vertices[i].place, vertices[(i + 1) % vertices.size()].place,
+          vertices[i].bulge);
+  }
+
+  bool mirrored_ = false;   ///< of the entity that is read: x to the left
+  std::vector<Vec2> ends_;  ///< two for each piece
+  std::vector<OutlinePiece> pieces_;
+};
+
+}  // namespace
+
+bem::Loops readDxf(const std::string& text) {
+  return chained(Drawing(readEntities(text)).outline());
+}
+
+}  // namespace epafi::drivers

@@ -1,0 +1,93 @@
+#include "drivers/scene/GmshOutline.hpp"
+
+#include "bem/base/Error.hpp"
+#include "drivers/scene/GmshMesh.hpp"
+
+#include <algorithm>
+#include <boost/math/constants/constants.hpp>
+#include <cmath>
+
+namespace epafi::drivers {
+
+namespace {
+
+using bem::InputError;
+using bem::message;
+using bem::Vec2;
+
+/// Three points are on a straight line where it turns by less (in radians).
+constexpr double straight = 1e-9;
+
+std::vector<NodeTag> nodesOf(const GmshLine& line) {
+  std::vector<NodeTag> nodes = {line.from, line.to};
+  if (line.middle != 0)
+    nodes.push_back(line.middle);
+  return nodes;
+}
+
+/// \throws bem::InputError unless all nodes of lines are there.
+void checkNodes(const GmshMesh& mesh) {
+  for (const GmshLine& line : mesh.lines)
+    for (const NodeTag node : nodesOf(line))
+      if (mesh.nodes.count(node) == 0)
+        throw InputError("line ", line.fileLine, ": there is no node ", node);
+}
+
+void checkPlane(const GmshMesh& mesh) {
+  double least = 0;
+  double most = 0;
+  double size = 0;
+  bool first = true;
+  for (const GmshLine& line : mesh.lines)
+    for (const NodeTag tag : nodesOf(line)) {
+      const GmshNode& node = mesh.nodes.at(tag);
+      least = first ? node.z : std::min(least, node.z);
+      most = first ? node.z : std::max(most, node.z);
+      size = std::max({size, std::abs(node.place.x), std::abs(node.place.y)});
+      first = false;
+    }
+  if (most - least > 1e-9 * size)
+    throw InputError("the outline is not in a plane of constant z: from z = ", least,
+                     " to ", most);
+}
+
+std::string nameOf(const GmshMesh& mesh, NodeTag group) {
+  const auto name = mesh.names.find(group);
+  return name == mesh.names.end() ? std::to_string(group) : name->second;
+}
+
+/// tan(angle/4) of the arc through a line's nodes: half of its angle is what the chords to
+/// the middle one turn by.
+double bulgeOf(const GmshMesh& mesh, const GmshLine& line) {
+  if (line.middle == 0)
+    return 0;
+  const Vec2 middle = mesh.nodes.at(line.middle).place;
+  const Vec2 in = middle - mesh.nodes.at(line.from).place;
+  const Vec2 out = mesh.nodes.at(line.to).place - middle;
+  const double turn = std::atan2(cross(in, out), dot(in, out));
+  constexpr double quarterTurn = boost::math::constants::half_pi<double>();
+  if (!(std::abs(turn) <= quarterTurn * (1 + 1e-9)))
+    throw InputError(
+        "line ", line.fileLine,
+        ": the middle node of a line of second order is not between its ends");
+  return std::abs(turn) < straight ? 0 : std::tan(0.5 * turn);
+}
+
+}  // namespace
+
+bem::Loops readGmsh(const std::string& text) {
+  const GmshMesh mesh = readGmshMesh(text);
+  checkNodes(mesh);
+  checkPlane(mesh);
+  OutlinePieces outline;
+  outline.advice =
+      "all of its curves need a physical group (lines without one are not read)";
+  for (const auto& [tag, node] : mesh.nodes)
+    outline.nodes[tag] = node.place;
+  for (const GmshLine& line : mesh.lines)
+    outline.pieces.push_back({line.from, line.to, bulgeOf(mesh, line),
+                              nameOf(mesh, line.group), line.fileLine});
+  return chained(outline);
+}
+
+}  // namespace epafi::drivers
