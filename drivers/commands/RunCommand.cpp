@@ -17,6 +17,7 @@
 
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <optional>
 
 namespace epafi::drivers {
@@ -57,10 +58,22 @@ Beginning begin(const Given& given, const Scene& scene) {
   return {std::move(beginning.earlier), restart, EarlierRun::Continue};
 }
 
+/// The files of steps by their last step: "steps/1..49/contact.csv".
 std::string filesWritten(const OutputFolder& folder) {
+  std::vector<std::string> names;
+  std::map<std::string, std::string> ofSteps;  // by the name in the last step's folder
+  for (const std::string& name : folder.written()) {
+    const std::filesystem::path file(name);
+    if (file.has_parent_path())
+      ofSteps[file.filename()] = file.parent_path().filename();
+    else
+      names.push_back(name);
+  }
   std::string text = "files   " + folder.path() + ":";
-  for (const std::string& name : folder.written())
+  for (const std::string& name : names)
     text += " " + name;
+  for (const auto& [name, last] : ofSteps)
+    text += " steps/1.." + last + "/" + name;
   return text + "\n";
 }
 

@@ -1,5 +1,7 @@
 #include "drivers/output/PrintedTable.hpp"
 
+#include "drivers/scene/Text.hpp"
+
 #include <iomanip>
 #include <sstream>
 
@@ -37,7 +39,7 @@ constexpr Column columns[] = {
     {"elements", 9, [](const LevelRow& r) { return std::to_string(r.size.elements); }},
     {"dof", 7, [](const LevelRow& r) { return std::to_string(r.size.dof()); }},
     {"degree", 7, [](const LevelRow& r) { return degrees(r.size); }},
-    {"steps", 7, [](const LevelRow& r) { return iterations(r.report); }},
+    {"steps", 9, [](const LevelRow& r) { return iterations(r.report); }},
     {"estimate", 11, [](const LevelRow& r) { return significant(r.estimate, 4); }},
     {"strain energy", 16,
      [](const LevelRow& r) { return significant(r.summary.energyStrain, 9); }},
@@ -61,7 +63,7 @@ std::string significant(double value, int digits) {
 std::string tableHead() {
   std::ostringstream line;
   for (const Column& column : columns)
-    line << std::setw(column.width) << column.name;
+    line << ' ' << std::setw(column.width - 1) << column.name;
   line << '\n';
   return line.str();
 }
@@ -69,7 +71,7 @@ std::string tableHead() {
 std::string tableLine(const LevelRow& row) {
   std::ostringstream line;
   for (const Column& column : columns)
-    line << std::setw(column.width) << column.cell(row);
+    line << ' ' << std::setw(column.width - 1) << column.cell(row);
   if (row.report.status != contact::Status::Converged)
     line << "  not converged";
   line << '\n';
@@ -79,19 +81,19 @@ std::string tableLine(const LevelRow& row) {
 std::string tableLine(const StepRow& row) {
   std::ostringstream line;
   line << "        step " << std::setw(4) << row.step << "  t = " << std::left
-       << std::setw(10) << significant(row.t, 6) << std::right << std::setw(4)
-       << row.newtonIterations << " Newton steps, dissipated "
-       << significant(row.energyDissipated, 6);
+       << std::setw(10) << significant(row.t, 6) << std::right << std::setw(16)
+       << counted(row.newtonIterations, "Newton step", "Newton steps")
+       << ", friction's work " << significant(row.energyDissipated, 6);
   for (const ContactRow& contact : row.contacts)
-    line << (contact.name.empty() ? "" : ", " + contact.name) << " "
-         << significant(contact.summary.forceNormal, 5) << " "
+    line << (contact.name.empty() ? ";" : "; " + contact.name) << " normal force "
+         << significant(contact.summary.forceNormal, 5) << ", shear "
          << significant(contact.summary.forceTangential, 5);
   for (const RigidRow& body : row.rigid)
-    line << ", " << body.name << " at " << significant(body.motion.slide.x, 5) << " "
-         << significant(body.motion.slide.y, 5) << " turned "
+    line << "; " << body.name << " at (" << significant(body.motion.slide.x, 5) << ", "
+         << significant(body.motion.slide.y, 5) << "), turned by "
          << significant(body.motion.turn, 5);
   if (row.parts > 1)
-    line << ", halved: " << row.parts << " parts";
+    line << "; halved: " << row.parts << " parts";
   line << (row.converged ? "\n" : "  not converged\n");
   return line.str();
 }

@@ -3,7 +3,7 @@
 #include <Teuchos_DefaultSerialComm.hpp>
 #include <Teuchos_StackedTimer.hpp>
 
-#include <cstdio>
+#include <iomanip>
 #include <sstream>
 #include <utility>
 
@@ -25,6 +25,7 @@ void PhaseTimer::startLevel(int level) {
   endLevel();
   levelName_ = "level " + std::to_string(level);
   level_.fill(0);
+  step_ = 0;
   stack_->start(levelName_);
 }
 
@@ -34,10 +35,25 @@ void PhaseTimer::endLevel() {
   levelName_.clear();
 }
 
+void PhaseTimer::startStep(int step, int steps) {
+  step_ = step;
+  steps_ = steps;
+  if (step == 1)
+    stepsBegin_ = wallSeconds();
+}
+
 void PhaseTimer::tell(const std::string& progress) {
-  char seconds[32];
-  std::snprintf(seconds, sizeof seconds, " (%.1f s so far)", wallSeconds());
-  watch_(levelName_ + ": " + progress + seconds);
+  std::ostringstream text;
+  text << levelName_ << std::fixed << std::setprecision(1);
+  if (step_ > 0)
+    text << ", step " << step_ << " of " << steps_;
+  text << ": " << progress << " (" << wallSeconds() << " s so far";
+  const double left =
+      step_ > 1 ? (wallSeconds() - stepsBegin_) / (step_ - 1) * (steps_ - step_ + 1) : 0;
+  if (left >= 1)
+    text << ", the level's steps take some " << std::setprecision(0) << left << " s more";
+  text << ")";
+  watch_(text.str());
 }
 
 std::string PhaseTimer::report() {

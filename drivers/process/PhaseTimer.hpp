@@ -38,6 +38,8 @@ class PhaseTimer {
 
   void startLevel(int level);
   void endLevel();
+  /// The step of a path that begins, from 1 on; the watch is told what the others may take.
+  void startStep(int step, int steps);
 
   /// work(), timed.
   template <class Work>
@@ -84,6 +86,9 @@ class PhaseTimer {
   Clock::time_point begin_ = Clock::now();
   Teuchos::RCP<Teuchos::StackedTimer> stack_;
   std::string levelName_;
+  int step_ = 0;  ///< of `steps_`, where there is a path
+  int steps_ = 0;
+  double stepsBegin_ = 0;  ///< of this level [s]
   std::array<double, phaseCount> level_{};
   std::array<double, phaseCount> total_{};
 };

@@ -50,6 +50,7 @@ class Follower {
     row_ = empty_;
     row_.level = ground_.level;
     row_.step = static_cast<int>(path_.steps.size()) + 1;
+    timer_.startStep(row_.step, static_cast<int>(ground_.scene.history.times.size()));
     row_.t = time;
     row_.parts = 0;
     while (here_.t < time && isKnown())

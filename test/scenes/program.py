@@ -1,5 +1,6 @@
 """The program itself: exit codes, folders, options, signals."""
 import os
+import pty
 import shutil
 import signal
 import subprocess
@@ -49,6 +50,23 @@ for command in ("parameters", "schema", "help"):
         done = subprocess.run([EPAFI, command], stdout=full, stderr=subprocess.PIPE, universal_newlines=True)
     claim(done.returncode == 1 and "cannot be written" in done.stderr,
           "epafi %s on a full disk: exit %d, %s" % (command, done.returncode, done.stderr.strip()))
+
+# what a person sees on a terminal: which step of how many, numbers with names, few file names
+def seen():
+    """The program's words, those of its line of progress first."""
+    ours, theirs = pty.openpty()
+    done = subprocess.run([EPAFI, "run", scene("there-and-back.xml"), "--output", fresh("seen"),
+                           "--set", "Adaptivity->Maximum Levels=1"],
+                          stdout=subprocess.PIPE, stderr=theirs, universal_newlines=True)
+    os.close(theirs)
+    return os.read(ours, 1 << 16).decode(), done.stdout
+
+
+progress, words = seen()
+claim("level 0, step 2 of 3: newton" in progress, "progress names the step and how many there are")
+claim(all(word in words for word in (" Newton steps, friction's work ", " normal force ", ", shear ")),
+      "numbers of a step have names: " + [line for line in words.split("\n") if "step" in line][1])
+claim("steps/1..3/contact.csv" in words and "steps/2" not in words, "files of steps are named once")
 
 # where the time goes, on a path too: all of it is some phase's.  Other programs may stop this one
 # anywhere for a while; so it is the best of a few runs that counts.
