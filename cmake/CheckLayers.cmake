@@ -11,7 +11,7 @@ set(layers bem contact adaptivity drivers)
 set(bem_floors base|simd algebra basis quadrature geometry mesh moments kernel space
   operators|tractions compressed fields tpetra)
 set(contact_floors law conditions multiplier problem stabilization body opposite compressed system
-  results equation path newton solve tresca coulomb nox)
+  results equation path newton solve nox)
 set(adaptivity_floors singular refine mark estimate)
 set(drivers_floors triangulate process scene run output study commands bench)
 set(border "^(packages/bem/tpetra/|packages/contact/nox/|drivers/)")

@@ -38,7 +38,7 @@ expect(packages/contact/nox/Newton.cpp "\"drivers/scene/Scene.hpp\""     "later 
 expect(packages/adaptivity/mark/Mark.cpp "\"drivers/scene/Scene.hpp\""         "later layer drivers/")
 expect(packages/bem/mesh/Mesh.hpp      "\"bem/moments/Tile.hpp\""         "later floor bem/moments/")
 expect(packages/bem/tractions/Rows.hpp "\"bem/operators/Rows.hpp\""      "")
-expect(packages/contact/coulomb/Step.cpp "\"contact/nox/NoxNewton.hpp\"" "later floor contact/nox/")
+expect(packages/contact/solve/Step.cpp "\"contact/nox/NoxNewton.hpp\"" "later floor contact/nox/")
 expect(packages/contact/nox/Newton.cpp "\"contact/newton/Newton.hpp\""    "")
 expect(packages/adaptivity/singular/Points.cpp "\"adaptivity/mark/Mark.hpp\"" "later floor adaptivity/mark/")
 expect(drivers/run/Levels.hpp          "\"drivers/output/HistoryTable.hpp\""  "later floor drivers/output/")

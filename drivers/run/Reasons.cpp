@@ -2,7 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
-#include "contact/tresca/Tresca.hpp"
+#include "contact/solve/ContactSolver.hpp"
 
 #include <algorithm>
 #include <set>
@@ -63,8 +63,8 @@ std::string worded(const Report& report, const std::vector<StageRun>& stages) {
            "not, was " +
            (last.end == End::TooLarge
                 ? message("not tried: operators that are not dense allow it for up to ",
-                          contact::Tresca::mostToPivot, " contact coefficients")
-                : message("given up after ", contact::TrescaOptions().mostWork,
+                          contact::ContactSolver::mostToPivot, " contact coefficients")
+                : message("given up after ", contact::ContactSolverOptions().mostWork,
                           " operations: with so many contact coefficients it would take "
                           "hours")) +
            ".  Try a smaller friction coefficient, or a coarser mesh on "

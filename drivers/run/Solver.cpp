@@ -3,7 +3,7 @@
 #include "contact/equation/Equilibrium.hpp"
 #include "contact/newton/KeptFactor.hpp"
 #include "contact/nox/NoxNewton.hpp"
-#include "contact/tresca/Tresca.hpp"
+#include "contact/solve/ContactSolver.hpp"
 #include "drivers/run/Reasons.hpp"
 #include "drivers/run/UnheldMotions.hpp"
 
@@ -23,13 +23,13 @@ contact::Solution assembled(const contact::Problem& problem, const Scene::Solver
                             contact::FactorMemory* memory, PhaseTimer& timer,
                             const Solve& solve) {
   const contact::NoxNewton newton(options.nox, memory);
-  const contact::Tresca tresca(newton, options.tresca, [&](int pivots, int most) {
+  const contact::ContactSolver fixed(newton, options.contact, [&](int pivots, int most) {
     timer.tell(bem::message(nameOf(Phase::Newton), ", complementary pivoting: ", pivots,
                             " of at most ", most, " changes"));
   });
   const bool follows = problem.boundDependsOnPressure();
-  const auto coulomb = follows ? contact::makeCoulomb(tresca, options.coulomb) : nullptr;
-  const contact::NonlinearSolver* solver = &tresca;
+  const auto coulomb = follows ? contact::makeCoulomb(fixed, options.coulomb) : nullptr;
+  const contact::NonlinearSolver* solver = &fixed;
   if (follows)
     solver = coulomb.get();
   return solve(*solver);

@@ -5,9 +5,9 @@
 #include "bem/base/Material.hpp"
 #include "bem/geometry/Outline.hpp"
 #include "contact/conditions/Conditions.hpp"
-#include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/opposite/RigidBodies.hpp"
 #include "contact/results/Summary.hpp"
+#include "contact/solve/CoulombIteration.hpp"
 #include "contact/stabilization/Stabilization.hpp"
 #include "drivers/scene/ConstantNumbers.hpp"
 #include "drivers/scene/History.hpp"
@@ -97,7 +97,7 @@ struct Scene {
 
   /// What a nonlinear solver is assembled from, see solve().
   struct Solver {
-    contact::TrescaOptions tresca;
+    contact::ContactSolverOptions contact;
     contact::CoulombOptions coulomb;
     /// Handed to NOX in every run; null means Epafi's own choice.
     std::shared_ptr<const Teuchos::ParameterList> nox;

@@ -30,7 +30,8 @@ void checkAnyBody(const ParameterList& list) {
 }
 
 Scene::Solver readSolver(const ParameterList& list) {
-  Scene::Solver solver{contact::parseTresca(list), contact::parseCoulomb(list), nullptr};
+  Scene::Solver solver{contact::parseContactSolver(list), contact::parseCoulomb(list),
+                       nullptr};
   if (list.isSublist("NOX") && list.sublist("NOX").numParams() > 0) {
     const auto nox = std::make_shared<ParameterList>(list.sublist("NOX"));
     nox->setName("Solver->NOX");

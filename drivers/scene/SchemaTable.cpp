@@ -1,10 +1,10 @@
 #include "adaptivity/estimate/ResidualEstimator.hpp"
 #include "adaptivity/mark/Strategy.hpp"
-#include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/law/FrictionLaw.hpp"
 #include "contact/law/NormalLaw.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/nox/NoxNewton.hpp"
+#include "contact/solve/CoulombIteration.hpp"
 #include "contact/stabilization/Stabilization.hpp"
 #include "drivers/scene/BodyLoadsReader.hpp"
 #include "drivers/scene/History.hpp"
@@ -256,7 +256,7 @@ void addDiscretization(Table& table) {
 void addSolver(Table& table) {
   add(table, Row("Solver", Kind::List, "how the nonlinear problem is solved"),
       contact::coulombRows());
-  append(table, contact::trescaRows(), "Solver");
+  append(table, contact::contactSolverRows(), "Solver");
   append(table, {contact::noxRow()}, "Solver");
   add(table, Row("Solver->Linear", Kind::List, "how linear systems are solved"),
       linearRows());

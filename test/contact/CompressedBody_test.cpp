@@ -267,8 +267,8 @@ TEUCHOS_UNIT_TEST(CompressedBody, isSolvedWhereNewtonsStepsFail) {
     const Pair pair(c);
     const Results exact(pair.input(pair.dense));
     const contact::ContactProblem own(pair.input(pair.compressed.front()));
-    const contact::Tresca tresca(newton);
-    const auto coulomb = makeCoulomb(tresca, {});
+    const contact::ContactSolver solver(newton);
+    const auto coulomb = makeCoulomb(solver, {});
     const contact::Solution solution = coulomb->solve(own.numbers(), {});
     TEST_EQUALITY(solution.report.stages.size(), 2u);
     TEST_ASSERT(solution.report.stages.back().stage == contact::Stage::FollowOffset);

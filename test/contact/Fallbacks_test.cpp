@@ -160,12 +160,12 @@ class Springs final : public contact::Flexibility::Operator {
 
 TEUCHOS_UNIT_TEST(Fallbacks, aProblemTooLargeToPivotSaysThatThisWasNotTried) {
   Problem problem;
-  problem.normals = contact::Tresca::mostToPivot + 1;
+  problem.normals = contact::ContactSolver::mostToPivot + 1;
   problem.flexibility = contact::Flexibility(std::make_shared<Springs>(problem.normals));
   for (Index i = 0; i < problem.normals; ++i)
     problem.offset.push_back(i % 2 == 0 ? 1 : -1);
   SolverOptions options;
-  options.tresca.maximumIterations = 1;
+  options.contact.maximumIterations = 1;
   const auto halfSteps = std::make_shared<Teuchos::ParameterList>("NOX");
   halfSteps->sublist("Line Search").sublist("Full Step").set("Full Step", 0.5);
   options.nox = halfSteps;
@@ -180,11 +180,11 @@ TEUCHOS_UNIT_TEST(Fallbacks, aProblemTooLargeToPivotSaysThatThisWasNotTried) {
 TEUCHOS_UNIT_TEST(Fallbacks, pivotingIsGivenUpAfterSoMuchWork) {
   const Problem problem = cantilever(80);
   SolverOptions options;
-  options.tresca.maximumIterations = 3;
+  options.contact.maximumIterations = 3;
   const auto solved = solve(problem, {}, options).report;
   TEST_ASSERT(solved.converged());
   TEST_ASSERT(solved.stages.back().stage == contact::Stage::FollowOffset);
-  options.tresca.mostWork = 5.5 * contact::workOfPivot(problem.size());
+  options.contact.mostWork = 5.5 * contact::workOfPivot(problem.size());
   const auto report = solve(problem, {}, options).report;
   TEST_ASSERT(!report.converged());
   TEST_EQUALITY(report.stages.size(), 3u);

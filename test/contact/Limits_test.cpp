@@ -127,7 +127,7 @@ TEUCHOS_UNIT_TEST(Limits, tooFewStepsAreReportedByEveryStage) {
   std::mt19937 random(18);
   const Problem problem = test::randomProblem({30, "Tresca"}, random);
   SolverOptions options;
-  options.tresca.maximumIterations = 1;
+  options.contact.maximumIterations = 1;
   const auto report = solve(problem, {}, options).report;
   TEST_ASSERT(report.status == Status::NotConverged);
   TEST_COMPARE(report.stages.size(), >, 1);

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/equation/ContactState.hpp"
 #include "contact/nox/NoxNewton.hpp"
-#include "contact/tresca/Tresca.hpp"
+#include "contact/solve/ContactSolver.hpp"
+#include "contact/solve/CoulombIteration.hpp"
 
 #include <memory>
 
@@ -11,7 +11,7 @@ namespace epafi::test {
 
 /// A solver of any problem, assembled as a program does it.
 struct SolverOptions {
-  contact::TrescaOptions tresca;
+  contact::ContactSolverOptions contact;
   contact::CoulombOptions coulomb;
   std::shared_ptr<const Teuchos::ParameterList> nox;
 };
@@ -20,9 +20,9 @@ inline contact::Solution solve(const contact::Problem& problem,
                                const contact::State& start = {},
                                const SolverOptions& options = {}) {
   const contact::NoxNewton newton(options.nox);
-  const contact::Tresca tresca(newton, options.tresca);
-  const auto coulomb = makeCoulomb(tresca, options.coulomb);
-  const contact::NonlinearSolver* solver = &tresca;
+  const contact::ContactSolver fixed(newton, options.contact);
+  const auto coulomb = makeCoulomb(fixed, options.coulomb);
+  const contact::NonlinearSolver* solver = &fixed;
   if (problem.boundDependsOnPressure())
     solver = coulomb.get();
   return solver->solve(problem, start);

@@ -1,6 +1,6 @@
 #include "drivers/run/Reasons.hpp"
 
-#include "contact/tresca/Tresca.hpp"
+#include "contact/solve/ContactSolver.hpp"
 #include "test/drivers/SceneText.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
@@ -18,7 +18,7 @@ bool says(const std::string& text, const std::string& part) {
 
 TEUCHOS_UNIT_TEST(Reasons, nameTheLimitOfWhatWasNotTried) {
   const drivers::Scene scene = test::read(test::SceneText());
-  const std::string limit = std::to_string(contact::Tresca::mostToPivot);
+  const std::string limit = std::to_string(contact::ContactSolver::mostToPivot);
   contact::Report report;
   report.stages = {{Stage::FullSteps, 50, 1, End::Iterations}};
   const std::string alone = reasonOf(report, scene);

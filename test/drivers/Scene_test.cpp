@@ -111,8 +111,8 @@ TEUCHOS_UNIT_TEST(Scene, defaultsAreThoseOfTheOptions) {
   const drivers::Scene scene = read(SceneText());
   const drivers::Scene::Solver solver;
   TEST_EQUALITY(scene.solver.coulomb.iteration, solver.coulomb.iteration);
-  TEST_EQUALITY(scene.solver.tresca.tolerance, solver.tresca.tolerance);
-  TEST_EQUALITY(scene.solver.tresca.maximumIterations, solver.tresca.maximumIterations);
+  TEST_EQUALITY(scene.solver.contact.tolerance, solver.contact.tolerance);
+  TEST_EQUALITY(scene.solver.contact.maximumIterations, solver.contact.maximumIterations);
   TEST_EQUALITY(scene.solver.coulomb.tolerance, solver.coulomb.tolerance);
   TEST_EQUALITY(scene.solver.coulomb.maximumIterations, solver.coulomb.maximumIterations);
   TEST_ASSERT(scene.solver.nox == nullptr);

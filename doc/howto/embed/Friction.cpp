@@ -1,10 +1,10 @@
 #include "Friction.hpp"
 
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/equation/ContactState.hpp"
 #include "contact/nox/ContactModel.hpp"
 #include "contact/nox/NoxNewton.hpp"
+#include "contact/solve/CoulombIteration.hpp"
 
 #include <NOX.H>
 #include <NOX_Thyra.H>
@@ -29,11 +29,11 @@ namespace {
 constexpr double first = 0.1;
 constexpr double last = 2;
 
-// Newton's method by NOX, Tresca's problem on it, Coulomb's on that.
+// Newton's method by NOX, the stages of a solve on it, Coulomb's iteration on that.
 contact::State solved(const contact::Problem& problem) {
   const contact::NoxNewton newton;
-  const contact::Tresca tresca(newton);
-  return contact::makeCoulomb(tresca, {})->solve(problem, {}).state;
+  const contact::ContactSolver solver(newton);
+  return contact::makeCoulomb(solver, {})->solve(problem, {}).state;
 }
 
 // Each coefficient stands for its Gauss point's share of the element.

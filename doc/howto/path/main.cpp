@@ -3,12 +3,12 @@
 //
 //   drive        prints t, where the actuator is, its force and friction's work so far
 
-#include "contact/coulomb/CoulombIteration.hpp"
 #include "contact/newton/KeptFactor.hpp"
 #include "contact/nox/ContactModel.hpp"
 #include "contact/nox/NoxNewton.hpp"
 #include "contact/path/PathMemory.hpp"
 #include "contact/path/Prediction.hpp"
+#include "contact/solve/CoulombIteration.hpp"
 #include "contact/solve/DefectCorrection.hpp"
 
 #include <Thyra_VectorStdOps.hpp>
@@ -53,8 +53,8 @@ double forceOf(const contact::ContactSystem& step, const contact::Configuration&
 contact::State solved(const contact::Problem& problem, const contact::State& start) {
   contact::FactorMemory memory;  // its systems differ in few rows
   const contact::NoxNewton newton(nullptr, &memory);
-  const contact::Tresca tresca(newton);
-  return contact::makeCoulomb(tresca, {})->solve(problem, start).state;
+  const contact::ContactSolver solver(newton);
+  return contact::makeCoulomb(solver, {})->solve(problem, start).state;
 }
 
 /// Does the state solve this part of the step?  |f| of the model, relative to the load.

@@ -1,4 +1,4 @@
-#include "contact/coulomb/CoulombFixedPoint.hpp"
+#include "contact/solve/CoulombFixedPoint.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,8 +30,8 @@ Solution CoulombFixedPoint::firstBound(const Problem& problem, const State& star
   });
   if (problem.rigidMotions() == 0 || !slippery)
     return {start, {}};
-  const NewtonRun run = tresca_.newton().run(
-      Equation(problem, Equation::Bound::Lagged, tresca_.options().tolerance),
+  const NewtonRun run = solver_.newton().run(
+      Equation(problem, Equation::Bound::Lagged, solver_.options().tolerance),
       pack(problem, start), steps);
   return {unpack(problem, run.last), extended({}, Stage::NearStart, run, problem)};
 }
@@ -41,7 +41,7 @@ Solution CoulombFixedPoint::update(const Problem& tresca, Solution before) const
   Report& report = before.report;
   report.coulombIterations += 1;
   try {
-    Solution next = tresca_.solveSound(tresca, before.state);
+    Solution next = solver_.solveSound(tresca, before.state);
     next.report = joined(std::move(next.report), report);
     return next;
   } catch (const bem::NumericalError& error) {
@@ -54,7 +54,7 @@ Solution CoulombFixedPoint::update(const Problem& tresca, Solution before) const
 }
 
 Solution CoulombFixedPoint::updates(const Problem& problem, const State& start) const {
-  const double tolerance = std::max(tresca_.options().tolerance, options_.tolerance);
+  const double tolerance = std::max(solver_.options().tolerance, options_.tolerance);
   const Equation coulomb(problem, Equation::Bound::Lagged, tolerance);
   Solution solution = firstBound(problem, start);
   Vector bounds = problem.slipBounds(solution.state.multiplier);

@@ -2,7 +2,7 @@
 
 #include "bem/base/Family.hpp"
 #include "bem/base/SchemaRow.hpp"
-#include "contact/tresca/Tresca.hpp"
+#include "contact/solve/ContactSolver.hpp"
 
 #include <memory>
 #include <string>
@@ -28,21 +28,21 @@ CoulombOptions parseCoulomb(const Teuchos::ParameterList& list);
 /// Solves problems whose slip bound depends on the pressure.
 class CoulombSolver : public NonlinearSolver {
  public:
-  /// `tresca` must outlive this.
-  explicit CoulombSolver(const Tresca& tresca, CoulombOptions options = {})
-      : tresca_(tresca), options_(std::move(options)) {}
+  /// `solver` must outlive this.
+  explicit CoulombSolver(const ContactSolver& solver, CoulombOptions options = {})
+      : solver_(solver), options_(std::move(options)) {}
 
  protected:
-  const Tresca& tresca_;
+  const ContactSolver& solver_;
   CoulombOptions options_;
 };
 
 /// A way to solve problems whose slip bound depends on the pressure, built on Newton's
-/// method and on Tresca's problem, which must outlive it.
+/// method and on what solves with given bounds, which must outlive it.
 struct CoulombIteration {
   const char* name;
   const char* meaning;
-  std::unique_ptr<NonlinearSolver> (*make)(const Tresca& tresca,
+  std::unique_ptr<NonlinearSolver> (*make)(const ContactSolver& solver,
                                            const CoulombOptions& options);
 };
 
@@ -50,7 +50,7 @@ struct CoulombIteration {
 bem::Family<CoulombIteration>& coulombIterations();
 
 /// The one that the options name.
-std::unique_ptr<NonlinearSolver> makeCoulomb(const Tresca& tresca,
+std::unique_ptr<NonlinearSolver> makeCoulomb(const ContactSolver& solver,
                                              const CoulombOptions& options);
 
 }  // namespace epafi::contact

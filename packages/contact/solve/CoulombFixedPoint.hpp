@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/solve/CoulombIteration.hpp"
 
 namespace epafi::contact {
 

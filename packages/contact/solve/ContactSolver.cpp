@@ -1,4 +1,4 @@
-#include "contact/tresca/Tresca.hpp"
+#include "contact/solve/ContactSolver.hpp"
 
 #include "contact/equation/Equilibrium.hpp"
 #include "contact/newton/OffsetPath.hpp"
@@ -14,8 +14,8 @@ namespace epafi::contact {
 using bem::Kind;
 using bem::Row;
 
-bem::SchemaRows trescaRows() {
-  const TrescaOptions defaults;
+bem::SchemaRows contactSolverRows() {
+  const ContactSolverOptions defaults;
   return {
       Row("Tolerance", Kind::Real, "residual, relative to the load")
           .unit("1")
@@ -30,7 +30,7 @@ bem::SchemaRows trescaRows() {
   };
 }
 
-TrescaOptions parseTresca(const Teuchos::ParameterList& list) {
+ContactSolverOptions parseContactSolver(const Teuchos::ParameterList& list) {
   return {list.get<double>("Tolerance"), list.get<int>("Maximum Iterations")};
 }
 
@@ -39,11 +39,12 @@ namespace {
 /// One problem, one equation, one report.
 class Stages {
  public:
-  Stages(const Tresca& tresca, const Problem& problem, State start, Equation::Bound bound)
-      : tresca_(tresca),
+  Stages(const ContactSolver& solver, const Problem& problem, State start,
+         Equation::Bound bound)
+      : solver_(solver),
         problem_(problem),
-        equation_(problem, bound, tresca.options().tolerance),
-        sharp_(problem, Equation::Bound::Differentiated, tresca.options().tolerance),
+        equation_(problem, bound, solver.options().tolerance),
+        sharp_(problem, Equation::Bound::Differentiated, solver.options().tolerance),
         state_(std::move(start)) {}
 
   void fullSteps(int most) {
@@ -52,7 +53,7 @@ class Stages {
                                        [](double x) { return x != 0; });
     const Vector start = pack(problem_, state_);
     add(Stage::FullSteps,
-        tresca_.newton().run(equation_, knowsSets ? smoothed(equation_, start) : start,
+        solver_.newton().run(equation_, knowsSets ? smoothed(equation_, start) : start,
                              most));
     if (!problem_.boundDependsOnPressure())
       requireSolvable();
@@ -64,10 +65,10 @@ class Stages {
     constexpr int polishing = 12;
     constexpr int directions = 4;
     constexpr int price = 3;  // of as many pivots as there are coefficients
-    const int run = tresca_.options().maximumIterations;
+    const int run = solver_.options().maximumIterations;
     const Index size = std::max<Index>(1, problem_.size());
     const double work = workOfPivot(size);
-    double left = tresca_.options().mostWork;
+    double left = solver_.options().mostWork;
     // Where free motions are placed by springs, or a bound was a polygon's, a second path
     // begins at the first one's end or from another direction.
     Vector placement = state_.rigid;
@@ -77,11 +78,11 @@ class Stages {
                     left / work, 1.0 * std::numeric_limits<int>::max()}));
       const OffsetPath path =
           contact::followOffset(sharp_.withTangent(sharp_.at(pack(problem_, state_))),
-                                placement, direction, mostPivots, tresca_.watch());
+                                placement, direction, mostPivots, solver_.watch());
       left -= path.pivots * work;
       if (!path.unknowns.empty()) {
         NewtonRun last =
-            tresca_.newton().run(sharp_, path.unknowns, std::min(polishing, run));
+            solver_.newton().run(sharp_, path.unknowns, std::min(polishing, run));
         last.iterations += static_cast<int>(price * path.pivots / size);
         add(Stage::FollowOffset, last);
         placement = unpack(problem_, path.unknowns).rigid;
@@ -113,11 +114,11 @@ class Stages {
   // Products in a tree have fewer digits than Newton's last steps want here, so that the
   // solve goes on with the entries.
   void followFormedOffset() {
-    if (problem_.size() > Tresca::mostToPivot)
+    if (problem_.size() > ContactSolver::mostToPivot)
       return end(End::TooLarge);
     Problem formed = problem_.copy();
     formed.flexibility = problem_.flexibility.formed();
-    Stages there(tresca_, formed, std::move(state_), equation_.bound());
+    Stages there(solver_, formed, std::move(state_), equation_.bound());
     there.followOffset();
     state_ = std::move(there.state_);
     report_ = joined(std::move(there.report_), report_);
@@ -133,7 +134,7 @@ class Stages {
       throw bem::NumericalError(report_.said);
   }
 
-  const Tresca& tresca_;
+  const ContactSolver& solver_;
   const Problem& problem_;
   Equation equation_;
   Equation sharp_;  // the same with the bound differentiated
@@ -143,8 +144,8 @@ class Stages {
 
 }  // namespace
 
-Solution Tresca::inStages(const Problem& problem, const State& start,
-                          Equation::Bound bound, int steps) const {
+Solution ContactSolver::inStages(const Problem& problem, const State& start,
+                                 Equation::Bound bound, int steps) const {
   Stages stages(*this, problem, start, bound);
   stages.fullSteps(steps);
   if (!stages.converged())
@@ -152,7 +153,7 @@ Solution Tresca::inStages(const Problem& problem, const State& start,
   return std::move(stages).solution();
 }
 
-Solution Tresca::solveSound(const Problem& problem, const State& start) const {
+Solution ContactSolver::solveSound(const Problem& problem, const State& start) const {
   return inStages(problem, start, Equation::Bound::Differentiated,
                   options_.maximumIterations);
 }

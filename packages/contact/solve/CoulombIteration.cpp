@@ -1,6 +1,6 @@
-#include "contact/coulomb/CoulombIteration.hpp"
+#include "contact/solve/CoulombIteration.hpp"
 
-#include "contact/coulomb/CoulombFixedPoint.hpp"
+#include "contact/solve/CoulombFixedPoint.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -20,7 +20,7 @@ class CoulombNewton final : public CoulombSolver {
 
  private:
   Solution solveSound(const Problem& problem, const State& start) const override {
-    return tresca_.solveSound(problem, start);
+    return solver_.solveSound(problem, start);
   }
 };
 
@@ -31,16 +31,16 @@ class CoulombOneStep final : public CoulombSolver {
 
  private:
   Solution solveSound(const Problem& problem, const State& start) const override {
-    return tresca_.inStages(
+    return solver_.inStages(
         problem, start, Equation::Bound::Lagged,
-        std::max(tresca_.options().maximumIterations, options_.maximumIterations));
+        std::max(solver_.options().maximumIterations, options_.maximumIterations));
   }
 };
 
 template <class Solver>
-std::unique_ptr<NonlinearSolver> make(const Tresca& tresca,
+std::unique_ptr<NonlinearSolver> make(const ContactSolver& solver,
                                       const CoulombOptions& options) {
-  return std::make_unique<Solver>(tresca, options);
+  return std::make_unique<Solver>(solver, options);
 }
 
 }  // namespace
@@ -57,9 +57,9 @@ bem::Family<CoulombIteration>& coulombIterations() {
   return family;
 }
 
-std::unique_ptr<NonlinearSolver> makeCoulomb(const Tresca& tresca,
+std::unique_ptr<NonlinearSolver> makeCoulomb(const ContactSolver& solver,
                                              const CoulombOptions& options) {
-  return coulombIterations().at(options.iteration).make(tresca, options);
+  return coulombIterations().at(options.iteration).make(solver, options);
 }
 
 bem::SchemaRows coulombRows() {

@@ -14,7 +14,7 @@ class ParameterList;
 namespace epafi::contact {
 
 /// What Newton's method does for problems with given slip bounds.
-struct TrescaOptions {
+struct ContactSolverOptions {
   double tolerance = 1e-12;    ///< scaled residual, relative to the load
   int maximumIterations = 50;  ///< steps of one run
   double mostWork = 5e12;      ///< operations of all pivots of a solve, see
@@ -22,24 +22,24 @@ struct TrescaOptions {
 };
 
 /// The keys of a list of these, and what a list that they have completed says.
-bem::SchemaRows trescaRows();
-TrescaOptions parseTresca(const Teuchos::ParameterList& list);
+bem::SchemaRows contactSolverRows();
+ContactSolverOptions parseContactSolver(const Teuchos::ParameterList& list);
 
 /// What all solves are made of, see inStages; by itself it solves frictionless contact and
 /// Tresca's friction, whose slip bounds do not depend on the pressure.
-class Tresca final : public NonlinearSolver {
+class ContactSolver final : public NonlinearSolver {
  public:
   /// Where D is not formed, the offset is followed up to as many coefficients: more make a
   /// table of more than half a gigabyte, and paths of many minutes.
   static constexpr Index mostToPivot = 8000;
 
   /// `newton` must outlive this.  `watch`: how far a path of offsets is.
-  explicit Tresca(const Newton& newton, TrescaOptions options = {},
-                  OffsetWatch watch = {})
+  explicit ContactSolver(const Newton& newton, ContactSolverOptions options = {},
+                         OffsetWatch watch = {})
       : newton_(newton), options_(options), watch_(std::move(watch)) {}
 
   const Newton& newton() const { return newton_; }
-  const TrescaOptions& options() const { return options_; }
+  const ContactSolverOptions& options() const { return options_; }
   const OffsetWatch& watch() const { return watch_; }
 
   /// In stages with the bound differentiated, of a problem known to be sound.
@@ -58,7 +58,7 @@ class Tresca final : public NonlinearSolver {
 
  private:
   const Newton& newton_;
-  TrescaOptions options_;
+  ContactSolverOptions options_;
   OffsetWatch watch_;
 };
 
