@@ -51,7 +51,8 @@ std::string PathContact::next(const SolvedLevel& level) {
   auto trace = traces_.begin();
   return contactCsv(
       *scene_, level.bodies,
-      {{"slip", "work", "slip_amplitude", "stress_t", "ruiz_1", "ruiz_2"},
+      {{"slip", "work", "slip_amplitude", "stress_t", "ruiz_1", "ruiz_2", "worn_depth",
+        "slip_distance"},
        [&](std::size_t b, const contact::ContactFields::Element& element, double t,
            const contact::ContactPoint& point) {
          Trace& here = *trace++;
@@ -74,7 +75,9 @@ std::string PathContact::next(const SolvedLevel& level) {
                                          exactly(amplitude),
                                          exactly(stress),
                                          exactly(here.shear * amplitude),
-                                         exactly(here.tension * here.shear * amplitude)};
+                                         exactly(here.tension * here.shear * amplitude),
+                                         exactly(point.worn),
+                                         exactly(point.distance)};
        }});
 }
 

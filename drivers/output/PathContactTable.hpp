@@ -16,6 +16,8 @@ namespace epafi::drivers {
 ///   stress_t        normal stress along the surface, E/(1-ν²) uₜ' - ν/(1-ν) λₙ in plane strain
 ///   ruiz_1          largest |λₜ| times the slip amplitude
 ///   ruiz_2          largest tensile stress_t times that
+///   worn_depth      what has worn off
+///   slip_distance   how far the sides have slid while closed, forth and back
 class PathContact {
  public:
   explicit PathContact(const Scene& scene) : scene_(&scene) {}  ///< must outlive it

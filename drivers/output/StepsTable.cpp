@@ -33,6 +33,8 @@ constexpr Column<StepRow> columns[] = {
     {"energy_dissipated_error", cell<&StepRow::energyDissipatedError>},
     {"energy_stored", cell<&StepRow::energyStored>},
     {"energy_interface", cell<&StepRow::energyInterface>},
+    {"energy_worn", cell<&StepRow::energyWorn>},
+    {"cycles", cell<&StepRow::cycles>},
 };
 
 constexpr Column<ContactRow> contactColumns[] = {
@@ -45,6 +47,8 @@ constexpr Column<ContactRow> contactColumns[] = {
      [](const ContactRow& c) { return number(c.summary.contactLength); }},
     {"slip_length", [](const ContactRow& c) { return number(c.summary.slipLength); }},
     {"energy_dissipated", [](const ContactRow& c) { return number(c.dissipated); }},
+    {"worn_volume", [](const ContactRow& c) { return number(c.summary.wornVolume); }},
+    {"pressure_max", [](const ContactRow& c) { return number(c.summary.pressureMax); }},
 };
 
 /// Where a body without elasticity is, and what moves or holds it there.

@@ -43,6 +43,25 @@ std::map<std::string, double> slidingOf(const SolvedLevel& level) {
   return shares;
 }
 
+/// Contacts whose slip follows what they wear so much that more than one solution may exist: the
+/// largest n k |λₜ| of each over the steps of the path, at most n k f p.
+std::map<std::string, double> unsettledWear(const SolvedLevel& level) {
+  std::map<std::string, double> rates;
+  if (level.path != nullptr)
+    for (const auto& step : level.path->steps)
+      for (const contact::Solved& solved : step->solved->bodies()) {
+        const contact::ContactFields fields(solved);
+        for (const auto& element : fields.elements())
+          if (element.condition->wear && element.tangential >= 0) {
+            const contact::ContactPoint point = fields.at(element, 0);
+            double& rate = rates[nameOf(element)];
+            rate = std::max(rate, element.condition->cycles *
+                                      element.condition->wear(point.place) * point.bound);
+          }
+      }
+  return rates;
+}
+
 /// The largest displacement on a body's boundary, in its diameters.
 double largestMotion(const contact::Solved& solved, const bem::Outline& outline) {
   double largest = 0;
@@ -172,6 +191,13 @@ std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level
           "contact '", name, "': sliding reaches ", std::round(100 * share),
           " % of the length in contact; what meets what is looked for once, on the "
           "outlines as drawn (small sliding): stresses may belong elsewhere by as much"));
+  constexpr double settled = 0.3;
+  for (const auto& [name, rate] : unsettledWear(level))
+    if (rate > settled)
+      warnings.push_back(message(
+          "contact '", name, "': Cycle Jump times Wear->Coefficient times the friction ",
+          "bound reaches ", rate, ", above ", settled,
+          ": slip and wear may have several ", "solutions; shorten steps or the jump"));
   for (std::size_t b = 0; b < level.bodies.size(); ++b) {
     const double motion = largestMotion(level.bodies[b], *scene.bodies[b].outline);
     if (motion > small)

@@ -21,7 +21,17 @@ struct Standing {
   contact::Prediction prediction;
   std::vector<contact::LoadResponses> responses{};
   double t = 0;
+  double cycles = 0;
 };
+
+/// How many times a step happens, the most of all contacts.
+double cyclesOf(const std::vector<contact::Conditions>& conditions) {
+  double most = 1;
+  for (const contact::Conditions& ofBody : conditions)
+    for (const auto& [boundary, contact] : ofBody.contact)
+      most = std::max(most, contact.cycles);
+  return most;
+}
 
 class Follower {
  public:
@@ -101,17 +111,19 @@ class Follower {
       // of what is of first order half as much is left as before; where nothing is, both may
       // have missed what happens in between
       const contact::PathMemory::Difference now = here_.memory.apart(there.memory);
-      const contact::PathMemory::Difference error{std::max(now.work, 0.5 * last.work),
-                                                  std::max(now.slip, 0.5 * last.slip)};
+      const contact::PathMemory::Difference error{
+          std::max(now.work, 0.5 * last.work), std::max(now.slip, 0.5 * last.slip),
+          std::max(now.volume, 0.5 * last.volume)};
       last = now;
       path_.points.back().workError = error.work;
       const double work = workOf(before, whole);
       // what friction does later with a wrong slip is not known yet
       const double later = 1e-2 * std::abs(here_.memory.outside());
-      if (ground_.processes.agreed(History::fewestSteps * longest <= whole &&
-                                   error.work <= history.tolerance * work &&
-                                   error.slip <=
-                                       history.tolerance * std::max(work, later)))
+      if (ground_.processes.agreed(
+              History::fewestSteps * longest <= whole &&
+              error.work <= history.tolerance * work &&
+              error.slip <= history.tolerance * std::max(work, later) &&
+              error.volume <= history.tolerance * volumeOf(before, whole)))
         break;
     }
   }
@@ -133,6 +145,13 @@ class Follower {
                      leastFriction * std::abs(here_.memory.outside())});
   }
 
+  /// The worn volume likewise.
+  double volumeOf(const Standing& before, double whole) const {
+    const double sofar = here_.memory.wornVolume();
+    return std::max(sofar - before.memory.wornVolume(),
+                    whole / ground_.scene.endOfPath() * sofar);
+  }
+
   /// Up to a time in steps, halved where one fails; the path may end before.  Returns the last
   /// length: where steps are compared with shorter ones, those are shorter than all of these.
   double inSteps(double time, double step, double shortest) {
@@ -152,17 +171,51 @@ class Follower {
     return step;
   }
 
+  /// A step, again and again where it wears by its slip, until that does not change any more.
+  SolvedProblem settled(contact::ContactSystem& system) {
+    constexpr double same = 1e-12;
+    constexpr double almost = 1e-8;  // where rounding changes it on and on
+    constexpr int most = 100;
+    const auto solveFrom = [&](const contact::State* start) {
+      return solveStep(ground_.scene, system, ground_.spaces, here_.prediction, start,
+                       ground_.processes, timer_);
+    };
+    SolvedProblem solved = solveFrom(nullptr);
+    double last = 1;
+    for (int k = 0; system.wearsBySlip() && solved.solution.report.converged(); ++k) {
+      const double change = system.wearBy(system.configuration(solved.solution.state));
+      if (ground_.processes.agreed(change <= same ||
+                                   (change < almost && change > last / 2)))
+        break;
+      if (k == most) {
+        solved.solution.report.status = contact::Status::NotConverged;
+        solved.reason = bem::message(
+            "what wears and the slip that it wears by do not settle, the last change is ",
+            change, "; shorten Wear->Cycle Jump");
+        break;
+      }
+      last = change;
+      SolvedProblem next = solveFrom(&solved.solution.state);
+      next.solution.report =
+          contact::joined(std::move(next.solution.report), solved.solution.report);
+      solved = std::move(next);
+    }
+    return solved;
+  }
+
   // One step to a time; what it ends with is kept also where it fails.
   bool solve(double next) {
     SolvedProblem attempt;
     contact::Solution& solved = attempt.solution;
     const bool known = isKnown();
     auto now = std::make_unique<PathStep>();
+    std::unique_ptr<contact::ContactSystem> system;
     timer_.run(Phase::Stabilization, [&] {
       now->conditions = ground_.scene.conditionsAt(next);
-      now->system = std::make_unique<const contact::ContactSystem>(atZero_.under(
+      system = std::make_unique<contact::ContactSystem>(atZero_.under(
           {now->conditions, ground_.scene.drivesAt(next), here_.memory.slip(),
-           here_.memory.defect(), here_.memory.largestLoad(), here_.responses}));
+           here_.memory.defect(), here_.memory.largestLoad(), here_.responses,
+           here_.memory.wear()}));
     });
     if (known) {
       const PathPoint& point = earlier_[path_.points.size()];
@@ -171,10 +224,7 @@ class Follower {
       solved.report.coulombIterations = point.coulombIterations;
       solved.report.status = contact::Status::Converged;
     } else {
-      attempt = timer_.run(Phase::Newton, [&] {
-        return solveStep(ground_.scene, *now->system, ground_.spaces, here_.prediction,
-                         ground_.processes, timer_);
-      });
+      attempt = timer_.run(Phase::Newton, [&] { return settled(*system); });
     }
     row_.newtonIterations += solved.report.newtonIterations;
     newtonIterations_ += solved.report.newtonIterations;
@@ -186,15 +236,19 @@ class Follower {
       solved.state = here_.prediction.last();
     timer_.run(Phase::Newton, [&] {
       latestAt_ = converged && !known
-                      ? contact::corrected(*now->system, solved.state, ground_.processes)
-                      : now->system->configuration(solved.state);
+                      ? contact::corrected(*system, solved.state, ground_.processes)
+                      : system->configuration(solved.state);
       if (!converged)
         return;
-      here_.memory.add(*now->system, latestAt_);
-      here_.prediction.add(*now->system, latestAt_.state);
-      here_.responses = now->system->responses();
+      if (system->wearBy(latestAt_) > 0)
+        latestAt_ = system->configuration(latestAt_.state);
+      here_.memory.add(*system, latestAt_);
+      here_.prediction.add(*system, latestAt_.state);
+      here_.responses = system->responses();
     });
+    now->system = std::move(system);
     if (converged) {
+      here_.cycles += (next - here_.t) * cyclesOf(now->conditions);
       ++row_.parts;
       path_.points.push_back({next, latestAt_.state, std::exchange(newtonIterations_, 0),
                               std::exchange(coulombIterations_, 0),
@@ -212,7 +266,8 @@ class Follower {
     PathStep& step = *latest_;
     const contact::ContactSystem& system = *step.system;
     step.solved = std::make_unique<const SolvedBodies>(ground_, system, step.conditions,
-                                                       std::move(latestAt_), &before);
+                                                       std::move(latestAt_), &before,
+                                                       here_.memory.wear());
     const contact::Configuration& at = step.solved->at();
     const bem::Units units = ground_.scene.units();
     const double energy = units.stress * units.length * units.length;
@@ -237,6 +292,8 @@ class Follower {
     row_.energyStabilisation = energy * (stored - strain);
     row_.energyInterface = step.solved->interfaceEnergy();
     row_.energyStored = energy * stored + row_.energyInterface;
+    row_.energyWorn = energy * here_.memory.worn();
+    row_.cycles = here_.cycles;
     row_.energyError = energy * here_.memory.imbalance(row_.energyStored / energy);
     row_.rigid = step.solved->rigidRows();
     auto contact = row_.contacts.begin();

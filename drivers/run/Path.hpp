@@ -38,7 +38,9 @@ struct StepRow {
   double energyStabilisation = 0;  ///< what it stores
   double energyStored = 0;         ///< with that, of what the boundary operators know
   double energyInterface = 0;      ///< what the surfaces of contacts store
-  double energyError = 0;          ///< outside - trapezoidal - stored
+  double energyWorn = 0;           ///< work on what wears off
+  double energyError = 0;          ///< outside - trapezoidal - worn - stored
+  double cycles = 0;  ///< ∫ n dt, n how many times steps happen for what wears
   std::vector<ContactRow> contacts;
   std::vector<RigidRow> rigid;
   std::vector<contact::Summary> bodies;  ///< in scenes of several

@@ -33,11 +33,13 @@ std::vector<bem::Piece> piecesOf(const bem::Mesh& mesh) {
 
 SolvedBodies::SolvedBodies(const Ground& ground, const contact::ContactSystem& system,
                            const std::vector<contact::Conditions>& conditions,
-                           contact::Configuration at, const Placement* before)
+                           contact::Configuration at, const Placement* before,
+                           std::vector<contact::Wear> wear)
     : ground_(ground),
       system_(system),
       at_(std::move(at)),
-      placement_(ground.spaces, at_.displacements, at_.rigid, &conditions) {
+      placement_(ground.spaces, at_.displacements, at_.rigid, &conditions),
+      wear_(std::move(wear)) {
   placement_.states = at_.bodies;
   const std::size_t count = system.size();
   bodies_.reserve(count);  // pressed refers to all of them
@@ -54,6 +56,8 @@ SolvedBodies::SolvedBodies(const Ground& ground, const contact::ContactSystem& s
                        at_.met[b],
                        {},
                        &placement_.motions});
+    if (!wear_.empty())
+      bodies_[b].wear = &wear_[b];
     if (before != nullptr) {
       bodies_[b].displacementBefore = &before->displacements[b];
       bodies_[b].motionsBefore = &before->motions;

@@ -47,10 +47,12 @@ struct Placement {
 /// system and to the conditions that it was solved under.
 class SolvedBodies {
  public:
-  /// `before`: where the bodies were before a step of a path; null: there is no path.
+  /// `before`: where the bodies were before a step of a path; null: there is no path.  `wear`:
+  /// of each body behind it.
   SolvedBodies(const Ground& ground, const contact::ContactSystem& system,
                const std::vector<contact::Conditions>& conditions,
-               contact::Configuration at, const Placement* before = nullptr);
+               contact::Configuration at, const Placement* before = nullptr,
+               std::vector<contact::Wear> wear = {});
   SolvedBodies(const SolvedBodies&) = delete;
   SolvedBodies& operator=(const SolvedBodies&) = delete;
 
@@ -77,6 +79,7 @@ class SolvedBodies {
   contact::Configuration at_;
   Placement placement_;
   std::vector<bem::Vector> densities_;
+  std::vector<contact::Wear> wear_;
   std::vector<contact::Solved> bodies_;
 };
 

@@ -101,7 +101,8 @@ SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
 
 SolvedProblem solveStep(const Scene& scene, const contact::ContactSystem& system,
                         const BodySpaces& spaces, const contact::Prediction& prediction,
-                        const bem::Processes& processes, PhaseTimer& timer) {
+                        const contact::State* better, const bem::Processes& processes,
+                        PhaseTimer& timer) {
   const auto from = [&](const contact::State& start) -> SolvedProblem {
     try {
       // of this step only: a run that goes on behind it shall compute the same digits
@@ -118,7 +119,7 @@ SolvedProblem solveStep(const Scene& scene, const contact::ContactSystem& system
     }
   };
   return onFirstRank(system, processes, [&] {
-    const contact::State start = prediction.start(system);
+    const contact::State start = better != nullptr ? *better : prediction.start(system);
     SolvedProblem solved = from(start);
     if (solved.solution.report.converged() ||
         start.multiplier == prediction.last().multiplier)

@@ -29,11 +29,12 @@ SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
                     const BodySpaces& spaces, const contact::State& start,
                     const bem::Processes& processes, PhaseTimer& timer);
 
-/// The same for a step of a path: from where it is predicted, and if that
+/// The same for a step of a path: from a start, if none from where it is predicted, and if that
 /// fails from the state before.  It may fail and be tried in parts: a bem::NumericalError is
 /// the reason of a report without a state.
 SolvedProblem solveStep(const Scene& scene, const contact::ContactSystem& system,
                         const BodySpaces& spaces, const contact::Prediction& prediction,
-                        const bem::Processes& processes, PhaseTimer& timer);
+                        const contact::State* better, const bem::Processes& processes,
+                        PhaseTimer& timer);
 
 }  // namespace epafi::drivers

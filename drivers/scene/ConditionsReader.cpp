@@ -57,6 +57,25 @@ contact::Friction readFriction(const ParameterList& list, const Where& where) {
   });
 }
 
+void readWear(const ParameterList& list, const Where& where,
+              contact::Conditions::Contact& condition) {
+  const Place jump = where.under("Cycle Jump").place;
+  condition.cycles =
+      evaluateAt(where.names.t, list.get<std::string>("Cycle Jump"), jump, where.names);
+  if (!(condition.cycles >= 1))
+    throw InputError(jump.path, ": is ", condition.cycles, " at t = ", where.names.t,
+                     "; a step happens once at least");
+  const bem::Function coefficient = readFunction(list, "Coefficient", where);
+  if (!coefficient)
+    return;
+  if (condition.friction.ties())
+    throw InputError(where.place.path,
+                     ": bonded sides do not slip, so that they do not wear; take "
+                     "another law of friction than Tied");
+  condition.wear =
+      nonNegative(coefficient, where.under("Coefficient").place, where.names.t);
+}
+
 /// What all contacts have.
 contact::Conditions::Contact readSurface(const ParameterList& list, const Where& where) {
   contact::Conditions::Contact condition;
@@ -68,6 +87,7 @@ contact::Conditions::Contact readSurface(const ParameterList& list, const Where&
     const bem::Function before = readFunction(list, "Sliding", start);
     condition.sliding = [now, before](bem::Vec2 x) { return now(x) - before(x); };
   }
+  readWear(list.sublist("Wear"), where.under("Wear"), condition);
   const ParameterList& normal = list.sublist("Normal");
   const Where inner = where.under("Normal");
   condition.normal = contact::parseNormal(normal, [&](const std::string& key) {

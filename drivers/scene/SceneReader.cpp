@@ -131,8 +131,13 @@ void readHistory(ParameterList& used, Scene& scene) {
   if (!scene.history)
     used.remove("History");
   const std::vector<contact::Conditions> end = scene.conditionsAt(scene.endOfPath());
-  for (std::size_t b = 0; b < end.size(); ++b)
+  for (std::size_t b = 0; b < end.size(); ++b) {
+    for (const auto& [boundary, contact] : end[b].contact)
+      if (contact.wear && !scene.history)
+        throw InputError("contact '", contact.name.empty() ? boundary : contact.name,
+                         "' wears, which takes a path: give History->Times");
     scene.bodies[b].conditions = end[b];
+  }
 }
 
 Scene build(const std::string& file, const RawScene& raw) {

@@ -111,6 +111,20 @@ void addSurface(Table& table, const std::string& contact,
           .unit("length");
   sliding.only = only;
   append(table, {sliding});
+  Parameter wear = Row(contact + "->Wear", Kind::List, "how fast the sides wear");
+  wear.only = only;
+  add(table, wear,
+      {
+          Row("Coefficient", Kind::Expression,
+              "depth worn = coefficient times pressure times slip, >= 0; without it "
+              "nothing wears")
+              .unit("1/stress"),
+          Row("Cycle Jump", Kind::Expression,
+              "how many times each step of the path happens for what wears, >= 1, in t "
+              "and constants")
+              .unit("1")
+              .standard("1"),
+      });
   addLaw("->Friction", "how much shear the contact carries", contact::frictionRows());
   addLaw("->Normal", "how far the surfaces yield to the pressure", contact::normalRows());
 }

@@ -57,6 +57,12 @@ class Result:
         history = os.path.join(out, "history.csv")
         self.levels = table(history) if os.path.exists(history) else []
         self.steps = [int(level["newton_iterations"]) for level in self.levels]
+        path = os.path.join(out, "steps.csv")
+        if os.path.exists(path):  # of the step of each level that took most
+            most = {}
+            for step in table(path):
+                most[step["level"]] = max(most.get(step["level"], 0), int(step["newton_iterations"]))
+            self.steps = list(most.values())
         self.senseless = not all(makes_sense(level, "Tied" in self.scene.laws)
                                  for level in self.levels)
         timings = os.path.join(out, "timings.txt")

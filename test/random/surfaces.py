@@ -1,4 +1,4 @@
-"""Random scenes of two bodies whose surfaces yield, shear and slide.  Standard library only."""
+"""Random scenes of two bodies whose surfaces yield, shear, slide and wear.  Standard library only."""
 import random
 
 from bodies import TwoBodies
@@ -9,7 +9,8 @@ BASES = ("Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange", "Bernstein")
 
 class Surfaces(TwoBodies):
     """Every normal law that goes with basis and friction, from a hundredth to a hundred times as
-    soft as the bodies; elastic shear in every second scene, sliding in every second."""
+    soft as the bodies; elastic shear in every second scene, sliding in every second; wear in every third that is not
+    bonded, on a path of four steps, up to n k f p = 0.3 at the pressure of the load."""
 
     def __init__(self, seed):
         super().__init__(seed)
@@ -23,7 +24,9 @@ class Surfaces(TwoBodies):
                 self.basis = BASES[0]
         self.shears = self.law != "None" and draw.random() < 0.5
         self.slides = draw.random() < 0.5
-        self.features = [self.normal] + ["shears"] * self.shears + ["slides"] * self.slides
+        self.wear = random.Random("%d wear" % seed)
+        self.wears = self.law != "Tied" and self.wear.random() < 1 / 3
+        self.features = ["wears"] * self.wears + [self.normal] + ["shears"] * self.shears + ["slides"] * self.slides
 
     def contact(self, name, first, second, interference, friction):
         draw, length = self.surface, self.size * self.stress / self.modulus
@@ -43,4 +46,17 @@ class Surfaces(TwoBodies):
         sliding = text("Sliding", "%s*t" % soft(draw.choice((-1, 1)) * length))
         return sublist(name, parameter("Between", "Array(string)", "{%s, %s}" % (first, second)) +
                        text("Interference", interference) + sublist("Friction", friction) +
-                       sublist("Normal", law) + sliding * self.slides)
+                       sublist("Normal", law) + sliding * self.slides + self.worn())
+
+    def worn(self):
+        if not self.wears:
+            return ""
+        jump = self.wear.choice((1, 10))
+        return sublist("Wear", text("Coefficient", "%.6g" % (
+            0.3 * 10 ** self.wear.uniform(-3, 0) / jump / self.stress)) + text("Cycle Jump", "%d" % jump))
+
+    def scene(self, kind, bodies, contacts):
+        path = sublist("History", parameter("Times", "Array(double)", "{1, 2}") + parameter(
+            "Steps", "Array(int)", "{1, 3}"))
+        return super().scene(kind, bodies, contacts).replace(
+            '<ParameterList name="Contacts">', path * self.wears + '<ParameterList name="Contacts">')

@@ -24,7 +24,9 @@ if sys.argv[5:] == ["2"]:
                            "Normal", parameter("Law", "string", "Exponential"),
                            parameter("Length", "string", "1e-4"),
                            parameter("Pressure", "string", "1e-3")) + parameter(
-                           "Sliding", "string", "2e-5*t")), "Density",
+                           "Sliding", "string", "2e-5*t") + listed(
+                               "Wear", parameter("Coefficient", "string", "0.02"),
+                               parameter("Cycle Jump", "string", "t < 2 ? 1 : 10"))), "Density",
                    more=history([1, 2, 4, 6], [1, 7, 16, 16]))
     SCENE = [FILE]
 else:

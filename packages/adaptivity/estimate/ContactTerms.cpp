@@ -157,9 +157,15 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
                ? condition.normal.at(mesh.physicalPoint(e, t), units).closing(pressure(t))
                : 0;
   };
-  const auto opening = [metAt, across, normal, motion, closing](double t) {
+  const contact::Wear* wear = solved.wear;
+  const auto worn = [wear, &element](double t) {
+    return wear == nullptr
+               ? 0
+               : contact::MultiplierSpace::throughPoints(wear->depth, element, t);
+  };
+  const auto opening = [metAt, worn, across, normal, motion, closing](double t) {
     const Met met = metAt(t);
-    return met.gap + closing(t) + dot(motion(met), across(t)) - normal(t);
+    return met.gap + closing(t) + worn(t) + dot(motion(met), across(t)) - normal(t);
   };
   // the whole jump of bonded sides is an error, not what a step adds to it
   const bool ties = element.ties();
@@ -211,10 +217,15 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
       return std::max(1.0, other.degree * geometry.half / (p * other.half));
     };
   const double stiffness = 0.5 * p / geometry.half;  // p/h for Young's modulus 1
-  const auto yield = [&mesh, &condition, units, e, pressure, stiffness](double t,
-                                                                        double length) {
+  const auto wornMore = [wear, &element](double t) {
+    return wear == nullptr ? 0.0
+                           : std::max(0.0, contact::MultiplierSpace::throughPoints(
+                                               wear->rate, element, t));
+  };
+  const auto yield = [&mesh, &condition, units, e, pressure, stiffness, wornMore](
+                         double t, double length) {
     if (!condition.normal)
-      return 0.0;
+      return wornMore(t);
     const contact::PointClosing law =
         condition.normal.at(mesh.physicalPoint(e, t), units);
     // as stiff as where the pressure has closed what overlaps; open sides do not yield
@@ -222,7 +233,7 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
     const double touching = std::max(
         pressed,
         law.resolvent(stiffness, pressed + stiffness * (law.closing(pressed) - length)));
-    return touching > 0 ? law.slope(touching) : 0.0;
+    return touching > 0 ? law.slope(touching) + wornMore(t) : 0.0;
   };
   return {pressure,
           shear,

@@ -43,7 +43,7 @@ struct ContactProfiles {
   bool tied = false;     ///< are the sides bonded?
   /// p/h of what is met over that of the side, where that is finer; else 1.
   bem::Profile fineness = [](double) { return 1.0; };
-  /// φ' of sides that yield, at a place of this opening; else 0.
+  /// φ' of sides that yield or wear, at a place of this opening; else 0.
   std::function<double(double t, double opening)> yield = [](double, double) {
     return 0.0;
   };

@@ -47,6 +47,9 @@ struct Conditions {
     /// Motion of what is met along t since the path's beginning, where its geometry stays
     /// [length]; none: it stands still.
     bem::Function sliding{};
+    /// Depth that a pressure wears off per slip [1/stress]; none: nothing wears.
+    bem::Function wear{};
+    double cycles = 1;  ///< how many times a step of a path happens, for what wears
 
     bool holds(int edge, double place) const {
       return name.empty() ||

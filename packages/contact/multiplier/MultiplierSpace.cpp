@@ -4,6 +4,7 @@
 #include "contact/multiplier/SharedNodes.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace epafi::contact {
 
@@ -43,6 +44,7 @@ MultiplierSpace::MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& b
     element.condition = condition;
     if (element.condition->friction)
       element.tangential = 0;
+    element.point = points();
     elements_.push_back(element);
   }
   joined_.assign(elements_.size(), false);
@@ -123,6 +125,16 @@ void MultiplierSpace::number() {
   assign(&ContactElement::tangential, &ContactElement::tangentialLast,
          &ContactElement::tangentialEnds,
          [](const ContactElement& element) { return element.tangential >= 0; });
+}
+
+Index MultiplierSpace::points() const {
+  return elements_.empty() ? 0 : elements_.back().point + elements_.back().degree + 1;
+}
+
+double MultiplierSpace::throughPoints(const Vector& values, const ContactElement& element,
+                                      double t) {
+  const Vector chi = multiplierBasis("Gauss-Legendre-Lagrange").values(element.degree, t);
+  return std::inner_product(chi.begin(), chi.end(), values.begin() + element.point, 0.0);
 }
 
 Index MultiplierSpace::ContactElement::offset(EndCoefficients ends, int i) const {

@@ -53,6 +53,7 @@ class MultiplierSpace {
     int degree = 1;
     const std::string* boundary = nullptr;
     const Conditions::Contact* condition = nullptr;
+    Index point = 0;        ///< number of the first of its p + 1 Gauss points
     Index normal = 0;       ///< number of the first normal coefficient
     Index tangential = -1;  ///< number of the first tangential one; -1: frictionless
     /// Where the last node is the first one of an element before it in the mesh, which
@@ -110,6 +111,8 @@ class MultiplierSpace {
   /// How many coefficients are pressures, which are the first ones.
   Index normals() const { return normals_; }
   Index size() const { return size_; }
+  /// How many Gauss points there are, degree + 1 on each element.
+  Index points() const;
 
   /// λₙ and λₜ (dimensionless) at a point of a contact element; λₜ = 0 without friction.
   struct Value {
@@ -117,6 +120,9 @@ class MultiplierSpace {
     double tangential = 0;
   };
   Value at(const Vector& multiplier, const ContactElement& element, double t) const;
+  /// The polynomial through values at the Gauss points.
+  static double throughPoints(const Vector& values, const ContactElement& element,
+                              double t);
 
  private:
   void shareNodes(const bem::Mesh& mesh, const Conditions& conditions);

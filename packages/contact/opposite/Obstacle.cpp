@@ -35,19 +35,22 @@ void addLinear(double weight, const Vector& chi, const std::function<Index(int)>
         linear.push_back({number(i), number(j), value});
 }
 
-/// What an element's side yields by, from the points of a rule by which ∫ χ_i χ_j is exact.
+/// What an element's side yields and wears by, from the points of a rule by which ∫ χ_i χ_j is
+/// exact.
 /// A law that is not linear acts on values there: other bases would lose their order.
 void setSurface(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
-                const ContactElement& contact, bem::Units units, Surface& surface) {
-  const Normal& normal = contact.condition->normal;
-  const bem::Function& ofShear = contact.condition->friction.compliance;
-  if (!normal && !ofShear)
+                const ContactElement& contact, bem::Units units, Obstacle& obstacle) {
+  Surface& surface = obstacle.surface;
+  const Conditions::Contact& condition = *contact.condition;
+  const Normal& normal = condition.normal;
+  const bem::Function& ofShear = condition.friction.compliance;
+  if (!normal && !ofShear && !condition.wear && !condition.sliding)
     return;
   const auto refuse = [&](const char* what, const char* instead) {
     throw bem::InputError("boundary '", *contact.boundary, "': ", what, "; ", instead);
   };
-  if (multiplier.basis().sharesNodes)
-    refuse("contacts under the multiplier 'Biorthogonal' do not yield",
+  if (multiplier.basis().sharesNodes && (normal || ofShear || condition.wear))
+    refuse("contacts under the multiplier 'Biorthogonal' do not yield or wear",
            "use Gauss-Legendre-Lagrange");
   const bool isLinear = !normal || normal.law->isLinear();
   if (contact.ties() && !isLinear)
@@ -57,6 +60,11 @@ void setSurface(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
     const Vec2 x = mesh.physicalPoint(contact.element, rule.points[q]);
     const double length = mesh[contact.element].half * rule.weights[q];
     const Vector chi = multiplier.basis().values(contact.degree, rule.points[q]);
+    if (condition.sliding)
+      obstacle.slid[at(contact.point + q)] = condition.sliding(x) / units.length;
+    if (condition.wear)
+      obstacle.wear[at(contact.point + q)] =
+          condition.cycles * condition.wear(x) * units.stress;
     if (ofShear)
       addLinear(
           length * ofShear(x) * units.stress / units.length, chi,
@@ -117,6 +125,8 @@ Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
   obstacle.gap.assign(multiplier.normals(), 0.0);
   obstacle.jump.assign(multiplier.size(), 0.0);
   obstacle.tangentials.resize(multiplier.size() - multiplier.normals());
+  obstacle.slid.assign(at(multiplier.points()), 0.0);
+  obstacle.wear = obstacle.slid;
   forEachSidePoint(
       mesh, multiplier.elements(), opposite,
       [](const ContactElement& contact, const Opposite::Point&) {
@@ -145,7 +155,7 @@ Obstacle makeObstacle(const bem::Mesh& mesh, const MultiplierSpace& multiplier,
   for (const ContactElement& contact : multiplier.elements()) {
     if (contact.tangential >= 0)
       setFriction(mesh, multiplier, contact, units, obstacle);
-    setSurface(mesh, multiplier, contact, units, obstacle.surface);
+    setSurface(mesh, multiplier, contact, units, obstacle);
   }
   return obstacle;
 }

@@ -15,6 +15,8 @@ struct Obstacle {
   Vector jump;
   std::vector<Tangential> tangentials;
   Surface surface;                ///< what the sides yield by
+  Vector slid;                    ///< m at the elements' Gauss points
+  Vector wear;                    ///< n k there: what a pressure wears off per slip
   double largestSliding = 0;      ///< max of |m|
   double largestPenetration = 0;  ///< max of -g, of |g| where sides are bonded
 };

@@ -116,6 +116,11 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
       trapezoid(forces, forces_, motions, motions_, motions.size()) -
       trapezoid(at.state.multiplier, multiplier_, step.gap(), gap_, normals) -
       trapezoid(at.state.multiplier, multiplier_, step.jump(), jump_, jump_.size());
+  wear_ = step.wearBehind(at);
+  Vector worn = step.worn(wear_);
+  worn_.resize(worn.size());
+  ofWear_ += trapezoid(at.state.multiplier, multiplier_, worn, worn_, normals);
+  worn_ = std::move(worn);
   ofInside_.resize(step.ofInside().size());
   outside_ += trapezoid(at.state.multiplier, multiplier_, step.ofInside(), ofInside_,
                         ofInside_.size());
@@ -135,6 +140,10 @@ double PathMemory::friction() const {
   return std::accumulate(friction_.begin(), friction_.end(), 0.0);
 }
 
+double PathMemory::wornVolume() const {
+  return std::accumulate(worn_.begin(), worn_.end(), 0.0);
+}
+
 PathMemory::Difference PathMemory::apart(const PathMemory& other) const {
   Difference difference;
   for (std::size_t t = 0; t < friction_.size(); ++t) {
@@ -143,6 +152,8 @@ PathMemory::Difference PathMemory::apart(const PathMemory& other) const {
     if (std::isfinite(bound))  // else what is bonded, which does no work
       difference.slip += bound * std::abs(slip_[t] - other.slip_[t]);
   }
+  for (std::size_t i = 0; i < worn_.size(); ++i)
+    difference.volume += std::abs(worn_[i] - other.worn_[i]);
   return difference;
 }
 

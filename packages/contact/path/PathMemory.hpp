@@ -14,6 +14,7 @@ namespace epafi::contact {
 ///   friction      Σ σₜ,i Δrₜ,i   each term >= 0: the discrete problem's own weights
 ///   trapezoidal   Σ ½ (λₜ,i + λₜ,i⁻) Δrₜ,i
 ///   outside       Σ ½ (f + f⁻)·Δu + ½ (R + R⁻)·Δu - ½ (λₙ + λₙ⁻)·Δg
+///   worn          Σ ½ (λₙ + λₙ⁻)·Δw, what worn material takes
 ///
 /// over all bodies, of loads f, clamps R and obstacles that move; a body that does not deform
 /// adds what moves it times its motion.  ⁻: the step before, at first no load and no
@@ -32,12 +33,13 @@ class PathMemory {
   /// \param atZero the problem at t = 0, for the gaps and bounds to begin with
   explicit PathMemory(const ContactSystem& atZero, Shear shear = Shear::AtEnd);
 
-  /// Adds a solved step.  \pre the step was told slip(), defect() and largestLoad().
+  /// Adds a solved step.  \pre the step was told slip(), defect(), largestLoad() and wear().
   void add(const ContactSystem& step, const Configuration& at);
 
   const Vector& slip() const { return slip_; }      ///< rₜ, see ContactSystem::Step
   const Vector& defect() const { return defect_; }  ///< likewise
   double largestLoad() const { return largestLoad_; }
+  const std::vector<Wear>& wear() const { return wear_; }  ///< of each body
 
   /// Friction's work so far, one number per tangential coefficient, none ever falls.
   const Vector& frictionWork() const { return friction_; }
@@ -48,14 +50,19 @@ class PathMemory {
     /// Σ s_i |rₜ,i - rₜ,i'|, the work of friction in what one remembers and the other does not:
     /// of slip before a place closed, which has done none.
     double slip = 0;
+    double volume = 0;  ///< Σ |∫ (w - w') χ_i|
   };
   Difference apart(const PathMemory& other) const;
   double trapezoidal() const { return trapezoidal_; }
   double outside() const { return outside_; }
+  double worn() const { return ofWear_; }
+  double wornVolume() const;
 
-  /// outside - trapezoidal - what is stored: zero but for steps in which contact opens or
+  /// outside - trapezoidal - worn - what is stored: zero but for steps in which contact opens or
   /// closes, and there of second order in the step.
-  double imbalance(double stored) const { return outside_ - trapezoidal_ - stored; }
+  double imbalance(double stored) const {
+    return outside_ - trapezoidal_ - ofWear_ - stored;
+  }
 
  private:
   Shear shear_;
@@ -65,6 +72,9 @@ class PathMemory {
   double trapezoidal_ = 0;
   double outside_ = 0;
   double largestLoad_ = 0;
+  double ofWear_ = 0;
+  std::vector<Wear> wear_;
+  Vector worn_;  ///< ∫ w χ_i
   // of the step before
   Vector multiplier_;
   Vector bounds_;

@@ -24,8 +24,9 @@ Vector Surface::closing(const Vector& multiplier) const {
 }
 
 double Surface::energy(const Vector& multiplier) const {
+  const auto stores = static_cast<std::ptrdiff_t>(linear.size() - wearing);
   Vector closing(multiplier.size(), 0.0);
-  addTimes(0.5, linear, multiplier, closing);
+  addTimes(0.5, {linear.begin(), linear.begin() + stores}, multiplier, closing);
   double energy = bem::dot(multiplier, closing);
   for (const auto& [i, length, law] : places)
     energy += length * law.energy(multiplier[at(i)]);

@@ -21,6 +21,7 @@ struct Surface {
 
   std::vector<bem::Entry> linear;  ///< L
   std::vector<Place> places;
+  std::size_t wearing = 0;  ///< how many of the last of L are wear, which stores nothing
 
   bool empty() const { return linear.empty() && places.empty(); }
 

@@ -87,6 +87,11 @@ ContactPoint ContactFields::at(const Element& element, double t) const {
   if (condition.normal)
     point.closing =
         units_.length * condition.normal.at(point.place, units_).closing(stress.normal);
+  if (solved_.wear != nullptr) {
+    point.worn = units_.length * space.throughPoints(solved_.wear->depth, element, t);
+    point.distance =
+        units_.length * space.throughPoints(solved_.wear->distance, element, t);
+  }
   point.closed = closing(element, stress) > 0;
   if (element.tangential >= 0) {
     point.bound = units_.stress *

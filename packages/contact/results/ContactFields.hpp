@@ -21,8 +21,11 @@ struct ContactPoint {
   double sliding =
       0;           ///< how far what is met slid along t; slip is uₜ less this [length]
   double gap = 0;  ///< [length]
-  double bound = 0;     ///< what the law lets |λₜ| be at this pressure [stress]
-  double closing = 0;   ///< by how much the sides yield to the pressure [length]
+  double bound = 0;    ///< what the law lets |λₜ| be at this pressure [stress]
+  double closing = 0;  ///< by how much the sides yield to the pressure [length]
+  double worn = 0;     ///< depth [length]
+  double distance =
+      0;  ///< that the sides have slid while closed, forth and back [length]
   bool closed = false;  ///< λₙ > 0
   FrictionKind friction = FrictionKind::None;
 };

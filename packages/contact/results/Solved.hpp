@@ -2,6 +2,7 @@
 
 #include "contact/opposite/Opposite.hpp"
 #include "contact/system/ContactProblem.hpp"
+#include "contact/system/Wear.hpp"
 
 namespace epafi::contact {
 
@@ -41,6 +42,7 @@ struct Solved {
   const Motions* motionsBefore = nullptr;        ///< likewise of all bodies
   const State* stateBefore = nullptr;            ///< likewise; null: nothing acted
   const Conditions* conditionsBefore = nullptr;  ///< likewise; null: there were none
+  const Wear* wear = nullptr;                    ///< behind a step of a path; else null
 
   /// u, the particular solution's included, dimensionless.
   bem::Vec2 displacementAt(int element, double t) const {

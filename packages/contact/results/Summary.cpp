@@ -76,6 +76,13 @@ void addElement(const Solved& solved, const ContactFields& fields, const Element
   summary.forceNormal += half * integrate(normal, bem::gaussLegendre(p + 1));
   summary.contactLength += half * closedPart(fields, element);
   addForce(solved, fields, element, summary);
+  const bem::Rule& rule = bem::gaussLegendre(p + 1);
+  for (const Vector& places : {rule.points, Vector{-1, 1}})
+    for (const double t : places)
+      summary.pressureMax = std::max(summary.pressureMax, normal(t));
+  for (int q = 0; q < rule.size() && solved.wear != nullptr; ++q)
+    summary.wornVolume += half * rule.weights[q] * solved.units.length *
+                          solved.wear->depth[at(element.point + q)];
   if (element.tangential < 0)
     return;
   summary.forceTangential += half * integrate(tangential, bem::gaussLegendre(p + 1));
@@ -301,11 +308,13 @@ Summary sumOf(const std::vector<Summary>& bodies) {
   for (const Summary& body : bodies) {
     for (const auto member :
          {&Summary::energyStrain, &Summary::energyLoad, &Summary::forceNormal,
-          &Summary::forceTangential, &Summary::contactLength, &Summary::slipLength})
+          &Summary::forceTangential, &Summary::contactLength, &Summary::slipLength,
+          &Summary::wornVolume})
       sum.*member += body.*member;
     for (const auto member :
          {&Summary::load, &Summary::inside, &Summary::reaction, &Summary::obstacle})
       add(body.*member, sum.*member);
+    sum.pressureMax = std::max(sum.pressureMax, body.pressureMax);
   }
   sum.contact = sum.obstacle;
   return sum;

@@ -30,6 +30,8 @@ struct Summary {
   RigidMotion motion;        ///< mean of u over the whole boundary
   double contactLength = 0;  ///< where λₙ > 0
   double slipLength = 0;     ///< where |λₜ| reaches its bound
+  double pressureMax = 0;    ///< largest λₙ [stress]
+  double wornVolume = 0;     ///< ∫ w [length²]
 };
 
 /// Reactions come from the residual of the discrete equations at the constrained

@@ -1,6 +1,7 @@
 #include "contact/system/ContactSystem.hpp"
 
 #include "bem/algebra/SmallAlgebra.hpp"
+#include "contact/body/IterativeRefinement.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/opposite/SidePoints.hpp"
@@ -22,6 +23,10 @@ struct ContactSystem::Parts {
   Vector gap{};
   Vector jump{};
   Vector ofInside{};
+  std::vector<Wear> wearBefore{};
+  std::vector<Vector> slips{};  ///< |Δs|, see Wear
+  std::vector<Vector> wearRates{};
+  Vector worn{};  ///< before this step
   Vector slipBefore{};
   Vector defectBefore{};
   std::vector<LoadResponses> toLoads{};
@@ -160,7 +165,42 @@ struct ContactSystem::Parts {
       r[i] -= gap[i];
     if (!ofInside.empty())
       axpy(1, ofInside, r);
+    if (!worn.empty())
+      axpy(-1, worn, r);
     rigid.addGiven(r);
+  }
+
+  bool wears() const {
+    return std::any_of(bodies.begin(), bodies.end(), [](const ContactProblem& body) {
+      return contact::wears(body.parts_->multiplier);
+    });
+  }
+
+  Vector testedBy(const std::vector<Wear>& wear) const {
+    Vector all(numbering.size());
+    for (std::size_t b = 0; b < size(); ++b) {
+      const Vector own = tested(part(b), wear[b].depth);
+      for (std::size_t i = 0; i < own.size(); ++i)
+        all[at(numbering(b, static_cast<Index>(i)))] = own[i];
+    }
+    return all;
+  }
+
+  /// Wear of the step as another part of Φ.  `slip`: Δrₜ of all; empty: not known.
+  void setSlips(const Vector& slip) {
+    Surface& surface = numbers.surface;
+    surface.linear.resize(surface.linear.size() - surface.wearing);
+    surface.wearing = surface.linear.size();
+    for (std::size_t b = 0; b < size(); ++b) {
+      Vector own;
+      for (Index i = 0; i < numbering.sizeOf(b) && !slip.empty(); ++i)
+        own.push_back(slip[at(numbering(b, i))]);
+      slips[b] = contact::slips(part(b), wearBefore[b], own);
+      wearRates[b] = wearRate(part(b), slips[b]);
+      for (const auto& [row, column, value] : wearing(part(b), wearRates[b]))
+        surface.linear.push_back({numbering(b, row), numbering(b, column), value});
+    }
+    surface.wearing = surface.linear.size() - surface.wearing;
   }
 
   void setScale(double load) {
@@ -219,7 +259,14 @@ ContactSystem ContactSystem::under(const Step& step) const {
                                     parts_->rigid.under(step.rigid)});
   parts->toLoads = step.responses;
   parts->toLoads.resize(size());
+  parts->wearBefore = step.wearBefore;
+  parts->wearBefore.resize(size());
+  parts->slips.resize(size());
+  parts->wearRates.resize(size());
+  if (parts->wears() && !step.wearBefore.empty())
+    parts->worn = parts->testedBy(step.wearBefore);
   parts->respondAll(*parts_);
+  parts->setSlips({});
   parts->setScale(std::max(parts->loadSize(), step.largestLoad));
   if (!step.defectBefore.empty()) {
     axpy(1, step.defectBefore, parts->numbers.offset);
@@ -285,6 +332,45 @@ const Vector& ContactSystem::slipBefore() const { return parts_->slipBefore; }
 
 const std::vector<LoadResponses>& ContactSystem::responses() const {
   return parts_->toLoads;
+}
+
+bool ContactSystem::wearsBySlip() const {
+  return parts_->wears() &&
+         std::any_of(parts_->bodies.begin(), parts_->bodies.end(),
+                     [](const ContactProblem& body) {
+                       return body.multiplier().size() > body.multiplier().normals();
+                     });
+}
+
+double ContactSystem::wearBy(const Configuration& at) {
+  const auto wornBy = [&] {
+    Vector worn(numbering().size());
+    const Surface& surface = numbers().surface;
+    addTimes(1,
+             {surface.linear.end() - static_cast<std::ptrdiff_t>(surface.wearing),
+              surface.linear.end()},
+             at.state.multiplier, worn);
+    return worn;
+  };
+  Vector change = wornBy();
+  parts_->setSlips(at.penetration);
+  const Vector worn = wornBy();
+  axpy(-1, worn, change);
+  const double all = largestEntry(worn);
+  return all > 0 ? largestEntry(change) / all : 0;
+}
+
+std::vector<Wear> ContactSystem::wearBehind(const Configuration& at) const {
+  std::vector<Wear> wear;
+  for (std::size_t b = 0; b < size(); ++b)
+    wear.push_back(contact::wearBehind(parts_->part(b), parts_->wearBefore[b],
+                                       parts_->slips[b], parts_->wearRates[b],
+                                       at.bodies[b].multiplier));
+  return wear;
+}
+
+Vector ContactSystem::worn(const std::vector<Wear>& wear) const {
+  return parts_->testedBy(wear);
 }
 
 double ContactSystem::loadSize() const { return parts_->loadSize(); }

@@ -4,6 +4,7 @@
 #include "contact/problem/Numbering.hpp"
 #include "contact/system/ContactProblem.hpp"
 #include "contact/system/LoadResponses.hpp"
+#include "contact/system/Wear.hpp"
 
 namespace epafi::contact {
 
@@ -49,7 +50,8 @@ class ContactSystem {
     Vector defectBefore{};   ///< of the step before, see defect
     double largestLoad = 0;  ///< loadSize() of the steps before, the largest
     std::vector<LoadResponses>
-        responses{};  ///< of the step before; none: nothing is known
+        responses{};                 ///< of the step before; none: nothing is known
+    std::vector<Wear> wearBefore{};  ///< of each body likewise; none: nothing wore
   };
   /// The same bodies on the same meshes at another time: conditions of the same kinds on the
   /// same boundaries, the same motions free, friction that remembers.  Shares factors, D and
@@ -86,6 +88,16 @@ class ContactSystem {
   /// What is given of r where something acts inside, by coefficients: the displacement u_p of the
   /// sides and what t_p adds through the stabilisation; empty: nothing does.
   const Vector& ofInside() const;
+
+  /// Does this step wear by a slip that is part of the solution?  First it wears as if the sides
+  /// slid by as much as what slides by.
+  bool wearsBySlip() const;
+  /// Lets the step wear by the slips of a configuration.  Returns how much that changes what it
+  /// wears there, relative to that.
+  double wearBy(const Configuration& at);
+  /// Behind this step, of each body, and what is worn then by coefficients, <w, χ_i>.
+  std::vector<Wear> wearBehind(const Configuration& at) const;
+  Vector worn(const std::vector<Wear>& wear) const;
 
   /// The state of all from each body's own, where an empty vector stays empty, and back with
   /// everything that follows from it, where it is zero.  `rigid`: motions of bodies that do not deform; empty:

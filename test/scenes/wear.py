@@ -1,0 +1,185 @@
+"""Wear along paths: closed forms, its balance, fretting, jumps over cycles; dense and compressed,
+in all bases, either side first."""
+import math
+import os
+
+from runs import WORK, claim, differ, epafi, finish, fresh, table
+from written import (block, body, condition, contact, friction, geometry, listed, parameter,
+                     rigid, written)
+
+E, NU = 1.0, 0.3
+MODULUS = E * (1 - NU) / ((1 + NU) * (1 - 2 * NU))
+BASES = ("Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange", "Bernstein")
+
+
+def solved(name, file, *settings, expect=0):
+    folder = fresh(name)
+    code, text = epafi("run", file, "--output", folder,
+                       *(x for s in settings for x in ("--set", s)))
+    claim(code == expect, "%s: exit code %d%s" % (
+        name, code, "" if code == expect else " " + text[-400:]))
+    return folder, text
+
+
+def rows(folder, file="contact.csv"):
+    return table(os.path.join(folder, file))
+
+
+def wear(coefficient, jump="1"):
+    return listed("Wear", parameter("Coefficient", "string", coefficient),
+                  parameter("Cycle Jump", "string", jump))
+
+
+def slides(m):
+    return parameter("Sliding", "string", m)
+
+
+def history(times, steps):
+    return listed("History", parameter("Times", "Array(double)", "{%s}" % times),
+                  parameter("Steps", "Array(int)", "{%s}" % steps))
+
+
+# a unit block between frictionless walls, pushed onto a plane that slides by
+WALLS = (condition("left", "Dirichlet", Displacement_X="0") +
+         condition("right", "Dirichlet", Displacement_X="0"))
+
+
+def confined(name, law, steps, path, form="Density", basis=BASES[0]):
+    text = listed("confined", listed("Bodies", body(
+        "block", block(0, 0, 1, 1), E, WALLS + listed(
+            "bottom", parameter("Type", "string", "Contact"), law) +
+        condition("top", "Dirichlet", Displacement_Y="-0.01*min(t, 1)"))),
+        listed("Discretization", parameter("Mesh Size", "double", 0.5),
+               parameter("Degree", "int", 2), parameter("Multiplier", "string", basis),
+               listed("Stabilization", parameter("Form", "string", form))), history(path, steps))
+    os.makedirs(WORK, exist_ok=True)
+    file = os.path.join(WORK, name + ".xml")
+    with open(file, "w") as stream:
+        stream.write(text)
+    return file
+
+
+# steps in which k Δs M/H is 0.4, and one in which it is a million
+K = 2.0
+SLIDING = "max(0, t-1)*%r" % (0.4 / K / MODULUS)
+for basis in BASES:
+    for form in ("Density", "Projected") + ("None",) * (basis != BASES[0]):
+        folder, _ = solved("confined %s %s" % (basis, form), confined(
+            "confined", wear(str(K)) + slides(SLIDING), "1, 5", "1, 6", form, basis))
+        steps = rows(folder, "steps.csv")
+        off = max(differ(row["bottom.force_normal"], 0.01 * MODULUS / 1.4**n)
+                  for n, row in enumerate(steps))
+        points = rows(folder)
+        off = max([off] + [differ(p["worn_depth"], 0.01 - p["lambda_n"] / MODULUS)
+                           for p in points])
+        claim(off < 5e-12, "confined block that wears, %s, %s: to %.1e" % (basis, form, off))
+folder, _ = solved("at once", confined(
+    "at once", wear(str(K)) + slides("max(0, t-1)*%r" % (1e6 / K / MODULUS)), "1, 1", "1, 2"))
+off = differ(rows(folder, "steps.csv")[-1]["bottom.force_normal"], 0.01 * MODULUS / (1 + 1e6))
+claim(off < 1e-9, "k Δs M/H = 1e6 in a step: to %.1e" % off)
+# jumps are more of the same step; half of it does not wear
+folder, _ = solved("jumped", confined(
+    "jumped", wear("x < 2 ? 0.2 : 0", "t < 1.5 ? 1 : 10") + slides(SLIDING), "1, 5", "1, 6"))
+steps = rows(folder, "steps.csv")
+off = max(differ(row["bottom.force_normal"], 0.01 * MODULUS / 1.4**n)
+          for n, row in enumerate(steps))
+claim(off < 5e-12 and steps[-1]["cycles"] == 51, "Cycle Jump 10: to %.1e" % off)
+# energies: what the top does is in the block or worn off
+coarse = steps[-1]
+claim(abs(coarse["energy_error"]) < 1e-12 * coarse["energy_outside"] and
+      coarse["energy_worn"] > 0.3 * coarse["energy_outside"],
+      "energies balance with wear: %.1e" % coarse["energy_error"])
+
+# a half-plane's block under a rigid parabola that is pressed by a force and slides by
+def indented(name, first="soft", law="", sliding="0.3*max(0, t-1)", size=0.25, degree=2, path="1, 3",
+             steps="1, 4", motion=None, form="Density", coefficient="0.4", jump="1", depth=4, more=""):
+    outline = [(-depth, -depth), (depth, -depth), (depth, 0), (1, 0), (-1, 0), (-depth, 0)]
+    soft = body("soft", geometry(outline, "{bottom, right, top, contact, top, left}"), 1.0,
+                condition("bottom", "Dirichlet", Displacement_X="0", Displacement_Y="0"))
+    pad = rigid("pad", block(-1, 0, 1, 1), listed("Motion", *(
+        parameter(key, "string", value) for key, value in (
+            motion or {"Force Y": "-0.05*min(t, 1)"}).items())))
+    return written(name, [soft, pad], contact("rub", "soft:contact", "pad:bottom", (
+        parameter("Interference", "string", "-x^2/8") + law +
+        (slides(sliding) if sliding else "") + wear(coefficient, jump))), form, size, degree,
+        more=history(path, steps) + more)
+
+
+got = {}
+for way, settings in (("dense", ()), ("compressed", ("Solver->Linear->Method=Compressed",))):
+    folder, _ = solved("volume %s" % way, indented("volume"), *settings)
+    got[way] = rows(folder, "steps.csv")
+    off = max(differ(row["rub.worn_volume"], 0.4 * 0.05 * 0.3 * (row["t"] - 1))
+              for row in got[way][1:])
+    claim(off < 1e-12 and all(r["rub.contact_length"] < 2 for r in got[way]),
+          "V = k P s in every step, %s: to %.1e" % (way, off))
+    fall = [row["rub.pressure_max"] for row in got[way]]
+    claim(fall == sorted(fall, reverse=True) and fall[-1] < 0.9 * fall[0], "the pressure falls")
+off = max(differ(a[key], b[key]) for a, b in zip(got["dense"], got["compressed"])
+          for key in ("energy_strain", "energy_worn", "rub.pressure_max") if a[key])
+claim(off < 1e-8, "compressed agrees to %.1e" % off)
+for basis in BASES[1:]:
+    folder, _ = solved("volume %s" % basis, indented("volume"),
+                       "Discretization->Multiplier=" + basis,
+                       "Discretization->Stabilization->Form=Density")
+    off = max(differ(row["rub.worn_volume"], 0.4 * 0.05 * 0.3 * (row["t"] - 1))
+              for row in rows(folder, "steps.csv")[1:])
+    claim(off < 1e-12, "V = k P s, %s: to %.1e" % (basis, off))
+
+
+def unbalanced(steps):
+    """But for the first step, which closes the contact."""
+    return abs(steps[-1]["energy_error"] - steps[0]["energy_error"])
+
+
+folder, _ = solved("finer", indented("finer", steps="1, 8"))
+coarse, fine = (unbalanced(steps) for steps in (got["dense"], rows(folder, "steps.csv")))
+claim(max(coarse, fine) < 1e-3 * got["dense"][-1]["energy_worn"],
+      "energies balance but for what closes: %.1e, in twice as many steps %.1e" % (coarse, fine))
+
+# rubbing to and fro under Coulomb's law: what wears is k/f times friction's work
+SHAKEN = {"Force Y": "-0.05*min(t, 1)", "Displacement X": "0.003*sin(2*pi*max(0, t - 1))"}
+GROSS = {"Force Y": "-0.05*min(t, 1)", "Displacement X": "0.06*sin(2*pi*max(0, t - 1))"}
+for kind, motion in (("partial", SHAKEN), ("gross", GROSS)):
+    for way, settings in (("dense", ()), ("compressed", ("Solver->Linear->Method=Compressed",))):
+        folder, text = solved("%s slip %s" % (kind, way), indented(
+            kind, law=friction("0.5"), sliding="", motion=motion, coefficient="0.2", jump="2",
+            path="1, 3", steps="1, 16"), *settings)
+        last = got[way] = rows(folder, "steps.csv")
+        off = differ(last[-1]["rub.worn_volume"], 2 * 0.2 / 0.5 * last[-1]["energy_dissipated"])
+        newton = max(row["newton_iterations"] for row in last)
+        claim(off < 1e-10 and last[-1]["cycles"] == 6 and
+              (kind == "gross" or last[-1]["rub.slip_length"] < last[-1]["rub.contact_length"]),
+              "%s slip, %s: worn as k/f times friction's work to %.1e, %d steps of Newton's at most" % (
+                  kind, way, off, newton))
+        off = unbalanced(last) / last[-1]["energy_dissipated"]
+        claim(off < 1e-2, "its energies balance: %.1e of friction's work" % off)
+    off = max(differ(a[key], b[key]) for a, b in zip(got["dense"], got["compressed"])
+              for key in ("energy_strain", "rub.pressure_max", "energy_dissipated") if a[key])
+    claim(off < 1e-7, "%s slip, compressed agrees to %.1e" % (kind, off))
+points = rows(folder)
+middle = [p for p in points if abs(p["x"]) < 0.1]
+claim(max(p["worn_depth"] for p in points) > 0 and all(p["worn_depth"] > 0 for p in middle),
+      "gross slip wears the middle, too")
+
+
+# refused, and warned of
+def says(name, file, *words, code=1, command="check"):
+    got, text = epafi(command, file, *(() if command == "check" else ("--output", fresh(name))))
+    claim(got == code and all(word in text for word in words), "%s: %s" % (name, text.strip()[-150:]))
+
+
+TIED = listed("Friction", parameter("Law", "string", "Tied"))
+says("a bond", indented("bond", law=TIED), "Wear", "Tied")
+with open(indented("pathless")) as stream:
+    text = stream.read()
+with open(os.path.join(WORK, "pathless.xml"), "w") as stream:
+    stream.write(text.replace(history("1, 3", "1, 4"), ""))
+says("no path", os.path.join(WORK, "pathless.xml"), "'rub' wears", "History->Times")
+says("a jump", indented("jump", jump="0.5"), "Cycle Jump", "0.5")
+says("growth", indented("growth", coefficient="-x"), "Wear->Coefficient", ">= 0")
+says("dual", indented("dual", form="None"), "Biorthogonal", command="run")
+says("a long jump", indented("long", law=friction("0.5"), sliding="", motion=SHAKEN,
+                             coefficient="0.2", jump="400", path="1, 1.1", steps="1, 1"),
+     "Cycle Jump", "0.3", code=0, command="run")
+finish()
