@@ -158,7 +158,7 @@ class Follower {
     const bool known = isKnown();
     auto now = std::make_unique<PathStep>();
     timer_.run(Phase::Stabilization, [&] {
-      now->conditions = ground_.scene.conditionsAt(next);
+      now->conditions = ground_.spaces.conditionsAt(next);
       now->system = std::make_unique<const contact::ContactSystem>(atZero_.under(
           {now->conditions, ground_.scene.drivesAt(next), here_.memory.slip(),
            here_.memory.defect(), here_.memory.largestLoad(), here_.responses}));
