@@ -3,7 +3,7 @@ import cmath
 import math
 import os
 
-from runs import WORK, claim, epafi, finish, fresh, run, table
+from runs import WORK, claim, epafi, finish, fresh, run, scene, table
 from written import (QUARTERS, block, body, circle, condition, contact, friction, geometry, listed,
                      loop, parameter, rigid, written)
 
@@ -274,6 +274,33 @@ for bodies in ((LOWER, UPPER), (UPPER, LOWER)):
     claim(off_balance(name) < 1e-12, "%s: balance, %.1e" % (name, off_balance(name)))
 apart = max(abs(a - b) for p, q in zip(*found) for a, b in zip(p, q))
 claim(apart < 1e-10, "bodies in another order: %.1e" % apart)
+
+# the shipped scenes
+run(scene("hot-tube.xml"), "hot-tube")
+hoops = [p["syy"] for p in inside("hot-tube")]
+claim(abs(hoops[0] + 220.314152) < 1e-6 and abs(hoops[2] - 139.684917) < 1e-6,
+      "hot tube: %.6f, %.6f just below the surfaces" % (hoops[0], hoops[2]))
+level, sides = run(scene("shrink-fit.xml"), "shrink-fit")
+claim(abs(level[-1]["force_normal"] / (49.21875 * 40 * math.pi) - 1) < 1e-6,
+      "shrink fit: the mean pressure of a press fit, %.4f" % level[-1]["force_normal"])
+claim(largest(p["lambda_t"] for p in sides) > 0.5, "friction keeps a shear")
+claim(any(row["fit.force_normal"] == 0 for row in table(os.path.join(
+    WORK, "shrink-fit", "steps.csv")) if row["t"] == 1), "hot, the ring is loose")
+run(scene("blade-root.xml"), "blade-root", ["Adaptivity->Maximum Levels=1"])
+ROOT = [(-4.571150438746157, 0), (4.571150438746157, 0), (5.571150438746157, 1),
+        (5.571150438746157, 2.935822227524088), (3, 6), (3, 12)]
+ROOT += [(-x, y) for x, y in ROOT[:1:-1]]
+pull = 7.85e-9 * 1500 ** 2 * sum(  # of the root itself: rho w^2 times the area's moment
+    (a[0] * b[1] - b[0] * a[1]) * (200 / 2 + (a[1] + b[1]) / 6)
+    for a, b in zip(ROOT, ROOT[1:] + ROOT[:1])) + 1500
+for row in table(os.path.join(WORK, "blade-root", "steps.csv")):
+    share = {0.25: 0.0625, 0.5: 0.25, 1.0: 1, 1.5: 0.25}.get(row["t"])
+    if share is not None:
+        angle, slides = math.radians(50), 1 if row["t"] <= 1 else -1
+        exact = share * pull / 2 / (math.cos(angle) + slides * 0.2 * math.sin(angle))
+        error = largest(row[side + ".force_normal"] / exact - 1 for side in ("left", "right"))
+        claim(error < 1e-9, "blade root at t = %g: flanks carry what pulls, %.1e" % (
+            row["t"], error))
 
 # what is refused
 BARE = body("block", block(0, 0, 1, 1), E, condition("bottom", "Contact"), "{X, Rotation}")
