@@ -64,13 +64,11 @@ void evaluateAt(const Scene& scene, const BodySpaces& spaces,
 void evaluateAll(const Scene& scene) {
   const BodySpaces spaces(scene, firstLevel(scene).meshes);
   if (scene.history)
-    evaluateAt(scene, spaces, scene.conditionsAt(0), 0);
+    evaluateAt(scene, spaces, spaces.conditionsAt(0), 0);
   for (std::size_t k = 0; k + 1 < scene.history.times.size(); ++k)
-    evaluateAt(scene, spaces, scene.conditionsAt(scene.history.times[k]),
+    evaluateAt(scene, spaces, spaces.conditionsAt(scene.history.times[k]),
                scene.history.times[k]);
-  std::vector<contact::Conditions> last;
-  for (const Body& body : scene.bodies)
-    last.push_back(body.conditions);
+  const std::vector<contact::Conditions> last = spaces.conditionsAt(scene.endOfPath());
   evaluateAt(scene, spaces, last, scene.endOfPath());
   for (std::size_t b = 0; b < spaces.size(); ++b) {
     const bem::Mesh& mesh = spaces.space(b).mesh();
@@ -194,6 +192,9 @@ std::string checkScene(const Scene& scene) {
          << "  Neumann    " << namesOf(body.conditions.neumann) << "\n"
          << "  contact    " << contactsOf(body.conditions) << "\n"
          << "  held       " << fixedMotions(body.conditions.fix) << "\n";
+    if (body.conditions.heat)
+      text << "  warm       " << namesOf(body.conditions.heat->temperatures) << "\n"
+           << "  heat flux  " << namesOf(body.conditions.heat->flows) << "\n";
   }
   for (const RigidBody& body : scene.rigid)
     text << "  rigid       " << body.name << ": " << motionsOf(body) << "\n";

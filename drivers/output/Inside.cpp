@@ -18,15 +18,16 @@ constexpr double end = 0.05;
 
 BodyInsides::BodyInsides(const Scene& scene, const Level& level)
     : scene_(scene), level_(level), spaces_(scene, meshesOf(scene, level)) {
-  for (const auto& conditions : scene.conditionsAt(level.time(scene.endOfPath())))
+  for (const auto& conditions : spaces_.conditionsAt(level.time(scene.endOfPath())))
     inside_.push_back(conditions.inside);
   for (std::size_t b = 0; b < size(); ++b)
     fields_.emplace_back(spaces_.space(b), scene.lame(b), level.bodies[b].displacement,
                          level.bodies[b].density);
 }
 
-InsideValue BodyInsides::inUnits(std::size_t body, bem::Vec2 scaled,
-                                 const bem::InteriorValue& field) const {
+InsideValue BodyInsides::inUnits(
+    std::size_t body, bem::Vec2 scaled, const bem::InteriorValue& field,
+    const contact::ParticularSolution::Value& particular) const {
   const bem::Material& material = scene_.bodies[body].material;
   const bem::Units units = scene_.units();
   InsideValue value;
@@ -36,15 +37,15 @@ InsideValue BodyInsides::inUnits(std::size_t body, bem::Vec2 scaled,
   value.xy = units.stress * field.xy;
   if (const contact::Inside& inside = inside_[body]) {
     const auto stress = inside->stress(scaled);
-    value.displacement = value.displacement + units.length * inside->displacement(scaled);
+    value.displacement = value.displacement + units.length * particular.displacement;
     value.xx += units.stress * stress.xx;
     value.yy += units.stress * stress.yy;
     value.xy += units.stress * stress.xy;
   }
   value.zz = material.planeStress ? 0 : material.poissonsRatio * (value.xx + value.yy);
   if (const contact::Inside& inside = inside_[body]) {
-    value.zz += units.stress * inside->stressAcross(scaled);
-    value.temperature = inside->temperature(scaled);
+    value.zz += units.stress * inside->stressAcross(particular.temperature);
+    value.temperature = particular.temperature;
   }
   const double a = value.xx - value.yy;
   const double b = value.yy - value.zz;
@@ -85,8 +86,11 @@ std::vector<InsideValue> BodyInsides::at(const std::vector<InsidePoint>& points)
         places.push_back(mesh(b).outline().scaled(points[k].x));
       }
     const std::vector<bem::InteriorValue> fields = fields_[b].at(places);
+    std::vector<contact::ParticularSolution::Value> particular(places.size());
+    if (inside_[b])
+      particular = inside_[b]->at(places);
     for (std::size_t k = 0; k < own.size(); ++k)
-      values[own[k]] = inUnits(b, places[k], fields[k]);
+      values[own[k]] = inUnits(b, places[k], fields[k], particular[k]);
   }
   return values;
 }

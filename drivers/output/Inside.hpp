@@ -57,8 +57,8 @@ class BodyInsides {
                   const std::vector<InsideValue>& values) const;
 
  private:
-  InsideValue inUnits(std::size_t body, bem::Vec2 scaled,
-                      const bem::InteriorValue& field) const;
+  InsideValue inUnits(std::size_t body, bem::Vec2 scaled, const bem::InteriorValue& field,
+                      const contact::ParticularSolution::Value& particular) const;
 
   const Scene& scene_;
   const Level& level_;

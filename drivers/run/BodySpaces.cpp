@@ -1,5 +1,6 @@
 #include "drivers/run/BodySpaces.hpp"
 
+#include "contact/conditions/Conduction.hpp"
 #include "contact/system/ContactProblem.hpp"
 
 #include <algorithm>
@@ -53,6 +54,20 @@ std::shared_ptr<const contact::Opposite> BodySpaces::makeOpposite(std::size_t b)
     return std::make_shared<const contact::DistantObstacle>(mesh, length);
   return std::make_shared<const contact::FacingBodies>(mesh, multipliers_[b], length,
                                                        met);
+}
+
+std::vector<contact::Conditions> BodySpaces::conditionsAt(double t) const {
+  std::vector<contact::Conditions> all = scene_.conditionsAt(t);
+  for (std::size_t b = 0; b < all.size(); ++b)
+    if (all[b].heat) {
+      auto& conduction = conductions_[b];
+      if (!conduction)
+        conduction =
+            std::make_shared<const contact::Conduction>(spaces_[b].mesh(), *all[b].heat);
+      all[b].inside = std::make_shared<const contact::ParticularSolution>(
+          *all[b].inside, conduction->heat(*all[b].heat));
+    }
+  return all;
 }
 
 Size BodySpaces::totalSize() const {

@@ -4,8 +4,13 @@
 #include "drivers/run/Level.hpp"
 #include "drivers/scene/Scene.hpp"
 
+#include <map>
 #include <memory>
 #include <vector>
+
+namespace epafi::contact {
+class Conduction;
+}
 
 namespace epafi::drivers {
 
@@ -26,6 +31,9 @@ class BodySpaces {
     return opposites_[b];
   }
 
+  /// The scene's at a time, with what conducted heat does inside on these meshes.
+  std::vector<contact::Conditions> conditionsAt(double t) const;
+
   Size totalSize() const;
 
   /// Of displacements of all bodies, which must outlive it, and motions of those that do
@@ -41,6 +49,8 @@ class BodySpaces {
   std::vector<bem::Space> spaces_;
   std::vector<contact::MultiplierSpace> multipliers_;
   std::vector<std::shared_ptr<const contact::Opposite>> opposites_;
+  /// Of bodies that conduct heat, made when it is asked for.
+  mutable std::map<std::size_t, std::shared_ptr<const contact::Conduction>> conductions_;
 };
 
 /// The mesh that a body's part of the scene describes.  An edge on which contact with another

@@ -288,7 +288,7 @@ Attempt solveLevel(const Scene& scene, const BodySpaces& spaces,
   const Ground ground{scene, from.level, spaces, lames, stiffness, processes};
   // a path starts with the conditions at t = 0
   const double start = scene.history ? 0 : 1;
-  const std::vector<contact::Conditions> first = scene.conditionsAt(start);
+  const std::vector<contact::Conditions> first = spaces.conditionsAt(start);
   const auto system = begun.timer.run(Phase::Stabilization, [&] {
     std::vector<contact::ContactProblem::Input> inputs;
     for (std::size_t b = 0; b < spaces.size(); ++b)

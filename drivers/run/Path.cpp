@@ -211,7 +211,7 @@ class Follower {
     auto now = std::make_unique<PathStep>();
     std::unique_ptr<contact::ContactSystem> system;
     timer_.run(Phase::Stabilization, [&] {
-      now->conditions = ground_.scene.conditionsAt(next);
+      now->conditions = ground_.spaces.conditionsAt(next);
       system = std::make_unique<contact::ContactSystem>(atZero_.under(
           {now->conditions, ground_.scene.drivesAt(next), here_.memory.slip(),
            here_.memory.defect(), here_.memory.largestLoad(), here_.responses,

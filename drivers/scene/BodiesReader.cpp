@@ -65,7 +65,8 @@ void refuseElasticity(const ParameterList& list, const std::string& path) {
   for (const char* key : {"Young's Modulus", "Poisson's Ratio"})
     if (list.sublist("Material").isParameter(key))
       refuse(std::string("Material->") + key);
-  for (const char* part : {"Boundary Conditions", "Mesh", "Rigid Motions"})
+  for (const char* part :
+       {"Boundary Conditions", "Mesh", "Rigid Motions", "Thermal Conditions"})
     for (const auto& item : list.sublist(part))
       if (!item.second.isDefault())
         refuse(std::string(part) + "->" + item.first);

@@ -4,6 +4,7 @@
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 #include "bem/quadrature/Gauss.hpp"
+#include "drivers/scene/ConditionsReader.hpp"
 
 #include <Teuchos_Array.hpp>
 
@@ -117,18 +118,35 @@ bem::SchemaRows bodyLoadsRows() {
   };
 }
 
+bem::SchemaRows thermalRows() {
+  using bem::Kind;
+  using bem::Row;
+  return {
+      Row("Temperature", Kind::Expression,
+          "held here: difference from the stress-free state; on one boundary at least")
+          .unit("temperature"),
+      Row("Heat Flux", Kind::Expression, "instead of Temperature: heat into the body")
+          .unit("conductivity temperature / length"),
+  };
+}
+
 BodyLoadsReader::BodyLoadsReader(const ParameterList& root, const std::string& body,
                                  Place file)
-    : body_(body), place_(std::move(file)) {
+    : body_(body),
+      place_(file),
+      heatPlace_{file.file, "Bodies->" + body + "->Thermal Conditions"} {
   const ParameterList& list = root.sublist("Bodies").sublist(body);
   material_ = &list.sublist("Material");
+  thermal_ = &list.sublist("Thermal Conditions");
   own_ = saysAnything(list.sublist("Body Loads"));
   const ParameterList& ofAll = root.sublist("Body Loads");
   list_ = own_ ? &list.sublist("Body Loads") : saysAnything(ofAll) ? &ofAll : nullptr;
   place_.path = own_ ? "Bodies->" + body + "->Body Loads" : "Body Loads";
 }
 
-bool BodyLoadsReader::has(const char* key) const { return list_->isParameter(key); }
+bool BodyLoadsReader::has(const char* key) const {
+  return list_ != nullptr && list_->isParameter(key);
+}
 
 double BodyLoadsReader::value(const char* key, const Names& names) const {
   return has(key) ? evaluateAt(names.t, list_->get<std::string>(key),
@@ -136,10 +154,10 @@ double BodyLoadsReader::value(const char* key, const Names& names) const {
                   : 0;
 }
 
-double BodyLoadsReader::ofMaterial(const char* property, const char* why) const {
+double BodyLoadsReader::ofMaterial(const char* property, const std::string& why) const {
   if (!material_->isParameter(property))
-    throw InputError("Bodies->", body_, "->Material->", property, ": missing; ",
-                     place_.path, "->", why, " needs it");
+    throw InputError("Bodies->", body_, "->Material->", property, ": missing; ", why,
+                     " needs it");
   return material_->get<double>(property);
 }
 
@@ -149,13 +167,14 @@ BodyLoadsReader::Force BodyLoadsReader::forceAt(Vec2 origin, const Names& names)
       return value(force, names);
     if (has(force))
       throw InputError(place_.path, "->", force, ": give this or ", weight, ", not both");
-    return ofMaterial("Density", weight) * value(weight, names);
+    return ofMaterial("Density", place_.path + "->" + weight) * value(weight, names);
   };
   Force force{{along("Gravity X", "Force X"), along("Gravity Y", "Force Y")}, {}};
   if (has("Spin"))
-    force.linear += ofMaterial("Density", "Spin") * std::pow(value("Spin", names), 2);
+    force.linear += ofMaterial("Density", place_.path + "->" + "Spin") *
+                    std::pow(value("Spin", names), 2);
   if (has("Angular Acceleration"))
-    force.linear -= ofMaterial("Density", "Angular Acceleration") *
+    force.linear -= ofMaterial("Density", place_.path + "->" + "Angular Acceleration") *
                     Complex(0, value("Angular Acceleration", names));
   Vec2 center;
   if (has("Center")) {
@@ -214,21 +233,57 @@ contact::BodyLoads::Terms BodyLoadsReader::temperature(const bem::Outline& outli
 contact::Inside BodyLoadsReader::inside(const bem::Outline& outline,
                                         const bem::Material& material, double stress,
                                         const Names& names) const {
-  if (list_ == nullptr)
+  const bool conducts = saysAnything(*thermal_);
+  if (list_ == nullptr && !conducts)
     return nullptr;
-  const Force force = forceAt(outline.scaling().origin, names);
+  const Force force =
+      list_ == nullptr ? Force{} : forceAt(outline.scaling().origin, names);
   const double length = outline.scaling().length;
   contact::BodyLoads loads;
   loads.uniform = force.uniform * (length / stress);
   loads.linear = force.linear * (length * length / stress);
-  if (has("Temperature")) {
-    const double alpha = ofMaterial("Thermal Expansion", "Temperature");
+  if (has("Temperature") && conducts)
+    throw InputError(place_.path, "->Temperature: ", heatPlace_.path,
+                     " have it conducted; give one of them");
+  if (has("Temperature"))
     loads.temperature = temperature(outline, names);
+  if (has("Temperature") || conducts) {
+    const double alpha = ofMaterial(
+        "Thermal Expansion", conducts ? heatPlace_.path : place_.path + "->Temperature");
     loads.expansion = material.planeStress ? alpha : (1 + material.poissonsRatio) * alpha;
     loads.across = material.planeStress ? 0 : -alpha * material.youngsModulus / stress;
   }
   return std::make_shared<const contact::ParticularSolution>(loads,
                                                              bem::Lame(material, stress));
+}
+
+std::shared_ptr<const contact::ThermalConditions> BodyLoadsReader::heat(
+    const bem::Outline& outline, const Names& names) const {
+  if (!saysAnything(*thermal_))
+    return nullptr;
+  contact::ThermalConditions heat;
+  heat.path = heatPlace_.path;
+  heat.conductivity = material_->get<double>("Conductivity");
+  for (const auto& item : *thermal_) {
+    const Place place{heatPlace_.file, heatPlace_.path + "->" + item.first};
+    checkNamed(item.first, place.path, outline);
+    const ParameterList& list = thermal_->sublist(item.first);
+    Names here = names;
+    here.normal = normalOn(outline, item.first);
+    const bool isHeld = list.isParameter("Temperature");
+    if (isHeld == list.isParameter("Heat Flux"))
+      throw InputError(place.path, ": has ", isHeld ? "both" : "none",
+                       " of Temperature and Heat Flux; a boundary has one of them");
+    const char* key = isHeld ? "Temperature" : "Heat Flux";
+    (isHeld ? heat.temperatures : heat.flows)[item.first] = makeExpression(
+        list.get<std::string>(key), {place.file, place.path + "->" + key}, here);
+  }
+  if (heat.temperatures.empty())
+    throw InputError(
+        heatPlace_.path,
+        ": no boundary has a Temperature; without one that is held heat flows "
+        "alone do not say how warm the body is");
+  return std::make_shared<const contact::ThermalConditions>(std::move(heat));
 }
 
 bool BodyLoadsReader::actsOnRigid() const {

@@ -5,11 +5,12 @@
 
 namespace epafi::drivers {
 
-/// The keys of a list Body Loads.
+/// The keys of a list Body Loads, and of a boundary's under Thermal Conditions.
 bem::SchemaRows bodyLoadsRows();
+bem::SchemaRows thermalRows();
 
-/// What acts inside a body at a time, from its validated lists Material and Body Loads; the root's
-/// Body Loads serve bodies that have none of their own.
+/// What acts inside a body at a time, from its validated lists Material, Body Loads and Thermal
+/// Conditions; the root's Body Loads serve bodies that have none of their own.
 class BodyLoadsReader {
  public:
   /// `root`: the scene's whole list.
@@ -19,10 +20,16 @@ class BodyLoadsReader {
   /// Of an elastic body; none where no list says anything.
   /// `material`, `stress`: the body's, and what stresses count in.
   /// \throws bem::InputError for a load by mass on a body without Density, a force beside a weight,
-  ///   a temperature that is no polynomial of degree 4, or of a body without Thermal Expansion, and
-  ///   what is not one finite number at this time.
+  ///   a temperature that is no polynomial of degree 4, or of a body without Thermal Expansion, or
+  ///   beside Thermal Conditions, and what is not one finite number at this time.
   contact::Inside inside(const bem::Outline& outline, const bem::Material& material,
                          double stress, const Names& names) const;
+
+  /// What is said of heat on its boundaries; none: no list says anything.
+  /// \throws bem::InputError for a boundary that no edge has, a temperature and a flux or neither on
+  ///   one, and if no boundary has a temperature.
+  std::shared_ptr<const contact::ThermalConditions> heat(const bem::Outline& outline,
+                                                         const Names& names) const;
 
   /// Of a rigid one, about its reference point, in the user's units; without a Density of its own
   /// nothing of the root's.  \throws bem::InputError as above.
@@ -40,15 +47,17 @@ class BodyLoadsReader {
   Force forceAt(bem::Vec2 origin, const Names& names) const;
   bool has(const char* key) const;
   double value(const char* key, const Names& names) const;
-  double ofMaterial(const char* property, const char* why) const;
+  double ofMaterial(const char* property, const std::string& why) const;
   contact::BodyLoads::Terms temperature(const bem::Outline& outline,
                                         const Names& names) const;
 
   const Teuchos::ParameterList* material_;
+  const Teuchos::ParameterList* thermal_;
   const Teuchos::ParameterList* list_;  ///< null: none
   bool own_ = false;
   std::string body_;
-  Place place_;  ///< of the list
+  Place place_;      ///< of the list
+  Place heatPlace_;  ///< of Thermal Conditions
 };
 
 }  // namespace epafi::drivers

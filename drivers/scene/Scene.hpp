@@ -88,7 +88,8 @@ struct Scene {
   double stress = 1;  ///< that all of them count in
 
   History history;
-  /// The bodies' conditions at a time, their pins included; of the same kinds on the same
+  /// The bodies' conditions at a time, their pins included, what is inside without heat that is
+  /// conducted; of the same kinds on the same
   /// boundaries at all times.
   std::function<std::vector<contact::Conditions>(double t)> conditionsAt;
 

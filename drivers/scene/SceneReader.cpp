@@ -108,8 +108,9 @@ std::function<std::vector<contact::Conditions>(double t)> conditionsOf(
       all.push_back(readConditions(lists->sublist("Bodies").sublist(body.name),
                                    {file, "Bodies->" + body.name}, *body.outline, now));
       all.back().pins = body.conditions.pins;
-      all.back().inside = BodyLoadsReader(*lists, body.name, {file, ""})
-                              .inside(*body.outline, body.material, stress, now);
+      const BodyLoadsReader reader(*lists, body.name, {file, ""});
+      all.back().inside = reader.inside(*body.outline, body.material, stress, now);
+      all.back().heat = reader.heat(*body.outline, now);
       for (const auto& [boundary, contact] : body.conditions.contact)
         if (!contact.name.empty()) {
           now.normal = normalOn(*body.outline, boundary);

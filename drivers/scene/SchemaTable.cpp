@@ -62,6 +62,11 @@ void addBody(Table& table) {
           Row("Thermal Expansion", Kind::Real,
               "coefficient of linear thermal expansion, of bodies with a Temperature")
               .unit("1 / temperature"),
+          Row("Conductivity", Kind::Real,
+              "of heat; only Heat Flux under Thermal Conditions depends on it")
+              .unit("power / length / temperature")
+              .standard("1")
+              .range(above(0)),
       });
   add(table,
       Row(geometry, Kind::List, "the outline: a polygon of segments and arcs, with holes")
@@ -199,6 +204,14 @@ void addConditions(Table& table) {
       Row("Bodies-><body>->Body Loads", Kind::List,
           "what acts inside the body, its own in place of the list at the root"),
       bodyLoadsRows());
+  const std::string thermal = "Bodies-><body>->Thermal Conditions";
+  append(table,
+         {Row(thermal, Kind::List,
+              "steady conduction of heat inside the body, one sublist per boundary, "
+              "contacts among them; one without is insulated, and so are contacts "
+              "from what they meet")});
+  add(table, Row(thermal + "-><boundary>", Kind::List, "heat on the edges of this name"),
+      thermalRows());
   add(table,
       Row("Body Loads", Kind::List,
           "what acts inside every body that has no such list of its own"),

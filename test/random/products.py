@@ -49,7 +49,7 @@ class Products:
         self.basis, self.strategy = scene.basis, scene.strategy
         self.stress, self.held = scene.stress, scene.held
         size = scene.diameter if isinstance(scene, Scene) else scene.size
-        self.energy = scene.modulus * size ** 2
+        self.size, self.energy = size, scene.modulus * size ** 2
         self.features = [type(scene).__name__]
         bodies = child(self.root, "Bodies")
         self.bodies = [body for body in bodies
@@ -99,6 +99,9 @@ class Products:
             if "heat" in kinds:
                 put(child(owner, "Material"), "Thermal Expansion", "double", "1e-5")
                 strain = self.stress / self.modulus(owner) / 1e-5
+                if draw.random() < 0.5:
+                    self.conduction(owner, strain, factor)
+                    continue
                 terms = ["%.4g*(x/%.6g)^%d*(y/%.6g)^%d" % (
                     draw.uniform(-1, 1), size, a, size, b)
                     for a, b in ((0, 0), (1, 0), (draw.randint(0, 2), draw.randint(0, 2)))]
@@ -107,6 +110,24 @@ class Products:
         if "incompressible" not in self.features and self.basis != "Biorthogonal":
             put(sublist(child(self.root, "Discretization"), "Stabilization"), "Form", "string",
                 draw.choice(("Density", "Projected", "Exact")))
+
+    def conduction(self, body, strain, factor):
+        """One temperature, so that it meets no other one, on some boundaries; on others a flux."""
+        draw, geometry = self.draw, child(body, "Geometry")
+        names = sorted(set(words(geometry, "Edges") + words(geometry, "Hole 1 Edges")))
+        draw.shuffle(names)
+        held = draw.randint(1, len(names))
+        place = draw.choice(("x", "y"))
+        inner = sublist(body, "Thermal Conditions")
+        strain *= draw.uniform(-1, 1)
+        for k, name in enumerate(names):
+            if k < held:
+                put(sublist(inner, name), "Temperature", "string", "%.6g*(1 + %s/%.6g)%s" % (
+                    strain, place, self.size, factor))
+            elif draw.random() < 0.7:
+                put(sublist(inner, name), "Heat Flux", "string", "%.6g*(0.3 + n%s)%s" % (
+                    strain * draw.uniform(-1, 1) / self.size, place, factor))
+        self.features.append("conduction")
 
     def xml(self):
         return tree.tostring(self.root, encoding="unicode")

@@ -157,4 +157,13 @@ part = solve("two levels", UNLIKE, PAIR, history([1, 2], [1, 3]),
              settings=SETTINGS + ["Adaptivity->Maximum Levels=2"], restart=part)
 claim(all(a[c] == b[c] for a, b in zip(steps(whole), steps(part)) for c in a),
       "a path of two bodies goes on behind a level with the same digits")
+# Fix holds means of the whole boundary: where clamps that move are a part of it, it pulls at the rest
+beam = body("block", block(0, 0, 2, 1), 10.0, condition("bottom", "Contact") + condition(
+    "left", "Dirichlet", Displacement_Y="-0.02*t") + condition("top", "Neumann", Traction_Y="-1*t"),
+            "{X, Rotation}")
+last = steps(solve("held means beside a clamp", [beam], "", history([1], [3])))[-1]
+claim(abs(last["energy_error"]) < 1e-12 * abs(last["energy_outside"]),
+      "what Fix does against a clamp is outside work: %.1e" % (
+          last["energy_error"] / last["energy_outside"]))
+
 finish()

@@ -5,6 +5,7 @@
 #include "bem/base/Parallel.hpp"
 #include "bem/fields/BoundaryFields.hpp"
 #include "contact/body/Loads.hpp"
+#include "contact/conditions/ConductedHeat.hpp"
 
 #include <algorithm>
 
@@ -54,6 +55,17 @@ double clampSquares(const contact::Solved& solved, int e,
   return square;
 }
 
+/// h/p |α' (f - given f)|² of conducted heat on an element: the slope of what its displacement α' ∫ f
+/// dz errs by.
+double heatSquares(const contact::Solved& solved, int e) {
+  const contact::Inside& inside = solved.conditions.inside;
+  if (!inside || inside->conducted() == nullptr)
+    return 0;
+  const bem::Element& element = solved.space.mesh()[e];
+  return 2 * element.half / element.degree * inside->expansion() * inside->expansion() *
+         inside->conducted()->missed(e);
+}
+
 class Residuals {
  public:
   Residuals(const contact::Solved& solved, const bem::Lame& lame, const Weights& weights)
@@ -72,6 +84,7 @@ class Residuals {
       of(squares, Source::Density) +=
           value.weight * h * dot(value.mismatch, value.mismatch);
     of(squares, Source::Density) += clampSquares(solved_, e, values);
+    of(squares, Source::Density) += heatSquares(solved_, e);
     if (touching)
       return squares;
     const Vec2 free = Vec2{1, 1} - solved_.conditions.given(mesh_.boundary(e));

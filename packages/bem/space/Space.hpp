@@ -56,10 +56,16 @@ class Space {
   /// of other elements are zero.
   template <class Field>
   Vector interpolateOn(const std::vector<int>& elements, const Field& field) const {
+    return interpolatePlaces(
+        elements, [&](int e, double t) { return field(mesh_.scaledPoint(e, t)); });
+  }
+  /// The same of a field of the place t on an element.
+  template <class Field>
+  Vector interpolatePlaces(const std::vector<int>& elements, const Field& field) const {
     std::vector<Vec2> samples;
     for (const int e : elements)
       for (const double t : samplePoints(mesh_[e].degree))
-        samples.push_back(field(mesh_.scaledPoint(e, t)));
+        samples.push_back(field(e, t));
     return interpolateSamples(elements, samples);
   }
 

@@ -109,10 +109,10 @@ void addDirichlet(const bem::Space& space, const std::string& name,
   // interpolates on every element; only the named ones are used, where the functions
   // exist
   const auto values = [&](const Function& f, int component) {
-    return space.interpolateOn(elements, [&](Vec2 scaled) {
-      double value = f(mesh.outline().physical(scaled)) / units.length;
+    return space.interpolatePlaces(elements, [&](int e, double t) {
+      double value = f(mesh.physicalPoint(e, t)) / units.length;
       if (inside) {
-        const Vec2 known = inside->displacement(scaled);
+        const Vec2 known = inside->displacement(mesh, e, t);
         value -= component == 0 ? known.x : known.y;
       }
       return component == 0 ? Vec2{value, 0} : Vec2{0, value};

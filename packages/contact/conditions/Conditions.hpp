@@ -12,6 +12,15 @@
 
 namespace epafi::contact {
 
+/// What a scene says about heat on a body's boundaries: temperatures, and flows into the body
+/// [temperature conductivity / length].  One that is not mentioned is insulated.
+struct ThermalConditions {
+  std::map<std::string, bem::Function> temperatures;
+  std::map<std::string, bem::Function> flows;
+  double conductivity = 1;
+  std::string path = "Thermal Conditions";  ///< of the list that says so, for messages
+};
+
 /// What a scene says about the boundaries; functions of a point and numbers in the user's
 /// units.  A boundary that is not mentioned is free.
 struct Conditions {
@@ -93,6 +102,8 @@ struct Conditions {
 
   /// What acts inside the body; none: nothing does.
   Inside inside{};
+  /// Where `inside` is without its temperature as long as a mesh is not known (Conduction).
+  std::shared_ptr<const ThermalConditions> heat{};
 };
 
 }  // namespace epafi::contact

@@ -1,6 +1,10 @@
 #include "contact/conditions/ParticularSolution.hpp"
 
+#include "bem/quadrature/Gauss.hpp"
+#include "contact/conditions/ConductedHeat.hpp"
+
 #include <cmath>
+#include <utility>
 
 namespace epafi::contact {
 
@@ -74,12 +78,50 @@ ParticularSolution::Part ParticularSolution::ofHeat(const BodyLoads& loads,
   return part;
 }
 
-Vec2 ParticularSolution::displacement(Vec2 at) const {
-  return displacementOfForces(at) + asVector(sum(heat_.displacement, asComplex(at)));
+ParticularSolution::ParticularSolution(const ParticularSolution& loads,
+                                       std::shared_ptr<const ConductedHeat> heat)
+    : ParticularSolution(loads) {
+  heat_ = {};
+  conducted_ = std::move(heat);
 }
 
 Vec2 ParticularSolution::displacementOfForces(Vec2 at) const {
   return asVector(sum(forces_.displacement, asComplex(at)));
+}
+
+Vec2 ParticularSolution::displacementOfPolynomials(Vec2 at) const {
+  return displacementOfForces(at) + asVector(sum(heat_.displacement, asComplex(at)));
+}
+
+// α' ∫ f dz + m ∇Φ
+Vec2 ParticularSolution::displacementOfConducted(Vec2 at, Complex integral) const {
+  return asVector(loads_.expansion * integral +
+                  ofConducted() * conducted_->ofSources(asComplex(at)).gradient);
+}
+
+std::vector<ParticularSolution::Value> ParticularSolution::at(
+    const std::vector<Vec2>& points) const {
+  std::vector<Value> values;
+  for (const Vec2 y : points)
+    values.push_back(
+        {displacementOfPolynomials(y), sum(loads_.temperature, asComplex(y)).real()});
+  if (conducted_ == nullptr)
+    return values;
+  const std::vector<ConductedHeat::Value> heat = conducted_->at(points);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    values[k] = {
+        values[k].displacement + displacementOfConducted(points[k], heat[k].integral),
+        heat[k].temperature};
+  return values;
+}
+
+Vec2 ParticularSolution::displacement(const bem::Mesh& mesh, int element,
+                                      double t) const {
+  const Vec2 y = mesh.scaledPoint(element, t);
+  const Vec2 u = displacementOfPolynomials(y);
+  return conducted_ == nullptr
+             ? u
+             : u + displacementOfConducted(y, conducted_->integral(element, t));
 }
 
 ParticularSolution::Stress ParticularSolution::stressOf(const Part& part, Vec2 at) const {
@@ -89,9 +131,19 @@ ParticularSolution::Stress ParticularSolution::stressOf(const Part& part, Vec2 a
   return {mean + rest.real(), mean - rest.real(), rest.imag()};
 }
 
+// Of sources  σxx + σyy = -2μ m T,  σxx - σyy + 2i σxy = 4 μ m ∂(∇Φ)/∂z̄.
+ParticularSolution::Stress ParticularSolution::stressOfHeat(Vec2 at) const {
+  if (conducted_ == nullptr)
+    return stressOf(heat_, at);
+  const ConductedHeat::OfSources of = conducted_->ofSources(asComplex(at));
+  const double mean = -lame_.mu * ofConducted() * of.temperature;
+  const Complex rest = 0.5 * lame_.mu * ofConducted() * of.secondSlopes;
+  return {mean + rest.real(), mean - rest.real(), rest.imag()};
+}
+
 ParticularSolution::Stress ParticularSolution::stress(Vec2 at) const {
   const Stress a = stressOf(forces_, at);
-  const Stress b = stressOf(heat_, at);
+  const Stress b = stressOfHeat(at);
   return {a.xx + b.xx, a.yy + b.yy, a.xy + b.xy};
 }
 
@@ -99,15 +151,87 @@ Vec2 ParticularSolution::force(Vec2 at) const {
   return asVector(loads_.uniform + loads_.linear * asComplex(at));
 }
 
-double ParticularSolution::temperature(Vec2 at) const {
-  return sum(loads_.temperature, asComplex(at)).real();
-}
-
 double ParticularSolution::energyDensity(Vec2 at) const {
-  const Stress s = stress(at);
+  const Stress a = stressOf(forces_, at);
+  const Stress b = stressOf(heat_, at);
+  const Stress s{a.xx + b.xx, a.yy + b.yy, a.xy + b.xy};
   const double trace = s.xx + s.yy;
   return (s.xx * s.xx + s.yy * s.yy + 2 * s.xy * s.xy - lame_.nu * trace * trace) /
          (4 * lame_.mu);
+}
+
+namespace {
+
+/// ∫ f over the body from its boundary: ∮ y·n ∫ s f(s y) ds, s in (0, 1); exact for polynomials of
+/// degree 8.
+template <class Density>
+double integralInside(const bem::Mesh& mesh, const Density& f) {
+  const bem::Rule& radial = bem::gaussLegendre(5);
+  double sum = 0;
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bem::Rule& rule = bem::gaussForGiven(mesh[e].degree);
+    for (int q = 0; q < rule.size(); ++q) {
+      const double t = rule.points[q];
+      const Vec2 y = mesh.scaledPoint(e, t);
+      double along = 0;
+      for (int k = 0; k < radial.size(); ++k) {
+        const double s = 0.5 * (1 + radial.points[k]);
+        along += 0.5 * radial.weights[k] * s * f(s * y);
+      }
+      sum += mesh[e].half * rule.weights[q] * dot(y, mesh[e].curve.normal(t)) * along;
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+ParticularSolution::Energies ParticularSolution::energies(const bem::Mesh& mesh) const {
+  Energies result;
+  result.own = integralInside(mesh, [&](Vec2 y) { return energyDensity(y); });
+  result.work = integralInside(
+      mesh, [&](Vec2 y) { return dot(force(y), displacementOfPolynomials(y)); });
+  if (conducted_ != nullptr)
+    addConducted(mesh, result);
+  return result;
+}
+
+// With b the forces' solution, s the sources', T all of heat, ∇²Q = tr σ_b, and by Betti's and
+// Green's formulas
+//   ½ ∫ σ_s : C⁻¹ σ_s = ½ ∮ t_s·u_s + μ m α' ∫ T_s²,   ∫ T_s² = ∮ T_s ∂Φ/∂n - Φ ∂T_s/∂n,
+//   ∫ σ_s : C⁻¹ σ_b = ∮ t_s·u_b,
+//   ∫ b·u_T = ∮ t_s·u_b - t_b·u_T + α' ∫ T tr σ_b,      ∫ T tr σ_b = ∮ T ∂Q/∂n - Q ∂T/∂n.
+void ParticularSolution::addConducted(const bem::Mesh& mesh, Energies& energies) const {
+  const double m = ofConducted();
+  const double alpha = loads_.expansion;
+  BodyLoads::Terms q = forces_.trace;
+  for (auto& [a, b, c] : q)
+    c /= 4.0 * ++a * ++b;
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bem::Rule& rule = bem::gaussForGiven(mesh[e].degree);
+    for (int k = 0; k < rule.size(); ++k) {
+      const double t = rule.points[k];
+      const double weight = mesh[e].half * rule.weights[k];
+      const Vec2 y = mesh.scaledPoint(e, t);
+      const Complex z = asComplex(y);
+      const Vec2 normal = mesh[e].curve.normal(t);
+      const Complex n = asComplex(normal);
+      const ConductedHeat::OfSources of = conducted_->ofSources(z);
+      const Vec2 gradient = asVector(of.gradient);
+      const Vec2 traction = stressOfHeat(y).on(normal);
+      const double twofold = dot(traction, displacementOfForces(y));
+      energies.own += weight * (0.5 * m * dot(traction, gradient) + twofold +
+                                lame_.mu * m * alpha *
+                                    (of.temperature * dot(gradient, normal) -
+                                     of.potential * (of.slope * n).real()));
+      const Vec2 u = displacementOfConducted(y, conducted_->integral(e, t));
+      energies.work +=
+          weight * (twofold - dot(stressOf(forces_, y).on(normal), u) +
+                    alpha * (conducted_->temperature(e, t) * 2 *
+                                 (std::conj(n) * conjugateSlope(q, z)).real() -
+                             sum(q, z).real() * conducted_->flow(e, t)));
+    }
+  }
 }
 
 }  // namespace epafi::contact

@@ -8,6 +8,8 @@
 
 namespace epafi::contact {
 
+class ConductedHeat;
+
 /// What acts inside a body, dimensionless, in the outline's scaled coordinates z = x + iy.
 struct BodyLoads {
   /// The force per volume is uniform + linear z: weight; ρω² - iργ of a spin ω with the angular
@@ -29,13 +31,17 @@ struct BodyLoads {
 /// A displacement u and its stress σ that a BodyLoads has in any body of the material, as
 /// polynomials: div σ + b = 0, so that only what the boundary has besides is left to the boundary
 /// operators: u is a particular solution, nothing of the inside is discretised.  It has two parts,
-/// of forces and of heat; a harmonic temperature has no stress in the plane.
+/// of forces and of heat; a harmonic temperature has no stress in the plane but for what sources
+/// in holes have.  Conducted heat has a solution by boundary integrals in place of a polynomial.
 ///
 /// Dimensionless, in the outline's scaled coordinates; regular at ν = 1/2.
 ///                                                             [doc/theory/body-loads.md]
 class ParticularSolution {
  public:
   ParticularSolution(const BodyLoads& loads, const bem::Lame& lame);
+  /// The same loads with this temperature in place of theirs.
+  ParticularSolution(const ParticularSolution& loads,
+                     std::shared_ptr<const ConductedHeat> heat);
 
   struct Stress {
     double xx = 0;
@@ -46,27 +52,41 @@ class ParticularSolution {
       return {xx * normal.x + xy * normal.y, xy * normal.x + yy * normal.y};
     }
   };
-  bem::Vec2 displacement(bem::Vec2 at) const;
+  struct Value {
+    bem::Vec2 displacement;
+    double temperature = 0;
+  };
+  /// At points inside, of which many at once cost least.
+  std::vector<Value> at(const std::vector<bem::Vec2>& points) const;
+  bem::Vec2 displacement(bem::Vec2 place) const { return at({place})[0].displacement; }
+  double temperature(bem::Vec2 place) const { return at({place})[0].temperature; }
   Stress stress(bem::Vec2 at) const;
   /// Per volume.
   bem::Vec2 force(bem::Vec2 at) const;
-  /// ½ σ : C⁻¹ σ in the plane, per volume.
+  /// ½ σ : C⁻¹ σ in the plane, per volume, of forces and polynomial heat.
   double energyDensity(bem::Vec2 at) const;
-  double temperature(bem::Vec2 at) const;
   /// What heat adds to σzz = ν (σxx + σyy) in plane strain.
-  double stressAcross(bem::Vec2 at) const { return loads_.across * temperature(at); }
+  double stressAcross(double temperature) const { return loads_.across * temperature; }
 
   /// Of the parts alone.
   bem::Vec2 displacementOfForces(bem::Vec2 at) const;
-  Stress stressOfHeat(bem::Vec2 at) const { return stressOf(heat_, at); }
+  Stress stressOfHeat(bem::Vec2 at) const;
 
-  /// On an element's boundary, t in [-1, 1].
-  bem::Vec2 displacement(const bem::Mesh& mesh, int element, double t) const {
-    return displacement(mesh.scaledPoint(element, t));
-  }
+  /// Over the body.
+  struct Energies {
+    double own = 0;   ///< ½ ∫ σ : C⁻¹ σ in the plane
+    double work = 0;  ///< ∫ b·u
+  };
+  Energies energies(const bem::Mesh& mesh) const;
+
+  /// On an element's boundary, t in [-1, 1]; the mesh is that of conducted heat.
+  bem::Vec2 displacement(const bem::Mesh& mesh, int element, double t) const;
   bem::Vec2 traction(const bem::Mesh& mesh, int element, double t) const {
     return stress(mesh.scaledPoint(element, t)).on(mesh[element].curve.normal(t));
   }
+  /// Null: heat is a polynomial.
+  const ConductedHeat* conducted() const { return conducted_.get(); }
+  double expansion() const { return loads_.expansion; }
 
  private:
   struct Part {
@@ -76,11 +96,16 @@ class ParticularSolution {
   static Part ofForces(const BodyLoads& loads, const bem::Lame& lame);
   static Part ofHeat(const BodyLoads& loads, const bem::Lame& lame);
   Stress stressOf(const Part& part, bem::Vec2 at) const;
+  bem::Vec2 displacementOfPolynomials(bem::Vec2 at) const;
+  bem::Vec2 displacementOfConducted(bem::Vec2 at, bem::Complex integral) const;
+  void addConducted(const bem::Mesh& mesh, Energies& energies) const;
+  double ofConducted() const { return loads_.expansion / (1 - lame_.nu); }  ///< m
 
   BodyLoads loads_;
   bem::Lame lame_;
   Part forces_;
   Part heat_;
+  std::shared_ptr<const ConductedHeat> conducted_;
 };
 
 /// None: nothing acts inside.

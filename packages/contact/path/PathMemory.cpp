@@ -43,9 +43,13 @@ Vector inARow(const Parts& parts) {
   return all;
 }
 
-/// Then what Fix holds moves, u_h against the particular solution.
-bool actsInside(const ContactSystem& step, std::size_t b) {
-  return step.body(b).multiplier().conditions().inside != nullptr;
+/// Where something acts inside, what Fix holds moves, u_h against the particular solution; where
+/// clamps move, too, the rest against them: Fix pulls at the rest alone.
+bool fixWorks(const ContactSystem& step, std::size_t b) {
+  const Conditions& conditions = step.body(b).multiplier().conditions();
+  const Conditions::Fix& fix = conditions.fix;
+  return conditions.inside != nullptr ||
+         (!conditions.dirichlet.empty() && (fix.x || fix.y || fix.rotation));
 }
 
 /// What acts on bodies from outside: on those that deform loads and clamps, on the others
@@ -56,7 +60,7 @@ Vector forcesFromOutside(const ContactSystem& step, const Configuration& at) {
     forces.push_back(
         step.body(b).clampForces(at.bodies[b], at.displacements[b], at.met[b]));
     bem::axpy(1, step.body(b).load(), forces.back());
-    if (actsInside(step, b))
+    if (fixWorks(step, b))
       forces.push_back(step.body(b).fixedReactions(at.bodies[b], at.met[b]));
   }
   for (const auto& [x, y, moment] : step.rigidForces(at.state))
@@ -69,7 +73,7 @@ Vector motionsOf(const ContactSystem& step, const Configuration& at) {
   std::vector<Vector> motions;
   for (std::size_t b = 0; b < step.size(); ++b) {
     motions.push_back(at.displacements[b]);
-    if (actsInside(step, b))
+    if (fixWorks(step, b))
       motions.push_back(step.body(b).fixedMeans(at.displacements[b]));
   }
   for (const RigidMotion& motion : at.rigid)
@@ -89,7 +93,7 @@ PathMemory::PathMemory(const ContactSystem& atZero, Shear shear)
       jump_(multiplier_.size(), 0.0) {
   std::size_t size = 3 * atZero.drives().size();
   for (std::size_t b = 0; b < atZero.size(); ++b)
-    size += atZero.body(b).load().size() + (actsInside(atZero, b) ? 3 : 0);
+    size += atZero.body(b).load().size() + (fixWorks(atZero, b) ? 3 : 0);
   motions_.assign(size, 0.0);
   forces_ = motions_;
   // what overlaps without a displacement is pushed apart from touching on

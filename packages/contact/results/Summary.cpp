@@ -157,28 +157,6 @@ std::array<double, 3> workOf(const Vector& load, const Solved& solved) {
   return work;
 }
 
-/// ∫ f over the body from its boundary: ∮ y·n ∫ s f(s y) ds, s in (0, 1); exact for polynomials of
-/// degree 8.
-template <class Density>
-double integralInside(const bem::Mesh& mesh, const Density& f) {
-  const bem::Rule& radial = bem::gaussLegendre(5);
-  double sum = 0;
-  for (int e = 0; e < mesh.size(); ++e) {
-    const bem::Rule& rule = bem::gaussForGiven(mesh[e].degree);
-    for (int q = 0; q < rule.size(); ++q) {
-      const double t = rule.points[q];
-      const Vec2 y = mesh.scaledPoint(e, t);
-      double along = 0;
-      for (int k = 0; k < radial.size(); ++k) {
-        const double s = 0.5 * (1 + radial.points[k]);
-        along += 0.5 * radial.weights[k] * s * f(s * y);
-      }
-      sum += mesh[e].half * rule.weights[q] * dot(y, mesh[e].curve.normal(t)) * along;
-    }
-  }
-  return sum;
-}
-
 }  // namespace
 
 // By Betti's formula ∫ b·u_h = ∮ t_h·u_b - t_b·u_h.
@@ -203,10 +181,7 @@ EnergiesOfInside energiesOfInside(const Solved& solved) {
                              solved.space.displacementAt(u, e, t));
     }
   }
-  const double own =
-      integralInside(mesh, [&](Vec2 y) { return inside->energyDensity(y); });
-  const double within = integralInside(
-      mesh, [&](Vec2 y) { return dot(inside->force(y), inside->displacement(y)); });
+  const auto [own, within] = inside->energies(mesh);
   const Loads::OfInside& loads = solved.problem.ofInside();
   const double weight = ofForces - (bem::dot(loads.traction, u) - ofHeat) + within;
   return {ofForces + ofHeat + own, loads.work + weight};

@@ -1,0 +1,309 @@
+#include "contact/conditions/ConductedHeat.hpp"
+
+#include "bem/base/Parallel.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace epafi::contact {
+
+using bem::asComplex;
+using bem::Complex;
+using bem::largestDegree;
+using bem::Vec2;
+using bem::Vector;
+
+namespace {
+
+using Series = bem::CauchyIntegral::Series;
+constexpr double twoPi = 6.283185307179586;
+constexpr Complex imaginary{0, 1};
+
+Complex valueOf(const Series& series, double t) {
+  return bem::evaluate(series, largestDegree, t);
+}
+
+/// half ∫ f dt from -1 on.
+Series runningIntegral(const Series& f, double half, Complex start) {
+  Series sum{};
+  sum[0] = start + half * f[0];
+  sum[1] = half * f[0];
+  for (std::size_t k = 1; k < largestDegree; ++k) {
+    const Complex c = half / (2.0 * static_cast<double>(k) + 1) * f[k];
+    sum[k + 1] += c;
+    sum[k - 1] -= c;
+  }
+  return sum;
+}
+
+/// f τ, of which the last term is left for its integral.
+Series timesTangent(const Series& f, const bem::Curve& curve) {
+  if (!curve.isStraight())
+    return bem::project(
+        [&](double t) { return valueOf(f, t) * asComplex(curve.tangent(t)); },
+        largestDegree - 1);
+  Series result = f;
+  for (Complex& c : result)
+    c *= asComplex(curve.frame().tangent);
+  return result;
+}
+
+/// A place in a hole, as far from its boundary as some: of a circle the middle.
+Complex insideOf(const bem::Mesh& mesh, const std::vector<int>& elements) {
+  std::vector<Complex> line;
+  for (const int e : elements)
+    for (const double t : {-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75})
+      line.push_back(asComplex(mesh.scaledPoint(e, t)));
+  const Complex middle = std::accumulate(line.begin(), line.end(), Complex{}) /
+                         static_cast<double>(line.size());
+  double size = 0;
+  for (const Complex y : line)
+    size = std::max(size, std::abs(y - middle));
+  Complex best = middle;
+  double depth = -1;
+  const auto look = [&](Complex z) {
+    double turns = 0;
+    double distance = 2 * size;
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      turns += std::arg((line[(k + 1) % line.size()] - z) / (line[k] - z));
+      distance = std::min(distance, std::abs(line[k] - z));
+    }
+    if (std::abs(turns) > 1 && distance > 1.001 * depth) {
+      depth = distance;
+      best = z;
+    }
+  };
+  look(middle);
+  constexpr int fineness = 12;
+  for (int i = -fineness; i <= fineness; ++i)
+    for (int j = -fineness; j <= fineness; ++j)
+      look(middle + size / fineness * Complex(i + 0.01, j + 0.02));
+  return best;
+}
+
+}  // namespace
+
+std::vector<ConductedHeat::Loop> ConductedHeat::loopsOf(const bem::Mesh& mesh) {
+  std::vector<Loop> loops(bem::at(mesh.outline().loops()));
+  for (int e = 0; e < mesh.size(); ++e) {
+    Loop& loop = loops[bem::at(mesh.outline().edge(mesh[e].piece.edge).loop)];
+    loop.length += 2 * mesh[e].half;
+    if (loop.elements.empty())
+      for (int f = e; loop.elements.empty() || f != e; f = mesh[f].next)
+        loop.elements.push_back(f);
+  }
+  return loops;
+}
+
+ConductedHeat::ConductedHeat(const bem::Space& space, const bem::HarmonicData& data,
+                             Vector errors)
+    : missed_(std::move(errors)) {
+  const bem::Mesh& mesh = space.mesh();
+  for (int e = 0; e < mesh.size(); ++e) {
+    const bem::Element& element = mesh[e];
+    const bem::Matrix coefficients =
+        bem::DisplacementBasis::legendreCoefficients(element.degree);
+    Series& temperature = temperatures_.emplace_back();
+    for (int k = 0; k <= element.degree; ++k)
+      for (int j = 0; j <= element.degree; ++j)
+        temperature[bem::at(j)] +=
+            coefficients(j, k) *
+            data.potential[bem::at(bem::HarmonicData::potentialOf(space, e, k))];
+    Series& flow = flows_.emplace_back();
+    for (int i = 0; i < element.densities; ++i)
+      flow[bem::at(i)] = data.flow[bem::at(bem::HarmonicData::flowOf(space, e, i))];
+  }
+  const std::vector<Loop> loops = loopsOf(mesh);
+  cauchy_.emplace_back(mesh, densities(mesh, loops));
+  follow(cauchy_.front(), loops);
+}
+
+// f = T + i ∫ q ds along each loop, less what the sources have; each loop's imaginary constant and
+// that of ∫ f dy are its own: inside a hole's they do nothing, of the outer one they are a rigid
+// motion.
+std::vector<std::array<Series, 2>> ConductedHeat::densities(
+    const bem::Mesh& mesh, const std::vector<Loop>& loops) {
+  std::vector<std::array<Series, 2>> all(bem::at(mesh.size()));
+  const auto f = [&](int e) -> Series& { return all[bem::at(e)][0]; };
+  const auto forEach = [&](const Loop& loop, const auto& visit) {
+    std::for_each(loop.elements.begin(), loop.elements.end(), visit);
+  };
+  // what goes in comes out, if not quite: the rest leaves uniformly
+  Vector flows(loops.size());
+  for (std::size_t k = 0; k < loops.size(); ++k)
+    forEach(loops[k],
+            [&](int e) { flows[k] += 2 * mesh[e].half * flows_[bem::at(e)][0].real(); });
+  const double rest = std::accumulate(flows.begin(), flows.end(), 0.0) / loops[0].length;
+  forEach(loops[0], [&](int e) { flows_[bem::at(e)][0] -= rest; });
+  for (std::size_t k = 1; k < loops.size(); ++k)
+    sources_.push_back({insideOf(mesh, loops[k].elements), -flows[k] / twoPi, Complex{}});
+
+  for (const Loop& loop : loops) {
+    Complex start;
+    std::vector<Complex> logs(sources_.size());
+    forEach(loop, [&](int e) {
+      const Series flow = runningIntegral(flows_[bem::at(e)], mesh[e].half, start);
+      start = valueOf(flow, 1);
+      const Complex middle = asComplex(mesh.scaledPoint(e, 0));
+      const auto ofSources = [&](double t) {
+        Complex sum;
+        for (std::size_t k = 0; k < sources_.size(); ++k) {
+          const auto [place, strength, dipole] = sources_[k];
+          sum +=
+              strength * (logs[k] + std::log((asComplex(mesh.scaledPoint(e, t)) - place) /
+                                             (middle - place)));
+        }
+        return sum;
+      };
+      for (std::size_t k = 0; k < sources_.size(); ++k) {
+        const Complex from = asComplex(mesh.scaledPoint(e, -1)) - sources_[k].place;
+        logs[k] += e == loop.elements.front()
+                       ? std::log(middle - sources_[k].place)
+                       : std::log((middle - sources_[k].place) / from);
+      }
+      const Series known =
+          sources_.empty() ? Series{} : bem::project(ofSources, largestDegree);
+      for (std::size_t k = 0; k < sources_.size(); ++k)
+        logs[k] += std::log((asComplex(mesh.scaledPoint(e, 1)) - sources_[k].place) /
+                            (middle - sources_[k].place));
+      for (std::size_t k = 0; k <= largestDegree; ++k)
+        f(e)[k] = temperatures_[bem::at(e)][k] + imaginary * flow[k] - known[k];
+    });
+  }
+  const auto gainOf = [&](const Loop& loop) {  // ∮ f dy
+    Complex sum;
+    forEach(loop, [&](int e) {
+      sum += 2 * mesh[e].half * timesTangent(f(e), mesh[e].curve)[0];
+    });
+    return sum;
+  };
+  const auto subtract = [&](int e, const auto& function) {
+    const Series known = bem::project(
+        [&](double t) { return function(asComplex(mesh.scaledPoint(e, t))); },
+        largestDegree);
+    for (std::size_t k = 0; k <= largestDegree; ++k)
+      f(e)[k] -= known[k];
+  };
+  for (std::size_t k = 0; k < sources_.size(); ++k)  // holes run clockwise
+    sources_[k].dipole = imaginary / twoPi * gainOf(loops[k + 1]);
+  for (int e = 0; e < mesh.size() && !sources_.empty(); ++e)
+    subtract(e, [&](Complex y) {
+      Complex sum;
+      for (const Source& source : sources_)
+        sum += source.dipole / (y - source.place);
+      return sum;
+    });
+  // ∮ ȳ dy = 2i area
+  Complex area;
+  forEach(loops[0], [&](int e) {
+    const Series y = bem::project(
+        [&](double t) { return std::conj(asComplex(mesh.scaledPoint(e, t))); },
+        largestDegree);
+    area += 2 * mesh[e].half * timesTangent(y, mesh[e].curve)[0];
+  });
+  const Complex gain = gainOf(loops[0]) / area;
+  forEach(loops[0],
+          [&](int e) { subtract(e, [&](Complex y) { return gain * std::conj(y); }); });
+  for (const Loop& loop : loops) {
+    const auto meanOf = [&](std::size_t n) {
+      Complex sum;
+      forEach(loop, [&](int e) {
+        sum += 2 * mesh[e].half / loop.length * all[bem::at(e)][n][0];
+      });
+      return sum;
+    };
+    const Complex turning(0, meanOf(0).imag());
+    Complex start;
+    forEach(loop, [&](int e) {
+      f(e)[0] -= turning;
+      all[bem::at(e)][1] =
+          runningIntegral(timesTangent(f(e), mesh[e].curve), mesh[e].half, start);
+      start = valueOf(all[bem::at(e)][1], 1);
+    });
+    const Complex shift = meanOf(1);
+    forEach(loop, [&](int e) { all[bem::at(e)][1][0] -= shift; });
+  }
+  return all;
+}
+
+void ConductedHeat::follow(const bem::CauchyIntegral& cauchy,
+                           const std::vector<Loop>& loops) {
+  const bem::Mesh& mesh = cauchy.mesh();
+  integrals_.resize(bem::at(mesh.size()));
+  std::vector<std::vector<Complex>> missed(bem::at(mesh.size()));
+  constexpr double ofPair = 2e3;  // ns
+  const auto size = static_cast<bem::Index>(mesh.size());
+  bem::parallelFor({size, ofPair * static_cast<double>(size * size)}, [&](bem::Index e) {
+    constexpr int beyond = 7;
+    const int degree = std::min(mesh[bem::asInt(e)].degree + beyond, largestDegree);
+    const bem::Rule& rule = bem::gaussLegendre(degree + 1);
+    const auto values = cauchy.on(bem::asInt(e), rule.points);
+    std::size_t next = 0;
+    integrals_[bem::at(e)] =
+        bem::project([&](double) { return values[next++][1]; }, degree);
+    for (std::size_t q = 0; q < values.size(); ++q)
+      missed[bem::at(e)].push_back(
+          values[q][0] - valueOf(cauchy.density(bem::asInt(e))[0], rule.points[q]));
+  });
+  const auto forEachPoint = [&](const Loop& loop, const auto& visit) {
+    for (const int e : loop.elements) {
+      const bem::Rule& rule =
+          bem::gaussLegendre(static_cast<int>(missed[bem::at(e)].size()));
+      for (std::size_t q = 0; q < rule.points.size(); ++q)
+        visit(e, mesh[e].half * rule.weights[q], missed[bem::at(e)][q]);
+    }
+  };
+  for (const Loop& loop : loops) {
+    double turning = 0;
+    forEachPoint(loop, [&](int, double weight, Complex value) {
+      turning += weight / loop.length * value.imag();
+    });
+    forEachPoint(loop, [&](int e, double weight, Complex value) {
+      missed_[bem::at(e)] += weight * std::norm(value - imaginary * turning);
+    });
+  }
+}
+
+std::vector<ConductedHeat::Value> ConductedHeat::at(
+    const std::vector<Vec2>& points) const {
+  const auto pairs = cauchy_.front().at(points);
+  std::vector<Value> values;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    values.push_back(
+        {pairs[k][0].real() + ofSources(asComplex(points[k])).temperature, pairs[k][1]});
+  return values;
+}
+
+Complex ConductedHeat::integral(int element, double t) const {
+  return valueOf(integrals_[bem::at(element)], t);
+}
+
+double ConductedHeat::temperature(int element, double t) const {
+  return valueOf(temperatures_[bem::at(element)], t).real();
+}
+
+double ConductedHeat::flow(int element, double t) const {
+  return valueOf(flows_[bem::at(element)], t).real();
+}
+
+// Φ = A |w|² (log|w| - 1)/4 + Re(C w̄) log|w|/2
+ConductedHeat::OfSources ConductedHeat::ofSources(Complex z) const {
+  OfSources sum;
+  for (const auto& [place, a, c] : sources_) {
+    const Complex w = z - place;
+    const Complex direction = w / std::conj(w);
+    const double square = std::norm(w);
+    const double log = 0.5 * std::log(square);
+    sum.temperature += a * log + (c / w).real();
+    sum.slope += a / w - c / (w * w);
+    sum.potential +=
+        0.25 * a * square * (log - 1) + 0.5 * (c * std::conj(w)).real() * log;
+    sum.gradient +=
+        0.25 * (a * (2 * log - 1) * w + (2 * log + 1) * c + std::conj(c) * direction);
+    sum.secondSlopes += a * direction + (c - std::conj(c) * direction) / std::conj(w);
+  }
+  return sum;
+}
+
+}  // namespace epafi::contact

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "bem/fields/CauchyIntegral.hpp"
+#include "bem/operators/Laplace.hpp"
+
+#include <vector>
+
+namespace epafi::contact {
+
+/// A harmonic temperature inside a body from its values T and flows q on the boundary,
+///
+///   T = Re f + Σ A log|z-a| + Re C/(z-a),
+///
+/// f analytic and so that ∫ f dz has one value at a point, too: a source and a dipole in each hole
+/// have what T and ∫ f dz gain around it.  Of f and ∫ f dz Cauchy's integrals are what counts, so
+/// that both fit to each other whatever T and q err by; each is discrete by that only.
+///
+/// In the outline's scaled coordinates; temperatures as they are given.
+///                                                             [doc/theory/body-loads.md]
+class ConductedHeat {
+ public:
+  /// `errors`: by element ∫ |T - given|² and its like, of what is interpolated of the data.
+  ConductedHeat(const bem::Space& space, const bem::HarmonicData& data,
+                bem::Vector errors);
+
+  struct Value {
+    double temperature = 0;
+    bem::Complex integral;  ///< ∫ f dz
+  };
+  /// At points inside.
+  std::vector<Value> at(const std::vector<bem::Vec2>& points) const;
+  /// ∫ f dz on the boundary, interpolated.
+  bem::Complex integral(int element, double t) const;
+  /// T and q as they were given.
+  double temperature(int element, double t) const;
+  double flow(int element, double t) const;
+
+  /// Of the sources at z, where Φ is what has ∇²Φ = T of theirs.
+  struct OfSources {
+    double temperature = 0;
+    bem::Complex slope;         ///< f' of T = Re f
+    double potential = 0;       ///< Φ
+    bem::Complex gradient;      ///< ∇Φ = 2 ∂Φ/∂z̄
+    bem::Complex secondSlopes;  ///< 4 ∂²Φ/∂z̄²
+  };
+  OfSources ofSources(bem::Complex z) const;
+
+  /// ∫ |f - given f|² ds of an element: by how much it misses what it is made from.
+  double missed(int element) const { return missed_[bem::at(element)]; }
+
+ private:
+  using Series = bem::CauchyIntegral::Series;
+  struct Source {
+    bem::Complex place;
+    double strength = 0;  ///< A
+    bem::Complex dipole;  ///< C
+  };
+  struct Loop {
+    std::vector<int> elements;
+    double length = 0;
+  };
+  static std::vector<Loop> loopsOf(const bem::Mesh& mesh);
+  std::vector<std::array<Series, 2>> densities(const bem::Mesh& mesh,
+                                               const std::vector<Loop>& loops);
+  void follow(const bem::CauchyIntegral& cauchy, const std::vector<Loop>& loops);
+
+  std::vector<Source> sources_;
+  std::vector<Series> temperatures_;
+  std::vector<Series> flows_;
+  std::vector<Series> integrals_;
+  bem::Vector missed_;
+  std::vector<bem::CauchyIntegral> cauchy_;  ///< one
+};
+
+}  // namespace epafi::contact
