@@ -13,6 +13,8 @@ import subprocess
 import sys
 import urllib.parse
 
+from formulas import with_formulas
+
 # Where pages are; what they link to beyond comes along.
 SHOWN = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "doc"]
 PARAMETERS = "parameters" + ".md"  # made here
@@ -58,6 +60,8 @@ def for_mkdocs(file, root, pages):
                 shutil.copy(os.path.join(root, path), target)
         return "](%s)" % os.path.relpath(os.path.join(pages, path), here)
     text = re.sub(r"\]\(([^)#:]+)\)", link, text)
+    if os.path.relpath(file, pages).startswith("doc/theory/"):
+        text = with_formulas(text)
     with open(file, "w", encoding="utf-8") as stream:
         stream.write(spaced(text))
 
@@ -114,7 +118,8 @@ def document_headers(root, folder):
 # Elements that mkdocs and its theme write; others are a < of a formula that swallowed text.
 ELEMENTS = set("""html head meta link title script style body div nav form input button ul ol li a p
     br hr span section footer i b em strong code pre img table thead tbody tr th td blockquote kbd
-    h1 h2 h3 h4 h5 h6 small sup sub""".split())
+    h1 h2 h3 h4 h5 h6 small sup sub
+    math mtable mtr mtd mrow mi mn mo mtext msub msup msubsup""".split())
 
 
 class Page(html.parser.HTMLParser):

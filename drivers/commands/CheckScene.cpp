@@ -136,19 +136,31 @@ std::vector<std::string> conditionAt(const contact::Conditions& conditions,
   return {held ? "Dirichlet" : "free", "", "", ""};
 }
 
-/// What `epafi check --plot` draws, as csv: points along the first meshes with the loads and
-/// gaps there.
+/// The contacts that a boundary is a side of, whichever: "joint, seat".
+std::string contactOf(const Scene& scene, bool rigid, std::size_t body,
+                      const std::string& boundary) {
+  std::string names;
+  for (const ContactPair& pair : scene.contacts)
+    for (const SideOfBody* side : {&pair.side, &pair.met})
+      if (side->rigid == rigid && side->body == body && side->boundary == boundary)
+        names += (names.empty() ? "" : ", ") + pair.name;
+  return names;
+}
+
+}  // namespace
+
 std::string sceneCsv(const Scene& scene) {
   std::string csv = csvLine({"x", "y", "nx", "ny", "body", "boundary", "element",
-                             "condition", "tx", "ty", "gap"});
+                             "condition", "tx", "ty", "gap", "contact_name"});
   const std::vector<bem::Mesh> meshes = firstLevel(scene).meshes;
   const auto row = [&](bem::Vec2 x, bem::Vec2 n, const std::string& body,
                        const std::string& boundary, int element,
-                       const std::vector<std::string>& rest) {
+                       const std::vector<std::string>& rest, const std::string& contact) {
     std::vector<std::string> cells = {exactly(x.x),           exactly(x.y), exactly(n.x),
                                       exactly(n.y),           body,         boundary,
                                       std::to_string(element)};
     cells.insert(cells.end(), rest.begin(), rest.end());
+    cells.push_back(contact);
     csv += csvLine(cells);
   };
   constexpr int lines = 4;
@@ -159,20 +171,21 @@ std::string sceneCsv(const Scene& scene) {
         const double t = -1 + 2.0 * k / lines;
         const bem::Vec2 x = meshes[b].physicalPoint(e, t);
         row(x, meshes[b][e].curve.normal(t), scene.bodies[b].name, boundary, e,
-            conditionAt(scene.bodies[b].conditions, boundary, x, k > 0 && k < lines));
+            conditionAt(scene.bodies[b].conditions, boundary, x, k > 0 && k < lines),
+            contactOf(scene, false, b, boundary));
       }
-  for (const RigidBody& body : scene.rigid)
-    for (std::size_t e = 0; e < body.outline->edges().size(); ++e)
+  for (std::size_t b = 0; b < scene.rigid.size(); ++b)
+    for (std::size_t e = 0; e < scene.rigid[b].outline->edges().size(); ++e)
       for (int k = 0; k <= 4 * lines; ++k) {
+        const RigidBody& body = scene.rigid[b];
         const bem::Edge& edge = body.outline->edges()[e];
         const double t = -1 + 2.0 * k / (4 * lines);
         row(body.outline->physical(edge.curve.point(t)), edge.curve.normal(t), body.name,
-            edge.boundary, static_cast<int>(e), {"rigid", "", "", ""});
+            edge.boundary, static_cast<int>(e), {"rigid", "", "", ""},
+            contactOf(scene, true, b, edge.boundary));
       }
   return csv;
 }
-
-}  // namespace
 
 std::string checkScene(const Scene& scene) {
   evaluateAll(scene);
@@ -223,7 +236,7 @@ int checkCommand(const Given& given, std::ostream& out) {
   const Scene scene = readScene(given.argument, given.values("--set"));
   out << checkScene(scene);
   return given.has("--plot")
-             ? drawScene(sceneCsv(scene), scene.title, given.value("--plot"))
+             ? drawScene(sceneCsv(scene), scene.title, given.value("--plot"), Words::All)
              : 0;
 }
 

@@ -103,6 +103,22 @@ Option of(const std::string& standard) {
           {"scene", "study"}};
 }
 
+/// How pictures look.
+std::vector<Option> looks() {
+  return {
+      {"--size", "W,H", "of a picture in inches, exactly; default: by its content"},
+      {"--dpi", "N", "pixels per inch, 10 to 1200; default: 110"},
+      {"--font", "P", "points of the text; default: 10"},
+      {"--units", "LENGTH,STRESS", "names of the scene's units for labels, as mm,MPa"},
+      {"--pdf", "", "PDF beside PNG and SVG"},
+      {"--no-title", "", "without titles"}};
+}
+
+std::vector<Option> with(std::vector<Option> options, const std::vector<Option>& more) {
+  options.insert(options.end(), more.begin(), more.end());
+  return options;
+}
+
 // NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Command> makeCommands() {
   const Argument scene{"SCENE.xml", "scene", Offer::Scenes};
@@ -144,27 +160,42 @@ std::vector<Command> makeCommands() {
       {"plot",
        "pictures of a finished run or study, PNG and SVG",
        {"DIR", "folder", Offer::Folders},
-       {{"--field", "NAME",
-         "this field inside the body, too: " + join(fieldNames(), ", "), Offer::Words,
-         fieldNames()},
-        {"--window", "X0,Y0,X1,Y1", "of the field this part alone"},
-        {"--step", "K",
-         "the field at this step of a load path: 1, 2, ...; default: the last"}},
+       with({{"--field", "NAME",
+              "this field inside the body, too: " + join(fieldNames(), ", "),
+              Offer::Words, fieldNames()},
+             {"--window", "X0,Y0,X1,Y1",
+              "this part alone of the field, the deformed bodies and the movie"},
+             {"--step", "K|all",
+              "the field at this step of a load path: 1, 2, ...; default: the last; all: "
+              "the movie shows it, too"}},
+            looks()),
        onFirst<plotCommand>},
+      {"report",
+       "a run as one page of HTML: scene, numbers, balance, pictures, warnings, versions",
+       {"DIR", "folder", Offer::Folders},
+       with({{"--output", "FILE.html", "default: report.html in DIR", Offer::Files},
+             {"--field", "NAME", "the field that is drawn; default: von_mises",
+              Offer::Words, fieldNames()}},
+            looks()),
+       onFirst<reportCommand>},
       {"fields",
        "displacement and stress inside, after a run; csv, or all of the inside for "
        "ParaView",
        {"DIR", "folder", Offer::Folders},
        {{"--grid", "NX,NY", "middles of so many cells of the body's box; default: 60,60"},
         {"--window", "X0,Y0,X1,Y1", "the grid over this box instead"},
-        {"--points", "FILE.csv", "points that begin each line of a file: x,y",
+        {"--points", "FILE.csv",
+         "points that begin each line of a file: x,y; a row outside is empty",
          Offer::Files},
         {"--along", "BODY:BOUNDARY", "along a boundary, at the depth ..."},
         {"--depth", "D", "... below it, a length > 0"},
-        {"--output", "FILE", "default: fields.csv or fields.vtu in DIR", Offer::Files},
+        {"--output", "FILE",
+         "default: fields.csv or fields.vtu in DIR; -: to standard output", Offer::Files},
         {"--vtk", "",
          "triangles of the whole inside for ParaView, small at small elements"},
-        {"--step", "K", "at this step of a load path: 1, 2, ...; default: the last"},
+        {"--step", "K|all",
+         "at this step of a load path: 1, 2, ...; default: the last; all, with --vtk: "
+         "fields.pvd, a series for ParaView"},
         threads},
        onFirst<fieldsCommand>},
       {"schema",

@@ -37,21 +37,29 @@ int studyCommand(const Given& given, std::ostream& out, const Ranks& ranks);
 
 /// `epafi fields DIR`: displacement and stress inside a body, after a run.
 ///
-/// On a grid of cells' middles over the body's box, at points of a file, or along a boundary
-/// at a depth, as csv; with --vtk on triangles of the whole inside for ParaView; with --step
-/// at a step of a load path.
-/// \throws bem::InputError for a folder without a solution, for points that are not inside
-///   and for boundaries and steps that there are not.
+/// On a grid of cells' middles over the body's box, at points of a file (empty rows outside), or
+/// along a boundary at a depth, as csv; with --vtk on triangles of the whole inside for ParaView;
+/// with --step at a step of a load path, --vtk also at every one, as a series.
+/// \throws bem::InputError for a folder without a solution and for boundaries and steps that
+///   there are not.
 int fieldsCommand(const Given& given, std::ostream& out);
-/// Writes the folder's fields.vtu; `step`: as --step gives it, empty: the last one.
+/// --step for all of them.
+constexpr const char* everyStep = "all";
+/// Writes the folder's fields.vtu; `step`: as --step gives it, empty: the last one, `everyStep`:
+/// that and the series of all.
 void writeInside(const std::string& folder, const std::string& step);
 /// Writes fields-window.csv: a fine grid over a window "X0,Y0,X1,Y1" of the bodies.
 /// \throws bem::InputError for what is no window, or one beside the bodies.
 void writeWindow(const std::string& folder, const std::string& step,
                  const std::string& window);
+/// \throws bem::InputError for what is no window.
+void checkWindow(const std::string& window);
 
 /// `epafi plot DIR`
 int plotCommand(const Given& given, std::ostream& out);
+/// `epafi report DIR`: a page of HTML with the scene, the numbers and the pictures of a run.
+/// \throws bem::InputError for a folder without a run.
+int reportCommand(const Given& given, std::ostream& out);
 /// What a helper may say.
 enum class Words { All, Errors };
 /// Draws the pictures of a run's or a study's folder by the Python package python/epafi/plot,
@@ -61,11 +69,12 @@ enum class Words { All, Errors };
 /// or the folder's files are missing.
 /// \throws bem::InputError if the program or Python is not there.
 ///
-/// `more`: --field with one of fieldNames() that fields.vtu shall be drawn of, --window.
+/// `more`: --field with one of fieldNames() that fields.vtu shall be drawn of, --window, looks.
 int drawPictures(const std::string& folder, Words words,
                  const std::vector<std::string>& more = {});
 /// Draws a scene, given as csv, into a file.  Returns the exit code.
-int drawScene(const std::string& csv, const std::string& title, const std::string& file);
+int drawScene(const std::string& csv, const std::string& title, const std::string& file,
+              Words words);
 
 /// `epafi check`: solves nothing, but makes loads, obstacle and bounds on the first mesh as
 /// a run does, so that every expression is evaluated where the run's first level does, and
@@ -74,6 +83,9 @@ int drawScene(const std::string& csv, const std::string& title, const std::strin
 /// negative, or for a mesh that cannot be made.
 int checkCommand(const Given& given, std::ostream& out);
 std::string checkScene(const Scene& scene);
+/// What drawScene draws, as csv: points along the first meshes with the conditions, loads and gaps
+/// there.
+std::string sceneCsv(const Scene& scene);
 
 /// A kind of file that the program reads, by its table of keys.
 struct Grammar {

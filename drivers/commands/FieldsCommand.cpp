@@ -1,6 +1,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
 #include "drivers/commands/Commands.hpp"
+#include "drivers/output/BoundaryVtk.hpp"
 #include "drivers/output/InsideVtu.hpp"
 #include "drivers/output/SolutionFile.hpp"
 #include "drivers/scene/SceneFile.hpp"
@@ -37,6 +38,13 @@ class SavedRun {
 
   const Scene& scene() const { return scene_; }
   const BodyInsides& insides() const { return insides_; }
+  /// Of the steps of a path; none without one.
+  std::vector<double> times() const {
+    std::vector<double> times;
+    for (const StepFields& step : checkpoint_.level.steps)
+      times.push_back(step.t);
+    return times;
+  }
 
  private:
   static Checkpoint read(const std::string& folder) {
@@ -81,10 +89,13 @@ std::optional<double> trimmedNumber(const std::string& text) {
   return numberIn<double>(trimmed(text));
 }
 
-/// Of the first body that it lies inside; none where there is none.
-std::optional<InsidePoint> insideAt(const SavedRun& run, bem::Vec2 x) {
-  const std::size_t b = run.scene().bodyAt(x);
-  return b < run.scene().bodies.size() ? std::optional(InsidePoint{b, x}) : std::nullopt;
+/// Of the first body that it lies inside.
+InsidePoint pointAt(const SavedRun& run, bem::Vec2 x) {
+  return {run.scene().bodyAt(x), x};
+}
+
+bool isInside(const InsidePoint& point, const SavedRun& run) {
+  return point.body < run.scene().bodies.size();
 }
 
 struct Box {
@@ -126,8 +137,9 @@ Points cellsOf(const Box& box, int nx, int ny, const SavedRun& run) {
     for (int i = 0; i < nx; ++i) {
       const bem::Vec2 x{box.low.x + (i + 0.5) / nx * (box.high.x - box.low.x),
                         box.low.y + (j + 0.5) / ny * (box.high.y - box.low.y)};
-      if (const auto point = insideAt(run, x))
-        points.push_back(*point);
+      const InsidePoint point = pointAt(run, x);
+      if (isInside(point, run))
+        points.push_back(point);
     }
   return points;
 }
@@ -165,11 +177,7 @@ Points pointsOf(const std::string& file, const SavedRun& run) {
     if (!x || !y)
       throw InputError("fields: --points: '", file, "', line ", number, " = '", line,
                        "' does not begin with x,y");
-    const auto point = insideAt(run, {*x, *y});
-    if (!point)
-      throw InputError("fields: --points: '", file, "', line ", number, ": (", *x, ", ",
-                       *y, ") is not inside a body");
-    points.push_back(*point);
+    points.push_back(pointAt(run, {*x, *y}));
   }
   if (points.empty())
     throw InputError("fields: --points: '", file, "' has no points");
@@ -238,29 +246,69 @@ void write(const std::string& file, const std::string& text) {
     throw InputError("fields: '", file, "' cannot be written: ", std::strerror(errno));
 }
 
+void writeVtu(const SavedRun& run, const std::string& file) {
+  write(file, vtuFile(fill(run.insides())));
+}
+
+/// A file, with what it holds told to `out`; "-" is `out` itself.
+void deliver(const std::string& file, const std::string& text, const std::string& summary,
+             std::ostream& out) {
+  if (file == "-") {
+    out << text;
+    return;
+  }
+  write(file, text);
+  out << summary;
+}
+
 std::string summary(const std::string& file, const Points& points,
-                    const std::vector<InsideValue>& values) {
+                    const std::vector<InsideValue>& values, const SavedRun& run) {
   const auto largest = std::max_element(
       values.begin(), values.end(),
       [](const InsideValue& a, const InsideValue& b) { return a.vonMises < b.vonMises; });
   const bem::Vec2 x = points[largest - values.begin()].x;
-  return message("fields  ", file, ": ", points.size(),
-                 " points, largest von Mises stress ", largest->vonMises, " at (", x.x,
-                 ", ", x.y, ")\n");
+  const auto outside =
+      std::count_if(points.begin(), points.end(),
+                    [&](const InsidePoint& p) { return !isInside(p, run); });
+  return message(
+      "fields  ", file, ": ", points.size(), " points, largest von Mises stress ",
+      largest->vonMises, " at (", x.x, ", ", x.y, ")",
+      outside > 0 ? message("; ", outside, " outside of the bodies, rows empty") : "",
+      "\n");
+}
+
+/// steps/<k>/fields.vtu of all steps and fields.pvd.
+void writeSeries(const std::string& folder, std::ostream& out) {
+  const std::vector<double> times = SavedRun(folder, "1").times();
+  for (std::size_t k = 1; k <= times.size(); ++k) {
+    const std::string file = folder + "/" + stepFile(k, "fields.vtu");
+    std::filesystem::create_directories(std::filesystem::path(file).parent_path());
+    writeVtu(SavedRun(folder, std::to_string(k)), file);
+  }
+  write(folder + "/fields.pvd", stepsPvd(times, "fields.vtu"));
+  out << "fields  " << folder << "/fields.pvd: " << times.size() << " steps\n";
 }
 
 void evaluate(const Given& given, std::ostream& out) {
   const std::string& folder = given.argument;
-  const SavedRun run(folder, given.value("--step", ""));
-  if (given.has("--vtk")) {
+  const std::string step = given.value("--step", "");
+  const bool all = step == everyStep;
+  if (all && (!given.has("--vtk") || given.has("--output")))
+    throw InputError("fields: --step all writes --vtk files into DIR, without --output");
+  if (given.has("--vtk"))
     for (const char* other : {"--grid", "--points", "--along", "--depth", "--window"})
       if (given.has(other))
         throw InputError("fields: --vtk covers the whole inside; ", other,
                          " belongs to the csv");
+  if (all) {
+    writeSeries(folder, out);
+    return;
+  }
+  const SavedRun run(folder, step);
+  if (given.has("--vtk")) {
     const std::string file = given.value("--output", folder + "/fields.vtu");
     const FilledBodies filled = fill(run.insides());
-    write(file, vtuFile(filled));
-    out << summary(file, filled.points, filled.values);
+    deliver(file, vtuFile(filled), summary(file, filled.points, filled.values, run), out);
     return;
   }
   const Points points = chosenPoints(given, run);
@@ -269,15 +317,17 @@ void evaluate(const Given& given, std::ostream& out) {
                      given.has("--window") ? ", or another --window" : "");
   const std::vector<InsideValue> values = run.insides().at(points);
   const std::string file = given.value("--output", folder + "/fields.csv");
-  write(file, run.insides().csv(points, values));
-  out << summary(file, points, values);
+  deliver(file, run.insides().csv(points, values), summary(file, points, values, run),
+          out);
 }
 
 }  // namespace
 
 void writeInside(const std::string& folder, const std::string& step) {
-  const SavedRun run(folder, step);
-  write(folder + "/fields.vtu", vtuFile(fill(run.insides())));
+  std::ostream silence(nullptr);
+  if (step == everyStep)
+    writeSeries(folder, silence);
+  writeVtu(SavedRun(folder, step == everyStep ? "" : step), folder + "/fields.vtu");
 }
 
 void writeWindow(const std::string& folder, const std::string& step,
@@ -295,6 +345,8 @@ void writeWindow(const std::string& folder, const std::string& step,
   write(folder + "/fields-window.csv",
         run.insides().csv(points, run.insides().at(points)));
 }
+
+void checkWindow(const std::string& window) { windowOf(window); }
 
 int fieldsCommand(const Given& given, std::ostream& out) {
   evaluate(given, out);

@@ -1,6 +1,8 @@
 #include "bem/base/Error.hpp"
 #include "drivers/commands/Commands.hpp"
 #include "drivers/process/ChildProgram.hpp"
+#include "drivers/run/SceneWarnings.hpp"
+#include "drivers/scene/SceneReader.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -28,6 +30,18 @@ int callPlot(std::vector<std::string> arguments) {
   return runChild(python, std::move(arguments), "plot", "install python3") ? 0 : 1;
 }
 
+/// The options of pictures' looks, as they are given.
+std::vector<std::string> looksOf(const Given& given) {
+  std::vector<std::string> texts;
+  for (const char* option : {"--size", "--dpi", "--font", "--units"})
+    if (given.has(option))
+      texts.push_back(std::string(option) + "=" + given.value(option));
+  for (const char* option : {"--pdf", "--no-title"})
+    if (given.has(option))
+      texts.emplace_back(option);
+  return texts;
+}
+
 }  // namespace
 
 int drawPictures(const std::string& folder, Words words,
@@ -39,7 +53,8 @@ int drawPictures(const std::string& folder, Words words,
   return callPlot(texts);
 }
 
-int drawScene(const std::string& csv, const std::string& title, const std::string& file) {
+int drawScene(const std::string& csv, const std::string& title, const std::string& file,
+              Words words) {
   /// Gone with the scope, also where nothing can be drawn.
   struct Table {
     ~Table() {
@@ -50,24 +65,50 @@ int drawScene(const std::string& csv, const std::string& title, const std::strin
   } const table{file + ".csv.part"};
   if (!(std::ofstream(table.file) << csv << std::flush))
     throw bem::InputError("--plot: '", file, "' cannot be written");
-  return callPlot({table.file, "--scene", file, "--title=" + title});
+  std::vector<std::string> texts = {table.file, "--scene", file, "--title=" + title};
+  if (words == Words::Errors)
+    texts.emplace_back("--quiet");
+  return callPlot(texts);
 }
 
 int plotCommand(const Given& given, std::ostream&) {
-  if (!given.has("--field")) {
-    for (const char* option : {"--window", "--step"})
-      if (given.has(option))
-        throw bem::InputError(option, " belongs to a --field");
-    return drawPictures(given.argument, Words::All);
+  std::vector<std::string> more = looksOf(given);
+  const bool window = given.has("--window");
+  const std::string step = given.value("--step", "");
+  if (!given.has("--field") && given.has("--step"))
+    throw bem::InputError("--step belongs to a --field");
+  if (window)
+    more.push_back("--window=" + given.value("--window"));
+  if (given.has("--field")) {
+    if (step == everyStep || !window)
+      writeInside(given.argument, step);
+    if (window)
+      writeWindow(given.argument, step == everyStep ? "" : step, given.value("--window"));
+    more.push_back("--field=" + given.value("--field"));
+    if (step == everyStep)
+      more.emplace_back("--film");
+  } else if (window) {
+    checkWindow(given.value("--window"));
   }
-  if (given.has("--window"))
-    writeWindow(given.argument, given.value("--step", ""), given.value("--window"));
-  else
-    writeInside(given.argument, given.value("--step", ""));
-  std::vector<std::string> more = {"--field=" + given.value("--field")};
-  if (given.has("--window"))
-    more.emplace_back("--window");
   return drawPictures(given.argument, Words::All, more);
+}
+
+int reportCommand(const Given& given, std::ostream&) {
+  const std::string& folder = given.argument;
+  if (!fs::exists(folder + "/history.csv"))
+    throw bem::InputError(
+        "report: '", folder,
+        "' holds no history.csv; the folder of a finished run is needed");
+  const Scene scene = readScene(folder + "/used.xml", {});
+  if (drawScene(sceneCsv(scene), scene.title, folder + "/scene.png", Words::Errors) != 0)
+    return 1;
+  writeInside(folder, "");
+  std::vector<std::string> more = looksOf(given);
+  more.push_back("--field=" + given.value("--field", "von_mises"));
+  more.push_back("--report=" + given.value("--output", folder + "/report.html"));
+  for (const std::string& warning : warningsOf(scene))
+    more.push_back("--warning=" + warning);
+  return drawPictures(folder, Words::All, more);
 }
 
 }  // namespace epafi::drivers

@@ -88,7 +88,7 @@ void Recorder::stage(const LevelFiles& files) {
   for (std::size_t k = 0; k < path.boundaries.size(); ++k)
     folder_->stage(stepFile(k + 1, "boundary.vtu"), path.boundaries[k]);
   if (!path.boundaries.empty())
-    folder_->stage("steps.pvd", stepsPvd(path.times));
+    folder_->stage("steps.pvd", stepsPvd(path.times, "boundary.vtu"));
   if (scene_.hasContact())
     folder_->stage("contact.csv", files.contact);
   if (scene_.output.fields)

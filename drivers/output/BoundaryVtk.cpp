@@ -136,12 +136,12 @@ std::string boundaryVtu(const BoundaryLines& grid) {
   return vtuText(vtu);
 }
 
-std::string stepsPvd(const std::vector<double>& times) {
+std::string stepsPvd(const std::vector<double>& times, const std::string& name) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" " + format +
                      "<Collection>\n";
   for (std::size_t k = 0; k < times.size(); ++k)
     text += "<DataSet timestep=\"" + exactly(times[k]) + R"(" part="0" file=")" +
-            stepFile(k + 1, "boundary.vtu") + "\"/>\n";
+            stepFile(k + 1, name) + "\"/>\n";
   return text + "</Collection>\n</VTKFile>\n";
 }
 

@@ -27,8 +27,9 @@ std::string dataArray(const char* name, const std::vector<T>& values, int compon
 /// solution.hdf, as an UnstructuredGrid of VTK's XML (binary, Base64).
 std::string boundaryVtu(const BoundaryLines& grid);
 
-/// steps.pvd: the files of the steps at their times, one collection that ParaView opens.
-std::string stepsPvd(const std::vector<double>& times);
+/// The files of a name of the steps at their times, one collection that ParaView opens:
+/// steps.pvd of boundary.vtu, fields.pvd of fields.vtu.
+std::string stepsPvd(const std::vector<double>& times, const std::string& name);
 
 /// "steps/<k>/<name>", k = 1, 2, ...
 std::string stepFile(std::size_t step, const std::string& name);

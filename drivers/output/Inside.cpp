@@ -97,10 +97,19 @@ std::vector<InsideValue> BodyInsides::at(const std::vector<InsidePoint>& points)
 
 std::string BodyInsides::csv(const std::vector<InsidePoint>& points,
                              const std::vector<InsideValue>& values) const {
-  std::string csv = csvLine({"x", "y", "ux", "uy", "sxx", "syy", "sxy", "von_mises",
-                             "body", "szz", "principal_1", "principal_2", "temperature"});
+  const std::vector<std::string> names = {
+      "x",         "y",    "ux",  "uy",          "sxx",         "syy",        "sxy",
+      "von_mises", "body", "szz", "principal_1", "principal_2", "temperature"};
+  std::string csv = csvLine(names);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const InsideValue& v = values[i];
+    if (points[i].body == size()) {
+      std::vector<std::string> cells(names.size());
+      cells[0] = exactly(points[i].x.x);
+      cells[1] = exactly(points[i].x.y);
+      csv += csvLine(cells);
+      continue;
+    }
     csv += csvLine(
         {exactly(points[i].x.x), exactly(points[i].x.y), exactly(v.displacement.x),
          exactly(v.displacement.y), exactly(v.xx), exactly(v.yy), exactly(v.xy),

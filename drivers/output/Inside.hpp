@@ -25,7 +25,7 @@ struct InsideValue {
 /// A point inside a body, in the user's coordinates.  As drawn bodies may overlap: the point alone
 /// does not say whose it is.
 struct InsidePoint {
-  std::size_t body = 0;
+  std::size_t body = 0;  ///< as many as there are bodies: it is outside of all
   bem::Vec2 x;
 };
 
@@ -49,10 +49,10 @@ class BodyInsides {
   /// Of a value in body b [ns], see Parallel.hpp.
   double workAtPoint(std::size_t b) const;
 
-  /// In parallel; eight points of a body take as long as one.
+  /// In parallel; eight points of a body take as long as one.  0 outside.
   std::vector<InsideValue> at(const std::vector<InsidePoint>& points) const;
   /// x,y,ux,uy,sxx,syy,sxy,von_mises,body,szz,principal_1,principal_2,temperature: a row per
-  /// point.
+  /// point, empty behind y for one outside.
   std::string csv(const std::vector<InsidePoint>& points,
                   const std::vector<InsideValue>& values) const;
 

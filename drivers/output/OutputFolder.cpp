@@ -26,9 +26,9 @@ constexpr const char* outputFiles[] = {"history.csv",  "steps.csv",  "contact.cs
 
 /// What `epafi fields` and `epafi plot` make of them, beside pictures.
 constexpr const char* madeFiles[] = {"fields.csv", "fields.vtu", "fields-window.csv",
-                                     "movie.gif"};
+                                     "fields.pvd", "movie.gif",  "report.html"};
 
-/// Pictures of these names, .png and .svg.                       [python/epafi/plot]
+/// Pictures of these names, .png, .svg and .pdf.                 [python/epafi/plot]
 constexpr const char* pictures[] = {"convergence",
                                     "time",
                                     "contributions",
@@ -53,7 +53,9 @@ constexpr const char* pictures[] = {"convergence",
                                     "szz",
                                     "von_mises",
                                     "principal_1",
-                                    "principal_2"};
+                                    "principal_2",
+                                    "temperature",
+                                    "scene"};
 
 template <class Names>
 bool isAmong(const Names& names, const std::string& name) {
@@ -62,7 +64,8 @@ bool isAmong(const Names& names, const std::string& name) {
 
 bool isMade(const std::string& name) {
   const fs::path file = name;
-  if (file.extension() != ".png" && file.extension() != ".svg")
+  if (file.extension() != ".png" && file.extension() != ".svg" &&
+      file.extension() != ".pdf")
     return isAmong(madeFiles, name);
   std::string stem = file.stem().string();
   const std::string numbered = "sweep_contact_";
@@ -158,7 +161,7 @@ void deleteSteps(const fs::path& path) {
     const std::string name = folder.filename().string();
     if (name.find_first_not_of("0123456789") != std::string::npos)
       continue;
-    for (const char* file : {"contact.csv", "boundary.vtu"}) {
+    for (const char* file : {"contact.csv", "boundary.vtu", "fields.vtu"}) {
       fs::remove(folder / file, ignored);
       fs::remove(temporaryFile(folder, file), ignored);
     }

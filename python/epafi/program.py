@@ -8,6 +8,7 @@ import shutil
 import signal
 import subprocess
 import tempfile
+import threading
 import warnings
 from typing import TYPE_CHECKING, Any, Callable, Optional, Sequence
 
@@ -49,17 +50,22 @@ class NotConverged(EpafiError):
 
 
 def program() -> str:
-    """Where `epafi` is: the variable EPAFI, beside this package as built or installed, the
-    build folder of the tree, PATH, in this order."""
+    """Where `epafi` is: the variable EPAFI, bin of the prefix or the virtual environment that this
+    package is in, build/bin of the tree that it is in or was installed from by pip, PATH, in
+    this order."""
+    trees = [os.path.join(HERE, "..", "..")]
+    if os.path.isfile(os.path.join(HERE, "tree")):  # by setup.py
+        with open(os.path.join(HERE, "tree"), encoding="utf-8") as stream:
+            trees.append(stream.read())
     places = [os.environ.get("EPAFI", ""),
               os.path.join(HERE, "..", "..", "..", "..", "bin", "epafi"),
-              os.path.join(HERE, "..", "..", "build", "bin", "epafi"),
+              *(os.path.join(tree, "build", "bin", "epafi") for tree in trees),
               shutil.which("epafi") or ""]
     for place in places:
         if place and os.access(place, os.X_OK):
             return os.path.realpath(place)
-    raise EpafiError("the program epafi is not found: put it into PATH, or its path into the "
-                     "variable EPAFI", 1)
+    raise EpafiError("the program epafi is not found: build it (./run), put it into PATH, or its "
+                     "path into the variable EPAFI", 1)
 
 
 def failure(code: int, complaint: str) -> EpafiError:
@@ -67,6 +73,10 @@ def failure(code: int, complaint: str) -> EpafiError:
     kinds: dict[int, type[EpafiError]] = {1: InputError, 2: NumericalError, 3: NotConverged}
     message = complaint.strip().removeprefix("epafi: ") or "exit code %d" % code
     return kinds.get(code, EpafiError)(message, code)
+
+
+# What `call` waits for, by thread: only the main thread hears of an interrupt.
+RUNNING: dict[int, subprocess.Popen[str]] = {}
 
 
 def call(arguments: Sequence[str], said: Optional[Callable[[str], Any]] = None,
@@ -84,6 +94,7 @@ def call(arguments: Sequence[str], said: Optional[Callable[[str], Any]] = None,
                                    # one ends it at once
                                    start_new_session=True)
         assert process.stdout is not None
+        RUNNING[threading.get_ident()] = process
         try:
             for line in process.stdout:
                 lines.append(line)
@@ -98,6 +109,8 @@ def call(arguments: Sequence[str], said: Optional[Callable[[str], Any]] = None,
                 except KeyboardInterrupt:
                     continue
             raise
+        finally:
+            del RUNNING[threading.get_ident()]
         complaints.seek(0)
         text = complaints.read()
         for line in text.splitlines():

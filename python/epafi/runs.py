@@ -1,7 +1,9 @@
 """Solving a scene, and what a run has left in its folder."""
 from __future__ import annotations
 
+import difflib
 import functools
+import html
 import os
 import tempfile
 import weakref
@@ -11,10 +13,14 @@ import numpy as np
 
 from epafi.program import InputError, NotConverged, call
 from epafi.scenes import Scene
-from epafi.tables import Table, read
+from epafi.tables import HISTORY, Table, html_table, read
 
 if TYPE_CHECKING:
     import h5py
+    from matplotlib.figure import Figure
+
+Window = tuple[float, float, float, float]
+CELLS = 240  # along the longer side of a window that is drawn
 
 
 class Run:
@@ -75,15 +81,17 @@ class Run:
         return str(self.history["status"][-1]) == "converged"
 
     def fields(self, points: Optional[Sequence[Sequence[float]] | np.ndarray] = None, *,
-               grid: Optional[tuple[int, int]] = None, along: Optional[str] = None,
-               depth: Optional[float] = None) -> Table:
-        """Displacement [length] and stress [stress] inside: at points, shape (n, 2), on the
-        middles of grid = (nx, ny) cells clipped to the bodies, or along a boundary
-        "body:boundary" at a depth.  Columns x, y, ux, uy, sxx, syy, sxy, szz, von_mises,
-        principal_1, principal_2."""
+               grid: Optional[tuple[int, int]] = None, window: Optional[Window] = None,
+               along: Optional[str] = None, depth: Optional[float] = None,
+               step: Optional[int] = None) -> Table:
+        """Displacement [length] and stress [stress] inside: at points, shape (n, 2), NaN where
+        one is outside; on the middles of grid = (nx, ny) cells of a window (x0, y0, x1, y1), or
+        of the bodies' box, that lie in a body; or along a boundary "body:boundary" at a depth.
+        At a step of a path, else the last one.  Columns x, y, ux, uy, sxx, syy, sxy, szz,
+        von_mises, principal_1, principal_2."""
         with tempfile.TemporaryDirectory() as folder:
             file = os.path.join(folder, "fields.csv")
-            arguments = ["fields", self.folder, "--output", file]
+            arguments = ["fields", self.folder, "--output", file, *_chosen(window, step)]
             if points is not None:
                 where = os.path.join(folder, "points.csv")
                 np.savetxt(where, np.asarray(points, float).reshape(-1, 2), fmt="%.17g",
@@ -105,24 +113,87 @@ class Run:
 
         return h5py.File(os.path.join(self.folder, "solution.hdf"), "r")
 
-    def plot(self, field: Optional[str] = None,
-             window: Optional[tuple[float, float, float, float]] = None) -> list[str]:
-        """Draws what `epafi plot` draws, and a field inside the bodies ("von_mises", ...), of a
-        window (x0, y0, x1, y1) [length] or of all; the pictures' files (PNG; SVG beside them)."""
-        from epafi.plot import draw_folder
-
-        if field is not None and window is not None:
-            said = call(["plot", self.folder, "--field", field,
-                         "--window=" + ",".join(repr(float(end)) for end in window)])
-            names = said.split(": ", 1)[1].split(" (")[0].split()
+    def _field_file(self, place: str, window: Optional[Window], step: Optional[int]) -> str:
+        """What a field is drawn of."""
+        if window is None:
+            file, how = "fields.vtu", ["--vtk"]
         else:
-            if field is not None:
-                call(["fields", self.folder, "--vtk"])
-            names = draw_folder(self.folder, field)
-        return [os.path.join(self.folder, name + ".png") for name in names]
+            x, y = window[2] - window[0], window[3] - window[1]
+            file, how = "fields-window.csv", ["--grid", "%d,%d" % tuple(
+                max(1, round(CELLS * side / max(x, y))) for side in (x, y))]
+        file = os.path.join(place, file)
+        call(["fields", self.folder, *how, "--output", file, *_chosen(window, step)])
+        return file
+
+    def plot(self, what: str = "contact", *, window: Optional[Window] = None,
+             step: Optional[int] = None, axes: Any = None, **looks: Any) -> tuple[Figure, Any]:
+        """One of the pictures of `epafi plot` ("contact", "deformed", "mesh", "path", ...) or a
+        field inside the bodies ("von_mises", "syy", ...): its figure and its axes, an array where
+        there are several.
+
+        window  what of the plane a field, or "deformed", shows (x0, y0, x1, y1) [length]
+        step    of a path, for a field; else the last one
+        axes    as many as the picture has, to be drawn into
+        looks   size=(width, height) in inches, dpi, font (points), title=False,
+                units=("mm", "MPa") of length and stress
+        """
+        from epafi.plot.figures import Looks, Pictures, plt
+        from epafi.plot.folder import NAMES, draw_field, draw_run
+        from epafi.plot.inside import NAMES as FIELDS
+
+        known = [*NAMES, *FIELDS]
+        if what not in known:
+            raise InputError("there is no picture %r; did you mean %r? known: %s" % (
+                what, *difflib.get_close_matches(what, known, 1, 0), ", ".join(known)))
+        pictures = Pictures(self.folder, Looks(**looks), window, only=what, axes=axes)
+        with plt.rc_context(pictures.looks.style()), tempfile.TemporaryDirectory() as place:
+            if what in NAMES:
+                draw_run(pictures)
+            else:
+                draw_field(what, self._field_file(place, window, step), pictures)
+        if not pictures.names:
+            raise InputError("the run in '%s' has nothing for the picture %r" % (
+                self.folder, what))
+        return np.ravel(pictures.axes)[0].figure, pictures.axes
+
+    def pictures(self, field: Optional[str] = None, *, window: Optional[Window] = None,
+                 step: Optional[int] = None, pdf: bool = False, **looks: Any) -> list[str]:
+        """Writes all that `epafi plot` writes into the run's folder, arguments as for `plot`; the
+        files (PNG; SVG, with pdf PDF beside them)."""
+        from epafi.plot import Looks, Pictures, draw_folder
+
+        endings = ("png", "svg", "pdf") if pdf else ("png", "svg")
+        if field is not None:
+            self._field_file(self.folder, window, step)
+        pictures = Pictures(self.folder, Looks(endings=endings, **looks), window)
+        return [os.path.join(self.folder, name + ".png") for name in draw_folder(pictures, field)]
+
+    def report(self) -> str:
+        """Writes what `epafi report` writes, a page of HTML with all in it; its file."""
+        call(["report", self.folder])
+        return os.path.join(self.folder, "report.html")
 
     def __repr__(self) -> str:
         return "Run: %d levels, %s" % (self.history.size, self.history["status"][-1])
+
+    def _repr_html_(self) -> str:
+        """For notebooks: the levels, and a picture where matplotlib is installed."""
+        names = [name for name in HISTORY if name in self.history]
+        page = "<p>%s</p>%s" % (html.escape(repr(self)), html_table(
+            names, zip(*(self.history[name] for name in names))))
+        try:
+            from epafi.plot.report import embedded
+
+            what = "contact" if read(self.folder, "contact.csv") else "deformed"
+            return page + embedded(self.plot(what)[0], what)
+        except (ImportError, InputError):
+            return page
+
+
+def _chosen(window: Optional[Window], step: Optional[int]) -> list[str]:
+    words = [] if step is None else ["--step", str(step)]
+    return words if window is None else [
+        *words, "--window=" + ",".join(repr(float(end)) for end in window)]
 
 
 def run(scene: Scene | Mapping[str, Any] | str | os.PathLike[str],

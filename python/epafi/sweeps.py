@@ -2,16 +2,27 @@
 from __future__ import annotations
 
 import dataclasses
+import difflib
+import html
 import itertools
 import os
 import re
-from typing import Any, Callable, Mapping, Optional, Sequence
+import signal
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, Sequence
 
 import numpy as np
 
-from epafi.program import EpafiError, NotConverged
+from epafi.program import RUNNING, EpafiError, InputError, NotConverged
 from epafi.runs import Run, run
 from epafi.scenes import Scene
+from epafi.tables import HISTORY, frame_of, html_table, text_table, unknown_column
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.figure import Figure
 
 
 @dataclasses.dataclass
@@ -40,6 +51,10 @@ class Sweep:
     def __getitem__(self, column: str) -> np.ndarray:
         """A column of history.csv on the last level of each case, in the shape of the
         parameters; NaN where a case failed."""
+        columns = dict.fromkeys(name for case in self.cases if case.run is not None
+                                for name in case.run.history.columns)
+        if columns and column not in columns:
+            raise unknown_column(column, columns)
         return self.map(lambda result: result.history.numbers(column)[-1])
 
     def map(self, value: Callable[[Run], float]) -> np.ndarray:
@@ -48,48 +63,135 @@ class Sweep:
                   for case in self.cases]
         return np.array(values, float).reshape(self.shape)
 
-    def plot(self, file: str | os.PathLike[str]) -> None:
-        """Pressure and shear of all cases, one upon the other."""
-        from epafi.plot.overlay import draw_file
+    def rows(self) -> tuple[list[str], list[list[Any]]]:
+        """The names of the columns of a table, and its rows, one for each case: its values, the
+        last level in short, `status` or why it failed."""
+        shown = HISTORY[1:-1]
+        names = [*(_short(path, self.parameters) for path in self.parameters), *shown, "status"]
+        rows = []
+        for case in self.cases:
+            numbers = [case.run.history.numbers(name)[-1] if case.run else np.nan
+                       for name in shown]
+            status = ("not converged" if isinstance(case.error, NotConverged) else
+                      "%s" % case.error if case.error else "converged")
+            rows.append([*case.settings.values(), *numbers, status])
+        return names, rows
+
+    def frame(self) -> pandas.DataFrame:
+        """The same as a frame of pandas, which has to be installed."""
+        names, rows = self.rows()
+        return frame_of({name: list(column) for name, column in zip(names, zip(*rows))})
+
+    def __repr__(self) -> str:
+        return text_table(*self.rows())
+
+    def _repr_html_(self) -> str:
+        """For notebooks: the table, and a picture where matplotlib is installed."""
+        page = html_table(*self.rows())
+        try:
+            from epafi.plot.report import embedded
+
+            return page + embedded(self.plot()[0], "contact of all cases")
+        except (ImportError, InputError):
+            return page
+
+    def plot(self, file: Optional[str | os.PathLike[str]] = None,
+             axes: Any = None) -> tuple[Figure, Any]:
+        """Pressure and shear of all cases, one upon the other: figure and axes, of its own or
+        those given; written into a file if one is named."""
+        from epafi.plot.overlay import figure_of
 
         solved = [case for case in self.cases if case.run is not None and case.error is None]
-        draw_file(os.fspath(file), [case.run.contact for case in solved if case.run],
-                  [", ".join("%s = %s" % (path.rsplit("->", 1)[-1], value)
-                             for path, value in case.settings.items()) for case in solved])
+        if not solved:
+            raise InputError("no case of the sweep is solved, there is nothing to draw")
+        figure, drawn = figure_of(
+            [case.run.contact for case in solved if case.run],
+            [", ".join("%s = %s" % (_short(path, self.parameters), value)
+                       for path, value in case.settings.items()) for case in solved], axes)
+        if file is not None:
+            figure.savefig(os.fspath(file), bbox_inches="tight")
+        return figure, drawn
+
+
+def _short(path: str, paths: Iterable[str]) -> str:
+    """The key at the end of a path, or as much of it as tells it from the others."""
+    words = path.split("->")
+    for count in range(1, len(words)):
+        short = "->".join(words[-count:])
+        if sum(other.endswith(short) for other in paths) == 1:
+            return short
+    return path
+
+
+def _check_constants(scene: Scene, paths: Iterable[str]) -> None:
+    """A constant that no expression can know is a slip of the pen."""
+    known = list(scene.get("Constants", {}))
+    for path in paths:
+        parent, _, name = path.rpartition("->")
+        if parent == "Constants" and name not in known:
+            near = difflib.get_close_matches(name, known, 1, 0)
+            raise InputError("%s: the scene has no such constant%s" % (
+                path, "; did you mean %r?" % near[0] if near else ""))
 
 
 def sweep(scene: Scene | Mapping[str, Any] | str | os.PathLike[str],
           parameters: Mapping[str, Sequence[Any]],
-          output: Optional[str | os.PathLike[str]] = None, *, threads: Optional[int] = None,
-          force: bool = False, progress: Optional[Callable[[Case], Any]] = None) -> Sweep:
+          output: Optional[str | os.PathLike[str]] = None, *, jobs: Optional[int] = None,
+          threads: Optional[int] = None, force: bool = False,
+          progress: Optional[Callable[[Case], Any]] = None) -> Sweep:
     """Solves a scene for all combinations of values: {"Constants->f": [0.1, 0.2, 0.4]}.
 
     output    a folder with a folder per case; without it temporary ones
+    jobs      cases solved at a time; as many as there are cores without it
+    threads   of each case; one where several are solved at a time, else as `run`
     progress  is told each case when it is done
 
     A case that fails is kept with its error; the others go on.  InputError at once where a
-    value cannot be.
+    value cannot be, or for a constant that the scene does not have.
     """
     if not isinstance(scene, Mapping):
         scene = Scene.read(scene)
     elif not isinstance(scene, Scene):
         scene = Scene(scene)
+    _check_constants(scene, parameters)
     combinations = [dict(zip(parameters, values))
                     for values in itertools.product(*parameters.values())]
     scenes = [scene.changed(settings) for settings in combinations]
-    cases = []
-    for number, (settings, own) in enumerate(zip(combinations, scenes), 1):
-        case = Case(settings)
-        words = "_".join(re.sub(r"[^\w.+-]+", "_", str(value)) for value in settings.values())
+    cases = [Case(settings) for settings in combinations]
+    jobs = max(1, min(jobs or len(os.sched_getaffinity(0)), len(cases)))
+    if jobs > 1 and threads is None:
+        threads = 1
+
+    def solve(number: int) -> Case:
+        case = cases[number]
+        words = "_".join(re.sub(r"[^\w.+-]+", "_", str(value)) for value in case.settings.values())
         folder = None if output is None else os.path.join(os.fspath(output),
-                                                          "%02d_%s" % (number, words))
+                                                          "%02d_%s" % (number + 1, words))
         try:
-            case.run = run(own, folder, threads=threads, force=force)
+            case.run = run(scenes[number], folder, threads=threads, force=force)
         except NotConverged as error:
             case.run, case.error = error.run, error
         except EpafiError as error:
             case.error = error
-        cases.append(case)
-        if progress:
-            progress(case)
+        return case
+
+    workers: list[int] = []
+    with ThreadPoolExecutor(jobs, initializer=lambda: workers.append(
+            threading.get_ident())) as pool:
+        waiting = [pool.submit(solve, number) for number in range(len(cases))]
+        try:
+            for done in as_completed(waiting):
+                case = done.result()
+                if progress:
+                    progress(case)
+        except BaseException:
+            pool.shutdown(wait=False, cancel_futures=True)
+            told = set()  # once each: a second signal ends a program at once
+            while any(future.running() for future in waiting):
+                for process in [RUNNING[worker] for worker in workers if worker in RUNNING]:
+                    if process.pid not in told:
+                        process.send_signal(signal.SIGINT)
+                        told.add(process.pid)
+                time.sleep(0.05)
+            raise
     return Sweep(parameters, cases)

@@ -1,16 +1,27 @@
 """The files of a run or a study as columns of numbers."""
+from __future__ import annotations
+
 import csv
+import difflib
+import html
 import math
 import os
 import xml.etree.ElementTree as xml
-from typing import Optional
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional, Sequence
 
 import numpy as np
 
+if TYPE_CHECKING:
+    import pandas
 
 # Columns of names and words, also where all of these look like numbers.
 TEXTS = {"boundary", "body", "contact_name", "folder", "operators", "reason", "scene", "status",
          "variant"}
+
+
+# What a reader of a level looks at first.
+HISTORY = ("level", "dof", "estimate", "force_normal", "force_tangential", "contact_length",
+           "slip_length", "energy_strain", "status")
 
 
 class Table:
@@ -34,6 +45,8 @@ class Table:
                 self.columns[name] = np.array(cells)
 
     def __getitem__(self, name: str) -> np.ndarray:
+        if name not in self.columns:
+            raise unknown_column(name, self.columns)
         return self.columns[name]
 
     def __contains__(self, name: str) -> bool:
@@ -42,12 +55,49 @@ class Table:
     def __repr__(self) -> str:
         return "Table of %d rows: %s" % (self.size, ", ".join(self.columns))
 
+    def frame(self) -> pandas.DataFrame:
+        """The same as a frame of pandas, which has to be installed."""
+        return frame_of(self.columns)
+
     def numbers(self, name: str) -> np.ndarray:
         """A numeric column; NaN where the file has none."""
         column = self.columns.get(name)
         if column is None or column.dtype.kind != "f":
             return np.full(self.size, math.nan)
         return column
+
+
+def unknown_column(name: str, known: Iterable[str]) -> KeyError:
+    near = difflib.get_close_matches(name, known, 1, 0)
+    return KeyError("there is no column %r%s; columns: %s" % (
+        name, "; did you mean %r?" % near[0] if near else "", ", ".join(known)))
+
+
+def frame_of(columns: Mapping[str, Any]) -> pandas.DataFrame:
+    import pandas
+
+    return pandas.DataFrame(dict(columns))
+
+
+def cell_text(value: Any) -> str:
+    return "%.6g" % value if isinstance(value, (float, np.floating)) else str(value)
+
+
+def text_table(names: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
+    """Columns to the right, wide enough for their cells."""
+    lines = [list(names), *([cell_text(value) for value in row] for row in rows)]
+    widths = [max(map(len, column)) for column in zip(*lines)]
+    return "\n".join("  ".join(cell.rjust(width) for cell, width in zip(line, widths)).rstrip()
+                     for line in lines)
+
+
+def html_table(names: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
+    def line(cells: Iterable[str], tag: str) -> str:
+        return "<tr>%s</tr>" % "".join("<%s>%s</%s>" % (tag, html.escape(cell), tag)
+                                       for cell in cells)
+
+    return "<table>%s</table>" % "".join(
+        [line(names, "th"), *(line(map(cell_text, row), "td") for row in rows)])
 
 
 def read(folder: str, name: str) -> Optional[Table]:

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import threading
 import time
+import types
 import typing
 
 import numpy as np
@@ -102,13 +103,98 @@ inside = run.fields(points)
 claim(np.allclose(np.column_stack([inside["x"], inside["y"]]), points, atol=0) and
       np.isfinite(inside["von_mises"]).all(), "fields at points")
 claim(run.fields(grid=(4, 3)).size == 12, "on a grid")
-pictures = run.plot("syy")
-claim(len(pictures) == 7 and all(os.path.getsize(file) > 5000 for file in pictures),
-      "pictures are drawn")
+cells = run.fields(grid=(4, 3), window=(-0.25, -0.5, 0.25, 0))
+claim(cells.size == 12 and abs(cells["x"]).max() < 0.25 and cells["y"].max() < 0, "of a window")
+beyond = run.fields([[0, 0.1], [0, 99]])
+claim(np.isfinite(beyond["syy"][0]) and np.isnan(beyond["syy"][1]), "NaN outside")
+try:
+    run.history["force_norml"]
+    claim(False, "an unknown column")
+except KeyError as error:
+    claim("'force_normal'" in str(error), "an unknown column names the nearest: %s" % error)
+page = run._repr_html_()
+claim(page.count("<tr>") == 3 and "force_normal" in page and "data:image/png;base64," in page,
+      "a notebook shows a table and a picture of a run")
+try:
+    import pandas
+
+    claim(run.history.frame()["dof"].tolist() == run.history["dof"].tolist(), "frames of pandas")
+except ImportError:
+    print("pandas is not here: frames not tried")
+
+# everything but pictures without matplotlib and h5py
+SCRIPT = """import sys
+sys.modules["matplotlib"] = sys.modules["h5py"] = sys.modules["pandas"] = None  # cannot be imported
+import epafi
+run = epafi.Run(sys.argv[1])
+assert run._repr_html_().endswith("</table>") and run.contact.size and run.fields(grid=(2, 2)).size
+try:
+    run.plot()
+except ImportError:
+    print("usable")"""
+done = subprocess.run([sys.executable, "-c", SCRIPT, folder], stdout=subprocess.PIPE, text=True)
+claim(done.stdout == "usable\n", "matplotlib is wanted by pictures only")
 import matplotlib  # noqa: E402
 
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
+pictures = run.pictures("syy")
+claim(len(pictures) == 7 and all(os.path.getsize(file) > 5000 for file in pictures),
+      "pictures are drawn")
 claim(matplotlib.rcParams["axes.grid"] == matplotlib.rcParamsDefault["axes.grid"],
       "and leave matplotlib's style alone")
+figure, axes = run.plot("contact", units=("mm", "MPa"))
+claim(len(axes) == 2 and axes[0].get_ylabel() == "contact stress [MPa]" and
+      axes[0].figure is figure, "a picture is a figure and its axes")
+own, panels = plt.subplots(1, 3)
+figure, axes = run.plot("syy", window=(-0.25, -0.5, 0.25, 0), axes=panels[0])
+claim(figure is own and axes is panels[0] and axes.get_images()[0].get_clip_path() is not None,
+      "it goes into axes of one's own; a window of a field ends at the outline")
+for wrong, what, words in ((ValueError, "contact", "2 axes"),
+                           (epafi.InputError, "contakt", "'contact'"),
+                           (epafi.InputError, "path", "nothing for")):
+    try:
+        run.plot(what, axes=panels if what == "contact" else None)
+        claim(False, what + " is refused")
+    except wrong as error:
+        claim(words in str(error), "%s is refused: %s" % (what, error))
+plt.close("all")
+
+# a fit: arcs are arcs, rounding is no picture, torque over twist
+turned = epafi.Scene.read(os.path.join(SHIPPED, "rotating-fit.xml")).changed({
+    "Body Loads": None, "Bodies->hub->Rigid Motions": None, "Bodies->ring->Rigid Motions": None,
+    "Bodies->hub->Boundary Conditions": {"bore": {
+        "Type": "Dirichlet", "Displacement X": 0, "Displacement Y": 0}},
+    "Bodies->ring->Boundary Conditions": {"outside": {
+        "Type": "Dirichlet", "Displacement X": "-1e-4*t*y", "Displacement Y": "1e-4*t*x"}},
+    "Contacts->fit->Friction": {"Law": "Coulomb", "Coefficient": 0.3},
+    "Adaptivity->Maximum Levels": 1, "Discretization->Degree": 2,
+    "History": {"Times": [1, 2], "Steps": [1, 1]}})
+fit = epafi.run(turned)
+figure, axes = fit.plot("path")
+twist, torque = axes[2].lines[0].get_data()
+shear = 20 * fit.steps["fit.force_tangential"]  # the circle's radius
+claim(len(twist) == 3 and 0 < twist[1] < twist[2] < 2e-4 and
+      np.allclose(torque[1:], -shear, rtol=1e-2), "torque %g over twist %g" % (torque[2], twist[2]))
+work = axes[1].get_ylim()
+claim(work[1] - work[0] > 0.1 * fit.steps["energy_strain"].max() and
+      fit.steps["energy_dissipated"].max() < 1e-9 * fit.steps["energy_strain"].max(),
+      "work that is rounding is drawn as a line")
+plt.close("all")
+from epafi.plot.boundary import Boundary  # noqa: E402
+from epafi.plot.deformed import scale_of  # noqa: E402
+
+places = np.concatenate([element["x"] for element in Boundary(fit.boundary).elements])
+radii = np.hypot(*places.T)
+claim(len(places) > 2 * fit.boundary.size and
+      max(abs(radii - r).min() for r in (10, 20, 30)) < 1e-9 and
+      all(min(abs(radius - r) for r in (10, 20, 30)) < 1e-9 for radius in radii),
+      "arcs are drawn as arcs")
+shifts = np.array([[1e-4, 0.0]])
+scale = scale_of(60, shifts, fit.contact)
+claim(scale_of(60, shifts, None) > 1e4 and 1 < scale and (scale - 1) * 0.01 < 0.3,
+      "gaps that close limit the scale of displacements to %g" % scale)
 from epafi.plot.layout import places  # noqa: E402
 
 both = epafi.Table.__new__(epafi.Table)  # two boundaries, each touching over a tenth
@@ -148,6 +234,28 @@ sweep = epafi.sweep(coulomb, {"Discretization->Degree": [1, 2],
                               FRICTION + "->Coefficient": [0, 0.2, 0.4]},
                     os.path.join(WORK, "sweep"))
 single = epafi.run(coulomb, set={"Discretization->Degree": 2, FRICTION + "->Coefficient": 0.4})
+table = str(sweep).splitlines()
+claim(len(table) == 7 and table[0].split()[:2] == ["Degree", "Coefficient"] and
+      table[6].split()[:2] == ["2", "0.4"] and table[6].endswith("converged"),
+      "a sweep prints as a table:\n" + str(sweep))
+claim(sweep._repr_html_().count("<tr>") == 7 and "data:image" in sweep._repr_html_(),
+      "in a notebook with a picture")
+claim(abs(epafi.sweep(coulomb, {FRICTION + "->Coefficient": [0.2, 0.4]}, jobs=1)["energy_strain"]
+          / sweep["energy_strain"][0, 1:] - 1).max() < 1e-9, "cases are alike one after the other")
+for wrong, words, settings in (
+        (epafi.InputError, "no such constant; did you mean 'load'", {"Constants->lod": [1]}),
+        (epafi.InputError, "no such constant", {"Constants->f": [1]})):
+    try:
+        epafi.sweep(coulomb.changed({"Constants": {"load": 1}} if "mean" in words else {}),
+                    settings)
+        claim(False, "an unknown constant is swept")
+    except wrong as error:
+        claim(words in str(error), "an unknown constant is refused: %s" % error)
+try:
+    sweep["contact_lenght"]
+    claim(False, "an unknown column of a sweep")
+except KeyError as error:
+    claim("'contact_length'" in str(error), "an unknown column of a sweep: %s" % error)
 claim(sweep["energy_strain"].shape == (2, 3) and
       sweep["energy_strain"][1, 2] == single.history["energy_strain"][-1],
       "a case of a sweep is a run")
@@ -178,6 +286,16 @@ try:
     claim(False, "an interrupt ends a run")
 except KeyboardInterrupt:
     claim(epafi.Run(os.path.join(WORK, "long")).history.size > 0, "an interrupt keeps levels")
+
+began = time.monotonic()
+threading.Timer(2, os.kill, (os.getpid(), signal.SIGINT)).start()
+try:
+    epafi.sweep(long, {"Discretization->Degree": [1, 2, 3]}, os.path.join(WORK, "longs"), jobs=2)
+    claim(False, "an interrupt ends a sweep")
+except KeyboardInterrupt:
+    claim(len(os.listdir(os.path.join(WORK, "longs"))) == 2 and not program.RUNNING and
+          not any(thread.name.startswith("ThreadPool") for thread in threading.enumerate()),
+          "an interrupt ends the runs of a sweep, after %.0f s" % (time.monotonic() - began))
 
 # Ctrl-C in a terminal, which signals the program's whole group, as well
 SCRIPT = """import epafi, sys
@@ -213,6 +331,7 @@ for name in epafi.__all__:
         if function.__name__.startswith("__") and function.__name__ != "__init__":
             continue
         claim(typing.get_type_hints(function, vars(sys.modules[function.__module__]) | {
-            "h5py": __import__("h5py")}),
+            "h5py": __import__("h5py"), "Figure": matplotlib.figure.Figure,
+            "pandas": types.SimpleNamespace(DataFrame=object)}),
               "%s.%s is typed" % (name, function.__name__))
 finish()

@@ -167,13 +167,39 @@ for name, sign in (("a:top", 1), ("b:bottom", -1)):
           all(sign * (row["uy"] + 0.005) > 0 for row in found),
           "fields along %s are its body's: uy from %g" % (name, found[0]["uy"]))
 
+# a point outside has an empty row, the others have theirs
 with open(os.path.join(WORK, "outside.csv"), "w") as stream:
-    stream.write("x,y\n%g,%g\n" % (x, 1e3))
+    stream.write("x,y\n%g,%g\n%g,%g\n" % (x, 1e3, x, y))
+code, text = epafi("fields", folder, "--points", os.path.join(WORK, "outside.csv"))
+with open(os.path.join(folder, "fields.csv")) as stream:
+    written_rows = stream.read()
+empty, full = ([cell for cell in line.split(",")] for line in written_rows.splitlines()[1:])
+claim(code == 0 and "1 outside" in text and float(empty[1]) == 1e3 and not any(empty[2:]) and
+      all(full) and len(full) == len(empty), "a point outside has an empty row: " + text.strip())
+code, text = epafi("fields", folder, "--points", os.path.join(WORK, "outside.csv"), "--output", "-")
+claim(code == 0 and text == written_rows, "--output - writes the file to standard output, no more")
+
+# all steps as a series for ParaView
+code, text = epafi("fields", path, "--vtk", "--step", "all")
+claim(code == 0 and "5 steps" in text, "a series: " + text.strip())
+parts = xml.parse(os.path.join(path, "fields.pvd")).getroot().findall(".//DataSet")
+claim([float(part.get("timestep")) for part in parts] ==
+      [row["t"] for row in table(os.path.join(path, "steps.csv"))][-5:], "fields.pvd has the times")
+single = os.path.join(WORK, "single.vtu")
+code, text = epafi("fields", path, "--vtk", "--step", "2", "--output", single)
+with open(single, "rb") as one, open(os.path.join(path, parts[1].get("file")), "rb") as same:
+    claim(one.read() == same.read(), "and the fields of each step")
+code, text = epafi("plot", path, "--field", "sxy", "--step", "all")
+claim(code == 0 and os.path.isfile(os.path.join(path, "movie.gif")),
+      "which colour a movie " + text[-100:])
+
 for sentence, words, arguments in [
         ("no folder", "no folder", ["fields", os.path.join(WORK, "nowhere")]),
         ("no solution", "solution.hdf", ["fields", WORK]),
-        ("a point outside", "line 2", ["fields", folder, "--points",
-                                       os.path.join(WORK, "outside.csv")]),
+        ("a series of tables", "--vtk", ["fields", path, "--step", "all"]),
+        ("a series elsewhere", "--output", ["fields", path, "--vtk", "--step", "all",
+                                            "--output", "x"]),
+        ("a series of no path", "no History", ["fields", folder, "--vtk", "--step", "all"]),
         ("an unknown boundary", "'block:" + boundary, ["fields", folder, "--along",
                                                        "block:bottm", "--depth", "1"]),
         ("a depth of 0", "> 0", ["fields", folder, "--along", "block:" + boundary,

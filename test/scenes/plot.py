@@ -127,6 +127,50 @@ code, text = epafi("plot", os.path.join(WORK, "fretting"), "--field", "von_mises
                    "-3,0,3,3")
 claim(code == 0, "a window of a field is drawn: " + text.strip())
 drawn(os.path.join(WORK, "fretting"), ["von_mises"], "fretting")
+
+# looks: exact sizes, formats, units, no titles
+folder = os.path.join(WORK, "tresca")
+code, text = epafi("plot", folder, "--size", "5,3", "--dpi", "100", "--font", "8", "--pdf",
+                   "--no-title", "--units", "mm,MPa")
+claim(code == 0 and ".pdf" in text, "with looks of one's own: " + text.strip())
+for name in PICTURES:
+    with open(os.path.join(folder, name + ".png"), "rb") as stream:
+        size = struct.unpack(">2I", stream.read(24)[16:])
+    with open(os.path.join(folder, name + ".pdf"), "rb") as stream:
+        claim(size == (500, 300) and stream.read(5) == b"%PDF-",
+              "%s is 5 by 3 inches, and a PDF: %s" % (name, size))
+with open(os.path.join(folder, "contact.svg")) as stream:
+    words = stream.read()  # matplotlib writes each text as a comment
+claim("contact stress [MPa]" in words and "x [mm]" in words and "Tresca block" not in words,
+      "labels have units, and there is no title")
+for option, value in (("--size", "5"), ("--size", "0,3"), ("--dpi", "many"), ("--font", "-1"),
+                      ("--units", "mm")):
+    code, text = epafi("plot", folder, option, value)
+    claim(code == 1 and option in text, "%s %s is refused: %s" % (option, value, text.strip()))
+
+# a page with all in it
+code, text = epafi("report", folder)
+with open(os.path.join(folder, "report.html"), encoding="utf-8") as stream:
+    page = stream.read()
+claim(code == 0 and page.count('src="data:image/') >= len(PICTURES) + 2 and
+      page.count("src=") == page.count('src="data:') and "http" not in page.replace(
+          "http://www.w3.org", ""), "a report that needs no other file: " + text.strip())
+claim(all(word in page for word in ("Tresca block", "Young&#x27;s Modulus", "Trilinos",
+                                    "converged", "reaction")),
+      "it has the scene, numbers, the balance and versions")
+balances = [float(row.rsplit("<td>", 1)[1].split("<")[0]) for row in page.split("Balance")[1].split(
+    "Pictures")[0].split("</tr>")[1:-1]]
+claim(len(balances) == 3 and max(map(abs, balances)) < 1e-9, "what acts is balanced: %s" % balances)
+code, text = epafi("report", WORK)
+claim(code == 1 and "history.csv" in text, "a folder without a run has none: " + text.strip())
+
+file = os.path.join(WORK, "sides.svg")
+code, text = epafi("check", scene("two-blocks.xml"), "--plot", file)
+with open(file) as stream:
+    words = stream.read()
+claim(code == 0 and "top (joint)" in words and "bottom (joint)" in words,
+      "both sides of a contact are named in the scene's picture")
+
 for name in ("tresca", "disc", "two-blocks"):
     file = os.path.join(WORK, name + "-scene.png")
     code, text = epafi("check", scene(name + ".xml"), "--plot", file)

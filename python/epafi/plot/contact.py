@@ -3,7 +3,7 @@ import math
 
 import numpy as np
 
-from epafi.plot.figures import plt
+from epafi.plot.figures import settle
 from epafi.plot.layout import lengths, middles, places
 
 
@@ -22,8 +22,8 @@ def cap_of(stresses, weights):
 
 def say_cut(axes, largest):
     axes.text(0.5, 0.97, "cut here: stresses reach %.3g" % largest, ha="center",
-              va="top", fontsize=8, transform=axes.transAxes,
-              bbox={"facecolor": "white", "edgecolor": "C3", "alpha": 0.85})
+              va="top", fontsize="small", transform=axes.transAxes,
+              bbox={"facecolor": "white", "edgecolor": "C1", "alpha": 0.85})
 
 
 def readable(axes, contact, weights):
@@ -81,45 +81,44 @@ def frame(axes, contact):
     reach = max(np.abs(contact["u_n"]).max(), np.abs(contact["u_t"]).max()) + 0.2 * room
     if np.abs(contact["gap"]).max() > 3 * reach:  # a gap far off would flatten the rest
         axes.set_ylim(-reach, 1.5 * reach)
-    rounding = 1e-12 * max(np.ptp(contact["x"]), np.ptp(contact["y"]))
-    if reach < rounding and (contact["gap"] == 0).all():  # as of bonded sides
-        axes.set_ylim(-rounding, rounding)
+    settle(axes, 1e-3 * max(np.ptp(contact["x"]), np.ptp(contact["y"])))  # as of bonded sides
 
 
 def draw(contact, title, pictures):
     shown = places(contact)
-    figure, rows = plt.subplots(2, len(shown), figsize=(4.5 + 3.5 * len(shown), 7.4), sharex="col",
-                                sharey="row", squeeze=False)
+    figure, rows = pictures.subplots(2, len(shown), figsize=(5.9 + 3.5 * len(shown), 7.4),
+                                     sharex="col", sharey="row")
+    rows = rows.reshape(2, len(shown))
     for (stress, shift), laid in zip(rows.T, shown):
         columns, s, label, parts = laid
         draw_stresses(stress, laid)
         draw_displacements(shift, laid)
         for a, b in parts if len(parts) + len(shown) > 2 else ():  # which of the sides is which
             stress.annotate(columns["boundary"][a], ((s[a] + s[b - 1]) / 2, 1.01), ha="center",
-                            fontsize=8, xycoords=stress.get_xaxis_transform())
-        shift.set_xlabel(label)
+                            fontsize="small", xycoords=stress.get_xaxis_transform())
+        shift.set_xlabel(pictures.looks.label(label, "length"))
         for axes in (stress, shift):
             shade(axes, s, columns, parts)
     everything, weights = joined(shown)
     readable(rows[0, 0], everything, weights)
     frame(rows[1, 0], everything)
-    rows[0, 0].set_ylabel("contact stress")
-    rows[1, 0].set_ylabel("displacement along n and t")
+    rows[0, 0].set_ylabel(pictures.looks.label("contact stress", "stress"))
+    rows[1, 0].set_ylabel(pictures.looks.label("displacement along n and t", "length"))
     for row in rows:  # what is in any of the columns
         named = {text: drawn for axes in row
                  for drawn, text in zip(*axes.get_legend_handles_labels())}
         row[-1].legend(named.values(), named, loc="center left", bbox_to_anchor=(1, 0.5))
     names = dict.fromkeys(contact["boundary"].astype(str))
-    figure.suptitle("%s: contact on %s" % (title, ", ".join(names)), y=0.94)
+    pictures.title(figure, "%s: contact on %s" % (title, ", ".join(names)))
     pictures.save(figure, "contact")
 
 
 def shade(axes, s, contact, parts):
-    """Sticking and sliding parts as coloured grounds; what is open stays white."""
+    """Sticking and sliding parts as grounds, one darker than the other; open ones stay white."""
     closed, friction = contact["contact"] > 0, contact["friction"]
-    kinds = [("closed, no friction", closed & (friction == 0), "#cfe3f2"),
-             ("closed, stick", closed & (friction == 1), "#cde8cd"),
-             ("closed, slip", closed & (friction == 2), "#f7dcc4")]
+    kinds = [("closed, no friction", closed & (friction == 0), "#ececec"),
+             ("closed, stick", closed & (friction == 1), "#b9d6ea"),
+             ("closed, slip", closed & (friction == 2), "#fbe3cf")]
     for text, here, colour in kinds:
         for a, b in parts:
             edge = middles(s[a:b])

@@ -3,7 +3,7 @@ import math
 
 import numpy as np
 
-from epafi.plot.figures import MARKERS, loglog, plain_ticks, plt
+from epafi.plot.figures import LINES, MARKERS, loglog, plain_ticks, plt
 
 CONTRIBUTIONS = [("eta_neumann", "residual on Neumann sides"),
                  ("eta_contact", "residual on contact sides"),
@@ -17,14 +17,14 @@ CONTRIBUTIONS = [("eta_neumann", "residual on Neumann sides"),
 
 def draw(history, title, pictures):
     x = history.numbers("dof")
-    figure, axes = plt.subplots(figsize=(7.2, 5))
+    figure, axes = pictures.subplots(figsize=(8.6, 4.8))
     drawn = loglog(axes, x, history.numbers("estimate"), "estimate", color="black",
                    marker="o", lw=2)
     rounding = 1e-8 * history.numbers("estimate")
-    for (name, text), marker in zip(CONTRIBUTIONS, MARKERS[1:]):
+    for k, ((name, text), marker) in enumerate(zip(CONTRIBUTIONS, MARKERS[1:])):
         y = history.numbers(name)
         drawn = loglog(axes, x, np.where(y > rounding, y, math.nan), text, marker=marker,
-                       lw=1, gaps=True) or drawn
+                       lw=1, ls=LINES[k // 6], color="C%d" % (k % 6), gaps=True) or drawn
     if not drawn:
         plt.close(figure)
         return
@@ -32,6 +32,6 @@ def draw(history, title, pictures):
         plain_ticks(axis)
     axes.set_xlabel("degrees of freedom")
     axes.set_ylabel("contribution to the estimate")
-    axes.set_title(title + ": contributions")
+    pictures.title(axes, title + ": contributions")
     axes.legend(loc="center left", bbox_to_anchor=(1, 0.5))
     pictures.save(figure, "contributions")

@@ -3,7 +3,7 @@ import math
 
 import numpy as np
 
-from epafi.plot.figures import loglog, plain_ticks, plt
+from epafi.plot.figures import loglog, plain_ticks
 
 
 def total_energy(history):
@@ -25,7 +25,7 @@ def error_curves(history):
 
 def draw(history, abscissa, name, title, pictures):
     x = history.numbers(abscissa)
-    figure, axes = plt.subplots(figsize=(6.4, 4.6))
+    figure, axes = pictures.subplots(figsize=(6.4, 4.6))
     curves, label = error_curves(history)
     drawn = [loglog(axes, x, y, text, marker="o") for text, y in curves]
     if not any(drawn):
@@ -37,7 +37,7 @@ def draw(history, abscissa, name, title, pictures):
     axes.set_xlabel("degrees of freedom" if abscissa == "dof" else
                     "CPU seconds since the start, all threads")
     axes.set_ylabel(label)
-    axes.set_title(title)
+    pictures.title(axes, title)
     if any(drawn):
         axes.legend()
     pictures.save(figure, name)

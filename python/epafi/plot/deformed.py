@@ -3,9 +3,10 @@ import math
 
 import numpy as np
 from matplotlib.lines import Line2D
+from matplotlib.transforms import offset_copy
 
 from epafi.plot.bodies import draw_rigid, roomy
-from epafi.plot.figures import equal_axes, plt, shape_of
+from epafi.plot.figures import equal_axes, shape_of
 
 
 def round_down(value):
@@ -14,51 +15,77 @@ def round_down(value):
     return max(step * power for step in (1, 2, 5) if step * power <= value * (1 + 1e-12))
 
 
-def draw(boundary, rigid, title, pictures):
-    figure, axes = plt.subplots()
-    largest = max(np.hypot(*element["u"].T).max() for element in boundary.elements)
-    scale = round_down(0.1 * boundary.diameter / largest) if largest > 0 else 1
+def scale_of(size, displacements, contact):
+    """By what displacements (n, 2) are multiplied in a picture of this size: to a tenth of it, but
+    gaps that close are not multiplied, so that sides overlap by scale - 1 times their size: that
+    stays below half a hundredth of the picture."""
+    largest = np.hypot(*displacements.T).max(initial=0)
+    if not largest > 0:
+        return 1
+    closed = np.abs(contact["gap"][contact["contact"] > 0]) if contact else np.zeros(0)
+    overlap = closed[np.isfinite(closed)].max(initial=0)
+    return round_down(min(0.1 * size / largest, 1 + 0.005 * size / max(overlap, 1e-300)))
+
+
+def within(points, view):
+    """Which of them a window x0, y0, x1, y1 shows."""
+    return (points >= view[:2]).all(axis=1) & (points <= view[2:]).all(axis=1)
+
+
+def draw(boundary, rigid, contact, title, pictures):
+    view = pictures.window
+    size = max(view[2] - view[0], view[3] - view[1]) if view else boundary.diameter
+    x, u = (np.concatenate([element[key] for element in boundary.elements]) for key in "xu")
+    scale = scale_of(size, u[within(x, view)] if view else u, contact)
+    low, high = (np.array(view[:2]), np.array(view[2:])) if view else (
+        np.minimum(x, x + scale * u).min(axis=0), np.maximum(x, x + scale * u).max(axis=0))
+    room = shape_of(*(high - low), 5.5)
+    figure, axes = pictures.subplots(figsize=(room[0] + 1.3, room[1] + 1.9))
     for k, loop in enumerate(boundary.loops()):
         x = np.concatenate([element["x"] for element in loop])
         u = np.concatenate([element["u"] for element in loop])
         axes.plot(*x.T, color="grey", lw=0.8, ls="--", label="undeformed" if not k else "_")
         axes.plot(*(x + scale * u).T, color="C0", lw=1.6,
                   label="deformed, displacement x %g (gaps are not)" % scale if not k else "_")
-    arrow = arrows(axes, boundary, scale)
+    arrow = arrows(axes, boundary, size, scale, pictures)
     shown = axes.dataLim
-    room = shape_of(shown.width, shown.height, 5.5)
-    figure.set_size_inches(room[0] + 1.1, room[1] + 1.1)
-    solid = draw_rigid(axes, rigid, scale, roomy(shown.min, shown.max)) if rigid else []
-    equal_axes(axes, shown.width, shown.height)
-    axes.set_title(title + ": deformed outline and tractions")
-    figure.tight_layout()
-    below = axes.get_tightbbox(figure.canvas.get_renderer()).transformed(
-        figure.transFigure.inverted())  # labels included: the legend hides none
-    figure.legend(handles=[*axes.get_lines()[:2], *solid, *arrow], loc="upper center",
-                  bbox_to_anchor=(0.5 * (below.x0 + below.x1), below.y0))
+    if view:
+        axes.set_xlim(view[0], view[2])
+        axes.set_ylim(view[1], view[3])
+    solid = draw_rigid(axes, rigid, scale, (view[0], view[2], view[1], view[3]) if view else roomy(
+        shown.min, shown.max)) if rigid else []
+    equal_axes(axes, *(high - low), pictures.looks)
+    pictures.title(axes, title + ": deformed outline and tractions")
+    axes.legend(handles=[*axes.get_lines()[:2], *solid, *arrow], loc="upper center",
+                bbox_to_anchor=(0.5, 0), bbox_transform=offset_copy(  # below the axis' words
+                    axes.transAxes, axes.figure, 0, -5 * pictures.looks.font, "points"))
     pictures.save(figure, "deformed")
 
 
-def arrows(axes, boundary, scale):
+def arrows(axes, boundary, size, scale, pictures):
     """The force on each piece of the boundary, by the length of a piece; where it is larger than
     could be drawn, arrows are cut.  Returns what the legend shows of them."""
     points, tractions = zip(*(piece for side in boundary.sides()
-                              for piece in pieces(side, 0.03 * boundary.diameter, scale)))
+                              for piece in pieces(side, 0.03 * size, scale)))
     points, tractions = np.array(points), np.array(tractions)
+    if pictures.window:
+        x0, y0, x1, y1 = pictures.window
+        here = within(points, (x0 - 0.1 * size, y0 - 0.1 * size, x1 + 0.1 * size, y1 + 0.1 * size))
+        points, tractions = points[here], tractions[here]
     sizes = np.hypot(*tractions.T)
-    if not sizes.max() > 0:
+    if not sizes.max(initial=0) > 0:
         return []
     cap = min(sizes.max(), 5 * np.quantile(sizes[sizes > 1e-3 * sizes.max()], 0.75))
     shown = tractions * np.minimum(1, cap / np.maximum(sizes, 1e-300))[:, None]
-    shown *= 0.15 * boundary.diameter / cap
-    axes.quiver(*points.T, *shown.T, angles="xy", scale_units="xy", scale=1, color="C3",
+    shown *= 0.15 * size / cap
+    axes.quiver(*points.T, *shown.T, angles="xy", scale_units="xy", scale=1, color="C1",
                 width=0.003)
     axes.update_datalim(points + shown)
     axes.autoscale_view()
-    text = "mean traction on the body, longest arrow %.3g" % cap
+    text = pictures.looks.label("mean traction on the body, longest arrow %.3g" % cap, "stress")
     if cap < sizes.max():
         text += "; cut there (largest %.3g)" % sizes.max()
-    return [Line2D([], [], color="C3", marker=">", lw=1, label=text)]
+    return [Line2D([], [], color="C1", marker=">", lw=1, label=text)]
 
 
 def pieces(side, length, scale):

@@ -15,5 +15,5 @@ def draw(study, scenes, title, pictures):
     if not ((study.numbers("effectivity") > 0) & (study.numbers("counted") > 0)).any():
         return
     figure = panels(scenes, [("effectivity", "estimate / true error")], "degrees of freedom",
-                    semilogx, title + ": effectivity of the estimate")
+                    semilogx, title + ": effectivity of the estimate", pictures)
     pictures.save(figure, "effectivity")

@@ -15,5 +15,5 @@ def draw(study, scenes, title, pictures):
     """Straight here: error ~ exp(-b sqrt(dof))."""
     quantity = ("error", ERROR) if (study.numbers("error") > 0).any() else ("estimate", "estimate")
     figure = panels(scenes, [quantity], "square root of the degrees of freedom", semilogy,
-                    title + ": exponential convergence is a straight line")
+                    title + ": exponential convergence is a straight line", pictures)
     pictures.save(figure, "exponential")

@@ -1,31 +1,114 @@
 """What all pictures share: their looks, their files, lines on logarithmic axes."""
+from __future__ import annotations
+
+import dataclasses
 import math
 import os
+from typing import Any, Optional
 
 import matplotlib.pyplot as plt
 import numpy as np
+from cycler import cycler
+from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
-STYLE = {"figure.dpi": 110, "savefig.bbox": "tight", "axes.grid": True, "grid.alpha": 0.3,
-         "legend.fontsize": 8, "axes.titlesize": 11, "lines.markersize": 4,
-         "svg.hashsalt": "epafi"}
-
+# Okabe and Ito's, which readers without red or green tell apart.
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
+STYLE = {"axes.grid": True, "grid.alpha": 0.3, "axes.prop_cycle": cycler(color=COLOURS),
+         "legend.fontsize": "small", "axes.titlesize": "medium", "figure.titlesize": "medium",
+         "lines.markersize": 4, "svg.hashsalt": "epafi", "figure.constrained_layout.use": True}
 MARKERS = "os^vD<>Pph*X"
+POWERS = {"length": (1, 0), "stress": (0, 1), "force": (1, 1), "energy": (2, 1)}
+
+
+@dataclasses.dataclass(frozen=True)
+class Looks:
+    """What the user of pictures chooses."""
+
+    size: Optional[tuple[float, float]] = None  # of a picture, inches; by its content without
+    dpi: float = 110  # of its pixels
+    font: float = 10  # points
+    title: bool = True
+    endings: tuple[str, ...] = ("png", "svg")
+    units: Optional[tuple[str, str]] = None  # names of those of length and stress, for labels
+
+    def style(self) -> dict[str, Any]:
+        return {**STYLE, "figure.dpi": self.dpi, "font.size": self.font}
+
+    def label(self, text: str, quantity: str) -> str:
+        """'pressure [MPa]': a label with the unit of one of POWERS, per unit of thickness."""
+        if self.units is None:
+            return text
+        parts = [(self.units[1 - k], (POWERS[quantity][1 - k])) for k in (0, 1)]
+        return "%s [%s]" % (text, " ".join(
+            unit + ("$^%d$" % power if power > 1 else "") for unit, power in parts if power))
+
+
+    def field_label(self, text: str, field: str) -> str:
+        kind = {"u": "length", "t": ""}.get(field[0], "stress")
+        return self.label(text, kind).strip() if kind else text
 
 
 class Pictures:
-    """Writes figures into a folder and remembers their names."""
+    """Makes figures, writes them into a folder and remembers their names.
 
-    def __init__(self, folder):
-        self.folder = folder
-        self.names = []
+    looks     how they are drawn
+    window    x0, y0, x1, y1 of the plane that pictures of bodies show; all without it
+    film      the field of steps/<k>/fields.vtu that colours the movie
+    only      the one picture that is wanted: it is not written, but kept with its axes
+    axes      what that one is drawn into, instead of a figure of its own
+    """
 
-    def save(self, figure, name):
-        for ending in ("png", "svg"):
-            figure.savefig(os.path.join(self.folder, "%s.%s" % (name, ending)),
-                           dpi=figure.dpi)
-        plt.close(figure)
+    def __init__(self, folder: str, looks: Looks = Looks(),
+                 window: Optional[tuple[float, ...]] = None, film: Optional[str] = None,
+                 only: Optional[str] = None, axes: Any = None) -> None:
+        self.folder, self.looks, self.window = folder, looks, window
+        self.film, self.only = film, only
+        self.names: list[str] = []
+        self.given = None if axes is None else np.atleast_1d(axes).ravel()
+        self.axes: Any = None
+
+    def wants(self, name: str) -> bool:
+        return self.only is None or self.only == name
+
+    def subplots(self, rows: int = 1, columns: int = 1, **how: Any) -> tuple[Figure, Any]:
+        """A figure and its axes: one, a row or column (n,), or (rows, columns)."""
+        if self.given is None:
+            if self.looks.size:
+                how["figsize"] = self.looks.size
+            figure, axes = plt.subplots(rows, columns, squeeze=False, **how)
+        else:
+            if len(self.given) != rows * columns:
+                raise ValueError("'%s' is drawn into %d axes, %d rows of %d; given: %d" % (
+                    self.only, rows * columns, rows, columns, len(self.given)))
+            figure, axes = self.given[0].figure, self.given.reshape(rows, columns)
+        self.axes = axes.squeeze() if axes.size > 1 else axes[0, 0]
+        return figure, self.axes
+
+    def title(self, where: Any, text: str) -> None:
+        """Of a figure, if it is one's own, or of axes."""
+        if self.looks.title and isinstance(where, Figure):
+            if self.given is None:
+                where.suptitle(text)
+        elif self.looks.title:
+            where.set_title(text)
+
+    def save(self, figure: Figure, name: str) -> None:
         self.names.append(name)
+        if self.only:
+            return
+        for ending in self.looks.endings:
+            figure.savefig(os.path.join(self.folder, "%s.%s" % (name, ending)), dpi=figure.dpi,
+                           bbox_inches=None if self.looks.size else "tight")
+        plt.close(figure)
+
+
+def settle(axes: Any, size: float, which: str = "y") -> None:
+    """An axis whose data differ by rounding only, of quantities as large as size, shows those'
+    range: they are a straight line there."""
+    low, high = axes.dataLim.intervaly if which == "y" else axes.dataLim.intervalx
+    if size > 0 and high - low < 1e-9 * size:
+        getattr(axes, "set_%slim" % which)(low - 0.1 * size, low + 0.1 * size)
 
 
 LINES = ("-", "--", ":", "-.")
@@ -42,10 +125,8 @@ def styles_of(names):
 
 
 def family_style(family, kind):
-    strong = family < 10
-    return {"marker": MARKERS[family % len(MARKERS)],
-            "color": plt.get_cmap("tab20")(2 * (family % 10) + (0 if strong else 1)),
-            "ls": LINES[(kind + (0 if strong else 1)) % len(LINES)]}
+    return {"marker": MARKERS[family % len(MARKERS)], "color": COLOURS[family % len(COLOURS)],
+            "ls": LINES[(kind + family // len(COLOURS)) % len(LINES)]}
 
 
 def slope(x, y):
@@ -106,11 +187,11 @@ def shape_of(width, height, room):
     return (max(room * width / larger, 0.25 * room), max(room * height / larger, 0.12 * room))
 
 
-def equal_axes(axes, width, height):
+def equal_axes(axes, width, height, looks):
     """x and y on one scale, with no more ticks than there is room for labels."""
     axes.set_aspect("equal")
-    axes.set_xlabel("x")
-    axes.set_ylabel("y")
+    axes.set_xlabel(looks.label("x", "length"))
+    axes.set_ylabel(looks.label("y", "length"))
     larger = max(width, height)
     for axis, extent in ((axes.xaxis, width), (axes.yaxis, height)):
         axis.set_major_locator(MaxNLocator(nbins=max(2, round(7 * extent / larger)),

@@ -3,7 +3,10 @@
 history.csv, contact.csv, boundary.csv, steps.csv and study.csv are read; what a folder does not
 hold is left out.
 """
+from __future__ import annotations
+
 import os
+from typing import Optional
 
 import numpy as np
 
@@ -11,9 +14,13 @@ from epafi.plot import (contact, contributions, convergence, deformed, effectivi
                         inside, mesh, path, study_curves, sweep, work_precision)
 from epafi.plot.bodies import rigid_outlines
 from epafi.plot.boundary import Boundary
-from epafi.plot.figures import STYLE, Pictures, plt
+from epafi.plot.figures import Pictures, plt
 from epafi.plot.variants import curves_of
 from epafi.tables import Table, read, title_of
+
+# Of a run; fields have the names in inside.NAMES.
+NAMES = ("convergence", "time", "contributions", "mesh", "deformed", "contact", "path", "rigid",
+         "steps")
 
 
 def bodies_of(outline: Table) -> int:
@@ -21,35 +28,38 @@ def bodies_of(outline: Table) -> int:
     return len(set(outline["body"])) if "body" in outline else 1
 
 
-def draw_run(folder: str) -> list[str]:
+def draw_run(pictures: Pictures) -> None:
+    folder = pictures.folder
     title = title_of(folder)
-    pictures = Pictures(folder)
     history = read(folder, "history.csv")
-    if history:
+    if history and pictures.wants("convergence"):
         convergence.draw(history, "dof", "convergence", title + ": convergence", pictures)
+    if history and pictures.wants("time"):
         convergence.draw(history, "seconds_total", "time", title + ": error against time",
                          pictures)
+    if history and pictures.wants("contributions"):
         contributions.draw(history, title, pictures)
     outline = read(folder, "boundary.csv")
+    points = read(folder, "contact.csv")
     if outline and "degree" in outline:
         elements = Boundary(outline)
-        mesh.draw(elements, title, pictures)
-        deformed.draw(elements, rigid_outlines(folder, bodies_of(outline)), title, pictures)
-    points = read(folder, "contact.csv")
-    if points:
+        if pictures.wants("mesh"):
+            mesh.draw(elements, title, pictures)
+        if pictures.wants("deformed"):
+            deformed.draw(elements, rigid_outlines(folder, bodies_of(outline)), points, title,
+                          pictures)
+    if points and pictures.wants("contact"):
         contact.draw(points, title, pictures)
     steps = read(folder, "steps.csv")
     if steps:
         path.draw(folder, steps, title, pictures)
-    return pictures.names
 
 
-def draw_study(folder: str) -> list[str]:
-    study = read(folder, "study.csv")
+def draw_study(pictures: Pictures) -> None:
+    study = read(pictures.folder, "study.csv")
     if study is None:
-        return []
-    title = title_of(folder)
-    pictures = Pictures(folder)
+        return
+    title = title_of(pictures.folder)
     scenes = {scene: variants for scene, variants in curves_of(study).items() if variants}
     if scenes and not np.isfinite(study.numbers("sweep_value")).all():
         for name in study_curves.PICTURES:
@@ -58,36 +68,39 @@ def draw_study(folder: str) -> list[str]:
         exponential.draw(study, scenes, title, pictures)
         effectivity.draw(study, scenes, title, pictures)
     sweep.draw(study, title, pictures)
-    return pictures.names
 
 
-def draw_folder(folder: str, field: str | None = None,
-                window: bool = False) -> list[str]:
+def draw_field(field: str, file: str, pictures: Pictures) -> None:
+    """Of a file of epafi fields: a .vtu, or a .csv of a grid over a window."""
+    outline = read(pictures.folder, "boundary.csv")
+    rigid = rigid_outlines(pictures.folder, bodies_of(outline)) if outline else []
+    title = title_of(pictures.folder)
+    if file.endswith(".csv") and outline:
+        inside.draw_window(Table(file), field, Boundary(outline).path(), rigid, title, pictures)
+    else:
+        inside.draw(inside.Inside(file), field, rigid, title, pictures)
+
+
+def draw_folder(pictures: Pictures, field: Optional[str] = None) -> list[str]:
     """Draws what the folder of a run or a study holds, and a field if one is named, of
-    fields-window.csv or of fields.vtu; the pictures' names, without .png and .svg.
+    fields-window.csv where there is a window, else of fields.vtu; the pictures' names, without
+    endings.
 
     ValueError where there is nothing to draw.
     """
+    folder = pictures.folder
     if not os.path.isdir(folder):
         raise ValueError("there is no folder '%s'" % folder)
-    with plt.rc_context(STYLE):
-        names = draw_study(folder)
-        for entry in sorted(os.listdir(folder)) if names else ():
+    with plt.rc_context(pictures.looks.style()):
+        draw_study(pictures)
+        for entry in sorted(os.listdir(folder)) if pictures.names else ():
             if os.path.isfile(os.path.join(folder, entry, "history.csv")):
-                draw_run(os.path.join(folder, entry))
-        names += [name for name in draw_run(folder) if name not in names]
+                draw_run(Pictures(os.path.join(folder, entry), pictures.looks))
+        draw_run(pictures)
         if field:
-            pictures = Pictures(folder)
-            outline = read(folder, "boundary.csv")
-            rigid = rigid_outlines(folder, bodies_of(outline)) if outline else []
-            if window:
-                inside.draw_window(Table(os.path.join(folder, "fields-window.csv")), field, rigid,
-                                   title_of(folder), pictures)
-            else:
-                inside.draw(inside.Inside(os.path.join(folder, "fields.vtu")), field, rigid,
-                            title_of(folder), pictures)
-            names += pictures.names
-    if not names:
+            draw_field(field, os.path.join(folder, "fields-window.csv" if pictures.window else
+                                           "fields.vtu"), pictures)
+    if not pictures.names:
         raise ValueError("'%s' holds no history.csv, contact.csv, boundary.csv or study.csv of a "
                          "run or a study" % folder)
-    return names
+    return list(dict.fromkeys(pictures.names))

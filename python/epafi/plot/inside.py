@@ -3,7 +3,7 @@ import numpy as np
 from matplotlib.tri import Triangulation
 
 from epafi.plot.bodies import draw_rigid, roomy
-from epafi.plot.figures import equal_axes, plt, shape_of
+from epafi.plot.figures import equal_axes, shape_of
 from epafi.plot.movie import arrays
 
 NAMES = {"ux": "displacement in x", "uy": "displacement in y", "sxx": r"$\sigma_{xx}$",
@@ -56,18 +56,20 @@ def limits(values, weights, name):
 
 def finish(figure, axes, drawn, cut, largest, name, title, extent, pictures):
     place = axes.inset_axes([1.02, 0, 0.2 / axes.figure.get_figwidth(), 1])  # as high as the body
-    figure.colorbar(drawn, cax=place, extend={"": "neither", "minmax": "both"}.get(cut, cut))
+    bar = figure.colorbar(drawn, cax=place,
+                          extend={"": "neither", "minmax": "both"}.get(cut, cut))
+    bar.set_label(pictures.looks.field_label("", name))
     axes.grid(False)
-    equal_axes(axes, *extent)
+    equal_axes(axes, *extent, pictures.looks)
     # not beside the bar, which may be too low for words
-    axes.set_title("%s: %s" % (title, NAMES[name]) +
+    pictures.title(axes, "%s: %s" % (title, NAMES[name]) +
                    (", up to %.3g" % largest if "max" in cut else ""))
     pictures.save(figure, name)
 
 
-def figure_for(extent):
+def figure_for(extent, pictures):
     size = shape_of(*extent, 8)
-    return plt.subplots(figsize=(size[0] + 1.6, size[1] + 1.0))
+    return pictures.subplots(figsize=(size[0] + 1.6, size[1] + 1.0))
 
 
 def draw(inside, name, rigid, title, pictures):
@@ -76,7 +78,7 @@ def draw(inside, name, rigid, title, pictures):
     np.add.at(weights, inside.corners, inside.area()[:, None] / 3)
     low, high, colours, cut = limits(values, weights, name)
     extent = np.ptp(inside.points, axis=0)
-    figure, axes = figure_for(extent)
+    figure, axes = figure_for(extent, pictures)
     x, y = inside.points.T
     drawn = axes.tripcolor(Triangulation(x, y, inside.corners), values, shading="gouraud",
                            vmin=low, vmax=high, rasterized=True, cmap=colours)
@@ -85,8 +87,22 @@ def draw(inside, name, rigid, title, pictures):
     finish(figure, axes, drawn, cut, values.max(), name, title, extent, pictures)
 
 
-def draw_window(cells, name, rigid, title, pictures):
-    """Of middles of equal cells; those outside of the bodies are missing."""
+def filled(image):
+    """Cells without a value get the mean of their neighbours', as far as they touch any: the
+    picture is cut at the outline, which runs through cells."""
+    for _ in range(3):
+        padded = np.pad(image, 1, constant_values=np.nan)
+        around = np.stack([padded[1 + j:padded.shape[0] - 1 + j, 1 + i:padded.shape[1] - 1 + i]
+                           for j in (-1, 0, 1) for i in (-1, 0, 1)])
+        known = np.isfinite(around)
+        mean = np.where(known, around, 0).sum(axis=0) / np.maximum(known.sum(axis=0), 1)
+        image = np.where(np.isfinite(image) | ~known.any(axis=0), image, mean)
+    return image
+
+
+def draw_window(cells, name, outline, rigid, title, pictures):
+    """Of middles of equal cells; those outside of the bodies are missing.  `outline`: the path of
+    the bodies."""
     values = cells[name]
     low, high, colours, cut = limits(values, np.ones(len(values)), name)
     (x, column), (y, row) = (np.unique(cells[axis], return_inverse=True) for axis in ("x", "y"))
@@ -95,8 +111,9 @@ def draw_window(cells, name, rigid, title, pictures):
     steps = [np.diff(axis).min() for axis in (x, y) if len(axis) > 1] or [1.0]
     extent = (x[0] - steps[0] / 2, x[-1] + steps[0] / 2, y[0] - steps[-1] / 2, y[-1] + steps[-1] / 2)
     shape = (extent[1] - extent[0], extent[3] - extent[2])
-    figure, axes = figure_for(shape)
-    drawn = axes.imshow(image, origin="lower", extent=extent, interpolation="bilinear", vmin=low,
-                        vmax=high, cmap=colours)
+    figure, axes = figure_for(shape, pictures)
+    drawn = axes.imshow(filled(image), origin="lower", extent=extent, interpolation="bilinear",
+                        vmin=low, vmax=high, cmap=colours)
+    drawn.set_clip_path(outline, axes.transData)
     draw_rigid(axes, rigid, 0, extent)
     finish(figure, axes, drawn, cut, values.max(), name, title, shape, pictures)

@@ -28,7 +28,7 @@ def draw(boundary, title, pictures):
     width, height = boundary.extent
     room = shape_of(width, height, 4.4)
     beside = height > 0.4 * width  # a flat body's outline stands above its sizes
-    figure, (outline, sizes) = plt.subplots(
+    figure, (outline, sizes) = pictures.subplots(
         *((1, 2) if beside else (2, 1)), figsize=(room[0] + 6.6, 4.8) if beside else (9, 6.6),
         gridspec_kw={"width_ratios": [room[0], 5.5]} if beside else {"height_ratios": [1, 2]})
     tick = 0.015 * boundary.diameter
@@ -38,7 +38,7 @@ def draw(boundary, title, pictures):
         for end, tangent in ((x[0], x[1] - x[0]), (x[-1], x[-1] - x[-2])):
             normal = outward(tangent)
             outline.plot(*zip(end - tick * normal, end + tick * normal), color="black", lw=0.6)
-    equal_axes(outline, width, height)
+    equal_axes(outline, width, height, pictures.looks)
     outline.grid(False)
     outline.set_title("elements and degrees")
 
@@ -57,14 +57,14 @@ def draw(boundary, title, pictures):
         low, high = 0.5 * low, 2 * high
     sizes.set_ylim(0.8 * low, 1.25 * high)
     plain_ticks(sizes.yaxis)
-    sizes.set_xlabel("length along the outline from its first vertex (holes after it)")
-    sizes.set_ylabel("element size h")
+    sizes.set_xlabel(pictures.looks.label(
+        "length along the outline from its first vertex (holes after it)", "length"))
+    sizes.set_ylabel(pictures.looks.label("element size h", "length"))
     sizes.set_title("%d elements, %s" % (
         len(boundary.elements), "p = %d" % degrees[0] if len(degrees) == 1 else
         "p = %d to %d" % (degrees[0], degrees[-1])))
     bar = figure.colorbar(plt.cm.ScalarMappable(norm, colours), ax=sizes,
                           ticks=list(degrees), label="degree p")
     bar.ax.minorticks_off()
-    figure.suptitle(title + ": mesh")
-    figure.tight_layout()
+    pictures.title(figure, title + ": mesh")
     pictures.save(figure, "mesh")

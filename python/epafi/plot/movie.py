@@ -1,14 +1,17 @@
-"""movie: the outlines of all bodies around the contact at steps of a path, moved by the
-displacements; none where nothing can touch."""
+"""movie: all bodies around the contact, or in a window, at steps of a path, moved by the
+displacements, in the colours of a field where steps/<k>/fields.vtu are; none where nothing can
+touch."""
 import base64
 import os
 import xml.etree.ElementTree as xml
 
 import numpy as np
 from matplotlib.animation import FuncAnimation, PillowWriter
+from matplotlib.tri import Triangulation
 
-from epafi.plot.deformed import round_down
+from epafi.plot.deformed import scale_of, within
 from epafi.plot.figures import equal_axes, plt, shape_of
+from epafi.tables import read
 
 SHOWN = 120  # steps drawn at most
 TYPES = {"Float64": "<f8", "Int64": "<i8", "Int32": "<i4", "UInt8": "u1"}
@@ -37,41 +40,71 @@ def broken(points, lines):
     return path.T
 
 
+def window_of(step):
+    """What happens is at the contact: that is what fills the picture."""
+    touching = step["Points"][step["contact"] >= 0][:, :2]
+    if not touching.size:
+        return None
+    low, high = touching.min(axis=0), touching.max(axis=0)
+    middle, half = (low + high) / 2, max(high - low)
+    return (*(middle - half), *(middle + half))
+
+
 def draw(folder, rows, title, pictures):
     files = [os.path.join(folder, "steps", "%d" % step, "boundary.vtu") for step in rows["step"]]
     if not all(os.path.isfile(file) for file in files):
         return
     chosen = sorted({round(k) for k in np.linspace(0, len(files) - 1, min(SHOWN, len(files)))})
     steps = [arrays(files[k]) for k in chosen]
-    # what happens is at the contact: that is what fills the picture
-    touching = steps[0]["contact"] >= 0
-    if not touching.any():
+    view = pictures.window or window_of(steps[0])
+    if view is None:
         return
+    from epafi.plot.inside import NAMES  # which reads files by this module
+
+    field = pictures.film
+    insides = [arrays(files[k].replace("boundary.vtu", "fields.vtu")) for k in chosen
+               if field]
     points = steps[0]["Points"]
-    low, high = points[touching].min(axis=0)[:2], points[touching].max(axis=0)[:2]
-    width = 2 * max(high - low)
-    middle = (low + high) / 2
-    near = (np.abs(points[:, :2] - middle) < width / 2).all(axis=1)
-    largest = max(np.hypot(*step["displacement"][near].T[:2]).max() for step in steps)
-    scale = round_down(0.15 * width / largest) if largest > 0 else 1
-    size = shape_of(width, width, 5)
-    figure, axes = plt.subplots(figsize=(size[0] + 1, size[1] + 1))
+    near = within(points[:, :2], view)
+    moves = np.concatenate([step["displacement"][near][:, :2] for step in steps])
+    size = max(view[2] - view[0], view[3] - view[1])
+    scale = scale_of(size, moves, read(folder, "contact.csv"))
+    shape = shape_of(view[2] - view[0], view[3] - view[1], 5)
+    figure, axes = pictures.subplots(figsize=(shape[0] + (2 if field else 1), shape[1] + 1))
     for body, lines in outlines(steps[0]):
         axes.plot(*broken(points, lines), color="grey", lw=0.6, ls=":")
-    moved = [axes.plot([], [], color="C%d" % (body % 10), lw=1.5)[0]
+    moved = [axes.plot([], [], color="black" if field else "C%d" % (body % 7), lw=1.5)[0]
              for body, _ in outlines(steps[0])]
-    equal_axes(axes, width, width)
-    axes.set_xlim(middle[0] - width / 2, middle[0] + width / 2)
-    axes.set_ylim(middle[1] - width / 2, middle[1] + width / 2)
+    equal_axes(axes, view[2] - view[0], view[3] - view[1], pictures.looks)
+    axes.set_xlim(view[0], view[2])
+    axes.set_ylim(view[1], view[3])
+    drawn, colours = [], {}
+    if field:
+        seen = [inside[field][within(inside["Points"][:, :2], view)] for inside in insides]
+        low, high = np.quantile(np.concatenate(seen), (0.001, 0.999))
+        colours = {"vmin": low, "vmax": high, "cmap": "viridis", "shading": "gouraud"}
+        bar = figure.colorbar(plt.cm.ScalarMappable(plt.Normalize(low, high), "viridis"), ax=axes)
+        bar.set_label(pictures.looks.field_label(NAMES[field], field))
 
     def show(k):
         step = steps[k]
         places = step["Points"] + scale * step["displacement"]
         for line, (_, lines) in zip(moved, outlines(step)):
             line.set_data(*broken(places, lines))
-        axes.set_title("%s, t = %.4g, displacement x %g" % (title, rows["t"][chosen[k]], scale))
+        for inside in insides[k:k + 1]:
+            for old in drawn:
+                old.remove()
+            x, y = (inside["Points"] + scale * inside["displacement"]).T[:2]
+            drawn[:] = [axes.tripcolor(Triangulation(x, y, inside["connectivity"].reshape(-1, 3)),
+                                       inside[field], zorder=0.5, **colours)]
+        pictures.title(axes, "%s, t = %.4g, displacement x %g" % (
+            title, rows["t"][chosen[k]], scale))
         return moved
 
+    figure.set_dpi(80)
+    show(0)
+    figure.canvas.draw()  # lays it out, once for all frames
+    figure.set_layout_engine("none")
     movie = FuncAnimation(figure, show, frames=len(steps))
     movie.save(os.path.join(pictures.folder, "movie.gif"), PillowWriter(fps=8), dpi=80)
     plt.close(figure)

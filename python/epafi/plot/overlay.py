@@ -2,7 +2,7 @@
 import numpy as np
 
 from epafi.plot.contact import cap_of, line, say_cut
-from epafi.plot.figures import STYLE, plt
+from epafi.plot.figures import Looks, Pictures, plt
 from epafi.plot.layout import laid_out, lengths, window, within
 
 
@@ -27,12 +27,12 @@ def has_friction(contacts):
     return shear > 1e-12 * pressure
 
 
-def figure_of(contacts, labels, title):
+def draw(contacts, labels, title, name, pictures):
     """Of tables of contact.csv, coloured in their order; shear where there is any."""
     stresses = STRESSES if has_friction(contacts) else STRESSES[:1]
-    figure, panels = plt.subplots(len(stresses), 1, figsize=(8, 0.4 + 3.5 * len(stresses)),
-                                  sharex=True, squeeze=False)
-    panels = panels[:, 0]
+    figure, panels = pictures.subplots(len(stresses), 1, sharex=True,
+                                       figsize=(9.4, 0.4 + 3.5 * len(stresses)))
+    panels = np.atleast_1d(panels).ravel()
     shown = [laid_out(contact) for contact in contacts]
     shown = [within(laid, *window(shown)) for laid in shown]
     for number, (laid, text) in enumerate(zip(shown, labels)):
@@ -40,21 +40,18 @@ def figure_of(contacts, labels, title):
         colour = plt.get_cmap("viridis")(0.95 * number / max(1, len(labels) - 1))
         for axes, (column, _) in zip(panels, stresses):
             line(axes, laid, contact[column], text, color=colour)
-        panels[-1].set_xlabel(label)
+        panels[-1].set_xlabel(pictures.looks.label(label, "length"))
     for axes, (column, text) in zip(panels, stresses):
         cut(axes, shown, column)
-        axes.set_ylabel(text)
+        axes.set_ylabel(pictures.looks.label(text, "stress"))
     panels[0].legend(loc="upper left", bbox_to_anchor=(1, 1))
-    panels[0].set_title(title, fontsize=12)
-    return figure
+    pictures.title(panels[0], title)
+    pictures.save(figure, name)
 
 
-def draw(contacts, labels, title, name, pictures):
-    pictures.save(figure_of(contacts, labels, title), name)
-
-
-def draw_file(file, contacts, labels, title=""):
-    with plt.rc_context(STYLE):
-        figure = figure_of(contacts, labels, title)
-        figure.savefig(file, dpi=figure.dpi)
-        plt.close(figure)
+def figure_of(contacts, labels, axes=None):
+    """The same, not written: a figure and its axes."""
+    pictures = Pictures("", only="overlay", axes=axes)
+    with plt.rc_context(pictures.looks.style()):
+        draw(contacts, labels, "", "overlay", pictures)
+    return np.ravel(pictures.axes)[0].figure, pictures.axes

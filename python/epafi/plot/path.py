@@ -5,7 +5,7 @@ import os
 import numpy as np
 
 from epafi.plot import movie, overlay
-from epafi.plot.figures import plt
+from epafi.plot.figures import settle
 from epafi.plot.layout import chains, lengths
 from epafi.tables import read
 
@@ -15,7 +15,7 @@ SHOWN = 6  # steps overlaid
 def contacts_of(steps):
     """The names before '.force_tangential', in the order of the columns."""
     ending = ".force_tangential"
-    return [name[:-len(ending)] for name in steps.columns if name.endswith(ending)]
+    return [name[:-len(ending)] for name in steps if name.endswith(ending)]
 
 
 def last_level(steps):
@@ -28,23 +28,62 @@ def step_file(folder, step):
     return read(os.path.join(folder, "steps", "%d" % step), "contact.csv")
 
 
-def mean_slip(contact, name):
-    """Of u_t along one contact, weighted by length; of several of one name steps.csv says
-    body:contact."""
+def samples_of(contact, name):
+    """Which samples are of a contact; of several of one name steps.csv says body:contact."""
     short = contact["contact_name"]
-    here = (short == name) | (np.char.add(np.char.add(contact["body"], ":"), short) == name)
+    return (short == name) | (np.char.add(np.char.add(contact["body"], ":"), short) == name)
+
+
+def mean_slip(contact, name):
+    """Of u_t along one contact, weighted by length."""
+    here = samples_of(contact, name)
     weights = np.concatenate([lengths(np.cumsum(np.append(0, np.hypot(
         np.diff(contact["x"][a:b]), np.diff(contact["y"][a:b]))))) for a, b in chains(contact)])
     return np.average(contact["u_t"][here], weights=weights[here])
 
 
+def torsion(folder, rows, contacts, contact):
+    """Of two bodies that meet all around, at the steps: how far the one that turns the other is
+    ahead [radian], and the torque on that one about its middle; None of others."""
+    bodies = read(folder, "bodies.csv")
+    if len(contacts) != 1 or bodies is None or len(set(bodies["body"])) != 2:
+        return None
+    x = np.column_stack([contact["x"], contact["y"]])
+    steps = np.hypot(*np.diff(x, axis=0).T)
+    if np.hypot(*(x[-1] - x[0])) > 2 * max(steps[0], steps[-1]):
+        return None
+    last = bodies["level"] == bodies["level"].max()
+    driven = last & (bodies["body"] == contact["body"][0])
+    driving = last & (bodies["body"] != contact["body"][0])
+    if not driven.sum() == driving.sum() == len(rows["step"]):
+        return None
+    return (bodies["rotation"][driving] - bodies["rotation"][driven],
+            bodies["contact_moment"][driven])
+
+
 def draw(folder, steps, title, pictures):
     rows = last_level(steps)
-    contacts = contacts_of(steps)
+    t = np.append(0, rows["t"])
     files = [step_file(folder, step) for step in rows["step"]]
     loops = all(file is not None for file in files)
-    figure, axes = plt.subplots(1, 3 if loops else 2, figsize=(13 if loops else 9, 4))
-    t = np.append(0, rows["t"])
+    if pictures.wants("path"):
+        draw_path(folder, rows, t, files if loops else [], title, pictures)
+    if pictures.wants("rigid"):
+        rigid(rows, t, title, pictures)
+    if pictures.only is None:
+        movie.draw(folder, rows, title, pictures)
+    if loops and pictures.wants("steps"):
+        chosen = sorted({round(k) for k in np.linspace(0, len(files) - 1, SHOWN)})
+        overlay.draw([files[k] for k in chosen],
+                     ["step %d, t = %g" % (rows["step"][k], rows["t"][k]) for k in chosen],
+                     title + ": contact along the path", "steps", pictures)
+
+
+def draw_path(folder, rows, t, files, title, pictures):
+    contacts, label = contacts_of(rows), pictures.looks.label
+    turning = torsion(folder, rows, contacts, files[-1]) if files else None
+    figure, axes = pictures.subplots(1, 3 if files else 2, figsize=(13 if files else 9, 4))
+    force = max((np.abs(rows[name]).max() for name in rows if "force_" in name), default=0)
 
     def along(panel, name, label, **style):
         panel.plot(t, np.append(0, rows[name]), label=label, marker=".", **style)
@@ -53,32 +92,32 @@ def draw(folder, steps, title, pictures):
         along(axes[0], name + ".force_normal", "normal, " + name, color="C%d" % k)
         along(axes[0], name + ".force_tangential", "tangential, " + name, color="C%d" % k,
               ls="--")
-    axes[0].set_ylabel("contact force")
+    axes[0].set_ylabel(label("contact force", "force"))
+    settle(axes[0], force)
     along(axes[1], "energy_dissipated", "friction's work")
     along(axes[1], "energy_dissipated_trapezoidal", "by the trapezoidal rule", ls="--")
-    axes[1].set_ylabel("friction's work so far")
+    axes[1].set_ylabel(label("friction's work so far", "energy"))
+    settle(axes[1], np.abs(rows["energy_strain"]).max())
     for panel in axes[:2]:
         panel.set_xlabel("t")
         panel.legend()
-    if loops:
-        for k, name in enumerate(contacts):
-            axes[2].plot([0, *(mean_slip(file, name) for file in files)],
-                         np.append(0, rows[name + ".force_tangential"]), marker=".",
-                         label=name, color="C%d" % k)
-        axes[2].set_xlabel("mean of $u_t$ along the contact")
-        axes[2].set_ylabel("tangential force")
+    if files:
+        loops = {name: ([mean_slip(file, name) for file in files], rows[name + ".force_tangential"])
+                 for name in contacts} if turning is None else {contacts[0]: turning}
+        for k, (name, (moved, pushed)) in enumerate(loops.items()):
+            axes[2].plot([0, *moved], [0, *pushed], marker=".", label=name, color="C%d" % k)
+        reach = max(np.abs(file[key]).max() for file in files for key in ("u_n", "u_t"))
+        arm = 1 if turning is None else 0.5 * max(np.ptp(files[-1]["x"]), np.ptp(files[-1]["y"]))
+        settle(axes[2], reach / arm, "x")
+        settle(axes[2], force * arm)
+        axes[2].set_xlabel(label("mean slip $u_t$ of the contact", "length") if turning is None
+                           else "twist of the bodies [rad]", labelpad=9)
+        axes[2].set_ylabel(label("tangential force", "force") if turning is None
+                           else label("torque", "energy"))
         axes[2].ticklabel_format(axis="x", scilimits=(-2, 3))  # or their zeros run together
         axes[2].legend()
-    figure.suptitle(title + ": path")
-    figure.tight_layout()
+    pictures.title(figure, title + ": path")
     pictures.save(figure, "path")
-    rigid(rows, t, title, pictures)
-    movie.draw(folder, rows, title, pictures)
-    if loops:
-        chosen = sorted({round(k) for k in np.linspace(0, len(files) - 1, SHOWN)})
-        overlay.draw([files[k] for k in chosen],
-                     ["step %d, t = %g" % (rows["step"][k], rows["t"][k]) for k in chosen],
-                     title + ": contact along the path", "steps", pictures)
 
 
 def rigid(rows, t, title, pictures):
@@ -86,20 +125,30 @@ def rigid(rows, t, title, pictures):
     bodies = [name[:-len(".rotation")] for name in rows if name.endswith(".rotation")]
     if not bodies:
         return
-    figure, axes = plt.subplots(2, 3, figsize=(12, 6.5))
+    figure, axes = pictures.subplots(2, 3, figsize=(12, 6.5))
     panels = (("motion_x", "force_x"), ("motion_y", "force_y"), ("rotation", "moment"))
+    sizes = {item: max(np.abs(rows[name + "." + item]).max() for name in bodies)
+             for pair in panels for item in pair}
+    moved = max(sizes["motion_x"], sizes["motion_y"])
+    pushed = max(sizes["force_x"], sizes["force_y"])
     for column, (motion, force) in enumerate(panels):
         for k, name in enumerate(bodies):
             where, what = (np.append(0, rows[name + "." + item]) for item in (motion, force))
             axes[0, column].plot(t, where, marker=".", label=name, color="C%d" % k)
             axes[1, column].plot(where, what, marker=".", label=name, color="C%d" % k)
+        turns = motion == "rotation"
+        where = "rotation [rad]" if turns else pictures.looks.label(motion.replace("_", " "),
+                                                                    "length")
+        settle(axes[0, column], moved)  # of rotations by the same number, whatever the unit
+        settle(axes[1, column], moved, "x")
+        settle(axes[1, column], pushed)
         axes[0, column].set_xlabel("t")
-        axes[0, column].set_ylabel(motion.replace("_", " "))
-        axes[1, column].set_xlabel(motion.replace("_", " "))
-        axes[1, column].set_ylabel(force.replace("_", " "))
+        axes[0, column].set_ylabel(where)
+        axes[1, column].set_xlabel(where)
+        axes[1, column].set_ylabel(pictures.looks.label(force.replace("_", " "),
+                                                        "energy" if turns else "force"))
         for panel in axes[:, column]:
             panel.ticklabel_format(scilimits=(-3, 4))
     axes[0, 0].legend()
-    figure.suptitle(title + ": rigid bodies")
-    figure.tight_layout()
+    pictures.title(figure, title + ": rigid bodies")
     pictures.save(figure, "rigid")

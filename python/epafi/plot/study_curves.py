@@ -27,8 +27,9 @@ def draw(study, scenes, name, title, pictures):
         counted = None if column == "estimate" else curve["counted"] > 0
         loglog(axes, curve[abscissa], curve[column], label, counted, **style)
 
-    figure = panels(scenes, shown, what, curves, "%s: %s" % (title, name.replace("_", " ")))
+    figure = panels(scenes, shown, what, curves, "%s: %s" % (title, name.replace("_", " ")),
+                    pictures)
     if any((curve["error"] > 0).any() and not (curve["counted"] > 0).all()
            for variants in scenes.values() for curve in variants.values()):
-        figure.text(0.5, 0, HOLLOW, ha="center", va="top", fontsize=8)
+        figure.text(0.5, 0, HOLLOW, ha="center", va="top", fontsize="small")
     pictures.save(figure, name)

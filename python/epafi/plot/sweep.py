@@ -4,7 +4,7 @@ import os
 import numpy as np
 
 from epafi.plot import overlay
-from epafi.plot.figures import plt, styles_of
+from epafi.plot.figures import settle, styles_of
 from epafi.tables import read
 
 FORCES = [("force_normal", "normal force"), ("force_tangential", "tangential force"),
@@ -53,8 +53,9 @@ def draw(study, title, pictures):
            for name in study["variant"][np.isfinite(value)].astype(str)][0]
     eigen = study.numbers("smallest_eigenvalue")
     has_eigen = np.isfinite(eigen).any()
-    figure, axes = plt.subplots(1 + has_eigen, 1, squeeze=False, sharex=True,
-                                figsize=(7.4, 4.2 + 2.8 * has_eigen))
+    figure, axes = pictures.subplots(1 + has_eigen, 1, sharex=True,
+                                     figsize=(9, 4.2 + 2.8 * has_eigen))
+    axes = np.reshape(axes, (-1, 1))
     estimate = axes[0, 0]
     estimates = study.numbers("estimate")
     solved = ends & np.isfinite(estimates)
@@ -85,32 +86,31 @@ def draw(study, title, pictures):
         axes[1, 0].set_ylabel("smallest eigenvalue of the\nstabilised stiffness, relative to S")
         axes[1, 0].legend(loc="center left", bbox_to_anchor=(1, 0.5))
     axes[-1, 0].set_xlabel(key)
-    estimate.set_title("%s: dependence on %s" % (title, key))
+    pictures.title(estimate, "%s: dependence on %s" % (title, key))
     pictures.save(figure, "sweep")
     draw_forces(study, value, ends, families, key, title, pictures)
     draw_contact(study, value, ends, families, key, title, pictures)
 
 
 def draw_forces(study, value, ends, families, key, title, pictures):
-    figure, axes = plt.subplots(2, 2, figsize=(9.5, 6.4), sharex=True)
+    figure, axes = pictures.subplots(2, 2, figsize=(10.5, 6.4), sharex=True)
+    span = max(np.nanmax(np.abs(study.numbers(name)[ends])) for name, _ in FORCES[:2])
     for cell, (column, text) in zip(axes.flat, FORCES):
         numbers = study.numbers(column)
         for family, style in styles_of(dict.fromkeys(families[ends])).items():
             here = np.flatnonzero(ends & (families == family) & np.isfinite(numbers))
             here = here[np.argsort(value[here])]
             cell.plot(value[here], numbers[here], label=family, **style)
-        cell.set_ylabel(text)
+        cell.set_ylabel(pictures.looks.label(text, column.split("_")[-1] if
+                                             column.endswith("length") else "force"))
         cell.margins(y=0.15)
-        shown, sizes = numbers[ends], np.abs([study.numbers(name)[ends] for name, _ in FORCES[:2]])
-        if column.startswith("force") and np.nanmax(shown) - np.nanmin(shown) < 1e-9 * np.nanmax(sizes):
-            middle, span = np.nanmean(shown), np.nanmax(sizes)  # no axis of rounding
-            cell.set_ylim(middle - 0.1 * span, middle + 0.1 * span)
+        if column.startswith("force"):
+            settle(cell, span)
     set_scale(axes[0, 0], "x", value[ends])
     for cell in axes[1]:
         cell.set_xlabel(key)
     axes[0, 1].legend(loc="upper left", bbox_to_anchor=(1, 1))
-    figure.suptitle("%s: contact against %s" % (title, key))
-    figure.tight_layout()
+    pictures.title(figure, "%s: contact against %s" % (title, key))
     pictures.save(figure, "sweep_forces")
 
 

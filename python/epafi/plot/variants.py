@@ -1,7 +1,7 @@
 """The variants of a study as curves, and axes for them."""
 import numpy as np
 
-from epafi.plot.figures import plain_ticks, plt, styles_of
+from epafi.plot.figures import plain_ticks, styles_of
 
 ERROR = "true error in the energy norm, relative"
 
@@ -29,11 +29,12 @@ def curves_of(study):
     return scenes
 
 
-def panels(scenes, quantities, abscissa, plot, title):
+def panels(scenes, quantities, abscissa, plot, title, pictures):
     """A figure of a row of axes per scene, a column per quantity (column, label), with room for the
     legends: plot(axes, curve, column, label=..., **style) draws each variant."""
-    figure, axes = plt.subplots(len(scenes), len(quantities), squeeze=False,
-                                figsize=(5.4 * len(quantities) + 2.4, 4.6 * len(scenes)))
+    figure, axes = pictures.subplots(len(scenes), len(quantities), figsize=(
+        5.4 * len(quantities) + 2.4, 4.6 * len(scenes)))
+    axes = np.reshape(axes, (len(scenes), len(quantities)))
     for row, (scene, variants) in zip(axes, scenes.items()):
         styles = styles_of(variants)
         for cell, (column, label) in zip(row, quantities):
@@ -44,7 +45,6 @@ def panels(scenes, quantities, abscissa, plot, title):
             cell.set_xlabel(abscissa)
             cell.set_ylabel(label)
             cell.set_title(scene)
-            cell.legend(fontsize=7)
-    figure.suptitle(title, y=0.99)
-    figure.tight_layout()
+            cell.legend(fontsize="x-small")
+    pictures.title(figure, title)
     return figure

@@ -1,5 +1,7 @@
 """work-precision: the true error of each variant against CPU time."""
-from epafi.plot.figures import plain_ticks, plt, styles_of
+import numpy as np
+
+from epafi.plot.figures import plain_ticks, styles_of
 from epafi.plot.variants import ERROR
 
 
@@ -7,8 +9,8 @@ def draw(study, scenes, title, pictures):
     """A column per scene, one legend for all."""
     if not ((study.numbers("error") > 0) & (study.numbers("counted") > 0)).any():
         return
-    figure, axes = plt.subplots(1, len(scenes), squeeze=False, dpi=80,
-                                figsize=(4.6 * len(scenes) + 2.6, 4.4))
+    figure, axes = pictures.subplots(1, len(scenes), figsize=(4.6 * len(scenes) + 2.6, 4.4))
+    axes = np.reshape(axes, (1, len(scenes)))
     names = list(dict.fromkeys(name for variants in scenes.values() for name in variants))
     styles = styles_of(names)
     for cell, (scene, variants) in zip(axes[0], scenes.items()):
@@ -21,6 +23,5 @@ def draw(study, scenes, title, pictures):
         cell.set_title(scene)
     axes[0, 0].set_ylabel(ERROR)
     axes[0, -1].legend(loc="center left", bbox_to_anchor=(1, 0.5))
-    figure.suptitle(title)
-    figure.tight_layout()
+    pictures.title(figure, title)
     pictures.save(figure, "work-precision")
