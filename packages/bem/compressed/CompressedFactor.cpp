@@ -69,7 +69,7 @@ CompressedFactor CompressedFactor::within(const std::vector<int>& leaves) const 
   const ClusterTree& tree = operators_->tree();
   CompressedFactor result = *this;
   // springs and rotations act elsewhere
-  if (leaves.empty() || !sprung_.empty() || rotated_ != nullptr)
+  if (leaves.empty() || border_ != nullptr)
     return result;
   if (std::none_of(leaves.begin(), leaves.end(),
                    [&](int leaf) { return changing_[leaf] != 0; }))
@@ -202,10 +202,8 @@ void CompressedFactor::eliminate(const std::vector<char>& dirty) {
           [&] { exchangeResponses(dirty, failure); });
   if (fails)  // of what is everybody's, or of one process
     throw NumericalError(failure);
-  if (top_ != 0)
-    return;
-  takeSpringsBack();
-  addRotations();
+  if (top_ == 0)
+    addBorder();
 }
 
 // What the processes have eliminated of the roots of their subtrees.
@@ -250,38 +248,36 @@ void CompressedFactor::exchangeResponses(const std::vector<char>& dirty,
   });
 }
 
-void CompressedFactor::addRotations() {
-  const CompressedOperators::Rotations& rotations = operators_->rotations();
-  rotated_ = nullptr;
-  if (rotations.columns.empty())
+// Z = M - P Pᵀ + U S Uᵀ with springs P in the tree's M
+void CompressedFactor::addBorder() {
+  border_ = nullptr;
+  const LowRank& rotations = operators_->rotations();
+  std::vector<Index> sprung;
+  for (const Index i : operators_->floating())
+    if (restriction_.held[i] == 0)
+      sprung.push_back(i);
+  const Index turning = rotations.u.columns();
+  const Index count = turning + static_cast<Index>(sprung.size());
+  if (count == 0)
     return;
-  Rotated rotated;
-  Matrix right = rotations.columns.copy();
-  for (Index j = 0; j < right.columns(); ++j)
+  Matrix u(operators_->size(), count);
+  Matrix inverse(count, count);
+  for (Index k = 0; k < turning; ++k) {
+    std::copy_n(rotations.u.column(k), u.rows(), u.column(k));
+    std::copy_n(rotations.inverse.column(k), turning, inverse.column(k));
+  }
+  for (Index k = turning; k < count; ++k) {
+    u(sprung[k - turning], k) = 1;
+    inverse(k, k) = -1;
+  }
+  Matrix right = u.copy();
+  for (Index j = 0; j < count; ++j)
     for (Index i = 0; i < right.rows(); ++i)
       if (restriction_.held[i] != 0)
         right(i, j) = 0;
-  rotated.answers = solveStraight(right, std::vector<char>(nodes_.size(), 1));
-  Matrix rest = rotations.inverse.copy();
-  addTransposedProduct(1, rotations.columns, rotated.answers, rest);
-  rotated.rest = ScaledLu(std::move(rest));
-  rotated_ = std::make_shared<const Rotated>(std::move(rotated));
-}
-
-void CompressedFactor::takeSpringsBack() {
-  sprung_.clear();
-  for (const Index i : operators_->floating())
-    if (restriction_.held[i] == 0)
-      sprung_.push_back(i);
-  const auto count = static_cast<Index>(sprung_.size());
-  Matrix units(operators_->size(), count);
-  for (Index k = 0; k < count; ++k)
-    units(sprung_[k], k) = 1;
-  Matrix rest = count > 0 ? rowsOf(solveSprung(units, paths({})), sprung_) : Matrix();
-  for (Index j = 0; j < count; ++j)
-    for (Index i = 0; i < count; ++i)
-      rest(i, j) = (i == j ? 1 : 0) - rest(i, j);
-  springs_ = std::make_shared<const ScaledLu>(std::move(rest));
+  Matrix answers = solveSprung(right, std::vector<char>(nodes_.size(), 1));
+  border_ = std::make_shared<const Woodbury>(std::move(u), std::move(inverse),
+                                             std::move(answers), compressedSystem);
 }
 
 std::vector<char> CompressedFactor::paths(std::vector<int> leaves) const {

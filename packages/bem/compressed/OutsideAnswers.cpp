@@ -41,7 +41,7 @@ Matrix CompressedFactor::outsideOf(int child, const Matrix& p) const {
   for (Index i = 0; i < system.rows(); ++i)
     system(i, i) += 1;
   Matrix answers = product(other, block(!isFirst, isFirst));
-  ScaledLu(std::move(system)).solve(answers);
+  LuFactor::ofScaledRows(std::move(system), compressedSystem).solve(answers);
   Matrix result = block(isFirst, isFirst);
   addProduct(-1, block(isFirst, !isFirst), answers, result);
   return result;
