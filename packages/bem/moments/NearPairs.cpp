@@ -44,7 +44,7 @@ struct Shape {
 /// What the kernels read and write.
 struct Work {
   const GradedRule& rule;
-  const Sight& sight;
+  const SeenPoints& seen;
   Shape shape;
   Complex turn;  ///< conj(τ_x) τ_y h_x/h_y
   AlignedLane* sums;
@@ -63,13 +63,15 @@ struct NearKernel {
     LegendreLanes<Parts> inner;
     const auto& points = work.rule.points;
     for (std::size_t first = 0; first < points.size(); first += lanes) {
-      const PointLanes outer(points, first);
-      const TargetLanes x(work.sight, outer);
+      const TargetLanes x(work.seen, first);
       inner.evaluate(x, Parts == 1 && columns == 1 ? 0 : columns);
-      const Pack t = load(outer.t);
+      AlignedLane places{};
       AlignedLane weights{};
-      for (std::size_t lane = 0; lane < lanes && first + lane < points.size(); ++lane)
+      for (std::size_t lane = 0; lane < lanes && first + lane < points.size(); ++lane) {
+        places.lane[lane] = points[first + lane].t;
         weights.lane[lane] = work.rule.weights[first + lane];
+      }
+      const Pack t = load(places.lane);
       weighted[0] = load(weights.lane);
       weighted[1] = t * weighted[0];
       for (int k = 1; k < rows; ++k)
@@ -166,10 +168,10 @@ void NearMoments::evaluate(const Mesh& mesh, int e, int f, TileMoments& m, int l
   const GradedRule rule = nearRule(mesh, outer, inner, onLine);
   if (hasArc && !onLine)
     return nearArcMoments(mesh, e, f, rule, m, lane);
-  const Sight sight = sightOf(mesh, outer, inner);
+  const SeenPoints seen(mesh, outer, inner, rule.points);
   const Complex tangentX = asComplex(x.curve.frame().tangent);
   const Complex tangentY = asComplex(y.curve.frame().tangent);
-  const Work work = {rule, sight, shape, x.half / y.half * std::conj(tangentX) * tangentY,
+  const Work work = {rule, seen, shape, x.half / y.half * std::conj(tangentX) * tangentY,
                      sums_.data()};
   if (onLine)
     dispatch(set, NearKernel<1>{work});
