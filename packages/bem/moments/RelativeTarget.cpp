@@ -30,17 +30,15 @@ SeenPoints::SeenPoints(const Mesh& mesh, int element, int source,
     : mesh_(mesh), element_(element), source_(source), points_(points) {
   const Element& x = mesh[element];
   const Element& y = mesh[source];
-  const bool isArc = !y.curve.isStraight();
-  if (!areOnLine() && (isArc || !x.curve.isStraight()))
+  if (!x.curve.isStraight() || !y.curve.isStraight())
     return;
   const Vec2 direction = x.curve.frame().tangent;
   const Curve::Frame& frame = y.curve.frame();
-  const double along =
-      isArc ? 1 : dot(direction, frame.tangent);  // an edge: by arc length
-  const double across = areOnLine() ? 0 : dot(direction, frame.normal);
   sight_ = {seenFrom(mesh, source, mesh.at(element, -1)),
             seenFrom(mesh, source, mesh.at(element, 1)),
-            x.half / y.half * Complex(along, across)};
+            x.half / y.half *
+                Complex(dot(direction, frame.tangent),
+                        areOnLine() ? 0.0 : dot(direction, frame.normal))};
 }
 
 RelativeTarget SeenPoints::operator[](std::size_t i) const {

@@ -26,14 +26,13 @@ class SeenPoints {
   bool areOnLine() const {
     return mesh_[element_].piece.edge == mesh_[source_].piece.edge;
   }
-  /// All of them on a straight line of targets, or on the other one's arc: the element's ends and
-  /// what half a length of it adds.
+  /// All of them on a line: the element's ends and what half a length of it adds.
   struct Sight {
     RelativeTarget start;
     RelativeTarget end;
     Complex step;
   };
-  /// If both are straight, or of one edge.
+  /// If both are straight.
   const std::optional<Sight>& sight() const { return sight_; }
   /// The last one for those behind it.
   RelativeTarget operator[](std::size_t i) const;
