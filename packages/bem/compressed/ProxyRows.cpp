@@ -1,10 +1,10 @@
 #include "bem/compressed/ProxyRows.hpp"
 
+#include "bem/compressed/CoupledEntries.hpp"
 #include "bem/moments/FarOrder.hpp"
 
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
-#include <map>
 
 namespace epafi::bem {
 
@@ -20,18 +20,8 @@ Matrix ProxyRows::operator()(const ClusterTree& tree, int cluster,
   constexpr double pi = boost::math::constants::pi<double>();
   const double radius = ratio_ * tree[cluster].radius;
   std::vector<AlignedLane> circle(2 * points_ / lanes);
-  std::map<int, std::vector<std::pair<int, Index>>> wanted;
-  for (std::size_t j = 0; j < columns.size(); ++j) {
-    const Unknown& unknown = unknowns_[columns[j]];
-    if (unknown.local < 0)
-      continue;
-    wanted[unknown.element].emplace_back(unknown.local, static_cast<Index>(j));
-    if (unknown.isNode)
-      wanted[space_.mesh()[unknown.element].previous].emplace_back(unknown.local + 2,
-                                                                   static_cast<Index>(j));
-  }
   Matrix out(2 * points_, static_cast<Index>(columns.size()));
-  for (const auto& [f, functions] : wanted) {
+  for (const auto& [f, functions] : byElements(space_, unknowns_, columns)) {
     const Element& element = space_.mesh()[f];
     const Vec2 middle = tree.fromCentre(cluster, space_.mesh().at(f, 0));
     for (int p = 0; p < points_; ++p) {
