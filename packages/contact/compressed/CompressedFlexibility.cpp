@@ -68,26 +68,24 @@ void CompressedFlexibility::findPaths() {
 void CompressedFlexibility::addMotions() {
   Index count = 0;
   for (const auto& body : bodies_)
-    count += body->motions();
+    count += body->motions().columns();
   Matrix u(size(), 2 * count);
   Matrix kappa(count, count);
   Index first = 0;  // of the body's
   for (const auto& body : bodies_) {
-    Matrix forces(operators().size(), body->motions());
-    for (Index k = 0; k < forces.columns(); ++k) {
-      const Vector c = body->functional(k);
-      std::copy(c.begin(), c.end(), forces.column(k));
-    }
-    const Matrix answers = forces.columns() > 0 ? body->factor().solve(forces) : Matrix();
-    for (Index k = 0; k < forces.columns(); ++k) {
-      const Vector g = coupling_.pull(body->motion(k).data());
+    const Matrix moved = body->motions();
+    const Matrix forces = body->functionals();
+    const Index own = moved.columns();
+    const Matrix answers = own > 0 ? body->factor().solve(forces) : Matrix();
+    for (Index k = 0; k < own; ++k) {
+      const Vector g = coupling_.pull(moved.column(k));
       const Vector w = coupling_.pull(answers.column(k));
       std::copy(g.begin(), g.end(), u.column(first + k));
       std::copy(w.begin(), w.end(), u.column(count + first + k));
-      for (Index l = 0; l < forces.columns(); ++l)
+      for (Index l = 0; l < own; ++l)
         kappa(first + l, first + k) = bem::dot(columnOf(forces, l), columnOf(answers, k));
     }
-    first += forces.columns();
+    first += own;
   }
   motions_ = bem::LowRank(std::move(u), kappa);
 }
