@@ -1,5 +1,5 @@
 // Pairs with an arc, near and far, against plain quadrature in 33 digits.
-#include "bem/moments/ArcPairs.hpp"
+#include "bem/moments/NearPairs.hpp"
 #include "bem/moments/RelativeTarget.hpp"
 #include "reference/ArcErrors.hpp"
 #include "reference/SampleMeshes.hpp"

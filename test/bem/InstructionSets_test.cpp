@@ -133,17 +133,14 @@ TEUCHOS_UNIT_TEST(InstructionSets, measureAngles) {
 TEUCHOS_UNIT_TEST(InstructionSets, giveTheSameSumsOfSources) {
   for (const std::size_t states : {1, 3}) {
     bem::PointSources sources(states);
-    sources.add(1001, [](std::size_t k) {
-      const double turn = 0.1 * static_cast<double>(k);
-      return bem::Complex(std::cos(turn), std::sin(turn));
-    });
-    for (std::size_t k = 0; k < 1001; ++k)
-      for (std::size_t i = 0; i < states; ++i) {
-        const auto at = static_cast<double>(k);
-        sources.carry(k, i,
+    for (std::size_t k = 0; k < 1001; ++k) {
+      const auto at = static_cast<double>(k);
+      sources.add({std::cos(0.1 * at), std::sin(0.1 * at)});
+      for (std::size_t i = 0; i < states; ++i)
+        sources.carry(i,
                       {std::sin((1.3 + static_cast<double>(i)) * at), std::cos(0.4 * at)},
                       {std::cos(2.1 * at), 0.3});
-      }
+    }
     const bem::Complex x(0.2, -0.1);
     const auto sumsBy = [&](bem::InstructionSet set) {
       std::vector<bem::PointSources::Sums> sums(states);

@@ -1,7 +1,8 @@
 #include "bem/algebra/LuFactor.hpp"
 
+#include "bem/algebra/Products.hpp"
 #include "bem/base/BlasThreads.hpp"
-#include "bem/base/Parallel.hpp"
+#include "bem/base/Error.hpp"
 
 #include <Teuchos_LAPACK.hpp>
 
@@ -13,6 +14,12 @@ namespace epafi::bem {
 namespace {
 
 using Lapack = Teuchos::LAPACK<int, double>;
+
+void scaleRows(const Vector& scales, double* x, Index columns, Index stride) {
+  for (Index j = 0; j < columns; ++j)
+    for (std::size_t i = 0; i < scales.size(); ++i)
+      x[j * stride + static_cast<Index>(i)] *= scales[i];
+}
 
 /// Of A X, or of a factorisation with as many columns.
 int threadsOf(const Matrix& a, Index columns) {
@@ -34,6 +41,23 @@ LuFactor::LuFactor(Matrix a) : lu_(std::move(a)), pivots_(at(lu_.columns())) {
     Lapack().GETRF(asInt(lu_.rows()), asInt(lu_.rows()), lu_.data(), asInt(lu_.stride()),
                    pivots_.data(), &info);
   isRegular_ = info == 0;
+  for (Index i = 0; i < lu_.rows(); ++i)
+    isRegular_ = isRegular_ && std::abs(lu_(i, i)) > 0;
+}
+
+LuFactor LuFactor::ofScaledRows(Matrix a, const char* name) {
+  Vector scales(at(a.rows()));
+  for (Index j = 0; j < a.columns(); ++j)
+    for (Index i = 0; i < a.rows(); ++i)
+      scales[at(i)] = std::max(scales[at(i)], std::abs(a(i, j)));
+  for (double& scale : scales)
+    scale = scale > 0 ? 1 / scale : 1;
+  scaleRows(scales, a.data(), a.columns(), a.stride());
+  LuFactor factor(std::move(a));
+  factor.scales_ = std::move(scales);
+  if (!factor.isRegular())
+    throw NumericalError(name, " is singular");
+  return factor;
 }
 
 double LuFactor::reciprocalCondition() const {
@@ -50,11 +74,17 @@ double LuFactor::reciprocalCondition() const {
 }
 
 void LuFactor::solve(double* x, Index columns, Index stride) const {
-  int info = 0;
-  const BlasThreads threads(threadsOf(lu_, columns));
-  if (!lu_.empty() && columns > 0)
-    Lapack().GETRS('N', asInt(lu_.rows()), asInt(columns), lu_.data(),
-                   asInt(lu_.stride()), pivots_.data(), x, asInt(stride), &info);
+  if (lu_.empty())
+    return;
+  scaleRows(scales_, x, columns, stride);
+  const BlasThreads threads(threadsOf(lu_, columns));  // where byColumns has one for all
+  byColumns(columns, workOfProduct(lu_.rows(), lu_.rows(), columns),
+            [&](Index first, Index count) {
+              int info = 0;
+              Lapack().GETRS('N', asInt(lu_.rows()), asInt(count), lu_.data(),
+                             asInt(lu_.stride()), pivots_.data(), x + first * stride,
+                             asInt(stride), &info);
+            });
 }
 
 }  // namespace epafi::bem

@@ -12,8 +12,12 @@ class LuFactor {
   /// Of size zero.
   LuFactor() = default;
   explicit LuFactor(Matrix a);
+  /// Of a matrix whose rows are brought to one size before pivots are sought: those of
+  /// displacements and of densities differ.
+  /// \throws NumericalError where it is singular; `name` is for the message.
+  static LuFactor ofScaledRows(Matrix a, const char* name);
 
-  /// Is no pivot zero?
+  /// Is every pivot a number other than zero?
   bool isRegular() const { return isRegular_; }
   /// 1 / (|A| |A⁻¹|) in the norm of column sums, estimated; 0 where a pivot is zero, 1 for size
   /// zero.
@@ -27,6 +31,7 @@ class LuFactor {
   void solve(double* x, Index columns, Index stride) const;
 
   Matrix lu_;
+  Vector scales_;  ///< of the rows; empty: as they are
   std::vector<int> pivots_;
   double norm_ = 0;
   bool isRegular_ = true;

@@ -69,7 +69,7 @@ CompressedFactor CompressedFactor::within(const std::vector<int>& leaves) const 
   const ClusterTree& tree = operators_->tree();
   CompressedFactor result = *this;
   // springs and rotations act elsewhere
-  if (leaves.empty() || !sprung_.empty() || rotated_ != nullptr)
+  if (leaves.empty() || border_ != nullptr)
     return result;
   if (std::none_of(leaves.begin(), leaves.end(),
                    [&](int leaf) { return changing_[leaf] != 0; }))
@@ -105,6 +105,50 @@ CompressedFactor CompressedFactor::within(const std::vector<int>& leaves) const 
   std::vector<char> dirty(nodes_.size());
   dirty[result.top_] = 1;
   result.eliminate(dirty);
+  return result;
+}
+
+Matrix CompressedFactor::inside(int c, const Matrix* outside) const {
+  const ClusterPart& part = operators_->part(c);
+  const auto n = static_cast<Index>(part.active.size());
+  const bool isLeaf = operators_->tree()[c].isLeaf();
+  Matrix p = isLeaf ? part.block.copy() : Matrix(n, n);
+  if (outside != nullptr)
+    part.weights.addTransposed(product(*outside, part.weights.full()), p);
+  if (isLeaf)
+    return p;
+  const Index split = part.block.rows();
+  for (Index j = split; j < n; ++j)
+    for (Index i = 0; i < split; ++i) {
+      p(i, j) += part.block(i, j - split);
+      p(j, i) += part.block(i, j - split);
+    }
+  return p;
+}
+
+// What everything outside a cluster answers to what leaves it, z = O y.  Of children with
+// y₂ = -E₂ z₂ and
+//
+//   z₁ = P₁₁ y₁ + P₁₂ y₂,   z₂ = P₂₁ y₁ + P₂₂ y₂,   P = [0 S; Sᵀ 0] + Tᵀ O T,
+//
+// the first's is   O₁ = P₁₁ - P₁₂ (I + E₂ P₂₂)⁻¹ E₂ P₂₁.
+Matrix CompressedFactor::outsideOf(int child, const Matrix& p) const {
+  const Cluster& parent = operators_->tree()[operators_->tree()[child].parent];
+  const bool isFirst = parent.children[0] == child;
+  const Index split = operators_->skeletonOf(parent.children[0]);
+  const auto block = [&](bool first, bool second) {
+    return rowsBetween(
+        columnsBetween(p, second ? 0 : split, second ? split : p.columns()),
+        first ? 0 : split, first ? split : p.rows());
+  };
+  const Matrix& other = response(parent.children[isFirst ? 1 : 0]);
+  Matrix system = product(other, block(!isFirst, !isFirst));
+  for (Index i = 0; i < system.rows(); ++i)
+    system(i, i) += 1;
+  Matrix answers = product(other, block(!isFirst, isFirst));
+  LuFactor::ofScaledRows(std::move(system), compressedSystem).solve(answers);
+  Matrix result = block(isFirst, isFirst);
+  addProduct(-1, block(isFirst, !isFirst), answers, result);
   return result;
 }
 
@@ -202,10 +246,8 @@ void CompressedFactor::eliminate(const std::vector<char>& dirty) {
           [&] { exchangeResponses(dirty, failure); });
   if (fails)  // of what is everybody's, or of one process
     throw NumericalError(failure);
-  if (top_ != 0)
-    return;
-  takeSpringsBack();
-  addRotations();
+  if (top_ == 0)
+    addBorder();
 }
 
 // What the processes have eliminated of the roots of their subtrees.
@@ -250,38 +292,36 @@ void CompressedFactor::exchangeResponses(const std::vector<char>& dirty,
   });
 }
 
-void CompressedFactor::addRotations() {
-  const CompressedOperators::Rotations& rotations = operators_->rotations();
-  rotated_ = nullptr;
-  if (rotations.columns.empty())
+// Z = M - P Pᵀ + U S Uᵀ with springs P in the tree's M
+void CompressedFactor::addBorder() {
+  border_ = nullptr;
+  const LowRank& rotations = operators_->rotations();
+  std::vector<Index> sprung;
+  for (const Index i : operators_->floating())
+    if (restriction_.held[i] == 0)
+      sprung.push_back(i);
+  const Index turning = rotations.u.columns();
+  const Index count = turning + static_cast<Index>(sprung.size());
+  if (count == 0)
     return;
-  Rotated rotated;
-  Matrix right = rotations.columns.copy();
-  for (Index j = 0; j < right.columns(); ++j)
+  Matrix u(operators_->size(), count);
+  Matrix inverse(count, count);
+  for (Index k = 0; k < turning; ++k) {
+    std::copy_n(rotations.u.column(k), u.rows(), u.column(k));
+    std::copy_n(rotations.inverse.column(k), turning, inverse.column(k));
+  }
+  for (Index k = turning; k < count; ++k) {
+    u(sprung[k - turning], k) = 1;
+    inverse(k, k) = -1;
+  }
+  Matrix right = u.copy();
+  for (Index j = 0; j < count; ++j)
     for (Index i = 0; i < right.rows(); ++i)
       if (restriction_.held[i] != 0)
         right(i, j) = 0;
-  rotated.answers = solveStraight(right, std::vector<char>(nodes_.size(), 1));
-  Matrix rest = rotations.inverse.copy();
-  addTransposedProduct(1, rotations.columns, rotated.answers, rest);
-  rotated.rest = ScaledLu(std::move(rest));
-  rotated_ = std::make_shared<const Rotated>(std::move(rotated));
-}
-
-void CompressedFactor::takeSpringsBack() {
-  sprung_.clear();
-  for (const Index i : operators_->floating())
-    if (restriction_.held[i] == 0)
-      sprung_.push_back(i);
-  const auto count = static_cast<Index>(sprung_.size());
-  Matrix units(operators_->size(), count);
-  for (Index k = 0; k < count; ++k)
-    units(sprung_[k], k) = 1;
-  Matrix rest = count > 0 ? rowsOf(solveSprung(units, paths({})), sprung_) : Matrix();
-  for (Index j = 0; j < count; ++j)
-    for (Index i = 0; i < count; ++i)
-      rest(i, j) = (i == j ? 1 : 0) - rest(i, j);
-  springs_ = std::make_shared<const ScaledLu>(std::move(rest));
+  Matrix answers = solveSprung(right, std::vector<char>(nodes_.size(), 1));
+  border_ = std::make_shared<const Woodbury>(std::move(u), std::move(inverse),
+                                             std::move(answers), compressedSystem);
 }
 
 std::vector<char> CompressedFactor::paths(std::vector<int> leaves) const {

@@ -67,7 +67,7 @@ class CompressedFactor {
   Matrix solve(const Matrix& b, int refinements = 1) const;
 
   /// The same, unrefined, of a right side that is zero in other leaves than those of
-  /// `paths`, and only of the unknowns there; zero elsewhere.
+  /// `paths`, and only of the unknowns there; others mean nothing.
   Matrix solveAlong(const std::vector<char>& paths, const Matrix& b) const;
   /// By cluster: these leaves, what is above them, and what each solution needs.
   std::vector<char> paths(std::vector<int> leaves) const;
@@ -83,17 +83,16 @@ class CompressedFactor {
   /// By cluster, empty where nothing is to be done here: what of the restriction belongs to
   /// leaves.
   std::vector<LeafRestriction> restricted(std::vector<char> dirty) const;
-  void takeSpringsBack();
-  void addRotations();
-
+  /// Takes springs back and adds exact rotations.
+  void addBorder();
   /// What the unknowns of a cluster do to each other, P of a parent and D of a leaf, where
   /// the outside answers O to what leaves it: with Tᵀ O T.
   Matrix inside(int c, const Matrix* outside) const;
   /// O of a child, from P of its parent.
   Matrix outsideOf(int child, const Matrix& p) const;
 
+  /// Of what the tree holds alone, springs included.
   Matrix solveSprung(const Matrix& b, const std::vector<char>& paths) const;
-  Matrix solveStraight(const Matrix& b, const std::vector<char>& paths) const;
   Matrix solveOnce(const Matrix& b, const std::vector<char>& paths) const;
   /// B less Z X in the densities' equations, zero elsewhere.  \pre no entries are added there.
   Matrix leftOfDensities(const Matrix& b, const Matrix& x) const;
@@ -111,14 +110,9 @@ class CompressedFactor {
       whole_;  ///< inside() of it, where it is mine and not the root
   std::vector<std::shared_ptr<const EliminatedCluster>> nodes_;
   std::vector<std::shared_ptr<const Matrix>> responses_;  ///< E, where still needed
-  std::vector<Index> sprung_;  ///< CompressedOperators::floating, what is not held
-  std::shared_ptr<const ScaledLu> springs_;  ///< I - Pᵀ M⁻¹ P of them, see solveStraight
-  /// Of CompressedOperators::rotations; null without any.
-  struct Rotated {
-    Matrix answers;  ///< Y = Z⁻¹ U on what is not held
-    ScaledLu rest;   ///< S⁻¹ + Uᵀ Y
-  };
-  std::shared_ptr<const Rotated> rotated_;
+  /// Of springs on CompressedOperators::floating that is not held, and of rotations; null without
+  /// any.
+  std::shared_ptr<const Woodbury> border_;
 };
 
 }  // namespace epafi::bem

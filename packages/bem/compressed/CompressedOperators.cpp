@@ -134,17 +134,19 @@ CompressedOperators::CompressedOperators(const std::vector<Body>& bodies,
   addRotations(bodies, local);
 }
 
-// Of P = I - r_I qᵀ on displacements:  Pᵀ Z P = Z - q wᵀ - w qᵀ + q (r_I·w) qᵀ
 void CompressedOperators::addRotations(const std::vector<Body>& bodies,
                                        const LocalCoupling& local) {
   std::vector<std::size_t> curved;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     if (bodies[b].space.rotation() != nullptr)
       curved.push_back(b);
-  const auto count = 2 * static_cast<Index>(curved.size());
-  Rotations rotations{Matrix(size(), count), Matrix(count, count)};
-  for (Index k = 0; k < count; k += 2) {
-    const std::size_t b = curved[k / 2];
+  const auto count = static_cast<Index>(curved.size());
+  if (count == 0)
+    return;
+  Matrix u(size(), 2 * count);
+  Matrix kappa(count, count);
+  for (Index k = 0; k < count; ++k) {
+    const std::size_t b = curved[k];
     const Range& own = ranges_[b];
     const Rotation& rotation = *bodies[b].space.rotation();
     const Vector& r = rotation.motion();
@@ -152,33 +154,15 @@ void CompressedOperators::addRotations(const std::vector<Body>& bodies,
     Matrix x(size(), 1);
     std::copy(r.begin(), r.end(), x.data() + own.first);
     const Matrix image = times(x);
-    std::copy(q.begin(), q.end(), rotations.columns.column(k) + own.first);
-    double* const w = rotations.columns.column(k + 1);
+    std::copy(q.begin(), q.end(), u.column(k) + own.first);
+    double* const w = u.column(count + k);
     std::copy(image.data() + own.first, image.data() + own.last, w + own.first);
-    double work = 0;
-    for (std::size_t i = 0; i < r.size(); ++i)
-      work += r[i] * w[own.first + static_cast<Index>(i)];
+    kappa(k, k) = std::inner_product(r.begin(), r.end(), w + own.first, 0.0);
     if (!local.rotations.empty())
       std::transform(local.rotations[b].begin(), local.rotations[b].end(), w + further(),
                      std::negate<>());
-    rotations.inverse(k, k + 1) = rotations.inverse(k + 1, k) = -1;
-    rotations.inverse(k + 1, k + 1) = -work;
   }
-  rotations_ = std::move(rotations);
-}
-
-// S = [r_I·w, -1; -1, 0]
-void CompressedOperators::Rotations::addTo(Matrix& y, const Matrix& x) const {
-  for (Index k = 0; k < columns.columns(); k += 2) {
-    const double* q = columns.column(k);
-    const double* w = columns.column(k + 1);
-    for (Index j = 0; j < x.columns(); ++j) {
-      const double turn = std::inner_product(q, q + x.rows(), x.column(j), 0.0);
-      const double work = std::inner_product(w, w + x.rows(), x.column(j), 0.0);
-      for (Index i = 0; i < y.rows(); ++i)
-        y(i, j) -= q[i] * (inverse(k + 1, k + 1) * turn + work) + w[i] * turn;
-    }
-  }
+  rotations_ = LowRank(std::move(u), kappa);
 }
 
 // Upwards what leaves each cluster, downwards what comes to it from outside.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bem/algebra/LowRank.hpp"
 #include "bem/base/Material.hpp"
 #include "bem/compressed/ClusterTree.hpp"
 #include "bem/compressed/Interpolation.hpp"
@@ -83,17 +84,9 @@ class CompressedOperators {
   /// are holes: a factor springs them, since a cluster that is a whole loop may float.
   const std::vector<Index>& floating() const { return floating_; }
 
-  /// U and S⁻¹ of U S Uᵀ, which exact rotations add to what the tree holds: for each body with
-  /// arcs the columns q and w = Z r_I, of further unknowns less what they do to the rest, and
-  /// S⁻¹ = [0, -1; -1, -r_I·w].
-  struct Rotations {
-    Matrix columns;
-    Matrix inverse;
-
-    /// Y += U S Uᵀ X
-    void addTo(Matrix& y, const Matrix& x) const;
-  };
-  const Rotations& rotations() const { return rotations_; }
+  /// What exact rotations add to what the tree holds: of each body with arcs r_I goes through its
+  /// Rotation's q; Z r_I of further unknowns is less what they do to the rest of the rotation.
+  const LowRank& rotations() const { return rotations_; }
 
   std::size_t bytes() const;
 
@@ -106,7 +99,7 @@ class CompressedOperators {
   std::unique_ptr<const Subtrees> subtrees_;
   std::vector<ClusterPart> parts_;
   std::vector<Index> floating_;
-  Rotations rotations_;
+  LowRank rotations_;
 };
 
 }  // namespace epafi::bem

@@ -7,22 +7,6 @@
 
 namespace epafi::bem {
 
-// With M = Z + P Pᵀ, springs on sprung_:
-//   Z⁻¹ b = M⁻¹ (b + P s),   (I - Pᵀ M⁻¹ P) s = Pᵀ M⁻¹ b
-Matrix CompressedFactor::solveStraight(const Matrix& b,
-                                       const std::vector<char>& paths) const {
-  Matrix x = solveSprung(b, paths);
-  if (sprung_.empty())
-    return x;
-  Matrix forces = rowsOf(x, sprung_);
-  springs_->solve(forces);
-  Matrix right = b.copy();
-  for (Index j = 0; j < b.columns(); ++j)
-    for (std::size_t k = 0; k < sprung_.size(); ++k)
-      right(sprung_[k], j) += forces(static_cast<Index>(k), j);
-  return solveSprung(right, paths);
-}
-
 Matrix CompressedFactor::solveSprung(const Matrix& b,
                                      const std::vector<char>& paths) const {
   const ClusterTree& tree = operators_->tree();
@@ -85,18 +69,14 @@ Matrix CompressedFactor::solveSprung(const Matrix& b,
   return x;
 }
 
-// (Z + U S Uᵀ)⁻¹ b = y - Y (S⁻¹ + Uᵀ Y)⁻¹ Uᵀ y,  y = Z⁻¹ b
 Matrix CompressedFactor::solveOnce(const Matrix& b,
                                    const std::vector<char>& paths) const {
-  if (rotated_ == nullptr)
-    return solveStraight(b, paths);
+  if (border_ == nullptr)
+    return solveSprung(b, paths);
   // a rotation is everywhere
-  Matrix x = solveStraight(b, std::vector<char>(nodes_.size(), 1));
-  const Matrix& columns = operators_->rotations().columns;
-  Matrix sizes(columns.columns(), x.columns());
-  addTransposedProduct(1, columns, x, sizes);
-  rotated_->rest.solve(sizes);
-  addProduct(-1, rotated_->answers, sizes, x);
+  const bool turns = operators_->rotations().u.columns() > 0;
+  Matrix x = solveSprung(b, turns ? std::vector<char>(nodes_.size(), 1) : paths);
+  border_->correct(x);
   return x;
 }
 

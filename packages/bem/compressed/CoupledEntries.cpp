@@ -1,50 +1,40 @@
 #include "bem/compressed/CoupledEntries.hpp"
 
-#include <algorithm>
+#include <map>
 
 namespace epafi::bem {
+
+std::vector<ElementFunctions> byElements(const Space& space,
+                                         const std::vector<Unknown>& unknowns,
+                                         const std::vector<Index>& which) {
+  std::map<int, ElementFunctions> found;
+  const auto add = [&](int element, int local, std::size_t place) {
+    found[element].functions.emplace_back(local, static_cast<Index>(place));
+  };
+  for (std::size_t i = 0; i < which.size(); ++i) {
+    const Unknown& unknown = unknowns[which[i]];
+    if (unknown.local < 0)
+      continue;
+    add(unknown.element, unknown.local, i);
+    if (unknown.isNode)
+      add(space.mesh()[unknown.element].previous, unknown.local + 2, i);
+  }
+  std::vector<ElementFunctions> result;
+  for (auto& [element, own] : found)
+    result.push_back({element, std::move(own.functions)});
+  return result;
+}
 
 CoupledEntries::CoupledEntries(const Space& space, const Lame& lame,
                                const NearBlocks& near,
                                const std::vector<Unknown>& unknowns)
-    : space_(space),
-      near_(near),
-      unknowns_(unknowns),
-      far_(space, lame),
-      slots_(space.mesh().size(), -1) {}
-
-std::vector<CoupledEntries::Wanted> CoupledEntries::byElements(
-    const std::vector<Index>& unknowns) {
-  std::vector<Wanted> wanted;
-  const auto add = [&](int element, int local, Index place) {
-    int& slot = slots_[element];
-    if (slot < 0) {
-      slot = static_cast<int>(wanted.size());
-      wanted.push_back({element, {}});
-    }
-    wanted[slot].functions.emplace_back(local, place);
-  };
-  for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    const Unknown& unknown = unknowns_[unknowns[i]];
-    if (unknown.local < 0)
-      continue;
-    add(unknown.element, unknown.local, static_cast<Index>(i));
-    if (unknown.isNode)
-      add(space_.mesh()[unknown.element].previous, unknown.local + 2,
-          static_cast<Index>(i));
-  }
-  for (const Wanted& element : wanted)
-    slots_[element.element] = -1;
-  std::sort(wanted.begin(), wanted.end(),
-            [](const Wanted& a, const Wanted& b) { return a.element < b.element; });
-  return wanted;
-}
+    : space_(space), near_(near), unknowns_(unknowns), far_(space, lame) {}
 
 Matrix CoupledEntries::operator()(const std::vector<Index>& rows,
                                   const std::vector<Index>& columns) {
   Matrix out(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
-  const std::vector<Wanted> tests = byElements(rows);
-  for (const Wanted& column : byElements(columns))
+  const std::vector<ElementFunctions> tests = byElements(space_, unknowns_, rows);
+  for (const ElementFunctions& column : byElements(space_, unknowns_, columns))
     addColumn(tests, 0, column, out);
   return out;
 }
@@ -54,7 +44,7 @@ Matrix CoupledEntries::symmetric(const std::vector<Index>& unknowns) {
   const auto n = static_cast<Index>(unknowns.size());
   Matrix own(n, n);
   Matrix out(n, n);
-  const std::vector<Wanted> wanted = byElements(unknowns);
+  const std::vector<ElementFunctions> wanted = byElements(space_, unknowns_, unknowns);
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     const NearBlocks::View block = near_.of(wanted[k].element, wanted[k].element);
     for (const auto& [b, column] : wanted[k].functions)
@@ -71,10 +61,11 @@ Matrix CoupledEntries::symmetric(const std::vector<Index>& unknowns) {
   return out;
 }
 
-void CoupledEntries::addColumn(const std::vector<Wanted>& rows, std::size_t first,
-                               const Wanted& column, Matrix& out) {
+void CoupledEntries::addColumn(const std::vector<ElementFunctions>& rows,
+                               std::size_t first, const ElementFunctions& column,
+                               Matrix& out) {
   const int f = column.element;
-  std::vector<const Wanted*> waiting;
+  std::vector<const ElementFunctions*> waiting;
   const auto flush = [&] {
     if (!waiting.empty())
       addTests(waiting, column, out);
@@ -99,8 +90,8 @@ void CoupledEntries::addColumn(const std::vector<Wanted>& rows, std::size_t firs
   flush();
 }
 
-void CoupledEntries::addTests(const std::vector<const Wanted*>& rows,
-                              const Wanted& column, Matrix& out) {
+void CoupledEntries::addTests(const std::vector<const ElementFunctions*>& rows,
+                              const ElementFunctions& column, Matrix& out) {
   far_.evaluate(tests_, column.element);
   for (std::size_t t = 0; t < rows.size(); ++t) {
     const int displacements =

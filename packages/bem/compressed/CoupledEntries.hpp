@@ -9,6 +9,17 @@
 
 namespace epafi::bem {
 
+/// Functions of an element, and the places of their unknowns in a list.
+struct ElementFunctions {
+  int element = 0;
+  std::vector<std::pair<int, Index>> functions;
+};
+
+/// Those of some of the unknowns, in the order of the elements.
+std::vector<ElementFunctions> byElements(const Space& space,
+                                         const std::vector<Unknown>& unknowns,
+                                         const std::vector<Index>& which);
+
 /// Entries of the coupled system for any rows and columns.
 ///
 /// One for each thread: it holds what is being worked on.
@@ -24,22 +35,15 @@ class CoupledEntries {
   Matrix symmetric(const std::vector<Index>& unknowns);
 
  private:
-  /// Functions of an element that are wanted, and their places.
-  struct Wanted {
-    int element;
-    std::vector<std::pair<int, Index>> functions;
-  };
-  std::vector<Wanted> byElements(const std::vector<Index>& unknowns);
-  void addColumn(const std::vector<Wanted>& rows, std::size_t first, const Wanted& column,
-                 Matrix& out);
-  void addTests(const std::vector<const Wanted*>& rows, const Wanted& column,
-                Matrix& out);
+  void addColumn(const std::vector<ElementFunctions>& rows, std::size_t first,
+                 const ElementFunctions& column, Matrix& out);
+  void addTests(const std::vector<const ElementFunctions*>& rows,
+                const ElementFunctions& column, Matrix& out);
 
   const Space& space_;
   const NearBlocks& near_;
   const std::vector<Unknown>& unknowns_;
   FarBlocks far_;
-  std::vector<int> slots_;  ///< of the elements, or -1
   std::vector<FarBlocks::Test> tests_;
 };
 

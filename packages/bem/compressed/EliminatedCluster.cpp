@@ -58,7 +58,7 @@ EliminatedCluster::EliminatedCluster(const ClusterPart& part, LeafRestriction re
       own(i, leader) += factor * d(leaf_.kept[i], follower);
   for (const Entry& entry : leaf_.added)
     own(entry.row, entry.column) += entry.value;
-  lu_ = ScaledLu(std::move(own));
+  lu_ = LuFactor::ofScaledRows(std::move(own), compressedSystem);
   if (part.weights.rows() == 0)
     return;
   in_ = reduced(part.weights.transposed());
@@ -72,7 +72,7 @@ EliminatedCluster::EliminatedCluster(const ClusterPart& part, const Matrix& firs
   Matrix rest(second.rows(), second.rows());
   addProduct(-1, lower_, upper_, rest);
   addIdentity(rest);
-  lu_ = ScaledLu(std::move(rest));
+  lu_ = LuFactor::ofScaledRows(std::move(rest), compressedSystem);
   in_ = stacked(responseToWeights(first, part.weights, 0),
                 responseToWeights(second, part.weights, first.rows()));
   solve(in_);
@@ -84,7 +84,7 @@ EliminatedCluster::EliminatedCluster(const Matrix& first, const Matrix& second,
   Matrix f = stacked(product(first, rowsBetween(p, 0, split)),
                      product(second, rowsBetween(p, split, p.rows())));
   addIdentity(f);
-  lu_ = ScaledLu(std::move(f));
+  lu_ = LuFactor::ofScaledRows(std::move(f), compressedSystem);
 }
 
 Matrix EliminatedCluster::response(const ClusterPart& part) const {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "bem/algebra/LuFactor.hpp"
 #include "bem/compressed/Interpolation.hpp"
-#include "bem/compressed/ScaledLu.hpp"
 
 namespace epafi::bem {
 
@@ -11,6 +11,9 @@ struct LeafRestriction {
   std::vector<Entry> followers;  ///< of those at places among the kept, the columns
   std::vector<Entry> added;      ///< among the kept
 };
+
+/// In messages.
+inline constexpr char compressedSystem[] = "the compressed system";
 
 /// A cluster of a compressed system after its elimination, see CompressedFactor.
 class EliminatedCluster {
@@ -52,7 +55,7 @@ class EliminatedCluster {
   bool isSilent_ = false;
   Index unknowns_ = 0;  ///< of a leaf, all of them
   /// Of D; of a parent, where the identity blocks of F come first, of I - E₂ Sᵀ E₁ S.
-  ScaledLu lu_;
+  LuFactor lu_;
   Matrix upper_;  ///< E₁ S, of a parent with another above it
   Matrix lower_;  ///< E₂ Sᵀ
   Matrix in_;     ///< D⁻¹ Tᵀ, or F⁻¹ diag(E) Tᵀ

@@ -76,7 +76,7 @@ Interpolation interpolateColumns(Matrix a, double threshold) {
   const std::vector<Index> pivots = pivotedTriangle(a);
   const Index most = std::min(a.rows(), columns);
   Index rank = 0;
-  while (rank < most && !(std::abs(a(rank, rank)) < threshold))  // NaN: ScaledLu throws
+  while (rank < most && !(std::abs(a(rank, rank)) < threshold))  // NaN: LuFactor throws
     ++rank;
 
   Interpolation result;

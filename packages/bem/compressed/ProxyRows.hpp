@@ -2,9 +2,8 @@
 
 #include "bem/base/Material.hpp"
 #include "bem/compressed/ClusterTree.hpp"
-#include "bem/moments/TileMoments.hpp"
+#include "bem/operators/FarBlocks.hpp"
 #include "bem/operators/LocalFunctions.hpp"
-#include "bem/simd/InstructionSet.hpp"
 
 #include <vector>
 
@@ -32,10 +31,10 @@ class ProxyRows {
 
  private:
   const Space& space_;
-  Lame lame_;
   const std::vector<Unknown>& unknowns_;
   double ratio_;
   int points_;
+  FarBlocks far_;
 };
 
 }  // namespace epafi::bem

@@ -130,7 +130,7 @@ class Builder {
       const auto n = static_cast<Index>(active.size());
       const Matrix entries = entriesOf(c, near, active);
       const Matrix fields = proxies_(builder_.tree_, c, active);
-      const Weighting weight(builder_, part.active.size(), radius);
+      const auto weight = [&](Index unknown) { return builder_.weightOf(unknown, c); };
       const double stiffness = std::sqrt(builder_.young_);
       // a point's share of the circle
       const double share =
@@ -208,44 +208,32 @@ class Builder {
   };
 
   /// What makes unknowns of a cluster comparable: functions of size one in L², densities in
-  /// stresses of Young's modulus, displacements over the cluster's radius.  Elements much shorter than the
-  /// cluster's unknowns are apart count as longer; with their own sizes graded meshes would
-  /// have larger ranks.
-  class Weighting {
-   public:
-    Weighting(const Builder& builder, std::size_t count, double radius)
-        : builder_(builder),
-          radius_(radius),
-          stiffness_(std::sqrt(builder.young_)),
-          shortest_(4 * radius / static_cast<double>(count)) {}
-
-    double operator()(Index unknown) const {
-      const Mesh& mesh = builder_.space_.mesh();
-      const Unknown& u = builder_.out_.unknowns[unknown];
-      const Element& element = mesh[u.element];
-      const double own = 2 * element.half;
-      if (u.local < 0) {
-        const double added = builder_.largestAdded_[unknown];
-        return stiffness_ * std::sqrt(std::max(own, shortest_)) / (added > 0 ? added : 1);
-      }
-      const LocalFunctions local(element);
-      if (u.local >= local.displacements) {
-        const int i = (u.local - local.displacements) / 2;
-        return stiffness_ * std::sqrt(std::max(own, shortest_) * (2 * i + 1)) / own;
-      }
-      const double size = u.isNode ? element.half + mesh[element.previous].half : own;
-      // ∫ φ_k² dt on [-1, 1] over that of a hat
-      const int k = u.local / 2;
-      const double square = k < 2 ? 1 : 3.0 / ((2 * k + 1) * (2 * k - 3));
-      return radius_ / stiffness_ / std::sqrt(std::max(size, shortest_) * square);
+  /// stresses of Young's modulus, displacements over the cluster's radius.  Elements much shorter
+  /// than the cluster's unknowns are apart count as longer; with their own sizes graded meshes
+  /// would have larger ranks.
+  double weightOf(Index unknown, int c) const {
+    const double radius = tree_[c].radius;
+    const double shortest = 4 * radius / static_cast<double>(part(c).active.size());
+    const double stiffness = std::sqrt(young_);
+    const Mesh& mesh = space_.mesh();
+    const Unknown& u = out_.unknowns[unknown];
+    const Element& element = mesh[u.element];
+    const double own = 2 * element.half;
+    if (u.local < 0) {
+      const double added = largestAdded_[unknown];
+      return stiffness * std::sqrt(std::max(own, shortest)) / (added > 0 ? added : 1);
     }
-
-   private:
-    const Builder& builder_;
-    double radius_;
-    double stiffness_;
-    double shortest_;
-  };
+    const LocalFunctions local(element);
+    if (u.local >= local.displacements) {
+      const int i = (u.local - local.displacements) / 2;
+      return stiffness * std::sqrt(std::max(own, shortest) * (2 * i + 1)) / own;
+    }
+    const double size = u.isNode ? element.half + mesh[element.previous].half : own;
+    // ∫ φ_k² dt on [-1, 1] over that of a hat
+    const int k = u.local / 2;
+    const double square = k < 2 ? 1 : 3.0 / ((2 * k + 1) * (2 * k - 3));
+    return radius / stiffness / std::sqrt(std::max(size, shortest) * square);
+  }
 
   ClusterPart& part(int c) const { return out_.parts[c]; }
 

@@ -1,7 +1,7 @@
 #include "bem/fields/BoundaryFields.hpp"
 
-#include "bem/fields/NearElements.hpp"
-#include "bem/moments/RelativeTarget.hpp"
+#include "bem/moments/ElementPotential.hpp"
+#include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
 #include <map>
@@ -15,6 +15,69 @@ constexpr int smoothPoints = 6;
 
 /// Gauss points on a source of a degree: its density has one less.
 int pointsOn(int smoothOrder, int degree) { return smoothOrder + degree / 2; }
+
+/// Adds what carriers have of the fields of each state at eight points.
+struct Combination {
+  const ElementPotential& kernels;
+  const std::vector<Complex>& shares;
+  PointSources::Sums* sums;
+
+  template <Division>
+  EPAFI_INLINE void run() const {
+    const auto count = static_cast<std::size_t>(kernels.size());
+    for (std::size_t k = 0; k < shares.size() / count; ++k) {
+      Pack sum[6] = {};
+      for (std::size_t i = 0; i < count; ++i) {
+        const KernelLanes& of = kernels[static_cast<int>(i)];
+        PointSources::addProducts(shares[k * count + i], of.overConj.load(),
+                                  of.cubic.load(), sum);
+      }
+      for (std::size_t part = 0; part < 6; ++part)
+        add(sums[k / 2].of[k % 2][part].lane, sum[part]);
+    }
+  }
+};
+
+/// What elements do at points of another one in some states, in closed form.  Refers to its
+/// arguments.
+class NearElements {
+ public:
+  NearElements(const Mesh& mesh, int element, const std::vector<EndPoint>& points,
+               std::size_t states)
+      : mesh_(mesh),
+        element_(element),
+        points_(points),
+        states_(states),
+        sums_((points.size() + lanes - 1) / lanes * states) {}
+
+  /// Adds an element, its field in each state.
+  void add(int source, const LocalField* fields) {
+    const Element& y = mesh_[source];
+    const SeenPoints seen(mesh_, element_, source, points_);
+    ElementPotential kernels(y.curve, std::max(y.degree, y.densities));
+    std::vector<Complex> shares;  // densities and slopes of the first state, and so on
+    for (std::size_t state = 0; state < states_; ++state)
+      for (const auto series : {&LocalField::density, &LocalField::slope})
+        for (int k = 0; k < kernels.size(); ++k)
+          shares.push_back(kernels.share(fields[state].*series, k));
+    for (std::size_t first = 0; first < points_.size(); first += lanes) {
+      kernels.evaluate(seen, first);
+      dispatch(largestInstructionSet(),
+               Combination{kernels, shares, sums_.data() + first / lanes * states_});
+    }
+  }
+
+  FieldSums at(std::size_t point, std::size_t state) const {
+    return sums_[point / lanes * states_ + state].at(point % lanes);
+  }
+
+ private:
+  const Mesh& mesh_;
+  int element_;
+  const std::vector<EndPoint>& points_;
+  std::size_t states_;
+  std::vector<PointSources::Sums> sums_;  ///< of eight points all states, and so on
+};
 
 }  // namespace
 
@@ -78,11 +141,8 @@ BoundaryFields::BoundaryFields(const Space& space, const Lame& lame,
 /// Element f through Gauss points, `middle` its place.
 void BoundaryFields::addPlaces(int f, int order, Vec2 middle,
                                PointSources& points) const {
-  const Rule& rule = gaussLegendre(order);
-  const Curve& curve = mesh_[f].curve;
-  points.add(rule.points.size(), [&](std::size_t q) {
-    return asComplex(middle + curve.fromMiddle(rule.points[q]));
-  });
+  for (const double t : gaussLegendre(order).points)
+    points.add(asComplex(middle + mesh_[f].curve.fromMiddle(t)));
 }
 
 /// What the last of them carry.
@@ -94,19 +154,17 @@ void BoundaryFields::carry(int f, int order, PointSources& points) const {
     const double weight = source.half * rule.weights[q];
     for (std::size_t k = 0; k < states_; ++k) {
       const LocalField& values = fields_[f * states_ + k];
-      points.carry(points.size() - rule.points.size() + q, k,
-                   weight * evaluate(values.density, source.densities - 1, t),
+      points.carry(k, weight * evaluate(values.density, source.densities - 1, t),
                    weight * evaluate(values.slope, source.degree - 1, t));
     }
   }
 }
 
 void BoundaryFields::addFar(int f, int order, Vec2 middle, PointSources& points) const {
-  const std::size_t point = points.size();
   addPlaces(f, order, middle, points);
   const std::size_t first = static_cast<std::size_t>(f) * order;
   if (static_cast<std::size_t>(order) < everything_.size())
-    points.carry(point, everything_[order], first, first + order);
+    points.carry(everything_[order], first, first + order);
   else
     carry(f, order, points);
 }

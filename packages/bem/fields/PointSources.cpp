@@ -27,8 +27,7 @@ EPAFI_INLINE void evaluate(const Pack& wx, const Pack& wy, Kernels& k) {
 }
 
 struct Summation {
-  const double* data;
-  std::size_t capacity;
+  const std::vector<Vector>& arrays;
   std::size_t first;
   std::size_t last;
   double x;
@@ -37,7 +36,7 @@ struct Summation {
 
   // the last points among some that carry nothing, away from x
   EPAFI_INLINE void read(std::size_t array, std::size_t k, double other, Pack& to) const {
-    const double* from = data + array * capacity + k;
+    const double* from = arrays[array].data() + k;
     if (k + lanes <= last)
       return load(from, to);
     for (std::size_t lane = 0; lane < lanes; ++lane)
@@ -63,17 +62,9 @@ struct Summation {
     }
   }
 
-  EPAFI_INLINE void keep(std::size_t state, const Pack (&from)[2][6]) const {
-    for (std::size_t field = 0; field < 2; ++field)
-      for (std::size_t part = 0; part < 6; ++part)
-        bem::add(sums[state].of[field][part].lane, from[field][part]);
-  }
-
   // kernels of some points at a time, which every state takes
   template <Division How>
   EPAFI_INLINE void run() const {
-    if (sums.size() == 1)
-      return runAlone<How>();
     constexpr std::size_t atOnce = 64;
     Kernels kernels[atOnce / lanes];
     for (std::size_t from = first; from < last; from += atOnce) {
@@ -84,56 +75,38 @@ struct Summation {
         Pack own[2][6] = {};
         for (std::size_t k = from; k < to; k += lanes)
           add(state, k, kernels[(k - from) / lanes], own);
-        keep(state, own);
+        for (std::size_t field = 0; field < 2; ++field)
+          for (std::size_t part = 0; part < 6; ++part)
+            bem::add(sums[state].of[field][part].lane, own[field][part]);
       }
     }
-  }
-
-  template <Division How>
-  EPAFI_INLINE void runAlone() const {
-    Pack own[2][6] = {};
-    for (std::size_t k = first; k < last; k += lanes) {
-      Kernels kernels;
-      kernelsAt<How>(k, kernels);
-      add(0, k, kernels, own);
-    }
-    keep(0, own);
   }
 };
 
 }  // namespace
 
-void PointSources::reserve(std::size_t more) {
-  if (size_ + more <= capacity_)
-    return;
-  const std::size_t capacity = std::max(2 * capacity_, size_ + more);
-  std::unique_ptr<double[]> data(new double[arrays_ * capacity]);
-  for (std::size_t array = 0; array < arrays_; ++array)
-    std::copy_n(data_.get() + array * capacity_, size_, data.get() + array * capacity);
-  data_ = std::move(data);
-  capacity_ = capacity;
+void PointSources::add(Complex place) {
+  arrays_[0].push_back(place.real());
+  arrays_[1].push_back(place.imag());
 }
 
-void PointSources::carry(std::size_t point, std::size_t state, Complex density,
-                         Complex slope) {
-  const double numbers[] = {density.real(), density.imag(), slope.real(), slope.imag()};
-  for (std::size_t k = 0; k < 4; ++k)
-    data_[(2 + 4 * state + k) * capacity_ + point] = numbers[k];
+void PointSources::carry(std::size_t state, Complex density, Complex slope) {
+  std::size_t array = 2 + 4 * state;
+  for (const double number : {density.real(), density.imag(), slope.real(), slope.imag()})
+    arrays_[array++].push_back(number);
 }
 
-void PointSources::carry(std::size_t point, const PointSources& others, std::size_t first,
+void PointSources::carry(const PointSources& others, std::size_t first,
                          std::size_t last) {
-  for (std::size_t array = 2; array < arrays_; ++array) {
-    const double* from = others.data_.get() + array * others.capacity_;
-    double* to = data_.get() + array * capacity_ + point;
-    for (std::size_t k = first; k < last; ++k)
-      *to++ = from[k];
+  for (std::size_t array = 2; array < arrays_.size(); ++array) {
+    const double* from = others.arrays_[array].data();
+    arrays_[array].insert(arrays_[array].end(), from + first, from + last);
   }
 }
 
 void PointSources::addAt(Complex x, std::size_t first, std::size_t last,
                          std::vector<Sums>& sums, InstructionSet set) const {
-  dispatch(set, Summation{data_.get(), capacity_, first, last, x.real(), x.imag(), sums});
+  dispatch(set, Summation{arrays_, first, last, x.real(), x.imag(), sums});
 }
 
 FieldSums PointSources::Sums::at(std::size_t lane) const {

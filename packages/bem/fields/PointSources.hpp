@@ -1,10 +1,10 @@
 #pragma once
 
+#include "bem/base/Matrix.hpp"
 #include "bem/kernel/Elasticity.hpp"
 #include "bem/simd/ComplexPack.hpp"
 #include "bem/simd/InstructionSet.hpp"
 
-#include <memory>
 #include <vector>
 
 namespace epafi::bem {
@@ -15,24 +15,14 @@ class PointSources {
  public:
   explicit PointSources(std::size_t states) : arrays_(2 + 4 * states) {}
 
-  std::size_t size() const { return size_; }
+  std::size_t size() const { return arrays_.front().size(); }
 
-  /// Points, in the order of their places; what they carry comes later.
-  template <class Place>
-  void add(std::size_t count, const Place& place) {
-    reserve(count);
-    for (std::size_t q = 0; q < count; ++q, ++size_) {
-      const Complex x = place(q);
-      data_[size_] = x.real();
-      data_[capacity_ + size_] = x.imag();
-    }
-  }
-
-  /// What a point carries in a state.
-  void carry(std::size_t point, std::size_t state, Complex density, Complex slope);
-  /// Points from one on carry what points first ... last - 1 of others do.
-  void carry(std::size_t point, const PointSources& others, std::size_t first,
-             std::size_t last);
+  /// A point more.
+  void add(Complex place);
+  /// What the first point that does not yet carry anything in a state does.
+  void carry(std::size_t state, Complex density, Complex slope);
+  /// The next points carry in all states what points first ... last - 1 of others do.
+  void carry(const PointSources& others, std::size_t first, std::size_t last);
 
   /// Sums of a state in eight lanes: Re g a, Im g b, Im g a, Re g b for 1/w = a - ib, and the cubic
   /// part; of the density and of the slope.
@@ -61,13 +51,8 @@ class PointSources {
              InstructionSet set = largestInstructionSet()) const;
 
  private:
-  void reserve(std::size_t more);
-
-  /// x, y, and of each state x and y of the density and of the slope, one after the other.
-  std::unique_ptr<double[]> data_;
-  std::size_t arrays_;
-  std::size_t size_ = 0;
-  std::size_t capacity_ = 0;
+  /// x, y, and of each state x and y of the density and of the slope.
+  std::vector<Vector> arrays_;
 };
 
 }  // namespace epafi::bem

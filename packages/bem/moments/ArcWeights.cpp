@@ -1,6 +1,7 @@
 #include "bem/moments/ArcWeights.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/quadrature/MadeOnce.hpp"
 #include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
@@ -19,23 +20,21 @@ int termsOfFactor(double alpha) {
              : static_cast<int>(digits / std::acosh(3.14159 / std::abs(alpha))) + 2;
 }
 
-/// Table[q * n + k] = (k + 1/2) w_q P_k(t_q) of the rule with n points, by n.
-const std::vector<double>& coefficientTable(int n) {
-  static const std::vector<std::vector<double>> tables = [] {
-    std::vector<std::vector<double>> made(ArcRule::largestSize + 1);
-    for (int size = 1; size <= ArcRule::largestSize; ++size) {
-      const Rule& rule = gaussLegendre(size);
-      const auto terms = static_cast<std::size_t>(size);
-      std::vector<double>& table = made[terms];
-      table.resize(terms * terms);
-      for (std::size_t q = 0; q < terms; ++q) {
-        legendreValues(size - 1, rule.points[q], table.data() + q * terms);
-        for (std::size_t k = 0; k < terms; ++k)
-          table[q * terms + k] *= (static_cast<double>(k) + 0.5) * rule.weights[q];
-      }
-    }
-    return made;
-  }();
+/// Table[q * n + k] = (k + 1/2) w_q P_k(t_q) of the rule with n points.
+Vector coefficientTable(int n) {
+  const Rule& rule = gaussLegendre(n);
+  Vector table(static_cast<std::size_t>(n * n));
+  for (int q = 0; q < n; ++q) {
+    double* row = table.data() + q * n;
+    legendreValues(n - 1, rule.points[q], row);
+    for (int k = 0; k < n; ++k)
+      row[k] *= (k + 0.5) * rule.weights[q];
+  }
+  return table;
+}
+
+const Vector& coefficients(int n) {
+  static MadeOnce<Vector, ArcRule::largestSize> tables(coefficientTable);
   return tables[n];
 }
 
@@ -90,7 +89,7 @@ struct ArcKernel {
     ComplexPack cubics[ArcRule::largestSize];
     for (int k = 0; k < n && far < lanes; ++k)
       cubics[k] = legendre.cubic(x, k);
-    const double* row = coefficientTable(n).data();
+    const double* row = coefficients(n).data();
     for (int q = 0; q < n; ++q, row += n) {
       const double weight = rule.weight(q);
       ComplexPack first;  // of f/(z-t)

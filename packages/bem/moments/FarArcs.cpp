@@ -1,4 +1,4 @@
-#include "bem/moments/ArcPairs.hpp"
+#include "bem/moments/FarPairs.hpp"
 #include "bem/quadrature/Gauss.hpp"
 #include "bem/simd/Dispatch.hpp"
 

@@ -64,4 +64,10 @@ void farMoments(const Element& e, const FarBatch& batch, PairDegrees degrees,
                 FarOrder order, TileMoments& moments,
                 InstructionSet set = largestInstructionSet());
 
+/// farMoments where E or an element of the batch is an arc: tensor Gauss with a logarithm
+/// and a reciprocal per point pair, points and normals on the curves.
+void farArcMoments(const Element& e, const FarBatch& batch, PairDegrees degrees,
+                   FarOrder order, TileMoments& moments,
+                   InstructionSet set = largestInstructionSet());
+
 }  // namespace epafi::bem

@@ -11,22 +11,6 @@
 
 namespace epafi::bem {
 
-/// Eight points of an element from the first on; where there are fewer, the first again.
-struct PointLanes {
-  alignas(64) double t[lanes];
-  alignas(64) double fromStart[lanes];
-  alignas(64) double toEnd[lanes];
-
-  EPAFI_INLINE PointLanes(const std::vector<EndPoint>& points, std::size_t first) {
-    for (std::size_t lane = 0; lane < lanes; ++lane) {
-      const EndPoint& point = points[first + lane < points.size() ? first + lane : first];
-      t[lane] = point.t;
-      fromStart[lane] = point.fromStart;
-      toEnd[lane] = point.toEnd;
-    }
-  }
-};
-
 /// Targets z = a + ib as in RelativeTarget.
 struct TargetLanes {
   Pack z;
@@ -34,19 +18,15 @@ struct TargetLanes {
   Pack plus;   ///< a + 1
   Pack b;
 
-  EPAFI_INLINE TargetLanes(const Sight& s, const PointLanes& points) {
-    setSeen(s, points);
-  }
-
+  /// Points from the first on; where there are fewer than eight, one of them again.
   EPAFI_INLINE TargetLanes(const SeenPoints& points, std::size_t first) {
     if (points.sight()) {
-      setSeen(*points.sight(), PointLanes(points.points(), first));
+      setSeen(*points.sight(), points.points(), first);
       return;
     }
     for (int lane = 0; lane < lanes; ++lane)
       set(lane, points[first + static_cast<std::size_t>(lane)]);
   }
-
   EPAFI_INLINE explicit TargetLanes(const RelativeTarget (&targets)[lanes]) {
     for (int lane = 0; lane < lanes; ++lane)
       set(lane, targets[lane]);
@@ -76,9 +56,17 @@ struct TargetLanes {
     b[lane] = target.b();
   }
 
-  EPAFI_INLINE void setSeen(const Sight& s, const PointLanes& points) {
-    const Pack fromStart = load(points.fromStart);
-    const Pack toEnd = load(points.toEnd);
+  EPAFI_INLINE void setSeen(const SeenPoints::Sight& s,
+                            const std::vector<EndPoint>& points, std::size_t first) {
+    AlignedLane starts;
+    AlignedLane ends;
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const EndPoint& point = points[first + lane < points.size() ? first + lane : first];
+      starts.lane[lane] = point.fromStart;
+      ends.lane[lane] = point.toEnd;
+    }
+    const Pack fromStart = load(starts.lane);
+    const Pack toEnd = load(ends.lane);
     const Pack zero{};
     const auto atStart = fromStart < toEnd;
     const Pack along = atStart ? fromStart : -toEnd;

@@ -1,10 +1,8 @@
 #include "bem/moments/NearPairs.hpp"
 
-#include "bem/moments/ArcPairs.hpp"
-#include "bem/moments/ArcWeights.hpp"
+#include "bem/moments/ElementPotential.hpp"
 #include "bem/moments/LegendreLanes.hpp"
 #include "bem/moments/RelativeTarget.hpp"
-#include "bem/quadrature/Graded.hpp"
 #include "bem/simd/Dispatch.hpp"
 
 #include <algorithm>
@@ -44,7 +42,7 @@ struct Shape {
 /// What the kernels read and write.
 struct Work {
   const GradedRule& rule;
-  const Sight& sight;
+  const SeenPoints& seen;
   Shape shape;
   Complex turn;  ///< conj(τ_x) τ_y h_x/h_y
   AlignedLane* sums;
@@ -63,13 +61,15 @@ struct NearKernel {
     LegendreLanes<Parts> inner;
     const auto& points = work.rule.points;
     for (std::size_t first = 0; first < points.size(); first += lanes) {
-      const PointLanes outer(points, first);
-      const TargetLanes x(work.sight, outer);
+      const TargetLanes x(work.seen, first);
       inner.evaluate(x, Parts == 1 && columns == 1 ? 0 : columns);
-      const Pack t = load(outer.t);
+      AlignedLane places{};
       AlignedLane weights{};
-      for (std::size_t lane = 0; lane < lanes && first + lane < points.size(); ++lane)
+      for (std::size_t lane = 0; lane < lanes && first + lane < points.size(); ++lane) {
+        places.lane[lane] = points[first + lane].t;
         weights.lane[lane] = work.rule.weights[first + lane];
+      }
+      const Pack t = load(places.lane);
       weighted[0] = load(weights.lane);
       weighted[1] = t * weighted[0];
       for (int k = 1; k < rows; ++k)
@@ -104,28 +104,15 @@ struct NearKernel {
   }
 };
 
-/// Of one edge, where places are told along it: a segment, or an arc that turns by half a circle
-/// at most from one's far end to the other's.  Beyond that the way across is the shorter one.
-bool areOnLine(const Mesh& mesh, int e, int f) {
-  const Piece& x = mesh[e].piece;
-  const Piece& y = mesh[f].piece;
-  if (x.edge != y.edge)
-    return false;
-  const double length =
-      std::max(distanceAlong(x.start, y.end), distanceAlong(y.start, x.end));
-  return length * std::abs(mesh[e].curve.curvature()) <= largestAngle;
-}
-
 /// 1e-13 of the moments' norm with polynomials of both degrees: where the elements touch,
-/// integrands are like log s in the distance s, on one line like s log s.
-GradedRule nearRule(const Mesh& mesh, int outer, int inner, bool onLine) {
+/// integrands are like log s in the distance s, on one edge like s log s.
+GradedRule nearRule(const Mesh& mesh, int outer, int inner, bool hasArc, bool onEdge) {
   std::vector<Feature> features;
   appendEnds(mesh, outer, inner, features);
-  const bool hasArc = !mesh[outer].curve.isStraight() || !mesh[inner].curve.isStraight();
   const int degree = mesh[outer].densities + mesh[inner].densities + (hasArc ? 6 : 0);
   return touchingRule(
       features, 17 + degree / 2,
-      onLine ? Softening{5, 20 + 7 * degree / 6} : Softening{7, 26 + 27 * degree / 20});
+      onEdge ? Softening{5, 20 + 7 * degree / 6} : Softening{7, 26 + 27 * degree / 20});
 }
 
 double total(const AlignedLane& sums) {
@@ -137,39 +124,36 @@ double total(const AlignedLane& sums) {
 
 void NearMoments::evaluate(const Mesh& mesh, int e, int f, TileMoments& m, int lane,
                            InstructionSet set) {
-  const int rows = mesh[e].densities;
-  const int columns = mesh[f].densities;
-  const bool onLine = areOnLine(mesh, e, f);
-  if (onLine)  // w·n = 0
-    for (int i = 0; i <= rows; ++i)
-      for (int j = 0; j <= columns; ++j) {
-        const int at = i * stride + j;
-        m.along[at][lane] = m.across[at][lane] = 0;
-        m.direct[at][lane] = m.reverse[at][lane] = 0;
-        m.log[at][lane] = e == f ? selfMoment(i, j) : 0;
-      }
-  const bool hasArc = !mesh[e].curve.isStraight() || !mesh[f].curve.isStraight();
-  if (e == f) {
-    m.log[0][lane] += 4 * std::log(mesh[e].half);
-    if (hasArc)
-      bendMoments(mesh, e, f, m, lane);
-    return;
-  }
   // the smaller element outside: the potential of the larger one is smoother on it
   const bool transposed = mesh[e].half > mesh[f].half;
   const int outer = transposed ? f : e;
   const int inner = transposed ? e : f;
   const Element& x = mesh[outer];
   const Element& y = mesh[inner];
+  const bool hasArc = !x.curve.isStraight() || !y.curve.isStraight();
+  const bool onEdge = x.piece.edge == y.piece.edge;
+  const bool onLine = onEdge && !hasArc;
+  if (onLine)  // w·n = 0
+    for (int i = 0; i <= mesh[e].densities; ++i)
+      for (int j = 0; j <= mesh[f].densities; ++j) {
+        const int at = i * stride + j;
+        m.along[at][lane] = m.across[at][lane] = 0;
+        m.direct[at][lane] = m.reverse[at][lane] = 0;
+        m.log[at][lane] = e == f ? selfMoment(i, j) : 0;
+      }
+  if (onLine && e == f) {
+    m.log[0][lane] += 4 * std::log(x.half);
+    return;
+  }
+  const GradedRule rule = nearRule(mesh, outer, inner, hasArc, onEdge);
+  if (hasArc)
+    return nearArcMoments(mesh, e, f, rule, m, lane);
   const Shape shape = {x.densities, y.densities};
   sums_.assign(shape.size(), AlignedLane{});
-  const GradedRule rule = nearRule(mesh, outer, inner, onLine);
-  if (hasArc && !onLine)
-    return nearArcMoments(mesh, e, f, rule, m, lane);
-  const Sight sight = sightOf(mesh, outer, inner);
+  const SeenPoints seen(mesh, outer, inner, rule.points);
   const Complex tangentX = asComplex(x.curve.frame().tangent);
   const Complex tangentY = asComplex(y.curve.frame().tangent);
-  const Work work = {rule, sight, shape, x.half / y.half * std::conj(tangentX) * tangentY,
+  const Work work = {rule, seen, shape, x.half / y.half * std::conj(tangentX) * tangentY,
                      sums_.data()};
   if (onLine)
     dispatch(set, NearKernel<1>{work});
@@ -188,8 +172,47 @@ void NearMoments::evaluate(const Mesh& mesh, int e, int f, TileMoments& m, int l
     return PairSums{sum(Log, i, j) + constant * std::log(y.half), phase,
                     sum(Direct, i, j), sum(Reverse, i, j)};
   });
-  if (hasArc)
-    bendMoments(mesh, e, f, m, lane);
+}
+
+void nearArcMoments(const Mesh& mesh, int e, int f, const GradedRule& outer,
+                    TileMoments& m, int lane) {
+  const bool transposed = mesh[e].half > mesh[f].half;
+  const int ix = transposed ? f : e;
+  const int iy = transposed ? e : f;
+  const Element& x = mesh[ix];
+  const Element& y = mesh[iy];
+  const int rows = x.densities;
+  const int columns = y.densities;
+  const SeenPoints seen(mesh, ix, iy, outer.points);
+  ElementPotential inner(y.curve, columns + 1, ElementPotential::Need::All);
+  std::vector<PairSums> sums(static_cast<std::size_t>((rows + 1) * (columns + 1)));
+  double legendre[TileMoments::stride];
+  for (std::size_t q = 0; q < outer.points.size(); ++q) {
+    if (q % lanes == 0)
+      inner.evaluate(seen, q);
+    const double t = outer.points[q].t;
+    const Complex normal = x.half / y.half * asComplex(x.curve.normal(t));
+    legendreValues(rows, t, legendre);
+    for (int j = 0; j <= columns; ++j) {
+      const ElementPotential::Values of = inner.at(j, q % lanes);
+      const double reverse = -std::real(normal * std::conj(of.overConj));
+      for (int i = 0; i <= rows; ++i) {
+        PairSums& to = sums[static_cast<std::size_t>(i * (columns + 1) + j)];
+        const double p = outer.weights[q] * legendre[i];
+        to.log += p / y.half * of.log;
+        to.phase += p / y.half * of.phase;
+        to.direct += p * of.flow;
+        to.reverse += p * reverse;
+      }
+    }
+  }
+  const Complex tangent = asComplex(mesh[f].curve.frame().tangent);
+  const Complex back = std::conj(tangent * tangent);
+  m.setPair(rows, columns, transposed, lane, [&](int i, int j) {
+    PairSums own = sums[static_cast<std::size_t>(i * (columns + 1) + j)];
+    own.phase *= back;
+    return own;
+  });
 }
 
 }  // namespace epafi::bem

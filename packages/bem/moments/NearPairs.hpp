@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bem/moments/FarPairs.hpp"
+#include "bem/quadrature/Graded.hpp"
 
 #include <vector>
 
@@ -21,5 +22,10 @@ class NearMoments {
  private:
   std::vector<AlignedLane> sums_;
 };
+
+/// The same where one of the elements is an arc, perhaps of both and of itself: the larger one's
+/// potential at the points `rule` of the smaller one.
+void nearArcMoments(const Mesh& mesh, int e, int f, const GradedRule& rule,
+                    TileMoments& moments, int lane);
 
 }  // namespace epafi::bem

@@ -25,26 +25,20 @@ void appendEnds(const Mesh& mesh, int element, int source,
   }
 }
 
-Sight sightOf(const Mesh& mesh, int outer, int inner) {
-  const Element& x = mesh[outer];
-  const Element& y = mesh[inner];
-  const double ratio = x.half / y.half;
-  const bool onLine = x.piece.edge == y.piece.edge;
-  const Vec2 direction = x.curve.frame().tangent;
-  const Curve::Frame& frame = y.curve.frame();
-  return {seenFrom(mesh, inner, mesh.at(outer, -1)),
-          seenFrom(mesh, inner, mesh.at(outer, 1)),
-          onLine && !y.curve.isStraight()  // by arc length
-              ? ratio
-              : ratio * Complex(dot(direction, frame.tangent),
-                                onLine ? 0.0 : dot(direction, frame.normal))};
-}
-
 SeenPoints::SeenPoints(const Mesh& mesh, int element, int source,
                        const std::vector<EndPoint>& points)
     : mesh_(mesh), element_(element), source_(source), points_(points) {
-  if (mesh[element].curve.isStraight() && mesh[source].curve.isStraight())
-    sight_ = sightOf(mesh, element, source);
+  const Element& x = mesh[element];
+  const Element& y = mesh[source];
+  if (!x.curve.isStraight() || !y.curve.isStraight())
+    return;
+  const Vec2 direction = x.curve.frame().tangent;
+  const Curve::Frame& frame = y.curve.frame();
+  sight_ = {seenFrom(mesh, source, mesh.at(element, -1)),
+            seenFrom(mesh, source, mesh.at(element, 1)),
+            x.half / y.half *
+                Complex(dot(direction, frame.tangent),
+                        areOnLine() ? 0.0 : dot(direction, frame.normal))};
 }
 
 RelativeTarget SeenPoints::operator[](std::size_t i) const {

@@ -15,15 +15,6 @@ RelativeTarget seenFrom(const Mesh& mesh, int e, const BoundaryPoint& x);
 void appendEnds(const Mesh& mesh, int element, int source,
                 std::vector<Feature>& features);
 
-/// The points of an element seen from another one, on its arc or a straight line of
-/// targets: its ends and what half a length of it adds.
-struct Sight {
-  RelativeTarget start;
-  RelativeTarget end;
-  Complex step;
-};
-Sight sightOf(const Mesh& mesh, int outer, int inner);
-
 /// Points of an element seen from another one.  Refers to its arguments.
 class SeenPoints {
  public:
@@ -35,6 +26,12 @@ class SeenPoints {
   bool areOnLine() const {
     return mesh_[element_].piece.edge == mesh_[source_].piece.edge;
   }
+  /// All of them on a line: the element's ends and what half a length of it adds.
+  struct Sight {
+    RelativeTarget start;
+    RelativeTarget end;
+    Complex step;
+  };
   /// If both are straight.
   const std::optional<Sight>& sight() const { return sight_; }
   /// The last one for those behind it.

@@ -1,6 +1,6 @@
 #include "bem/moments/Tile.hpp"
 
-#include "bem/moments/ArcPairs.hpp"
+#include "bem/moments/FarPairs.hpp"
 
 #include <algorithm>
 

@@ -12,28 +12,23 @@ namespace epafi::bem {
 
 namespace {
 
-/// The pairs (e, f) with f <= e and f in a group, one thread's.
-class ColumnsOfTiles {
- public:
-  ColumnsOfTiles(const ElementRuns& runs, TileWriter writer)
-      : tile_(runs), runs_(runs), writer_(std::move(writer)) {}
+/// One thread's.
+struct Workspace {
+  Tile tile;
+  TileWriter writer;
 
-  /// Run by run for all f of the group: the rows that they write stay in cache.
-  void assemble(int group) {
-    for (int r = group; r < runs_.size(); ++r) {
-      writer_.begin(runs_[group], runs_[r]);
-      for (int f = runs_[group].first; f < runs_[group].last; ++f) {
-        tile_.evaluate(f, r, {std::max(f, runs_[r].first), runs_[r].last});
-        writer_.add(tile_);
+  /// The pairs (e, f) with f <= e and f in a group, run by run for all f of the group: the rows
+  /// that they write stay in cache.
+  void assemble(const ElementRuns& runs, int group) {
+    for (int r = group; r < runs.size(); ++r) {
+      writer.begin(runs[group], runs[r]);
+      for (int f = runs[group].first; f < runs[group].last; ++f) {
+        tile.evaluate(f, r, {std::max(f, runs[r].first), runs[r].last});
+        writer.add(tile);
       }
-      writer_.finish();
+      writer.finish();
     }
   }
-
- private:
-  Tile tile_;
-  const ElementRuns& runs_;
-  TileWriter writer_;
 };
 
 /// Groups that a thread takes at once: a few, since a huge page has the columns of
@@ -66,10 +61,10 @@ Operators assembleOperators(const Space& space, const Lame& lame,
     const Index count = (runs.size() + 1 - colour) / 2;
     parallelFor(
         {count, workOf(space) / 2, groupsAtOnce(count)},
-        [&] { return ColumnsOfTiles(runs, TileWriter(space, lame, out, ghosts)); },
-        [&](ColumnsOfTiles& columns, Index g) {
-          columns.assemble(asInt(2 * g + colour));
-        });
+        [&] {
+          return Workspace{Tile(runs), TileWriter(space, lame, out, ghosts)};
+        },
+        [&](Workspace& own, Index g) { own.assemble(runs, asInt(2 * g + colour)); });
   }
   ghosts.fold(out);
   std::vector<int> all(static_cast<std::size_t>(space.mesh().size()));

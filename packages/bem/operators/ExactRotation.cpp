@@ -1,6 +1,7 @@
 #include "bem/operators/ExactRotation.hpp"
 
 #include "bem/algebra/DenseAlgebra.hpp"
+#include "bem/algebra/SmallAlgebra.hpp"
 
 #include <algorithm>
 
@@ -15,18 +16,13 @@ Operators withExactRotation(Operators operators, const Space& space) {
   // Pᵀ W P = W - q wᵀ - w qᵀ + (r·w) q qᵀ,  w = W r_I
   Matrix& hypersingular = operators.hypersingular;
   const Vector w = multiplySymmetric(hypersingular, r);
-  double square = 0;
-  for (std::size_t i = 0; i < r.size(); ++i)
-    square += r[i] * w[i];
+  const double square = dot(r, w);
   for (Index j = 0; j < hypersingular.columns(); ++j)
     for (Index i = j; i < hypersingular.rows(); ++i)
       hypersingular(i, j) -=
           q[at(i)] * (w[at(j)] - square * q[at(j)]) + w[at(i)] * q[at(j)];
   Matrix& doubleLayer = operators.doubleLayer;
-  Vector k(at(doubleLayer.rows()));
-  for (Index j = 0; j < doubleLayer.columns(); ++j)
-    for (Index i = 0; i < doubleLayer.rows(); ++i)
-      k[at(i)] += doubleLayer(i, j) * r[at(j)];
+  const Vector k = multiply(doubleLayer, r);
   for (Index j = 0; j < doubleLayer.columns(); ++j)
     for (Index i = 0; i < doubleLayer.rows(); ++i)
       doubleLayer(i, j) -= k[at(i)] * q[at(j)];

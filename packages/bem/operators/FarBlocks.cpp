@@ -7,24 +7,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace epafi::bem {
 
 namespace {
 
-/// Sums over the inner points for each function of the trial element.
-struct Inner {
-  AlignedLane* v;  ///< densities x 3
-  AlignedLane* k;  ///< displacements x 4
-  AlignedLane* t;  ///< densities x 4
-  AlignedLane* w;  ///< displacements x 3
-};
-
 using Work = FarBlocks::Work;
 
-/// Without V and K where tractions alone are wanted.
-enum class Rows { All, Tractions };
+/// Tractions: without V and K; Fields: these alone.
+enum class Rows { All, Tractions, Fields };
+
+/// Sums over the inner points for each function of the trial element.
+template <class Number>
+struct Inner {
+  Number* v;  ///< densities x 3
+  Number* k;  ///< displacements x 4
+  Number* t;  ///< densities x 4
+  Number* w;  ///< displacements x 3
+
+  EPAFI_INLINE Inner(Number* sums, int nodes, int densities)
+      : v(sums), k(v + 3 * densities), t(k + 4 * nodes), w(t + 4 * densities) {}
+};
 
 struct Integrate {
   const KernelConstants& constants;
@@ -40,7 +43,9 @@ struct Integrate {
   template <Division How>
   EPAFI_INLINE void run() const {
     const bool isLinear = work.columnDegree == 1 && work.columnDensities == 1;
-    if (work.rowDensities == 0)
+    if (work.rowNodes == 0)
+      isLinear ? fields<How, 1>() : fields<How, 0>();
+    else if (work.rowDensities == 0)
       isLinear ? integrate<How, 1, Rows::Tractions>()
                : integrate<How, 0, Rows::Tractions>();
     else if (isLinear && work.rowNodes == 2 && work.rowDensities == 1)
@@ -66,7 +71,7 @@ struct Integrate {
     const auto to = [&](int a, int b) { return block[a * columns + b].lane; };
     for (int p = 0; p < work.outer; ++p) {
       sumInner<How, Degree, Wanted>(p, nodes, densities);
-      const Inner in = place(nodes, densities);
+      const Inner<AlignedLane> in(sums, nodes, densities);
       const double* values = outerValues + p * (rowNodes + rowDensities);
       for (int i = 0; i < rowNodes; ++i) {
         const Pack phi = values[i] * load(halves.lane);
@@ -99,6 +104,16 @@ struct Integrate {
     }
   }
 
+  /// V and K at each of the outer points.
+  template <Division How, int Degree>
+  EPAFI_INLINE void fields() const {
+    const int width = 3 * work.columnDensities + 4 * (work.columnDegree + 1);
+    for (int p = 0; p < work.outer; ++p) {
+      sumInner<How, Degree, Rows::Fields>(p, work.columnDegree + 1, work.columnDensities);
+      std::copy_n(sums, width, block + p * width);
+    }
+  }
+
   // xx, yx, xy, yy to two rows of one function and both of its columns
   EPAFI_INLINE void addFour(const Pack& factor, const AlignedLane* from, double* first,
                             double* second) const {
@@ -108,75 +123,41 @@ struct Integrate {
     add(second + lanes, factor * load(from[3].lane));
   }
 
-  EPAFI_INLINE Inner place(int nodes, int densities) const {
-    AlignedLane* const k = sums + 3 * densities;
-    AlignedLane* const t = k + 4 * nodes;
-    return {sums, k, t, t + 4 * densities};
-  }
-
+  /// Degree: of the trial element, whose sums then stay in registers; 0: any.
   template <Division How, int Degree, Rows Wanted>
-  EPAFI_INLINE void sumInner(int p, int nodes, int densities) const {
+  EPAFI_INLINE void sumInner(int p, int anyNodes, int anyDensities) const {
+    const int nodes = Degree > 0 ? Degree + 1 : anyNodes;
+    const int densities = Degree > 0 ? Degree : anyDensities;
+    const int size = 7 * (nodes + densities);
+    Pack own[Degree > 0 ? 7 * (2 * Degree + 1) : 1];
+    Pack* const to = Degree > 0 ? own : reinterpret_cast<Pack*>(sums);
+    for (int i = 0; i < size; ++i)
+      to[i] = Pack{};
+    const Inner<Pack> in(to, nodes, densities);
     const Pack x = load(outer[4 * p].lane);
     const Pack y = load(outer[4 * p + 1].lane);
     const Pack tx = load(outer[4 * p + 2].lane);
     const Pack ty = load(outer[4 * p + 3].lane);
-    if (Degree == 1) {
-      Pack v[3] = {};
-      Pack t[4] = {};
-      Pack k[8] = {};
-      Pack w[6] = {};
-      for (int q = 0; q < work.inner; ++q) {
-        const double* s = inner + 4 * q;
-        const double* values = innerValues + 3 * q;
-        PointKernels g;
-        g.evaluate<How>(constants, x - s[0], y - s[1], tx, ty, s[2], s[3]);
-        for (int i = 0; i < 3; ++i) {
-          w[i] += values[0] * g.w[i];
-          w[3 + i] += values[1] * g.w[i];
-        }
-        for (int i = 0; i < 4; ++i)
-          t[i] += values[2] * g.t[i];
-        if (Wanted == Rows::Tractions)
-          continue;
-        for (int i = 0; i < 3; ++i)
-          v[i] += values[2] * g.v[i];
-        for (int i = 0; i < 4; ++i) {
-          k[i] += values[0] * g.k[i];
-          k[4 + i] += values[1] * g.k[i];
-        }
-      }
-      const Inner in = place(2, 1);
-      for (int i = 0; i < 3; ++i)
-        store(in.v[i].lane, v[i]);
-      for (int i = 0; i < 4; ++i)
-        store(in.t[i].lane, t[i]);
-      for (int i = 0; i < 8; ++i)
-        store(in.k[i].lane, k[i]);
-      for (int i = 0; i < 6; ++i)
-        store(in.w[i].lane, w[i]);
-      return;
-    }
-    const Inner in = place(nodes, densities);
-    for (int i = 0; i < 7 * (nodes + densities); ++i)
-      store(sums[i].lane, Pack{});
     for (int q = 0; q < work.inner; ++q) {
       const double* s = inner + 4 * q;
       const double* values = innerValues + (nodes + densities) * q;
       PointKernels g;
       g.evaluate<How>(constants, x - s[0], y - s[1], tx, ty, s[2], s[3]);
       for (int j = 0; j < nodes; ++j) {
-        for (int i = 0; i < 3; ++i)
-          add(in.w[3 * j + i].lane, values[j] * g.w[i]);
-        for (int i = 0; i < 4 && Wanted == Rows::All; ++i)
-          add(in.k[4 * j + i].lane, values[j] * g.k[i]);
+        for (int i = 0; i < 3 && Wanted != Rows::Fields; ++i)
+          in.w[3 * j + i] += values[j] * g.w[i];
+        for (int i = 0; i < 4 && Wanted != Rows::Tractions; ++i)
+          in.k[4 * j + i] += values[j] * g.k[i];
       }
       for (int j = 0; j < densities; ++j) {
-        for (int i = 0; i < 3 && Wanted == Rows::All; ++i)
-          add(in.v[3 * j + i].lane, values[nodes + j] * g.v[i]);
-        for (int i = 0; i < 4; ++i)
-          add(in.t[4 * j + i].lane, values[nodes + j] * g.t[i]);
+        for (int i = 0; i < 3 && Wanted != Rows::Tractions; ++i)
+          in.v[3 * j + i] += values[nodes + j] * g.v[i];
+        for (int i = 0; i < 4 && Wanted != Rows::Fields; ++i)
+          in.t[4 * j + i] += values[nodes + j] * g.t[i];
       }
     }
+    for (int i = 0; i < size && Degree > 0; ++i)
+      store(sums[i].lane, own[i]);
   }
 };
 
@@ -184,34 +165,14 @@ struct Integrate {
 
 FarBlocks::FarBlocks(const Space& space, const Lame& lame) : space_(space), lame_(lame) {}
 
-// Elements whose circles are far from each other need the order of the nearest of them.
 FarOrder FarBlocks::orderOf(const std::vector<Test>& tests, int trial) const {
-  const Mesh& mesh = space_.mesh();
-  const Element& f = mesh[trial];
   FarOrder largest{1, 1};
-  constexpr double afar = std::numeric_limits<double>::infinity();
-  double outer = afar;
-  double inner = afar;
   for (const Test& test : tests) {
-    const Element& e = mesh[test.element];
-    const double distance = length(test.offset);
-    const double zE = (distance - f.half) / e.half;
-    const double zF = (distance - e.half) / f.half;
-    if (e.curve.isStraight() && f.curve.isStraight() && zE >= zOfCircles &&
-        zF >= zOfCircles) {
-      outer = std::min(outer, zE);
-      inner = std::min(inner, zF);
-      continue;
-    }
-    FarOrder order;
-    if (isNear(mesh, test.element, trial, test.offset, order))
-      continue;  // the caller does not take it
-    largest.outer = std::max(largest.outer, order.outer);
-    largest.inner = std::max(largest.inner, order.inner);
+    FarOrder order;  // of a near one zero: the caller does not take it
+    isNear(space_.mesh(), test.element, trial, test.offset, order);
+    largest = {std::max(largest.outer, order.outer),
+               std::max(largest.inner, order.inner)};
   }
-  if (outer < afar)
-    largest = {std::max(largest.outer, smoothOrder(outer)),
-               std::max(largest.inner, smoothOrder(inner))};
   return largest;
 }
 
@@ -282,22 +243,39 @@ void FarBlocks::evaluateTractions(const std::vector<Test>& tests, int trial, int
   integrate(tests, {-1, moments}, trial, set);
 }
 
+void FarBlocks::evaluateFields(const std::vector<AlignedLane>& points, int trial,
+                               int order, InstructionSet set) {
+  work_.rowNodes = work_.rowDensities = 0;
+  work_.outer = static_cast<int>(points.size()) / 2;
+  outer_.assign(2 * points.size(), {});
+  for (std::size_t p = 0; p < points.size(); p += 2)
+    std::copy_n(points.data() + p, 2, outer_.data() + 2 * p);
+  const Element& element = space_.mesh()[trial];
+  columns_ = 3 * element.densities + 4 * (element.degree + 1);
+  block_.resize(work_.outer * columns_);
+  run(element, order, set);
+}
+
 void FarBlocks::integrate(const std::vector<Test>& tests, const Functions& rows,
                           int trial, InstructionSet set) {
   const Element& element = space_.mesh()[trial];
   const FarOrder order = orderOf(tests, trial);
-  work_.columnDegree = element.degree;
-  work_.columnDensities = element.densities;
   // P_i themselves are larger at an element's ends than φ_k are
   const int atEnds = rows.degree < 0 ? 2 : 0;
   work_.outer = gaussPoints(order.outer, rows.degree, rows.densities + atEnds);
-  work_.inner = gaussPoints(order.inner, element.degree, element.densities);
   sampleTests(tests);
   outerValues_ = functions(work_.outer, rows.degree, rows.densities).data();
-  sampleTrial(element);
   columns_ = 2 * (element.degree + 1 + element.densities);
-  sums_.resize(7 * columns_ / 2);
   block_.resize(2 * (work_.rowNodes + work_.rowDensities) * columns_);
+  run(element, order.inner, set);
+}
+
+void FarBlocks::run(const Element& trial, int order, InstructionSet set) {
+  work_.columnDegree = trial.degree;
+  work_.columnDensities = trial.densities;
+  work_.inner = gaussPoints(order, trial.degree, trial.densities);
+  sampleTrial(trial);
+  sums_.resize(7 * (trial.degree + 1 + trial.densities));
   const KernelConstants constants(lame_);
   dispatch(set,
            Integrate{constants, work_, outer_.data(), outerValues_, halves_,

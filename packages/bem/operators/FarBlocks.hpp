@@ -39,6 +39,18 @@ class FarBlocks {
   void evaluateTractions(const std::vector<Test>& tests, int trial, int moments,
                          InstructionSet set = largestInstructionSet());
 
+  /// K and -V of the trial element at points instead, eight in a pair of lanes: x and y less its
+  /// middle.  `order`: farOrder of the nearest of them.
+  void evaluateFields(const std::vector<AlignedLane>& points, int trial, int order,
+                      InstructionSet set = largestInstructionSet());
+  /// Their component c of a function of the trial element at the points of a pair.
+  const double* field(std::size_t pair, int function, int c) const {
+    const int i = function - 2 * (work_.columnDegree + 1);
+    const int sum =
+        i < 0 ? 3 * work_.columnDensities + 2 * function : 3 * (i / 2) + i % 2;
+    return block_[pair * columns_ + sum + c].lane;
+  }
+
   /// Of the functions a of the tests and b of the trial element, see LocalFunctions; the
   /// tests of an evaluation side by side.  Displacements and densities of a test are those
   /// of the largest degree among the tests: see densities().
@@ -65,6 +77,7 @@ class FarBlocks {
   FarOrder orderOf(const std::vector<Test>& tests, int trial) const;
   void integrate(const std::vector<Test>& tests, const Functions& rows, int trial,
                  InstructionSet set);
+  void run(const Element& trial, int order, InstructionSet set);
   void sampleTests(const std::vector<Test>& tests);
   void sampleTrial(const Element& element);
 
@@ -75,7 +88,7 @@ class FarBlocks {
   Lame lame_;
   std::map<std::array<int, 3>, std::vector<double>> functions_;
   Work work_;
-  int columns_ = 0;                      ///< functions on the trial element
+  int columns_ = 0;                      ///< functions on the trial element, or sums
   std::vector<AlignedLane> outer_;       ///< at each point: w less y, tangent
   const double* outerValues_ = nullptr;  ///< φ_k, P_i times the rule's weight
   AlignedLane halves_{};

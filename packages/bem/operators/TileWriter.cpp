@@ -68,10 +68,7 @@ void GhostNodes::fold(Operators& out) const {
 
 TileWriter::TileWriter(const Space& space, const Lame& lame, Operators& out,
                        GhostNodes& ghosts)
-    : space_(space), out_(out), ghosts_(ghosts), blocks_(space, lame) {
-  for (int k = 0; k <= largestDegree; ++k)
-    slopes_[static_cast<std::size_t>(k)] = DisplacementBasis::slope(k);
-}
+    : space_(space), out_(out), ghosts_(ghosts), blocks_(space, lame) {}
 
 void TileWriter::begin(const ElementRun& group, const ElementRun& run) {
   group_ = &group;
@@ -118,7 +115,7 @@ void TileWriter::add(const Tile& tile) {
 
 void TileWriter::appendHypersingular(int f, int k, int c) {
   const double* from = blocks_.slopeLayer(std::max(k - 1, 0), c);
-  const double scale = slopes_[static_cast<std::size_t>(k)];
+  const double scale = DisplacementBasis::slope(k);
   const Index first = space_.displacement(run_->first, 0, 0);
   const Index ends = blocks_.displacements() - 2;
   const Index inARow = run_->closesLoop ? ends : ends + 2;
@@ -140,7 +137,7 @@ void TileWriter::appendHypersingular(int f, int k, int c) {
 // The node between f and the element behind it has both <W φ, ψ> and <W ψ, φ>.
 void TileWriter::addCommonNode(int f, const Block& slopes) {
   const Index node = space_.displacement(f, 1, 0);
-  addBlock(out_.hypersingular, node, node, -slopes_[1] * slopes);
+  addBlock(out_.hypersingular, node, node, -DisplacementBasis::slope(1) * slopes);
 }
 
 void TileWriter::collect(int f) {

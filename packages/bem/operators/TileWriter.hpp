@@ -64,7 +64,6 @@ class TileWriter {
   Operators& out_;
   GhostNodes& ghosts_;
   TileBlocks blocks_;
-  std::array<double, largestDegree + 1> slopes_{};
 
   const ElementRun* group_ = nullptr;
   const ElementRun* run_ = nullptr;

@@ -3,7 +3,6 @@
 #include "bem/algebra/DenseAlgebra.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/body/BalancedStiffness.hpp"
-#include "contact/body/Coupling.hpp"
 #include "contact/body/ElasticBody.hpp"
 #include "contact/body/ElementCoupling.hpp"
 
@@ -86,9 +85,9 @@ class Coupled final : public StabilisedBody {
  public:
   Coupled(const bem::Space& space, const bem::SteklovPoincare& stiffness,
           Coupling coupling)
-      : space_(space),
+      : StabilisedBody(std::move(coupling)),
+        space_(space),
         stiffness_(stiffness),
-        coupling_(std::move(coupling)),
         balanced_(stiffness_, makeRigidModes(space), coupling_) {}
 
   std::shared_ptr<const HeldStiffness> held(const Holding& holding) const override {
@@ -111,7 +110,6 @@ class Coupled final : public StabilisedBody {
     bem::axpy(-1, coupling_.massTimes(multiplier), terms);
     return terms;
   }
-  Matrix multiplierMass() const override { return coupling_.multiplierMass(); }
   double multiplierWork(const Vector& multiplier) const override {
     return coupling_.multiplierWork(multiplier);
   }
@@ -169,16 +167,6 @@ class Coupled final : public StabilisedBody {
     return terms;
   }
 
-  bool byDensity() const override { return coupling_.response != nullptr; }
-
-  std::vector<bem::Vec2> meanSlacks(const Vector& multiplier, const Vector& density,
-                                    const Vector& ofInside) const override {
-    return coupling_.meanSlacks(multiplier, density, ofInside);
-  }
-
-  double gamma(std::size_t contactElement) const override {
-    return coupling_.gamma[contactElement];
-  }
   Matrix subtracted() const override {
     return coupling_.stabilisationHalf(0, coupling_.stabilisationColumns());
   }
@@ -202,7 +190,6 @@ class Coupled final : public StabilisedBody {
 
   const bem::Space& space_;
   const bem::SteklovPoincare& stiffness_;
-  Coupling coupling_;
   BalancedStiffness balanced_;
 };
 

@@ -1,13 +1,10 @@
 #pragma once
 
-#include "bem/base/Matrix.hpp"
+#include "contact/body/Coupling.hpp"
 
 #include <memory>
 
 namespace epafi::contact {
-
-using bem::Matrix;
-using bem::Vector;
 
 struct Holding;
 class CompressedHolding;
@@ -32,7 +29,7 @@ class HeldStiffness {
   /// other displacements.
   virtual Vector solve(const Vector& force) const = 0;
   /// L⁻¹ Cᵀ where A is formed; rows that are clamped do not count.
-  virtual Matrix forward(Matrix rows) const = 0;
+  virtual Matrix forward(Matrix /*rows*/) const { return {}; }
   /// Where A is not; else null.
   virtual std::shared_ptr<const CompressedHolding> compressed() const { return {}; }
 };
@@ -54,16 +51,16 @@ class StabilisedBody {
   virtual std::shared_ptr<const HeldStiffness> held(const Holding& holding) const = 0;
   /// f - A u, free of what rounding of A would leave in the balance.
   virtual Vector residual(const Vector& force, const Vector& u) const = 0;
-  /// Cᵀ
-  virtual Matrix coupling() const = 0;
+  /// Cᵀ, where A is formed.
+  virtual Matrix coupling() const { return {}; }
   /// Cᵀ λ, with what clamps and corners feel of λ.
   virtual Vector push(const Vector& multiplier) const = 0;
   /// C u
   virtual Vector pull(const Vector& u) const = 0;
   /// C u - M λ
   virtual Vector contactTerms(const Vector& u, const Vector& multiplier) const = 0;
-  virtual Matrix multiplierMass() const = 0;                          ///< M
-  virtual double multiplierWork(const Vector& multiplier) const = 0;  ///< λᵀ M λ
+  Matrix multiplierMass() const { return coupling_.multiplierMass(); }  ///< M
+  virtual double multiplierWork(const Vector& multiplier) const = 0;    ///< λᵀ M λ
   /// ψ of the displacement and the multiplier.
   virtual Vector density(const Vector& u, const Vector& multiplier) const = 0;
   /// 1/2 <W u, u> + 1/2 <V ψ, ψ>, ψ with the terms'.
@@ -72,17 +69,27 @@ class StabilisedBody {
   /// Of what acts inside under the multiplier's conditions.
   virtual ResidualTerms residualTerms(const MultiplierSpace& multiplier) const = 0;
   /// See ContactProblem.
-  virtual bool byDensity() const = 0;
-  virtual std::vector<bem::Vec2> meanSlacks(const Vector& multiplier,
-                                            const Vector& density,
-                                            const Vector& ofInside) const = 0;
+  bool byDensity() const { return !coupling_.compliance.densities.empty(); }
+  std::vector<bem::Vec2> meanSlacks(const Vector& multiplier, const Vector& density,
+                                    const Vector& ofInside) const {
+    return coupling_.meanSlacks(multiplier, density, ofInside);
+  }
   /// γ on a contact element (index into MultiplierSpace::elements()), dimensionless.
-  virtual double gamma(std::size_t contactElement) const = 0;
+  double gamma(std::size_t contactElement) const {
+    return coupling_.gamma[contactElement];
+  }
 
   /// X of A = S - X Xᵀ, which has no columns where γ cannot be too large.
-  virtual Matrix subtracted() const = 0;
-  /// The same with a γ that is factor times as large.
-  virtual std::unique_ptr<const StabilisedBody> weakened(double factor) const = 0;
+  virtual Matrix subtracted() const { return {}; }
+  /// The same with a γ that is factor times as large, where X has columns.
+  virtual std::unique_ptr<const StabilisedBody> weakened(double /*factor*/) const {
+    return nullptr;
+  }
+
+ protected:
+  explicit StabilisedBody(Coupling coupling) : coupling_(std::move(coupling)) {}
+
+  Coupling coupling_;
 };
 
 }  // namespace epafi::contact

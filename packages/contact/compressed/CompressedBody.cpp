@@ -21,11 +21,11 @@ class CompressedBody final : public StabilisedBody {
   CompressedBody(const bem::Space& space,
                  std::shared_ptr<const bem::CompressedOperators> operators,
                  std::size_t number, Coupling coupling)
-      : space_(space),
+      : StabilisedBody(std::move(coupling)),
+        space_(space),
         operators_(std::move(operators)),
         number_(number),
-        range_(operators_->range(number)),
-        coupling_(std::move(coupling)) {
+        range_(operators_->range(number)) {
     compressed_.multipliers = coupling_.multipliers;
     compressed_.addOwn(space, coupling_, number, range_.first, [](Index i) { return i; });
   }
@@ -43,8 +43,6 @@ class CompressedBody final : public StabilisedBody {
                  images(range_.first + static_cast<Index>(i), 1);
     return rest;
   }
-
-  Matrix coupling() const override { return {}; }
 
   Vector push(const Vector& multiplier) const override {
     Matrix x(operators_->size(), 1);
@@ -78,7 +76,6 @@ class CompressedBody final : public StabilisedBody {
     return terms;
   }
 
-  Matrix multiplierMass() const override { return coupling_.multiplierMass(); }
   double multiplierWork(const Vector& multiplier) const override {
     const double work = coupling_.multiplierWork(multiplier);
     if (!byDensity())
@@ -140,21 +137,6 @@ class CompressedBody final : public StabilisedBody {
     return terms;
   }
 
-  bool byDensity() const override { return !coupling_.compliance.densities.empty(); }
-
-  std::vector<bem::Vec2> meanSlacks(const Vector& multiplier, const Vector& density,
-                                    const Vector& ofInside) const override {
-    return coupling_.meanSlacks(multiplier, density, ofInside);
-  }
-
-  double gamma(std::size_t contactElement) const override {
-    return coupling_.gamma[contactElement];
-  }
-  Matrix subtracted() const override { return {}; }
-  std::unique_ptr<const StabilisedBody> weakened(double) const override {
-    return nullptr;
-  }
-
  private:
   class Held final : public HeldStiffness {
    public:
@@ -178,7 +160,6 @@ class CompressedBody final : public StabilisedBody {
       }
       return u;
     }
-    Matrix forward(Matrix) const override { return {}; }
     std::shared_ptr<const CompressedHolding> compressed() const override { return held_; }
 
    private:
@@ -345,7 +326,6 @@ class CompressedBody final : public StabilisedBody {
   std::shared_ptr<const bem::CompressedOperators> operators_;
   std::size_t number_;
   const bem::CompressedOperators::Range& range_;
-  Coupling coupling_;
   CompressedCoupling compressed_;  ///< the own multiplier's
   mutable std::unique_ptr<const bem::CompressedFactor> densityFactor_;
   mutable std::unique_ptr<const Motions> motions_;

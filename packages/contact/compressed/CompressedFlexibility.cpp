@@ -15,7 +15,7 @@ CompressedFlexibility::CompressedFlexibility(
     : coupling_(std::move(coupling)), bodies_(std::move(bodies)) {
   factorAll();
   findPaths();
-  motions_ = MotionTerms(coupling_, bodies_);
+  addMotions();
 }
 
 Vector CompressedFlexibility::times(const Vector& x) const {
@@ -65,6 +65,31 @@ void CompressedFlexibility::findPaths() {
   paths_ = factor_->paths(std::move(leaves));
 }
 
+void CompressedFlexibility::addMotions() {
+  Index count = 0;
+  for (const auto& body : bodies_)
+    count += body->motions().columns();
+  Matrix u(size(), 2 * count);
+  Matrix kappa(count, count);
+  Index first = 0;  // of the body's
+  for (const auto& body : bodies_) {
+    const Matrix moved = body->motions();
+    const Matrix forces = body->functionals();
+    const Index own = moved.columns();
+    const Matrix answers = own > 0 ? body->factor().solve(forces) : Matrix();
+    for (Index k = 0; k < own; ++k) {
+      const Vector g = coupling_.pull(moved.column(k));
+      const Vector w = coupling_.pull(answers.column(k));
+      std::copy(g.begin(), g.end(), u.column(first + k));
+      std::copy(w.begin(), w.end(), u.column(count + first + k));
+      for (Index l = 0; l < own; ++l)
+        kappa(first + l, first + k) = bem::dot(columnOf(forces, l), columnOf(answers, k));
+    }
+    first += own;
+  }
+  motions_ = bem::LowRank(std::move(u), kappa);
+}
+
 // D X = D_M X + U S Uᵀ X
 Matrix CompressedFlexibility::timesColumns(const Matrix& x) const {
   Matrix forces(operators().size(), x.columns());
@@ -77,11 +102,8 @@ Matrix CompressedFlexibility::timesColumns(const Matrix& x) const {
     std::copy(pulled.begin(), pulled.end(), result.column(j));
     for (const bem::Entry& entry : coupling_.mass)
       result(entry.row, j) += entry.value * x(entry.column, j);
-    const Vector sizes = motions_.sizes(x.column(j));
-    for (std::size_t k = 0; k < sizes.size(); ++k)
-      for (Index i = 0; i < size(); ++i)
-        result(i, j) += sizes[k] * motions_.u(i, static_cast<Index>(k));
   }
+  motions_.addTo(result, x);
   return result;
 }
 

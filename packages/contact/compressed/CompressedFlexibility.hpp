@@ -1,6 +1,7 @@
 #pragma once
 
-#include "contact/compressed/MotionTerms.hpp"
+#include "contact/compressed/CompressedCoupling.hpp"
+#include "contact/compressed/CompressedHolding.hpp"
 #include "contact/problem/Flexibility.hpp"
 
 #include <memory>
@@ -28,7 +29,9 @@ class CompressedFlexibility final : public Flexibility::Operator {
   }
   /// Of all bodies, every multiplier held.
   const bem::Restriction& restriction() const { return factor_->restriction(); }
-  const MotionTerms& motionTerms() const { return motions_; }
+  /// What D has beyond D_M, that of springs in place of A⁺: each motion R of a body goes through its
+  /// functional c,  D = D_M - G wᵀ - w Gᵀ + G κ Gᵀ,  w = Ĉ M⁻¹ c,  κ = cᵀ M⁻¹ c,  G = Ĉ R.
+  const bem::LowRank& motions() const { return motions_; }
   /// Of the leaves that the multiplier acts on.
   const std::vector<char>& paths() const { return paths_; }
 
@@ -43,6 +46,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
   int kindOf(Index i) const { return i < coupling_.normals ? 0 : 1; }
   void factorAll();
   void findPaths();
+  void addMotions();
   void measureRows() const;
   Matrix timesColumns(const Matrix& x) const;
 
@@ -50,7 +54,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
   std::vector<std::shared_ptr<const CompressedHolding>> bodies_;
   std::unique_ptr<bem::CompressedFactor> factor_;
   std::vector<char> paths_;
-  MotionTerms motions_;
+  bem::LowRank motions_;
   mutable Matrix rowSums_;  ///< over each kind, once asked for
   // Kept from step to step, so that only what changes is eliminated anew.
   mutable std::unique_ptr<bem::CompressedFactor> reduced_;

@@ -29,9 +29,10 @@ CompressedHolding::CompressedHolding(const bem::CompressedOperators& operators,
       operators, restriction_, changes ? furtherLeaves(operators) : std::vector<int>());
 }
 
-Vector CompressedHolding::placed(const Matrix& columns, Index k) const {
-  Vector result(at(operators_.size()));
-  std::copy_n(columns.column(k), columns.rows(), result.begin() + range_.first);
+Matrix CompressedHolding::placed(const Matrix& columns) const {
+  Matrix result(operators_.size(), columns.columns());
+  for (Index k = 0; k < columns.columns(); ++k)
+    std::copy_n(columns.column(k), columns.rows(), result.column(k) + range_.first);
   return result;
 }
 

@@ -21,9 +21,8 @@ class CompressedHolding {
   const bem::CompressedOperators& operators() const { return operators_; }
 
   /// R and c, rigid motions that clamps do not hold and their functionals, by all unknowns.
-  Index motions() const { return holding_.rigid.allowed.columns(); }
-  Vector motion(Index k) const { return placed(holding_.rigid.allowed, k); }
-  Vector functional(Index k) const { return placed(holding_.rigid.functionals, k); }
+  Matrix motions() const { return placed(holding_.rigid.allowed); }
+  Matrix functionals() const { return placed(holding_.rigid.functionals); }
 
   /// Of M, the body with its springs.
   const bem::CompressedFactor& factor() const { return *factor_; }
@@ -34,7 +33,7 @@ class CompressedHolding {
 
  private:
   void addSprings();
-  Vector placed(const Matrix& columns, Index k) const;
+  Matrix placed(const Matrix& columns) const;
 
   const bem::CompressedOperators& operators_;
   const Holding& holding_;

@@ -1,5 +1,6 @@
 #include "contact/compressed/ReducedFlexibility.hpp"
 
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
 
@@ -42,24 +43,23 @@ Matrix ReducedFlexibility::solve(Matrix b) const {
 
 Vector ReducedFlexibility::coefficients(const double* b) const {
   Vector right(b, b + whole_.size());
-  const MotionTerms& terms = whole_.motionTerms();
+  const bem::LowRank& terms = whole_.motions();
   if (terms.u.columns() == 0)
     return solveSprung(std::move(right));
   Vector known = right;
   for (const Index row : system_.rows)
     known[at(row)] = 0;
   // b less what U S Uᵀ makes of the known coefficients
-  const Vector ofKnown = terms.sizes(known.data());
+  Matrix ofKnown(whole_.size(), 1);
+  terms.addTo(ofKnown, bem::asColumn(known));
   for (const Index row : system_.rows)
-    for (std::size_t j = 0; j < ofKnown.size(); ++j)
-      right[at(row)] -= terms.u(row, static_cast<Index>(j)) * ofKnown[j];
+    right[at(row)] -= ofKnown(row, 0);
   Vector x = solveSprung(std::move(right));
-  // D_M x = b - U S Uᵀ x  by Woodbury's formula
-  axpy(-1, x, known);
-  Vector sizes = terms.seen(known.data());
-  correction_.solve(sizes);
-  for (std::size_t j = 0; j < sizes.size(); ++j)
-    axpy(sizes[j], columnOf(solved_, static_cast<Index>(j)), x);
+  axpy(-1, known, x);
+  Matrix own = bem::asColumn(x);
+  correction_.correct(own);
+  x = columnOf(own, 0);
+  axpy(1, known, x);
   return x;
 }
 
@@ -80,26 +80,19 @@ Vector ReducedFlexibility::solveSprung(Vector b) const {
 }
 
 void ReducedFlexibility::makeCorrection() {
-  const MotionTerms& terms = whole_.motionTerms();
-  const Index columns = terms.u.columns();
+  const bem::LowRank& terms = whole_.motions();
   const Index first = whole_.coupling().first;
-  Matrix right(whole_.operators().size(), columns);
-  for (Index j = 0; j < columns; ++j)
+  Matrix right(whole_.operators().size(), terms.u.columns());
+  for (Index j = 0; j < right.columns(); ++j)
     for (const Index i : system_.rows)
       right(first + i, j) = -terms.u(i, j);
   const bem::CompressedFactor& own = factor();
-  const Matrix answers = columns > 0 ? own.solveAlong(whole_.paths(), right) : Matrix();
-  solved_ = Matrix(whole_.size(), columns);
-  Matrix correction = terms.inverse.copy();
-  for (Index j = 0; j < columns; ++j) {
-    std::copy_n(answers.column(j) + first, whole_.size(), solved_.column(j));
-    const Vector sums = terms.seen(solved_.column(j));
-    for (Index i = 0; i < columns; ++i)
-      correction(i, j) += sums[at(i)];
-  }
-  correction_ = bem::LuFactor(std::move(correction));
-  if (!correction_.isRegular())
-    throw bem::NumericalError("the flexibility of the active coefficients is singular");
+  if (right.columns() == 0)
+    return;
+  correction_ = bem::Woodbury(
+      terms.u.copy(), terms.inverse.copy(),
+      bem::rowsBetween(own.solveAlong(whole_.paths(), right), first, right.rows()),
+      "the flexibility of the active coefficients");
 }
 
 void ReducedFlexibility::makeBorder() {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "bem/algebra/LuFactor.hpp"
+#include "bem/algebra/LowRank.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
 
 namespace epafi::contact {
@@ -30,8 +30,7 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
   System system_;
   int number_;
   bem::Restriction restriction_;
-  Matrix solved_;             ///< D_M⁻¹ U, all coefficients
-  bem::LuFactor correction_;  ///< of S⁻¹ + Uᵀ D_M⁻¹ U
+  bem::Woodbury correction_;  ///< from D_M⁻¹ to D⁻¹ in the rows
   Matrix answers_;            ///< x for b = Ĝ in the rows
   bem::LuFactor border_;      ///< of Ĝᵀ times these
 };
