@@ -71,6 +71,15 @@ class Run:
         """contact.csv of step k = 1, 2, ... of the last level."""
         return self._table(os.path.join("steps", str(k), "contact.csv"))
 
+    def profiles(self, column: str, contact: Optional[str] = None) -> np.ndarray:
+        """A column of contact.csv in each step of the last level's path, "worn_depth", "pressure", of
+        one contact or of all: a row per step, as those of `steps` with that level, a column per
+        point, as the rows of `contact`."""
+        steps = np.count_nonzero(self.steps["level"] == self.steps["level"][-1])
+        tables = [self.step(k) for k in range(1, steps + 1)]
+        return np.array([table[column] if contact is None else
+                         table[column][table["contact_name"] == contact] for table in tables])
+
     @functools.cached_property
     def scene(self) -> Scene:
         """used.xml: the complete scene, defaults and versions included."""

@@ -206,6 +206,20 @@ shown = [(label, s.min(), s.max()) for _, s, label, _ in places(both)]
 windows = [pair[1:] for pair in shown]
 claim(len(shown) == 2 and np.allclose(windows, [[0.35, 0.65], [2.35, 2.65]], atol=0.02) and
       len(places(run.contact)) == 1, "small places are drawn side by side: %s" % shown)
+# a block that wears by k p s, s = t - 1: in each of two steps by a tenth of the pressure then
+worn = epafi.run({"Bodies": {"block": {
+    "Material": {"Young's Modulus": 1.0, "Poisson's Ratio": 0.0},
+    "Geometry": {"Vertices": [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
+                 "Edges": ["bottom", "right", "top", "left"]},
+    "Rigid Motions": {"Fix": ["X"]},
+    "Boundary Conditions": {
+        "top": {"Type": "Dirichlet", "Displacement Y": "-0.01"},
+        "bottom": {"Type": "Contact", "Sliding": "max(0, t-1)", "Wear": {"Coefficient": "0.1"}}}}},
+    "History": {"Times": [1.0, 3.0], "Steps": [1, 2]}, "Discretization": {"Mesh Size": 0.5}})
+depth = worn.profiles("worn_depth", "bottom")
+exact = 0.01 * (1 - 1.1 ** -np.arange(3.0))
+claim(depth.shape == (3, worn.contact.size) and np.allclose(depth, exact[:, None], atol=1e-12) and
+      np.allclose(worn.steps["cycles"], [1, 2, 3]), "worn profiles over the steps of a path")
 try:
     run.steps
     claim(False, "steps.csv of a scene without a History")

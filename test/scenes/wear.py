@@ -157,6 +157,13 @@ for kind, motion in (("partial", SHAKEN), ("gross", GROSS)):
     off = max(differ(a[key], b[key]) for a, b in zip(got["dense"], got["compressed"])
               for key in ("energy_strain", "rub.pressure_max", "energy_dissipated") if a[key])
     claim(off < 1e-7, "%s slip, compressed agrees to %.1e" % (kind, off))
+for basis in BASES:
+    folder_of, _ = solved("partial slip %s" % basis, indented(
+        "partial", law=friction("0.5"), sliding="", motion=SHAKEN, coefficient="2", size=1 / 16,
+        path="1, 3", steps="1, 16"), "Discretization->Multiplier=" + basis)
+    got[basis] = rows(folder_of, "steps.csv")[-1]["rub.worn_volume"]
+claim(all(differ(got[basis], got[BASES[0]]) < 0.05 for basis in BASES),
+      "partial slip wears alike in all bases: %s" % [got[basis] for basis in BASES])
 points = rows(folder)
 middle = [p for p in points if abs(p["x"]) < 0.1]
 claim(max(p["worn_depth"] for p in points) > 0 and all(p["worn_depth"] > 0 for p in middle),

@@ -1,5 +1,6 @@
-// epafi with one more friction law, which scenes then name like any other.
+// epafi with one more friction law and one more normal law, which scenes then name like any other.
 #include "contact/law/FrictionLaw.hpp"
+#include "contact/law/NormalLaw.hpp"
 #include "drivers/Program.hpp"
 
 #include <Teuchos_ParameterList.hpp>
@@ -30,6 +31,20 @@ class Shaw final : public epafi::contact::FrictionLaw {
   double n_;
 };
 
+/// φ = L p/(p + P): a soft layer that closes by no more than L.
+class Layer final : public epafi::contact::NormalLaw {
+ public:
+  double closing(double p, const Vector& fields) const override {
+    return fields[0] * p / (p + fields[1]);
+  }
+  double slope(double p, const Vector& fields) const override {
+    return fields[0] * fields[1] / ((p + fields[1]) * (p + fields[1]));
+  }
+  double energy(double p, const Vector& fields) const override {
+    return fields[0] * fields[1] * (std::log1p(p / fields[1]) - p / (p + fields[1]));
+  }
+};
+
 }  // namespace
 
 int main(int argc, char* argv[]) {
@@ -46,5 +61,14 @@ int main(int argc, char* argv[]) {
        [](const Teuchos::ParameterList& list) {
          return std::make_shared<const Shaw>(list.get<double>("Exponent"));
        }});
+  epafi::contact::normalLaws().add(
+      {"Layer",
+       {Row("Length", Kind::Expression, "closing at high pressure")
+            .unit("length")
+            .required(),
+        Row("Pressure", Kind::Expression, "that closes half of it")
+            .unit("stress")
+            .required()},
+       [](const Teuchos::ParameterList&) { return std::make_shared<const Layer>(); }});
   return epafi::program(argc, argv);
 }

@@ -62,10 +62,11 @@ class Stages {
   void followOffset() {
     if (!problem_.flexibility.isFormed())
       return followFormedOffset();
-    constexpr int polishing = 12;
     constexpr int directions = 4;
     constexpr int price = 3;  // of as many pivots as there are coefficients
     const int run = solver_.options().maximumIterations;
+    // the path is that of the tangents of laws that are not linear
+    const int polishing = problem_.surface.places.empty() ? 12 : run;
     const Index size = std::max<Index>(1, problem_.size());
     const double work = workOfPivot(size);
     double left = solver_.options().mostWork;

@@ -1,7 +1,6 @@
 #include "contact/system/Wear.hpp"
 
 #include "bem/quadrature/Gauss.hpp"
-#include "contact/multiplier/Collocation.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,21 +38,19 @@ Vector slips(const BodyParts& body, const Wear& before, const Vector& slip) {
   Vector result = body.obstacle.slid;
   for (std::size_t k = 0; k < result.size(); ++k)
     result[k] -= before.slid.empty() ? 0 : before.slid[k];
-  bem::Matrix inverse;  // of χ_i(t_q)
-  forEachPoint(
-      body, [&](const ContactElement& element, std::size_t k, double, double weight) {
-        const auto q = static_cast<Index>(k) - element.point;
-        if (element.tangential >= 0 && !slip.empty()) {
-          if (inverse.rows() != element.degree + 1)
-            inverse = Collocation(body.multiplier.basis(),
-                                  bem::gaussLegendre(element.degree + 1).points)
-                          .inverse();
-          result[k] = 0;
-          for (int i = 0; i <= element.degree; ++i)
-            result[k] += inverse(i, q) * slip[at(element.tangentialOf(i))] / weight;
-        }
-        result[k] = element.ties() ? 0 : std::abs(result[k]);
-      });
+  // values of a polynomial with these moments are restless unless the basis has them
+  const Vector lengths = tested(body, Vector(result.size(), 1.0));
+  forEachPoint(body, [&](const ContactElement& element, std::size_t k, double t, double) {
+    if (element.tangential >= 0 && !slip.empty()) {
+      const Vector chi = body.multiplier.basis().values(element.degree, t);
+      result[k] = 0;
+      for (int i = 0; i <= element.degree; ++i)
+        result[k] += chi[at(i)] * std::abs(slip[at(element.tangentialOf(i))]) /
+                     lengths[at(element.normalOf(i))];
+      result[k] = std::max(result[k], 0.0);
+    }
+    result[k] = element.ties() ? 0 : std::abs(result[k]);
+  });
   return result;
 }
 

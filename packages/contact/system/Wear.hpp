@@ -19,8 +19,9 @@ struct Wear {
 /// Does anything wear there?
 bool wears(const MultiplierSpace& multiplier);
 
-/// |Δs| at the points: that of m without friction, else of the polynomial that has
-/// ∫ Δs χ_i = Δrₜ,i.  `slip`: those numbers, one per coefficient; empty: not known, that of m.
+/// |Δs| at the points: that of m without friction, else Σ χ_i |Δrₜ,i| / ∫ χ_i ds, at Gauss points
+/// of Lagrange's polynomials there the means.  `slip`: Δrₜ, one per coefficient; empty: not known,
+/// that of m.
 Vector slips(const BodyParts& body, const Wear& before, const Vector& slip);
 
 /// n k times slips.
