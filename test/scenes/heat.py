@@ -321,7 +321,7 @@ for text, what in (
     claim(code == 1 and what in said, "refused: " + what + ("" if what in said else said))
 code, said = epafi("check", written("refused", [heated(BARE, 1e-5, top="1")], "", "Density",
                                     0.001, 3))
-claim(code == 1 and "takes at most 8000 degrees" in said, "refused: conduction on too fine a mesh")
+claim(code == 1 and "takes at most 4000 degrees" in said, "refused: conduction on too fine a mesh")
 code, said = epafi("check", written("refused", [BARE, heated(
     rigid("floor", block(-1, -2, 2, -1)), top="1")], contact(
         "on", "block:right", "floor:top"), "Density"))

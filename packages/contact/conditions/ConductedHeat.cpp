@@ -49,6 +49,29 @@ Series timesTangent(const Series& f, const bem::Curve& curve) {
   return result;
 }
 
+/// Of a function of the place y on an element.
+template <class Function>
+Series seriesOf(const bem::Mesh& mesh, int e, const Function& function) {
+  return bem::project(
+      [&](double t) -> Complex { return function(asComplex(mesh.scaledPoint(e, t))); },
+      largestDegree);
+}
+
+void add(Complex factor, const Series& series, Series& to) {
+  for (std::size_t k = 0; k < to.size(); ++k)
+    to[k] += factor * series[k];
+}
+
+/// ∮ f ds of the series f of the elements.
+template <class SeriesOf>
+Complex around(const std::vector<int>& elements, const bem::Mesh& mesh,
+               const SeriesOf& seriesOfElement) {
+  Complex sum;
+  for (const int e : elements)
+    sum += 2 * mesh[e].half * seriesOfElement(e)[0];
+  return sum;
+}
+
 /// A place in a hole, as far from its boundary as some: of a circle the middle.
 Complex insideOf(const bem::Mesh& mesh, const std::vector<int>& elements) {
   std::vector<Complex> line;
@@ -96,140 +119,110 @@ std::vector<ConductedHeat::Loop> ConductedHeat::loopsOf(const bem::Mesh& mesh) {
   return loops;
 }
 
-ConductedHeat::ConductedHeat(const bem::Space& space, const bem::HarmonicData& data,
-                             Vector errors)
+ConductedHeat::ConductedHeat(const bem::Space& space, const Vector& data, Vector errors)
     : missed_(std::move(errors)) {
   const bem::Mesh& mesh = space.mesh();
   for (int e = 0; e < mesh.size(); ++e) {
-    const bem::Element& element = mesh[e];
-    const bem::Matrix coefficients =
-        bem::DisplacementBasis::legendreCoefficients(element.degree);
+    const int degree = mesh[e].degree;
+    const bem::Matrix phi = bem::DisplacementBasis::legendreCoefficients(degree);
     Series& temperature = temperatures_.emplace_back();
-    for (int k = 0; k <= element.degree; ++k)
-      for (int j = 0; j <= element.degree; ++j)
-        temperature[bem::at(j)] +=
-            coefficients(j, k) *
-            data.potential[bem::at(bem::HarmonicData::potentialOf(space, e, k))];
+    for (int k = 0; k <= degree; ++k)
+      for (int j = 0; j <= degree; ++j)
+        temperature[bem::at(j)] += phi(j, k) * data[bem::at(potentialOf(space, e, k))];
     Series& flow = flows_.emplace_back();
-    for (int i = 0; i < element.densities; ++i)
-      flow[bem::at(i)] = data.flow[bem::at(bem::HarmonicData::flowOf(space, e, i))];
+    for (int i = 0; i < mesh[e].densities; ++i)
+      flow[bem::at(i)] = data[bem::at(flowOf(space, e, i))];
   }
   const std::vector<Loop> loops = loopsOf(mesh);
-  cauchy_.emplace_back(mesh, densities(mesh, loops));
-  follow(cauchy_.front(), loops);
+  cauchy_.emplace(mesh, densities(mesh, loops));
+  follow(loops);
 }
 
-// f = T + i ∫ q ds along each loop, less what the sources have; each loop's imaginary constant and
-// that of ∫ f dy are its own: inside a hole's they do nothing, of the outer one they are a rigid
-// motion.
-std::vector<std::array<Series, 2>> ConductedHeat::densities(
-    const bem::Mesh& mesh, const std::vector<Loop>& loops) {
-  std::vector<std::array<Series, 2>> all(bem::at(mesh.size()));
-  const auto f = [&](int e) -> Series& { return all[bem::at(e)][0]; };
-  const auto forEach = [&](const Loop& loop, const auto& visit) {
-    std::for_each(loop.elements.begin(), loop.elements.end(), visit);
-  };
-  // what goes in comes out, if not quite: the rest leaves uniformly
-  Vector flows(loops.size());
-  for (std::size_t k = 0; k < loops.size(); ++k)
-    forEach(loops[k],
-            [&](int e) { flows[k] += 2 * mesh[e].half * flows_[bem::at(e)][0].real(); });
-  const double rest = std::accumulate(flows.begin(), flows.end(), 0.0) / loops[0].length;
-  forEach(loops[0], [&](int e) { flows_[bem::at(e)][0] -= rest; });
-  for (std::size_t k = 1; k < loops.size(); ++k)
-    sources_.push_back({insideOf(mesh, loops[k].elements), -flows[k] / twoPi, Complex{}});
-
+// f = T + i ∫ q ds along each loop, less what the sources have; what goes in comes out, if not
+// quite: the rest leaves the outer loop uniformly.
+void ConductedHeat::startDensities(const bem::Mesh& mesh, const std::vector<Loop>& loops,
+                                   std::vector<Pair>& densities) {
+  const auto flowOf = [&](int e) { return flows_[bem::at(e)]; };
+  double rest = 0;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    const double flow = around(loops[k].elements, mesh, flowOf).real();
+    rest += flow / loops[0].length;
+    if (k > 0)
+      sources_.push_back({insideOf(mesh, loops[k].elements), -flow / twoPi, Complex{}});
+  }
   for (const Loop& loop : loops) {
     Complex start;
-    std::vector<Complex> logs(sources_.size());
-    forEach(loop, [&](int e) {
-      const Series flow = runningIntegral(flows_[bem::at(e)], mesh[e].half, start);
-      start = valueOf(flow, 1);
-      const Complex middle = asComplex(mesh.scaledPoint(e, 0));
-      const auto ofSources = [&](double t) {
-        Complex sum;
-        for (std::size_t k = 0; k < sources_.size(); ++k) {
-          const auto [place, strength, dipole] = sources_[k];
-          sum +=
-              strength * (logs[k] + std::log((asComplex(mesh.scaledPoint(e, t)) - place) /
-                                             (middle - place)));
-        }
-        return sum;
-      };
-      for (std::size_t k = 0; k < sources_.size(); ++k) {
-        const Complex from = asComplex(mesh.scaledPoint(e, -1)) - sources_[k].place;
-        logs[k] += e == loop.elements.front()
-                       ? std::log(middle - sources_[k].place)
-                       : std::log((middle - sources_[k].place) / from);
+    for (const int e : loop.elements) {
+      Series& f = densities[bem::at(e)][0];
+      f = temperatures_[bem::at(e)];
+      Series q = flows_[bem::at(e)];
+      if (!sources_.empty()) {
+        add(-1, seriesOf(mesh, e, [&](Complex y) { return ofSources(y).temperature; }),
+            f);
+        const auto flow = [&](double t) -> Complex {
+          return (ofSources(asComplex(mesh.scaledPoint(e, t))).slope *
+                  asComplex(mesh[e].curve.normal(t)))
+              .real();
+        };
+        add(-1, bem::project(flow, largestDegree), q);
       }
-      const Series known =
-          sources_.empty() ? Series{} : bem::project(ofSources, largestDegree);
-      for (std::size_t k = 0; k < sources_.size(); ++k)
-        logs[k] += std::log((asComplex(mesh.scaledPoint(e, 1)) - sources_[k].place) /
-                            (middle - sources_[k].place));
-      for (std::size_t k = 0; k <= largestDegree; ++k)
-        f(e)[k] = temperatures_[bem::at(e)][k] + imaginary * flow[k] - known[k];
-    });
+      if (&loop == &loops[0])
+        q[0] -= rest;
+      const Series conjugate = runningIntegral(q, mesh[e].half, start);
+      start = valueOf(conjugate, 1);
+      add(imaginary, conjugate, f);
+    }
   }
-  const auto gainOf = [&](const Loop& loop) {  // ∮ f dy
-    Complex sum;
-    forEach(loop, [&](int e) {
-      sum += 2 * mesh[e].half * timesTangent(f(e), mesh[e].curve)[0];
-    });
-    return sum;
-  };
-  const auto subtract = [&](int e, const auto& function) {
-    const Series known = bem::project(
-        [&](double t) { return function(asComplex(mesh.scaledPoint(e, t))); },
-        largestDegree);
-    for (std::size_t k = 0; k <= largestDegree; ++k)
-      f(e)[k] -= known[k];
+}
+
+// Each loop's imaginary constant and that of ∫ f dy are its own: inside a hole's they do nothing,
+// of the outer one they are a rigid motion.
+std::vector<ConductedHeat::Pair> ConductedHeat::densities(
+    const bem::Mesh& mesh, const std::vector<Loop>& loops) {
+  std::vector<Pair> all(bem::at(mesh.size()));
+  startDensities(mesh, loops, all);
+  const auto along = [&](int e) {
+    return timesTangent(all[bem::at(e)][0], mesh[e].curve);
   };
   for (std::size_t k = 0; k < sources_.size(); ++k)  // holes run clockwise
-    sources_[k].dipole = imaginary / twoPi * gainOf(loops[k + 1]);
-  for (int e = 0; e < mesh.size() && !sources_.empty(); ++e)
-    subtract(e, [&](Complex y) {
-      Complex sum;
-      for (const Source& source : sources_)
-        sum += source.dipole / (y - source.place);
-      return sum;
-    });
+    sources_[k].dipole = imaginary / twoPi * around(loops[k + 1].elements, mesh, along);
+  for (int e = 0; e < mesh.size(); ++e)
+    for (const Source& source : sources_)
+      add(-source.dipole,
+          seriesOf(mesh, e, [&](Complex y) { return 1.0 / (y - source.place); }),
+          all[bem::at(e)][0]);
   // ∮ ȳ dy = 2i area
-  Complex area;
-  forEach(loops[0], [&](int e) {
-    const Series y = bem::project(
-        [&](double t) { return std::conj(asComplex(mesh.scaledPoint(e, t))); },
-        largestDegree);
-    area += 2 * mesh[e].half * timesTangent(y, mesh[e].curve)[0];
-  });
-  const Complex gain = gainOf(loops[0]) / area;
-  forEach(loops[0],
-          [&](int e) { subtract(e, [&](Complex y) { return gain * std::conj(y); }); });
+  const auto conjugate = [&](int e) {
+    return seriesOf(mesh, e, [](Complex y) { return std::conj(y); });
+  };
+  const Complex gain = around(loops[0].elements, mesh, along) /
+                       around(loops[0].elements, mesh, [&](int e) {
+                         return timesTangent(conjugate(e), mesh[e].curve);
+                       });
+  for (const int e : loops[0].elements)
+    add(-gain, conjugate(e), all[bem::at(e)][0]);
   for (const Loop& loop : loops) {
     const auto meanOf = [&](std::size_t n) {
-      Complex sum;
-      forEach(loop, [&](int e) {
-        sum += 2 * mesh[e].half / loop.length * all[bem::at(e)][n][0];
-      });
-      return sum;
+      return around(loop.elements, mesh, [&](int e) { return all[bem::at(e)][n]; }) /
+             loop.length;
     };
     const Complex turning(0, meanOf(0).imag());
     Complex start;
-    forEach(loop, [&](int e) {
-      f(e)[0] -= turning;
-      all[bem::at(e)][1] =
-          runningIntegral(timesTangent(f(e), mesh[e].curve), mesh[e].half, start);
-      start = valueOf(all[bem::at(e)][1], 1);
-    });
+    for (const int e : loop.elements) {
+      auto& [f, integral] = all[bem::at(e)];
+      f[0] -= turning;
+      integral = runningIntegral(along(e), mesh[e].half, start);
+      start = valueOf(integral, 1);
+    }
     const Complex shift = meanOf(1);
-    forEach(loop, [&](int e) { all[bem::at(e)][1][0] -= shift; });
+    for (const int e : loop.elements)
+      all[bem::at(e)][1][0] -= shift;
   }
   return all;
 }
 
-void ConductedHeat::follow(const bem::CauchyIntegral& cauchy,
-                           const std::vector<Loop>& loops) {
-  const bem::Mesh& mesh = cauchy.mesh();
+void ConductedHeat::follow(const std::vector<Loop>& loops) {
+  const bem::Mesh& mesh = cauchy_->mesh();
   integrals_.resize(bem::at(mesh.size()));
   std::vector<std::vector<Complex>> missed(bem::at(mesh.size()));
   constexpr double ofPair = 2e3;  // ns
@@ -238,13 +231,13 @@ void ConductedHeat::follow(const bem::CauchyIntegral& cauchy,
     constexpr int beyond = 7;
     const int degree = std::min(mesh[bem::asInt(e)].degree + beyond, largestDegree);
     const bem::Rule& rule = bem::gaussLegendre(degree + 1);
-    const auto values = cauchy.on(bem::asInt(e), rule.points);
+    const auto values = cauchy_->on(bem::asInt(e), rule.points);
     std::size_t next = 0;
     integrals_[bem::at(e)] =
         bem::project([&](double) { return values[next++][1]; }, degree);
     for (std::size_t q = 0; q < values.size(); ++q)
       missed[bem::at(e)].push_back(
-          values[q][0] - valueOf(cauchy.density(bem::asInt(e))[0], rule.points[q]));
+          values[q][0] - valueOf(cauchy_->density(bem::asInt(e))[0], rule.points[q]));
   });
   const auto forEachPoint = [&](const Loop& loop, const auto& visit) {
     for (const int e : loop.elements) {
@@ -267,7 +260,7 @@ void ConductedHeat::follow(const bem::CauchyIntegral& cauchy,
 
 std::vector<ConductedHeat::Value> ConductedHeat::at(
     const std::vector<Vec2>& points) const {
-  const auto pairs = cauchy_.front().at(points);
+  const auto pairs = cauchy_->at(points);
   std::vector<Value> values;
   for (std::size_t k = 0; k < points.size(); ++k)
     values.push_back(

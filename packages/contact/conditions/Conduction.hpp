@@ -17,7 +17,7 @@ class Conduction {
   std::shared_ptr<const ConductedHeat> heat(const ThermalConditions& now) const;
 
   /// Flows that a body can have.
-  static constexpr bem::Index largestSize = 8000;
+  static constexpr bem::Index largestSize = 4000;
 
  private:
   bem::Space space_;
