@@ -276,6 +276,17 @@ for bodies in ((LOWER, UPPER), (UPPER, LOWER)):
 apart = max(abs(a - b) for p, q in zip(*found) for a, b in zip(p, q))
 claim(apart < 1e-10, "bodies in another order: %.1e" % apart)
 
+# a hot slot: its source is shared out along it
+slot = geometry(block(0, 0, 4, 2), "{outside, outside, outside, outside}", holes=loop(
+    block(0.5, 0.9, 3, 1), "{slot, slot, slot, slot}", (), "Hole 1 "))
+level = run(written("slot", [heated(body("plate", slot, E, "", "{X, Y, Rotation}"), ALPHA,
+                                    outside="0", slot="1")], "", "Density", 0.5, 2, listed(
+    "Adaptivity", parameter("Strategy", "string", "Graded hp"),
+    parameter("Maximum Levels", "int", 14))), "slot")[0][-1]
+claim(level["estimate"] < 4e-4 and abs(level["energy_strain"] / 1.9536e-4 - 1) < 3e-3,
+      "a hot slot: estimate %.1e" % level["estimate"])
+claim(off_balance("slot") < 1e-12, "slot: balances, %.1e" % off_balance("slot"))
+
 # the shipped scenes
 run(scene("hot-tube.xml"), "hot-tube")
 hoops = [p["syy"] for p in inside("hot-tube")]

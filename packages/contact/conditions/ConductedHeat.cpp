@@ -9,6 +9,7 @@
 namespace epafi::contact {
 
 using bem::asComplex;
+using bem::asVector;
 using bem::Complex;
 using bem::largestDegree;
 using bem::Vec2;
@@ -72,40 +73,68 @@ Complex around(const std::vector<int>& elements, const bem::Mesh& mesh,
   return sum;
 }
 
-/// A place in a hole, as far from its boundary as some: of a circle the middle.
-Complex insideOf(const bem::Mesh& mesh, const std::vector<int>& elements) {
+/// Places in a hole, along its middle: as far from the boundary as from each other; of a circle its
+/// centre.
+std::vector<Complex> placesIn(const bem::Outline& outline, int loop) {
+  std::vector<const bem::Curve*> curves;
+  for (const bem::Edge& edge : outline.edges())
+    if (edge.loop == loop)
+      curves.push_back(&edge.curve);
+  const int samples = std::clamp(256 / static_cast<int>(curves.size()), 4, 64);
   std::vector<Complex> line;
-  for (const int e : elements)
-    for (const double t : {-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75})
-      line.push_back(asComplex(mesh.scaledPoint(e, t)));
-  const Complex middle = std::accumulate(line.begin(), line.end(), Complex{}) /
-                         static_cast<double>(line.size());
+  for (const bem::Curve* curve : curves)
+    for (int i = 0; i < samples; ++i)
+      line.push_back(asComplex(curve->point(-1 + (2.0 * i) / samples)));
   double size = 0;
   for (const Complex y : line)
-    size = std::max(size, std::abs(y - middle));
-  Complex best = middle;
-  double depth = -1;
-  const auto look = [&](Complex z) {
+    size = std::max(size, 0.5 * std::abs(y - line.front()));
+  // distance from the boundary; 0: outside the hole
+  const auto depthOf = [&](Complex z) {
     double turns = 0;
-    double distance = 2 * size;
-    for (std::size_t k = 0; k < line.size(); ++k) {
+    for (std::size_t k = 0; k < line.size(); ++k)
       turns += std::arg((line[(k + 1) % line.size()] - z) / (line[k] - z));
-      distance = std::min(distance, std::abs(line[k] - z));
-    }
-    if (std::abs(turns) > 1 && distance > 1.001 * depth) {
-      depth = distance;
-      best = z;
-    }
+    double depth = std::abs(turns) < 1 ? 0 : size;
+    for (const bem::Curve* curve : curves)
+      depth = std::min(depth, curve->distance(asVector(z)));
+    return depth;
   };
-  look(middle);
-  constexpr int fineness = 12;
-  for (int i = -fineness; i <= fineness; ++i)
-    for (int j = -fineness; j <= fineness; ++j)
-      look(middle + size / fineness * Complex(i + 0.01, j + 0.02));
-  return best;
+  std::vector<std::pair<double, Complex>> found;
+  for (const bem::Curve* curve : curves)
+    for (int i = 0; i < samples; ++i) {
+      const double t = -1 + (2.0 * i + 1) / samples;
+      std::pair<double, Complex> best;
+      for (double way = size; way > 1e-4 * size; way *= 0.8) {
+        const Complex z = asComplex(curve->point(t) + way * curve->normal(t));
+        if (const double depth = depthOf(z); depth > best.first)
+          best = {depth, z};
+      }
+      found.push_back(best);
+    }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& x, const auto& y) { return x.first > y.first; });
+  constexpr std::size_t most = 64;
+  std::vector<std::pair<double, Complex>> chosen;
+  for (const auto& [depth, z] : found)
+    if (chosen.size() < most && depth > 0.5 * found.front().first &&
+        std::all_of(chosen.begin(), chosen.end(),
+                    [&, z = z, depth = depth](const auto& c) {
+                      return std::abs(c.second - z) >= 0.5 * (c.first + depth);
+                    }))
+      chosen.emplace_back(depth, z);
+  std::vector<Complex> places;
+  for (const auto& [depth, z] : chosen)
+    places.push_back(z);
+  return places;
 }
 
 }  // namespace
+
+ConductedHeat::Places ConductedHeat::placesInHoles(const bem::Outline& outline) {
+  Places places;
+  for (int loop = 1; loop < outline.loops(); ++loop)
+    places.push_back(placesIn(outline, loop));
+  return places;
+}
 
 std::vector<ConductedHeat::Loop> ConductedHeat::loopsOf(const bem::Mesh& mesh) {
   std::vector<Loop> loops(bem::at(mesh.outline().loops()));
@@ -119,7 +148,8 @@ std::vector<ConductedHeat::Loop> ConductedHeat::loopsOf(const bem::Mesh& mesh) {
   return loops;
 }
 
-ConductedHeat::ConductedHeat(const bem::Space& space, const Vector& data, Vector errors)
+ConductedHeat::ConductedHeat(const bem::Space& space, const Vector& data,
+                             const Places& places, Vector errors)
     : missed_(std::move(errors)) {
   const bem::Mesh& mesh = space.mesh();
   for (int e = 0; e < mesh.size(); ++e) {
@@ -134,21 +164,23 @@ ConductedHeat::ConductedHeat(const bem::Space& space, const Vector& data, Vector
       flow[bem::at(i)] = data[bem::at(flowOf(space, e, i))];
   }
   const std::vector<Loop> loops = loopsOf(mesh);
-  cauchy_.emplace(mesh, densities(mesh, loops));
+  cauchy_.emplace(mesh, densities(mesh, loops, places));
   follow(loops);
 }
 
 // f = T + i ∫ q ds along each loop, less what the sources have; what goes in comes out, if not
 // quite: the rest leaves the outer loop uniformly.
 void ConductedHeat::startDensities(const bem::Mesh& mesh, const std::vector<Loop>& loops,
-                                   std::vector<Pair>& densities) {
+                                   const Places& places, std::vector<Pair>& densities) {
   const auto flowOf = [&](int e) { return flows_[bem::at(e)]; };
   double rest = 0;
   for (std::size_t k = 0; k < loops.size(); ++k) {
     const double flow = around(loops[k].elements, mesh, flowOf).real();
     rest += flow / loops[0].length;
-    if (k > 0)
-      sources_.push_back({insideOf(mesh, loops[k].elements), -flow / twoPi, Complex{}});
+    for (std::size_t i = 0; k > 0 && i < places[k - 1].size(); ++i)
+      sources_.push_back({places[k - 1][i],
+                          -flow / twoPi / static_cast<double>(places[k - 1].size()),
+                          Complex{}});
   }
   for (const Loop& loop : loops) {
     Complex start;
@@ -177,20 +209,31 @@ void ConductedHeat::startDensities(const bem::Mesh& mesh, const std::vector<Loop
 
 // Each loop's imaginary constant and that of ∫ f dy are its own: inside a hole's they do nothing,
 // of the outer one they are a rigid motion.
-std::vector<ConductedHeat::Pair> ConductedHeat::densities(
-    const bem::Mesh& mesh, const std::vector<Loop>& loops) {
+std::vector<ConductedHeat::Pair> ConductedHeat::densities(const bem::Mesh& mesh,
+                                                          const std::vector<Loop>& loops,
+                                                          const Places& places) {
   std::vector<Pair> all(bem::at(mesh.size()));
-  startDensities(mesh, loops, all);
+  startDensities(mesh, loops, places, all);
   const auto along = [&](int e) {
     return timesTangent(all[bem::at(e)][0], mesh[e].curve);
   };
-  for (std::size_t k = 0; k < sources_.size(); ++k)  // holes run clockwise
-    sources_[k].dipole = imaginary / twoPi * around(loops[k + 1].elements, mesh, along);
-  for (int e = 0; e < mesh.size(); ++e)
-    for (const Source& source : sources_)
-      add(-source.dipole,
-          seriesOf(mesh, e, [&](Complex y) { return 1.0 / (y - source.place); }),
-          all[bem::at(e)][0]);
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) {  // holes run clockwise
+    const Complex gain = around(loops[k + 1].elements, mesh, along);
+    for (std::size_t i = 0; i < places[k].size(); ++i)
+      sources_[next++].dipole =
+          imaginary / twoPi / static_cast<double>(places[k].size()) * gain;
+  }
+  for (int e = 0; e < mesh.size() && !sources_.empty(); ++e)
+    add(-1,
+        seriesOf(mesh, e,
+                 [&](Complex y) {
+                   Complex sum;
+                   for (const Source& source : sources_)
+                     sum += source.dipole / (y - source.place);
+                   return sum;
+                 }),
+        all[bem::at(e)][0]);
   // ∮ ȳ dy = 2i area
   const auto conjugate = [&](int e) {
     return seriesOf(mesh, e, [](Complex y) { return std::conj(y); });

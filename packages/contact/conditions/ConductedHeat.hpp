@@ -20,8 +20,14 @@ namespace epafi::contact {
 ///                                                             [doc/theory/body-loads.md]
 class ConductedHeat {
  public:
+  /// Where a source and a dipole of each hole are shared out to: its middle, of a slot its middle
+  /// line.
+  using Places = std::vector<std::vector<bem::Complex>>;
+  static Places placesInHoles(const bem::Outline& outline);
+
   /// `errors`: by element ∫ |T - given|² and its like, of what is interpolated of the data.
-  ConductedHeat(const bem::Space& space, const bem::Vector& data, bem::Vector errors);
+  ConductedHeat(const bem::Space& space, const bem::Vector& data, const Places& places,
+                bem::Vector errors);
 
   struct Value {
     double temperature = 0;
@@ -62,8 +68,9 @@ class ConductedHeat {
   using Pair = std::array<Series, 2>;
   static std::vector<Loop> loopsOf(const bem::Mesh& mesh);
   void startDensities(const bem::Mesh& mesh, const std::vector<Loop>& loops,
-                      std::vector<Pair>& densities);
-  std::vector<Pair> densities(const bem::Mesh& mesh, const std::vector<Loop>& loops);
+                      const Places& places, std::vector<Pair>& densities);
+  std::vector<Pair> densities(const bem::Mesh& mesh, const std::vector<Loop>& loops,
+                              const Places& places);
   void follow(const std::vector<Loop>& loops);
 
   std::vector<Source> sources_;

@@ -54,7 +54,9 @@ double square(const bem::LegendreSeries<double>& series, const bem::Element& ele
 }  // namespace
 
 Conduction::Conduction(const bem::Mesh& mesh, const ThermalConditions& kinds)
-    : space_(meshOfHeat(mesh, kinds)), laplace_(space_, isHeld(mesh, kinds)) {}
+    : space_(meshOfHeat(mesh, kinds)),
+      laplace_(space_, isHeld(mesh, kinds)),
+      places_(ConductedHeat::placesInHoles(mesh.outline())) {}
 
 std::shared_ptr<const ConductedHeat> Conduction::heat(
     const ThermalConditions& now) const {
@@ -101,7 +103,7 @@ std::shared_ptr<const ConductedHeat> Conduction::heat(
     }
   }
   return std::make_shared<const ConductedHeat>(space_, laplace_.solve(std::move(data)),
-                                               std::move(errors));
+                                               places_, std::move(errors));
 }
 
 }  // namespace epafi::contact

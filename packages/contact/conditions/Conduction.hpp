@@ -22,6 +22,7 @@ class Conduction {
  private:
   bem::Space space_;
   bem::MixedLaplace laplace_;
+  ConductedHeat::Places places_;
 };
 
 }  // namespace epafi::contact
