@@ -9,6 +9,7 @@
 namespace epafi::contact {
 
 using bem::asComplex;
+using bem::asVector;
 using bem::Complex;
 using bem::largestDegree;
 using bem::Vec2;
@@ -49,40 +50,91 @@ Series timesTangent(const Series& f, const bem::Curve& curve) {
   return result;
 }
 
-/// A place in a hole, as far from its boundary as some: of a circle the middle.
-Complex insideOf(const bem::Mesh& mesh, const std::vector<int>& elements) {
-  std::vector<Complex> line;
+/// Of a function of the place y on an element.
+template <class Function>
+Series seriesOf(const bem::Mesh& mesh, int e, const Function& function) {
+  return bem::project(
+      [&](double t) -> Complex { return function(asComplex(mesh.scaledPoint(e, t))); },
+      largestDegree);
+}
+
+void add(Complex factor, const Series& series, Series& to) {
+  for (std::size_t k = 0; k < to.size(); ++k)
+    to[k] += factor * series[k];
+}
+
+/// ∮ f ds of the series f of the elements.
+template <class SeriesOf>
+Complex around(const std::vector<int>& elements, const bem::Mesh& mesh,
+               const SeriesOf& seriesOfElement) {
+  Complex sum;
   for (const int e : elements)
-    for (const double t : {-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75})
-      line.push_back(asComplex(mesh.scaledPoint(e, t)));
-  const Complex middle = std::accumulate(line.begin(), line.end(), Complex{}) /
-                         static_cast<double>(line.size());
+    sum += 2 * mesh[e].half * seriesOfElement(e)[0];
+  return sum;
+}
+
+/// Places in a hole, along its middle: as far from the boundary as from each other; of a circle its
+/// centre.
+std::vector<Complex> placesIn(const bem::Outline& outline, int loop) {
+  std::vector<const bem::Curve*> curves;
+  for (const bem::Edge& edge : outline.edges())
+    if (edge.loop == loop)
+      curves.push_back(&edge.curve);
+  const int samples = std::clamp(256 / static_cast<int>(curves.size()), 4, 64);
+  std::vector<Complex> line;
+  for (const bem::Curve* curve : curves)
+    for (int i = 0; i < samples; ++i)
+      line.push_back(asComplex(curve->point(-1 + (2.0 * i) / samples)));
   double size = 0;
   for (const Complex y : line)
-    size = std::max(size, std::abs(y - middle));
-  Complex best = middle;
-  double depth = -1;
-  const auto look = [&](Complex z) {
+    size = std::max(size, 0.5 * std::abs(y - line.front()));
+  // distance from the boundary; 0: outside the hole
+  const auto depthOf = [&](Complex z) {
     double turns = 0;
-    double distance = 2 * size;
-    for (std::size_t k = 0; k < line.size(); ++k) {
+    for (std::size_t k = 0; k < line.size(); ++k)
       turns += std::arg((line[(k + 1) % line.size()] - z) / (line[k] - z));
-      distance = std::min(distance, std::abs(line[k] - z));
-    }
-    if (std::abs(turns) > 1 && distance > 1.001 * depth) {
-      depth = distance;
-      best = z;
-    }
+    double depth = std::abs(turns) < 1 ? 0 : size;
+    for (const bem::Curve* curve : curves)
+      depth = std::min(depth, curve->distance(asVector(z)));
+    return depth;
   };
-  look(middle);
-  constexpr int fineness = 12;
-  for (int i = -fineness; i <= fineness; ++i)
-    for (int j = -fineness; j <= fineness; ++j)
-      look(middle + size / fineness * Complex(i + 0.01, j + 0.02));
-  return best;
+  std::vector<std::pair<double, Complex>> found;
+  for (const bem::Curve* curve : curves)
+    for (int i = 0; i < samples; ++i) {
+      const double t = -1 + (2.0 * i + 1) / samples;
+      std::pair<double, Complex> best;
+      for (double way = size; way > 1e-4 * size; way *= 0.8) {
+        const Complex z = asComplex(curve->point(t) + way * curve->normal(t));
+        if (const double depth = depthOf(z); depth > best.first)
+          best = {depth, z};
+      }
+      found.push_back(best);
+    }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const auto& x, const auto& y) { return x.first > y.first; });
+  constexpr std::size_t most = 64;
+  std::vector<std::pair<double, Complex>> chosen;
+  for (const auto& [depth, z] : found)
+    if (chosen.size() < most && depth > 0.5 * found.front().first &&
+        std::all_of(chosen.begin(), chosen.end(),
+                    [&, z = z, depth = depth](const auto& c) {
+                      return std::abs(c.second - z) >= 0.5 * (c.first + depth);
+                    }))
+      chosen.emplace_back(depth, z);
+  std::vector<Complex> places;
+  for (const auto& [depth, z] : chosen)
+    places.push_back(z);
+  return places;
 }
 
 }  // namespace
+
+ConductedHeat::Places ConductedHeat::placesInHoles(const bem::Outline& outline) {
+  Places places;
+  for (int loop = 1; loop < outline.loops(); ++loop)
+    places.push_back(placesIn(outline, loop));
+  return places;
+}
 
 std::vector<ConductedHeat::Loop> ConductedHeat::loopsOf(const bem::Mesh& mesh) {
   std::vector<Loop> loops(bem::at(mesh.outline().loops()));
@@ -96,140 +148,124 @@ std::vector<ConductedHeat::Loop> ConductedHeat::loopsOf(const bem::Mesh& mesh) {
   return loops;
 }
 
-ConductedHeat::ConductedHeat(const bem::Space& space, const bem::HarmonicData& data,
-                             Vector errors)
+ConductedHeat::ConductedHeat(const bem::Space& space, const Vector& data,
+                             const Places& places, Vector errors)
     : missed_(std::move(errors)) {
   const bem::Mesh& mesh = space.mesh();
   for (int e = 0; e < mesh.size(); ++e) {
-    const bem::Element& element = mesh[e];
-    const bem::Matrix coefficients =
-        bem::DisplacementBasis::legendreCoefficients(element.degree);
+    const int degree = mesh[e].degree;
+    const bem::Matrix phi = bem::DisplacementBasis::legendreCoefficients(degree);
     Series& temperature = temperatures_.emplace_back();
-    for (int k = 0; k <= element.degree; ++k)
-      for (int j = 0; j <= element.degree; ++j)
-        temperature[bem::at(j)] +=
-            coefficients(j, k) *
-            data.potential[bem::at(bem::HarmonicData::potentialOf(space, e, k))];
+    for (int k = 0; k <= degree; ++k)
+      for (int j = 0; j <= degree; ++j)
+        temperature[bem::at(j)] += phi(j, k) * data[bem::at(potentialOf(space, e, k))];
     Series& flow = flows_.emplace_back();
-    for (int i = 0; i < element.densities; ++i)
-      flow[bem::at(i)] = data.flow[bem::at(bem::HarmonicData::flowOf(space, e, i))];
+    for (int i = 0; i < mesh[e].densities; ++i)
+      flow[bem::at(i)] = data[bem::at(flowOf(space, e, i))];
   }
   const std::vector<Loop> loops = loopsOf(mesh);
-  cauchy_.emplace_back(mesh, densities(mesh, loops));
-  follow(cauchy_.front(), loops);
+  cauchy_.emplace(mesh, densities(mesh, loops, places));
+  follow(loops);
 }
 
-// f = T + i ∫ q ds along each loop, less what the sources have; each loop's imaginary constant and
-// that of ∫ f dy are its own: inside a hole's they do nothing, of the outer one they are a rigid
-// motion.
-std::vector<std::array<Series, 2>> ConductedHeat::densities(
-    const bem::Mesh& mesh, const std::vector<Loop>& loops) {
-  std::vector<std::array<Series, 2>> all(bem::at(mesh.size()));
-  const auto f = [&](int e) -> Series& { return all[bem::at(e)][0]; };
-  const auto forEach = [&](const Loop& loop, const auto& visit) {
-    std::for_each(loop.elements.begin(), loop.elements.end(), visit);
-  };
-  // what goes in comes out, if not quite: the rest leaves uniformly
-  Vector flows(loops.size());
-  for (std::size_t k = 0; k < loops.size(); ++k)
-    forEach(loops[k],
-            [&](int e) { flows[k] += 2 * mesh[e].half * flows_[bem::at(e)][0].real(); });
-  const double rest = std::accumulate(flows.begin(), flows.end(), 0.0) / loops[0].length;
-  forEach(loops[0], [&](int e) { flows_[bem::at(e)][0] -= rest; });
-  for (std::size_t k = 1; k < loops.size(); ++k)
-    sources_.push_back({insideOf(mesh, loops[k].elements), -flows[k] / twoPi, Complex{}});
-
+// f = T + i ∫ q ds along each loop, less what the sources have; what goes in comes out, if not
+// quite: the rest leaves the outer loop uniformly.
+void ConductedHeat::startDensities(const bem::Mesh& mesh, const std::vector<Loop>& loops,
+                                   const Places& places, std::vector<Pair>& densities) {
+  const auto flowOf = [&](int e) { return flows_[bem::at(e)]; };
+  double rest = 0;
+  for (std::size_t k = 0; k < loops.size(); ++k) {
+    const double flow = around(loops[k].elements, mesh, flowOf).real();
+    rest += flow / loops[0].length;
+    for (std::size_t i = 0; k > 0 && i < places[k - 1].size(); ++i)
+      sources_.push_back({places[k - 1][i],
+                          -flow / twoPi / static_cast<double>(places[k - 1].size()),
+                          Complex{}});
+  }
   for (const Loop& loop : loops) {
     Complex start;
-    std::vector<Complex> logs(sources_.size());
-    forEach(loop, [&](int e) {
-      const Series flow = runningIntegral(flows_[bem::at(e)], mesh[e].half, start);
-      start = valueOf(flow, 1);
-      const Complex middle = asComplex(mesh.scaledPoint(e, 0));
-      const auto ofSources = [&](double t) {
-        Complex sum;
-        for (std::size_t k = 0; k < sources_.size(); ++k) {
-          const auto [place, strength, dipole] = sources_[k];
-          sum +=
-              strength * (logs[k] + std::log((asComplex(mesh.scaledPoint(e, t)) - place) /
-                                             (middle - place)));
-        }
-        return sum;
-      };
-      for (std::size_t k = 0; k < sources_.size(); ++k) {
-        const Complex from = asComplex(mesh.scaledPoint(e, -1)) - sources_[k].place;
-        logs[k] += e == loop.elements.front()
-                       ? std::log(middle - sources_[k].place)
-                       : std::log((middle - sources_[k].place) / from);
+    for (const int e : loop.elements) {
+      Series& f = densities[bem::at(e)][0];
+      f = temperatures_[bem::at(e)];
+      Series q = flows_[bem::at(e)];
+      if (!sources_.empty()) {
+        add(-1, seriesOf(mesh, e, [&](Complex y) { return ofSources(y).temperature; }),
+            f);
+        const auto flow = [&](double t) -> Complex {
+          return (ofSources(asComplex(mesh.scaledPoint(e, t))).slope *
+                  asComplex(mesh[e].curve.normal(t)))
+              .real();
+        };
+        add(-1, bem::project(flow, largestDegree), q);
       }
-      const Series known =
-          sources_.empty() ? Series{} : bem::project(ofSources, largestDegree);
-      for (std::size_t k = 0; k < sources_.size(); ++k)
-        logs[k] += std::log((asComplex(mesh.scaledPoint(e, 1)) - sources_[k].place) /
-                            (middle - sources_[k].place));
-      for (std::size_t k = 0; k <= largestDegree; ++k)
-        f(e)[k] = temperatures_[bem::at(e)][k] + imaginary * flow[k] - known[k];
-    });
+      if (&loop == &loops[0])
+        q[0] -= rest;
+      const Series conjugate = runningIntegral(q, mesh[e].half, start);
+      start = valueOf(conjugate, 1);
+      add(imaginary, conjugate, f);
+    }
   }
-  const auto gainOf = [&](const Loop& loop) {  // ∮ f dy
-    Complex sum;
-    forEach(loop, [&](int e) {
-      sum += 2 * mesh[e].half * timesTangent(f(e), mesh[e].curve)[0];
-    });
-    return sum;
+}
+
+// Each loop's imaginary constant and that of ∫ f dy are its own: inside a hole's they do nothing,
+// of the outer one they are a rigid motion.
+std::vector<ConductedHeat::Pair> ConductedHeat::densities(const bem::Mesh& mesh,
+                                                          const std::vector<Loop>& loops,
+                                                          const Places& places) {
+  std::vector<Pair> all(bem::at(mesh.size()));
+  startDensities(mesh, loops, places, all);
+  const auto along = [&](int e) {
+    return timesTangent(all[bem::at(e)][0], mesh[e].curve);
   };
-  const auto subtract = [&](int e, const auto& function) {
-    const Series known = bem::project(
-        [&](double t) { return function(asComplex(mesh.scaledPoint(e, t))); },
-        largestDegree);
-    for (std::size_t k = 0; k <= largestDegree; ++k)
-      f(e)[k] -= known[k];
-  };
-  for (std::size_t k = 0; k < sources_.size(); ++k)  // holes run clockwise
-    sources_[k].dipole = imaginary / twoPi * gainOf(loops[k + 1]);
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < places.size(); ++k) {  // holes run clockwise
+    const Complex gain = around(loops[k + 1].elements, mesh, along);
+    for (std::size_t i = 0; i < places[k].size(); ++i)
+      sources_[next++].dipole =
+          imaginary / twoPi / static_cast<double>(places[k].size()) * gain;
+  }
   for (int e = 0; e < mesh.size() && !sources_.empty(); ++e)
-    subtract(e, [&](Complex y) {
-      Complex sum;
-      for (const Source& source : sources_)
-        sum += source.dipole / (y - source.place);
-      return sum;
-    });
+    add(-1,
+        seriesOf(mesh, e,
+                 [&](Complex y) {
+                   Complex sum;
+                   for (const Source& source : sources_)
+                     sum += source.dipole / (y - source.place);
+                   return sum;
+                 }),
+        all[bem::at(e)][0]);
   // ∮ ȳ dy = 2i area
-  Complex area;
-  forEach(loops[0], [&](int e) {
-    const Series y = bem::project(
-        [&](double t) { return std::conj(asComplex(mesh.scaledPoint(e, t))); },
-        largestDegree);
-    area += 2 * mesh[e].half * timesTangent(y, mesh[e].curve)[0];
-  });
-  const Complex gain = gainOf(loops[0]) / area;
-  forEach(loops[0],
-          [&](int e) { subtract(e, [&](Complex y) { return gain * std::conj(y); }); });
+  const auto conjugate = [&](int e) {
+    return seriesOf(mesh, e, [](Complex y) { return std::conj(y); });
+  };
+  const Complex gain = around(loops[0].elements, mesh, along) /
+                       around(loops[0].elements, mesh, [&](int e) {
+                         return timesTangent(conjugate(e), mesh[e].curve);
+                       });
+  for (const int e : loops[0].elements)
+    add(-gain, conjugate(e), all[bem::at(e)][0]);
   for (const Loop& loop : loops) {
     const auto meanOf = [&](std::size_t n) {
-      Complex sum;
-      forEach(loop, [&](int e) {
-        sum += 2 * mesh[e].half / loop.length * all[bem::at(e)][n][0];
-      });
-      return sum;
+      return around(loop.elements, mesh, [&](int e) { return all[bem::at(e)][n]; }) /
+             loop.length;
     };
     const Complex turning(0, meanOf(0).imag());
     Complex start;
-    forEach(loop, [&](int e) {
-      f(e)[0] -= turning;
-      all[bem::at(e)][1] =
-          runningIntegral(timesTangent(f(e), mesh[e].curve), mesh[e].half, start);
-      start = valueOf(all[bem::at(e)][1], 1);
-    });
+    for (const int e : loop.elements) {
+      auto& [f, integral] = all[bem::at(e)];
+      f[0] -= turning;
+      integral = runningIntegral(along(e), mesh[e].half, start);
+      start = valueOf(integral, 1);
+    }
     const Complex shift = meanOf(1);
-    forEach(loop, [&](int e) { all[bem::at(e)][1][0] -= shift; });
+    for (const int e : loop.elements)
+      all[bem::at(e)][1][0] -= shift;
   }
   return all;
 }
 
-void ConductedHeat::follow(const bem::CauchyIntegral& cauchy,
-                           const std::vector<Loop>& loops) {
-  const bem::Mesh& mesh = cauchy.mesh();
+void ConductedHeat::follow(const std::vector<Loop>& loops) {
+  const bem::Mesh& mesh = cauchy_->mesh();
   integrals_.resize(bem::at(mesh.size()));
   std::vector<std::vector<Complex>> missed(bem::at(mesh.size()));
   constexpr double ofPair = 2e3;  // ns
@@ -238,13 +274,13 @@ void ConductedHeat::follow(const bem::CauchyIntegral& cauchy,
     constexpr int beyond = 7;
     const int degree = std::min(mesh[bem::asInt(e)].degree + beyond, largestDegree);
     const bem::Rule& rule = bem::gaussLegendre(degree + 1);
-    const auto values = cauchy.on(bem::asInt(e), rule.points);
+    const auto values = cauchy_->on(bem::asInt(e), rule.points);
     std::size_t next = 0;
     integrals_[bem::at(e)] =
         bem::project([&](double) { return values[next++][1]; }, degree);
     for (std::size_t q = 0; q < values.size(); ++q)
       missed[bem::at(e)].push_back(
-          values[q][0] - valueOf(cauchy.density(bem::asInt(e))[0], rule.points[q]));
+          values[q][0] - valueOf(cauchy_->density(bem::asInt(e))[0], rule.points[q]));
   });
   const auto forEachPoint = [&](const Loop& loop, const auto& visit) {
     for (const int e : loop.elements) {
@@ -267,7 +303,7 @@ void ConductedHeat::follow(const bem::CauchyIntegral& cauchy,
 
 std::vector<ConductedHeat::Value> ConductedHeat::at(
     const std::vector<Vec2>& points) const {
-  const auto pairs = cauchy_.front().at(points);
+  const auto pairs = cauchy_->at(points);
   std::vector<Value> values;
   for (std::size_t k = 0; k < points.size(); ++k)
     values.push_back(

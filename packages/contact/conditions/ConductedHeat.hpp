@@ -3,6 +3,7 @@
 #include "bem/fields/CauchyIntegral.hpp"
 #include "bem/operators/Laplace.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace epafi::contact {
@@ -19,8 +20,13 @@ namespace epafi::contact {
 ///                                                             [doc/theory/body-loads.md]
 class ConductedHeat {
  public:
+  /// Where a source and a dipole of each hole are shared out to: its middle, of a slot its middle
+  /// line.
+  using Places = std::vector<std::vector<bem::Complex>>;
+  static Places placesInHoles(const bem::Outline& outline);
+
   /// `errors`: by element ∫ |T - given|² and its like, of what is interpolated of the data.
-  ConductedHeat(const bem::Space& space, const bem::HarmonicData& data,
+  ConductedHeat(const bem::Space& space, const bem::Vector& data, const Places& places,
                 bem::Vector errors);
 
   struct Value {
@@ -59,17 +65,20 @@ class ConductedHeat {
     std::vector<int> elements;
     double length = 0;
   };
+  using Pair = std::array<Series, 2>;
   static std::vector<Loop> loopsOf(const bem::Mesh& mesh);
-  std::vector<std::array<Series, 2>> densities(const bem::Mesh& mesh,
-                                               const std::vector<Loop>& loops);
-  void follow(const bem::CauchyIntegral& cauchy, const std::vector<Loop>& loops);
+  void startDensities(const bem::Mesh& mesh, const std::vector<Loop>& loops,
+                      const Places& places, std::vector<Pair>& densities);
+  std::vector<Pair> densities(const bem::Mesh& mesh, const std::vector<Loop>& loops,
+                              const Places& places);
+  void follow(const std::vector<Loop>& loops);
 
   std::vector<Source> sources_;
   std::vector<Series> temperatures_;
   std::vector<Series> flows_;
   std::vector<Series> integrals_;
   bem::Vector missed_;
-  std::vector<bem::CauchyIntegral> cauchy_;  ///< one
+  std::optional<bem::CauchyIntegral> cauchy_;
 };
 
 }  // namespace epafi::contact

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace epafi::contact {
 
+using bem::at;
 using bem::Vec2;
 
 namespace {
@@ -35,95 +37,73 @@ std::vector<bool> isHeld(const bem::Mesh& mesh, const ThermalConditions& kinds) 
   return held;
 }
 
-void checkMeeting(const bem::Mesh& mesh, const ThermalConditions& now) {
-  const auto given = [&](int e, double t) {
-    return now.temperatures.at(mesh.boundary(e))(mesh.physicalPoint(e, t));
-  };
-  double largest = 0;
-  const std::vector<bool> held = isHeld(mesh, now);
-  for (int e = 0; e < mesh.size(); ++e)
-    if (held[bem::at(e)])
-      largest = std::max({largest, std::abs(given(e, -1)), std::abs(given(e, 1))});
-  for (int e = 0; e < mesh.size(); ++e) {
-    const int next = mesh[e].next;
-    if (!held[bem::at(e)] || !held[bem::at(next)])
-      continue;
-    const double arriving = given(e, 1);
-    const double leaving = given(next, -1);
-    const Vec2 x = mesh.physicalPoint(e, 1);
-    if (std::abs(arriving - leaving) > 1e-8 * largest)
-      throw bem::InputError(now.path, ": '", mesh.boundary(e), "' and '",
-                            mesh.boundary(next), "' meet at (x, y) = (", x.x, ", ", x.y,
-                            ") with the temperatures ", arriving, " and ", leaving,
-                            "; a temperature does not jump");
-  }
+/// As good as what gaussForGiven sees of it.
+bem::LegendreSeries<double> seriesOf(const bem::Function& given, const bem::Mesh& mesh,
+                                     int e) {
+  return bem::project([&](double t) { return given(mesh.physicalPoint(e, t)); },
+                      bem::largestDegree);
+}
+
+double square(const bem::LegendreSeries<double>& series, const bem::Element& element) {
+  double sum = 0;
+  for (std::size_t k = 0; k < series.size(); ++k)
+    sum += element.half * series[k] * series[k] / (static_cast<double>(k) + 0.5);
+  return sum;
 }
 
 }  // namespace
 
 Conduction::Conduction(const bem::Mesh& mesh, const ThermalConditions& kinds)
-    : space_(meshOfHeat(mesh, kinds)), laplace_(space_, isHeld(mesh, kinds)) {}
+    : space_(meshOfHeat(mesh, kinds)),
+      laplace_(space_, isHeld(mesh, kinds)),
+      places_(ConductedHeat::placesInHoles(mesh.outline())) {}
 
 std::shared_ptr<const ConductedHeat> Conduction::heat(
     const ThermalConditions& now) const {
   const bem::Mesh& mesh = space_.mesh();
   const double scale = mesh.outline().scaling().length / now.conductivity;
-  checkMeeting(mesh, now);
-  bem::HarmonicData data{bem::Vector(bem::at(space_.displacements() / 2)),
-                         bem::Vector(bem::at(space_.densities() / 2))};
-  bem::Vector errors(bem::at(mesh.size()));
-  const auto integrate = [&](int e, const auto& f) {
-    const bem::Rule& rule = bem::gaussForGiven(mesh[e].degree);
-    double sum = 0;
-    for (int q = 0; q < rule.size(); ++q)
-      sum += mesh[e].half * rule.weights[q] * f(rule.points[q]);
-    return sum;
-  };
+  bem::Vector data(at(laplace_.operators().rows()));
+  bem::Vector errors(at(mesh.size()));
   for (const auto& [name, given] : now.flows)
     for (const int e : mesh.elementsOf(name)) {
-      const auto flow = [&, &given = given](double t) {
-        return scale * given(mesh.physicalPoint(e, t));
-      };
-      bem::LegendreSeries<double> series{};
-      for (int i = 0; i < mesh[e].densities; ++i) {
-        const auto term = [&](double t) {
-          double legendre[bem::largestDegree + 1];
-          bem::legendreValues(i, t, legendre);
-          return legendre[i] * flow(t);
-        };
-        series[bem::at(i)] = (i + 0.5) / mesh[e].half * integrate(e, term);
-        data.flow[bem::at(bem::HarmonicData::flowOf(space_, e, i))] = series[bem::at(i)];
-      }
-      const double size = 2 * mesh[e].half / mesh[e].degree;
-      errors[bem::at(e)] =
-          size * size * integrate(e, [&](double t) {
-            return std::pow(flow(t) - bem::evaluate(series, mesh[e].densities - 1, t), 2);
-          });
+      bem::LegendreSeries<double> rest = seriesOf(given, mesh, e);
+      for (int i = 0; i < mesh[e].densities; ++i)
+        data[at(flowOf(space_, e, i))] = scale * std::exchange(rest[at(i)], 0.0);
+      errors[at(e)] =
+          std::pow(scale * 2 * mesh[e].half / mesh[e].degree, 2) * square(rest, mesh[e]);
     }
+  std::vector<bool> isKnown(data.size(), false);
+  double largest = 0;
   for (const auto& [name, given] : now.temperatures) {
     const std::vector<int> elements = mesh.elementsOf(name);
-    const auto at = [&, &given = given](int e, double t) {
-      return given(mesh.physicalPoint(e, t));
-    };
-    const bem::Vector values = space_.interpolatePlaces(elements, [&](int e, double t) {
-      return Vec2{at(e, t), 0};
-    });
+    const bem::Vector values =
+        space_.interpolatePlaces(elements, [&, &given = given](int e, double t) {
+          return Vec2{given(mesh.physicalPoint(e, t)), 0};
+        });
+    for (const double value : values)
+      largest = std::max(largest, std::abs(value));
     for (const int e : elements) {
-      for (int k = 0; k <= mesh[e].degree; ++k)
-        data.potential[bem::at(bem::HarmonicData::potentialOf(space_, e, k))] =
-            values[bem::at(space_.displacement(e, k, 0))];
-      errors[bem::at(e)] = integrate(e, [&](double t) {
-        double phi[bem::largestDegree + 1];
-        bem::DisplacementBasis::values(mesh[e].degree, t, phi);
-        double missed = at(e, t);
-        for (int k = 0; k <= mesh[e].degree; ++k)
-          missed -= phi[k] * values[bem::at(space_.displacement(e, k, 0))];
-        return missed * missed;
-      });
+      bem::LegendreSeries<double> rest = seriesOf(given, mesh, e);
+      const bem::Matrix phi =
+          bem::DisplacementBasis::legendreCoefficients(mesh[e].degree);
+      for (int k = 0; k <= mesh[e].degree; ++k) {
+        const std::size_t unknown = at(potentialOf(space_, e, k));
+        const double value = values[at(space_.displacement(e, k, 0))];
+        const Vec2 x = mesh.physicalPoint(e, k == 0 ? -1 : 1);
+        if (isKnown[unknown] && std::abs(value - data[unknown]) > 1e-8 * largest)
+          throw bem::InputError(now.path, "->", name, ": is ", value, " at (x, y) = (",
+                                x.x, ", ", x.y, "), where another boundary is ",
+                                data[unknown], "; a temperature does not jump");
+        isKnown[unknown] = true;
+        data[unknown] = value;
+        for (int j = 0; j <= mesh[e].degree; ++j)
+          rest[at(j)] -= phi(j, k) * value;
+      }
+      errors[at(e)] = square(rest, mesh[e]);
     }
   }
-  return std::make_shared<const ConductedHeat>(space_, laplace_.solve(data),
-                                               std::move(errors));
+  return std::make_shared<const ConductedHeat>(space_, laplace_.solve(std::move(data)),
+                                               places_, std::move(errors));
 }
 
 }  // namespace epafi::contact

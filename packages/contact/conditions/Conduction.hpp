@@ -17,11 +17,12 @@ class Conduction {
   std::shared_ptr<const ConductedHeat> heat(const ThermalConditions& now) const;
 
   /// Flows that a body can have.
-  static constexpr bem::Index largestSize = 8000;
+  static constexpr bem::Index largestSize = 4000;
 
  private:
   bem::Space space_;
   bem::MixedLaplace laplace_;
+  ConductedHeat::Places places_;
 };
 
 }  // namespace epafi::contact
