@@ -28,7 +28,10 @@ def stage(root, pages, epafi):
     for path in SHOWN:
         source, target = os.path.join(root, path), os.path.join(pages, path)
         os.makedirs(os.path.dirname(target), exist_ok=True)
-        (shutil.copytree if os.path.isdir(source) else shutil.copy)(source, target)
+        if os.path.isdir(source):  # the paper is not a page: its journal sets it
+            shutil.copytree(source, target, ignore=shutil.ignore_patterns("paper"))
+        else:
+            shutil.copy(source, target)
     with open(os.path.join(pages, PARAMETERS), "w", encoding="utf-8") as stream:
         stream.write("# Every parameter\n\n" + subprocess.run(
             [epafi, "parameters", "--format", "markdown"], check=True, text=True,
