@@ -9,7 +9,10 @@
 #include <Teuchos_Array.hpp>
 
 #include <algorithm>
+#include <boost/math/special_functions/binomial.hpp>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace epafi::drivers {
 
@@ -26,62 +29,59 @@ bool saysAnything(const ParameterList& list) {
                      [](const auto& item) { return !item.second.isDefault(); });
 }
 
-/// Of each z^a z̄^b of degree at most 4 with a >= b the real part and, where a > b, the imaginary
-/// one: a basis of all polynomials in x and y of this degree.
-constexpr int highest = 4;
+constexpr int highest = 4;  ///< degree
+
+/// visit(i, j) of each xⁱ yʲ.
 template <class Visit>
-void forEachMonomial(Complex z, const Visit& visit) {
-  Complex ofB = 1;
-  for (int b = 0; 2 * b <= highest; ++b, ofB *= std::norm(z)) {
-    Complex value = ofB;
-    for (int a = b; a + b <= highest; ++a, value *= z)
-      visit(a, b, value);
-  }
+void forEachPower(const Visit& visit) {
+  for (int i = 0; i <= highest; ++i)
+    for (int j = 0; i + j <= highest; ++j)
+      visit(i, j);
 }
 
-std::vector<double> monomialsAt(Complex z) {
-  std::vector<double> values;
-  forEachMonomial(z, [&](int a, int b, Complex value) {
-    values.push_back(value.real());
-    if (a > b)
-      values.push_back(value.imag());
-  });
-  return values;
-}
-
-/// Of values at points, by least squares.
+/// Of values at points, by least squares in powers of x and y over their largest: on a thin body
+/// those of z are nearly alike.
 contact::BodyLoads::Terms fit(const std::vector<Complex>& points,
                               const std::vector<double>& values) {
-  const auto size = static_cast<bem::Index>(monomialsAt(0).size());
-  bem::Matrix rows(static_cast<bem::Index>(points.size()), size);
+  Vec2 size{0, 0};
+  for (const Complex z : points)
+    size = {std::max(size.x, std::abs(z.real())), std::max(size.y, std::abs(z.imag()))};
+  bem::Index powers = 0;
+  forEachPower([&](int, int) { ++powers; });
+  bem::Matrix rows(static_cast<bem::Index>(points.size()), powers);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    const std::vector<double> row = monomialsAt(points[k]);
-    for (bem::Index j = 0; j < size; ++j)
-      rows(static_cast<bem::Index>(k), j) = row[bem::at(j)];
+    bem::Index column = 0;
+    forEachPower([&](int i, int j) {
+      rows(static_cast<bem::Index>(k), column++) =
+          std::pow(points[k].real() / size.x, i) * std::pow(points[k].imag() / size.y, j);
+    });
   }
   const bem::LuFactor factor(bem::transposedTimes(rows, rows));
-  bem::Vector c(bem::at(size), 0.0);
+  bem::Vector c(bem::at(powers), 0.0);
   bem::Vector left = values;
-  // the normal equations of a thin body leave a part of it behind each time
-  for (int round = 0; round < 3; ++round) {
+  for (int round = 0; round < 2; ++round) {  // once more for the last digits
     bem::Vector more = columnOf(bem::transposedTimes(rows, bem::asColumn(left)), 0);
     factor.solve(more);
     bem::axpy(1, more, c);
     left = values;
     bem::axpy(-1, multiply(rows, c), left);
   }
-  contact::BodyLoads::Terms terms;
+  // x = (z + z̄)/2, y = (z - z̄)/(2i)
+  std::map<std::pair<int, int>, Complex> all;
   std::size_t next = 0;
-  forEachMonomial(0, [&](int a, int b, Complex) {
-    if (a == b) {
-      terms.push_back({a, b, c[next++]});
-      return;
-    }
-    const Complex half = 0.5 * Complex(c[next], -c[next + 1]);
-    next += 2;
-    terms.push_back({a, b, half});
-    terms.push_back({b, a, std::conj(half)});
+  forEachPower([&](int i, int j) {
+    const Complex scaled =
+        c[next++] / (std::pow(2 * size.x, i) * std::pow(Complex(0, 2 * size.y), j));
+    for (int a = 0; a <= i; ++a)
+      for (int b = 0; b <= j; ++b)
+        all[{i - a + j - b, a + b}] +=
+            scaled *
+            (boost::math::binomial_coefficient<double>(i, a) *
+             boost::math::binomial_coefficient<double>(j, b) * (b % 2 == 0 ? 1 : -1));
   });
+  contact::BodyLoads::Terms terms;
+  for (const auto& [powersOfZ, value] : all)
+    terms.push_back({powersOfZ.first, powersOfZ.second, value});
   return terms;
 }
 
@@ -223,7 +223,7 @@ contact::BodyLoads::Terms BodyLoadsReader::temperature(const bem::Outline& outli
   for (const Complex y : latticeOf(9, 0.4))
     deviation = std::max(deviation, std::abs(given(outline.physical(asVector(y))) -
                                              fitted.temperature(asVector(y))));
-  // on a body of 1 : 100 powers of z cancel to eight digits
+  // what varies across a body of 1 : 100 cancels to eight digits in powers of z
   if (deviation > 1e-7 * largest)
     throw InputError(place.path, ": is no polynomial in x and y of degree at most ",
                      highest, "; the nearest one is off by up to ", deviation);

@@ -414,6 +414,13 @@ for law, friction_law in (("smooth", ""), ("rough", friction(0.2))):
         balanced(name)
     claim(errors[1] < errors[0] / 5, "%s: balance of energy to %.1e, %.1e" % (law, *errors))
 
+# a strip of 1 : 1000 has the same polynomials as a block
+STRIP = body("block", block(0, 0, 1, 1e-3), E, condition("bottom", "Contact"), "{X, Rotation}")
+for text in ("1 - x^4", "x^2*y^2 - 3*x*y", "(y/1e-3)^2 + x"):
+    code, said = epafi("check", written("strip", [with_loads(material(STRIP, None, 1e-5),
+                                                             loads(Temperature=text))], "", "Density"))
+    claim(code == 0, "a temperature of %s on a thin strip: %s" % (text, said.strip().split("\n")[0]))
+
 # what is refused
 BARE = body("block", block(0, 0, 1, 1), E, condition("bottom", "Contact"), "{X, Rotation}")
 for text, what in (
