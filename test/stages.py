@@ -11,7 +11,7 @@ import statistics
 import sys
 
 RUN = re.compile(r"(?P<stage>[a-z][a-z ]*?) (?P<steps>\d+) "
-                 r"(?P<end>converged|unfinished|restless|not finite|stalled|singular|"
+                 r"(?P<end>converged|unfinished|restless|grows|not finite|stalled|singular|"
                  r"no balance)")
 
 

@@ -28,6 +28,7 @@ constexpr Advice advices[] = {
     {End::Restless,
      "the active sets repeat; use another Multiplier, or a finer mesh where the contact "
      "ends"},
+    {End::Growth, "the residual grows; check load and units, or load in steps"},
     {End::Stalled,
      "no step length decreases the merit function; the problem may be too "
      "ill-conditioned for this Solver->Tolerance, or have no solution"},

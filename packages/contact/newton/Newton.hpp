@@ -12,6 +12,7 @@ enum class End {
   Converged,
   Iterations,  ///< no convergence within the allowed steps
   Restless,    ///< a set of states came back and the residual had not fallen
+  Growth,      ///< the residual grew beyond all measure
   NotFinite,
   Stalled,    ///< no step length decreases the merit function
   Singular,   ///< of the Newton matrix

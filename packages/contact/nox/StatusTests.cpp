@@ -11,6 +11,7 @@ namespace epafi::contact {
 
 namespace {
 
+constexpr double growthLimit = 1e6;
 constexpr double mostRounding = 1e-8;  // of products with slender bodies' D in a tree
 constexpr double isLeft = 0.9;         // of the residual, by a step that solves nothing
 constexpr double hasFallen = 0.999;    // a cycle repeats its residual up to rounding
@@ -37,7 +38,7 @@ void StepTest::record(const Evaluation& e) {
   run_.residual = e.scaled;
   run_.tolerance = e.tolerance;
   if (sets_.empty()) {
-    least_ = e.scaled;
+    first_ = least_ = e.scaled;
     run_.best = e.unknowns;
   } else {
     run_.setChanges.push_back(differences(sets_.back(), e.set));
@@ -89,6 +90,8 @@ NOX::StatusTest::StatusType StepTest::checkStatus(const NOX::Solver::Generic& so
                         --patience_ <= 0;
     if (cycles || sets_.size() > progress_ + patientSteps)
       fail(End::Restless);
+    else if (e.scaled > growthLimit * std::max(first_, 1.0))
+      fail(End::Growth);
     seen_[e.set] = e.scaled;
   }
   return status_;

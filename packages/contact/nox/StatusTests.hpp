@@ -17,7 +17,7 @@ namespace epafi::contact {
 /// linear problem, leaves it as it was: then it is what D rounds by. Never because a set of states
 /// came back later.
 /// Failed: a set came back although the residual has not fallen since (the classical
-/// cycle of active sets), or the residual is no number.
+/// cycle of active sets), the residual grew a million times, or it is no number.
 class StepTest final : public NOX::StatusTest::Generic {
  public:
   /// `patience`: how many returning sets end the run.
@@ -44,6 +44,7 @@ class StepTest final : public NOX::StatusTest::Generic {
   std::vector<ActiveSet> sets_;
   ActiveSet last_;                    ///< that of the step before
   std::map<ActiveSet, double> seen_;  // a set, and the residual when it was last seen
+  double first_ = 0;
   double least_ = 0;
   double improved_ = 0;       // the residual at the last real progress
   std::size_t progress_ = 0;  // and the step

@@ -7,9 +7,9 @@ namespace {
 // As the enumerators come.
 constexpr const char* stages[] = {"full steps", "follow offset", "near start",
                                   "fixed point"};
-constexpr const char* ends[] = {"converged", "unfinished", "restless",   "not finite",
-                                "stalled",   "singular",   "no balance", "too large",
-                                "too long",  "unsettled"};
+constexpr const char* ends[] = {"converged",  "unfinished", "restless", "grows",
+                                "not finite", "stalled",    "singular", "no balance",
+                                "too large",  "too long",   "unsettled"};
 
 }  // namespace
 
