@@ -138,15 +138,22 @@ std::function<bem::Vec2(bem::Vec2)> normalOn(const bem::Outline& outline,
 
 namespace {
 
-/// A boundary as a line: its length, its centroid and its polar second moment about that, in
-/// the user's units.
-struct Line {
+/// [length]
+double lengthOf(const bem::Outline& outline, const std::string& boundary) {
   double length = 0;
-  bem::Vec2 centroid;
-  double polarMoment = 0;
-};
+  for (const bem::Edge& edge : outline.edges())
+    if (edge.boundary == boundary)
+      length += edge.curve.length() * outline.scaling().length;
+  return length;
+}
 
-Line lineOf(const bem::Outline& outline, const std::string& boundary) {
+bem::Function sum(const bem::Function& a, const bem::Function& b) {
+  return a ? [a, b](bem::Vec2 x) { return a(x) + b(x); } : b;
+}
+
+/// Adds the traction M/I J(x - c), I = ∫ |x - c|², c the boundary's centroid.
+void addMoment(double moment, const bem::Outline& outline, const std::string& boundary,
+               contact::Conditions::Neumann& load) {
   const bem::Rule& rule = bem::gaussLegendre(20);
   const auto integral = [&](const auto& function) {
     auto sum = 0 * function(bem::Vec2{});
@@ -157,12 +164,11 @@ Line lineOf(const bem::Outline& outline, const std::string& boundary) {
                   function(outline.physical(edge.curve.point(rule.points[q])));
     return sum;
   };
-  Line line;
-  line.length = integral([](bem::Vec2) { return 1.0; });
-  line.centroid = (1 / line.length) * integral([](bem::Vec2 x) { return x; });
-  line.polarMoment =
-      integral([&](bem::Vec2 x) { return dot(x - line.centroid, x - line.centroid); });
-  return line;
+  const bem::Vec2 c =
+      (1 / lengthOf(outline, boundary)) * integral([](bem::Vec2 x) { return x; });
+  const double turn = moment / integral([c](bem::Vec2 x) { return dot(x - c, x - c); });
+  load.x = sum(load.x, [turn, c](bem::Vec2 x) { return -turn * (x.y - c.y); });
+  load.y = sum(load.y, [turn, c](bem::Vec2 x) { return turn * (x.x - c.x); });
 }
 
 double readNumber(const ParameterList& list, const std::string& key, const Where& where) {
@@ -183,21 +189,6 @@ bem::Function readTraction(const ParameterList& list, const std::string& axis,
   return [traction](bem::Vec2) { return traction; };
 }
 
-bem::Function sum(const bem::Function& a, const bem::Function& b) {
-  return a ? [a, b](bem::Vec2 x) { return a(x) + b(x); } : b;
-}
-
-/// Adds the traction M/I J(x - c), I = ∫ |x - c|², c the boundary's centroid.
-void addMoment(const ParameterList& list, const Where& where, const Line& line,
-               contact::Conditions::Neumann& load) {
-  if (!list.isParameter("Moment"))
-    return;
-  const double turn = readNumber(list, "Moment", where) / line.polarMoment;
-  const bem::Vec2 c = line.centroid;
-  load.x = sum(load.x, [turn, c](bem::Vec2 x) { return -turn * (x.y - c.y); });
-  load.y = sum(load.y, [turn, c](bem::Vec2 x) { return turn * (x.x - c.x); });
-}
-
 void readBoundary(const ParameterList& list, const std::string& boundary,
                   const Where& where, const bem::Outline& outline,
                   contact::Conditions& conditions) {
@@ -212,10 +203,11 @@ void readBoundary(const ParameterList& list, const std::string& boundary,
     conditions.dirichlet[boundary] = {x, y};
   }
   if (type != "Contact") {
-    const Line line = lineOf(outline, boundary);
-    contact::Conditions::Neumann load{readTraction(list, "X", where, line.length),
-                                      readTraction(list, "Y", where, line.length)};
-    addMoment(list, where, line, load);
+    const double length = lengthOf(outline, boundary);
+    contact::Conditions::Neumann load{readTraction(list, "X", where, length),
+                                      readTraction(list, "Y", where, length)};
+    if (list.isParameter("Moment"))
+      addMoment(readNumber(list, "Moment", where), outline, boundary, load);
     for (const char* axis : {"X", "Y"})
       if (list.isParameter(std::string("Displacement ") + axis) &&
           (*axis == 'X' ? load.x : load.y))

@@ -188,6 +188,9 @@ struct ContactSystem::Parts {
 
   /// Wear of the step as another part of Φ.  `slip`: Δrₜ of all; empty: not known.
   void setSlips(const Vector& slip) {
+    wearBefore.resize(size());
+    slips.resize(size());
+    wearRates.resize(size());
     Surface& surface = numbers.surface;
     surface.linear.resize(surface.linear.size() - surface.wearing);
     surface.wearing = surface.linear.size();
@@ -238,6 +241,7 @@ ContactSystem::ContactSystem(const std::vector<BodyInput>& inputs,
                                     std::make_shared<const Couplings>(all, numbering),
                                     {rigid, all, numbering}});
   parts_->condenseAll(inputs);
+  parts_->setSlips({});
 }
 
 ContactSystem::ContactSystem(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -260,9 +264,6 @@ ContactSystem ContactSystem::under(const Step& step) const {
   parts->toLoads = step.responses;
   parts->toLoads.resize(size());
   parts->wearBefore = step.wearBefore;
-  parts->wearBefore.resize(size());
-  parts->slips.resize(size());
-  parts->wearRates.resize(size());
   if (parts->wears() && !step.wearBefore.empty())
     parts->worn = parts->testedBy(step.wearBefore);
   parts->respondAll(*parts_);
