@@ -1,4 +1,4 @@
-"""Pressure and shear of several solutions of one contact, one upon the other."""
+"""Pressure, shear and worn depth of several solutions of one contact, one upon the other."""
 import numpy as np
 
 from epafi.plot.contact import cap_of, line, say_cut
@@ -18,32 +18,39 @@ def cut(axes, shown, column):
         say_cut(axes, largest)
 
 
-STRESSES = (("lambda_n", r"pressure $\lambda_n$"), ("lambda_t", r"shear $\lambda_t$"))
+PRESSURE, SHEAR, WORN = (("lambda_n", r"pressure $\lambda_n$", "stress"),
+                         ("lambda_t", r"shear $\lambda_t$", "stress"),
+                         ("worn_depth", "worn depth", "length"))
 
 
-def has_friction(contacts):
-    pressure, shear = (max(np.abs(contact[column]).max() for contact in contacts)
-                       for column, _ in STRESSES)
-    return shear > 1e-12 * pressure
+def quantities(contacts):
+    """The pressure, and what else there is."""
+    def largest(column):
+        return max(np.abs(contact[column]).max() if column in contact else 0
+                   for contact in contacts)
+
+    return [PRESSURE, *[SHEAR] * bool(largest("lambda_t") > 1e-12 * largest("lambda_n")),
+            *[WORN] * bool(largest("worn_depth") > 0)]
 
 
 def draw(contacts, labels, title, name, pictures):
-    """Of tables of contact.csv, coloured in their order; shear where there is any."""
-    stresses = STRESSES if has_friction(contacts) else STRESSES[:1]
-    figure, panels = pictures.subplots(len(stresses), 1, sharex=True,
-                                       figsize=(9.4, 0.4 + 3.5 * len(stresses)))
+    """Of tables of contact.csv, coloured in their order; shear and wear where there is any."""
+    drawn = quantities(contacts)
+    figure, panels = pictures.subplots(len(drawn), 1, sharex=True,
+                                       figsize=(9.4, 0.4 + 3.5 * len(drawn)))
     panels = np.atleast_1d(panels).ravel()
     shown = [laid_out(contact) for contact in contacts]
     shown = [within(laid, *window(shown)) for laid in shown]
     for number, (laid, text) in enumerate(zip(shown, labels)):
         contact, _, label, _ = laid
         colour = plt.get_cmap("viridis")(0.95 * number / max(1, len(labels) - 1))
-        for axes, (column, _) in zip(panels, stresses):
+        for axes, (column, *_) in zip(panels, drawn):
             line(axes, laid, contact[column], text, color=colour)
         panels[-1].set_xlabel(pictures.looks.label(label, "length"))
-    for axes, (column, text) in zip(panels, stresses):
-        cut(axes, shown, column)
-        axes.set_ylabel(pictures.looks.label(text, "stress"))
+    for axes, (column, text, unit) in zip(panels, drawn):
+        if unit == "stress":
+            cut(axes, shown, column)
+        axes.set_ylabel(pictures.looks.label(text, unit))
     panels[0].legend(loc="upper left", bbox_to_anchor=(1, 1))
     pictures.title(panels[0], title)
     pictures.save(figure, name)

@@ -1,5 +1,5 @@
 """path: forces and friction's work along a load path, loops of force over slip; rigid: motions and
-forces of rigid bodies; steps: pressure and shear at chosen steps, overlaid."""
+forces of rigid bodies; steps: pressure, shear and worn depth at chosen steps, overlaid."""
 import os
 
 import numpy as np
