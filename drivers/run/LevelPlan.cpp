@@ -2,6 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
+#include "contact/conditions/Conduction.hpp"
 #include "drivers/process/Resources.hpp"
 
 #include <algorithm>
@@ -179,7 +180,16 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks,
 }
 
 std::optional<std::string> tooLarge(int level, const Size& size, const Plan& plan,
-                                    const Scene& scene, const Ranks& ranks) {
+                                    const Scene& scene, const BodySpaces& spaces,
+                                    const Ranks& ranks) {
+  for (std::size_t b = 0; b < spaces.size() && level > 0; ++b)
+    if (scene.bodies[b].conditions.heat &&
+        contact::Conduction::sizeOn(spaces.space(b).mesh()) >
+            contact::Conduction::largestSize)
+      return bem::message(
+          "level ", level, " would have more than ", contact::Conduction::largestSize,
+          " degrees of all elements of ", "Bodies->", scene.bodies[b].name,
+          ", which conducts heat by dense operators");
   const std::optional<double>& limit = scene.adaptivity.limits.memory;
   if (plan.memory <= plan.allowed)
     return std::nullopt;

@@ -33,8 +33,9 @@ Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks,
             double allowedBefore);
 
 /// Why a level is not begun that would not fit into Maximum Memory, or else into what is
-/// free; nothing if it does.
+/// free, or whose heat is conducted on too fine a mesh; nothing if it does.
 std::optional<std::string> tooLarge(int level, const Size& size, const Plan& plan,
-                                    const Scene& scene, const Ranks& ranks);
+                                    const Scene& scene, const BodySpaces& spaces,
+                                    const Ranks& ranks);
 
 }  // namespace epafi::drivers

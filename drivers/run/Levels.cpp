@@ -349,7 +349,7 @@ Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
     const Plan plan = planOf(scene, spaces, ranks, allowed);
     allowed = plan.allowed;
     size.memory = plan.memory;
-    if (const auto reason = tooLarge(number, size, plan, scene, ranks))
+    if (const auto reason = tooLarge(number, size, plan, scene, spaces, ranks))
       return {contact::Status::Converged, *reason + missing};
     timer.startLevel(number);
 

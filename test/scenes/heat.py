@@ -333,6 +333,12 @@ for text, what in (
 code, said = epafi("check", written("refused", [heated(BARE, 1e-5, top="1")], "", "Density",
                                     0.001, 3))
 claim(code == 1 and "takes at most 4000 degrees" in said, "refused: conduction on too fine a mesh")
+file = written("fine", [heated(BARE, 1e-5, top="1")], "", "Density", 0.0016, 1)
+code, said = epafi("run", file, "--output", fresh("fine"), "--set", "Adaptivity->Strategy=Uniform h",
+                   "--set", "Adaptivity->Maximum Levels=3",
+                   "--set", "Adaptivity->Maximum Degrees of Freedom=100000")
+claim(code == 0 and "ended   level 1 would have more than 4000 degrees" in said,
+      "a level on too fine a mesh ends the run: " + said[-300:])
 code, said = epafi("check", written("refused", [BARE, heated(
     rigid("floor", block(-1, -2, 2, -1)), top="1")], contact(
         "on", "block:right", "floor:top"), "Density"))

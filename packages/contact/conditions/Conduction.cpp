@@ -13,16 +13,19 @@ using bem::Vec2;
 
 namespace {
 
-/// The elements with as many flows as degrees, of a degree whose integral is one, too.
+/// A degree whose integral is one, too.
+int degreeOfHeat(const bem::Element& element) {
+  return std::min(element.degree, bem::largestDegree - 1);
+}
+
+/// The elements with as many flows as degrees.
 bem::Mesh meshOfHeat(const bem::Mesh& mesh, const ThermalConditions& kinds) {
   std::vector<bem::Piece> pieces;
-  bem::Index size = 0;
   for (const bem::Element& element : mesh.elements()) {
     pieces.push_back(element.piece);
-    pieces.back().degree = std::min(element.degree, bem::largestDegree - 1);
-    size += pieces.back().degree;
+    pieces.back().degree = degreeOfHeat(element);
   }
-  if (size > Conduction::largestSize)
+  if (const bem::Index size = Conduction::sizeOn(mesh); size > Conduction::largestSize)
     throw bem::InputError(
         kinds.path, ": conduction by dense operators takes at most ",
         Conduction::largestSize, " degrees of all elements together, the mesh has ", size,
@@ -52,6 +55,13 @@ double square(const bem::LegendreSeries<double>& series, const bem::Element& ele
 }
 
 }  // namespace
+
+bem::Index Conduction::sizeOn(const bem::Mesh& mesh) {
+  bem::Index size = 0;
+  for (const bem::Element& element : mesh.elements())
+    size += degreeOfHeat(element);
+  return size;
+}
 
 Conduction::Conduction(const bem::Mesh& mesh, const ThermalConditions& kinds)
     : space_(meshOfHeat(mesh, kinds)),

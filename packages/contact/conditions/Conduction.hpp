@@ -16,8 +16,9 @@ class Conduction {
   /// \throws InputError where temperatures of two boundaries do not meet.
   std::shared_ptr<const ConductedHeat> heat(const ThermalConditions& now) const;
 
-  /// Flows that a body can have.
+  /// Flows that a body can have, and those on a mesh: one for each degree of an element.
   static constexpr bem::Index largestSize = 4000;
+  static bem::Index sizeOn(const bem::Mesh& mesh);
 
  private:
   bem::Space space_;
