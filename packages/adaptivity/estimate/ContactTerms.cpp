@@ -157,7 +157,7 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
                ? condition.normal.at(mesh.physicalPoint(e, t), units).closing(pressure(t))
                : 0;
   };
-  const contact::Wear* wear = solved.wear;
+  const contact::Wear* wear = condition.wear ? solved.wear : nullptr;
   const auto worn = [wear, &element](double t) {
     return wear == nullptr
                ? 0

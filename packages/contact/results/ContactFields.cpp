@@ -88,7 +88,8 @@ ContactPoint ContactFields::at(const Element& element, double t) const {
     point.closing =
         units_.length * condition.normal.at(point.place, units_).closing(stress.normal);
   if (solved_.wear != nullptr) {
-    point.worn = units_.length * space.throughPoints(solved_.wear->depth, element, t);
+    if (condition.wear)
+      point.worn = units_.length * space.throughPoints(solved_.wear->depth, element, t);
     point.distance =
         units_.length * space.throughPoints(solved_.wear->distance, element, t);
   }

@@ -200,6 +200,8 @@ struct ContactSystem::Parts {
         own.push_back(slip[at(numbering(b, i))]);
       slips[b] = contact::slips(part(b), wearBefore[b], own);
       wearRates[b] = wearRate(part(b), slips[b]);
+      if (!wears())
+        continue;
       for (const auto& [row, column, value] : wearing(part(b), wearRates[b]))
         surface.linear.push_back({numbering(b, row), numbering(b, column), value});
     }
@@ -344,6 +346,10 @@ bool ContactSystem::wearsBySlip() const {
 }
 
 double ContactSystem::wearBy(const Configuration& at) {
+  if (!parts_->wears()) {
+    parts_->setSlips(at.penetration);
+    return 0;
+  }
   const auto wornBy = [&] {
     Vector worn(numbering().size());
     const Surface& surface = numbers().surface;
@@ -371,7 +377,7 @@ std::vector<Wear> ContactSystem::wearBehind(const Configuration& at) const {
 }
 
 Vector ContactSystem::worn(const std::vector<Wear>& wear) const {
-  return parts_->testedBy(wear);
+  return parts_->wears() ? parts_->testedBy(wear) : Vector(numbering().size());
 }
 
 double ContactSystem::loadSize() const { return parts_->loadSize(); }

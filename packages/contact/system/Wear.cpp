@@ -39,7 +39,8 @@ Vector slips(const BodyParts& body, const Wear& before, const Vector& slip) {
   for (std::size_t k = 0; k < result.size(); ++k)
     result[k] -= before.slid.empty() ? 0 : before.slid[k];
   // values of a polynomial with these moments are restless unless the basis has them
-  const Vector lengths = tested(body, Vector(result.size(), 1.0));
+  const Vector lengths =
+      slip.empty() ? Vector{} : tested(body, Vector(result.size(), 1.0));
   forEachPoint(body, [&](const ContactElement& element, std::size_t k, double t, double) {
     if (element.tangential >= 0 && !slip.empty()) {
       const Vector chi = body.multiplier.basis().values(element.degree, t);
