@@ -43,6 +43,20 @@ def run(file, name, settings=(), expect=0):
         table(contact) if os.path.exists(contact) else [])
 
 
+def solved(name, file, *settings, expect=0):
+    """Claims that a scene ends with an exit code; the folder, and what was printed."""
+    folder = fresh(name)
+    code, text = epafi("run", file, "--output", folder,
+                       *(x for s in settings for x in ("--set", s)))
+    claim(code == expect, "%s: exit code %d%s" % (
+        name, code, "" if code == expect else " " + text[-400:]))
+    return folder, text
+
+
+def rows(folder, file="contact.csv"):
+    return table(os.path.join(folder, file))
+
+
 def whole(contact):
     """Points of elements of one state: where the state changes, the conditions hold for the
     coefficients, not for the polynomial between them."""

@@ -3,31 +3,13 @@ in all bases, either side first."""
 import math
 import os
 
-from runs import WORK, claim, differ, epafi, finish, fresh, table
+from runs import WORK, claim, differ, epafi, finish, fresh, rows, solved
 from written import (block, body, condition, contact, friction, geometry, listed, parameter,
-                     rigid, written)
+                     rigid, wear, written)
 
 E, NU = 1.0, 0.3
 MODULUS = E * (1 - NU) / ((1 + NU) * (1 - 2 * NU))
 BASES = ("Gauss-Legendre-Lagrange", "Gauss-Lobatto-Lagrange", "Bernstein")
-
-
-def solved(name, file, *settings, expect=0):
-    folder = fresh(name)
-    code, text = epafi("run", file, "--output", folder,
-                       *(x for s in settings for x in ("--set", s)))
-    claim(code == expect, "%s: exit code %d%s" % (
-        name, code, "" if code == expect else " " + text[-400:]))
-    return folder, text
-
-
-def rows(folder, file="contact.csv"):
-    return table(os.path.join(folder, file))
-
-
-def wear(coefficient, jump="1"):
-    return listed("Wear", parameter("Coefficient", "string", coefficient),
-                  parameter("Cycle Jump", "string", jump))
 
 
 def slides(m):

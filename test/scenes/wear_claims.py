@@ -5,16 +5,11 @@ import os
 
 from runs import claim, differ, epafi, finish, fresh, table
 from written import (block, body, condition, contact, friction, geometry, listed, parameter,
-                     rigid, written)
+                     rigid, wear, written)
 
 NU = 0.3
 STIFF = 1 / (1 - NU**2)  # E*, E = 1
 SAMPLES = 40
-
-
-def wear(coefficient, jump="1"):
-    return listed("Wear", parameter("Coefficient", "string", coefficient),
-                  parameter("Cycle Jump", "string", jump))
 
 
 def right_half(name, depth, nodes, law, force, path, steps, size, degree, gap="0"):

@@ -89,6 +89,11 @@ def contact(name, first, second, more=""):
 BIORTHOGONAL = parameter("Multiplier", "string", "Biorthogonal")
 
 
+def wear(coefficient, jump="1"):
+    return listed("Wear", parameter("Coefficient", "string", coefficient),
+                  parameter("Cycle Jump", "string", jump))
+
+
 def written(name, bodies, contacts="", form="None", size=0.25, degree=2, more=""):
     os.makedirs(WORK, exist_ok=True)
     path = os.path.join(WORK, name + ".xml")
