@@ -9,7 +9,9 @@ random phases and a root mean square slope of 0.1 are pressed without friction o
 in ten steps of the load, on compressed operators.  Prints the part in contact against the
 mean pressure over (plane strain modulus times slope) as rows of doc/benchmarks/roughness.md's
 table, and draws them, with the pressure on a quarter of the block, beside Persson's formula for line
-contact, erf(sqrt(2) p).  Runs that are in FOLDER already are not made again.
+contact, erf(sqrt(2) p).  Then the law "Exponential" takes a surface's place: its Length and Pressure
+fit how far the block comes down, and its pressure under a load that varies along the block is
+compared with that of the surface.  Runs that are in FOLDER already are not made again.
 """
 import argparse
 import math
@@ -36,17 +38,17 @@ def profile(seed):
     return np.column_stack([x, y - y.min()])
 
 
-def scene(seed, elements):
+def scene(bottom, elements, load, tables):
     """The block on its plane; t is the mean pressure over (plane strain modulus times slope)."""
     return epafi.Scene({
-        "Tables": {"profile": {"Points": profile(seed), "Interpolation": "Spline"}},
+        "Tables": tables,
         "Constants": {"slope": SLOPE},
         "Bodies": {"block": {
             "Material": {"Young's Modulus": 0.91, "Poisson's Ratio": 0.3},
             "Geometry": {"Vertices": [[-1, 0], [1, 0], [1, 2], [-1, 2]],
                          "Edges": ["bottom", "side", "top", "side"]},
-            "Boundary Conditions": {"bottom": {"Type": "Contact", "Gap": "profile(x)"},
-                                    "top": {"Type": "Neumann", "Force Y": "-2*slope*t"}},
+            "Boundary Conditions": {"bottom": {"Type": "Contact", **bottom},
+                                    "top": {"Type": "Neumann", "Traction Y": load}},
             "Rigid Motions": {"Fix": ["X", "Rotation"]}}},
         "History": {"Times": list(LOADS), "Steps": [1] * len(LOADS)},
         "Adaptivity": {"Strategy": "None", "Maximum Degrees of Freedom": 10 ** 7},
@@ -55,12 +57,45 @@ def scene(seed, elements):
     }, title="Rough block")
 
 
-def solved(folder, seed, elements, threads):
-    """The run of one surface, made if it is not there."""
-    output = os.path.join(folder, "rough_%d_%d" % (elements, seed))
+def solved(output, threads, *described):
+    """A run, made if it is not there."""
     if os.path.exists(os.path.join(output, "timings.txt")):
         return epafi.Run(output)
-    return epafi.run(scene(seed, elements), output=output, force=True, threads=threads)
+    return epafi.run(scene(*described), output=output, force=True, threads=threads)
+
+
+def resolved(options, seed, load="-slope*t", kind="rough"):
+    return solved(os.path.join(options.folder, "%s_%d_%d" % (kind, options.elements, seed)),
+                  options.threads, {"Gap": "profile(x)"}, options.elements, load,
+                  {"profile": {"Points": profile(seed), "Interpolation": "Spline"}})
+
+
+def fitted(run):
+    """Length and Pressure of the law whose closing is nearest to the mean of u_n, and the largest
+    difference in parts of the largest closing."""
+    closing = run.profiles("u_n").mean(axis=1)
+    best = (np.inf,)
+    for pressure in np.geomspace(1e-6, 1e-1, 2000):
+        law = np.log1p(SLOPE * LOADS / pressure)
+        length = (law * closing).sum() / (law * law).sum()
+        best = min(best, (abs(length * law - closing).max() / closing.max(), length, pressure))
+    return best
+
+
+def compare(options, seed, run):
+    """A row: a surface's law, and pressures of both, as means over eighths of the block."""
+    off, length, pressure = fitted(run)
+    load = "-slope*t*(1+0.6*cos(pi*x))"
+    rough = resolved(options, seed, load, "varied")
+    smooth = solved(os.path.join(options.folder, "law_%d" % seed), options.threads, {"Normal": {
+        "Law": "Exponential", "Length": "%.17g" % length, "Pressure": "%.17g" % pressure}}, 64, load, {})
+    eighths = [each.profiles("lambda_n").reshape(len(LOADS), 8, -1).mean(axis=2)
+               for each in (rough, smooth)]
+    error = abs(eighths[1] / eighths[0] - 1).max(axis=1)
+    seconds = [each.history["seconds_total"][-1] for each in (rough, smooth)]
+    print("| %d | %.3g | %.3g | %.1f %% | %s | %.1f, %.2f |" % (
+        seed, length, pressure, 100 * off, ", ".join("%.0f %%" % (100 * error[k])
+                                                     for k in (0, 3, 6, 9)), *seconds))
 
 
 def draw(file, parts, contact):
@@ -98,14 +133,17 @@ def main():
     parser.add_argument("--picture")
     options = parser.parse_args()
     os.environ["EPAFI"] = os.path.abspath(options.epafi)
-    runs = [solved(options.folder, seed, options.elements, options.threads)
-            for seed in range(1, options.surfaces + 1)]
+    runs = [resolved(options, seed) for seed in range(1, options.surfaces + 1)]
     parts = [run.steps["bottom.contact_length"] / 2 for run in runs]
     print("| p / (E* h') | part in contact | part / p | Persson |\n|---|---|---|---|")
     for load, *part in zip(LOADS, *parts):
         mean = sum(part) / len(part)
         print("| %.3f | %s | %.2f | %.4f |" % (load, ", ".join("%.4f" % p for p in part),
                                                mean / load, math.erf(math.sqrt(2) * load)))
+    print("\n| surface | `Length` | `Pressure` | closing off by | pressure off at p / (E* h') = 0.01, 0.037, "
+          "0.14, 0.5 | CPU s |\n|---|---|---|---|---|---|")
+    for seed, run in enumerate(runs, 1):
+        compare(options, seed, run)
     if options.picture:
         draw(options.picture, parts, runs[0].contact)
 

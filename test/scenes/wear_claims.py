@@ -74,8 +74,8 @@ HERTZ = 2 * P / math.pi
 ROUND = {}
 for steps in (100, 200):
     points, rows, _ = solved("cylinder %d" % steps, right_half(
-        "cylinder", 100, [1.3, 1.4, 1.6, 2.4], parameter("Sliding", "string", "max(0, t-1)") +
-        wear(repr(1 / STIFF)), P, "1, 2", "1, %d" % steps, [130, 80, 20, 8], 1, "x^2/%r" % (2 * R)))
+        "cylinder", 100, [1.2, 1.345, 1.355, 1.6, 2.4], parameter("Sliding", "string", "max(0, t-1)") +
+        wear(repr(1 / STIFF)), P, "1, 2", "1, %d" % steps, [120, 60, 50, 20, 8], 1, "x^2/%r" % (2 * R)))
     last = rows[-1]
     ROUND[steps] = (last["rub.contact_length"], at(points, 0) / HERTZ,
                     2 * R * at(points, 0, "worn_depth"))
@@ -85,7 +85,7 @@ for steps in (100, 200):
 # the front is steep, and its end in steps of elements
 for name, exact, close, one, two in zip(
         ("a/a_H", "p(0)/p_H", "2 R w(0)/a_H^2"), (1.34928471, 0.7434119, 0.8597296),
-        (1e-3, 2e-4, 2e-4), ROUND[100], ROUND[200]):
+        (2e-4, 2e-4, 2e-4), ROUND[100], ROUND[200]):
     claim(abs(one / exact - 1) < 2e-3 and abs((2 * two - one) / exact - 1) < close,
           "worn cylinder, %s: off by %.1e in 100 steps, by %.1e extrapolated" % (
               name, one / exact - 1, (2 * two - one) / exact - 1))
@@ -127,7 +127,7 @@ claim(turns <= 1 and means("worn_depth") == sorted(means("worn_depth")),
       "count %d" % (turns, max(row["newton_iterations"] for row in rows)))
 
 
-# ninety cycles of partial slip, and nine that stand for ten each, behind the first one
+# a hundred cycles of partial slip, and ten that stand for ten each, behind the first one
 def cycles(name, count, jump):
     return solved(name, right_sided(name, "0.0015*sin(2*pi*max(0, t-1))", "1, %d" % (count + 1),
                                     "1, %d" % (8 * count), wear("2", "t > 2 ? %d : 1" % jump)))
@@ -148,11 +148,11 @@ def right_sided(name, to_and_fro, path, steps, law):
                     parameter("Steps", "Array(int)", "{%s}" % steps)))
 
 
-one, rows_of_one, _ = cycles("cycles", 91, 1)
-ten, rows_of_ten, _ = cycles("jumps", 10, 10)
+one, rows_of_one, _ = cycles("cycles", 101, 1)
+ten, rows_of_ten, _ = cycles("jumps", 11, 10)
 first, last, jumped = rows_of_one[8], rows_of_one[-1], rows_of_ten[-1]
-claim(last["cycles"] == jumped["cycles"] == 92 and
-      0 < first["rub.slip_length"] < first["rub.contact_length"], "ninety cycles of partial slip")
+claim(last["cycles"] == jumped["cycles"] == 102 and
+      0 < first["rub.slip_length"] < first["rub.contact_length"], "a hundred cycles of partial slip")
 off = [jumped[key] / last[key] - 1 for key in ("rub.worn_volume", "rub.pressure_max", "energy_worn")]
 claim(max(map(abs, off)) < 0.05 and last["rub.worn_volume"] > 20 * first["rub.worn_volume"],
       "jumps of ten: volume, largest pressure, work on wear off by %s" % " ".join(

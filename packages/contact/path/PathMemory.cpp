@@ -120,8 +120,8 @@ void PathMemory::add(const ContactSystem& step, const Configuration& at) {
       trapezoid(forces, forces_, motions, motions_, motions.size()) -
       trapezoid(at.state.multiplier, multiplier_, step.gap(), gap_, normals) -
       trapezoid(at.state.multiplier, multiplier_, step.jump(), jump_, jump_.size());
-  wear_ = step.wearBehind(at);
-  Vector worn = step.worn(wear_);
+  wear_ = step.wear().behind(at.bodies);
+  Vector worn = step.wear().tested(wear_);
   worn_.resize(worn.size());
   ofWear_ += trapezoid(at.state.multiplier, multiplier_, worn, worn_, normals);
   worn_ = std::move(worn);

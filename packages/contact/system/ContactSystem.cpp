@@ -19,14 +19,11 @@ struct ContactSystem::Parts {
   Numbering numbering;
   std::shared_ptr<const Couplings> couplings;
   RigidDrives rigid;
+  StepWear wear;
   Problem numbers{};
   Vector gap{};
   Vector jump{};
   Vector ofInside{};
-  std::vector<Wear> wearBefore{};
-  std::vector<Vector> slips{};  ///< |Δs|, see Wear
-  std::vector<Vector> wearRates{};
-  Vector worn{};  ///< before this step
   Vector slipBefore{};
   Vector defectBefore{};
   std::vector<LoadResponses> toLoads{};
@@ -165,47 +162,9 @@ struct ContactSystem::Parts {
       r[i] -= gap[i];
     if (!ofInside.empty())
       axpy(1, ofInside, r);
-    if (!worn.empty())
-      axpy(-1, worn, r);
+    if (!wear.testedBefore().empty())
+      axpy(-1, wear.testedBefore(), r);
     rigid.addGiven(r);
-  }
-
-  bool wears() const {
-    return std::any_of(bodies.begin(), bodies.end(), [](const ContactProblem& body) {
-      return contact::wears(body.parts_->multiplier);
-    });
-  }
-
-  Vector testedBy(const std::vector<Wear>& wear) const {
-    Vector all(numbering.size());
-    for (std::size_t b = 0; b < size(); ++b) {
-      const Vector own = tested(part(b), wear[b].depth);
-      for (std::size_t i = 0; i < own.size(); ++i)
-        all[at(numbering(b, static_cast<Index>(i)))] = own[i];
-    }
-    return all;
-  }
-
-  /// Wear of the step as another part of Φ.  `slip`: Δrₜ of all; empty: not known.
-  void setSlips(const Vector& slip) {
-    wearBefore.resize(size());
-    slips.resize(size());
-    wearRates.resize(size());
-    Surface& surface = numbers.surface;
-    surface.linear.resize(surface.linear.size() - surface.wearing);
-    surface.wearing = surface.linear.size();
-    for (std::size_t b = 0; b < size(); ++b) {
-      Vector own;
-      for (Index i = 0; i < numbering.sizeOf(b) && !slip.empty(); ++i)
-        own.push_back(slip[at(numbering(b, i))]);
-      slips[b] = contact::slips(part(b), wearBefore[b], own);
-      wearRates[b] = wearRate(part(b), slips[b]);
-      if (!wears())
-        continue;
-      for (const auto& [row, column, value] : wearing(part(b), wearRates[b]))
-        surface.linear.push_back({numbering(b, row), numbering(b, column), value});
-    }
-    surface.wearing = surface.linear.size() - surface.wearing;
   }
 
   void setScale(double load) {
@@ -241,9 +200,10 @@ ContactSystem::ContactSystem(const std::vector<BodyInput>& inputs,
       std::make_unique<Parts>(Parts{std::move(bodies),
                                     numbering,
                                     std::make_shared<const Couplings>(all, numbering),
-                                    {rigid, all, numbering}});
+                                    {rigid, all, numbering},
+                                    {all, numbering, {}}});
   parts_->condenseAll(inputs);
-  parts_->setSlips({});
+  parts_->wear.setSlips({}, parts_->numbers.surface);
 }
 
 ContactSystem::ContactSystem(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -260,16 +220,16 @@ ContactSystem ContactSystem::under(const Step& step) const {
   for (std::size_t b = 0; b < size(); ++b)
     bodies.push_back(
         ContactProblem(std::make_unique<BodyParts>(*body(b).parts_, step.conditions[b])));
-  auto parts =
-      std::make_unique<Parts>(Parts{std::move(bodies), numbering(), parts_->couplings,
-                                    parts_->rigid.under(step.rigid)});
+  const AllBodyParts all = Parts::partsOf(bodies);
+  auto parts = std::make_unique<Parts>(Parts{std::move(bodies),
+                                             numbering(),
+                                             parts_->couplings,
+                                             parts_->rigid.under(step.rigid),
+                                             {all, numbering(), step.wearBefore}});
   parts->toLoads = step.responses;
   parts->toLoads.resize(size());
-  parts->wearBefore = step.wearBefore;
-  if (parts->wears() && !step.wearBefore.empty())
-    parts->worn = parts->testedBy(step.wearBefore);
   parts->respondAll(*parts_);
-  parts->setSlips({});
+  parts->wear.setSlips({}, parts->numbers.surface);
   parts->setScale(std::max(parts->loadSize(), step.largestLoad));
   if (!step.defectBefore.empty()) {
     axpy(1, step.defectBefore, parts->numbers.offset);
@@ -338,7 +298,7 @@ const std::vector<LoadResponses>& ContactSystem::responses() const {
 }
 
 bool ContactSystem::wearsBySlip() const {
-  return parts_->wears() &&
+  return parts_->wear.wears() &&
          std::any_of(parts_->bodies.begin(), parts_->bodies.end(),
                      [](const ContactProblem& body) {
                        return body.multiplier().size() > body.multiplier().normals();
@@ -346,13 +306,9 @@ bool ContactSystem::wearsBySlip() const {
 }
 
 double ContactSystem::wearBy(const Configuration& at) {
-  if (!parts_->wears()) {
-    parts_->setSlips(at.penetration);
-    return 0;
-  }
+  Surface& surface = parts_->numbers.surface;
   const auto wornBy = [&] {
     Vector worn(numbering().size());
-    const Surface& surface = numbers().surface;
     addTimes(1,
              {surface.linear.end() - static_cast<std::ptrdiff_t>(surface.wearing),
               surface.linear.end()},
@@ -360,25 +316,14 @@ double ContactSystem::wearBy(const Configuration& at) {
     return worn;
   };
   Vector change = wornBy();
-  parts_->setSlips(at.penetration);
+  parts_->wear.setSlips(at.penetration, surface);
   const Vector worn = wornBy();
   axpy(-1, worn, change);
   const double all = largestEntry(worn);
   return all > 0 ? largestEntry(change) / all : 0;
 }
 
-std::vector<Wear> ContactSystem::wearBehind(const Configuration& at) const {
-  std::vector<Wear> wear;
-  for (std::size_t b = 0; b < size(); ++b)
-    wear.push_back(contact::wearBehind(parts_->part(b), parts_->wearBefore[b],
-                                       parts_->slips[b], parts_->wearRates[b],
-                                       at.bodies[b].multiplier));
-  return wear;
-}
-
-Vector ContactSystem::worn(const std::vector<Wear>& wear) const {
-  return parts_->wears() ? parts_->testedBy(wear) : Vector(numbering().size());
-}
+const StepWear& ContactSystem::wear() const { return parts_->wear; }
 
 double ContactSystem::loadSize() const { return parts_->loadSize(); }
 

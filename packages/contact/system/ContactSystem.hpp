@@ -95,9 +95,7 @@ class ContactSystem {
   /// Lets the step wear by the slips of a configuration.  Returns how much that changes what it
   /// wears there, relative to that.
   double wearBy(const Configuration& at);
-  /// Behind this step, of each body, and what is worn then by coefficients, <w, χ_i>.
-  std::vector<Wear> wearBehind(const Configuration& at) const;
-  Vector worn(const std::vector<Wear>& wear) const;
+  const StepWear& wear() const;
 
   /// The state of all from each body's own, where an empty vector stays empty, and back with
   /// everything that follows from it, where it is zero.  `rigid`: motions of bodies that do not deform; empty:

@@ -1,5 +1,6 @@
 #include "contact/system/Wear.hpp"
 
+#include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/quadrature/Gauss.hpp"
 
 #include <algorithm>
@@ -25,22 +26,28 @@ void forEachPoint(const BodyParts& body, const Visit& visit) {
   }
 }
 
-}  // namespace
-
-bool wears(const MultiplierSpace& multiplier) {
-  const auto& elements = multiplier.elements();
-  return std::any_of(elements.begin(), elements.end(), [](const ContactElement& element) {
-    return static_cast<bool>(element.condition->wear);
-  });
+/// ∫ f χ_i of values at the points, one per coefficient.
+Vector testedBy(const BodyParts& body, const Vector& values) {
+  Vector result(at(body.multiplier.size()), 0.0);
+  forEachPoint(
+      body, [&](const ContactElement& element, std::size_t k, double t, double weight) {
+        const Vector chi = body.multiplier.basis().values(element.degree, t);
+        for (int i = 0; i <= element.degree; ++i)
+          result[at(element.normalOf(i))] += weight * values[k] * chi[at(i)];
+      });
+  return result;
 }
 
-Vector slips(const BodyParts& body, const Wear& before, const Vector& slip) {
+/// |Δs| at the points: that of m without friction, else Σ χ_i |Δrₜ,i| / ∫ χ_i ds, at Gauss points
+/// of Lagrange's polynomials there the means.  `slip`: Δrₜ, one per coefficient; empty: not known,
+/// that of m.
+Vector slipsOf(const BodyParts& body, const Wear& before, const Vector& slip) {
   Vector result = body.obstacle.slid;
   for (std::size_t k = 0; k < result.size(); ++k)
     result[k] -= before.slid.empty() ? 0 : before.slid[k];
   // values of a polynomial with these moments are restless unless the basis has them
   const Vector lengths =
-      slip.empty() ? Vector{} : tested(body, Vector(result.size(), 1.0));
+      slip.empty() ? Vector{} : testedBy(body, Vector(result.size(), 1.0));
   forEachPoint(body, [&](const ContactElement& element, std::size_t k, double t, double) {
     if (element.tangential >= 0 && !slip.empty()) {
       const Vector chi = body.multiplier.basis().values(element.degree, t);
@@ -55,51 +62,80 @@ Vector slips(const BodyParts& body, const Wear& before, const Vector& slip) {
   return result;
 }
 
-Vector wearRate(const BodyParts& body, Vector slips) {
-  for (std::size_t k = 0; k < slips.size(); ++k)
-    slips[k] *= body.obstacle.wear[k];
-  return slips;
+}  // namespace
+
+StepWear::StepWear(AllBodyParts bodies, const Numbering& numbering,
+                   std::vector<Wear> before)
+    : bodies_(std::move(bodies)),
+      numbering_(numbering),
+      before_(std::move(before)),
+      slips_(bodies_.size()),
+      rates_(bodies_.size()) {
+  for (const BodyParts* body : bodies_)
+    for (const ContactElement& element : body->multiplier.elements())
+      wears_ = wears_ || element.condition->wear;
+  if (wears_ && !before_.empty())
+    testedBefore_ = tested(before_);
+  before_.resize(bodies_.size());
 }
 
-std::vector<bem::Entry> wearing(const BodyParts& body, const Vector& rate) {
-  std::vector<bem::Entry> entries;
-  forEachPoint(body, [&](const ContactElement& element, std::size_t k, double t,
-                         double weight) {
-    const Vector chi = body.multiplier.basis().values(element.degree, t);
-    for (int i = 0; i <= element.degree; ++i)
-      for (int j = 0; j <= element.degree; ++j)
-        if (const double value = weight * rate[k] * chi[at(i)] * chi[at(j)]; value != 0)
-          entries.push_back({element.normalOf(i), element.normalOf(j), value});
-  });
-  return entries;
+Vector StepWear::tested(const std::vector<Wear>& wear) const {
+  Vector all(numbering_.size());
+  for (std::size_t b = 0; b < bodies_.size() && wears_; ++b) {
+    const Vector own = testedBy(*bodies_[b], wear[b].depth);
+    for (std::size_t i = 0; i < own.size(); ++i)
+      all[at(numbering_(b, static_cast<Index>(i)))] = own[i];
+  }
+  return all;
 }
 
-Vector tested(const BodyParts& body, const Vector& values) {
-  Vector result(at(body.multiplier.size()), 0.0);
-  forEachPoint(
-      body, [&](const ContactElement& element, std::size_t k, double t, double weight) {
-        const Vector chi = body.multiplier.basis().values(element.degree, t);
-        for (int i = 0; i <= element.degree; ++i)
-          result[at(element.normalOf(i))] += weight * values[k] * chi[at(i)];
-      });
-  return result;
+void StepWear::setSlips(const Vector& slip, Surface& surface) {
+  surface.linear.resize(surface.linear.size() - surface.wearing);
+  surface.wearing = surface.linear.size();
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const BodyParts& body = *bodies_[b];
+    Vector own;
+    for (Index i = 0; i < numbering_.sizeOf(b) && !slip.empty(); ++i)
+      own.push_back(slip[at(numbering_(b, i))]);
+    slips_[b] = slipsOf(body, before_[b], own);
+    rates_[b] = slips_[b];
+    for (std::size_t k = 0; k < rates_[b].size(); ++k)
+      rates_[b][k] *= body.obstacle.wear[k];
+    if (!wears_)
+      continue;
+    forEachPoint(
+        body, [&](const ContactElement& element, std::size_t k, double t, double weight) {
+          const Vector chi = body.multiplier.basis().values(element.degree, t);
+          for (int i = 0; i <= element.degree; ++i)
+            for (int j = 0; j <= element.degree; ++j)
+              if (const double value = weight * rates_[b][k] * chi[at(i)] * chi[at(j)];
+                  value != 0)
+                surface.linear.push_back({numbering_(b, element.normalOf(i)),
+                                          numbering_(b, element.normalOf(j)), value});
+        });
+  }
+  surface.wearing = surface.linear.size() - surface.wearing;
 }
 
-Wear wearBehind(const BodyParts& body, const Wear& before, const Vector& slips,
-                const Vector& rate, const Vector& multiplier) {
-  Wear now = before;
-  now.depth.resize(slips.size());
-  now.distance.resize(slips.size());
-  now.slid = body.obstacle.slid;
-  now.rate = rate;
-  const double least = closed * body.numbers.stress;
-  forEachPoint(body, [&](const ContactElement& element, std::size_t k, double t, double) {
-    const double pressure = body.multiplier.at(multiplier, element, t).normal;
-    now.depth[k] += rate[k] * pressure;
-    if (pressure > least)
-      now.distance[k] += element.condition->cycles * slips[k];
-  });
-  return now;
+std::vector<Wear> StepWear::behind(const std::vector<State>& states) const {
+  std::vector<Wear> wear = before_;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const BodyParts& body = *bodies_[b];
+    Wear& now = wear[b];
+    now.depth.resize(slips_[b].size());
+    now.distance.resize(slips_[b].size());
+    now.slid = body.obstacle.slid;
+    now.rate = rates_[b];
+    const double least = closed * body.numbers.stress;
+    forEachPoint(body, [&](const ContactElement& element, std::size_t k, double t,
+                           double) {
+      const double pressure = body.multiplier.at(states[b].multiplier, element, t).normal;
+      now.depth[k] += rates_[b][k] * pressure;
+      if (pressure > least)
+        now.distance[k] += element.condition->cycles * slips_[b][k];
+    });
+  }
+  return wear;
 }
 
 }  // namespace epafi::contact

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "contact/system/BodyParts.hpp"
+#include "contact/problem/Numbering.hpp"
+#include "contact/problem/Surface.hpp"
+#include "contact/system/Couplings.hpp"
 
 namespace epafi::contact {
 
@@ -16,25 +18,33 @@ struct Wear {
   Vector rate;      ///< n k |Δs| of the step: by how much more a pressure wears
 };
 
-/// Does anything wear there?
-bool wears(const MultiplierSpace& multiplier);
+/// The wear of a step of a path, of all bodies together.  Refers to the bodies, which must outlive it.
+class StepWear {
+ public:
+  /// `before`: of each body behind the step before; empty: nothing wore.
+  StepWear(AllBodyParts bodies, const Numbering& numbering, std::vector<Wear> before);
 
-/// |Δs| at the points: that of m without friction, else Σ χ_i |Δrₜ,i| / ∫ χ_i ds, at Gauss points
-/// of Lagrange's polynomials there the means.  `slip`: Δrₜ, one per coefficient; empty: not known,
-/// that of m.
-Vector slips(const BodyParts& body, const Wear& before, const Vector& slip);
+  /// Does anything wear?
+  bool wears() const { return wears_; }
+  /// <w, χ_i> of all coefficients; of the step before: empty where nothing wore.
+  Vector tested(const std::vector<Wear>& wear) const;
+  const Vector& testedBefore() const { return testedBefore_; }
 
-/// n k times slips.
-Vector wearRate(const BodyParts& body, Vector slips);
+  /// Lets the step wear by slips Δrₜ, one per coefficient (those of normal ones do not matter), empty:
+  /// not known, by what slides by.  M_w = ∫ n k |Δs| χ_i χ_j takes its place at the end of L.
+  void setSlips(const Vector& slip, Surface& surface);
 
-/// ∫ rate χ_i χ_j, own numbers of normal coefficients.
-std::vector<bem::Entry> wearing(const BodyParts& body, const Vector& rate);
+  /// Of each body behind the step, `states` their own.
+  std::vector<Wear> behind(const std::vector<State>& states) const;
 
-/// ∫ f χ_i of values at the points, one per coefficient.
-Vector tested(const BodyParts& body, const Vector& values);
-
-/// Behind a step with these slips and rates.
-Wear wearBehind(const BodyParts& body, const Wear& before, const Vector& slips,
-                const Vector& rate, const Vector& multiplier);
+ private:
+  AllBodyParts bodies_;
+  Numbering numbering_;
+  std::vector<Wear> before_;
+  bool wears_ = false;
+  Vector testedBefore_;
+  std::vector<Vector> slips_;  ///< |Δs| of each body at the points
+  std::vector<Vector> rates_;  ///< n k |Δs|
+};
 
 }  // namespace epafi::contact
