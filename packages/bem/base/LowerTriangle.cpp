@@ -14,13 +14,6 @@ LowerTriangle::LowerTriangle(Matrix lower)
   packed_.shrink((start(size_) + packed_.stride() - 1) / packed_.stride());
 }
 
-Matrix LowerTriangle::unpacked() const {
-  Matrix lower(size_, size_);
-  for (Index j = 0; j < size_; ++j)
-    std::copy_n(column(j), size_ - j, lower.column(j) + j);
-  return lower;
-}
-
 Vector LowerTriangle::columns(const std::vector<Index>& which) const {
   Vector result(at(size_) * which.size());
   double* entries = result.data();

@@ -18,9 +18,6 @@ class LowerTriangle {
   /// The entry (j, j) and those below it.
   const double* column(Index j) const { return packed_.data() + start(j); }
 
-  /// Zero above the diagonal; new memory.
-  Matrix unpacked() const;
-
   /// Columns of A, one after the other.
   Vector columns(const std::vector<Index>& which) const;
 

@@ -27,8 +27,6 @@ struct RelativeTarget {
   Complex z() const {
     return std::norm(zMinus1) < std::norm(zPlus1) ? 1.0 + zMinus1 : zPlus1 - 1.0;
   }
-  /// On the curve, where integrals are principal values.
-  bool onElement() const { return b() == 0 && zMinus1.real() < 0 && zPlus1.real() > 0; }
 };
 
 /// A segment or a circular arc y(t), -1 <= t <= 1, at constant speed |dy/dt| = half; the

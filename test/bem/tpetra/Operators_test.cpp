@@ -10,6 +10,8 @@
 
 #include <Teuchos_UnitTestHarness.hpp>
 
+#include <numeric>
+
 namespace epafi {
 
 namespace {
@@ -116,8 +118,11 @@ TEUCHOS_UNIT_TEST(BelosSolver, givesTheOperatorThatCholeskyGives) {
     for (Index i = 0; i < space.displacements(); ++i)
       u.push_back(entry(i, 1));
     out << sample.name << ": ";
-    TEST_COMPARE(difference(krylov.stiffness().unpacked(), direct.stiffness().unpacked()),
-                 <, 1e-10);
+    std::vector<Index> columns(u.size());
+    std::iota(columns.begin(), columns.end(), Index{0});
+    const Vector stiffness = direct.stiffness().columns(columns);
+    TEST_COMPARE(test::largestDifference(krylov.stiffness().columns(columns), stiffness),
+                 <, 1e-10 * test::largest(stiffness));
     const Vector psi = direct.density(u);
     TEST_COMPARE(test::largestDifference(krylov.density(u), psi), <,
                  1e-10 * test::largest(psi));
