@@ -115,6 +115,14 @@ class Run:
             call(arguments)
             return Table(file)
 
+    def intensities(self) -> Table:
+        """Where stresses of the last level (and step) are singular, their exponents and intensities: a row per
+        place and exponent; doc/columns.md lists the columns.  Stresses are K (2 pi r)^exponent on
+        `side`, normal (tension positive) and shear."""
+        from epafi.intensities import intensities
+
+        return intensities(self)
+
     @property
     def solution(self) -> h5py.File:
         """solution.hdf, open for reading; doc/solution-file.md says what is in it."""
