@@ -107,7 +107,7 @@ def fitted(ray: Ray, singular: Singular, window: tuple[float, float], most: floa
 
 
 def best(ray: Ray, singular: Singular) -> tuple[np.ndarray, np.ndarray]:
-    """Intensities and how much they change with the window; infinite errors where nothing tells."""
+    """Intensities and how much they change with the window; NaN where nothing tells."""
     low, high = ray.start, FAR * singular.reach
     found = []
     for most in MOST:
@@ -117,19 +117,27 @@ def best(ray: Ray, singular: Singular) -> tuple[np.ndarray, np.ndarray]:
         changes[np.isnan(changes)] = 0 if np.isfinite(changes).any() else math.inf
         found.append((changes.max(axis=0), k))
     error, k = min(found, key=lambda pair: math.inf if np.isnan(pair[1]).any() else pair[0].max())
+    error[np.isinf(error)] = math.nan
     return k, error
 
 
 def rows_of(singular: Singular, ray: Ray) -> list[tuple[Any, ...]]:
-    place, result = singular.place, {}
+    result: dict[complex, tuple[np.ndarray, np.ndarray]] = {}
     for mode, k, error in zip(singular.modes, *best(ray, singular)):
         near = [old for old in result if abs(old - mode.exponent) < 1e-6]
         key = near[0] if near else mode.exponent  # one row of modes I and II
         sums = result.get(key, (np.zeros(2), np.zeros(2)))
         result[key] = (sums[0] + k, sums[1] + error)
-    return [(place.before.body, place.before.name, place.before.after.name, place.x.real,
-             place.x.imag, singular.kind, math.degrees(place.angle), ray.side, exponent.real - 1,
-             exponent.imag, *k, *error, singular.reach) for exponent, (k, error) in result.items()]
+    return [row_of(singular.place, singular.kind, ray.side, exponent, k, error, singular.reach)
+            for exponent, (k, error) in result.items()]
+
+
+def row_of(place: Place, kind: str, side: str, exponent: complex, k: np.ndarray, error: np.ndarray,
+           reach: float) -> tuple[Any, ...]:
+    """Of COLUMNS, from lambda."""
+    names = [element.name for element in (place.before, place.before.after)]
+    return (place.before.body, *names, place.x.real, place.x.imag, kind, math.degrees(place.angle),
+            side, exponent.real - 1, exponent.imag, *k, *error, reach)
 
 
 def intensities(run: Run) -> Table:
@@ -155,6 +163,12 @@ def intensities(run: Run) -> Table:
     rows = [row for singular in found for row in rows_of(
         singular, rays.get(id(singular)) or singular.on_side(
             singular.place.faces[0].kind == "free"))]
+    for place in outlines.open_ends():
+        exponents = modes(outlines.corner(place)[0])
+        if exponents and all(abs(points - place.x) > abs(place.before.chord)):
+            points = np.append(points, place.x)
+            rows.append(row_of(place, "end of contact", "", exponents[0].exponent + 1, np.zeros(2),
+                               np.zeros(2), math.nan))
     return Table.of({name: np.array(column) for name, column in zip(
         COLUMNS, zip(*rows) if rows else [[]] * len(COLUMNS))})
 

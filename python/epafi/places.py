@@ -93,15 +93,12 @@ class Face:
 
 @dataclass
 class Place:
-    """A node between the faces before and after it."""
+    """A point between the faces before and after it; inside of `before` or at its end."""
 
+    x: complex
     before: Element
     faces: tuple[Face, Face]  # after, before: anticlockwise
     angle: float
-
-    @property
-    def x(self) -> complex:
-        return self.before.node(True)
 
     def outward(self, at_end: bool) -> Iterator[Element]:
         """The elements of one of its sides."""
@@ -196,8 +193,8 @@ class Outlines:
             if shears and law not in BOUNDED:
                 _, _, normal, shear = element.polar(at_end, element.node(at_end))
                 pressure, bound = self.samples["lambda_n"][rows], self.samples["bound"][rows]
-                ratio = float(np.median((bound / pressure)[pressure > 0]) * np.sign(
-                    normal @ shear))
+                ratio = round(float(np.median((bound / pressure)[pressure > 0])), 9) * float(
+                    np.sign(normal @ shear))
             return Face("contact", sliding(ratio), ratio, opposite)
         return Face("free")
 
@@ -217,31 +214,58 @@ class Outlines:
             angle = self.angle(before)
             if (abs(angle - math.pi) > SMOOTH or kinds[id(before)] != kinds[id(before.after)]
                     or any(self.near(before.node(True), vertex) for vertex in self.vertices)):
-                found.append(Place(before, (self.face(before.after, False),
-                                            self.face(before, True)), angle))
+                found.append(Place(before.node(True), before, (
+                    self.face(before.after, False), self.face(before, True)), angle))
         return found
 
     def corner(self, place: Place) -> tuple[Corner, int]:
         """The wedges around a place, and which of them is its own; angles count from that one's
         face after the node."""
-        first, last = place.faces
-        wedges, joints = [self.wedge(place.before.body, place.angle, 0.0)], []
-        own = 0
-        while last.opposite:  # anticlockwise
-            joints.append(last.joint)
-            other = self.ending(last.opposite, place.x)
-            if other is place.before:
-                return Corner(tuple(wedges), tuple(joints)), 0
-            wedges.append(self.wedge(last.opposite, self.angle(other) if other else math.pi,
-                                     wedges[-1].end))
-            last = self.face(other, True) if other else Face("free")
-        while first.opposite:
-            joints.insert(0, first.joint)
-            other = self.ending(first.opposite, place.x)
+        body = place.before.body
+        wedges, joints = [self.wedge(body, place.angle, 0.0)], []
+
+        def beyond(face: Face, anticlockwise: bool) -> Face:
+            """Adds the wedge behind a face; what that one has on its other side."""
+            other = self.ending(face.opposite, place.x)
             angle = self.angle(other) if other else math.pi
-            wedges.insert(0, self.wedge(first.opposite, angle, wedges[0].start - angle))
-            first, own = self.face(other.after, False) if other else Face("free"), own + 1
-        return Corner(tuple(wedges), tuple(joints), (first.rows, last.rows)), own
+            wedges.insert(len(wedges) * anticlockwise, self.wedge(
+                face.opposite, angle,
+                wedges[-1].end if anticlockwise else wedges[0].start - angle))
+            joints.insert(len(joints) * anticlockwise, face.joint)
+            if other is None:
+                return Face("free")
+            face = self.face(other, True) if anticlockwise else self.face(other.after, False)
+            around = abs(wedges[-1].end - wedges[0].start - 2 * math.pi) < SMOOTH
+            return face if face.opposite != body or around else Face("free")
+
+        first, last = place.faces
+        while last.opposite:
+            last = beyond(last, True)
+            if last.opposite == body:
+                return Corner(tuple(wedges), (*joints, last.joint)), 0
+        own = len(wedges)
+        while first.opposite:
+            first = beyond(first, False)
+        return Corner(tuple(wedges), tuple(joints), (first.rows, last.rows)), len(wedges) - own
+
+    def open_ends(self) -> Iterator[Place]:
+        """Where contact ends within a side, between two samples: closed on one face, free on the
+        other."""
+        for k in self._changes("contact"):
+            at_end = self.samples["contact"][k] == 1  # contact is before the end
+            row = k if at_end else k + 1
+            element = next(e for e in self.elements if e.body == self.samples["body"][row]
+                           and e.number == self.samples["element"][row])
+            face = self.face(element, at_end)
+            if face.kind == "free":  # most of that element is
+                element = element.before if at_end else element.after
+                face = self.face(element, at_end)
+            faces = (Face("free"), face)
+            yield Place(self.between(k), element, faces if at_end else faces[::-1], math.pi)
+
+    def between(self, k: int) -> complex:
+        """Two neighbouring samples."""
+        return complex(*(self.samples[axis][k:k + 2].mean() for axis in "xy"))
 
     def ending(self, body: str, x: complex) -> Optional[Element]:
         """The body's element with this end; None: the body is smooth there."""
@@ -253,15 +277,19 @@ class Outlines:
         material = self.scene["Bodies"][body]["Material"]
         e, nu = (number(self.scene, material[key]) for key in ("Young's Modulus",
                                                                "Poisson's Ratio"))
+        angle = round(angle, 11)  # alike at corners that are
         return Wedge(start, start + angle, e / (2 * (1 + nu)), (3 - nu) / (1 + nu)
                      if material["Plane State"] == "Plane Stress" else 3 - 4 * nu)
 
-    def fronts(self) -> np.ndarray:
-        """Where contact or friction changes its state between neighbouring samples of a side."""
+    def _changes(self, column: str) -> np.ndarray:
+        """Of a state: samples after which it is another one on the same side."""
         if self.samples is None:
-            return np.empty(0, complex)
-        x = self.samples["x"] + 1j * self.samples["y"]
+            return np.empty(0, int)
         follow = (self.samples["body"][1:] == self.samples["body"][:-1]) & (
             np.diff(self.samples["s"]) > 0)
-        change = sum(abs(np.diff(self.samples[name])) for name in ("contact", "friction"))
-        return ((x[1:] + x[:-1]) / 2)[follow & (change > 0)]
+        return np.flatnonzero(follow & (np.diff(self.samples[column]) != 0))
+
+    def fronts(self) -> np.ndarray:
+        """Where contact or friction changes its state within a side."""
+        return np.array([self.between(k) for column in ("contact", "friction")
+                         for k in self._changes(column)], complex)
