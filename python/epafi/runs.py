@@ -123,6 +123,19 @@ class Run:
 
         return intensities(self)
 
+    def fatigue(self, where: str | Sequence[Sequence[float]] | np.ndarray, *, alpha: float,
+                first: Optional[float] = None, last: Optional[float] = None,
+                depth: Optional[float] = None) -> Table:
+        """Fatigue parameters over the steps of a path from t = first to last, its cycle; a row per
+        point, with the columns of doc/columns.md.
+
+        where   a contact's name: on its surface; "body:boundary": along it, `depth` below; or points
+        alpha   Dang Van's weight of the hydrostatic stress, of the material
+        """
+        from epafi.fatigue import fatigue
+
+        return fatigue(self, where, alpha=alpha, first=first, last=last, depth=depth)
+
     @property
     def solution(self) -> h5py.File:
         """solution.hdf, open for reading; doc/solution-file.md says what is in it."""
