@@ -115,6 +115,27 @@ class Run:
             call(arguments)
             return Table(file)
 
+    def intensities(self) -> Table:
+        """Where stresses of the last level (and step) are singular, their exponents and intensities: a row per
+        place and exponent; doc/columns.md lists the columns.  Stresses are K (2 pi r)^exponent on
+        `side`, normal (tension positive) and shear."""
+        from epafi.intensities import intensities
+
+        return intensities(self)
+
+    def fatigue(self, where: str | Sequence[Sequence[float]] | np.ndarray, *, alpha: float,
+                first: Optional[float] = None, last: Optional[float] = None,
+                depth: Optional[float] = None) -> Table:
+        """Fatigue parameters over the steps of a path from t = first to last, its cycle; a row per
+        point, with the columns of doc/columns.md.
+
+        where   a contact's name: on its surface; "body:boundary": along it, `depth` below; or points
+        alpha   Dang Van's weight of the hydrostatic stress, of the material
+        """
+        from epafi.fatigue import fatigue
+
+        return fatigue(self, where, alpha=alpha, first=first, last=last, depth=depth)
+
     @property
     def solution(self) -> h5py.File:
         """solution.hdf, open for reading; doc/solution-file.md says what is in it."""

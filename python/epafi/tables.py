@@ -44,6 +44,14 @@ class Table:
             except ValueError:
                 self.columns[name] = np.array(cells)
 
+    @classmethod
+    def of(cls, columns: Mapping[str, np.ndarray]) -> Table:
+        """Of columns that are no file."""
+        table = cls.__new__(cls)
+        table.columns = dict(columns)
+        table.size = len(next(iter(table.columns.values())))
+        return table
+
     def __getitem__(self, name: str) -> np.ndarray:
         if name not in self.columns:
             raise unknown_column(name, self.columns)

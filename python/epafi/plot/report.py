@@ -12,6 +12,8 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from epafi.plot.figures import Pictures, plt
+from epafi.program import InputError
+from epafi.runs import Run
 from epafi.tables import HISTORY, Table, html_table, read, title_of
 
 PAGE = """<!DOCTYPE html>
@@ -65,6 +67,16 @@ def balance(table: Table) -> str:
     return html_table(["body", "", "load", "inside", "contact", "reaction", "sum"], rows)
 
 
+def intensities(folder: str) -> list[str]:
+    """Nothing where no stress is singular; why, where they cannot be found."""
+    try:
+        table = Run(folder).intensities()
+    except InputError as error:
+        return ['<p class="warning">No stress intensities: %s</p>' % html.escape(str(error))]
+    return ["<h2>Stress intensities</h2>", html_table(
+        list(table.columns), zip(*table.columns.values()))] if table.size else []
+
+
 def versions(root: xml.Element) -> Iterable[Sequence[str]]:
     for entry in root.findall("ParameterList[@name='Versions']/Parameter"):
         yield entry.get("name", ""), entry.get("value", "")
@@ -101,6 +113,7 @@ def write_report(file: str, pictures: Pictures, warnings: Sequence[str]) -> None
         parts.append('<div style="overflow-x: auto">%s</div>' % html_table(
             names, zip(*(steps[name][last] for name in names))))
     parts += section("Balance", balance(read(folder, "bodies.csv") or history))
+    parts += intensities(folder)
     order = {name: k for k, name in enumerate(ORDER)}
     parts += section("Pictures", *(
         from_file(os.path.join(folder, name + ".png"), name) for name in sorted(

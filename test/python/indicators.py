@@ -1,0 +1,260 @@
+"""Stress intensities against closed forms, and fatigue parameters of cycles that have one.
+
+    indicators.py EPAFI WORK
+"""
+import math
+import os
+import sys
+import warnings
+
+import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from claims import absent, claim, finish  # noqa: E402
+
+WORK = absent(sys.argv[2])
+import epafi  # noqa: E402
+from epafi.fatigue import dang_van, smallest_ball, swt  # noqa: E402
+from epafi.places import number  # noqa: E402
+from epafi.wedges import CLAMPED, FREE, Corner, Wedge, held, modes, sliding  # noqa: E402
+
+warnings.simplefilter("ignore", epafi.EpafiWarning)  # loads are of size 1: large displacements
+SHIPPED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "drivers", "scenes")
+PI, NU = math.pi, 0.3
+KAPPA = 3 - 4 * NU
+
+
+def wedge(angle, start=0.0, mu=1.0, kappa=KAPPA):
+    return Wedge(start, start + angle, mu, kappa)
+
+
+def exponents(*wedges, joints=(), faces=(FREE, FREE), most=1):
+    return [mode.exponent for mode in modes(Corner(wedges, joints, faces), most)]
+
+
+def near(found, expected, bound=1e-10):
+    return len(found) == len(expected) and np.allclose(found, expected, rtol=0, atol=bound)
+
+
+# exponents: Williams' equations
+def zero(function, low, high):
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if function(low) * function(middle) > 0 else (low, middle)
+    return middle
+
+
+opening = zero(lambda x: math.sin(1.5 * PI * x) + x * math.sin(1.5 * PI), 0.4, 0.7)
+sheared = zero(lambda x: math.sin(1.5 * PI * x) - x * math.sin(1.5 * PI), 0.8, 0.95)
+claim(abs(opening - 0.5444837368) < 1e-10 and near(exponents(wedge(1.5 * PI)), [opening, sheared]),
+      "a free corner of 270 degrees: %.10f, %.10f" % (opening, sheared))
+claim(near(exponents(wedge(2 * PI), most=3), [0.5, 0.5, 1.5, 1.5, 2.5, 2.5]) and
+      exponents(wedge(0.9 * PI)) == [], "a crack: 1/2 for both modes; a convex corner: none")
+claim(near(exponents(wedge(0.7), wedge(1.5 * PI - 0.7, 0.7), joints=(None,), most=3),
+           exponents(wedge(1.5 * PI), most=3)), "a bond within one material changes nothing")
+mixed = exponents(wedge(PI / 2), faces=(CLAMPED, FREE))
+claim(near([math.sin(x.real * PI / 2) ** 2 for x in mixed],
+           [(KAPPA + 1) ** 2 / (4 * KAPPA) - x.real ** 2 / KAPPA for x in mixed]) and mixed,
+      "a clamp that ends at a right angle: %.6f" % mixed[0].real)
+claim(near(exponents(wedge(PI), faces=(CLAMPED, FREE)), [0.5 + 1j * math.log(KAPPA) / (2 * PI)]),
+      "an adhering flat punch oscillates by ln(kappa)/(2 pi)")
+for f in (0.5, 0, -0.5):
+    claim(near(exponents(wedge(PI), faces=(sliding(f), FREE)),
+               [0.5 - math.atan(f * (1 - 2 * NU) / (2 - 2 * NU)) / PI]),
+          "a flat punch that slides with friction %g" % f)
+mu, kappa = 10.0, 2.2
+beta = ((kappa - 1) - mu * (KAPPA - 1)) / ((kappa + 1) + mu * (KAPPA + 1))
+claim(near(exponents(wedge(PI, 0, 1), wedge(PI, PI, mu, kappa), joints=(None,)),
+           [0.5 + 1j * math.log((1 + abs(beta)) / (1 - abs(beta))) / (2 * PI)]),
+      "a crack between two materials oscillates as Dundurs' beta says")
+claim(near(exponents(wedge(PI), wedge(PI / 2, PI, 1e9), joints=(0.3,)),
+           exponents(wedge(PI), faces=(FREE, sliding(0.3))), 1e-6),
+      "a corner pressed onto a half-plane becomes rigid as its stiffness grows")
+claim(near(exponents(wedge(0.8 * PI), faces=(held(PI / 2), FREE), most=2),
+           exponents(wedge(0.8 * PI), faces=(sliding(0), FREE), most=2)) and
+      near(exponents(wedge(PI / 2 + 0.3), faces=(sliding(0), FREE), most=2),
+           [x for x in exponents(wedge(PI + 0.6), most=2) if abs(
+               np.sin(x * (PI + 0.6)) + x * np.sin(PI + 0.6)) < 1e-9]),
+      "a roller is the symmetric half of twice the angle")
+square = Corner((wedge(PI / 2), wedge(1.5 * PI, PI / 2)), (None, None))
+claim(modes(square) == [], "all around one material nothing is singular")
+
+# intensities
+GRADED = {"Adaptivity->Strategy": "Graded hp", "Adaptivity->Maximum Levels": 30,
+          "Discretization->Degree": 2}
+
+
+def solved(scene, dof, **settings):
+    return epafi.run(scene, threads=1, set={
+        **GRADED, "Adaptivity->Maximum Degrees of Freedom": dof, **settings}).intensities()
+
+
+punch = epafi.Scene.read(os.path.join(SHIPPED, "punch.xml")).changed(
+    {"Discretization->Elements per Edge": [2, 2, 2, 4, 2, 2, 2, 2, 2, 2]})
+flat = solved(punch, 800)
+claim(flat.size == 2 and near(flat["exponent"], [-0.5] * 2) and not flat["k_shear"].any() and
+      abs(flat["k_normal"] * math.sqrt(PI) + 1).max() < 4e-3 and set(flat["kind"]) == {
+          "edge of contact"}, "a flat punch: K = -P / sqrt(pi a), %s" % flat["k_normal"])
+glued = punch.changed({"Bodies->block->Rigid Motions": None,
+                       "Bodies->block->Boundary Conditions->punch": None})
+glued["Bodies"]["block"]["Boundary Conditions"]["punch"] = {
+    "Type": "Dirichlet", "Displacement X": 0, "Displacement Y": 0}
+glued = solved(glued, 800)
+size = np.hypot(glued["k_normal"], glued["k_shear"]) * math.sqrt(PI)
+claim(abs(size * math.sqrt(KAPPA) / (2 - 2 * NU) - 1).max() < 1e-2 and
+      abs(glued["k_shear"] / glued["k_normal"]).max() < 0.03 and near(glued["reach"], [2, 2]),
+      "an adhering one: K = P 2 (1 - nu) / sqrt(kappa pi a), without shear at r = 2 a")
+tilted = epafi.run(os.path.join(SHIPPED, "tilting-punch.xml"), threads=1).intensities()
+edge = tilted["kind"] == "edge of contact"
+lifted = tilted["kind"] == "end of contact"
+claim(edge.sum() == 1 and abs(tilted["k_normal"][edge][0] / -0.002 * math.sqrt(0.6 * PI) - 1) < 2e-3,
+      "a tilted punch: K = -2 P / sqrt(pi c) at the edge, %s" % tilted["k_normal"][edge])
+claim(lifted.sum() == 1 and abs(tilted["x"][lifted] + 0.2)[0] < 0.03 and
+      tilted["exponent"][lifted][0] == 0.5 and tilted["k_normal"][lifted][0] == 0,
+      "where it lifts off, at a - 2 c, pressure vanishes as a root")
+
+
+def cracked(half, width, height):
+    """Two blocks, bonded beside a crack, pulled apart by 1."""
+    x = [-width, -half, half, width]
+    material = {"Young's Modulus": 100.0, "Poisson's Ratio": NU}
+    lower = [[-width, -height], [width, -height], *([a, 0] for a in x[::-1])]
+    return {"Bodies": {
+        "lower": {"Material": material, "Geometry": {"Vertices": lower, "Edges": [
+            "end", "side", "bond", "crack", "bond", "side"]},
+            "Boundary Conditions": {"end": {"Type": "Neumann", "Traction Y": -1}},
+            "Rigid Motions": {"Fix": ["X", "Y", "Rotation"]}},
+        "upper": {"Material": material, "Geometry": {
+            "Vertices": [*([a, 0] for a in x), [width, height], [-width, height]],
+            "Edges": ["bond", "crack", "bond", "side", "end", "side"]},
+            "Boundary Conditions": {"end": {"Type": "Neumann", "Traction Y": 1}}}},
+        "Contacts": {"bond": {"Between": ["lower:bond", "upper:bond"],
+                              "Friction": {"Law": "Tied"}}},
+        "Discretization": {"Mesh Size": 3.0}}
+
+
+share = 0.2  # of the width; Feddersen's factor with Tada's correction, to 1e-3
+factor = (1 - 0.025 * share ** 2 + 0.06 * share ** 4) / math.sqrt(math.cos(PI * share / 2))
+slit = solved(epafi.Scene(cracked(1.0, 5.0, 15.0)), 1400)
+claim(slit.size == 4 and near(slit["exponent"], [-0.5] * 4) and set(slit["kind"]) == {"end of bond"}
+      and abs(slit["k_normal"] / (math.sqrt(PI) * factor) - 1).max() < 5e-3 and
+      abs(slit["k_shear"]).max() < 5e-3, "a crack in a strip: K_I = %s, exactly %.4f" % (
+          slit["k_normal"], math.sqrt(PI) * factor))
+claim((abs(slit["k_normal"] - math.sqrt(PI) * factor) < 2 * slit["k_normal_error"]).all(),
+      "as its error says, %s" % slit["k_normal_error"])
+
+
+def angled(scale, turn):
+    """An L of sides 2, pulled along its arm."""
+    corners = scale * np.exp(1j * turn) * np.array([-1 - 1j, -1j, 0, 1, 1 + 1j, -1 + 1j])
+    return epafi.Scene({"Bodies": {"L": {
+        "Material": {"Young's Modulus": 100.0, "Poisson's Ratio": NU},
+        "Geometry": {"Vertices": np.column_stack([corners.real, corners.imag]),
+                     "Edges": ["foot", "in", "in", "end", "out", "out"]},
+        "Boundary Conditions": {
+            "foot": {"Type": "Dirichlet", "Displacement X": 0, "Displacement Y": 0},
+            "end": {"Type": "Neumann", "Traction X": -math.sin(turn), "Traction Y": math.cos(turn)}}}},
+        "Discretization": {"Mesh Size": 0.5 * scale}})
+
+
+def at_corner(table):
+    here = table["kind"] == "corner"
+    return [table["k_normal"][here][0], table["k_shear"][here][1]], [
+        table["k_normal_error"][here][0], table["k_shear_error"][here][1]]
+
+
+fine, fine_error = at_corner(solved(angled(1, 0), 900))
+coarse, coarse_error = at_corner(solved(angled(1, 0), 300))
+claim(np.allclose(coarse, fine, rtol=1e-2) and (np.abs(np.subtract(fine, coarse)) <
+      np.add(fine_error, coarse_error)).all() and fine_error[0] < 1e-3 * fine[0],
+      "the corner of an L: K_I, K_II = %s, on a coarser mesh %s" % (fine, coarse))
+other, _ = at_corner(solved(angled(1000, 0.7), 300))
+claim(np.allclose(other, np.array(coarse) * [1000 ** (1 - opening), 1000 ** (1 - sheared)], rtol=2e-3),
+      "turned, and as length^(1 - lambda) with the size")
+run = epafi.run(angled(1, 0), os.path.join(WORK, "L"))
+with open(run.report(), encoding="utf-8") as stream:
+    claim("<h2>Stress intensities</h2>" in stream.read(), "a report has them")
+claim(number({"Constants": {"a": 2, "b": "a^2"}}, "sqrt(b)/2") == 1, "numbers may be expressions")
+try:
+    number({"Constants": {"a": 2}}, "a > 1 ? 1 : 2")
+    claim(False, "what Python cannot evaluate is refused")
+except epafi.InputError as error:
+    claim("allowed" in str(error), "what Python cannot evaluate is refused: %s" % error)
+
+# fatigue of a point: stresses (sxx, syy, sxy, szz) over a cycle
+YOUNG, ALPHA, STEPS = 200.0, 0.25, 24
+cosine, sine = (f(2 * PI * np.arange(STEPS) / STEPS) for f in (np.cos, np.sin))
+
+
+def path(*stresses):
+    return np.column_stack([np.zeros(STEPS) + part for part in stresses])
+
+
+def turned(stress, angle):
+    c, s = math.cos(angle), math.sin(angle)
+    sxx, syy, sxy, szz = stress.T
+    return np.column_stack([c * c * sxx + s * s * syy - 2 * s * c * sxy,
+                            s * s * sxx + c * c * syy + 2 * s * c * sxy,
+                            s * c * (sxx - syy) + (c * c - s * s) * sxy, szz])
+
+
+def close(a, b):
+    return abs(a - b) < 1e-9 * abs(b)
+
+
+pull, plane, shear = path(3 * cosine, 0, 0, 0), path(3 * cosine, 0, 0, 3 * NU * cosine), path(
+    0, 0, 3 * cosine, 0)
+circle = path(2 * cosine, -2 * cosine, 2 * sine, 0)
+claim(close(swt(pull, YOUNG, NU)[0], 9 / YOUNG) and
+      close(swt(plane, YOUNG, NU)[0], 9 * (1 - NU ** 2) / YOUNG), "SWT: stress times strain amplitude")
+claim(swt(path(3 * cosine - 3, 0, 0, 0), YOUNG, NU)[0] == 0, "none where a cycle is pressure alone")
+claim(close(swt(shear, YOUNG, NU)[0], 9 * (1 + NU) / YOUNG) and
+      abs(abs(swt(shear, YOUNG, NU)[1] - 90) - 45) < 1e-4, "of shear on planes at 45 degrees")
+claim(close(swt(circle, YOUNG, NU)[0], 4 * (1 + NU) / YOUNG) and
+      close(dang_van(circle, ALPHA)[0], 2), "shear that turns round: tau is its radius")
+claim(close(dang_van(pull, ALPHA)[0], 3 * (1 / 2 + ALPHA / 3)) and
+      close(dang_van(shear, ALPHA)[0], 3), "Dang Van of a pull and of shear")
+one, low, high = np.array([1.0, -0.4, 0.3, 0.2]), -0.5, 2.0
+range_ = (high - low) / 2 * ((one[0] + one[1]) / 2 + math.hypot((one[0] - one[1]) / 2, one[2]) - min(
+    one[3], (one[0] + one[1]) / 2 - math.hypot((one[0] - one[1]) / 2, one[2]))) / 2
+claim(close(dang_van(np.outer(np.linspace(low, high, 7), one), ALPHA)[0],
+            range_ + ALPHA * high * (one[0] + one[1] + one[3]) / 3),
+      "of a proportional path: half the range of tau, and the largest pull")
+random = np.random.default_rng(1).normal(size=(STEPS, 4))
+claim(all(close(swt(turned(random, a), YOUNG, NU)[0], swt(random, YOUNG, NU)[0]) and
+          close(dang_van(turned(random, a), ALPHA)[0], dang_van(random, ALPHA)[0])
+          for a in (0.3, 1.1)), "both do not change with the axes")
+constant = random + np.array([0.7, -0.7, 0.2, 0])
+claim(close(dang_van(constant, ALPHA)[0], dang_van(random, ALPHA)[0]),
+      "a constant deviator does not change Dang Van's")
+for points in (random, circle, np.zeros((3, 4)), random[:2]):
+    middle = smallest_ball(points)
+    distances = np.linalg.norm(points - middle, axis=1)
+    outer = points[distances > distances.max() - 1e-9]
+    directions = np.random.default_rng(2).normal(size=(2000, 4))
+    claim((((outer - middle) @ directions.T).max(axis=0) > -1e-9).all(),
+          "no shift of the middle makes the ball around %d points smaller" % len(points))
+
+# fretting: cracks begin at the trailing edge
+fretting = epafi.run(os.path.join(SHIPPED, "fretting.xml"), threads=1)
+cycle = fretting.fatigue("contact", first=2, last=6, alpha=ALPHA)
+worst = int(np.argmax(cycle["swt"]))
+tension = 2 * 0.5 * 0.005 * math.sqrt(0.5)  # 2 f p0 sqrt(Q / (f P)), at the edge
+claim(abs(abs(cycle["x"][worst]) - 1) < 0.02 and cycle["swt_stress"][worst] < tension and
+      cycle["swt_stress"][worst] > 0.85 * tension and abs(cycle["swt_plane"][worst] - 90) < 10,
+      "SWT is largest at x = %g, on a plane across the surface, under a pull of %g of %g" % (
+          cycle["x"][worst], cycle["swt_stress"][worst], tension))
+claim(abs(abs(cycle["x"][np.argmax(cycle["dang_van"])]) - 1) < 0.02, "and so is Dang Van's")
+surface = [[cycle["x"][worst] * 0.9, 1e-3], [0, 99]]
+inside = fretting.fatigue(surface, first=2, last=6, alpha=ALPHA)
+beside = np.argmin(abs(cycle["x"] - surface[0][0]))
+claim(abs(inside["swt"][0] / cycle["swt"][beside] - 1) < 0.1 and np.isnan(inside["swt"][1]),
+      "just below the surface it is that of the surface; NaN outside")
+for where, words, times in (("contakt", "'contakt'; contacts: contact", (2, 6)),
+                            ("contact", "two steps", (2, 2))):
+    try:
+        fretting.fatigue(where, first=times[0], last=times[1], alpha=ALPHA)
+        claim(False, "%s, %s is refused" % (where, times))
+    except epafi.InputError as error:
+        claim(words in str(error), "refused: %s" % error)
+finish()
