@@ -1,7 +1,7 @@
 # Everything Epafi takes from Debian 12, each as one target.
 #
-# Debian's Trilinos 13.2 exports plain library targets without include folders, so a wrapper
-# per package carries the include folder (SYSTEM: its headers are not free of warnings).
+# Trilinos 13.2 exports plain library targets without include folders, so a wrapper per package
+# carries the include folder (SYSTEM: its headers are not free of warnings).
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(LAPACK REQUIRED)
 find_package(muparser REQUIRED CONFIG)
@@ -19,8 +19,12 @@ endif()
 find_package(Trilinos 13.2 REQUIRED CONFIG
   COMPONENTS Teuchos Kokkos Tpetra Belos Thyra ThyraTpetraAdapters Stratimikos NOX)
 
-# add_trilinos(<name> <library>...): the target trilinos::<name>.
+# add_trilinos(<name> <library>...): the target trilinos::<name>.  Debian puts trilinos_ before the
+# libraries' own names.
 function(add_trilinos name)
+  if(NOT TARGET trilinos_teuchoscore)
+    list(TRANSFORM ARGN REPLACE "^trilinos_" "")
+  endif()
   add_library(trilinos_wrapper_${name} INTERFACE)
   add_library(trilinos::${name} ALIAS trilinos_wrapper_${name})
   target_include_directories(trilinos_wrapper_${name} SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS})
@@ -37,4 +41,5 @@ add_trilinos(NOX trilinos_locathyra trilinos_loca trilinos_nox trilinos_thyratpe
 # Where Debian's Python looks for packages that do not come from Debian, seen from the prefix.
 execute_process(COMMAND /usr/bin/python3 -c "import sys; print('%d.%d' % sys.version_info[:2])"
   OUTPUT_VARIABLE epafi_python_version OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
-set(EPAFI_PYTHON lib/python${epafi_python_version}/dist-packages)
+set(EPAFI_PYTHON lib/python${epafi_python_version}/dist-packages CACHE STRING
+  "Where the Python front goes, below the prefix")
