@@ -209,6 +209,8 @@ std::string checkScene(const Scene& scene) {
       text << "  warm       " << namesOf(body.conditions.heat->temperatures) << "\n"
            << "  heat flux  " << namesOf(body.conditions.heat->flows) << "\n";
   }
+  if (scene.symmetry)
+    text << "  symmetry    about " << scene.symmetry.line() << ", one half is drawn\n";
   for (const RigidBody& body : scene.rigid)
     text << "  rigid       " << body.name << ": " << motionsOf(body) << "\n";
   const auto end = [&](const SideOfBody& side) {

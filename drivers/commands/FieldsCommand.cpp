@@ -177,7 +177,7 @@ Points pointsOf(const std::string& file, const SavedRun& run) {
     if (!x || !y)
       throw InputError("fields: --points: '", file, "', line ", number, " = '", line,
                        "' does not begin with x,y");
-    points.push_back(pointAt(run, {*x, *y}));
+    points.push_back({run.scene().bodyAt(run.scene().drawn({*x, *y})), {*x, *y}});
   }
   if (points.empty())
     throw InputError("fields: --points: '", file, "' has no points");

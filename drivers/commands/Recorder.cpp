@@ -33,7 +33,7 @@ void writeInterior(const Scene& scene, const Level& level, OutputFolder& folder)
   const BodyInsides insides(scene, level);
   std::vector<InsidePoint> points;
   for (const bem::Vec2 x : scene.output.interiorPoints)
-    points.push_back({scene.bodyAt(x), x});
+    points.push_back({scene.bodyAt(scene.drawn(x)), x});
   folder.write("interior.csv", insides.csv(points, insides.at(points)));
 }
 

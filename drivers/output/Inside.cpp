@@ -80,17 +80,28 @@ std::vector<InsideValue> BodyInsides::at(const std::vector<InsidePoint>& points)
   for (std::size_t b = 0; b < size(); ++b) {
     std::vector<std::size_t> own;
     std::vector<bem::Vec2> places;
+    std::vector<bool> isImage;
     for (std::size_t k = 0; k < points.size(); ++k)
       if (points[k].body == b) {
         own.push_back(k);
-        places.push_back(mesh(b).outline().scaled(points[k].x));
+        bem::Vec2 x = points[k].x;
+        bem::Vec2 drawn = scene_.drawn(x);
+        isImage.push_back(scene_.symmetry &&
+                          scene_.symmetry.across(x) * scene_.symmetry.across(drawn) < 0);
+        places.push_back(mesh(b).outline().scaled(drawn));
       }
     const std::vector<bem::InteriorValue> fields = fields_[b].at(places);
     std::vector<contact::ParticularSolution::Value> particular(places.size());
     if (inside_[b])
       particular = inside_[b]->at(places);
-    for (std::size_t k = 0; k < own.size(); ++k)
-      values[own[k]] = inUnits(b, places[k], fields[k], particular[k]);
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      InsideValue& value = values[own[k]];
+      value = inUnits(b, places[k], fields[k], particular[k]);
+      if (isImage[k]) {
+        value.displacement = scene_.symmetry.mirrored(value.displacement);
+        value.xy = -value.xy;
+      }
+    }
   }
   return values;
 }

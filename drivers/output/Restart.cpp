@@ -53,8 +53,8 @@ void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
   const ParameterList then = sceneOf(checkpoint);
   const ParameterList& now = *scene.used;
   std::string different;
-  for (const char* section :
-       {"Bodies", "Contacts", "Constants", "Tables", "History", "Discretization"})
+  for (const char* section : {"Bodies", "Geometry", "Contacts", "Constants", "Tables",
+                              "History", "Discretization"})
     if (different.empty())
       different = differenceIn(then, now, "", section);
   for (const char* key : {"Weights", "Residual Factor"})
@@ -64,7 +64,8 @@ void checkScene(const Checkpoint& checkpoint, const Scene& scene) {
   if (!different.empty())
     throw InputError(
         "was written by a run of another scene: ", different,
-        " differs; Bodies, Contacts, Constants, Tables, History, Discretization, "
+        " differs; Bodies, Geometry, Contacts, Constants, Tables, History, "
+        "Discretization, "
         "Adaptivity->Weights and Adaptivity->Residual Factor must be as they were");
 }
 

@@ -14,6 +14,7 @@
 #include "drivers/run/SolvedBodies.hpp"
 #include "drivers/run/Solver.hpp"
 #include "drivers/run/UnheldMotions.hpp"
+#include "drivers/run/Whole.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,8 +60,12 @@ bem::Vector estimate(const Ground& ground, const std::vector<const SolvedBodies*
     ofBody.reserve(states.size());
     for (const SolvedBodies* solved : states)
       ofBody.push_back({solved->bodies()[b], solved->densities()[b]});
-    const std::vector<adaptivity::Indicators> all = adaptivity::estimateResiduals(
+    std::vector<adaptivity::Indicators> all = adaptivity::estimateResiduals(
         ofBody, ground.lames[b], ground.scene.adaptivity.estimator, ground.processes);
+    for (adaptivity::Indicators& one : all)
+      for (adaptivity::Contributions& squares : one.squares)
+        for (double& square : squares)
+          square *= ground.scene.symmetry.copies();
     for (std::size_t k = 0; k < all.size(); ++k)
       estimates[k] = std::hypot(estimates[k], all[k].estimate());
     level.bodies[b].indicators = adaptivity::largest(all);
@@ -122,7 +127,8 @@ LevelRow makeRow(const Ground& ground, const Level& level, const NewLevel& begun
   row.defect = solved.at().defect;
   row.bodies = contact::summarizeAll(solved.bodies());
   row.rigid = solved.rigidRows();
-  row.summary = contact::sumOf(row.bodies);
+  row.summary = wholeOf(ground.scene.symmetry, contact::sumOf(row.bodies));
+  row.bodies = wholeBodies(ground.scene, std::move(row.bodies));
   row.energyFriction = energyFriction;
   row.energyInterface = solved.interfaceEnergy();
   row.report = report;
@@ -226,9 +232,12 @@ Attempt solveOnce(const Ground& ground, const contact::ContactSystem& system,
   level.reason = outcome.reason;
   const bem::Vector estimates =
       timer.run(Phase::Estimate, [&] { return estimate(ground, {&solved}, level); });
-  level.relativeEstimate = relative(
-      estimates, {contact::sumOf(contact::summarizeAll(solved.bodies())).energyStrain},
-      ground.processes);
+  level.relativeEstimate =
+      relative(estimates,
+               {wholeOf(ground.scene.symmetry,
+                        contact::sumOf(contact::summarizeAll(solved.bodies())))
+                    .energyStrain},
+               ground.processes);
   timer.run(Phase::Results, [&] {
     LevelRow row = makeRow(ground, level, begun, solved, report, solved.frictionWork());
     row.gamma0 = gamma0Of(system);

@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "contact/solve/DefectCorrection.hpp"
 #include "drivers/run/Solver.hpp"
+#include "drivers/run/Whole.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -269,9 +270,9 @@ class Follower {
                                                        std::move(latestAt_), &before,
                                                        here_.memory.wear());
     const contact::Configuration& at = step.solved->at();
-    const bem::Units units = ground_.scene.units();
-    const double energy = units.stress * units.length * units.length;
-    if (ground_.scene.tellsBodies())
+    const Scene& scene = ground_.scene;
+    const double energy = scene.energy();
+    if (scene.tellsBodies())
       row_.bodies = contact::summarizeAll(step.solved->bodies());
     double ofInside = 0;
     for (const contact::Solved& solved : step.solved->bodies())
@@ -279,7 +280,8 @@ class Follower {
     const double strain =
         row_.bodies.empty()
             ? system.strainEnergy(at)
-            : contact::sumOf(row_.bodies).energyStrain / energy - ofInside;
+            : wholeOf(scene.symmetry, contact::sumOf(row_.bodies)).energyStrain / energy -
+                  ofInside;
     const double stored = system.storedEnergy(at);
     row_.energyStrain = energy * (strain + ofInside);
     row_.energyDissipated = energy * here_.memory.friction();
@@ -295,6 +297,7 @@ class Follower {
     row_.energyWorn = energy * here_.memory.worn();
     row_.cycles = here_.cycles;
     row_.energyError = energy * here_.memory.imbalance(row_.energyStored / energy);
+    row_.bodies = wholeBodies(scene, std::move(row_.bodies));
     row_.rigid = step.solved->rigidRows();
     auto contact = row_.contacts.begin();
     for (std::size_t b = 0; b < system.size(); ++b) {
@@ -304,8 +307,11 @@ class Follower {
                                                   step.frictionWork[b]);
       for (const auto& [name, summary] :
            contact::summarizeContacts(step.solved->bodies()[b])) {
-        contact->summary = summary;
-        contact->dissipated = energy * work[name];
+        const bem::Outline& outline = *scene.bodies[b].outline;
+        contact->summary = wholeOf(scene.symmetry, outline, summary);
+        const double share =
+            scene.symmetry.cuts(outline) ? 1 : 1 / scene.symmetry.copies();
+        contact->dissipated = share * energy * work[name];
         ++contact;
       }
     }

@@ -1,6 +1,7 @@
 #include "drivers/run/SolvedBodies.hpp"
 
 #include "contact/equation/ContactState.hpp"
+#include "drivers/run/Whole.hpp"
 
 #include <numeric>
 
@@ -93,17 +94,13 @@ Level SolvedBodies::level(int number) const {
 }
 
 double SolvedBodies::frictionWork() const {
-  const bem::Units units = ground_.scene.units();
   const bem::Vector work =
       contact::frictionWork(system_.numbers(), at_.state, at_.penetration);
-  return units.stress * units.length * units.length *
-         std::accumulate(work.begin(), work.end(), 0.0);
+  return ground_.scene.energy() * std::accumulate(work.begin(), work.end(), 0.0);
 }
 
 double SolvedBodies::interfaceEnergy() const {
-  const bem::Units units = ground_.scene.units();
-  return units.stress * units.length * units.length *
-         system_.numbers().surface.energy(at_.state.multiplier);
+  return ground_.scene.energy() * system_.numbers().surface.energy(at_.state.multiplier);
 }
 
 std::vector<RigidRow> SolvedBodies::rigidRows() const {
@@ -127,7 +124,7 @@ std::vector<RigidRow> SolvedBodies::rigidRows() const {
       else
         row.reaction.*members[c] = -scales[c] * (forces[k][c] + drive.inside);
     }
-    rows.push_back(std::move(row));
+    rows.push_back(wholeOf(ground_.scene.symmetry, *body.outline, std::move(row)));
   }
   return rows;
 }

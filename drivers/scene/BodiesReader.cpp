@@ -50,8 +50,8 @@ Body readBody(ParameterList& list, const std::string& name, const Scene& scene,
   body.material = readMaterial(list.sublist("Material"), path + "->Material");
   refuseMotion(list.sublist("Motion"), path);
   body.outline = makeOutline(loops, length, path + "->Geometry");
-  body.conditions =
-      readConditions(list, {scene.file, path}, *body.outline, scene.names());
+  body.conditions = readConditions(list, {scene.file, path}, *body.outline,
+                                   scene.symmetry, scene.names());
   readMesh(list.sublist("Mesh"), discretization, path, body);
   return body;
 }
@@ -72,20 +72,25 @@ void refuseElasticity(const ParameterList& list, const std::string& path) {
         refuse(std::string(part) + "->" + item.first);
 }
 
-bem::Vec2 centroidOf(const bem::Outline& outline) {
+bem::Vec2 centroidOf(const bem::Outline& outline, const Symmetry& symmetry) {
   bem::Vec2 sum;
   double length = 0;
   for (const bem::Edge& edge : outline.edges()) {
+    if (symmetry && edge.boundary == Symmetry::boundary)
+      continue;
     sum = sum + edge.curve.length() * edge.curve.centroid();
     length += edge.curve.length();
   }
-  return outline.physical((1 / length) * sum);
+  bem::Vec2 centroid = outline.physical((1 / length) * sum);
+  if (symmetry.cuts(outline))
+    symmetry.across(centroid) = 0;
+  return centroid;
 }
 
 bem::Vec2 readPole(const ParameterList& motion, const std::string& path,
-                   const bem::Outline& outline) {
+                   const bem::Outline& outline, const Symmetry& symmetry) {
   if (!motion.isParameter("Reference Point"))
-    return centroidOf(outline);
+    return centroidOf(outline, symmetry);
   const auto& point = motion.get<Teuchos::Array<double>>("Reference Point");
   if (point.size() != 2)
     throw InputError(path, ": has ", point.size(), " numbers; a point has two");
@@ -100,7 +105,9 @@ RigidBody readRigid(const ParameterList& list, const std::string& name,
   body.name = name;
   body.outline = makeOutline(loops, 0, path + "->Geometry");
   const ParameterList& motion = list.sublist("Motion");
-  body.pole = readPole(motion, path + "->Motion->Reference Point", *body.outline);
+  body.pole =
+      readPole(motion, path + "->Motion->Reference Point", *body.outline, scene.symmetry);
+  const bool isCut = scene.symmetry.cuts(*body.outline);
   constexpr std::pair<const char*, const char*> keys[] = {{"Displacement X", "Force X"},
                                                           {"Displacement Y", "Force Y"},
                                                           {"Rotation", "Moment"}};
@@ -112,13 +119,20 @@ RigidBody readRigid(const ParameterList& list, const std::string& name,
           path, "->Motion->", pushed, ": ", moved,
           " is given, too; a motion is prescribed, or free under a force, not both");
     const std::string key = free ? pushed : moved;
+    const bool isAlong = c < 2 && static_cast<int>(c) != scene.symmetry.axis;
+    if (isCut && !isAlong && motion.isParameter(key))
+      throw InputError(
+          path, "->Motion->", key, ": the body lies on the line of symmetry, ",
+          scene.symmetry.line(),
+          " (Geometry->Symmetry); it has no motion across it and no rotation; "
+          "remove it");
+    const double share = isCut && free ? 0.5 : 1;  // of the whole body's force
     if (motion.isParameter(key))
       body.components[c] = {
           free, [text = motion.get<std::string>(key),
                  place = Place{scene.file, bem::message(path, "->Motion->", key)},
-                 names = scene.names()](double t) {
-            return evaluateAt(t, text, place, names);
-          }};
+                 names = scene.names(),
+                 share](double t) { return share * evaluateAt(t, text, place, names); }};
   }
   const BodyLoadsReader loads(*scene.used, name, {scene.file, ""});
   if (loads.actsOnRigid()) {
@@ -152,6 +166,7 @@ void readBodies(ParameterList& list, const ParameterList& discretization, Scene&
     if (!isRigid(list.sublist(item.first)))
       length = std::max(length, bem::scalingOf(loops.back().outer).length);
   }
+  loops = alignedWith(scene.symmetry, std::move(loops), *scene.used);
   std::size_t b = 0;
   for (const auto& item : list) {
     ParameterList& body = list.sublist(item.first);

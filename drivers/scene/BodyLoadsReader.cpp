@@ -133,6 +133,7 @@ bem::SchemaRows thermalRows() {
 BodyLoadsReader::BodyLoadsReader(const ParameterList& root, const std::string& body,
                                  Place file)
     : body_(body),
+      symmetry_(parseSymmetry(root.sublist("Geometry"))),
       place_(file),
       heatPlace_{file.file, "Bodies->" + body + "->Thermal Conditions"} {
   const ParameterList& list = root.sublist("Bodies").sublist(body);
@@ -185,7 +186,22 @@ BodyLoadsReader::Force BodyLoadsReader::forceAt(Vec2 origin, const Names& names)
     center = {point[0], point[1]};
   }
   force.uniform += force.linear * asComplex(origin - center);
+  checkSymmetry(force, origin);
   return force;
+}
+
+// A uniform force and what turns, seen from the origin, which lies on the line.
+void BodyLoadsReader::checkSymmetry(const Force& force, Vec2 origin) const {
+  constexpr double rounding = 1e-12;
+  const Complex ofOrigin = force.linear * asComplex(origin);
+  Vec2 uniform = asVector(force.uniform - ofOrigin);
+  if (symmetry_ && (std::abs(symmetry_.across(uniform)) >
+                        rounding * (std::abs(force.uniform) + std::abs(ofOrigin)) ||
+                    force.linear.imag() != 0))
+    throw InputError(
+        place_.path, ": of bodies that are symmetric about the line ", symmetry_.line(),
+        " (Geometry->Symmetry) no force acts across it, Spin has its Center on "
+        "it, and there is no Angular Acceleration");
 }
 
 // Points of a square lattice on the outline's box; of as many again between them the deviation.

@@ -45,6 +45,7 @@ class BodyLoadsReader {
     bem::Complex linear;
   };
   Force forceAt(bem::Vec2 origin, const Names& names) const;
+  void checkSymmetry(const Force& force, bem::Vec2 origin) const;
   bool has(const char* key) const;
   double value(const char* key, const Names& names) const;
   double ofMaterial(const char* property, const std::string& why) const;
@@ -56,6 +57,7 @@ class BodyLoadsReader {
   const Teuchos::ParameterList* list_;  ///< null: none
   bool own_ = false;
   std::string body_;
+  Symmetry symmetry_;
   Place place_;      ///< of the list
   Place heatPlace_;  ///< of Thermal Conditions
 };

@@ -224,7 +224,8 @@ void readBoundary(const ParameterList& list, const std::string& boundary,
 }  // namespace
 
 contact::Conditions readConditions(const ParameterList& body, const Place& place,
-                                   const bem::Outline& outline, const Names& names) {
+                                   const bem::Outline& outline, const Symmetry& symmetry,
+                                   const Names& names) {
   contact::Conditions conditions;
   const std::string path = place.path + "->Boundary Conditions";
   const ParameterList& list = body.sublist("Boundary Conditions");
@@ -244,6 +245,13 @@ contact::Conditions readConditions(const ParameterList& body, const Place& place
       conditions.fix.y |= motion == "Y";
       conditions.fix.rotation |= motion == "Rotation";
     }
+  if (symmetry.cuts(outline)) {
+    conditions.symmetry = {Symmetry::boundary};
+    contact::Conditions::Dirichlet& roller = conditions.dirichlet[Symmetry::boundary];
+    (symmetry.axis == 0 ? roller.x : roller.y) = [](bem::Vec2) { return 0.0; };
+    (symmetry.axis == 0 ? conditions.fix.x : conditions.fix.y) = false;
+    conditions.fix.rotation = false;
+  }
   return conditions;
 }
 

@@ -42,6 +42,23 @@ std::vector<contact::Drive> Scene::drivesAt(double t) const {
   return drives;
 }
 
+bem::Vec2 Scene::drawn(bem::Vec2 point) const {
+  const auto isInside = [&](bem::Vec2 x) { return bodyAt(x) < bodies.size(); };
+  if (!symmetry || isInside(point))
+    return point;
+  const double beside = 1e-9 * units().length;
+  bem::Vec2 there = symmetry.mirrored(point);
+  if (isInside(there))
+    return there;
+  if (std::abs(symmetry.across(there)) < beside)
+    for (const double side : {beside, -beside}) {
+      symmetry.across(there) = side;
+      if (isInside(there))
+        return there;
+    }
+  return point;
+}
+
 std::vector<std::string> boundaryNames(const bem::Outline& outline) {
   std::vector<std::string> names;
   for (const bem::Edge& edge : outline.edges())

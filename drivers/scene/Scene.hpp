@@ -13,6 +13,7 @@
 #include "drivers/scene/History.hpp"
 #include "drivers/scene/LinearMethod.hpp"
 #include "drivers/scene/RunOptions.hpp"
+#include "drivers/scene/Symmetry.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_RCP.hpp>
@@ -82,6 +83,7 @@ struct Scene {
   Constants constants;  ///< that its expressions know
   Tables tables;        ///< likewise
 
+  Symmetry symmetry;
   std::vector<Body> bodies;
   std::vector<RigidBody> rigid;
   std::vector<ContactPair> contacts;
@@ -119,6 +121,10 @@ struct Scene {
   double endOfPath() const { return history ? history.times.back() : 1; }
 
   bem::Units units() const { return bodies.front().outline->units(stress); }
+  /// The unit of energies of the whole scene, of which the half may be drawn.
+  double energy() const {
+    return symmetry.copies() * stress * units().length * units().length;
+  }
   bem::Lame lame(std::size_t b) const { return {bodies[b].material, stress}; }
   bool hasSeveral() const { return bodies.size() + rigid.size() > 1; }
   /// Do bodies have forces of their own to be told, beside those of the scene?
@@ -139,6 +145,9 @@ struct Scene {
       ++b;
     return b;
   }
+  /// What lies inside a body that is drawn where a point or its mirror image does: that one; of a
+  /// point on the line of symmetry, which bounds what is drawn, one beside it.
+  bem::Vec2 drawn(bem::Vec2 point) const;
   const std::string& nameOf(const SideOfBody& side) const {
     return side.rigid ? rigid[side.body].name : bodies[side.body].name;
   }

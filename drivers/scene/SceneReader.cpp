@@ -69,7 +69,7 @@ Scene::Adaptivity readAdaptivity(const ParameterList& list) {
 OutputOptions readOutput(const ParameterList& list, const Scene& scene) {
   OutputOptions output = parseOutput(list);
   for (std::size_t i = 0; i < output.interiorPoints.size(); ++i)
-    if (scene.bodyAt(output.interiorPoints[i]) == scene.bodies.size())
+    if (scene.bodyAt(scene.drawn(output.interiorPoints[i])) == scene.bodies.size())
       throw InputError("Output->Interior Points: point ", i, " = (",
                        output.interiorPoints[i].x, ", ", output.interiorPoints[i].y,
                        scene.bodies.size() == 1 ? ") is not inside the body"
@@ -100,13 +100,15 @@ void readNames(ParameterList& given, Scene& scene) {
 std::function<std::vector<contact::Conditions>(double t)> conditionsOf(
     const Scene& scene) {
   return [lists = scene.used, file = scene.file, bodies = scene.bodies,
-          stress = scene.stress, names = scene.names()](double t) {
+          symmetry = scene.symmetry, stress = scene.stress,
+          names = scene.names()](double t) {
     Names now = names;
     now.t = t;
     std::vector<contact::Conditions> all;
     for (const Body& body : bodies) {
       all.push_back(readConditions(lists->sublist("Bodies").sublist(body.name),
-                                   {file, "Bodies->" + body.name}, *body.outline, now));
+                                   {file, "Bodies->" + body.name}, *body.outline,
+                                   symmetry, now));
       all.back().pins = body.conditions.pins;
       const BodyLoadsReader reader(*lists, body.name, {file, ""});
       all.back().inside = reader.inside(*body.outline, body.material, stress, now);
@@ -153,6 +155,7 @@ Scene build(const std::string& file, const RawScene& raw) {
       Teuchos::rcp(new ParameterList(bem::complete(parameters(), given, raw.title)));
   ParameterList& used = *scene.used;
   const ParameterList& discretization = used.sublist("Discretization");
+  scene.symmetry = parseSymmetry(used.sublist("Geometry"));
   readBodies(used.sublist("Bodies"), discretization, scene);
   readContacts(used.sublist("Contacts"), file, scene);
   scene.multiplier = discretization.get<std::string>("Multiplier");

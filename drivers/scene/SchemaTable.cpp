@@ -99,6 +99,16 @@ void addBody(Table& table) {
               "relative "
               "to the scene"),
       });
+  add(table,
+      Row("Geometry", Kind::List, "what the outlines of all bodies have in common"),
+      {
+          Row("Symmetry", Kind::Text,
+              "the scene is drawn as one half of what is symmetric about the line x = 0 "
+              "(X: mirrored along x) or y = 0 (Y); edges on the line are rollers by "
+              "themselves")
+              .standard("None")
+              .allowed({"None", "X", "Y"}),
+      });
 }
 
 /// What all contacts have; `only`: under these types of their list, none: whatever there is.

@@ -141,11 +141,11 @@ Reference::Reference(Snapshots snapshots, double estimate_, const Scene& scene)
 
 TrueError trueError(const Snapshots& level, const Reference& reference,
                     const Scene& scene) {
-  const bem::Units units = scene.units();
+  const double unit = std::sqrt(scene.energy());
   const std::vector<Snapshot>& others = reference.solution.steps;
   const Distance last = distanceOf(level.steps.back(), others.back(), scene);
   TrueError error;
-  error.energyNorm = last.norm * std::sqrt(units.stress) * units.length;
+  error.energyNorm = last.norm * unit;
   error.relative = last.norm / reference.norms.back();
   error.multiplier = last.multiplier / reference.norms.back();
   error.energy = std::abs(level.energy / reference.solution.energy - 1);
@@ -175,7 +175,7 @@ TrueError trueError(const Snapshots& level, const Reference& reference,
   }
   if (path.step > 0) {
     error.path = path;
-    error.largest = path.relative * largest * std::sqrt(units.stress) * units.length;
+    error.largest = path.relative * largest * unit;
   }
   return error;
 }

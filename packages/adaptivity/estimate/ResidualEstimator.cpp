@@ -20,16 +20,20 @@ class FixedTraction {
  public:
   explicit FixedTraction(const contact::Solved& solved)
       : mesh_(solved.space.mesh()),
-        centroid_(contact::makeRigidModes(solved.space).centroid),
+        conditions_(solved.conditions),
+        centroid_(contact::makeRigidModes(solved.space, conditions_).centroid),
         amplitudes_(solved.problem.fixedReactions(solved.state, solved.met)) {}
 
   Vec2 at(int e, double t) const {
+    if (!conditions_.isBoundary(mesh_.boundary(e)))
+      return {};
     const Vec2 arm = mesh_.scaledPoint(e, t) - centroid_;
     return Vec2{amplitudes_[0], amplitudes_[1]} + amplitudes_[2] * turnLeft(arm);
   }
 
  private:
   const bem::Mesh& mesh_;
+  const contact::Conditions& conditions_;
   Vec2 centroid_;
   Vector amplitudes_;
 };

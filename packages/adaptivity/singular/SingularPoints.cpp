@@ -14,6 +14,13 @@ bool isClamped(const bem::Mesh& mesh, int e, const contact::Conditions& conditio
 Singularity fromConditions(const bem::Mesh& mesh, int e,
                            const contact::Conditions& conditions) {
   const int before = mesh[e].previous;
+  // where a line of symmetry begins or ends the side meets its image: smoothly at a right angle
+  const bool isImage = !conditions.isBoundary(mesh.boundary(e));
+  if (isImage != !conditions.isBoundary(mesh.boundary(before)))
+    return std::abs(dot(mesh[before].curve.tangent(1), mesh[e].curve.tangent(-1))) <
+                   bem::smoothAngle / 2
+               ? Singularity::None
+               : Singularity::Weak;
   if (mesh.boundary(e) != mesh.boundary(before))
     return isClamped(mesh, e, conditions) != isClamped(mesh, before, conditions)
                ? Singularity::Strong

@@ -64,12 +64,12 @@ Vector pulled(const Matrix& transposed, const Vector& u) {
 Holding makeHolding(const bem::Space& space, const Conditions& conditions,
                     bem::Units units) {
   Loads loads = makeLoads(space, conditions, units);
-  RigidModes modes = makeRigidModes(space);
+  RigidModes modes = makeRigidModes(space, conditions);
   RigidConstraints rigid = makeRigidConstraints(modes, loads, conditions.fix);
   const bem::Outline& outline = space.mesh().outline();
   if (outline.diameter() < outline.scaling().length)
     scalePairs(rigid);
-  Vector means = meansOf(conditions.inside, space.mesh(), modes.centroid);
+  Vector means = meansOf(conditions, space.mesh(), modes.centroid);
   return {std::move(loads), std::move(modes), std::move(rigid), std::move(means)};
 }
 

@@ -163,11 +163,14 @@ Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Unit
   return loads;
 }
 
-RigidModes makeRigidModes(const bem::Space& space) {
+RigidModes makeRigidModes(const bem::Space& space, const Conditions& conditions) {
   const bem::Mesh& mesh = space.mesh();
   RigidModes modes;
   double length = 0;
-  for (const Element& element : mesh.elements()) {
+  for (int e = 0; e < mesh.size(); ++e) {
+    const Element& element = mesh[e];
+    if (!conditions.isBoundary(mesh.boundary(e)))
+      continue;
     modes.centroid = modes.centroid + 2 * element.half * element.curve.centroid();
     length += 2 * element.half;
   }
@@ -183,6 +186,8 @@ RigidModes makeRigidModes(const bem::Space& space) {
   double rest[3] = {};  // of the rotation, see bem::Rotation
   for (int e = 0; e < mesh.size(); ++e) {
     const Element& element = mesh[e];
+    if (!conditions.isBoundary(mesh.boundary(e)))
+      continue;
     const bem::Rule& rule = bem::gaussLegendre(
         element.degree + (element.curve.isStraight() ? 2 : bem::pointsOfTurning));
     for (int q = 0; q < rule.size(); ++q) {
@@ -211,11 +216,14 @@ RigidModes makeRigidModes(const bem::Space& space) {
   return modes;
 }
 
-Vector meansOf(const Inside& inside, const bem::Mesh& mesh, Vec2 centroid) {
+Vector meansOf(const Conditions& conditions, const bem::Mesh& mesh, Vec2 centroid) {
+  const Inside& inside = conditions.inside;
   if (!inside)
     return {};
   Vector means(3, 0.0);
   for (int e = 0; e < mesh.size(); ++e) {
+    if (!conditions.isBoundary(mesh.boundary(e)))
+      continue;
     const bem::Rule& rule = bem::gaussForGiven(mesh[e].degree);
     for (int q = 0; q < rule.size(); ++q) {
       const Vec2 u =

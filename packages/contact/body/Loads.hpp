@@ -39,16 +39,16 @@ struct Loads {
 Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Units units);
 
 /// ∫ φ_j · r ds for the rigid motions r of Space::rigidMotions, with the rotation about
-/// the boundary's centroid: 3 vectors over the displacements.
+/// the boundary's centroid: 3 vectors over the displacements.  Lines of symmetry do not count.
 struct RigidModes {
   Matrix motions;      ///< displacements x 3: (1,0), (0,1), rotation about the centroid
   Matrix functionals;  ///< displacements x 3: column k pairs u to ∫ u · r_k ds
   bem::Vec2 centroid;  ///< in scaled coordinates
 };
 
-RigidModes makeRigidModes(const bem::Space& space);
+RigidModes makeRigidModes(const bem::Space& space, const Conditions& conditions = {});
 
 /// ∫ u_p · r_k ds of these motions; empty: nothing acts inside.
-Vector meansOf(const Inside& inside, const bem::Mesh& mesh, bem::Vec2 centroid);
+Vector meansOf(const Conditions& conditions, const bem::Mesh& mesh, bem::Vec2 centroid);
 
 }  // namespace epafi::contact

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -72,6 +73,11 @@ struct Conditions {
   std::map<std::string, Neumann> neumann;
   std::map<std::string, Contact> contact;
 
+  /// Of `dirichlet` those on a line of symmetry, where a body goes on as its mirror image: they
+  /// bound what is drawn, not the body.
+  std::set<std::string> symmetry;
+  bool isBoundary(const std::string& name) const { return symmetry.count(name) == 0; }
+
   /// Which components of the displacement are given on a boundary: 1 or 0 each.
   bem::Vec2 given(const std::string& boundary) const {
     const auto found = dirichlet.find(boundary);
@@ -87,7 +93,7 @@ struct Conditions {
                                                                       : nullptr;
   }
 
-  /// Rigid motions held by  ∫ u·r ds = 0  over the whole boundary; the reaction acts as a
+  /// Rigid motions held by  ∫ u·r ds = 0  over the whole boundary but lines of symmetry; the reaction acts as a
   /// uniform traction of that mode.  Rotation is about the boundary's centroid.
   struct Fix {
     bool x = false;

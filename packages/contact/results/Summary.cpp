@@ -107,7 +107,7 @@ void addContact(const Solved& solved, const Of& of) {
 std::array<double, 3> reactionWork(const Solved& solved) {
   const std::vector<bool> isPrescribed = prescribed(solved.space, solved.conditions);
   const bem::Matrix motions = solved.space.rigidMotions();
-  const bem::Matrix modes = makeRigidModes(solved.space).functionals;
+  const bem::Matrix modes = makeRigidModes(solved.space, solved.conditions).functionals;
   const Vector clamps =
       solved.problem.clampWork(solved.state, solved.displacement, solved.met);
   const Vector amplitudes = solved.problem.fixedReactions(solved.state, solved.met);
@@ -134,9 +134,8 @@ Resultant resultantOf(const std::array<double, 3>& work, const Solved& solved) {
 
 /// The rigid motion with the moments of u over the boundary, [length] and radian.
 RigidMotion meanMotion(const Solved& solved) {
-  const RigidModes modes = makeRigidModes(solved.space);
-  const Vector ofInside =
-      meansOf(solved.conditions.inside, solved.space.mesh(), modes.centroid);
+  const RigidModes modes = makeRigidModes(solved.space, solved.conditions);
+  const Vector ofInside = meansOf(solved.conditions, solved.space.mesh(), modes.centroid);
   const auto mean = [&](Index k) {
     const Vector functional = bem::columnOf(modes.functionals, k);
     double whole = bem::dot(functional, solved.displacement);

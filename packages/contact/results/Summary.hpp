@@ -27,7 +27,7 @@ struct Summary {
   /// The part of it that comes from what does not deform: obstacles and rigid bodies.
   Resultant obstacle;
   Resultant reaction;        ///< of clamps and fixed rigid motions
-  RigidMotion motion;        ///< mean of u over the whole boundary
+  RigidMotion motion;        ///< mean of u over the boundary, see RigidModes
   double contactLength = 0;  ///< where λₙ > 0
   double slipLength = 0;     ///< where |λₜ| reaches its bound
   double pressureMax = 0;    ///< largest λₙ [stress]

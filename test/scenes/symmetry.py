@@ -1,0 +1,330 @@
+"""Geometry->Symmetry: one half against the whole on matched meshes.
+
+Where solutions are smooth both resolve them to rounding, which the claims ask for; the half has
+elements on the line, which the whole has not, so that elsewhere they agree within estimates."""
+import json
+import math
+import os
+
+from runs import WORK, claim, differ, epafi, finish, fresh, rows, solved
+
+DEGREE = 12
+STEEL = {"Young's Modulus": 1, "Poisson's Ratio": 0.3}
+SOFT = {"Young's Modulus": 0.4, "Poisson's Ratio": 0.2}
+
+
+def outline(path, names, counts, whole):
+    """Of a path from the line x = 0 on to it again the half or the whole."""
+    if not whole:
+        return path, names + ["any"], counts + [counts[0]]
+    mirrored = [(-x, y) for x, y in path[-2:0:-1]]
+    return path + mirrored, names + names[::-1], counts + counts[::-1]
+
+
+def turned(point):
+    return (-point[1], point[0])
+
+
+def block(low, high, whole, count=1, width=1, y=False):
+    """A body [0, width] x [low, high] or its whole; of Y turned left by a right angle."""
+    corners, names, counts = outline([(0, low), (width, low), (width, high), (0, high)],
+                                     ["bottom", "side", "top"], [count] * 3, whole)
+    if y:
+        corners = [turned(c) for c in corners]
+    return {"Geometry": {"Vertices": [list(c) for c in corners], "Edges": names},
+            "Mesh": {"Elements per Edge": counts}}
+
+
+def saved(name, bodies, whole, axis="X", **more):
+    scene = {"Bodies": bodies, "Discretization": {"Mesh Size": 1, "Degree": DEGREE}, **more}
+    if not whole:
+        scene["Geometry"] = {"Symmetry": axis}
+    os.makedirs(WORK, exist_ok=True)
+    path = os.path.join(WORK, name + (" whole" if whole else " half") + ".yaml")
+    with open(path, "w") as file:
+        json.dump({"Symmetry": scene}, file)
+    return path
+
+
+PRESSED = "-0.01*(1 + 0.2*cos(pi*x))"
+# bounds that grow from the line on, so that slip is smooth
+LAW = {"Law": "Coulomb", "Coefficient": "0.3*abs(x)*(1 - x^2)^2"}
+
+
+def on_obstacle(whole, friction=LAW, load=PRESSED, count=1):
+    body = block(0, 1, whole, count)
+    return {"block": {"Material": STEEL, **body, "Boundary Conditions": {
+        "bottom": {"Type": "Contact", "Gap": "0.001*cos(pi*x)", "Friction": friction},
+        "top": {"Type": "Dirichlet", "Displacement Y": load}}}}
+
+
+def on_obstacle_turned():
+    body = block(0, 1, False, y=True)
+    return {"block": {"Material": STEEL, **body, "Boundary Conditions": {
+        "bottom": {"Type": "Contact", "Gap": "0.001*cos(pi*y)",
+                   "Friction": {**LAW, "Coefficient": LAW["Coefficient"].replace("x", "y")}},
+        "top": {"Type": "Dirichlet", "Displacement X": "0.01*(1 + 0.2*cos(pi*y))"}}}}
+
+
+def two_blocks(whole):
+    """The lower one on a roller, no friction: smooth."""
+    return {"upper": {"Material": SOFT, **block(0, 1, whole), "Boundary Conditions": {
+        "top": {"Type": "Dirichlet", "Displacement Y": PRESSED}}},
+            "lower": {"Material": STEEL, **block(-1, 0, whole), "Boundary Conditions": {
+                "bottom": {"Type": "Dirichlet", "Displacement Y": "0"}}}}
+
+
+JOINT = {"joint": {"Between": ["upper:bottom", "lower:top"]}}
+
+
+def punch(whole):
+    stamp = block(1, 2, whole, width=2)
+    stamp.pop("Mesh")
+    return {"block": {"Material": STEEL, **block(0, 1, whole), "Boundary Conditions": {
+        "bottom": {"Type": "Dirichlet", "Displacement Y": "0.001*cos(pi*x)"}}},
+            "punch": {"Material": {"Rigid": True}, **stamp, "Motion": {"Force Y": "-0.02"}}}
+
+
+KINDS = {"energy": "strain load friction dissipated trapezoidal outside interface stored".split(),
+         "length": ["length"], "force": ["force", "load", "contact", "reaction", "body"],
+         "motion": ["motion", "rotation"], "pressure": ["pressure"]}
+
+
+def kind(column):
+    """What a column's size is compared with; None: what it holds depends on the mesh."""
+    words = column.split(".")[-1].split("_")
+    if words[0] == "energy":
+        return "energy" if words[-1] in KINDS["energy"] else None
+    if words[-1] == "length":
+        return "length"
+    return next((k for k, names in KINDS.items() if words[0] in names and k != "energy" and
+                 column != "body"), None)
+
+
+def compare(name, half, other, sharp=1e-9):
+    """Totals of history.csv, steps.csv and bodies.csv, and what stands along contact and boundary."""
+    worst = {}
+    for file in ("history.csv", "steps.csv", "bodies.csv"):
+        if not os.path.exists(os.path.join(other, file)):
+            continue
+        here, there = rows(half, file)[-2:], rows(other, file)[-2:]
+        scale = {}
+        for row in there:
+            for key, value in row.items():
+                if kind(key):
+                    scale[kind(key)] = max(scale.get(kind(key), 0), abs(value))
+        for a, b in zip(here, there):
+            for key, value in b.items():
+                if kind(key) and scale[kind(key)]:
+                    off = abs(a[key] - value) / scale[kind(key)]
+                    if off > worst.get(file, (0,))[0]:
+                        worst[file] = (off, key)
+    for file, columns in (("contact.csv", ("lambda_n", "lambda_t", "u_n", "u_t")),
+                          ("boundary.csv", ("ux", "uy", "tx", "ty"))):
+        if not os.path.exists(os.path.join(other, file)):
+            continue
+        there = [r for r in rows(other, file) if r["x"] > 0]
+        here = [r for r in rows(half, file) if r["boundary"].split(":")[-1] != "symmetry" and
+                r["x"] > 0]
+        claim(len(here) == len(there) > 20, "%s: %d points of %s" % (name, len(here), file))
+        for column in columns:
+            size = max(abs(r[c]) for r in there for c in columns if (c[0] == "u") == (column[0] == "u"))
+            place = lambda r: (r.get("body"), r["boundary"], round(r["x"], 9), round(r["y"], 9))
+            for a, b in zip(sorted(here, key=place), sorted(there, key=place)):
+                off = abs(a[column] - b[column]) / size
+                if off > worst.get(file, (0,))[0]:
+                    worst[file] = (off, column)
+    for file, (off, key) in sorted(worst.items()):
+        claim(off < sharp, "%s: %s within %.1e (%s)" % (name, file, off, key))
+
+
+def pair(name, scene, *settings, sharp=1e-9, **more):
+    """A scene as a function of `whole`; the folder of its half."""
+    folders = [solved(name + " " + which, saved(name, scene(which == "whole"), which == "whole",
+                                                **more), *settings)[0]
+               for which in ("half", "whole")]
+    compare(name, *folders, sharp=sharp)
+    return folders
+
+
+half, whole = pair("on an obstacle", on_obstacle)
+row = rows(half, "history.csv")[-1]
+claim(row["contact_y"] > 0.001 and row["contact_x"] == row["reaction_x"] == 0 and
+      row["reaction_moment"] == 0 and row["slip_length"] > 1.99 and row["energy_friction"] > 0,
+      "pressed and slipping: a force along the line, none across")
+claim(abs(row["reaction_y"] + row["contact_y"]) < 1e-10 * row["contact_y"], "in balance")
+
+# turned by a right angle
+folder = solved("Y", saved("Y", on_obstacle_turned(), False, "Y"))[0]
+other = rows(folder, "history.csv")[-1]
+claim(all(differ(row[c], other[c]) < 1e-9 for c in (
+    "energy_strain", "energy_friction", "force_normal", "contact_length", "estimate")) and
+      differ(row["contact_y"], -other["contact_x"]) < 1e-9 and other["contact_y"] == 0,
+      "Y is X turned by a right angle")
+
+# the other half, drawn on the left
+left = on_obstacle(False)
+geometry = left["block"]["Geometry"]
+geometry["Vertices"] = [[-x, y] for x, y in geometry["Vertices"][::-1]]
+geometry["Edges"] = ["top", "side", "bottom", "any"]
+folder = solved("left", saved("left", left, False))[0]
+other = rows(folder, "history.csv")[-1]
+claim(all(differ(row[c], other[c]) < 1e-9 for c in ("energy_strain", "energy_friction", "estimate")),
+      "the left half is as good as the right one")
+
+pair("two blocks", two_blocks, Contacts=JOINT)
+STAMP = {"stamp": {"Between": ["block:top", "punch:bottom"]}}
+half, _ = pair("punch", punch, Contacts=STAMP)
+stamp = [r for r in rows(half, "bodies.csv") if r["body"] == "punch"][-1]
+claim(abs(stamp["load_y"] + 0.02) < 1e-15 and abs(stamp["contact_y"] - 0.02) < 1e-11,
+      "the punch is under the whole of its force")
+
+# a path: pressed on, and pressed more
+PATH = {"Times": [1, 2], "Steps": [1, 2]}
+half, _ = pair("path", lambda w: on_obstacle(w, load="t/2*(%s)" % PRESSED), History=PATH)
+pair("punch on a path", punch, "Bodies->punch->Motion->Force Y=-0.02*t", Contacts=STAMP, History=PATH)
+
+# Fix holds what the line does not; its reaction acts on the body's boundary alone
+FIXED = {"Rigid Motions": {"Fix": ["X", "Y", "Rotation"]}}
+
+
+def fixed(whole):
+    return {"block": {"Material": {**STEEL, "Density": 1}, **block(0, 1, whole, 2),
+                      "Boundary Conditions": {"top": {"Type": "Neumann", "Traction Y": "-0.01*(1 + x^2)"}},
+                      **FIXED}}
+
+
+half, whole = pair("fixed, with weight", fixed, sharp=1e-5,
+                   **{"Body Loads": {"Gravity Y": "-0.003", "Spin": "0.02"}})
+row = rows(half, "history.csv")[-1]
+claim(abs(row["reaction_y"] - 2 * (0.01 * 4 / 3 + 0.003)) < 1e-12, "Fix carries all of the weight")
+
+
+# two pads on a plate that the line cuts, of which one is drawn
+def pads(whole):
+    scene = {"plate": {"Material": STEEL, **block(-1, 0, whole, 6, 2), "Boundary Conditions": {
+        "bottom": {"Type": "Dirichlet", "Displacement X": "0", "Displacement Y": "0"}}}}
+    for name, left, sign in (("pad", 0.5, 1), ("other", -1.5, -1))[:2 if whole else 1]:
+        scene[name] = {
+            "Material": SOFT, "Geometry": {
+                "Vertices": [[left, 0], [left + 1, 0], [left + 1, 0.5], [left, 0.5]],
+                "Edges": ["bottom", "right", "top", "left"]},
+            "Mesh": {"Elements per Edge": [4, 2, 4, 2]}, "Boundary Conditions": {
+                "top": {"Type": "Neumann", "Traction X": "%d*0.001" % sign, "Traction Y": "-0.02"}}}
+    return scene
+
+
+def joints(whole):
+    return {name: {"Between": [name + ":bottom", "plate:top"],
+                   "Friction": {"Law": "Coulomb", "Coefficient": 0.4}}
+            for name in ("pad", "other")[:2 if whole else 1]}
+
+
+half, whole = (solved("pads %d" % w, saved("pads", pads(w), w, Contacts=joints(w), History=PATH),
+                      "Discretization->Degree=3")[0] for w in (False, True))
+here, there = ({r["body"]: r for r in rows(f, "bodies.csv")} for f in (half, whole))
+E = [rows(f, "history.csv")[-1] for f in (half, whole)]
+close = 3 * E[1]["estimate_relative"]**2
+for body in ("pad", "plate"):
+    claim(all(abs(here[body][c] - there[body][c]) < close * 0.04 for c in (
+        "load_x", "load_y", "contact_x", "contact_y", "reaction_x", "reaction_y")) and
+          differ(here[body]["energy_strain"], there[body]["energy_strain"]) < close,
+          "pads: forces on the %s as in the whole, to %.1e" % (body, close))
+claim(here["plate"]["contact_x"] == 0 and abs(here["plate"]["contact_y"] + 0.04) < 1e-9 and
+      abs(here["pad"]["contact_x"] + 0.001) < 1e-9, "the plate is whole, the pad one of two")
+steps = [rows(f, "steps.csv")[-1] for f in (half, whole)]
+claim(all(differ(steps[0]["pad." + c], steps[1]["pad." + c]) < close for c in (
+    "force_y", "force_normal", "contact_length")) and
+      abs(steps[0]["pad.energy_dissipated"] - steps[1]["pad.energy_dissipated"]) < close *
+      steps[1]["energy_strain"], "steps.csv tells of the pad's contact what it is on one pad")
+claim(all(abs(E[0][c] - E[1][c]) < close * E[1]["energy_strain"] for c in (
+    "energy_strain", "energy_friction")) and differ(*(e["contact_length"] for e in E)) < close and
+      abs(E[0]["load_x"]) == 0, "history.csv has both pads")
+
+# singular corners and the ends of contact, level by level
+GRADED = ["Adaptivity->Strategy=Graded hp", "Adaptivity->Maximum Levels=8",
+          "Discretization->Degree=2", "Bodies->block->Boundary Conditions->bottom->Gap=0.05*x^2",
+          "Bodies->block->Boundary Conditions->top->Displacement X=0"]
+CONSTANT = {"Law": "Coulomb", "Coefficient": 0.3}
+folders = [solved("graded %d" % w, saved("graded", on_obstacle(w, CONSTANT, "-0.03", 4), w),
+                  *GRADED)[0] for w in (False, True)]
+half, whole = (rows(f, "history.csv") for f in folders)
+worst = max(differ(a["estimate_relative"], b["estimate_relative"]) for a, b in zip(half, whole))
+claim(len(half) == len(whole) == 8 and worst < 0.05,
+      "Graded hp: relative estimates of all levels within %.1f per cent" % (100 * worst))
+claim(all(differ(half[-1][c], whole[-1][c]) < whole[-1]["estimate_relative"]**2
+          for c in ("energy_strain", "force_normal")) and
+      half[-1]["dof"] < 0.65 * whole[-1]["dof"], "as good with %d unknowns as with %d" % (
+          half[-1]["dof"], whole[-1]["dof"]))
+name = saved("graded", on_obstacle(False, CONSTANT, "-0.03", 4), False)
+folder = solved("compressed", name, *GRADED, "Solver->Linear->Method=Compressed")[0]
+other = rows(folder, "history.csv")[-1]
+claim(other["operators"] == "compressed" and all(
+    differ(half[-1][c], other[c]) < 1e-6 for c in ("energy_strain", "force_normal", "estimate")),
+      "compressed as dense")
+folder = solved("begun", name, *GRADED, "Adaptivity->Maximum Levels=3")[0]
+code, text = epafi("run", name, "--restart", folder, "--output", fresh("restarted"),
+                   *(x for s in GRADED for x in ("--set", s)))
+other = rows(os.path.join(WORK, "restarted"), "history.csv")
+claim(code == 0 and len(other) == 8 and all(
+    differ(half[-1][c], other[-1][c]) < 1e-9 for c in ("energy_strain", "estimate", "force_normal")),
+      "restarted at level 3")
+code, text = epafi("run", name, "--restart", folder, "--output", fresh("another"),
+                   "--set", "Geometry->Symmetry=None")
+claim(code == 1 and "Geometry->Symmetry differs" in text, "a restart is of the same symmetry")
+
+# points of the half that is not drawn
+points = os.path.join(WORK, "points.csv")
+with open(points, "w") as stream:
+    stream.write("0.3,0.4\n-0.3,0.4\n0,0.4\n1.1,0.4\n")
+found = []
+for folder in folders:
+    code, text = epafi("fields", folder, "--points", points)
+    claim(code == 0, "fields" + ("" if code == 0 else text))
+    found.append(rows(folder, "fields.csv"))
+a, b, middle, outside = found[0]
+claim(a["ux"] == -b["ux"] and a["sxy"] == -b["sxy"] and
+      all(a[c] == b[c] for c in ("uy", "sxx", "syy", "szz", "von_mises")) and outside["ux"] == "",
+      "a point of the other half has the image's fields")
+worst = max(abs(p[c] - q[c]) / max(abs(r[c]) for r in found[1][:2])
+            for p, q in zip(found[0][:3], found[1][:3]) for c in ("ux", "uy", "sxx", "syy", "sxy"))
+claim(worst < 1e-3, "fields on both sides and on the line within %.1e" % worst)
+
+
+# bad input
+def refused(name, scene, *words, **more):
+    code, text = epafi("check", saved(name, scene, False, **more))
+    claim(code == 1 and text.count("\n") <= 2 and all(w in text for w in words),
+          "%s: %s" % (name, text.strip()))
+
+
+def changed(scene, body, part, **values):
+    scene[body].setdefault(part, {}).update({k.replace("_", " "): v for k, v in values.items()})
+    return scene
+
+
+refused("crossing", on_obstacle(True), "(-1, ", "beyond the line of symmetry, x = 0")
+refused("no edge", {"block": {**on_obstacle(False)["block"], "Geometry": {
+    "Vertices": [[1, 0], [2, 0], [2, 1], [1, 1]], "Edges": ["bottom", "side", "top", "any"]}}},
+        "no edge of a body lies on the line x = 0")
+refused("condition", changed(on_obstacle(False), "block", "Boundary Conditions", any={
+    "Type": "Neumann", "Traction X": 1}), "Boundary Conditions->any", "rollers by themselves")
+refused("contact", two_blocks(False), "Contacts->joint", "upper:any",
+        Contacts={"joint": {"Between": ["upper:any", "lower:top"]}})
+refused("across", changed(punch(False), "punch", "Motion", Displacement_X="0"),
+        "Motion->Displacement X", "no motion across", Contacts=STAMP)
+refused("moment", changed(punch(False), "punch", "Motion", Moment="1"), "Motion->Moment", Contacts=STAMP)
+for load in ({"Gravity X": "1"}, {"Spin": "1", "Center": [0.5, 0]}, {"Angular Acceleration": "1"}):
+    refused("load " + next(iter(load)), changed(on_obstacle(False), "block", "Material", Density=1),
+            "Body Loads: of bodies that are symmetric", **{"Body Loads": load})
+bulging = on_obstacle(False)
+bulging["block"]["Geometry"] = {"Vertices": [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0.5]],
+                                "Edges": ["bottom", "side", "top", "any", "any"],
+                                "Bulges": [0, 0, 0, 0, 0.2]}
+bulging["block"]["Mesh"] = {"Elements per Edge": [1] * 5}
+refused("bulge", bulging, "beyond the line of symmetry")
+bulging["block"]["Geometry"].update({"Edges": ["bottom", "symmetry", "top", "any", "any"], "Bulges": [0] * 5})
+refused("name", bulging, "'symmetry'", "take another name")
+code, text = epafi("check", saved("good", on_obstacle(False), False), "--set", "Geometry->Symmetry=Z")
+claim(code == 1 and "Geometry->Symmetry" in text, text.strip())
+finish()
