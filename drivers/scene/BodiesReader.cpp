@@ -11,8 +11,8 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
+#include <array>
 #include <limits>
-#include <utility>
 
 namespace epafi::drivers {
 
@@ -101,24 +101,31 @@ RigidBody readRigid(const ParameterList& list, const std::string& name,
   body.outline = makeOutline(loops, 0, path + "->Geometry");
   const ParameterList& motion = list.sublist("Motion");
   body.pole = readPole(motion, path + "->Motion->Reference Point", *body.outline);
-  constexpr std::pair<const char*, const char*> keys[] = {{"Displacement X", "Force X"},
-                                                          {"Displacement Y", "Force Y"},
-                                                          {"Rotation", "Moment"}};
+  const auto course = [&](const std::string& key) -> RigidBody::Component::Course {
+    if (!motion.isParameter(key))
+      return {};
+    return
+        [text = motion.get<std::string>(key),
+         place = Place{scene.file, bem::message(path, "->Motion->", key)},
+         names = scene.names()](double t) { return evaluateAt(t, text, place, names); };
+  };
+  constexpr std::array<const char*, 3> keys[] = {
+      {"Displacement X", "Force X", "Stiffness X"},
+      {"Displacement Y", "Force Y", "Stiffness Y"},
+      {"Rotation", "Moment", "Stiffness Rotation"}};
   for (std::size_t c = 0; c < 3; ++c) {
-    const auto& [moved, pushed] = keys[c];
-    const bool free = motion.isParameter(pushed);
-    if (free && motion.isParameter(moved))
-      throw InputError(
-          path, "->Motion->", pushed, ": ", moved,
-          " is given, too; a motion is prescribed, or free under a force, not both");
-    const std::string key = free ? pushed : moved;
-    if (motion.isParameter(key))
-      body.components[c] = {
-          free, [text = motion.get<std::string>(key),
-                 place = Place{scene.file, bem::message(path, "->Motion->", key)},
-                 names = scene.names()](double t) {
-            return evaluateAt(t, text, place, names);
-          }};
+    const auto& [moved, pushed, sprung] = keys[c];
+    const bool pushes = motion.isParameter(pushed);
+    if (motion.isParameter(sprung))
+      body.components[c] = {true, course(pushed), motion.get<double>(sprung),
+                            course(moved)};
+    else if (pushes && motion.isParameter(moved))
+      throw InputError(path, "->Motion->", pushed, ": ", moved,
+                       " is given, too; a motion is prescribed, or free under a force, "
+                       "not both, but where ",
+                       sprung, " joins them");
+    else
+      body.components[c] = {pushes, course(pushes ? pushed : moved)};
   }
   const BodyLoadsReader loads(*scene.used, name, {scene.file, ""});
   if (loads.actsOnRigid()) {

@@ -54,7 +54,7 @@ void NewtonSystem::splitMotions() {
     return rigid(i, l) * rigid(i, m) * rows_.weights[at(i)];
   };
   for (Index m = 0; m < k; ++m) {
-    double sum = 0;
+    double sum = problem_.stiffness(m);
     for (Index i = 0; i < problem_.size(); ++i)
       sum += product(m, m, i);
     motionScale_.push_back(sum > 0 ? 1 / std::sqrt(sum) : 1);
@@ -64,6 +64,8 @@ void NewtonSystem::splitMotions() {
     for (Index l = 0; l < k; ++l)
       for (const Index i : inactive_)
         gram(l, m) += motionScale_[at(l)] * motionScale_[at(m)] * product(l, m, i);
+  for (Index m = 0; m < k; ++m)
+    gram(m, m) += motionScale_[at(m)] * motionScale_[at(m)] * problem_.stiffness(m);
   Vector eigenvalues(at(k));
   Vector work(at(8 * k + 8));
   int info = 0;
@@ -100,6 +102,13 @@ Flexibility::Operator::System NewtonSystem::reduced() const {
     for (Index m = 0; m < held_.rows(); ++m)
       combinations(m, j) *= motionScale_[at(m)];
   system.motions = multiply(problem_.rigid, combinations);
+  if (!problem_.rigidStiffness.empty()) {
+    Matrix sprung = combinations.copy();
+    for (Index j = 0; j < sprung.columns(); ++j)
+      for (Index m = 0; m < sprung.rows(); ++m)
+        sprung(m, j) *= problem_.stiffness(m);
+    system.stiffness = transposedTimes(combinations, sprung);
+  }
   return system;
 }
 

@@ -15,10 +15,10 @@ class FactorMemory;
 ///
 ///   known      d_i = b_i + f_i d_j,   j: the pressure that the bound of i follows
 ///   inactive   Σ_j D_ij d_j - Σ_j G_ij α_j = b_i / c_i
-///   balance    Σ_i G_ij d_i = b_j
+///   balance    Σ_i G_ij d_i + K_j α_j = b_j
 ///
 /// Factored by D, from a memory where there is one and as far as refinement then converges.  Rigid motions, measured in units in which each has size
-/// one, are split into the combinations that the inactive rows hold and those that they do not
+/// one, are split into the combinations that the inactive rows or springs hold and those that they do not
 /// (no contact yet, everything slips).  The latter are left out of the step; `unheld` tells which
 /// of them the load demands.
 class NewtonSystem {
