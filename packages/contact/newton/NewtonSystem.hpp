@@ -33,13 +33,16 @@ class NewtonSystem {
 
   /// The combination v of rigid motions, in units of α, that no row holds and whose
   /// balance b demands; empty if there is none.
-  Vector unheld(const Vector& b) const;
+  Vector unheld(const Vector& b) const { return demanded(loose_, b); }
+  /// Likewise of those that springs alone hold.
+  Vector unpressed(const Vector& b) const { return demanded(unpressed_, b); }
 
  private:
   bool isKnown(Index i) const { return rows_.rows[at(i)].penetration == 0; }
   /// j and f of a known change, f = 0: of none.
   std::pair<Index, double> followed(Index i) const;
   void splitMotions();
+  Vector demanded(const Matrix& combinations, const Vector& b) const;
   /// What D factors.
   Flexibility::Operator::System reduced() const;
   /// The changes that do not depend on the inactive ones; zero elsewhere.
@@ -58,7 +61,8 @@ class NewtonSystem {
   Vector motionScale_;           ///< gives each rigid motion size one
   Matrix
       held_;  ///< orthonormal combinations of scaled motions that the inactive rows hold
-  Matrix loose_;  ///< ... and that they do not
+  Matrix loose_;      ///< ... and that they do not
+  Matrix unpressed_;  ///< where there are springs: that the rows do not hold
   /// From a memory, until refinement with it fails.
   mutable std::unique_ptr<const Flexibility::Operator::Factor> factor_;
   mutable bool isKept_ = false;
