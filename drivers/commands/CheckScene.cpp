@@ -99,14 +99,15 @@ std::string contactsOf(const contact::Conditions& conditions) {
   return names.empty() ? " none" : names;
 }
 
-/// "X moved, Y under a force, Rotation held"
+/// "X moved, Y under a force, Rotation by a spring"
 std::string motionsOf(const RigidBody& body) {
   std::string text;
   const char* names[] = {"X ", ", Y ", ", Rotation "};
   for (std::size_t k = 0; k < body.components.size(); ++k)
-    text += names[k] + std::string(body.components[k].free    ? "under a force"
-                                   : body.components[k].value ? "moved"
-                                                              : "held");
+    text += names[k] + std::string(body.components[k].stiffness > 0 ? "by a spring"
+                                   : body.components[k].free        ? "under a force"
+                                   : body.components[k].value       ? "moved"
+                                                                    : "held");
   return text;
 }
 

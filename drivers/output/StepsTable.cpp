@@ -35,6 +35,7 @@ constexpr Column<StepRow> columns[] = {
     {"energy_interface", cell<&StepRow::energyInterface>},
     {"energy_worn", cell<&StepRow::energyWorn>},
     {"cycles", cell<&StepRow::cycles>},
+    {"energy_springs", cell<&StepRow::energySprings>},
 };
 
 constexpr Column<ContactRow> contactColumns[] = {

@@ -297,6 +297,10 @@ class Follower {
     row_.energyWorn = energy * here_.memory.worn();
     row_.cycles = here_.cycles;
     row_.energyError = energy * here_.memory.imbalance(row_.energyStored / energy);
+    // springs do at bodies what their other ends take, less what they store
+    row_.energySprings = energy * system.energyOfSprings(at.state);
+    row_.energyOutside += row_.energySprings;
+    row_.energyStored += row_.energySprings;
     row_.bodies = wholeBodies(scene, std::move(row_.bodies));
     row_.rigid = step.solved->rigidRows();
     auto contact = row_.contacts.begin();

@@ -34,10 +34,11 @@ struct StepRow {
   double energyDissipated = 0;
   double energyDissipatedError = 0;  ///< of it, in time; zero without History->Tolerance
   double energyTrapezoidal = 0;
-  double energyOutside = 0;        ///< work of loads, clamps and moving obstacles
+  double energyOutside = 0;        ///< work of loads, clamps, obstacles, ends of springs
   double energyStabilisation = 0;  ///< what it stores
-  double energyStored = 0;         ///< with that, of what the boundary operators know
+  double energyStored = 0;         ///< strain energy, stabilisation, surfaces, springs
   double energyInterface = 0;      ///< what the surfaces of contacts store
+  double energySprings = 0;        ///< what springs of rigid bodies store
   double energyWorn = 0;           ///< work on what wears off
   double energyError = 0;          ///< outside - trapezoidal - worn - stored
   double cycles = 0;  ///< ∫ n dt, n how many times steps happen for what wears

@@ -119,10 +119,10 @@ std::vector<RigidRow> SolvedBodies::rigidRows() const {
       const contact::Drive::Component& drive = system_.drives()[k].components[c];
       row.contact.*members[c] = scales[c] * forces[k][c];
       row.inside.*members[c] = scales[c] * drive.inside;
-      if (drive.free)
-        row.load.*members[c] = scales[c] * drive.value;
-      else
-        row.reaction.*members[c] = -scales[c] * (forces[k][c] + drive.inside);
+      const double load = drive.free ? drive.value : 0;
+      row.load.*members[c] = scales[c] * load;
+      if (!drive.free || drive.stiffness > 0)
+        row.reaction.*members[c] = -scales[c] * (forces[k][c] + drive.inside + load);
     }
     rows.push_back(wholeOf(ground_.scene.symmetry, *body.outline, std::move(row)));
   }

@@ -73,10 +73,12 @@ void requireResistance(const Scene& scene, const bem::Matrix& motions,
              "hold it by a Dirichlet condition, Rigid Motions->Fix, contact or friction");
   for (const RigidBody& body : scene.rigid)
     for (const RigidBody::Component& component : body.components)
-      if (component.free)
+      if (component.stiffness > 0)
+        ++k;
+      else if (component.free)
         resist(body.name,
                "give it a Displacement or a Rotation instead of a Force or a Moment, or "
-               "contact or friction");
+               "a Stiffness, contact or friction");
 }
 
 struct Moved {
@@ -240,6 +242,7 @@ class BalanceOf {
         addTo(column, carrier, coupling.pull(u), 1);
       columns_.push_back(std::move(column));
       result_.numbers.rigidLoad.push_back(bem::dot(u, holding.loads.load));
+      result_.numbers.rigidStiffness.push_back(0);
       result_.free[b].push_back(u);
     }
   }
@@ -263,6 +266,7 @@ class BalanceOf {
                 c == 2 ? -traces[a].lever : -1);
         columns_.push_back(std::move(column));
         result_.numbers.rigidLoad.push_back(drive.value + drive.inside);
+        result_.numbers.rigidStiffness.push_back(drive.stiffness);
       }
     }
     return size;

@@ -11,8 +11,8 @@
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
+#include <array>
 #include <limits>
-#include <utility>
 
 namespace epafi::drivers {
 
@@ -108,31 +108,41 @@ RigidBody readRigid(const ParameterList& list, const std::string& name,
   body.pole =
       readPole(motion, path + "->Motion->Reference Point", *body.outline, scene.symmetry);
   const bool isCut = scene.symmetry.cuts(*body.outline);
-  constexpr std::pair<const char*, const char*> keys[] = {{"Displacement X", "Force X"},
-                                                          {"Displacement Y", "Force Y"},
-                                                          {"Rotation", "Moment"}};
+  const double share = isCut ? 0.5 : 1;  // of what acts on the whole body
+  const auto course = [&](const std::string& key,
+                          double factor) -> RigidBody::Component::Course {
+    if (!motion.isParameter(key))
+      return {};
+    return [text = motion.get<std::string>(key),
+            place = Place{scene.file, bem::message(path, "->Motion->", key)},
+            names = scene.names(),
+            factor](double t) { return factor * evaluateAt(t, text, place, names); };
+  };
+  constexpr std::array<const char*, 3> keys[] = {
+      {"Displacement X", "Force X", "Stiffness X"},
+      {"Displacement Y", "Force Y", "Stiffness Y"},
+      {"Rotation", "Moment", "Stiffness Rotation"}};
   for (std::size_t c = 0; c < 3; ++c) {
-    const auto& [moved, pushed] = keys[c];
-    const bool free = motion.isParameter(pushed);
-    if (free && motion.isParameter(moved))
-      throw InputError(
-          path, "->Motion->", pushed, ": ", moved,
-          " is given, too; a motion is prescribed, or free under a force, not both");
-    const std::string key = free ? pushed : moved;
+    const auto& [moved, pushed, sprung] = keys[c];
     const bool isAlong = c < 2 && static_cast<int>(c) != scene.symmetry.axis;
-    if (isCut && !isAlong && motion.isParameter(key))
-      throw InputError(
-          path, "->Motion->", key, ": the body lies on the line of symmetry, ",
-          scene.symmetry.line(),
-          " (Geometry->Symmetry); it has no motion across it and no rotation; "
-          "remove it");
-    const double share = isCut && free ? 0.5 : 1;  // of the whole body's force
-    if (motion.isParameter(key))
-      body.components[c] = {
-          free, [text = motion.get<std::string>(key),
-                 place = Place{scene.file, bem::message(path, "->Motion->", key)},
-                 names = scene.names(),
-                 share](double t) { return share * evaluateAt(t, text, place, names); }};
+    for (const char* key : keys[c])
+      if (isCut && !isAlong && motion.isParameter(key))
+        throw InputError(
+            path, "->Motion->", key, ": the body lies on the line of symmetry, ",
+            scene.symmetry.line(),
+            " (Geometry->Symmetry); it has no motion across it and no rotation; "
+            "remove it");
+    const bool pushes = motion.isParameter(pushed);
+    if (motion.isParameter(sprung))
+      body.components[c] = {true, course(pushed, share),
+                            share * motion.get<double>(sprung), course(moved, 1)};
+    else if (pushes && motion.isParameter(moved))
+      throw InputError(path, "->Motion->", pushed, ": ", moved,
+                       " is given, too; a motion is prescribed, or free under a force, "
+                       "not both, but where ",
+                       sprung, " joins them");
+    else
+      body.components[c] = {pushes, pushes ? course(pushed, share) : course(moved, 1)};
   }
   const BodyLoadsReader loads(*scene.used, name, {scene.file, ""});
   if (loads.actsOnRigid()) {

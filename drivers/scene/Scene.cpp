@@ -33,9 +33,10 @@ std::vector<contact::Drive> Scene::drivesAt(double t) const {
     for (std::size_t c = 0; c < 3; ++c) {
       const RigidBody::Component& component = body.components[c];
       const double one = component.free ? forces[c] : motions[c];
-      drive.components[c] = {component.free,
-                             component.value ? component.value(t) / one : 0,
-                             ofInside[c] / forces[c]};
+      drive.components[c] = {
+          component.free, component.value ? component.value(t) / one : 0,
+          ofInside[c] / forces[c], component.stiffness / (forces[c] / motions[c]),
+          component.end ? component.end(t) / motions[c] : 0};
     }
     drives.push_back(drive);
   }

@@ -50,9 +50,11 @@ struct Body {
 struct RigidBody {
   /// Of x, y and the rotation.
   struct Component {
-    bool free = false;  ///< under a force
-    std::function<double(double t)>
-        value;  ///< the force or moment, or the motion [radian]
+    using Course = std::function<double(double t)>;
+    bool free = false;     ///< under a force, by a spring
+    Course value{};        ///< the force or moment, or the motion [radian]
+    double stiffness = 0;  ///< of the spring; 0: there is none
+    Course end{};          ///< the motion of its other end; empty: it stays
   };
   std::string name;
   std::shared_ptr<const bem::Outline> outline;

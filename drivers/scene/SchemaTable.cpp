@@ -251,6 +251,16 @@ void addSeveralBodies(Table& table) {
           Row("Moment", Kind::Expression,
               "instead of Rotation: about the reference point, likewise")
               .unit("stress length^2"),
+          Row("Stiffness X", Kind::Real,
+              "the motion is free, by a spring of this stiffness whose other end has "
+              "Displacement X; Force X acts, too")
+              .unit("stress")
+              .range(above(0)),
+          Row("Stiffness Y", Kind::Real, "likewise").unit("stress").range(above(0)),
+          Row("Stiffness Rotation", Kind::Real,
+              "likewise of Rotation and Moment, per radian")
+              .unit("stress length^2")
+              .range(above(0)),
           Row("Reference Point", Kind::Reals,
               "where forces act and what rotations turn about; without it the outline's "
               "centroid")

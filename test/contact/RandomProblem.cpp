@@ -121,6 +121,9 @@ Problem randomProblem(const Recipe& recipe, std::mt19937& random) {
     addRigidMotions(problem, recipe.rigidMotions, random);
   if (recipe.normal != std::string("Rigid"))
     addSurface(problem, recipe, random);
+  for (Index j = 0; j < recipe.rigidMotions && recipe.springs > 0; ++j)
+    problem.rigidStiffness.push_back(
+        std::pow(10, draw(random, -recipe.springs, recipe.springs)));
   return problem;
 }
 

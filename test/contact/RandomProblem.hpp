@@ -15,6 +15,7 @@ struct Recipe {
   double softness = 1e-2;  ///< smallest eigenvalue of D over its diagonal, about
   double grading = 1;      ///< ratio of the largest to the smallest coefficient's size
   contact::Index rigidMotions = 0;
+  double springs = 0;   ///< K is 10^x, x from [-springs, springs]; 0: none
   bool ties = false;    ///< loads and gaps from a few values, many of them zero
   bool bonded = false;  ///< every third tangential coefficient is of bonded sides
   /// Normal law of nine in ten normal coefficients: "Linear", "Root", "Square", "Exponential"; with

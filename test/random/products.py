@@ -68,6 +68,29 @@ class Products:
             self.path()
         if draw.random() < 0.5:
             self.inside(scene, size)
+        self.springs()
+
+    def springs(self):
+        """Of bodies without elasticity, each component or not, from a draw of their own."""
+        draw = random.Random("%d springs" % self.seed)
+        units = {"X": ("Displacement X", "Force X", 0), "Y": ("Displacement Y", "Force Y", 0),
+                 "Rotation": ("Rotation", "Moment", 1)}
+        move = self.size * self.stress / max(self.modulus(body) for body in self.bodies)
+        for body in child(self.root, "Bodies"):
+            for key, (moved, pushed, power) in units.items():
+                if body in self.bodies or draw.random() < 0.3:
+                    continue
+                motion = sublist(body, "Motion")
+                put(motion, "Stiffness " + key, "double", "%.6g" % (
+                    self.modulus(self.bodies[0]) * self.size ** (2 * power) * 10 ** draw.uniform(-9, 9)))
+                if draw.random() < 0.5:
+                    put(motion, moved, "string", "%.6g" % (
+                        move / self.size ** power * draw.uniform(-1, 1)))
+                if draw.random() < 0.5:
+                    put(motion, pushed, "string", "%.6g" % (
+                        self.stress * self.size ** (1 + power) * draw.uniform(-0.2, 0.2)))
+                if "springs" not in self.features:
+                    self.features.append("springs")
 
     def inside(self, scene, size):
         """Forces of all bodies at the root, heat of each by itself.  What is free to fall has nothing

@@ -116,7 +116,7 @@ double violation(const Problem& problem, const State& state) {
     }
   }
   for (Index j = 0; j < problem.rigidMotions(); ++j) {
-    double rest = -at(problem.rigidLoad, j);
+    double rest = problem.stiffness(j) * at(state.rigid, j) - at(problem.rigidLoad, j);
     double scale = 0;
     for (Index i = 0; i < problem.size(); ++i) {
       rest += problem.rigid(i, j) * at(state.multiplier, i);

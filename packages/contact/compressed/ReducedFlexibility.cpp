@@ -105,7 +105,11 @@ void ReducedFlexibility::makeBorder() {
     right = coefficients(right.data());
     std::copy(right.begin(), right.end(), answers_.column(k));
   }
-  border_ = bem::LuFactor(transposedTimes(system_.motions, answers_));
+  Matrix border = transposedTimes(system_.motions, answers_);
+  for (Index l = 0; l < system_.stiffness.columns(); ++l)
+    for (Index k = 0; k < columns; ++k)
+      border(k, l) += system_.stiffness(k, l);
+  border_ = bem::LuFactor(std::move(border));
   if (!border_.isRegular())
     throw SingularJacobian("singular Newton matrix: nothing balances the rigid motions");
 }

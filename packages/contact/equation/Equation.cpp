@@ -173,7 +173,8 @@ void Equation::evaluateRows(Evaluation& e) const {
   }
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {
     const double* g = problem_.rigid.column(j);
-    double sum = -entry(problem_.rigidLoad, j);
+    double sum =
+        problem_.stiffness(j) * entry(e.unknowns, n + j) - entry(problem_.rigidLoad, j);
     for (Index i = 0; i < n; ++i)
       sum += g[i] * entry(e.unknowns, i);
     e.linear.residual.push_back(sum / entry(balanceScales_, j));
@@ -212,10 +213,11 @@ void Equation::measure(Evaluation& e, const Vector& magnitude) const {
   }
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {
     const double* g = problem_.rigid.column(j);
-    const double sum =
-        std::inner_product(g, g + problem_.size(), e.unknowns.begin(),
-                           std::abs(entry(problem_.rigidLoad, j)), std::plus<>(),
-                           [](double force, double x) { return std::abs(force * x); });
+    const double spring = problem_.stiffness(j) * entry(e.unknowns, problem_.size() + j);
+    const double sum = std::inner_product(
+        g, g + problem_.size(), e.unknowns.begin(),
+        std::abs(entry(problem_.rigidLoad, j)) + std::abs(spring), std::plus<>(),
+        [](double force, double x) { return std::abs(force * x); });
     count(entry(e.linear.residual, problem_.size() + j),
           rounding * sum / entry(balanceScales_, j));
   }
@@ -245,7 +247,7 @@ Vector Equation::jacobianTimes(const LinearRows& e, const Vector& direction) con
   }
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {
     const double* g = problem_.rigid.column(j);
-    double sum = 0;
+    double sum = problem_.stiffness(j) * entry(direction, n + j);
     for (Index i = 0; i < n; ++i)
       sum += g[i] * entry(direction, i);
     result.push_back(sum / entry(balanceScales_, j));
@@ -277,6 +279,7 @@ Vector Equation::transposeTimes(const LinearRows& e, const Vector& v) const {
     entry(result, i) -= entry(throughD, i);
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {
     const double factor = entry(v, n + j) / entry(balanceScales_, j);
+    entry(result, n + j) += factor * problem_.stiffness(j);
     for (Index i = 0; i < n; ++i)
       entry(result, i) += factor * problem_.rigid(i, j);
   }

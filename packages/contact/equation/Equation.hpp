@@ -39,7 +39,7 @@ struct Evaluation {
 /// F(x) = 0, the condensed contact problem as a semismooth equation in stresses.
 ///
 ///   rows of λ:   λ_i - P(λ_i + c_i r_i),   c_i = 1/Σ|D_ij + L_ij| (j of i's kind)
-///   rows of α:   (Gᵀλ - q)_j / Σ_i |G_ij|
+///   rows of α:   (Gᵀλ + Kα - q)_j / Σ_i |G_ij|
 ///
 /// P projects onto what contact and friction allow, [0, ∞) or [-s_i, s_i]: Newton's method is one of
 /// active sets.  Convergence is measured by the largest row of λ, of the bound s(λ) itself, times what

@@ -19,7 +19,7 @@ Vector plus(Vector a, double factor, const Vector& b) {
   return a;
 }
 
-/// q in units in which all motions weigh alike.
+/// q in units in which all motions weigh alike, what springs hold nothing.
 struct ScaledLoad {
   Vector scales;
   Vector values;
@@ -30,7 +30,7 @@ struct ScaledLoad {
       double sum = 0;
       for (Index i = 0; i < problem.size(); ++i)
         sum += std::abs(g[i]);
-      scales.push_back(sum > 0 ? 1 / sum : 1);
+      scales.push_back(problem.stiffness(j) > 0 ? 0 : sum > 0 ? 1 / sum : 1);
       values.push_back(problem.rigidLoad[at(j)] * scales.back());
     }
   }

@@ -17,7 +17,8 @@ struct NoBalance : bem::NumericalError {
 ///
 ///   λₙ (Gₙ ± s'(0) Gₜ),  λₙ >= 0,     s' the slope of the slip bound
 ///
-/// over all places; Tresca's friction counts as unlimited here.  v has v·c <= 0 for every
+/// over all places; Tresca's friction counts as unlimited here, and a spring resists what it
+/// holds.  v has v·c <= 0 for every
 /// column c of the cone and v·q > 0 and proves that q lies outside; it is found by
 /// non-negative least squares [Lawson & Hanson 1974].
 Vector unresistedMotion(const Problem& problem);

@@ -43,8 +43,8 @@ class KeptFactor::Base {
         rows_(std::move(rows)),
         most_(mostChanges * static_cast<double>(system.rows.size())),
         added_(system.added),
-        factor_(flexibility.factor(
-            {system.rows, system.followers, motions_.copy(), system.added})) {}
+        factor_(flexibility.factor({system.rows, system.followers, motions_.copy(),
+                                    system.added, system.stiffness.copy()})) {}
 
   bool isOf(const Flexibility& flexibility, const System& system) const {
     const Matrix& motions = system.motions;

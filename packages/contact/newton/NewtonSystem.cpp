@@ -1,5 +1,6 @@
 #include "contact/newton/NewtonSystem.hpp"
 
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/newton/KeptFactor.hpp"
@@ -21,6 +22,22 @@ constexpr double heldThreshold = 1e-12;
 constexpr double enoughOfKept = 1e-7;
 // What a refinement by a kept factor has to leave of the one before.
 constexpr double progressOfKept = 1e-3;
+
+/// Eigenvectors of a Gram matrix in its place; returns how many of them, the first ones, count as
+/// zero.
+Index looseOf(Matrix& gram) {
+  const Index k = gram.columns();
+  Vector eigenvalues(at(k));
+  Vector work(at(8 * k + 8));
+  int info = 0;
+  if (k > 0)
+    Teuchos::LAPACK<int, double>().SYEV(
+        'V', 'L', bem::asInt(k), gram.data(), bem::asInt(gram.stride()),
+        eigenvalues.data(), work.data(), static_cast<int>(work.size()), &info);
+  const double least = k > 0 ? heldThreshold * eigenvalues.back() : 0;
+  return std::count_if(eigenvalues.begin(), eigenvalues.end(),
+                       [&](double v) { return !(v > least); });
+}
 
 }  // namespace
 
@@ -54,7 +71,7 @@ void NewtonSystem::splitMotions() {
     return rigid(i, l) * rigid(i, m) * rows_.weights[at(i)];
   };
   for (Index m = 0; m < k; ++m) {
-    double sum = 0;
+    double sum = problem_.stiffness(m);
     for (Index i = 0; i < problem_.size(); ++i)
       sum += product(m, m, i);
     motionScale_.push_back(sum > 0 ? 1 / std::sqrt(sum) : 1);
@@ -64,16 +81,13 @@ void NewtonSystem::splitMotions() {
     for (Index l = 0; l < k; ++l)
       for (const Index i : inactive_)
         gram(l, m) += motionScale_[at(l)] * motionScale_[at(m)] * product(l, m, i);
-  Vector eigenvalues(at(k));
-  Vector work(at(8 * k + 8));
-  int info = 0;
-  if (k > 0)
-    Teuchos::LAPACK<int, double>().SYEV(
-        'V', 'L', bem::asInt(k), gram.data(), bem::asInt(gram.stride()),
-        eigenvalues.data(), work.data(), static_cast<int>(work.size()), &info);
-  const double least = k > 0 ? heldThreshold * eigenvalues.back() : 0;
-  const auto looseCount = std::count_if(eigenvalues.begin(), eigenvalues.end(),
-                                        [&](double v) { return !(v > least); });
+  if (!problem_.rigidStiffness.empty()) {
+    Matrix ofRows = gram.copy();
+    unpressed_ = bem::columnsBetween(ofRows, 0, looseOf(ofRows));
+  }
+  for (Index m = 0; m < k; ++m)
+    gram(m, m) += motionScale_[at(m)] * motionScale_[at(m)] * problem_.stiffness(m);
+  const Index looseCount = looseOf(gram);
   loose_ = Matrix(k, looseCount);
   held_ = Matrix(k, k - looseCount);
   // all of them: as they are, so that systems with other rows have the same
@@ -100,6 +114,13 @@ Flexibility::Operator::System NewtonSystem::reduced() const {
     for (Index m = 0; m < held_.rows(); ++m)
       combinations(m, j) *= motionScale_[at(m)];
   system.motions = multiply(problem_.rigid, combinations);
+  if (!problem_.rigidStiffness.empty()) {
+    Matrix sprung = combinations.copy();
+    for (Index j = 0; j < sprung.columns(); ++j)
+      for (Index m = 0; m < sprung.rows(); ++m)
+        sprung(m, j) *= problem_.stiffness(m);
+    system.stiffness = transposedTimes(combinations, sprung);
+  }
   return system;
 }
 
@@ -168,8 +189,8 @@ Vector NewtonSystem::solve(const Vector& b) const {
   return d;
 }
 
-Vector NewtonSystem::unheld(const Vector& b) const {
-  if (loose_.columns() == 0)
+Vector NewtonSystem::demanded(const Matrix& combinations, const Vector& b) const {
+  if (combinations.columns() == 0)
     return {};
   const Index k = problem_.rigidMotions();
   Vector rest = balance(b);
@@ -178,8 +199,8 @@ Vector NewtonSystem::unheld(const Vector& b) const {
     for (Index i = 0; i < problem_.size(); ++i)
       rest[at(m)] -= motionScale_[at(m)] * problem_.rigid(i, m) * known[at(i)];
   Vector direction(at(k), 0.0);
-  for (Index j = 0; j < loose_.columns(); ++j) {
-    const Vector motion = columnOf(loose_, j);
+  for (Index j = 0; j < combinations.columns(); ++j) {
+    const Vector motion = columnOf(combinations, j);
     const double share = bem::dot(motion, rest);
     for (Index m = 0; m < k; ++m)
       direction[at(m)] += motionScale_[at(m)] * motion[at(m)] * share;

@@ -15,10 +15,10 @@ class FactorMemory;
 ///
 ///   known      d_i = b_i + f_i d_j,   j: the pressure that the bound of i follows
 ///   inactive   Σ_j D_ij d_j - Σ_j G_ij α_j = b_i / c_i
-///   balance    Σ_i G_ij d_i = b_j
+///   balance    Σ_i G_ij d_i + K_j α_j = b_j
 ///
 /// Factored by D, from a memory where there is one and as far as refinement then converges.  Rigid motions, measured in units in which each has size
-/// one, are split into the combinations that the inactive rows hold and those that they do not
+/// one, are split into the combinations that the inactive rows or springs hold and those that they do not
 /// (no contact yet, everything slips).  The latter are left out of the step; `unheld` tells which
 /// of them the load demands.
 class NewtonSystem {
@@ -33,13 +33,16 @@ class NewtonSystem {
 
   /// The combination v of rigid motions, in units of α, that no row holds and whose
   /// balance b demands; empty if there is none.
-  Vector unheld(const Vector& b) const;
+  Vector unheld(const Vector& b) const { return demanded(loose_, b); }
+  /// Likewise of those that springs alone hold.
+  Vector unpressed(const Vector& b) const { return demanded(unpressed_, b); }
 
  private:
   bool isKnown(Index i) const { return rows_.rows[at(i)].penetration == 0; }
   /// j and f of a known change, f = 0: of none.
   std::pair<Index, double> followed(Index i) const;
   void splitMotions();
+  Vector demanded(const Matrix& combinations, const Vector& b) const;
   /// What D factors.
   Flexibility::Operator::System reduced() const;
   /// The changes that do not depend on the inactive ones; zero elsewhere.
@@ -58,7 +61,8 @@ class NewtonSystem {
   Vector motionScale_;           ///< gives each rigid motion size one
   Matrix
       held_;  ///< orthonormal combinations of scaled motions that the inactive rows hold
-  Matrix loose_;  ///< ... and that they do not
+  Matrix loose_;      ///< ... and that they do not
+  Matrix unpressed_;  ///< where there are springs: that the rows do not hold
   /// From a memory, until refinement with it fails.
   mutable std::unique_ptr<const Flexibility::Operator::Factor> factor_;
   mutable bool isKept_ = false;

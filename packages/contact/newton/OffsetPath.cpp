@@ -28,9 +28,7 @@ double generic(Index i, int direction) {
 class Scaled {
  public:
   Scaled(const Problem& problem, const Vector& placement)
-      : problem_(problem),
-        placement_(placement),
-        D_(problem.flexibility.entries().copy()) {
+      : problem_(problem), D_(problem.flexibility.entries().copy()) {
     const Index n = problem.size();
     d_ = problem.offset;
     for (const auto& [row, column, value] : problem.surface.linear)
@@ -42,8 +40,11 @@ class Scaled {
       double largest = 0;
       for (Index i = 0; i < n; ++i)
         largest = std::max(largest, std::abs(problem.rigid(i, j)));
-      springs_.push_back(largest > 0 ? softness * mean / (largest * largest) : 0);
-      const double centre = placement[at(j)] + springs_.back() * problem.rigidLoad[at(j)];
+      const double soft = largest > 0 ? softness * mean / (largest * largest) : 0;
+      const double parallel = 1 + soft * problem.stiffness(j);
+      springs_.push_back(soft / parallel);
+      rest_.push_back(placement[at(j)] / parallel);
+      const double centre = rest_.back() + springs_.back() * problem.rigidLoad[at(j)];
       for (Index c = 0; c < n; ++c) {
         d_[at(c)] += problem.rigid(c, j) * centre;
         for (Index r = 0; r < n; ++r)
@@ -89,18 +90,18 @@ class Scaled {
       double rest = problem_.rigidLoad[at(j)];
       for (Index i = 0; i < problem_.size(); ++i)
         rest -= problem_.rigid(i, j) * result[at(i)];
-      result.push_back(placement_[at(j)] + springs_[at(j)] * rest);
+      result.push_back(rest_[at(j)] + springs_[at(j)] * rest);
     }
     return result;
   }
 
  private:
   const Problem& problem_;
-  const Vector& placement_;
   Matrix D_;
   Vector d_;
   Vector scale_;
-  Vector springs_;
+  Vector springs_;  // 1 / (K + 1/soft) of a motion, and α without forces
+  Vector rest_;
 };
 
 class Path {

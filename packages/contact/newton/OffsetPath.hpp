@@ -32,8 +32,8 @@ using OffsetWatch = std::function<void(int pivots, int mostPivots)>;
 /// coefficient, if D is definite.             [Cottle, Pang, Stone 1992; Stewart, Trinkle 1996]
 ///
 /// A bound that is no polygon of the pressures is replaced by tangents, within 1e-3 of it.
-/// Free rigid motions get springs at `placement`, 1e5 times as soft as D: Newton's method
-/// finds the last digits.
+/// Free rigid motions get springs at `placement`, 1e5 times as soft as D, beside those that they
+/// have: Newton's method finds the last digits.
 ///
 /// A change takes 2 n² operations, see workOfPivot, n of them as many as three factorisations.
 /// \param placement   α, where the springs are without force

@@ -74,7 +74,7 @@ double balance(const Work& work, double first, double little, bool closes) {
 
 // Moves the body until the springs' forces P(λ + y) balance the load.
 //
-// Along α + t v these do the work v·(q - Gᵀ P(λ + y)), which falls with t; the step goes to
+// Along α + t v these do the work v·(q - K (α + t v) - Gᵀ P(λ + y)), which falls with t; the step goes to
 // its zero, and λ to its projection.
 Vector rigidPlacement(const Equation& equation, const Evaluation& e,
                       const Vector& motion) {
@@ -82,8 +82,11 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
   const Index n = problem.size();
   Vector slope(at(n), 0.0);  // dy/dt
   double work0 = 0;
+  double fall = 0;  // of the springs' work with t
   for (Index j = 0; j < problem.rigidMotions(); ++j) {
-    work0 += motion[at(j)] * problem.rigidLoad[at(j)];
+    const double spring = problem.stiffness(j) * motion[at(j)];
+    work0 += motion[at(j)] * problem.rigidLoad[at(j)] - spring * e.unknowns[at(n + j)];
+    fall += spring * motion[at(j)];
     for (Index i = 0; i < n; ++i)
       slope[at(i)] += e.linear.weights[at(i)] * problem.rigid(i, j) * motion[at(j)];
   }
@@ -95,7 +98,7 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
   };
   const auto work = [&](double t) {
     const Vector forces = springForces(problem, e.unknowns, penetrationAt(t));
-    double sum = work0;
+    double sum = work0 - t * fall;
     for (Index i = 0; i < n; ++i)
       sum -= forces[at(i)] * slope[at(i)] / e.linear.weights[at(i)];
     return sum;
@@ -133,10 +136,32 @@ Vector placingStep(const Equation& equation, const Evaluation& e, const Vector& 
     Vector right = sticking.residual;
     for (double& value : right)
       value = -value;
-    if (system.unheld(right).empty())
-      return system.solve(right);
+    if (system.unheld(right).empty()) {
+      Vector step = system.solve(right);
+      if (!overshoots(equation, e, step))
+        return step;
+    }
   }
   return rigidPlacement(equation, e, motion);
+}
+
+bool overshoots(const Equation& equation, const Evaluation& e, const Vector& step) {
+  constexpr double far = 10;  // in units of the load
+  const Problem& problem = equation.problem();
+  for (Index i = 0; i < problem.size() && !problem.rigidStiffness.empty(); ++i) {
+    double change = 0;
+    for (Index j = 0; j < problem.rigidMotions(); ++j)
+      change += problem.rigid(i, j) * step[at(problem.size() + j)];
+    const double now = e.unknowns[at(i)] + e.penetration[at(i)];
+    const double then = now + e.linear.weights[at(i)] * change;
+    const double bound = i < problem.normals ? 0 : e.bounds[at(i - problem.normals)];
+    const bool leaves = i < problem.normals
+                            ? now <= 0 && then > 0
+                            : bound > 0 && std::abs(now) >= bound && now * then < 0;
+    if (leaves && std::abs(then) > bound + far * problem.stress)
+      return true;
+  }
+  return false;
 }
 
 }  // namespace epafi::contact

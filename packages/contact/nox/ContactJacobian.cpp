@@ -11,6 +11,16 @@
 
 namespace epafi::contact {
 
+namespace {
+
+Vector times(double factor, Vector x) {
+  for (double& value : x)
+    value *= factor;
+  return x;
+}
+
+}  // namespace
+
 const NewtonSystem& Linearisation::system() const {
   if (system_ == nullptr)
     system_ = std::make_unique<NewtonSystem>(*equation_, evaluation_.linear, memory_);
@@ -39,22 +49,24 @@ void ContactJacobian::applyImpl(Thyra::EOpTransp transpose, const MultiVector& x
 
 Vector ContactJacobian::solved(const Vector& b) const {
   const NewtonSystem& system = at().system();
-  Vector right = b;
-  for (double& value : right)
-    value = -value;
-  const Vector motion = system.unheld(right);
-  if (motion.empty())
-    return system.solve(b);
+  const Vector right = times(-1, b);
   const Evaluation& e = at().evaluation();
+  bool isResidual = true;
   for (std::size_t i = 0; i < b.size(); ++i)
-    if (b[i] != scale_ * e.linear.residual[i])
-      throw NoBalance(
-          "neither contact nor friction holds a rigid motion that the right-hand side "
-          "demands: begin nearer to the solution");
-  Vector x = placingStep(at().equation(), e, motion, at().memory());
-  for (double& value : x)
-    value *= -scale_;
-  return x;
+    isResidual = isResidual && b[i] == scale_ * e.linear.residual[i];
+  Vector motion = system.unheld(right);
+  if (motion.empty()) {
+    Vector x = system.solve(b);
+    if (isResidual && overshoots(at().equation(), e, times(-1 / scale_, x)))
+      motion = system.unpressed(right);
+    if (motion.empty())
+      return x;
+  }
+  if (!isResidual)
+    throw NoBalance(
+        "neither contact nor friction holds a rigid motion that the right-hand side "
+        "demands: begin nearer to the solution");
+  return times(-scale_, placingStep(at().equation(), e, motion, at().memory()));
 }
 
 Thyra::SolveStatus<double> ContactJacobian::solveImpl(

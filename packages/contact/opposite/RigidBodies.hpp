@@ -7,12 +7,16 @@
 namespace epafi::contact {
 
 /// How a body that does not deform is moved in x, in y and about its reference point: by a
-/// given motion, or freely under a force.  Dimensionless.
+/// given motion, or freely under a force and, where there is a stiffness, a spring to an end that is
+/// moved.  Dimensionless.
 struct Drive {
   struct Component {
     bool free = false;
     double value = 0;   ///< the force or moment of a free component; else the motion
     double inside = 0;  ///< force or moment of what acts inside
+    double stiffness =
+        0;           ///< k of a free component's spring, whose force is k (end - motion)
+    double end = 0;  ///< motion of its other end
   };
   std::array<Component, 3> components{};
 };

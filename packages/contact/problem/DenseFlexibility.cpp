@@ -194,6 +194,9 @@ class ByLu final : public Dense {
         m(p, count() + k) = -border_(p, k);
         m(count() + k, p) = border_(p, k);
       }
+    for (Index l = 0; l < system_.stiffness.columns(); ++l)
+      for (Index k = 0; k < motions(); ++k)
+        m(count() + k, count() + l) = system_.stiffness(k, l);
     for (const auto& [follower, leader, factor] : system_.followers) {
       const Index q = place_[at(leader)];
       addColumn(follower, factor, q, m);
@@ -279,7 +282,7 @@ void DenseFlexibility::overColumns(const Vector& x, const Add& add) const {
 
 std::unique_ptr<Flexibility::Operator::Factor> DenseFlexibility::factor(
     System system) const {
-  if (system.followers.empty())
+  if (system.followers.empty() && system.stiffness.empty())
     return std::make_unique<ByCholesky>(entries_, std::move(system));
   return std::make_unique<ByLu>(entries_, std::move(system));
 }

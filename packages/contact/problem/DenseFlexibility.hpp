@@ -16,7 +16,8 @@ class DenseFlexibility final : public Flexibility::Operator {
   Matrix formed() const override { return entries_.copy(); }
 
   /// D in the rows, bordered by Ĝ, is symmetric positive definite on {Ĝᵀ x = 0} where nothing
-  /// follows: Cholesky then, with the border by its Schur complement; else LU of the same size.
+  /// follows and no spring holds: Cholesky then, with the border by its Schur complement; else LU
+  /// of the same size.
   /// \throws SingularJacobian
   std::unique_ptr<Factor> factor(System system) const override;
 

@@ -46,12 +46,13 @@ class Flexibility {
     ///
     ///   rows       Σ_j (D + L)_ij x_j - Σ_k Ĝ_ik β_k = b_i
     ///   others     x_i - Σ factor x_leader = b_i
-    ///   balance    Σ_i Ĝ_ik x_i = b_k
+    ///   balance    Σ_i Ĝ_ik x_i + Σ_l K̂_kl β_l = b_k
     struct System {
       std::vector<Index> rows;            ///< the coefficients that are solved for
       std::vector<bem::Entry> followers;  ///< of others, with leaders among the rows
-      Matrix motions;                     ///< Ĝ, by all coefficients; the rows hold each
-      std::vector<bem::Entry> added{};    ///< L, by all coefficients, local to elements
+      Matrix motions;  ///< Ĝ, by all coefficients; the rows or springs hold each
+      std::vector<bem::Entry> added{};  ///< L, by all coefficients, local to elements
+      Matrix stiffness{};               ///< K̂, of springs; empty: there are none
     };
     class Factor {
      public:

@@ -24,8 +24,8 @@ bool finite(const Vector& v) {
 }  // namespace
 
 Problem Problem::copy() const {
-  return {normals,   tangentials, flexibility,   offset, rigid.copy(),
-          rigidLoad, stress,      amplification, surface};
+  return {normals,   tangentials,    flexibility, offset,        rigid.copy(),
+          rigidLoad, rigidStiffness, stress,      amplification, surface};
 }
 
 void Problem::check() const {
@@ -39,6 +39,8 @@ void Problem::check() const {
   require<InputError>(
       rigid.columns() == rigidMotions() && (rigid.empty() || rigid.rows() == size()),
       "rigid motions do not fit their loads or the multiplier");
+  require<InputError>(rigidStiffness.empty() || rigidStiffness.size() == rigidLoad.size(),
+                      "springs do not fit its rigid motions");
   for (const Tangential& t : tangentials)
     require<InputError>(t.isTied() || isNormal(t.normal()),
                         "slip bounds follow pressures that there are not");
@@ -46,6 +48,10 @@ void Problem::check() const {
   require<NumericalError>(finite(offset), "load holds a number that is not finite");
   require<NumericalError>(finite(rigidLoad),
                           "resultant holds a number that is not finite");
+  require<NumericalError>(
+      finite(rigidStiffness) && std::all_of(rigidStiffness.begin(), rigidStiffness.end(),
+                                            [](double k) { return k >= 0; }),
+      "springs are not all stiff and finite");
 }
 
 bool Problem::boundDependsOnPressure() const {

@@ -15,7 +15,7 @@ namespace epafi::contact {
 ///   `tangentials`; α: the displacement's free rigid motions.
 ///
 ///   r = d₀ - D λ + G α - Φ(λ)   weighted penetration and slip
-///   Gᵀ λ = q                 balance of the free rigid motions
+///   Gᵀ λ + K α = q           balance of the free rigid motions
 ///   λₙ ≥ 0,  rₙ ≤ 0,  λₙ rₙ = 0
 ///   |λₜ| ≤ s,  |λₜ| < s ⇒ rₜ = 0,  λₜ = ± s ⇒ ± rₜ ≥ 0,   s = s(λₙ) ≥ 0, see Tangential
 ///
@@ -29,6 +29,7 @@ struct Problem {
   Vector offset;            ///< d₀
   Matrix rigid;             ///< G, one column per free rigid motion; may have none
   Vector rigidLoad;         ///< q
+  Vector rigidStiffness;    ///< K >= 0, a diagonal, of springs; empty: there are none
   double stress = 1;        ///< size of the load, which the residual is measured by; > 0
   /// How many times more a value of λ may err than the residuals of its coefficients say.
   double amplification = 1;
@@ -36,6 +37,9 @@ struct Problem {
 
   Index size() const { return normals + static_cast<Index>(tangentials.size()); }
   Index rigidMotions() const { return static_cast<Index>(rigidLoad.size()); }
+  double stiffness(Index motion) const {
+    return rigidStiffness.empty() ? 0 : rigidStiffness[at(motion)];
+  }
 
   /// The same; D is shared.
   Problem copy() const;

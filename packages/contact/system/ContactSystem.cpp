@@ -114,7 +114,7 @@ struct ContactSystem::Parts {
     }
     measureInside();
     addGiven(numbers.offset);
-    rigid.addForces(numbers.rigidLoad);
+    rigid.addForces(numbers);
     setScale(loadSize());
   }
 
@@ -387,6 +387,10 @@ Configuration ContactSystem::configuration(State state) const {
 
 std::vector<std::array<double, 3>> ContactSystem::rigidForces(const State& state) const {
   return parts_->rigid.forces(state.multiplier);
+}
+
+double ContactSystem::energyOfSprings(const State& state) const {
+  return parts_->rigid.energyOfSprings(state.multiplier);
 }
 
 double ContactSystem::strainEnergy(const Configuration& at) const {

@@ -110,6 +110,8 @@ class ContactSystem {
   /// y, and the moment about the reference point.
   const std::vector<Drive>& drives() const;
   std::vector<std::array<double, 3>> rigidForces(const State& state) const;
+  /// What the springs of such bodies store.
+  double energyOfSprings(const State& state) const;
 
   /// ½ <W u, u> + ½ <V ψ, ψ> of all bodies, and with what the stabilisation adds, see
   /// ContactProblem.

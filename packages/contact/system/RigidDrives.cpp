@@ -50,6 +50,17 @@ Index RigidDrives::freeMotions() const {
   return count;
 }
 
+double RigidDrives::given(std::size_t k, std::size_t c) const {
+  const Drive::Component& drive = drives_[k].components[c];
+  const double stiff = stiffness(k, c);
+  return drive.free ? stiff / (1 + stiff) * drive.end : drive.value;
+}
+
+double RigidDrives::force(std::size_t k, std::size_t c) const {
+  const Drive::Component& drive = drives_[k].components[c];
+  return drive.value + drive.inside + drive.stiffness / (1 + stiffness(k, c)) * drive.end;
+}
+
 double RigidDrives::loadSize() const {
   double load = 0;
   for (std::size_t k = 0; k < drives_.size(); ++k) {
@@ -57,14 +68,12 @@ double RigidDrives::loadSize() const {
     bem::Vec2 slide;
     double others = 0;  // turning, and forces as pressures on what is met
     for (std::size_t c = 0; c < 3; ++c) {
-      const auto& [free, value, inside] = drives_[k].components[c];
-      if (free)
-        others +=
-            met.length > 0 ? std::abs(value + inside) / scaleOf(k, c) / met.length : 0;
-      else if (c == 2)
-        others += met.lever * std::abs(value);
+      if (drives_[k].components[c].free)
+        others += met.length > 0 ? std::abs(force(k, c)) / scaleOf(k, c) / met.length : 0;
+      if (c == 2)
+        others += met.lever * std::abs(given(k, c));
       else
-        (c == 0 ? slide.x : slide.y) = value;
+        (c == 0 ? slide.x : slide.y) = given(k, c);
     }
     load += norm(slide) + others;
   }
@@ -86,24 +95,27 @@ Matrix RigidDrives::withFreeMotions(const Matrix& elastic) const {
 void RigidDrives::addGiven(Vector& penetration) const {
   for (std::size_t k = 0; k < drives_.size(); ++k)
     for (std::size_t c = 0; c < 3; ++c) {
-      const auto& [free, value, inside] = drives_[k].components[c];
-      for (std::size_t i = 0; !free && value != 0 && i < penetration.size(); ++i)
-        penetration[i] -= scaleOf(k, c) * value * trace(k, c)[i];
+      const double motion = given(k, c);
+      for (std::size_t i = 0; motion != 0 && i < penetration.size(); ++i)
+        penetration[i] -= scaleOf(k, c) * motion * trace(k, c)[i];
     }
 }
 
-void RigidDrives::addForces(Vector& rigidLoad) const {
+void RigidDrives::addForces(Problem& problem) const {
+  Vector springs(problem.rigidLoad.size(), 0.0);
   forEachFree([&](std::size_t k, std::size_t c) {
-    const Drive::Component& drive = drives_[k].components[c];
-    rigidLoad.push_back((drive.value + drive.inside) / scaleOf(k, c));
+    problem.rigidLoad.push_back(force(k, c) / scaleOf(k, c));
+    springs.push_back(stiffness(k, c));
   });
+  if (std::any_of(springs.begin(), springs.end(), [](double k) { return k > 0; }))
+    problem.rigidStiffness = std::move(springs);
 }
 
 void RigidDrives::append(const std::vector<RigidMotion>& motions, Vector& alpha) const {
   forEachFree([&](std::size_t k, std::size_t c) {
     const RigidMotion motion = motions.empty() ? RigidMotion{} : motions[k];
     const double components[] = {motion.slide.x, motion.slide.y, motion.turn};
-    alpha.push_back(scaleOf(k, c) * components[c]);
+    alpha.push_back(motions.empty() ? 0 : scaleOf(k, c) * (components[c] - given(k, c)));
   });
 }
 
@@ -112,8 +124,9 @@ std::vector<RigidMotion> RigidDrives::motions(const double* alpha) const {
   for (std::size_t k = 0; k < drives_.size(); ++k) {
     double components[3];
     for (std::size_t c = 0; c < 3; ++c) {
-      const Drive::Component& drive = drives_[k].components[c];
-      components[c] = drive.free ? *alpha++ / scaleOf(k, c) : drive.value;
+      components[c] = given(k, c);
+      if (drives_[k].components[c].free)
+        components[c] += *alpha++ / scaleOf(k, c);
     }
     result.push_back({{components[0], components[1]}, components[2]});
   }
@@ -128,6 +141,18 @@ std::vector<std::array<double, 3>> RigidDrives::forces(const Vector& multiplier)
           scaleOf(k, c) *
           std::inner_product(multiplier.begin(), multiplier.end(), trace(k, c), 0.0);
   return result;
+}
+
+double RigidDrives::energyOfSprings(const Vector& multiplier) const {
+  const auto ofContact = forces(multiplier);
+  double energy = 0;
+  forEachFree([&](std::size_t k, std::size_t c) {
+    const Drive::Component& drive = drives_[k].components[c];
+    const double spring = ofContact[k][c] + drive.value + drive.inside;
+    if (drive.stiffness > 0)
+      energy += spring * spring / (2 * drive.stiffness);
+  });
+  return energy;
 }
 
 }  // namespace epafi::contact

@@ -24,9 +24,9 @@ class RigidDrives {
 
   /// Elastic bodies' columns of G, then one -T m for each free motion m.
   Matrix withFreeMotions(const Matrix& elastic) const;
-  /// What given motions add to r, and the forces of free ones, appended to q.
+  /// What given motions add to r, and the forces of free ones, appended to q, and springs to K.
   void addGiven(Vector& penetration) const;
-  void addForces(Vector& rigidLoad) const;
+  void addForces(Problem& problem) const;
 
   /// Appends what motions of all bodies are as entries of α; none: they stand still.
   void append(const std::vector<RigidMotion>& motions, Vector& alpha) const;
@@ -34,6 +34,8 @@ class RigidDrives {
   std::vector<RigidMotion> motions(const double* alpha) const;
   /// What a multiplier does to each: forces in x and y, moment about the reference point.
   std::vector<std::array<double, 3>> forces(const Vector& multiplier) const;
+  /// What the springs store under these forces of contact: Σ f² / (2 k), f the spring's.
+  double energyOfSprings(const Vector& multiplier) const;
 
  private:
   /// What a motion about the reference point has in the units of its trace, or a moment.
@@ -44,6 +46,19 @@ class RigidDrives {
   const double* trace(std::size_t k, std::size_t c) const {
     return (*traces_)[k].traces.column(static_cast<Index>(c));
   }
+  /// K of a spring, whose contact has a stiffness of about one.
+  double stiffness(std::size_t k, std::size_t c) const {
+    return drives_[k].components[c].stiffness / (scaleOf(k, c) * scaleOf(k, c));
+  }
+  /// The given motion; where a spring is the one that α counts from, and the force there:
+  ///
+  ///   α = motion - K/(1+K) end,   q = force + k/(1+K) end,
+  ///
+  /// where contact of stiffness one would hold the body.  Both are as small as what contact makes of
+  /// them, whether the spring is soft and its end far away or it is stiff and its force a small
+  /// difference.
+  double given(std::size_t k, std::size_t c) const;
+  double force(std::size_t k, std::size_t c) const;
   /// visit(body, component) of each free motion.
   template <class Visit>
   void forEachFree(const Visit& visit) const {

@@ -1,0 +1,154 @@
+// Free rigid motions on springs.
+#include "bem/base/Error.hpp"
+#include "contact/RandomProblem.hpp"
+#include "contact/Solve.hpp"
+#include "contact/equation/Equation.hpp"
+#include "reference/ProjectedSor.hpp"
+
+#include <Teuchos_UnitTestHarness.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace epafi {
+
+namespace {
+
+using contact::Index;
+using contact::Matrix;
+using contact::Problem;
+using contact::Status;
+using contact::Vector;
+
+Problem sprung(const char* law, double springs, std::mt19937& random) {
+  test::Recipe recipe;
+  recipe.normals = 4 + static_cast<Index>(random() % 20);
+  recipe.law = law;
+  recipe.strength = 0.5;
+  recipe.rigidMotions = 1 + static_cast<Index>(random() % 2);
+  recipe.springs = springs;
+  return test::randomProblem(recipe, random);
+}
+
+/// D + G K⁻¹ Gᵀ and d₀ + G K⁻¹ q, nothing free.
+Problem asCompliance(const Problem& problem) {
+  Problem result = problem.copy();
+  Matrix d = problem.flexibility.entries().copy();
+  for (Index k = 0; k < problem.rigidMotions(); ++k)
+    for (Index j = 0; j < problem.size(); ++j) {
+      const double share = problem.rigid(j, k) / problem.stiffness(k);
+      result.offset[bem::at(j)] += share * problem.rigidLoad[bem::at(k)];
+      for (Index i = 0; i < problem.size(); ++i)
+        d(i, j) += problem.rigid(i, k) * share;
+    }
+  result.flexibility = std::move(d);
+  result.rigid = Matrix(problem.size(), 0);
+  result.rigidLoad.clear();
+  result.rigidStiffness.clear();
+  return result;
+}
+
+double product(const Vector& a, const Vector& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+TEUCHOS_UNIT_TEST(Springs, areTheSameAsCompliance) {
+  std::mt19937 random(3);
+  for (const char* law : {"None", "Tresca", "Coulomb"})
+    for (int k = 0; k < 30; ++k) {
+      const Problem problem = sprung(law, 2, random);
+      const auto solution = test::solve(problem);
+      const auto expected = test::solve(asCompliance(problem));
+      TEST_ASSERT(solution.report.status == Status::Converged);
+      double worst = 0;
+      for (std::size_t i = 0; i < solution.state.multiplier.size(); ++i)
+        worst = std::max(
+            worst, std::abs(solution.state.multiplier[i] - expected.state.multiplier[i]));
+      TEST_COMPARE(worst, <, 1e-9);
+    }
+}
+
+TEUCHOS_UNIT_TEST(Springs, ofEveryStiffnessAreSolved) {
+  std::mt19937 random(5);
+  for (const char* law : {"None", "Tresca", "Coulomb"})
+    for (int k = 0; k < 200; ++k) {
+      const Problem problem = sprung(law, 9, random);
+      const auto solution = test::solve(problem);
+      TEST_ASSERT(solution.report.status == Status::Converged);
+      TEST_COMPARE(reference::violation(problem, solution.state), <, 1e-10);
+    }
+}
+
+TEUCHOS_UNIT_TEST(Springs, areInTheJacobianAndItsTranspose) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int k = 0; k < 20; ++k) {
+    const Problem problem = sprung("Coulomb", 2, random);
+    const contact::Equation equation(problem, contact::Equation::Bound::Differentiated,
+                                     1e-12);
+    Vector x;
+    Vector v;
+    for (Index i = 0; i < equation.size(); ++i) {
+      x.push_back(number(random));
+      v.push_back(number(random));
+    }
+    const contact::Evaluation e = equation.at(x);
+    const Vector jx = equation.jacobianTimes(e.linear, x);
+    TEST_COMPARE(
+        std::abs(product(v, jx) - product(equation.transposeTimes(e.linear, v), x)), <,
+        1e-12 * (1 + std::abs(product(v, jx))));
+    // the balance is linear
+    const Vector none = equation.at(Vector(x.size(), 0.0)).linear.residual;
+    for (Index j = problem.size(); j < equation.size(); ++j)
+      TEST_COMPARE(
+          std::abs(none[bem::at(j)] + jx[bem::at(j)] - e.linear.residual[bem::at(j)]), <,
+          1e-12 * (1 + std::abs(jx[bem::at(j)])));
+  }
+}
+
+/// A pad on two points, pressed by q and pulled along, both by springs as well:
+///   λₙ + λₙ' + K α = q,  μ q at most along.
+TEUCHOS_UNIT_TEST(Springs, thatAreSoftWantNoOtherStageThanNewtons) {
+  for (const double stiffness : {1.0, 1e-3, 1e-6, 1e-9})
+    for (const double gap : {0.0, 3.0})
+      for (const double pull : {0.5, 0.9, -0.9}) {
+        Problem problem;
+        problem.normals = 2;
+        for (const Index i : {0, 1})
+          problem.tangentials.emplace_back(i, test::pointLaw("Coulomb", {0.6}));
+        problem.flexibility = test::identity(4);
+        problem.offset = {-gap, -gap, 0, 0};
+        problem.rigid = Matrix(4, 2);
+        problem.rigid(0, 0) = problem.rigid(1, 0) = 1;
+        problem.rigid(2, 1) = problem.rigid(3, 1) = 1;
+        problem.rigidStiffness = {stiffness, stiffness};
+        const double press = 1 + stiffness * (0.5 + gap);  // λₙ = 1/2 each
+        problem.rigidLoad = {press, pull};
+        const auto solution = test::solve(problem);
+        const auto& [multiplier, rigid] = solution.state;
+        TEST_ASSERT(solution.report.status == Status::Converged);
+        TEST_EQUALITY(solution.report.stages.size(), std::size_t{1});
+        TEST_COMPARE(std::abs(multiplier[0] + multiplier[1] - 1), <, 1e-10);
+        TEST_COMPARE(std::abs(rigid[0] - 0.5 - gap), <, 1e-10);
+        // sticks up to q = (1 + K/2) μ, α = λₜ; then α = (q - μ) / K
+        const double stuck = pull / (1 + 0.5 * stiffness) / 2;
+        const double shear = std::clamp(stuck, -0.3, 0.3);
+        TEST_COMPARE(std::abs(multiplier[2] + multiplier[3] - 2 * shear), <, 1e-10);
+        const double slid = shear == stuck ? shear : (pull - 2 * shear) / stiffness;
+        TEST_COMPARE(std::abs(rigid[1] - slid), <, 1e-10 * (1 + std::abs(slid)));
+      }
+}
+
+TEUCHOS_UNIT_TEST(Springs, thatDoNotFitAreRefused) {
+  std::mt19937 random(9);
+  Problem problem = sprung("None", 2, random);
+  problem.rigidStiffness.push_back(1);
+  TEST_THROW(problem.check(), bem::InputError);
+  problem.rigidStiffness.assign(problem.rigidLoad.size(), -1.0);
+  TEST_THROW(problem.check(), bem::NumericalError);
+}
+
+}  // namespace
+
+}  // namespace epafi
