@@ -6,27 +6,27 @@
 
 namespace epafi::bem {
 
-/// The boundary operators as Galerkin matrices, [P sec. 2], with the signs of
-/// doc/theory/operators.md; dimensionless.
+/// Galerkin matrices of the boundary operators, with the signs of doc/theory/operators.md;
+/// dimensionless.                                                              [P sec. 2]
 struct Operators {
   Matrix singleLayer;         ///< V, densities x densities, lower triangle
   Matrix doubleLayer;         ///< K + 1/2, densities x displacements
   Matrix hypersingular;       ///< W, displacements x displacements, lower triangle
-  TractionKernels tractions;  ///< on the elements asked for
-  /// Null unless displacements hold a rotation beside polynomials, see withExactRotation.
+  TractionKernels tractions;  ///< on the `tractionElements` of assembleOperators
+  /// Null unless the displacements represent rotations exactly, see withExactRotation.
   std::shared_ptr<const Rotation> rotation = nullptr;
 };
 
-/// Assembles V, K + 1/2 and W from one set of double moments per pair of elements:
+/// Assembles V, K + 1/2 and W from the double moments of all pairs of elements:
 ///
 ///   V f = A (-log r) f + B (d d'/r²) f,
 ///   K v = K_Δ v - (2μ V - V_Δ) M v,  M v = (v₂', -v₁'),  V_Δ, K_Δ: Laplace's potentials,
 ///   <W u, v> = <V* u', v'>                              [doc/theory/operators.md]
 ///
-/// Every entry is accurate to 1e-12 of the norm of its element pair's block.
+/// The error of an entry is at most 1e-12 of the norm of the block of its pair of elements.
 /// Threads: over blocks of elements.
 ///
-/// Where `tractionElements` are given, the kernels of their projected tractions come with them.
+/// \param tractionElements elements whose projected tractions are assembled, too
 Operators assembleOperators(const Space& space, const Lame& lame,
                             const std::vector<int>& tractionElements = {});
 

@@ -5,7 +5,7 @@
 
 namespace epafi::bem {
 
-/// Adds a block.  Both entries of a column lie side by side.
+/// Adds a 2 x 2 block whose xx entry belongs at (row, column).
 inline void addBlock(Matrix& matrix, Index row, Index column, const Block& b) {
   double* left = matrix.column(column) + row;
   double* right = left + matrix.stride();

@@ -4,9 +4,9 @@
 
 namespace epafi::bem {
 
-/// The operators of displacements that hold the rotation exactly, see Rotation:
-/// Pᵀ W P and (K + 1/2) P; W r_I and (K + 1/2) r_I as the last columns of the tractions'
-/// kernels.  Those of a straight boundary are left as they are.
+/// Operators for displacements that represent rotations exactly, see Rotation:
+/// Pᵀ W P and (K + 1/2) P; the traction kernels get W r_I and (K + 1/2) r_I as last columns.
+/// Operators of a boundary without arcs are returned unchanged.
 Operators withExactRotation(Operators operators, const Space& space);
 
 /// Pᵀ C

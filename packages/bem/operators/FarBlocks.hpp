@@ -12,38 +12,38 @@
 
 namespace epafi::bem {
 
-/// Entries of the coupled system by its kernels themselves, at Gauss points:
+/// Blocks of the coupled system, by Gauss quadrature of its kernels:
 ///
-///   [ W   K'+1/2 ]        displacements φ_k, which are not differentiated,
+///   [ W   K'+1/2 ]        displacements φ_k, not differentiated,
 ///   [ K+1/2  -V  ]        densities P_i
 ///
-/// of one trial element and up to eight test elements that are far from it.  W has its own
-/// hypersingular kernel: by parts it would have noise of ε (r/h)², which a compression
-/// takes for rank.
+/// for one trial element and up to eight test elements far from it.  W is integrated with
+/// the hypersingular kernel: integration by parts would leave rounding errors of ε (r/h)²,
+/// which increase the rank of compressed blocks.
 ///
-/// What a hat has on one of its elements is no entry by parts: both of its elements must
-/// come from here, or none.
+/// The part of a hat function on a single element has no entry of W by parts.  Compute both
+/// elements of a hat function here, or neither.
 class FarBlocks {
  public:
   FarBlocks(const Space& space, const Lame& lame);
 
-  /// A test element, and its middle less the trial element's.
+  /// A test element; `offset` is its midpoint minus the midpoint of the trial element.
   struct Test {
     int element = 0;
     Vec2 offset;
   };
   void evaluate(const std::vector<Test>& tests, int trial,
                 InstructionSet set = largestInstructionSet());
-  /// Tractions instead: rows 2 i + a, i < moments, with the first row's kernels tested by P_i e_a
-  /// on each test element.
+  /// Moments of the traction instead: row 2 i + a, i < moments, has the kernels of the first
+  /// block row tested with P_i e_a on each test element.
   void evaluateTractions(const std::vector<Test>& tests, int trial, int moments,
                          InstructionSet set = largestInstructionSet());
 
-  /// K and -V of the trial element at points instead, eight in a pair of lanes: x and y less its
-  /// middle.  `order`: farOrder of the nearest of them.
+  /// K and -V of the trial functions at points.  `points`: of each pack of eight points x, then y,
+  /// relative to the element's midpoint.  `order`: farOrder of the nearest point.
   void evaluateFields(const std::vector<AlignedLane>& points, int trial, int order,
                       InstructionSet set = largestInstructionSet());
-  /// Their component c of a function of the trial element at the points of a pair.
+  /// Eight values of evaluateFields: component c of a function at the points of a pack.
   const double* field(std::size_t pair, int function, int c) const {
     const int i = function - 2 * (work_.columnDegree + 1);
     const int sum =
@@ -51,24 +51,24 @@ class FarBlocks {
     return block_[pair * columns_ + sum + c].lane;
   }
 
-  /// Of the functions a of the tests and b of the trial element, see LocalFunctions; the
-  /// tests of an evaluation side by side.  Displacements and densities of a test are those
-  /// of the largest degree among the tests: see densities().
+  /// Entries of test function a and trial function b, see LocalFunctions; one lane for each
+  /// test element.  All test elements have the functions of the largest degree among them;
+  /// their densities begin at a = densities().
   const double* lane(int a, int b) const { return block_[a * columns_ + b].lane; }
-  /// Where the tests' densities begin.
+  /// Local number of the first density of the test elements.
   int densities() const { return 2 * work_.rowNodes; }
 
   struct Work {
-    int rowNodes = 0;      ///< functions that see W and K'
-    int rowDensities = 0;  ///< and K and V
+    int rowNodes = 0;      ///< test functions of W and K'
+    int rowDensities = 0;  ///< test functions of K and V
     int columnDegree = 0;
     int columnDensities = 0;
-    int outer = 0;  ///< points
+    int outer = 0;  ///< Gauss points on the test elements
     int inner = 0;
   };
 
  private:
-  /// On the tests: φ_k up to a degree (-1: none), and densities.
+  /// Test functions: φ_k up to a degree (-1: none), and densities.
   struct Functions {
     int degree = -1;
     int densities = 0;
@@ -81,7 +81,7 @@ class FarBlocks {
   void sampleTests(const std::vector<Test>& tests);
   void sampleTrial(const Element& element);
 
-  /// weightedFunctions of a rule with so many points, computed once.
+  /// weightedFunctions of a Gauss rule with this many points; computed once.
   const std::vector<double>& functions(int points, int degree, int densities);
 
   const Space& space_;
@@ -89,7 +89,7 @@ class FarBlocks {
   std::map<std::array<int, 3>, std::vector<double>> functions_;
   Work work_;
   int columns_ = 0;                      ///< functions on the trial element, or sums
-  std::vector<AlignedLane> outer_;       ///< at each point: w less y, tangent
+  std::vector<AlignedLane> outer_;       ///< at each point: position, tangent
   const double* outerValues_ = nullptr;  ///< φ_k, P_i times the rule's weight
   AlignedLane halves_{};
   std::vector<double> inner_;  ///< at each point: y, tangent

@@ -10,8 +10,8 @@
 
 namespace epafi::bem {
 
-/// The functions that are not zero on an element, in the order of its blocks: the
-/// displacements φ_k e_c, then the densities P_i e_c, components next to each other.
+/// Basis functions on an element in local numbering: displacements φ_k e_c, then densities
+/// P_i e_c; the two components of a function follow each other.
 struct LocalFunctions {
   int displacements;  ///< 2 (p + 1)
   int densities;
@@ -21,16 +21,16 @@ struct LocalFunctions {
   int size() const { return displacements + densities; }
 };
 
-/// An unknown of the coupled system, and where its function lives.
+/// An unknown of the coupled system and the support of its basis function.
 ///
-/// Unknowns are numbered: displacements as Space has them, densities, then others.
+/// Global numbering: displacements as in Space, densities, then the unknowns of LocalCoupling.
 struct Unknown {
-  int element = 0;      ///< the one that numbers it
-  int local = 0;        ///< its function there; -1: none, see LocalCoupling
-  bool isNode = false;  ///< it is also φ₁ of the element before
+  int element = 0;      ///< element that numbers it
+  int local = 0;        ///< local number on that element; -1: none, see LocalCoupling
+  bool isNode = false;  ///< is also φ₁ of the previous element
 };
 
-/// All of a space.
+/// All unknowns of a space.
 inline std::vector<Unknown> unknownsOf(const Space& space) {
   std::vector<Unknown> all(space.displacements() + space.densities());
   for (int e = 0; e < space.mesh().size(); ++e) {
@@ -48,22 +48,22 @@ inline std::vector<Unknown> unknownsOf(const Space& space) {
   return all;
 }
 
-/// Further unknowns beside displacements and densities, and entries of the symmetric
-/// system that are not those of boundary operators.  Both act between functions that
-/// touch, and alone between bodies.
+/// Additional unknowns of the symmetric coupled system (such as multipliers), and entries that
+/// do not come from boundary operators.  They couple functions with common points, and
+/// are the only coupling between bodies.
 struct LocalCoupling {
-  std::vector<int> elements;  ///< of each further unknown, one that it is on
-  std::vector<int> bodies;    ///< and whose that is; empty: all are the first body's
-  /// Of each body: what all of them do to its exact rotation less the interpolated one, where
-  /// it has arcs, see Rotation; empty: nothing.
+  std::vector<int> elements;  ///< for each additional unknown, an element in its support
+  std::vector<int> bodies;    ///< body of that element; empty: the first body
+  /// By body with arcs: the products of the additional unknowns with its exact rotation
+  /// minus the interpolated one, see Rotation; empty: zero.
   std::vector<Vector> rotations;
-  /// Unknowns are numbered body by body as unknownsOf has them, further ones behind all.  One
-  /// of (i, j) and (j, i).
+  /// Either (i, j) or (j, i).  Unknowns are numbered as in unknownsOf, body by body; then come
+  /// the additional ones.
   std::vector<Entry> entries;
 };
 
-/// Displacements φ_k (degree -1: none), then densities P_i, at the points of a rule one after
-/// the other, times its weights and a scale.
+/// Values of φ_k (degree -1: none), then P_i, at a quadrature point, times its weight and a
+/// scale; one point after the other.
 inline std::vector<double> weightedFunctions(const Rule& rule, int degree, int densities,
                                              double scale) {
   const int count = degree + 1 + densities;
@@ -79,9 +79,9 @@ inline std::vector<double> weightedFunctions(const Rule& rule, int degree, int d
   return values;
 }
 
-/// Gauss points that these functions take beside smoothOrder's on an element: the
-/// polynomials' share, and where little is between the elements one that 1/w² asks for beyond
-/// log w.
+/// Number of Gauss points for a kernel times these functions: smoothOrder for the kernel, half
+/// the degree for the polynomials, and for elements at a small distance one point more,
+/// since 1/w² is harder to integrate than log w.
 inline int gaussPoints(int smoothOrder, int degree, int densities) {
   constexpr int far = 4;
   return smoothOrder + (std::max(degree, densities - 1) + 1) / 2 +

@@ -10,8 +10,8 @@
 
 namespace epafi::bem {
 
-/// Calls add(e, i, f, k, block) with what <P_i on e, φ_k on f> of K + 1/2 has besides K:
-/// <φ, P>/2 of some elements.
+/// Calls add(e, i, f, k, block) with the entries <φ_k, P_i>/2, e = f, of K + 1/2 for some
+/// elements.
 template <class Add>
 void addHalfMass(const Mesh& mesh, const std::vector<int>& elements, const Add& add) {
   for (const int e : elements) {
@@ -25,8 +25,8 @@ void addHalfMass(const Mesh& mesh, const std::vector<int>& elements, const Add& 
   }
 }
 
-/// The same with what the phase of elements on one straight edge, ∫∫ w/conj(w) dt dt = 4 τ², gives
-/// to K at the ends of the edge, see TileBlocks; between neighbours it cancels.
+/// Calls add with the terms of K, omitted by TileBlocks, for test and trial elements on one
+/// straight edge: ∫∫ w/conj(w) dt dt = 4 τ².  They remain at the ends of the edge only.
 template <class Add>
 void addEdgeEnds(const Mesh& mesh, const Lame& lame, const std::vector<int>& tests,
                  const std::vector<int>& trials, const Add& add) {

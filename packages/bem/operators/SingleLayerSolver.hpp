@@ -4,13 +4,13 @@
 
 namespace epafi::bem {
 
-/// Another way to V⁻¹ than Cholesky's factors.
+/// Solver for the single layer matrix V instead of a dense Cholesky factorization.
 class SingleLayerSolver {
  public:
   virtual ~SingleLayerSolver() = default;
 
-  /// V⁻¹ B; V by the lower triangle.  Collective.
-  /// \throws NumericalError if V is not positive definite, or if it takes too long.
+  /// V⁻¹ B; `lower` is the lower triangle of V.  Collective.
+  /// \throws NumericalError if V is not positive definite or the solver does not converge
   virtual Matrix solve(Matrix lower, const Matrix& right) const = 0;
 };
 

@@ -11,18 +11,18 @@
 
 namespace epafi::bem {
 
-/// A compliance G = diag(g) of some densities, in addition to V: 1/2 Σ g_k ψ_k² is taken
-/// from the Lagrangian (doc/theory/contact.md, "Stabilisation by the density").
+/// A compliance G = diag(g) that is added to V for some densities: the Lagrangian contains
+/// -1/2 Σ g_k ψ_k² (doc/theory/contact.md, "Stabilisation by the density").
 struct LocalCompliance {
-  std::vector<Index> densities;  ///< each once
-  Vector diagonal;               ///< one g_k > 0 each
-  /// The same of densities that are zero in the solution: nothing asks for their response.
+  std::vector<Index> densities;  ///< distinct
+  Vector diagonal;               ///< g_k > 0, one for each density
+  /// (k, g_k) of densities that are zero in the solution; not part of DensityResponse.
   std::vector<std::pair<Index, double>> pinned;
 };
 
 class CompressedOperators;
 
-/// What the densities E of a LocalCompliance do by themselves.
+/// Response to the densities of a LocalCompliance; E: their unit vectors as columns.
 struct DensityResponse {
   std::vector<Index> densities;
   Matrix displacements;  ///< (K + 1/2)ᵀ (V + G)⁻¹ E
@@ -34,51 +34,51 @@ struct DensityResponse {
 ///   S = W + (K + 1/2)ᵀ V⁻¹ (K + 1/2) = W + Yᵀ Y,   V = L Lᵀ,  Y = L⁻¹ (K + 1/2)
 ///                                                                           [P sec. 3]
 ///
-/// With a LocalCompliance G it is  A = W + (K + 1/2)ᵀ (V + G)⁻¹ (K + 1/2) <= S,  and V + G
-/// stands wherever V stands below.
+/// With a LocalCompliance G, V + G replaces V, here and below:
+/// A = W + (K + 1/2)ᵀ (V + G)⁻¹ (K + 1/2) <= S.
 ///
-/// Dimensionless, by the outline's scaling and the reference stress of Lame, which several
-/// bodies share.
+/// Dimensionless: lengths over the scaling of the outline, stresses over the reference
+/// stress of Lame; all bodies share both.
 class SteklovPoincare {
  public:
-  /// CPU seconds are not this class's business: callers time assembleOperators and this.
-  /// \throws NumericalError if V is not positive definite.
+  /// S by a Cholesky factorization of V.
+  /// \throws NumericalError if V is not positive definite
   explicit SteklovPoincare(Operators operators, const LocalCompliance& compliance = {});
 
-  /// The same with Z = V⁻¹ (K + 1/2) column by column:  S = W + (K + 1/2)ᵀ Z.
+  /// S = W + (K + 1/2)ᵀ Z, where `solver` computes Z = V⁻¹ (K + 1/2) column by column.
   SteklovPoincare(Operators operators, const SingleLayerSolver& solver,
                   const LocalCompliance& compliance = {});
 
-  /// S of one of the operators' bodies, never formed: nothing below but this is there.
+  /// S of a body, not formed: below, only compressed() and compressedBody() are valid.
   explicit SteklovPoincare(std::shared_ptr<const CompressedOperators> operators,
                            std::size_t body = 0)
       : compressed_(std::move(operators)), body_(body) {}
-  /// Null where S is formed.
+  /// Null if S is formed.
   std::shared_ptr<const CompressedOperators> compressed() const { return compressed_; }
   std::size_t compressedBody() const { return body_; }
 
   /// S
   const LowerTriangle& stiffness() const { return stiffness_; }
-  /// The elements for whose projected tractions the assembly was asked.
+  /// The `tractionElements` of assembleOperators.
   const std::vector<int>& tractionElements() const { return tractionElements_; }
-  /// The projected tractions on them.
+  /// Projected tractions on tractionElements().
   std::shared_ptr<const TractionRows> tractions() const { return tractions_; }
-  /// Of the densities with a compliance of their own; null without any.
+  /// Response to the densities of the LocalCompliance; null without any.
   std::shared_ptr<const DensityResponse> response() const { return response_; }
 
   Vector apply(const Vector& u) const;
 
-  /// ψ = V⁻¹ (K + 1/2) u: the traction that belongs to u, as a density.          [P (15)]
+  /// ψ = V⁻¹ (K + 1/2) u, the density that approximates the traction.            [P (15)]
   Vector density(const Vector& u) const;
 
-  /// V⁻¹ ((K + 1/2) u - E b), E the unit vectors of response().
+  /// V⁻¹ ((K + 1/2) u - E b), E as in DensityResponse.
   Vector density(const Vector& u, const Vector& b) const;
 
-  /// V⁻¹ b, b by all densities.
-  /// \throws InputError where solved for column by column, but for those of response().
+  /// V⁻¹ b, b a vector of all densities.
+  /// \throws InputError with a SingleLayerSolver, if b is not in the span of E
   Vector densityOf(const Vector& b) const;
 
-  /// C + (K + 1/2)ᵀ V⁻¹ B, with Pᵀ C where displacements hold a rotation beside polynomials.
+  /// C + (K + 1/2)ᵀ V⁻¹ B; with Pᵀ C if the displacements represent rotations exactly.
   Matrix addAdjointDensity(Matrix c, Matrix b) const;
 
  private:
@@ -86,17 +86,17 @@ class SteklovPoincare {
   void addRaised(const std::vector<TractionKernels::Raised>& raised, const Matrix& lowest,
                  Matrix& rows) const;
 
-  /// A vector of the densities in the order of the factor, and back.
+  /// Permutes a vector of densities into the order of the factor, and back.
   Vector ordered(const Vector& b) const;
   Vector unordered(const Vector& b) const;
 
   std::shared_ptr<const CompressedOperators> compressed_;
   std::size_t body_ = 0;
   std::shared_ptr<const Rotation> rotation_;
-  /// Density of each row of the factor; empty: as numbered.  Those with a compliance come
-  /// last, so that what they do needs but the end of the factor.
+  /// Density of each row of the factor; empty: the identity.  Densities with a compliance come
+  /// last, so that their response needs only the last rows of the factor.
   std::vector<Index> order_;
-  std::optional<CholeskyFactor> factor_;  ///< none: with a solver
+  std::optional<CholeskyFactor> factor_;  ///< empty with a SingleLayerSolver
   Matrix half_;                           ///< Y, or Z
   Matrix units_;                          ///< with a solver: V⁻¹ E
   LowerTriangle stiffness_;

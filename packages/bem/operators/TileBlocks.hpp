@@ -8,8 +8,8 @@
 
 namespace epafi::bem {
 
-/// The entries of V, K and W that an element f gives with the elements of a run, by
-/// columns as long as the run, ready to be added to the matrices:
+/// Entries of V, K and W of an element f with the elements of a run, by columns over the
+/// run:
 ///
 ///   singleLayer(i, c)   V(·, P_i e_c on f)          densities of the run
 ///   doubleLayer(k, c)   K(·, φ_k e_c on f)          densities of the run
@@ -17,10 +17,10 @@ namespace epafi::bem {
 ///   transposed(i, c)    K(P_i e_c on f, ·)          displacements of the run
 ///
 /// W(·, φ_k e_c) is the slope of φ_k times slopeLayer(k-1, c), or (0, c) for k < 2.
-/// Displacements: those of the start node and the bubbles of one element after the other;
-/// then come two of the node behind the last.  Elements that are not wanted give zeros; f
-/// itself gives none to `transposed`, since doubleLayer has them.  What the constant phase
-/// of elements on one straight edge gives to its ends is missing.
+/// Order of the displacements: start node and bubbles of one element after the other, then
+/// the end node of the last.  Elements that the tile does not want have zeros, and so has f in
+/// `transposed`, since doubleLayer contains that block.  Not included: the terms of
+/// addEdgeEnds.
 class TileBlocks {
  public:
   TileBlocks(const Space& space, const Lame& lame);
@@ -35,7 +35,7 @@ class TileBlocks {
   const double* slopeLayer(int i, int c) const { return column(slopes_, 2 * i + c); }
   const double* transposed(int i, int c) const { return column(transposed_, 2 * i + c); }
 
-  /// <V* 1, 1> of f and the element in a lane, both mapped to [-1, 1], times φ₁' = 1/2.
+  /// <V* 1, 1> of f and the element of a lane, both mapped to [-1, 1], times φ₁' = 1/2.
   Block halfSlopes(int lane) const {
     const double xy = halfSlopes_[1].lane[lane];
     return {halfSlopes_[0].lane[lane], xy, xy, halfSlopes_[2].lane[lane]};
@@ -66,8 +66,8 @@ class TileBlocks {
   std::array<int, lanes + 1> displacementStarts_{};
   std::array<int, lanes> densityCounts_{};
   std::array<int, lanes> degrees_{};
-  std::array<int, lanes> edges_{};  ///< straight ones, else -1
-  Index longest_;                   ///< from column to column
+  std::array<int, lanes> edges_{};  ///< number of a straight edge, else -1
+  Index longest_;                   ///< stride between columns
   Vector single_;
   Vector double_;
   Vector slopes_;

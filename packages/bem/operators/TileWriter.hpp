@@ -5,46 +5,46 @@
 
 namespace epafi::bem {
 
-/// What pairs give to the nodes behind the loops' last elements.  These are the loops'
-/// first nodes, numbered far from there: kept apart, they are ghosts, one for each loop,
-/// and elements are written in any order by several threads.
+/// Entries of the end nodes of the last elements of the loops.  Each is the first node of its
+/// loop, with a distant number.  A ghost node per loop collects these entries, so that
+/// threads that write elements in any order do not collide.
 struct GhostNodes {
   GhostNodes(const Space& space, const ElementRuns& runs);
 
-  std::vector<Index> first;  ///< by loop: its first node's displacement
-  Matrix doubleLayer;        ///< densities x 2 ghosts
-  /// All displacements, then the ghosts, x 2 ghosts; of two ghosts once, of one with itself
-  /// the whole block.
+  std::vector<Index> first;  ///< by loop: number of its first node's x displacement
+  Matrix doubleLayer;        ///< densities x (2 ghosts)
+  /// (displacements + 2 ghosts) x (2 ghosts); a pair of ghosts is stored once, diagonal blocks
+  /// in full.
   Matrix hypersingular;
 
-  /// Adds them to the first nodes.
+  /// Adds the entries to the first nodes.
   void fold(Operators& out) const;
 };
 
-/// Adds tiles to V, K and W: a group of consecutive elements f, which is a run, against a run
-/// of elements e from f on.
+/// Adds tiles to V, K and W: elements f of a group (consecutive elements of a run) against the
+/// elements e >= f of a run.
 ///
-/// Entries by columns of f are long stretches of rows and are added at once; those of K
-/// by columns of e are short, and are collected until the group is through.
+/// Entries in columns of f are long contiguous pieces of rows and are added directly; entries
+/// of K in columns of e are short and are collected until finish().
 ///
-/// One for each thread.  A group writes columns of its own f by rows of elements from its
-/// first one on, and rows of its own f by columns of these: zeros, too, are read and
-/// written, so nothing before the group is touched, and groups that share no node may be
-/// added at the same time.
+/// One writer per thread.  A group accesses only columns of its f in rows of elements from the
+/// first f on, and rows of its f in the columns of these elements.  Groups without a common
+/// node may be added concurrently; since zeros are added as well, nothing before the group
+/// is accessed.
 class TileWriter {
  public:
   TileWriter(const Space& space, const Lame& lame, Operators& out, GhostNodes& ghosts);
 
-  /// Begins the tiles of the elements f of a group and a run.
+  /// Begins the tiles of a group and a run.
   void begin(const ElementRun& group, const ElementRun& run);
 
-  /// Adds the tile of an f of the group with the elements of the run from f on.
+  /// Adds the tile of an element f of the group and the elements e >= f of the run.
   void add(const Tile& tile);
 
-  /// Adds what was collected.
+  /// Adds the collected entries of K.
   void finish();
 
-  /// A stretch of rows to add to a column of a matrix.
+  /// Contiguous entries to add to a column of a matrix.
   struct Stretch {
     double* to;
     const double* from;
@@ -53,7 +53,7 @@ class TileWriter {
   };
 
  private:
-  /// `from` has the rows first, first + 1, ... of a column.
+  /// Appends a Stretch for the rows first ... first + size - 1 of a column.
   void append(Matrix& matrix, Index first, Index column, const double* from, Index size,
               double scale);
   void appendHypersingular(int f, int k, int c);
@@ -67,10 +67,10 @@ class TileWriter {
 
   const ElementRun* group_ = nullptr;
   const ElementRun* run_ = nullptr;
-  Index groupStart_ = 0;  ///< of the group's densities
+  Index groupStart_ = 0;  ///< first density of the group
   Index groupSize_ = 0;
   bool isEmpty_ = true;
-  Vector collected_;  ///< the group's densities x the run's displacements
+  Vector collected_;  ///< densities of the group x displacements of the run
   std::vector<Stretch> stretches_;
 };
 
