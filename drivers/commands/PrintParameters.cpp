@@ -38,8 +38,10 @@ std::string typeOf(const Parameter& row) {
 std::string restriction(const Parameter& row) {
   if (row.only.empty())
     return "";
-  const bool friction = boost::algorithm::ends_with(row.parent(), "Friction");
-  return bem::message("only with ", friction ? "Law" : "Type", " ",
+  const std::string parent = row.parent();
+  const bool isLaw = boost::algorithm::ends_with(parent, "Friction") ||
+                     boost::algorithm::ends_with(parent, "Normal");
+  return bem::message("only with ", isLaw ? "Law" : "Type", " ",
                       bem::quotedList(row.only));
 }
 

@@ -1,6 +1,7 @@
 #include "drivers/scene/Expression.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/base/Suggestion.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -111,7 +112,26 @@ class Parser {
 
  private:
   [[noreturn]] void fail(const mu::Parser::exception_type& error) const {
-    throw InputError("is no expression in " + known_ + ": " + error.GetMsg());
+    throw InputError("is no expression in " + known_ + ": " + error.GetMsg() +
+                     meant(error));
+  }
+
+  /// The name that a mistyped one is nearest to, where they differ in a third of its letters.
+  std::string meant(const mu::Parser::exception_type& error) const {
+    if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN)
+      return "";
+    std::vector<std::string> names;
+    const auto add = [&](const auto& map) {
+      for (const auto& item : map)
+        names.push_back(item.first);
+    };
+    add(parser_.GetConst());
+    add(parser_.GetVar());
+    add(parser_.GetFunDef());
+    const std::string& name = error.GetToken();
+    const std::string near = bem::nearest(name, names);
+    const bool isNear = 3 * bem::editDistance(name, near) <= static_cast<int>(name.size()) + 1;
+    return isNear ? "; did you mean '" + near + "'?" : "";
   }
 
   std::string known_;

@@ -61,6 +61,8 @@ def program() -> str:
               os.path.join(HERE, "..", "..", "..", "..", "bin", "epafi"),
               *(os.path.join(tree, "build", "bin", "epafi") for tree in trees),
               shutil.which("epafi") or ""]
+    if places[0] and not os.access(places[0], os.X_OK):
+        raise EpafiError("the variable EPAFI is '%s', which is no program" % places[0], 1)
     for place in places:
         if place and os.access(place, os.X_OK):
             return os.path.realpath(place)

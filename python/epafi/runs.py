@@ -69,14 +69,23 @@ class Run:
 
     def step(self, k: int) -> Table:
         """contact.csv of step k = 1, 2, ... of the last level."""
+        count = self._steps_of_last_level()
+        if not 1 <= k <= count:
+            raise InputError("there is no step %s; the path has steps 1 to %d" % (k, count))
         return self._table(os.path.join("steps", str(k), "contact.csv"))
+
+    def _steps_of_last_level(self) -> int:
+        return np.count_nonzero(self.steps["level"] == self.steps["level"][-1])
 
     def profiles(self, column: str, contact: Optional[str] = None) -> np.ndarray:
         """A column of contact.csv in each step of the last level's path, "worn_depth", "pressure", of
         one contact or of all: a row per step, as those of `steps` with that level, a column per
         point, as the rows of `contact`."""
-        steps = np.count_nonzero(self.steps["level"] == self.steps["level"][-1])
-        tables = [self.step(k) for k in range(1, steps + 1)]
+        if contact is not None and contact not in self.contact["contact_name"]:
+            known = sorted(set(self.contact["contact_name"]))
+            raise InputError("there is no contact %r; did you mean %r? known: %s" % (
+                contact, *difflib.get_close_matches(contact, known, 1, 0), ", ".join(known)))
+        tables = [self.step(k) for k in range(1, self._steps_of_last_level() + 1)]
         return np.array([table[column] if contact is None else
                          table[column][table["contact_name"] == contact] for table in tables])
 
@@ -102,9 +111,12 @@ class Run:
             file = os.path.join(folder, "fields.csv")
             arguments = ["fields", self.folder, "--output", file, *_chosen(window, step)]
             if points is not None:
+                places = np.atleast_2d(np.asarray(points, float))
+                if places.ndim != 2 or places.shape[1] != 2:
+                    raise InputError("points have the shape (n, 2), these have %s" % (
+                        places.shape,))
                 where = os.path.join(folder, "points.csv")
-                np.savetxt(where, np.asarray(points, float).reshape(-1, 2), fmt="%.17g",
-                           delimiter=",", header="x,y", comments="")
+                np.savetxt(where, places, fmt="%.17g", delimiter=",", header="x,y", comments="")
                 arguments += ["--points", where]
             if grid is not None:
                 arguments += ["--grid", "%d,%d" % tuple(grid)]
@@ -165,7 +177,7 @@ class Run:
         step    of a path, for a field; else the last one
         axes    as many as the picture has, to be drawn into
         looks   size=(width, height) in inches, dpi, font (points), title=False,
-                units=("mm", "MPa") of length and stress
+                units="mm,MPa" of length and stress
         """
         from epafi.plot.figures import Looks, Pictures, plt
         from epafi.plot.folder import NAMES, draw_field, draw_run
@@ -191,7 +203,11 @@ class Run:
         """Writes all that `epafi plot` writes into the run's folder, arguments as for `plot`; the
         files (PNG; SVG, with pdf PDF beside them)."""
         from epafi.plot import Looks, Pictures, draw_folder
+        from epafi.plot.inside import NAMES as FIELDS
 
+        if field is not None and field not in FIELDS:
+            raise InputError("there is no field %r; did you mean %r? known: %s" % (
+                field, *difflib.get_close_matches(field, FIELDS, 1, 0), ", ".join(FIELDS)))
         endings = ("png", "svg", "pdf") if pdf else ("png", "svg")
         if field is not None:
             self._field_file(self.folder, window, step)

@@ -84,7 +84,10 @@ class Scene(dict[str, Any]):
         return Scene(tree, self.title, self.folder)
 
     def write(self, file: str | os.PathLike[str]) -> None:
-        """As XML, which `epafi run` reads."""
+        """As XML, which `epafi run` reads, into a file whose name ends so."""
+        if not os.fspath(file).lower().endswith(".xml"):
+            raise InputError("'%s': scenes are written as XML; let the name end with .xml" %
+                             os.fspath(file))
         _check(self, schema(), "")  # it may have been changed in place
         root = _list(self.title, self, schema(), self.folder)
         xml.indent(root)

@@ -10,8 +10,9 @@ import re
 import signal
 import threading
 import time
+from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor, as_completed
-from typing import TYPE_CHECKING, Any, Callable, Iterable, Mapping, Optional, Sequence
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, Sequence
 
 import numpy as np
 
@@ -154,6 +155,11 @@ def sweep(scene: Scene | Mapping[str, Any] | str | os.PathLike[str],
     elif not isinstance(scene, Scene):
         scene = Scene(scene)
     _check_constants(scene, parameters)
+    for path, values in parameters.items():
+        if isinstance(values, str) or not isinstance(values, Iterable):
+            raise InputError("%s: is %r, wanted: a list of values" % (path, values))
+    if jobs is not None and jobs < 1:
+        raise InputError("jobs: is %r, wanted: at least 1" % jobs)
     combinations = [dict(zip(parameters, values))
                     for values in itertools.product(*parameters.values())]
     scenes = [scene.changed(settings) for settings in combinations]

@@ -144,7 +144,7 @@ claim(len(pictures) == 7 and all(os.path.getsize(file) > 5000 for file in pictur
       "pictures are drawn")
 claim(matplotlib.rcParams["axes.grid"] == matplotlib.rcParamsDefault["axes.grid"],
       "and leave matplotlib's style alone")
-figure, axes = run.plot("contact", units=("mm", "MPa"))
+figure, axes = run.plot("contact", units="mm,MPa")
 claim(len(axes) == 2 and axes[0].get_ylabel() == "contact stress [MPa]" and
       axes[0].figure is figure, "a picture is a figure and its axes")
 own, panels = plt.subplots(1, 3)
@@ -220,6 +220,20 @@ depth = worn.profiles("worn_depth", "bottom")
 exact = 0.01 * (1 - 1.1 ** -np.arange(3.0))
 claim(depth.shape == (3, worn.contact.size) and np.allclose(depth, exact[:, None], atol=1e-12) and
       np.allclose(worn.steps["cycles"], [1, 2, 3]), "worn profiles over the steps of a path")
+for words, slip in (
+        ("shape (n, 2)", lambda: worn.fields([[0.1, 0.2, 0.3], [0.4, 0.5, 0.6]])),
+        ("end with .xml", lambda: worn.scene.write(os.path.join(WORK, "written.yaml"))),
+        ("LENGTH,STRESS", lambda: worn.plot("contact", units="mm")),
+        ("'bottom'", lambda: worn.profiles("worn_depth", "botom")),
+        ("steps 1 to 3", lambda: worn.step(4)),
+        ("'von_mises'", lambda: worn.pictures("von_mise")),
+        ("a list of values", lambda: epafi.sweep(worn.scene, {"Discretization->Degree": "2"})),
+        ("at least 1", lambda: epafi.sweep(worn.scene, {"Discretization->Degree": [2]}, jobs=0))):
+    try:
+        slip()
+        claim(False, "a slip is not noticed: " + words)
+    except epafi.InputError as error:
+        claim(words in str(error), "a slip: %s" % error)
 try:
     run.steps
     claim(False, "steps.csv of a scene without a History")

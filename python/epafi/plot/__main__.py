@@ -15,6 +15,7 @@ except ImportError as error:
 matplotlib.use("Agg")
 from epafi.plot import Looks, Pictures, draw_folder, scene  # noqa: E402
 from epafi.plot.report import write_report  # noqa: E402
+from epafi.program import InputError  # noqa: E402
 from epafi.tables import Table  # noqa: E402
 
 
@@ -31,9 +32,6 @@ def numbers_in(option, text, count, lowest=0.0, highest=float("inf")):
 
 
 def looks_of(given):
-    units = tuple(given.units.split(",")) if given.units else None
-    if units and len(units) != 2:
-        sys.exit("epafi: plot: --units: '%s' is not LENGTH,STRESS, as mm,MPa" % given.units)
     looks = {}
     if given.size:
         looks["size"] = tuple(numbers_in("--size", given.size, 2, 0.5, 100))
@@ -41,8 +39,11 @@ def looks_of(given):
         looks["dpi"], = numbers_in("--dpi", given.dpi, 1, 10, 1200)
     if given.font:
         looks["font"], = numbers_in("--font", given.font, 1, 1, 100)
-    return Looks(title=not given.no_title, units=units,
-                 endings=("png", "svg", "pdf") if given.pdf else ("png", "svg"), **looks)
+    try:
+        return Looks(title=not given.no_title, units=given.units,
+                     endings=("png", "svg", "pdf") if given.pdf else ("png", "svg"), **looks)
+    except InputError as error:
+        sys.exit("epafi: plot: --%s" % error)
 
 
 def main():

@@ -12,6 +12,8 @@ from cycler import cycler
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter
 
+from epafi.program import InputError
+
 # Okabe and Ito's, which readers without red or green tell apart.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
 STYLE = {"axes.grid": True, "grid.alpha": 0.3, "axes.prop_cycle": cycler(color=COLOURS),
@@ -30,7 +32,14 @@ class Looks:
     font: float = 10  # points
     title: bool = True
     endings: tuple[str, ...] = ("png", "svg")
-    units: Optional[tuple[str, str]] = None  # names of those of length and stress, for labels
+    units: Any = None  # "mm,MPa", or a pair: those of length and stress, for labels
+
+    def __post_init__(self) -> None:
+        if isinstance(self.units, str):
+            object.__setattr__(self, "units", tuple(self.units.split(",")))
+        if self.units is not None and len(self.units) != 2:
+            raise InputError("units: %r is not 'LENGTH,STRESS', as 'mm,MPa'" % (
+                ",".join(self.units),))
 
     def style(self) -> dict[str, Any]:
         return {**STYLE, "figure.dpi": self.dpi, "font.size": self.font}

@@ -34,12 +34,19 @@ def samples_of(contact, name):
     return (short == name) | (np.char.add(np.char.add(contact["body"], ":"), short) == name)
 
 
-def mean_slip(contact, name):
-    """Of u_t along one contact, weighted by length."""
+def slip_column(files):
+    """`slip` where the opposite side slides by, which u_t does not know."""
+    others = [file["u_t"] - file["slip"] for file in files]
+    slides = max(np.abs(other - others[0]).max() for other in others)
+    return "slip" if slides > 1e-9 * max(np.abs(file["slip"]).max() for file in files) else "u_t"
+
+
+def mean_slip(contact, name, column):
+    """Of a column along one contact, weighted by length."""
     here = samples_of(contact, name)
     weights = np.concatenate([lengths(np.cumsum(np.append(0, np.hypot(
         np.diff(contact["x"][a:b]), np.diff(contact["y"][a:b]))))) for a, b in chains(contact)])
-    return np.average(contact["u_t"][here], weights=weights[here])
+    return np.average(contact[column][here], weights=weights[here])
 
 
 def torsion(folder, rows, contacts, contact):
@@ -102,15 +109,17 @@ def draw_path(folder, rows, t, files, title, pictures):
         panel.set_xlabel("t")
         panel.legend()
     if files:
-        loops = {name: ([mean_slip(file, name) for file in files], rows[name + ".force_tangential"])
+        slip = slip_column(files)
+        loops = {name: ([mean_slip(file, name, slip) for file in files],
+                        rows[name + ".force_tangential"])
                  for name in contacts} if turning is None else {contacts[0]: turning}
         for k, (name, (moved, pushed)) in enumerate(loops.items()):
             axes[2].plot([0, *moved], [0, *pushed], marker=".", label=name, color="C%d" % k)
-        reach = max(np.abs(file[key]).max() for file in files for key in ("u_n", "u_t"))
+        reach = max(np.abs(file[key]).max() for file in files for key in ("u_n", slip))
         arm = 1 if turning is None else 0.5 * max(np.ptp(files[-1]["x"]), np.ptp(files[-1]["y"]))
         settle(axes[2], reach / arm, "x")
         settle(axes[2], force * arm)
-        axes[2].set_xlabel(label("mean slip $u_t$ of the contact", "length") if turning is None
+        axes[2].set_xlabel(label("mean %s of the contact" % slip.replace("u_t", "slip $u_t$"), "length") if turning is None
                            else "twist of the bodies [rad]", labelpad=9)
         axes[2].set_ylabel(label("tangential force", "force") if turning is None
                            else label("torque", "energy"))
