@@ -44,6 +44,9 @@ double residual(const Problem& problem, const System& system, const Matrix& b,
   }
   for (const auto& [follower, leader, factor] : system.followers)
     add(follower, -factor * z(leader, 0));
+  for (Index k = 0; k < system.stiffness.columns(); ++k)
+    for (Index l = 0; l < system.stiffness.columns(); ++l)
+      add(n + k, system.stiffness(k, l) * z(n + l, 0));
   double worst = 0;
   for (Index i = 0; i < b.rows(); ++i)
     worst = std::max(worst, std::abs(sums[i] - b(i, 0)) / (std::abs(b(i, 0)) + sizes[i]));
@@ -60,6 +63,10 @@ struct Row {
 System systemOf(const Problem& problem, const std::vector<Row>& rows) {
   System system;
   system.motions = problem.rigid.copy();
+  const auto springs = static_cast<Index>(problem.rigidStiffness.size());
+  system.stiffness = Matrix(springs, springs);
+  for (Index k = 0; k < springs; ++k)
+    system.stiffness(k, k) = problem.stiffness(k);
   for (Index i = 0; i < problem.size(); ++i)
     if (rows[i].isSolved)
       system.rows.push_back(i);
@@ -71,51 +78,54 @@ System systemOf(const Problem& problem, const std::vector<Row>& rows) {
 }  // namespace
 
 TEUCHOS_UNIT_TEST(KeptFactor, solvesSystemsThatDifferInFewRows) {
-  std::mt19937 random(29);
-  test::Recipe recipe;
-  recipe.normals = 60;
-  recipe.law = "Coulomb";
-  recipe.rigidMotions = 2;
-  const Problem problem = test::randomProblem(recipe, random);
-  const Index n = problem.size();
-  std::uniform_int_distribution<Index> tangential(problem.normals, n - 1);
-  std::uniform_real_distribution<double> number(-1, 1);
+  for (const double springs : {0.0, 3.0}) {
+    std::mt19937 random(29);
+    test::Recipe recipe;
+    recipe.normals = 60;
+    recipe.law = "Coulomb";
+    recipe.rigidMotions = 2;
+    recipe.springs = springs;
+    const Problem problem = test::randomProblem(recipe, random);
+    const Index n = problem.size();
+    std::uniform_int_distribution<Index> tangential(problem.normals, n - 1);
+    std::uniform_real_distribution<double> number(-1, 1);
 
-  for (const bool followersFirst : {true, false}) {
-    // all normals closed, half of the tangentials follow theirs, or nothing at first
-    std::vector<Row> rows(at(n));
-    for (Index i = 0; i < n; ++i) {
-      rows[i].isSolved = i < problem.normals || i % 2 == 0;
-      if (!rows[i].isSolved && followersFirst)
-        rows[i] = {false, i - problem.normals, 0.3};
-    }
-    contact::FactorMemory memory;
-    const std::vector<Row> first = rows;
-    for (int step = 0; step < 40; ++step) {
-      const System now = systemOf(problem, rows);
-      const System then = systemOf(problem, first);
-      const auto factor = contact::KeptFactor::make(problem.flexibility, now, memory);
-      Matrix b(n + problem.rigidMotions(), 1);
-      for (Index i = 0; i < b.rows(); ++i)
-        b(i, 0) = number(random);
-      TEST_COMPARE(residual(problem, now, b, factor->solve(b.copy())), <, 1e-9);
-      // the one before answers as before, whatever was kept since
-      const auto again = contact::KeptFactor::make(problem.flexibility, then, memory);
-      TEST_COMPARE(residual(problem, then, b, again->solve(b.copy())), <, 1e-9);
-      TEST_COMPARE(residual(problem, now, b, factor->solve(b.copy())), <, 1e-9);
-      // D's own
-      const auto own = problem.flexibility.factor(systemOf(problem, rows));
-      TEST_COMPARE(residual(problem, now, b, own->solve(b.copy())), <, 1e-9);
-      for (int change = 0; change < 3; ++change) {
-        const Index i = tangential(random);
-        const Index normal = i - problem.normals;
-        rows[i] = {!rows[i].isSolved};
-        if (!rows[i].isSolved && rows[normal].isSolved)
-          rows[i] = {false, normal, step % 2 == 0 ? 0.3 : -0.3};
+    for (const bool followersFirst : {true, false}) {
+      // all normals closed, half of the tangentials follow theirs, or nothing at first
+      std::vector<Row> rows(at(n));
+      for (Index i = 0; i < n; ++i) {
+        rows[i].isSolved = i < problem.normals || i % 2 == 0;
+        if (!rows[i].isSolved && followersFirst)
+          rows[i] = {false, i - problem.normals, 0.3};
       }
-      // a place that opens takes its friction along
-      const Index opened = step % problem.normals;
-      rows[opened] = rows[opened + problem.normals] = {};
+      contact::FactorMemory memory;
+      const std::vector<Row> first = rows;
+      for (int step = 0; step < 40; ++step) {
+        const System now = systemOf(problem, rows);
+        const System then = systemOf(problem, first);
+        const auto factor = contact::KeptFactor::make(problem.flexibility, now, memory);
+        Matrix b(n + problem.rigidMotions(), 1);
+        for (Index i = 0; i < b.rows(); ++i)
+          b(i, 0) = number(random);
+        TEST_COMPARE(residual(problem, now, b, factor->solve(b.copy())), <, 1e-9);
+        // the one before answers as before, whatever was kept since
+        const auto again = contact::KeptFactor::make(problem.flexibility, then, memory);
+        TEST_COMPARE(residual(problem, then, b, again->solve(b.copy())), <, 1e-9);
+        TEST_COMPARE(residual(problem, now, b, factor->solve(b.copy())), <, 1e-9);
+        // D's own
+        const auto own = problem.flexibility.factor(systemOf(problem, rows));
+        TEST_COMPARE(residual(problem, now, b, own->solve(b.copy())), <, 1e-9);
+        for (int change = 0; change < 3; ++change) {
+          const Index i = tangential(random);
+          const Index normal = i - problem.normals;
+          rows[i] = {!rows[i].isSolved};
+          if (!rows[i].isSolved && rows[normal].isSolved)
+            rows[i] = {false, normal, step % 2 == 0 ? 0.3 : -0.3};
+        }
+        // a place that opens takes its friction along
+        const Index opened = step % problem.normals;
+        rows[opened] = rows[opened + problem.normals] = {};
+      }
     }
   }
 }

@@ -79,6 +79,9 @@ for name, end, stiffness, others in (("X", 0.02, 0.7, PRESS), ("Y", -0.05, 0.3, 
     claim(abs(far[motion] / free[motion] - 1) < 1e-10 and apart(free, far, FORCES) < 1e-10,
           "%s: a soft spring from far away is a force" % name)
 
+code, text = epafi("check", pad("checked", {"Stiffness X": "2", "Force Y": "-1"}))
+claim(code == 0 and "X by a spring, Y under a force, Rotation held" in text, "check says what drives the pad")
+
 # three springs hold a pad that is above the ground
 hang = one("hangs", {"Displacement Y": "1", "Stiffness X": "2", "Stiffness Y": "2",
                      "Stiffness Rotation": "2", "Force Y": "-0.5"})

@@ -40,24 +40,25 @@ class KeptFactor::Base {
   Base(const Flexibility& flexibility, const System& system, std::vector<Row> rows)
       : flexibility_(flexibility),
         motions_(system.motions.copy()),
+        stiffness_(system.stiffness.copy()),
         rows_(std::move(rows)),
         most_(mostChanges * static_cast<double>(system.rows.size())),
         added_(system.added),
         factor_(flexibility.factor({system.rows, system.followers, motions_.copy(),
-                                    system.added, system.stiffness.copy()})) {}
+                                    system.added, stiffness_.copy()})) {}
 
   bool isOf(const Flexibility& flexibility, const System& system) const {
-    const Matrix& motions = system.motions;
     const auto same = [](const bem::Entry& a, const bem::Entry& b) {
       return a.row == b.row && a.column == b.column && a.value == b.value;
+    };
+    const auto alike = [](const Matrix& a, const Matrix& b) {
+      return a.columns() == b.columns() &&
+             std::equal(a.data(), a.data() + a.stride() * a.columns(), b.data());
     };
     return &flexibility.entries() == &flexibility_.entries() &&
            std::equal(system.added.begin(), system.added.end(), added_.begin(),
                       added_.end(), same) &&
-           motions.columns() == motions_.columns() &&
-           std::equal(motions.data(),
-                      motions.data() + motions.stride() * motions.columns(),
-                      motions_.data());
+           alike(system.motions, motions_) && alike(system.stiffness, stiffness_);
   }
   const Flexibility& flexibility() const { return flexibility_; }
   const Matrix& motions() const { return motions_; }
@@ -100,6 +101,7 @@ class KeptFactor::Base {
  private:
   Flexibility flexibility_;  ///< keeps D alive
   Matrix motions_;
+  Matrix stiffness_;
   std::vector<Row> rows_;
   double most_;
   std::vector<bem::Entry> added_;

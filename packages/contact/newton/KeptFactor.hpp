@@ -7,7 +7,7 @@ namespace epafi::contact {
 
 class FactorMemory;
 
-/// The factor of one linear system in D and Ĝ, kept for others that differ from it in few
+/// The factor of one linear system in D, Ĝ and K̂, kept for others that differ from it in few
 /// rows: Newton's in a step of a path, in which few coefficients open, close, stick or slip.
 ///
 /// With Y the responses of the kept system to the rows that differ, C what these rows say now:
@@ -18,7 +18,7 @@ class KeptFactor final : public Flexibility::Operator::Factor {
  public:
   using System = Flexibility::Operator::System;
 
-  /// By the factor in a memory where it is of the same D and Ĝ and few rows differ, else by a
+  /// By the factor in a memory where it is of the same D, Ĝ and K̂ and few rows differ, else by a
   /// new one, which the memory has from now on.
   /// \pre D is formed.  \throws bem::NumericalError if the system is singular.
   static std::unique_ptr<const Factor> make(const Flexibility& flexibility,

@@ -74,8 +74,8 @@ double balance(const Work& work, double first, double little, bool closes) {
 
 // Moves the body until the springs' forces P(λ + y) balance the load.
 //
-// Along α + t v these do the work v·(q - K (α + t v) - Gᵀ P(λ + y)), which falls with t; the step goes to
-// its zero, and λ to its projection.
+// Along α + t v these do the work v·(q - K (α + t v) - Gᵀ P(λ + y)), which falls with t; the step
+// goes to its zero, and λ to its projection.
 Vector rigidPlacement(const Equation& equation, const Evaluation& e,
                       const Vector& motion) {
   const Problem& problem = equation.problem();

@@ -182,8 +182,10 @@ class ByLu final : public Dense {
     const double condition = lu_.reciprocalCondition();
     if (!(condition > std::numeric_limits<double>::epsilon()))
       throw SingularJacobian(bem::message(
-          "singular Newton matrix of Coulomb's problem (reciprocal condition ", condition,
-          "): at this friction coefficient the solution may not be unique"));
+          "singular Newton matrix (reciprocal condition ", condition, ")",
+          system_.followers.empty() ? ""
+                                    : " of Coulomb's problem: at this friction "
+                                      "coefficient the solution may not be unique"));
   }
 
  private:
