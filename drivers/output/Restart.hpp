@@ -9,8 +9,8 @@ namespace epafi::drivers {
 
 /// The last level of the run in a folder, for a scene to go on from.
 ///
-/// The scene must say the same as the earlier run's about Bodies, Contacts, Constants, Tables,
-/// History, Discretization and how errors are estimated (Adaptivity->Weights, Residual Factor);
+/// The scene must say the same as the earlier run's about Bodies, Geometry, Contacts, Constants,
+/// Tables, History, Discretization and how errors are estimated (Adaptivity->Weights, Residual Factor);
 /// Solver, Output and the rest of Adaptivity may differ.  Of a level that has not converged, the row of
 /// history.csv is left out: it is solved again.
 /// \throws bem::InputError naming the file and what is wrong with it, or the first key

@@ -18,7 +18,6 @@ struct Symmetry {
   /// How many times what is drawn is there.
   double copies() const { return axis < 0 ? 1 : 2; }
   double& across(bem::Vec2& v) const { return axis == 0 ? v.x : v.y; }
-  double& along(bem::Vec2& v) const { return axis == 0 ? v.y : v.x; }
   bem::Vec2 mirrored(bem::Vec2 v) const {
     across(v) = -across(v);
     return v;

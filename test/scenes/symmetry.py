@@ -8,7 +8,7 @@ import os
 
 from runs import WORK, claim, differ, epafi, finish, fresh, rows, solved
 
-DEGREE = 12
+DEGREE = 16
 STEEL = {"Young's Modulus": 1, "Poisson's Ratio": 0.3}
 SOFT = {"Young's Modulus": 0.4, "Poisson's Ratio": 0.2}
 
@@ -25,7 +25,7 @@ def turned(point):
     return (-point[1], point[0])
 
 
-def block(low, high, whole, count=1, width=1, y=False):
+def block(low, high, whole, count=2, width=1, y=False):
     """A body [0, width] x [low, high] or its whole; of Y turned left by a right angle."""
     corners, names, counts = outline([(0, low), (width, low), (width, high), (0, high)],
                                      ["bottom", "side", "top"], [count] * 3, whole)
@@ -46,14 +46,16 @@ def saved(name, bodies, whole, axis="X", **more):
     return path
 
 
+# what nothing else holds in the whole; the line does it in the half
+FIXED = {"Rigid Motions": {"Fix": ["X"]}}
 PRESSED = "-0.01*(1 + 0.2*cos(pi*x))"
 # bounds that grow from the line on, so that slip is smooth
 LAW = {"Law": "Coulomb", "Coefficient": "0.3*abs(x)*(1 - x^2)^2"}
 
 
-def on_obstacle(whole, friction=LAW, load=PRESSED, count=1):
+def on_obstacle(whole, friction=LAW, load=PRESSED, count=2, more=FIXED):
     body = block(0, 1, whole, count)
-    return {"block": {"Material": STEEL, **body, "Boundary Conditions": {
+    return {"block": {"Material": STEEL, **body, **more, "Boundary Conditions": {
         "bottom": {"Type": "Contact", "Gap": "0.001*cos(pi*x)", "Friction": friction},
         "top": {"Type": "Dirichlet", "Displacement Y": load}}}}
 
@@ -68,9 +70,9 @@ def on_obstacle_turned():
 
 def two_blocks(whole):
     """The lower one on a roller, no friction: smooth."""
-    return {"upper": {"Material": SOFT, **block(0, 1, whole), "Boundary Conditions": {
+    return {"upper": {"Material": SOFT, **block(0, 1, whole), **FIXED, "Boundary Conditions": {
         "top": {"Type": "Dirichlet", "Displacement Y": PRESSED}}},
-            "lower": {"Material": STEEL, **block(-1, 0, whole), "Boundary Conditions": {
+            "lower": {"Material": STEEL, **block(-1, 0, whole), **FIXED, "Boundary Conditions": {
                 "bottom": {"Type": "Dirichlet", "Displacement Y": "0"}}}}
 
 
@@ -80,7 +82,7 @@ JOINT = {"joint": {"Between": ["upper:bottom", "lower:top"]}}
 def punch(whole):
     stamp = block(1, 2, whole, width=2)
     stamp.pop("Mesh")
-    return {"block": {"Material": STEEL, **block(0, 1, whole), "Boundary Conditions": {
+    return {"block": {"Material": STEEL, **block(0, 1, whole), **FIXED, "Boundary Conditions": {
         "bottom": {"Type": "Dirichlet", "Displacement Y": "0.001*cos(pi*x)"}}},
             "punch": {"Material": {"Rigid": True}, **stamp, "Motion": {"Force Y": "-0.02"}}}
 
@@ -101,7 +103,7 @@ def kind(column):
                  column != "body"), None)
 
 
-def compare(name, half, other, sharp=1e-9):
+def compare(name, half, other, sharp=1e-9, tractions=1e-6):
     """Totals of history.csv, steps.csv and bodies.csv, and what stands along contact and boundary."""
     worst = {}
     for file in ("history.csv", "steps.csv", "bodies.csv"):
@@ -115,10 +117,12 @@ def compare(name, half, other, sharp=1e-9):
                     scale[kind(key)] = max(scale.get(kind(key), 0), abs(value))
         for a, b in zip(here, there):
             for key, value in b.items():
-                if kind(key) and scale[kind(key)]:
+                if kind(key) and scale[kind(key)] > 1e-15:
+                    # what is a place on a mesh, or a traction at one, is not as sharp as sums
+                    what = file if kind(key) not in ("length", "pressure") else "lengths and peaks"
                     off = abs(a[key] - value) / scale[kind(key)]
-                    if off > worst.get(file, (0,))[0]:
-                        worst[file] = (off, key)
+                    if off >= worst.get(what, (0,))[0]:
+                        worst[what] = (off, key)
     for file, columns in (("contact.csv", ("lambda_n", "lambda_t", "u_n", "u_t")),
                           ("boundary.csv", ("ux", "uy", "tx", "ty"))):
         if not os.path.exists(os.path.join(other, file)):
@@ -126,24 +130,24 @@ def compare(name, half, other, sharp=1e-9):
         there = [r for r in rows(other, file) if r["x"] > 0]
         here = [r for r in rows(half, file) if r["boundary"].split(":")[-1] != "symmetry" and
                 r["x"] > 0]
-        claim(len(here) == len(there) > 20, "%s: %d points of %s" % (name, len(here), file))
+        claim(len(here) == len(there) > 10, "%s: %d points of %s" % (name, len(here), file))
         for column in columns:
             size = max(abs(r[c]) for r in there for c in columns if (c[0] == "u") == (column[0] == "u"))
             place = lambda r: (r.get("body"), r["boundary"], round(r["x"], 9), round(r["y"], 9))
             for a, b in zip(sorted(here, key=place), sorted(there, key=place)):
                 off = abs(a[column] - b[column]) / size
-                if off > worst.get(file, (0,))[0]:
+                if off >= worst.get(file, (0,))[0]:
                     worst[file] = (off, column)
     for file, (off, key) in sorted(worst.items()):
-        claim(off < sharp, "%s: %s within %.1e (%s)" % (name, file, off, key))
+        claim(off < (sharp if file in ("history.csv", "steps.csv", "bodies.csv") else tractions), "%s: %s within %.1e (%s)" % (name, file, off, key))
 
 
-def pair(name, scene, *settings, sharp=1e-9, **more):
+def pair(name, scene, *settings, sharp=1e-9, tractions=1e-6, **more):
     """A scene as a function of `whole`; the folder of its half."""
     folders = [solved(name + " " + which, saved(name, scene(which == "whole"), which == "whole",
                                                 **more), *settings)[0]
                for which in ("half", "whole")]
-    compare(name, *folders, sharp=sharp)
+    compare(name, *folders, sharp=sharp, tractions=tractions)
     return folders
 
 
@@ -162,10 +166,10 @@ claim(all(differ(row[c], other[c]) < 1e-9 for c in (
       differ(row["contact_y"], -other["contact_x"]) < 1e-9 and other["contact_y"] == 0,
       "Y is X turned by a right angle")
 
-# the other half, drawn on the left
+# the other half, drawn on the left, off the line by rounding in a file
 left = on_obstacle(False)
 geometry = left["block"]["Geometry"]
-geometry["Vertices"] = [[-x, y] for x, y in geometry["Vertices"][::-1]]
+geometry["Vertices"] = [[-x if x else 1e-7 * y, y] for x, y in geometry["Vertices"][::-1]]
 geometry["Edges"] = ["top", "side", "bottom", "any"]
 folder = solved("left", saved("left", left, False))[0]
 other = rows(folder, "history.csv")[-1]
@@ -184,20 +188,31 @@ PATH = {"Times": [1, 2], "Steps": [1, 2]}
 half, _ = pair("path", lambda w: on_obstacle(w, load="t/2*(%s)" % PRESSED), History=PATH)
 pair("punch on a path", punch, "Bodies->punch->Motion->Force Y=-0.02*t", Contacts=STAMP, History=PATH)
 
-# Fix holds what the line does not; its reaction acts on the body's boundary alone
-FIXED = {"Rigid Motions": {"Fix": ["X", "Y", "Rotation"]}}
-
-
+# Fix holds what the line does not; its reaction acts on the body's boundary alone, a shear on the
+# sides that jumps at corners
 def fixed(whole):
     return {"block": {"Material": {**STEEL, "Density": 1}, **block(0, 1, whole, 2),
                       "Boundary Conditions": {"top": {"Type": "Neumann", "Traction Y": "-0.01*(1 + x^2)"}},
-                      **FIXED}}
+                      "Rigid Motions": {"Fix": ["X", "Y", "Rotation"]}}}
 
 
-half, whole = pair("fixed, with weight", fixed, sharp=1e-5,
+half, whole = pair("fixed, with weight", fixed, sharp=1e-6, tractions=1e-3,
                    **{"Body Loads": {"Gravity Y": "-0.003", "Spin": "0.02"}})
 row = rows(half, "history.csv")[-1]
-claim(abs(row["reaction_y"] - 2 * (0.01 * 4 / 3 + 0.003)) < 1e-12, "Fix carries all of the weight")
+claim(abs(row["reaction_y"] - 2 * (0.01 * 4 / 3 + 0.003 - 0.5 * 0.02**2)) < 1e-12, "Fix carries all of the weight and the spin")
+
+
+
+# no change of volume; heat, which does not cross the line
+def warm(whole):
+    return {"block": {"Material": {"Young's Modulus": 1, "Poisson's Ratio": 0.3, "Thermal Expansion": 1e-3},
+                      **block(0, 1, whole, 3), **FIXED, "Thermal Conditions": {
+                          "top": {"Temperature": "1 + cos(pi*x)"}, "bottom": {"Temperature": "0"}},
+                      "Boundary Conditions": {"bottom": {"Type": "Dirichlet", "Displacement Y": "0"}}}}
+
+
+pair("incompressible", on_obstacle, "Bodies->block->Material->Poisson's Ratio=0.5", tractions=1e-5)
+pair("warm", warm, "Discretization->Degree=8", sharp=1e-6, tractions=1e-3)
 
 
 # two pads on a plate that the line cuts, of which one is drawn
@@ -210,7 +225,7 @@ def pads(whole):
                 "Vertices": [[left, 0], [left + 1, 0], [left + 1, 0.5], [left, 0.5]],
                 "Edges": ["bottom", "right", "top", "left"]},
             "Mesh": {"Elements per Edge": [4, 2, 4, 2]}, "Boundary Conditions": {
-                "top": {"Type": "Neumann", "Traction X": "%d*0.001" % sign, "Traction Y": "-0.02"}}}
+                "top": {"Type": "Neumann", "Traction X": "%d*0.006" % sign, "Traction Y": "-0.02"}}}
     return scene
 
 
@@ -224,39 +239,40 @@ half, whole = (solved("pads %d" % w, saved("pads", pads(w), w, Contacts=joints(w
                       "Discretization->Degree=3")[0] for w in (False, True))
 here, there = ({r["body"]: r for r in rows(f, "bodies.csv")} for f in (half, whole))
 E = [rows(f, "history.csv")[-1] for f in (half, whole)]
-close = 3 * E[1]["estimate_relative"]**2
+close = 2e-3
 for body in ("pad", "plate"):
-    claim(all(abs(here[body][c] - there[body][c]) < close * 0.04 for c in (
+    claim(all(abs(here[body][c] - there[body][c]) < 1e-9 for c in (
         "load_x", "load_y", "contact_x", "contact_y", "reaction_x", "reaction_y")) and
           differ(here[body]["energy_strain"], there[body]["energy_strain"]) < close,
           "pads: forces on the %s as in the whole, to %.1e" % (body, close))
 claim(here["plate"]["contact_x"] == 0 and abs(here["plate"]["contact_y"] + 0.04) < 1e-9 and
-      abs(here["pad"]["contact_x"] + 0.001) < 1e-9, "the plate is whole, the pad one of two")
+      abs(here["pad"]["contact_x"] + 0.006) < 1e-9, "the plate is whole, the pad one of two")
 steps = [rows(f, "steps.csv")[-1] for f in (half, whole)]
 claim(all(differ(steps[0]["pad." + c], steps[1]["pad." + c]) < close for c in (
-    "force_y", "force_normal", "contact_length")) and
+    "force_y", "force_normal", "contact_length", "slip_length")) and
       abs(steps[0]["pad.energy_dissipated"] - steps[1]["pad.energy_dissipated"]) < close *
       steps[1]["energy_strain"], "steps.csv tells of the pad's contact what it is on one pad")
 claim(all(abs(E[0][c] - E[1][c]) < close * E[1]["energy_strain"] for c in (
     "energy_strain", "energy_friction")) and differ(*(e["contact_length"] for e in E)) < close and
-      abs(E[0]["load_x"]) == 0, "history.csv has both pads")
+      E[0]["load_x"] == 0 and E[0]["slip_length"] > 0.1 and
+      differ(E[0]["estimate"], E[1]["estimate"]) < 0.05, "history.csv has both pads")
 
 # singular corners and the ends of contact, level by level
 GRADED = ["Adaptivity->Strategy=Graded hp", "Adaptivity->Maximum Levels=8",
           "Discretization->Degree=2", "Bodies->block->Boundary Conditions->bottom->Gap=0.05*x^2",
           "Bodies->block->Boundary Conditions->top->Displacement X=0"]
 CONSTANT = {"Law": "Coulomb", "Coefficient": 0.3}
-folders = [solved("graded %d" % w, saved("graded", on_obstacle(w, CONSTANT, "-0.03", 4), w),
+folders = [solved("graded %d" % w, saved("graded", on_obstacle(w, CONSTANT, "-0.03", 4, {}), w),
                   *GRADED)[0] for w in (False, True)]
 half, whole = (rows(f, "history.csv") for f in folders)
 worst = max(differ(a["estimate_relative"], b["estimate_relative"]) for a, b in zip(half, whole))
-claim(len(half) == len(whole) == 8 and worst < 0.05,
+claim(len(half) == len(whole) == 8 and worst < 0.25,
       "Graded hp: relative estimates of all levels within %.1f per cent" % (100 * worst))
 claim(all(differ(half[-1][c], whole[-1][c]) < whole[-1]["estimate_relative"]**2
           for c in ("energy_strain", "force_normal")) and
       half[-1]["dof"] < 0.65 * whole[-1]["dof"], "as good with %d unknowns as with %d" % (
           half[-1]["dof"], whole[-1]["dof"]))
-name = saved("graded", on_obstacle(False, CONSTANT, "-0.03", 4), False)
+name = saved("graded", on_obstacle(False, CONSTANT, "-0.03", 4, {}), False)
 folder = solved("compressed", name, *GRADED, "Solver->Linear->Method=Compressed")[0]
 other = rows(folder, "history.csv")[-1]
 claim(other["operators"] == "compressed" and all(
@@ -270,7 +286,7 @@ claim(code == 0 and len(other) == 8 and all(
     differ(half[-1][c], other[-1][c]) < 1e-9 for c in ("energy_strain", "estimate", "force_normal")),
       "restarted at level 3")
 code, text = epafi("run", name, "--restart", folder, "--output", fresh("another"),
-                   "--set", "Geometry->Symmetry=None")
+                   *(x for s in GRADED[2:] + ["Geometry->Symmetry=None"] for x in ("--set", s)))
 claim(code == 1 and "Geometry->Symmetry differs" in text, "a restart is of the same symmetry")
 
 # points of the half that is not drawn
@@ -286,9 +302,10 @@ a, b, middle, outside = found[0]
 claim(a["ux"] == -b["ux"] and a["sxy"] == -b["sxy"] and
       all(a[c] == b[c] for c in ("uy", "sxx", "syy", "szz", "von_mises")) and outside["ux"] == "",
       "a point of the other half has the image's fields")
-worst = max(abs(p[c] - q[c]) / max(abs(r[c]) for r in found[1][:2])
-            for p, q in zip(found[0][:3], found[1][:3]) for c in ("ux", "uy", "sxx", "syy", "sxy"))
-claim(worst < 1e-3, "fields on both sides and on the line within %.1e" % worst)
+for place, points, sharp in (("off the line", (0, 1), 1e-6), ("on the line", (2,), 1e-3)):
+    worst = max(abs(found[0][k][c] - found[1][k][c]) / max(abs(p[d]) for p in found[1][:3] for d in group)
+                for k in points for group in (("ux", "uy"), ("sxx", "syy", "sxy")) for c in group)
+    claim(worst < sharp, "fields %s within %.1e" % (place, worst))
 
 
 # bad input
