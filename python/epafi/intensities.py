@@ -23,8 +23,8 @@ POINTS = 40  # on a bisector
 
 @dataclass
 class Ray:
-    """Stresses (sigma_theta_theta, sigma_r_theta) at distances r; `ends` of the first two elements:
-    best behind the second, which the error next to the point does not reach."""
+    """Stresses (sigma_theta_theta, sigma_r_theta) at distances r; `ends` of the first two elements,
+    which the error next to the point spoils."""
 
     side: str
     angle: float

@@ -41,8 +41,8 @@ def number(scene: Scene, value: Any) -> float:
 
 
 class Element:
-    """Of boundary.csv, complex points and traction at equal distances of the parameter; the body is on the
-    left of the way from start to end."""
+    """Of boundary.csv, complex points and traction at equal distances of the parameter; the body is on
+    the left of the way from start to end."""
 
     before: Element
     after: Element
@@ -174,8 +174,8 @@ class Outlines:
         return rows if len(rows) or not distance[nearest] < spacing else np.array([nearest])
 
     def face(self, element: Element, at_end: bool) -> Face:
-        """Of an element at one of its ends.  Surfaces that yield bound what they transmit: to a singular stress
-        they are free."""
+        """Of an element at one of its ends.  Surfaces that yield bound what they transmit: to a
+        singular stress they are free."""
         rules = self.conditions(element)
         if rules.get("Type") == "Dirichlet":
             given = [axis for axis in "XY" if "Displacement " + axis in rules]
