@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from epafi.places import NEAR, Outlines, Place
+from epafi.places import Outlines, Place
 from epafi.tables import Table
 from epafi.wedges import Corner, Mode, modes
 
@@ -23,12 +23,12 @@ POINTS = 40  # on a bisector
 
 @dataclass
 class Ray:
-    """Stresses (sigma_theta_theta, sigma_r_theta) at distances r; the first two elements from the point on are
-    not trusted: `start`."""
+    """Stresses (sigma_theta_theta, sigma_r_theta) at distances r; `ends` of the first two elements,
+    which the error next to the point spoils."""
 
     side: str
     angle: float
-    start: float
+    ends: tuple[float, float]
     r: np.ndarray
     weights: np.ndarray
     stresses: np.ndarray
@@ -53,9 +53,10 @@ class Singular:
                 return text
         return "crack" if self.place.angle == 2 * math.pi else "corner"
 
-    def start(self, at_end: bool) -> float:
-        return max(abs(element.node(not at_end) - self.place.x)
-                   for element, _ in zip(self.place.outward(at_end), range(2)))
+    def ends(self, at_end: bool) -> tuple[float, float]:
+        far = [abs(element.node(not at_end) - self.place.x)
+               for element, _ in zip(self.place.outward(at_end), range(2))]
+        return far[0], far[-1]
 
     def on_side(self, at_end: bool) -> Ray:
         parts, place = [], self.place
@@ -64,22 +65,22 @@ class Singular:
             if parts[-1][0].max() > self.reach:
                 break
         r, weights, normal, shear = (np.concatenate(column) for column in zip(*parts))
-        return Ray(element.name, place.angle if at_end else 0.0, self.start(at_end), r, weights,
+        return Ray(element.name, place.angle if at_end else 0.0, self.ends(at_end), r, weights,
                    np.array([normal, shear]))
 
-    def bisector(self) -> tuple[complex, np.ndarray, float]:
-        """Direction, distances, start."""
-        start = max(self.start(False), self.start(True))
+    def bisector(self) -> tuple[complex, np.ndarray, tuple[float, float]]:
+        """Direction, distances, ends."""
+        first, second = (max(ends) for ends in zip(self.ends(False), self.ends(True)))
         direction = self.place.before.after.direction(False) * np.exp(0.5j * self.place.angle)
-        return complex(direction), np.geomspace(min(start, self.reach / 10) / 2, self.reach / 2,
-                                                POINTS), start
+        return (complex(direction), np.geomspace(min(second, self.reach / 10) / 2, self.reach,
+                                                 POINTS), (first, second))
 
 
 def fitted(ray: Ray, singular: Singular, window: tuple[float, float], most: float) -> np.ndarray:
     """(K_normal, K_shear) of each mode with lambda < 1: least squares of relative errors, equal over
     log r, of the modes with lambda < most, and of uniform and linear stresses if they are; NaN where
     stresses are too few."""
-    here = (ray.r > window[0]) & (ray.r < window[1])
+    here = (ray.r > window[0]) & (ray.r < window[1]) & np.isfinite(ray.stresses).all(axis=0)
     scale = singular.reach
     rho, columns, owners = ray.r[here] / scale, [], []
     terms = [mode for mode in singular.modes if mode.exponent.real < most]
@@ -107,18 +108,20 @@ def fitted(ray: Ray, singular: Singular, window: tuple[float, float], most: floa
 
 
 def best(ray: Ray, singular: Singular) -> tuple[np.ndarray, np.ndarray]:
-    """Intensities and how much they change with the window; NaN where nothing tells."""
-    low, high = ray.start, FAR * singular.reach
-    found = []
-    for most in MOST:
-        k, *others = (fitted(ray, singular, window, most) for window in (
-            (low, high), (low, high / 2), (2 * low, high), (low, 1.5 * high)))
-        changes = abs(np.array(others) - k)
-        changes[np.isnan(changes)] = 0 if np.isfinite(changes).any() else math.inf
-        found.append((changes.max(axis=0), k))
-    error, k = min(found, key=lambda pair: math.inf if np.isnan(pair[1]).any() else pair[0].max())
-    error[np.isinf(error)] = math.nan
-    return k, error
+    """Intensities, and how much they change with the window, the first of those that hold enough
+    stresses; NaN where none does."""
+    for low, far in ((ray.ends[1], FAR), (ray.ends[0], FAR), (ray.ends[0], 2 * FAR)):
+        high, found = far * singular.reach, []
+        for most in MOST:
+            k, *others = (fitted(ray, singular, window, most) for window in (
+                (low, high), (low, high / 2), (2 * low, high), (low, 1.5 * high)))
+            changes = abs(np.array(others) - k)
+            if (changes > 1e-9 * abs(k).max()).any():  # other windows hold other stresses
+                found.append((np.nanmax(changes, axis=0), k))
+        if found:
+            error, k = min(found, key=lambda pair: pair[0].max())
+            return k, error
+    return np.full_like(k, math.nan), np.full_like(k, math.nan)
 
 
 def rows_of(singular: Singular, ray: Ray) -> list[tuple[Any, ...]]:
@@ -144,7 +147,6 @@ def intensities(run: Run) -> Table:
     outlines = Outlines(run)
     places = outlines.places()
     points = np.array([place.x for place in places])
-    fronts = outlines.fronts()
     found, wanted = [], []
     for place in places:
         corner, own = outlines.corner(place)
@@ -152,10 +154,7 @@ def intensities(run: Run) -> Table:
             continue
         singular = Singular(place, corner, own, modes(corner, MOST[0]), math.inf)
         ends = [place.faces[0].kind != "free", place.faces[1].kind != "free"]
-        start = singular.start(not ends[0] and ends[1])
-        distances = np.append(abs(points - place.x), abs(fronts - place.x)[
-            abs(fronts - place.x) > start])
-        singular.reach = float(min(distances[distances > NEAR * outlines.size], default=outlines.size))
+        singular.reach = outlines.reach(place, points, singular.ends(not ends[0] and ends[1])[1])
         found.append(singular)
         if not any(ends):
             wanted.append(singular)
@@ -165,7 +164,7 @@ def intensities(run: Run) -> Table:
             singular.place.faces[0].kind == "free"))]
     for place in outlines.open_ends():
         exponents = modes(outlines.corner(place)[0])
-        if exponents and all(abs(points - place.x) > abs(place.before.chord)):
+        if exponents and all(abs(points - place.x) > 2 * abs(place.before.chord)):
             points = np.append(points, place.x)
             rows.append(row_of(place, "end of contact", "", exponents[0].exponent + 1, np.zeros(2),
                                np.zeros(2), math.nan))
@@ -179,10 +178,10 @@ def on_bisectors(run: Run, all_singular: list[Singular]) -> list[Ray]:
         all_singular, laid)])
     fields = run.fields(np.column_stack([points.real, points.imag]))
     rays = []
-    for k, (singular, (direction, r, start)) in enumerate(zip(all_singular, laid)):
+    for k, (singular, (direction, r, ends)) in enumerate(zip(all_singular, laid)):
         sxx, syy, sxy = (fields[name][k * POINTS:(k + 1) * POINTS] for name in ("sxx", "syy", "sxy"))
         c, s = direction.real, direction.imag
-        rays.append(Ray("bisector", singular.place.angle / 2, start, r, r, np.array([
+        rays.append(Ray("bisector", singular.place.angle / 2, ends, r, r, np.array([
             s * s * sxx + c * c * syy - 2 * s * c * sxy,
             s * c * (syy - sxx) + (c * c - s * s) * sxy])))
     return rays

@@ -41,8 +41,8 @@ def number(scene: Scene, value: Any) -> float:
 
 
 class Element:
-    """Of boundary.csv, complex points and traction at equal distances of the parameter; the body is on the
-    left of the way from start to end."""
+    """Of boundary.csv, complex points and traction at equal distances of the parameter; the body is on
+    the left of the way from start to end."""
 
     before: Element
     after: Element
@@ -101,14 +101,16 @@ class Place:
     angle: float
 
     def outward(self, at_end: bool) -> Iterator[Element]:
-        """The elements of one of its sides."""
+        """The elements of one of its sides, to the next corner."""
         element = self.before if at_end else self.before.after
-        name = element.name
-        while element.name == name:
+        while True:
             yield element
-            element = element.before if at_end else element.after
-            if element is (self.before.after if at_end else self.before):
+            following = element.before if at_end else element.after
+            turn = np.angle(element.direction(not at_end) / following.direction(at_end))
+            if (following.name != element.name or abs(turn) > SMOOTH
+                    or following is (self.before.after if at_end else self.before)):
                 return
+            element = following
 
 
 class Outlines:
@@ -172,8 +174,8 @@ class Outlines:
         return rows if len(rows) or not distance[nearest] < spacing else np.array([nearest])
 
     def face(self, element: Element, at_end: bool) -> Face:
-        """Of an element at one of its ends.  Surfaces that yield bound what they transmit: to a singular stress
-        they are free."""
+        """Of an element at one of its ends.  Surfaces that yield bound what they transmit: to a
+        singular stress they are free."""
         rules = self.conditions(element)
         if rules.get("Type") == "Dirichlet":
             given = [axis for axis in "XY" if "Displacement " + axis in rules]
@@ -289,7 +291,13 @@ class Outlines:
             np.diff(self.samples["s"]) > 0)
         return np.flatnonzero(follow & (np.diff(self.samples[column]) != 0))
 
-    def fronts(self) -> np.ndarray:
-        """Where contact or friction changes its state within a side."""
-        return np.array([self.between(k) for column in ("contact", "friction")
-                         for k in self._changes(column)], complex)
+    def reach(self, place: Place, points: np.ndarray, least: float) -> float:
+        """How far the next of the points is, the next change of contact or friction further off than
+        `least`, or another side of the body."""
+        fronts = abs(np.array([self.between(k) for column in ("contact", "friction")
+                               for k in self._changes(column)], complex) - place.x)
+        near = {id(element) for at_end in (False, True) for element in place.outward(at_end)}
+        others = [abs(element.x - place.x).min() for element in self.elements
+                  if element.body == place.before.body and id(element) not in near]
+        distances = np.concatenate([abs(points - place.x), fronts[fronts > least], others])
+        return float(distances[distances > NEAR * self.size].min(initial=self.size))

@@ -128,9 +128,9 @@ class Run:
             return Table(file)
 
     def intensities(self) -> Table:
-        """Where stresses of the last level (and step) are singular, their exponents and intensities: a row per
-        place and exponent; doc/columns.md lists the columns.  Stresses are K (2 pi r)^exponent on
-        `side`, normal (tension positive) and shear."""
+        """Where stresses of the last level (and step) are singular, their exponents and intensities:
+        a row per place and exponent; doc/columns.md lists the columns.  Stresses are K (2 pi
+        r)^exponent on `side`, normal (tension positive) and shear."""
         from epafi.intensities import intensities
 
         return intensities(self)

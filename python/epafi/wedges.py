@@ -1,8 +1,9 @@
 """Exponents of the stress where elastic wedges meet in a point (Williams, Dundurs, Comninou).
 
-Around the point a wedge has the displacement r^lambda and the stress r^(lambda - 1) of Kolosov's potentials
-phi = a z^lambda, psi = b z^lambda.  Conditions on faces and joints are linear in (Re a, Im a, Re b,
-Im b) of all wedges, M(lambda) c = 0; the exponents are the lambda with a solution c, its mode.
+Around the point a wedge has the displacement r^lambda and the stress r^(lambda - 1) of Kolosov's
+potentials phi = a z^lambda, psi = b z^lambda.  Conditions on faces and joints are linear in (Re a,
+Im a, Re b, Im b) of all wedges, M(lambda) c = 0; the exponents are the lambda with a solution c,
+its mode.
 """
 from __future__ import annotations
 

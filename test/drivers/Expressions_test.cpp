@@ -75,6 +75,11 @@ TEUCHOS_UNIT_TEST(Constants, thatCannotBeAreRefused) {
   text.conditions = neumann("right", parameter("Traction X", "laod"));
   TEST_ASSERT(
       contains(complaintOf(text.xml()), "x, y, t, nx and ny and the constants load"));
+  TEST_ASSERT(contains(complaintOf(text.xml()), "did you mean 'load'?"));
+  text.conditions = neumann("right", parameter("Traction X", "2*sinn(x)"));
+  TEST_ASSERT(contains(complaintOf(text.xml()), "did you mean 'sin'?"));
+  text.conditions = neumann("right", parameter("Traction X", "weight"));
+  TEST_ASSERT(!contains(complaintOf(text.xml()), "did you mean"));
 }
 
 TEUCHOS_UNIT_TEST(Expressions, ofFieldsHaveFiniteSquares) {
