@@ -87,7 +87,7 @@ def punch(whole):
             "punch": {"Material": {"Rigid": True}, **stamp, "Motion": {"Force Y": "-0.02"}}}
 
 
-KINDS = {"energy": "strain load friction dissipated trapezoidal outside interface stored".split(),
+KINDS = {"energy": "strain load friction dissipated trapezoidal outside interface stored springs".split(),
          "length": ["length"], "force": ["force", "load", "contact", "reaction", "body"],
          "motion": ["motion", "rotation"], "pressure": ["pressure"]}
 
@@ -187,6 +187,12 @@ claim(abs(stamp["load_y"] + 0.02) < 1e-15 and abs(stamp["contact_y"] - 0.02) < 1
 PATH = {"Times": [1, 2], "Steps": [1, 2]}
 half, _ = pair("path", lambda w: on_obstacle(w, load="t/2*(%s)" % PRESSED), History=PATH)
 pair("punch on a path", punch, "Bodies->punch->Motion->Force Y=-0.02*t", Contacts=STAMP, History=PATH)
+half, _ = pair("punch by a spring", punch, "Bodies->punch->Motion->Force Y=-0.02*t",
+               "Bodies->punch->Motion->Stiffness Y=0.5", Contacts=STAMP, History=PATH)
+row = rows(half, "steps.csv")[-1]
+claim(row["energy_springs"] > 1e-6 and differ(
+    row["energy_springs"], 0.5 * 0.5 * row["punch.motion_y"]**2) < 1e-9,
+      "the spring is that of the whole")
 
 # Fix holds what the line does not; its reaction acts on the body's boundary alone, a shear on the
 # sides that jumps at corners
