@@ -5,6 +5,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <algorithm>
 #include <boost/math/constants/constants.hpp>
 #include <cmath>
 #include <memory>
@@ -31,6 +32,10 @@ std::size_t loneEqualSign(const std::string& text) {
   }
   return std::string::npos;
 }
+
+/// Of names in expressions.
+constexpr const char* letters =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
 
 constexpr double pi = boost::math::constants::pi<double>();
 
@@ -116,7 +121,7 @@ class Parser {
                      meant(error));
   }
 
-  /// The name that a mistyped one is nearest to, where they differ in a third of its letters.
+  /// The name that a mistyped one is nearest to, if at most half of its letters differ.
   std::string meant(const mu::Parser::exception_type& error) const {
     if (error.GetCode() != mu::ecUNASSIGNABLE_TOKEN)
       return "";
@@ -128,9 +133,11 @@ class Parser {
     add(parser_.GetConst());
     add(parser_.GetVar());
     add(parser_.GetFunDef());
-    const std::string& name = error.GetToken();
+    std::string name = error.GetToken();  // with what follows it
+    name.resize(std::min(name.size(), name.find_first_not_of(letters)));
     const std::string near = bem::nearest(name, names);
-    const bool isNear = 3 * bem::editDistance(name, near) <= static_cast<int>(name.size()) + 1;
+    const bool isNear =
+        2 * bem::editDistance(name, near) <= static_cast<int>(name.size());
     return isNear ? "; did you mean '" + near + "'?" : "";
   }
 
@@ -229,7 +236,6 @@ class Expression {
 
 /// \throws InputError for what muParser would not take for a constant of ours.
 void checkName(const std::string& name, const Names& earlier) {
-  const char* letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789";
   if (name.find_first_not_of(letters) != std::string::npos ||
       std::string("0123456789_").find(name.front()) != std::string::npos)
     throw InputError(

@@ -40,7 +40,7 @@ def looks_of(given):
     if given.font:
         looks["font"], = numbers_in("--font", given.font, 1, 1, 100)
     try:
-        return Looks(title=not given.no_title, units=given.units,
+        return Looks(title=not given.no_title, units=given.units or None,
                      endings=("png", "svg", "pdf") if given.pdf else ("png", "svg"), **looks)
     except InputError as error:
         sys.exit("epafi: plot: --%s" % error)
