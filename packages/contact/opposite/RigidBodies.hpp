@@ -6,24 +6,24 @@
 
 namespace epafi::contact {
 
-/// How a body that does not deform is moved in x, in y and about its reference point: by a
-/// given motion, or freely under a force.  Dimensionless.
+/// Given motion of a rigid body, or the force on it, in x, in y and about its reference
+/// point.  Dimensionless.
 struct Drive {
   struct Component {
     bool free = false;
-    double value = 0;   ///< the force or moment of a free component; else the motion
-    double inside = 0;  ///< force or moment of what acts inside
+    double value = 0;   ///< force or moment of a free component; else the motion
+    double inside = 0;  ///< force or moment of body loads
   };
   std::array<Component, 3> components{};
 };
 
-/// What the motions m_k of a body that does not deform, (1, 0), (0, 1) and the rotation
-/// e_z x (y - y₀) over `lever`, do to a multiplier:
+/// Coupling of a multiplier with the motions m_k of a rigid body: (1, 0), (0, 1) and the
+/// rotation e_z x (y - y₀) / lever:
 ///
 ///   traces_ik = ∫ χ_i d_i · m_k∘P ds,   d_i: n or t of the side, P: Opposite::at
 ///
-/// With components m of the motion, the last one times `lever`, contact has the
-/// displacement u - traces m, and the body feels the forces tracesᵀ λ.
+/// For a motion m (rotation times `lever`) the contact conditions contain C u - traces m, and
+/// the forces on the body are tracesᵀ λ.
 struct RigidTraces {
   Matrix traces;      ///< multiplier x 3
   double lever = 0;   ///< largest |y - y₀| where it is met; zero: it is met nowhere
