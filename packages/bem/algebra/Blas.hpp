@@ -1,6 +1,6 @@
 #pragma once
 
-// What Teuchos' BLAS and LAPACK do not have, by the Fortran names.
+// BLAS and LAPACK functions that Teuchos does not wrap, by their Fortran names.
 extern "C" {
 // rectangular full packed triangles
 void dpftrs_(const char* transr, const char* uplo, const int* n, const int* nrhs,

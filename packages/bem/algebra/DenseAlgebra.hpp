@@ -4,17 +4,17 @@
 
 namespace epafi::bem {
 
-// Dense algebra of the size of a body's boundary, by LAPACK and BLAS with as many threads as
-// pay.  A symmetric matrix is given by its lower triangle: what stands above the diagonal is
-// neither read nor kept.
+// Dense algebra for matrices of a body, by LAPACK and BLAS with blasThreadsFor() threads.  A
+// symmetric matrix is given by its lower triangle; entries above the diagonal are neither read
+// nor preserved.
 
 /// The factor L of a symmetric positive definite matrix A = L Lᵀ, in LAPACK's rectangular full
-/// packed form: half the memory of a square, and BLAS runs on its three parts as fast as on
-/// the whole.
+/// packed form: half the memory of a square matrix, and BLAS 3 is as fast on its three parts
+/// as on the whole.
 class CholeskyFactor {
  public:
-  /// \throws NumericalError if the matrix is not positive definite.  `name` is for the
-  /// message.
+  /// \param name of the matrix, for the message
+  /// \throws NumericalError if the matrix is not positive definite
   CholeskyFactor(Matrix lower, const char* name);
 
   /// A⁻¹ b

@@ -4,7 +4,7 @@
 
 namespace epafi::bem {
 
-/// Numbers of twice as many digits, each the sum of two doubles.
+/// Numbers with twice the digits of a double, each the sum high + low of two doubles.
 struct Doubled {
   explicit Doubled(std::size_t size) : high(size), low(size) {}
   explicit Doubled(const std::vector<long double>& numbers);
@@ -14,10 +14,10 @@ struct Doubled {
   Vector low;
 };
 
-/// Σ a_i x_{first + i} over `size` numbers, rounded as if by twice a double's digits.
+/// Σ a_i x_{first + i}, i = 0 ... size - 1, as accurate as in twice the digits of a double.
 long double dotDoubled(const double* a, Index size, const Doubled& x, Index first);
 
-/// y_{first + i} += factor a_i likewise.
+/// y_{first + i} += factor a_i, i = 0 ... size - 1, with the same accuracy.
 void addDoubled(long double factor, const double* a, Index size, Doubled& y, Index first);
 
 }  // namespace epafi::bem

@@ -4,9 +4,9 @@
 
 namespace epafi::bem {
 
-/// What a symmetric A loses and gains where some motions R of it go through functionals G:
+/// Low-rank correction U S Uᵀ of a symmetric A by a projection P = I - R Gᵀ (columns R, G):
 ///
-///   Pᵀ A P - A = U S Uᵀ,   P = I - R Gᵀ,   U = (G, A R),   S = [κ, -I; -I, 0],   κ = Rᵀ A R
+///   Pᵀ A P - A = U S Uᵀ,   U = (G, A R),   S = [κ, -I; -I, 0],   κ = Rᵀ A R
 struct LowRank {
   Matrix u;
   Matrix inverse;  ///< S⁻¹ = [0, -I; -I, -κ]
@@ -18,14 +18,14 @@ struct LowRank {
   void addTo(Matrix& y, const Matrix& x) const;
 };
 
-/// (A + U S Uᵀ)⁻¹ b = y - Y (S⁻¹ + Uᵀ Y)⁻¹ Uᵀ y,   y = A⁻¹ b,  Y = A⁻¹ U: Woodbury's formula.
+/// Woodbury's formula (A + U S Uᵀ)⁻¹ b = y - Y (S⁻¹ + Uᵀ Y)⁻¹ Uᵀ y,   y = A⁻¹ b,  Y = A⁻¹ U.
 class Woodbury {
  public:
   Woodbury() = default;
-  /// \throws NumericalError where A + U S Uᵀ is singular; `name` is for the message.
+  /// \throws NumericalError if A + U S Uᵀ is singular; the message has `name`.  answers: Y
   Woodbury(Matrix u, Matrix inverse, Matrix answers, const char* name);
 
-  /// From A⁻¹ B, which it replaces.
+  /// Replaces x = A⁻¹ B by (A + U S Uᵀ)⁻¹ B.
   void correct(Matrix& x) const;
 
  private:

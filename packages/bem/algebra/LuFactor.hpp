@@ -6,24 +6,23 @@
 
 namespace epafi::bem {
 
-/// P A = L U of a square matrix of SmallAlgebra's size.
+/// LU factorization P A = L U of a square matrix.
 class LuFactor {
  public:
-  /// Of size zero.
+  /// Factor of a matrix of size zero.
   LuFactor() = default;
   explicit LuFactor(Matrix a);
-  /// Of a matrix whose rows are brought to one size before pivots are sought: those of
-  /// displacements and of densities differ.
-  /// \throws NumericalError where it is singular; `name` is for the message.
+  /// Factor with row equilibration, since rows of displacements and of densities differ in
+  /// size.
+  /// \throws NumericalError if the matrix is singular; the message has `name`
   static LuFactor ofScaledRows(Matrix a, const char* name);
 
-  /// Is every pivot a number other than zero?
+  /// Are all pivots nonzero and not NaN?
   bool isRegular() const { return isRegular_; }
-  /// 1 / (|A| |A⁻¹|) in the norm of column sums, estimated; 0 where a pivot is zero, 1 for size
-  /// zero.
+  /// Estimate of 1 / (|A| |A⁻¹|) in the 1-norm; 0 if a pivot is zero, 1 for size zero.
   double reciprocalCondition() const;
 
-  /// x := A⁻¹ x, of each column.  \pre isRegular()
+  /// x := A⁻¹ x, column by column.  \pre isRegular()
   void solve(Matrix& x) const { solve(x.data(), x.columns(), x.stride()); }
   void solve(Vector& x) const { solve(x.data(), 1, lu_.rows()); }
 
@@ -31,7 +30,7 @@ class LuFactor {
   void solve(double* x, Index columns, Index stride) const;
 
   Matrix lu_;
-  Vector scales_;  ///< of the rows; empty: as they are
+  Vector scales_;  ///< row scaling; empty: none
   std::vector<int> pivots_;
   double norm_ = 0;
   bool isRegular_ = true;

@@ -7,7 +7,7 @@
 
 namespace epafi::bem {
 
-// Products and parts of matrices of any size.
+// Products and submatrices of any size.
 
 /// C += s A B, and C += s Aᵀ B; in parallel, see byColumns
 void addProduct(double s, const Matrix& a, const Matrix& b, Matrix& c);
@@ -59,7 +59,7 @@ inline Matrix columnsBetween(const Matrix& a, Index first, Index last) {
   return result;
 }
 
-/// Calls action(first, count) for blocks of columns, in parallel; `work` of all [ns].
+/// Calls action(first, count) for blocks of columns in parallel; `work`: total work [ns].
 template <class Action>
 void byColumns(Index columns, double work, const Action& action) {
   constexpr Index width = 128;

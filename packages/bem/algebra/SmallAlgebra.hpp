@@ -4,8 +4,8 @@
 
 namespace epafi::bem {
 
-// Dense algebra of the size of a contact boundary or of three rigid motions, on one rank.
-// What grows with the body is bem/algebra/DenseAlgebra's.
+// Dense algebra for matrices of a contact boundary or of three rigid motions, on one rank.
+// For matrices of a body see bem/algebra/DenseAlgebra.
 
 double dot(const Vector& a, const Vector& b);
 
@@ -19,19 +19,19 @@ Matrix multiply(const Matrix& a, const Matrix& b);
 /// Aᵀ B
 Matrix transposedTimes(const Matrix& a, const Matrix& b);
 
-/// Replaces the lower triangle of a symmetric A by its factor L.  Returns 0, or the first
-/// leading minor that is not positive, counted from 1.
+/// Replaces the lower triangle of a symmetric A by its Cholesky factor L.  Returns 0, or the order
+/// of the first leading minor that is not positive.
 [[nodiscard]] int cholesky(Matrix& a);
 
-/// b := (L Lᵀ)⁻¹ b, of a vector or of columns
+/// b := (L Lᵀ)⁻¹ b for a vector or for several columns.
 void choleskySolve(const Matrix& factor, double* b);
 void choleskySolve(const Matrix& factor, double* b, Index columns, Index stride);
 
-/// Replaces A by R in its upper triangle, A P = Q R, diagonal entries falling.  Returns which
-/// column of A each of R's was.
+/// Replaces the upper triangle of A by R of A P = Q R, |diagonal| decreasing.  Returns for each
+/// column of R the column of A.
 std::vector<Index> pivotedTriangle(Matrix& a);
 
-/// A vector as a matrix.
+/// A vector as a matrix with one column.
 Matrix asColumn(const Vector& v);
 
 }  // namespace epafi::bem

@@ -2,13 +2,12 @@
 
 namespace epafi::bem {
 
-/// While it lives, each call of OpenBLAS takes at most so many threads; another BLAS is left
-/// alone.  One for loops that call BLAS for many small matrices: where each call has threads
-/// of its own they wait for one another, twenty times as long as they compute.  For a call
-/// that may be large: blasThreadsFor(its work).
+/// Limits the threads of OpenBLAS calls during its lifetime; no effect on another BLAS.  Use 1
+/// in loops over many small matrices, since starting threads for each call costs much more
+/// than the arithmetic, and blasThreadsFor(work) for large calls.
 ///
-/// Not for several threads at once: it is made and ends outside of their loops, or changes
-/// nothing, as OpenBLAS has one thread in the rounds of parallelFor().
+/// Not thread-safe: construct and destroy it outside of parallel loops.  In the rounds of
+/// parallelFor() OpenBLAS has one thread anyway.
 class BlasThreads {
  public:
   explicit BlasThreads(int most);
@@ -17,7 +16,7 @@ class BlasThreads {
   BlasThreads& operator=(const BlasThreads&) = delete;
 
  private:
-  int before_ = 0;  ///< threads of OpenBLAS if they were more
+  int before_ = 0;  ///< previous number of threads, if it was larger
 };
 
 }  // namespace epafi::bem

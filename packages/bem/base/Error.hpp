@@ -14,15 +14,15 @@ std::string message(const Part&... part) {
   return text.str();
 }
 
-/// The scene asks for something impossible; the message, joined from parts, names the
-/// parameter.  Exit code 1.
+/// Invalid input in the scene; the message, joined from parts, names the parameter.  Exit
+/// code 1.
 struct InputError : std::invalid_argument {
   template <class... Part>
   explicit InputError(const Part&... part) : std::invalid_argument(message(part...)) {}
 };
 
-/// Arithmetic broke down (indefinite matrix, NaN).  Exit code 2.  Slow convergence is no
-/// error: it is reported by value, see contact::Report.
+/// Breakdown of the arithmetic (indefinite matrix, NaN).  Exit code 2.  Slow convergence is
+/// not an error but a result, see contact::Report.
 struct NumericalError : std::runtime_error {
   template <class... Part>
   explicit NumericalError(const Part&... part) : std::runtime_error(message(part...)) {}

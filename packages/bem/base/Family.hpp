@@ -9,14 +9,14 @@
 
 namespace epafi::bem {
 
-/// The members of a family by name: friction laws, bases, strategies.  First those built
-/// in, then those that a program adds before it reads its first scene.
+/// Registry of named objects: friction laws, bases, strategies.  Built-in members come first,
+/// then those that a program adds before it reads its first scene.
 ///
 /// A member has a `name`; references to members stay valid.
 template <class Member>
 class Family {
  public:
-  /// `kind`: what a member is called in messages.
+  /// \param kind name of a member in messages, such as "friction law"
   Family(std::string kind, std::vector<Member> members) : kind_(std::move(kind)) {
     for (Member& member : members)
       add(std::move(member));
@@ -63,7 +63,7 @@ class Family {
   std::deque<Member> members_;
 };
 
-/// "A: what A does; B: what B does", of members with a `meaning`.
+/// "A: meaning of A; B: meaning of B"; members have a `meaning`.
 template <class Member>
 std::string meanings(const Family<Member>& family) {
   std::string text;

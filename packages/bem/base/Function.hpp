@@ -6,8 +6,8 @@
 
 namespace epafi::bem {
 
-/// A number at each point of the boundary, in the user's units: gap, load, friction
-/// bound. An empty function means "not given".
+/// A scalar function of a point of the boundary, in the user's units: gap, load, friction
+/// bound.  Empty: not given.
 using Function = std::function<double(Vec2)>;
 
 }  // namespace epafi::bem

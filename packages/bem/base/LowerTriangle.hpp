@@ -4,21 +4,21 @@
 
 namespace epafi::bem {
 
-/// A symmetric n x n matrix in the memory of its lower triangle alone: column j holds its rows
-/// from j on, one column after the other.
+/// A symmetric n x n matrix in packed storage of its lower triangle: rows j ... n - 1 of column
+/// j, one column after the other.
 class LowerTriangle {
  public:
   LowerTriangle() = default;
 
-  /// Packs the triangle in its own memory and gives the rest of that back.
-  /// `lower`: what stands above the diagonal is not read.
+  /// Packs `lower` in place and releases the rest of its memory.  Entries above the diagonal
+  /// are not read.
   explicit LowerTriangle(Matrix lower);
 
   Index size() const { return size_; }
-  /// The entry (j, j) and those below it.
+  /// Entries (j, j) ... (n - 1, j).
   const double* column(Index j) const { return packed_.data() + start(j); }
 
-  /// Columns of A, one after the other.
+  /// Full columns of A, one after the other.
   Vector columns(const std::vector<Index>& which) const;
 
   /// A x

@@ -9,8 +9,8 @@ struct Material {
   bool planeStress = false;    ///< else plane strain
 };
 
-/// Lamé's problem made dimensionless, with plane stress turned into the plane strain that
-/// has the same equations.  Every constant is written without 1/(1-2nu).
+/// Dimensionless constants of Lamé's equations; plane stress is converted to the equivalent
+/// plane strain.  No constant contains 1/(1-2nu).
 ///                                                             [doc/theory/operators.md]
 struct Lame {
   double nu;  ///< the plane-strain Poisson's ratio
@@ -19,21 +19,21 @@ struct Lame {
   double b;   ///< B = A c2 = 1 / (8 pi mu (1-nu))
   double d;   ///< D = mu / (2 pi (1-nu)):  V* = D (-log r I + d d'/r²)
 
-  /// By itself, stresses in Young's moduli. \throws InputError if nu is not in (-1, 1/2].
+  /// Reference stress E.  \throws InputError if nu is not in (-1, 1/2]
   explicit Lame(const Material& material) : Lame(material, material.youngsModulus) {}
-  /// Stresses in a reference that bodies share.
+  /// \param stress reference stress; the same for all bodies of a scene
   Lame(const Material& material, double stress);
 };
 
-/// What a dimensionless 1 means to the user.
+/// Reference length and stress, in the user's units.
 ///
-/// Everything inside bem and contact is dimensionless: lengths and displacements are
-/// divided by a length, by itself the outline's diameter, stresses by a stress, by itself
-/// Young's modulus; bodies that meet share both.  A scene in Pa and m and the same in MPa
-/// and mm then run through the same numbers.                   [doc/theory/operators.md]
+/// All quantities in bem and contact are dimensionless: lengths and displacements are divided
+/// by a length (of a single body, the diameter of its outline), stresses by a stress (of a
+/// single body, Young's modulus); all bodies of a scene share both.  A scene in Pa and m and
+/// the same scene in MPa and mm give the same numbers.         [doc/theory/operators.md]
 struct Units {
-  double length = 1;  ///< Outline::scaling's
-  double stress = 1;  ///< Lame's reference
+  double length = 1;  ///< length of Outline::scaling()
+  double stress = 1;  ///< reference stress of Lame
 };
 
 }  // namespace epafi::bem

@@ -9,22 +9,22 @@ namespace epafi::bem {
 /// Index of an unknown or a row: wide enough that n² never overflows.
 using Index = std::ptrdiff_t;
 
-/// An index as containers of the standard library want it.
+/// An index as the index type of standard containers.
 constexpr std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-/// A size or an index as BLAS, LAPACK and MPI want it.
+/// A size or an index as the integer type of BLAS, LAPACK and MPI.
 constexpr int asInt(Index i) { return static_cast<int>(i); }
 
-/// Gives a matrix's memory back.
+/// Deleter of the memory of a matrix.
 struct FreeMatrix {
-  std::size_t mapped = 0;  ///< bytes, if they come from the system; 0: from the heap
+  std::size_t mapped = 0;  ///< bytes mapped from the system; 0: heap memory
   void operator()(double* p) const;
 };
 
-/// A dense matrix of doubles, stored by columns.
+/// A dense column-major matrix of doubles.
 ///
-/// The distance of two columns, stride(), is padded so that it is no multiple of a page:
-/// power-of-two strides make the cache thrash.  A matrix is movable, and copied only by
+/// stride(), the leading dimension, is padded so that it is not a multiple of a page, since
+/// strides of powers of two cause cache conflicts.  A matrix is movable, and copied only by
 /// copy().
 class Matrix {
  public:
@@ -35,7 +35,7 @@ class Matrix {
   Matrix& operator=(Matrix&&) noexcept = default;
   Matrix copy() const;
 
-  /// Keeps the first columns and gives the memory of the others back.
+  /// Keeps the first `columns` columns and releases the memory of the others.
   void shrink(Index columns);
 
   Index rows() const { return rows_; }
@@ -60,7 +60,7 @@ class Matrix {
 
 using Vector = std::vector<double>;
 
-/// One of a sparse matrix.
+/// An entry of a sparse matrix.
 struct Entry {
   Index row;
   Index column;

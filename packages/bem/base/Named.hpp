@@ -7,7 +7,7 @@
 
 namespace epafi::bem {
 
-/// A row of a table of the words for an enumeration.
+/// A row of a table of names of the values of an enumeration.
 template <class Enum>
 struct Named {
   const char* name;
@@ -22,7 +22,7 @@ std::vector<std::string> namesOf(const Named<Enum> (&table)[N]) {
   return names;
 }
 
-/// \throws InputError if the table does not have the word.
+/// The value of a name.  \throws InputError if the table has no such name
 template <class Enum, std::size_t N>
 Enum named(const Named<Enum> (&table)[N], const std::string& name) {
   for (const Named<Enum>& row : table)

@@ -7,43 +7,42 @@
 
 namespace epafi::bem {
 
-// Work is estimated in nanoseconds of one thread.  Its order of magnitude is enough: it
-// decides how many threads a loop or a call of BLAS gets, here and nowhere else.
+// Work is estimated in nanoseconds of one thread.  The order of magnitude suffices, since it is
+// only used to choose the number of threads of a loop or of a call of BLAS.
 
-/// Of products and factorisations of matrices.
+/// Work of floating point operations of matrix products and factorizations.
 constexpr double workOfFlops(double flops) { return 0.05 * flops; }
-/// Of reading or writing numbers, each once.
+/// Work of reading or writing numbers, each once.
 constexpr double workOfNumbers(double count) { return 0.5 * count; }
-/// Of A X, `columns` those of X.
+/// Work of A X for a rows x depth matrix A and a depth x columns matrix X.
 constexpr double workOfProduct(Index rows, Index depth, Index columns) {
   const double entries = static_cast<double>(rows) * static_cast<double>(depth);
   return workOfNumbers(entries) + workOfFlops(2 * entries * static_cast<double>(columns));
 }
 
-/// Threads that some work [ns] pays for: those that have 100 microseconds each, of which waking
-/// them takes a tenth.  At least 1, at most as many as OpenMP would have; 1 in the rounds of a
-/// loop that has several.
+/// Number of threads for this work [ns]: 100 microseconds for each, about ten times the cost of
+/// waking it.  At least 1, at most the number of OpenMP threads; 1 inside a parallel loop.
 int threadsFor(double work);
 
-/// The same for a call of BLAS: OpenBLAS' threads meet dozens of times in it, and each time all
-/// wait for one that has lost its processor, so that it takes 20 milliseconds each.
+/// Number of threads for a call of BLAS: 20 milliseconds for each, since the threads of OpenBLAS
+/// synchronize many times in a call and wait for each one that has lost its processor.
 int blasThreadsFor(double work);
 
-/// Rounds 0, 1, ... of a loop that may run at the same time.
+/// A loop over independent rounds 0, 1, ...
 struct Job {
   Index rounds = 0;
   double work = 0;   ///< of all rounds together [ns]
-  Index atOnce = 1;  ///< rounds that a thread takes at once, the first ones first
+  Index atOnce = 1;  ///< rounds that a thread takes at a time, in ascending order
 };
 
-/// The rounds of a job that no thread has taken yet.
+/// Scheduler of a job: rounds that no thread has taken yet.
 class Rounds {
  public:
   explicit Rounds(const Job& job) : job_(job) {}
 
-  /// Takes first ... last - 1; false: none are left.
+  /// Takes the rounds first ... last - 1; false if none are left.
   bool take(Index& first, Index& last);
-  /// Leaves the rest.
+  /// Cancels all remaining rounds.
   void stop() { next_ = job_.rounds; }
 
  private:
@@ -51,15 +50,15 @@ class Rounds {
   std::atomic<Index> next_ = 0;
 };
 
-/// Calls worker(rounds) on as many threads as the work pays for, here among them: others that
-/// come when no rounds are left are not waited for.  OpenBLAS has one thread meanwhile if they
-/// are several.
-/// \throws the first exception that a worker throws; the others then take no more rounds.
+/// Calls worker(rounds) on threadsFor(job.work) threads including this one.  Does not wait for
+/// threads that start when no rounds are left.  With several threads, OpenBLAS has one thread
+/// meanwhile.
+/// \throws the first exception of a worker; the other workers then take no more rounds
 void onThreads(const Job& job, const std::function<void(Rounds&)>& worker);
 
-/// Calls body(workspace, k) for all rounds k, with a workspace = makeWorkspace() of each
-/// thread's own.
-/// \throws what makeWorkspace or body throws first; rounds that have not begun are left out.
+/// Calls body(workspace, k) for all rounds k, with workspace = makeWorkspace() for each
+/// thread.
+/// \throws the first exception of makeWorkspace or body; rounds not yet begun are skipped
 template <class MakeWorkspace, class Body>
 void parallelFor(const Job& job, const MakeWorkspace& makeWorkspace, const Body& body) {
   onThreads(job, [&](Rounds& rounds) {

@@ -4,21 +4,21 @@
 
 namespace epafi::bem {
 
-/// The processes that share a run.
+/// The processes of a run.
 ///
-/// Vectors, meshes and dense matrices every process has whole, and computes with them by itself;
-/// of compressed operators it has a part.  What decides is rank 0's.  All calls are collective.
+/// Vectors, meshes and dense matrices are replicated and computed redundantly; compressed operators
+/// are distributed.  Decisions are those of rank 0.  All calls are collective.
 ///                                                                     [doc/decisions/0068]
 class Processes {
  public:
   virtual ~Processes() = default;
 
-  /// The sum over all processes, in place of each one's own; the same bits on all of them.
+  /// Sum of `mine` over all processes, bitwise equal on all of them.
   virtual Vector sum(Vector mine) const = 0;
 
-  /// What rank 0 has, also where others have more or fewer numbers.
+  /// The vector of rank 0; vectors of other processes may have any size.
   virtual Vector broadcast(Vector root) const = 0;
-  /// The same of a decision.
+  /// The decision of rank 0.
   bool agreed(bool mine) const { return broadcast({mine ? 1.0 : 0.0}).front() != 0; }
 
   virtual int rank() const = 0;
@@ -33,7 +33,7 @@ class OneProcess final : public Processes {
   int count() const override { return 1; }
 };
 
-/// Never destroyed before what refers to it.
+/// The only process; a static object, so that references to it stay valid.
 inline const Processes& oneProcess() {
   static const OneProcess one;
   return one;

@@ -29,64 +29,64 @@ inline Interval above(double low) {
   return {low, std::numeric_limits<double>::infinity(), true, false};
 }
 
-/// What may stand under a key of a list.
+/// Type of the value of a key.
 enum class Kind {
-  Real,        ///< double; an int is fine
+  Real,        ///< double; an int is accepted
   Whole,       ///< int
   Flag,        ///< bool
   Text,        ///< string
-  Expression,  ///< string in x, y and t; a number is fine
+  Expression,  ///< string in x, y and t; a number is accepted
   Names,       ///< Array(string)
-  Counts,      ///< Array(int); an int alone is one of them
-  Reals,       ///< Array(double); ints and a number alone are fine
-  Points,      ///< TwoDArray(double), n x 2; ints are fine
-  List,        ///< a sublist with keys of its own
-  Free         ///< a sublist that is handed on unread
+  Counts,      ///< Array(int); a single int is accepted
+  Reals,       ///< Array(double); ints and a single number are accepted
+  Points,      ///< TwoDArray(double), n x 2; ints are accepted
+  List,        ///< a sublist with declared keys
+  Free         ///< a sublist that is passed on unchecked
 };
 
-/// What a kind is called.
+/// Names of a kind.
 struct KindText {
-  const char* type;    ///< of Teuchos that it is kept as: "double", "Array(int)", ...
-  const char* wanted;  ///< in messages
-  const char* sample;  ///< a value, for keys that have no default
+  const char* type;    ///< type in a Teuchos list: "double", "Array(int)", ...
+  const char* wanted;  ///< in error messages
+  const char* sample;  ///< an example value, for keys without default
 };
 const KindText& textOf(Kind kind);
 
-/// Between the names of a path.
+/// Separator of the names of a path.
 inline constexpr char arrow[] = "->";
 /// A->B->Key from A->B and Key; Key alone if the path is empty.
 std::string join(const std::string& path, const std::string& name);
 /// Key of A->B->Key.
 std::string lastOf(const std::string& path);
 
-/// One key of a part's list: what Teuchos' valid parameters say and what they cannot, the
-/// unit, whether it is required, under which siblings it exists.
+/// Declaration of a key: type, default and meaning as in valid parameters of Teuchos, and
+/// its unit, whether it is required, and for which siblings it exists.
 ///
-/// The names in `path` are literal except for <body>, <constant>, which stand for any
-/// name, and <k>, which stands for 1, 2, ...
+/// Names in `path` are literal except <body> and <constant>, which match any name, and <k>,
+/// which matches 1, 2, ...
 struct SchemaRow {
-  std::string path;  ///< A->B->Key, from the list that the table is for
+  std::string path;  ///< A->B->Key, relative to the list of the table
   Kind kind = Kind::Text;
   std::string meaning;
   std::string unit;      ///< empty for names and lists
-  std::string standard;  ///< the default as one would write it; empty if there is none
+  std::string standard;  ///< default, as in a scene; empty: none
   bool required = false;
-  /// The key exists only where the sibling "Type" or "Law" has one of these values; empty:
-  /// everywhere.
+  /// The key exists only if the sibling "Type" or "Law" has one of these values; empty:
+  /// always.
   std::vector<std::string> only;
   Interval interval;                 ///< of numbers
   std::vector<std::string> allowed;  ///< of strings; empty: any
 
   std::string parent() const;
   std::string name() const { return lastOf(path); }
-  /// "> 0", "'A' or 'B'"; empty if everything of the type is allowed.
+  /// "> 0", "'A' or 'B'"; empty if all values of the type are allowed.
   std::string range() const;
 };
 
 /// The shortest text that reads back to the same number.
 std::string shortest(double value);
 
-/// A row under construction: the constructor says what every key has, the rest is named.
+/// Builder of a SchemaRow: mandatory members in the constructor, others by name.
 class Row {
  public:
   Row(const std::string& path, Kind kind, const std::string& meaning) {
@@ -113,13 +113,13 @@ class Row {
 
 using SchemaRows = std::vector<SchemaRow>;
 
-/// The rows of a list's own keys.
+/// Rows of the keys directly in the list `parent`.
 std::vector<const SchemaRow*> childrenOf(const SchemaRows& table,
                                          const std::string& parent);
 
-/// Appends rows to a table, their paths below `parent`; rows of one path that exist under
-/// different siblings become one.
-/// \throws InputError if a path has two rows that differ in more than meaning and siblings.
+/// Appends rows to a table with paths below `parent`; rows with the same path and different
+/// siblings are merged.
+/// \throws InputError if rows with the same path differ in more than meaning and siblings
 void append(SchemaRows& table, const SchemaRows& rows, const std::string& parent = "");
 
 }  // namespace epafi::bem

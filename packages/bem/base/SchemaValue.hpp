@@ -8,14 +8,14 @@ class ParameterEntry;
 
 namespace epafi::bem {
 
-/// "a sublist", "the string 'x'", "of type int"
+/// Description for messages: "a sublist", "the string 'x'", "of type int".
 std::string describe(const Teuchos::ParameterEntry& entry);
 
-/// A row's default, marked as one; the row must have one.
+/// The default of a row, marked as default.  \pre the row has one
 Teuchos::ParameterEntry standardOf(const SchemaRow& row);
 
-/// An entry in the type that its row declares.
-/// \throws InputError, beginning with its place, for a wrong type or a value out of range.
+/// An entry, converted to the declared type of its row.
+/// \throws InputError, beginning with `place`, for a wrong type or a value out of range
 Teuchos::ParameterEntry checked(const Teuchos::ParameterEntry& entry,
                                 const SchemaRow& row, const std::string& place);
 

@@ -5,7 +5,7 @@
 
 namespace epafi::bem {
 
-/// Fewest insertions, deletions and replacements that turn one word into the other.
+/// Levenshtein distance: least number of insertions, deletions and replacements.
 int editDistance(const std::string& a, const std::string& b);
 
 /// The candidate with the smallest editDistance; empty if there is none.

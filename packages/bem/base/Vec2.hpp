@@ -22,7 +22,7 @@ inline double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
 /// a₁b₂ - a₂b₁: positive when b lies to the left of a.
 inline double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 inline double norm(Vec2 a) { return std::hypot(a.x, a.y); }
-/// The same of what cannot overflow, and several times as fast.
+/// Norm without protection against overflow, several times as fast.
 inline double length(Vec2 a) { return std::sqrt(dot(a, a)); }
 /// a turned by +90 degrees; the tangent that belongs to the normal a.
 inline Vec2 turnLeft(Vec2 a) { return {-a.y, a.x}; }

@@ -7,10 +7,10 @@ struct EndValues {
   double end;    ///< e(t)
 };
 
-/// The polynomial of degree p that stands for the value at t = 1 of polynomials v of that
-/// degree:
+/// The polynomial e of degree p that represents the point value at t = 1 in L²:
 ///
-///   e(t) = Σ_k (k + 1/2) P_k(t),  k = 0 ... p,   ∫ e v dt = v(1);  e(-t) has v(-1).
+///   e(t) = Σ_k (k + 1/2) P_k(t),  k = 0 ... p,   ∫ e v dt = v(1),  ∫ e(-t) v dt = v(-1)
+/// for all polynomials v of degree p.
 EndValues endValues(int degree, double t);
 
 }  // namespace epafi::bem

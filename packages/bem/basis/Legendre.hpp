@@ -4,7 +4,7 @@
 
 namespace epafi::bem {
 
-/// Largest polynomial degree that meshes may carry.
+/// Largest polynomial degree of an element.
 constexpr int largestDegree = 25;
 
 /// P₀(t) ... P_degree(t), written to values[0 .. degree].
@@ -16,7 +16,7 @@ inline void legendreValues(int degree, double t, double* values) {
     values[k + 1] = ((2 * k + 1) * t * values[k] - k * values[k - 1]) / (k + 1);
 }
 
-/// The local basis of displacements on [-1, 1]:
+/// Local basis of displacements on [-1, 1]:
 ///
 ///   φ₀ = (1-t)/2,  φ₁ = (1+t)/2,  φ_k = (P_k - P_{k-2}) / √(2(2k-1)),  k = 2 ... degree.
 ///

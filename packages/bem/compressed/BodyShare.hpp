@@ -7,20 +7,20 @@
 
 namespace epafi::bem {
 
-/// What one body has in a compressed system, its unknowns in an order of their own: those of
-/// its space and then further ones.
+/// The part of one body in a compressed system.  Its unknowns have local numbers: those of
+/// its space, then the additional ones of LocalCoupling.
 struct BodyShare {
-  std::vector<Index> numbers;  ///< of its unknowns among all
+  std::vector<Index> numbers;  ///< global numbers of its unknowns
   std::vector<Unknown> unknowns;
-  std::vector<Entry> entries;  ///< between its own
-  /// Of each unknown, the leaves of others on which it acts.
+  std::vector<Entry> entries;  ///< added between its unknowns
+  /// For each unknown the other leaves to whose unknowns an added entry couples it.
   std::vector<std::vector<int>> abroad;
   std::vector<ClusterPart> parts;  ///< by cluster
 };
 
-/// Bodies' shares side by side, their unknowns numbered among all: skeletons one behind the
-/// other, and with the entries between bodies.  Clusters have the same numbers in all trees,
-/// of which this is one.  Of other processes' clusters the lists of unknowns alone.
+/// Joins the parts of all bodies, cluster by cluster, with global numbers and the entries
+/// `between` bodies; skeletons are joined, too.  Clusters have the same numbers in all trees;
+/// `tree` is one of them.  Clusters of other processes have lists of unknowns only.
 std::vector<ClusterPart> joined(std::vector<BodyShare> shares,
                                 const std::vector<Entry>& between,
                                 const ClusterTree& tree, const Subtrees& subtrees,

@@ -18,18 +18,18 @@ namespace epafi::bem {
 ///   Z = [ W        (K+1/2)ᵀ ]
 ///       [ K+1/2    -V       ],
 ///
-/// of one or several bodies, with what a LocalCoupling adds, by recursive skeletonisation: what a cluster of elements
-/// does to everything else goes through some of its unknowns, its skeleton,
+/// of one or several bodies, plus the entries of a LocalCoupling, by recursive
+/// skeletonisation: some unknowns of a cluster, its skeleton, represent its far field,
 ///
 ///   Z_far,cluster ≈ Z_far,skeleton T,
 ///
-/// and the skeletons of two children are the unknowns of their parent.  Memory and time
-/// grow with the number of elements times the rank, which grows with its logarithm.  Of
-/// several bodies a cluster has what face each other; each one's part has a skeleton of its
-/// own.  Displacements of bodies with arcs hold the rotation exactly, see Rotation.
+/// and the skeletons of two children are the unknowns of their parent.  Memory and time are
+/// proportional to the number N of elements times the rank, which grows like log N.  A cluster
+/// contains elements of several bodies that face each other, and one skeleton for each body.
+/// Displacements of bodies with arcs represent rotations exactly, see Rotation.
 ///
-/// On several processes each has some subtrees, and everybody what is above them; vectors are
-/// whole everywhere, and what is made of them is collective.
+/// Each process stores its subtrees, all store the clusters above them.  Vectors are
+/// replicated; functions that compute them are collective.
 ///                                                       [doc/theory/compression.md]
 class CompressedOperators {
  public:
@@ -47,45 +47,45 @@ class CompressedOperators {
       : CompressedOperators(std::vector<Body>{{space, lame}}, options, local, processes) {
   }
 
-  /// The numbers of a body's unknowns: displacements, then densities.
+  /// Global numbers of the unknowns of a body: displacements, then densities.
   struct Range {
     Index first;
     Index densities;
     Index last;
-    double young;  ///< its modulus, in what stresses are counted
+    double young;  ///< its Young's modulus over the reference stress
   };
   const Range& range(std::size_t body) const { return ranges_[body]; }
   std::size_t bodies() const { return ranges_.size(); }
-  /// Where further unknowns begin.
+  /// Number of the first additional unknown of LocalCoupling.
   Index further() const { return ranges_.back().last; }
-  /// All unknowns.
+  /// Number of unknowns.
   Index size() const { return static_cast<Index>(leaves_.size()); }
 
   /// Z X
   Matrix times(const Matrix& x) const;
 
-  /// Of the first body; clusters of all have its numbers, parents and children.
+  /// Tree of the first body; the trees of all bodies have equal numbers, parents and children.
   const ClusterTree& tree() const { return trees_.front(); }
   const Subtrees& subtrees() const { return *subtrees_; }
-  /// Of other processes' clusters the lists of unknowns alone.
+  /// Clusters of other processes have lists of unknowns only.
   const ClusterPart& part(int cluster) const { return parts_[cluster]; }
-  /// How many unknowns a cluster's skeleton has.
+  /// Number of unknowns in the skeleton of a cluster.
   Index skeletonOf(int cluster) const {
     return static_cast<Index>(part(cluster).skeleton.size());
   }
-  /// Replaces the rows of X in other processes' leaves of `paths` by theirs.  Collective.
+  /// Sets the rows of X in the leaves of `paths` to the values of their owners.  Collective.
   void exchangeRows(const std::vector<char>& paths, double check, Matrix& x) const {
     subtrees_->exchangeRows(tree(), parts_, paths, check, x);
   }
   /// The leaf of an unknown.
   int leafOf(Index unknown) const { return leaves_[unknown]; }
 
-  /// Three displacements of the outer loop that no rigid motion leaves at rest, where there
-  /// are holes: a factor springs them, since a cluster that is a whole loop may float.
+  /// With holes, three displacements of the outer loop that determine a rigid motion.
+  /// CompressedFactor puts springs there, since a cluster that is a whole loop may float.
   const std::vector<Index>& floating() const { return floating_; }
 
-  /// What exact rotations add to what the tree holds: of each body with arcs r_I goes through its
-  /// Rotation's q; Z r_I of further unknowns is less what they do to the rest of the rotation.
+  /// Low-rank correction of the compressed system for exact rotations: replaces Z r_I of each body
+  /// with arcs, where q of Rotation gives the amplitude of r_I; with LocalCoupling::rotations.
   const LowRank& rotations() const { return rotations_; }
 
   std::size_t bytes() const;
@@ -94,7 +94,7 @@ class CompressedOperators {
   void addRotations(const std::vector<Body>& bodies, const LocalCoupling& local);
 
   std::vector<Range> ranges_;
-  std::vector<int> leaves_;  ///< of the unknowns
+  std::vector<int> leaves_;  ///< by unknown
   std::vector<ClusterTree> trees_;
   std::unique_ptr<const Subtrees> subtrees_;
   std::vector<ClusterPart> parts_;

@@ -9,29 +9,29 @@
 
 namespace epafi::bem {
 
-/// Functions of an element, and the places of their unknowns in a list.
+/// Local functions of an element and the positions of their unknowns in a list.
 struct ElementFunctions {
   int element = 0;
   std::vector<std::pair<int, Index>> functions;
 };
 
-/// Those of some of the unknowns, in the order of the elements.
+/// ElementFunctions of the unknowns `which`, in ascending order of the elements.
 std::vector<ElementFunctions> byElements(const Space& space,
                                          const std::vector<Unknown>& unknowns,
                                          const std::vector<Index>& which);
 
 /// Entries of the coupled system for any rows and columns.
 ///
-/// One for each thread: it holds what is being worked on.
+/// Has work arrays: use one object per thread.
 class CoupledEntries {
  public:
-  /// All outlive it; `unknowns` are those of the space.
+  /// Refers to its arguments.  \param unknowns unknownsOf(space), then additional ones
   CoupledEntries(const Space& space, const Lame& lame, const NearBlocks& near,
                  const std::vector<Unknown>& unknowns);
 
-  /// Numbers as unknownsOf has them.
+  /// Submatrix of these rows and columns, numbered as in `unknowns`.
   Matrix operator()(const std::vector<Index>& rows, const std::vector<Index>& columns);
-  /// The same of rows that are the columns, each pair of elements once.
+  /// Principal submatrix; computes each pair of elements once.
   Matrix symmetric(const std::vector<Index>& unknowns);
 
  private:

@@ -5,45 +5,45 @@
 
 namespace epafi::bem {
 
-/// What is asked of a leaf's unknowns, by their places in it.
+/// Restriction of one leaf, by positions in its list of unknowns.
 struct LeafRestriction {
   std::vector<Index> kept;       ///< not held
-  std::vector<Entry> followers;  ///< of those at places among the kept, the columns
-  std::vector<Entry> added;      ///< among the kept
+  std::vector<Entry> followers;  ///< columns: positions in `kept`
+  std::vector<Entry> added;      ///< rows and columns: positions in `kept`
 };
 
-/// In messages.
+/// Name in error messages.
 inline constexpr char compressedSystem[] = "the compressed system";
 
 /// A cluster of a compressed system after its elimination, see CompressedFactor.
 class EliminatedCluster {
  public:
-  /// A leaf with the entries D of all its unknowns.
+  /// A leaf; d: the entries of all its unknowns.
   EliminatedCluster(const ClusterPart& part, LeafRestriction restriction,
                     const Matrix& d);
-  /// A parent with its children's responses.
+  /// A parent; first, second: the responses E₁, E₂ of its children.
   EliminatedCluster(const ClusterPart& part, const Matrix& first, const Matrix& second);
-  /// The same where nothing is above, and P is what each skeleton's unknown does to each:
-  /// F = I + diag(E₁, E₂) P.
+  /// The highest cluster, F = I + diag(E₁, E₂) P, p: all entries between the unknowns of the
+  /// children's skeletons.
   EliminatedCluster(const Matrix& first, const Matrix& second, const Matrix& p);
-  /// All of it is held: a response, zero, and nothing else.
+  /// A cluster whose unknowns are all held: its response is zero.
   static EliminatedCluster silent() { return EliminatedCluster(true); }
-  /// Another process has it.
+  /// A cluster of another process.
   static EliminatedCluster elsewhere() { return EliminatedCluster(false); }
   bool isSilent() const { return isSilent_; }
 
-  /// E, of all but the highest.
+  /// E.  \pre not the highest cluster
   Matrix response(const ClusterPart& part) const;
 
   /// X <- D⁻¹ X or F⁻¹ X
   void solve(Matrix& x) const;
-  /// X less what a field from outside, z, makes.
+  /// Subtracts from X the solution for the field z from outside.
   void subtractOutside(const Matrix& z, Matrix& x) const;
 
-  /// T X, what leaves the cluster.
+  /// T X, the sources of the far field of the cluster.
   Matrix outgoing(const ClusterPart& part, const Matrix& x) const;
 
-  /// Of a leaf: rows of what is kept, and X of all unknowns, zero where they are held.
+  /// Of a leaf: rows of kept unknowns; and X of all unknowns, with held ones zero or followers.
   Matrix reduced(const Matrix& x) const;
   Matrix expanded(const Matrix& x) const;
 
@@ -53,10 +53,10 @@ class EliminatedCluster {
   LeafRestriction leaf_;
   bool isLeaf_ = false;
   bool isSilent_ = false;
-  Index unknowns_ = 0;  ///< of a leaf, all of them
-  /// Of D; of a parent, where the identity blocks of F come first, of I - E₂ Sᵀ E₁ S.
+  Index unknowns_ = 0;  ///< number of all unknowns of a leaf
+  /// Of D; of a parent below the top of I - E₂ Sᵀ E₁ S, the Schur complement of F.
   LuFactor lu_;
-  Matrix upper_;  ///< E₁ S, of a parent with another above it
+  Matrix upper_;  ///< E₁ S, of a parent below the top
   Matrix lower_;  ///< E₂ Sᵀ
   Matrix in_;     ///< D⁻¹ Tᵀ, or F⁻¹ diag(E) Tᵀ
 };

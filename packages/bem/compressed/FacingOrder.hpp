@@ -11,17 +11,17 @@ struct BodyElement {
   int element;
 };
 
-/// Something that acts on elements of two bodies; it is numbered with the first.
+/// A coupling between elements of two bodies, such as a multiplier on the carrier.
 struct Link {
   BodyElement carrier;
   BodyElement met;
   double size;
 };
 
-/// All elements of all bodies, so that those that face each other stand side by side:
-/// consecutive elements that carry links are one stretch, with every element that they meet
-/// at its place along them; others follow each other as in their meshes.  What is cut
-/// anywhere then separates few links.
+/// Order of the elements of all bodies in which elements that face each other are neighbours:
+/// consecutive elements that carry links form a stretch, with the elements that they meet
+/// sorted in by position; all others keep the order of their meshes.  A cut of this order
+/// separates few links.
 std::vector<ClusterPlace> facingOrder(const std::vector<const Space*>& spaces,
                                       const std::vector<Link>& links);
 

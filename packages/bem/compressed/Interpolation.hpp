@@ -6,11 +6,11 @@
 
 namespace epafi::bem {
 
-/// All columns of a matrix by some of them:  A ≈ A_S T,  T the identity on the skeleton S and
-/// weights on the rest.
+/// Column interpolation of a matrix:  A ≈ A_S T,  T the identity on the columns of the skeleton
+/// S and weights on the rest.
 struct Interpolation {
-  std::vector<Index> skeleton;  ///< S: places among the columns
-  std::vector<Index> rest;      ///< all others, in ascending order
+  std::vector<Index> skeleton;  ///< S: column numbers
+  std::vector<Index> rest;      ///< all other columns, ascending
   Matrix weights;               ///< skeleton x rest
 
   Index rows() const { return static_cast<Index>(skeleton.size()); }
@@ -20,24 +20,24 @@ struct Interpolation {
   Matrix times(const Matrix& x) const;
   /// Y += Tᵀ X
   void addTransposed(const Matrix& x, Matrix& y) const;
-  /// T and Tᵀ themselves.
+  /// T and Tᵀ as full matrices.
   Matrix full() const;
   Matrix transposed() const;
 };
 
-/// By pivoted QR: what is left of each column outside the span of the skeleton is smaller
-/// than the threshold, an absolute one.
+/// Column interpolation by pivoted QR.
+/// \param threshold absolute bound for the distance of each column to the span of the skeleton
 Interpolation interpolateColumns(Matrix a, double threshold);
 
-/// What a compressed system keeps of a cluster.
+/// Data of a cluster in a compressed system.
 struct ClusterPart {
   std::vector<Index> active;  ///< a leaf's unknowns, or the skeletons of the children
   std::vector<Index> skeleton;
-  Interpolation weights;  ///< T, of the active by the skeleton; of all but the root
-  /// A leaf's entries, or those of one child's skeleton with the other's.
+  Interpolation weights;  ///< T: skeleton x active; empty for the root
+  /// Entries of a leaf, or S of a parent: first child's skeleton x second child's skeleton.
   Matrix block;
 
-  /// Of the products that a sweep makes with so many columns at once [ns], see Parallel.hpp.
+  /// Estimated work [ns] of the products of a sweep with this many columns, see Parallel.hpp.
   double sweepWork(Index columns) const;
 };
 

@@ -9,19 +9,19 @@
 
 namespace epafi::bem {
 
-/// Blocks of the coupled system (see FarBlocks) for all pairs of elements of which some
-/// functions are near each other, computed once and kept: by parts from the moments of a
-/// tile, but where all elements of both functions are far from each other.
+/// Stored blocks of the coupled system (see FarBlocks) for all pairs of elements that are not
+/// deep: integrated by parts from the moments of a tile, except entries of two functions
+/// whose supports are far from each other.
 class NearBlocks {
  public:
-  /// Of pairs with one element among the first (by element) and one among the second.
-  /// Refers to the space's mesh.
+  /// Computes the pairs of an element in `first` and one in `second` (flags by element).
+  /// Refers to the mesh of the space.
   NearBlocks(const Space& space, const Lame& lame, const ClusterTree& tree,
              const std::vector<char>& first, const std::vector<char>& second);
 
-  /// Are all functions of a pair far?  Then it is none of these.
+  /// Are all functions of e far from all functions of f?  Such a pair has no block here.
   bool isDeep(int e, int f) const { return isDeep(e, f, offset(e, f)); }
-  /// The same; `offset` is theirs.
+  /// \param offset offset(e, f)
   bool isDeep(int e, int f, Vec2 offset) const {
     const Hood& a = hoods_[e];
     const Hood& b = hoods_[f];
@@ -29,42 +29,42 @@ class NearBlocks {
         clearly * (a.radius + b.radius + (a.half > b.half ? a.half : b.half));
     return dot(offset, offset) >= reach * reach;
   }
-  /// The middle of e less that of f; exactly the opposite of what it is from f to e.
+  /// Midpoint of e minus midpoint of f; offset(f, e) = -offset(e, f) exactly.
   Vec2 offset(int e, int f) const {
     const Vec2 w = hoods_[e].middle - hoods_[f].middle;
     return dot(w, w) >= plainDistance * plainDistance ? w : mesh_.offset(e, f);
   }
 
-  /// Row by row: functions of e by functions of f, see LocalFunctions.
+  /// A block: functions of e x functions of f, see LocalFunctions.
   struct View {
     const double* data;
     Index nextRow;
     Index nextColumn;
     double operator()(int a, int b) const { return data[a * nextRow + b * nextColumn]; }
   };
-  /// \throws std::logic_error if the pair is deep, or none of those asked for.
+  /// \throws std::logic_error if the pair is deep or was not requested
   View of(int e, int f) const;
 
  private:
-  // Rounding may call elements near whose distance is the limit's, which meshes of halved
-  // elements are full of; a pair beside them must not count as deep then.
+  // Meshes of halved elements have many pairs exactly at the limit distance, which rounding may
+  // make near; the factor prevents that their neighbours count as deep.
   static constexpr double clearly = 1 + 1e-6;
-  // From this distance on, in diameters, plain coordinates lose no digits that count.
+  // From this distance on (in diameters) differences of coordinates are accurate enough.
   static constexpr double plainDistance = 1e-2;
 
   /// An element with its neighbours.
   struct Hood {
-    Vec2 middle;        ///< as exact as its coordinates
-    double radius = 0;  ///< about its middle
-    double half = 0;    ///< the largest
+    Vec2 middle;        ///< rounded coordinates
+    double radius = 0;  ///< about `middle`
+    double half = 0;    ///< the largest half length
   };
   struct Pair {
-    int element;  ///< the other one, not before this
+    int element;  ///< number of the other element, at least that of this one
     std::size_t start;
   };
 
   void measure();
-  /// Of clusters: about their centres.
+  /// By cluster: circle about its centre.
   std::vector<Hood> around(const ClusterTree& tree) const;
   void findPairs(const ClusterTree& tree, const std::vector<char>& first,
                  const std::vector<char>& second);

@@ -9,22 +9,22 @@
 
 namespace epafi::bem {
 
-/// What a cluster's functions do to everything outside a circle around it, seen by points
-/// on that circle: the displacements
+/// Far field of the functions of a cluster, sampled at points of a circle around it (proxy
+/// points): the displacements
 ///
 ///   K u - V ψ,
 ///
-/// of a field that satisfies the elastic equations outside; and its net force.  The signs
-/// are those of the rows of the coupled system: with + V ψ rows of displacements and of
-/// densities on rough boundaries, where both act, are not met.
+/// which determine the elastic field outside the circle.  The signs are those of the rows of
+/// the coupled system; with K u + V ψ the skeleton would be inaccurate in these rows on rough
+/// boundaries, where displacements and densities both contribute.
 class ProxyRows {
  public:
-  /// `tolerance`: of the field outside, which falls off by powers of `ratio`.
+  /// `ratio`: radius of the circle over that of the cluster.  `tolerance`: relative error.
   ProxyRows(const Space& space, const Lame& lame, const std::vector<Unknown>& unknowns,
             double ratio, double tolerance);
 
   int points() const { return points_; }
-  /// Rows: x of all points, then y of them.
+  /// Rows: x of all points, then y of all points; columns: the unknowns `columns`.
   Matrix operator()(const ClusterTree& tree, int cluster,
                     const std::vector<Index>& columns,
                     InstructionSet set = largestInstructionSet());

@@ -7,19 +7,19 @@
 namespace epafi::bem {
 
 struct Compression {
-  /// Of what a cluster's functions do outside it, relative to the largest.
+  /// Error of the far field of a function, relative to the largest in its cluster.
   double tolerance = 1e-12;
   Index leafUnknowns = 200;
-  /// Of the radii of the circles that stand for what is far, and of the cluster's.
+  /// Radius of the proxy circle over the radius of the cluster.
   double ratio = 1.8;
 };
 
-/// Young's modulus, in what a body's stresses are counted.
+/// Young's modulus E = 2 μ (1 + ν), over the reference stress.
 inline double youngOf(const Lame& lame) { return 2 * lame.mu * (1 + lame.nu); }
 
-/// Fills a body's parts from the leaves up: each cluster's skeleton from what it does to
-/// unknowns nearby and to points that stand for all others; of other processes' clusters the
-/// lists of unknowns alone.  Collective.                     [doc/theory/compression.md]
+/// Computes the parts of a body from the leaves to the root.  The skeleton of a cluster
+/// interpolates its entries with unknowns nearby and its ProxyRows.  Clusters of other
+/// processes get lists of unknowns only.  Collective.        [doc/theory/compression.md]
 void skeletonise(BodyShare& share, const Space& space, const Lame& lame,
                  const ClusterTree& tree, const Compression& options,
                  const Subtrees& subtrees);

@@ -10,14 +10,14 @@ namespace epafi::bem {
 /// and plates with many holes.
 double slenderness(const Mesh& mesh);
 
-/// An order of elements cut across where bodies are slender, so that what stands on both sides of
-/// a beam, or about a place of a plate with many holes, is in one cluster before what is along
-/// them: halved by unknowns, along the longer side of its box, until a slice is as stocky as
-/// others. Within a slice the order and its stretches stay.
+/// Reorders elements of slender bodies into slices: each half of the unknowns across the longer
+/// side of the bounding box, repeated until a slice is not slender.  Elements on both sides of a
+/// beam, or around a part of a plate with many holes, then share a cluster.  Within a slice the
+/// order and the stretches stay.
 ///
-/// By the loop alone the two sides of a beam of length L and height 1 see each other everywhere,
-/// and clusters keep unknowns in proportion to L.
-/// \param places of the elements in the order, so that what must not be cut apart has one
+/// Without slices clusters follow the loop: those of the two sides of a beam of length L and
+/// height 1 interact along all of it, and their skeletons grow like L.
+/// \param places position of each element of `order`; elements to keep together have the same
 std::vector<ClusterPlace> inSlices(const std::vector<const Space*>& spaces,
                                    const std::vector<ClusterPlace>& order,
                                    const std::vector<Vec2>& places);

@@ -9,33 +9,33 @@
 
 namespace epafi::bem {
 
-/// What each process has of a tree: whole subtrees below some clusters, its roots; what is
-/// above them everybody computes.  One process has all above and no subtrees.
+/// Distribution of a cluster tree: each process owns whole subtrees below its roots; all
+/// processes compute the clusters above the roots.  A single process has no subtrees.
 ///
-/// Vectors are replicated.  Whatever is computed from them runs on all processes in the same
-/// steps, with what comes from a subtree sent around; each message says what it is and carries
-/// a check of the numbers that all should agree in.
+/// Vectors are replicated.  All processes perform the same steps and exchange the results of
+/// subtrees; each message carries its kind and a check number of the data that must be equal
+/// on all processes.
 class Subtrees {
  public:
-  /// `weights`: of the clusters, by which the work is balanced.  The processes outlive it.
+  /// Balances the work by `weights`, one for each cluster.  Refers to the processes.
   Subtrees(const ClusterTree& tree, const std::vector<Index>& weights,
            const Processes& processes);
 
   bool isAlone() const { return processes_->count() == 1; }
 
-  /// Does this process compute with a cluster?
+  /// Does this process compute cluster c?
   bool isMine(int c) const { return isEverybodys(c) || ownerOf(c) == processes_->rank(); }
   bool isEverybodys(int c) const { return ownerOf(c) < 0; }
-  /// -1: everybody
+  /// Rank of the owner; -1: all processes compute the cluster
   int ownerOf(int c) const { return owners_[c]; }
-  /// Of the clusters that one process has those whose parents are everybody's.
+  /// The topmost clusters of all subtrees.
   const std::vector<int>& roots() const { return roots_; }
 
-  /// forNumbers(action) calls action(c, number) for numbers of clusters, on all processes in
-  /// one order: each is replaced by that of the cluster's owner.  `failure`: why this process
-  /// cannot go on; empty: it can.  Collective, as all below.
-  /// \throws NumericalError with the failure of one of the processes, or where `kind` or
-  /// `check` are not the same on all.
+  /// Replaces numbers of clusters by those of their owners.  forNumbers(action) calls
+  /// action(c, number), in the same order on all processes.  Collective, as all below.
+  /// \param failure error message of this process, empty if there is none
+  /// \throws NumericalError with the failure of one of the processes, or if `kind` or `check`
+  /// differ between processes
   template <class ForNumbers>
   void exchangeNumbers(double kind, double check, const ForNumbers& forNumbers,
                        const std::string& failure = "") const {
@@ -54,7 +54,7 @@ class Subtrees {
     });
   }
 
-  /// Others' matrices of the roots of `on`; rows(root) are so many.
+  /// Receives the matrices, rows(root) x columns, of the other processes' roots in `on`.
   template <class Rows>
   void exchangeRoots(const std::vector<char>& on, double check, const Rows& rows,
                      Index columns, std::vector<Matrix>& matrices) const {
@@ -76,12 +76,11 @@ class Subtrees {
     });
   }
 
-  /// Replaces the rows of X in other processes' leaves of `paths` by theirs.
+  /// Sets the rows of X in the leaves of `paths` to the values of their owners.
   void exchangeRows(const ClusterTree& tree, const std::vector<ClusterPart>& parts,
                     const std::vector<char>& paths, double check, Matrix& x) const;
 
-  /// Throws the NumericalError that one of the processes has met; nothing where all messages
-  /// are empty.
+  /// Throws a NumericalError on all processes if `failure` is not empty on one of them.
   void agree(const std::string& failure) const {
     exchangeNumbers(
         2, 0, [](const auto&) {}, failure);
@@ -93,11 +92,11 @@ class Subtrees {
   [[noreturn]] void throwFirst(const std::string& failure) const;
 
   const Processes* processes_;
-  std::vector<int> owners_;  ///< of the clusters
+  std::vector<int> owners_;  ///< by cluster
   std::vector<int> roots_;
 };
 
-/// A number that hardly any other numbers have.
+/// Check number of a matrix: different matrices almost never have the same.
 double checkOf(const Matrix& x);
 
 }  // namespace epafi::bem

@@ -5,8 +5,8 @@
 
 namespace epafi::bem {
 
-/// visit(c) for the clusters of a level that are asked for, in parallel, each of which takes
-/// work(c) [ns], see Parallel.hpp; a single one has all threads for itself, see byColumns.
+/// Calls visit(c) in parallel for the clusters of a level with asked(c); work(c): estimated
+/// work [ns], see Parallel.hpp.  A single cluster gets all threads, see byColumns.
 template <class Asked, class Work, class Visit>
 void visitLevel(const ClusterTree& tree, int level, const Asked& asked, const Work& work,
                 const Visit& visit) {
@@ -21,9 +21,9 @@ void visitLevel(const ClusterTree& tree, int level, const Asked& asked, const Wo
               [&](Index k) { visit(clusters[at(k)]); });
 }
 
-/// visit(c) for all clusters of `on` that are mine, children first: this process's subtrees,
-/// then meet(), where processes tell each other what they have of the roots, then what is
-/// everybody's.
+/// Calls visit(c) for all clusters in `on` that this process computes, children before
+/// parents: its subtrees first, then meet(), which exchanges data of the roots, then the
+/// clusters above the roots.
 template <class Work, class Visit, class Meet>
 void upwards(const ClusterTree& tree, const Subtrees& subtrees,
              const std::vector<char>& on, const Work& work, const Visit& visit,
@@ -42,7 +42,7 @@ void upwards(const ClusterTree& tree, const Subtrees& subtrees,
   }
 }
 
-/// The same, parents first; nothing is to be told.
+/// Calls visit(c) for the same clusters, parents before children; without communication.
 template <class Work, class Visit>
 void downwards(const ClusterTree& tree, const Subtrees& subtrees,
                const std::vector<char>& on, const Work& work, const Visit& visit) {

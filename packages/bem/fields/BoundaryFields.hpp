@@ -12,41 +12,41 @@
 
 namespace epafi::bem {
 
-/// The residuals' ingredients at a point of an element, dimensionless.
+/// Values of both integral equations at a point of an element, dimensionless; the residuals are
+/// computed from them.
 struct BoundaryValue {
   EndPoint place;
-  double weight = 0;  ///< of a quadrature rule over the element, by arc length
+  double weight = 0;  ///< quadrature weight, by arc length
   Vec2 traction;      ///< W u + (K' + 1/2) ψ
   Vec2 mismatch;      ///< d/ds (V ψ - (K + 1/2) u)
 };
 
-/// A displacement and a density, (u, ψ).
+/// Coefficient vectors (u, ψ).
 struct BoundaryState {
   const Vector& displacement;
   const Vector& density;
 };
 
-/// The two integral equations of some states (u, ψ) at points of the boundary.  Kernels are
-/// evaluated once for all states: eight take half of their time.
+/// Evaluates both integral equations for some states (u, ψ) at points of the boundary.  Kernels
+/// are evaluated once for all states; with eight states this takes half of the time.
 ///
-/// Elements nearby are integrated exactly at points graded toward the ends of the element
-/// and of its neighbours, where both fields have logarithms; far ones act through Gauss
-/// points (error 1e-12 of their field), many of them together through their moments where
-/// meshes are large, and are interpolated.  Squares of the fields are
-/// integrated to 2e-6 of their size by the weights.
+/// Near elements are integrated in closed form, at points graded toward the ends of the element
+/// and its neighbours, where the values have logarithms.  Far elements are integrated with
+/// Gauss points (error 1e-12 of their field), on large meshes by SourceGroups; their sum is
+/// interpolated.  The weights integrate squares of the values to a relative error of 2e-6.
 class BoundaryFields {
  public:
   BoundaryFields(const Space& space, const Lame& lame,
                  const std::vector<BoundaryState>& states);
 
-  /// Of each state at the points of one rule.
+  /// For each state the values at the points of a rule.
   using Values = std::vector<std::vector<BoundaryValue>>;
 
-  /// Values on one element; calls are independent of each other.  The rule is cut at some
-  /// places, where what the fields are compared with is not smooth.
+  /// Values on one element; thread-safe.
+  /// \param cuts places where the data on the element are not smooth; the rule is cut there
   Values on(int element, const Vector& cuts = {}) const;
 
-  /// Values at chosen points, weights zero.
+  /// Values at given points, weights zero.
   Values at(int element, const std::vector<EndPoint>& points) const;
 
  private:
@@ -68,8 +68,8 @@ class BoundaryFields {
   ElementRuns runs_;  ///< of mesh_
   Lame lame_;
   std::size_t states_;
-  std::vector<LocalField> fields_;  ///< of the first element all states, and so on
-  /// By order: all elements through that many Gauss points each, as far circles need.
+  std::vector<LocalField> fields_;  ///< elements x states, states contiguous
+  /// By order: Gauss points of all elements, of the order that far circles need.
   std::vector<PointSources> everything_;
   std::unique_ptr<const SourceGroups> groups_;
 };

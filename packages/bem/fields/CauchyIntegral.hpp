@@ -8,23 +8,23 @@
 
 namespace epafi::bem {
 
-/// Two functions that are analytic inside, by values on the boundary:
+/// Cauchy integrals of two densities f on the boundary:
 ///
 ///   F(z) = 1/2πi ∮ f(y) dy / (y - z),      dy = τ ds,
 ///
-/// f a Legendre series on each element; in closed form, near the boundary, too.  Where f is itself
-/// the boundary value of an analytic function, F is that.       [doc/theory/body-loads.md]
+/// f a Legendre series on each element.  In closed form, also near the boundary.  If f is the
+/// boundary value of an analytic function, F is that function.  [doc/theory/body-loads.md]
 class CauchyIntegral {
  public:
   using Pair = std::array<Complex, 2>;
   using Series = LegendreSeries<Complex>;
 
-  /// Series of all elements.
+  /// \param densities both series, for each element
   CauchyIntegral(Mesh mesh, std::vector<std::array<Series, 2>> densities);
 
-  /// At points inside, scaled.
+  /// Values at points inside, in scaled coordinates.
   std::vector<Pair> at(const std::vector<Vec2>& points) const;
-  /// On the boundary from inside, at points t of (-1, 1) on an element.
+  /// Limits from inside at points t in (-1, 1) of an element.
   std::vector<Pair> on(int element, const Vector& points) const;
 
   const Mesh& mesh() const { return mesh_; }
@@ -33,7 +33,7 @@ class CauchyIntegral {
  private:
   Mesh mesh_;
   std::vector<std::array<Series, 2>> densities_;
-  std::vector<int> terms_;  ///< of each element's series, that are not rounding
+  std::vector<int> terms_;  ///< by element, number of terms above rounding error
 };
 
 }  // namespace epafi::bem

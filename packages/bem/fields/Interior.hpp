@@ -15,22 +15,22 @@ struct InteriorValue {
   double xy = 0;
 };
 
-/// u = V ψ - K u,  σ n = K' ψ + W u for n = e₁, e₂, all in closed form, so that points
-/// next to the boundary are as accurate as far ones. [doc/theory/operators.md]
+/// Evaluates u = V ψ - K u and σ n = K' ψ + W u, n = e₁, e₂, inside the body in closed form;
+/// accuracy does not decrease near the boundary.          [doc/theory/operators.md]
 class Interior {
  public:
   /// Refers to the space.
   Interior(const Space& space, const Lame& lame, const Vector& u, const Vector& psi);
 
-  /// Points are given in the scaled coordinates of the outline and must lie inside.
+  /// \pre x is inside the body, in scaled coordinates
   InteriorValue at(Vec2 x) const { return at(std::vector<Vec2>{x}).front(); }
-  /// Eight points take as long as one.  Threads: over the points.
+  /// Eight points cost as much as one.  Threads: over the points.
   std::vector<InteriorValue> at(const std::vector<Vec2>& points) const;
 
  private:
   const Space& space_;
   Lame lame_;
-  double rotation_ = 0;  ///< its amount in u
+  double rotation_ = 0;  ///< ω(u) of Rotation
   std::vector<LocalField> fields_;
 };
 

@@ -9,29 +9,29 @@
 
 namespace epafi::bem {
 
-/// Many points that carry a density and a derivative of each of some states, weights included:
-/// what far elements look like through Gauss points.  Structure of arrays.
+/// Point sources that replace far elements: Gauss points with ψ and u' of each state, times the
+/// quadrature weight.  Structure of arrays.
 class PointSources {
  public:
   explicit PointSources(std::size_t states) : arrays_(2 + 4 * states) {}
 
   std::size_t size() const { return arrays_.front().size(); }
 
-  /// A point more.
+  /// Appends a point.
   void add(Complex place);
-  /// What the first point that does not yet carry anything in a state does.
+  /// Sets the values of a state at the next point without values in that state.
   void carry(std::size_t state, Complex density, Complex slope);
-  /// The next points carry in all states what points first ... last - 1 of others do.
+  /// Copies the values of the points first ... last - 1 of `others` to the next points.
   void carry(const PointSources& others, std::size_t first, std::size_t last);
 
-  /// Sums of a state in eight lanes: Re g a, Im g b, Im g a, Re g b for 1/w = a - ib, and the cubic
-  /// part; of the density and of the slope.
+  /// Partial sums of a state in eight lanes: Re g a, Im g b, Im g a, Re g b for 1/w = a - ib, and
+  /// the real and imaginary cubic part; for g = density and g = slope.
   struct Sums {
     AlignedLane of[2][6] = {};
     FieldSums at(std::size_t lane) const;
     FieldSums total() const;
   };
-  /// Adds the products of a density and of kernels 1/conj(w) and w/conj(w)².
+  /// Adds the products of a density with the kernels 1/conj(w) and w/conj(w)².
   template <class Density>
   static EPAFI_INLINE void addProducts(const Density& density,
                                        const ComplexPack& overConj,
@@ -46,12 +46,12 @@ class PointSources {
     to[5] += cubic.im * x - cubic.re * y;
   }
 
-  /// Adds those of the points first ... last - 1 at x for each state, in about 1 ns a point.
+  /// Adds the sums over the points first ... last - 1 at the target x for each state.
   void addAt(Complex x, std::size_t first, std::size_t last, std::vector<Sums>& sums,
              InstructionSet set = largestInstructionSet()) const;
 
  private:
-  /// x, y, and of each state x and y of the density and of the slope.
+  /// Point x, y; then for each state density x, y and slope x, y.
   std::vector<Vector> arrays_;
 };
 

@@ -10,48 +10,48 @@
 
 namespace epafi::bem {
 
-/// Densities and slopes of many elements in a row, seen from far away: with a_k the powers
-/// of y - c over a circle's radius R about c, q = R/(x - c),
+/// Multipole expansions of the far field of many consecutive elements.  With a_k the powers of
+/// (y - c)/R for a circle of radius R about c, q = R/(x - c),
 ///
 ///   ∫ g/w = Σ q^(k+1) M_k / R,          M_k = ∫ g a_k,
 ///   ∫ g/conj(w) = conj Σ q^(k+1) N_k / R,   N_k = ∫ conj(g) a_k,
 ///   ∫ conj(g) w/conj(w)² = conj (conj(x-c) Σ (k+1) q^(k+2) M_k - Σ (k+1) q^(k+2) P_k) / R²,
 ///
-/// P_k = ∫ g conj(y-c) a_k.  Rows of runs are cut in two down to groups that cost less one
-/// by one.
+/// P_k = ∫ g conj(y-c) a_k.  Groups of consecutive runs are halved until summation over their
+/// elements is cheaper than an expansion.
 class SourceGroups {
  public:
-  /// `fields` of some states, of the first element all, and so on.  Both outlive it.
+  /// `fields`: elements x states, states contiguous.  Refers to runs and fields.
   SourceGroups(const ElementRuns& runs, const std::vector<LocalField>& fields,
                std::size_t states);
 
   struct Group {
-    int first;  ///< runs, first ... last - 1
+    int first;  ///< runs first ... last - 1
     int last;
     int children[2] = {-1, -1};
     Complex centre;
     double radius = 0;
-    /// M, N and P of the densities and slopes of four states.
+    /// M, N and P of densities and slopes of four states.
     struct Moments {
       ComplexLanes plain{};
       ComplexLanes conjugate{};
       ComplexLanes shifted{};
     };
     std::vector<Moments>
-        moments;            ///< none where runs are treated one by one; of the first four
-                            ///< states all k, and so on
+        moments;            ///< empty for groups without expansion; all k of the first
+                            ///< four states, then of the next
     std::size_t terms = 0;  ///< 0 <= k < terms
   };
-  /// The first holds all; empty on small meshes.
+  /// groups()[0] is the whole mesh; empty on small meshes.
   const std::vector<Group>& groups() const { return groups_; }
 
-  /// Is a group far from a circle?
+  /// Has the group an expansion that is valid in this circle?
   static bool isFar(const Group& group, Complex centre, double radius) {
     return !group.moments.empty() &&
            std::abs(centre - group.centre) - radius >= separation * group.radius;
   }
-  /// Adds its sums of each state at a point of a circle that it is far from, to 1e-13 of the
-  /// largest.
+  /// Adds the expansion of each state at a point of a circle with isFar; error 1e-13 of the
+  /// largest sum.
   static void addAt(const Group& group, Complex x, std::vector<FieldSums>& sums,
                     InstructionSet set = largestInstructionSet());
 

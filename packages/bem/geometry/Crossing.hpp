@@ -6,23 +6,23 @@
 
 namespace epafi::bem {
 
-/// Do two curves cross or come as close as this?  The smallest distance is taken at an end
-/// of one of them, or where both have a common normal, which runs through arcs' centres.
+/// Is the distance of two curves at most `tolerance`?  The smallest distance is attained at an
+/// end of one of them or on a common normal, which contains the centres of arcs.
 bool meet(const Curve& a, const Curve& b, double tolerance);
 
-/// Do two curves of which one starts or ends where the other does come closer than
-/// `tolerance` to each other elsewhere, or leave their common point in the same direction?
-/// Closer to such a point than `blind` nothing is looked at: smooth joints touch there.
+/// For two curves with a common end point: are they closer than `tolerance` elsewhere, or do
+/// they leave that point in the same direction?  Points closer to it than `blind` are
+/// ignored, since curves with a smooth joint touch there.
 bool meetElsewhere(const Curve& a, const Curve& b, double tolerance, double blind);
 
-/// How often a ray from p to the right crosses a closed loop of curves is odd.
+/// Is p inside a closed loop of curves?  Counts the crossings with a ray to the right.
 bool inside(Vec2 p, const std::vector<Curve>& loop);
 
-/// Points of a curve that, with those of the curve it leads to, tell how large it is: its start;
-/// of an arc many more, among them those farthest left, right, up and down.
+/// Points for the diameter and the bounding box of a loop: the start of the curve; of an arc also
+/// points along it, with the extreme ones in x and y.
 std::vector<Vec2> extent(const Curve& curve);
 
-/// Twice the area between a curve and its chord, > 0 where it bulges to the right.
+/// Twice the area between a curve and its chord, > 0 if it bulges to the right.
 double twiceAreaBesideChord(const Curve& curve);
 
 }  // namespace epafi::bem

@@ -4,8 +4,8 @@
 #include "bem/base/Vec2.hpp"
 #include "bem/simd/ComplexPack.hpp"
 
-// Kelvin's kernels and their derivatives (PointKernels has the first four in real numbers, at
-// eight pairs of points).  In complex numbers, w = x - y, N and τ = iN unit normal and tangent:
+// Kelvin's kernels and their derivatives in complex numbers, w = x - y, N and τ = iN unit normal
+// and tangent (PointKernels: V, K, K' and W in real numbers at eight pairs of points):
 //                                                                [doc/theory/operators.md]
 //
 //   V f = ∫ -A log|w| f + B (f + conj(f) w/conj(w))/2 ds
@@ -15,7 +15,7 @@
 
 namespace epafi::bem {
 
-/// A complex density g as kernels at a point see it:
+/// Integrals of a complex density g with the kernels at a point:
 ///
 ///   overW = ∫ g ds/w,  overConj = ∫ g ds/conj(w),  cubic = ∫ conj(g) w/conj(w)² ds
 template <class Number>
@@ -32,7 +32,7 @@ struct SumsOf {
 };
 using SourceSums = SumsOf<Complex>;
 
-/// Of the density g f, from those of f, g a constant.
+/// Sums of the density g f from those of f, g a constant.
 template <class Number>
 EPAFI_INLINE SumsOf<Number> operator*(const Complex& g, const SumsOf<Number>& f) {
   return {g * f.overW, g * f.overConj, std::conj(g) * f.cubic};
@@ -75,7 +75,7 @@ EPAFI_INLINE Number turned(const Number& tangent, const SumsOf<Number>& g) {
   return tangent * conj(g.overW) - conj(tangent) * g.cubic;
 }
 
-/// W v there, from the sums of v' = dv/ds.
+/// W v at a point with unit normal N, from the sums of v' = dv/ds.
 template <class Number>
 EPAFI_INLINE Number hypersingular(const Lame& lame, const Number& normal,
                                   const SumsOf<Number>& slope) {
@@ -83,14 +83,14 @@ EPAFI_INLINE Number hypersingular(const Lame& lame, const Number& normal,
   return lame.d * (alongTangent(tangent, slope) - 0.5 * turned(tangent, slope));
 }
 
-/// d/ds V f there, along the tangent τ = iN.
+/// d/ds V f along the tangent τ = iN.
 inline Complex singleLayerSlope(const Lame& lame, const Complex& normal,
                                 const SourceSums& f) {
   const Complex tangent = Complex(0, 1) * normal;
   return -lame.a * alongTangent(tangent, f) + 0.5 * lame.b * turned(tangent, f);
 }
 
-/// d/ds K v there, from the sums of v'; by parts, for a closed boundary.
+/// d/ds K v from the sums of v'; by parts, valid on a closed boundary.
 inline Complex doubleLayerSlope(const Lame& lame, const Complex& normal,
                                 const SourceSums& slope) {
   const Complex tangent = Complex(0, 1) * normal;
@@ -122,7 +122,7 @@ inline Complex mismatchSlope(const Lame& lame, Complex normal, const FieldSums& 
          doubleLayerSlope(lame, normal, sums.slope);
 }
 
-/// What the Galerkin blocks of two scalar functions P and Q are linear in: ∫∫ P Q log|w|,
+/// Double integrals of two scalar functions P and Q in the blocks of V and K: ∫∫ P Q log|w|,
 /// ∫∫ P Q w/conj(w), ∫∫ P Q.  Number: double, or a Pack of pairs.
 template <class Number>
 struct PotentialMoments {
@@ -148,8 +148,8 @@ inline Block operator*(double s, const Block& b) {
   return {s * b.xx, s * b.yx, s * b.xy, s * b.yy};
 }
 
-/// isotropic (-log|w| I) + radial d d'/r²: with A and B that of V, with D and D that of
-/// V*, whose functions are derivatives by arc length.
+/// isotropic (-log|w| I) + radial d d'/r²: V for A and B; for D and D V*, whose functions are
+/// derivatives by arc length.
 /// d d'/r² = (I + [Re, Im; Im, -Re] of w/conj(w)) / 2.
 template <class Number>
 EPAFI_INLINE KernelBlock<Number> singleLayerBlock(double isotropic, double radial,
@@ -160,13 +160,13 @@ EPAFI_INLINE KernelBlock<Number> singleLayerBlock(double isotropic, double radia
           0.5 * radial * (m.whole - m.phaseReal) - log};
 }
 
-/// K, the trial function's derivative in `m` and the Laplace double layer of itself in
-/// `laplace` = ∫∫ P v (w·n_y)/|w|²:
+/// Block of K.  `m`: moments of the derivative of the trial function v; `laplace`: its Laplace
+/// double layer ∫∫ P v (w·n_y)/|w|²:
 ///
 ///   K v = K_Δ v - X M v,  M v = (v₂', -v₁'),  X = 2μ V - V_Δ,
 ///
-/// V_Δ and K_Δ Laplace's potentials.  X without its constant part, which ∫ v' = 0 over a
-/// loop removes; 2μA - 1/2π = μ (A - B) = 2 μ (1-2ν) B keeps its digits as ν -> 1/2.
+/// V_Δ and K_Δ Laplace's potentials.  The constant part of X is omitted, since ∫ v' = 0 over a
+/// loop; 2μA - 1/2π = μ (A - B) = 2 μ (1-2ν) B avoids cancellation as ν -> 1/2.
 template <class Number>
 EPAFI_INLINE KernelBlock<Number> doubleLayerBlock(const Lame& lame,
                                                   const PotentialMoments<Number>& m,

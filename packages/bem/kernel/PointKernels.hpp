@@ -11,8 +11,8 @@ namespace epafi::bem {
 ///   K  = k [(1-2ν) I + 2 d d'/r²] (d·n_y)/r² - k (1-2ν) (d n_y' - n_y d')/r²
 ///   K' = -k [(1-2ν) I + 2 d d'/r²] (d·n_x)/r² - k (1-2ν) (d n_x' - n_x d')/r²
 ///
-/// and W of functions that vanish at the ends of their supports, at two points of different
-/// ones, by parts of K's form:                                 [doc/theory/operators.md]
+/// and the hypersingular kernel W for continuous functions, x and y in different supports, from
+/// integration by parts:                                       [doc/theory/operators.md]
 ///
 ///   W v = -D ∫ Re(τ_x τ_y/w²) v - (Re(τ_x conj(τ_y))/conj(w)² - conj(τ_x τ_y) w/conj(w)³) conj(v) ds
 struct KernelConstants {
@@ -25,7 +25,7 @@ struct KernelConstants {
       : a(lame.a), b(lame.b), d(lame.d), k(2 * lame.mu * lame.b), turn(1 - 2 * lame.nu) {}
 };
 
-/// The four kernels at pairs of points, by their different entries.
+/// The distinct entries of the four kernels at pairs of points.
 struct PointKernels {
   Pack v[3];  ///< -V: xx, xy, yy
   Pack k[4];  ///< K: xx, yx, xy, yy

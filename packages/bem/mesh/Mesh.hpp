@@ -7,7 +7,7 @@
 
 namespace epafi::bem {
 
-/// What a mesh is made of: a piece of an edge and the degree on it.
+/// A part of an edge and the polynomial degree on it, from which a mesh makes an element.
 struct Piece {
   int edge = 0;
   Position start;
@@ -15,7 +15,7 @@ struct Piece {
   int degree = 1;
 };
 
-/// The place t of [-1, 1] on a piece, as accurate from both ends of its edge as its own.
+/// The point t in [-1, 1] of a piece, accurate relative to both ends of the edge.
 Position positionAt(const Piece& piece, double t);
 
 /// A boundary element: a part of an edge's curve, y(t), -1 <= t <= 1.
@@ -28,34 +28,34 @@ struct Element {
   Curve curve;
   double half = 0;    ///< half its length, |dy/dt|
   int degree = 1;     ///< p: displacements of degree p
-  int densities = 1;  ///< functions of a density, P_0 ... : p of them, or more
+  int densities = 1;  ///< number of Legendre terms of a density: p, or more
 
   /// The frame of a straight element, see Curve::segment.
   const Curve::Frame& segment() const { return curve.segment(); }
 };
 
-/// A point of the boundary: `offset` along its edge from a nearby place, mostly a node.
-/// Differences of two of them keep their digits near a common vertex and a common node.
+/// A point of the boundary at arc length `offset` from a nearby position, usually a node.
+/// Differences of two points are accurate near a common vertex and near a common node.
 struct BoundaryPoint {
   int edge = 0;
   Position position;
   double offset = 0;
 };
 
-/// The boundary cut into elements, each with its own degree.  Immutable.
+/// Division of the boundary into elements, each with its own degree.  Immutable.
 class Mesh {
  public:
-  /// Pieces in the order of the outline's edges, each edge covered without gaps.
-  /// \throws InputError if they do not cover it or come in another order, or for a degree
-  /// below 1 or above 25.
+  /// \param pieces in the order of the edges of the outline; they cover each edge
+  /// \throws InputError if they leave a gap or have another order, or for a degree below 1 or
+  /// above 25
   Mesh(std::shared_ptr<const Outline> outline, const std::vector<Piece>& pieces);
 
-  /// The same elements with so many functions of a density on each, at least its degree.
-  /// \throws InputError for fewer, or more than 25.
+  /// The same elements with Element::densities = densities[e].
+  /// \throws InputError if densities[e] is less than the degree of e or more than 25
   Mesh withDensities(const std::vector<int>& densities) const;
 
-  /// The same elements with as high a degree as there are densities: for what treats
-  /// densities and slopes of displacements alike.
+  /// The same elements with degree = densities, for code that treats densities and
+  /// derivatives of displacements alike.
   Mesh withDegreesOfDensities() const;
 
   const Outline& outline() const { return *outline_; }
@@ -68,7 +68,7 @@ class Mesh {
   const std::string& boundary(int e) const {
     return outline_->edge((*this)[e].piece.edge).boundary;
   }
-  /// Elements of a named boundary, in the outline's direction.
+  /// Elements of a named boundary, in the direction of the outline.
   std::vector<int> elementsOf(const std::string& boundary) const;
 
   BoundaryPoint at(int e, double t) const { return at(e, 1 + t, 1 - t); }
@@ -78,12 +78,12 @@ class Mesh {
   /// In the user's coordinates.
   Vec2 physicalPoint(int e, double t) const;
 
-  /// x - y, without the loss of digits that subtracting coordinates brings.
+  /// x - y, without the cancellation of a difference of coordinates.
   Vec2 difference(const BoundaryPoint& x, const BoundaryPoint& y) const;
-  /// From this distance on (in outline diameters) subtracting coordinates costs no digits
-  /// that matter: 2e-15 of the difference.
+  /// From this distance on (in outline diameters) differences of coordinates are accurate to
+  /// 2e-15, relative.
   static constexpr double plainDistance = 0.1;
-  /// The middle of e less that of f; exactly the opposite of what it is from f to e.
+  /// Midpoint of e minus midpoint of f; offset(f, e) = -offset(e, f) exactly.
   Vec2 offset(int e, int f) const;
 
  private:
@@ -91,7 +91,7 @@ class Mesh {
   std::vector<Element> elements_;
 };
 
-/// Cuts edge k of the outline into elementsPerEdge[k] equal elements of one degree.
+/// Divides edge k of the outline into elementsPerEdge[k] elements of equal length and degree.
 Mesh makeMesh(std::shared_ptr<const Outline> outline,
               const std::vector<int>& elementsPerEdge, int degree);
 

@@ -10,15 +10,15 @@
 
 namespace epafi::bem {
 
-/// Gauss points of an arc, enough for what kernels make of a polynomial on it: with
-/// x - y(t) = (t₀ - t) g(t) the functions P_j/g and P_j g/conj(g)², j <= degree, are met to
-/// 1e-15 by Legendre series with as many terms as there are points.
+/// Gauss rule on an arc for kernels times polynomials.  With x - y(t) = (t₀ - t) g(t) and as
+/// many terms as points, Legendre series represent P_j/g and P_j g/conj(g)², j <= degree, to
+/// 1e-15.
 ///                                                     [doc/theory/operators.md]
 class ArcRule {
  public:
   static constexpr int largestSize = 63;
 
-  /// \throws InputError if the arc turns by more than largestAngle.
+  /// \throws InputError if the arc turns by more than largestAngle
   ArcRule(const Curve& curve, int degree);
 
   const Curve& curve() const { return curve_; }
@@ -26,7 +26,7 @@ class ArcRule {
   int size() const { return rule_->size(); }
   double point(int q) const { return rule_->points[static_cast<std::size_t>(q)]; }
   double weight(int q) const { return rule_->weights[static_cast<std::size_t>(q)]; }
-  /// P_j there, j <= degree.
+  /// P_j at point q, j <= degree.
   double legendre(int q, int j) const { return legendre_[at(q, j)]; }
   Complex tangent(int q) const { return tangents_[static_cast<std::size_t>(q)]; }
   Complex normal(int q) const { return {tangent(q).imag(), -tangent(q).real()}; }
@@ -42,23 +42,22 @@ class ArcRule {
   std::vector<Complex> tangents_;
 };
 
-/// By how much an element may turn.
+/// Largest angle [rad] by which an element may turn.
 constexpr double largestAngle = 3.1415926535897932 * (1 + 1e-12);
 
-/// What a density g has of the kernels at eight targets x, w = x - y.  Without ds where g is a
-/// function of t.
+/// Kernel integrals of a density g at eight targets x, w = x - y.  For a function g of t the
+/// integrals are over t instead of s.
 struct KernelLanes {
-  ComplexLanes
-      overConj;  ///< ∫ g ds/conj(w); that of 1/w is its conjugate, where g is real
-  ComplexLanes cubic;  ///< ∫ g w/conj(w)² ds
-  ComplexLanes phase;  ///< ∫ g w/conj(w) ds
-  AlignedLane log;     ///< ∫ g log|w| ds
+  ComplexLanes overConj;  ///< ∫ g ds/conj(w); conjugate of ∫ g ds/w if g is real
+  ComplexLanes cubic;     ///< ∫ g w/conj(w)² ds
+  ComplexLanes phase;     ///< ∫ g w/conj(w) ds
+  AlignedLane log;        ///< ∫ g log|w| ds
 };
 
-/// The kernels at eight targets as weights of an arc's points: for real polynomials f of the
-/// rule's degree ∫ f ds/conj(w) = Σ f_q overConj_q and so on, on the arc as principal values,
-/// accurate right up to the arc: 1/(t₀-t) and its like are integrated against Legendre
-/// polynomials in closed form (LegendreLanes).
+/// Quadrature weights of the kernels at eight targets: for real polynomials f of the degree of
+/// the rule ∫ f ds/conj(w) = Σ f_q overConj_q and so on; principal values on the arc.  Accurate up
+/// to the arc, since 1/(t₀-t) and similar factors are integrated against Legendre polynomials
+/// in closed form (LegendreLanes).
 void arcWeights(const ArcRule& rule, const RelativeTarget (&targets)[lanes],
                 KernelLanes* weights, InstructionSet set = largestInstructionSet());
 

@@ -9,21 +9,21 @@
 
 namespace epafi::bem {
 
-/// The potential of an element at eight targets at once, in closed form.  It acts through
-/// carriers g of its densities: on a segment the functions P_0, P_1, ... of its parameter, on an
-/// arc Gauss points (ArcRule).                              [doc/theory/operators.md]
+/// Kernel integrals over an element at eight targets, in closed form.  Carriers g represent the
+/// densities: on a segment the Legendre polynomials P_0, P_1, ..., on an arc its Gauss points
+/// (ArcRule).                                               [doc/theory/operators.md]
 class ElementPotential {
  public:
   enum class Need { Sums, All };
 
-  /// Of densities with so many Legendre functions, 26 at most; Sums: without phase and log.
-  /// Refers to the curve.
+  /// \param terms number of Legendre polynomials of the densities, at most 26
+  /// \param need Sums: without phase and log.  Refers to the curve.
   ElementPotential(const Curve& curve, int terms, Need need = Need::Sums);
 
-  /// At points[first] and those behind it.
+  /// At points[first] ... points[first + 7].
   void evaluate(const SeenPoints& points, std::size_t first,
                 InstructionSet set = largestInstructionSet());
-  /// At points off the element that are given by their coordinates.
+  /// At points with these coordinates, not on the element.
   void evaluate(const AlignedLane& x, const AlignedLane& y,
                 InstructionSet set = largestInstructionSet());
 
@@ -32,9 +32,9 @@ class ElementPotential {
     return lanes_[static_cast<std::size_t>(k)];
   }
 
-  /// What a carrier has of a density.
+  /// Coefficient of carrier k in a density.
   Complex share(const LegendreSeries<Complex>& density, int k) const;
-  /// Where a carrier is.
+  /// Unit normal at carrier k.
   Complex normal(int k) const {
     return rule_ ? rule_->normal(k) : asComplex(curve_.frame().normal);
   }
@@ -42,7 +42,7 @@ class ElementPotential {
   double whole(int k) const {
     return curve_.half() * (rule_ ? rule_->weight(k) : k == 0 ? 2 : 0);
   }
-  /// What P_j gives at a target.
+  /// Kernel integrals of P_j at a target.
   struct Values {
     Complex overConj;
     Complex cubic;
@@ -51,7 +51,7 @@ class ElementPotential {
     double flow = 0;  ///< ∫ P_j (w·n_y)/|w|² ds
   };
   Values at(int j, std::size_t lane) const;
-  /// The first two at all targets.
+  /// Adds overConj and cubic of P_j at all targets.
   EPAFI_INLINE void add(int j, ComplexPack& overConj, ComplexPack& cubic) const {
     for (int k = rule_ ? 0 : j; k < (rule_ ? size() : j + 1); ++k) {
       const double share = rule_ ? rule_->legendre(k, j) : 1;

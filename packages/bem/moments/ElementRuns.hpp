@@ -6,40 +6,40 @@
 
 namespace epafi::bem {
 
-/// The elements first ... last - 1.
+/// Elements first ... last - 1.
 struct ElementRange {
   int first = 0;
   int last = 0;
   bool contain(int e) const { return first <= e && e < last; }
 };
 
-/// Up to eight elements in a row of one loop, first ... last - 1, with a circle around
+/// Up to eight consecutive elements of one loop, first ... last - 1, and a circle around
 /// them.
 struct ElementRun {
-  FarBatch elements{};  ///< wx, wy: their middles, scaled; lanes beyond the last dropped
+  FarBatch elements{};  ///< wx, wy: midpoints, scaled; lanes beyond the last dropped
   int first = 0;
   int last = 0;
   Vec2 centre;
   double radius = 0;
   double largestHalf = 0;
   int degree = 0;           ///< the largest
-  int densities = 0;        ///< the largest number of them
-  int loop = 0;             ///< loops are counted from 0
-  bool closesLoop = false;  ///< behind the last is the loop's first node
-  double angle = 0;         ///< by which one turns, the largest
+  int densities = 0;        ///< the largest number on an element
+  int loop = 0;             ///< counted from 0
+  bool closesLoop = false;  ///< the last element ends at the first node of the loop
+  double angle = 0;         ///< largest angle by which an element turns
 };
 
-/// Which pairs of an element and a run are far, and the Gauss orders that serve them all.
+/// The far pairs of an element and a run, and Gauss orders for all of them.
 struct FarLanes {
   bool far[lanes] = {};
   int count = 0;
-  bool atOnce = false;  ///< by their circle, which is far enough for plain coordinates
-  int columns = 0;      ///< largest degree among the far ones
-  FarOrder smooth;      ///< without what polynomials cost on top
-  FarOrder own[lanes];  ///< of each pair, unless at once
+  bool atOnce = false;  ///< the circle is far; plain coordinates are accurate enough
+  int columns = 0;      ///< largest degree of the far elements
+  FarOrder smooth;      ///< for all pairs, without degreeShare
+  FarOrder own[lanes];  ///< for each pair, unless atOnce
 };
 
-/// A mesh in runs of eight; shorter ones end loops.
+/// Division of a mesh into runs of eight elements; the last run of a loop may be shorter.
 class ElementRuns {
  public:
   explicit ElementRuns(const Mesh& mesh);
@@ -49,11 +49,11 @@ class ElementRuns {
   int runOf(int e) const { return runOf_[e]; }
   const ElementRun& operator[](int r) const { return runs_[r]; }
 
-  /// The far pairs of e and the wanted elements of run r; fills the batch.  One look
-  /// suffices when all are wanted and the circle is far.  Whether a pair is far does not
-  /// depend on which of the two is e, unless pairs that need more than `largestOuter`
-  /// Gauss points on e (beside the degree's share) are asked to count as near; 7 are
-  /// always enough for circles.
+  /// Selects the far pairs of e and the wanted elements of run r; fills the batch.  A single
+  /// test suffices if all elements are wanted and the circle is far.
+  /// \param largestOuter pairs that need more Gauss points on e (without degreeShare) count as
+  /// near; at least 7, which a far circle needs.  With the default, the result does not depend
+  /// on which element of a pair is e.
   FarLanes choose(int e, int r, const ElementRange& wanted, FarBatch& batch,
                   int largestOuter = largestSmoothOrder) const;
 

@@ -7,16 +7,16 @@
 
 namespace epafi::bem {
 
-/// Eight elements F = first ... first+7 seen from one element E, structure of arrays.
+/// Eight elements F = first ... first+7 relative to an element E, as structure of arrays.
 struct alignas(64) FarBatch {
-  double wx[lanes];  ///< middle of E minus middle of F
+  double wx[lanes];  ///< midpoint of E minus midpoint of F
   double wy[lanes];
-  double tx[lanes];  ///< tangent of F at its middle
+  double tx[lanes];  ///< tangent of F at its midpoint
   double ty[lanes];
   double half[lanes];
   double alpha[lanes];  ///< half the angle by which F turns
 
-  /// `w`: middle of E minus middle of F.
+  /// `w`: midpoint of E minus midpoint of F.
   void set(int lane, Vec2 w, const Element& f) {
     wx[lane] = w.x;
     wy[lane] = w.y;
@@ -25,7 +25,7 @@ struct alignas(64) FarBatch {
     half[lane] = f.half;
     alpha[lane] = 0.5 * f.curve.angle();
   }
-  /// A lane that is not wanted: far off, so that nothing overflows.
+  /// Fills an unused lane with a distant element, so that nothing overflows.
   void drop(int lane) {
     wx[lane] = wy[lane] = 10;
     tx[lane] = half[lane] = 1;
@@ -33,20 +33,20 @@ struct alignas(64) FarBatch {
   }
 };
 
-/// How many Legendre polynomials densities on E and on F have, and so the largest degrees
-/// that displacements bring.
+/// Number of Legendre polynomials of the densities on E (rows) and F (columns), at least the
+/// degree of the displacements.
 struct PairDegrees {
   int rows = 0;
   int columns = 0;
 };
 
-/// The rules of far pairs of these degrees, and polynomials at their points.
+/// Gauss rules of a far pair, and Legendre polynomials at their points.
 struct FarRules {
   const Rule& outer;
   const Rule& inner;
   const WeightedLegendre& outerTable;
   const WeightedLegendre& innerTable;
-  /// Of points on E and on F.
+  /// Numbers of points on E and on F.
   FarRules(int onE, int onF)
       : outer(gaussLegendre(onE)),
         inner(gaussLegendre(onF)),
@@ -57,15 +57,15 @@ struct FarRules {
                  order.inner + degreeShare(degrees.columns)) {}
 };
 
-/// Far moments of a straight E against a batch of straight elements.  `order` without what polynomials cost.  Tensor Gauss
-/// with one reciprocal per point pair and one logarithm per outer point: ∫ P_j log|w| comes
-/// from ∫ P_j w·τ/|w|² by parts.
+/// Far moments of a straight E and a batch of straight elements, by tensor Gauss quadrature with
+/// one reciprocal per pair of points and one logarithm per outer point: ∫ P_j log|w| follows from
+/// ∫ P_j w·τ/|w|² by parts.  `order` is without degreeShare.
 void farMoments(const Element& e, const FarBatch& batch, PairDegrees degrees,
                 FarOrder order, TileMoments& moments,
                 InstructionSet set = largestInstructionSet());
 
-/// farMoments where E or an element of the batch is an arc: tensor Gauss with a logarithm
-/// and a reciprocal per point pair, points and normals on the curves.
+/// farMoments if E or an element of the batch is an arc: tensor Gauss quadrature with a logarithm
+/// and a reciprocal per pair of points; points and normals on the curves.
 void farArcMoments(const Element& e, const FarBatch& batch, PairDegrees degrees,
                    FarOrder order, TileMoments& moments,
                    InstructionSet set = largestInstructionSet());

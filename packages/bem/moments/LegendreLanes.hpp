@@ -11,14 +11,14 @@
 
 namespace epafi::bem {
 
-/// Targets z = a + ib as in RelativeTarget.
+/// Eight targets z = a + ib as in RelativeTarget.
 struct TargetLanes {
   Pack z;
   Pack minus;  ///< a - 1
   Pack plus;   ///< a + 1
   Pack b;
 
-  /// Points from the first on; where there are fewer than eight, one of them again.
+  /// points[first] ...; if fewer than eight remain, one of them is repeated.
   EPAFI_INLINE TargetLanes(const SeenPoints& points, std::size_t first) {
     if (points.sight()) {
       setSeen(*points.sight(), points.points(), first);
@@ -32,7 +32,7 @@ struct TargetLanes {
       set(lane, targets[lane]);
   }
 
-  /// Of a segment; points by their coordinates.
+  /// Points (x, y) relative to a segment.
   EPAFI_INLINE TargetLanes(const Curve& segment, const Pack& x, const Pack& y) {
     const Vec2 along = (1 / segment.half()) * segment.frame().tangent;
     const Vec2 across = (1 / segment.half()) * segment.frame().normal;
@@ -80,7 +80,7 @@ struct TargetLanes {
     takeNearer(bOfPlus);
   }
 
-  /// Both from the offset to the nearer end.
+  /// Computes z and the offset to the farther end from the offset to the nearer end.
   EPAFI_INLINE void takeNearer(const Pack& bOfPlus) {
     const auto atOne = minus * minus + b * b < plus * plus + bOfPlus * bOfPlus;
     z = atOne ? 1.0 + minus : plus - 1.0;
@@ -91,13 +91,13 @@ struct TargetLanes {
   }
 };
 
-/// Integrals of Legendre polynomials over [-1, 1] against the kernels' building blocks, in closed
-/// form by the Legendre functions of the second kind Q_j.       [doc/theory/operators.md]
+/// Integrals over [-1, 1] of Legendre polynomials times factors of the kernels, in closed form
+/// by Legendre functions of the second kind Q_j.               [doc/theory/operators.md]
 ///
 ///   c[j] = ∫ P_j/(z-t) dt = 2 Q_j(z),  j <= top,    l[j] = Re ∫ P_j log(z-t) dt,  j < top
 ///
-/// Errors are absolute, 1e-15 for low degrees, and 1e-14.  Parts 1: on the element's line, where
-/// all is real.
+/// Absolute error 1e-15 for low degrees, else 1e-14.  Parts = 1: targets on the line of the
+/// element, where all values are real.
 template <int Parts, int Longest = largestMoment>
 struct LegendreLanes {
   static constexpr int size = Longest + 1;
@@ -125,8 +125,8 @@ struct LegendreLanes {
     squareRoot(minus2, distanceMinus);
     squareRoot(plus2, distancePlus);
     const Pack focal = distanceMinus + distancePlus;
-    // The forward recurrence loses R = |z + √(z-1) √(z+1)| a step: one digit in all is what
-    // moments of size 1 can spare.  R + 1/R is the sum of distances.
+    // A step of the forward recurrence amplifies errors by R = |z + √(z-1) √(z+1)|.  A loss of one
+    // digit in total is acceptable for moments of size 1.  R + 1/R is the sum of distances.
     const double limit = 2 * std::cosh(std::log(10.0) / top);
     double nearest = std::numeric_limits<double>::infinity();
     int count = 0;
@@ -186,8 +186,8 @@ struct LegendreLanes {
     }
   }
 
-  // Miller's recurrence, scaled to 2 Q₀: from where R^-2 a step has left 1e-16 of it.  It
-  // is kept near 1 until the first value that is wanted.
+  // Miller's backward recurrence, scaled to 2 Q₀.  Errors decay by R^-2 a step; it starts where
+  // they decay to 1e-16.  Values are kept near 1 until the first one that is stored.
   EPAFI_INLINE void backward(const TargetLanes& x, int top, double logR,
                              const LegendreLanes& first) {
     Pack above[2] = {};

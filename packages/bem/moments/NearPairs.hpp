@@ -7,15 +7,14 @@
 
 namespace epafi::bem {
 
-/// Moments of two elements that coincide, touch or lie closer than half the larger one's
-/// length: closed form on the larger one, eight points of the smaller one at once; a rule
-/// graded toward the feet of the inner element's end points, where its potential has
-/// logarithms. [doc/theory/operators.md]
-///
-/// One for each thread: it holds what is being worked on.
+/// Moments of a near pair of elements (equal, touching or closer than half the larger length):
+/// closed form on the larger element, for eight points of the smaller one at a time; a rule on
+/// the smaller one that is graded toward the projections of the end points of the larger one,
+/// where its potential has logarithms.                 [doc/theory/operators.md]
+/// Has work arrays: use one object per thread.
 class NearMoments {
  public:
-  /// Of (e, f) into one lane; all others are left alone.
+  /// Writes the moments of (e, f) to one lane; other lanes stay as they are.
   void evaluate(const Mesh& mesh, int e, int f, TileMoments& moments, int lane,
                 InstructionSet set = largestInstructionSet());
 
@@ -23,8 +22,8 @@ class NearMoments {
   std::vector<AlignedLane> sums_;
 };
 
-/// The same where one of the elements is an arc, perhaps of both and of itself: the larger one's
-/// potential at the points `rule` of the smaller one.
+/// Moments of a near pair with at least one arc: potential of the larger element at the points
+/// `rule` of the smaller one.
 void nearArcMoments(const Mesh& mesh, int e, int f, const GradedRule& rule,
                     TileMoments& moments, int lane);
 

@@ -7,34 +7,34 @@
 
 namespace epafi::bem {
 
-/// A boundary point seen from element e, accurate near a common vertex; exactly b = 0
-/// when it lies on the element's own edge.
+/// A boundary point relative to element e, accurate near a common vertex; b = 0 exactly if it
+/// is on the edge of e.
 RelativeTarget seenFrom(const Mesh& mesh, int e, const BoundaryPoint& x);
 
-/// Appends the ends of element `source` as features on `element`.
+/// Appends the end points of element `source` as features of a rule on `element`.
 void appendEnds(const Mesh& mesh, int element, int source,
                 std::vector<Feature>& features);
 
-/// Points of an element seen from another one.  Refers to its arguments.
+/// Points of `element` relative to element `source`.  Refers to its arguments.
 class SeenPoints {
  public:
   SeenPoints(const Mesh& mesh, int element, int source,
              const std::vector<EndPoint>& points);
 
   const std::vector<EndPoint>& points() const { return points_; }
-  /// Of both elements' edge.
+  /// Do both elements belong to one edge?
   bool areOnLine() const {
     return mesh_[element_].piece.edge == mesh_[source_].piece.edge;
   }
-  /// All of them on a line: the element's ends and what half a length of it adds.
+  /// Both ends of a straight element as targets, and the change of z along half its length.
   struct Sight {
     RelativeTarget start;
     RelativeTarget end;
     Complex step;
   };
-  /// If both are straight.
+  /// Set if both elements are straight.
   const std::optional<Sight>& sight() const { return sight_; }
-  /// The last one for those behind it.
+  /// Point i; the last point for larger i.
   RelativeTarget operator[](std::size_t i) const;
 
  private:

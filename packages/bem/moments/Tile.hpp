@@ -7,16 +7,16 @@
 
 namespace epafi::bem {
 
-/// The moments of one trial element with a run of up to eight test elements, near or far:
-/// what all operators are made of.
-/// One for each thread: it holds what is being worked on.
+/// Moments of one trial element with a run of up to eight test elements, near or far; all
+/// operators are assembled from them.
+/// Has work arrays: use one object per thread.
 class Tile {
  public:
   explicit Tile(const ElementRuns& runs);
 
-  /// Of a trial element and the wanted elements of run r.  A tile is computed as a whole:
-  /// what else is in it decides on the quadrature, so callers that want equal results must
-  /// form equal tiles.  Moments of other lanes are finite and mean nothing.
+  /// Computes the moments of a trial element with the wanted elements of run r.  The
+  /// quadrature of a pair depends on the other elements of its tile: equal results need equal
+  /// tiles.  Moments of elements that are not wanted are finite and meaningless.
   void evaluate(int trial, int r, const ElementRange& wanted,
                 InstructionSet set = largestInstructionSet());
 

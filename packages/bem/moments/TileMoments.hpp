@@ -7,7 +7,7 @@
 
 namespace epafi::bem {
 
-/// Integrals with two polynomials, see TileMoments::setPair.
+/// Double integrals with two polynomials, see TileMoments::setPair.
 struct PairSums {
   double log;
   std::complex<double> phase;
@@ -15,9 +15,9 @@ struct PairSums {
   double reverse;
 };
 
-/// All that V, K and W need of a trial element E and eight test elements F, one in each
-/// lane: double integrals of Legendre polynomials, w = x - y, x on E, y on F, both mapped
-/// to [-1, 1].
+/// Moments for V, K and W of a trial element E and eight test elements F, one in each lane:
+/// double integrals of Legendre polynomials, w = x - y, x on E, y on F, both mapped to
+/// [-1, 1].
 ///
 ///   log(i,j)     = ∫∫ P_i(x) P_j(y) log|w|                   i < d_E, j < d_F
 ///   along(i,j)   = ∫∫ P_i(x) P_j(y) (w·n_F)(w·τ_F)/|w|²      i < d_E, j < d_F
@@ -25,8 +25,8 @@ struct PairSums {
 ///   direct(i,j)  = ∫∫ P_i(x) P_j(y) (w·n_F)/|w|² h_F/2       i < d_E, j <= d_F
 ///   reverse(i,j) = ∫∫ P_i(x) P_j(y) (-w·n_E)/|w|² h_E/2      i <= d_E, j < d_F
 ///
-/// d: the number of density functions, at least the degree.  Where F is an arc n_F and τ_F
-/// are those of its middle in `along` and `across`, in `direct` and `reverse` normals turn.
+/// d: number of Legendre polynomials of the densities, at least the degree.  On an arc F,
+/// `along` and `across` use n_F and τ_F at its midpoint, `direct` and `reverse` at each point.
 struct TileMoments {
   static constexpr int stride = largestDegree + 2;
   using Lane = double[lanes];
@@ -36,7 +36,7 @@ struct TileMoments {
   alignas(64) Lane direct[stride * stride];
   alignas(64) Lane reverse[stride * stride];
 
-  /// Zero up to these degrees, all lanes.
+  /// Sets moments up to these degrees to zero in all lanes.
   EPAFI_INLINE void clear(int rows, int columns) {
     const Pack zero{};
     for (int i = 0; i <= rows; ++i)
@@ -45,16 +45,16 @@ struct TileMoments {
           store(table[i * stride + j], zero);
   }
 
-  /// What w/conj(w) gives to a lane, turned by conj(τ²) of F's tangent.
+  /// Sets `along` and `across` of a lane from `turned` = conj(τ_F²) ∫∫ P_i P_j w/conj(w).
   void setPhase(std::complex<double> turned, int at, int lane) {
     const double constant = at == 0 ? 4 : 0;
     across[at][lane] = 0.5 * (constant - turned.real());
     along[at][lane] = -0.5 * turned.imag();
   }
 
-  /// A pair as integrated over an outer element with d = `rows` and an inner one with `columns`:
-  /// sumsOf(i, j) has its log, phase (as in setPhase), direct and reverse.  `transposed`: the
-  /// outer one is F.
+  /// Sets a pair that was integrated over an outer element, d = rows, and an inner one, d =
+  /// columns: sumsOf(i, j) returns PairSums, phase as in setPhase.
+  /// \param transposed the outer element is F
   template <class SumsOf>
   void setPair(int rows, int columns, bool transposed, int lane, const SumsOf& sumsOf) {
     const int byRow = transposed ? 1 : stride;
@@ -76,7 +76,7 @@ struct TileMoments {
       }
   }
 
-  /// ∫∫ P_i P_j w/conj(w) of a lane, where F has this tangent:
+  /// ∫∫ P_i P_j w/conj(w) of a lane; `tangent`: τ_F:
   /// w/conj(w) = τ² (1 - 2 (w·n)²/r² - 2i (w·n)(w·τ)/r²).
   std::complex<double> phase(int i, int j, int lane, std::complex<double> tangent) const {
     const int at = i * stride + j;

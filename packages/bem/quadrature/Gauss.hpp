@@ -17,24 +17,24 @@ struct Rule {
 
 /// The n-point Gauss-Legendre rule on [-1, 1], exact for polynomials of degree 2n-1.
 ///
-/// Points are the zeros of the Legendre polynomial Pₙ in extended precision; wᵢ = 2 / ((1
-/// - tᵢ²) Pₙ'(tᵢ)²).                                                       [DLMF 3.5(v)]
-/// Rules are made once and kept.
-/// \throws InputError unless 1 <= n <= 128.
+/// Points are the zeros of the Legendre polynomial Pₙ, computed in extended precision; weights
+/// wᵢ = 2 / ((1 - tᵢ²) Pₙ'(tᵢ)²).                                          [DLMF 3.5(v)]
+/// A rule is computed once and stored.
+/// \throws InputError unless 1 <= n <= 128
 const Rule& gaussLegendre(int n);
 
-/// The rule for polynomials of a degree times what a scene gives as a function of place (loads,
-/// gaps, bounds): smooth, and no polynomial.
+/// Gauss rule for polynomials of a degree times a smooth function given in the scene (load,
+/// gap, bound).
 inline const Rule& gaussForGiven(int degree) { return gaussLegendre(degree + 12); }
 
-/// Largest number of Gauss points that tables are kept for.
+/// Largest number of Gauss points with a weightedLegendre table.
 constexpr int largestGaussOrder = 63;
 
 /// Legendre polynomials times the weights of a Gauss rule: table[q][k] = w_q P_k(t_q),
 /// k = 0 ... largestDegree + 2.
 using WeightedLegendre = std::vector<std::array<double, largestDegree + 3>>;
 
-/// Of the rule with `order` points, 1 <= order <= largestGaussOrder.  Made once and kept.
+/// Table of the rule with `order` points, computed once.  \pre 1 <= order <= largestGaussOrder
 const WeightedLegendre& weightedLegendre(int order);
 
 }  // namespace epafi::bem

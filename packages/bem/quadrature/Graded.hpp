@@ -4,7 +4,7 @@
 
 namespace epafi::bem {
 
-/// A point t of [-1, 1] known accurately near both ends.
+/// A point t of [-1, 1], accurate relative to both ends.
 struct EndPoint {
   double t = 0;
   double fromStart = 0;  ///< t + 1
@@ -17,40 +17,40 @@ struct GradedRule {
   int size() const { return static_cast<int>(points.size()); }
 };
 
-/// A place on the line of [-1, 1] where the integrand is not smooth: at t, `distance` off
-/// the line (0: on it).
+/// A singularity of the integrand: projection t on the line of [-1, 1], `distance` from that
+/// line (0: on it).
 struct Feature {
   double t = 0;
   double distance = 0;
 };
 
-/// Composite Gauss rule with `order` points on intervals that shrink geometrically
-/// (factor 0.2) toward every feature, until an interval is no longer than four times its
-/// distance from the feature, or than `smallest` where the feature lies on the line.
+/// Composite Gauss rule with `order` points on intervals that shrink geometrically (factor
+/// 0.2) toward every feature, until an interval is at most four times as long as its distance
+/// to the feature, or at most `smallest` if the feature is on the line.
 ///
-/// Integrands like (t - f) log|t - f| are met to 1e-14 with order 17, smallest 1e-6: a
-/// rule of n points loses ε² / n⁴ on the last interval ε.
+/// The error for (t - f) log|t - f| is 1e-14 with order 17 and smallest 1e-6: n points have
+/// the error ε² / n⁴ on the last interval, of length ε.
 GradedRule gradedRule(const std::vector<Feature>& features, int order, double smallest);
 
-/// How t runs on an interval that touches a feature: with a power of the distance from it,
-/// at so many Gauss points.
+/// Substitution on an interval that touches a feature: the distance from the feature is a
+/// power of the new variable, which has `order` Gauss points.
 struct Softening {
   int power = 1;
   int order = 1;
 };
 
-/// The same with far fewer points where features touch [-1, 1] (closer than 1e-12): an
-/// interval that does at one end is not cut for their sake, and softened; other features are
-/// as far from it as it is long, and it is cut in half where both of its ends touch one.  Elsewhere intervals shrink toward features as above, with
-/// `order` points on each.
+/// Graded rule with far fewer points if features touch [-1, 1] (closer than 1e-12).  Intervals
+/// that touch a feature are not graded but softened.  They touch features at one end only
+/// (otherwise they are halved) and are at most as long as their distance from other features.
+/// Elsewhere as gradedRule.
 GradedRule touchingRule(const std::vector<Feature>& features, int order,
                         const Softening& softening);
 
-/// The same for moderate accuracy with far fewer points: at features that lie at -1 or 1
-/// grading ends at intervals of 1 % of [-1, 1], on which t runs with the fourth power of
-/// the distance, which makes powers of logarithms smooth.  With order 7 integrals of log²
-/// are met to 1e-5, those of differences of two logarithms close together to 1e-6.
-/// `cuts`, within [-1, 1]: where the integrand jumps or bends, smooth on both sides.
+/// Graded rule of moderate accuracy with far fewer points: at features at -1 or 1 grading ends
+/// with intervals of 1 % of [-1, 1] and a substitution with the fourth power of the distance,
+/// which makes powers of logarithms smooth.  Error with order 7: 1e-5 for log², 1e-6 for
+/// differences of two logarithms with singularities close together.
+/// \param cuts places in [-1, 1] where the integrand jumps or has a kink
 GradedRule softenedRule(const std::vector<Feature>& features, int order,
                         Vector cuts = {});
 

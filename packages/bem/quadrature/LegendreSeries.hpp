@@ -7,12 +7,12 @@
 
 namespace epafi::bem {
 
-/// c₀ P₀ + ... on [-1, 1], up to the largest degree; what is beyond a degree is zero.
+/// Coefficients of c₀ P₀ + ... on [-1, 1] up to largestDegree; those beyond the degree are zero.
 template <class Value>
 using LegendreSeries = std::array<Value, largestDegree + 1>;
 
-/// Σ c[k] P_k(t), k = 0 ... degree, by Clenshaw's recurrence; -1: zero.  Series: whatever
-/// has elements.
+/// Σ c[k] P_k(t), k = 0 ... degree, by Clenshaw's recurrence; 0 for degree -1.  Series: a
+/// container with operator[].
 template <class Series>
 auto evaluate(const Series& series, int degree, double t) {
   using Value = typename Series::value_type;
@@ -27,7 +27,7 @@ auto evaluate(const Series& series, int degree, double t) {
   return here;
 }
 
-/// The series of a polynomial of at most this degree: Gauss points make it exact.
+/// Legendre series of a polynomial of at most this degree, exact up to rounding.
 template <class Function>
 auto project(const Function& function, int degree) {
   LegendreSeries<decltype(function(0.0))> series{};

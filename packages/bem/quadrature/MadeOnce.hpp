@@ -6,8 +6,7 @@
 
 namespace epafi::bem {
 
-/// Values for n = 1 ... Count, each made by whatever thread first asks for it, and then kept:
-/// most runs need few of them.
+/// Thread-safe cache of values for n = 1 ... Count, each computed on first use.
 template <class Value, int Count>
 class MadeOnce {
  public:

@@ -6,15 +6,15 @@
 
 namespace epafi::bem {
 
-/// u, its derivative by arc length and ψ on one element as Legendre series in t; a vector
-/// of the plane is x + iy.
+/// u, du/ds and ψ on one element as Legendre series in t; a vector (x, y) is the complex
+/// number x + iy.
 struct LocalField {
   LegendreSeries<Complex> value{};    ///< 0 ... p
   LegendreSeries<Complex> slope{};    ///< 0 ... p - 1
   LegendreSeries<Complex> density{};  ///< 0 ... densities - 1
 };
 
-/// The polynomials alone: for what potentials feel on arcs give Space::withoutRotation(u).
+/// Polynomial parts on element e; for potentials on arcs pass Space::withoutRotation(u).
 LocalField localField(const Space& space, const Vector& u, const Vector& psi, int e);
 
 }  // namespace epafi::bem

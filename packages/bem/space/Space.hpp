@@ -9,15 +9,15 @@
 
 namespace epafi::bem {
 
-/// The numbering of the discrete spaces on a mesh.                      [P (10), (11)]
+/// Discrete spaces on a mesh and their numbering.                       [P (10), (11)]
 ///
-///   displacements: continuous, of degree p on each element (DisplacementBasis), and on a
-///                  mesh with arcs the rotation beside them (Rotation),
-///   densities:     discontinuous Legendre series of as many terms as Element::densities
-///                  says: p, or more.
+///   displacements: continuous, of degree p on each element (DisplacementBasis); on a mesh
+///                  with arcs they represent rotations exactly (Rotation),
+///   densities:     discontinuous Legendre series with Element::densities terms: p, or
+///                  more.
 ///
-/// Component c is 0 for x and 1 for y.  Displacements come element by element: the start
-/// node's two components, then the bubbles; densities likewise.
+/// Component c is 0 for x and 1 for y.  Displacements are numbered element by element: both
+/// components of the start node, then of the bubbles; densities likewise.
 class Space {
  public:
   explicit Space(Mesh mesh);
@@ -42,9 +42,9 @@ class Space {
   /// Value of a density at a point of an element.
   Vec2 densityAt(const Vector& psi, int e, double t) const;
 
-  /// The displacement that equals `field` (of a scaled point) at the nodes and whose
-  /// derivative is the best approximation in L² on each element, of exactly what the
-  /// space holds: linear fields are met to rounding.
+  /// Interpolant of `field` (a function of a scaled point): equal at the nodes, with the best
+  /// L² approximation of the derivative on each element.  Exact up to rounding for linear
+  /// fields.
   template <class Field>
   Vector interpolate(const Field& field) const {
     std::vector<int> all(mesh_.size());
@@ -52,14 +52,14 @@ class Space {
     return interpolateOn(all, field);
   }
 
-  /// The same on some elements only, of a field that need not exist elsewhere; unknowns
-  /// of other elements are zero.
+  /// Interpolant on some elements; `field` is evaluated only there, and unknowns of other
+  /// elements are zero.
   template <class Field>
   Vector interpolateOn(const std::vector<int>& elements, const Field& field) const {
     return interpolatePlaces(
         elements, [&](int e, double t) { return field(mesh_.scaledPoint(e, t)); });
   }
-  /// The same of a field of the place t on an element.
+  /// Interpolant on some elements of a function field(e, t).
   template <class Field>
   Vector interpolatePlaces(const std::vector<int>& elements, const Field& field) const {
     std::vector<Vec2> samples;
@@ -69,7 +69,7 @@ class Space {
     return interpolateSamples(elements, samples);
   }
 
-  /// Null where all elements are straight: polynomials hold the rotation.
+  /// Null if all elements are straight, since polynomials then represent rotations.
   std::shared_ptr<const Rotation> rotation() const { return rotation_; }
   /// P u of Rotation.
   Vector withoutRotation(Vector u) const {
@@ -78,7 +78,7 @@ class Space {
   /// r - r_I of Rotation at a point of an element; zero on a straight one.
   Vec2 rotationRest(int e, double t) const;
 
-  /// The three rigid motions (1,0), (0,1), (-y, x) about the origin of the scaled
+  /// Columns: the rigid motions (1,0), (0,1), (-y, x) about the origin of the scaled
   /// outline.
   Matrix rigidMotions() const;
 
@@ -94,8 +94,8 @@ class Space {
   std::shared_ptr<const Rotation> rotation_;
 };
 
-/// Gauss points beside those of polynomials that integrate normals of arcs and products
-/// of two of them.
+/// Gauss points, in addition to those for polynomials, for normals of arcs and products of
+/// two normals.
 constexpr int pointsOfTurning = 14;
 
 }  // namespace epafi::bem

@@ -4,14 +4,14 @@
 
 namespace epafi::bem {
 
-/// When BelosSolver is content.
+/// Options of BelosSolver.
 struct BelosOptions {
-  double tolerance = 1e-13;      ///< residual relative to the right hand side, > 0
+  double tolerance = 1e-13;      ///< residual relative to the right-hand side, > 0
   int maximumIterations = 1000;  ///< > 0
-  int blockSize = 64;            ///< right hand sides at once, > 0
+  int blockSize = 64;            ///< right-hand sides solved together, > 0
 };
 
-/// The keys of a list of these, and what a list that they have completed says.
+/// Schema of the options; and options from a list completed by it.
 SchemaRows belosRows();
 BelosOptions parseBelos(const Teuchos::ParameterList& list);
 

@@ -6,9 +6,9 @@
 
 namespace epafi::bem {
 
-/// V⁻¹ by Belos' conjugate gradients on distributed vectors, preconditioned by the inverse of
-/// the diagonal block of every process's own rows.  On one process that block is V, and one
-/// step solves; the more processes, the more steps.
+/// Conjugate gradients of Belos for V on distributed vectors.  Block Jacobi preconditioner with
+/// one diagonal block of V for each process: a single process needs one step, more processes
+/// need more steps.
 class BelosSolver final : public SingleLayerSolver {
  public:
   BelosSolver(const MpiProcesses& processes, const BelosOptions& options)

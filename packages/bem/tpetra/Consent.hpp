@@ -6,50 +6,49 @@
 
 namespace epafi::bem {
 
-/// Why a rank cannot go on.
+/// Failure of a rank.
 struct Failure {
-  int code = 0;  ///< the exit code it stands for, > 0
+  int code = 0;  ///< exit code, > 0
   std::string message;
 };
 
-/// Thrown on all ranks but the failing one, where they next ask for consent.  Neither a
-/// NumericalError nor an InputError: whoever handles those would do so on some ranks
-/// only.
+/// Thrown by confirm() on all ranks except the failing one.  Neither a NumericalError nor an
+/// InputError, since handlers of those would then run on some ranks only.
 struct FailedElsewhere : std::exception {
   explicit FailedElsewhere(Failure f) : failure(std::move(f)) {}
   const char* what() const noexcept override { return failure.message.c_str(); }
   Failure failure;
 };
 
-/// Keeps ranks from waiting for one that has failed.
+/// Prevents that ranks wait forever for one that has failed.
 ///
-/// Every collective call begins with confirm(): "I am well".  A rank that fails unwinds
-/// to a place that catches everything and calls report() there.  The two are one
-/// collective operation, so a report meets the others' next confirm(), whatever they were
-/// about to do, and all ranks know of it before any of them can wait for the lost one:
+/// Every collective call begins with confirm().  A rank that throws calls report() where
+/// the exception is caught.  Both are the same collective operation, so the report matches
+/// the next confirm() of the other ranks, and all ranks know of the failure before they
+/// exchange data:
 ///
 ///   failing rank:  ... throw ----------------> report()
 ///   the others:    ... multiply(): confirm() -> FailedElsewhere
 ///
-/// What remains are failures between the messages of one call and ranks that are busy for
-/// long: report() waits for the others a bounded time, then `lastResort` says why, and
-/// MPI_Abort ends all ranks with the code.
+/// For failures between the messages of a call, and for ranks that compute for long, report()
+/// waits a bounded time; then it calls `lastResort`, which prints the failure, and MPI_Abort
+/// with the code.
 class Consent {
  public:
   using LastResort = std::function<void(const Failure&)>;
 
-  /// Collective: takes a communicator of its own.
+  /// Collective: duplicates the communicator.
   explicit Consent(MPI_Comm comm, LastResort lastResort = nullptr);
   ~Consent();
   Consent(const Consent&) = delete;
   Consent& operator=(const Consent&) = delete;
 
-  /// This rank is well.
-  /// \throws FailedElsewhere if another one is not.
+  /// Confirms that this rank has not failed.
+  /// \throws FailedElsewhere if another rank has failed
   void confirm() const;
 
-  /// This rank has failed.  Returns what all ranks agree upon: the failure of the lowest
-  /// of those that have one.
+  /// Reports the failure of this rank.  Returns, on all ranks, the failure of the lowest
+  /// failing rank.
   Failure report(const Failure& mine) const;
 
  private:

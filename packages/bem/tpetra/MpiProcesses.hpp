@@ -13,8 +13,8 @@ namespace epafi::bem {
 
 /// The processes of a communicator.
 ///
-/// Every collective call begins by asking for the others' consent, so a process that fails on
-/// its own ends all of them: see Consent.
+/// Every collective call begins with Consent::confirm(), so that the failure of one process ends
+/// all of them.
 class MpiProcesses final : public Processes {
  public:
   /// Collective.
@@ -28,7 +28,7 @@ class MpiProcesses final : public Processes {
 
   const Consent& consent() const { return *consent_; }
 
-  /// The distribution of n rows, and n replicated entries.
+  /// Map of n distributed rows; map of n replicated entries.
   Teuchos::RCP<const Tpetra::Map<>> rowMap(Index n) const;
   Teuchos::RCP<const Tpetra::Map<>> replicatedMap(Index n) const;
 

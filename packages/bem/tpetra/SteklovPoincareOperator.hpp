@@ -7,11 +7,11 @@
 
 namespace epafi::bem {
 
-/// S as a Tpetra::Operator: from displacements to the forces that belong to them,
-/// dimensionless.
+/// S as a Tpetra::Operator: maps displacements to nodal forces, the integrals of the traction
+/// times the basis functions; dimensionless.
 class SteklovPoincareOperator final : public WholeVectorOperator {
  public:
-  /// Collective.  The operators, formed ones, outlive it.
+  /// Collective.  Refers to the operators.  \pre S is formed
   SteklovPoincareOperator(const SteklovPoincare& operators, const MpiProcesses& processes)
       : WholeVectorOperator(
             operators.stiffness().size(),

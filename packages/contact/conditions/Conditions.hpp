@@ -13,8 +13,8 @@
 
 namespace epafi::contact {
 
-/// What a scene says about heat on a body's boundaries: temperatures, and flows into the body
-/// [temperature conductivity / length].  One that is not mentioned is insulated.
+/// Thermal boundary conditions of a body by boundary: temperatures, and heat fluxes into the body
+/// [temperature conductivity / length].  All other boundaries are insulated.
 struct ThermalConditions {
   std::map<std::string, bem::Function> temperatures;
   std::map<std::string, bem::Function> flows;
@@ -22,8 +22,8 @@ struct ThermalConditions {
   std::string path = "Thermal Conditions";  ///< of the list that says so, for messages
 };
 
-/// What a scene says about the boundaries; functions of a point and numbers in the user's
-/// units.  A boundary that is not mentioned is free.
+/// Boundary conditions of a body by boundary, in the user's units.  All other boundaries are
+/// free.
 struct Conditions {
   /// An empty component is free: a roller.
   struct Dirichlet {
@@ -47,19 +47,19 @@ struct Conditions {
     double to = 0;
   };
   /// Unilateral contact with a rigid obstacle at distance `gap` along the outward normal, or
-  /// with the outline of another body, which `gap` is added to the distance of.
+  /// with the outline of another body, where `gap` is added to the distance.
   struct Contact {
     bem::Function gap;
     Friction friction;
-    std::string name{};         ///< the scene's for contact with another body; else empty
-    std::vector<Part> parts{};  ///< of the boundary that meets it; else all of it does
-    Normal normal{};            ///< how far the sides yield
-    /// Motion of what is met along t since the path's beginning, where its geometry stays
-    /// [length]; none: it stands still.
+    std::string name{};         ///< of a contact with another body; else empty
+    std::vector<Part> parts{};  ///< parts of the boundary in contact; empty: all of it
+    Normal normal{};            ///< normal compliance of the surfaces
+    /// Tangential motion (along t) of the opposite side since the beginning of the path, without
+    /// change of its geometry [length]; empty: none.
     bem::Function sliding{};
-    /// Depth that a pressure wears off per slip [1/stress]; none: nothing wears.
+    /// Worn depth per pressure and slip [1/stress]; empty: no wear.
     bem::Function wear{};
-    double cycles = 1;  ///< how many times a step of a path happens, for what wears
+    double cycles = 1;  ///< number of repetitions of a step of a path, for wear
 
     bool holds(int edge, double place) const {
       return name.empty() ||
@@ -78,7 +78,7 @@ struct Conditions {
   std::set<std::string> symmetry;
   bool isBoundary(const std::string& name) const { return symmetry.count(name) == 0; }
 
-  /// Which components of the displacement are given on a boundary: 1 or 0 each.
+  /// 1 for each component of the displacement that is prescribed on a boundary, else 0.
   bem::Vec2 given(const std::string& boundary) const {
     const auto found = dirichlet.find(boundary);
     if (found == dirichlet.end())
@@ -93,8 +93,8 @@ struct Conditions {
                                                                       : nullptr;
   }
 
-  /// Rigid motions held by  ∫ u·r ds = 0  over the whole boundary but lines of symmetry; the reaction acts as a
-  /// uniform traction of that mode.  Rotation is about the boundary's centroid.
+  /// Rigid motions fixed by  ∫ u·r ds = 0  over the whole boundary, lines of symmetry excluded; the
+  /// reaction is a traction proportional to r.  The rotation is about the centroid of the boundary.
   struct Fix {
     bool x = false;
     bool y = false;
@@ -106,9 +106,9 @@ struct Conditions {
   /// (doc/theory/contact.md, "ν = 1/2").
   std::vector<int> pins{};
 
-  /// What acts inside the body; none: nothing does.
+  /// Particular solution of the body loads; null: none.
   Inside inside{};
-  /// Where `inside` is without its temperature as long as a mesh is not known (Conduction).
+  /// Set if the temperature in `inside` is missing until a mesh exists, see Conduction.
   std::shared_ptr<const ThermalConditions> heat{};
 };
 

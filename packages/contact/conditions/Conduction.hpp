@@ -5,15 +5,15 @@
 
 namespace epafi::contact {
 
-/// Steady conduction of heat in a body: Laplace's operators on its mesh, ready for temperatures
-/// and flows on the boundary that change with time.
+/// Steady heat conduction in a body: factored Laplace operators on its mesh, for boundary
+/// temperatures and fluxes that change with time.
 class Conduction {
  public:
-  /// The conditions say on which boundaries a temperature is held: on one at least.
-  /// \throws InputError if they are too many unknowns for dense operators.
+  /// \param kinds boundaries with given temperature, at least one
+  /// \throws InputError if there are too many unknowns for dense operators
   Conduction(const bem::Mesh& mesh, const ThermalConditions& kinds);
 
-  /// \throws InputError where temperatures of two boundaries do not meet.
+  /// \throws InputError if temperatures of adjacent boundaries differ at the common vertex
   std::shared_ptr<const ConductedHeat> heat(const ThermalConditions& now) const;
 
   /// Flows that a body can have, and those on a mesh: one for each degree of an element.

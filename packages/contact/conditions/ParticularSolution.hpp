@@ -10,7 +10,7 @@ namespace epafi::contact {
 
 class ConductedHeat;
 
-/// What acts inside a body, dimensionless, in the outline's scaled coordinates z = x + iy.
+/// Body forces and temperature of a body, dimensionless, in scaled coordinates z = x + iy.
 struct BodyLoads {
   /// The force per volume is uniform + linear z: weight; ρω² - iργ of a spin ω with the angular
   /// acceleration γ, about the origin.
@@ -28,18 +28,18 @@ struct BodyLoads {
   double across = 0;  ///< σzz of a 1 of temperature that nothing but ν (σxx + σyy) joins
 };
 
-/// A displacement u and its stress σ that a BodyLoads has in any body of the material, as
-/// polynomials: div σ + b = 0, so that only what the boundary has besides is left to the boundary
-/// operators: u is a particular solution, nothing of the inside is discretised.  It has two parts,
-/// of forces and of heat; a harmonic temperature has no stress in the plane but for what sources
-/// in holes have.  Conducted heat has a solution by boundary integrals in place of a polynomial.
+/// Particular solution u, σ of div σ + b = 0 for BodyLoads, as polynomials.  The boundary
+/// operators solve for the remaining homogeneous part, so that the interior is not discretised.
+/// It has two parts, for forces and for heat.  A harmonic temperature has no stress in the plane
+/// except that of sources in holes.  For conducted heat the second part consists of boundary
+/// integrals instead of polynomials.
 ///
 /// Dimensionless, in the outline's scaled coordinates; regular at ν = 1/2.
 ///                                                             [doc/theory/body-loads.md]
 class ParticularSolution {
  public:
   ParticularSolution(const BodyLoads& loads, const bem::Lame& lame);
-  /// The same loads with this temperature in place of theirs.
+  /// The same forces with the temperature `heat`.
   ParticularSolution(const ParticularSolution& loads,
                      std::shared_ptr<const ConductedHeat> heat);
 
@@ -56,7 +56,7 @@ class ParticularSolution {
     bem::Vec2 displacement;
     double temperature = 0;
   };
-  /// At points inside, of which many at once cost least.
+  /// Values at points inside; many points in one call are cheapest.
   std::vector<Value> at(const std::vector<bem::Vec2>& points) const;
   bem::Vec2 displacement(bem::Vec2 place) const { return at({place})[0].displacement; }
   double temperature(bem::Vec2 place) const { return at({place})[0].temperature; }
@@ -65,10 +65,10 @@ class ParticularSolution {
   bem::Vec2 force(bem::Vec2 at) const;
   /// ½ σ : C⁻¹ σ in the plane, per volume, of forces and polynomial heat.
   double energyDensity(bem::Vec2 at) const;
-  /// What heat adds to σzz = ν (σxx + σyy) in plane strain.
+  /// Thermal part of σzz in plane strain, in addition to ν (σxx + σyy).
   double stressAcross(double temperature) const { return loads_.across * temperature; }
 
-  /// Of the parts alone.
+  /// Displacement of the forces; stress of the heat.
   bem::Vec2 displacementOfForces(bem::Vec2 at) const;
   Stress stressOfHeat(bem::Vec2 at) const;
 
@@ -108,7 +108,7 @@ class ParticularSolution {
   std::shared_ptr<const ConductedHeat> conducted_;
 };
 
-/// None: nothing acts inside.
+/// Null: no body loads.
 using Inside = std::shared_ptr<const ParticularSolution>;
 
 }  // namespace epafi::contact

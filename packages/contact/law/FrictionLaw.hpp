@@ -4,11 +4,11 @@
 
 namespace epafi::contact {
 
-/// How much shear a contact point carries:  |λₜ| ≤ s(λₙ).      [P (2)], doc/theory/friction.md
+/// Friction law |λₜ| ≤ s(λₙ) with slip bound s.                [P (2)], doc/theory/friction.md
 ///
-/// In the user's units.  What depends on the place, a coefficient, a threshold, is a field:
-/// `fields` are their values at the point, each >= 0, in the order of the law's rows.
-/// What does not is a member of the law's class.  s is monotone in each field.
+/// In the user's units.  Parameters that depend on the place (coefficient, threshold) are
+/// fields: `fields` contains their values at the point, each >= 0, in the order of the rows.
+/// Constant parameters are members of the class.  s is monotone in each field.
 class FrictionLaw {
  public:
   virtual ~FrictionLaw() = default;
@@ -21,17 +21,17 @@ class FrictionLaw {
 
   virtual bool dependsOnPressure() const { return true; }
 
-  /// Are the sides bonded?  Then the bound is infinite, the normal stress may have any sign,
-  /// and what the condition adds to the gap is a given jump.
+  /// Are the sides bonded?  Then the bound is infinite, the normal stress has any sign, and the
+  /// gap of the condition is a given jump of the displacement.
   virtual bool ties() const { return false; }
 };
 
 using FrictionLawMember = LawMember<FrictionLaw>;
 
-/// All laws: Epafi's own, and what a program adds.
+/// All laws, built-in ones and those added by a program.
 bem::Family<FrictionLawMember>& frictionLaws();
 
-/// Law, under each law its own keys, and Compliance under all but the first.
+/// Rows: Law, the keys of each law, and Compliance for all but the first law.
 bem::SchemaRows frictionRows();
 
 /// A law at one point, dimensionless: numbers only.
@@ -40,7 +40,7 @@ bem::SchemaRows frictionRows();
 class PointLaw {
  public:
   PointLaw() = default;  ///< no friction: s = 0
-  /// s = bound whatever the pressure; bound >= 0.
+  /// s = bound >= 0 at any pressure.
   explicit PointLaw(double bound) : bound_(bound) {}
   /// `stress`: the unit of dimensionless stresses.
   PointLaw(std::shared_ptr<const FrictionLaw> law, Vector fields, double stress)
@@ -61,10 +61,10 @@ class PointLaw {
   double bound_ = 0;
 };
 
-/// The friction of a boundary, and the compliance of its surfaces to shear [length/stress]:
-/// elastic shear is no slip.
+/// Friction law of a boundary and shear compliance of its surfaces [length/stress]; their
+/// elastic shear does not count as slip.
 struct Friction : LawOnBoundary<FrictionLaw> {
-  bem::Function compliance{};  ///< none: they are rigid
+  bem::Function compliance{};  ///< empty: zero
 
   bool ties() const { return law != nullptr && law->ties(); }
   PointLaw at(bem::Vec2 place, double stress) const {

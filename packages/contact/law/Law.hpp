@@ -14,7 +14,7 @@ namespace epafi::contact {
 
 using bem::Vector;
 
-/// A law's row in the table of its family.
+/// A law in the table of its family.
 template <class Law>
 struct LawMember {
   std::string name;
@@ -24,8 +24,8 @@ struct LawMember {
   std::function<std::shared_ptr<const Law>(const Teuchos::ParameterList&)> make;
 };
 
-/// A law on a boundary and its fields as functions of the place, both in the user's units.
-/// Without a law there is nothing.
+/// A law on a boundary and its fields as functions of a point, both in the user's units;
+/// null: no law.
 template <class Law>
 struct LawOnBoundary {
   std::shared_ptr<const Law> law;

@@ -6,20 +6,20 @@
 
 namespace epafi::contact {
 
-// What the tables of all laws have in common, for their .cpp files.
+// Common functions of the tables of laws, for their .cpp files.
 
 inline bool isField(const bem::SchemaRow& row) {
   return row.kind == bem::Kind::Expression;
 }
 
-/// A law that is made of fields alone.
+/// Table entry of a law whose parameters are all fields.
 template <class Law, class Own>
 LawMember<Law> lawOfFields(const char* name) {
   return {name, Own::rows(),
           [](const Teuchos::ParameterList&) { return std::make_shared<const Own>(); }};
 }
 
-/// Law, and under each law its own keys.
+/// Rows: Law, and the keys of each law.
 template <class Law>
 bem::SchemaRows lawRows(const bem::Family<LawMember<Law>>& laws, const char* meaning) {
   bem::SchemaRows table = {bem::Row("Law", bem::Kind::Text, meaning)

@@ -5,11 +5,11 @@
 
 namespace epafi::contact {
 
-/// How far the surfaces of a contact yield to its pressure: roughness, a coating, a gasket,
+/// Normal compliance φ of contact surfaces (roughness, coating, gasket):
 ///
 ///   uₙ <= g + φ(λₙ),   φ(0) = 0, increasing.                    doc/theory/surfaces.md
 ///
-/// In the user's units, with fields as a FrictionLaw has them, each > 0 unless the law is linear.
+/// In the user's units; fields as in FrictionLaw, each > 0 unless the law is linear.
 class NormalLaw {
  public:
   virtual ~NormalLaw() = default;
@@ -18,19 +18,19 @@ class NormalLaw {
   virtual double closing(double pressure, const Vector& fields) const = 0;
   /// dφ/dp > 0 at a pressure > 0; at zero it may be zero or infinite.
   virtual double slope(double pressure, const Vector& fields) const = 0;
-  /// ∫ s φ'(s) ds from 0 to p: what is stored per length [stress length].
+  /// Stored energy ∫ s φ'(s) ds, 0 ... p, per length [stress length].
   virtual double energy(double pressure, const Vector& fields) const = 0;
 
-  /// φ = slope p?  Such a law goes with any basis, and with bonds.
+  /// Is φ linear in p?  Linear laws are allowed with any basis and on bonded sides.
   virtual bool isLinear() const { return false; }
 };
 
 using NormalLawMember = LawMember<NormalLaw>;
 
-/// All laws: Epafi's own, and what a program adds.
+/// All laws, built-in ones and those added by a program.
 bem::Family<NormalLawMember>& normalLaws();
 
-/// Law, and under each law its own keys.
+/// Rows: Law, and the keys of each law.
 bem::SchemaRows normalRows();
 
 /// A law at one point, dimensionless: numbers only.
@@ -54,7 +54,7 @@ class PointClosing {
   bem::Units units_;
 };
 
-/// The normal law of a boundary; none: the surfaces do not yield.
+/// Normal law of a boundary; null: rigid surfaces, φ = 0.
 struct Normal : LawOnBoundary<NormalLaw> {
   /// \pre there is a law
   PointClosing at(bem::Vec2 place, bem::Units units) const {

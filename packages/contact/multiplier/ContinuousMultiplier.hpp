@@ -4,21 +4,21 @@
 
 namespace epafi::contact {
 
-/// λ + Σ c_i w_i, the function with the work of λ on every displacement v of its body that does
-/// not jump at nodes, as coefficients.
+/// Coefficients of λ + Σ c_i w_i, which does the same work as λ on all continuous displacements
+/// v of the space but has no jumps at nodes.
 ///
-/// The discrete equations know λ by ⟨λ, v⟩ alone, v continuous polynomials of its degree, so
-/// that every node between two contact elements has a jump that no equation sees,
+/// The discrete equations contain λ only in ⟨λ, v⟩, v continuous, so that at every node between
+/// two contact elements one jump is arbitrary,
 ///
 ///   w_i = e(t)/half before it, -e(-t)/half behind it,   ⟨w_i, v⟩ = v(x_i) - v(x_i) = 0,
 ///
-/// e as in bem::endValues.  [doc/theory/multipliers.md, What is shown]  Beside ends of contact
-/// and of stick that lie inside an element they are most of what λ errs by.
+/// e as in bem::endValues.  [doc/theory/multipliers.md, What is shown]  Next to elements with a
+/// transition these jumps are most of the error of λ.
 ///
-/// Left as they are: jumps at the outline's vertices and between two contacts; beside an element
-/// without stress, so that there is none; and of shear between two directions of slip, where
-/// λₜ reaches `bounds` from both sides, given as coefficients in place of the tangential ones.
-/// A multiplier whose neighbours share coefficients has no jumps.
+/// Jumps remain at vertices of the outline, between two contacts, next to an element with λ = 0
+/// (it keeps λ = 0), and for shear where the direction of slip changes, with |λₜ| = `bounds` on
+/// both sides.  Bases that share nodes have no jumps.
+/// \param bounds slip bounds in place of the tangential coefficients
 Vector withoutJumps(const bem::Mesh& mesh, const MultiplierSpace& space,
                     const Vector& multiplier, const Vector& bounds);
 

@@ -11,9 +11,9 @@ namespace epafi::contact {
 
 /// A basis of the polynomials of degree q >= 0 on [-1, 1], for one element's multiplier.
 ///
-/// All sum to one.  The signs of the coefficients stand for the sign of the multiplier:
-/// of its values at the nodes (Lagrange), everywhere (Bernstein's functions are
-/// nonnegative), or of its means weighted by the displacement's functions (dual basis).
+/// The functions sum to one.  Inequalities for coefficients replace those for the multiplier:
+/// for its values at the nodes (Lagrange), everywhere (Bernstein: nonnegative functions), or for
+/// its means weighted by the basis functions of the displacement (dual basis).
 ///                                                                        [P (12), (14)]
 struct MultiplierBasis {
   const char* name = "";
@@ -26,14 +26,14 @@ struct MultiplierBasis {
   /// neighbours have at a common node are one.  Stable without stabilisation, and only
   /// without.
   bool sharesNodes = false;
-  /// Coefficients are control points, no values: what is to be met is met otherwise, see
+  /// Coefficients are control points, not values; for bounds see
   /// boundCoefficients.
   bool controlPoints = false;
-  /// Above this degree rounding spoils the coefficients; Graded hp halves elements
-  /// instead of raising it.
+  /// Largest degree with accurate coefficients; above it Graded hp halves elements instead of
+  /// raising the degree.
   int largestDegree = bem::largestDegree;
-  /// Largest |f| on [-1, 1] of a polynomial f with |∫ f χ_i| <= ∫ χ_i for all i: what
-  /// small residuals of all coefficients leave open.  Null for values, as good as theirs.
+  /// Largest |f| on [-1, 1] of a polynomial f with |∫ f χ_i| <= ∫ χ_i for all i, the factor from
+  /// residuals of coefficients to pointwise residuals.  Null for values (factor about 1).
   double (*amplification)(int degree) = nullptr;
 };
 

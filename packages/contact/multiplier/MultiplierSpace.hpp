@@ -16,7 +16,7 @@ using bem::at;
 using bem::Index;
 using bem::Vector;
 
-/// Which of an element's first and last coefficients are unknowns of their own.
+/// Are the first and the last coefficient of an element unknowns?
 struct EndCoefficients {
   bool first = true;
   bool last = true;
@@ -26,26 +26,26 @@ struct EndCoefficients {
 const Conditions::Contact* contactOn(const bem::Mesh& mesh, int e,
                                      const Conditions& conditions);
 
-/// What an element's polynomial has at an end beyond the coefficient numbered there.
+/// Additional terms of the polynomial of an element at an end, see completeEnds.
 struct EndCompletion {
-  /// The displacement is prescribed there: it cannot be held to anything.
+  /// The displacement is prescribed there, and its contact condition is dropped.
   bool clamped = false;
   /// Numbers of coefficients and their weights.
   std::vector<std::pair<Index, double>> added;
 };
 
 /// The numbering of the multiplier: on each contact element of degree p, p+1 normal
-/// coefficients and, where there is friction, p+1 tangential ones.  No unknown exists
-/// that the scene does not need.  The normal ones of bonded sides, which may have any sign,
-/// count among the tangential ones, before them.               [P (12), (14), q = p]
+/// coefficients and, with friction, p+1 tangential ones.  Normal coefficients of bonded sides
+/// have any sign; they are numbered among the tangential ones, before
+/// them.                                                       [P (12), (14), q = p]
 ///
-/// Under a basis that shares nodes, neighbours on one smooth side have their common
-/// node's coefficient in common, all around a closed one.  At a side's end a coefficient exists only if the
-/// displacement can answer it there: clamps take one or both components, and where two
-/// contact sides meet at a corner their normals come first, friction gets what is left.
-/// In the inequalities a coefficient that does not exist takes its neighbour's value, or
-/// has no part in them under a clamp.  As a function, and in what clamps feel of it, the
-/// multiplier has there what polynomials of degree p - 1 have, see completeEnds.
+/// With a basis that shares nodes, neighbours on a smooth side share the coefficient of their
+/// common node, also around a closed line.  At the end of a side a coefficient exists only if
+/// the displacement has a free component for it: clamps fix one or both, and at a corner of
+/// two contact sides both normals have priority over friction.  In the inequalities a missing
+/// coefficient has the value of its neighbour; at a clamp it has no inequality.  In the
+/// multiplier as a function, and in reactions of clamps, it is such that the degree is p - 1, see
+/// completeEnds.
 class MultiplierSpace {
  public:
   struct ContactElement {
@@ -56,8 +56,8 @@ class MultiplierSpace {
     Index point = 0;        ///< number of the first of its p + 1 Gauss points
     Index normal = 0;       ///< number of the first normal coefficient
     Index tangential = -1;  ///< number of the first tangential one; -1: frictionless
-    /// Where the last node is the first one of an element before it in the mesh, which
-    /// closes a chain: that one's first coefficient.  Else -1.
+    /// If the last node closes a chain of elements, the first coefficient of the chain; else
+    /// -1.
     Index normalLast = -1;
     Index tangentialLast = -1;
     EndCoefficients normalEnds;
@@ -77,12 +77,12 @@ class MultiplierSpace {
                                        : tangential + offset(tangentialEnds, i);
     }
 
-    /// True of a coefficient at a clamped end: the displacement cannot be held to anything.
+    /// Is coefficient i at a clamped end, where the contact condition is dropped?
     bool holdsNothing(const std::array<EndCompletion, 2>& ends, int i) const {
       return (i == 0 && ends[0].clamped) || (i == degree && ends[1].clamped);
     }
 
-    /// False where another coefficient stands in for this one.
+    /// Is coefficient i an unknown, not replaced by another one?
     static bool isOwn(EndCoefficients ends, int degree, int i) {
       return (ends.first || i > 0) && (ends.last || i < degree);
     }
@@ -108,10 +108,10 @@ class MultiplierSpace {
   const std::vector<ContactElement>& elements() const { return elements_; }
   /// Their indices in the mesh.
   std::vector<int> meshElements() const;
-  /// How many coefficients are pressures, which are the first ones.
+  /// Number of pressure coefficients, which come first.
   Index normals() const { return normals_; }
   Index size() const { return size_; }
-  /// How many Gauss points there are, degree + 1 on each element.
+  /// Number of Gauss points, degree + 1 on each element.
   Index points() const;
 
   /// λₙ and λₜ (dimensionless) at a point of a contact element; λₜ = 0 without friction.

@@ -6,14 +6,14 @@
 
 namespace epafi::contact {
 
-/// Directions in which the displacements of nodes are spoken for.
+/// Directions in which the displacements of nodes are constrained.
 class NodeDirections {
  public:
-  /// What of the direction is left at the node.
+  /// Component of `direction` orthogonal to the constrained directions of the node.
   bem::Vec2 rest(int node, bem::Vec2 direction) const;
 
-  /// Takes it.  True if the node could still move that way, which it now cannot: if at
-  /// least 1e-2 of the unit direction is left.
+  /// Constrains rest(node, direction) and returns true, if its norm is at least 1e-2 for a unit
+  /// vector; else returns false.
   bool take(int node, bem::Vec2 direction);
 
   bool anyAt(int node) const { return taken_.count(node) > 0; }
@@ -22,7 +22,7 @@ class NodeDirections {
   std::map<int, std::vector<bem::Vec2>> taken_;  // orthonormal
 };
 
-/// What Dirichlet conditions take.
+/// Directions constrained by Dirichlet conditions.
 NodeDirections clampedDirections(const bem::Mesh& mesh, const Conditions& conditions);
 
 /// Weights a with  c_end = Σ_i a_i c_i  for the coefficients c of every polynomial of

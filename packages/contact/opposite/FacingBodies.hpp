@@ -10,10 +10,10 @@
 
 namespace epafi::contact {
 
-/// The boundary of another body that a contact side meets.
+/// Boundary of the opposite body of a contact side.
 struct MetSide {
-  int body = -1;                   ///< which of the bodies that deform; -1: it does not
-  int rigid = -1;                  ///< which of those that do not
+  int body = -1;                   ///< index of a deformable body; -1: rigid
+  int rigid = -1;                  ///< index of a rigid body
   std::vector<bem::Curve> curves;  ///< elements or edges, in the scaling of that body
   std::vector<int> elements;  ///< their numbers in its mesh; empty: it does not deform
   std::vector<int> degrees;   ///< likewise
@@ -22,11 +22,11 @@ struct MetSide {
   bem::Vec2 pole{};           ///< reference point of what does not deform
 };
 
-/// What the contact sides of a body meet where a scene has several: the outlines of other
-/// bodies, found along the side's normals, and obstacles at a distance elsewhere.
+/// Opposite sides in a scene with several bodies: outlines of other bodies, found along the
+/// normals of the contact side, and obstacles at a given distance elsewhere.
 ///
-/// The gap is the distance along the normal plus what the condition adds, the latter alone
-/// where sides are bonded: as they are drawn.  Breaks are the feet of the nodes opposite.
+/// The gap is the distance along the normal plus the gap of the condition; on bonded sides
+/// only the latter.  Breaks are the projections of the opposite nodes.
 ///                                                    [doc/theory/contact.md, Several bodies]
 class FacingBodies final : public Opposite {
  public:
@@ -60,7 +60,7 @@ class FacingBodies final : public Opposite {
   DistantObstacle distant_;
   std::map<std::string, MetSide> met_;
   std::vector<Sight> sights_;  ///< by element of the mesh
-  /// By body and its element: what faces it, of sights_ and of their stretches.
+  /// By body and element: indices into sights_ and their stretches that face it.
   std::map<std::pair<int, int>, std::vector<std::pair<std::size_t, std::size_t>>> facing_;
 };
 

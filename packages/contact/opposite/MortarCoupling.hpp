@@ -6,11 +6,11 @@
 
 namespace epafi::contact {
 
-/// What the multiplier that one body's side carries does to a body B that it meets:
+/// Mortar coupling of a multiplier with the displacements of the opposite body B:
 ///
 ///   C_ij = - ∫ χ_i d_i · φ_j∘P ds,   d_i: n or t of the side, P: Opposite::at,
 ///
-/// of B's displacements, with the rotation of a B that has arcs.
+/// with the exact rotation of B if it has arcs.
 struct MortarCoupling {
   std::vector<bem::Entry> entries;                ///< displacements of B by multipliers
   std::shared_ptr<const bem::Rotation> rotation;  ///< of B; null without arcs
@@ -22,14 +22,14 @@ struct MortarCoupling {
   void push(const Vector& multiplier, Vector& force) const;
 };
 
-/// For body B of this number.  Both bodies count in the same lengths and stresses.
+/// Mortar coupling with body number `body`, whose space is `met`.  \pre both bodies share Units
 MortarCoupling mortarCoupling(const bem::Mesh& side, const MultiplierSpace& multiplier,
                               const Opposite& opposite, const bem::Space& met,
                               int body = 0);
 
-/// What integrates λ against displacements opposite, between two breaks: exact where both
-/// elements are straight, so that P is linear, and to rounding where they turn.  Forces on B
-/// are sums of this rule, so that actio is reactio.
+/// Quadrature rule for λ times opposite displacements between two breaks: exact on straight
+/// elements, where P is linear, and up to rounding on arcs.  Forces on both bodies use this
+/// rule, so that they balance.
 const bem::Rule& mortarRule(const MultiplierSpace::ContactElement& contact,
                             const bem::Element& side, const bem::Element& met);
 

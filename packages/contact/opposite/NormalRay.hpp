@@ -17,15 +17,15 @@ struct Crossing {
   double t = 0;
 };
 
-/// Of the crossings with the whole line or circle that a curve is a part of and that face x,
-/// n · n(t) < 0: the one of smallest |s| among those with |t| <= 1 (but for rounding), else the
-/// one with the smallest |t|; nothing where there is none.
+/// Crossing with the full line or circle of a curve at a point that faces x, n · n(t) < 0: the one
+/// with the smallest |s| among those with |t| <= 1 (up to rounding), else the one with the
+/// smallest |t|; empty if there is none.
 std::optional<Crossing> crossing(bem::Vec2 x, bem::Vec2 n, const bem::Curve& curve);
 
-/// Is a crossing on its curve, but for rounding?
+/// Is a crossing on its curve, up to rounding?
 inline bool isOn(const Crossing& crossing) { return std::abs(crossing.t) <= 1 + 1e-11; }
 
-/// The parameter t of the side's point whose normal's line leads to y; it may lie outside
+/// Parameter t of the point of the side whose normal line contains y; it may be outside
 /// [-1, 1].
 double footOn(const bem::Curve& side, bem::Vec2 y);
 
@@ -36,9 +36,9 @@ struct Facing {
   int curve = 0;  ///< index into the curves opposite
 };
 
-/// What of a side faces which of some curves, in order: at each point that of the smallest
-/// |s| <= reach, gaps between the stretches where nothing is opposite.  Stretches end where the
-/// ends of curves, and points where they turn away, lie opposite.
+/// Stretches of a side and the curves that they face, ascending in t: at each point the curve with
+/// the smallest |s| <= reach; parts of the side that face no curve are omitted.  Stretches end
+/// opposite to ends of curves and to points where curves turn away.
 std::vector<Facing> facing(const bem::Curve& side,
                            const std::vector<bem::Curve>& opposite, double reach);
 

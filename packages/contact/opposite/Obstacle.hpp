@@ -7,16 +7,16 @@
 
 namespace epafi::contact {
 
-/// g_i = <g, χ_i>, dimensionless, and what limits the tangential coefficients.
+/// Gap g_i = <g, χ_i> and data of the laws for the condensed problem, dimensionless.
 struct Obstacle {
   Vector gap;  ///< per normal coefficient
-  /// Per coefficient of the multiplier: of bonded sides likewise, of tangential ones <m, χ_i>,
-  /// m what slides by.
+  /// Per coefficient: <g, χ_i> on bonded sides; tangential ones also <m, χ_i>, m the given
+  /// sliding of the opposite side.
   Vector jump;
   std::vector<Tangential> tangentials;
-  Surface surface;                ///< what the sides yield by
-  Vector slid;                    ///< m at the elements' Gauss points
-  Vector wear;                    ///< n k there: what a pressure wears off per slip
+  Surface surface;                ///< compliance of the surfaces
+  Vector slid;                    ///< m at the Gauss points of the elements
+  Vector wear;                    ///< n k there: worn depth per pressure and slip
   double largestSliding = 0;      ///< max of |m|
   double largestPenetration = 0;  ///< max of -g, of |g| where sides are bonded
 };

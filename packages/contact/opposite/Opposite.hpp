@@ -6,8 +6,8 @@
 
 namespace epafi::contact {
 
-/// A small motion of a body that does not deform, `slide` + `turn` e_z x arm, the arm from
-/// its reference point.
+/// Small motion `slide` + `turn` e_z x arm of a rigid body; arm: vector from its reference
+/// point.
 struct RigidMotion {
   bem::Vec2 slide{};
   double turn = 0;  ///< [radian]
@@ -17,34 +17,34 @@ struct RigidMotion {
 
 using bem::Matrix;
 
-/// What the side that carries the multiplier meets, seen from its points.
+/// The opposite side as a function of points of the side that carries the multiplier.
 class Opposite {
  public:
   virtual ~Opposite() = default;
 
   struct Point {
-    double gap = 0;    ///< along the side's outward normal, dimensionless
-    int element = -1;  ///< of the body that is met; -1: nothing that deforms
-    double t = 0;      ///< where on it
-    int body = 0;      ///< which of the bodies that deform
-    int rigid = -1;    ///< which of those that do not; -1: none that moves
-    bem::Vec2 arm{};   ///< on it from its reference point, dimensionless
+    double gap = 0;    ///< along the outward normal, dimensionless
+    int element = -1;  ///< of the opposite body; -1: not deformable
+    double t = 0;      ///< parameter on that element
+    int body = 0;      ///< index of the deformable body
+    int rigid = -1;    ///< index of the rigid body; -1: none, or fixed
+    bem::Vec2 arm{};   ///< from its reference point, dimensionless
   };
   /// \pre -1 <= t <= 1.
   virtual Point at(const MultiplierSpace::ContactElement& element, double t) const = 0;
 
-  /// Where at() bends or jumps inside an element, increasing within (-1, 1).
+  /// Kinks and jumps of at() in an element, ascending in (-1, 1).
   virtual Vector breaks(const MultiplierSpace::ContactElement& /*element*/) const {
     return {};
   }
 
-  /// The largest degree of what is met on an element; 0 where it does not deform.
+  /// The largest degree of the elements opposite to an element; 0 if none is deformable.
   virtual int degree(const MultiplierSpace::ContactElement& /*element*/) const {
     return 0;
   }
 
-  /// The places of the side that are opposite to a place on an element of a body that
-  /// deforms, for what acts on that: the side's length there per length of what is met.
+  /// A point of the side opposite to a point of a deformable body; stretching: ds of the side over
+  /// ds of the body.
   struct Source {
     const MultiplierSpace::ContactElement* element;
     double t;
@@ -59,7 +59,7 @@ class Opposite {
   /// Does nothing that is met move at all?
   virtual bool isStill() const { return true; }
 
-  /// Which bodies that deform are met, each once.
+  /// Indices of the opposite deformable bodies, each once.
   virtual std::vector<int> bodies() const { return {}; }
 };
 
@@ -71,7 +71,7 @@ struct Stretch {
 std::vector<Stretch> stretches(const Opposite& opposite,
                                const MultiplierSpace::ContactElement& element);
 
-/// A rigid obstacle that the scene gives by its distance; it may bend anywhere.
+/// A rigid obstacle given by its distance, which may have kinks anywhere.
 class DistantObstacle final : public Opposite {
  public:
   /// \param length of 1, in the user's units.  Refers to the mesh.
@@ -83,16 +83,16 @@ class DistantObstacle final : public Opposite {
   double length_;
 };
 
-/// How the bodies of a scene move: what contact between them is measured by.
+/// Displacements and motions of all bodies of a scene, for relative displacements.
 struct Motions {
   std::vector<const bem::Space*> spaces;
   std::vector<const Vector*> displacements;
-  std::vector<RigidMotion> rigid{};  ///< of bodies that do not deform, dimensionless
+  std::vector<RigidMotion> rigid{};  ///< of rigid bodies, dimensionless
   Vector shearModuli;                ///< dimensionless
-  std::vector<Inside> inside{};      ///< what acts inside each; none: nothing does
+  std::vector<Inside> inside{};      ///< body loads; empty: none
 };
 
-/// Of what is met at a point, dimensionless; null: it stands still.
+/// Displacement of the opposite point, dimensionless; zero if `motions` is null.
 bem::Vec2 motionAt(const Motions* motions, const Opposite::Point& point);
 
 }  // namespace epafi::contact

@@ -5,17 +5,17 @@
 
 namespace epafi::contact {
 
-/// A point of a contact side's quadrature, and what it meets.
+/// A quadrature point of a contact side and its opposite point.
 struct SidePoint {
   const MultiplierSpace::ContactElement& contact;
   double t;
-  double weight;  ///< sums over points of this and a function are its integrals ds
+  double weight;  ///< quadrature weight, by arc length
   bem::Vec2 normal;
   bem::Vec2 tangent;
   Opposite::Point met;
 
-  /// visit(number, χ_i(t), d) of the element's coefficients that the displacement can be held
-  /// to, d: the direction in which one acts; χ: the values of its basis functions at t.
+  /// Calls visit(number, χ_i(t), d) for the coefficients of the element, without those at
+  /// clamped ends.  d: normal or tangent; chi: values χ_i(t).
   template <class Visit>
   void forEachCoefficient(const Vector& chi, const Visit& visit) const {
     for (int i = 0; i <= contact.degree; ++i) {
@@ -28,9 +28,9 @@ struct SidePoint {
   }
 };
 
-/// visit(point) of the points by which integrals over a body's contact sides are taken, in order:
-/// on each stretch those of *ruleOf(contact element, what the stretch's middle meets); null:
-/// the stretch is left out.
+/// Calls visit(point) for the quadrature points of the contact sides of a body, in order: on each
+/// stretch those of *ruleOf(contact element, opposite point of its midpoint); stretches with a
+/// null rule are skipped.
 template <class RuleOf, class Visit>
 void forEachSidePoint(const bem::Mesh& side,
                       const std::vector<MultiplierSpace::ContactElement>& elements,

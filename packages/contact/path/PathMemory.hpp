@@ -7,27 +7,26 @@
 
 namespace epafi::contact {
 
-/// What a path has done so far on one mesh, and what its next step must know.
+/// History of a path on one mesh: works so far, and data for the next step.
 ///
 /// Energies are dimensionless.  Works are sums over the steps,
 ///
 ///   friction      Σ σₜ,i Δrₜ,i   each term >= 0: the discrete problem's own weights
 ///   trapezoidal   Σ ½ (λₜ,i + λₜ,i⁻) Δrₜ,i
 ///   outside       Σ ½ (f + f⁻)·Δu + ½ (R + R⁻)·Δu - ½ (λₙ + λₙ⁻)·Δg
-///   worn          Σ ½ (λₙ + λₙ⁻)·Δw, what worn material takes
+///   worn          Σ ½ (λₙ + λₙ⁻)·Δw, by the worn depth w
 ///
-/// over all bodies, of loads f, clamps R and obstacles that move; a body that does not deform
-/// adds what moves it times its motion.  ⁻: the step before, at first no load and no
-/// displacement.                                        [doc/theory/paths.md, Energies]
+/// over all bodies, for loads f, reactions R and moving obstacles; a rigid body adds its driving
+/// force times its motion.  ⁻: previous step, initially zero load and displacement.
+///                                                      [doc/theory/paths.md, Energies]
 ///
-/// Where something acts inside bodies, f and u are those of the equations, u less the particular
-/// solution u_p, which moves the sides as a gap does: ½ (λ + λ⁻)·Δu_p more.
+/// With body loads, u excludes the particular solution u_p, which acts like a gap and adds
+/// ½ (λ + λ⁻)·Δu_p.
 class PathMemory {
  public:
-  /// The shear σₜ that slips: ± s of the step's end, which is λₜ, or ± ½ (s + min(s⁻, 3 s)).
-  ///
-  /// What slips does so at its bound all along, so that both are exact where bounds stay; where they
-  /// change the first errs by the first order in the step, the second by the second.
+  /// Shear σₜ of the friction work: AtEnd ± s at the end of the step, which is λₜ; Mean
+  /// ± ½ (s + min(s⁻, 3 s)).  Since |λₜ| equals the bound during slip, both are exact for constant
+  /// bounds; for others the error is of first and of second order in the step.
   enum class Shear { AtEnd, Mean };
 
   /// \param atZero the problem at t = 0, for the gaps and bounds to begin with
@@ -37,18 +36,18 @@ class PathMemory {
   void add(const ContactSystem& step, const Configuration& at);
 
   const Vector& slip() const { return slip_; }      ///< rₜ, see ContactSystem::Step
-  const Vector& defect() const { return defect_; }  ///< likewise
+  const Vector& defect() const { return defect_; }  ///< see ContactSystem::Step
   double largestLoad() const { return largestLoad_; }
   const std::vector<Wear>& wear() const { return wear_; }  ///< of each body
 
-  /// Friction's work so far, one number per tangential coefficient, none ever falls.
+  /// Friction work so far, nondecreasing, one number per tangential coefficient.
   const Vector& frictionWork() const { return friction_; }
   double friction() const;
-  /// How far two ways to one time on one mesh are apart.
+  /// Difference of two paths with the same mesh and time.
   struct Difference {
     double work = 0;  ///< Σ |w_i - w_i'|, of friction so far
-    /// Σ s_i |rₜ,i - rₜ,i'|, the work of friction in what one remembers and the other does not:
-    /// of slip before a place closed, which has done none.
+    /// Σ s_i |rₜ,i - rₜ,i'|: the difference of the stored slips as friction work, including slip of
+    /// open points, which has done no work.
     double slip = 0;
     double volume = 0;  ///< Σ |∫ (w - w') χ_i|
   };
@@ -58,8 +57,8 @@ class PathMemory {
   double worn() const { return ofWear_; }
   double wornVolume() const;
 
-  /// outside - trapezoidal - worn - what is stored: zero but for steps in which contact opens or
-  /// closes, and there of second order in the step.
+  /// outside - trapezoidal - worn - stored: zero except for steps in which contact opens or
+  /// closes; then of second order in the step.
   double imbalance(double stored) const {
     return outside_ - trapezoidal_ - ofWear_ - stored;
   }
@@ -75,19 +74,19 @@ class PathMemory {
   double ofWear_ = 0;
   std::vector<Wear> wear_;
   Vector worn_;  ///< ∫ w χ_i
-  // of the step before
+  // of the previous step
   Vector multiplier_;
   Vector bounds_;
   Vector
       motions_;  ///< displacements of all bodies and motions of those that do not deform
-  Vector forces_;  ///< f + R, and what moves these
+  Vector forces_;  ///< f + R, and driving forces of rigid bodies
   Vector gap_;
-  Vector jump_;  ///< of bonded sides, and what slid by
+  Vector jump_;  ///< of bonded sides, and given sliding
   Vector ofInside_;
 };
 
-/// Friction's work so far of each contact of a body, see nameOf; dimensionless, likewise its
-/// part of frictionWork.
+/// Friction work of each contact of a body, by name (see nameOf), from the body's part of
+/// frictionWork; both dimensionless.
 std::map<std::string, double> frictionWorkOfContacts(const MultiplierSpace& multiplier,
                                                      const Vector& frictionWork);
 

@@ -5,13 +5,13 @@
 
 namespace epafi::contact {
 
-/// Where Newton's method begins in the next step of a path: the last solution, or on the line
-/// through the last two as far as the load goes on along it,
+/// Start of Newton's method in the next step of a path: the last solution, or the extrapolation
+/// of the last two by the load,
 ///
 ///   x = x_k + f (x_k - x_{k-1}),   f = <ℓ - ℓ_k, ℓ_k - ℓ_{k-1}> / |ℓ_k - ℓ_{k-1}|²,   f > 0,
 ///
-/// ℓ = (c d₀, q / Σ|G|) the load as stresses, without what slipped before, x₀ = 0.  Of the two
-/// the one in which fewer coefficients leave the last solution's sets.
+/// ℓ = (c d₀, q / Σ|G|) the load as stresses, without previous slip, x₀ = 0.  Chooses the one in
+/// which fewer coefficients change their state from the last solution.
 class Prediction {
  public:
   /// \param atZero the problem at t = 0

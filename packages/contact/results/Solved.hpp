@@ -8,15 +8,15 @@ namespace epafi::contact {
 
 struct Solved;
 
-/// Tractions on a body that come from other bodies' multipliers, dimensionless.
+/// Tractions on a body by multipliers of other bodies, dimensionless.
 class ForeignPressure {
  public:
   ForeignPressure() = default;
-  /// On body b among all of them, which must outlive it.
+  /// Tractions on body b.  Refers to the bodies.
   ForeignPressure(std::size_t b, const std::vector<Solved>& bodies);
 
   bem::Vec2 at(int element, double t) const;
-  /// Where it jumps inside an element, within [-1, 1], in any order.
+  /// Jumps inside an element, in [-1, 1], unsorted.
   Vector breaks(int element) const;
 
  private:
@@ -24,42 +24,42 @@ class ForeignPressure {
   int body_ = -1;
 };
 
-/// Everything that the results of a body are computed from.
+/// The solution of a body and the data from which results are computed.
 struct Solved {
   const bem::Space& space;
   const bem::SteklovPoincare& stiffness;
   const ContactProblem& problem;
   const Conditions& conditions;
   bem::Units units;
-  const State& state;          ///< of the body's own multiplier and rigid motions
+  const State& state;          ///< multiplier and rigid motions of this body
   const Vector& displacement;  ///< all unknowns, dimensionless
   Vector met{};                ///< see ContactProblem::displacement
   ForeignPressure pressed{};
-  const Motions* motions = nullptr;  ///< of all bodies; null: what is met does not deform
-  /// The displacement of the step before in a step of a path, friction counts slip from
-  /// there; else null, and slip counts from zero.
+  const Motions* motions = nullptr;  ///< of all bodies; null: opposite sides are fixed
+  /// In a step of a path the displacement of the previous step, from which slip is measured;
+  /// else null, and slip is measured from zero.
   const Vector* displacementBefore = nullptr;
-  const Motions* motionsBefore = nullptr;        ///< likewise of all bodies
-  const State* stateBefore = nullptr;            ///< likewise; null: nothing acted
-  const Conditions* conditionsBefore = nullptr;  ///< likewise; null: there were none
-  const Wear* wear = nullptr;                    ///< behind a step of a path; else null
+  const Motions* motionsBefore = nullptr;        ///< of all bodies, previous step
+  const State* stateBefore = nullptr;            ///< previous step; null: zero
+  const Conditions* conditionsBefore = nullptr;  ///< previous step; null: none
+  const Wear* wear = nullptr;                    ///< after a step of a path; else null
 
-  /// u, the particular solution's included, dimensionless.
+  /// u including the particular solution, dimensionless.
   bem::Vec2 displacementAt(int element, double t) const {
     return whole(displacement, conditions.inside, element, t);
   }
-  /// What acted inside in the step before.
+  /// Particular solution of the previous step.
   Inside insideBefore() const {
     return conditionsBefore == nullptr ? nullptr : conditionsBefore->inside;
   }
-  /// That of the step before, zero without one.
+  /// displacementAt of the previous step; zero without one.
   bem::Vec2 displacementBeforeAt(int element, double t) const {
     return displacementBefore == nullptr
                ? bem::Vec2{}
                : whole(*displacementBefore, insideBefore(), element, t);
   }
 
-  /// [u] = u - u of what is met, dimensionless.
+  /// [u] = u - u of the opposite point, dimensionless.
   bem::Vec2 relativeDisplacement(const MultiplierSpace::ContactElement& element, double t,
                                  const Opposite::Point& opposite) const {
     return displacementAt(element.element, t) - motionAt(motions, opposite);

@@ -18,13 +18,13 @@ struct Resultant {
 /// energies [stress length²], forces [stress length], moment [stress length²], lengths.
 struct Summary {
   double energyStrain = 0;  ///< ½ <W u, u> + ½ <V ψ, ψ>; without Form Density ½ uᵀ S u
-  double energyLoad = 0;       ///< fᵀ u, what acts inside included
+  double energyLoad = 0;       ///< fᵀ u, body loads included
   double forceNormal = 0;      ///< ∫ λₙ over all contact sides
   double forceTangential = 0;  ///< ∫ λₜ
   Resultant load;              ///< of the Neumann data
-  Resultant inside;            ///< of what acts inside
+  Resultant inside;            ///< of body loads
   Resultant contact;           ///< of all contact sides: ∫ -λₙ n - λₜ t
-  /// The part of it that comes from what does not deform: obstacles and rigid bodies.
+  /// Part of `contact` by obstacles and rigid bodies.
   Resultant obstacle;
   Resultant reaction;        ///< of clamps and fixed rigid motions
   RigidMotion motion;        ///< mean of u over the boundary, see RigidModes
@@ -34,9 +34,9 @@ struct Summary {
   double wornVolume = 0;     ///< ∫ w [length²]
 };
 
-/// Reactions come from the residual of the discrete equations at the constrained
-/// unknowns, paired with rigid motions, contact forces from the multiplier as a function,
-/// loads from the data: none knows of the others, so that
+/// Reactions are computed from the residual of the discrete equations at constrained unknowns
+/// times rigid motions, contact forces from the multiplier as a function, loads from the data.
+/// Since these are independent,
 ///
 ///   load + inside + contact + reaction = 0    in x, y and moment
 ///
@@ -52,16 +52,16 @@ struct EnergiesOfInside {
 };
 EnergiesOfInside energiesOfInside(const Solved& solved);
 
-/// The same of every body; a force between two bodies is in the `contact` of both, what they
-/// do to each other in the lengths and energies of the one that carries the multiplier.
+/// Summaries of all bodies.  A force between two bodies is in `contact` of both; lengths and
+/// energies of their contact are those of the body that carries the multiplier.
 std::vector<Summary> summarizeAll(const std::vector<Solved>& bodies);
 
 /// Sums over all bodies, where forces between them cancel: `contact` is that of obstacles.
 Summary sumOf(const std::vector<Summary>& bodies);
 
-/// What contact sides add to a Summary, for each contact alone, see nameOf.
+/// Contributions of contact sides to a Summary, by name of the contact, see nameOf.
 std::map<std::string, Summary> summarizeContacts(const Solved& solved);
-/// Their contactLength alone.
+/// contactLength by name of the contact.
 std::map<std::string, double> contactLengths(const Solved& solved);
 
 /// Which displacements a Dirichlet condition prescribes.

@@ -13,27 +13,27 @@ class ParameterList;
 
 namespace epafi::contact {
 
-/// What Newton's method does for problems with given slip bounds.
+/// Options of ContactSolver.
 struct ContactSolverOptions {
   double tolerance = 1e-12;    ///< scaled residual, relative to the load
   int maximumIterations = 50;  ///< steps of one run
-  double mostWork = 5e12;      ///< operations of all pivots of a solve, see
-                               ///< workOfPivot: some twenty minutes
+  double mostWork = 5e12;      ///< limit of operations of all pivots of a solve, see
+                               ///< workOfPivot; about twenty minutes
 };
 
 /// The keys of a list of these, and what a list that they have completed says.
 bem::SchemaRows contactSolverRows();
 ContactSolverOptions parseContactSolver(const Teuchos::ParameterList& list);
 
-/// What all solves are made of, see inStages; by itself it solves frictionless contact and
-/// Tresca's friction, whose slip bounds do not depend on the pressure.
+/// Solver for frictionless contact and Tresca friction, whose slip bounds do not depend on the
+/// pressure; its inStages() is also used by solvers for Coulomb friction.
 class ContactSolver final : public NonlinearSolver {
  public:
-  /// Where D is not formed, the offset is followed up to as many coefficients: more make a
-  /// table of more than half a gigabyte, and paths of many minutes.
+  /// If D is not formed, the offset is followed for at most this many coefficients: more need a
+  /// tableau of more than half a gigabyte and many minutes.
   static constexpr Index mostToPivot = 8000;
 
-  /// `newton` must outlive this.  `watch`: how far a path of offsets is.
+  /// Refers to `newton`.  \param watch receives the progress of a path of offsets
   explicit ContactSolver(const Newton& newton, ContactSolverOptions options = {},
                          OffsetWatch watch = {})
       : newton_(newton), options_(options), watch_(std::move(watch)) {}
@@ -42,17 +42,15 @@ class ContactSolver final : public NonlinearSolver {
   const ContactSolverOptions& options() const { return options_; }
   const OffsetWatch& watch() const { return watch_; }
 
-  /// In stages with the bound differentiated, of a problem known to be sound.
+  /// inStages() with the derivative of the bound in the Jacobian.
   Solution solveSound(const Problem& problem, const State& start) const override;
 
-  /// The stages of every solve, whatever the bound follows:
+  /// The stages of a solve, for any slip bound; the second runs if the first fails:
   ///
-  ///   full steps      Newton's, at most `steps`; a start that knows the active sets is
-  ///                   swept before, see smoothed()
-  ///   follow offset   complementary pivoting from no start, of at most `mostWork` operations,
-  ///                   then Newton's last digits
-  ///
-  /// the second where the first fails.
+  ///   full steps      at most `steps` Newton steps; sweeps first if the start knows the active
+  ///                   sets, see smoothed()
+  ///   follow offset   complementary pivoting, independent of the start, at most `mostWork`
+  ///                   operations; then Newton steps to full accuracy
   Solution inStages(const Problem& problem, const State& start, Equation::Bound bound,
                     int steps) const;
 

@@ -4,8 +4,8 @@
 
 namespace epafi::contact {
 
-/// A whole Tresca problem per update of the slip bound; the update is shortened where the
-/// bound's change does not fall.
+/// Fixed point iteration: each update of the slip bound solves a Tresca problem; updates are
+/// damped if the change of the bound does not decrease.
 class CoulombFixedPoint final : public CoulombSolver {
  public:
   using CoulombSolver::CoulombSolver;

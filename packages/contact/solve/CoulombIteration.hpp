@@ -14,10 +14,10 @@ class ParameterList;
 
 namespace epafi::contact {
 
-/// How a slip bound that depends on the pressure is found.
+/// Options of the iteration for a slip bound that depends on the pressure.
 struct CoulombOptions {
   std::string iteration = "Newton";  ///< a name of coulombIterations()
-  double tolerance = 1e-10;          ///< change of the bound relative to the load
+  double tolerance = 1e-10;          ///< for the change of the bound relative to the load
   int maximumIterations = 100;       ///< updates of the bound
 };
 
@@ -37,8 +37,8 @@ class CoulombSolver : public NonlinearSolver {
   CoulombOptions options_;
 };
 
-/// A way to solve problems whose slip bound depends on the pressure, built on Newton's
-/// method and on what solves with given bounds, which must outlive it.
+/// A method for problems whose slip bound depends on the pressure; its solvers refer to the
+/// ContactSolver.
 struct CoulombIteration {
   const char* name;
   const char* meaning;
@@ -46,10 +46,10 @@ struct CoulombIteration {
                                            const CoulombOptions& options);
 };
 
-/// All of them; a program may add others before it reads its first scene.
+/// All iterations; a program may add others before it reads its first scene.
 bem::Family<CoulombIteration>& coulombIterations();
 
-/// The one that the options name.
+/// The solver named by the options.
 std::unique_ptr<NonlinearSolver> makeCoulomb(const ContactSolver& solver,
                                              const CoulombOptions& options);
 

@@ -5,23 +5,22 @@
 
 namespace epafi::contact {
 
-/// What a solution means for its bodies, once its displacements meet the conditions of contact
-/// by themselves.
+/// Defect correction of a solution, so that the displacements satisfy the contact conditions.
 ///
-/// A solution meets them by D λ and d₀, each as large as the bodies bend alone. Where contact
-/// holds a slender body its displacement is a small difference of the two, and what rounds in
-/// them, or is left out in compressed operators, has the size of D: 5e-2 of the displacement of
-/// a compressed beam of 1 : 100. Steps of Newton's method therefore follow, with D for its
-/// derivative,
+/// The condensed problem satisfies them with D λ and d₀, which are as large as the displacements
+/// of bodies without contact.  The displacement of a slender body held by contact is a small
+/// difference of both, and errors by rounding or compression have the size of D: 5e-2 of the
+/// displacement of a compressed beam of 1 : 100.  Therefore Newton steps follow, with D in the
+/// Jacobian,
 ///
 ///   J d = -F(λ, C u - M λ - g),   u = A⁺ (f - Cᵀ λ),
 ///
-/// where r is above 1e-10 of the displacement, down to 1e-12 or as long as it falls to a tenth;
-/// forces f - Cᵀ λ are in balance place by place, so that u has its digits.  A state that is no solution, F above 1e-8
-/// of the load, is passed through and never the result.
+/// if r exceeds 1e-10 of the displacement, until it is 1e-12 or a step reduces it by less than 10.
+/// The forces f - Cᵀ λ are small where they balance, so that u is accurate.  Intermediate states
+/// with F above 1e-8 of the load are never the result.
 ///                                                 [doc/theory/contact.md, Defect correction]
 ///
-/// Collective.  \pre the solution has converged: it is the result where nothing better is found.
+/// Collective.  Returns the given solution if no step improves it.  \pre it has converged
 Configuration corrected(const ContactSystem& system, State state,
                         const bem::Processes& processes);
 

@@ -11,7 +11,7 @@ class NonlinearSolver {
 
   /// Slow convergence is reported, not thrown.
   /// \throws bem::NumericalError if the arithmetic breaks down (singular Jacobian, NaN);
-  ///   NoBalance if nothing balances the load; what Newton throws for its own options.
+  ///   NoBalance if nothing balances the load; and exceptions of Newton for its options
   Solution solve(const Problem& problem, const State& start) const;
 
  private:

@@ -7,18 +7,18 @@
 
 namespace epafi::contact {
 
-/// The methods of which a solve is made.
+/// The methods within a solve.
 enum class Stage {
-  FullSteps,     ///< Newton's steps from the start, or from where sweeps lead
-  FollowOffset,  ///< complementary pivoting from an offset that is solved
-  NearStart,     ///< a few steps to a slip bound to begin with
+  FullSteps,     ///< Newton steps from the start, or from the result of sweeps
+  FollowOffset,  ///< complementary pivoting from an offset with known solution
+  NearStart,     ///< a few Newton steps for an initial slip bound
   FixedPoint     ///< updates of the slip bound
 };
 
-/// What one of them did.
+/// Result of a stage.
 struct StageRun {
   Stage stage = Stage::FullSteps;
-  int steps = 0;  ///< linear systems solved, those of its parts included
+  int steps = 0;  ///< linear systems solved, including those of parts
   double residual = 0;
   End end = End::Iterations;
   std::vector<StageRun> parts{};  ///< other methods that it ran

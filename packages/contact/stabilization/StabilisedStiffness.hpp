@@ -9,25 +9,25 @@
 
 namespace epafi::contact {
 
-/// The elements whose projected tractions the stabilisation takes from the assembly: give
-/// them to bem::assembleOperators.  Empty for the other forms.
+/// Elements whose projected tractions Form Projected needs, for bem::assembleOperators.  Empty for
+/// other forms.
 std::vector<int> tractionElements(const MultiplierSpace& multiplier,
                                   const Stabilization& stabilization);
 
-/// The space on a mesh, with the densities that the stabilisation wants on contact
+/// The space on a mesh, with the number of densities that the stabilisation needs on contact
 /// elements.
 bem::Space makeSpace(const bem::Mesh& mesh, const Conditions& conditions,
                      const Stabilization& stabilization);
 
-/// What Form Density adds to V: γ <P_i, P_i> on contact elements.  Give it to
-/// bem::SteklovPoincare.  Empty for the other forms.
+/// Compliance γ <P_i, P_i> on contact elements that Form Density adds to V, for
+/// bem::SteklovPoincare.  Empty for other forms.
 bem::LocalCompliance densityCompliance(const bem::Space& space,
                                        const MultiplierSpace& multiplier,
                                        const Stabilization& stabilization,
                                        const bem::Lame& lame, bem::Units units);
 
-/// S as the stabilisation of a contact problem on this space wants it, with all of the
-/// above; whoever times its parts puts them together alone.
+/// S for a contact problem with this stabilisation: assembles the operators with
+/// tractionElements() and densityCompliance().
 bem::SteklovPoincare makeStiffness(const bem::Space& space,
                                    const MultiplierSpace& multiplier,
                                    const Stabilization& stabilization,

@@ -8,12 +8,12 @@
 
 namespace epafi::contact {
 
-/// How λ + S u is weighted and evaluated in the stabilisation of [P (13)].
+/// Options of the stabilisation term γ (λ + S u) of [P (13)].
 struct Stabilization {
   enum class Form {
     Projected,  ///< S u projected onto polynomials of degree p on each element [P (42)]
-    Exact,      ///< S u at quadrature points graded to the element's ends      [P sec. 6]
-    Density,    ///< the density ψ in S u's place, an unknown (doc/theory/contact.md)
+    Exact,      ///< S u at quadrature points graded to the ends of the element [P sec. 6]
+    Density,    ///< the density ψ, an unknown, instead of S u (doc/theory/contact.md)
     None
   };
   enum class Scaling {
@@ -23,9 +23,8 @@ struct Stabilization {
 
   Form form = Form::Density;
   Scaling scaling = Scaling::Stiffness;
-  /// γ₀ > 0. Empty: 0.5 for Density, which nothing is too large for; else 0.1 or, on a mesh
-  /// where that loses definiteness, a quarter of where it is lost; only a number that is
-  /// given can be too large.
+  /// γ₀ > 0.  Empty: 0.5 for Density, which is stable for any γ₀; else 0.1 or, if the matrix is
+  /// then indefinite, a quarter of the largest γ₀ with a definite matrix.
   std::optional<double> gamma0;
   double beta = 0;  ///< >= 0
   double eta = 0;   ///< >= 0
@@ -37,12 +36,12 @@ struct Stabilization {
   }
 };
 
-/// γ on an element, dimensionless: scaled as the inverse inequality ||S u||_E <= c p h^(-1/2) of
-/// its neighbours demands, h the smallest size among them; zero under Form::None.
+/// γ on an element, dimensionless; h is the smallest size of the element and its neighbours, as
+/// the inverse inequality ||S u||_E <= c p h^(-1/2) requires.  Zero for Form::None.
 double gammaOn(const bem::Mesh& mesh, int element, const Stabilization& stabilization,
                double nu, bem::Units units);
 
-/// The keys of a list of these, and what a list that they have completed says.
+/// Schema of the options; and options from a list completed by it.
 bem::SchemaRows stabilizationRows();
 Stabilization parseStabilization(const Teuchos::ParameterList& list);
 
