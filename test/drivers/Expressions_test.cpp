@@ -76,8 +76,8 @@ TEUCHOS_UNIT_TEST(Constants, thatCannotBeAreRefused) {
   TEST_ASSERT(
       contains(complaintOf(text.xml()), "x, y, t, nx and ny and the constants load"));
   TEST_ASSERT(contains(complaintOf(text.xml()), "did you mean 'load'?"));
-  text.conditions = neumann("right", parameter("Traction X", "2*sinn(x)"));
-  TEST_ASSERT(contains(complaintOf(text.xml()), "did you mean 'sin'?"));
+  text.conditions = neumann("right", parameter("Traction X", "2*sqtr(x)"));
+  TEST_ASSERT(contains(complaintOf(text.xml()), "did you mean 'sqrt'?"));
   text.conditions = neumann("right", parameter("Traction X", "weight"));
   TEST_ASSERT(!contains(complaintOf(text.xml()), "did you mean"));
 }
