@@ -1,4 +1,4 @@
-"""Do the recipes of Debian and Spack name what a build needs?  python3 packaging.py ROOT
+"""Do the recipes of Debian and Spack name what a build needs?  python3 recipes.py ROOT
 
 Every package of the group `build` of cmake/packages.sh is in Build-Depends of debian/control (but
 the compiler, which Debian forbids to list), its libraries in Depends of libepafi-dev, and nothing
