@@ -77,6 +77,10 @@ def failure(code: int, complaint: str) -> EpafiError:
     return kinds.get(code, EpafiError)(message, code)
 
 
+# What mpirun tells the processes it starts: epafi run by one of these would wait for its ranks.
+LAUNCHER = ("OMPI_COMM_WORLD", "OMPI_MCA_ess", "OMPI_MCA_orte", "OMPI_MCA_pmix", "PMI",
+            "MPI_LOCAL")
+
 # What `call` waits for, by thread: only the main thread hears of an interrupt.
 RUNNING: dict[int, subprocess.Popen[str]] = {}
 
@@ -92,6 +96,8 @@ def call(arguments: Sequence[str], said: Optional[Callable[[str], Any]] = None,
     with tempfile.TemporaryFile("w+") as complaints:
         process = subprocess.Popen([program(), *arguments], stdout=subprocess.PIPE,
                                    stderr=complaints, text=True,
+                                   env={name: value for name, value in os.environ.items()
+                                        if not name.startswith(LAUNCHER)},
                                    # else Ctrl-C in a terminal reaches it twice, and the second
                                    # one ends it at once
                                    start_new_session=True)

@@ -12,7 +12,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from epafi.plot.figures import Pictures, plt
-from epafi.program import InputError
+from epafi.program import EpafiError
 from epafi.runs import Run
 from epafi.tables import HISTORY, Table, html_table, read, title_of
 
@@ -71,7 +71,7 @@ def intensities(folder: str) -> list[str]:
     """Nothing where no stress is singular; why, where they cannot be found."""
     try:
         table = Run(folder).intensities()
-    except InputError as error:
+    except EpafiError as error:
         return ['<p class="warning">No stress intensities: %s</p>' % html.escape(str(error))]
     return ["<h2>Stress intensities</h2>", html_table(
         list(table.columns), zip(*table.columns.values()))] if table.size else []
