@@ -8,9 +8,9 @@
 
 namespace epafi::adaptivity {
 
-/// What a contact element adds to the squared estimate as a function of the correction of
-/// its multiplier, up to a constant: h/p |λ̃ + S u|² exactly, the other terms by one Gauss
-/// rule.  For choosing a correction, of which any will do, not for the estimate itself.
+/// Contribution of a contact element to the squared estimate as a function of the correction
+/// of its multiplier, up to a constant: h/p |λ̃ + S u|² exactly, the other terms by one Gauss
+/// rule.  Used to choose a correction (any is valid), not for the estimate itself.
 class ContactCost {
  public:
   /// `moments`: ∫ r e(-t) ds and ∫ r e(t) ds of r = λʰ + S u, see endValue.
@@ -19,22 +19,22 @@ class ContactCost {
 
   double operator()(const AtEnds& correction) const;
 
-  /// Of h/p |λ̃ + S u|²: half its derivative, and the half of its second one by the start
-  /// or by the end.
+  /// Half the gradient of h/p |λ̃ + S u|², and half its second derivative with respect to a
+  /// component at the start or at the end.
   AtEnds slope(const AtEnds& correction) const;
   double curvature() const { return weight_ * self_; }
 
-  /// What of the cost corrections can change: the other terms without any, and the most
-  /// that one at an end takes from h/p |λ̃ + S u|².
+  /// Size of the part of the cost that depends on corrections: the other terms at zero, plus the
+  /// largest decrease of h/p |λ̃ + S u|² by a correction at one end.
   double scale() const { return scale_; }
 
-  /// Along these a correction leaves some term as it is: pressure, shear, and the two in
-  /// the ratio of friction; on an arc those of its middle.
+  /// Search directions that do not change one of the terms: pressure, shear, and both in the
+  /// ratio of friction; on an arc at its midpoint.
   const std::vector<bem::Vec2>& directions() const { return directions_; }
 
  private:
-  /// What stands at a point of the rule.  Ends: e(-t)/half and e(t)/half; Slack: (g-uₙ)⁺; Bound:
-  /// s where it does not follow the pressure.
+  /// Data of a quadrature point.  Start, End: e(-t)/half and e(t)/half; Slack: (g-uₙ)⁺; Bound: s
+  /// if it does not depend on the pressure.
   enum Number {
     NormalX,
     NormalY,
@@ -48,7 +48,7 @@ class ContactCost {
     Bound,
     Numbers
   };
-  /// Of eight points; those beyond the last have no weight.
+  /// Data of eight points; points beyond the last have weight zero.
   using Eight = std::array<bem::AlignedLane, Numbers>;
   struct Kernel;
 

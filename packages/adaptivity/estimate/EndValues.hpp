@@ -5,7 +5,7 @@
 
 namespace epafi::adaptivity {
 
-/// Something at the start and the end of an element.
+/// Vectors at the start and the end of an element.
 struct AtEnds {
   bem::Vec2 start;
   bem::Vec2 end;

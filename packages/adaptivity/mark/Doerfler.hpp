@@ -15,7 +15,7 @@ namespace epafi::adaptivity {
 /// all squares are zero.
 std::vector<int> doerfler(const bem::Vector& squares, double fraction);
 
-/// The same over the elements of all bodies together: of each body, its own.
+/// Marking over the elements of all bodies together; returns the marked elements of each body.
 std::vector<std::vector<int>> doerfler(const std::vector<bem::Vector>& squares,
                                        double fraction);
 

@@ -13,18 +13,18 @@ namespace epafi::adaptivity {
 
 struct GradingOptions;
 
-/// What Graded hp does where contact or friction changes its state.
+/// Treatment of transitions of contact or friction by the strategy Graded hp.
 struct Transitions {
   const char* name;
   const char* meaning;
   bool areSingular;  ///< do changes of state count as singular points?
-  /// Of an element with changes at these places, of which there are some, in order.
+  /// Mark of an element with changes of state at these places.  \pre ascending, not empty
   Mark (*mark)(const std::vector<double>& changes, int degree,
                const GradingOptions& options);
 };
 bem::Family<Transitions>& transitions();
 
-/// What it does with an element that touches no singular point.
+/// Treatment of elements that touch no singular point by Graded hp.
 struct SmoothElements {
   const char* name;
   const char* meaning;
@@ -32,7 +32,7 @@ struct SmoothElements {
 };
 bem::Family<SmoothElements>& smoothElements();
 
-/// The ingredients of Graded hp, each of which can be changed alone.
+/// Options of Graded hp.
 struct GradingOptions {
   double ratio = 0.1;  ///< in (0, 1/2]: size of a piece next to a singular point
   int degreeStep = 1;  ///< >= 0: what the piece away from it gains
@@ -42,7 +42,7 @@ struct GradingOptions {
   std::string smooth = "Raise Degree";     ///< a name of smoothElements()
 };
 
-/// The keys of a list of these, and what a list that they have completed says.
+/// Schema of the options; and options from a list completed by it.
 bem::SchemaRows gradingRows();
 GradingOptions parseGrading(const Teuchos::ParameterList& list);
 

@@ -10,7 +10,7 @@
 
 namespace epafi::adaptivity {
 
-/// What a strategy decides from: a body of a solved level, as numbers.
+/// Data of a body of a solved level, from which a strategy computes marks.
 struct LevelData {
   const bem::Mesh& mesh;
   std::vector<int> worst;      ///< elements that carry the marking fraction, see doerfler
@@ -19,7 +19,7 @@ struct LevelData {
   GradingOptions grading{};
 };
 
-/// Where the next level's iteration starts.
+/// Start of the iteration on the next level.
 enum class Start {
   Zero,    ///< as if it were the first level, so that levels can be compared
   Carried  ///< from this level's state, see refine
@@ -28,7 +28,7 @@ enum class Start {
 /// Whether it obeys GradingOptions.
 enum class Grading { Ignored, Obeyed };
 
-/// Which strategy, and what its marks depend on.
+/// Name and parameters of a strategy.
 struct StrategyOptions {
   std::string name = "None";          ///< a name of strategies()
   double markingFraction = 0.6;       ///< of the squared estimate, in (0, 1]
@@ -36,14 +36,14 @@ struct StrategyOptions {
   GradingOptions grading;
 };
 
-/// The keys of a list of these, and what a list that they have completed says.
+/// Schema of the options; and options from a list completed by it.
 bem::SchemaRows strategyRows();
 StrategyOptions parseStrategy(const Teuchos::ParameterList& list);
 
 /// Whether there is another level than the first.
 enum class Levels { One, Many };
 
-/// A way from one level to the next.
+/// A refinement strategy.
 struct Strategy {
   const char* name;
   const char* meaning;
@@ -63,7 +63,7 @@ SingularPoints singularPoints(const Strategy& strategy, const GradingOptions& op
                               const contact::MultiplierSpace& multiplier,
                               const std::vector<contact::ContactState>& states);
 
-/// The strategy's marks as rank 0 takes them; all processes must call.
+/// The marks of the strategy on rank 0.  Collective.
 Marks decide(const Strategy& strategy, const LevelData& level,
              const bem::Processes& processes);
 

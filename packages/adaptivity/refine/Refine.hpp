@@ -20,7 +20,7 @@ contact::Vector carryMultiplier(const bem::Mesh& fromMesh,
                                 const bem::Mesh& toMesh,
                                 const contact::MultiplierSpace& to);
 
-/// What happens to an element on the way to the next level.
+/// Refinement of an element for the next level.
 class Mark {
  public:
   enum Kind { None, Bisect, RaiseDegree, Cut };
@@ -52,7 +52,7 @@ class Mark {
 /// One mark per element.
 using Marks = std::vector<Mark>;
 
-/// Is there anything to do?
+/// Is any mark not None?
 bool anyMarked(const Marks& marks);
 
 /// The next mesh: bisected elements become two equal ones of the same degree, cut ones

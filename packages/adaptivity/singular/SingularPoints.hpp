@@ -8,21 +8,21 @@
 
 namespace epafi::adaptivity {
 
-/// How badly the solution behaves at a node.
+/// Strength of the singularity of the solution at a node.
 enum class Singularity {
   None,
   Weak,   ///< a corner, or where two boundaries or two kinds of condition meet
   Strong  ///< where a clamp ends, or where contact or friction changes its state
 };
 
-/// The finitely many points between which the solution is analytic, as far as they show.
+/// Known points between which the solution is analytic.
 struct SingularPoints {
-  /// Of each element's start node.
+  /// By element, of its start node.
   std::vector<Singularity> nodes;
   /// Places in (-1, 1) of each element where a contact or friction state changes: between
   /// two coefficients of the multiplier in different states, in the middle.
   std::vector<std::vector<double>> inside;
-  /// Of how many states they are: those of several lie where contact and stick end in turn.
+  /// Number of states whose points are united, see united().
   int states = 1;
 
   Singularity at(const bem::Mesh& mesh, int element, bool end) const {
@@ -31,19 +31,19 @@ struct SingularPoints {
   }
 };
 
-/// Those that the conditions alone tell.
+/// Singular points due to the conditions.
 SingularPoints findSingularPoints(const bem::Mesh& mesh,
                                   const contact::Conditions& conditions);
 
-/// And those of the solution.
+/// Singular points due to the conditions and to transitions of the solution.
 SingularPoints findSingularPoints(const bem::Mesh& mesh,
                                   const contact::Conditions& conditions,
                                   const contact::MultiplierSpace& multiplier,
                                   const contact::ContactState& states);
 
-/// Those of all states that they belong to, on one mesh: a node is as bad as the worst of them
-/// makes it, and places closer than a tenth of an element are one, the first state's.
-/// \pre at least one
+/// Union of the singular points of several states on one mesh: the strongest singularity at each
+/// node; places closer than a tenth of an element are merged to that of the first state.
+/// \pre not empty
 SingularPoints united(const std::vector<SingularPoints>& all);
 
 /// A place on an edge of the outline.
@@ -57,7 +57,7 @@ struct EdgePlace {
 SingularPoints withStrong(SingularPoints points, const bem::Mesh& mesh,
                           const std::vector<EdgePlace>& places);
 
-/// What the place of a multiplier's coefficient does.
+/// State of the point of a coefficient of the multiplier.
 struct PointState {
   contact::NormalState normal = contact::NormalState::Open;
   contact::FrictionState friction = contact::FrictionState::None;
@@ -68,8 +68,8 @@ struct PointState {
   bool operator!=(const PointState& other) const { return !(*this == other); }
 };
 
-/// Of coefficient i of an element.  Under a law that follows the pressure an open point
-/// has no friction state of its own.
+/// State of coefficient i of an element.  If the slip bound depends on the pressure, an open
+/// point has no friction state.
 PointState pointState(const contact::MultiplierSpace& multiplier,
                       const contact::MultiplierSpace::ContactElement& element, int i,
                       const contact::ContactState& states);

@@ -5,26 +5,26 @@
 
 namespace epafi::contact {
 
-/// A = S - S^ as an operator that leaves no rounding in the balance of forces.
+/// Operator A = S - S^ whose rounding errors do not affect the balance of forces.
 ///
 ///   A = Pᵀ (S - S^) P,   P u = u - Σ_k r_k <u, r_k> / <r_k, r_k>,  <.,.>: L2(boundary)
 ///
-/// In exact arithmetic rigid motions r are in the kernel of S and of S^, and P changes
-/// nothing.  The entries of S know it to ε |S| only; that is a force of ε |S| |u|, as
-/// large as the load times 1e-10 for a beam of 1:100 (u is 5000 times the load) or for nu
-/// = 0.4999999 (|S| is 5e6 times Young's modulus).  Sums have twice a double's digits for
-/// the same reason.
+/// In exact arithmetic rigid motions r are in the kernels of S and S^, and P changes nothing.
+/// The computed S satisfies this up to ε |S| only, an error of ε |S| |u| in the forces: 1e-10
+/// of the load for a beam of 1:100 (u is 5000 times the load) or for nu = 0.4999999 (|S| is
+/// 5e6 times Young's modulus).  For the same reason sums are computed with twice the digits
+/// of a double.
 class BalancedStiffness {
  public:
-  /// Refers to the stiffness, which must outlive it.
+  /// Refers to the stiffness.
   BalancedStiffness(const bem::SteklovPoincare& stiffness, RigidModes modes,
                     const Coupling& coupling);
 
   /// f - A u
   Vector residual(const Vector& force, const Vector& u) const;
 
-  /// uᵀ S u, to the rounding of what deforms the body: not of S's large entries where
-  /// nu -> 1/2 nor of a rigid motion in u.
+  /// uᵀ S u; the rounding error is relative to the result, neither to large entries of S as
+  /// nu -> 1/2 nor to a rigid motion in u.
   double stiffnessWork(const Vector& u) const;
 
  private:

@@ -8,7 +8,7 @@ namespace epafi::contact {
 
 class Opposite;
 
-/// What a body and the multiplier on it are made of.
+/// Data of a body and of the multiplier on it.
 struct BodyInput {
   const bem::Space& space;                ///< must outlive the problem
   const bem::SteklovPoincare& stiffness;  ///< must outlive the problem
@@ -17,11 +17,11 @@ struct BodyInput {
   const Conditions& conditions;  ///< must outlive the problem
   const MultiplierBasis& basis;
   Stabilization stabilization;
-  /// What its contact sides meet, in the order of the problem's bodies; null: obstacles at
-  /// the distances that the conditions say.
+  /// Opposite sides of its contact sides, bodies numbered as in the problem; null: obstacles at
+  /// the gap of the conditions.
   std::shared_ptr<const Opposite> opposite{};
-  /// Up to so many multipliers of all bodies D is formed where operators are compressed:
-  /// sweeps, pivots and steps with entries then cost less than eliminations in the tree.
+  /// With compressed operators, the largest number of multiplier coefficients of all bodies for
+  /// which D is formed, since this is then cheaper than eliminations in the tree.
   Index formedUpTo = 1000;
 };
 

@@ -5,8 +5,8 @@
 
 namespace epafi::contact {
 
-/// The forms that fit into a Coupling, where the stiffness is dense: those of [P], which insert
-/// the traction S u, the one by the density, and no stabilisation.
+/// A body with dense stiffness: all forms of the stabilisation, by their Coupling.
+/// \pre input.stiffness is formed
 std::unique_ptr<const StabilisedBody> makeCoupledBody(const BodyInput& input,
                                                       const MultiplierSpace& multiplier);
 

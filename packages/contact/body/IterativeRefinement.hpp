@@ -6,16 +6,15 @@
 
 namespace epafi::contact {
 
-/// A correction that large, relative to u, is rounding: of u itself, or of the residual's
-/// long doubles times the body's compliance.
+/// Corrections up to this size, relative to u, are rounding errors: of u, or of the residual
+/// (in long double) times the compliance of the body.
 constexpr double roundingOfCorrections = 1e-12;
 
-/// Iterative refinement, u + c(u) and so on: c(u) is what a factor makes of the residual
-/// at u.
+/// Iterative refinement u <- u + c(u), c(u) the solution with the factor for the residual at u.
 ///
-/// Ends with a correction that is no more than rounding, after four steps at the latest,
-/// and before one that is not below half the one before: the factor then knows too little
-/// of the matrix, and more steps would lead away.
+/// Ends if a correction is at most roundingOfCorrections, after four steps, or before a
+/// correction larger than half the previous one, since the factor is then too inaccurate to
+/// converge.
 bem::Vector refined(bem::Vector u,
                     const std::function<bem::Vector(const bem::Vector&)>& correction);
 

@@ -13,17 +13,17 @@ using bem::Vector;
 
 /// Loads and prescribed displacements as numbers, dimensionless.
 struct Loads {
-  /// f_j = ∫ traction · φ_j ds; where something acts inside less that of the particular
-  /// solution's traction, and with what this adds through the stabilisation.
+  /// f_j = ∫ traction · φ_j ds; with body loads minus that of the traction of the particular
+  /// solution, plus its term in the stabilisation.
   Vector load;
   Vector prescribed;          ///< displacement with the clamped values, zero elsewhere
   std::vector<char> clamped;  ///< per unknown: given by a Dirichlet condition?
   double largestTraction = 0;
   double largestDisplacement = 0;
 
-  /// Where something acts inside; else empty, and zero.
+  /// With body loads; else empty and zero.
   struct OfInside {
-    Vector given;     ///< ∫ traction · φ_j ds of what the conditions give alone
+    Vector given;     ///< ∫ traction · φ_j ds of the given traction
     Vector traction;  ///< ∫ t_p · φ_j ds
     double work = 0;  ///< ∫ given traction · u_p ds
     double largestDisplacement = 0;
@@ -34,8 +34,8 @@ struct Loads {
   }
 };
 
-/// \throws bem::InputError for a condition on a boundary that the mesh does not have, or
-///   on one boundary twice, but for a displacement along one axis and a traction along the other.
+/// \throws bem::InputError for a condition on an unknown boundary, or for two on one boundary,
+///   except a displacement along one axis and a traction along the other
 Loads makeLoads(const bem::Space& space, const Conditions& conditions, bem::Units units);
 
 /// ∫ φ_j · r ds for the rigid motions r of Space::rigidMotions, with the rotation about
@@ -48,7 +48,7 @@ struct RigidModes {
 
 RigidModes makeRigidModes(const bem::Space& space, const Conditions& conditions = {});
 
-/// ∫ u_p · r_k ds of these motions; empty: nothing acts inside.
+/// ∫ u_p · r_k ds for the rigid modes r_k; empty without body loads.
 Vector meansOf(const Conditions& conditions, const bem::Mesh& mesh, bem::Vec2 centroid);
 
 }  // namespace epafi::contact

@@ -10,8 +10,8 @@ struct Holding;
 class CompressedHolding;
 class MultiplierSpace;
 
-/// What the traction t_p of a particular solution, which does not depend on u and λ, adds through
-/// the residual λ + t_p + S u of the stabilisation; empty: nothing.  [doc/theory/body-loads.md]
+/// Terms of the traction t_p of a particular solution in the residual λ + t_p + S u of the
+/// stabilisation, independent of u and λ; empty: zero.               [doc/theory/body-loads.md]
 struct ResidualTerms {
   Vector force;       ///< to f
   Vector terms;       ///< to C u - M λ
@@ -19,41 +19,39 @@ struct ResidualTerms {
   Vector compliance;  ///< g = <γ t_p, P_i> of all densities, K u - (V + G) ψ - N λ = g
 };
 
-/// A body's stiffness, held as its conditions say, and factored.
+/// Factored stiffness of a body with its Dirichlet conditions.
 class HeldStiffness {
  public:
   virtual ~HeldStiffness() = default;
 
-  /// (A + Σ c cᵀ)⁻¹ f on what is not clamped, zero elsewhere: every allowed rigid motion has
-  /// the stiffness of its functional c, so that the sum is positive definite where A is on all
-  /// other displacements.
+  /// (A + Σ c cᵀ)⁻¹ f, zero on clamped unknowns; c: functionals of the allowed rigid motions, so
+  /// that the sum is positive definite if A is positive definite on all other displacements.
   virtual Vector solve(const Vector& force) const = 0;
-  /// L⁻¹ Cᵀ where A is formed; rows that are clamped do not count.
+  /// L⁻¹ Cᵀ if A is formed; clamped rows are ignored.
   virtual Matrix forward(Matrix /*rows*/) const { return {}; }
-  /// Where A is not; else null.
+  /// Null if A is formed.
   virtual std::shared_ptr<const CompressedHolding> compressed() const { return {}; }
 };
 
-/// What a form of the stabilisation makes of an elastic body and of the multiplier on it:
+/// Discrete equations of an elastic body and its multiplier for a form of the stabilisation:
 ///
 ///   A u + Cᵀ λ = f,   C u - M λ - g in the conditions      [doc/theory/contact.md, In numbers]
 ///
-/// All that differs from form to form is here; whoever condenses, solves or goes back to
-/// the displacement needs no more.  Where S is dense makeCoupledBody makes it of any form from
-/// its Coupling, where it is compressed makeCompressedBody, of forms Density and None.  A new
-/// form is a name in Stabilization and what it puts into the Coupling; densities and compliance
-/// of its own it gets from makeSpace and densityCompliance.
+/// All differences between forms are in this interface.  For dense S makeCoupledBody supports all
+/// forms, for compressed S makeCompressedBody the forms Density and None.  A new form needs a
+/// name in Stabilization and its Coupling; makeSpace and densityCompliance give it additional
+/// densities and a compliance.
 class StabilisedBody {
  public:
   virtual ~StabilisedBody() = default;
 
-  /// The holding outlives the result.
+  /// Factors the stiffness.  The result refers to the holding.
   virtual std::shared_ptr<const HeldStiffness> held(const Holding& holding) const = 0;
-  /// f - A u, free of what rounding of A would leave in the balance.
+  /// f - A u, balanced up to rounding, see BalancedStiffness.
   virtual Vector residual(const Vector& force, const Vector& u) const = 0;
-  /// Cᵀ, where A is formed.
+  /// Cᵀ, if A is formed.
   virtual Matrix coupling() const { return {}; }
-  /// Cᵀ λ, with what clamps and corners feel of λ.
+  /// Cᵀ λ, including forces on clamps and corners.
   virtual Vector push(const Vector& multiplier) const = 0;
   /// C u
   virtual Vector pull(const Vector& u) const = 0;
@@ -63,10 +61,10 @@ class StabilisedBody {
   virtual double multiplierWork(const Vector& multiplier) const = 0;    ///< λᵀ M λ
   /// ψ of the displacement and the multiplier.
   virtual Vector density(const Vector& u, const Vector& multiplier) const = 0;
-  /// 1/2 <W u, u> + 1/2 <V ψ, ψ>, ψ with the terms'.
+  /// 1/2 <W u, u> + 1/2 <V ψ, ψ>, ψ including terms.density.
   virtual double strainEnergy(const Vector& u, const Vector& multiplier,
                               const ResidualTerms& terms) const = 0;
-  /// Of what acts inside under the multiplier's conditions.
+  /// Terms of the body loads in the conditions of the multiplier.
   virtual ResidualTerms residualTerms(const MultiplierSpace& multiplier) const = 0;
   /// See ContactProblem.
   bool byDensity() const { return !coupling_.compliance.densities.empty(); }
@@ -79,9 +77,9 @@ class StabilisedBody {
     return coupling_.gamma[contactElement];
   }
 
-  /// X of A = S - X Xᵀ, which has no columns where γ cannot be too large.
+  /// X of A = S - X Xᵀ; without columns if A is definite for all γ.
   virtual Matrix subtracted() const { return {}; }
-  /// The same with a γ that is factor times as large, where X has columns.
+  /// The body with factor times γ; null if X has no columns.
   virtual std::unique_ptr<const StabilisedBody> weakened(double /*factor*/) const {
     return nullptr;
   }

@@ -9,7 +9,7 @@
 
 namespace epafi::contact {
 
-/// D = Ĉ A⁺ Ĉᵀ + M by solutions in the tree, A of all bodies.
+/// Compliance matrix D = Ĉ A⁺ Ĉᵀ + M by solutions in the cluster tree, A of all bodies.
 class CompressedFlexibility final : public Flexibility::Operator {
  public:
   CompressedFlexibility(CompressedCoupling coupling,
@@ -17,7 +17,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
 
   Index size() const override { return coupling_.multipliers; }
   Vector times(const Vector& x) const override;
-  /// |D| |x| from the rows' sums over each kind and its largest coefficient.
+  /// |D| |x| is bounded by row sums times the largest coefficient, for each kind.
   Product product(const Vector& x) const override;
   std::unique_ptr<Factor> factor(System system) const override;
   Matrix formed() const override;
@@ -27,16 +27,16 @@ class CompressedFlexibility final : public Flexibility::Operator {
   const bem::CompressedOperators& operators() const {
     return bodies_.front()->operators();
   }
-  /// Of all bodies, every multiplier held.
+  /// Restriction of all bodies with all multipliers held.
   const bem::Restriction& restriction() const { return factor_->restriction(); }
-  /// What D has beyond D_M, that of springs in place of A⁺: each motion R of a body goes through its
-  /// functional c,  D = D_M - G wᵀ - w Gᵀ + G κ Gᵀ,  w = Ĉ M⁻¹ c,  κ = cᵀ M⁻¹ c,  G = Ĉ R.
+  /// Low-rank difference of D and D_M, which has springs on rigid motions R with functionals c:
+  /// D = D_M - G wᵀ - w Gᵀ + G κ Gᵀ,  w = Ĉ M⁻¹ c,  κ = cᵀ M⁻¹ c,  G = Ĉ R.
   const bem::LowRank& motions() const { return motions_; }
-  /// Of the leaves that the multiplier acts on.
+  /// CompressedFactor::paths of the leaves coupled to the multiplier.
   const std::vector<char>& paths() const { return paths_; }
 
-  /// Of systems in some of the coefficients one is eliminated, the last that was asked for: one for
-  /// each would keep twice the memory.  Another one's turn brings it back.
+  /// Factor of a system in some of the coefficients.  Only the last requested system is stored;
+  /// a request for another one eliminates it again.
   /// \throws bem::NumericalError
   const bem::CompressedFactor& eliminated(int number,
                                           const bem::Restriction& restriction) const;
@@ -55,8 +55,8 @@ class CompressedFlexibility final : public Flexibility::Operator {
   std::unique_ptr<bem::CompressedFactor> factor_;
   std::vector<char> paths_;
   bem::LowRank motions_;
-  mutable Matrix rowSums_;  ///< over each kind, once asked for
-  // Kept from step to step, so that only what changes is eliminated anew.
+  mutable Matrix rowSums_;  ///< over each kind, computed on first use
+  // Kept between steps, so that only changed leaves and their ancestors are eliminated again.
   mutable std::unique_ptr<bem::CompressedFactor> reduced_;
   mutable int eliminated_ = 0;  ///< the number of its system; 0: of none
   mutable int numbers_ = 0;     ///< given to systems

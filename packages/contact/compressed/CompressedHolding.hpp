@@ -5,11 +5,11 @@
 
 namespace epafi::contact {
 
-/// Leaves of multipliers, which alone are held and released.
+/// Leaves with multipliers, the only unknowns that become held or free between steps.
 std::vector<int> furtherLeaves(const bem::CompressedOperators& operators);
 
-/// A held body whose stiffness is compressed.  Where rigid motions are free or fixed, springs
-/// make the system regular; what they change is taken back, see displaced().
+/// A body with compressed stiffness and its Dirichlet conditions.  Springs on free or fixed rigid
+/// motions make the system regular; displaced() removes their effect.
 class CompressedHolding {
  public:
   /// One of the operators' bodies.  All outlive it.
@@ -24,11 +24,11 @@ class CompressedHolding {
   Matrix motions() const { return placed(holding_.rigid.allowed); }
   Matrix functionals() const { return placed(holding_.rigid.functionals); }
 
-  /// Of M, the body with its springs.
+  /// Factor of M, the matrix of the body with springs.
   const bem::CompressedFactor& factor() const { return *factor_; }
 
-  /// A⁺: displacements and densities under forces on both (columns), without the motions
-  /// that clamps do not hold; zero on all else.
+  /// A⁺: displacements and densities for right-hand sides of both (columns), without allowed
+  /// rigid motions; zero for all other unknowns.
   Matrix displaced(Matrix forces) const;
 
  private:

@@ -34,8 +34,8 @@ class Linearisation {
   mutable std::unique_ptr<NewtonSystem> system_;
 };
 
-/// How a solve with the Jacobian says that it failed: by its status, or by throwing
-/// SingularJacobian or NoBalance.
+/// How a solve with the Jacobian reports failure: by its status (Told), or by an exception
+/// SingularJacobian or NoBalance (Thrown).
 enum class SolveFailure { Told, Thrown };
 
 /// The generalised Jacobian J of the contact equation: applies itself and, dense and
@@ -49,7 +49,7 @@ class ContactJacobian final : public Thyra::LinearOpWithSolveBase<double> {
       : space_(std::move(space)), scale_(scale), failure_(failure) {}
 
   void set(std::shared_ptr<const Linearisation> at) { at_ = std::move(at); }
-  /// Becomes the Jacobian that the other one is now, whatever happens to that later.
+  /// Shares the current linearisation of `other`; later changes of `other` have no effect.
   void share(const ContactJacobian& other) { at_ = other.at_; }
 
   Teuchos::RCP<const Thyra::VectorSpaceBase<double>> range() const override {

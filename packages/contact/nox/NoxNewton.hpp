@@ -13,15 +13,15 @@ namespace epafi::contact {
 
 class FactorMemory;
 
-/// The list that NOX gets.
+/// Schema row of the list for NOX.
 bem::SchemaRow noxRow();
 
 /// Newton's method by NOX.
 class NoxNewton final : public Newton {
  public:
-  /// What the list says of Direction, Line Search and Printing acts on every run.  Null: full
-  /// steps, nothing printed.  It is never written to.
-  /// `memory`: the factor that all runs go on with, see NewtonSystem; it outlives this.
+  /// \param list Direction, Line Search and Printing for every run; not modified; null: full steps,
+  /// no output
+  /// \param memory factor shared by all runs, see NewtonSystem; must outlive this
   explicit NoxNewton(std::shared_ptr<const Teuchos::ParameterList> list = nullptr,
                      FactorMemory* memory = nullptr)
       : list_(std::move(list)), memory_(memory) {}

@@ -11,16 +11,16 @@
 
 namespace epafi::contact {
 
-/// Decides after each step whether to go on, and keeps the history that a report needs.
+/// Status test after each step, which also records the history for a report.
 ///
-/// Converged: by the scaled residual, or where a full step on the same sets, which solves a
-/// linear problem, leaves it as it was: then it is what D rounds by. Never because a set of states
-/// came back later.
-/// Failed: a set came back although the residual has not fallen since (the classical
-/// cycle of active sets), the residual grew a million times, or it is no number.
+/// Converged: the scaled residual is below the tolerance, or a full step with the same active set,
+/// which solves a linear problem, does not reduce it, so that it is the rounding error of D.
+/// Never because an active set occurs again.
+/// Failed: an active set occurs again without a smaller residual (a cycle of active sets), the
+/// residual grew by a factor of a million, or it is not a number.
 class StepTest final : public NOX::StatusTest::Generic {
  public:
-  /// `patience`: how many returning sets end the run.
+  /// \param patience number of recurring active sets that ends the run
   StepTest(Teuchos::RCP<const ContactModel> model, int patience)
       : model_(std::move(model)), patience_(patience) {}
 
