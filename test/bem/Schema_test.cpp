@@ -3,6 +3,7 @@
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
 
+#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 
@@ -18,6 +19,7 @@ const bem::SchemaRows& rows() {
   static const bem::SchemaRows table = {
       Row("Tolerance", Kind::Real, "accuracy").standard(1e-6).range({0, 1, true, true}),
       Row("Steps", Kind::Whole, "how many").standard(10).range(bem::from(1)),
+      Row("Values", Kind::Names, "texts").standard("{}"),
       Row("Inner", Kind::List, "of its own"),
       Row("Inner->Law", Kind::Text, "law").standard("None").allowed({"None", "Tresca"}),
   };
@@ -82,6 +84,16 @@ TEUCHOS_UNIT_TEST(Schema, validationNamesTheNearestKeyTypeAndRange) {
   list.sublist("Inner").set<std::string>("Law", "Tersca");
   const std::string text = complaint(list);
   TEST_ASSERT(contains(text, "Inner->Law") && contains(text, "'Tresca'"));
+}
+
+TEUCHOS_UNIT_TEST(Schema, takesNumbersForTexts) {
+  const std::vector<double> numbers = {0.25, 120000};
+  const ParameterList all =
+      bem::complete(rows(), with("Values", Teuchos::Array<double>(numbers)), "list");
+  const auto& texts = all.get<Teuchos::Array<std::string>>("Values");
+  TEST_EQUALITY(texts.size(), 2);
+  TEST_EQUALITY(texts[0], "0.25");
+  TEST_EQUALITY(texts[1], "120000");
 }
 
 TEUCHOS_UNIT_TEST(Schema, intervalsIncludeTheirClosedEndsOnly) {

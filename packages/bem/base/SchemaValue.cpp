@@ -92,18 +92,6 @@ Teuchos::RCP<ParameterEntry> asPoints(const ParameterEntry& entry) {
   return kept(table);
 }
 
-/// The same value in the type that the kind is kept as; null if that is not possible.
-Teuchos::RCP<ParameterEntry> converted(const ParameterEntry& entry, Kind kind) {
-  using Convert = Teuchos::RCP<ParameterEntry> (*)(const ParameterEntry&);
-  static constexpr Convert table[] = {// in the order of Kind, whose last two are lists
-                                      asReal,       keptIf<int>,
-                                      keptIf<bool>, keptIf<std::string>,
-                                      asExpression, keptIf<Teuchos::Array<std::string>>,
-                                      asCounts,     asReals,
-                                      asPoints};
-  return table[static_cast<std::size_t>(kind)](entry);
-}
-
 /// The numbers of an entry: one, or those of an array; empty if it holds none.
 std::vector<double> numbersOf(const ParameterEntry& entry) {
   if (entry.isType<double>())
@@ -119,6 +107,24 @@ std::vector<double> numbersOf(const ParameterEntry& entry) {
     return {array.begin(), array.end()};
   }
   return {};
+}
+
+/// Numbers count as their texts.
+Teuchos::RCP<ParameterEntry> asNames(const ParameterEntry& entry) {
+  Teuchos::Array<std::string> names;
+  for (const double number : numbersOf(entry))
+    names.push_back(shortest(number));
+  return names.empty() ? keptIf<Teuchos::Array<std::string>>(entry) : kept(names);
+}
+
+/// The same value in the type that the kind is kept as; null if that is not possible.
+Teuchos::RCP<ParameterEntry> converted(const ParameterEntry& entry, Kind kind) {
+  using Convert = Teuchos::RCP<ParameterEntry> (*)(const ParameterEntry&);
+  static constexpr Convert table[] = {
+      // in the order of Kind, whose last two are lists
+      asReal,   keptIf<int>, keptIf<bool>, keptIf<std::string>, asExpression, asNames,
+      asCounts, asReals,     asPoints};
+  return table[static_cast<std::size_t>(kind)](entry);
 }
 
 std::vector<std::string> stringsOf(const ParameterEntry& entry) {
