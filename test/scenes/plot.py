@@ -159,7 +159,8 @@ claim(all(word in page for word in ("Tresca block", "Young&#x27;s Modulus", "Tri
                                     "converged", "reaction")),
       "it has the scene, numbers, the balance and versions")
 balances = [float(row.rsplit("<td>", 1)[1].split("<")[0]) for row in page.split("Balance")[1].split(
-    "Pictures")[0].split("</tr>")[1:-1]]
+    "</table>")[0].split("</tr>")[1:-1]]
+claim("Stress intensities" in page and "exponent" in page, "it has the stress intensities")
 claim(len(balances) == 3 and max(map(abs, balances)) < 1e-9, "what acts is balanced: %s" % balances)
 code, text = epafi("report", WORK)
 claim(code == 1 and "history.csv" in text, "a folder without a run has none: " + text.strip())
