@@ -78,13 +78,13 @@ void checkUnnamed(const Symmetry& symmetry, const std::set<std::string>& names,
   for (const std::string& name : names) {
     for (const char* part : {"Boundary Conditions", "Thermal Conditions"})
       if (scene.sublist("Bodies").sublist(body).sublist(part).isParameter(name))
-        refuse("Bodies->" + body + "->" + part + "->" + name);
+        refuse(bem::message("Bodies->", body, "->", part, "->", name));
     for (const auto& contact : scene.sublist("Contacts"))
       for (const std::string& side : scene.sublist("Contacts")
                                          .sublist(contact.first)
                                          .get<Teuchos::Array<std::string>>("Between"))
         if (side == body + ":" + name)
-          refuse("Contacts->" + contact.first + "->Between: '" + side + "'");
+          refuse(bem::message("Contacts->", contact.first, "->Between: '", side, "'"));
   }
 }
 

@@ -23,6 +23,15 @@ constexpr double enoughOfKept = 1e-7;
 // What a refinement by a kept factor has to leave of the one before.
 constexpr double progressOfKept = 1e-3;
 
+/// diag(factors) M
+Matrix withScaledRows(const Matrix& m, const Vector& factors) {
+  Matrix result = m.copy();
+  for (Index j = 0; j < m.columns(); ++j)
+    for (Index i = 0; i < m.rows(); ++i)
+      result(i, j) *= factors[at(i)];
+  return result;
+}
+
 /// Eigenvectors of a Gram matrix in its place; returns how many of them, the first ones, count as
 /// zero.
 Index looseOf(Matrix& gram) {
@@ -109,18 +118,11 @@ Flexibility::Operator::System NewtonSystem::reduced() const {
     if (row != column && !isKnown(row) && isKnown(column))
       if (const auto [normal, factor] = followed(column); factor != 0 && !isKnown(normal))
         system.added.push_back({row, normal, factor * value});
-  Matrix combinations = held_.copy();
-  for (Index j = 0; j < held_.columns(); ++j)
-    for (Index m = 0; m < held_.rows(); ++m)
-      combinations(m, j) *= motionScale_[at(m)];
+  const Matrix combinations = withScaledRows(held_, motionScale_);
   system.motions = multiply(problem_.rigid, combinations);
-  if (!problem_.rigidStiffness.empty()) {
-    Matrix sprung = combinations.copy();
-    for (Index j = 0; j < sprung.columns(); ++j)
-      for (Index m = 0; m < sprung.rows(); ++m)
-        sprung(m, j) *= problem_.stiffness(m);
-    system.stiffness = transposedTimes(combinations, sprung);
-  }
+  if (!problem_.rigidStiffness.empty())
+    system.stiffness = transposedTimes(
+        combinations, withScaledRows(combinations, problem_.rigidStiffness));
   return system;
 }
 

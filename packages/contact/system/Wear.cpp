@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace epafi::contact {
 
@@ -64,10 +65,9 @@ Vector slipsOf(const BodyParts& body, const Wear& before, const Vector& slip) {
 
 }  // namespace
 
-StepWear::StepWear(AllBodyParts bodies, const Numbering& numbering,
-                   std::vector<Wear> before)
+StepWear::StepWear(AllBodyParts bodies, Numbering numbering, std::vector<Wear> before)
     : bodies_(std::move(bodies)),
-      numbering_(numbering),
+      numbering_(std::move(numbering)),
       before_(std::move(before)),
       slips_(bodies_.size()),
       rates_(bodies_.size()) {

@@ -22,7 +22,7 @@ struct Wear {
 class StepWear {
  public:
   /// `before`: of each body behind the step before; empty: nothing wore.
-  StepWear(AllBodyParts bodies, const Numbering& numbering, std::vector<Wear> before);
+  StepWear(AllBodyParts bodies, Numbering numbering, std::vector<Wear> before);
 
   /// Does anything wear?
   bool wears() const { return wears_; }
