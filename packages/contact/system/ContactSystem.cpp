@@ -4,7 +4,7 @@
 #include "contact/body/IterativeRefinement.hpp"
 #include "contact/compressed/CompressedFlexibility.hpp"
 #include "contact/compressed/CompressedStiffness.hpp"
-#include "contact/opposite/SidePoints.hpp"
+#include "contact/system/InsideTerms.hpp"
 #include "contact/system/RigidDrives.hpp"
 
 #include <algorithm>
@@ -112,47 +112,10 @@ struct ContactSystem::Parts {
       for (const auto& [i, length, law] : own.obstacle.surface.places)
         numbers.surface.places.push_back({numbering(b, i), length, law});
     }
-    measureInside();
+    ofInside = insideTerms(partsOf(bodies), numbering);
     addGiven(numbers.offset);
     rigid.addForces(numbers);
     setScale(loadSize());
-  }
-
-  /// ∫ χ_i d · (u_p - u_p∘P) ds of the bodies' particular solutions, and what their tractions add.
-  void measureInside() {
-    const auto insideOf = [&](std::size_t b) -> const Inside& {
-      return part(b).multiplier.conditions().inside;
-    };
-    for (std::size_t b = 0; b < size(); ++b)
-      if (insideOf(b))
-        ofInside.resize(jump.size());
-    for (std::size_t b = 0; b < size() && !ofInside.empty(); ++b) {
-      const BodyParts& own = part(b);
-      const Vector& terms = own.terms.terms;
-      for (std::size_t i = 0; i < terms.size(); ++i)
-        ofInside[at(numbering(b, static_cast<Index>(i)))] += terms[i];
-      const bem::Mesh& mesh = own.space.mesh();
-      forEachSidePoint(
-          mesh, own.multiplier.elements(), *own.opposite,
-          [](const auto& contact, const Opposite::Point&) {
-            return &bem::gaussForGiven(contact.degree);
-          },
-          [&](const SidePoint& point) {
-            const Opposite::Point& met = point.met;
-            bem::Vec2 u;
-            if (insideOf(b))
-              u = insideOf(b)->displacement(mesh, point.contact.element, point.t);
-            if (met.element >= 0 && insideOf(at(met.body)))
-              u = u -
-                  insideOf(at(met.body))
-                      ->displacement(part(at(met.body)).space.mesh(), met.element, met.t);
-            point.forEachCoefficient(
-                own.multiplier.basis().values(point.contact.degree, point.t),
-                [&](Index i, double chi, bem::Vec2 direction) {
-                  ofInside[at(numbering(b, i))] += point.weight * chi * dot(u, direction);
-                });
-          });
-    }
   }
 
   /// What is given of r: all that does not come from elastic bodies or free motions.

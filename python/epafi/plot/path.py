@@ -119,7 +119,8 @@ def draw_path(folder, rows, t, files, title, pictures):
         arm = 1 if turning is None else 0.5 * max(np.ptp(files[-1]["x"]), np.ptp(files[-1]["y"]))
         settle(axes[2], reach / arm, "x")
         settle(axes[2], force * arm)
-        axes[2].set_xlabel(label("mean %s of the contact" % slip.replace("u_t", "slip $u_t$"), "length") if turning is None
+        meant = "mean %s of the contact" % slip.replace("u_t", "slip $u_t$")
+        axes[2].set_xlabel(label(meant, "length") if turning is None
                            else "twist of the bodies [rad]", labelpad=9)
         axes[2].set_ylabel(label("tangential force", "force") if turning is None
                            else label("torque", "energy"))
