@@ -20,9 +20,11 @@ BodyInsides::BodyInsides(const Scene& scene, const Level& level)
     : scene_(scene), level_(level), spaces_(scene, meshesOf(scene, level)) {
   for (const auto& conditions : spaces_.conditionsAt(level.time(scene.endOfPath())))
     inside_.push_back(conditions.inside);
-  for (std::size_t b = 0; b < size(); ++b)
+  for (std::size_t b = 0; b < size(); ++b) {
+    displacements_.emplace_back(spaces_.space(b), level.bodies[b].displacement);
     fields_.emplace_back(spaces_.space(b), scene.lame(b), level.bodies[b].displacement,
                          level.bodies[b].density);
+  }
 }
 
 InsideValue BodyInsides::inUnits(
@@ -63,7 +65,7 @@ InsideValue BodyInsides::atBoundary(std::size_t b, int e, double t) const {
   const bem::Vec2 inward = -1 * element.curve.normal(place);
   const bem::Vec2 x = element.curve.point(place) + (skin * element.half) * inward;
   InsideValue value = at({b, mesh(b).outline().physical(x)});
-  bem::Vec2 u = spaces_.space(b).displacementAt(level_.bodies[b].displacement, e, t);
+  bem::Vec2 u = displacements_[b].at(e, t);
   if (inside_[b])
     u = u + inside_[b]->displacement(mesh(b), e, t);
   value.displacement = scene_.units().length * u;

@@ -63,6 +63,7 @@ class BodyInsides {
   const Scene& scene_;
   const Level& level_;
   BodySpaces spaces_;
+  std::vector<bem::DisplacementField> displacements_;
   std::vector<contact::Inside> inside_;  ///< of each body, at the level's last time
   std::vector<bem::Interior> fields_;    ///< of each body
 };

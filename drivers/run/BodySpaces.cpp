@@ -81,10 +81,8 @@ contact::Motions BodySpaces::motions(
     const std::vector<bem::Vector>& displacements,
     const std::vector<contact::RigidMotion>& rigid) const {
   contact::Motions motions;
-  for (const bem::Space& space : spaces_)
-    motions.spaces.push_back(&space);
-  for (const bem::Vector& displacement : displacements)
-    motions.displacements.push_back(&displacement);
+  for (std::size_t b = 0; b < size(); ++b)
+    motions.displacements.emplace_back(spaces_[b], displacements[b]);
   motions.rigid = rigid;
   for (std::size_t b = 0; b < size(); ++b)
     motions.shearModuli.push_back(scene_.lame(b).mu);

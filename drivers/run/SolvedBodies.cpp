@@ -60,7 +60,7 @@ SolvedBodies::SolvedBodies(const Ground& ground, const contact::ContactSystem& s
     if (!wear_.empty())
       bodies_[b].wear = &wear_[b];
     if (before != nullptr) {
-      bodies_[b].displacementBefore = &before->displacements[b];
+      bodies_[b].displacementBefore = &before->motions.displacements[b];
       bodies_[b].motionsBefore = &before->motions;
       if (before->conditions != nullptr) {
         bodies_[b].stateBefore = &before->states[b];

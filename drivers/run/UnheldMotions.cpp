@@ -2,6 +2,7 @@
 
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "bem/base/Error.hpp"
+#include "bem/space/DisplacementField.hpp"
 #include "contact/body/Coupling.hpp"
 #include "contact/body/ElasticBody.hpp"
 #include "contact/equation/Equilibrium.hpp"
@@ -100,18 +101,19 @@ std::string direction(bem::Vec2 u) {
 /// Of a rigid displacement: U + θ e_z x (x - c), c the nodes' mean.
 Moved movedBy(const Vector& u, const bem::Space& space, const Body& body) {
   const bem::Mesh& mesh = space.mesh();
+  const bem::DisplacementField field(space, u);
   bem::Vec2 centre;
   bem::Vec2 mean;
   for (int e = 0; e < mesh.size(); ++e) {
     centre = centre + (1.0 / mesh.size()) * mesh.scaledPoint(e, -1);
-    mean = mean + (1.0 / mesh.size()) * space.displacementAt(u, e, -1);
+    mean = mean + (1.0 / mesh.size()) * field.at(e, -1);
   }
   double turn = 0;
   double squares = 0;
   double farthest = 0;
   for (int e = 0; e < mesh.size(); ++e) {
     const bem::Vec2 arm = mesh.scaledPoint(e, -1) - centre;
-    turn += cross(arm, space.displacementAt(u, e, -1) - mean);
+    turn += cross(arm, field.at(e, -1) - mean);
     squares += dot(arm, arm);
     farthest = std::max(farthest, norm(arm));
   }

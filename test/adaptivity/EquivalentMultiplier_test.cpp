@@ -113,7 +113,7 @@ TEUCHOS_UNIT_TEST(EquivalentMultiplier, doesTheSameWorkOnEveryDisplacement) {
             const double t = rule.points[q];
             const double here = element.half * rule.weights[q] *
                                 dot(valueAt(factors[k], element, t),
-                                    solved.space.displacementAt(v, e, t));
+                                    bem::DisplacementField(solved.space, v).at(e, t));
             work += here;
             size += std::abs(here);
           }

@@ -102,7 +102,7 @@ TEUCHOS_UNIT_TEST(ContinuousMultiplier, doesTheSameWorkOnEveryDisplacement) {
         const bem::Vec2 traction = value.normal * geometry.curve.normal(t) +
                                    value.tangential * geometry.curve.tangent(t);
         work += geometry.half * rule.weights[q] *
-                dot(traction, space.displacementAt(v, element.element, t));
+                dot(traction, bem::DisplacementField(space, v).at(element.element, t));
       }
     TEST_COMPARE(std::abs(work), <, 1e-13);
   }

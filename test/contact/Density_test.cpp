@@ -174,8 +174,9 @@ Condensed whole(const Case& c) {
     for (int k = 0; k <= element.degree; ++k)
       for (int d = 0; d < 2; ++d) {
         const Index row = space.displacement(e, k, d);
-        right[row] -= point.weight *
-                      dot(space.displacementAt(unit(row, n), e, point.t), point.stress);
+        right[row] -=
+            point.weight *
+            dot(bem::DisplacementField(space, unit(row, n)).at(e, point.t), point.stress);
       }
     for (int i = 0; i < element.densities; ++i)
       for (int d = 0; d < 2; ++d) {
@@ -198,9 +199,9 @@ Condensed whole(const Case& c) {
           const Index row = space.displacement(e, k, d);
           const double t = rule.points[q];
           const Vec2 x = mesh.physicalPoint(e, t);
-          right[row] +=
-              mesh[e].half * rule.weights[q] *
-              dot(space.displacementAt(unit(row, n), e, t), Vec2{0.01, -0.1 * (1 + x.x)});
+          right[row] += mesh[e].half * rule.weights[q] *
+                        dot(bem::DisplacementField(space, unit(row, n)).at(e, t),
+                            Vec2{0.01, -0.1 * (1 + x.x)});
         }
   for (const int e : mesh.elementsOf("left"))
     for (int k = 0; k <= c.degree; ++k)
@@ -231,7 +232,7 @@ Condensed whole(const Case& c) {
       const int e = point.element->element;
       const Vec2 slack =
           point.gamma * (point.stress + space.densityAt(result.density, e, point.t));
-      const Vec2 u = space.displacementAt(result.displacement, e, point.t);
+      const Vec2 u = bem::DisplacementField(space, result.displacement).at(e, point.t);
       const Vec2 direction = stressOf(chi, point);
       const double gap = 0.01 * mesh.physicalPoint(e, point.t).x;
       result.residual[i] +=

@@ -172,7 +172,7 @@ TEUCHOS_UNIT_TEST(Disc, turnsWithoutStrain) {
   const Disc rigid({"all", "all", "all"}, 2, 1, turned, "Gauss-Legendre-Lagrange",
                    Form::None);
   TEST_COMPARE(std::abs(rigid.summary().energyStrain), <, 1e-15 * angle * angle);
-  const Vec2 u = rigid.space.displacementAt(rigid.displacement, 1, 0.3);
+  const Vec2 u = bem::DisplacementField(rigid.space, rigid.displacement).at(1, 0.3);
   const Vec2 x = rigid.space.mesh().physicalPoint(1, 0.3);
   TEST_COMPARE(norm(rigid.units().length * u - angle * turnLeft(x)), <, 1e-15);
 }

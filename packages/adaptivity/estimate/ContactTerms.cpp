@@ -213,7 +213,9 @@ ContactProfiles contactProfiles(const contact::Solved& solved,
       if (met.element < 0)
         return 1.0;
       const bem::Element& other =
-          solved.motions->spaces[static_cast<std::size_t>(met.body)]->mesh()[met.element];
+          solved.motions->displacements[static_cast<std::size_t>(met.body)]
+              .space()
+              .mesh()[met.element];
       return std::max(1.0, other.degree * geometry.half / (p * other.half));
     };
   const double stiffness = 0.5 * p / geometry.half;  // p/h for Young's modulus 1

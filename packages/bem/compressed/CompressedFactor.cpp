@@ -141,7 +141,8 @@ Matrix CompressedFactor::outsideOf(int child, const Matrix& p) const {
         columnsBetween(p, second ? 0 : split, second ? split : p.columns()),
         first ? 0 : split, first ? split : p.rows());
   };
-  const Matrix& other = response(parent.children[isFirst ? 1 : 0]);
+  const int sibling = parent.children[isFirst ? 1 : 0];
+  const Matrix other = response(sibling).full(operators_->skeletonOf(sibling));
   Matrix system = product(other, block(!isFirst, !isFirst));
   for (Index i = 0; i < system.rows(); ++i)
     system(i, i) += 1;
@@ -207,7 +208,7 @@ EliminatedCluster CompressedFactor::eliminated(int c, LeafRestriction restrictio
   if (node(first).isSilent() && node(second).isSilent())
     return EliminatedCluster::silent();
   if (isNarrowed)
-    return {response(first), response(second), *whole_};
+    return {part, response(first), response(second), *whole_};
   return {part, response(first), response(second)};
 }
 
@@ -231,7 +232,7 @@ void CompressedFactor::eliminate(const std::vector<char>& dirty) {
           eliminated(cluster, std::move(leaves[cluster])));
       if (cluster != top_)
         responses_[cluster] =
-            std::make_shared<const Matrix>(own->response(operators_->part(cluster)));
+            std::make_shared<const Response>(own->response(operators_->part(cluster)));
       if (!tree[cluster].isLeaf() && changing_[cluster] == 0)
         for (const int child : tree[cluster].children)
           responses_[child] = nullptr;
@@ -268,7 +269,7 @@ void CompressedFactor::exchangeResponses(const std::vector<char>& dirty,
       return;
     isSilent = node(root).isSilent() ? 1 : 0;
     if (root != top_)
-      response = this->response(root).copy();
+      response = this->response(root).full(size);
   });
   constexpr double kind = 4;
   subtrees.exchangeNumbers(
@@ -283,12 +284,12 @@ void CompressedFactor::exchangeResponses(const std::vector<char>& dirty,
       },
       failure);
   forRoots([&](int root, double isSilent, Matrix& response) {
+    if (root != top_)  // the same on all
+      responses_[root] = std::make_shared<const Response>(Response::of(response));
     if (subtrees.isMine(root))
       return;
     nodes_[root] = std::make_shared<const EliminatedCluster>(
         isSilent != 0 ? EliminatedCluster::silent() : EliminatedCluster::elsewhere());
-    if (root != top_)
-      responses_[root] = std::make_shared<const Matrix>(std::move(response));
   });
 }
 

@@ -98,7 +98,7 @@ class CompressedFactor {
   Matrix leftOfDensities(const Matrix& b, const Matrix& x) const;
 
   const EliminatedCluster& node(int c) const { return *nodes_[c]; }
-  const Matrix& response(int c) const { return *responses_[c]; }
+  const Response& response(int c) const { return *responses_[c]; }
 
   const CompressedOperators* operators_;
   Restriction restriction_;
@@ -109,7 +109,7 @@ class CompressedFactor {
   std::shared_ptr<const Matrix>
       whole_;  ///< inside() of top_, if it is mine and not the root
   std::vector<std::shared_ptr<const EliminatedCluster>> nodes_;
-  std::vector<std::shared_ptr<const Matrix>> responses_;  ///< E, while needed
+  std::vector<std::shared_ptr<const Response>> responses_;  ///< while needed
   /// Correction for springs on unknowns of CompressedOperators::floating that are not held, and
   /// for rotations; null without any.
   std::shared_ptr<const Woodbury> border_;

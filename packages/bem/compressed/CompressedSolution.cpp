@@ -26,20 +26,20 @@ Matrix CompressedFactor::solveSprung(const Matrix& b,
   };
   const auto up = [&](int c) {
     const ClusterPart& part = operators_->part(c);
-    inner[c] = tree[c].isLeaf()
-                   ? node(c).reduced(rowsOf(b, part.active))
-                   : stacked(outOf(tree[c].children[0]), outOf(tree[c].children[1]));
+    inner[c] = node(c).reduced(tree[c].isLeaf() ? rowsOf(b, part.active)
+                                                : stacked(outOf(tree[c].children[0]),
+                                                          outOf(tree[c].children[1])));
     node(c).solve(inner[c]);
     if (c != top_)
       out[c] = node(c).outgoing(part, inner[c]);
   };
   const auto down = [&](int c) {
     const ClusterPart& part = operators_->part(c);
-    Matrix& own = inner[c];
     if (c != top_)
-      node(c).subtractOutside(in[c], own);
+      node(c).subtractOutside(in[c], inner[c]);
+    const Matrix own = node(c).expanded(inner[c]);
     if (tree[c].isLeaf()) {
-      putRows(node(c).expanded(own), part.active, x);
+      putRows(own, part.active, x);
       return;
     }
     const Index split = part.block.rows();

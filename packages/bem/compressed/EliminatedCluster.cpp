@@ -13,6 +13,18 @@ void addIdentity(Matrix& a) {
     a(i, i) += 1;
 }
 
+/// A matrix in some rows and columns.
+Matrix between(const Matrix& a, const std::vector<Index>& rows,
+               const std::vector<Index>& columns) {
+  Matrix result(static_cast<Index>(rows.size()), static_cast<Index>(columns.size()));
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    const double* column = a.column(columns[j]);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      result(static_cast<Index>(i), static_cast<Index>(j)) = column[rows[i]];
+  }
+  return result;
+}
+
 /// E (Tᵀ)_child, with the columns of T from `first` on: those on the skeleton are columns
 /// of E.
 Matrix responseToWeights(const Matrix& response, const Interpolation& t, Index first) {
@@ -38,65 +50,91 @@ Matrix responseToWeights(const Matrix& response, const Interpolation& t, Index f
 
 }  // namespace
 
+Matrix Response::full(Index skeleton) const {
+  Matrix result(skeleton, skeleton);
+  for (std::size_t j = 0; j < places.size(); ++j)
+    for (std::size_t i = 0; i < places.size(); ++i)
+      result(places[i], places[j]) = matrix(static_cast<Index>(i), static_cast<Index>(j));
+  return result;
+}
+
+Response Response::of(const Matrix& full) {
+  Response result;
+  for (Index j = 0; j < full.columns(); ++j)
+    if (std::any_of(full.column(j), full.column(j) + full.rows(),
+                    [](double entry) { return entry != 0; }))
+      result.places.push_back(j);
+  result.matrix = between(full, result.places, result.places);
+  return result;
+}
+
 EliminatedCluster::EliminatedCluster(const ClusterPart& part, LeafRestriction restriction,
                                      const Matrix& d)
-    : leaf_(std::move(restriction)),
-      isLeaf_(true),
-      isSilent_(leaf_.kept.empty()),
-      unknowns_(d.rows()) {
+    : own_(std::move(restriction)), isSilent_(own_.kept.empty()), unknowns_(d.rows()) {
   if (isSilent_)
     return;
-  const auto n = static_cast<Index>(leaf_.kept.size());
-  Matrix own(n, n);
-  for (Index j = 0; j < n; ++j) {
-    const double* column = d.column(leaf_.kept[j]);
-    for (Index i = 0; i < n; ++i)
-      own(i, j) = column[leaf_.kept[i]];
-  }
-  for (const auto& [follower, leader, factor] : leaf_.followers)
-    for (Index i = 0; i < n; ++i)
-      own(i, leader) += factor * d(leaf_.kept[i], follower);
-  for (const Entry& entry : leaf_.added)
+  Matrix own = between(d, own_.kept, own_.kept);
+  for (const auto& [follower, leader, factor] : own_.followers)
+    for (Index i = 0; i < own.rows(); ++i)
+      own(i, leader) += factor * d(own_.kept[i], follower);
+  for (const Entry& entry : own_.added)
     own(entry.row, entry.column) += entry.value;
   lu_ = LuFactor::ofScaledRows(std::move(own), compressedSystem);
   if (part.weights.rows() == 0)
     return;
-  in_ = reduced(part.weights.transposed());
+  std::vector<Index> moving = own_.kept;
+  for (const Entry& entry : own_.followers)
+    moving.push_back(entry.row);
+  part.weights.on(moving, rows_);
+  in_ = between(part.weights.transposed(), own_.kept, rows_);
   lu_.solve(in_);
 }
 
-EliminatedCluster::EliminatedCluster(const ClusterPart& part, const Matrix& first,
-                                     const Matrix& second)
-    : upper_(product(first, part.block)),
-      lower_(product(second, transposed(part.block))) {
-  Matrix rest(second.rows(), second.rows());
+EliminatedCluster::EliminatedCluster(const ClusterPart& part, const Response& first,
+                                     const Response& second, Index split)
+    : unknowns_(static_cast<Index>(part.active.size())) {
+  own_.kept = first.places;
+  for (const Index place : second.places)
+    own_.kept.push_back(split + place);
+}
+
+EliminatedCluster::EliminatedCluster(const ClusterPart& part, const Response& first,
+                                     const Response& second)
+    : EliminatedCluster(part, first, second, part.block.rows()) {
+  const Matrix s = between(part.block, first.places, second.places);
+  upper_ = product(first.matrix, s);
+  lower_ = product(second.matrix, transposed(s));
+  Matrix rest(second.matrix.rows(), second.matrix.rows());
   addProduct(-1, lower_, upper_, rest);
   addIdentity(rest);
   lu_ = LuFactor::ofScaledRows(std::move(rest), compressedSystem);
-  in_ = stacked(responseToWeights(first, part.weights, 0),
-                responseToWeights(second, part.weights, first.rows()));
+  if (part.weights.rows() == 0)
+    return;
+  const Interpolation t = part.weights.on(own_.kept, rows_);
+  in_ = stacked(responseToWeights(first.matrix, t, 0),
+                responseToWeights(second.matrix, t, first.matrix.rows()));
   solve(in_);
 }
 
-EliminatedCluster::EliminatedCluster(const Matrix& first, const Matrix& second,
-                                     const Matrix& p) {
-  const Index split = first.rows();
-  Matrix f = stacked(product(first, rowsBetween(p, 0, split)),
-                     product(second, rowsBetween(p, split, p.rows())));
+EliminatedCluster::EliminatedCluster(const ClusterPart& part, const Response& first,
+                                     const Response& second, const Matrix& p)
+    : EliminatedCluster(part, first, second, part.block.rows()) {
+  const Index split = first.matrix.rows();
+  const Matrix own = between(p, own_.kept, own_.kept);
+  Matrix f = stacked(product(first.matrix, rowsBetween(own, 0, split)),
+                     product(second.matrix, rowsBetween(own, split, own.rows())));
   addIdentity(f);
   lu_ = LuFactor::ofScaledRows(std::move(f), compressedSystem);
 }
 
-Matrix EliminatedCluster::response(const ClusterPart& part) const {
+Response EliminatedCluster::response(const ClusterPart& part) const {
   if (isSilent_)
-    return Matrix(part.weights.rows(), part.weights.rows());
-  return outgoing(part, in_);
+    return {};
+  return {rows_, rowsOf(outgoing(part, in_), rows_)};
 }
 
 Matrix EliminatedCluster::outgoing(const ClusterPart& part, const Matrix& x) const {
-  if (isLeaf_)
-    return part.weights.times(expanded(x));
-  return part.weights.times(x);
+  return part.weights.times(expanded(x));
 }
 
 // With L = E₂ Sᵀ and U = E₁ S:  x₂ = (I - L U)⁻¹ (b₂ - L b₁),  x₁ = b₁ - U x₂
@@ -114,15 +152,15 @@ void EliminatedCluster::solve(Matrix& x) const {
 }
 
 void EliminatedCluster::subtractOutside(const Matrix& z, Matrix& x) const {
-  addProduct(-1, in_, z, x);
+  addProduct(-1, in_, rowsOf(z, rows_), x);
 }
 
-Matrix EliminatedCluster::reduced(const Matrix& x) const { return rowsOf(x, leaf_.kept); }
+Matrix EliminatedCluster::reduced(const Matrix& x) const { return rowsOf(x, own_.kept); }
 
 Matrix EliminatedCluster::expanded(const Matrix& x) const {
   Matrix all(unknowns_, x.columns());
-  putRows(x, leaf_.kept, all);
-  for (const auto& [follower, leader, factor] : leaf_.followers)
+  putRows(x, own_.kept, all);
+  for (const auto& [follower, leader, factor] : own_.followers)
     for (Index j = 0; j < x.columns(); ++j)
       all(follower, j) += factor * x(leader, j);
   return all;

@@ -5,7 +5,7 @@
 
 namespace epafi::bem {
 
-/// Restriction of one leaf, by positions in its list of unknowns.
+/// Restriction of one leaf, by positions in its list of active unknowns.
 struct LeafRestriction {
   std::vector<Index> kept;       ///< not held
   std::vector<Entry> followers;  ///< columns: positions in `kept`
@@ -15,6 +15,18 @@ struct LeafRestriction {
 /// Name in error messages.
 inline constexpr char compressedSystem[] = "the compressed system";
 
+/// The response E of a cluster to a field from outside.  It is stored for the rows and columns
+/// in which T does not vanish on the unknowns that are not held: a body that is held as a
+/// whole takes no space beside the others.
+struct Response {
+  std::vector<Index> places;  ///< of the skeleton, ascending
+  Matrix matrix;
+
+  Matrix full(Index skeleton) const;
+  /// From the full matrix, without rows and columns that are zero.
+  static Response of(const Matrix& full);
+};
+
 /// A cluster of a compressed system after its elimination, see CompressedFactor.
 class EliminatedCluster {
  public:
@@ -22,10 +34,12 @@ class EliminatedCluster {
   EliminatedCluster(const ClusterPart& part, LeafRestriction restriction,
                     const Matrix& d);
   /// A parent; first, second: the responses E₁, E₂ of its children.
-  EliminatedCluster(const ClusterPart& part, const Matrix& first, const Matrix& second);
+  EliminatedCluster(const ClusterPart& part, const Response& first,
+                    const Response& second);
   /// The highest cluster, F = I + diag(E₁, E₂) P, p: all entries between the unknowns of the
   /// children's skeletons.
-  EliminatedCluster(const Matrix& first, const Matrix& second, const Matrix& p);
+  EliminatedCluster(const ClusterPart& part, const Response& first,
+                    const Response& second, const Matrix& p);
   /// A cluster whose unknowns are all held: its response is zero.
   static EliminatedCluster silent() { return EliminatedCluster(true); }
   /// A cluster of another process.
@@ -33,7 +47,7 @@ class EliminatedCluster {
   bool isSilent() const { return isSilent_; }
 
   /// E.  \pre not the highest cluster
-  Matrix response(const ClusterPart& part) const;
+  Response response(const ClusterPart& part) const;
 
   /// X <- D⁻¹ X or F⁻¹ X
   void solve(Matrix& x) const;
@@ -43,22 +57,25 @@ class EliminatedCluster {
   /// T X, the sources of the far field of the cluster.
   Matrix outgoing(const ClusterPart& part, const Matrix& x) const;
 
-  /// Of a leaf: rows of kept unknowns; and X of all unknowns, with held ones zero or followers.
+  /// Rows of kept unknowns; and X of all active unknowns, with held ones zero or followers.
   Matrix reduced(const Matrix& x) const;
   Matrix expanded(const Matrix& x) const;
 
  private:
   explicit EliminatedCluster(bool isSilent) : isSilent_(isSilent) {}
 
-  LeafRestriction leaf_;
-  bool isLeaf_ = false;
+  EliminatedCluster(const ClusterPart& part, const Response& first,
+                    const Response& second, Index split);
+
+  LeafRestriction own_;  ///< of a parent: those where its children respond
   bool isSilent_ = false;
-  Index unknowns_ = 0;  ///< number of all unknowns of a leaf
+  Index unknowns_ = 0;       ///< number of all active unknowns
+  std::vector<Index> rows_;  ///< of the response
   /// Of D; of a parent below the top of I - E₂ Sᵀ E₁ S, the Schur complement of F.
   LuFactor lu_;
   Matrix upper_;  ///< E₁ S, of a parent below the top
   Matrix lower_;  ///< E₂ Sᵀ
-  Matrix in_;     ///< D⁻¹ Tᵀ, or F⁻¹ diag(E) Tᵀ
+  Matrix in_;     ///< D⁻¹ Tᵀ, or F⁻¹ diag(E) Tᵀ, in these rows of T
 };
 
 }  // namespace epafi::bem

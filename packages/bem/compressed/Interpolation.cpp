@@ -36,7 +36,10 @@ Matrix triangle(Matrix a) {
 }  // namespace
 
 Matrix Interpolation::times(const Matrix& x) const {
-  Matrix y = rowsOf(x, skeleton);
+  Matrix y(rows(), x.columns());
+  for (Index j = 0; j < x.columns(); ++j)
+    for (std::size_t i = 0; i < skeleton.size(); ++i)
+      y(static_cast<Index>(i), j) = skeleton[i] < 0 ? 0 : x(skeleton[i], j);
   addProduct(1, weights, rowsOf(x, rest), y);
   return y;
 }
@@ -61,6 +64,36 @@ Matrix Interpolation::transposed() const {
     for (std::size_t i = 0; i < rest.size(); ++i)
       result(rest[i], j) = weights(j, static_cast<Index>(i));
   }
+  return result;
+}
+
+Interpolation Interpolation::on(const std::vector<Index>& columns,
+                                std::vector<Index>& rows) const {
+  std::vector<Index> places(at(this->columns()), -1);  // of columns among those
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    places[at(columns[k])] = static_cast<Index>(k);
+  Interpolation result;
+  std::vector<Index> kept;  // of the rest
+  for (std::size_t j = 0; j < rest.size(); ++j)
+    if (places[at(rest[j])] >= 0) {
+      kept.push_back(static_cast<Index>(j));
+      result.rest.push_back(places[at(rest[j])]);
+    }
+  rows.clear();
+  for (std::size_t i = 0; i < skeleton.size(); ++i) {
+    const Index place = places[at(skeleton[i])];
+    if (place >= 0 || std::any_of(kept.begin(), kept.end(), [&](Index j) {
+          return weights(static_cast<Index>(i), j) != 0;
+        })) {
+      rows.push_back(static_cast<Index>(i));
+      result.skeleton.push_back(place);
+    }
+  }
+  result.weights = Matrix(result.rows(), static_cast<Index>(kept.size()));
+  for (std::size_t j = 0; j < kept.size(); ++j)
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      result.weights(static_cast<Index>(i), static_cast<Index>(j)) =
+          weights(rows[i], kept[j]);
   return result;
 }
 

@@ -9,11 +9,12 @@ namespace epafi::bem {
 /// Column interpolation of a matrix:  A ≈ A_S T,  T the identity on the columns of the skeleton
 /// S and weights on the rest.
 struct Interpolation {
-  std::vector<Index> skeleton;  ///< S: column numbers
+  std::vector<Index> skeleton;  ///< S: column numbers; -1: a column that is left out
   std::vector<Index> rest;      ///< all other columns, ascending
   Matrix weights;               ///< skeleton x rest
 
   Index rows() const { return static_cast<Index>(skeleton.size()); }
+  /// \pre no column is left out, as for the members below but times()
   Index columns() const { return static_cast<Index>(skeleton.size() + rest.size()); }
 
   /// T X
@@ -23,6 +24,10 @@ struct Interpolation {
   /// T and Tᵀ as full matrices.
   Matrix full() const;
   Matrix transposed() const;
+
+  /// T on some of the columns, ascending, and in the rows that do not vanish there.
+  /// \param rows output: these rows
+  Interpolation on(const std::vector<Index>& columns, std::vector<Index>& rows) const;
 };
 
 /// Column interpolation by pivoted QR.

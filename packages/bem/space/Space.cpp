@@ -20,12 +20,6 @@ Space::Space(Mesh mesh) : mesh_(std::move(mesh)) {
     rotation_ = std::make_shared<const Rotation>(*this);
 }
 
-Vec2 Space::displacementAt(const Vector& u, int e, double t) const {
-  const Vec2 value = polynomialAt(u, e, t);
-  return mesh_[e].curve.isStraight() ? value
-                                     : value + rotation_->amount(u) * rotationRest(e, t);
-}
-
 Vec2 Space::rotationRest(int e, double t) const {
   if (mesh_[e].curve.isStraight())
     return {};

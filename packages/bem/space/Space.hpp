@@ -37,8 +37,9 @@ class Space {
   /// Number of P_i on element e.
   Index density(int e, int i, int c) const { return densityStart_[e] + 2 * i + c; }
 
-  /// Value of a displacement at a point of an element.
-  Vec2 displacementAt(const Vector& u, int e, double t) const;
+  /// Polynomial part of a displacement at a point of an element; all of it:
+  /// DisplacementField.
+  Vec2 polynomialAt(const Vector& u, int e, double t) const;
   /// Value of a density at a point of an element.
   Vec2 densityAt(const Vector& psi, int e, double t) const;
 
@@ -83,7 +84,6 @@ class Space {
   Matrix rigidMotions() const;
 
  private:
-  Vec2 polynomialAt(const Vector& u, int e, double t) const;
   Vector interpolateSamples(const std::vector<int>& elements,
                             const std::vector<Vec2>& samples) const;
   std::vector<double> samplePoints(int degree) const;

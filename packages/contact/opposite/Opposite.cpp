@@ -29,11 +29,11 @@ Vec2 motionAt(const Motions* motions, const Opposite::Point& point) {
     return motions->rigid[point.rigid].at(point.arm);
   if (point.element < 0)
     return {};
-  const bem::Space& space = *motions->spaces[point.body];
-  const Vec2 u =
-      space.displacementAt(*motions->displacements[point.body], point.element, point.t);
+  const bem::DisplacementField& field = motions->displacements[point.body];
+  const Vec2 u = field.at(point.element, point.t);
   const Inside inside = motions->inside.empty() ? nullptr : motions->inside[point.body];
-  return inside ? u + inside->displacement(space.mesh(), point.element, point.t) : u;
+  return inside ? u + inside->displacement(field.space().mesh(), point.element, point.t)
+                : u;
 }
 
 }  // namespace epafi::contact

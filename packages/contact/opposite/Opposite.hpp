@@ -2,6 +2,7 @@
 
 #include "bem/base/Matrix.hpp"
 #include "bem/base/Vec2.hpp"
+#include "bem/space/DisplacementField.hpp"
 #include "contact/multiplier/MultiplierSpace.hpp"
 
 namespace epafi::contact {
@@ -85,8 +86,7 @@ class DistantObstacle final : public Opposite {
 
 /// Displacements and motions of all bodies of a scene, for relative displacements.
 struct Motions {
-  std::vector<const bem::Space*> spaces;
-  std::vector<const Vector*> displacements;
+  std::vector<bem::DisplacementField> displacements;
   std::vector<RigidMotion> rigid{};  ///< of rigid bodies, dimensionless
   Vector shearModuli;                ///< dimensionless
   std::vector<Inside> inside{};      ///< body loads; empty: none

@@ -38,15 +38,16 @@ struct Solved {
   const Motions* motions = nullptr;  ///< of all bodies; null: opposite sides are fixed
   /// In a step of a path the displacement of the previous step, from which slip is measured;
   /// else null, and slip is measured from zero.
-  const Vector* displacementBefore = nullptr;
+  const bem::DisplacementField* displacementBefore = nullptr;
   const Motions* motionsBefore = nullptr;        ///< of all bodies, previous step
   const State* stateBefore = nullptr;            ///< previous step; null: zero
   const Conditions* conditionsBefore = nullptr;  ///< previous step; null: none
   const Wear* wear = nullptr;                    ///< after a step of a path; else null
+  bem::DisplacementField field{space, displacement};  ///< without the particular solution
 
   /// u including the particular solution, dimensionless.
   bem::Vec2 displacementAt(int element, double t) const {
-    return whole(displacement, conditions.inside, element, t);
+    return whole(field, conditions.inside, element, t);
   }
   /// Particular solution of the previous step.
   Inside insideBefore() const {
@@ -66,8 +67,9 @@ struct Solved {
   }
 
  private:
-  bem::Vec2 whole(const Vector& u, const Inside& inside, int element, double t) const {
-    const bem::Vec2 own = space.displacementAt(u, element, t);
+  bem::Vec2 whole(const bem::DisplacementField& u, const Inside& inside, int element,
+                  double t) const {
+    const bem::Vec2 own = u.at(element, t);
     return inside ? own + inside->displacement(space.mesh(), element, t) : own;
   }
 };

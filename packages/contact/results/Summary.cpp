@@ -177,7 +177,7 @@ EnergiesOfInside energiesOfInside(const Solved& solved) {
       ofForces += weight *
                   dot(solved.space.densityAt(psi, e, t), inside->displacementOfForces(y));
       ofHeat += weight * dot(inside->stressOfHeat(y).on(mesh[e].curve.normal(t)),
-                             solved.space.displacementAt(u, e, t));
+                             solved.field.at(e, t));
     }
   }
   const auto [own, within] = inside->energies(mesh);
