@@ -18,6 +18,13 @@ inline Matrix product(const Matrix& a, const Matrix& b) {
   return c;
 }
 
+/// B += A
+inline void addTo(Matrix& b, const Matrix& a) {
+  for (Index j = 0; j < a.columns(); ++j)
+    for (Index i = 0; i < a.rows(); ++i)
+      b(i, j) += a(i, j);
+}
+
 inline Matrix transposed(const Matrix& a) {
   Matrix result(a.columns(), a.rows());
   for (Index j = 0; j < a.columns(); ++j)

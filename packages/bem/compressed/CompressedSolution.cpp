@@ -107,12 +107,8 @@ Matrix CompressedFactor::solve(const Matrix& b, int refinements) const {
   const BlasThreads serial(1);
   const std::vector<char> all(nodes_.size(), 1);
   Matrix x = solveOnce(b, all);
-  for (int step = 0; step < refinements; ++step) {
-    const Matrix correction = solveOnce(leftOfDensities(b, x), all);
-    for (Index j = 0; j < x.columns(); ++j)
-      for (Index i = 0; i < x.rows(); ++i)
-        x(i, j) += correction(i, j);
-  }
+  for (int step = 0; step < refinements; ++step)
+    addTo(x, solveOnce(leftOfDensities(b, x), all));
   return x;
 }
 

@@ -1,5 +1,6 @@
 #include "contact/compressed/CompressedFlexibility.hpp"
 
+#include "bem/algebra/Products.hpp"
 #include "bem/algebra/SmallAlgebra.hpp"
 #include "contact/compressed/ReducedFlexibility.hpp"
 
@@ -13,8 +14,12 @@ CompressedFlexibility::CompressedFlexibility(
     CompressedCoupling coupling,
     std::vector<std::shared_ptr<const CompressedHolding>> bodies)
     : coupling_(std::move(coupling)), bodies_(std::move(bodies)) {
-  factorAll();
-  findPaths();
+  restrictAll();
+  if (bodies_.size() == 1)
+    own_.push_back(along(bodies_.front()->factor()));
+  else  // what is asked of one of them all the time is narrowed, see eliminated
+    for (const auto& body : bodies_)
+      own_.push_back({body->factor(), body->factor().paths(leaves_)});
   addMotions();
 }
 
@@ -38,31 +43,26 @@ Flexibility::Operator::Product CompressedFlexibility::product(const Vector& x) c
 }
 
 // Of all bodies together, every multiplier held: what one of them asks for or leaves free.
-void CompressedFlexibility::factorAll() {
-  if (bodies_.size() == 1) {
-    factor_ = std::make_unique<bem::CompressedFactor>(bodies_.front()->factor());
-    return;
+void CompressedFlexibility::restrictAll() {
+  restriction_ = bodies_.front()->restriction();
+  for (std::size_t b = 1; b < bodies_.size(); ++b) {
+    const bem::Restriction& own = bodies_[b]->restriction();
+    std::transform(own.held.begin(), own.held.end(), restriction_.held.begin(),
+                   restriction_.held.begin(),
+                   [](char a, char other) { return static_cast<char>(a & other); });
+    restriction_.entries.insert(restriction_.entries.end(), own.entries.begin(),
+                                own.entries.end());
   }
-  bem::Restriction restriction;
-  for (const auto& body : bodies_) {
-    const bem::Restriction& own = body->restriction();
-    restriction.held.resize(own.held.size(), 1);
-    for (std::size_t i = 0; i < own.held.size(); ++i)
-      restriction.held[i] = static_cast<char>(restriction.held[i] & own.held[i]);
-    restriction.entries.insert(restriction.entries.end(), own.entries.begin(),
-                               own.entries.end());
-  }
-  factor_ = std::make_unique<bem::CompressedFactor>(operators(), std::move(restriction),
-                                                    furtherLeaves(operators()));
+  leaves_ = furtherLeaves(operators());
+  for (const bem::Entry& entry : coupling_.entries)
+    leaves_.push_back(operators().leafOf(entry.row));
 }
 
-// The leaves that the multiplier acts on.
-void CompressedFlexibility::findPaths() {
-  std::vector<int> leaves = furtherLeaves(operators());
-  for (const bem::Entry& entry : coupling_.entries)
-    leaves.push_back(operators().leafOf(entry.row));
-  *factor_ = factor_->within(leaves);
-  paths_ = factor_->paths(std::move(leaves));
+CompressedFlexibility::Along CompressedFlexibility::along(
+    const bem::CompressedFactor& factor) const {
+  bem::CompressedFactor narrow = factor.within(leaves_);
+  std::vector<char> paths = narrow.paths(leaves_);
+  return {std::move(narrow), std::move(paths)};
 }
 
 void CompressedFlexibility::addMotions() {
@@ -95,7 +95,10 @@ Matrix CompressedFlexibility::timesColumns(const Matrix& x) const {
   Matrix forces(operators().size(), x.columns());
   for (Index j = 0; j < x.columns(); ++j)
     coupling_.push(1, x.column(j), forces.column(j));
-  const Matrix moved = factor_->solveAlong(paths_, forces);
+  // a multiplier that is held ties no bodies to one another
+  Matrix moved = own_.front().solve(forces);
+  for (std::size_t b = 1; b < own_.size(); ++b)
+    bem::addTo(moved, own_[b].solve(forces));
   Matrix result(size(), x.columns());
   for (Index j = 0; j < x.columns(); ++j) {
     const Vector pulled = coupling_.pull(moved.column(j));
@@ -149,15 +152,19 @@ std::unique_ptr<Flexibility::Operator::Factor> CompressedFlexibility::factor(
   return std::make_unique<ReducedFlexibility>(*this, std::move(system));
 }
 
-const bem::CompressedFactor& CompressedFlexibility::eliminated(
+const CompressedFlexibility::Along& CompressedFlexibility::eliminated(
     int number, const bem::Restriction& restriction) const {
   if (number == eliminated_)
     return *reduced_;
   // as long as it is between two systems, it is nobody's
-  auto reduced = reduced_ == nullptr ? std::make_unique<bem::CompressedFactor>(*factor_)
-                                     : std::move(reduced_);
+  auto reduced = std::move(reduced_);
   release();
-  reduced->update(restriction);
+  if (reduced == nullptr)
+    reduced = std::make_unique<Along>(
+        own_.size() == 1 ? own_.front()
+                         : along(bem::CompressedFactor(operators(), restriction_,
+                                                       furtherLeaves(operators()))));
+  reduced->factor.update(restriction);
   reduced_ = std::move(reduced);
   eliminated_ = number;
   return *reduced_;

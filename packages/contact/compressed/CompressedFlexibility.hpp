@@ -28,36 +28,41 @@ class CompressedFlexibility final : public Flexibility::Operator {
     return bodies_.front()->operators();
   }
   /// Restriction of all bodies with all multipliers held.
-  const bem::Restriction& restriction() const { return factor_->restriction(); }
+  const bem::Restriction& restriction() const { return restriction_; }
   /// Low-rank difference of D and D_M, which has springs on rigid motions R with functionals c:
   /// D = D_M - G wᵀ - w Gᵀ + G κ Gᵀ,  w = Ĉ M⁻¹ c,  κ = cᵀ M⁻¹ c,  G = Ĉ R.
   const bem::LowRank& motions() const { return motions_; }
-  /// CompressedFactor::paths of the leaves coupled to the multiplier.
-  const std::vector<char>& paths() const { return paths_; }
 
-  /// Factor of a system in some of the coefficients.  Only the last requested system is stored;
+  /// A factor, and its CompressedFactor::paths of the leaves coupled to the multiplier.
+  struct Along {
+    bem::CompressedFactor factor;
+    std::vector<char> paths;
+
+    Matrix solve(const Matrix& b) const { return factor.solveAlong(paths, b); }
+  };
+  /// Of a system in some of the coefficients.  Only the last requested system is stored;
   /// a request for another one eliminates it again.
   /// \throws bem::NumericalError
-  const bem::CompressedFactor& eliminated(int number,
-                                          const bem::Restriction& restriction) const;
+  const Along& eliminated(int number, const bem::Restriction& restriction) const;
   int nextNumber() const { return ++numbers_; }
 
  private:
   int kindOf(Index i) const { return i < coupling_.normals ? 0 : 1; }
-  void factorAll();
-  void findPaths();
+  void restrictAll();
+  Along along(const bem::CompressedFactor& factor) const;
   void addMotions();
   void measureRows() const;
   Matrix timesColumns(const Matrix& x) const;
 
   CompressedCoupling coupling_;
   std::vector<std::shared_ptr<const CompressedHolding>> bodies_;
-  std::unique_ptr<bem::CompressedFactor> factor_;
-  std::vector<char> paths_;
+  std::vector<int> leaves_;  ///< coupled to the multiplier
+  bem::Restriction restriction_;
+  std::vector<Along> own_;  ///< of each body
   bem::LowRank motions_;
   mutable Matrix rowSums_;  ///< over each kind, computed on first use
   // Kept between steps, so that only changed leaves and their ancestors are eliminated again.
-  mutable std::unique_ptr<bem::CompressedFactor> reduced_;
+  mutable std::unique_ptr<Along> reduced_;
   mutable int eliminated_ = 0;  ///< the number of its system; 0: of none
   mutable int numbers_ = 0;     ///< given to systems
 };

@@ -73,7 +73,7 @@ Vector ReducedFlexibility::solveSprung(Vector b) const {
   for (const auto* entries : {&coupling.mass, &system_.added})
     for (const bem::Entry& entry : *entries)
       right(coupling.first + entry.row, 0) += entry.value * b[at(entry.column)];
-  const Matrix solution = factor().solveAlong(whole_.paths(), right);
+  const Matrix solution = factor().solve(right);
   for (Index i = 0; i < coupling.multipliers; ++i)
     b[at(i)] += solution(coupling.first + i, 0);
   return b;
@@ -86,13 +86,12 @@ void ReducedFlexibility::makeCorrection() {
   for (Index j = 0; j < right.columns(); ++j)
     for (const Index i : system_.rows)
       right(first + i, j) = -terms.u(i, j);
-  const bem::CompressedFactor& own = factor();
+  const CompressedFlexibility::Along& own = factor();
   if (right.columns() == 0)
     return;
-  correction_ = bem::Woodbury(
-      terms.u.copy(), terms.inverse.copy(),
-      bem::rowsBetween(own.solveAlong(whole_.paths(), right), first, right.rows()),
-      "the flexibility of the active coefficients");
+  correction_ = bem::Woodbury(terms.u.copy(), terms.inverse.copy(),
+                              bem::rowsBetween(own.solve(right), first, right.rows()),
+                              "the flexibility of the active coefficients");
 }
 
 void ReducedFlexibility::makeBorder() {

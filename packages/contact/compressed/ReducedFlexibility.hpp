@@ -22,7 +22,7 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
   Vector solveSprung(Vector b) const;
   void makeCorrection();
   void makeBorder();
-  const bem::CompressedFactor& factor() const {
+  const CompressedFlexibility::Along& factor() const {
     return whole_.eliminated(number_, restriction_);
   }
 
