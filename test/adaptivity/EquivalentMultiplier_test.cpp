@@ -3,6 +3,7 @@
 #include "Processes.hpp"
 #include "SolvedScene.hpp"
 #include "bem/quadrature/Gauss.hpp"
+#include "bem/space/DisplacementField.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

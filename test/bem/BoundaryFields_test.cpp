@@ -7,6 +7,7 @@
 #include "bem/fields/Interior.hpp"
 #include "bem/moments/RelativeTarget.hpp"
 #include "bem/operators/Assembly.hpp"
+#include "bem/space/DisplacementField.hpp"
 #include "reference/ExactFields.hpp"
 #include "reference/SampleMeshes.hpp"
 

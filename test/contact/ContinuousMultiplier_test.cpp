@@ -2,7 +2,7 @@
 #include "contact/multiplier/ContinuousMultiplier.hpp"
 
 #include "bem/quadrature/Gauss.hpp"
-#include "bem/space/Space.hpp"
+#include "bem/space/DisplacementField.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>
 

@@ -3,6 +3,7 @@
 // solved here as a whole, with forms integrated anew.
 #include "bem/algebra/LuFactor.hpp"
 #include "bem/quadrature/Gauss.hpp"
+#include "bem/space/DisplacementField.hpp"
 #include "contact/results/Summary.hpp"
 
 #include <Teuchos_UnitTestHarness.hpp>

@@ -1,6 +1,7 @@
 // Contact on circular arcs: normals turn along an element, sides close, and a rotation is no
 // polynomial.  On any number of ranks.
 #include "bem/operators/ExactRotation.hpp"
+#include "bem/space/DisplacementField.hpp"
 #include "contact/Solve.hpp"
 #include "contact/results/Summary.hpp"
 
