@@ -59,11 +59,15 @@ Matrix Response::full(Index skeleton) const {
 }
 
 Response Response::of(const Matrix& full) {
-  Response result;
+  std::vector<char> occurs(at(full.rows()));  // with followers E is not symmetric
   for (Index j = 0; j < full.columns(); ++j)
-    if (std::any_of(full.column(j), full.column(j) + full.rows(),
-                    [](double entry) { return entry != 0; }))
-      result.places.push_back(j);
+    for (Index i = 0; i < full.rows(); ++i)
+      if (full(i, j) != 0)
+        occurs[at(i)] = occurs[at(j)] = 1;
+  Response result;
+  for (Index i = 0; i < full.rows(); ++i)
+    if (occurs[at(i)] != 0)
+      result.places.push_back(i);
   result.matrix = between(full, result.places, result.places);
   return result;
 }
