@@ -24,6 +24,21 @@ double parameterOf(const Curve& arc, Vec2 direction) {
          (0.5 * arc.angle());
 }
 
+/// Can a normal line of the side meet the curve?  True for any that does.
+bool mayFace(const Curve& side, const Curve& curve) {
+  constexpr double rounding = 1 + 1e-9;
+  const double radius = rounding * curve.half();
+  const Vec2 way = curve.frame().middle - side.frame().middle;
+  if (side.isStraight())
+    return std::abs(dot(way, side.frame().tangent)) <= rounding * side.half() + radius;
+  const Vec2 ray = curve.frame().middle - centreOf(side);
+  const double distance = norm(ray);
+  return distance <= radius ||
+         std::atan2(std::abs(dot(side.frame().tangent, ray)),
+                    std::abs(dot(side.frame().normal, ray))) <=
+             rounding * 0.5 * std::abs(side.angle()) + std::asin(radius / distance);
+}
+
 bool isBetter(const Crossing& a, const Crossing& b) {
   if (isOn(a) != isOn(b))
     return isOn(a);
@@ -108,7 +123,12 @@ std::vector<Facing> facing(const Curve& side, const std::vector<Curve>& opposite
                            double reach) {
   constexpr double tiny = 1e-12;  // of an element: rounding of two ends that meet
   Vector ends = {-1, 1};
-  for (const Curve& curve : opposite) {
+  std::vector<std::size_t> candidates;
+  for (std::size_t k = 0; k < opposite.size(); ++k) {
+    const Curve& curve = opposite[k];
+    if (!mayFace(side, curve))
+      continue;
+    candidates.push_back(k);
     ends.push_back(footOn(side, curve.from()));
     ends.push_back(footOn(side, curve.to()));
     if (!curve.isStraight())
@@ -124,10 +144,12 @@ std::vector<Facing> facing(const Curve& side, const std::vector<Curve>& opposite
     if (end - begin < tiny || (end < 1 && 1 - end < tiny))
       continue;
     const double middle = 0.5 * (begin + end);
+    const Vec2 x = side.point(middle);
+    const Vec2 n = side.normal(middle);
     std::optional<Crossing> best;
     int found = -1;
-    for (std::size_t k = 0; k < opposite.size(); ++k) {
-      const auto here = crossing(side.point(middle), side.normal(middle), opposite[k]);
+    for (const std::size_t k : candidates) {
+      const auto here = crossing(x, n, opposite[k]);
       if (here && isOn(*here) && std::abs(here->distance) <= reach &&
           (!best || isBetter(*here, *best))) {
         best = here;
