@@ -37,7 +37,7 @@ Flexibility::Operator::Product CompressedFlexibility::product(const Vector& x) c
   return result;
 }
 
-// Of all bodies together, every multiplier held: what one of them asks for or leaves free.
+// Factor of all bodies, all multipliers held: free are the unknowns that one body has free.
 void CompressedFlexibility::factorAll() {
   if (bodies_.size() == 1) {
     factor_ = std::make_unique<bem::CompressedFactor>(bodies_.front()->factor());
@@ -56,7 +56,7 @@ void CompressedFlexibility::factorAll() {
                                                     furtherLeaves(operators()));
 }
 
-// The leaves that the multiplier acts on.
+// The leaves coupled to the multiplier.
 void CompressedFlexibility::findPaths() {
   std::vector<int> leaves = furtherLeaves(operators());
   for (const bem::Entry& entry : coupling_.entries)
@@ -71,7 +71,7 @@ void CompressedFlexibility::addMotions() {
     count += body->motions().columns();
   Matrix u(size(), 2 * count);
   Matrix kappa(count, count);
-  Index first = 0;  // of the body's
+  Index first = 0;  // column of the body's first motion
   for (const auto& body : bodies_) {
     const Matrix moved = body->motions();
     const Matrix forces = body->functionals();
@@ -107,9 +107,8 @@ Matrix CompressedFlexibility::timesColumns(const Matrix& x) const {
   return result;
 }
 
-// Σ_j |D_ij| over normal and tangential coefficients j, each kind in so many groups of
-// neighbours: within one the entries have one sign, but for small ones where it changes and
-// for those of the other kind beside i, so that the group's sum has their size.
+// Estimates Σ_j |D_ij| over normal and over tangential j by Σ_g |Σ_{j in g} D_ij|, g: 16
+// groups of neighbours.  Within a group entries mostly have one sign.
 void CompressedFlexibility::measureRows() const {
   constexpr Index groups = 16;
   const Index counts[] = {coupling_.normals, size() - coupling_.normals};
@@ -153,7 +152,7 @@ const bem::CompressedFactor& CompressedFlexibility::eliminated(
     int number, const bem::Restriction& restriction) const {
   if (number == eliminated_)
     return *reduced_;
-  // as long as it is between two systems, it is nobody's
+  // belongs to no system while update() may throw
   auto reduced = reduced_ == nullptr ? std::make_unique<bem::CompressedFactor>(*factor_)
                                      : std::move(reduced_);
   release();

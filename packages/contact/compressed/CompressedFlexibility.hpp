@@ -17,7 +17,7 @@ class CompressedFlexibility final : public Flexibility::Operator {
 
   Index size() const override { return coupling_.multipliers; }
   Vector times(const Vector& x) const override;
-  /// |D| |x| is bounded by row sums times the largest coefficient, for each kind.
+  /// Estimates |D| |x| by row sums times the largest |x_j|, for each kind of coefficient.
   Product product(const Vector& x) const override;
   std::unique_ptr<Factor> factor(System system) const override;
   Matrix formed() const override;
@@ -29,14 +29,15 @@ class CompressedFlexibility final : public Flexibility::Operator {
   }
   /// Restriction of all bodies with all multipliers held.
   const bem::Restriction& restriction() const { return factor_->restriction(); }
-  /// Low-rank difference of D and D_M, which has springs on rigid motions R with functionals c:
-  /// D = D_M - G wᵀ - w Gᵀ + G κ Gᵀ,  w = Ĉ M⁻¹ c,  κ = cᵀ M⁻¹ c,  G = Ĉ R.
+  /// Low-rank difference of D and D_M, which has springs on rigid motions R with
+  /// functionals c: D = D_M - G wᵀ - w Gᵀ + G κ Gᵀ,  w = Ĉ M⁻¹ c,  κ = cᵀ M⁻¹ c,  G = Ĉ
+  /// R.
   const bem::LowRank& motions() const { return motions_; }
   /// CompressedFactor::paths of the leaves coupled to the multiplier.
   const std::vector<char>& paths() const { return paths_; }
 
-  /// Factor of a system in some of the coefficients.  Only the last requested system is stored;
-  /// a request for another one eliminates it again.
+  /// Factor of a system in some of the coefficients.  Only the last requested system is
+  /// stored; a request for another one eliminates it again.
   /// \throws bem::NumericalError
   const bem::CompressedFactor& eliminated(int number,
                                           const bem::Restriction& restriction) const;
@@ -56,7 +57,8 @@ class CompressedFlexibility final : public Flexibility::Operator {
   std::vector<char> paths_;
   bem::LowRank motions_;
   mutable Matrix rowSums_;  ///< over each kind, computed on first use
-  // Kept between steps, so that only changed leaves and their ancestors are eliminated again.
+  // Kept between steps, so that only changed leaves and their ancestors are eliminated
+  // again.
   mutable std::unique_ptr<bem::CompressedFactor> reduced_;
   mutable int eliminated_ = 0;  ///< the number of its system; 0: of none
   mutable int numbers_ = 0;     ///< given to systems
