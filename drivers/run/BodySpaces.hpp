@@ -14,7 +14,7 @@ class Conduction;
 
 namespace epafi::drivers {
 
-/// The spaces on the meshes of a scene's bodies, and what their contact sides meet.
+/// The spaces on the meshes of a scene's bodies, and the opposite sides of their contacts.
 class BodySpaces {
  public:
   /// Refers to the scene.  \throws bem::InputError, see contact::MultiplierSpace.
@@ -31,13 +31,13 @@ class BodySpaces {
     return opposites_[b];
   }
 
-  /// The scene's at a time, with what conducted heat does inside on these meshes.
+  /// Conditions of the bodies at time t, body loads with conducted heat on these meshes.
   std::vector<contact::Conditions> conditionsAt(double t) const;
 
   Size totalSize() const;
 
-  /// Of displacements of all bodies, which must outlive it, and motions of those that do
-  /// not deform.
+  /// Motions for given displacements of the elastic bodies, which must outlive the
+  /// result, and given motions of rigid bodies.
   contact::Motions motions(const std::vector<bem::Vector>& displacements,
                            const std::vector<contact::RigidMotion>& rigid) const;
 
@@ -49,16 +49,16 @@ class BodySpaces {
   std::vector<bem::Space> spaces_;
   std::vector<contact::MultiplierSpace> multipliers_;
   std::vector<std::shared_ptr<const contact::Opposite>> opposites_;
-  /// Of bodies that conduct heat, made when it is asked for.
+  /// By body, if it conducts heat; computed on first use.
   mutable std::map<std::size_t, std::shared_ptr<const contact::Conduction>> conductions_;
 };
 
-/// The mesh that a body's part of the scene describes.  An edge on which contact with another
-/// body ends is cut there, and its elements are shared out by length.
+/// First mesh of a body.  An edge on which contact with another body ends is divided
+/// there, its elements are distributed by length.
 bem::Mesh firstMesh(const Body& body);
 
-/// The meshes of a level.  \throws bem::InputError if its pieces are none on the scene's
-/// outlines.
+/// The meshes of a level.  \throws bem::InputError if its pieces do not fit the scene's
+/// outlines
 std::vector<bem::Mesh> meshesOf(const Scene& scene, const Level& level);
 
 }  // namespace epafi::drivers

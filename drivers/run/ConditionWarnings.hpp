@@ -7,9 +7,9 @@
 
 namespace epafi::drivers {
 
-/// Adds what boundary conditions say that is probably not meant, at the end of a path and at some
-/// times before it, each sentence once: displacements that jump at a corner or go through an obstacle
-/// there, loads narrower than their elements can see.
+/// Adds warnings about boundary conditions, at the end of a path and at some times
+/// before, each once: displacements that jump at a corner or penetrate an obstacle there,
+/// loads on parts of the boundary that are too short for the mesh.
 void findInConditions(const Scene& scene, std::vector<std::string>& warnings);
 
 }  // namespace epafi::drivers

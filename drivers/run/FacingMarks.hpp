@@ -13,16 +13,16 @@ struct SingularMesh {
   adaptivity::SingularPoints singular;
 };
 
-/// What refinement of one side of a contact between elastic bodies means for the other, from
-/// those of all.                                     [doc/theory/estimators.md, Strategies]
+/// Refinement of opposite sides of contacts between elastic bodies.
+///                                              [doc/theory/estimators.md, Several bodies]
 
-/// Where contact or friction changes its state on one side it does so on the other, and where
-/// either ends: singular points of both.
+/// Adds to each side of a contact the singular points opposite: transitions, and the ends
+/// of the other side.
 void shareSingularPoints(const Scene& scene, std::vector<SingularMesh>& meshes);
 
-/// The elements of all bodies that are to be refined, and those that face them beside strong
-/// singular points unless they are less than half as long: graded apart, each side's
-/// pressure follows what the other one cannot.
+/// The marked elements of all bodies, and for those beside a strong singular point the
+/// opposite elements, unless less than half as long, so that both sides are graded alike.
+/// \param worst marked elements, by body
 std::vector<std::vector<int>> withFacing(const Scene& scene,
                                          const std::vector<SingularMesh>& meshes,
                                          std::vector<std::vector<int>> worst);

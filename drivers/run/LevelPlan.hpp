@@ -8,32 +8,32 @@
 
 namespace epafi::drivers {
 
-/// How a level's operators are to be known, and what that takes.
+/// Choice of dense or compressed operators for a level, with a forecast of memory.
 struct Plan {
   bool compressed = false;
   double memory = 0;  ///< at the peak, all processes together [MiB]
-  /// Of dense operators, which may take the place of compressed ones that fail: under Method
-  /// "Automatic" where they fit.
+  /// Memory of dense operators [MiB] if they may replace compressed ones that fail: Method
+  /// "Automatic", and they fit.
   std::optional<double> denseInstead{};
-  /// What another Method or Form would save, or keep; empty: nothing to speak of.
+  /// Advice on another Method or Form; empty: none.
   std::string advice{};
-  double allowed = 0;  ///< Maximum Memory, or else what is free [MiB]
+  double allowed = 0;  ///< Maximum Memory, else the free memory [MiB]
 };
 
-/// Up to so many multipliers of all bodies D is formed where operators are compressed, once
-/// for all steps of a path: beyond, eliminations in the tree cost less.
+/// Largest number of multipliers of all bodies for which D is formed with compressed
+/// operators, once for all `steps`; with more, eliminations in the tree cost less.
 int formedUpTo(int steps);
 
-/// As Solver->Linear->Method wants it; "Automatic": compressed where the scene allows it, from
-/// 3100 unknowns of one body on, some 7300 of two that meet, for meshes that are not graded to
-/// rounding, of bodies that are not slender: by sizes and shape, alike on every machine
-/// (decision 71).  Collective.
+/// By Solver->Linear->Method.  "Automatic": compressed if the scene allows it, from 3100
+/// unknowns of one body on, some 7300 of two bodies in contact, unless bodies are slender
+/// or meshes are graded to rounding; independent of the machine (decision 71).
+/// Collective.
 /// \param allowedBefore  `allowed` of an earlier level; 0 if there is none.
 Plan planOf(const Scene& scene, const BodySpaces& spaces, const Ranks& ranks,
             double allowedBefore);
 
-/// Why a level is not begun that would not fit into Maximum Memory, or else into what is
-/// free, or whose heat is conducted on too fine a mesh; nothing if it does.
+/// Reason why a level is not begun: more memory than allowed, or heat conduction on too
+/// fine a mesh; empty if there is none.
 std::optional<std::string> tooLarge(int level, const Size& size, const Plan& plan,
                                     const Scene& scene, const BodySpaces& spaces,
                                     const Ranks& ranks);

@@ -8,11 +8,11 @@
 
 namespace epafi::drivers {
 
-/// What is probably not meant in a solved level, a sentence each: nothing is loaded, or by less
-/// than numbers can tell, contact never closes, sliding beyond a tenth of the length in contact,
-/// displacements beyond a tenth of a body: conditions on the undeformed outline mean little
-/// there.  What rounding has taken: bodies out of balance, conditions of contact that the
-/// displacements do not meet.
+/// Warnings about a solved level, one sentence each: no loads or loads of the size of
+/// rounding errors, contact that never closes, sliding beyond a tenth of the contact
+/// length, displacements beyond a tenth of a body (the model is for small ones); by
+/// rounding errors: bodies out of balance, contact conditions that the displacements
+/// violate.
 std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level);
 
 }  // namespace epafi::drivers

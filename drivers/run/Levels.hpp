@@ -12,16 +12,15 @@ namespace epafi::drivers {
 
 class Ranks;
 
-/// Frictional contact from level to level: the whole method on one page.
-///
-/// `handOut` receives each level as soon as it is solved, converged or not; the first one
-/// that is not is the last.  With `earlier`, the result of a level of an earlier run, the
-/// run goes on behind that level as if it had never stopped, see levelAfterRestart.
-/// `handOutStep` receives each step of a path likewise, its level not complete, without a
-/// row and indicators.
-/// Collective; all ranks hand out the same.
-/// \throws bem::InputError, bem::NumericalError, Interrupted; levels handed out stay
-/// good.
+/// Solves level after level, until a limit or a tolerance ends the run, or a level does
+/// not converge. Collective.
+/// \param handOut called with each solved level, the same on all ranks; also with one that
+///   has not converged, which is the last
+/// \param earlier a level of an earlier run, after which this one continues, see
+///   levelAfterRestart
+/// \param handOutStep called after each step of a path, with a Level that is not complete,
+///   without row and indicators
+/// \throws bem::InputError, bem::NumericalError, Interrupted; earlier calls stay valid
 Outcome solveLevels(const Scene& scene, const Ranks& ranks, PhaseTimer& timer,
                     const std::function<void(const SolvedLevel&)>& handOut,
                     const std::optional<Level>& earlier = {},

@@ -9,13 +9,13 @@
 
 namespace epafi::drivers {
 
-/// What a level is computed from.
+/// Data from which a level is computed.
 struct LevelStart {
   int level = 0;
   std::vector<bem::Mesh> meshes;      ///< one per body
   std::vector<contact::State> start;  ///< likewise; empty: from zero
-  std::vector<PathPoint> path{};      ///< steps on this mesh that are known already
-  std::vector<contact::RigidMotion> rigid{};  ///< where bodies without elasticity start
+  std::vector<PathPoint> path{};      ///< steps on this mesh solved by an earlier run
+  std::vector<contact::RigidMotion> rigid{};  ///< start motions of rigid bodies
 };
 
 /// How a run ended.
@@ -24,23 +24,21 @@ struct Outcome {
   std::string reason;
 };
 
-/// The meshes that the scene describes, started from zero.
+/// First meshes of the scene, with start value zero.
 LevelStart firstLevel(const Scene& scene);
 
-/// "; the estimated error is ...", what a level lacks of Adaptivity->Tolerance; empty if it is
-/// reached or not asked for.
+/// "; the estimated error is ...": by how much a level misses Adaptivity->Tolerance;
+/// empty if it is reached or not given.
 std::string missingTo(const Scene& scene, const Level& level);
 
-/// The level after a solved one, or why there is none.
-///
-/// Everything is taken from the numbers of the level and from the scene, so that a level
-/// read from a file leads to the same next one as a level just computed.  Collective.
-/// \throws bem::InputError if the pieces are no meshes on the scene's outlines.
+/// The level after a solved one, or the end of the run.  Depends on the scene and the
+/// numbers of the level only, so that restarts give the same levels.  Collective.
+/// \throws bem::InputError if the pieces do not fit the scene's outlines
 std::variant<LevelStart, Outcome> nextLevel(const Scene& scene, const Level& level,
                                             const bem::Processes& processes);
 
-/// Where a run goes on that ended with this level: nextLevel, but a level that has not
-/// converged is solved again from the state it was left in.
+/// Continues a run that ended with this level: nextLevel(), but a level that has not
+/// converged is solved again, from its last state.
 std::variant<LevelStart, Outcome> levelAfterRestart(const Scene& scene,
                                                     const Level& level,
                                                     const bem::Processes& processes);

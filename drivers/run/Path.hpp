@@ -11,8 +11,8 @@
 
 namespace epafi::drivers {
 
-/// What friction's work counts as at least where an error is relative to it, as a part of the
-/// work from outside: below it lie first touches of a mesh.
+/// Smallest reference value of relative errors of friction's work, over the external
+/// work: less comes from first contacts on a mesh.
 constexpr double leastFriction = 1e-4;
 
 /// A contact in a row of steps.csv, in the user's units.
@@ -22,36 +22,37 @@ struct ContactRow {
   double dissipated = 0;  ///< friction's work so far
 };
 
-/// A row of steps.csv; energies so far, see contact::PathMemory, in the user's units.
+/// A row of steps.csv, in the user's units; energies are sums over the path, see
+/// contact::PathMemory.
 struct StepRow {
   int level = 0;
-  int step = 0;  ///< 1, 2, ...: the times that the scene asks for
+  int step = 0;  ///< 1, 2, ... by History->Times and Steps
   double t = 0;
   int newtonIterations = 0;  ///< of all parts of the step
-  int parts = 1;  ///< in how many steps it was solved: more where one failed or erred
+  int parts = 1;             ///< number of steps into which it was divided
   bool converged = false;
   double energyStrain = 0;
   double energyDissipated = 0;
-  double energyDissipatedError = 0;  ///< of it, in time; zero without History->Tolerance
+  double energyDissipatedError = 0;  ///< its time error; zero without History->Tolerance
   double energyTrapezoidal = 0;
   double energyOutside = 0;        ///< work of loads, clamps, obstacles, ends of springs
-  double energyStabilisation = 0;  ///< what it stores
+  double energyStabilisation = 0;  ///< stored by the stabilisation
   double energyStored = 0;         ///< strain energy, stabilisation, surfaces, springs
-  double energyInterface = 0;      ///< what the surfaces of contacts store
-  double energySprings = 0;        ///< what springs of rigid bodies store
-  double energyWorn = 0;           ///< work on what wears off
+  double energyInterface = 0;      ///< stored by contact surfaces
+  double energySprings = 0;        ///< stored by springs of rigid bodies
+  double energyWorn = 0;           ///< work of contact stresses on worn material
   double energyError = 0;          ///< outside - trapezoidal - worn - stored
-  double cycles = 0;  ///< ∫ n dt, n how many times steps happen for what wears
+  double cycles = 0;  ///< ∫ n dt, n: how often steps are repeated, for wear
   std::vector<ContactRow> contacts;
   std::vector<RigidRow> rigid;
-  std::vector<contact::Summary> bodies;  ///< in scenes of several
+  std::vector<contact::Summary> bodies;  ///< empty with one body
 };
 
-/// A row without numbers: the names of contacts, with the body's in front where another one has
-/// the same, and of bodies without elasticity, in their order.
+/// A row with names only: of contacts, preceded by that of the body if not unique, and of
+/// rigid bodies, in the order of the scene.
 StepRow emptyRow(const Scene& scene, const BodySpaces& spaces);
 
-/// A solved step with all that its fields are made from.
+/// A solved step with the data of its fields.
 struct PathStep {
   StepRow row;
   std::vector<contact::Conditions> conditions;
@@ -63,24 +64,24 @@ struct PathStep {
 
 /// The steps of a path on one mesh.
 struct Path {
-  std::unique_ptr<const Placement> start;        ///< before the first: nothing has moved
-  std::vector<std::unique_ptr<PathStep>> steps;  ///< those that were asked for
-  std::vector<PathPoint> points;                 ///< every step that was solved
+  std::unique_ptr<const Placement> start;        ///< before the first step: zero
+  std::vector<std::unique_ptr<PathStep>> steps;  ///< by History->Times and Steps
+  std::vector<PathPoint> points;                 ///< all solved steps, also parts
   contact::Report report;  ///< iterations of all; status of the last
   std::string reason;      ///< why the path ends early; else empty
 
   const PathStep& last() const { return *steps.back(); }
 };
 
-/// Follows the scene's path; operators, factors and D are those of `atZero` for all steps.
+/// Solves the path of the scene; all steps use operators, factors and D of `atZero`.
 ///
-/// Each step starts where contact::Prediction says; one that fails is halved, down to
-/// History->Minimum Step, and then the path ends there.  With History->Tolerance the steps
-/// between two times asked for are halved until friction's work hardly changes, and the
-/// last of these solutions is the path's.          [doc/theory/paths.md, Steps that fit]
-/// `earlier` are points that an earlier run has solved: they are taken as they are.
-/// `handOut` receives each step asked for as soon as it is solved, and the path so far.
+/// A step starts from contact::Prediction.  If it fails it is halved, down to
+/// History->Minimum Step; there the path ends.  With History->Tolerance steps are halved
+/// until the time error of friction's work is small enough.
+///                                                  [doc/theory/paths.md, Steps that fit]
 /// Collective.
+/// \param earlier points solved by an earlier run, which are not solved again
+/// \param handOut called with the path so far after each step of History
 /// \throws bem::InputError, Interrupted.
 Path followPath(const Ground& ground, const contact::ContactSystem& atZero,
                 const std::vector<PathPoint>& earlier, PhaseTimer& timer,

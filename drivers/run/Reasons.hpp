@@ -12,12 +12,12 @@ namespace epafi::drivers {
 /// Why a solve did not converge and what in the scene might help; empty if it did.
 std::string reasonOf(const contact::Report& report, const Scene& scene);
 
-/// What nothing balances, in words of `unresisted` if there are any, and what in the scene
-/// might.
+/// Message for a load that nothing balances, with the motion of unresisted() if there is
+/// one, and advice.
 std::string withAdvice(const contact::NoBalance& error, const std::string& unresisted);
 
-/// "; contact points that still change state: (0.31, 0) on foundation, ...": where a
-/// solve that did not converge is undecided, at most five; empty if it is nowhere.
+/// "; contact points that still change state: (0.31, 0) on foundation, ...", at most
+/// five; empty if there are none.
 std::string restlessPlaces(const contact::Report& report, const Scene& scene,
                            const contact::ContactSystem& system,
                            const BodySpaces& spaces);

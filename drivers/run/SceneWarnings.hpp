@@ -7,10 +7,10 @@
 
 namespace epafi::drivers {
 
-/// What is probably not meant in a scene, a sentence each: what has no effect, displacements
-/// that jump at a corner or go through an obstacle there, loads narrower than their elements
-/// can see, bodies drawn deep into each other, straight edges that draw a curve on a side in contact.  A polygon meets an obstacle
-/// at its corners: 64 edges around a cylinder give 1.6 times Hertz' contact length.
+/// Warnings about a scene, one sentence each: data without effect, those of
+/// findInConditions(), bodies that overlap deeply, polygons in place of curves in contact
+/// (64 edges around a cylinder give 1.6 times the contact length of Hertz, since corners
+/// touch first).
 std::vector<std::string> warningsOf(const Scene& scene);
 
 }  // namespace epafi::drivers

@@ -11,7 +11,7 @@
 
 namespace epafi::drivers {
 
-/// What the states of a mesh are solved on; all outlive it.
+/// Data for all solves on one mesh.  Refers to them.
 struct Ground {
   const Scene& scene;
   int level;
@@ -21,12 +21,12 @@ struct Ground {
   const bem::Processes& processes;
 };
 
-/// Displacements before the first step of a path, or behind one, and what acted there.
+/// Displacements, states and conditions before the first step of a path, or after a step.
 struct Placement {
   std::vector<bem::Vector> displacements;
   contact::Motions motions;              ///< of these
-  std::vector<contact::State> states{};  ///< of each body; none: nothing acted
-  /// Those there, which outlive this; null: none.
+  std::vector<contact::State> states{};  ///< by body; empty: no loads
+  /// Its conditions, which must outlive this; null: none.
   const std::vector<contact::Conditions>* conditions = nullptr;
 
   Placement(const BodySpaces& spaces, std::vector<bem::Vector> all,
@@ -43,12 +43,12 @@ struct Placement {
   Placement& operator=(const Placement&) = delete;
 };
 
-/// A state of all bodies with all that results are made from.  Refers to the ground, to the
-/// system and to the conditions that it was solved under.
+/// A solution of all bodies with the data for results.  Refers to ground, system and
+/// conditions.
 class SolvedBodies {
  public:
-  /// `before`: where the bodies were before a step of a path; null: there is no path.  `wear`:
-  /// of each body behind it.
+  /// \param before placement before the step of a path; null: no path
+  /// \param wear by body, after the step
   SolvedBodies(const Ground& ground, const contact::ContactSystem& system,
                const std::vector<contact::Conditions>& conditions,
                contact::Configuration at, const Placement* before = nullptr,
@@ -61,15 +61,15 @@ class SolvedBodies {
   const std::vector<bem::Vector>& densities() const { return densities_; }
   const std::vector<contact::Solved>& bodies() const { return bodies_; }
 
-  /// Of each body's coefficients.
+  /// Contact states of the coefficients, by body.
   std::vector<contact::ContactState> states() const;
 
-  /// Everything of a level but its status, indicators and path.
+  /// The level without status, indicators and path.
   Level level(int number) const;
 
-  /// In the user's units, of one step the work of its own.
+  /// Friction's work in this step, in the user's units.
   double frictionWork() const;
-  /// What the surfaces of contacts store, likewise.
+  /// Energy stored by contact surfaces, in the user's units.
   double interfaceEnergy() const;
   std::vector<RigidRow> rigidRows() const;
 

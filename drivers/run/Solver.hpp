@@ -12,7 +12,7 @@
 
 namespace epafi::drivers {
 
-/// A solved problem, and in words why it is not if it is not.
+/// Result of a solve, with the reason if it has not converged.
 struct SolvedProblem {
   contact::Solution solution;
   std::string reason;
@@ -21,17 +21,17 @@ struct SolvedProblem {
 /// Solves one problem as the scene's list Solver says: Newton's method by NOX, Tresca's
 /// problem on it, and Coulomb's on that where the slip bound depends on the pressure.
 ///
-/// Rank 0 solves and tells the others, so that all go on with the same bits.  They get
-/// state, status, iterations, residual, tolerance and reason; the histories of the steps
-/// stay where they are.  The timer's watch is told how far what takes long is.
-/// \throws see contact::NonlinearSolver; what the watch throws
+/// Rank 0 broadcasts state, status, iterations, residual, tolerance and reason, so that
+/// all ranks have the same bits; it alone has the histories of steps.  The timer's watch
+/// receives the progress of long solves.
+/// \throws see contact::NonlinearSolver; exceptions of the watch
 SolvedProblem solve(const Scene& scene, const contact::ContactSystem& system,
                     const BodySpaces& spaces, const contact::State& start,
                     const bem::Processes& processes, PhaseTimer& timer);
 
-/// The same for a step of a path: from a start, if none from where it is predicted, and if that
-/// fails from the state before.  It may fail and be tried in parts: a bem::NumericalError is
-/// the reason of a report without a state.
+/// The same for a step of a path, from `better` or, if null, from the prediction; if that
+/// fails, from the previous state.  A bem::NumericalError gives a report without a state,
+/// since the step may be tried in parts.
 SolvedProblem solveStep(const Scene& scene, const contact::ContactSystem& system,
                         const BodySpaces& spaces, const contact::Prediction& prediction,
                         const contact::State* better, const bem::Processes& processes,

@@ -7,20 +7,19 @@
 
 namespace epafi::drivers {
 
-/// In a scene of several bodies every free rigid motion must move some contact: what leaves
-/// all of them as they are, nothing resists and no load decides.
-/// \throws bem::InputError naming the body.
+/// Checks that each free rigid motion of several bodies changes some contact; nothing
+/// would resist others.  \throws bem::InputError naming the body
 void checkResistance(const Scene& scene, const contact::ContactSystem& system);
 
-/// "the load drives Bodies->pad in the direction (0, 1), a rigid motion in which neither contact
-/// nor friction can balance it": of contact::unresistedMotion, what moves the farthest; empty if
-/// there is none.
+/// "the load drives Bodies->pad in the direction (0, 1), a rigid motion in which neither
+/// contact nor friction can balance it": the body that moves farthest in
+/// contact::unresistedMotion; empty if there is none.
 std::string unresisted(const Scene& scene, const BodySpaces& spaces,
                        const contact::ContactSystem& system);
 
-/// Both of a scene's conditions at a time, from geometry alone.
-/// \throws bem::InputError naming a body that nothing holds, or that loads drive along a rigid motion
-/// in which neither contact nor friction can balance them.
+/// Both checks for the conditions at time t, without solving.
+/// \throws bem::InputError for a body that nothing holds, or a load that neither contact
+///   nor friction can balance
 void checkBalance(const Scene& scene, const BodySpaces& spaces,
                   const std::vector<contact::Conditions>& conditions, double t);
 

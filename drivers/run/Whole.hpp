@@ -5,11 +5,12 @@
 
 namespace epafi::drivers {
 
-/// What results of one half are of the whole (Geometry->Symmetry): twice those along the line, none
-/// across it or turning; without symmetry the same.
+/// Results of the whole scene from those of the half (Geometry->Symmetry): twice the
+/// components along the line, zero across it and for moments.  Without symmetry
+/// unchanged.
 contact::Summary wholeOf(const Symmetry& symmetry, contact::Summary half);
 
-/// Of bodies that the line cuts those of the whole body; of others the same.
+/// The same for one body, if the line cuts it; else unchanged.
 contact::Summary wholeOf(const Symmetry& symmetry, const bem::Outline& outline,
                          const contact::Summary& drawn);
 std::vector<contact::Summary> wholeBodies(const Scene& scene,

@@ -9,30 +9,30 @@
 
 namespace epafi::drivers {
 
-/// Where a text of the scene stands, for messages.
+/// Place of a text in the scene, for messages.
 struct Place {
   std::string file;
   std::string path;  ///< A->B->Key
 };
 
-/// Numbers under names of the scene's own.
+/// Named numbers of the scene.
 using Constants = std::map<std::string, double>;
 
-/// What expressions know besides x, y and pi.
+/// Names that expressions may use besides x, y and pi.
 struct Names {
   Constants constants = {};
   double t = 1;
-  /// The outward unit normal at a point, nx and ny; empty: there is none.
+  /// The outward unit normal (nx, ny) at a point; empty: not on a boundary.
   std::function<bem::Vec2(bem::Vec2)> normal = {};
   Tables tables = {};
 };
 
 /// A function of x and y from its muParser expression.
 ///
-/// Known: x, y, t, pi, nx, ny on a boundary, the scene's constants and tables; + - * / ^, ?:, < > <= >= == !=, && ||; sin cos tan asin acos atan
-/// sinh cosh tanh asinh acosh atanh, exp, sqrt, ln = log, log2, log10, abs, sign, rint,
-/// min, max, sum, avg, atan2.  Nothing can be assigned.  May be called from several
-/// threads at once.
+/// Known: x, y, t, pi, nx, ny on a boundary, the scene's constants and tables; + - * / ^,
+/// ?:, < > <= >= == !=, && ||; sin cos tan asin acos atan sinh cosh tanh asinh acosh
+/// atanh, exp, sqrt, ln = log, log2, log10, abs, sign, rint, min, max, sum, avg, atan2.
+/// Nothing can be assigned.  May be called from several threads at once.
 /// \throws bem::InputError if it is not an expression; the function throws it where the
 ///   value is not one finite number, naming file, path, expression and point.
 bem::Function makeExpression(const std::string& text, const Place& place,
@@ -48,8 +48,8 @@ double evaluateAt(double t, const std::string& text, const Place& place,
 double evaluateConstant(const std::string& text, const Place& place, const Names& names);
 
 /// A list of constants; each may use those that stand before it, and the tables.
-/// \throws bem::InputError for a name that expressions could not use, or that means
-///   something already, and for what is not one finite number.
+/// \throws bem::InputError for a name that is not valid or already in use, and for a value
+///   that is not one finite number
 Constants readConstants(const Teuchos::ParameterList& list, const Place& place,
                         const Tables& tables);
 

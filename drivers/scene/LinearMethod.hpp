@@ -21,27 +21,27 @@ struct LinearOptions {
   bem::Compression compression;
 };
 
-/// The keys of a list of these, and what a list that they have completed says.
+/// Schema rows of LinearOptions; options of a validated list.
 bem::SchemaRows linearRows();
 LinearOptions parseLinear(const Teuchos::ParameterList& list);
 
 /// A way to solve with the boundary operators.
 struct LinearMethod {
-  /// What it asks for: dense matrices, compressed operators, or whichever costs less.
+  /// Dense matrices, compressed operators, or whichever costs less.
   enum class Operators { Dense, Compressed, Cheaper };
 
   const char* name = nullptr;
   const char* meaning = nullptr;
-  /// Null: by Cholesky's factors.
+  /// Null: Cholesky factorisation.
   std::unique_ptr<const bem::SingleLayerSolver> (*solver)(
       const Ranks& ranks, const LinearOptions& options) = nullptr;
   Operators operators = Operators::Dense;
 };
 
-/// \throws bem::InputError where the scene asks for what it cannot have.
+/// \throws bem::InputError if the method cannot solve the scene
 void checkLinear(const Scene& scene);
 
-/// All of them; a program may add others before it reads its first scene.
+/// All methods; a program may add others before it reads its first scene.
 bem::Family<LinearMethod>& linearMethods();
 
 }  // namespace epafi::drivers

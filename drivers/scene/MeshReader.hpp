@@ -5,12 +5,12 @@
 
 namespace epafi::drivers {
 
-/// The keys of a list of these; `degree` is what it has for a Degree that is not given, null:
-/// another list says it.
+/// Schema rows of a mesh.  \param degree default of Degree; null: none, that of
+/// Discretization
 bem::SchemaRows meshRows(const char* degree = nullptr);
 
-/// A body's elements and degree, of its validated list Mesh; what that does not say, the
-/// scene's Discretization does.
+/// Sets elements and degree of a body from its validated list Mesh, else from
+/// Discretization.
 ///
 /// \param path  of the body, for messages
 /// \throws bem::InputError for numbers that are not one for each edge, Mesh Size beside

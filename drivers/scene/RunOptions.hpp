@@ -8,28 +8,28 @@
 
 namespace epafi::drivers {
 
-/// When a run ends that could go on.
+/// Limits of a run.
 struct RunLimits {
   int levels = 6;                ///< the first included
   long degreesOfFreedom = 4000;  ///< of a level, displacement and multiplier
-  double estimate = 0;           ///< a smaller one ends the run
-  /// So does a Level::relativeEstimate of at most this.
+  double estimate = 0;           ///< the run ends at a smaller estimate
+  /// ... and if Level::relativeEstimate is at most this.
   std::optional<double> tolerance{};
-  std::optional<double> memory;  ///< of a level, all processes [MiB]; else what is free
+  std::optional<double> memory;  ///< of a level, all processes [MiB]; empty: free memory
 };
 
-/// The keys of a list of these, and what a list that they have completed says.
+/// Schema rows of RunLimits; limits of a validated list.
 bem::SchemaRows limitRows();
 RunLimits parseLimits(const Teuchos::ParameterList& list);
 
-/// What is written of a level beside tables.
+/// Output of a level besides the tables.
 struct OutputOptions {
   int contactSamples = 8;  ///< per element
   std::vector<bem::Vec2> interiorPoints;
-  bool fields = true;  ///< write boundary.csv and what shows fields
+  bool fields = true;  ///< write boundary.csv, solution.hdf, data of pictures
 };
 
-/// The keys of a list of these, and what a list that they have completed says.
+/// Schema rows of OutputOptions; options of a validated list.
 bem::SchemaRows outputRows();
 OutputOptions parseOutput(const Teuchos::ParameterList& list);
 

@@ -27,10 +27,10 @@
 
 namespace epafi::drivers {
 
-/// A place on an edge that a mesh must have a node at.
+/// A point of an edge at which meshes must have a node.
 struct RequiredNode {
   int edge = 0;
-  double place = 0;  ///< from the edge's start, in lengths of the outline's scaling
+  double place = 0;  ///< arc length from the edge's start, scaled as the outline
 };
 
 /// An elastic body, its conditions and its first mesh.
@@ -46,28 +46,28 @@ struct Body {
   std::vector<RequiredNode> nodes;  ///< of the mesh: where contact with others ends
 };
 
-/// A body without elasticity: held, moved, or under a force, about its reference point.
+/// A rigid body.
 struct RigidBody {
-  /// Of x, y and the rotation.
+  /// Motion in x or y, or rotation about the reference point.
   struct Component {
     using Course = std::function<double(double t)>;
-    bool free = false;     ///< under a force, by a spring
+    bool free = false;     ///< under a force or on a spring; else prescribed
     Course value{};        ///< the force or moment, or the motion [radian]
     double stiffness = 0;  ///< of the spring; 0: there is none
-    Course end{};          ///< the motion of its other end; empty: it stays
+    Course end{};          ///< motion of its other end; empty: fixed
   };
   std::string name;
   std::shared_ptr<const bem::Outline> outline;
   std::array<Component, 3> components;
   bem::Vec2 pole;  ///< reference point
-  /// Of what acts inside, about that point; empty: nothing does.
+  /// Resultant of body loads about the reference point; empty: none.
   std::function<contact::Resultant(double t)> inside{};
 };
 
 /// A boundary of a body.
 struct SideOfBody {
   bool rigid = false;
-  std::size_t body = 0;  ///< among the elastic ones or among the rigid ones
+  std::size_t body = 0;  ///< index among the elastic or the rigid bodies
   std::string boundary;
 };
 
@@ -89,22 +89,21 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<RigidBody> rigid;
   std::vector<ContactPair> contacts;
-  double stress = 1;  ///< that all of them count in
+  double stress = 1;  ///< common unit of stresses
 
   History history;
-  /// The bodies' conditions at a time, their pins included, what is inside without heat that is
-  /// conducted; of the same kinds on the same
-  /// boundaries at all times.
+  /// Conditions of the bodies at a time, with pins and body loads, but without conducted
+  /// heat.  Their kinds do not depend on t.
   std::function<std::vector<contact::Conditions>(double t)> conditionsAt;
 
   std::string multiplier;
   contact::Stabilization stabilization;
 
-  /// What a nonlinear solver is assembled from, see solve().
+  /// Options of the nonlinear solver, see solve().
   struct Solver {
     contact::ContactSolverOptions contact;
     contact::CoulombOptions coulomb;
-    /// Handed to NOX in every run; null means Epafi's own choice.
+    /// List for NOX; null: defaults of Epafi.
     std::shared_ptr<const Teuchos::ParameterList> nox;
   } solver;
 
@@ -118,18 +117,18 @@ struct Scene {
 
   OutputOptions output;
 
-  /// How bodies without elasticity are moved at a time.
+  /// Motions, forces and springs of rigid bodies at a time.
   std::vector<contact::Drive> drivesAt(double t) const;
   double endOfPath() const { return history ? history.times.back() : 1; }
 
   bem::Units units() const { return bodies.front().outline->units(stress); }
-  /// The unit of energies of the whole scene, of which the half may be drawn.
+  /// Unit of energies of the whole scene (twice that of a drawn half).
   double energy() const {
     return symmetry.copies() * stress * units().length * units().length;
   }
   bem::Lame lame(std::size_t b) const { return {bodies[b].material, stress}; }
   bool hasSeveral() const { return bodies.size() + rigid.size() > 1; }
-  /// Do bodies have forces of their own to be told, beside those of the scene?
+  /// Does the output contain forces by bodies (bodies.csv)?
   bool tellsBodies() const {
     return hasSeveral() || bodies.front().conditions.inside != nullptr;
   }
@@ -137,18 +136,18 @@ struct Scene {
   std::string boundaryName(std::size_t b, const std::string& boundary) const {
     return !hasSeveral() ? boundary : bodies[b].name + ":" + boundary;
   }
-  /// What its expressions know at t = 1, where no boundary is meant.
+  /// Names for expressions at t = 1, without normal.
   Names names() const { return {constants, 1, {}, tables}; }
 
-  /// The body that a point lies inside; their number if there is none.
+  /// Index of the body that contains a point; bodies.size() if there is none.
   std::size_t bodyAt(bem::Vec2 point) const {
     std::size_t b = 0;
     while (b < bodies.size() && !bodies[b].outline->contains(point))
       ++b;
     return b;
   }
-  /// What lies inside a body that is drawn where a point or its mirror image does: that one; of a
-  /// point on the line of symmetry, which bounds what is drawn, one beside it.
+  /// The point or its mirror image, whichever is inside a drawn body; for a point on the
+  /// line of symmetry a point beside it.
   bem::Vec2 drawn(bem::Vec2 point) const;
   const std::string& nameOf(const SideOfBody& side) const {
     return side.rigid ? rigid[side.body].name : bodies[side.body].name;
@@ -156,18 +155,18 @@ struct Scene {
   const bem::Outline& outlineOf(const SideOfBody& side) const {
     return side.rigid ? *rigid[side.body].outline : *bodies[side.body].outline;
   }
-  /// A scaled place on what is met less the same place on the side.
+  /// Scaled coordinates of a point in the opposite body minus those in the body of `side`.
   bem::Vec2 shift(const ContactPair& pair) const {
     return (1 / units().length) *
            (outlineOf(pair.side).scaling().origin - outlineOf(pair.met).scaling().origin);
   }
-  /// The boundary that is met: its edges' numbers, and the edges in this scene's length.
+  /// The opposite boundary: numbers of its edges, and the edges in this scene's length.
   struct MetEdges {
     std::vector<int> edges;
     std::vector<bem::Curve> curves;
   };
   MetEdges metEdges(const ContactPair& pair) const;
-  /// How far along its normals a side looks: the smaller one's diameter, scaled.
+  /// Largest distance of opposite points along normals: the smaller diameter, scaled.
   double reach(const ContactPair& pair) const {
     return std::min(outlineOf(pair.side).diameter(), outlineOf(pair.met).diameter()) /
            units().length;
@@ -177,9 +176,9 @@ struct Scene {
                        [](const Body& body) { return !body.conditions.contact.empty(); });
   }
 
-  /// The complete list with every default filled in.
+  /// The complete list, with defaults.
   Teuchos::RCP<Teuchos::ParameterList> used;
-  /// Where it has numbers for expressions in constants: these, which used.xml says.
+  /// The expressions in constants that `used` has evaluated; used.xml contains them.
   Entries expressions;
 };
 

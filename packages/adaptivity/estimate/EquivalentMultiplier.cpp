@@ -9,7 +9,7 @@ using bem::Vec2;
 
 namespace {
 
-/// A contact element at a node: which of its ends is there, and how w goes on it.
+/// A contact element at a node: its end there, and the sign of w on it.
 struct Arm {
   std::size_t contact = 0;
   Vec2 AtEnds::*end = nullptr;
@@ -23,8 +23,8 @@ struct Arm {
 /// A node that has a w.
 struct Joint {
   std::vector<Arm> arms;
-  Vec2 free;         ///< 1 for each component that has one, else 0
-  double reach = 0;  ///< of steps that are tried both ways
+  Vec2 free;         ///< 1 for each component with a w, else 0
+  double reach = 0;  ///< size of steps that are tried in both directions
 };
 
 std::vector<Joint> findJoints(const bem::Mesh& mesh,
@@ -53,7 +53,7 @@ std::vector<Joint> findJoints(const bem::Mesh& mesh,
   return joints;
 }
 
-/// Corrections of all contact elements, and what each costs.
+/// Corrections of all contact elements, and their costs.
 struct Corrections {
   std::vector<AtEnds> factors;
   std::vector<double> costs;
@@ -68,7 +68,7 @@ struct Corrections {
   }
 };
 
-/// Changes of one joint, all others as they are.
+/// The cost as a function of the change of one joint.
 class Neighbourhood {
  public:
   Neighbourhood(const Joint& joint, const std::vector<ContactCost>& costs,
@@ -100,10 +100,10 @@ class Neighbourhood {
 
   double unchanged() const { return unchanged_; }  ///< cost({})
   const std::vector<Vec2>& directions() const { return directions_; }
-  /// The size of the costs that changes can do something about.
+  /// Size of the part of the cost that changes can reduce.
   double scale() const { return scale_; }
 
-  /// How far along a direction h/p |λ̃ + S u|² is least.
+  /// Distance along a direction to the minimum of h/p |λ̃ + S u|².
   double distance(Vec2 direction) const {
     return -dot(slope_, direction) / (curvature_ * dot(direction, direction));
   }
@@ -119,9 +119,9 @@ class Neighbourhood {
   double unchanged_ = 0;
 };
 
-/// The best of some changes; the mean of those that are equally good, since a mirrored
-/// scene has them in another order.  What gains less than a part of the scale that
-/// rounding cannot reach does not count: choices must not hang on it.
+/// The best of several changes; the mean of equally good ones, so that results do not
+/// depend on their order (mirror images).  Gains below 1e-4 of the scale do not count, so
+/// that rounding errors decide nothing.
 class Best {
  public:
   Best(double cost, double scale)
@@ -177,12 +177,12 @@ std::vector<AtEnds> equivalentMultiplier(const bem::Mesh& mesh,
                                          const std::vector<ContactElement>& elements,
                                          const std::vector<ContactCost>& costs) {
   constexpr int sweeps = 40;
-  constexpr double enough = 1e-3;  // of what has been gained; any result is as valid
+  constexpr double enough = 1e-3;  // of the total gain; the bound holds for all c
   std::vector<Joint> joints = findJoints(mesh, conditions, elements);
   Corrections best(costs, std::vector<AtEnds>(elements.size()));
   const double start = best.total;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    // All joints at once, so that their order does not show, and half the way: each cost
+    // All joints at once, so that their order does not matter, with half steps: each cost
     // depends on two joints and is convex where pressure and shear keep their signs.
     std::vector<AtEnds> factors = best.factors;
     for (Joint& joint : joints) {

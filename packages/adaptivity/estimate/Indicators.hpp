@@ -8,7 +8,7 @@ namespace epafi::adaptivity {
 
 using bem::Vector;
 
-/// Where an error comes from, in the order of [P] sec. 8 and of history.csv.
+/// Terms of the error estimate, in the order of [P] sec. 8 and of history.csv.
 enum class Source {
   Neumann,          ///< f - S u on Neumann sides and in free components of clamps
   Contact,          ///< λ + S u
@@ -21,27 +21,27 @@ enum class Source {
 };
 constexpr int sourceCount = 8;
 
-/// One nonnegative number per source.
+/// One number >= 0 per source.
 using Contributions = std::array<double, sourceCount>;
 
 inline double& of(Contributions& contributions, Source source) {
   return contributions[static_cast<std::size_t>(source)];
 }
 
-/// Squared error indicators, each contribution of each element kept apart.
+/// Squared error indicators by element and source.
 struct Indicators {
   std::vector<Contributions> squares;  ///< one per element
 
-  /// Ξ²(E) of all elements.
+  /// Ξ²(E), one per element: sums over the sources.
   Vector elements() const;
-  /// Sums over the elements.
+  /// Sums over the elements, one per source.
   Contributions sums() const;
-  /// The root of the sum of everything.
+  /// Error estimate: square root of the sum over elements and sources.
   double estimate() const;
 };
 
-/// For each element the contributions of those whose sum on it is largest; of one mesh, at
-/// least one.
+/// For each element the contributions of the indicators whose Ξ²(E) is largest.
+/// \pre at least one; all on one mesh
 Indicators largest(const std::vector<Indicators>& all);
 
 }  // namespace epafi::adaptivity

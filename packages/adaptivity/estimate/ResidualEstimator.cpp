@@ -38,7 +38,8 @@ class FixedTraction {
   Vector amplitudes_;
 };
 
-/// p/h |u_D - u|² of what clamps hold on an element: a particular solution is interpolated there.
+/// p/h |u_D - u|² of prescribed components on an element, if there are body loads, whose
+/// particular solution is interpolated there.
 double clampSquares(const contact::Solved& solved, int e,
                     const std::vector<bem::BoundaryValue>& values) {
   const bem::Mesh& mesh = solved.space.mesh();
@@ -59,8 +60,8 @@ double clampSquares(const contact::Solved& solved, int e,
   return square;
 }
 
-/// h/p |α' (f - given f)|² of conducted heat on an element: the slope of what its displacement α' ∫ f
-/// dz errs by.
+/// h/p |α' (f - given f)|² of conducted heat on an element: derivative of the error of its
+/// displacement α' ∫ f dz.
 double heatSquares(const contact::Solved& solved, int e) {
   const contact::Inside& inside = solved.conditions.inside;
   if (!inside || inside->conducted() == nullptr)
@@ -79,7 +80,7 @@ class Residuals {
         mesh_(solved.space.mesh()),
         fixed_(solved) {}
 
-  /// h |mismatch|² of any element, and h/p |f - S u|² if it is no contact element.
+  /// h |mismatch|² of an element and, unless it is a contact element, h/p |f - S u|².
   Contributions squares(int e, const std::vector<bem::BoundaryValue>& values,
                         bool touching) const {
     const double h = 2 * mesh_[e].half;
@@ -108,7 +109,7 @@ class Residuals {
     return squares;
   }
 
-  /// λʰ + S u, less what holds fixed motions, at the points of a contact element.
+  /// λʰ + S u minus the tractions of fixed motions, at the points of a contact element.
   std::vector<Vec2> residual(const ContactElement& contact,
                              const std::vector<bem::BoundaryValue>& values) const {
     const int e = contact.element;
@@ -141,8 +142,8 @@ class Residuals {
     return moments;
   }
 
-  /// What a contact element has in addition, with λ̃ in λʰ's place; `residual` belongs to
-  /// λʰ, `shearModulus` to both sides.
+  /// Further terms of a contact element, with λ̃ instead of λʰ.  residual: of λʰ;
+  /// shearModulus: of both sides.
   Contributions contactSquares(const ContactElement& contact,
                                const std::vector<bem::BoundaryValue>& values,
                                const std::vector<Vec2>& residual,
@@ -161,7 +162,7 @@ class Residuals {
     return squares;
   }
 
-  /// γ |λʰ + S u|²: what the stabilisation does to a test function.  As an energy.
+  /// γ |λʰ + S u|², the term of the stabilisation, as an energy.
   double stabilisation(std::size_t contact, const std::vector<bem::BoundaryValue>& values,
                        const std::vector<Vec2>& residual) const {
     double square = 0;
@@ -191,8 +192,8 @@ void multiply(Contributions& squares, const Contributions& factors) {
     squares[i] *= factors[i];
 }
 
-/// What both sides of a contact oppose to a force or a motion that one of them does not
-/// want: 1 / (1/μ_A + 1/μ_B); its own where the other one does not deform.
+/// Shear modulus of two bodies in series, 1 / (1/μ_A + 1/μ_B); μ_A if the opposite one is
+/// rigid.
 double sharedShearModulus(const contact::Solved& solved, const ContactElement& element,
                           double own) {
   const auto met = solved.problem.opposite().at(element, 0);
@@ -204,7 +205,7 @@ double sharedShearModulus(const contact::Solved& solved, const ContactElement& e
 
 using Fields = std::vector<std::vector<bem::BoundaryValue>>;
 
-/// Of the elements that are mine; what a contact element has in addition is not in it.
+/// On this process's elements, without the further terms of contact elements.
 std::vector<Contributions> squaresOf(const Residuals& residuals, const Fields& fields,
                                      const std::vector<bool>& isTouching) {
   std::vector<Contributions> squares(fields.size());
@@ -214,7 +215,7 @@ std::vector<Contributions> squaresOf(const Residuals& residuals, const Fields& f
   return squares;
 }
 
-/// λ̃ - λʰ on all contact elements, from the moments of mine.
+/// λ̃ - λʰ on all contact elements, from the moments of this process's elements.
 std::vector<AtEnds> corrections(const contact::Solved& solved, const bem::Lame& lame,
                                 const Contributions& factors,
                                 const std::vector<AtEnds>& moments,
@@ -252,8 +253,8 @@ Indicators gathered(const std::vector<Contributions>& mine,
   return indicators;
 }
 
-/// Of each state on my elements; the rule breaks where foreign pressures jump, which is the same
-/// place in all.
+/// Fields of each state on this process's elements.  The rule is divided where pressures
+/// of other bodies jump, which is at the same points in all states.
 std::vector<Fields> fieldsOf(const std::vector<Estimated>& states, const bem::Lame& lame,
                              const bem::Processes& processes) {
   const contact::Solved& any = states.front().solved;
@@ -276,7 +277,7 @@ std::vector<Fields> fieldsOf(const std::vector<Estimated>& states, const bem::La
   return result;
 }
 
-/// Functions of the user's are evaluated, which are not safe to call from several threads.
+/// Not parallel: evaluates functions of the user, which may not be thread-safe.
 Indicators indicatorsOf(const Estimated& state, const Fields& fields,
                         const bem::Lame& lame, const EstimatorOptions& options,
                         const bem::Processes& processes) {
@@ -299,14 +300,14 @@ Indicators indicatorsOf(const Estimated& state, const Fields& fields,
     moments.push_back(Residuals::moments(element, values, contactResiduals.back()));
   }
   const bool sharp = weights.bounds == Bounds::Sharp;
-  // another body would tell a multiplier that does the same work on this one
+  // λ̃ does the same work as λʰ on this body, but not on an opposite one
   const bool alone = solved.problem.opposite().bodies().empty();
   const std::vector<AtEnds> correction =
       sharp && alone ? corrections(solved, lame, factors, moments, processes)
                      : std::vector<AtEnds>(touching.size());
 
-  // what the mean of V ψ - (K + 1/2) u, -γ (λ + ψ) under Form Density, adds to h |mismatch|²: its
-  // square over h, integrated
+  // with Form Density the mean m of V ψ - (K + 1/2) u, which is -γ (λ + ψ), adds ∫ m²/h to
+  // h |mismatch|²
   const std::vector<Vec2> means = solved.problem.meanSlacks(solved.state, density);
   std::vector<Contributions> squares = squaresOf(residuals, fields, isTouching);
   for (Contributions& square : squares)

@@ -8,19 +8,19 @@ namespace epafi::adaptivity {
 
 namespace {
 
-// What a dimensionless square means: residuals, tension and bound are (stress length)²,
-// density and penetration length², complementarity and slip stress length².
+// Units of the squares: residuals, tension and bound (stress length)², density and
+// penetration length², complementarity and slip stress length².
 Contributions factors(double stress, double length, double energy) {
   return {stress, stress, length, energy, length, stress, stress, energy};
 }
 
-// Everything is an energy: squares of stresses / μ, squares of lengths μ.
+// All as energies: squares of stresses / μ, squares of lengths times μ.
 Contributions energy(const bem::Lame& lame, bem::Units units) {
   const double scale = units.stress * units.length * units.length;
   return factors(scale / lame.mu, scale * lame.mu, scale);
 }
 
-// The numbers as they stand in the user's units.
+// The squares in the user's units.
 Contributions paper(const bem::Lame&, bem::Units units) {
   const double area = units.length * units.length;
   return factors(units.stress * units.stress * area, area, units.stress * area);

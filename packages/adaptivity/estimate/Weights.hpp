@@ -10,22 +10,22 @@
 
 namespace epafi::adaptivity {
 
-/// How violations of the contact conditions are bounded.
+/// Bound of the violations of the contact conditions.
 enum class Bounds {
   Printed,  ///< as in [P sec. 8], by λʰ
-  Sharp     ///< by sharpContactTerms of an equivalentMultiplier
+  Sharp     ///< by sharpContactTerms(), with equivalentMultiplier()
 };
 
-/// How contributions of different units are added up.
+/// Factors by which contributions of different units are added.
 struct Weights {
   const char* name;
   const char* meaning;
-  /// Factors that the dimensionless squares are multiplied by.
+  /// Factors of the dimensionless squares, one per source.
   Contributions (*factors)(const bem::Lame& lame, bem::Units units);
   Bounds bounds;
 };
 
-/// All weights.  A new one is one line in Weights.cpp, or added by a program.
+/// All weights.  To add one: a line in Weights.cpp, or add() in a program.
 bem::Family<Weights>& weightings();
 
 }  // namespace epafi::adaptivity

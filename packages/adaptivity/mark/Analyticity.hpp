@@ -7,20 +7,20 @@
 
 namespace epafi::adaptivity {
 
-/// Does a function on [-1, 1] with these Legendre coefficients look analytic?
+/// Do the Legendre coefficients a_i of a function on [-1, 1] decay as those of an
+/// analytic one?
 ///
-/// The least squares slope m of |log|a_i|| = m i + b satisfies e^(-m) <= threshold.
-/// Coefficients below `floor` count as floor; a series that never exceeds it, or of one
-/// term, has nothing to decide from and says yes.
+/// True if the least squares fit -log|a_i| = m i + b has e^(-m) <= threshold.
+/// Coefficients below `floor` count as floor.  Also true if none exceeds it, or for a
+/// single coefficient.
 ///                                          [P Alg. 25 (d); Houston & Süli 2005]
 ///
-/// Here |log| is -log: a function's unit does not matter.
+/// [P] has |log|a_i||, which depends on the unit of the function.
 bool decays(const bem::Vector& coefficients, double floor, double threshold);
 
-/// Algorithm 25's choice for each element: true where raising the degree should pay,
-/// because every component of u that is not prescribed and every component of ψ where u
-/// is prescribed decays.  Rounding (1e-13 of the largest coefficient on the boundary) is
-/// no information.
+/// Criterion of [P] Algorithm 25 for p-refinement, one per element: all components of u
+/// that are not prescribed, and those of ψ where u is prescribed, satisfy decays().
+/// floor: 1e-13 of the largest entry of u or ψ on the boundary.
 std::vector<bool> looksAnalytic(const bem::Space& space,
                                 const contact::Conditions& conditions,
                                 const bem::Vector& displacement,

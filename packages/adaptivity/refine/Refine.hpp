@@ -8,12 +8,12 @@
 
 namespace epafi::adaptivity {
 
-/// The multiplier of one mesh as a function on another mesh of the same outline, in the
-/// other's coefficients: values at the Gauss points of each contact element.
+/// Interpolates a multiplier on another mesh of the same outline, at the Gauss points of
+/// its contact elements.
 ///
-/// Exact where a new element lies in one old one and has at least its degree, in every
-/// basis but those that share nodes, where a common coefficient is the mean of two.
-/// \throws bem::NumericalError where the other mesh has contact and this one has none.
+/// Exact if each new element lies in one old element and has at least its degree, except
+/// for bases that share nodes: a common coefficient is the mean of two.
+/// \throws bem::NumericalError if the new mesh has contact where the old one has none
 contact::Vector carryMultiplier(const bem::Mesh& fromMesh,
                                 const contact::MultiplierSpace& from,
                                 const contact::Vector& multiplier,
@@ -25,12 +25,11 @@ class Mark {
  public:
   enum Kind { None, Bisect, RaiseDegree, Cut };
 
-  /// Implicit: a kind other than Cut says everything.
+  /// Implicit, for all kinds but Cut.  \pre kind is not Cut
   // NOLINTNEXTLINE(google-explicit-constructor)
   Mark(Kind kind = None) : kind_(kind) {}
 
-  /// Cut at places of (-1, 1), in increasing order; piece k gets degree degrees[k], one
-  /// more of them than places.
+  /// Cut at n places in (-1, 1), in increasing order, into n + 1 elements of given degrees.
   static Mark cut(std::vector<double> places, std::vector<int> degrees);
 
   Kind kind() const { return kind_; }
@@ -55,20 +54,17 @@ using Marks = std::vector<Mark>;
 /// Is any mark not None?
 bool anyMarked(const Marks& marks);
 
-/// The next mesh: bisected elements become two equal ones of the same degree, cut ones
-/// what their mark says.
+/// The next mesh: Bisect gives two elements of equal length and the same degree, Cut
+/// those of Mark::cut, RaiseDegree one with the next degree.
 ///
-/// Positions are halved from both ends of their edge, so that a node next to either
-/// vertex keeps its digits through any number of bisections.
+/// New nodes are computed as distances from both ends of the edge, so that nodes near a
+/// vertex lose no digits by repeated bisection.
 /// \throws bem::InputError where a degree would exceed bem::largestDegree.
 bem::Mesh refine(const bem::Mesh& mesh, const Marks& marks);
 
-/// The state on one mesh carried over to another one of the same outline, as on the next mesh.
-///
-/// λ restricted to a new element is a polynomial of at most its degree: it is met
-/// exactly in every basis but those that share nodes, where it is met nearly.  Its
-/// coefficients need not be admissible any more (Newton's first step sees to that); the
-/// rigid motions stay.  An empty state stays empty.
+/// Transfers a state to another mesh of the same outline: λ by carryMultiplier(), α
+/// unchanged.  The new coefficients of λ may violate the contact conditions; Newton's
+/// first step corrects that. An empty state stays empty.
 contact::State carry(const bem::Mesh& from, const contact::MultiplierSpace& multiplier,
                      const contact::State& state, const bem::Mesh& to,
                      const contact::Conditions& conditions);

@@ -54,7 +54,7 @@ class Zones {
     return order;
   }
 
-  /// Of elements in an order, what is met where its carriers are.
+  /// Places of elements in an order; opposite elements at the place of their carriers.
   std::vector<Vec2> placesOf(const std::vector<ClusterPlace>& order) {
     std::vector<Vec2> places;
     for (const ClusterPlace& place : order) {
@@ -98,7 +98,7 @@ class Zones {
     });
   }
 
-  /// What is met goes to the zone that it has most to do with.
+  /// Assigns each opposite element to the zone with the largest links to it.
   void addMet() {
     struct Share {
       double size = 0;

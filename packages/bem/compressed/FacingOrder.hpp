@@ -11,7 +11,8 @@ struct BodyElement {
   int element;
 };
 
-/// A coupling between elements of two bodies, such as a multiplier on the carrier.
+/// A coupling entry between a multiplier on the carrier and an element opposite to it; size:
+/// its absolute value.
 struct Link {
   BodyElement carrier;
   BodyElement met;
@@ -19,9 +20,8 @@ struct Link {
 };
 
 /// Order of the elements of all bodies in which elements that face each other are neighbours:
-/// consecutive elements that carry links form a stretch, with the elements that they meet
-/// sorted in by position; all others keep the order of their meshes.  A cut of this order
-/// separates few links.
+/// consecutive carriers form a stretch, with their opposite elements sorted in by position;
+/// all others keep the order of their meshes.  A cut of this order separates few links.
 std::vector<ClusterPlace> facingOrder(const std::vector<const Space*>& spaces,
                                       const std::vector<Link>& links);
 

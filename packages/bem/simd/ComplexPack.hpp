@@ -6,7 +6,7 @@
 
 namespace epafi::bem {
 
-/// Complex numbers in eight lanes, for formulas that hold for one as well.
+/// Eight complex numbers, with the operators that templates over std::complex<double> use.
 struct ComplexPack {
   Pack re{};
   Pack im{};
@@ -14,6 +14,7 @@ struct ComplexPack {
 
 EPAFI_INLINE const Pack& real(const ComplexPack& x) { return x.re; }
 EPAFI_INLINE const Pack& imag(const ComplexPack& x) { return x.im; }
+/// result = |x|²
 EPAFI_INLINE void squareOf(const ComplexPack& x, Pack& result) {
   result = x.re * x.re + x.im * x.im;
 }
@@ -37,7 +38,7 @@ EPAFI_INLINE ComplexPack operator*(const ComplexPack& x, const ComplexPack& y) {
   return {x.re * y.re - x.im * y.im, x.re * y.im + x.im * y.re};
 }
 
-/// Numbers of eight lanes, for containers.
+/// Storage of a ComplexPack in containers.
 struct ComplexLanes {
   AlignedLane re;
   AlignedLane im;

@@ -15,8 +15,8 @@ EPAFI_AVX2 void runAvx2(const Kernel& kernel) {
   kernel.template run<Division::Fused>();
 }
 
-/// Runs a kernel compiled for an instruction set: `template <Division> void run() const`
-/// of it, which must be EPAFI_INLINE with all that it calls.
+/// Calls kernel.run<Division>(), compiled for an instruction set that the processor has.
+/// \pre run() and all functions that it calls are EPAFI_INLINE
 template <class Kernel>
 void dispatch(InstructionSet set, const Kernel& kernel) {
   switch (set) {

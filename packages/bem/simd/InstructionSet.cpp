@@ -9,7 +9,8 @@ std::vector<InstructionSet> instructionSets() {
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512vl")) {
       sets.push_back(InstructionSet::Avx512);
-      // a pack's reciprocal takes nine cycles of the multipliers, or ten of the divider beside them
+      // Zen 4: the reciprocal of a pack takes ten cycles of the divider, which runs
+      // beside the multipliers, or nine of the multipliers
       if (__builtin_cpu_is("amdfam19h"))
         sets.push_back(InstructionSet::Avx512Dividing);
     }

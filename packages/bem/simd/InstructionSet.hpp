@@ -4,19 +4,19 @@
 
 namespace epafi::bem {
 
-/// What kernels are compiled for, beside the compiler's baseline; later ones include the
-/// earlier.  Results differ by rounding.
+/// Instruction sets for which kernels are compiled; each includes the previous ones.
+/// Results differ by rounding.
 enum class InstructionSet {
   Baseline,
   Avx2,
   Avx512,
-  Avx512Dividing  ///< in halves, where dividing leaves the multipliers free
+  Avx512Dividing  ///< Avx512 with Division::Exact: the divider runs beside the multipliers
 };
 
-/// Those that this processor has.
+/// Instruction sets of this processor, in the order of the enumeration.
 std::vector<InstructionSet> instructionSets();
 
-/// The last of them.
+/// The last one of instructionSets().
 InstructionSet largestInstructionSet();
 
 }  // namespace epafi::bem

@@ -2,35 +2,34 @@
 
 #include <cstddef>
 
-// What the vector variants of a kernel share must be inlined into them: an out-of-line
-// copy compiled for AVX-512 could be picked by the linker for an older CPU.
+// Functions that the variants of a kernel share must be inlined: the linker could choose an
+// out-of-line copy compiled for AVX-512 on an older processor.
 #define EPAFI_INLINE inline __attribute__((always_inline))
 #define EPAFI_AVX512 __attribute__((target("avx512f,avx512dq,avx512vl,fma")))
 #define EPAFI_AVX2 __attribute__((target("avx2,fma")))
 
 namespace epafi::bem {
 
-/// Numbers that vector kernels treat at once.
+/// Number of doubles in a Pack.
 constexpr int lanes = 8;
 
-/// Eight doubles, which compilers keep in as many registers as the processor needs.
-/// Handed on by reference only: packs wider than the baseline's registers have no fixed
-/// ABI.
+/// Eight doubles, in as many registers as the processor needs.  Passed by reference only:
+/// the ABI of vectors wider than the baseline's registers depends on the instruction set.
 using Pack = double __attribute__((vector_size(8 * lanes)));
 
-/// Numbers of eight lanes, for containers.
+/// Storage of a Pack in containers.
 struct alignas(64) AlignedLane {
   double lane[lanes];
 };
 
-/// Of memory aligned to 64 bytes.
+/// Loads, stores, adds to memory.  \pre p is aligned to 64 bytes
 EPAFI_INLINE const Pack& load(const double* p) {
   return *reinterpret_cast<const Pack*>(p);
 }
 EPAFI_INLINE void store(double* p, const Pack& v) { *reinterpret_cast<Pack*>(p) = v; }
 EPAFI_INLINE void add(double* p, const Pack& v) { *reinterpret_cast<Pack*>(p) += v; }
 
-/// Writes x and y in turn.
+/// Writes x₀, y₀, x₁, y₁, ..., x₇, y₇.
 EPAFI_INLINE void interleave(const Pack& x, const Pack& y, double* to) {
   const Pack first = __builtin_shufflevector(x, y, 0, 8, 1, 9, 2, 10, 3, 11);
   const Pack second = __builtin_shufflevector(x, y, 4, 12, 5, 13, 6, 14, 7, 15);
@@ -38,19 +37,19 @@ EPAFI_INLINE void interleave(const Pack& x, const Pack& y, double* to) {
   __builtin_memcpy(to + lanes, &second, sizeof second);
 }
 
-/// Every lane's number to the lane behind it, zero to the first.
+/// result = (0, x₀, ..., x₆)
 EPAFI_INLINE void shiftUp(const Pack& x, Pack& result) {
   const Pack zero{};
   result = __builtin_shufflevector(x, zero, 8, 0, 1, 2, 3, 4, 5, 6);
 }
 
-/// How a kernel divides: by multiplications and additions where they are fused, unless the
-/// processor does it beside them.
+/// Exact: the division instruction.  Fused: fused multiply-adds, faster unless the
+/// divider runs beside the multipliers.
 enum class Division { Exact, Fused };
 
-/// 1/x of normal numbers, to 4e-16 of it.  Fused: a guess from the bits, off by at most
-/// 12 %, and three corrections, of third, third and second order; twice as fast as dividing
-/// where that takes the multipliers' place.
+/// 1/x of normal numbers, relative error 4e-16.  Fused: an initial value from the bits,
+/// relative error at most 12 %, then two iterations of third order and one of second
+/// (Newton).
 template <Division How>
 EPAFI_INLINE void reciprocal(const Pack& x, Pack& result) {
   if (How == Division::Exact) {
@@ -68,8 +67,8 @@ EPAFI_INLINE void reciprocal(const Pack& x, Pack& result) {
   result = y + y * (1.0 - x * y);
 }
 
-/// log x of positive normal numbers, to 4e-16 of max(1, |log x|): x = 2^e m with m in
-/// [1/√2, √2], log m = 2 artanh s, s = (m-1)/(m+1), |s| <= 0.172, by its series.
+/// log x of positive normal numbers, error 4e-16 max(1, |log x|): x = 2^e m, m in [1/√2,
+/// √2], log m = 2 artanh s, s = (m-1)/(m+1), |s| <= 0.172, by the Taylor series.
 EPAFI_INLINE void logarithm(const Pack& x, Pack& result) {
   using Bits = unsigned long long __attribute__((vector_size(8 * lanes)));
   constexpr unsigned long long rootHalf = 0x3fe6a09e667f3bcd;
@@ -77,7 +76,7 @@ EPAFI_INLINE void logarithm(const Pack& x, Pack& result) {
   const Bits bits = reinterpret_cast<Bits>(x);
   const Bits biased = (bits - rootHalf + (bias << 52)) >> 52;
   const Bits scaled = bits - ((biased - bias) << 52);
-  // an integer below 2^52 in the last bits of 2^52 is a double plus 2^52
+  // 2^52 with an integer k < 2^52 in its last bits is the double 2^52 + k
   const Bits shifted = biased | 0x4330000000000000ull;
   const Pack exponent = reinterpret_cast<Pack>(shifted) - (4503599627370496.0 + 1023.0);
   const Pack f = reinterpret_cast<Pack>(scaled) - 1.0;
@@ -90,15 +89,15 @@ EPAFI_INLINE void logarithm(const Pack& x, Pack& result) {
   result = exponent * 0.69314718055994530942 + 2.0 * s * (1.0 + z * series);
 }
 
-/// |x|^½, to the processor's rounding.
+/// √x, correctly rounded.  \pre x >= 0
 EPAFI_INLINE void squareRoot(const Pack& x, Pack& result) {
   for (int lane = 0; lane < lanes; ++lane)
     result[lane] = __builtin_sqrt(x[lane]);
 }
 
-/// The angle of (x, y) in [-π, π], to 4e-16 of max(|angle|, 1e-300); not both zero.  It is
-/// turned by multiples of π/8 below π/16, tan there 0.199, and the series of arctan does
-/// the rest.
+/// atan2(y, x) in [-π, π], error 4e-16 max(|angle|, 1e-300).  Rotations by multiples of π/8
+/// reduce the angle below π/16 (tan = 0.199); then the Taylor series of arctan.
+/// \pre (x, y) is not zero
 EPAFI_INLINE void angle(const Pack& y, const Pack& x, Pack& result) {
   const Pack zero{};
   const Pack sizeX = x < 0.0 ? -x : x;
@@ -107,7 +106,7 @@ EPAFI_INLINE void angle(const Pack& y, const Pack& x, Pack& result) {
   Pack along = isSteep ? sizeY : sizeX;
   Pack across = isSteep ? sizeX : sizeY;
   Pack turned{};
-  // π/4 is taken off, then π/8, where what is left is above half of that
+  // rotates by π/4, then by π/8, if the remaining angle is above half of that
   constexpr double pi = 3.14159265358979323846;
   constexpr double tangents[2] = {1, 0.41421356237309504880};
   constexpr double halfway[2] = {0.41421356237309504880, 0.19891236737965800691};

@@ -34,7 +34,7 @@ class CompressedBody final : public StabilisedBody {
     return std::make_shared<const Held>(*this, holding);
   }
 
-  // f - (W u + K' ψ), ψ that of u
+  // f - (W u + K' ψ), ψ = (V + G)⁻¹ K u
   Vector residual(const Vector& force, const Vector& u) const override {
     Vector rest = force;
     const Matrix& images = fieldOf(u).images;
@@ -48,7 +48,7 @@ class CompressedBody final : public StabilisedBody {
     Matrix x(operators_->size(), 1);
     compressed_.push(1, multiplier.data(), x.data());
     if (byDensity()) {
-      // what (V + G)⁻¹ (-N λ) does through K'
+      // K' ψ, ψ = -(V + G)⁻¹ N λ
       const Matrix& image = under(multiplier).image;
       for (Index i = range_.first; i < range_.densities; ++i)
         x(i, 0) += image(i, 0);
@@ -67,7 +67,7 @@ class CompressedBody final : public StabilisedBody {
     return compressed_.pull(x.data());
   }
 
-  // Ĉ (u, ψ) less the local part of M: what ψ has of λ is the rest
+  // Ĉ (u, ψ) - M₀ λ, M₀ the local part of M; ψ contains the rest of M λ
   Vector contactTerms(const Vector& u, const Vector& multiplier) const override {
     const Matrix x = placed(u, byDensity() ? density(u, multiplier) : Vector());
     Vector terms = compressed_.pull(x.data());
@@ -80,7 +80,7 @@ class CompressedBody final : public StabilisedBody {
     const double work = coupling_.multiplierWork(multiplier);
     if (!byDensity())
       return work;
-    // less (N λ)ᵀ (V + G)⁻¹ N λ
+    // minus (N λ)ᵀ (V + G)⁻¹ N λ
     Matrix pushed(operators_->size(), 1);
     compressed_.push(1, multiplier.data(), pushed.data());
     const Vector& psi = under(multiplier).psi;
@@ -96,7 +96,7 @@ class CompressedBody final : public StabilisedBody {
     return psi;
   }
 
-  // 1/2 uᵀ W u + 1/2 ψᵀ V ψ from Z's products with u and ψ, -(V + G) there
+  // 1/2 uᵀ W u + 1/2 ψᵀ V ψ by products with Z, whose block of densities is -(V + G)
   double strainEnergy(const Vector& u, const Vector& multiplier,
                       const ResidualTerms& terms) const override {
     Vector psi = density(u, multiplier);
@@ -169,14 +169,14 @@ class CompressedBody final : public StabilisedBody {
     const bem::CompressedOperators::Range& range_;
   };
 
-  /// A displacement and a density among all unknowns; empty: zero.
+  /// (u, ψ) as a vector of all unknowns; empty: zero.
   Matrix placed(const Vector& u, const Vector& psi) const {
     Matrix x(operators_->size(), 1);
     std::copy(u.begin(), u.end(), x.data() + range_.first);
     std::copy(psi.begin(), psi.end(), x.data() + range_.densities);
     return x;
   }
-  /// Of V + G: all displacements and multipliers held.
+  /// Factor of V + G: all displacements and multipliers are held.
   const bem::CompressedFactor& densityFactor() const {
     if (densityFactor_ == nullptr) {
       bem::Restriction restriction;
@@ -195,7 +195,7 @@ class CompressedBody final : public StabilisedBody {
     Vector psi;
     Matrix image;
   };
-  /// The last one is kept.
+  /// Caches the last one.
   const Under& under(const Vector& multiplier) const {
     if (multiplier != under_.multiplier) {
       Matrix right(operators_->size(), 1);
@@ -207,7 +207,7 @@ class CompressedBody final : public StabilisedBody {
     return under_;
   }
 
-  /// The densities' rows solved, all else held: -(V + G)⁻¹ of them.
+  /// -(V + G)⁻¹ b, b: the density rows of `right`.
   Vector densityFor(const Matrix& right, int refinements) const {
     const Matrix psi = densityFactor().solve(right, refinements);
     return {psi.data() + range_.densities, psi.data() + range_.last};
@@ -228,8 +228,9 @@ class CompressedBody final : public StabilisedBody {
     Matrix images;
   };
 
-  /// What rigid motions r leave in compressed operators, Z (r, 0) in the densities' rows, its Gram
-  /// matrix factored, the ψ that takes it away, and Z (0, ψ).  No columns: nothing.
+  /// Error of compression in rigid motions r, which K maps to zero: `left`, the density
+  /// rows of Z (r, 0), the factor of its Gram matrix, ψ = (V + G)⁻¹ left and Z (0, ψ).
+  /// Without columns: no error.
   struct Motions {
     Matrix left;
     Matrix factor;
@@ -259,7 +260,7 @@ class CompressedBody final : public StabilisedBody {
     return *motions_;
   }
 
-  /// K u - (V + G) ψ from the images of both, and its largest entry over that of K u.
+  /// K u - (V + G) ψ by the images of both, and its largest entry over that of K u.
   struct Rest {
     Vector entries;
     double size = 0;
@@ -276,7 +277,7 @@ class CompressedBody final : public StabilisedBody {
     return rest;
   }
 
-  /// Takes off the rest what rigid motions have added to it.
+  /// Removes from the residual its least squares fit by the errors of rigid motions.
   void takeMotions(const Rest& rest, Vector& psi, Matrix& images) const {
     const Motions& all = motions();
     Vector sizes;
@@ -293,9 +294,9 @@ class CompressedBody final : public StabilisedBody {
     }
   }
 
-  /// That of u; the last one is kept, which several results ask for.  A solution has its ψ
-  /// with it: the last one's is tried first, taken where K u - (V + G) ψ vanishes, perhaps but for
-  /// what rigid motions added to u leave of it, and corrected where only rounding is left.
+  /// Field of u, cached.  First tries the ψ of the last solution: it is accepted if
+  /// K u - (V + G) ψ vanishes, possibly after takeMotions() (u may contain added rigid
+  /// motions); corrected if the relative residual is at most 1e-9; else computed.
   const Field& fieldOf(const Vector& u) const {
     if (u == field_.u)
       return field_;
@@ -326,7 +327,7 @@ class CompressedBody final : public StabilisedBody {
   std::shared_ptr<const bem::CompressedOperators> operators_;
   std::size_t number_;
   const bem::CompressedOperators::Range& range_;
-  CompressedCoupling compressed_;  ///< the own multiplier's
+  CompressedCoupling compressed_;  ///< of the multiplier of this body
   mutable std::unique_ptr<const bem::CompressedFactor> densityFactor_;
   mutable std::unique_ptr<const Motions> motions_;
   mutable Vector solved_;  ///< ψ of the last solution

@@ -8,7 +8,7 @@
 
 namespace epafi::contact {
 
-/// A body of makeCompressedStiffness.  \pre input.stiffness is one of these.
+/// One body on compressed operators.  \pre input.stiffness is of makeCompressedStiffness
 std::unique_ptr<const StabilisedBody> makeCompressedBody(
     const BodyInput& input, const MultiplierSpace& multiplier);
 

@@ -156,7 +156,7 @@ const CompressedFlexibility::Along& CompressedFlexibility::eliminated(
     int number, const bem::Restriction& restriction) const {
   if (number == eliminated_)
     return *reduced_;
-  // as long as it is between two systems, it is nobody's
+  // belongs to no system while update() may throw
   auto reduced = std::move(reduced_);
   release();
   if (reduced == nullptr)

@@ -23,7 +23,7 @@ CompressedHolding::CompressedHolding(const bem::CompressedOperators& operators,
   std::copy(holding.loads.clamped.begin(), holding.loads.clamped.end(),
             held + range_.first);
   addSprings();
-  // of several bodies another factor changes
+  // with several bodies, only the factor of CompressedFlexibility is updated
   const bool changes = operators.bodies() == 1;
   factor_ = std::make_unique<const bem::CompressedFactor>(
       operators, restriction_, changes ? furtherLeaves(operators) : std::vector<int>());
@@ -36,9 +36,9 @@ Matrix CompressedHolding::placed(const Matrix& columns) const {
   return result;
 }
 
-// One for each motion that clamps leave, where it moves most against those before: pivots
-// of the motions' rows, weighted with the lengths that functionals integrate over.  A force on
-// short elements makes densities in proportion to 1/h, and with them the rounding of all.
+// One spring per rigid motion that clamps allow, at the pivots of the matrix of motions
+// (complete pivoting), rows weighted with the lengths of functionals: a force on a short
+// element causes densities, and rounding errors, proportional to 1/h.
 void CompressedHolding::addSprings() {
   Matrix motions = holding_.rigid.allowed.copy();
   if (motions.columns() == 0)
@@ -48,7 +48,7 @@ void CompressedHolding::addSprings() {
   for (Index k = 0; k < functionals.columns(); ++k)
     for (Index i = 0; i < functionals.rows(); ++i)
       lengths[at(i)] += std::abs(functionals(i, k));
-  // from a quarter of the longest on all are alike
+  // lengths above a quarter of the longest count as equal
   const double longest = *std::max_element(lengths.begin(), lengths.end());
   const auto moved = [&](Index i, Index k) {
     return std::min(lengths[at(i)], 0.25 * longest) * std::abs(motions(i, k));
@@ -74,8 +74,8 @@ void CompressedHolding::addSprings() {
   }
 }
 
-// A⁺ f = (I - R cᵀ) M⁻¹ (I - c Rᵀ) f: balanced loads do not feel springs that are as many
-// as the motions
+// A⁺ f = (I - R cᵀ) M⁻¹ (I - c Rᵀ) f: under balanced loads, as many springs as motions
+// carry no force
 Matrix CompressedHolding::displaced(Matrix forces) const {
   const RigidConstraints& rigid = holding_.rigid;
   const auto subtract = [&](const Matrix& seen, const Matrix& taken, Matrix& x) {

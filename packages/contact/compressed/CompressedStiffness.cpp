@@ -11,7 +11,7 @@ namespace epafi::contact {
 
 namespace {
 
-/// visit(coefficient, element) of what each element has.
+/// Calls visit(coefficient, mesh element) for the coefficients of all contact elements.
 template <class Visit>
 void forEachHome(const MultiplierSpace& multiplier, const Visit& visit) {
   for (const MultiplierSpace::ContactElement& contact : multiplier.elements())
@@ -22,12 +22,11 @@ void forEachHome(const MultiplierSpace& multiplier, const Visit& visit) {
     }
 }
 
-/// Where each coefficient of the multiplier belongs, so that a leaf has as many as it has
-/// displacements which they act on: to an element of its function where it does work on what
-/// that one numbers, on most of it if there are two; else, as at the end of a contact, to the
-/// one that numbers what it does most work on.  Tangential ones go to that of the pressure
-/// which they may follow.  Control points, whose bounds follow all pressures of an element,
-/// belong to it.
+/// Element to which each coefficient is assigned.  A leaf shall have no more coefficients
+/// than displacements coupled to them: among the elements that number displacements
+/// coupled to it, the one with the largest entry, preferably within the support of its
+/// function.  Tangential coefficients go to the element of their pressure.  Control
+/// points, whose bounds depend on all pressures of an element, go to that element.
 std::vector<int> elementsOf(const bem::Space& space, const MultiplierSpace& multiplier,
                             const Coupling& coupling) {
   std::vector<int> elements(at(coupling.multipliers), 0);

@@ -16,29 +16,30 @@ struct CompressedInput {
   const bem::Space& space;
   const MultiplierSpace& multiplier;
   const bem::Lame& lame;
-  const Opposite* opposite = nullptr;  ///< null: it meets no other body
+  const Opposite* opposite = nullptr;  ///< null: no opposite body
 };
 
-/// How all multipliers act on all bodies, numbered as a Numbering does.
+/// Coupling of all multipliers with all bodies; coefficients in the order of Numbering.
 CompressedCoupling makeCompressedCoupling(const std::vector<CompressedInput>& bodies,
                                           const Stabilization& stabilization,
                                           bem::Units units);
 
-/// The compressed operators of a contact problem: with displacements and densities its
-/// multiplier is an unknown,
+/// Compressed operators of a contact problem, whose unknowns are displacements, densities
+/// and the multiplier,
 ///
 ///   [ W      K'      B₀ᵀ ]
 ///   [ K    -(V+G)   -N   ]        λ = 0 where it is held,
 ///   [ B₀    -Nᵀ     -M   ]
 ///
-/// W, K and V of each body beside those of others, B₀ with the traces of what is met; G, N
-/// and M of Form Density, zero under Form None.      [doc/theory/compression.md]
-/// \throws bem::InputError for another form.
+/// W, K and V block diagonal by bodies, B₀ with the mortar coupling to opposite bodies;
+/// G, N and
+/// M of Form Density, zero under Form None.  One per body.       [doc/theory/compression.md]
+/// \throws bem::InputError for another form
 std::vector<bem::SteklovPoincare> makeCompressedStiffness(
     const std::vector<CompressedInput>& bodies, const Stabilization& stabilization,
     bem::Units units, const bem::Processes& processes, const bem::Compression& options);
 
-/// Why a stiffness cannot be compressed; empty: it can.
+/// Reason why a stiffness cannot be compressed; empty: it can.
 std::string whyNotCompressed(const Stabilization& stabilization);
 
 }  // namespace epafi::contact

@@ -49,7 +49,7 @@ Vector ReducedFlexibility::coefficients(const double* b) const {
   Vector known = right;
   for (const Index row : system_.rows)
     known[at(row)] = 0;
-  // b less what U S Uᵀ makes of the known coefficients
+  // b - U S Uᵀ x of the known coefficients
   Matrix ofKnown(whole_.size(), 1);
   terms.addTo(ofKnown, bem::asColumn(known));
   for (const Index row : system_.rows)

@@ -5,20 +5,21 @@
 
 namespace epafi::contact {
 
-/// Some of the multiplier's coefficients in the tree.
+/// Factor of a linear system in some coefficients of D, by the cluster tree.
 class ReducedFlexibility final : public Flexibility::Operator::Factor {
  public:
   using System = Flexibility::Operator::System;
 
-  /// \pre `whole` outlives it.  \throws bem::NumericalError, as solve() may.
+  /// Refers to `whole`.  \throws bem::NumericalError if singular, as solve() does
   ReducedFlexibility(const CompressedFlexibility& whole, System system);
 
-  /// Of motions by the Schur complement of what answers them.
+  /// Rigid motions by their Schur complement Ĝᵀ D⁻¹ Ĝ + K̂.
   Matrix solve(Matrix b) const override;
 
  private:
-  /// x of a right side, all motions of size zero.
+  /// x for a right-hand side b, with β = 0.
   Vector coefficients(const double* b) const;
+  /// The same with D_M, see CompressedFlexibility::motions.
   Vector solveSprung(Vector b) const;
   void makeCorrection();
   void makeBorder();
@@ -31,8 +32,8 @@ class ReducedFlexibility final : public Flexibility::Operator::Factor {
   int number_;
   bem::Restriction restriction_;
   bem::Woodbury correction_;  ///< from D_M⁻¹ to D⁻¹ in the rows
-  Matrix answers_;            ///< x for b = Ĝ in the rows
-  bem::LuFactor border_;      ///< of Ĝᵀ times these
+  Matrix answers_;            ///< x for b = Ĝ: D⁻¹ Ĝ
+  bem::LuFactor border_;      ///< of the Schur complement
 };
 
 }  // namespace epafi::contact

@@ -52,9 +52,9 @@ Complementarity fischerNormal(double multiplier, double penetration) {
   return {phi.value, phi.a, -phi.b, 0};
 }
 
-// φ(λ + s, -φ(s - λ, y)): the inner φ replaces y by something that is <= 0 exactly where
-// the upper bound is respected, the outer one adds the lower bound. [Billups 1995] Where
-// the inner φ has its kink (λ = s, y = 0) the outer one vanishes: the square is smooth.
+// φ(λ + s, -φ(s - λ, y)): the inner φ is for the upper bound, the outer one for the lower.
+// [Billups 1995]  At the kink of the inner φ (λ = s, y = 0) the outer one is zero, so that
+// its square is continuously differentiable.
 Complementarity fischerTangential(double multiplier, double slip, double bound) {
   const Phi upper = fischer(bound - multiplier, slip);
   const Phi both = fischer(multiplier + bound, -upper.value);

@@ -33,7 +33,7 @@ Vector frictionWork(const Problem& problem, const State& state,
     const FrictionState friction = states.tangential[t];
     const std::size_t i = at(problem.normals) + t;
     if (friction == FrictionState::SlipForward || friction == FrictionState::SlipBackward)
-      // the solver's rounding may leave the other sign of nothing
+      // rounding may leave a small negative number
       work[t] = std::max(0.0, state.multiplier[i] * penetration[i]);
   }
   return work;

@@ -14,14 +14,13 @@ namespace epafi::contact {
 
 namespace {
 
-// A vector as numbers with signed indices.
+// Signed indices.
 double entry(const Vector& v, Index i) { return v[at(i)]; }
 double& entry(Vector& v, Index i) { return v[at(i)]; }
 
-// c_i = 1 / Σ |D_ij| over the coefficients of i's own kind: r_i over the penetration that
-// a uniform multiplier of size 1 makes.  1/D_ii, the response to one coefficient alone,
-// grows like 1/h²; a point that slides then jumps to the opposite bound instead of
-// sticking, and on fine meshes the sets cycle.
+// c_i = 1 / Σ_j (|D_ij| + |L_ij|), D_ij of i's kind.  With 1/D_ii instead, which grows
+// like 1/h², a sliding coefficient jumps to the opposite bound instead of sticking, and
+// on fine meshes active sets cycle.
 Vector responseWeights(const Problem& problem) {
   const Vector& responses = problem.flexibility.responses(problem.normals);
   if (!std::all_of(responses.begin(), responses.end(),
@@ -32,7 +31,7 @@ Vector responseWeights(const Problem& problem) {
       responses.empty() ? 0 : *std::max_element(responses.begin(), responses.end());
   Vector weights;
   weights.reserve(responses.size());
-  // A coefficient that only moves the body as a whole has no flexibility of its own.
+  // A coefficient that only moves the body rigidly has a zero row in D.
   for (const double response : responses)
     weights.push_back(1 / (response > 0 ? response : largest > 0 ? largest : 1));
   if (problem.surface.empty())
@@ -45,7 +44,7 @@ Vector responseWeights(const Problem& problem) {
   return weights;
 }
 
-/// s at some pressures, and from there along its derivative by a change of them.
+/// s(pressures) + s'(pressures) change.
 StepBound extrapolated(const Tangential& tangential, const Vector& pressures,
                        const Vector& change) {
   StepBound bound{tangential.bound(pressures), tangential.slope(pressures)};
@@ -126,18 +125,17 @@ void Equation::complete(Evaluation& e, Vector r, Vector magnitude) const {
   measure(e, magnitude);
 }
 
-// The bound follows the sets of normal coefficients, not their signs: a
-// point that the step closes carries s(λₙ + δλₙ) after it, one that it opens nothing.
-// With p = λₙ + c rₙ and the row rₙ + δrₙ = 0 of a closed point,
-// s(p) + s'(p) (δλₙ + c δrₙ) says so.  A bound that only looks at λₙ⁺ pins points to zero
-// shear that are about to close, and the sets wander on meshes graded to contact's ends.
+// The bound is linearised at p = λₙ + c rₙ: s(p) + s'(p) (λₙ + δλₙ - p).  After the step
+// a closed coefficient has rₙ + δrₙ = 0 and the bound s(λₙ + δλₙ) to first order, an open
+// one s(0).  With s(λₙ⁺), coefficients that close in this step would get zero shear, and
+// on meshes graded to ends of contact the active sets would not settle.
 Complementarity Equation::tangentialRow(const Evaluation& e, Index t) const {
   const double multiplier = entry(e.unknowns, problem_.normals + t);
   const double y = entry(e.penetration, problem_.normals + t);
   const double bound = e.linear.stepBounds[static_cast<std::size_t>(t)].value;
   if (bound >= 0)
     return projectedTangential(multiplier, y, bound);
-  // a negative pressure about to become positive: which way it slips shows already
+  // a negative pressure of a closed coefficient: slip in the direction of λ + c r
   const double side = multiplier + y >= 0 ? 1 : -1;
   return {multiplier - side * bound, 1, 0, -side};
 }
@@ -188,7 +186,7 @@ void Equation::measure(Evaluation& e, const Vector& magnitude) const {
   const auto count = [&](double residual, double floor) {
     const double scaled = std::abs(residual) / problem_.stress;
     largestFloor = std::max(largestFloor, floor);
-    // Written so that a NaN is never converged.
+    // A NaN is never converged.
     e.converged = e.converged && scaled <= std::max(tolerance_, floor);
     e.scaled = std::isnan(e.scaled) || scaled <= e.scaled ? e.scaled : scaled;
   };
@@ -208,7 +206,7 @@ void Equation::measure(Evaluation& e, const Vector& magnitude) const {
     const double natural =
         projection == trial ? -entry(e.penetration, i) : multiplier - projection;
     e.natural.push_back(natural);
-    const double finite = std::isfinite(bound) ? bound : 0;  // infinite where bonded
+    const double finite = std::isfinite(bound) ? bound : 0;  // infinite: bonded
     count(natural, rounding * (entry(magnitude, i) + std::abs(multiplier) + finite));
   }
   for (Index j = 0; j < problem_.rigidMotions(); ++j) {

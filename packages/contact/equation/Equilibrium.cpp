@@ -19,7 +19,7 @@ Vector plus(Vector a, double factor, const Vector& b) {
   return a;
 }
 
-/// q in units in which all motions weigh alike, what springs hold nothing.
+/// q scaled by 1 / Σ_i |G_ij|; zero for motions with springs.
 struct ScaledLoad {
   Vector scales;
   Vector values;
@@ -36,7 +36,7 @@ struct ScaledLoad {
   }
 };
 
-/// What a unit of force at each place does to the balance, each of length one.
+/// Generators of the cone, scaled like q, normalised.
 std::vector<Vector> cone(const Problem& problem, const Vector& scales) {
   std::vector<Vector> columns;
   const auto work = [&](Index i, Index j) { return i < 0 ? 0 : problem.rigid(i, j); };
@@ -66,8 +66,8 @@ std::vector<Vector> cone(const Problem& problem, const Vector& scales) {
   return columns;
 }
 
-/// The coefficients of q in a few columns, by Gram and Schmidt; empty where these are
-/// dependent.
+/// Least squares coefficients of q in the chosen columns, by Gram-Schmidt; empty if these
+/// are linearly dependent.
 Vector leastSquares(const std::vector<Vector>& columns,
                     const std::vector<std::size_t>& chosen, Vector q) {
   constexpr double dependent = 1e-12;
@@ -100,13 +100,13 @@ Vector leastSquares(const std::vector<Vector>& columns,
   return right;
 }
 
-/// A point of the cone near q, as Lawson and Hanson approach it.
+/// Projection of q onto the cone, by the algorithm of Lawson and Hanson.
 class NearestPoint {
  public:
   NearestPoint(std::vector<Vector> columns, Vector q)
       : columns_(std::move(columns)), q_(std::move(q)), rest_(q_) {}
 
-  /// q minus the nearest point: separates q from the cone where it is not zero.
+  /// q minus its projection, which separates q from the cone if not zero.
   Vector separation() {
     const double size = std::sqrt(dot(q_, q_));
     for (std::size_t k = 0; k < 10 * q_.size() + 100; ++k) {
@@ -132,7 +132,7 @@ class NearestPoint {
     return best;
   }
 
-  /// Least squares over the chosen columns; those that would pull are dropped.
+  /// Least squares over the chosen columns; drops columns with negative weights.
   bool project() {
     while (!chosen_.empty()) {
       const Vector wanted = leastSquares(columns_, chosen_, q_);
@@ -177,7 +177,7 @@ Vector unresistedMotion(const Problem& problem) {
   constexpr double clear = 1e-10;
   const ScaledLoad load(problem);
   const double size = std::sqrt(dot(load.values, load.values));
-  // A load without a resultant is balanced; rounding is no resultant.
+  // A resultant that is only rounding error is balanced.
   if (!(size > clear * problem.stress))
     return {};
   const std::vector<Vector> columns = cone(problem, load.scales);

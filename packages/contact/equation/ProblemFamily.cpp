@@ -85,7 +85,7 @@ Vector ProblemFamily::frictionDerivative(const Equation& equation,
   const auto normals = static_cast<std::size_t>(original_.normals);
   const std::vector<StepBound> bounds = equation.stepBounds(e, original_.tangentials);
   for (std::size_t k = 0; k < bounds.size(); ++k)
-    if (e.linear.rows[normals + k].bound != 0)  // a bound may be infinite
+    if (e.linear.rows[normals + k].bound != 0)  // excludes infinite bounds
       result[normals + k] = e.linear.rows[normals + k].bound * bounds[k].value;
   return result;
 }

@@ -4,47 +4,49 @@
 
 namespace epafi::contact {
 
-/// What a problem's data are multiplied by.
+/// Factors of the data of a problem.
 struct Factors {
   double load = 1;       ///< tractions and prescribed displacements, not the gap
   double friction = 1;   ///< the slip bounds, >= 0
-  double increment = 1;  ///< the part of a step of a path that is done
+  double increment = 1;  ///< fraction of a step of a path
 };
 
-/// A contact problem and all its multiples:
+/// A contact problem with parameters:
 ///
-///   d₀(t, s) = t (d₀ + g) - g - (1 - s) Δd₀,   q(t, s) = t q - (1 - s) Δq,   m times s(λₙ),
+///   d₀(t, s) = t (d₀ + g) - g - (1 - s) Δd₀,   q(t, s) = t q - (1 - s) Δq,   bounds m s(λₙ),
 ///
-/// t the load factor, m the friction factor; the gap g stays where it is.  s the increment of
-/// a step of a path: Δ is what the step adds, gaps included, so that s = 0 is the step before
-/// and s = 1 this one; without a step before there is none.
+/// t: load factor, m: friction factor, g: the gap, which is not scaled.  s: increment in
+/// a step of a path, Δ: change in this step, of the gap too; s = 0 is the previous step,
+/// s = 1 this one.  Outside a path Δ = 0.
 class ProblemFamily {
  public:
-  /// `gap`: g per normal coefficient, see ContactProblem::gap.
+  /// \param gap g, one per normal coefficient, see ContactProblem::gap
   /// \throws bem::InputError if there are not as many gaps as normal coefficients.
   ProblemFamily(const Problem& problem, Vector gap);
 
-  /// A step of a path; `before`: the same under the loads of the step before, both with the
-  /// same slip before (ContactSystem::under).
+  /// A step of a path.
+  /// \param before the problem with the loads of the previous step and the same previous
+  /// slip
+  ///   (ContactSystem::under)
   ProblemFamily(const Problem& problem, Vector gap, const Problem& before);
   bool isStep() const { return !change_.empty(); }
 
-  /// The problem itself, factors one.
+  /// The problem with all factors 1.
   const Problem& original() const { return original_; }
 
   /// \throws bem::InputError for a factor that is not finite or a negative friction
   /// factor.
   Problem at(const Factors& factors) const;
 
-  /// ∂F/∂t at a point: exact where F is differentiable, elsewhere of the same element of
-  /// the generalised derivative as the Jacobian's rows.  \pre the equation is of one of
-  /// this family's problems.
+  /// ∂F/∂t at a point, with the element of the generalised derivative in the Jacobian's
+  /// rows.
+  /// \pre the equation is of a problem of this family
   Vector loadDerivative(const Equation& equation, const Evaluation& e) const;
 
-  /// ∂F/∂m likewise.
+  /// ∂F/∂m, likewise.
   Vector frictionDerivative(const Equation& equation, const Evaluation& e) const;
 
-  /// ∂F/∂s likewise.  \pre isStep()
+  /// ∂F/∂s, likewise.  \pre isStep()
   Vector incrementDerivative(const Equation& equation, const Evaluation& e) const;
 
  private:

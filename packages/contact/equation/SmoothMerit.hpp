@@ -4,9 +4,9 @@
 
 namespace epafi::contact {
 
-/// ½ |F|² with Fischer-Burmeister's function in place of the projection: it has the same zeros.
+/// Ψ = ½ |F|² with the Fischer-Burmeister function in place of the projection; same zeros.
 double merit(const Equation& equation, const Evaluation& at);
-/// Its gradient: continuous as long as the slip bound is differentiable.
+/// ∇Ψ, continuous if the slip bound is continuously differentiable.
 Vector meritGradient(const Equation& equation, const Evaluation& at);
 
 }  // namespace epafi::contact

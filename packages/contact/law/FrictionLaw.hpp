@@ -7,8 +7,8 @@ namespace epafi::contact {
 /// Friction law |λₜ| ≤ s(λₙ) with slip bound s.                [P (2)], doc/theory/friction.md
 ///
 /// In the user's units.  Parameters that depend on the place (coefficient, threshold) are
-/// fields: `fields` contains their values at the point, each >= 0, in the order of the rows.
-/// Constant parameters are members of the class.  s is monotone in each field.
+/// fields: `fields` contains their values at the point, each >= 0, in the order of the
+/// rows. Constant parameters are members of the class.  s is monotone in each field.
 class FrictionLaw {
  public:
   virtual ~FrictionLaw() = default;
@@ -16,13 +16,14 @@ class FrictionLaw {
   /// s >= 0 at a pressure >= 0.
   virtual double bound(double pressure, const Vector& fields) const = 0;
 
-  /// ds/dpressure at a pressure >= 0: at a kink one of its limits, at zero that from above.
+  /// ds/dpressure at a pressure >= 0; at a kink one of the one-sided derivatives, at zero
+  /// the right one.
   virtual double slope(double pressure, const Vector& fields) const = 0;
 
   virtual bool dependsOnPressure() const { return true; }
 
-  /// Are the sides bonded?  Then the bound is infinite, the normal stress has any sign, and the
-  /// gap of the condition is a given jump of the displacement.
+  /// Are the sides bonded?  Then the bound is infinite, the normal stress has any sign,
+  /// and the gap of the condition is a given jump of the displacement.
   virtual bool ties() const { return false; }
 };
 
@@ -46,11 +47,11 @@ class PointLaw {
   PointLaw(std::shared_ptr<const FrictionLaw> law, Vector fields, double stress)
       : law_(std::move(law)), fields_(std::move(fields)), stress_(stress) {}
 
-  /// s >= 0 at the pressure's positive part.
+  /// s(p⁺) >= 0.
   double bound(double pressure) const;
-  /// ds/dp; zero where there is no pressure.
+  /// ds/dp for p > 0, else zero.
   double slope(double pressure) const;
-  /// The largest (s(p) - s(0))/p for pressures up to Young's modulus, sampled.
+  /// The largest s'(p) and (s(p) - s(0))/p, sampled at p = 1e-18, 1e-17, ..., 1.
   double steepest() const;
   bool followsPressure() const { return law_ != nullptr && law_->dependsOnPressure(); }
 
@@ -72,7 +73,7 @@ struct Friction : LawOnBoundary<FrictionLaw> {
   }
 };
 
-/// A law of the table that has no keys but fields.
+/// A law whose keys are all fields.
 /// \throws bem::InputError for an unknown name, or another number of fields.
 Friction makeFriction(const std::string& law, std::vector<bem::Function> fields);
 

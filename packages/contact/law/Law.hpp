@@ -14,13 +14,13 @@ namespace epafi::contact {
 
 using bem::Vector;
 
-/// A law in the table of its family.
+/// Entry of a registry of laws.
 template <class Law>
 struct LawMember {
   std::string name;
-  /// Its keys; those of kind Expression are its fields.
+  /// Its keys; those of kind Expression are fields, see LawOnBoundary.
   bem::SchemaRows rows;
-  /// The law with the other keys' values; an empty function stands for no law.
+  /// Makes the law from the values of the other keys; empty: no law.
   std::function<std::shared_ptr<const Law>(const Teuchos::ParameterList&)> make;
 };
 
@@ -40,7 +40,7 @@ struct LawOnBoundary {
   }
 };
 
-/// Makes the function of a key.
+/// The function of a point that the value of a key stands for.
 using FieldOf = std::function<bem::Function(const std::string& key)>;
 
 }  // namespace epafi::contact

@@ -52,7 +52,7 @@ Range join(Range range, const Vector& values) {
   return range;
 }
 
-// By how much the outer range is beyond the inner.
+// By how much the outer range exceeds the inner one.
 double excess(const Range& inner, const Range& outer) {
   return std::max(inner.least - outer.least, outer.most - inner.most);
 }

@@ -7,19 +7,19 @@
 
 namespace epafi::contact {
 
-/// What limits the coefficients of an element's shear where a bound s(t) >= 0, t in
-/// [-1, 1], limits the shear: as many numbers >= 0 as the basis has functions.
+/// Bounds of the q + 1 shear coefficients of an element, from the bound s(t) >= 0 of the
+/// shear itself, t in [-1, 1]; all >= 0, in the unit of s.
 ///
-/// The values of s at the basis' places, unless coefficients are control points.  Then
+/// The values of s at MultiplierBasis::places, unless coefficients are control points.
+/// Then
 ///
-///   c = coefficients of the polynomial that meets s at the Gauss-Lobatto points,
-///       none < 0,
+///   c = max(0, coefficients of the polynomial that interpolates s at the Gauss-Lobatto points)
 ///
-/// if it is closer to s than the one with the values at the control points and none of c
-/// is beyond the largest and the smallest of s, or if it is four times as close.  So a
-/// smooth bound is met to order q + 1, values at control points being second order.  Where
-/// s jumps by J, c is within the hull of s, too: no continuous function is closer than
-/// J/2, and the values' is within J.
+/// if its largest error is below that of the values at the control points and c is within
+/// the range of s, or if its error is at most a quarter.  So the error is of order q + 1
+/// for a smooth s (of order 2 with the values).  If s has a jump J, c is within the range
+/// of s, since the error of a continuous function is at least J/2 and that of the values
+/// at most J.
 bem::Vector boundCoefficients(const MultiplierBasis& basis, int degree,
                               const std::function<double(double)>& bound);
 

@@ -5,26 +5,26 @@
 
 namespace epafi::contact {
 
-/// Polynomials on [-1, 1] in a multiplier's basis from their values at as many places as
-/// the basis has functions.
+/// Interpolation on [-1, 1] in a multiplier basis, at as many points as the basis has
+/// functions.
 class Collocation {
  public:
-  /// \pre `places` differ; there are as many as coefficients, one more than the degree.
-  /// \throws bem::NumericalError if the basis is none.
+  /// \param places q + 1 distinct points for the basis of degree q
+  /// \throws bem::NumericalError if the functions are linearly dependent
   Collocation(const MultiplierBasis& basis, bem::Vector places);
 
   const bem::Vector& places() const { return places_; }
 
-  /// Coefficients of the polynomial with these values at the places.
+  /// E⁻¹ values: coefficients of the polynomial with these values at places().
   bem::Vector coefficients(bem::Vector values) const;
 
-  /// E_kj = χ_j at place k, and what makes coefficients of values.
+  /// E_kj = χ_j(t_k), t_k = places()[k], and E⁻¹.
   bem::Matrix values() const { return values_.copy(); }
   bem::Matrix inverse() const;
 
  private:
   bem::Vector places_;
-  bem::Matrix values_;  // of the basis at the places, a row each
+  bem::Matrix values_;  // E
   bem::LuFactor factor_;
 };
 

@@ -55,7 +55,7 @@ class Jumps {
     close();
   }
 
-  /// Adds what makes it continuous.
+  /// Adds Σ c_i w_i.
   void addTo(Vector& result) const {
     for (std::size_t k = 0; k < before_.size(); ++k) {
       if (before_[k] == none && behind_[k] == none)
@@ -124,8 +124,8 @@ class Jumps {
     return {e.start / half(k), e.end / half(k)};
   }
 
-  /// A linear equation for each joint, by Gauss' and Seidel's method: neighbours' factors
-  /// enter by a (p + 1)-th of their own.
+  /// Solves for c, one equation per joint, by the Gauss-Seidel method: entries of
+  /// neighbours are smaller than the diagonal by a factor p + 1.
   void close() {
     constexpr int sweeps = 60;
     Vector jumps(before_.size(), 0.0);
@@ -151,9 +151,9 @@ class Jumps {
   const Vector& multiplier_;
   const Vector& bounds_;
   const Component& component_;
-  std::vector<std::size_t> before_;  ///< elements beyond a joint, of each contact element
+  std::vector<std::size_t> before_;  ///< neighbour across the joint, by contact element
   std::vector<std::size_t> behind_;
-  Vector factors_;  ///< c_i, each with the element before its node
+  Vector factors_;  ///< c_i, by the element before node i
   double small_;
 };
 

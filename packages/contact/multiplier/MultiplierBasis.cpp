@@ -47,13 +47,12 @@ Vector lobattoPlaces(int degree) {
   return places;
 }
 
-/// Lagrange's functions by the barycentric formula, stable for every degree.
-///                                                              [Berrut & Trefethen 2004,
-///                                                              (4.2)]
+/// Lagrange polynomials by the barycentric formula, stable for every degree.
+///                                                  [Berrut & Trefethen 2004, (4.2)]
 class Lagrange {
  public:
   explicit Lagrange(Vector nodes) : nodes_(std::move(nodes)), weights_(nodes_.size(), 1) {
-    // Factors of mean size one: [-1, 1] has capacity 1/2.
+    // The capacity of [-1, 1] is 1/2: factors 2 (x_i - x_j) prevent overflow.
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       for (std::size_t j = 0; j < nodes_.size(); ++j)
         if (j != i)
@@ -84,7 +83,7 @@ class Lagrange {
   Vector weights_;
 };
 
-/// Of every degree that meshes may carry.
+/// By degree, up to bem::largestDegree.
 std::vector<Lagrange> lagrangeAt(Vector (*places)(int degree)) {
   std::vector<Lagrange> all;
   for (int degree = 0; degree <= bem::largestDegree; ++degree)
@@ -148,7 +147,7 @@ Vector bernsteinValues(int degree, double t) {
   return values;
 }
 
-// Σ_i |B_i*(t)| ∫ B_i with the dual functions B_i*, largest at the ends.
+// max over t of Σ_i |B_i*(t)| ∫ B_i, B_i*: the dual functions; attained at the ends.
 double bernsteinAmplification(int degree) { return std::ldexp(1.0, degree + 1) - 1; }
 
 }  // namespace

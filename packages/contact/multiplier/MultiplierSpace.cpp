@@ -12,7 +12,7 @@ namespace {
 
 using ContactElement = MultiplierSpace::ContactElement;
 
-/// Do two contact elements follow each other on one smooth side?
+/// Is `after` the next element on the same boundary, with a continuous tangent?
 bool continues(const bem::Mesh& mesh, const ContactElement& before,
                const ContactElement& after) {
   const bem::Element& a = mesh[before.element];
@@ -98,7 +98,8 @@ std::optional<std::size_t> MultiplierSpace::follower(std::size_t k) const {
 void MultiplierSpace::number() {
   const auto assign = [&](Index ContactElement::*first, Index ContactElement::*last,
                           EndCoefficients ContactElement::*ends, const auto& belongs) {
-    bool isOpen = false;  // the last coefficient is the next element's first
+    bool isOpen =
+        false;  // the next element shares its first coefficient with the last one
     for (std::size_t k = 0; k < elements_.size(); ++k) {
       ContactElement& element = elements_[k];
       if (!belongs(element))

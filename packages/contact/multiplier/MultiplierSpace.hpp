@@ -34,18 +34,19 @@ struct EndCompletion {
   std::vector<std::pair<Index, double>> added;
 };
 
-/// The numbering of the multiplier: on each contact element of degree p, p+1 normal
-/// coefficients and, with friction, p+1 tangential ones.  Normal coefficients of bonded sides
-/// have any sign; they are numbered among the tangential ones, before
-/// them.                                                       [P (12), (14), q = p]
+/// Numbering of the multiplier: on each contact element of degree p, p + 1 normal
+/// coefficients and, with friction, p + 1 tangential ones.  First the normal coefficients
+/// (pressures), then the normal ones of bonded sides, whose sign is free, then the
+/// tangential ones.
+///                                                             [P (12), (14), q = p]
 ///
-/// With a basis that shares nodes, neighbours on a smooth side share the coefficient of their
-/// common node, also around a closed line.  At the end of a side a coefficient exists only if
-/// the displacement has a free component for it: clamps fix one or both, and at a corner of
-/// two contact sides both normals have priority over friction.  In the inequalities a missing
-/// coefficient has the value of its neighbour; at a clamp it has no inequality.  In the
-/// multiplier as a function, and in reactions of clamps, it is such that the degree is p - 1, see
-/// completeEnds.
+/// With a basis that shares nodes, neighbours on a smooth side share the coefficient of
+/// their common node, also around a closed line.  At the end of a side a coefficient
+/// exists only if the displacement has a free component for it: clamps fix one or both,
+/// and at a corner of two contact sides both normals have priority over friction.  In the
+/// inequalities a missing coefficient has the value of its neighbour; at a clamp it has
+/// no inequality.  In the multiplier as a function, and in reactions of clamps, it is
+/// such that the degree is p - 1, see completeEnds.
 class MultiplierSpace {
  public:
   struct ContactElement {
@@ -56,8 +57,8 @@ class MultiplierSpace {
     Index point = 0;        ///< number of the first of its p + 1 Gauss points
     Index normal = 0;       ///< number of the first normal coefficient
     Index tangential = -1;  ///< number of the first tangential one; -1: frictionless
-    /// If the last node closes a chain of elements, the first coefficient of the chain; else
-    /// -1.
+    /// If the last node closes a chain of elements, the first coefficient of the chain;
+    /// else -1.
     Index normalLast = -1;
     Index tangentialLast = -1;
     EndCoefficients normalEnds;
@@ -77,7 +78,7 @@ class MultiplierSpace {
                                        : tangential + offset(tangentialEnds, i);
     }
 
-    /// Is coefficient i at a clamped end, where the contact condition is dropped?
+    /// Is coefficient i at a clamped end, so that it has no contact condition?
     bool holdsNothing(const std::array<EndCompletion, 2>& ends, int i) const {
       return (i == 0 && ends[0].clamped) || (i == degree && ends[1].clamped);
     }
@@ -94,24 +95,25 @@ class MultiplierSpace {
   };
 
   /// Contact elements in the order of the mesh.
-  /// \throws bem::InputError where a basis that shares nodes finds none for an element.
+  /// \throws bem::InputError for an element without a coefficient of its own, if the basis
+  /// shares nodes
   MultiplierSpace(const bem::Mesh& mesh, const MultiplierBasis& basis,
                   const Conditions& conditions);
 
-  /// The same numbering for conditions that differ in functions only, a later time of a
-  /// path; refers to them.
+  /// The same numbering with the conditions of another time of a path, which differ in
+  /// their functions only; refers to them.
   MultiplierSpace under(const Conditions& conditions) const;
 
   const MultiplierBasis& basis() const { return *basis_; }
-  /// Those that it was made for.
+  /// Conditions of the constructor, or of under().
   const Conditions& conditions() const { return *conditions_; }
   const std::vector<ContactElement>& elements() const { return elements_; }
-  /// Their indices in the mesh.
+  /// Mesh indices of elements().
   std::vector<int> meshElements() const;
-  /// Number of pressure coefficients, which come first.
+  /// Number of normal coefficients that are not bonded: pressures.
   Index normals() const { return normals_; }
   Index size() const { return size_; }
-  /// Number of Gauss points, degree + 1 on each element.
+  /// Number of Gauss points of all elements, p + 1 on each.
   Index points() const;
 
   /// λₙ and λₜ (dimensionless) at a point of a contact element; λₜ = 0 without friction.
@@ -120,7 +122,7 @@ class MultiplierSpace {
     double tangential = 0;
   };
   Value at(const Vector& multiplier, const ContactElement& element, double t) const;
-  /// The polynomial through values at the Gauss points.
+  /// At t, the polynomial that interpolates values at the Gauss points.
   static double throughPoints(const Vector& values, const ContactElement& element,
                               double t);
 
@@ -140,7 +142,7 @@ class MultiplierSpace {
   Index size_ = 0;
 };
 
-/// A contact's name: the scene's between bodies, else its boundary's.
+/// Name of the contact: that of Contacts in the scene between bodies, else of its boundary.
 inline const std::string& nameOf(const MultiplierSpace::ContactElement& element) {
   return element.condition->name.empty() ? *element.boundary : element.condition->name;
 }

@@ -13,8 +13,8 @@ using bem::Vec2;
 using ContactElement = MultiplierSpace::ContactElement;
 using Combination = std::vector<std::pair<Index, double>>;
 
-/// Of a unit direction that less than this is left of, a node has nothing left to give:
-/// it has no coefficient of its own there, and is completed by what took the rest.
+/// Smallest norm of a unit direction's component orthogonal to the constrained directions
+/// of a node; below, the node gets no coefficient for it, see completeEnds.
 constexpr double spent = 1e-2;
 
 /// A coefficient of an element at one of its ends, in one direction.
@@ -24,7 +24,7 @@ struct EndOf {
   bool last;
   int node;
   Vec2 direction;
-  double weight;  ///< of the node's force: ∫ χ ds
+  double weight;  ///< force on the node for a unit coefficient: ∫ χ ds
 
   bool isOwn() const {
     const EndCoefficients ends =
@@ -48,7 +48,7 @@ Vector legendreAt(int degree, double t) {
 
 std::vector<EndOf> endsOf(const bem::Mesh& mesh, ContactElement& element) {
   const bem::Element& geometry = mesh[element.element];
-  // of Gauss-Lobatto's rule at its ends
+  // of the Gauss-Lobatto rule at its end points
   const double weight = geometry.half * 2 / (element.degree * (element.degree + 1.0));
   std::vector<EndOf> ends;
   for (const bool last : {false, true}) {
@@ -62,7 +62,7 @@ std::vector<EndOf> endsOf(const bem::Mesh& mesh, ContactElement& element) {
   return ends;
 }
 
-/// What the function's coefficient is beyond its neighbour's.
+/// Coefficient by endWeights minus that of the neighbour.
 Combination beyondNeighbour(const EndOf& end) {
   const ContactElement& element = *end.element;
   const Vector weights =
@@ -82,8 +82,8 @@ void add(const Combination& terms, double factor, Combination& to) {
       to.emplace_back(k, factor * weight);
 }
 
-/// Coefficients α of the owners with  Σ α_k weight_k direction_k = - force;  empty if
-/// they cannot.
+/// Coefficients α of the owners with  Σ α_k weight_k direction_k = - force;  empty if there
+/// are none.
 Vector answer(const std::vector<EndOf>& owners, Vec2 force) {
   if (owners.size() == 2) {
     const Vec2 a = owners[0].weight * owners[0].direction;
@@ -100,7 +100,7 @@ Vector answer(const std::vector<EndOf>& owners, Vec2 force) {
   return {};
 }
 
-/// One node that belongs to several contact sides.
+/// Completions at a node of several contact sides.
 void completeNode(const std::vector<EndOf>& ends) {
   std::vector<EndOf> owners;
   std::copy_if(ends.begin(), ends.end(), std::back_inserter(owners),
@@ -110,7 +110,7 @@ void completeNode(const std::vector<EndOf>& ends) {
       continue;
     const Vector factors = answer(owners, end.weight * end.direction);
     if (factors.empty())
-      continue;  // as in the inequalities
+      continue;  // the coefficient of the neighbour stays
     const Combination change = beyondNeighbour(end);
     add(change, 1, end.completion().added);
     for (std::size_t k = 0; k < owners.size(); ++k)

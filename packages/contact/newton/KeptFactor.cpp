@@ -9,17 +9,16 @@ namespace epafi::contact {
 
 namespace {
 
-/// Rows that may differ, as a part of those that are solved for: beyond, a new factor costs
-/// less.
+/// Largest fraction of differing rows; beyond, a new factor costs less.
 constexpr double mostChanges = 0.15;
 
 }  // namespace
 
-/// What a coefficient's row of a system says.
+/// The equation of one coefficient in a System.
 struct KeptFactor::Row {
   bool isSolved = false;
   Index leader = 0;
-  double factor = 0;  ///< 0: follows none
+  double factor = 0;  ///< 0: no leader
   bool operator==(const Row& o) const {
     return isSolved == o.isSolved && leader == o.leader && factor == o.factor;
   }

@@ -7,20 +7,21 @@ namespace epafi::contact {
 
 class FactorMemory;
 
-/// The factor of one linear system in D, Ĝ and K̂, kept for others that differ from it in few
-/// rows: Newton's in a step of a path, in which few coefficients open, close, stick or slip.
+/// Factor of a linear system in D, Ĝ and K̂, by the factor of an earlier system that
+/// differs in few rows, as Newton's systems of a path do when few coefficients change
+/// their state.
 ///
-/// With Y the responses of the kept system to the rows that differ, C what these rows say now:
-/// z = z₀ + Y (C Y)⁻¹ (b - C z₀), z₀ the kept system's solution (Woodbury's formula).
+///   z = z₀ + Y (C Y)⁻¹ (b - C z₀),   z₀: the solution of the earlier system,
 ///
-/// Solutions want refinement, and may not converge.
+/// C: the rows that differ, Y: the columns of the earlier inverse for them (Woodbury's
+/// formula). Solutions need iterative refinement, which may not converge.
 class KeptFactor final : public Flexibility::Operator::Factor {
  public:
   using System = Flexibility::Operator::System;
 
-  /// By the factor in a memory where it is of the same D, Ĝ and K̂ and few rows differ, else by a
-  /// new one, which the memory has from now on.
-  /// \pre D is formed.  \throws bem::NumericalError if the system is singular.
+  /// Uses the factor in `memory` if it has the same D, Ĝ, K̂ and L and at most 15 % of
+  /// the rows differ; else computes a new one and stores it there.
+  /// \pre D is formed  \throws bem::NumericalError if the system is singular
   static std::unique_ptr<const Factor> make(const Flexibility& flexibility,
                                             const System& system, FactorMemory& memory);
 
@@ -37,15 +38,15 @@ class KeptFactor final : public Flexibility::Operator::Factor {
 
   std::shared_ptr<const Base> base_;
   std::vector<Index> changed_;
-  Vector rowScale_;       ///< of C
+  Vector rowScale_;       ///< factors of the rows of C
   Matrix rows_;           ///< Cᵀ
   Matrix responses_;      ///< Y
   bem::LuFactor factor_;  ///< of C Y
 };
 
-/// The factor that a sequence of solves in one D goes on with, on one thread.  Whoever begins
-/// the sequence has it and passes it on; a new sequence that shall not depend on what was solved
-/// before begins with a new one.
+/// Factor shared by a sequence of solves with one D, on one thread.  The owner of the
+/// sequence passes it to each solve.  Results depend on it up to rounding; start with a
+/// new one to exclude that.
 class FactorMemory {
  private:
   friend class KeptFactor;

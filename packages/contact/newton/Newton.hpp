@@ -7,40 +7,40 @@
 
 namespace epafi::contact {
 
-/// Why a run of some method ended.
+/// Why a run of a method ended.
 enum class End {
   Converged,
   Iterations,  ///< no convergence within the allowed steps
-  Restless,    ///< a set of states came back and the residual had not fallen
-  Growth,      ///< the residual grew beyond all measure
+  Restless,    ///< an active set recurred without a smaller residual, or no progress
+  Growth,      ///< the residual grew by a factor of a million
   NotFinite,
   Stalled,    ///< no step length decreases the merit function
   Singular,   ///< of the Newton matrix
-  NoBalance,  ///< nothing balances the load with these bounds
-  TooLarge,   ///< more coefficients than the method is for: not tried
-  TooLong,    ///< it would take more work than a method may
+  NoBalance,  ///< the load cannot be balanced with these bounds
+  TooLarge,   ///< not tried: too many coefficients for the method
+  TooLong,    ///< ended: more work than allowed
   Unsettled   ///< the slip bound still changes after the allowed updates
 };
 
-/// What one run of Newton's method did.
+/// History and result of a run of Newton's method.
 struct NewtonRun {
   End end = End::Iterations;
-  int iterations = 0;  ///< linear systems solved
-  Vector last;
-  Vector best;  ///< the iterate with the least residual
-  double residual = 0;
-  double tolerance = 0;
-  std::vector<int> setChanges;
+  int iterations = 0;           ///< linear systems solved
+  Vector last;                  ///< last iterate x
+  Vector best;                  ///< the iterate with the least residual
+  double residual = 0;          ///< Evaluation::scaled of `last`
+  double tolerance = 0;         ///< Evaluation::tolerance of `last`
+  std::vector<int> setChanges;  ///< coefficients that changed state, one entry per step
   std::vector<Index> restless;  ///< coefficients that changed in the last steps
   std::string message;          ///< of a singular Jacobian
 };
 
-/// Newton's method, whoever does its steps: see nox/NoxNewton.
+/// Interface of Newton's method; implemented by nox/NoxNewton.
 class Newton {
  public:
   virtual ~Newton() = default;
 
-  /// On F(x) = 0 from `start`.
+  /// Solves F(x) = 0 from x = `start`.
   virtual NewtonRun run(const Equation& equation, const Vector& start,
                         int maximumIterations) const = 0;
 };

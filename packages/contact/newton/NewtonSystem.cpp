@@ -14,13 +14,14 @@ namespace epafi::contact {
 
 namespace {
 
-// A rigid motion counts as held when its square in the inactive rows is more than this of that of
-// the motion which they hold best: contact of a millionth of its side still holds a rotation.
+// A combination of rigid motions counts as held if its eigenvalue in the Gram matrix of
+// the inactive rows exceeds this fraction of the largest: contact on a millionth of a
+// side holds a rotation.
 constexpr double heldThreshold = 1e-12;
-// How much of a solution by a kept factor its last refinement may change; another one would
-// change the square of it.
+// Largest relative change by the last refinement with a kept factor; the next change
+// would be of the order of its square.
 constexpr double enoughOfKept = 1e-7;
-// What a refinement by a kept factor has to leave of the one before.
+// Largest ratio of successive changes with a kept factor.
 constexpr double progressOfKept = 1e-3;
 
 /// diag(factors) M
@@ -32,8 +33,8 @@ Matrix withScaledRows(const Matrix& m, const Vector& factors) {
   return result;
 }
 
-/// Eigenvectors of a Gram matrix in its place; returns how many of them, the first ones, count as
-/// zero.
+/// Overwrites a Gram matrix by its eigenvectors; returns the number of zero eigenvalues,
+/// which come first.
 Index looseOf(Matrix& gram) {
   const Index k = gram.columns();
   Vector eigenvalues(at(k));
@@ -99,7 +100,7 @@ void NewtonSystem::splitMotions() {
   const Index looseCount = looseOf(gram);
   loose_ = Matrix(k, looseCount);
   held_ = Matrix(k, k - looseCount);
-  // all of them: as they are, so that systems with other rows have the same
+  // all held: the unit vectors, which do not depend on the rows, as KeptFactor needs
   for (Index j = 0; j < k && looseCount == 0; ++j)
     held_(j, j) = 1;
   for (Index j = 0; j < k && looseCount > 0; ++j)
@@ -113,7 +114,7 @@ Flexibility::Operator::System NewtonSystem::reduced() const {
     if (const auto [normal, factor] = followed(i);
         isKnown(i) && factor != 0 && !isKnown(normal))
       system.followers.push_back({i, normal, factor});
-  // what is added between a row and a follower acts between the row and the leader
+  // substitutes leaders for followers in Φ'
   for (const auto& [row, column, value] : rows_.slopes)
     if (row != column && !isKnown(row) && isKnown(column))
       if (const auto [normal, factor] = followed(column); factor != 0 && !isKnown(normal))
@@ -207,7 +208,7 @@ Vector NewtonSystem::demanded(const Matrix& combinations, const Vector& b) const
     for (Index m = 0; m < k; ++m)
       direction[at(m)] += motionScale_[at(m)] * motion[at(m)] * share;
   }
-  // Rounding in the balance is no demand.
+  // Rounding errors of the balance do not count.
   double demand = 0;
   for (Index m = 0; m < k; ++m)
     demand =

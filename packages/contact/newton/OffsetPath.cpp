@@ -10,21 +10,21 @@ namespace epafi::contact {
 
 namespace {
 
-constexpr double softness = 1e5;    // of the springs, relative to the flexibility
-constexpr double farthest = 100;    // t, in units of the start's
-constexpr double sameBound = 1e-9;  // on a piece, or so small that it begins
-constexpr double nearBound = 1e-3;  // of a curved bound
-constexpr double noise = 1e-12;     // of a bound, relative to the load
+constexpr double softness = 1e5;    // compliance of springs over the mean of D_ii
+constexpr double farthest = 100;    // largest t over that of the start
+constexpr double sameBound = 1e-9;  // relative error of a bound on its linear piece
+constexpr double nearBound = 1e-3;  // relative error of a tangent to a curved bound
+constexpr double noise = 1e-12;     // error of a bound over the load
 constexpr double never = std::numeric_limits<double>::infinity();
 
-// Between 1 and 2, another one for each coefficient: no two change at once.
+// v_i in [1, 2), different for each i, so that no two coefficients change at the same t.
 double generic(Index i, int direction) {
   constexpr double goldenSection = 0.6180339887498949;
   return 1 + std::fmod((1 + direction) * goldenSection * static_cast<double>(i + 1), 1);
 }
 
-/// The problem in numbers of size one: λ = scale λ̂, r = r̂ / scale, so that D̂ has ones on its
-/// diagonal, and with springs where a rigid motion is free.
+/// The problem scaled by λ = scale λ̂, r = r̂ / scale, so that D̂ has a unit diagonal,
+/// with free rigid motions eliminated by their springs.
 class Scaled {
  public:
   Scaled(const Problem& problem, const Vector& placement)
@@ -100,7 +100,7 @@ class Scaled {
   Matrix D_;
   Vector d_;
   Vector scale_;
-  Vector springs_;  // 1 / (K + 1/soft) of a motion, and α without forces
+  Vector springs_;  // 1 / (K + 1/soft), by motion; rest_: α without forces
   Vector rest_;
 };
 
@@ -147,7 +147,7 @@ class Path {
     enum Kind { End, Change, Across, Kink } kind = End;
     double distance = never;
     Index coefficient = 0;
-    BoundPiece piece{};  ///< behind a kink
+    BoundPiece piece{};  ///< next piece, of a kink
   };
 
   Index size() const { return problem_.size(); }
@@ -156,7 +156,7 @@ class Path {
   }
   bool isTied(Index i) const { return i >= problem_.normals && tangential(i).isTied(); }
   bool isPressed(Index i) const { return tableau_.isActive(tangential(i).normal()); }
-  /// Can it leave its set?  Without a bound shear is zero whatever slips.
+  /// Can its state change?  With a zero bound it cannot.
   bool isLive(Index i) const {
     if (tableau_.isNormal(i))
       return true;
@@ -174,7 +174,7 @@ class Path {
     return result;
   }
 
-  /// All open, what slips slips forwards; rates that take it there, and how far.
+  /// Start: all open or slipping forwards; v, and the t from which on that is the solution.
   void begin(int direction) {
     for (Index i = 0; i < size(); ++i) {
       if (isTied(i))
@@ -192,7 +192,7 @@ class Path {
     }
   }
 
-  /// Which coefficient changes its set first.
+  /// The first change of a state.
   Event firstChange(double t, double direction, double end) const {
     Event first{Event::End, end};
     // room >= 0 shrinks by `speed` for each unit of t
@@ -216,7 +216,7 @@ class Path {
     return first;
   }
 
-  /// That, or the first bound that leaves its piece before.
+  /// `first`, or an earlier end of a linear piece of a bound.
   Event firstKink(double t, double direction, Event first) const {
     Vector last = pressuresAt(t + direction * first.distance);
     for (Index i = problem_.normals; i < size(); ++i) {
@@ -236,9 +236,10 @@ class Path {
     return std::abs(bound - line) <= tolerance * bound + noise * scaled_.stress(i);
   }
 
-  /// Where bound i leaves its piece, which it has at `behind`: the piece there meets it in a
-  /// kink, or somewhere between there and the kink that is looked for.  A curved bound gets
-  /// the first tangent that meets its piece near it.
+  /// End of the current linear piece of bound i, which is before `behind`, by bisection
+  /// with intersections: the tangent at `behind` intersects the piece at the kink, or
+  /// between the kink and `behind`.  A curved bound gets the first tangent with an
+  /// intersection near it.
   Event kink(Index i, double t, double direction, double behind) const {
     constexpr int most = 40;
     double before = 0;
@@ -269,7 +270,7 @@ class Path {
     return near;
   }
 
-  /// The direction of t behind the event.
+  /// Pivots at an event; returns the direction of t after it.
   double take(const Event& event, double t, double direction) {
     const Index i = event.coefficient;
     if (event.kind == Event::Kink) {
@@ -293,7 +294,7 @@ class Path {
     return forwards == !tableau_.isActive(i) ? 1 : -1;
   }
 
-  // Bounds that follow this pressure grow from zero.
+  // Closes i; bounds that depend on its pressure get their piece at zero pressure.
   void close(Index i, double t) {
     Vector pressures = pressuresAt(t);
     pressures[at(i)] = sameBound * problem_.stress;
@@ -306,7 +307,7 @@ class Path {
     tableau_.pivot(i);
   }
 
-  // They have fallen to zero, and what sticks slips.
+  // Opens i; coefficients whose bounds become zero with it slip.
   void open(Index i, double t) {
     tableau_.pivot(i);
     const Vector pressures = pressuresAt(t);
@@ -322,7 +323,7 @@ class Path {
   Scaled scaled_;
   OffsetTableau tableau_;
   std::vector<std::vector<Index>>
-      following_;     // tangentials whose bound follows a pressure
+      following_;     // tangentials whose bound depends on a pressure
   double start_ = 0;  // t
 };
 

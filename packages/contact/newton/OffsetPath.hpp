@@ -6,40 +6,41 @@
 
 namespace epafi::contact {
 
-/// Where a path of offsets ended.
+/// Result of followOffset().
 struct OffsetPath {
-  Vector unknowns;       ///< x = (λ, α); empty where rounding has left no numbers
-  int pivots = 0;        ///< changes of a set or of a bound's piece, one at a time
-  bool arrived = false;  ///< at the problem's own offset
+  Vector unknowns;       ///< x = (λ, α) at the end; empty if not finite
+  int pivots = 0;        ///< changes of one state or of one linear piece of a bound
+  bool arrived = false;  ///< did it reach t = 0?
 };
 
-/// Operations of one pivot on n coefficients.
+/// Floating point operations of one pivot with n coefficients.
 inline double workOfPivot(Index n) {
   return 2 * static_cast<double>(n) * static_cast<double>(n);
 }
 
-/// Is told how many pivots of how many a path has made, first at its beginning and then every
-/// 10⁹ operations; what it throws ends the path.
+/// Called with the number of pivots and its limit, at the start and then every 10⁹
+/// operations; an exception ends the path.
 using OffsetWatch = std::function<void(int pivots, int mostPivots)>;
 
-/// Solves a problem by complementary pivoting, from no start.                   [Lemke 1965]
+/// Solves a problem by complementary pivoting; no start value is needed.        [Lemke 1965]
 ///
-/// With the offset d₀ + t v and t large enough everything is open, and what slips without
-/// pressure slips forwards.  From there the solution is followed to t = 0: it is linear in t
-/// between two changes of a set, or of the linear piece that a bound is on, and t turns back
-/// where a change says so.  The path goes round folds, on which every other continuation
-/// ends: it cannot end but at t = 0, for constant bounds and for Coulomb's law with any
-/// coefficient, if D is definite.             [Cottle, Pang, Stone 1992; Stewart, Trinkle 1996]
+/// For the offset d₀ + t v with t large, all contacts are open and all tangential
+/// coefficients with s(0) > 0 slip forwards.  The path of solutions is followed to t =
+/// 0.  It is linear in t between changes of states or of linear pieces of bounds; at a
+/// fold, t changes its direction. If D is definite, the path ends at t = 0 only, for
+/// constant bounds and for Coulomb's law
+/// with any coefficient.                      [Cottle, Pang, Stone 1992; Stewart, Trinkle 1996]
 ///
-/// A bound that is no polygon of the pressures is replaced by tangents, within 1e-3 of it.
-/// Free rigid motions get springs at `placement`, 1e5 times as soft as D, beside those that they
-/// have: Newton's method finds the last digits.
+/// Bounds that are not piecewise linear are replaced by tangents, relative error 1e-3.
+/// Free rigid motions get springs with rest position `placement`, 1e5 times as soft as D,
+/// in addition to their own.  Newton's method removes both errors.
 ///
-/// A change takes 2 n² operations, see workOfPivot, n of them as many as three factorisations.
-/// \param placement   α, where the springs are without force
-/// \param direction   another v for each; one path in a few thousand is ended by rounding
+/// A pivot takes 2 n² operations, n pivots as many as three LU factorisations.
+/// \param placement   α at which the additional springs have no force
+/// \param direction   chooses v; rounding errors end one path in a few thousand
+/// \param mostPivots  limit of pivots
 /// \param watch       may be empty
-/// \pre problem.flexibility.isFormed(), and Φ is linear, see Equation::withTangent
+/// \pre problem.flexibility.isFormed(); Φ is linear, see Equation::withTangent
 OffsetPath followOffset(const Problem& problem, const Vector& placement, int direction,
                         int mostPivots, const OffsetWatch& watch = {});
 

@@ -52,7 +52,7 @@ void OffsetTableau::pivot(Index i) {
 }
 
 double OffsetTableau::setPiece(Index i, double side, const BoundPiece& piece) {
-  // W: what side s gains, as a row of the tableau
+  // W: change of side s, as a row of the tableau
   Vector gain(at(size_ + 2), 0.0);
   const auto add = [&](double factor, const BoundPiece& of) {
     gain[at(size_)] += factor * of.constant;
@@ -73,7 +73,7 @@ double OffsetTableau::setPiece(Index i, double side, const BoundPiece& piece) {
       T_(i, c) -= gain[at(c)];
     return 1;
   }
-  // x_i = (x_i' + what else gains) / (1 - W_i)
+  // solves x_i = x_i' + W for x_i, by the factor 1 / (1 - W_i)
   const double factor = 1 - gain[at(i)];
   double* own = T_.column(i);
   for (Index r = 0; r < size_; ++r)

@@ -11,8 +11,8 @@ namespace epafi::contact {
 
 namespace {
 
-// The spring forces P(λ + y) for given penetrations y.  A bound that follows the pressure
-// is left out: what pressure the solution has is not known yet.
+// Forces P(λ + y) for given penetrations y.  Bounds that depend on the pressure are taken
+// as infinite, since the pressure of the solution is not known.
 Vector springForces(const Problem& problem, const Vector& unknowns, const Vector& y) {
   Vector forces;
   for (Index i = 0; i < problem.normals; ++i)
@@ -27,8 +27,8 @@ Vector springForces(const Problem& problem, const Vector& unknowns, const Vector
   return forces;
 }
 
-// A point's rows with every closed place of Coulomb friction taken to stick: from there
-// the pressure, and with it the bound, can be found although everything slips now.
+// Rows in which closed coefficients with Coulomb friction stick.  The step then finds the
+// pressure, and with it the bound.
 LinearRows bonded(const Problem& problem, const Evaluation& e) {
   LinearRows rows = e.linear;
   for (std::size_t t = 0; t < problem.tangentials.size(); ++t) {
@@ -46,11 +46,11 @@ LinearRows bonded(const Problem& problem, const Evaluation& e) {
   return rows;
 }
 
-// Where work(t), which falls, is zero for the first time, to 1e-9; `first`: a t to begin with.
-// Below `little` it counts as zero.  `closes`: contact holds the body at last.
+// Smallest t with work(t) <= little, relative error 1e-9; work is nonincreasing.  first:
+// initial t; closes: does the motion close a contact?
 template <class Work>
 double balance(const Work& work, double first, double little, bool closes) {
-  // Gaps may be 1e12 times as large as the load's own displacements, not more.
+  // Largest gap: 4^20 = 1e12 times the displacements under the load.
   constexpr int quadruplings = 20;
   double low = 0;
   double high = first;
@@ -72,17 +72,16 @@ double balance(const Work& work, double first, double little, bool closes) {
   return high;
 }
 
-// Moves the body until the springs' forces P(λ + y) balance the load.
-//
-// Along α + t v these do the work v·(q - K (α + t v) - Gᵀ P(λ + y)), which falls with t; the step
-// goes to its zero, and λ to its projection.
+// Moves the body to α + t v where the forces P(λ + y) balance the load: at the zero of
+// the work v·(q - K (α + t v) - Gᵀ P(λ + y)), which is nonincreasing in t.  λ becomes its
+// projection.
 Vector rigidPlacement(const Equation& equation, const Evaluation& e,
                       const Vector& motion) {
   const Problem& problem = equation.problem();
   const Index n = problem.size();
   Vector slope(at(n), 0.0);  // dy/dt
   double work0 = 0;
-  double fall = 0;  // of the springs' work with t
+  double fall = 0;  // -d(work of the springs)/dt
   for (Index j = 0; j < problem.rigidMotions(); ++j) {
     const double spring = problem.stiffness(j) * motion[at(j)];
     work0 += motion[at(j)] * problem.rigidLoad[at(j)] - spring * e.unknowns[at(n + j)];
@@ -110,7 +109,7 @@ Vector rigidPlacement(const Equation& equation, const Evaluation& e,
     fastest = std::max(fastest, std::abs(slope[i]));
     scale = std::max(scale, std::abs(slope[i] / e.linear.weights[i]) * problem.stress);
   }
-  // Contact that the motion closes holds it at last.
+  // contact that the motion closes constrains it for t large enough
   const bool closes =
       std::any_of(slope.begin(), slope.begin() + problem.normals,
                   [&](double closing) { return closing > 1e-9 * fastest; });

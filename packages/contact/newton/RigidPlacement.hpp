@@ -6,19 +6,21 @@ namespace epafi::contact {
 
 class FactorMemory;
 
-/// A step after which a rigid motion is held that is not now, see NewtonSystem::unheld: a body
-/// that hangs free or slides everywhere is put where contact can hold it, whatever the gap.
+/// A step after which contact constrains a rigid motion that is free now
+/// (NewtonSystem::unheld): the body has no contact, or slips everywhere.
 ///
-/// Closed places of Coulomb friction stick for this step, whatever their bound; where this
-/// does not help, the body moves along the motion until contact and friction, as if they were
-/// springs, and the springs that it has balance the load.  `memory`: see NewtonSystem.
+/// First, closed coefficients with Coulomb friction are taken to stick in this step.  If
+/// the motion stays free, the body moves along it until the forces P(λ + y) and its
+/// springs balance the load.
+/// \param motion amplitudes like α  \param memory see NewtonSystem
 /// \returns the change of x = (λ, α)
-/// \throws NoBalance if no such position exists: the load has no counterpart.
+/// \throws NoBalance if there is no such position
 Vector placingStep(const Equation& equation, const Evaluation& at, const Vector& motion,
                    FactorMemory* memory = nullptr);
 
-/// Would a step of x, which springs alone hold, carry a body far into what it does not touch now, or
-/// past stick to where all slips backwards?  Newton's method would not come back from there.
+/// Does a step of x, in a motion that only springs constrain, close an open contact or
+/// reverse slip with |λ + y| more than 10 Problem::stress above the bound?  Newton's
+/// method would fail there.
 bool overshoots(const Equation& equation, const Evaluation& at, const Vector& step);
 
 }  // namespace epafi::contact

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int mostPairs = 10;
 
-// Which rows are open, and which way the others slip.
+// The active set of the rows.
 ActiveSet rowSet(const Evaluation& e) {
   const std::size_t normals = e.linear.rows.size() - e.bounds.size();
   ActiveSet set;

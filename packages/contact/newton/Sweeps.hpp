@@ -4,15 +4,14 @@
 
 namespace epafi::contact {
 
-/// A better start for active sets: λ after a few sweeps of the projected Gauss-Seidel
-/// method, forward and backward in turn, each coefficient brought to its condition,
+/// Improves a start x by symmetric sweeps of the projected Gauss-Seidel method,
 ///
 ///   λ_i ← P(λ_i + r_i / D_ii),
 ///
-/// slip bounds following at once; α stays.  A state carried over from a coarser mesh is
-/// right but for short waves, at the ends of contact and of slip, and these are what
-/// sweeps are good at.  Where D is not formed the start stays as it is.  Ends when a pair of sweeps changes no state, after ten pairs at the
-/// latest.  A pair costs 4 n² operations; a Newton step costs up to n³/3.
+/// with current slip bounds; α stays.  A state from a coarser mesh has short-wave errors
+/// at the ends of contact and of slip, which sweeps remove.  Ends when a pair of sweeps
+/// changes no state, after at most ten pairs.  A pair takes 4 n² operations, a Newton
+/// step up to n³/3. Returns x unchanged if D is not formed or x has converged.
 Vector smoothed(const Equation& equation, Vector unknowns);
 
 }  // namespace epafi::contact

@@ -10,7 +10,7 @@
 
 namespace epafi::contact {
 
-/// The contact equation at one point: what a generalised Jacobian is made from.
+/// The contact equation at one point, with the system of its generalised Jacobian.
 class Linearisation {
  public:
   Linearisation(std::shared_ptr<const Equation> equation, Evaluation evaluation,
@@ -23,7 +23,7 @@ class Linearisation {
   const Evaluation& evaluation() const { return evaluation_; }
   FactorMemory* memory() const { return memory_; }  ///< see NewtonSystem
 
-  /// Factorised by the first call.
+  /// Factored on the first call.
   /// \throws SingularJacobian
   const NewtonSystem& system() const;
 
@@ -76,9 +76,9 @@ class ContactJacobian final : public Thyra::LinearOpWithSolveBase<double> {
                                          const Thyra::SolveMeasureType&) const override {
     return solveSupportsImpl(transpose);
   }
-  /// x = J⁻¹ b.  Where b demands a rigid motion that nothing holds (no contact yet,
-  /// everything slips) and is the residual, -x is the step that places the body instead,
-  /// see placingStep.  Failed where b is another one, or J is singular.
+  /// x = J⁻¹ b.  If b is the residual and its balance requires a rigid motion that
+  /// nothing constrains (no contact, or all slips), -x is placingStep() instead.  With
+  /// another b, or a singular J, the solve fails.
   Thyra::SolveStatus<double> solveImpl(
       Thyra::EOpTransp transpose, const MultiVector& b,
       const Teuchos::Ptr<MultiVector>& x,
@@ -92,7 +92,7 @@ class ContactJacobian final : public Thyra::LinearOpWithSolveBase<double> {
   std::shared_ptr<const Linearisation> at_;
 };
 
-/// Makes a ContactJacobian solve: there is nothing to choose.
+/// Factory of ContactJacobian, which has no parameters.
 class ContactJacobianFactory final : public Thyra::LinearOpWithSolveFactoryBase<double> {
  public:
   ContactJacobianFactory(Teuchos::RCP<const SpmdSpace> space, double scale,

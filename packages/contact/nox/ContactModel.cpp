@@ -34,7 +34,7 @@ RCP<const SpmdSpace> spaceOf(const Problem& problem,
   return space;
 }
 
-// The tolerance is the caller's business: the model only evaluates.
+// The model only evaluates; the caller tests convergence.
 constexpr double noTolerance = 0;
 
 }  // namespace

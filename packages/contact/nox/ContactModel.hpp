@@ -16,13 +16,11 @@ class Group;
 
 namespace epafi::contact {
 
-/// The condensed contact problem as Thyra::ModelEvaluator, for NOX, LOCA and whatever
-/// else takes one:
+/// The condensed contact problem as Thyra::ModelEvaluator, for NOX, LOCA and others:
 ///
 ///   x = (λ, α) / σ,   f(x) = F(σ x) / σ,   σ = Problem::stress, the size of the load;
 ///
-/// F: see Equation; zero is where contact and friction hold.  A norm of f is relative to
-/// the load.
+/// F: see Equation.  Norms of f are relative to the load.
 ///
 ///   parameters   p₀ load factor, p₁ friction factor, of a step of a path p₂ the increment (see
 ///                Factors), 1 unless given
@@ -30,8 +28,8 @@ namespace epafi::contact {
 ///   W_op, W      an element of the generalised Jacobian; W solves with it, dense
 ///   DfDp(0, 1, 2)  of the same element, by columns; LOCA 13.2 prefers difference quotients
 ///
-/// F is semismooth: Newton's method with full steps converges locally, faster than
-/// linearly.  From far away let solve() find the point to begin with.
+/// F is semismooth: Newton's method with full steps converges locally and superlinearly.
+/// For a start near the solution use solve().
 class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
  public:
   enum Parameter { Load = 0, Friction = 1, Increment = 2 };
@@ -41,8 +39,8 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
     /// as Thyra::createVectorSpace<double>(map) has it for a Tpetra map.  Null: one
     /// process, no MPI.  The equation is replicated, and evaluating it is collective.
     Teuchos::RCP<const Thyra::VectorSpaceBase<double>> space;
-    /// The factor of the solves before, see NewtonSystem: a step of a path goes on with it.
-    /// Null: each Jacobian is factored anew.  It must outlive the model.
+    /// Factor of an earlier solve, see NewtonSystem; a step of a path reuses it.  Null:
+    /// each Jacobian is factored anew.  Must outlive the model.
     FactorMemory* memory = nullptr;
   };
 
@@ -57,21 +55,21 @@ class ContactModel final : public Thyra::StateFuncModelEvaluatorBase<double> {
   ContactModel(const ContactProblem& problem, const Options& options);
   ContactModel(const Problem& problem, const Vector& gap, const Options& options)
       : ContactModel(ProblemFamily(problem, gap), options) {}
-  /// Of a family, a step of a path among them.
+  /// With parameters as in ProblemFamily; a step of a path has three.
   ContactModel(ProblemFamily family, const Options& options);
 
-  /// One equation as it is: x = (λ, α), f = F, without parameters, one process.  Its W
-  /// throws SingularJacobian and NoBalance.  Both must outlive the model.
+  /// A single equation: x = (λ, α), f = F, without parameters, on one process.  Solves
+  /// with W throw SingularJacobian and NoBalance.  Both arguments must outlive the model.
   explicit ContactModel(const Equation& equation, FactorMemory* memory = nullptr);
 
-  /// All that has been computed at x; the latest two points are kept.  Collective.
+  /// The linearisation at x; those of the latest two points are cached.  Collective.
   std::shared_ptr<const Linearisation> at(const Thyra::VectorBase<double>& x,
                                           const Factors& factors) const;
 
-  /// Of a single equation, at NOX's point.
+  /// The same at the point of a NOX group.  \pre made of a single equation
   std::shared_ptr<const Linearisation> at(const NOX::Abstract::Group& group) const;
 
-  /// x of (λ, α).  Collective.
+  /// x = (λ, α) / σ.  Collective.
   Teuchos::RCP<Thyra::VectorBase<double>> vector(const Vector& unknowns) const;
 
   /// x of a state (empty vectors are zero), and the state of an x.  Collective.

@@ -6,9 +6,10 @@
 
 namespace epafi::contact {
 
-/// Ψ = ½ |F|² with Fischer-Burmeister's function: the merit function of every line search.
+/// Ψ = ½ |F|² with the Fischer-Burmeister function, the merit function of NOX's line
+/// searches.
 ///
-/// The equation's own F and its square have kinks, Ψ is continuously differentiable where the slip bound is.
+/// Ψ is continuously differentiable where the slip bound is; ½ |F|² of Equation is not.
 ///                                                       [De Luca, Facchinei, Kanzow 1996]
 class Merit final : public NOX::MeritFunction::Generic {
  public:

@@ -23,7 +23,7 @@ using Teuchos::ParameterList;
 using Teuchos::RCP;
 using Teuchos::rcp;
 
-// What the user wrote and NOX never asked for, as A->B->Key.
+// The first key of the user that NOX did not read, as A->B->Key.
 std::string firstUnused(const ParameterList& user, const ParameterList& run,
                         const std::string& path) {
   for (auto it = user.begin(); it != user.end(); ++it) {
@@ -49,7 +49,7 @@ bool isUsersOwn(const ParameterList& list, const char* sublist, const char* key)
   return list.isSublist(sublist) && list.sublist(sublist).isParameter(key);
 }
 
-// Copies carry the flag "used"; each run asks anew.
+// Resets the flag "used", which copies of lists keep.
 void forgetUse(ParameterList& list) {
   ParameterList fresh(list.name());
   for (auto it = list.begin(); it != list.end(); ++it) {
@@ -66,7 +66,7 @@ void forgetUse(ParameterList& list) {
   list = fresh;
 }
 
-// One run's list: the user's, and below it what Epafi wants of NOX.
+// List for one run: that of the user, completed by the defaults of Epafi.
 RCP<ParameterList> runList(const ParameterList* user, const RCP<ContactModel>& model,
                            const RCP<std::ostream>& log) {
   const auto list = rcp(new ParameterList(nameOf(user)));
@@ -84,7 +84,8 @@ RCP<ParameterList> runList(const ParameterList* user, const RCP<ContactModel>& m
   if (!isUsersOwn(*list, "Printing", "Output Information"))
     list->sublist("Printing")
         .set("Output Information", 0)
-        .set("Output Stream", log);  // some of it comes whatever the information
+        .set("Output Stream",
+             log);  // NOX prints some of it whatever Output Information says
   list->sublist("Printing").set("Error Stream", log);
 
   if (!isUsersOwn(*list, "Line Search", "Method"))
@@ -101,7 +102,7 @@ RCP<NOX::Solver::Generic> build(const RCP<NOX::Abstract::Group>& group,
   return NOX::Solver::buildSolver(group, tests, list);
 }
 
-// NOX throws literals and logic errors where a parameter is wrong.
+// NOX throws string literals and std::logic_error for wrong parameters.
 template <class Action>
 auto withNoxErrors(const std::string& list, const std::ostringstream& log,
                    const Action& action) {
@@ -130,7 +131,7 @@ NewtonRun NoxNewton::run(const Equation& equation, const Vector& start,
   const auto list = runList(list_.get(), model, log);
   const RCP<NOX::Abstract::Group> group =
       rcp(new NOX::Thyra::Group(NOX::Thyra::Vector(*model->vector(start)), model));
-  // With a lagged bound the residual may rise for a step while the bound settles.
+  // With a lagged bound the residual may grow for a step while the bound converges.
   const int patience = equation.bound() == Equation::Bound::Lagged ? 5 : 1;
   const auto test = rcp(new StepTest(model, patience));
   const RCP<NOX::Solver::Generic> solver = withNoxErrors(

@@ -20,7 +20,7 @@ Vector gathered(const SpmdSpace& space, const Thyra::VectorBase<double>& x) {
   }
   if (whole)
     return mine;
-  // Each entry is one process's own plus zeros: exact, and the same everywhere.
+  // One process contributes each entry, the others zero: exact, and equal on all.
   Vector all(mine.size());
   Teuchos::reduceAll(*comm, Teuchos::REDUCE_SUM,
                      static_cast<Teuchos::Ordinal>(mine.size()), mine.data(), all.data());

@@ -12,12 +12,13 @@ namespace epafi::contact {
 namespace {
 
 constexpr double growthLimit = 1e6;
-constexpr double mostRounding = 1e-8;  // of products with slender bodies' D in a tree
-constexpr double isLeft = 0.9;         // of the residual, by a step that solves nothing
-constexpr double hasFallen = 0.999;    // a cycle repeats its residual up to rounding
+constexpr double mostRounding =
+    1e-8;                       // of products with the compressed D of slender bodies
+constexpr double isLeft = 0.9;  // of the residual after a step without effect
+constexpr double hasFallen = 0.999;       // a cycle repeats its residual up to rounding
 constexpr std::size_t patientSteps = 12;  // without progress
-constexpr int many = 16;                  // changes of sets that are settling as a whole
-constexpr std::size_t memory = 4;         // steps looked at for restless coefficients
+constexpr int many = 16;           // set changes; while they halve, that is progress
+constexpr std::size_t memory = 4;  // steps in which a coefficient must have changed
 
 std::vector<Index> changing(const std::vector<ActiveSet>& sets) {
   std::vector<Index> result;

@@ -13,11 +13,11 @@ namespace epafi::contact {
 
 /// Status test after each step, which also records the history for a report.
 ///
-/// Converged: the scaled residual is below the tolerance, or a full step with the same active set,
-/// which solves a linear problem, does not reduce it, so that it is the rounding error of D.
-/// Never because an active set occurs again.
-/// Failed: an active set occurs again without a smaller residual (a cycle of active sets), the
-/// residual grew by a factor of a million, or it is not a number.
+/// Converged: the scaled residual is below the tolerance; or it is at most 1e-8 and a
+/// full step with the same active set, which solves a linear problem, leaves 0.9 of it,
+/// so that it is the rounding error of D. Failed: an active set recurs without a smaller
+/// residual (a cycle of active sets), twelve steps make no progress, the residual grew by
+/// a factor of a million, or it is not a number.
 class StepTest final : public NOX::StatusTest::Generic {
  public:
   /// \param patience number of recurring active sets that ends the run
@@ -29,7 +29,7 @@ class StepTest final : public NOX::StatusTest::Generic {
   NOX::StatusTest::StatusType getStatus() const override { return status_; }
   std::ostream& print(std::ostream& stream, int indent) const override;
 
-  /// Everything but the number of iterations and the end of an exhausted run.
+  /// The run, without the number of iterations and the end if the step limit was reached.
   const NewtonRun& history() const { return run_; }
 
  private:
@@ -42,12 +42,12 @@ class StepTest final : public NOX::StatusTest::Generic {
   bool isRounding(const ActiveSet& set, double scaled) const;
 
   std::vector<ActiveSet> sets_;
-  ActiveSet last_;                    ///< that of the step before
-  std::map<ActiveSet, double> seen_;  // a set, and the residual when it was last seen
+  ActiveSet last_;                    ///< of the previous step
+  std::map<ActiveSet, double> seen_;  // residual of the last step with this set
   double first_ = 0;
   double least_ = 0;
-  double improved_ = 0;       // the residual at the last real progress
-  std::size_t progress_ = 0;  // and the step
+  double improved_ = 0;       // residual at the last progress: half of the one before
+  std::size_t progress_ = 0;  // step of the last progress
   int settling_ = std::numeric_limits<int>::max();  // fewest changes of a step
 };
 

@@ -18,7 +18,7 @@ namespace {
 using bem::asInt;
 using System = Flexibility::Operator::System;
 
-/// D of the rows and Ĝ, scaled so that D has a diagonal of one.
+/// D in the rows and Ĝ, scaled so that D has a unit diagonal.
 class Dense : public Flexibility::Operator::Factor {
  public:
   Dense(const Matrix& entries, System system)
@@ -61,13 +61,13 @@ class Dense : public Flexibility::Operator::Factor {
   }
 
  protected:
-  /// Columns of the scaled coefficients and the sizes of the motions, right sides on entry.
+  /// Solves in place for columns of scaled coefficients x and motions β.
   virtual void solveScaled(Matrix& x) const = 0;
 
   Index count() const { return static_cast<Index>(system_.rows.size()); }
   Index motions() const { return system_.motions.columns(); }
 
-  /// D of the rows, scaled, in the corner of a matrix of this size.
+  /// D in the rows, scaled, as the first block of a matrix of this size.
   Matrix scaled(Index size) const {
     Matrix m(size, size);
     for (Index q = 0; q < count(); ++q)
@@ -81,7 +81,7 @@ class Dense : public Flexibility::Operator::Factor {
     return m;
   }
 
-  /// A coefficient's column times a factor, to that of the one at a place.
+  /// Adds factor times column j of D to column q of m, both scaled.
   void addColumn(Index j, double factor, Index q, Matrix& m) const {
     const double* column = entries_.column(j);
     for (Index p = 0; p < count(); ++p)
@@ -89,12 +89,13 @@ class Dense : public Flexibility::Operator::Factor {
   }
 
   const System system_;
-  std::vector<Index> place_;  ///< of a coefficient among the rows, or -1
+  std::vector<Index> place_;  ///< index among the rows, by coefficient; -1: none
   Vector scale_;
   Matrix border_;  ///< scaled Ĝ of the rows
 
  private:
-  /// The rows' right side after what is known, scaled, and the motions'.
+  /// Right-hand sides of the rows (scaled) and motions minus the terms of known
+  /// coefficients.
   void reduce(const double* from, double* to) const {
     for (Index p = 0; p < count(); ++p)
       to[p] = from[system_.rows[at(p)]];
@@ -127,7 +128,7 @@ void factorPositive(Matrix& a, const char* name) {
                      "); two multiplier coefficients may act on the same displacement"));
 }
 
-// M x - Ĝ β = b, Ĝᵀ x = q  is the same as  (M + Ĝ Ĝᵀ) x - Ĝ β = b + Ĝ q, Ĝᵀ x = q.
+// M x - Ĝ β = b, Ĝᵀ x = q  is equivalent to  (M + Ĝ Ĝᵀ) x - Ĝ β = b + Ĝ q, Ĝᵀ x = q.
 class ByCholesky final : public Dense {
  public:
   ByCholesky(const Matrix& entries, System system)
@@ -208,7 +209,7 @@ class ByLu final : public Dense {
     return m;
   }
 
-  // Stiff rows stand beside soft ones.
+  // Rows differ by the stiffness of bodies.
   void equilibrate(Matrix& m) {
     const int size = asInt(m.columns());
     rowScale_.assign(at(m.columns()), 1.0);

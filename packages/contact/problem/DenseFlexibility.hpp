@@ -4,7 +4,7 @@
 
 namespace epafi::contact {
 
-/// D by its entries.
+/// D as a dense matrix.
 class DenseFlexibility final : public Flexibility::Operator {
  public:
   explicit DenseFlexibility(Matrix entries);
@@ -15,9 +15,8 @@ class DenseFlexibility final : public Flexibility::Operator {
   const Matrix* entries() const override { return &entries_; }
   Matrix formed() const override { return entries_.copy(); }
 
-  /// D in the rows, bordered by Ĝ, is symmetric positive definite on {Ĝᵀ x = 0} where nothing
-  /// follows and no spring holds: Cholesky then, with the border by its Schur complement; else LU
-  /// of the same size.
+  /// Without followers and springs, D in the rows is symmetric positive definite on {Ĝᵀ x
+  /// = 0}: Cholesky, with the border by its Schur complement.  Else LU with the border.
   /// \throws SingularJacobian
   std::unique_ptr<Factor> factor(System system) const override;
 

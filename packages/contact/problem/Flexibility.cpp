@@ -17,7 +17,7 @@ const Vector& Flexibility::responses(Index normals) const {
   Vector& responses = found_->responses[normals];
   if (!responses.empty())
     return responses;
-  Vector found;  // a product may break down
+  Vector found;  // product() may throw
   for (const bool normal : {true, false}) {
     Vector kind(at(size()), normal ? 0.0 : 1.0);
     std::fill_n(kind.begin(), normals, normal ? 1.0 : 0.0);

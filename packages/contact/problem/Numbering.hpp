@@ -7,8 +7,8 @@ namespace epafi::contact {
 using bem::Index;
 using bem::Vector;
 
-/// The numbers that the coefficients of a body's multiplier have in the problem of all
-/// bodies: normal ones first.
+/// Numbering of the multipliers of all bodies in one problem: the pressures of all
+/// bodies, then all other coefficients, each by bodies.
 class Numbering {
  public:
   /// Sizes of MultiplierSpaces.
@@ -20,15 +20,17 @@ class Numbering {
 
   Index size() const { return size_; }
   Index normals() const { return normals_; }
+  /// Number of coefficient `own` of body b.
   Index operator()(std::size_t b, Index own) const {
     const Start& start = starts_[b];
     return own < start.count.normals ? start.normal + own
                                      : start.tangential + own - start.count.normals;
   }
-  /// How many coefficients a body has.
+  /// Number of coefficients of a body; of its pressures.
   Index sizeOf(std::size_t b) const { return starts_[b].count.size; }
   Index normalsOf(std::size_t b) const { return starts_[b].count.normals; }
-  /// A body's own of one number per tangential coefficient of all.
+  /// The part of body b in a vector with one entry per tangential coefficient of all
+  /// bodies.
   Vector tangentialsOf(std::size_t b, const Vector& all) const {
     const auto first =
         all.begin() + static_cast<std::ptrdiff_t>(starts_[b].tangential - normals_);

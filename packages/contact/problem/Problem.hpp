@@ -12,14 +12,14 @@ namespace epafi::contact {
 /// dimensionless.                                        [doc/theory/contact.md, In numbers]
 ///
 ///   λ = (λₙ, λₜ): `normals` normal coefficients, then one tangential per entry of
-///   `tangentials`; α: the displacement's free rigid motions.
+///   `tangentials`; α: amplitudes of the free rigid motions.
 ///
 ///   r = d₀ - D λ + G α - Φ(λ)   weighted penetration and slip
-///   Gᵀ λ + K α = q           balance of the free rigid motions
+///   Gᵀ λ + K α = q              balance of the free rigid motions
 ///   λₙ ≥ 0,  rₙ ≤ 0,  λₙ rₙ = 0
 ///   |λₜ| ≤ s,  |λₜ| < s ⇒ rₜ = 0,  λₜ = ± s ⇒ ± rₜ ≥ 0,   s = s(λₙ) ≥ 0, see Tangential
 ///
-/// Both components of a bonded place count as tangential ones, s = ∞.
+/// Both components of a bonded contact are tangential coefficients with s = ∞.
 ///
 /// D is symmetric and positive semidefinite, positive definite on {Gᵀ λ = 0} at least.
 struct Problem {
@@ -27,11 +27,12 @@ struct Problem {
   std::vector<Tangential> tangentials;
   Flexibility flexibility;  ///< D
   Vector offset;            ///< d₀
-  Matrix rigid;             ///< G, one column per free rigid motion; may have none
+  Matrix rigid;             ///< G, size() x number of free rigid motions, possibly 0
   Vector rigidLoad;         ///< q
-  Vector rigidStiffness;    ///< K >= 0, a diagonal, of springs; empty: there are none
-  double stress = 1;        ///< size of the load, which the residual is measured by; > 0
-  /// How many times more a value of λ may err than the residuals of its coefficients say.
+  Vector rigidStiffness;    ///< diagonal of K >= 0, the springs; empty: zero
+  double stress = 1;        ///< size of the load, unit of the scaled residual; > 0
+  /// Ratio of the error of values of λ to residuals of its coefficients, see
+  /// MultiplierBasis::amplification.
   double amplification = 1;
   Surface surface{};  ///< Φ
 
@@ -41,37 +42,38 @@ struct Problem {
     return rigidStiffness.empty() ? 0 : rigidStiffness[at(motion)];
   }
 
-  /// The same; D is shared.
+  /// A copy that shares D.
   Problem copy() const;
 
-  /// What solve() asks for before it begins.
-  /// \throws bem::InputError naming what does not have the size that the others say or
-  ///   refers to a coefficient that there is not; bem::NumericalError for loads that are
-  ///   not finite.
+  /// Checks sizes and values; solve() calls it.
+  /// \throws bem::InputError naming the member whose size or index does not fit
+  /// \throws bem::NumericalError for data that are not finite, stress <= 0 or a negative
+  /// spring
   void check() const;
 
+  /// Has any tangential coefficient a bound > 0 that depends on the pressure?
   bool boundDependsOnPressure() const;
 
-  /// Slip bounds of all tangentials at a multiplier; λₙ enters through its positive part.
+  /// Slip bounds s(λₙ⁺), one per tangential coefficient; empty multiplier: zero.
   Vector slipBounds(const Vector& multiplier) const;
 };
 
-/// Where an iteration starts and ends.  Empty vectors mean zero.
+/// Start or result of an iteration.  Empty vectors mean zero.
 struct State {
   Vector multiplier;  ///< λ
   Vector rigid;       ///< α
 };
 
-/// The same problem with slip bounds given by value: a Tresca problem.
+/// The problem with given slip bounds, one per tangential coefficient: a Tresca problem.
 Problem withSlipBounds(const Problem& problem, const Vector& bounds);
 
-/// r at a state.
+/// r at a state, one per coefficient.
 Vector penetration(const Problem& problem, const State& state);
 
-/// One step of a path: friction sees only what is added to an earlier slip, Δrₜ = rₜ -
-/// rₜ⁰ in place of rₜ, all else the whole displacement.  Both slips carry the
-/// stabilisation: with the old displacement alone a sticking contact would creep by γ (λ +
-/// S u) in every step.                         [doc/theory/contact.md, Steps of a path]
+/// Problem of one step of a path: the friction law gets the slip increment rₜ - rₜ⁰,
+/// rₜ⁰ = `slipBefore`.  Both slips contain the stabilisation; with displacements alone, a
+/// sticking contact would creep by γ (λ + S u) in every step.
+///                                              [doc/theory/contact.md, Steps of a path]
 Problem withSlipBefore(const Problem& problem, const Vector& slipBefore);
 
 }  // namespace epafi::contact

@@ -40,7 +40,7 @@ std::vector<bem::Entry> Surface::linearise(const Vector& multiplier, Vector& r,
     const double own = multiplier[at(i)];
     const double whole = r[at(i)] + length * law.closing(own);
     const double touching = law.resolvent(c[at(i)] * length, own + c[at(i)] * whole);
-    r[at(i)] = whole;  // all of it where the place is open
+    r[at(i)] = whole;  // without φ where the contact is open
     if (!(touching > 0))
       continue;
     const double slope = length * law.slope(touching);

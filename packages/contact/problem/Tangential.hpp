@@ -12,47 +12,45 @@ namespace epafi::contact {
 using bem::Index;
 using bem::Vector;
 
-/// A slip bound, and its derivative by the pressure at its place: as a row sees them, and as its
-/// Jacobian is to see them.
+/// Slip bound of a row of Equation and its derivative by the pressure, for the Jacobian.
 struct StepBound {
   double value = 0;
   double slope = 0;
 };
 
-/// A tangential coefficient of the multiplier and what limits it, m times
-///
-///   s_i = s(λ_i⁺),   the law at the coefficient's own place.       doc/theory/multipliers.md
+/// Friction law of a tangential coefficient:  |λ_t| <= m s(λ_n⁺), s with the fields at its
+/// place, λ_n the normal coefficient there, m a factor.           [doc/theory/multipliers.md]
 class Tangential {
  public:
   Tangential() = default;
   /// \param normal the normal coefficient at the same place
   Tangential(Index normal, PointLaw law) : normal_(normal), law_(std::move(law)) {}
 
-  /// Either component of a bonded place: held, with any force.
+  /// A component of a bonded contact: s = ∞.
   static Tangential tied() { return {none, {}}; }
   bool isTied() const { return normal_ == none; }
 
   /// \pre not tied.
   Index normal() const { return normal_; }
 
-  /// s >= 0; `pressures` begins with those of all normal coefficients.
+  /// m s >= 0; `pressures`: all normal coefficients, further entries are not used.
   double bound(const Vector& pressures) const;
 
-  /// ds/dλ; at a kink one of its limits.
+  /// m ds/dλ_n; at a kink one of the one-sided derivatives.
   double slope(const Vector& pressures) const;
 
   bool followsPressure() const { return law_.followsPressure(); }
   /// Is there a pressure at which s > 0?
   bool carries() const;
-  /// s <= s(0) + steepest() λ_n, see PointLaw.
+  /// m s(λ_n) <= m s(0) + steepest() λ_n, see PointLaw.
   double steepest() const { return factor_ * law_.steepest(); }
-  /// s where there is no pressure at all.
+  /// m s(0).
   double boundWithoutPressure() const;
 
-  /// The same among more normal coefficients, of which so many come before its own.
+  /// With the number of its normal coefficient increased by `normals`.
   Tangential shifted(Index normals) const;
 
-  /// With m times as large; factor >= 0.
+  /// With m multiplied by factor >= 0.
   Tangential scaled(double factor) const;
 
  private:
@@ -64,9 +62,10 @@ class Tangential {
 
 /// The tangential coefficients of one element under a law.
 ///
-/// `fields`: the values of the law's fields at t in [-1, 1]; `normals`: the element's normal
-/// coefficients, one for each function of the basis; `stress`: the unit of stresses.  Fields become
-/// coefficients of the basis, see boundCoefficients.
+/// \param normals the element's normal coefficients, one per basis function
+/// \param fields values of the law's fields at t in [-1, 1], in the user's units; at each
+///   coefficient by boundCoefficients
+/// \param stress the unit of stresses
 std::vector<Tangential> elementTangentials(const MultiplierBasis& basis,
                                            const std::vector<Index>& normals,
                                            const std::shared_ptr<const FrictionLaw>& law,

@@ -21,16 +21,16 @@ struct ContactSolverOptions {
                                ///< workOfPivot; about twenty minutes
 };
 
-/// The keys of a list of these, and what a list that they have completed says.
+/// Schema rows of ContactSolverOptions; options of a validated list.
 bem::SchemaRows contactSolverRows();
 ContactSolverOptions parseContactSolver(const Teuchos::ParameterList& list);
 
-/// Solver for frictionless contact and Tresca friction, whose slip bounds do not depend on the
-/// pressure; its inStages() is also used by solvers for Coulomb friction.
+/// Solver for frictionless contact and Tresca friction, whose slip bounds do not depend
+/// on the pressure; its inStages() is also used by solvers for Coulomb friction.
 class ContactSolver final : public NonlinearSolver {
  public:
-  /// If D is not formed, the offset is followed for at most this many coefficients: more need a
-  /// tableau of more than half a gigabyte and many minutes.
+  /// Largest number of coefficients for which D is formed to follow the offset; more need
+  /// a tableau above half a gigabyte and many minutes.
   static constexpr Index mostToPivot = 8000;
 
   /// Refers to `newton`.  \param watch receives the progress of a path of offsets

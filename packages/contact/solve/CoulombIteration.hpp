@@ -21,7 +21,7 @@ struct CoulombOptions {
   int maximumIterations = 100;       ///< updates of the bound
 };
 
-/// The keys of a list of these, and what a list that they have completed says.
+/// Schema rows of CoulombOptions; options of a validated list.
 bem::SchemaRows coulombRows();
 CoulombOptions parseCoulomb(const Teuchos::ParameterList& list);
 
