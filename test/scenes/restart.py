@@ -7,7 +7,7 @@ import shutil
 import signal
 import subprocess
 
-from runs import EPAFI, WORK, claim, epafi, finish, fresh, scene, table
+from runs import EPAFI, RANKS, WORK, claim, epafi, finish, fresh, scene, table
 
 HISTORY, CONTACT, SOLUTION = "history.csv", "contact.csv", "solution.hdf"
 COEFFICIENT = "Bodies->block->Boundary Conditions->foundation->Friction->Coefficient=%g"
@@ -213,8 +213,7 @@ def run_limited(arguments, kilobytes):
 
 
 # mpirun has files of its own, which the limit would meet first
-alone = os.environ.get("EPAFI_TEST_RANKS", "1") == "1"
-for name in (SOLUTION, "boundary.csv") if alone else ():
+for name in (SOLUTION, "boundary.csv") if RANKS == 1 else ():
     kilobytes = len(before[name]) // 1024
     full = copy(base, "full")
     code, text = run_limited(RESTART[:-1] + [full] + options(

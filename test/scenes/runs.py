@@ -11,6 +11,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from claims import absent, claim, finish, table  # noqa: E402, F401
 
 EPAFI, SCENES, WORK = sys.argv[1:4]
+RANKS = int(os.environ.get("EPAFI_TEST_RANKS", "1"))  # on which EPAFI, then a launcher, runs
 
 
 def epafi(*arguments):
