@@ -6,11 +6,6 @@ import sys
 import ranks
 
 
-def limit():
-    """Seconds; what waits for a core in vain, and what sanitizers take, does not count."""
-    return 5 * float(os.environ.get("EPAFI_TEST_PATIENCE", "1")) * max(1, os.getloadavg()[0] / os.cpu_count())
-
-
 TRESCA = os.path.join(ranks.SCENES, "tresca.xml")
 FAULTY = sys.argv[5]
 
@@ -27,7 +22,7 @@ def expect(done, code, words, sentence):
                 "%s: every rank leaves with %d, here %s" % (sentence, code, done.codes))
     ranks.claim(len(done.messages) == 1 and words in done.messages[0],
                 "%s: one message, here %s" % (sentence, done.messages))
-    ranks.claim(done.seconds < limit(), "%s: %.1f s" % (sentence, done.seconds))
+    ranks.claim(done.seconds < 5 * ranks.patience(), "%s: %.1f s" % (sentence, done.seconds))
 
 
 for count in (1, 2, 3):
@@ -86,5 +81,5 @@ for count in (2, 3):
                     "here %s" % (victim, count, done.code))
         ranks.claim(len(done.messages) == 1 and "injected" in done.messages[0],
                     "and there is one message, here %s" % done.messages)
-        ranks.claim(done.seconds < limit(), "and it takes %.1f s" % done.seconds)
+        ranks.claim(done.seconds < 5 * ranks.patience(), "and it takes %.1f s" % done.seconds)
 ranks.finish()

@@ -2,24 +2,13 @@
 swapped sides, restart, loads that nothing holds."""
 import os
 
-from runs import RANKS, WORK, claim, epafi, finish, fresh, run, scene, table
+from runs import (RANKS, WORK, claim, epafi, finish, fresh, imbalance, largest, run, scene, table)
 from written import (QUARTERS, block, body, circle, condition, contact, friction, geometry, listed,
                      loop, mesh, parameter, rigid, written)
 
 
-def imbalance(name):
-    """Of the worst body, relative to its largest resultant."""
-    worst = 0
-    for row in table(os.path.join(WORK, name, "bodies.csv")):
-        parts = [[float(row["%s_%s" % (what, c)]) for what in ("load", "contact", "reaction")]
-                 for c in ("x", "y", "moment")]
-        largest = max(abs(value) for part in parts for value in part)
-        worst = max(worst, max(abs(sum(part)) for part in parts) / largest)
-    return worst
-
-
-def largest(values):
-    return max(abs(value) for value in values)
+def off_balance(name):
+    return imbalance(os.path.join(WORK, name))
 
 
 PRESS = condition("top", "Neumann", Traction_Y="-1")
@@ -44,7 +33,7 @@ for form in ("None", "Projected", "Exact", "Density")[::1 if RANKS == 1 else 3]:
                    for row in table(os.path.join(WORK, "patch", "boundary.csv"))
                    if row["boundary"] == "a:top"]
             claim(largest(u - expected for u in top) < 1e-12, "its displacement")
-            claim(imbalance("patch") < 1e-10, "its bodies balance")
+            claim(off_balance("patch") < 1e-10, "its bodies balance")
 
 # 1 mm beside 1 m, rubber on steel
 file = written("small", [
@@ -55,7 +44,7 @@ file = written("small", [
 history, points = run(file, "small")
 claim(largest(p["lambda_n"] / 1e3 - 1 for p in points) < 2e-5,
       "rubber of 1 mm on steel of 1 m: pressure as on a rigid plane up to E_1/E_2")
-claim(imbalance("small") < 1e-10, "they balance")
+claim(off_balance("small") < 1e-10, "they balance")
 
 # a mirror image is a rigid frictionless plane at half the approach
 TOP = condition("top", "Dirichlet", Displacement_X="0", Displacement_Y="-0.02*(1+0.3*x)")
@@ -110,8 +99,8 @@ for sides in (("pin:s", "lug:s"), ("lug:s", "pin:s")):
     for degree in (1, 2):
         run(written("pin", [lug, pin], contact("c", *sides, friction("0.2")), "Projected", 0.8,
                     degree), "pin")
-        claim(imbalance("pin") < 1e-10, "a pin in a lug, first %s, degree %d: they balance within %.0e" % (
-            sides[0], degree, imbalance("pin")))
+        claim(off_balance("pin") < 1e-10, "a pin in a lug, first %s, degree %d: they balance within %.0e" % (
+            sides[0], degree, off_balance("pin")))
 
 # partly covered sides, either first; the resultants are those of the load
 pad = body("a", block(0.3, 0, 0.85, 0.5), 1.0, PUSH, "", mesh(6, 4, 2))
@@ -121,7 +110,7 @@ for sides in (("a:bottom", "b:top"), ("b:top", "a:bottom")):
     file = written("covered", [pad, plate], contact("c", *sides, friction("0.5")),
                    "Projected")
     history, points = run(file, "covered")
-    claim(imbalance("covered") < 1e-10, "bodies balance, first " + sides[0])
+    claim(off_balance("covered") < 1e-10, "bodies balance, first " + sides[0])
     claim(abs(history[0]["force_normal"] - 0.011) < 1e-10, "and carry the load")
     claim(all(0.3 < p["x"] < 0.85 for p in points), "where nothing is opposite nothing presses")
     claim(abs(history[0]["contact_y"]) < 1e-12, "contact between bodies cancels in history.csv")
@@ -198,5 +187,5 @@ for row in table(os.path.join(WORK, "force", "bodies.csv")):
     if row["body"] == "pad":
         claim(abs(float(row["load_x"]) - 0.0015) < 1e-15 and
               abs(float(row["load_y"]) + 0.015) < 1e-15, "the load is the force")
-claim(imbalance("force") < 1e-10, "and the bodies balance")
+claim(off_balance("force") < 1e-10, "and the bodies balance")
 finish()

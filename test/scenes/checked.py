@@ -4,7 +4,7 @@ path.  Standard library only."""
 import os
 
 from runs import SCENES, claim, epafi, finish
-from written import (block, body, condition, contact, friction, geometry, listed, parameter, rigid,
+from written import (block, body, condition, contact, friction, listed, parameter, rigid,
                      tied, written)
 
 CLAMP = condition("bottom", "Dirichlet", Displacement_X="0", Displacement_Y="0")

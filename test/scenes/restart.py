@@ -8,10 +8,10 @@ import signal
 import subprocess
 
 from runs import EPAFI, RANKS, WORK, claim, epafi, finish, fresh, scene, table
+from scales import worst
 
 HISTORY, CONTACT, SOLUTION = "history.csv", "contact.csv", "solution.hdf"
 COEFFICIENT = "Bodies->block->Boundary Conditions->foundation->Friction->Coefficient=%g"
-MEASURED = ("seconds", "memory")  # columns that no two runs share
 FILES = (HISTORY, CONTACT, "boundary.csv", SOLUTION)
 
 
@@ -27,23 +27,12 @@ def solve(file, folder, count, settings, *more):
                      ["--output", folder] if folder else []))
 
 
-def same(a, b):
-    """Do two tables agree to 1e-10 of each column's size, counts and words exactly?"""
-    if len(a) != len(b):
-        return False
-    for key in a[0]:
-        if key.startswith(MEASURED):
-            continue
-        size = max([abs(row[key]) for row in a if not isinstance(row[key], str)] or [0])
-        for x, y in zip(a, b):
-            whole = isinstance(x[key], str) or key.endswith("iterations")
-            if x[key] != y[key] if whole else abs(x[key] - y[key]) > 1e-10 * size:
-                return False
-    return True
-
-
 def rows(folder, name=HISTORY):
     return table(os.path.join(folder, name))
+
+
+def same(a, b):
+    return worst(a, b)[0] <= 1e-10
 
 
 def content(folder):

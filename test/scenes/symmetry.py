@@ -3,7 +3,6 @@
 Where solutions are smooth both resolve them to rounding, which the claims ask for; the half has
 elements on the line, which the whole has not, so that elsewhere they agree within estimates."""
 import json
-import math
 import os
 
 from runs import WORK, claim, differ, epafi, finish, fresh, rows, solved
