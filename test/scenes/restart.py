@@ -6,6 +6,7 @@ import resource
 import shutil
 import signal
 import subprocess
+import sys
 
 from runs import EPAFI, RANKS, WORK, claim, epafi, finish, fresh, scene, table
 from scales import worst
@@ -61,8 +62,10 @@ os.makedirs(WORK, exist_ok=True)
 # the same rows, iterations and points as without the stop
 cases = [("tresca.xml", "tresca", [])]
 cases += [("coulomb.xml", "coulomb %g" % f, [COEFFICIENT % f]) for f in (0.05, 1.5)]
-for file, name, settings in cases:
-    for strategy in ("Uniform h", "Uniform p", "Adaptive hp", "Graded hp"):
+STRATEGIES = ("Uniform h", "Uniform p", "Adaptive hp", "Graded hp")
+for k, (file, name, settings) in enumerate(cases):
+    # either coefficient with every other strategy; with "all" each with each
+    for strategy in STRATEGIES if k == 0 or sys.argv[4:] == ["all"] else STRATEGIES[k - 1::2]:
         label = name + ", " + strategy
         settings_here = settings + ["Adaptivity->Strategy=" + strategy]
         whole, part = fresh(label + " whole"), fresh(label)

@@ -3,6 +3,7 @@
 Every test is called as  <test>.py EPAFI SCENES WORK:  the program, the folder of the shipped
 scenes, a folder to write into.
 """
+import json
 import os
 import subprocess
 import sys
@@ -23,6 +24,15 @@ def epafi(*arguments):
 
 def scene(name):
     return os.path.join(SCENES, name)
+
+
+def saved(name, scene, title="scene"):
+    """The file of a scene that is given as a dictionary, as YAML."""
+    os.makedirs(WORK, exist_ok=True)
+    path = os.path.join(WORK, name + ".yaml")
+    with open(path, "w") as stream:
+        json.dump({title: scene}, stream)
+    return path
 
 
 def fresh(name):
