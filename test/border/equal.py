@@ -10,9 +10,9 @@ import sys
 import ranks
 from scales import worst
 
-STRATEGIES = {"h": ["Adaptivity->Strategy=Uniform h", "Adaptivity->Maximum Levels=4"],
-              "p": ["Adaptivity->Strategy=Uniform p", "Adaptivity->Maximum Levels=5"],
-              "graded": ["Adaptivity->Maximum Levels=12"]}
+STRATEGIES = {"h": ["Adaptivity->Strategy=Uniform h", "Adaptivity->Maximum Levels=3"],
+              "p": ["Adaptivity->Strategy=Uniform p", "Adaptivity->Maximum Levels=4"],
+              "graded": ["Adaptivity->Maximum Levels=9"]}
 
 
 # Compressed operators want one of the forms that go with them.
