@@ -11,7 +11,12 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from claims import absent, claim, finish, table  # noqa: E402, F401
 
 MPIEXEC, EPAFI, SCENES, WORK = sys.argv[1:5]
-PATIENCE = int(os.environ.get("EPAFI_TEST_PATIENCE", "1"))  # with sanitizers all takes longer
+
+
+def patience():
+    """How much longer than on free cores, without sanitizers, something may take."""
+    return float(os.environ.get("EPAFI_TEST_PATIENCE", "1")) * max(
+        1, os.getloadavg()[0] / os.cpu_count())
 
 
 def fresh(name):
@@ -37,7 +42,7 @@ class Run:
         try:
             done = subprocess.run([MPIEXEC, "-n", str(ranks), *command], stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT, universal_newlines=True,
-                                  timeout=limit * PATIENCE,
+                                  timeout=limit * patience(),
                                   env={**os.environ, **(environment or {})})
             self.code, self.text = done.returncode, done.stdout
         except subprocess.TimeoutExpired as expired:

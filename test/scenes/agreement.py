@@ -12,7 +12,7 @@ import subprocess
 import sys
 
 from runs import EPAFI, ENERGIES, WORK, differ
-from written import block, body, circle, condition, contact, geometry, listed, loop, parameter
+from written import block, body, condition, contact, geometry, listed, loop, parameter
 from claims import absent, claim, finish, table
 
 LAWS = {"frictionless": {}, "Tresca": {"Threshold": "0.002*(1 + x)"}, "Coulomb": {"Coefficient": "0.3"}}

@@ -2,7 +2,7 @@
 import math
 import os
 
-from runs import WORK, claim, epafi, finish, fresh, run, table
+from runs import WORK, claim, epafi, finish, fresh, largest, run, table
 from written import (QUARTERS, block, body, circle, condition, contact, friction, geometry,
                      listed, loop, parameter, rigid, written)
 
@@ -71,10 +71,6 @@ def primed(ratio, alpha, plane):
     if plane == "Plane Stress":
         return 1, ratio, alpha
     return 1 / (1 - ratio ** 2), ratio / (1 - ratio), (1 + ratio) * alpha
-
-
-def largest(values):
-    return max(abs(value) for value in values)
 
 
 # a block in a frictionless channel: weight and a temperature over the height, linear in space

@@ -31,7 +31,7 @@ with open(study, "w") as stream:
   <ParameterList name="Variants"><ParameterList name="v">
     <Parameter name="Set" type="Array(string)" value="{%s}"/></ParameterList></ParameterList>
 </ParameterList>""" % (os.path.abspath(scene("patch.xml")), ONE[0]))
-claim(epafi("study", study, "--quiet", "--output", fresh("study"))[0] == 0, "a study")
+claim(epafi("study", study, "--quiet", "--no-plot", "--output", fresh("study"))[0] == 0, "a study")
 
 met = set()
 for folder, _, files in os.walk(WORK):

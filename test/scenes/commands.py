@@ -5,7 +5,7 @@ import re
 import shutil
 import subprocess
 
-from runs import EPAFI, SCENES, WORK, claim, epafi, finish, fresh, scene, table
+from runs import SCENES, WORK, claim, epafi, finish, fresh, scene, table
 
 os.makedirs(WORK, exist_ok=True)
 code, usage = epafi("--help")
@@ -96,12 +96,13 @@ with open(study, "w") as stream:
 </ParameterList>
 """ % (os.path.abspath(scene("coulomb.xml")), BOUNDARY))
 folder = fresh("arrays")
-code, text = epafi("study", study, "--output", folder, "--quiet")
+code, text = epafi("study", study, "--output", folder, "--quiet", "--no-plot")
 with open(os.path.join(folder, "coarse", "history.csv")) as stream:
     row = stream.read().splitlines()[1]
 claim(code == 0 and row.split(",")[1] == "12", "12 elements: " + row[:20])
 again = fresh("again")
-code, text = epafi("study", os.path.join(folder, "used.xml"), "--output", again, "--quiet")
+code, text = epafi("study", os.path.join(folder, "used.xml"), "--output", again, "--quiet",
+                   "--no-plot")
 with open(os.path.join(again, "coarse", "history.csv")) as stream:
     claim(code == 0 and stream.read().splitlines()[1].split(",")[1:9] == row.split(",")[1:9],
           "used.xml repeats the study")

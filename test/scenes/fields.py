@@ -3,6 +3,7 @@ triangles of the whole inside, and what is refused."""
 import base64
 import math
 import os
+import shutil
 import struct
 import xml.etree.ElementTree as xml
 
@@ -112,10 +113,6 @@ claim(min(areas) < 0.1 * max(areas), "and are small at small elements: %.1e, %.1
       (min(areas), max(areas)))
 claim(len(vtu["von_mises"]) == len(place) and all(map(math.isfinite, vtu["von_mises"])),
       "with a finite stress at all of their %d corners" % len(place))
-code, text = epafi("plot", folder, "--field", "von_mises")
-picture = os.path.join(folder, "von_mises.png")
-claim(code == 0 and os.path.getsize(picture) > 20000, "von_mises.png is drawn: " + text.strip())
-
 # a uniform stress
 folder = solved("patch")
 row = fields(folder, "--grid", "3,2")
@@ -149,8 +146,16 @@ for step, there in (("2", ends), ("5", fields(path, "--grid", "9,9"))):
         for key, size in sizes.items()), "step %s of 5 has the fields of the path up to it" % step)
 claim(max(abs(a["sxy"] - b["sxy"]) for a, b in zip(ends, there)) > 1e-3 * sizes["sxy"],
       "which are not those of its end")
-code, text = epafi("plot", path, "--field", "von_mises", "--step", "2")
-claim(code == 0, "the field at a step is drawn " + text[-100:])
+alone = fresh("alone")  # without the tables of which other pictures are drawn
+shutil.copytree(path, alone)
+for name in ("history.csv", "contact.csv", "boundary.csv"):
+    os.remove(os.path.join(alone, name))
+steps = os.path.join(alone, "steps.csv")
+os.rename(steps, steps + ".kept")
+code, text = epafi("plot", alone, "--field", "von_mises", "--step", "2")
+claim(code == 0 and os.path.getsize(os.path.join(alone, "von_mises.png")) > 20000,
+      "the field at a step is drawn " + text[-100:])
+os.rename(steps + ".kept", steps)
 
 # bodies that overlap as drawn: each has its own fields
 pair = fresh("pair")
@@ -189,8 +194,8 @@ single = os.path.join(WORK, "single.vtu")
 code, text = epafi("fields", path, "--vtk", "--step", "2", "--output", single)
 with open(single, "rb") as one, open(os.path.join(path, parts[1].get("file")), "rb") as same:
     claim(one.read() == same.read(), "and the fields of each step")
-code, text = epafi("plot", path, "--field", "sxy", "--step", "all")
-claim(code == 0 and os.path.isfile(os.path.join(path, "movie.gif")),
+code, text = epafi("plot", alone, "--field", "sxy", "--step", "all")
+claim(code == 0 and os.path.isfile(os.path.join(alone, "movie.gif")),
       "which colour a movie " + text[-100:])
 
 for sentence, words, arguments in [

@@ -18,6 +18,20 @@ def history(times, steps):
                   parameter("Steps", "Array(int)", "{%s}" % ", ".join(map(str, steps))))
 
 
+def path(times, counts):
+    """The same as settings."""
+    return ["History->Times={%s}" % ", ".join(map(repr, times)),
+            "History->Steps={%s}" % ", ".join(map(str, counts))]
+
+
+def loads(push, press, stress="0"):
+    """Settings of fretting.xml for a push, a pressing force and a bulk stress, expressions in t."""
+    return ["Bodies->block->Boundary Conditions->far->Traction %s="
+            "2/pi*((%s)*x - (%s)*y)*(x*nx + y*ny)*%s/(x^2 + y^2)^2 + (%s)" % (
+                component, push, press, along, "(%s)*nx" % stress if component == "X" else "0")
+            for component, along in (("X", "x"), ("Y", "y"))]
+
+
 def half(name, up, modulus, push, press=PRESS, ratio=0.3, side=COARSE, uniform=False):
     """A block above (up = 1) or below the contact, as high as wide, and what pushes its outer
     sides: the half-plane's tractions, or uniform ones on the far side."""

@@ -3,7 +3,7 @@ import cmath
 import math
 import os
 
-from runs import WORK, claim, epafi, finish, fresh, run, scene, table
+from runs import WORK, claim, epafi, finish, fresh, largest, run, scene, table
 from written import (QUARTERS, block, body, circle, condition, contact, friction, geometry, listed,
                      loop, parameter, rigid, written)
 
@@ -47,10 +47,6 @@ def off_balance(name):
                 "load", "contact", "reaction")) + row["body_" + (
                     "moment" if c == "moment" else "force_" + c)]))
     return worst
-
-
-def largest(values):
-    return max(abs(value) for value in values)
 
 
 def ring(name, inner, outer, modulus, at=(0.0, 0.0), count=2, **more):
@@ -219,7 +215,7 @@ with open(file, "w") as stream:
             "Set", "Array(string)", "{Adaptivity->Strategy=%s, Adaptivity->Maximum Levels=%d}" % (
                 strategy, count))) for strategy, count in (("Uniform h", 4), ("Graded hp", 14))))))
 folder = fresh("beside insulation study")
-code, text = epafi("study", file, "--output", folder)
+code, text = epafi("study", file, "--output", folder, "--no-plot")
 claim(code == 0, "a study of it: exit %d" % code)
 errors = {}
 for row in table(os.path.join(folder, "study.csv")):

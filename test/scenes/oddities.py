@@ -4,7 +4,7 @@ import math
 import os
 import subprocess
 
-from runs import EPAFI, SCENES, WORK, claim, epafi, finish, fresh, levels, run, scene, table
+from runs import EPAFI, SCENES, WORK, claim, epafi, finish, fresh, levels, run, saved, scene, table
 
 os.makedirs(WORK, exist_ok=True)
 SETTINGS = ["Adaptivity->Maximum Levels=1"]
@@ -90,37 +90,14 @@ claim(code == 0 and not text, "--quiet says nothing of it")
 
 corners = [(math.cos(a), 1 + math.sin(a))
            for a in (2 * math.pi * (k + 0.5) / 64 - math.pi / 2 for k in range(64))]
-POLYGON = """<ParameterList name="A cylinder of 64 edges">
-  <ParameterList name="Bodies"><ParameterList name="cylinder">
-    <ParameterList name="Material">
-      <Parameter name="Young's Modulus" type="double" value="1"/>
-      <Parameter name="Poisson's Ratio" type="double" value="0.3"/>
-    </ParameterList>
-    <ParameterList name="Geometry">
-      <Parameter name="Vertices" type="TwoDArray(double)" value="64x2:{%s}"/>
-      <Parameter name="Edges" type="Array(string)" value="{%s}"/>
-    </ParameterList>
-    <ParameterList name="Boundary Conditions">
-      <ParameterList name="low">
-        <Parameter name="Type" type="string" value="Contact"/>
-        <Parameter name="Gap" type="string" value="y"/>
-      </ParameterList>
-      <ParameterList name="top">
-        <Parameter name="Type" type="string" value="Dirichlet"/>
-        <Parameter name="Displacement X" type="string" value="0"/>
-        <Parameter name="Displacement Y" type="string" value="-0.02"/>
-      </ParameterList>
-    </ParameterList>
-  </ParameterList></ParameterList>
-  <ParameterList name="Discretization">
-    <Parameter name="Mesh Size" type="double" value="0.1"/>
-  </ParameterList>
-</ParameterList>
-""" % (", ".join("%.17g, %.17g" % c for c in corners),
-       ", ".join("low" if k < 16 or k >= 48 else "top" for k in range(64)))
-polygon = os.path.join(WORK, "polygon.xml")
-with open(polygon, "w") as stream:
-    stream.write(POLYGON)
+polygon = saved("polygon", {"Bodies": {"cylinder": {
+    "Material": {"Young's Modulus": 1, "Poisson's Ratio": 0.3},
+    "Geometry": {"Vertices": corners,
+                 "Edges": ["low" if k < 16 or k >= 48 else "top" for k in range(64)]},
+    "Boundary Conditions": {
+        "low": {"Type": "Contact", "Gap": "y"},
+        "top": {"Type": "Dirichlet", "Displacement X": "0", "Displacement Y": "-0.02"}}}},
+    "Discretization": {"Mesh Size": 0.1}}, "A cylinder of 64 edges")
 code, warnings = told(polygon, "polygon")
 claim(code == 0 and len(warnings) == 1 and "31 corners of up to 5.6 degrees" in warnings[0],
       "a polygon for a curve: %s" % warnings)
@@ -143,43 +120,17 @@ def beam(slender, friction):
     """Clamped at its left, over a plane; without friction far above it."""
     height = 1 / slender
     load = "-1e-8*%g*(0.3 + sin(40*x))" % height if friction else "-%g" % (1e-3 * height ** 3)
-    text = """<ParameterList name="beam"><ParameterList name="Bodies"><ParameterList name="beam">
-      <ParameterList name="Material">
-        <Parameter name="Young's Modulus" type="double" value="1"/>
-        <Parameter name="Poisson's Ratio" type="double" value="0.3"/>
-      </ParameterList>
-      <ParameterList name="Geometry">
-        <Parameter name="Vertices" type="TwoDArray(double)" value="4x2:{0,0, 1,0, 1,%.17g, 0,%.17g}"/>
-        <Parameter name="Edges" type="Array(string)" value="{bottom, right, top, left}"/>
-      </ParameterList>
-      <ParameterList name="Boundary Conditions">
-        <ParameterList name="bottom">
-          <Parameter name="Type" type="string" value="Contact"/>
-          <Parameter name="Gap" type="string" value="%s"/>%s
-        </ParameterList>
-        <ParameterList name="top">
-          <Parameter name="Type" type="string" value="Neumann"/>
-          <Parameter name="Traction Y" type="string" value="%s"/>
-        </ParameterList>
-        <ParameterList name="left">
-          <Parameter name="Type" type="string" value="Dirichlet"/>
-          <Parameter name="Displacement X" type="string" value="0"/>
-          <Parameter name="Displacement Y" type="string" value="0"/>
-        </ParameterList>
-      </ParameterList>
-    </ParameterList></ParameterList>
-    <ParameterList name="Discretization">
-      <Parameter name="Elements per Edge" type="Array(int)" value="{100, 4, 100, 4}"/>
-    </ParameterList></ParameterList>""" % (
-        height, height, "0" if friction else "1",
-        """<ParameterList name="Friction">
-             <Parameter name="Law" type="string" value="Coulomb"/>
-             <Parameter name="Coefficient" type="string" value="0.3"/>
-           </ParameterList>""" if friction else "", load)
-    file = os.path.join(WORK, "beam.xml")
-    with open(file, "w") as stream:
-        stream.write(text)
-    return file
+    return saved("beam", {"Bodies": {"beam": {
+        "Material": {"Young's Modulus": 1, "Poisson's Ratio": 0.3},
+        "Geometry": {"Vertices": [[0, 0], [1, 0], [1, height], [0, height]],
+                     "Edges": ["bottom", "right", "top", "left"]},
+        "Boundary Conditions": {
+            "bottom": {"Type": "Contact", "Gap": "0", "Friction": {
+                "Law": "Coulomb", "Coefficient": "0.3"}} if friction else {
+                    "Type": "Contact", "Gap": "1"},
+            "top": {"Type": "Neumann", "Traction Y": load},
+            "left": {"Type": "Dirichlet", "Displacement X": "0", "Displacement Y": "0"}}}},
+        "Discretization": {"Elements per Edge": [100, 4, 100, 4]}})
 
 
 for slender, friction, method, words in [

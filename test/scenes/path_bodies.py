@@ -4,10 +4,9 @@ of two that differ; an interference and a rigid body that move; energies, balanc
 Two blocks 80 half-widths of the contact wide, pressed by P and pushed by Q: their outer sides
 carry the tractions of Boussinesq's and Flamant's forces, as in fretting.xml.  a = E* = 1."""
 import math
-import os
 
 from halves import COARSE, F, FINE, P, P0, PRESS, after, half, history, partial
-from runs import WORK, claim, epafi, finish, fresh, table
+from runs import (claim, epafi, finish, fresh, imbalance, largest, never_falls, points, steps)
 from written import (block, body, condition, contact, friction, listed, parameter, rigid,
                      written)
 
@@ -16,40 +15,10 @@ def solve(name, bodies, contacts, path, form="Density", settings=(), restart=Non
     file = written(name, bodies, contacts, form, more=path)
     folder = restart or fresh(name)
     settings = [*settings, "Adaptivity->Maximum Degrees of Freedom=10000"]
-    code, text = epafi("run", file, "--restart" if restart else "--output", folder, *(x for s in settings for x in ("--set", s)))
+    code, text = epafi("run", file, "--restart" if restart else "--output", folder,
+                       *(x for s in settings for x in ("--set", s)))
     claim(code == 0, name + ": solved" + ("" if code == 0 else " " + text[-400:]))
     return folder
-
-
-def steps(folder):
-    return table(os.path.join(folder, "steps.csv"))
-
-
-def points(folder, step=None):
-    inside = ["contact.csv"] if step is None else ["steps", str(step), "contact.csv"]
-    return table(os.path.join(folder, *inside))
-
-
-def balance(folder):
-    worst = 0
-    for row in table(os.path.join(folder, "bodies.csv")):
-        parts = [[row["%s_%s" % (what, c)] for what in ("load", "contact", "reaction")]
-                 for c in ("x", "y", "moment")]
-        largest = max(abs(value) for part in parts for value in part)
-        worst = max(worst, max(abs(sum(part)) for part in parts) / largest)
-    return worst
-
-
-def neverFalls(folder):
-    end = steps(folder)[-1]["level"]
-    for column in [c for c in steps(folder)[0] if c.endswith("energy_dissipated")]:
-        work = [0] + [row[column] for row in steps(folder) if row["level"] == end]
-        claim(all(b >= a for a, b in zip(work, work[1:])),
-              "%s never falls, %.3e" % (column, work[-1]))
-
-
-def largest(values):
-    return max(abs(value) for value in values)
 
 
 PARABOLA = parameter("Interference", "string", "-x^2/200")
@@ -80,8 +49,8 @@ for step, what, exact, c in (
     claim(abs(width - c) < 1e-2, "%s: stick to %.4f a, exact %.4f" % (what, width, c))
 claim(largest(p["lambda_t"] for p in points(folder, 3)) > 0.1 * F * P0,
       "the shear at Q = 0 after unloading is not zero")
-claim(balance(folder) < 1e-10, "both bodies balance in every step, %.1e" % balance(folder))
-neverFalls(folder)
+claim(imbalance(folder) < 1e-10, "both bodies balance in every step, %.1e" % imbalance(folder))
+never_falls(folder)
 claim(abs(steps(folder)[-1]["fret.force_y"] / P - 1) < 1e-6, "P presses the upper body up")
 
 # P, then growing Q: no point turns back, so 1 and 50 steps end alike; no creep
@@ -91,7 +60,7 @@ many = solve("fifty steps", equal(GROWS), PAIR, history([1, 2], [1, 50]))
 difference = largest(abs(a["lambda_t"] - b["lambda_t"]) + abs(a["lambda_n"] - b["lambda_n"])
                      for a, b in zip(points(few), points(many))) / (F * P0)
 claim(difference < 1e-8, "P, then growing Q: 1 and 50 steps differ by %.1e" % difference)
-neverFalls(many)
+never_falls(many)
 
 # another material below: the pressing alone makes shear; the balance of energy, the other side
 UNLIKE = [half("upper", 1, E, LOOP), half("lower", -1, 20 * E, LOOP, ratio=0.2)]
@@ -110,8 +79,8 @@ errors = [abs(steps(f)[-1]["energy_error"]) / steps(f)[-1]["energy_outside"]
           for f in (coarse, fine)]
 claim(errors[1] < errors[0] / 5, "unlike bodies: balance of energy to %.1e, %.1e" % tuple(errors))
 for folder in (coarse, fine):
-    neverFalls(folder)
-    claim(balance(folder) < 1e-10, "unlike bodies balance in every step")
+    never_falls(folder)
+    claim(imbalance(folder) < 1e-10, "unlike bodies balance in every step")
 other = unlike(12, "lower", "upper")
 work = [steps(f)[-1]["energy_dissipated"] for f in (fine, other)]
 claim(abs(work[1] / work[0] - 1) < 0.02,
@@ -145,7 +114,7 @@ for column in ("energy_dissipated", "energy_outside", "energy_strain"):
 claim(abs(ends[0]["floor.force_y"] + ends[0]["rub.force_y"] * -1) < 1e-12,
       "what holds the floor is what it does to the slab")
 claim(abs(ends[0]["floor.motion_y"] - 0.001) < 1e-15, "steps.csv says where it is")
-claim(balance(moved) < 1e-10, "slab and floor balance in every step")
+claim(imbalance(moved) < 1e-10, "slab and floor balance in every step")
 
 # gone on with behind a level: the same end
 SETTINGS = ["Adaptivity->Strategy=Adaptive h"]

@@ -6,8 +6,9 @@ import math
 import os
 import sys
 
-from halves import F, P, P0, after, error, half, history, loading, loop, rms, stick
-from runs import WORK, claim, epafi, finish, fresh, scene, table
+from halves import (F, P, P0, after, error, half, history, loading, loads, loop, path, rms,
+                    stick)
+from runs import WORK, claim, finish, never_falls, points, scene, solved, steps
 from written import contact, friction, parameter, written
 
 LOOP = "%r*0.5*pi/400*(t < 1 ? 0 : 2/pi*asin(sin(pi/2*(t - 1))))"
@@ -19,26 +20,7 @@ page = []
 
 
 def solve(name, file, settings=()):
-    folder = fresh(name)
-    code, text = epafi("run", file, "--output", folder, "--quiet", "--set",
-                       "Adaptivity->Maximum Degrees of Freedom=20000",
-                       *(x for s in settings for x in ("--set", s)))
-    claim(code == 0, name + ": solved" + ("" if code == 0 else " " + text[-300:]))
-    return folder
-
-
-def steps(folder):
-    return table(os.path.join(folder, "steps.csv"))
-
-
-def points(folder, step):
-    return table(os.path.join(folder, "steps", str(step), "contact.csv"))
-
-
-def neverFalls(folder):
-    work = [0] + [row["energy_dissipated"] for row in steps(folder)]
-    claim(all(b >= a for a, b in zip(work, work[1:])),
-          os.path.basename(folder) + ": friction's work never falls")
+    return solved(name, file, "Adaptivity->Maximum Degrees of Freedom=20000", *settings)[0]
 
 
 def side(width):
@@ -82,7 +64,7 @@ for width in (20, 40, 80):
         folder = pair("equal %d wide, %d" % (width, uniform), width, [2 * (1 - 0.3**2)] * 2,
                       [0.3] * 2, uniform=uniform)
         errors += measured(folder)
-        neverFalls(folder)
+        never_falls(folder)
     rows.append((width, errors))
     claim(errors[0] < 1e-2 and errors[1] < 0.02,
           "%d a wide: stick widths within %.1e of a, shear within %.1e of f p0" % (width, *errors[:2]))
@@ -104,24 +86,11 @@ for first, second in (("upper", "lower"), ("lower", "upper")):
     errors = measured(folder)
     claim(errors[0] < 1e-2 and errors[1] < 0.02,
           "moduli 1 to 6, %s side first: stick within %.1e, shear within %.1e" % (first, *errors[:2]))
-    neverFalls(folder)
+    never_falls(folder)
 
 # loops of other amplitudes, counted from +Qm
 page += ["", "## Loops", "", "fretting.xml, 40 steps per cycle: friction's work per cycle, counted from +Qm, in units of (f P)²/(π E*).", "",
          "| Qm/(f P) | exact | first cycle | second less first, relative |", "|---:|---:|---:|---:|"]
-BODY = "Bodies->block->Boundary Conditions->far->"
-
-
-def loads(push, press, stress="0"):
-    return [BODY + "Traction %s=2/pi*((%s)*x - (%s)*y)*(x*nx + y*ny)*%s/(x^2 + y^2)^2 + (%s)" % (
-        component, push, press, along, "(%s)*nx" % stress if component == "X" else "0")
-        for component, along in (("X", "x"), ("Y", "y"))]
-
-
-def path(times, counts):
-    return ["History->Times={%s}" % ", ".join(map(repr, times)),
-            "History->Steps={%s}" % ", ".join(map(str, counts))]
-
 
 for q in (0.2, 0.3, 0.4, 0.5, 0.7):
     folder = solve("loop %g" % q, scene("fretting.xml"), path([1, 2, 6, 10], [1, 10, 40, 40]) + loads(
@@ -134,7 +103,7 @@ for q in (0.2, 0.3, 0.4, 0.5, 0.7):
           "loop of q = %g: the second cycle differs by %.1e" % (q, second / first - 1))
     unit = (F * P)**2 / math.pi
     page.append("| %g | %.6f | %.6f | %.1e |" % (q, loop(q) / unit, first / unit, second / first - 1))
-    neverFalls(folder)
+    never_falls(folder)
 
 # with a bulk stress that grows along with Q the stick zone moves: [Nowell and Hills 1987]
 shift = 0.2

@@ -12,7 +12,8 @@ import h5py
 import numpy
 
 from halves import half, history
-from runs import EPAFI, WORK, claim, epafi, finish, fresh, scene, table
+from runs import EPAFI, WORK, claim, epafi, finish, fresh, rows, scene, table
+from scales import worst
 from written import contact, friction, listed, parameter, written
 
 os.makedirs(WORK, exist_ok=True)
@@ -35,36 +36,13 @@ else:
              "--set", "History->Times={1, 2, 4, 6}", "--set", "History->Steps={1, 7, 16, 16}"]
 SCENE += ["--quiet", "--threads", "1", "--set", "Adaptivity->Strategy=Adaptive h",
           "--set", "Adaptivity->Maximum Levels=3"]
-MEASURED = ("seconds", "memory")
-
-
-def rows(folder, name):
-    return table(os.path.join(folder, name))
-
-
-def apart(a, b):
-    """Largest difference of two tables relative to each column's size; words and counts must
-    agree."""
-    if len(a) != len(b):
-        return 1
-    worst = 0
-    for key in a[0]:
-        if key.startswith(MEASURED):
-            continue
-        size = max([abs(row[key]) for row in a if not isinstance(row[key], str)] or [0])
-        for x, y in zip(a, b):
-            if isinstance(x[key], str):
-                worst = max(worst, x[key] != y[key])
-            elif size:
-                worst = max(worst, abs(x[key] - y[key]) / size)
-    return worst
 
 
 def same(sentence, whole, part):
     names = ["history.csv", "steps.csv", "contact.csv"] + ["bodies.csv"] * (sys.argv[5:] == ["2"]) + [
         os.path.join("steps", str(k), "contact.csv") for k in (1, 20, 40)]
-    worst = max(apart(rows(whole, name), rows(part, name)) for name in names)
-    claim(worst < 1e-10, "%s: the same files, %.1e" % (sentence, worst))
+    apart = max(worst(rows(whole, name), rows(part, name)) for name in names)
+    claim(apart[0] < 1e-10, "%s: the same files, %.1e in %s" % (sentence, *apart))
 
 
 whole = fresh("whole")

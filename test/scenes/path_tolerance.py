@@ -4,12 +4,12 @@ import signal
 import subprocess
 import time
 
-from halves import loop
-from runs import EPAFI, WORK, claim, epafi, finish, fresh, scene, table
+from halves import loads, loop
+from runs import EPAFI, WORK, claim, epafi, finish, fresh, scene, steps
+from scales import worst
 
 SCENE = scene("fretting.xml")
 COARSE = ["Discretization->Elements per Edge={2, 2, 2, 3, 1, 5, 12, 5, 1, 3, 2, 2, 2, 3, 3, 3}"]
-BODY = "Bodies->block->Boundary Conditions->far->"
 
 
 def arguments(settings):
@@ -23,18 +23,9 @@ def solve(name, settings):
     return folder, text
 
 
-def steps(folder):
-    return table(os.path.join(folder, "steps.csv"))
-
-
 def path(times, count, tolerance):
     return ["History->Times={%s}" % ", ".join(map(str, times)), "History->Steps={%d}" % count] + (
         ["History->Tolerance=%g" % tolerance] if tolerance else [])
-
-
-def loads(push, press):
-    return [BODY + "Traction %s=2/pi*((%s)*x - (%s)*y)*(x*nx + y*ny)*%s/(x^2 + y^2)^2" % (
-        component, push, press, along) for component, along in (("X", "x"), ("Y", "y"))]
 
 
 os.makedirs(WORK, exist_ok=True)
@@ -54,7 +45,7 @@ LAYERS = [
     "Bodies->block->Geometry->Edges={%s, far, far, far}" % ", ".join(
         ["free"] * 4 + ["contact"] * 5 + ["free"] * 4),
     "Discretization->Elements per Edge={4, 4, 4, 6, 4, 36, 64, 36, 4, 6, 4, 4, 4, 6, 6, 6}"]
-for q in (0.2, 0.5, 0.9):
+for q in (0.2, 0.9):
     folder, text = solve("loop of %g" % q, LAYERS + ["Constants->Q=%g*f*P" % q] + path([1, 2, 4, 6], 1, 1e-3))
     rows = steps(folder)
     error = (rows[3]["energy_dissipated"] - rows[1]["energy_dissipated"]) / loop(q) - 1
@@ -79,7 +70,7 @@ for tolerance in (1e-2, 2e-3):
 # places that slip before they close: friction does little until they are pushed
 MIXED = COARSE + ["Bodies->block->Material->Poisson's Ratio=0.3"] + loads(
     "0.1*pi/400*max(0, t - 1)", "pi/400*min(t, 1)")
-exact = steps(solve("mixed, many", MIXED + path([1, 2], 400, 0))[0])[-1]["energy_dissipated_trapezoidal"]
+exact = steps(solve("mixed, many", MIXED + path([1, 2], 200, 0))[0])[-1]["energy_dissipated_trapezoidal"]
 rows = steps(solve("mixed", MIXED + path([1, 2], 1, 2e-3))[0])
 error = abs(rows[-1]["energy_dissipated"] / exact - 1)
 claim(error < 2e-3, "pressed in %d steps, pushed in %d: work off by %.1e" % (
@@ -113,9 +104,5 @@ before = len(steps(part))
 code, text = epafi("run", *arguments(LONG), "--restart", part)
 claim(code == 0 and 0 < before < 10, "stopped behind %d steps, gone on with%s" % (
     before, "" if code == 0 else ": " + text[-300:]))
-a, b = steps(whole), steps(part)
-same = len(a) == len(b) and all(
-    x == y if isinstance(x, str) else abs(x - y) <= 1e-10 * max(abs(r[key]) for r in a)
-    for one, two in zip(a, b) for (key, x), y in zip(one.items(), two.values()))
-claim(same, "the same steps.csv as without a stop")
+claim(worst(steps(whole), steps(part))[0] <= 1e-10, "the same steps.csv as without a stop")
 finish()

@@ -3,7 +3,8 @@ and forces against each other, balance, and what is refused."""
 import math
 import os
 
-from runs import WORK, claim, epafi, finish, fresh, scene, table
+from runs import (WORK, claim, epafi, finish, fresh, imbalance, refused, rows, scene, solved, steps,
+                  table)
 from written import (block, body, condition, contact, friction, listed, parameter,
                      rigid, written)
 
@@ -13,25 +14,7 @@ P = 0.001
 
 
 def solve(name, file=SCENE, settings=()):
-    folder = fresh(name)
-    code, text = epafi("run", file, "--output", folder,
-                       *(x for s in settings for x in ("--set", s)))
-    claim(code == 0, name + ": solved" + ("" if code == 0 else " " + text[-400:]))
-    return folder
-
-
-def rows(folder, file="steps.csv"):
-    return table(os.path.join(folder, file))
-
-
-def balance(folder):
-    worst = 0
-    for row in rows(folder, "bodies.csv"):
-        parts = [[row["%s_%s" % (what, c)] for what in ("load", "contact", "reaction")]
-                 for c in ("x", "y", "moment")]
-        largest = max(abs(value) for part in parts for value in part)
-        worst = max(worst, max(abs(sum(part)) for part in parts) / largest)
-    return worst
+    return solved(name, file, *settings)[0]
 
 
 def pressure(x, e):
@@ -49,7 +32,7 @@ def tilt(e):
 
 folder = solve("tilting")
 for step, e in ((1, 0), (2, 0.2), (3, 0.4), (5, 0.6), (6, 0.7)):
-    row = rows(folder)[step - 1]
+    row = steps(folder)[step - 1]
     off = row["punch.rotation"] - tilt(e)
     claim(abs(off) < 1e-3 * max(abs(tilt(e)), 1e-3 * P),
           "force at %g: tilt %.6e, exact %.6e" % (e, row["punch.rotation"], tilt(e)))
@@ -82,15 +65,15 @@ for step, e in ((1, 0), (2, 0.2), (3, 0.4), (5, 0.6), (6, 0.7)):
               if abs(p["x"]) < 1 - 1e-7]
     worst = max(abs(p["lambda_n"] - pressure(p["x"], e)) * math.sqrt(1 - p["x"]**2)
                 for p in points) / (P / math.pi)
-    off = abs(rows(folder)[step - 1]["punch.rotation"] / (tilt(e) or 1) - (e > 0))
+    off = abs(steps(folder)[step - 1]["punch.rotation"] / (tilt(e) or 1) - (e > 0))
     claim(worst < 1e-3 and off < 1e-4 and len(points) > 400,
           "force at %g: pressure times (1 - x^2)^1/2 within %.1e of P/(pi a) on all of the contact "
           "but 1e-7 of it, tilt within %.1e" % (e, worst, off))
 
 folder = os.path.join(WORK, "tilting")
 claim(all(abs(row["punch.force_y"] + P) < 1e-18 and row["punch.force_x"] == 0
-          for row in rows(folder)), "steps.csv has the force on the punch")
-claim(balance(folder) < 1e-10, "block and punch balance, %.1e" % balance(folder))
+          for row in steps(folder)), "steps.csv has the force on the punch")
+claim(imbalance(folder) < 1e-10, "block and punch balance, %.1e" % imbalance(folder))
 
 # a contact that is named like a rigid body
 with open(SCENE) as stream:
@@ -116,9 +99,9 @@ with open(os.path.join(WORK, "no path.xml"), "w") as file:
 alone = solve("no path", os.path.join(WORK, "no path.xml"), ONE[2:] + [
     "Adaptivity->Strategy=Adaptive h", "Adaptivity->Maximum Levels=3"])
 punch = [row for row in rows(alone, "bodies.csv") if row["body"] == "punch"]
-claim(abs(punch[0]["rotation"] / rows(once)[0]["punch.rotation"] - 1) < 1e-10,
+claim(abs(punch[0]["rotation"] / steps(once)[0]["punch.rotation"] - 1) < 1e-10,
       "bodies.csv has the motion without a path")
-claim(abs(punch[2]["rotation"] / tilt(0.4) - 1) < 1e-3 and balance(alone) < 1e-10,
+claim(abs(punch[2]["rotation"] / tilt(0.4) - 1) < 1e-3 and imbalance(alone) < 1e-10,
       "and after refinement")
 
 # a rough pad: what a force makes of it, given as its motion, needs the same force
@@ -138,38 +121,31 @@ pushed = solve("pushed", pad("pushed", Force_X="0.003*sin(pi/2*max(0, t - 1))",
                              Force_Y="-0.01*min(t, 1)", Moment="0.001*max(0, t - 2)"))
 # straight between the steps as they were: t counts them
 given = {}
-steps = rows(pushed)
+path = steps(pushed)
 for key, column in (("Displacement_X", "motion_x"), ("Displacement_Y", "motion_y"),
                     ("Rotation", "rotation")):
     text = "0"
-    for row in reversed(steps):
+    for row in reversed(path):
         text = "(t < %r ? %r : %s)" % (row["t"] + 1e-6, row["pad." + column], text)
     given[key] = text
 moved = solve("moved", pad("moved", **given))
-size = max(abs(row["pad.force_y"]) for row in steps)
-claim(max(abs(a["pad." + c] - b["pad." + c]) for a, b in zip(steps, rows(moved))
+size = max(abs(row["pad.force_y"]) for row in path)
+claim(max(abs(a["pad." + c] - b["pad." + c]) for a, b in zip(path, steps(moved))
           for c in ("force_x", "force_y", "moment")) < 1e-8 * size,
       "the motions that forces make need these forces")
-claim(abs(steps[-1]["energy_dissipated"] / rows(moved)[-1]["energy_dissipated"] - 1) < 1e-6
-      and steps[-1]["energy_dissipated"] > 0, "and do the same work against friction")
+claim(abs(path[-1]["energy_dissipated"] / steps(moved)[-1]["energy_dissipated"] - 1) < 1e-6
+      and path[-1]["energy_dissipated"] > 0, "and do the same work against friction")
 for folder in (pushed, moved):
-    work = [0] + [row["energy_dissipated"] for row in rows(folder)]
+    work = [0] + [row["energy_dissipated"] for row in steps(folder)]
     claim(all(b >= a for a, b in zip(work, work[1:])), "friction's work never falls")
-    claim(balance(folder) < 1e-10, "pad and ground balance in every step")
+    claim(imbalance(folder) < 1e-10, "pad and ground balance in every step")
 
 
-def refused(what, settings, *words):
-    code, text = epafi("run", SCENE, "--output", fresh("bad"),
-                       *(x for s in settings for x in ("--set", s)))
-    claim(code == 1 and all(word in text for word in words),
-          "%s: exit 1 and %s; got %d, %s" % (what, words, code, text.strip()[-200:]))
-
-
-refused("nothing resists", [MOTION + "Force X=0"], "Bodies->punch", "nothing resists",
-        "Displacement")
-refused("both", [MOTION + "Displacement Y=0"], "Motion->Force Y", "not both")
-refused("half a point", [MOTION + "Reference Point={1}"], "Reference Point", "two")
-refused("no number", [MOTION + "Moment=1/0"], "Moment")
+refused("nothing resists", SCENE, "Bodies->punch", "nothing resists",
+        "Displacement", settings=[MOTION + "Force X=0"])
+refused("both", SCENE, "Motion->Force Y", "not both", settings=[MOTION + "Displacement Y=0"])
+refused("half a point", SCENE, "Reference Point", "two", settings=[MOTION + "Reference Point={1}"])
+refused("no number", SCENE, "Moment", settings=[MOTION + "Moment=1/0"])
 
 def unsolved(what, code, text):
     claim(code == 3 and "balance" in text, "%s: exit 3 and why; got %d, %s" % (

@@ -3,6 +3,7 @@
 Every test is called as  <test>.py EPAFI SCENES WORK:  the program, the folder of the shipped
 scenes, a folder to write into.
 """
+import json
 import os
 import subprocess
 import sys
@@ -11,6 +12,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from claims import absent, claim, finish, table  # noqa: E402, F401
 
 EPAFI, SCENES, WORK = sys.argv[1:4]
+RANKS = int(os.environ.get("EPAFI_TEST_RANKS", "1"))  # on which EPAFI, then a launcher, runs
 
 
 def epafi(*arguments):
@@ -22,6 +24,15 @@ def epafi(*arguments):
 
 def scene(name):
     return os.path.join(SCENES, name)
+
+
+def saved(name, scene, title="scene"):
+    """The file of a scene that is given as a dictionary, as YAML."""
+    os.makedirs(WORK, exist_ok=True)
+    path = os.path.join(WORK, name + ".yaml")
+    with open(path, "w") as stream:
+        json.dump({title: scene}, stream)
+    return path
 
 
 def fresh(name):
@@ -55,6 +66,46 @@ def solved(name, file, *settings, expect=0):
 
 def rows(folder, file="contact.csv"):
     return table(os.path.join(folder, file))
+
+
+def steps(folder):
+    return rows(folder, "steps.csv")
+
+
+def points(folder, step=None):
+    """Of the contact at a step of a path, else at its end."""
+    return rows(folder if step is None else os.path.join(folder, "steps", str(step)))
+
+
+def largest(values):
+    return max(abs(value) for value in values)
+
+
+def imbalance(folder):
+    """Of the worst body, relative to its largest resultant."""
+    worst = 0
+    for row in rows(folder, "bodies.csv"):
+        parts = [[row["%s_%s" % (what, c)] for what in ("load", "contact", "reaction")]
+                 for c in ("x", "y", "moment")]
+        worst = max(worst, largest(map(sum, parts)) / largest(sum(parts, [])))
+    return worst
+
+
+def never_falls(folder):
+    """Claims so of friction's work along a path, of all contacts and of each."""
+    last = [row for row in steps(folder) if row["level"] == steps(folder)[-1]["level"]]
+    for column in [c for c in last[0] if c.endswith("energy_dissipated")]:
+        work = [0] + [row[column] for row in last]
+        claim(all(b >= a for a, b in zip(work, work[1:])), "%s: %s never falls, %.3e" % (
+            os.path.basename(folder), column, work[-1]))
+
+
+def refused(what, file, *words, settings=(), command="run"):
+    """Claims that a scene ends with exit code 1 and a message with these words."""
+    code, text = epafi(command, file, *(["--output", fresh("bad")] if command == "run" else []),
+                       *(x for s in settings for x in ("--set", s)))
+    claim(code == 1 and all(word in text for word in words),
+          "%s: exit 1 and %s; got %d, %s" % (what, words, code, text.strip()[-200:]))
 
 
 def whole(contact):

@@ -5,7 +5,7 @@ import os
 import subprocess
 import time
 
-from runs import EPAFI, WORK, claim, epafi, finish, fresh, rows, solved, table
+from runs import EPAFI, claim, epafi, finish, fresh, refused, rows, solved, table
 from written import (block, body, condition, contact, friction, listed, parameter, rigid,
                      written)
 
@@ -169,12 +169,6 @@ a, b = rows(whole, "steps.csv"), rows(parts, "steps.csv")
 claim(len(a) == len(b) == 41 and all(
     abs(x[key] - y[key]) <= 1e-10 * max(abs(row[key]) for row in a)
     for x, y in zip(a, b) for key in a[0] if not isinstance(a[0][key], str)), "to the same end")
-
-
-def refused(what, file, *words):
-    code, text = epafi("run", file, "--output", fresh("bad"))
-    claim(code == 1 and all(word in text for word in words),
-          "%s: exit 1 and %s; got %d, %s" % (what, words, code, text.strip()[-200:]))
 
 
 refused("no stiffness", pad("zero", {"Stiffness X": "0"}), "Motion->Stiffness X", "> 0")

@@ -1,67 +1,51 @@
 """Studies: true errors against a reference, failures that are listed, what is refused."""
 import math
 import os
-import re
 import shutil
 import signal
 import subprocess
 import time
 
-from runs import EPAFI, SCENES, WORK, claim, epafi, finish, fresh, table
-
-os.makedirs(WORK, exist_ok=True)
-STUDY = """<ParameterList name="Small study">
-  <ParameterList name="Scenes">
-    <ParameterList name="coulomb">
-      <Parameter name="File" type="string" value="%s"/>
-      <ParameterList name="Reference">
-        <Parameter name="Set" type="Array(string)" value="{
-          Adaptivity->Strategy=Adaptive hp, Adaptivity->Marking Fraction=0.5,
-          Adaptivity->Maximum Levels=100, Adaptivity->Maximum Degrees of Freedom=700}"/>
-      </ParameterList>
-    </ParameterList>
-  </ParameterList>
-  <ParameterList name="Variants">%s</ParameterList>
-</ParameterList>
-"""
-UNIFORM = """
-    <ParameterList name="uniform h">
-      <Parameter name="Set" type="Array(string)" value="{
-        Adaptivity->Strategy=Uniform h, Adaptivity->Maximum Levels=5}"/>
-    </ParameterList>"""
-HOPELESS = """
-    <ParameterList name="too strong">
-      <ParameterList name="Override">
-        <ParameterList name="Discretization">
-          <ParameterList name="Stabilization">
-            <Parameter name="Gamma0" type="double" value="10"/>
-          </ParameterList>
-        </ParameterList>
-      </ParameterList>
-    </ParameterList>
-    <ParameterList name="unconverged">
-      <Parameter name="Set" type="Array(string)" value="{
-        Adaptivity->Strategy=None, Solver->Coulomb Iteration=Fixed Point,
-        Solver->Coulomb Maximum Iterations=1}"/>
-    </ParameterList>
-    <ParameterList name="sweep">
-      <Parameter name="Set" type="Array(string)" value="{Adaptivity->Strategy=None}"/>
-      <ParameterList name="Sweep">
-        <Parameter name="Key" type="string"
-          value="Discretization->Stabilization->Gamma0"/>
-        <Parameter name="Values" type="Array(string)" value="{1e-6, 1e-3, 1}"/>
-      </ParameterList>
-    </ParameterList>"""
+from runs import EPAFI, SCENES, WORK, claim, epafi, finish, fresh, saved, table
 
 
-def study(name, variants, template=STUDY, scene="coulomb.xml"):
-    file = os.path.join(WORK, name + ".xml")
-    with open(file, "w") as stream:
-        stream.write(template % (os.path.abspath(os.path.join(SCENES, scene)), variants))
-    return file
+def settings(*words):
+    return {"Set": list(words)}
 
 
-file = study("small", UNIFORM + HOPELESS)
+def sweep_of(*values):
+    return {**settings("Adaptivity->Strategy=None"), "Sweep": {
+        "Key": "Discretization->Stabilization->Gamma0", "Values": list(values)}}
+
+
+def uniform_to(levels):
+    return {"uniform h": settings("Adaptivity->Strategy=Uniform h",
+                                  "Adaptivity->Maximum Levels=%d" % levels)}
+
+
+FIXED_POINT = ("Solver->Coulomb Iteration=Fixed Point", "Solver->Coulomb Maximum Iterations=1")
+HOPELESS = {
+    "too strong": {"Override": {"Discretization": {"Stabilization": {"Gamma0": 10}}}},
+    "unconverged": settings("Adaptivity->Strategy=None", *FIXED_POINT),
+    "sweep": sweep_of("1e-6", "1e-3", "1")}
+HP = ("Adaptivity->Strategy=Adaptive hp", "Adaptivity->Marking Fraction=0.5")
+
+
+def up_to(unknowns, levels=100):
+    """Settings of a reference."""
+    return (*HP, "Adaptivity->Maximum Levels=%d" % levels,
+            "Adaptivity->Maximum Degrees of Freedom=%d" % unknowns)
+
+
+def study(name, variants, reference=up_to(700), scene="coulomb.xml", **more):
+    """The file of a study of one scene."""
+    file = {"File": os.path.abspath(os.path.join(SCENES, scene))}
+    return saved(name, {"Scenes": {scene[:-len(".xml")]: {
+        **file, **({"Reference": settings(*reference)} if reference else {})}},
+        "Variants": variants, **{key.replace("_", " "): value for key, value in more.items()}})
+
+
+file = study("small", {**uniform_to(5), **HOPELESS})
 folder = fresh("small")
 code, text = epafi("study", file, "--output", folder)
 claim(code == 3 and "3 variants were not solved" in text,
@@ -117,7 +101,8 @@ for name in ("convergence", "time", "contact_stress", "work-precision", "exponen
         picture = os.path.join(folder, name + ending)
         claim(os.path.isfile(picture) and os.path.getsize(picture) > 5000,
               name + ending + " is drawn")
-claim(os.path.isfile(os.path.join(folder, "uniform_h", "mesh.png")),
+claim(all(os.path.isfile(os.path.join(folder, "uniform_h", name + ".png")) for name in (
+    "convergence", "time", "contributions", "mesh", "contact", "deformed")),
       "and a variant's own pictures")
 swept = [row for row in rows if row["variant"].startswith("sweep") and row["folder"]]
 claim(len(swept) == 2 and all(sorted(os.listdir(os.path.join(folder, row["folder"]))) ==
@@ -127,18 +112,11 @@ claim(all(row["error_path"] == row["worst_step"] == "" for row in uniform),
       "one load is no path")
 
 # a path: every step is compared, the worst one is named
-PATH = STUDY.replace("Adaptivity->Maximum Levels=100, Adaptivity->Maximum Degrees of Freedom=700",
-                     "Adaptivity->Maximum Levels=3, Adaptivity->Maximum Degrees of Freedom=900")
-SAME = """
-    <ParameterList name="%s">
-      <Parameter name="Set" type="Array(string)" value="{
-        Adaptivity->Strategy=Adaptive hp, Adaptivity->Marking Fraction=0.5,
-        Adaptivity->Maximum Levels=3, History->Steps={%s}}"/>
-    </ParameterList>"""
-path = study("path", SAME % ("same", "1, 1, 1") + SAME % ("halved", "2, 2, 2"), PATH,
-             "there-and-back.xml")
+path = study("path", {name: settings(*HP, "Adaptivity->Maximum Levels=3", "History->Steps={%s}" % steps)
+                      for name, steps in (("same", "1, 1, 1"), ("halved", "2, 2, 2"))},
+             up_to(900, 3), "there-and-back.xml")
 paths = fresh("path")
-code, text = epafi("study", path, "--output", paths)
+code, text = epafi("study", path, "--output", paths, "--no-plot")
 rows = table(os.path.join(paths, "study.csv"))
 claim(code == 0, "a study of paths (exit %d) %s" % (code, "" if code == 0 else text))
 same, halved = of("same"), of("halved")
@@ -151,28 +129,28 @@ for row in same[:-1]:
 claim(same[1]["error_path"] < same[0]["error_path"], "it falls")
 claim(halved[-1]["error_path"] > 0 and halved[-1]["worst_step"] in (2, 4, 6),
       "with other steps, those at common times are compared: %d" % halved[-1]["worst_step"])
-claim(os.path.isfile(os.path.join(paths, "path.png")), "path.png is drawn")
+alone = fresh("path alone")  # without the folders of its variants, whose pictures others draw
+os.makedirs(alone)
+for name in ("study.csv", "used.xml"):
+    shutil.copy(os.path.join(paths, name), alone)
+code, text = epafi("plot", alone)
+claim(code == 0 and os.path.isfile(os.path.join(alone, "path.png")), "path.png is drawn: " + text)
 
 # --quiet draws, and says nothing; pictures that cannot be drawn are told
-sweep = study("sweep", HOPELESS[HOPELESS.index('    <ParameterList name="sweep">'):])
+sweep = study("sweep", {"sweep": HOPELESS["sweep"]})
 quiet = fresh("quiet")
 code, text = epafi("study", sweep, "--output", quiet, "--quiet")
 claim(code == 3 and os.path.isfile(os.path.join(quiet, "sweep.png")) and
       text.startswith("epafi: 1 variant was"), "--quiet draws all the same: " + text)
-with open(sweep) as stream:
-    good = stream.read().replace("1e-6, 1e-3, 1}", "1e-6, 1e-3}")
-with open(sweep, "w") as stream:
-    stream.write(good)
+sweep = study("sweep", {"sweep": sweep_of("1e-6", "1e-3")})
 os.makedirs(os.path.join(fresh("undrawn"), "sweep.png"))
 code, text = epafi("study", sweep, "--output", os.path.join(WORK, "undrawn"))
 claim(code == 1 and "cannot be drawn" in text, "pictures that fail end with 1 (exit %d)" % code)
 
 # solutions of a sweep, if asked for
-with open(sweep, "w") as stream:
-    stream.write(good.replace('<ParameterList name="Scenes">', """<Parameter name="Keep Solutions"
-      type="bool" value="true"/><ParameterList name="Scenes">""", 1))
+sweep = study("kept", {"sweep": sweep_of("1e-6", "1e-3")}, Keep_Solutions=True)
 kept = fresh("kept")
-code, text = epafi("study", sweep, "--output", kept, "--quiet")
+code, text = epafi("study", sweep, "--output", kept, "--quiet", "--no-plot")
 value = os.path.join(kept, table(os.path.join(kept, "study.csv"))[-1]["folder"])
 code, text = epafi("fields", value, "--grid", "3,3")
 claim(code == 0 and os.path.isfile(os.path.join(value, "fields.csv")),
@@ -180,44 +158,29 @@ claim(code == 0 and os.path.isfile(os.path.join(value, "fields.csv")),
 
 # a variant of several bodies keeps their sums on all levels, and so does a run that goes on from it
 TWO = ["Adaptivity->Strategy=Uniform h"]
-with open(os.path.join(WORK, "bodies.xml"), "w") as stream:
-    stream.write("""<ParameterList name="Study of two bodies">
-  <Parameter name="Keep Solutions" type="bool" value="true"/>
-  <ParameterList name="Scenes"><ParameterList name="two">
-    <Parameter name="File" type="string" value="%s"/></ParameterList></ParameterList>
-  <ParameterList name="Variants"><ParameterList name="few">
-    <Parameter name="Set" type="Array(string)" value="{%s, Adaptivity->Maximum Levels=2}"/>
-  </ParameterList></ParameterList>
-</ParameterList>""" % (os.path.abspath(os.path.join(SCENES, "two-blocks.xml")), ", ".join(TWO)))
+file_of = study("two", {"few": settings(*TWO, "Adaptivity->Maximum Levels=2")}, None,
+                "two-blocks.xml", Keep_Solutions=True)
 folders = fresh("bodies"), fresh("bodies.run")
-code, text = epafi("study", os.path.join(WORK, "bodies.xml"), "--output", folders[0], "--quiet",
-                   "--no-plot")
+code, text = epafi("study", file_of, "--output", folders[0], "--quiet", "--no-plot")
 few = os.path.join(folders[0], "few")
-settings = [word for setting in TWO + ["Adaptivity->Maximum Levels=3"] for word in ("--set", setting)]
+more = [word for setting in TWO + ["Adaptivity->Maximum Levels=3"] for word in ("--set", setting)]
 two_blocks = os.path.join(SCENES, "two-blocks.xml")
-epafi("run", two_blocks, "--output", folders[1], *settings)
+epafi("run", two_blocks, "--output", folders[1], *more)
 expected = table(os.path.join(folders[1], "bodies.csv"))
 file_of = os.path.join(few, "bodies.csv")
 claim(code == 0 and os.path.exists(file_of) and
       table(file_of) == [row for row in expected if row["level"] < 2],
       "a study keeps bodies.csv of all levels: " + text)
-code, text = epafi("run", two_blocks, "--restart", few, *settings)
+code, text = epafi("run", two_blocks, "--restart", few, *more)
 claim(code == 0 and table(file_of) == expected, "and a run goes on with it: " + text[-200:])
 
 # a load path keeps its steps, and the fields of each
-with open(os.path.join(WORK, "path.xml"), "w") as stream:
-    stream.write("""<ParameterList name="Study of a path">
-  <Parameter name="Keep Solutions" type="bool" value="true"/>
-  <ParameterList name="Scenes"><ParameterList name="fretting">
-    <Parameter name="File" type="string" value="%s"/></ParameterList></ParameterList>
-  <ParameterList name="Variants"><ParameterList name="coarse">
-    <Parameter name="Set" type="Array(string)" value="{History->Times={1, 2}, History->Steps={1, 2},
-      Discretization->Elements per Edge={2, 2, 2, 3, 1, 4, 10, 4, 1, 3, 2, 2, 2, 3, 3, 3},
-      Adaptivity->Strategy=Adaptive h, Adaptivity->Maximum Levels=2}"/>
-  </ParameterList></ParameterList>
-</ParameterList>""" % os.path.abspath(os.path.join(SCENES, "fretting.xml")))
+file_of = study("paths", {"coarse": settings(
+    "History->Times={1, 2}", "History->Steps={1, 2}", "Adaptivity->Strategy=Adaptive h",
+    "Discretization->Elements per Edge={2, 2, 2, 3, 1, 4, 10, 4, 1, 3, 2, 2, 2, 3, 3, 3}",
+    "Adaptivity->Maximum Levels=2")}, None, "fretting.xml", Keep_Solutions=True)
 paths = fresh("paths")
-code, text = epafi("study", os.path.join(WORK, "path.xml"), "--output", paths, "--quiet")
+code, text = epafi("study", file_of, "--output", paths, "--quiet", "--no-plot")
 steps = table(os.path.join(paths, "coarse", "steps.csv")) if code == 0 else []
 claim([(row["level"], row["step"]) for row in steps] == [(k, i) for k in (0, 1) for i in (1, 2, 3)],
       "a study of a load path keeps steps.csv: %d rows %s" % (len(steps), text))
@@ -228,48 +191,35 @@ claim(code == 0, "and what is inside at each step: " + text.strip())
 code, text = epafi("study", file, "--output", folder)
 claim(code == 1 and "--force" in text and "keeps its references" in text and
       "--restart" not in text, "an earlier study is not overwritten; the advice is a study's")
-again = study("again", UNIFORM)
-code, text = epafi("study", again, "--output", folder, "--force")
+again = study("again", uniform_to(5))
+code, text = epafi("study", again, "--output", folder, "--force", "--no-plot")
 claim(code == 0 and "kept from before" in text, "the reference is kept")
 claim([row["error"] for row in table(os.path.join(folder, "study.csv"))[1:]] ==
       [row["error"] for row in uniform], "and gives the same errors")
 # but not one of another scene, nor a damaged one
-coarse = UNIFORM.replace("Levels=5", "Levels=2")
-with open(study("changed", coarse), "r+") as stream:
-    other = stream.read().replace("Freedom=700", "Freedom=300")
-    stream.seek(0)
-    stream.truncate()
-    stream.write(other)
-code, text = epafi("study", os.path.join(WORK, "changed.xml"), "--output", folder, "--force")
+changed = study("changed", uniform_to(2), up_to(300))
+code, text = epafi("study", changed, "--output", folder, "--force", "--no-plot")
 claim(code == 0 and "reference computed" in text, "a reference of other settings is not taken")
 with open(os.path.join(folder, "reference-coulomb.hdf"), "r+b") as stream:
     stream.truncate(20000)
-code, text = epafi("study", os.path.join(WORK, "changed.xml"), "--output", folder, "--force")
+code, text = epafi("study", changed, "--output", folder, "--force", "--no-plot")
 claim(code == 0 and "reference computed" in text, "nor a damaged one")
 
 # nor one that was interrupted, did not converge or failed: of these there is no file
-endless = study("endless", UNIFORM)
-with open(endless, "r+") as stream:
-    other = stream.read().replace("Freedom=700", "Freedom=700000")
-    stream.seek(0)
-    stream.write(other)
+endless = study("endless", uniform_to(5), up_to(700000))
 stopped = fresh("endless")
 process = subprocess.Popen([EPAFI, "study", endless, "--output", stopped, "--no-plot"],
                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-time.sleep(2)
+while not os.path.exists(os.path.join(stopped, "used.xml")):
+    time.sleep(0.01)
+time.sleep(0.2)  # the reference is being computed
 process.send_signal(signal.SIGINT)
 claim(process.wait() == 130 and "used.xml" in os.listdir(stopped) and
       "reference-coulomb.hdf" not in os.listdir(stopped),
       "an interrupted reference is not kept: " + " ".join(sorted(os.listdir(stopped))))
-for name, more in [("unconverged", "Solver->Coulomb Iteration=Fixed Point, "
-                    "Solver->Coulomb Maximum Iterations=1"),
-                   ("small", "Adaptivity->Maximum Degrees of Freedom=10")]:
-    file_of = study("reference " + name, coarse)
-    with open(file_of, "r+") as stream:
-        other = stream.read().replace("Adaptivity->Maximum Degrees of Freedom=700", more)
-        stream.seek(0)
-        stream.truncate()
-        stream.write(other)
+for name, reference in (("unconverged", (*HP, "Adaptivity->Maximum Levels=100", *FIXED_POINT)),
+                        ("small", up_to(10))):
+    file_of = study("reference " + name, uniform_to(2), reference)
     failing = fresh("reference " + name)
     code, text = epafi("study", file_of, "--output", failing, "--no-plot")
     rows = table(os.path.join(failing, "study.csv"))
@@ -283,40 +233,32 @@ for name, more in [("unconverged", "Solver->Coulomb Iteration=Fixed Point, "
 parent = fresh("parent")
 os.makedirs(parent)
 shutil.copy(os.path.join(folder, "uniform_h", "history.csv"), parent)
-dots = study("dots", coarse.replace("uniform h", ".."))
-with open(dots, "r+") as stream:
-    other = stream.read().replace("Freedom=700", "Freedom=100")
-    stream.seek(0)
-    stream.write(other)
+dots = study("dots", {"..": uniform_to(2)["uniform h"]}, up_to(100))
 code, text = epafi("study", dots, "--output", os.path.join(parent, "own"), "--no-plot", "--quiet")
 claim(code == 0 and "history.csv" in os.listdir(parent) and "used.xml" not in os.listdir(parent)
       and "_.." in os.listdir(os.path.join(parent, "own")), "a variant named '..': " + text)
 
 for name, variants, words in [
-        ("key", UNIFORM.replace("Maximum Levels", "Maximum Level"),
+        ("key", {"uniform h": settings("Adaptivity->Maximum Level=5")},
          ["Variants->uniform h", "'Maximum Levels'"]),
-        ("name", UNIFORM.replace('"Set"', '"Sets"'), ["Variants->uniform h->Sets", "'Set'"]),
-        ("scenes", UNIFORM.replace('<Parameter name="Set"', """
-      <Parameter name="Scenes" type="Array(string)" value="{coulmb}"/>
-      <Parameter name="Set\""""), ["Variants->uniform h->Scenes", "'coulomb'"]),
-        ("none", "", ["Variants"])]:
+        ("name", {"uniform h": {"Sets": ["Adaptivity->Maximum Levels=5"]}},
+         ["Variants->uniform h->Sets", "'Set'"]),
+        ("scenes", {"uniform h": {**uniform_to(5)["uniform h"], "Scenes": ["coulmb"]}},
+         ["Variants->uniform h->Scenes", "'coulomb'"]),
+        ("none", {}, ["Variants"])]:
     code, text = epafi("study", study(name, variants), "--output", fresh(name))
     claim(code == 1 and all(word in text for word in words),
           "wrong %s: %s" % (name, text.strip()[:200]))
-code, text = epafi("study", study("weights", UNIFORM).replace("weights.xml", "nowhere.xml"))
+code, text = epafi("study", os.path.join(WORK, "nowhere.xml"))
 claim(code == 1 and "nowhere.xml" in text, "a missing study is refused")
 code, text = epafi("study", file, "--set", "Solver->Tolerance=1")
 claim(code == 1 and "unknown option" in text, "a study takes no --set")
 # what only a mesh shows to be no number fails its variant, not the study
-undefined = study("undefined", """
-    <ParameterList name="bad">
-      <Parameter name="Set" type="Array(string)" value="{
-        Adaptivity->Strategy=None, Bodies->block->Rigid Motions=,
-        Bodies->block->Boundary Conditions->side={Type=Dirichlet, Displacement X=sqrt(x-100)}}"/>
-    </ParameterList>
-    <ParameterList name="good">
-      <Parameter name="Set" type="Array(string)" value="{Adaptivity->Strategy=None}"/>
-    </ParameterList>""", re.sub('<ParameterList name="Reference">.*?</ParameterList>', "", STUDY, flags=re.S))
+undefined = study("undefined", {
+    "bad": settings("Adaptivity->Strategy=None", "Bodies->block->Rigid Motions=",
+                    "Bodies->block->Boundary Conditions->side="
+                    "{Type=Dirichlet, Displacement X=sqrt(x-100)}"),
+    "good": settings("Adaptivity->Strategy=None")}, None)
 folder = fresh("undefined")
 code, text = epafi("study", undefined, "--output", folder, "--no-plot")
 rows = table(os.path.join(folder, "study.csv"))

@@ -4,7 +4,7 @@ import math
 import os
 
 from runs import WORK, claim, differ, epafi, finish, fresh, rows, solved
-from written import (BIORTHOGONAL, block, body, condition, contact, friction, listed,
+from written import (block, body, condition, contact, friction, listed,
                      parameter, rigid, written)
 
 E, NU, DELTA = 1.0, 0.3, 0.01

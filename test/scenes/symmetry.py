@@ -2,11 +2,9 @@
 
 Where solutions are smooth both resolve them to rounding, which the claims ask for; the half has
 elements on the line, which the whole has not, so that elsewhere they agree within estimates."""
-import json
-import math
 import os
 
-from runs import WORK, claim, differ, epafi, finish, fresh, rows, solved
+from runs import WORK, claim, differ, epafi, finish, fresh, rows, saved, solved
 
 DEGREE = 16
 STEEL = {"Young's Modulus": 1, "Poisson's Ratio": 0.3}
@@ -35,15 +33,11 @@ def block(low, high, whole, count=2, width=1, y=False):
             "Mesh": {"Elements per Edge": counts}}
 
 
-def saved(name, bodies, whole, axis="X", **more):
+def file_of(name, bodies, whole, axis="X", **more):
     scene = {"Bodies": bodies, "Discretization": {"Mesh Size": 1, "Degree": DEGREE}, **more}
     if not whole:
         scene["Geometry"] = {"Symmetry": axis}
-    os.makedirs(WORK, exist_ok=True)
-    path = os.path.join(WORK, name + (" whole" if whole else " half") + ".yaml")
-    with open(path, "w") as file:
-        json.dump({"Symmetry": scene}, file)
-    return path
+    return saved(name + (" whole" if whole else " half"), scene)
 
 
 # what nothing else holds in the whole; the line does it in the half
@@ -144,7 +138,7 @@ def compare(name, half, other, sharp=1e-9, tractions=1e-6):
 
 def pair(name, scene, *settings, sharp=1e-9, tractions=1e-6, **more):
     """A scene as a function of `whole`; the folder of its half."""
-    folders = [solved(name + " " + which, saved(name, scene(which == "whole"), which == "whole",
+    folders = [solved(name + " " + which, file_of(name, scene(which == "whole"), which == "whole",
                                                 **more), *settings)[0]
                for which in ("half", "whole")]
     compare(name, *folders, sharp=sharp, tractions=tractions)
@@ -159,7 +153,7 @@ claim(row["contact_y"] > 0.001 and row["contact_x"] == row["reaction_x"] == 0 an
 claim(abs(row["reaction_y"] + row["contact_y"]) < 1e-10 * row["contact_y"], "in balance")
 
 # turned by a right angle
-folder = solved("Y", saved("Y", on_obstacle_turned(), False, "Y"))[0]
+folder = solved("Y", file_of("Y", on_obstacle_turned(), False, "Y"))[0]
 other = rows(folder, "history.csv")[-1]
 claim(all(differ(row[c], other[c]) < 1e-9 for c in (
     "energy_strain", "energy_friction", "force_normal", "contact_length", "estimate")) and
@@ -171,7 +165,7 @@ left = on_obstacle(False)
 geometry = left["block"]["Geometry"]
 geometry["Vertices"] = [[-x if x else 1e-7 * y, y] for x, y in geometry["Vertices"][::-1]]
 geometry["Edges"] = ["top", "side", "bottom", "any"]
-folder = solved("left", saved("left", left, False))[0]
+folder = solved("left", file_of("left", left, False))[0]
 other = rows(folder, "history.csv")[-1]
 claim(all(differ(row[c], other[c]) < 1e-9 for c in ("energy_strain", "energy_friction", "estimate")),
       "the left half is as good as the right one")
@@ -241,7 +235,7 @@ def joints(whole):
             for name in ("pad", "other")[:2 if whole else 1]}
 
 
-half, whole = (solved("pads %d" % w, saved("pads", pads(w), w, Contacts=joints(w), History=PATH),
+half, whole = (solved("pads %d" % w, file_of("pads", pads(w), w, Contacts=joints(w), History=PATH),
                       "Discretization->Degree=3")[0] for w in (False, True))
 here, there = ({r["body"]: r for r in rows(f, "bodies.csv")} for f in (half, whole))
 E = [rows(f, "history.csv")[-1] for f in (half, whole)]
@@ -268,7 +262,7 @@ GRADED = ["Adaptivity->Strategy=Graded hp", "Adaptivity->Maximum Levels=8",
           "Discretization->Degree=2", "Bodies->block->Boundary Conditions->bottom->Gap=0.05*x^2",
           "Bodies->block->Boundary Conditions->top->Displacement X=0"]
 CONSTANT = {"Law": "Coulomb", "Coefficient": 0.3}
-folders = [solved("graded %d" % w, saved("graded", on_obstacle(w, CONSTANT, "-0.03", 4, {}), w),
+folders = [solved("graded %d" % w, file_of("graded", on_obstacle(w, CONSTANT, "-0.03", 4, {}), w),
                   *GRADED)[0] for w in (False, True)]
 half, whole = (rows(f, "history.csv") for f in folders)
 worst = max(differ(a["estimate_relative"], b["estimate_relative"]) for a, b in zip(half, whole))
@@ -278,7 +272,7 @@ claim(all(differ(half[-1][c], whole[-1][c]) < whole[-1]["estimate_relative"]**2
           for c in ("energy_strain", "force_normal")) and
       half[-1]["dof"] < 0.65 * whole[-1]["dof"], "as good with %d unknowns as with %d" % (
           half[-1]["dof"], whole[-1]["dof"]))
-name = saved("graded", on_obstacle(False, CONSTANT, "-0.03", 4, {}), False)
+name = file_of("graded", on_obstacle(False, CONSTANT, "-0.03", 4, {}), False)
 folder = solved("compressed", name, *GRADED, "Solver->Linear->Method=Compressed")[0]
 other = rows(folder, "history.csv")[-1]
 claim(other["operators"] == "compressed" and all(
@@ -316,7 +310,7 @@ for place, points, sharp in (("off the line", (0, 1), 1e-6), ("on the line", (2,
 
 # bad input
 def refused(name, scene, *words, **more):
-    code, text = epafi("check", saved(name, scene, False, **more))
+    code, text = epafi("check", file_of(name, scene, False, **more))
     claim(code == 1 and text.count("\n") <= 2 and all(w in text for w in words),
           "%s: %s" % (name, text.strip()))
 
@@ -348,6 +342,6 @@ bulging["block"]["Mesh"] = {"Elements per Edge": [1] * 5}
 refused("bulge", bulging, "beyond the line of symmetry")
 bulging["block"]["Geometry"].update({"Edges": ["bottom", "symmetry", "top", "any", "any"], "Bulges": [0] * 5})
 refused("name", bulging, "'symmetry'", "take another name")
-code, text = epafi("check", saved("good", on_obstacle(False), False), "--set", "Geometry->Symmetry=Z")
+code, text = epafi("check", file_of("good", on_obstacle(False), False), "--set", "Geometry->Symmetry=Z")
 claim(code == 1 and "Geometry->Symmetry" in text, text.strip())
 finish()

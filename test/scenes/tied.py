@@ -1,7 +1,7 @@
 """Law "Tied": bonded bodies carry tension and shear, and are as one."""
 import os
 
-from runs import WORK, claim, differ, finish, run, table
+from runs import WORK, claim, differ, finish, largest, run, table
 from written import (block, body, condition, contact, friction, listed, mesh, parameter, rigid,
                      tied, written)
 
@@ -9,10 +9,6 @@ PULL = condition("top", "Neumann", Traction_Y="1")
 ROLLER = condition("bottom", "Dirichlet", Displacement_Y="0")
 CLAMP = condition("left", "Dirichlet", Displacement_X="0", Displacement_Y="0")
 GIVEN = parameter("Interference", "string", "-0.002")
-
-
-def largest(values):
-    return max(abs(value) for value in values)
 
 
 def boundary(name, where):

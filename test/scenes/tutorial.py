@@ -6,7 +6,7 @@ import re
 import shlex
 import subprocess
 
-from runs import EPAFI, SCENES, WORK, claim, finish, fresh, table
+from runs import EPAFI, SCENES, claim, finish, fresh, table
 
 PAGE = os.path.join(SCENES, "..", "..", "doc", "tutorial.md")
 HERE = fresh("reader")

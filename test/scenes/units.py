@@ -1,50 +1,23 @@
 """A steel block in (Pa, m) and in (MPa, mm): the same digits after conversion."""
-import os
-
-from runs import ENERGIES, FORCES, MOMENTS, WORK, claim, differ, finish, levels, run
-
-SCENE = """<ParameterList name="Steel">
-<ParameterList name="Bodies"><ParameterList name="block">
-<ParameterList name="Material">
-<Parameter name="Young's Modulus" type="double" value="{E!r}"/>
-<Parameter name="Poisson's Ratio" type="double" value="0.3"/>
-</ParameterList>
-<ParameterList name="Geometry">
-<Parameter name="Vertices" type="TwoDArray(double)" value="4x2:{{0,0, {a},0, {a},{b}, 0,{b}}}"/>
-<Parameter name="Edges" type="Array(string)" value="{{base, right, top, left}}"/>
-</ParameterList>
-<ParameterList name="Boundary Conditions">
-<ParameterList name="base"><Parameter name="Type" type="string" value="Contact"/>
-<Parameter name="Gap" type="string" value="1e-4*(x/{L}-0.9)^2*{L}"/>
-<ParameterList name="Friction"><Parameter name="Law" type="string" value="{law}"/>
-<Parameter name="{key}" type="string" value="{strength}"/></ParameterList>
-</ParameterList>
-<ParameterList name="left"><Parameter name="Type" type="string" value="Dirichlet"/>
-<Parameter name="Displacement X" type="string" value="0"/></ParameterList>
-<ParameterList name="top"><Parameter name="Type" type="string" value="Neumann"/>
-<Parameter name="Traction X" type="string" value="2e6*{S}"/>
-<Parameter name="Traction Y" type="string" value="-9e6*{S}*(1 + x/{L})"/></ParameterList>
-</ParameterList>
-</ParameterList></ParameterList>
-<ParameterList name="Discretization">
-<Parameter name="Elements per Edge" type="Array(int)" value="{{8, 4, 8, 4}}"/>
-<Parameter name="Degree" type="int" value="2"/>
-</ParameterList>
-</ParameterList>
-"""
+from runs import ENERGIES, FORCES, MOMENTS, claim, differ, finish, levels, run, saved
 
 
 def solve(name, length, stress, law):
     """length, stress: what 1 m and 1 Pa are in the scene's units."""
-    strength = {"Coulomb": ("Coefficient", "0.2"),
-                "Tresca": ("Threshold", "1.5e6*%r" % stress)}[law]
-    os.makedirs(WORK, exist_ok=True)
-    file = os.path.join(WORK, name + ".xml")
-    with open(file, "w") as stream:
-        stream.write(SCENE.format(E=2.1e11 * stress, a=2.0 * length, b=1.0 * length,
-                                  L=length, S=stress, law=law, key=strength[0],
-                                  strength=strength[1]))
-    return run(file, name, levels(2))
+    strength = {"Coulomb": {"Coefficient": "0.2"},
+                "Tresca": {"Threshold": "1.5e6*%r" % stress}}[law]
+    block = {
+        "Material": {"Young's Modulus": 2.1e11 * stress, "Poisson's Ratio": 0.3},
+        "Geometry": {"Vertices": [[0, 0], [2 * length, 0], [2 * length, length], [0, length]],
+                     "Edges": ["base", "right", "top", "left"]},
+        "Boundary Conditions": {
+            "base": {"Type": "Contact", "Gap": "1e-4*(x/%r-0.9)^2*%r" % (length, length),
+                     "Friction": {"Law": law, **strength}},
+            "left": {"Type": "Dirichlet", "Displacement X": "0"},
+            "top": {"Type": "Neumann", "Traction X": "2e6*%r" % stress,
+                    "Traction Y": "-9e6*%r*(1 + x/%r)" % (stress, length)}}}
+    return run(saved(name, {"Bodies": {"block": block}, "Discretization": {
+        "Elements per Edge": [8, 4, 8, 4], "Degree": 2}}), name, levels(2))
 
 
 for law in ("Coulomb", "Tresca"):

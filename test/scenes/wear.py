@@ -1,6 +1,5 @@
 """Wear along paths: closed forms, its balance, fretting, jumps over cycles; dense and compressed,
 in all bases, either side first."""
-import math
 import os
 
 from runs import WORK, claim, differ, epafi, finish, fresh, rows, solved

@@ -106,9 +106,14 @@ class Pictures:
         self.names.append(name)
         if self.only:
             return
-        for ending in self.looks.endings:
-            figure.savefig(os.path.join(self.folder, "%s.%s" % (name, ending)), dpi=figure.dpi,
-                           bbox_inches=None if self.looks.size else "tight")
+        figure.canvas.draw()  # lays it out, once for all endings
+        box = None if self.looks.size else figure.get_tightbbox().padded(
+            plt.rcParams["savefig.pad_inches"])
+        with plt.rc_context({"figure.constrained_layout.use": False}):
+            figure.set_layout_engine(None)
+            for ending in self.looks.endings:
+                figure.savefig(os.path.join(self.folder, "%s.%s" % (name, ending)),
+                               dpi=figure.dpi, bbox_inches=box)
         plt.close(figure)
 
 
