@@ -1,6 +1,8 @@
 #pragma once
 
-#include <memory>
+#include "drivers/output/Hdf5Handle.hpp"
+
+#include <array>
 #include <string>
 #include <vector>
 
@@ -14,22 +16,26 @@ namespace epafi::drivers {
 class Hdf5Writer {
  public:
   Hdf5Writer();
-  ~Hdf5Writer();
-  Hdf5Writer(const Hdf5Writer&) = delete;
-  Hdf5Writer& operator=(const Hdf5Writer&) = delete;
 
-  /// Row by row, `columns` numbers each.  For T = double, int, long long, unsigned char.
+  /// Row by row, `columns` numbers each.
   template <class T>
-  void array(const std::string& name, const std::vector<T>& values,
-             long long columns = 1);
+  void array(const std::string& name, const std::vector<T>& values, hsize_t columns = 1) {
+    const std::array<hsize_t, 2> size = {values.size() / columns, columns};
+    const T none{};  // HDF5 wants an address
+    dataset(name, hdf5Type<T>(), simpleSpace(columns == 1 ? 1 : 2, size.data()),
+            values.empty() ? &none : values.data());
+  }
   /// A text of any length, in ASCII or UTF-8, as one string of fixed length.
   void text(const std::string& name, const std::string& value);
 
-  /// Attributes of a group.  One number is stored without dimension.  For T = int,
-  /// double, unsigned long long.
+  /// Attributes of a group.  One number is stored without dimension.
   template <class T>
   void attribute(const std::string& group, const std::string& name,
-                 const std::vector<T>& values);
+                 const std::vector<T>& values) {
+    const hsize_t size = values.size();
+    attribute(group, name, hdf5Type<T>(), simpleSpace(size == 1 ? 0 : 1, &size),
+              values.data());
+  }
   void attribute(const std::string& group, const std::string& name,
                  const std::string& value);
 
@@ -37,8 +43,16 @@ class Hdf5Writer {
   std::string bytes() const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  static Hdf5Handle simpleSpace(int rank, const hsize_t* size = nullptr);
+  void dataset(const std::string& name, hid_t type, const Hdf5Handle& space,
+               const void* data);
+  void attribute(const std::string& group, const std::string& name, hid_t type,
+                 const Hdf5Handle& space, const void* value);
+
+  QuietHdf5 quiet_;
+  Hdf5Handle links_;     ///< groups on the way to a name are made
+  Hdf5Handle creation_;  ///< without times the same calls make the same bytes
+  Hdf5Handle file_;
 };
 
 }  // namespace epafi::drivers
