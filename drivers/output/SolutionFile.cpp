@@ -2,8 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "drivers/output/BoundaryVtk.hpp"
-#include "drivers/output/Hdf5Reader.hpp"
-#include "drivers/output/Hdf5Writer.hpp"
+#include "drivers/output/Hdf5File.hpp"
 #include "drivers/scene/Text.hpp"
 
 #include <boost/crc.hpp>
