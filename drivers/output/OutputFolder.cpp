@@ -31,8 +31,10 @@ constexpr const char* madeFiles[] = {"fields.csv", "fields.vtu", "fields-window.
 
 /// Pictures of these names, or of fields, .png, .svg and .pdf.    [python/epafi/plot]
 constexpr const char* pictures[] = {
-    "convergence", "time", "contributions", "mesh", "deformed", "contact", "path", "rigid", "steps", "contact_stress",
-    "effectivity", "work-precision", "exponential", "sweep", "sweep_forces", "sweep_contact", "scene"};
+    "convergence",   "time",           "contributions", "mesh",  "deformed",
+    "contact",       "path",           "rigid",         "steps", "contact_stress",
+    "effectivity",   "work-precision", "exponential",   "sweep", "sweep_forces",
+    "sweep_contact", "scene"};
 
 template <class Names>
 bool isAmong(const Names& names, const std::string& name) {
