@@ -56,6 +56,13 @@ void takeArgument(const Command& command, const std::string& text, Given& given)
   given.argument = text;
 }
 
+void requireArgument(const Command& command, const Given& given) {
+  if (given.argument.empty() && !command.argument.name.empty() &&
+      command.argument.required && !given.has(help.name))
+    throw InputError(command.name, ": no ", command.argument.what,
+                     " is given; usage: ", usageLine(command));
+}
+
 }  // namespace
 
 std::string Given::value(const std::string& option, const std::string& otherwise) const {
@@ -97,10 +104,7 @@ Given parseArguments(const Command& command, const std::vector<std::string>& arg
   }
   for (const Option& option : command.options)
     checkValues(command, option, given.values(option.name));
-  if (given.argument.empty() && !command.argument.name.empty() &&
-      command.argument.required && !given.has(help.name))
-    throw InputError(command.name, ": no ", command.argument.what,
-                     " is given; usage: ", usageLine(command));
+  requireArgument(command, given);
   return given;
 }
 
