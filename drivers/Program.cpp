@@ -1,7 +1,7 @@
 #include "drivers/Program.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/commands/CommandTable.hpp"
+#include "drivers/commands/Command.hpp"
 #include "drivers/process/ExitCode.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/process/Resources.hpp"

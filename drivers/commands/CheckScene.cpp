@@ -5,8 +5,8 @@
 #include "drivers/output/Csv.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/run/NextLevel.hpp"
-#include "drivers/run/SceneWarnings.hpp"
 #include "drivers/run/UnheldMotions.hpp"
+#include "drivers/run/Warnings.hpp"
 #include "drivers/scene/SceneReader.hpp"
 #include "drivers/scene/Text.hpp"
 

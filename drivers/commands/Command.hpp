@@ -54,6 +54,16 @@ struct Command {
   int (*run)(const Given& given, std::ostream& out, const Ranks& ranks);
 };
 
+/// All commands of the program, in the order of its help.  This table alone feeds the
+/// parser, --help, the man page and the completion of the shell
+/// (`description`).
+const std::vector<Command>& commands();
+
+/// Does what the arguments of main say, the program's name left out.  Returns the exit code.
+/// \throws bem::InputError for an unknown command, naming the nearest and all others, and
+///   what the command throws.
+int dispatch(const std::vector<std::string>& arguments, const Ranks& ranks);
+
 /// Of the arguments that follow the command's name, options before or behind the argument,
 /// values as `--key value` or `--key=value`.  `--help` is an option of every command.
 /// \throws bem::InputError for an unknown option, naming the nearest, a missing or

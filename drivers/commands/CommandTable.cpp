@@ -1,5 +1,3 @@
-#include "drivers/commands/CommandTable.hpp"
-
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
 #include "drivers/commands/Commands.hpp"
@@ -101,17 +99,6 @@ Option of(const std::string& standard) {
           "only these; default: " + standard,
           Offer::Words,
           {"scene", "study"}};
-}
-
-/// How pictures look.
-std::vector<Option> looks() {
-  return {
-      {"--size", "W,H", "of a picture in inches, exactly; default: by its content"},
-      {"--dpi", "N", "pixels per inch, 10 to 1200; default: 110"},
-      {"--font", "P", "points of the text; default: 10"},
-      {"--units", "LENGTH,STRESS", "names of the scene's units for labels, as mm,MPa"},
-      {"--pdf", "", "PDF beside PNG and SVG"},
-      {"--no-title", "", "without titles"}};
 }
 
 std::vector<Option> with(std::vector<Option> options, const std::vector<Option>& more) {
@@ -223,6 +210,16 @@ std::string synonym(const std::string& name) {
 }
 
 }  // namespace
+
+std::vector<Option> looks() {
+  return {
+      {"--size", "W,H", "of a picture in inches, exactly; default: by its content"},
+      {"--dpi", "N", "pixels per inch, 10 to 1200; default: 110"},
+      {"--font", "P", "points of the text; default: 10"},
+      {"--units", "LENGTH,STRESS", "names of the scene's units for labels, as mm,MPa"},
+      {"--pdf", "", "PDF beside PNG and SVG"},
+      {"--no-title", "", "without titles"}};
+}
 
 const std::vector<Command>& commands() {
   static const std::vector<Command> table = makeCommands();

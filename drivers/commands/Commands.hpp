@@ -55,6 +55,8 @@ void writeWindow(const std::string& folder, const std::string& step,
 /// \throws bem::InputError for what is no window.
 void checkWindow(const std::string& window);
 
+/// Options for how pictures look.
+std::vector<Option> looks();
 /// `epafi plot DIR`
 int plotCommand(const Given& given, std::ostream& out);
 /// `epafi report DIR`: a page of HTML with the scene, the numbers and the pictures of a run.

@@ -2,6 +2,7 @@
 #include "bem/base/Suggestion.hpp"
 #include "drivers/commands/Commands.hpp"
 #include "drivers/output/BoundaryVtk.hpp"
+#include "drivers/output/Csv.hpp"
 #include "drivers/output/InsideVtu.hpp"
 #include "drivers/output/SolutionFile.hpp"
 #include "drivers/scene/SceneFile.hpp"
@@ -166,12 +167,9 @@ Points pointsOf(const std::string& file, const SavedRun& run) {
     ++number;
     if (line.find_first_not_of(" \t\r") == std::string::npos)
       continue;
-    const auto comma = line.find(',');
-    const auto second = line.find(',', comma + 1);
-    const auto x = trimmedNumber(line.substr(0, comma));
-    const auto y = comma == std::string::npos
-                       ? std::nullopt
-                       : trimmedNumber(line.substr(comma + 1, second - comma - 1));
+    const std::vector<std::string> cells = csvCells(line);
+    const auto x = trimmedNumber(cells[0]);
+    const auto y = cells.size() < 2 ? std::nullopt : trimmedNumber(cells[1]);
     if (number == 1 && !x && !y)
       continue;  // the names of the columns
     if (!x || !y)

@@ -1,7 +1,7 @@
 #include "bem/base/Error.hpp"
 #include "drivers/commands/Commands.hpp"
 #include "drivers/process/ChildProgram.hpp"
-#include "drivers/run/SceneWarnings.hpp"
+#include "drivers/run/Warnings.hpp"
 #include "drivers/scene/SceneReader.hpp"
 
 #include <filesystem>
@@ -30,15 +30,12 @@ int callPlot(std::vector<std::string> arguments) {
   return runChild(python, std::move(arguments), "plot", "install python3") ? 0 : 1;
 }
 
-/// The options of pictures' looks, as they are given.
+/// Those of `looks` that are given.
 std::vector<std::string> looksOf(const Given& given) {
   std::vector<std::string> texts;
-  for (const char* option : {"--size", "--dpi", "--font", "--units"})
-    if (given.has(option))
-      texts.push_back(std::string(option) + "=" + given.value(option));
-  for (const char* option : {"--pdf", "--no-title"})
-    if (given.has(option))
-      texts.emplace_back(option);
+  for (const auto& [name, value, meaning, offer, words, repeatable] : looks())
+    if (given.has(name))
+      texts.push_back(name + (value.empty() ? "" : "=" + given.value(name)));
   return texts;
 }
 

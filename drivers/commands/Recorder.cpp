@@ -1,18 +1,11 @@
 #include "drivers/commands/Recorder.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/output/BodiesTable.hpp"
-#include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/BoundaryVtk.hpp"
 #include "drivers/output/ContactTable.hpp"
-#include "drivers/output/Csv.hpp"
-#include "drivers/output/HistoryTable.hpp"
 #include "drivers/output/Inside.hpp"
 #include "drivers/output/PrintedTable.hpp"
-#include "drivers/output/SolutionFile.hpp"
-#include "drivers/output/StepsTable.hpp"
-#include "drivers/run/LevelWarnings.hpp"
-#include "drivers/scene/SceneReader.hpp"
+#include "drivers/run/Warnings.hpp"
 
 #include <algorithm>
 #include <ostream>
@@ -37,6 +30,10 @@ void writeInterior(const Scene& scene, const Level& level, OutputFolder& folder)
   folder.write("interior.csv", insides.csv(points, insides.at(points)));
 }
 
+std::function<std::string()> made(std::string text) {
+  return [text = std::move(text)] { return text; };
+}
+
 }  // namespace
 
 Recorder::Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
@@ -48,16 +45,13 @@ Recorder::Recorder(const Scene& scene, const std::optional<Checkpoint>& earlier,
       progress_(progress),
       table_(table),
       written_(std::move(written)),
-      used_(usedXml(scene)),
-      history_(earlier ? earlier->history : historyHead()),
-      bodies_(earlier && !earlier->bodies.empty() ? earlier->bodies : bodiesHead()),
-      steps_(earlier ? earlier->steps : ""),
+      tables_(scene, earlier),
       contact_(scene) {
   if (!folder_)
     return;
   if (earlier_)  // without rows of levels that did not make it
-    folder_->write("history.csv", history_);
-  folder_->write("used.xml", used_);
+    folder_->write("history.csv", tables_.history);
+  folder_->write("used.xml", tables_.used);
   folder_->drop("interior.csv");  // of an earlier level
   if (earlier_)
     last_ = earlier_->level;
@@ -67,56 +61,86 @@ void Recorder::take(const SolvedLevel& level) {
   ++levels_;
   if (!folder_)
     return;
-  note(level);
+  solved_ = solvedOf(level);
+  last_ = level.level;
+  const LevelRow& row = solved_->row;
+  tables_.addLevel(level, row);
+  files_ = {{"history.csv", made(tables_.history)}};
+  std::move(stepFiles_.begin(), stepFiles_.end(), std::back_inserter(files_));
+  stepFiles_.clear();
+  if (scene_.output.fields && !times_.empty())
+    files_.emplace_back("steps.pvd", made(stepsPvd(times_, "boundary.vtu")));
+  if (scene_.hasContact())
+    files_.emplace_back("contact.csv",
+                        made(times_.empty() ? contactCsv(scene_, level.bodies)
+                                            : std::exchange(contactOfStep_, {})));
+  if (scene_.output.fields)
+    files_.emplace_back("boundary.csv", [this, grid = solved_->grid] {
+      return boundaryCsv(scene_, *grid);
+    });
+  if (scene_.tellsBodies())
+    files_.emplace_back("bodies.csv", made(tables_.bodies));
+  times_.clear();
+  points_.clear();
+  contact_ = PathContact(scene_);
+  stages_ +=
+      bem::message("level ", row.level, ": ", contact::told(row.report.stages), "\n");
+  progress_.clear();
+  table_ << tableLine(row) << gamma0Note(row, scene_.stabilization.firstGamma0())
+         << operatorsNote(row) << worstStepNote(row) << std::flush;
   warnings_ = warningsOf(scene_, level);
-  if (level.row.operators == denseInstead)
-    told_.push_back(bem::message("level ", level.row.level, ": ", level.row.note));
+  if (row.operators == denseInstead)
+    told_.push_back(bem::message("level ", row.level, ": ", row.note));
   warnings_.insert(warnings_.begin(), told_.begin(), told_.end());
-  if (isDue())
+  writeIfDue();
+}
+
+void Recorder::takeStep(const SolvedLevel& level) {
+  if (!folder_)
+    return;
+  const StepRow& row = level.path->last().row;
+  tables_.addStep(row);
+  times_.push_back(row.t);
+  contactOfStep_ = contact_.next(level);
+  stepFiles_.emplace_back(stepFile(times_.size(), "contact.csv"), made(contactOfStep_));
+  for (const PathPoint& point : level.path->points)
+    if (points_.empty() || point.t > points_.back().t)
+      points_.push_back(point);
+  Solved solved = solvedOf(level);
+  if (scene_.output.fields)
+    stepFiles_.emplace_back(stepFile(times_.size(), "boundary.vtu"),
+                            made(boundaryVtu(*solved.grid)));
+  if (isKnown(level.level))
+    return;
+  solved_ = std::move(solved);
+  writeIfDue();
+  progress_.clear();
+  table_ << tableLine(row) << std::flush;
+}
+
+void Recorder::writeIfDue() {
+  if (cpuSeconds() - writtenAt_ > std::max(longestWait, workPerWriting * writingTook_))
     write();
 }
 
-bool Recorder::isDue() const {
-  return cpuSeconds() - writtenAt_ > std::max(longestWait, workPerWriting * writingTook_);
-}
-
-void Recorder::stage(const LevelFiles& files) {
-  folder_->stage("history.csv", history_);
-  const PathRecord& path = files.path;
-  for (std::size_t k = 0; k < path.contacts.size(); ++k)
-    folder_->stage(stepFile(k + 1, "contact.csv"), path.contacts[k]);
-  for (std::size_t k = 0; k < path.boundaries.size(); ++k)
-    folder_->stage(stepFile(k + 1, "boundary.vtu"), path.boundaries[k]);
-  if (!path.boundaries.empty())
-    folder_->stage("steps.pvd", stepsPvd(path.times, "boundary.vtu"));
-  if (scene_.hasContact())
-    folder_->stage("contact.csv", files.contact);
-  if (scene_.output.fields)
-    folder_->stage("boundary.csv", boundaryCsv(scene_, files.grid));
-  if (scene_.tellsBodies())
-    folder_->stage("bodies.csv", files.bodies);
-}
-
 void Recorder::write() {
-  if (!waiting_ && !waitingStep_)
+  if (!solved_)
     return;
   const double begin = cpuSeconds();
-  if (waiting_)
-    stage(*waiting_);
-  if (!steps_.empty())
-    folder_->stage("steps.csv", steps_);
-  if (waitingStep_)
-    waitingStep_->level.path = path_.points;
-  const Level& level = waitingStep_ ? waitingStep_->level : *last_;
+  for (const auto& [name, text] : files_)
+    folder_->stage(name, text());
+  if (!tables_.steps.empty())
+    folder_->stage("steps.csv", tables_.steps);
+  if (!solved_->level.complete)
+    solved_->level.path = points_;
   if (scene_.output.fields)
     folder_->stage("solution.hdf",
-                   waitingStep_ ? solution(level, waitingStep_->row, waitingStep_->grid)
-                                : solution(level, waiting_->row, waiting_->grid));
+                   tables_.solution(solved_->level, solved_->row, *solved_->grid));
   folder_->dropMade();
   folder_->commit();
-  written_(level);
-  waiting_.reset();
-  waitingStep_.reset();
+  written_(solved_->level);
+  files_.clear();
+  solved_.reset();
   writtenAt_ = cpuSeconds();
   writingTook_ = writtenAt_ - begin;
 }
@@ -130,80 +154,26 @@ void Recorder::finish(PhaseTimer& timer) {
   writeTimings(timer);
 }
 
-void Recorder::takeStep(const SolvedLevel& level) {
-  if (!folder_)
-    return;
-  const StepRow& row = level.path->steps.back()->row;
-  steps_ += (steps_.empty() ? stepsHead(row) : "") + stepsLine(row);
-  path_.contacts.push_back(contact_.next(level));
-  path_.times.push_back(row.t);
-  if (scene_.tellsBodies())
-    bodies_ += bodiesLines(scene_, row.level, row.step, row.bodies, row.rigid);
-  BoundaryLines grid;
-  if (scene_.output.fields) {
-    grid = boundaryLines(scene_, level);
-    path_.boundaries.push_back(boundaryVtu(grid));
-  }
-  for (const PathPoint& point : level.path->points)
-    if (path_.points.empty() || point.t > path_.points.back().t)
-      path_.points.push_back(point);
-  if (isKnown(level.level))
-    return;
-  waitingStep_ = {level.level, countedOn(level.row), std::move(grid)};
-  if (isDue())
-    write();
-  progress_.clear();
-  table_ << tableLine(row) << std::flush;
-}
-
-bool Recorder::isKnown(const Level& level) const {
-  return earlier_ && level.number == earlier_->level.number &&
-         path_.points.size() < earlier_->level.path.size();
-}
-
 void Recorder::writeTimings(PhaseTimer& timer) {
   if (folder_)
     folder_->write("timings.txt", timer.report() + stages_);
 }
 
-std::string Recorder::solution(const Level& level, const LevelRow& row,
-                               const BoundaryLines& grid) const {
-  return solutionFile(
-      scene_,
-      {level, used_, history_, steps_, scene_.tellsBodies() ? bodies_ : "",
-       row.secondsTotal, row.secondsWall},
-      grid);
-}
-
-LevelRow Recorder::countedOn(LevelRow row) const {
+Recorder::Solved Recorder::solvedOf(const SolvedLevel& level) const {
+  Solved solved{level.level, level.row,
+                std::make_shared<const BoundaryLines>(scene_.output.fields
+                                                          ? boundaryLines(scene_, level)
+                                                          : BoundaryLines())};
   if (earlier_) {
-    row.secondsTotal += earlier_->secondsTotal;
-    row.secondsWall += earlier_->secondsWall;
+    solved.row.secondsTotal += earlier_->secondsTotal;
+    solved.row.secondsWall += earlier_->secondsWall;
   }
-  return row;
+  return solved;
 }
 
-void Recorder::note(const SolvedLevel& level) {
-  const LevelRow row = countedOn(level.row);
-  history_ += historyLine(row);
-  stages_ += bem::message("level ", level.row.level, ": ",
-                          contact::told(level.row.report.stages), "\n");
-  if (level.path == nullptr)
-    bodies_ += bodiesLines(scene_, level.row.level, 0, level.row.bodies, level.row.rigid);
-  waitingStep_.reset();
-  waiting_ = LevelFiles{bodies_, std::exchange(path_, {})};
-  if (!waiting_->path.contacts.empty())
-    waiting_->contact = waiting_->path.contacts.back();
-  else if (scene_.hasContact())
-    waiting_->contact = contactCsv(scene_, level.bodies);
-  if (scene_.output.fields)
-    waiting_->grid = boundaryLines(scene_, level);
-  waiting_->row = row;
-  last_ = level.level;
-  contact_ = PathContact(scene_);
-  progress_.clear();
-  table_ << tableLine(row) << gamma0Note(row, scene_.stabilization.firstGamma0())
-         << operatorsNote(row) << worstStepNote(row) << std::flush;
+bool Recorder::isKnown(const Level& level) const {
+  return earlier_ && level.number == earlier_->level.number &&
+         points_.size() < earlier_->level.path.size();
 }
 
 }  // namespace epafi::drivers

@@ -1,16 +1,15 @@
 #pragma once
 
-#include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/OutputFolder.hpp"
 #include "drivers/output/PathContactTable.hpp"
 #include "drivers/output/Restart.hpp"
+#include "drivers/output/RunTables.hpp"
 #include "drivers/process/PhaseTimer.hpp"
 #include "drivers/process/ProgressLine.hpp"
-#include "drivers/run/Level.hpp"
-#include "drivers/scene/Scene.hpp"
 
 #include <functional>
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,40 +43,21 @@ class Recorder {
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  /// What the steps of a level leave in files.
-  struct PathRecord {
-    std::vector<std::string> contacts{};    ///< contact.csv
-    std::vector<std::string> boundaries{};  ///< boundary.vtu
-    std::vector<double> times{};
-    std::vector<PathPoint> points{};  ///< that led to these steps
-  };
+  /// A file's name and, made when it is written, its text: what it is made from is good after
+  /// the operators are gone.
+  using File = std::pair<std::string, std::function<std::string()>>;
 
-  /// What a solved level leaves in files, good after its operators are gone.
-  struct LevelFiles {
-    std::string bodies;
-    PathRecord path;
-    std::string contact{};
-    BoundaryLines grid{};
-    LevelRow row{};
-  };
-
-  /// What a step leaves in the file that grows with all of them.
-  struct StepFiles {
+  /// What solution.hdf is made from.
+  struct Solved {
     Level level;
     LevelRow row;
-    BoundaryLines grid;  ///< empty without Fields
+    std::shared_ptr<const BoundaryLines> grid;  ///< empty without Fields
   };
 
-  void stage(const LevelFiles& files);
-  std::string solution(const Level& level, const LevelRow& row,
-                       const BoundaryLines& grid) const;
-  /// The row with the earlier run's seconds.
-  LevelRow countedOn(LevelRow row) const;
-  void note(const SolvedLevel& level);
+  Solved solvedOf(const SolvedLevel& level) const;
   /// Is the last step one that the earlier run went beyond?  Its files would replace more.
   bool isKnown(const Level& level) const;
-  /// Has what waits for its files waited long enough?
-  bool isDue() const;
+  void writeIfDue();
 
   const Scene& scene_;
   const std::optional<Checkpoint>& earlier_;
@@ -85,16 +65,18 @@ class Recorder {
   const ProgressLine& progress_;
   std::ostream& table_;
   std::function<void(const Level&)> written_;
-  std::string used_;
-  std::string history_;
-  std::string bodies_;  ///< bodies.csv of all levels so far
-  std::string steps_;   ///< likewise steps.csv
-  PathRecord path_;     ///< of the level that is solved now
+  RunTables tables_;
+  // of the level that is solved now
+  std::vector<File> stepFiles_;
+  std::vector<double> times_;
+  std::vector<PathPoint> points_;
+  std::string contactOfStep_;  ///< contact.csv
   PathContact contact_;
+
   std::string stages_ = "\nSolver stages, steps, how they ended\n";
   std::optional<Level> last_;
-  std::optional<LevelFiles> waiting_;     ///< of the last level, until they are written
-  std::optional<StepFiles> waitingStep_;  ///< likewise, of a step behind it
+  std::vector<File> files_;       ///< of the last level, until they are written
+  std::optional<Solved> solved_;  ///< likewise, of the last level or of a step behind it
   double writtenAt_ = cpuSeconds();
   double writingTook_ = 0;
   std::vector<std::string> warnings_;

@@ -11,7 +11,7 @@
 #include "drivers/process/Threads.hpp"
 #include "drivers/process/Versions.hpp"
 #include "drivers/run/Levels.hpp"
-#include "drivers/run/SceneWarnings.hpp"
+#include "drivers/run/Warnings.hpp"
 #include "drivers/scene/SceneReader.hpp"
 #include "drivers/scene/Text.hpp"
 
@@ -155,7 +155,7 @@ int runCommand(const Given& given, std::ostream& out, const Ranks& ranks) {
                            beginning.earlier ? &beginning.earlier->level : nullptr));
   std::ostream silence(nullptr);
   std::ostream& table = quiet ? silence : out;
-  const ProgressLine progress(progressIf(ranks.isFirst() && !quiet));
+  const ProgressLine progress(ranks.isFirst() && !quiet);
   Recorder recorder(scene, beginning.earlier, folder, progress, table,
                     [&](const Level& level) {
                       adviseOnInterrupt(advice(given, scene, beginning.folder, &level));

@@ -2,21 +2,17 @@
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "contact/system/Definiteness.hpp"
 #include "drivers/commands/Commands.hpp"
-#include "drivers/output/BodiesTable.hpp"
-#include "drivers/output/BoundaryLines.hpp"
 #include "drivers/output/ContactTable.hpp"
-#include "drivers/output/HistoryTable.hpp"
 #include "drivers/output/OutputFolder.hpp"
 #include "drivers/output/PrintedTable.hpp"
 #include "drivers/output/Restart.hpp"
-#include "drivers/output/StepsTable.hpp"
+#include "drivers/output/RunTables.hpp"
 #include "drivers/process/Interrupt.hpp"
 #include "drivers/process/ProgressLine.hpp"
 #include "drivers/process/Ranks.hpp"
 #include "drivers/process/Threads.hpp"
-#include "drivers/run/LevelWarnings.hpp"
 #include "drivers/run/Levels.hpp"
-#include "drivers/run/SceneWarnings.hpp"
+#include "drivers/run/Warnings.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/SceneReader.hpp"
 #include "drivers/scene/Text.hpp"
@@ -75,40 +71,13 @@ double smallestEigenvalue(const Scene& scene, const SolvedLevel& level) {
   return smallest;
 }
 
-/// What the levels so far leave in files.
-struct Record {
-  const Scene& scene;
-  std::string used = usedXml(scene);
-  std::string history = historyHead();
-  std::string steps{};  ///< where the scene has a History
-  std::string bodies = scene.tellsBodies() ? bodiesHead() : "";  ///< likewise of several
-
-  void add(const SolvedLevel& level, const LevelRow& row) {
-    history += historyLine(row);
-    if (level.path == nullptr)
-      bodies += bodiesOf(0, row);
-    else
-      for (const auto& step : level.path->steps) {
-        steps += (steps.empty() ? stepsHead(step->row) : "") + stepsLine(step->row);
-        bodies += bodiesOf(step->row.step, step->row);
-      }
-  }
-  /// solution.hdf
-  std::string solution(const SolvedLevel& level, const BoundaryLines& grid) const {
-    return solutionFile(scene,
-                        {level.level, used, history, steps, bodies,
-                         level.row.secondsTotal, level.row.secondsWall},
-                        grid);
-  }
-
- private:
-  template <class Row>
-  std::string bodiesOf(int step, const Row& row) const {
-    return scene.tellsBodies()
-               ? bodiesLines(scene, row.level, step, row.bodies, row.rigid)
-               : "";
-  }
-};
+/// All of a level at once, with its steps.
+void addTo(RunTables& tables, const SolvedLevel& level, const LevelRow& row) {
+  if (level.path != nullptr)
+    for (const auto& step : level.path->steps)
+      tables.addStep(step->row);
+  tables.addLevel(level, row);
+}
 
 class StudyRun {
  public:
@@ -118,7 +87,7 @@ class StudyRun {
         folder_(folder),
         ranks_(ranks),
         out_(out),
-        progress_(progressIf(out.rdbuf() != nullptr)) {}
+        progress_(out.rdbuf() != nullptr) {}
 
   /// How many variants are not solved on all their levels.
   int run() {
@@ -169,15 +138,16 @@ class StudyRun {
   bool compute(const StudiedScene& scene, const std::string& name) {
     const Variant reference{"reference", *scene.reference};
     PhaseTimer timer = makeTimer();
-    Record record{reference.scene};
+    RunTables tables(reference.scene);
     std::string last;
     int solved = 0;
     const bool whole = attempt(scene, reference, solved, [&] {
       const Outcome outcome =
           solveLevels(reference.scene, ranks_, timer, [&](const SolvedLevel& level) {
             ++solved;
-            record.add(level, level.row);
-            last = record.solution(level, boundaryLines(reference.scene, level));
+            addTo(tables, level, level.row);
+            last = tables.solution(level.level, level.row,
+                                   boundaryLines(reference.scene, level));
           });
       if (outcome.status != contact::Status::Converged)
         throw bem::NumericalError("not converged: " + outcome.reason);
@@ -212,8 +182,8 @@ class StudyRun {
     out_ << scene.name << ": " << variant.name << "\n" << std::flush;
     const std::string name = folderOf(scene, variant);
     OutputFolder own(folder_.path() + "/" + name, EarlierRun::Delete);
-    Record record{variant.scene};
-    own.write("used.xml", record.used);
+    RunTables tables(variant.scene);
+    own.write("used.xml", tables.used);
     PhaseTimer timer = makeTimer();
     VariantClock clock;
     int solved = 0;
@@ -225,10 +195,10 @@ class StudyRun {
         LevelRow row = level.row;
         row.secondsTotal = clock.seconds();
         clock.exclude([&] {
-          record.add(level, row);
+          addTo(tables, level, row);
           ++solved;
           note(scene, variant, reference, level, row, name);
-          writeFiles(variant, level, record, own);
+          writeFiles(variant, level, tables, own);
           ofLevel = warningsOf(variant.scene, level);
           progress_.clear();
         });
@@ -282,24 +252,24 @@ class StudyRun {
   }
 
   /// Of sweeps, which may have hundreds, the contact alone.
-  void writeFiles(const Variant& variant, const SolvedLevel& level, const Record& record,
-                  OutputFolder& folder) const {
+  void writeFiles(const Variant& variant, const SolvedLevel& level,
+                  const RunTables& tables, OutputFolder& folder) const {
     const Scene& scene = variant.scene;
     if (scene.hasContact())
       folder.write("contact.csv", contactCsv(scene, level.bodies));
-    if (!record.steps.empty())
-      folder.write("steps.csv", record.steps);
+    if (!tables.steps.empty())
+      folder.write("steps.csv", tables.steps);
     if (variant.swept && !study_.keepSolutions)
       return;
-    folder.write("history.csv", record.history);
+    folder.write("history.csv", tables.history);
     if (scene.tellsBodies())
-      folder.write("bodies.csv", record.bodies);
+      folder.write("bodies.csv", tables.bodies);
     if (!scene.output.fields)
       return;
     const BoundaryLines grid = boundaryLines(scene, level);
     folder.write("boundary.csv", boundaryCsv(scene, grid));
     if (study_.keepSolutions)
-      folder.write("solution.hdf", record.solution(level, grid));
+      folder.write("solution.hdf", tables.solution(level.level, level.row, grid));
   }
 
   /// Different variants get different folders, even if their names differ in signs only.

@@ -1,6 +1,7 @@
 #include "drivers/output/BoundaryVtk.hpp"
 
 #include "drivers/output/Csv.hpp"
+#include "drivers/output/Hdf5File.hpp"
 
 #include <cstdint>
 #include <cstring>

@@ -1,12 +1,13 @@
 #pragma once
 
 #include "drivers/output/BoundaryLines.hpp"
-#include "drivers/output/Hdf5Writer.hpp"
 
 #include <string>
 #include <vector>
 
 namespace epafi::drivers {
+
+class Hdf5Writer;
 
 /// An UnstructuredGrid of VTK's XML: the data arrays of each of its parts as texts.
 struct VtuGrid {

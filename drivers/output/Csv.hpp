@@ -48,6 +48,21 @@ void addCells(const Column<Row> (&columns)[count], const Row& row,
 /// One line of comma-separated values.
 std::string csvLine(const std::vector<std::string>& cells);
 
+/// A table of columns alone: its first line, and that of a row.
+template <class Row, std::size_t count>
+std::string csvHead(const Column<Row> (&columns)[count]) {
+  std::vector<std::string> names;
+  addNames(columns, "", names);
+  return csvLine(names);
+}
+
+template <class Row, std::size_t count>
+std::string csvRow(const Column<Row> (&columns)[count], const Row& row) {
+  std::vector<std::string> cells;
+  addCells(columns, row, cells);
+  return csvLine(cells);
+}
+
 /// The cells of such a line, with or without its end.
 std::vector<std::string> csvCells(const std::string& line);
 

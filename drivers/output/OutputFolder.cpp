@@ -1,6 +1,7 @@
 #include "drivers/output/OutputFolder.hpp"
 
 #include "bem/base/Error.hpp"
+#include "drivers/output/InsideVtu.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -28,34 +29,12 @@ constexpr const char* outputFiles[] = {"history.csv",  "steps.csv",  "contact.cs
 constexpr const char* madeFiles[] = {"fields.csv", "fields.vtu", "fields-window.csv",
                                      "fields.pvd", "movie.gif",  "report.html"};
 
-/// Pictures of these names, .png, .svg and .pdf.                 [python/epafi/plot]
-constexpr const char* pictures[] = {"convergence",
-                                    "time",
-                                    "contributions",
-                                    "mesh",
-                                    "deformed",
-                                    "contact",
-                                    "path",
-                                    "rigid",
-                                    "steps",
-                                    "contact_stress",
-                                    "effectivity",
-                                    "work-precision",
-                                    "exponential",
-                                    "sweep",
-                                    "sweep_forces",
-                                    "sweep_contact",
-                                    "ux",
-                                    "uy",
-                                    "sxx",
-                                    "syy",
-                                    "sxy",
-                                    "szz",
-                                    "von_mises",
-                                    "principal_1",
-                                    "principal_2",
-                                    "temperature",
-                                    "scene"};
+/// Pictures of these names, or of fields, .png, .svg and .pdf.    [python/epafi/plot]
+constexpr const char* pictures[] = {
+    "convergence",   "time",           "contributions", "mesh",  "deformed",
+    "contact",       "path",           "rigid",         "steps", "contact_stress",
+    "effectivity",   "work-precision", "exponential",   "sweep", "sweep_forces",
+    "sweep_contact", "scene"};
 
 template <class Names>
 bool isAmong(const Names& names, const std::string& name) {
@@ -72,7 +51,7 @@ bool isMade(const std::string& name) {
   if (stem.rfind(numbered, 0) == 0 &&
       stem.find_first_not_of("0123456789", numbered.size()) == std::string::npos)
     stem = "sweep_contact";
-  return isAmong(pictures, stem);
+  return isAmong(pictures, stem) || isAmong(fieldNames(), stem);
 }
 
 /// Those of them that a folder has.

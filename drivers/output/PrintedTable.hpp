@@ -1,6 +1,5 @@
 #pragma once
 
-#include "drivers/output/HistoryTable.hpp"
 #include "drivers/process/PhaseTimer.hpp"
 #include "drivers/run/Path.hpp"
 

@@ -1,9 +1,7 @@
 #include "drivers/output/Restart.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/output/BodiesTable.hpp"
-#include "drivers/output/HistoryTable.hpp"
-#include "drivers/output/StepsTable.hpp"
+#include "drivers/output/RunTables.hpp"
 #include "drivers/run/BodySpaces.hpp"
 #include "drivers/scene/SceneReader.hpp"
 #include "drivers/scene/Text.hpp"
@@ -143,7 +141,7 @@ Checkpoint readRestart(const std::string& folder, const Scene& scene) {
       if (checkpoint.level.status == contact::Status::Converged &&
           checkpoint.level.complete)
         checkpoint.level.relativeEstimate =
-            relativeEstimateOf(lastCells(checkpoint.history));
+            valueOf(lastCells(checkpoint.history), "estimate_relative");
       checkpoint.steps = rowsBehind(checkpoint.steps, checkpoint);
       checkpoint.bodies = rowsBehind(checkpoint.bodies, checkpoint);
       if (!checkpoint.bodies.empty())

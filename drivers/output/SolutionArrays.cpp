@@ -3,226 +3,212 @@
 #include "bem/base/Error.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 namespace epafi::drivers {
 
 namespace {
 
-template <class T>
-void append(std::vector<T>& to, const std::vector<T>& more) {
-  to.insert(to.end(), more.begin(), more.end());
+constexpr const char* apart = "/Epafi: bodies does not go with the other arrays";
+
+std::size_t sizeOf(const SolutionArray& array) {
+  return std::visit([](const auto& numbers) { return numbers.size(); }, array.numbers);
 }
 
-/// All rows one after the other.
-template <std::size_t columns>
-void append(std::vector<double>& to,
-            const std::vector<std::array<double, columns>>& rows) {
-  for (const auto& row : rows)
-    to.insert(to.end(), row.begin(), row.end());
-}
-
-template <class State>
-void appendStates(std::vector<int>& to, const std::vector<State>& states) {
-  std::transform(states.begin(), states.end(), std::back_inserter(to),
-                 [](State state) { return static_cast<int>(state); });
-}
-
-/// And back.
-template <class State>
-std::vector<State> states(const std::vector<int>& numbers, State last) {
-  std::vector<State> result;
-  for (const int number : numbers) {
-    if (number < 0 || number > static_cast<int>(last))
-      throw bem::InputError("/Epafi: ", number, " is no state");
-    result.push_back(static_cast<State>(number));
+/// Takes what it visits from a level to arrays, or back.
+class Archive {
+ public:
+  enum class To { Arrays, Level };
+  Archive(SolutionArrays& arrays, To to) : arrays_(arrays), to_(to) {
+    for (const SolutionArray& array : arrays)
+      most_ += sizeOf(array);
   }
-  return result;
-}
 
-/// Rows of `columns` numbers each.
-template <std::size_t columns>
-std::vector<std::array<double, columns>> rowsOf(const std::vector<double>& numbers) {
-  std::vector<std::array<double, columns>> rows(numbers.size() / columns);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(i * columns), columns,
-                rows[i].begin());
-  return rows;
-}
-
-/// Takes the next numbers of an array.
-template <class T>
-std::vector<T> taken(const std::vector<T>& all, std::size_t count, std::size_t& next) {
-  if (count > all.size() - next)
-    throw bem::InputError("/Epafi: bodies does not go with the other arrays");
-  const auto begin = all.begin() + static_cast<std::ptrdiff_t>(next);
-  next += count;
-  return {begin, begin + static_cast<std::ptrdiff_t>(count)};
-}
-
-void append(const BodyLevel& level, SolutionArrays& arrays) {
-  for (const bem::Piece& piece : level.pieces) {
-    arrays.edge.push_back(piece.edge);
-    arrays.degree.push_back(piece.degree);
-    append(arrays.position, {piece.start.fromStart, piece.start.toEnd,
-                             piece.end.fromStart, piece.end.toEnd});
+  void operator()(const char* name, int& value) { take(name, &value, 1); }
+  void operator()(const char* name, double& value) { take(name, &value, 1); }
+  void operator()(const char* name, bem::Vector& values) {
+    take(name, values.data(), values.size());
   }
-  append(arrays.indicators, level.indicators.squares);
-  append(arrays.multiplier, level.state.multiplier);
-  append(arrays.rigid, level.state.rigid);
-  appendStates(arrays.contact, level.states.normal);
-  appendStates(arrays.friction, level.states.tangential);
-  append(arrays.displacement, level.displacement);
-  append(arrays.density, level.density);
-  for (const std::size_t count :
-       {level.pieces.size(), level.states.normal.size(), level.states.tangential.size(),
-        level.state.rigid.size(), level.displacement.size(), level.density.size()})
-    arrays.bodies.push_back(static_cast<int>(count));
-}
-
-std::vector<bem::Piece> piecesOf(const SolutionArrays& arrays) {
-  const auto position = rowsOf<4>(arrays.position);
-  const std::size_t count = arrays.edge.size();
-  if (count != arrays.degree.size() || count != position.size())
-    throw bem::InputError("/Epafi: edge, degree and position are of different lengths");
-  std::vector<bem::Piece> pieces;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto& [startFrom, startTo, endFrom, endTo] = position[i];
-    pieces.push_back(
-        {arrays.edge[i], {startFrom, startTo}, {endFrom, endTo}, arrays.degree[i]});
+  void operator()(const char* name, std::vector<contact::RigidMotion>& motions) {
+    for (auto& [slide, turn] : motions)
+      for (double* number : {&slide.x, &slide.y, &turn})
+        (*this)(name, *number);
   }
-  return pieces;
-}
-
-/// The arrays of each body.
-std::vector<SolutionArrays> parted(const SolutionArrays& all) {
-  std::vector<SolutionArrays> parts(all.bodies.size() / BodyCounts);
-  const auto part = [&](const auto& set) {
-    std::size_t next = 0;
-    for (std::size_t b = 0; b < parts.size(); ++b) {
-      std::size_t size = 0;
-      for (int count = set.first; count <= set.last; ++count)
-        size += static_cast<std::size_t>(set.columns) *
-                static_cast<std::size_t>(std::max(
-                    0, all.bodies[b * BodyCounts + static_cast<std::size_t>(count)]));
-      parts[b].*set.array = taken(all.*set.array, size, next);
+  template <class State>
+  void operator()(const char* name, std::vector<State>& states, State last) {
+    for (State& state : states) {
+      auto number = static_cast<int>(state);
+      (*this)(name, number);
+      if (number < 0 || number > static_cast<int>(last))
+        throw bem::InputError("/Epafi: ", number, " is no state");
+      state = static_cast<State>(number);
     }
-  };
-  std::apply([&](const auto&... set) { (part(set), ...); }, bodyDataSets);
-  return parts;
-}
-
-contact::ContactState contactStateOf(const std::vector<int>& contact,
-                                     const std::vector<int>& friction) {
-  return {states(contact, contact::NormalState::Closed),
-          states(friction, contact::FrictionState::SlipBackward)};
-}
-
-/// Motions of bodies without elasticity, and back.
-void appendMotions(std::vector<double>& to,
-                   const std::vector<contact::RigidMotion>& motions) {
-  for (const contact::RigidMotion& motion : motions)
-    append(to, {motion.slide.x, motion.slide.y, motion.turn});
-}
-
-std::vector<contact::RigidMotion> motionsOf(const std::vector<double>& numbers) {
-  std::vector<contact::RigidMotion> motions;
-  for (const auto& [x, y, turn] : rowsOf<3>(numbers))
-    motions.push_back({{x, y}, turn});
-  return motions;
-}
-
-BodyLevel bodyOf(const SolutionArrays& arrays) {
-  return {piecesOf(arrays),
-          {arrays.multiplier, arrays.rigid},
-          contactStateOf(arrays.contact, arrays.friction),
-          arrays.displacement,
-          arrays.density,
-          {rowsOf<adaptivity::sourceCount>(arrays.indicators)}};
-}
-
-std::vector<PathPoint> pathOf(const SolutionArrays& arrays) {
-  const std::size_t count = arrays.pathTimes.size();
-  if (count == 0)
-    return {};
-  const std::size_t multipliers = arrays.pathMultiplier.size() / count;
-  const std::size_t motions = arrays.pathRigid.size() / count;
-  if (arrays.pathIterations.size() != 2 * count ||
-      arrays.pathMultiplier.size() != count * multipliers ||
-      arrays.pathRigid.size() != count * motions || arrays.pathErrors.size() != count)
-    throw bem::InputError("/Epafi: the arrays of the path are of different lengths");
-  std::vector<PathPoint> path;
-  std::size_t multiplier = 0;
-  std::size_t rigid = 0;
-  for (std::size_t k = 0; k < count; ++k)
-    path.push_back({arrays.pathTimes[k],
-                    {taken(arrays.pathMultiplier, multipliers, multiplier),
-                     taken(arrays.pathRigid, motions, rigid)},
-                    arrays.pathIterations[2 * k],
-                    arrays.pathIterations[2 * k + 1],
-                    arrays.pathErrors[k]});
-  return path;
-}
-
-/// Of bodies whose sizes are known, rigid ones included.
-std::vector<StepFields> stepsOf(const SolutionArrays& arrays,
-                                const std::vector<BodyLevel>& bodies) {
-  std::vector<StepFields> steps;
-  std::size_t displacement = 0;
-  std::size_t density = 0;
-  std::size_t contact = 0;
-  std::size_t friction = 0;
-  std::size_t motion = 0;
-  for (const double t : arrays.stepTimes) {
-    steps.push_back({t, {}, {}});
-    for (const BodyLevel& body : bodies) {
-      steps.back().displacement.push_back(
-          taken(arrays.stepDisplacement, body.displacement.size(), displacement));
-      steps.back().density.push_back(
-          taken(arrays.stepDensity, body.density.size(), density));
-      steps.back().states.push_back(contactStateOf(
-          taken(arrays.stepContact, body.states.normal.size(), contact),
-          taken(arrays.stepFriction, body.states.tangential.size(), friction)));
-    }
-    steps.back().rigid =
-        motionsOf(taken(arrays.stepRigidBodies, arrays.rigidBodies.size(), motion));
   }
-  return steps;
+
+  /// The sizes of vectors.
+  template <class... T>
+  void sizes(const char* name, std::vector<T>&... all) {
+    const auto size = [&](auto& vector) {
+      auto number = static_cast<int>(vector.size());
+      (*this)(name, number);
+      resize(vector, static_cast<std::size_t>(number));
+    };
+    (size(all), ...);
+  }
+  /// How long a vector of a level is, if it is none yet.
+  template <class T>
+  void resize(std::vector<T>& vector, std::size_t size) const {
+    if (to_ == To::Arrays)
+      return;
+    if (size > most_)
+      throw bem::InputError(apart);
+    vector.resize(size);
+  }
+  /// How many rows an array has for each of so many parts.
+  std::size_t rows(const char* name, std::size_t parts = 1) {
+    const SolutionArray& array = named(name);
+    return sizeOf(array) / array.columns / parts;
+  }
+
+ private:
+  SolutionArray& named(std::string_view name) {
+    return *std::find_if(arrays_.begin(), arrays_.end(),
+                         [&](const SolutionArray& array) { return array.name == name; });
+  }
+
+  template <class T>
+  void take(const char* name, T* first, std::size_t count) {
+    SolutionArray& array = named(name);
+    auto& numbers = std::get<std::vector<T>>(array.numbers);
+    if (to_ == To::Arrays) {
+      numbers.insert(numbers.end(), first, first + count);
+      return;
+    }
+    if (count > numbers.size() - array.taken)
+      throw bem::InputError(apart);
+    std::copy_n(numbers.begin() + static_cast<std::ptrdiff_t>(array.taken), count, first);
+    array.taken += count;
+  }
+
+  SolutionArrays& arrays_;
+  To to_;
+  std::size_t most_ = 0;  ///< numbers: a damaged file may say anything
+};
+
+void visit(Archive& archive, BodyLevel& body) {
+  auto& [normal, tangential] = body.states;
+  archive.sizes("bodies", body.pieces, normal, tangential, body.state.rigid,
+                body.displacement, body.density);
+  archive.resize(body.indicators.squares, body.pieces.size());
+  archive.resize(body.state.multiplier, normal.size() + tangential.size());
+  for (bem::Piece& piece : body.pieces) {
+    archive("edge", piece.edge);
+    archive("degree", piece.degree);
+    for (bem::Position* end : {&piece.start, &piece.end})
+      for (double* distance : {&end->fromStart, &end->toEnd})
+        archive("position", *distance);
+  }
+  for (adaptivity::Contributions& squares : body.indicators.squares)
+    for (double& square : squares)
+      archive("indicators", square);
+  archive("multiplier", body.state.multiplier);
+  archive("rigid", body.state.rigid);
+  archive("contact_state", normal, contact::NormalState::Closed);
+  archive("friction_state", tangential, contact::FrictionState::SlipBackward);
+  archive("displacement", body.displacement);
+  archive("density", body.density);
+}
+
+void visit(Archive& archive, PathPoint& point, std::size_t points) {
+  archive.resize(point.state.multiplier, archive.rows("path_multiplier", points));
+  archive.resize(point.state.rigid, archive.rows("path_rigid", points));
+  archive("path_t", point.t);
+  archive("path_iterations", point.newtonIterations);
+  archive("path_iterations", point.coulombIterations);
+  archive("path_multiplier", point.state.multiplier);
+  archive("path_rigid", point.state.rigid);
+  archive("path_work_error", point.workError);
+}
+
+void visit(Archive& archive, StepFields& step, const Level& level) {
+  archive("step_t", step.t);
+  archive.resize(step.displacement, level.bodies.size());
+  archive.resize(step.density, level.bodies.size());
+  archive.resize(step.states, level.bodies.size());
+  archive.resize(step.rigid, level.rigid.size());
+  for (std::size_t b = 0; b < level.bodies.size(); ++b) {
+    const BodyLevel& body = level.bodies[b];
+    auto& [normal, tangential] = step.states[b];
+    archive.resize(step.displacement[b], body.displacement.size());
+    archive.resize(step.density[b], body.density.size());
+    archive.resize(normal, body.states.normal.size());
+    archive.resize(tangential, body.states.tangential.size());
+    archive("step_displacement", step.displacement[b]);
+    archive("step_density", step.density[b]);
+    archive("step_contact_state", normal, contact::NormalState::Closed);
+    archive("step_friction_state", tangential, contact::FrictionState::SlipBackward);
+  }
+  archive("step_rigid_bodies", step.rigid);
+}
+
+void visit(Archive& archive, Level& level) {
+  archive.resize(level.bodies, archive.rows("bodies"));
+  for (BodyLevel& body : level.bodies)
+    visit(archive, body);
+  archive.resize(level.rigid, archive.rows("rigid_bodies"));
+  archive("rigid_bodies", level.rigid);
+  archive.resize(level.path, archive.rows("path_t"));
+  for (PathPoint& point : level.path)
+    visit(archive, point, level.path.size());
+  archive.resize(level.steps, archive.rows("step_t"));
+  for (StepFields& step : level.steps)
+    visit(archive, step, level);
 }
 
 }  // namespace
 
-SolutionArrays arraysOf(const Level& level) {
-  SolutionArrays arrays;
-  for (const BodyLevel& body : level.bodies)
-    append(body, arrays);
-  appendMotions(arrays.rigidBodies, level.rigid);
-  for (const PathPoint& point : level.path) {
-    arrays.pathTimes.push_back(point.t);
-    append(arrays.pathIterations, {point.newtonIterations, point.coulombIterations});
-    append(arrays.pathMultiplier, point.state.multiplier);
-    append(arrays.pathRigid, point.state.rigid);
-    arrays.pathErrors.push_back(point.workError);
-  }
-  for (const StepFields& step : level.steps) {
-    arrays.stepTimes.push_back(step.t);
-    for (std::size_t b = 0; b < step.displacement.size(); ++b) {
-      append(arrays.stepDisplacement, step.displacement[b]);
-      append(arrays.stepDensity, step.density[b]);
-      appendStates(arrays.stepContact, step.states[b].normal);
-      appendStates(arrays.stepFriction, step.states[b].tangential);
-    }
-    appendMotions(arrays.stepRigidBodies, step.rigid);
-  }
+SolutionArrays emptyArrays() {
+  const std::vector<double> real;
+  const std::vector<int> whole;
+  return {{"edge", 1, whole},
+          {"degree", 1, whole},
+          {"position", 4, real},
+          {"indicators", adaptivity::sourceCount, real},
+          {"multiplier", 1, real},
+          {"rigid", 1, real},
+          {"contact_state", 1, whole},
+          {"friction_state", 1, whole},
+          {"displacement", 1, real},
+          {"density", 1, real},
+          {"bodies", 6, whole},
+          {"rigid_bodies", 3, real},
+          {"path_t", 1, real},
+          {"path_iterations", 2, whole},
+          {"path_multiplier", 1, real},
+          {"path_rigid", 1, real},
+          {"path_work_error", 1, real},
+          {"step_t", 1, real},
+          {"step_displacement", 1, real},
+          {"step_density", 1, real},
+          {"step_contact_state", 1, whole},
+          {"step_friction_state", 1, whole},
+          {"step_rigid_bodies", 3, real}};
+}
+
+SolutionArrays arraysOf(Level level) {
+  SolutionArrays arrays = emptyArrays();
+  Archive archive(arrays, Archive::To::Arrays);
+  visit(archive, level);
   return arrays;
 }
 
-Level levelOf(const SolutionArrays& arrays) {
+Level levelOf(SolutionArrays arrays) {
   Level level;
-  for (const SolutionArrays& part : parted(arrays))
-    level.bodies.push_back(bodyOf(part));
-  level.rigid = motionsOf(arrays.rigidBodies);
-  level.path = pathOf(arrays);
-  level.steps = stepsOf(arrays, level.bodies);
+  Archive archive(arrays, Archive::To::Level);
+  visit(archive, level);
+  for (const SolutionArray& array : arrays)
+    if (array.taken != sizeOf(array))
+      throw bem::InputError(apart);
   return level;
 }
 

@@ -2,7 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "drivers/output/BoundaryVtk.hpp"
-#include "drivers/output/Hdf5Reader.hpp"
+#include "drivers/output/Hdf5File.hpp"
 #include "drivers/scene/Text.hpp"
 
 #include <boost/crc.hpp>
@@ -28,7 +28,8 @@ unsigned long long checksum(const Checkpoint& checkpoint, const SolutionArrays& 
   for (const std::string& text : {level.reason, checkpoint.used, checkpoint.history,
                                   checkpoint.steps, checkpoint.bodies})
     add(text);
-  forEachDataSet([&](const auto& set) { add(arrays.*set.array); });
+  for (const SolutionArray& array : arrays)
+    std::visit(add, array.numbers);
   return sum.checksum();
 }
 
@@ -45,9 +46,9 @@ void writeCheckpoint(const Checkpoint& checkpoint, Hdf5Writer& writer) {
   number("seconds_total", checkpoint.secondsTotal);
   number("seconds_wall", checkpoint.secondsWall);
   number("checksum", checksum(checkpoint, arrays));
-  forEachDataSet([&](const auto& set) {
-    writer.array(group + "/" + set.name, arrays.*set.array, set.columns);
-  });
+  for (const auto& [name, columns, numbers, taken] : arrays)
+    std::visit([&](const auto& all) { writer.array(group + "/" + name, all, columns); },
+               numbers);
   writer.text(group + "/reason", level.reason);
   writer.text(group + "/used", checkpoint.used);
   writer.text(group + "/history", checkpoint.history);
@@ -61,12 +62,14 @@ Checkpoint readCheckpoint(const Hdf5Reader& reader) {
   if (const int other = reader.attribute<int>(group, "format"); other != format)
     throw bem::InputError("is of format ", other, "; this version of Epafi reads format ",
                           format, "; solve the scene again");
-  SolutionArrays arrays;
-  forEachDataSet([&](const auto& set) {
-    auto& array = arrays.*set.array;
-    using Number = typename std::decay_t<decltype(array)>::value_type;
-    array = reader.array<Number>(group + "/" + set.name, set.columns);
-  });
+  SolutionArrays arrays = emptyArrays();
+  for (SolutionArray& array : arrays)
+    std::visit(
+        [&](auto& all) {
+          using Number = typename std::decay_t<decltype(all)>::value_type;
+          all = reader.array<Number>(group + "/" + array.name, array.columns);
+        },
+        array.numbers);
 
   Checkpoint checkpoint;
   Level& level = checkpoint.level;

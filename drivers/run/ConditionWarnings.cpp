@@ -1,8 +1,7 @@
-#include "drivers/run/ConditionWarnings.hpp"
-
 #include "bem/base/Error.hpp"
 #include "bem/quadrature/Piecewise.hpp"
 #include "drivers/run/BodySpaces.hpp"
+#include "drivers/run/Warnings.hpp"
 
 #include <algorithm>
 #include <cmath>

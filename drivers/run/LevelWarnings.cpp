@@ -1,8 +1,7 @@
-#include "drivers/run/LevelWarnings.hpp"
-
 #include "bem/base/Error.hpp"
 #include "contact/results/ContactFields.hpp"
 #include "drivers/run/Path.hpp"
+#include "drivers/run/Warnings.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,8 @@
-#include "drivers/run/SceneWarnings.hpp"
-
 #include "bem/base/Error.hpp"
 #include "bem/base/Suggestion.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/run/BodySpaces.hpp"
-#include "drivers/run/ConditionWarnings.hpp"
+#include "drivers/run/Warnings.hpp"
 #include "drivers/scene/OverlapCheck.hpp"
 
 #include <algorithm>

@@ -11,54 +11,69 @@ namespace epafi::drivers {
 
 namespace {
 
-std::string head() {
-  std::vector<std::string> names = {"scene", "variant"};
-  const std::vector<std::string> history = historyColumns();
-  names.insert(names.end(), history.begin(), history.end());
-  for (const char* name :
-       {"error", "error_multiplier", "error_energy", "counted", "effectivity",
-        "error_path", "error_path_multiplier", "error_path_friction", "worst_step",
-        "sweep_value", "smallest_eigenvalue", "reason", "folder"})
-    names.emplace_back(name);
-  return csvLine(names);
+/// Empty where it is not known.
+std::string known(double value) { return std::isnan(value) ? "" : exactly(value); }
+
+/// What stands behind the columns of history.csv.
+struct Row {
+  StudiedLevel studied;
+  double estimate = 0;
+  double sweepValue = std::numeric_limits<double>::quiet_NaN();
+  std::string reason;
+};
+
+template <auto member>
+std::string error(const Row& row) {
+  return row.studied.error ? number((*row.studied.error).*member) : "";
 }
 
-/// Cells of errors, from "error" to "worst_step".
-constexpr std::size_t errorCells = 9;
+template <auto member>
+std::string path(const Row& row) {
+  const auto& error = row.studied.error;
+  return error && error->path ? number((*error->path).*member) : "";
+}
 
-std::string known(double value) { return std::isnan(value) ? "" : exactly(value); }
+constexpr Column<Row> columns[] = {
+    {"error", error<&TrueError::relative>},
+    {"error_multiplier", error<&TrueError::multiplier>},
+    {"error_energy", error<&TrueError::energy>},
+    {"counted",
+     [](const Row& r) { return r.studied.error ? number(r.studied.counted) : ""; }},
+    {"effectivity",
+     [](const Row& r) {
+       return r.studied.error ? number(r.estimate / r.studied.error->energyNorm) : "";
+     }},
+    {"error_path", path<&TrueError::Path::relative>},
+    {"error_path_multiplier", path<&TrueError::Path::multiplier>},
+    {"error_path_friction", path<&TrueError::Path::friction>},
+    {"worst_step", path<&TrueError::Path::step>},
+    {"sweep_value", [](const Row& r) { return known(r.sweepValue); }},
+    {"smallest_eigenvalue",
+     [](const Row& r) { return known(r.studied.smallestEigenvalue); }},
+    {"reason", [](const Row& r) { return r.reason; }},
+    {"folder", [](const Row& r) { return r.studied.folder; }},
+};
+
+std::string line(const std::string& scene, const std::string& variant,
+                 std::vector<std::string> cells, const Row& row) {
+  cells.insert(cells.begin(), {scene, variant});
+  addCells(columns, row, cells);
+  return csvLine(cells);
+}
 
 }  // namespace
 
-StudyTable::StudyTable() : text_(head()) {}
-
-void StudyTable::row(const std::string& scene, const std::string& variant,
-                     std::vector<std::string> cells,
-                     const std::vector<std::string>& more) {
-  cells.insert(cells.begin(), {scene, variant});
-  cells.insert(cells.end(), more.begin(), more.end());
-  text_ += csvLine(cells);
+StudyTable::StudyTable() {
+  std::vector<std::string> names = historyColumns();
+  names.insert(names.begin(), {"scene", "variant"});
+  addNames(columns, "", names);
+  text_ = csvLine(names);
 }
 
 void StudyTable::level(const std::string& scene, const Variant& variant,
-                       const LevelRow& levelRow, const StudiedLevel& studied) {
-  std::vector<std::string> more;
-  if (studied.error) {
-    more = {exactly(studied.error->relative), exactly(studied.error->multiplier),
-            exactly(studied.error->energy), studied.counted ? "1" : "0",
-            exactly(levelRow.estimate / studied.error->energyNorm)};
-    if (const auto& path = studied.error->path)
-      for (const std::string& cell :
-           {exactly(path->relative), exactly(path->multiplier), exactly(path->friction),
-            std::to_string(path->step)})
-        more.push_back(cell);
-  }
-  more.resize(errorCells);
-  more.push_back(known(variant.sweepValue));
-  more.push_back(known(studied.smallestEigenvalue));
-  more.push_back(levelRow.reason);
-  more.push_back(studied.folder);
-  row(scene, variant.name, historyCells(levelRow), more);
+                       const LevelRow& row, const StudiedLevel& studied) {
+  text_ += line(scene, variant.name, historyCells(row),
+                {studied, row.estimate, variant.sweepValue, row.reason});
 }
 
 void StudyTable::failure(const std::string& scene, const Variant& variant, int level,
@@ -66,17 +81,16 @@ void StudyTable::failure(const std::string& scene, const Variant& variant, int l
   std::vector<std::string> cells(historyColumns().size());
   cells[historyColumn("level")] = std::to_string(level);
   cells[historyColumn("status")] = "failed";
-  std::vector<std::string> more(errorCells);
-  more.push_back(known(variant.sweepValue));
-  more.push_back(known(smallestEigenvalue));
-  more.push_back(reason);
-  more.emplace_back();
-  row(scene, variant.name, std::move(cells), more);
+  Row row;
+  row.studied.smallestEigenvalue = smallestEigenvalue;
+  row.sweepValue = variant.sweepValue;
+  row.reason = reason;
+  text_ += line(scene, variant.name, cells, row);
 }
 
 void StudyTable::reference(const std::string& scene,
                            const std::vector<std::string>& cells) {
-  row(scene, "reference", cells, std::vector<std::string>(errorCells + 4));
+  text_ += line(scene, "reference", cells, Row());
 }
 
 /// On a path of any step.

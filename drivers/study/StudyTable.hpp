@@ -1,6 +1,6 @@
 #pragma once
 
-#include "drivers/output/HistoryTable.hpp"
+#include "drivers/output/RunTables.hpp"
 #include "drivers/study/Study.hpp"
 #include "drivers/study/TrueError.hpp"
 
@@ -43,9 +43,6 @@ class StudyTable {
   const std::string& text() const { return text_; }
 
  private:
-  void row(const std::string& scene, const std::string& variant,
-           std::vector<std::string> cells, const std::vector<std::string>& more);
-
   std::string text_;
 };
 

@@ -99,29 +99,23 @@ Distance distanceOf(const Snapshot& level, const Snapshot& reference,
 Snapshots takeSnapshots(const Scene& scene, const Level& level, double energy,
                         const std::vector<double>& dissipated) {
   const BodySpaces spaces(scene, meshesOf(scene, level));
-  Snapshots result{{}, energy};
-  if (level.steps.empty()) {
-    Snapshot& only = result.steps.emplace_back();
-    for (std::size_t b = 0; b < spaces.size(); ++b) {
-      const BodyLevel& own = level.bodies[b];
-      only.bodies.push_back(
-          bodySnapshot(spaces, b, own.displacement, own.density, own.state.multiplier));
-    }
-    return result;
-  }
   std::vector<contact::Numbering::Count> counts;
   for (std::size_t b = 0; b < spaces.size(); ++b)
     counts.push_back({spaces.multiplier(b).normals(), spaces.multiplier(b).size()});
   const contact::Numbering numbering(counts);
-  for (const StepFields& step : level.steps) {
+  Snapshots result{{}, energy};
+  for (const StepFields& step : level.solved()) {
     Snapshot& snapshot = result.steps.emplace_back();
-    snapshot.t = step.t;
-    snapshot.dissipated = dissipated.at(result.steps.size() - 1);
-    const bem::Vector& all = stateAt(level, step.t).multiplier;
+    const contact::State* all = nullptr;
+    if (!level.steps.empty()) {
+      all = &stateAt(level, step.t);
+      snapshot.t = step.t;
+      snapshot.dissipated = dissipated.at(result.steps.size() - 1);
+    }
     for (std::size_t b = 0; b < spaces.size(); ++b) {
-      bem::Vector own(numbering.sizeOf(b));
-      for (std::size_t i = 0; i < own.size(); ++i)
-        own[i] = all[numbering(b, static_cast<bem::Index>(i))];
+      bem::Vector own = level.bodies[b].state.multiplier;
+      for (std::size_t i = 0; i < own.size() && all != nullptr; ++i)
+        own[i] = all->multiplier[numbering(b, static_cast<bem::Index>(i))];
       snapshot.bodies.push_back(
           bodySnapshot(spaces, b, step.displacement[b], step.density[b], own));
     }

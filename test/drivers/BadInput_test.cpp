@@ -1,5 +1,5 @@
 // Texts that are no list of the right keys, types and values.
-#include "drivers/commands/CommandTable.hpp"
+#include "drivers/commands/Command.hpp"
 #include "drivers/commands/Commands.hpp"
 #include "test/drivers/Complaints.hpp"
 

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "drivers/run/Level.hpp"
+#include "drivers/scene/Scene.hpp"
+
+#include <string>
+#include <vector>
+
+namespace epafi::drivers {
+
+/// What is probably not meant in a scene, a sentence each: what has no effect, conditions as below,
+/// bodies drawn deep into each other, straight edges that draw a curve on a side in contact.  A polygon
+/// meets an obstacle at its corners: 64 edges around a cylinder give 1.6 times Hertz' contact length.
+std::vector<std::string> warningsOf(const Scene& scene);
+
+/// Adds what boundary conditions say that is probably not meant, at the end of a path and at some
+/// times before it, each sentence once: displacements that jump at a corner or go through an obstacle
+/// there, loads narrower than their elements can see.
+void findInConditions(const Scene& scene, std::vector<std::string>& warnings);
+
+/// What is probably not meant in a solved level, a sentence each: nothing is loaded, or by less
+/// than numbers can tell, contact never closes, sliding beyond a tenth of the length in contact,
+/// displacements beyond a tenth of a body: conditions on the undeformed outline mean little
+/// there.  What rounding has taken: bodies out of balance, conditions of contact that the
+/// displacements do not meet.
+std::vector<std::string> warningsOf(const Scene& scene, const SolvedLevel& level);
+
+}  // namespace epafi::drivers
