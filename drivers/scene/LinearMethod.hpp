@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/base/Family.hpp"
-#include "bem/base/SchemaRow.hpp"
+#include "bem/base/Keys.hpp"
 #include "bem/compressed/CompressedOperators.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
 #include "bem/tpetra/BelosOptions.hpp"
@@ -12,18 +12,15 @@
 namespace epafi::drivers {
 
 class Ranks;
-struct Scene;
 
 /// How linear systems are solved.
 struct LinearOptions {
   std::string method = "Automatic";  ///< a name of linearMethods()
   bem::BelosOptions belos;
   bem::Compression compression;
-};
 
-/// The keys of a list of these, and what a list that they have completed says.
-bem::SchemaRows linearRows();
-LinearOptions parseLinear(const Teuchos::ParameterList& list);
+  void keys(bem::Keys& keys);
+};
 
 /// A way to solve with the boundary operators.
 struct LinearMethod {
@@ -37,9 +34,6 @@ struct LinearMethod {
       const Ranks& ranks, const LinearOptions& options) = nullptr;
   Operators operators = Operators::Dense;
 };
-
-/// \throws bem::InputError where the scene asks for what it cannot have.
-void checkLinear(const Scene& scene);
 
 /// All of them; a program may add others before it reads its first scene.
 bem::Family<LinearMethod>& linearMethods();

@@ -9,14 +9,13 @@
 #include "contact/results/Summary.hpp"
 #include "contact/solve/CoulombIteration.hpp"
 #include "contact/stabilization/Stabilization.hpp"
-#include "drivers/scene/ConstantNumbers.hpp"
 #include "drivers/scene/History.hpp"
 #include "drivers/scene/LinearMethod.hpp"
+#include "drivers/scene/Part.hpp"
 #include "drivers/scene/RunOptions.hpp"
 #include "drivers/scene/Symmetry.hpp"
 
 #include <Teuchos_ParameterList.hpp>
-#include <Teuchos_RCP.hpp>
 
 #include <algorithm>
 #include <array>
@@ -106,6 +105,11 @@ struct Scene {
     contact::CoulombOptions coulomb;
     /// Handed to NOX in every run; null means Epafi's own choice.
     std::shared_ptr<const Teuchos::ParameterList> nox;
+
+    void keys(bem::Keys& keys) {
+      coulomb.keys(keys);
+      contact.keys(keys);
+    }
   } solver;
 
   LinearOptions linear;
@@ -114,6 +118,12 @@ struct Scene {
     adaptivity::StrategyOptions strategy;
     adaptivity::EstimatorOptions estimator;
     RunLimits limits;
+
+    void keys(bem::Keys& keys) {
+      strategy.keys(keys);
+      estimator.keys(keys);
+      limits.keys(keys);
+    }
   } adaptivity;
 
   OutputOptions output;
@@ -139,6 +149,8 @@ struct Scene {
   }
   /// What its expressions know at t = 1, where no boundary is meant.
   Names names() const { return {constants, 1, {}, tables}; }
+  /// Its complete list, which must outlive what is made of it.
+  Part root() const { return {used, {file, ""}, names()}; }
 
   /// The body that a point lies inside; their number if there is none.
   std::size_t bodyAt(bem::Vec2 point) const {
@@ -178,9 +190,9 @@ struct Scene {
   }
 
   /// The complete list with every default filled in.
-  Teuchos::RCP<Teuchos::ParameterList> used;
-  /// Where it has numbers for expressions in constants: these, which used.xml says.
-  Entries expressions;
+  std::shared_ptr<Teuchos::ParameterList> used;
+  /// What it is made of: expressions in place of numbers, which used.xml says.
+  Teuchos::ParameterList given;
 };
 
 /// The names of an outline's boundaries, in the order of its edges.

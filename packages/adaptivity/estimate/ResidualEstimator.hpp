@@ -1,15 +1,11 @@
 #pragma once
 
 #include "adaptivity/estimate/Indicators.hpp"
+#include "bem/base/Keys.hpp"
 #include "bem/base/Processes.hpp"
-#include "bem/base/SchemaRow.hpp"
 #include "contact/results/Summary.hpp"
 
 #include <string>
-
-namespace Teuchos {
-class ParameterList;
-}
 
 namespace epafi::adaptivity {
 
@@ -18,11 +14,9 @@ struct EstimatorOptions {
   /// > 0; multiplies the squares of the first three sources, that of the contact residual
   /// with what the stabilisation adds to it.
   double residualFactor = 1;
-};
 
-/// The keys of a list of these, and what a list that they have completed says.
-bem::SchemaRows estimatorRows();
-EstimatorOptions parseEstimator(const Teuchos::ParameterList& list);
+  void keys(bem::Keys& keys);
+};
 
 /// A body's solution and its density ψ, see ContactProblem::density.
 struct Estimated {

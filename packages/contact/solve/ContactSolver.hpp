@@ -1,15 +1,11 @@
 #pragma once
 
-#include "bem/base/SchemaRow.hpp"
+#include "bem/base/Keys.hpp"
 #include "contact/newton/Newton.hpp"
 #include "contact/newton/OffsetPath.hpp"
 #include "contact/solve/NonlinearSolver.hpp"
 
 #include <utility>
-
-namespace Teuchos {
-class ParameterList;
-}
 
 namespace epafi::contact {
 
@@ -19,11 +15,9 @@ struct ContactSolverOptions {
   int maximumIterations = 50;  ///< steps of one run
   double mostWork = 5e12;      ///< limit of operations of all pivots of a solve, see
                                ///< workOfPivot; about twenty minutes
-};
 
-/// The keys of a list of these, and what a list that they have completed says.
-bem::SchemaRows contactSolverRows();
-ContactSolverOptions parseContactSolver(const Teuchos::ParameterList& list);
+  void keys(bem::Keys& keys);
+};
 
 /// Solver for frictionless contact and Tresca friction, whose slip bounds do not depend on the
 /// pressure; its inStages() is also used by solvers for Coulomb friction.
