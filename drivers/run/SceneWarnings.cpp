@@ -72,13 +72,24 @@ void collectWords(const Teuchos::ParameterList& list, std::set<std::string>& wor
       addWords(Teuchos::getValue<std::string>(item.second), words);
 }
 
+/// Adds the words of what a list has in place of numbers.
+void collectConstants(const Teuchos::ParameterList& given,
+                      const Teuchos::ParameterList& used, std::set<std::string>& words) {
+  for (const auto& item : given)
+    if (item.second.isList() && used.isSublist(item.first))
+      collectConstants(given.sublist(item.first), used.sublist(item.first), words);
+    else if (used.isParameter(item.first) &&
+             used.getEntry(item.first).getAny(false).type() !=
+                 item.second.getAny(false).type())
+      addWords(message(item.second.getAny(false)), words);
+}
+
 /// What has no effect: constants that no expression knows (a misspelt one that --set made,
 /// say), a path on which nothing changes, rigid bodies that nothing touches.
 void findUnused(const Scene& scene, std::vector<std::string>& warnings) {
   std::set<std::string> words;
   collectWords(*scene.used, words);
-  for (const auto& [path, entry] : scene.expressions)
-    addWords(message(entry.getAny(false)), words);
+  collectConstants(scene.given, *scene.used, words);
   std::vector<std::string> used;
   for (const auto& [name, value] : scene.constants)
     if (words.count(name) != 0)

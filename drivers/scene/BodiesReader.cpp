@@ -3,11 +3,9 @@
 #include "bem/base/Error.hpp"
 #include "drivers/scene/BodyLoadsReader.hpp"
 #include "drivers/scene/ConditionsReader.hpp"
-#include "drivers/scene/Expression.hpp"
 #include "drivers/scene/GeometryReader.hpp"
 #include "drivers/scene/MeshReader.hpp"
 
-#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
@@ -21,55 +19,50 @@ namespace {
 using bem::InputError;
 using Teuchos::ParameterList;
 
-bem::Material readMaterial(const ParameterList& list, const std::string& path) {
+bem::Material readMaterial(const Part& part) {
   for (const char* key : {"Young's Modulus", "Poisson's Ratio"})
-    if (!list.isParameter(key))
-      throw InputError(path, "->", key,
-                       ": missing; every body that is not Rigid has one");
+    if (!part.has(key))
+      throw InputError(part.path(key), ": missing; every body that is not Rigid has one");
   bem::Material material;
-  material.youngsModulus = list.get<double>("Young's Modulus");
-  material.poissonsRatio = list.get<double>("Poisson's Ratio");
-  material.planeStress = list.get<std::string>("Plane State") == "Plane Stress";
+  material.youngsModulus = part.list->get<double>("Young's Modulus");
+  material.poissonsRatio = part.list->get<double>("Poisson's Ratio");
+  material.planeStress = part.list->get<std::string>("Plane State") == "Plane Stress";
   return material;
 }
 
-void refuseMotion(const ParameterList& motion, const std::string& path) {
-  for (const auto& item : motion)
-    if (!item.second.isDefault())
-      throw InputError(path, "->Motion->", item.first,
-                       ": belongs to a body with Material->Rigid = true; others "
-                       "have Boundary Conditions and Rigid Motions");
-}
-
-Body readBody(ParameterList& list, const std::string& name, const Scene& scene,
-              const bem::Loops& loops, double length,
-              const ParameterList& discretization) {
-  const std::string path = "Bodies->" + name;
+Body readBody(const Part& part, const std::string& name, const Scene& scene,
+              const bem::Loops& loops, double length) {
   Body body;
   body.name = name;
-  body.material = readMaterial(list.sublist("Material"), path + "->Material");
-  refuseMotion(list.sublist("Motion"), path);
-  body.outline = makeOutline(loops, length, path + "->Geometry");
-  body.conditions = readConditions(list, {scene.file, path}, *body.outline,
-                                   scene.symmetry, scene.names());
-  readMesh(list.sublist("Mesh"), discretization, path, body);
+  body.material = readMaterial(part.sub("Material"));
+  const Part motion = part.sub("Motion");
+  for (const auto& item : *motion.list)
+    if (!item.second.isDefault())
+      throw InputError(motion.path(item.first),
+                       ": belongs to a body with Material->Rigid = true; others "
+                       "have Boundary Conditions and Rigid Motions");
+  body.outline = makeOutline(loops, length, part.path("Geometry"));
+  body.conditions = readConditions(part, *body.outline, scene.symmetry);
+  readMesh(part.list->sublist("Mesh"), scene.used->sublist("Discretization"),
+           part.place.path, body);
   return body;
 }
 
-void refuseElasticity(const ParameterList& list, const std::string& path) {
-  const auto refuse = [&](const std::string& key) {
-    throw InputError(path, "->", key,
+void refuseElasticity(const Part& body) {
+  const auto refuse = [](const std::string& path) {
+    throw InputError(path,
                      ": the body is rigid (Material->Rigid = true); it has "
                      "Geometry, Motion and what acts on mass alone");
   };
+  const Part material = body.sub("Material");
   for (const char* key : {"Young's Modulus", "Poisson's Ratio"})
-    if (list.sublist("Material").isParameter(key))
-      refuse(std::string("Material->") + key);
-  for (const char* part :
+    if (material.has(key))
+      refuse(material.path(key));
+  for (const char* name :
        {"Boundary Conditions", "Mesh", "Rigid Motions", "Thermal Conditions"})
-    for (const auto& item : list.sublist(part))
+    for (const auto& item : body.list->sublist(name))
       if (!item.second.isDefault())
-        refuse(std::string(part) + "->" + item.first);
+        refuse(body.sub(name).path(item.first));
 }
 
 bem::Vec2 centroidOf(const bem::Outline& outline, const Symmetry& symmetry) {
@@ -87,36 +80,22 @@ bem::Vec2 centroidOf(const bem::Outline& outline, const Symmetry& symmetry) {
   return centroid;
 }
 
-bem::Vec2 readPole(const ParameterList& motion, const std::string& path,
-                   const bem::Outline& outline, const Symmetry& symmetry) {
-  if (!motion.isParameter("Reference Point"))
-    return centroidOf(outline, symmetry);
-  const auto& point = motion.get<Teuchos::Array<double>>("Reference Point");
-  if (point.size() != 2)
-    throw InputError(path, ": has ", point.size(), " numbers; a point has two");
-  return {point[0], point[1]};
-}
-
-RigidBody readRigid(const ParameterList& list, const std::string& name,
-                    const Scene& scene, const bem::Loops& loops) {
-  const std::string path = "Bodies->" + name;
-  refuseElasticity(list, path);
+RigidBody readRigid(const Part& part, const std::string& name, const Scene& scene,
+                    const bem::Loops& loops) {
+  refuseElasticity(part);
   RigidBody body;
   body.name = name;
-  body.outline = makeOutline(loops, 0, path + "->Geometry");
-  const ParameterList& motion = list.sublist("Motion");
-  body.pole =
-      readPole(motion, path + "->Motion->Reference Point", *body.outline, scene.symmetry);
+  body.outline = makeOutline(loops, 0, part.path("Geometry"));
+  const Part motion = part.sub("Motion");
+  body.pole = motion.has("Reference Point") ? motion.point("Reference Point")
+                                            : centroidOf(*body.outline, scene.symmetry);
   const bool isCut = scene.symmetry.cuts(*body.outline);
   const double share = isCut ? 0.5 : 1;  // of what acts on the whole body
   const auto course = [&](const std::string& key,
                           double factor) -> RigidBody::Component::Course {
-    if (!motion.isParameter(key))
+    if (!motion.has(key))
       return {};
-    return [text = motion.get<std::string>(key),
-            place = Place{scene.file, bem::message(path, "->Motion->", key)},
-            names = scene.names(),
-            factor](double t) { return factor * evaluateAt(t, text, place, names); };
+    return [now = motion, key, factor](double t) { return factor * now.number(key, t); };
   };
   constexpr std::array<const char*, 3> keys[] = {
       {"Displacement X", "Force X", "Stiffness X"},
@@ -126,31 +105,28 @@ RigidBody readRigid(const ParameterList& list, const std::string& name,
     const auto& [moved, pushed, sprung] = keys[c];
     const bool isAlong = c < 2 && static_cast<int>(c) != scene.symmetry.axis;
     for (const char* key : keys[c])
-      if (isCut && !isAlong && motion.isParameter(key))
+      if (isCut && !isAlong && motion.has(key))
         throw InputError(
-            path, "->Motion->", key, ": the body lies on the line of symmetry, ",
+            motion.path(key), ": the body lies on the line of symmetry, ",
             scene.symmetry.line(),
             " (Geometry->Symmetry); it has no motion across it and no rotation; "
             "remove it");
-    const bool pushes = motion.isParameter(pushed);
-    if (motion.isParameter(sprung))
+    const bool pushes = motion.has(pushed);
+    if (motion.has(sprung))
       body.components[c] = {true, course(pushed, share),
-                            share * motion.get<double>(sprung), course(moved, 1)};
-    else if (pushes && motion.isParameter(moved))
-      throw InputError(path, "->Motion->", pushed, ": ", moved,
+                            share * motion.list->get<double>(sprung), course(moved, 1)};
+    else if (pushes && motion.has(moved))
+      throw InputError(motion.path(pushed), ": ", moved,
                        " is given, too; a motion is prescribed, or free under a force, "
                        "not both, but where ",
                        sprung, " joins them");
     else
       body.components[c] = {pushes, pushes ? course(pushed, share) : course(moved, 1)};
   }
-  const BodyLoadsReader loads(*scene.used, name, {scene.file, ""});
-  if (loads.actsOnRigid()) {
-    body.inside = [loads, used = scene.used, outline = body.outline, pole = body.pole,
-                   names = scene.names()](double t) {
-      Names now = names;
-      now.t = t;
-      return loads.resultant(*outline, pole, now);
+  if (BodyLoadsReader(scene.root(), name).actsOnRigid()) {
+    body.inside = [root = scene.root(), name, outline = body.outline,
+                   pole = body.pole](double t) {
+      return BodyLoadsReader(root.then(t), name).resultant(*outline, pole);
     };
     body.inside(1);  // what contradicts itself shall be said at once
   }
@@ -163,7 +139,8 @@ bool isRigid(const ParameterList& body) {
 
 }  // namespace
 
-void readBodies(ParameterList& list, const ParameterList& discretization, Scene& scene) {
+void readBodies(Scene& scene) {
+  ParameterList& list = scene.used->sublist("Bodies");
   std::vector<bem::Loops> loops;
   double length = 0;
   for (const auto& item : list) {
@@ -179,13 +156,12 @@ void readBodies(ParameterList& list, const ParameterList& discretization, Scene&
   loops = alignedWith(scene.symmetry, std::move(loops), *scene.used);
   std::size_t b = 0;
   for (const auto& item : list) {
-    ParameterList& body = list.sublist(item.first);
+    const Part body = scene.root().sub("Bodies").sub(item.first);
     const bem::Loops& own = loops[b++];
-    if (isRigid(body))
+    if (isRigid(*body.list))
       scene.rigid.push_back(readRigid(body, item.first, scene, own));
     else
-      scene.bodies.push_back(
-          readBody(body, item.first, scene, own, length, discretization));
+      scene.bodies.push_back(readBody(body, item.first, scene, own, length));
   }
   if (scene.bodies.empty())
     throw InputError("Bodies: all bodies are rigid; at least one must be elastic");

@@ -4,13 +4,12 @@
 
 namespace epafi::drivers {
 
-/// Reads the validated list Bodies into a scene that has its file and constants.
+/// Reads the bodies of a scene that has its file, constants and validated list.
 ///
 /// Elastic bodies share one length, that of the largest, and one stress, that of the
 /// softest.  Rigid ones do not count: they must not change what the others do.
 /// \throws bem::InputError for a rigid body with what elastic ones have or the other way
 ///   round, no elastic body, and what readLoops, readConditions, readMesh refuse.
-void readBodies(Teuchos::ParameterList& list,
-                const Teuchos::ParameterList& discretization, Scene& scene);
+void readBodies(Scene& scene);
 
 }  // namespace epafi::drivers

@@ -6,8 +6,6 @@
 #include "bem/quadrature/Gauss.hpp"
 #include "drivers/scene/ConditionsReader.hpp"
 
-#include <Teuchos_Array.hpp>
-
 #include <algorithm>
 #include <boost/math/special_functions/binomial.hpp>
 #include <cmath>
@@ -22,12 +20,6 @@ using bem::asVector;
 using bem::Complex;
 using bem::InputError;
 using bem::Vec2;
-using Teuchos::ParameterList;
-
-bool saysAnything(const ParameterList& list) {
-  return std::any_of(list.begin(), list.end(),
-                     [](const auto& item) { return !item.second.isDefault(); });
-}
 
 constexpr int highest = 4;  ///< degree
 
@@ -91,30 +83,24 @@ bem::SchemaRows bodyLoadsRows() {
   using bem::Kind;
   using bem::Row;
   return {
-      Row("Gravity X", Kind::Expression,
-          "acceleration; the force per volume is Density times it; in t and constants")
-          .unit("force / mass"),
-      Row("Gravity Y", Kind::Expression, "likewise; down is negative")
-          .unit("force / mass"),
-      Row("Force X", Kind::Expression, "instead of Gravity X: the force per volume")
-          .unit("stress / length"),
-      Row("Force Y", Kind::Expression, "instead of Gravity Y, likewise")
-          .unit("stress / length"),
-      Row("Spin", Kind::Expression,
+      Row("Gravity X", Kind::Expression, "force / mass",
+          "acceleration; the force per volume is Density times it; in t and constants"),
+      Row("Gravity Y", Kind::Expression, "force / mass", "likewise; down is negative"),
+      Row("Force X", Kind::Expression, "stress / length",
+          "instead of Gravity X: the force per volume"),
+      Row("Force Y", Kind::Expression, "stress / length",
+          "instead of Gravity Y, likewise"),
+      Row("Spin", Kind::Expression, "radian / time",
           "angular velocity about Center; the force per volume is Density times its "
-          "square "
-          "times the way from there; in t and constants")
-          .unit("radian / time"),
-      Row("Angular Acceleration", Kind::Expression,
-          "the body's own about Center, counter-clockwise; not taken from Spin; likewise")
-          .unit("radian / time^2"),
-      Row("Center", Kind::Reals,
-          "of Spin and Angular Acceleration; without it the origin")
-          .unit("length"),
-      Row("Temperature", Kind::Expression,
+          "square times the way from there; in t and constants"),
+      Row("Angular Acceleration", Kind::Expression, "radian / time^2",
+          "the body's own about Center, counter-clockwise; not taken from Spin; "
+          "likewise"),
+      Row("Center", Kind::Reals, "length",
+          "of Spin and Angular Acceleration; without it the origin"),
+      Row("Temperature", Kind::Expression, "temperature",
           "difference from the stress-free state, a polynomial in x and y of degree at "
-          "most 4 with coefficients in t; of elastic bodies")
-          .unit("temperature"),
+          "most 4 with coefficients in t; of elastic bodies"),
   };
 }
 
@@ -122,69 +108,50 @@ bem::SchemaRows thermalRows() {
   using bem::Kind;
   using bem::Row;
   return {
-      Row("Temperature", Kind::Expression,
-          "held here: difference from the stress-free state; on one boundary at least")
-          .unit("temperature"),
-      Row("Heat Flux", Kind::Expression, "instead of Temperature: heat into the body")
-          .unit("conductivity temperature / length"),
+      Row("Temperature", Kind::Expression, "temperature",
+          "held here: difference from the stress-free state; on one boundary at least"),
+      Row("Heat Flux", Kind::Expression, "conductivity temperature / length",
+          "instead of Temperature: heat into the body"),
   };
 }
 
-BodyLoadsReader::BodyLoadsReader(const ParameterList& root, const std::string& body,
-                                 Place file)
-    : body_(body),
-      symmetry_(parseSymmetry(root.sublist("Geometry"))),
-      place_(file),
-      heatPlace_{file.file, "Bodies->" + body + "->Thermal Conditions"} {
-  const ParameterList& list = root.sublist("Bodies").sublist(body);
-  material_ = &list.sublist("Material");
-  thermal_ = &list.sublist("Thermal Conditions");
-  own_ = saysAnything(list.sublist("Body Loads"));
-  const ParameterList& ofAll = root.sublist("Body Loads");
-  list_ = own_ ? &list.sublist("Body Loads") : saysAnything(ofAll) ? &ofAll : nullptr;
-  place_.path = own_ ? "Bodies->" + body + "->Body Loads" : "Body Loads";
+BodyLoadsReader::BodyLoadsReader(const Part& root, const std::string& body)
+    : body_(root.sub("Bodies").sub(body)),
+      thermal_(body_.sub("Thermal Conditions")),
+      loads_(body_.sub("Body Loads")),
+      own_(loads_.isGiven()),
+      symmetry_(parseSymmetry(root.list->sublist("Geometry"))) {
+  if (!own_)
+    loads_ = root.sub("Body Loads");
 }
 
-bool BodyLoadsReader::has(const char* key) const {
-  return list_ != nullptr && list_->isParameter(key);
-}
-
-double BodyLoadsReader::value(const char* key, const Names& names) const {
-  return has(key) ? evaluateAt(names.t, list_->get<std::string>(key),
-                               {place_.file, place_.path + "->" + key}, names)
-                  : 0;
+double BodyLoadsReader::value(const char* key) const {
+  return loads_.has(key) ? loads_.number(key) : 0;
 }
 
 double BodyLoadsReader::ofMaterial(const char* property, const std::string& why) const {
-  if (!material_->isParameter(property))
-    throw InputError("Bodies->", body_, "->Material->", property, ": missing; ", why,
-                     " needs it");
-  return material_->get<double>(property);
+  const Part material = body_.sub("Material");
+  if (!material.has(property))
+    throw InputError(material.path(property), ": missing; ", why, " needs it");
+  return material.list->get<double>(property);
 }
 
-BodyLoadsReader::Force BodyLoadsReader::forceAt(Vec2 origin, const Names& names) const {
+BodyLoadsReader::Force BodyLoadsReader::forceAt(Vec2 origin) const {
   const auto along = [&](const char* weight, const char* force) {
-    if (!has(weight))
-      return value(force, names);
-    if (has(force))
-      throw InputError(place_.path, "->", force, ": give this or ", weight, ", not both");
-    return ofMaterial("Density", place_.path + "->" + weight) * value(weight, names);
+    if (!loads_.has(weight))
+      return value(force);
+    if (loads_.has(force))
+      throw InputError(loads_.path(force), ": give this or ", weight, ", not both");
+    return ofMaterial("Density", loads_.path(weight)) * value(weight);
   };
   Force force{{along("Gravity X", "Force X"), along("Gravity Y", "Force Y")}, {}};
-  if (has("Spin"))
-    force.linear += ofMaterial("Density", place_.path + "->" + "Spin") *
-                    std::pow(value("Spin", names), 2);
-  if (has("Angular Acceleration"))
-    force.linear -= ofMaterial("Density", place_.path + "->" + "Angular Acceleration") *
-                    Complex(0, value("Angular Acceleration", names));
-  Vec2 center;
-  if (has("Center")) {
-    const auto& point = list_->get<Teuchos::Array<double>>("Center");
-    if (point.size() != 2)
-      throw InputError(place_.path, "->Center: has ", point.size(),
-                       " numbers; a point has two");
-    center = {point[0], point[1]};
-  }
+  if (loads_.has("Spin"))
+    force.linear +=
+        ofMaterial("Density", loads_.path("Spin")) * std::pow(value("Spin"), 2);
+  if (loads_.has("Angular Acceleration"))
+    force.linear -= ofMaterial("Density", loads_.path("Angular Acceleration")) *
+                    Complex(0, value("Angular Acceleration"));
+  const Vec2 center = loads_.has("Center") ? loads_.point("Center") : Vec2{};
   force.uniform += force.linear * asComplex(origin - center);
   checkSymmetry(force, origin);
   return force;
@@ -199,17 +166,16 @@ void BodyLoadsReader::checkSymmetry(const Force& force, Vec2 origin) const {
                         rounding * (std::abs(force.uniform) + std::abs(ofOrigin)) ||
                     force.linear.imag() != 0))
     throw InputError(
-        place_.path, ": of bodies that are symmetric about the line ", symmetry_.line(),
+        loads_.place.path, ": of bodies that are symmetric about the line ",
+        symmetry_.line(),
         " (Geometry->Symmetry) no force acts across it, Spin has its Center on "
         "it, and there is no Angular Acceleration");
 }
 
 // Points of a square lattice on the outline's box; of as many again between them the deviation.
-contact::BodyLoads::Terms BodyLoadsReader::temperature(const bem::Outline& outline,
-                                                       const Names& names) const {
-  const Place place{place_.file, place_.path + "->Temperature"};
-  const bem::Function given =
-      makeExpression(list_->get<std::string>("Temperature"), place, names);
+contact::BodyLoads::Terms BodyLoadsReader::temperature(
+    const bem::Outline& outline) const {
+  const bem::Function given = loads_.function("Temperature");
   Vec2 low{1, 1};
   Vec2 high{-1, -1};
   for (const bem::Edge& edge : outline.edges())
@@ -241,31 +207,32 @@ contact::BodyLoads::Terms BodyLoadsReader::temperature(const bem::Outline& outli
                                              fitted.temperature(asVector(y))));
   // what varies across a body of 1 : 100 cancels to eight digits in powers of z
   if (deviation > 1e-7 * largest)
-    throw InputError(place.path, ": is no polynomial in x and y of degree at most ",
-                     highest, "; the nearest one is off by up to ", deviation);
+    throw InputError(loads_.path("Temperature"),
+                     ": is no polynomial in x and y of degree at most ", highest,
+                     "; the nearest one is off by up to ", deviation);
   return terms;
 }
 
 contact::Inside BodyLoadsReader::inside(const bem::Outline& outline,
-                                        const bem::Material& material, double stress,
-                                        const Names& names) const {
-  const bool conducts = saysAnything(*thermal_);
-  if (list_ == nullptr && !conducts)
+                                        const bem::Material& material,
+                                        double stress) const {
+  const bool conducts = thermal_.isGiven();
+  if (!loads_.isGiven() && !conducts)
     return nullptr;
-  const Force force =
-      list_ == nullptr ? Force{} : forceAt(outline.scaling().origin, names);
+  const Force force = loads_.isGiven() ? forceAt(outline.scaling().origin) : Force{};
   const double length = outline.scaling().length;
   contact::BodyLoads loads;
   loads.uniform = force.uniform * (length / stress);
   loads.linear = force.linear * (length * length / stress);
-  if (has("Temperature") && conducts)
-    throw InputError(place_.path, "->Temperature: ", heatPlace_.path,
+  const bool isWarm = loads_.has("Temperature");
+  if (isWarm && conducts)
+    throw InputError(loads_.path("Temperature"), ": ", thermal_.place.path,
                      " have it conducted; give one of them");
-  if (has("Temperature"))
-    loads.temperature = temperature(outline, names);
-  if (has("Temperature") || conducts) {
+  if (isWarm)
+    loads.temperature = temperature(outline);
+  if (isWarm || conducts) {
     const double alpha = ofMaterial(
-        "Thermal Expansion", conducts ? heatPlace_.path : place_.path + "->Temperature");
+        "Thermal Expansion", conducts ? thermal_.place.path : loads_.path("Temperature"));
     loads.expansion = material.planeStress ? alpha : (1 + material.poissonsRatio) * alpha;
     loads.across = material.planeStress ? 0 : -alpha * material.youngsModulus / stress;
   }
@@ -274,47 +241,45 @@ contact::Inside BodyLoadsReader::inside(const bem::Outline& outline,
 }
 
 std::shared_ptr<const contact::ThermalConditions> BodyLoadsReader::heat(
-    const bem::Outline& outline, const Names& names) const {
-  if (!saysAnything(*thermal_))
+    const bem::Outline& outline) const {
+  if (!thermal_.isGiven())
     return nullptr;
   contact::ThermalConditions heat;
-  heat.path = heatPlace_.path;
-  heat.conductivity = material_->get<double>("Conductivity");
-  for (const auto& item : *thermal_) {
-    const Place place{heatPlace_.file, heatPlace_.path + "->" + item.first};
-    checkNamed(item.first, place.path, outline);
-    const ParameterList& list = thermal_->sublist(item.first);
-    Names here = names;
-    here.normal = normalOn(outline, item.first);
-    const bool isHeld = list.isParameter("Temperature");
-    if (isHeld == list.isParameter("Heat Flux"))
-      throw InputError(place.path, ": has ", isHeld ? "both" : "none",
+  heat.path = thermal_.place.path;
+  heat.conductivity = body_.list->sublist("Material").get<double>("Conductivity");
+  for (const auto& item : *thermal_.list) {
+    Part part = thermal_.sub(item.first);
+    checkNamed(item.first, part.place.path, outline);
+    part.names.normal = normalOn(outline, item.first);
+    const bool isHeld = part.has("Temperature");
+    if (isHeld == part.has("Heat Flux"))
+      throw InputError(part.place.path, ": has ", isHeld ? "both" : "none",
                        " of Temperature and Heat Flux; a boundary has one of them");
-    const char* key = isHeld ? "Temperature" : "Heat Flux";
-    (isHeld ? heat.temperatures : heat.flows)[item.first] = makeExpression(
-        list.get<std::string>(key), {place.file, place.path + "->" + key}, here);
+    (isHeld ? heat.temperatures : heat.flows)[item.first] =
+        part.function(isHeld ? "Temperature" : "Heat Flux");
   }
   if (heat.temperatures.empty())
     throw InputError(
-        heatPlace_.path,
+        thermal_.place.path,
         ": no boundary has a Temperature; without one that is held heat flows "
         "alone do not say how warm the body is");
   return std::make_shared<const contact::ThermalConditions>(std::move(heat));
 }
 
 bool BodyLoadsReader::actsOnRigid() const {
-  if (own_ && has("Temperature"))
-    throw InputError(place_.path,
-                     "->Temperature: the body is rigid (Material->Rigid = "
-                     "true), heat does nothing to it");
-  return list_ != nullptr && (own_ || material_->isParameter("Density"));
+  if (own_ && loads_.has("Temperature"))
+    throw InputError(
+        loads_.path("Temperature"),
+        ": the body is rigid (Material->Rigid = true), heat does nothing to it");
+  return loads_.isGiven() &&
+         (own_ || body_.list->sublist("Material").isParameter("Density"));
 }
 
 // What acts inside is the opposite of the tractions that a particular solution has on the outline.
-contact::Resultant BodyLoadsReader::resultant(const bem::Outline& outline, Vec2 pole,
-                                              const Names& names) const {
+contact::Resultant BodyLoadsReader::resultant(const bem::Outline& outline,
+                                              Vec2 pole) const {
   const double length = outline.scaling().length;
-  const Force force = forceAt(outline.scaling().origin, names);
+  const Force force = forceAt(outline.scaling().origin);
   const contact::ParticularSolution solution(
       {force.uniform * length, force.linear * length * length},
       bem::Lame(bem::Material{}));

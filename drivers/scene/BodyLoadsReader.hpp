@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/results/Summary.hpp"
+#include "drivers/scene/Part.hpp"
 #include "drivers/scene/Scene.hpp"
 
 namespace epafi::drivers {
@@ -13,9 +14,8 @@ bem::SchemaRows thermalRows();
 /// Conditions; the root's Body Loads serve bodies that have none of their own.
 class BodyLoadsReader {
  public:
-  /// `root`: the scene's whole list.
-  BodyLoadsReader(const Teuchos::ParameterList& root, const std::string& body,
-                  Place file);
+  /// `root`: the scene's whole list, at this time.
+  BodyLoadsReader(const Part& root, const std::string& body);
 
   /// Of an elastic body; none where no list says anything.
   /// `material`, `stress`: the body's, and what stresses count in.
@@ -23,18 +23,17 @@ class BodyLoadsReader {
   ///   a temperature that is no polynomial of degree 4, or of a body without Thermal Expansion, or
   ///   beside Thermal Conditions, and what is not one finite number at this time.
   contact::Inside inside(const bem::Outline& outline, const bem::Material& material,
-                         double stress, const Names& names) const;
+                         double stress) const;
 
   /// What is said of heat on its boundaries; none: no list says anything.
   /// \throws bem::InputError for a boundary that no edge has, a temperature and a flux or neither on
   ///   one, and if no boundary has a temperature.
-  std::shared_ptr<const contact::ThermalConditions> heat(const bem::Outline& outline,
-                                                         const Names& names) const;
+  std::shared_ptr<const contact::ThermalConditions> heat(
+      const bem::Outline& outline) const;
 
   /// Of a rigid one, about its reference point, in the user's units; without a Density of its own
   /// nothing of the root's.  \throws bem::InputError as above.
-  contact::Resultant resultant(const bem::Outline& outline, bem::Vec2 pole,
-                               const Names& names) const;
+  contact::Resultant resultant(const bem::Outline& outline, bem::Vec2 pole) const;
   /// Does anything act on a rigid body?
   bool actsOnRigid() const;
 
@@ -44,22 +43,17 @@ class BodyLoadsReader {
     bem::Complex uniform;
     bem::Complex linear;
   };
-  Force forceAt(bem::Vec2 origin, const Names& names) const;
+  Force forceAt(bem::Vec2 origin) const;
   void checkSymmetry(const Force& force, bem::Vec2 origin) const;
-  bool has(const char* key) const;
-  double value(const char* key, const Names& names) const;
+  double value(const char* key) const;
   double ofMaterial(const char* property, const std::string& why) const;
-  contact::BodyLoads::Terms temperature(const bem::Outline& outline,
-                                        const Names& names) const;
+  contact::BodyLoads::Terms temperature(const bem::Outline& outline) const;
 
-  const Teuchos::ParameterList* material_;
-  const Teuchos::ParameterList* thermal_;
-  const Teuchos::ParameterList* list_;  ///< null: none
+  Part body_;
+  Part thermal_;
+  Part loads_;  ///< the body's own or those at the root
   bool own_ = false;
-  std::string body_;
   Symmetry symmetry_;
-  Place place_;      ///< of the list
-  Place heatPlace_;  ///< of Thermal Conditions
 };
 
 }  // namespace epafi::drivers

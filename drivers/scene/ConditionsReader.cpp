@@ -6,7 +6,6 @@
 #include "drivers/scene/Scene.hpp"
 
 #include <Teuchos_Array.hpp>
-#include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
 
@@ -15,101 +14,47 @@ namespace epafi::drivers {
 namespace {
 
 using bem::InputError;
-using Teuchos::ParameterList;
 
-/// A list of the scene, and what its expressions know.
-struct Where {
-  Place place;
-  Names names;
-
-  Where under(const std::string& key) const {
-    return {{place.file, place.path + "->" + key}, names};
-  }
-};
-
-/// The expression under a key; an empty function if it is not given.
-bem::Function readFunction(const ParameterList& list, const std::string& key,
-                           const Where& where) {
-  if (!list.isParameter(key))
-    return {};
-  return makeExpression(list.get<std::string>(key), where.under(key).place, where.names);
-}
-
-/// A bound on the shear cannot be negative.
-bem::Function nonNegative(const bem::Function& function, const Place& place, double t) {
-  return [function, place, t](bem::Vec2 point) {
-    const double value = function(point);
-    if (value < 0)
-      throw InputError(place.file, ": ", place.path, " is ", value, " at (x, y) = (",
-                       point.x, ", ", point.y, ")",
-                       t == 1 ? "" : bem::message(", t = ", t),
-                       "; it must be >= 0 there");
-    return value;
-  };
-}
-
-contact::Friction readFriction(const ParameterList& list, const Where& where) {
-  const ParameterList& friction = list.sublist("Friction");
-  const Where inner = where.under("Friction");
-  return contact::parseFriction(friction, [&](const std::string& key) {
-    return nonNegative(readFunction(friction, key, inner), inner.under(key).place,
-                       where.names.t);
-  });
-}
-
-void readWear(const ParameterList& list, const Where& where,
-              contact::Conditions::Contact& condition) {
-  const Place jump = where.under("Cycle Jump").place;
-  condition.cycles =
-      evaluateAt(where.names.t, list.get<std::string>("Cycle Jump"), jump, where.names);
+void readWear(const Part& part, contact::Conditions::Contact& condition) {
+  condition.cycles = part.number("Cycle Jump");
   if (!(condition.cycles >= 1))
-    throw InputError(jump.path, ": is ", condition.cycles, " at t = ", where.names.t,
-                     "; a step happens once at least");
-  const bem::Function coefficient = readFunction(list, "Coefficient", where);
-  if (!coefficient)
+    throw InputError(part.path("Cycle Jump"), ": is ", condition.cycles,
+                     " at t = ", part.names.t, "; a step happens once at least");
+  if (!part.has("Coefficient"))
     return;
   if (condition.friction.ties())
-    throw InputError(where.place.path,
+    throw InputError(part.place.path,
                      ": bonded sides do not slip, so that they do not wear; take "
                      "another law of friction than Tied");
-  condition.wear =
-      nonNegative(coefficient, where.under("Coefficient").place, where.names.t);
+  condition.wear = part.nonNegative("Coefficient");
 }
 
 /// What all contacts have.
-contact::Conditions::Contact readSurface(const ParameterList& list, const Where& where) {
+contact::Conditions::Contact readSurface(const Part& part) {
+  const auto fieldsOf = [](const Part& law) {
+    return [law](const std::string& key) { return law.nonNegative(key); };
+  };
   contact::Conditions::Contact condition;
-  condition.friction = readFriction(list, where);
-  if (list.isParameter("Sliding")) {
-    Where start = where;
-    start.names.t = 0;
-    const bem::Function now = readFunction(list, "Sliding", where);
-    const bem::Function before = readFunction(list, "Sliding", start);
+  const Part friction = part.sub("Friction");
+  condition.friction = contact::parseFriction(*friction.list, fieldsOf(friction));
+  if (part.has("Sliding")) {
+    const bem::Function now = part.function("Sliding");
+    const bem::Function before = part.then(0).function("Sliding");
     condition.sliding = [now, before](bem::Vec2 x) { return now(x) - before(x); };
   }
-  readWear(list.sublist("Wear"), where.under("Wear"), condition);
-  const ParameterList& normal = list.sublist("Normal");
-  const Where inner = where.under("Normal");
-  condition.normal = contact::parseNormal(normal, [&](const std::string& key) {
-    return nonNegative(readFunction(normal, key, inner), inner.under(key).place,
-                       where.names.t);
-  });
-  return condition;
-}
-
-contact::Conditions::Contact readContact(const ParameterList& list, const Where& where) {
-  contact::Conditions::Contact condition = readSurface(list, where);
-  condition.gap = readFunction(list, "Gap", where);
+  readWear(part.sub("Wear"), condition);
+  const Part normal = part.sub("Normal");
+  condition.normal = contact::parseNormal(*normal.list, fieldsOf(normal));
   return condition;
 }
 
 }  // namespace
 
-contact::Conditions::Contact readContactOfBodies(const ParameterList& list,
-                                                 const Place& place, const Names& names) {
-  contact::Conditions::Contact condition = readSurface(list, {place, names});
-  const bem::Function interference = readFunction(list, "Interference", {place, names});
-  condition.gap = [interference](bem::Vec2 x) { return -interference(x); };
+contact::Conditions::Contact readContactOfBodies(const Part& part) {
+  contact::Conditions::Contact condition = readSurface(part);
+  condition.gap = [interference = part.function("Interference")](bem::Vec2 x) {
+    return -interference(x);
+  };
   return condition;
 }
 
@@ -171,76 +116,65 @@ void addMoment(double moment, const bem::Outline& outline, const std::string& bo
   load.y = sum(load.y, [turn, c](bem::Vec2 x) { return turn * (x.x - c.x); });
 }
 
-double readNumber(const ParameterList& list, const std::string& key, const Where& where) {
-  return evaluateAt(where.names.t, list.get<std::string>(key), where.under(key).place,
-                    where.names);
-}
-
 /// Along one axis, "X" or "Y": as given, or the uniform one of a given force.
-bem::Function readTraction(const ParameterList& list, const std::string& axis,
-                           const Where& where, double length) {
+bem::Function readTraction(const Part& part, const std::string& axis, double length) {
   const std::string force = "Force " + axis;
-  if (!list.isParameter(force))
-    return readFunction(list, "Traction " + axis, where);
-  if (list.isParameter("Traction " + axis))
-    throw InputError(where.under(force).place.path, ": give this or Traction ", axis,
-                     ", not both");
-  const double traction = readNumber(list, force, where) / length;
-  return [traction](bem::Vec2) { return traction; };
+  if (!part.has(force))
+    return part.function("Traction " + axis);
+  if (part.has("Traction " + axis))
+    throw InputError(part.path(force), ": give this or Traction ", axis, ", not both");
+  return [traction = part.number(force) / length](bem::Vec2) { return traction; };
 }
 
-void readBoundary(const ParameterList& list, const std::string& boundary,
-                  const Where& where, const bem::Outline& outline,
-                  contact::Conditions& conditions) {
-  const std::string type = list.get<std::string>("Type");
+void readBoundary(const Part& part, const std::string& boundary,
+                  const bem::Outline& outline, contact::Conditions& conditions) {
+  const std::string type = part.list->get<std::string>("Type");
+  if (type == "Contact") {
+    contact::Conditions::Contact& condition = conditions.contact[boundary] =
+        readSurface(part);
+    condition.gap = part.function("Gap");
+    return;
+  }
   if (type == "Dirichlet") {
-    const bem::Function x = readFunction(list, "Displacement X", where);
-    const bem::Function y = readFunction(list, "Displacement Y", where);
+    const bem::Function x = part.function("Displacement X");
+    const bem::Function y = part.function("Displacement Y");
     if (!x && !y)
       throw InputError(
-          where.place.path +
+          part.place.path,
           ": a Dirichlet condition needs Displacement X, Displacement Y or both");
     conditions.dirichlet[boundary] = {x, y};
   }
-  if (type != "Contact") {
-    const double length = lengthOf(outline, boundary);
-    contact::Conditions::Neumann load{readTraction(list, "X", where, length),
-                                      readTraction(list, "Y", where, length)};
-    if (list.isParameter("Moment"))
-      addMoment(readNumber(list, "Moment", where), outline, boundary, load);
-    for (const char* axis : {"X", "Y"})
-      if (list.isParameter(std::string("Displacement ") + axis) &&
-          (*axis == 'X' ? load.x : load.y))
-        throw InputError(where.place.path, "->Displacement ", axis,
-                         ": a traction or a force along ", axis,
-                         " is given, too; one of them moves the boundary, not both");
-    if (type == "Neumann" || load.x || load.y)
-      conditions.neumann[boundary] = load;
-  } else {
-    conditions.contact[boundary] = readContact(list, where);
-  }
+  const double length = lengthOf(outline, boundary);
+  contact::Conditions::Neumann load{readTraction(part, "X", length),
+                                    readTraction(part, "Y", length)};
+  if (part.has("Moment"))
+    addMoment(part.number("Moment"), outline, boundary, load);
+  for (const char* axis : {"X", "Y"})
+    if (part.has(std::string("Displacement ") + axis) && (*axis == 'X' ? load.x : load.y))
+      throw InputError(part.place.path, "->Displacement ", axis,
+                       ": a traction or a force along ", axis,
+                       " is given, too; one of them moves the boundary, not both");
+  if (type == "Neumann" || load.x || load.y)
+    conditions.neumann[boundary] = load;
 }
 
 }  // namespace
 
-contact::Conditions readConditions(const ParameterList& body, const Place& place,
-                                   const bem::Outline& outline, const Symmetry& symmetry,
-                                   const Names& names) {
+contact::Conditions readConditions(const Part& body, const bem::Outline& outline,
+                                   const Symmetry& symmetry) {
   contact::Conditions conditions;
-  const std::string path = place.path + "->Boundary Conditions";
-  const ParameterList& list = body.sublist("Boundary Conditions");
-  for (const auto& item : list) {
-    const Place inner{place.file, path + "->" + item.first};
-    checkNamed(item.first, inner.path, outline);
-    Names here = names;
-    here.normal = normalOn(outline, item.first);
-    readBoundary(list.sublist(item.first), item.first, {inner, here}, outline,
-                 conditions);
+  const Part all = body.sub("Boundary Conditions");
+  for (const auto& item : *all.list) {
+    Part part = all.sub(item.first);
+    checkNamed(item.first, part.place.path, outline);
+    part.names.normal = normalOn(outline, item.first);
+    readBoundary(part, item.first, outline, conditions);
   }
-  const ParameterList& rigid = body.sublist("Rigid Motions");
-  conditions.fix.path = place.path + "->Rigid Motions";
-  if (rigid.isParameter("Fix"))
-    for (const std::string& motion : rigid.get<Teuchos::Array<std::string>>("Fix")) {
+  const Part rigid = body.sub("Rigid Motions");
+  conditions.fix.path = rigid.place.path;
+  if (rigid.has("Fix"))
+    for (const std::string& motion :
+         rigid.list->get<Teuchos::Array<std::string>>("Fix")) {
       conditions.fix.x |= motion == "X";
       conditions.fix.y |= motion == "Y";
       conditions.fix.rotation |= motion == "Rotation";

@@ -7,7 +7,6 @@
 #include "drivers/scene/OverlapCheck.hpp"
 
 #include <Teuchos_Array.hpp>
-#include <Teuchos_ParameterList.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +17,6 @@ namespace epafi::drivers {
 namespace {
 
 using bem::InputError;
-using Teuchos::ParameterList;
 
 std::vector<std::string> bodyNames(const Scene& scene) {
   std::vector<std::string> names;
@@ -51,11 +49,9 @@ SideOfBody readSide(const std::string& text, const std::string& path,
 }
 
 /// The side that carries the multiplier comes first.
-std::pair<SideOfBody, SideOfBody> readBetween(const ParameterList& list,
-                                              const std::string& path,
-                                              const Scene& scene) {
-  const std::string key = path + "->Between";
-  const auto& between = list.get<Teuchos::Array<std::string>>("Between");
+std::pair<SideOfBody, SideOfBody> readBetween(const Part& part, const Scene& scene) {
+  const std::string key = part.path("Between");
+  const auto& between = part.list->get<Teuchos::Array<std::string>>("Between");
   if (between.size() != 2)
     throw InputError(key, ": has ", between.size(),
                      " sides; a contact is between two, body:boundary each");
@@ -176,20 +172,19 @@ void checkModuli(const ContactPair& pair, const std::string& path, const Scene& 
 
 }  // namespace
 
-void readContacts(const ParameterList& contacts, const std::string& file, Scene& scene) {
-  for (const auto& item : contacts) {
-    const std::string path = "Contacts->" + item.first;
-    const ParameterList& list = contacts.sublist(item.first);
+void readContacts(Scene& scene) {
+  const Part contacts = scene.root().sub("Contacts");
+  for (const auto& item : *contacts.list) {
+    Part part = contacts.sub(item.first);
+    const std::string& path = part.place.path;
     ContactPair pair{item.first, {}, {}};
-    std::tie(pair.side, pair.met) = readBetween(list, path, scene);
+    std::tie(pair.side, pair.met) = readBetween(part, scene);
     checkFree(pair.side, path, scene);
     checkFree(pair.met, path, scene);
     checkNotMet(pair.side, path, scene);
     checkModuli(pair, path, scene);
-    Names names = scene.names();
-    names.normal = normalOn(scene.outlineOf(pair.side), pair.side.boundary);
-    contact::Conditions::Contact condition =
-        readContactOfBodies(list, {file, path}, names);
+    part.names.normal = normalOn(scene.outlineOf(pair.side), pair.side.boundary);
+    contact::Conditions::Contact condition = readContactOfBodies(part);
     condition.name = pair.name;
     condition.parts = meet(pair, scene);
     if (condition.parts.empty())

@@ -139,8 +139,8 @@ class Drawing {
   OutlinePieces outline() const {
     OutlinePieces result;
     result.advice =
-        "lines, arcs and polylines of all layers must close "
-        "(ends closer than 1e-6 of the drawing's size are one corner)";
+        "lines, arcs and polylines of all layers must close (ends closer than 1e-6 of "
+        "the drawing's size are one corner)";
     double size = 0;
     for (const Vec2 end : ends_)
       size = std::max({size, std::abs(end.x - ends_[0].x), std::abs(end.y - ends_[0].y)});
@@ -158,9 +158,9 @@ class Drawing {
   static void checkIsNoCurve(const Entity& entity) {
     for (const char* kind : {"SPLINE", "ELLIPSE", "INSERT", "MLINE", "REGION"})
       if (entity.kind == kind)
-        throw InputError("line ", entity.fileLine, ": ", entity.kind,
-                         " is not read; explode it, or draw lines, arcs, circles and "
-                         "polylines");
+        throw InputError(
+            "line ", entity.fileLine, ": ", entity.kind,
+            " is not read; explode it, or draw lines, arcs, circles and polylines");
   }
 
   static NodeTag nodeAt(OutlinePieces& outline, Vec2 place, double tolerance) {

@@ -6,7 +6,7 @@
 
 namespace epafi::drivers {
 
-/// The outline in a Gmsh mesh (.msh, ASCII, format 4.1).
+/// The outline in a Gmsh mesh (.msh, format 4.1, ASCII or binary).
 ///
 /// Read are the line elements that belong to a physical group; the group's name (its
 /// number where it has none) is the boundary's name.  Lines of second order are the circular
@@ -15,7 +15,7 @@ namespace epafi::drivers {
 /// become one edge, those on one circle too, up to half of it.  A loop starts at its corner
 /// with the smallest node number, which is the geometry's first point.  Other elements are
 /// skipped.
-/// \throws bem::InputError naming the line of the file for what is not a mesh, or a mesh
+/// \throws bem::InputError naming the line of the file, the byte of a binary one, for what is no mesh, or a mesh
 ///   that is no outline: lines of third or higher order, open chains, forks, a mesh that is
 ///   not in a plane of constant z.
 bem::Loops readGmsh(const std::string& text);

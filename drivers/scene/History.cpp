@@ -50,26 +50,18 @@ bem::SchemaRows historyRows() {
   using bem::Kind;
   using bem::Row;
   return {
-      Row("Times", Kind::Reals,
+      Row("Times", Kind::Reals, "that of t in the expressions", bem::above(0),
           "the path starts unloaded at t = 0 and is solved up to each of these, in this "
-          "order; expressions know t")
-          .unit("that of t in the expressions")
-          .range(bem::above(0)),
-      Row("Steps", Kind::Counts,
+          "order; expressions know t"),
+      Row("Steps", Kind::Counts, "1", {1, mostSteps},
           "equal steps up to each time, one number for all or one for each; without it "
-          "one")
-          .unit("1")
-          .range({1, mostSteps}),
-      Row("Minimum Step", Kind::Real,
-          "a step that fails is halved down to this; without it to 1/64 of the step, "
-          "to 1/1024 under a Tolerance, which needs at least 1/8")
-          .unit("that of t in the expressions")
-          .range(bem::above(0)),
-      Row("Tolerance", Kind::Real,
+          "one"),
+      Row("Minimum Step", Kind::Real, "that of t in the expressions", bem::above(0),
+          "a step that fails is halved down to this; without it to 1/64 of the step, to "
+          "1/1024 under a Tolerance, which needs at least 1/8"),
+      Row("Tolerance", Kind::Real, "1", {0, 1, false, true},
           "error in time of friction's work, relative: chooses how many steps are solved "
-          "up to each time that Times and Steps ask for; without it, or if 0, one")
-          .unit("1")
-          .range({0, 1, false, true}),
+          "up to each time that Times and Steps ask for; without it, or if 0, one"),
   };
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bem/base/Family.hpp"
-#include "bem/base/SchemaRow.hpp"
+#include "bem/base/Keys.hpp"
 #include "bem/compressed/CompressedOperators.hpp"
 #include "bem/operators/SteklovPoincare.hpp"
 #include "bem/tpetra/BelosOptions.hpp"
@@ -12,36 +12,30 @@
 namespace epafi::drivers {
 
 class Ranks;
-struct Scene;
 
 /// How linear systems are solved.
 struct LinearOptions {
   std::string method = "Automatic";  ///< a name of linearMethods()
   bem::BelosOptions belos;
   bem::Compression compression;
-};
 
-/// Schema rows of LinearOptions; options of a validated list.
-bem::SchemaRows linearRows();
-LinearOptions parseLinear(const Teuchos::ParameterList& list);
+  void keys(bem::Keys& keys);
+};
 
 /// A way to solve with the boundary operators.
 struct LinearMethod {
-  /// Dense matrices, compressed operators, or whichever costs less.
+  /// What it asks for: dense matrices, compressed operators, or whichever costs less.
   enum class Operators { Dense, Compressed, Cheaper };
 
   const char* name = nullptr;
   const char* meaning = nullptr;
-  /// Null: Cholesky factorisation.
+  /// Null: by Cholesky's factors.
   std::unique_ptr<const bem::SingleLayerSolver> (*solver)(
       const Ranks& ranks, const LinearOptions& options) = nullptr;
   Operators operators = Operators::Dense;
 };
 
-/// \throws bem::InputError if the method cannot solve the scene
-void checkLinear(const Scene& scene);
-
-/// All methods; a program may add others before it reads its first scene.
+/// All of them; a program may add others before it reads its first scene.
 bem::Family<LinearMethod>& linearMethods();
 
 }  // namespace epafi::drivers

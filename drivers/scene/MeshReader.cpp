@@ -104,22 +104,15 @@ std::vector<int> readElements(const ParameterList& list, const bem::Outline& out
 }  // namespace
 
 bem::SchemaRows meshRows(const char* degree) {
-  Row ownDegree = Row("Degree", Kind::Whole, "polynomial degree of the displacement")
-                      .unit("1")
-                      .range({1, 25});
+  Row ownDegree =
+      Row("Degree", Kind::Whole, "1", {1, 25}, "polynomial degree of the displacement");
   return {
-      Row("Elements per Edge", Kind::Counts,
-          "equal elements on each edge of the outer polygon; or give Mesh Size")
-          .unit("1")
-          .range(bem::from(1)),
-      Row("Hole <k> Elements per Edge", Kind::Counts,
-          "equal elements on each edge of hole k")
-          .unit("1")
-          .range(bem::from(1)),
-      Row("Mesh Size", Kind::Real,
-          "largest element; each edge gets the smallest number of equal ones")
-          .unit("length")
-          .range(bem::above(0)),
+      Row("Elements per Edge", Kind::Counts, "1", bem::from(1),
+          "equal elements on each edge of the outer polygon; or give Mesh Size"),
+      Row("Hole <k> Elements per Edge", Kind::Counts, "1", bem::from(1),
+          "equal elements on each edge of hole k"),
+      Row("Mesh Size", Kind::Real, "length", bem::above(0),
+          "largest element; each edge gets the smallest number of equal ones"),
       degree != nullptr ? ownDegree.standard(degree) : ownDegree,
   };
 }

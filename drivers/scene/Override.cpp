@@ -1,13 +1,9 @@
 #include "drivers/scene/Override.hpp"
 
 #include "bem/base/Error.hpp"
-#include "drivers/scene/LexicalCheck.hpp"
-#include "drivers/scene/RemovedKeys.hpp"
+#include "drivers/scene/ListReader.hpp"
 #include "drivers/scene/Schema.hpp"
 #include "drivers/scene/Text.hpp"
-
-#include <Teuchos_XMLObject.hpp>
-#include <Teuchos_XMLParameterListReader.hpp>
 
 namespace epafi::drivers {
 
@@ -15,68 +11,77 @@ namespace {
 
 using bem::InputError;
 using bem::lastOf;
+using Teuchos::ParameterList;
 
-/// An entry through Teuchos' own reader, so that --set reads what a file would.
-Teuchos::ParameterEntry entryOf(const std::string& type, const std::string& value) {
-  if (type == "string")
-    return Teuchos::ParameterEntry(value);
-  Teuchos::XMLObject parameter("Parameter");
-  parameter.addAttribute("name", std::string("value"));
-  parameter.addAttribute("type", type);
-  parameter.addAttribute("value", value);
-  Teuchos::XMLObject root("ParameterList");
-  root.addChild(parameter);
-  return Teuchos::XMLParameterListReader().toParameterList(root).getEntry("value");
+struct RemovedKey {
+  const char* path;      ///< A->B->Key, not below a name of the scene's choice
+  const char* standard;  ///< the default that it had
+  const char* instead;
+};
+
+constexpr RemovedKey removedKeys[] = {
+    {"Solver->Load Steps", "1",
+     "a History applies a load in steps, and halves one that fails"},
+    {"Solver->Complementarity", "Projection",
+     "Newton's steps are the projection's; Fischer-Burmeister's function is the merit of "
+     "NOX's line searches"},
+    {"Adaptivity->Grading->Reach", "1",
+     "nodes stay where refinement made them: use Transitions Node"},
+};
+
+[[noreturn]] void refuse(const RemovedKey& key) {
+  throw InputError(key.path, ": is no longer a key; ", key.instead);
 }
 
-/// The list that a path stands in; `missing(list, name, path)` where it has no such sublist.
-template <class Missing>
-Teuchos::ParameterList& parentOf(Teuchos::ParameterList& list, const std::string& path,
-                                 const Missing& missing) {
-  Teuchos::ParameterList* target = &list;
-  std::size_t at = 0;
-  for (auto end = path.find("->"); end != std::string::npos; end = path.find("->", at)) {
-    const std::string name = path.substr(at, end - at);
-    if (!target->isSublist(name))
-      missing(*target, name, path.substr(0, end));
+/// A and B of A->B->Key.
+std::vector<std::string> parents(const std::string& path) {
+  std::vector<std::string> names = bem::namesOf(path);
+  names.pop_back();
+  return names;
+}
+
+/// The list that a path stands in and that has its key; null: none.
+ParameterList* holderOf(ParameterList& list, const std::string& path) {
+  ParameterList* target = &list;
+  for (const std::string& name : parents(path))
+    if (target->isSublist(name))
+      target = &target->sublist(name);
+    else
+      return nullptr;
+  return target->isParameter(lastOf(path)) ? target : nullptr;
+}
+
+/// The list that a path stands in, made if it is not there.
+ParameterList& madeParentOf(ParameterList& list, const std::string& path) {
+  ParameterList* target = &list;
+  std::string walked;
+  for (const std::string& name : parents(path)) {
+    walked = bem::join(walked, name);
+    if (target->isParameter(name) && !target->isSublist(name))
+      throw InputError(walked + ": is no sublist in the scene");
     target = &target->sublist(name);
-    at = end + 2;
   }
   return *target;
 }
 
-/// The same, made if it is not there.
-Teuchos::ParameterList& madeParentOf(Teuchos::ParameterList& list,
-                                     const std::string& path) {
-  return parentOf(list, path, [](const auto& parent, const auto& name, const auto& at) {
-    if (parent.isParameter(name))
-      throw InputError(at + ": is no sublist in the scene");
-  });
-}
-
-void removeAt(Teuchos::ParameterList& list, const std::string& path) {
-  const auto refuse = [&path](const auto&...) {
+void removeAt(ParameterList& list, const std::string& path) {
+  ParameterList* holder = holderOf(list, path);
+  if (holder == nullptr)
     throw InputError(path +
                      ": is not in the scene, so it cannot be removed; a value is written "
                      "behind the =");
-  };
-  Teuchos::ParameterList& parent = parentOf(list, path, refuse);
-  if (!parent.isParameter(lastOf(path)))
-    refuse();
-  parent.remove(lastOf(path));
+  holder->remove(lastOf(path));
 }
 
-void setAt(Teuchos::ParameterList& list, const std::string& path,
-           const std::string& value);
+void setAt(ParameterList& list, const std::string& path, const std::string& value);
 
 /// "{Key=value, Key=value}" in place of what the list held.
-void setList(Teuchos::ParameterList& list, const std::string& path,
-             const std::string& value) {
+void setList(ParameterList& list, const std::string& path, const std::string& value) {
   if (value.front() != '{' || value.back() != '}')
     throw InputError(path +
                      ": is a sublist; name a key in it, or replace the whole by "
                      "{Key=value, Key=value}");
-  Teuchos::ParameterList& parent = madeParentOf(list, path);
+  ParameterList& parent = madeParentOf(list, path);
   parent.remove(lastOf(path), false);
   parent.sublist(lastOf(path));
   for (const std::string& piece : pieces(value.substr(1, value.size() - 2))) {
@@ -89,8 +94,7 @@ void setList(Teuchos::ParameterList& list, const std::string& path,
   }
 }
 
-void setAt(Teuchos::ParameterList& list, const std::string& path,
-           const std::string& value) {
+void setAt(ParameterList& list, const std::string& path, const std::string& value) {
   const Parameter& row = bem::declared(parameters(), path);
   if (trimmed(value).empty())
     return removeAt(list, path);
@@ -102,21 +106,34 @@ void setAt(Teuchos::ParameterList& list, const std::string& path,
   const std::string type = alone && row.kind == Kind::Counts  ? "int"
                            : alone && row.kind == Kind::Reals ? "double"
                                                               : textOf(row.kind).type;
-  const std::string text = type == "string" ? value : trimmed(value);
-  within(path + ": ", [&] { checkValue(type, text); });
-  madeParentOf(list, path).setEntry(lastOf(path), entryOf(type, text));
+  const auto entry = within(path + ": ", [&] { return readValue(type, value); });
+  madeParentOf(list, path).setEntry(lastOf(path), entry);
 }
 
 }  // namespace
 
-void applyOverride(Teuchos::ParameterList& list, const std::string& assignment) {
+void dropRemovedKeys(ParameterList& scene) {
+  for (const RemovedKey& key : removedKeys) {
+    ParameterList* holder = holderOf(scene, key.path);
+    if (holder == nullptr)
+      continue;
+    const std::string name = lastOf(key.path);
+    if (Teuchos::toString(holder->getEntry(name).getAny()) != key.standard)
+      refuse(key);
+    holder->remove(name);
+  }
+}
+
+void applyOverride(ParameterList& list, const std::string& assignment) {
   const auto equal = assignment.find('=');
   if (equal == std::string::npos)
     throw InputError("--set '", assignment, "': write 'A->B->Key=value'");
   const std::string path = assignment.substr(0, equal);
   const std::string value = assignment.substr(equal + 1);
   within("--set ", [&] {
-    refuseRemovedKey(path);
+    for (const RemovedKey& key : removedKeys)
+      if (path == key.path)
+        refuse(key);
     setAt(list, path, value);
   });
 }

@@ -1,36 +1,57 @@
 #pragma once
 
-#include "bem/base/SchemaRow.hpp"
-#include "bem/base/Vec2.hpp"
+#include "bem/base/Keys.hpp"
 
 #include <optional>
 #include <vector>
 
 namespace epafi::drivers {
 
-/// Limits of a run.
+/// When a run ends that could go on.
 struct RunLimits {
-  int levels = 6;                ///< the first included
-  long degreesOfFreedom = 4000;  ///< of a level, displacement and multiplier
-  double estimate = 0;           ///< the run ends at a smaller estimate
-  /// ... and if Level::relativeEstimate is at most this.
+  int levels = 6;               ///< the first included
+  int degreesOfFreedom = 4000;  ///< of a level, displacement and multiplier
+  double estimate = 0;          ///< a smaller one ends the run
+  /// So does a Level::relativeEstimate of at most this.
   std::optional<double> tolerance{};
-  std::optional<double> memory;  ///< of a level, all processes [MiB]; empty: free memory
+  std::optional<double> memory;  ///< of a level, all processes [MiB]; else what is free
+
+  void keys(bem::Keys& keys) {
+    keys.add(
+        &tolerance, "Tolerance", "1", {0, 1, true, true},
+        "a run ends at the first level whose estimated error is at most this part of "
+        "the energy norm of the solution, on a path in every step; alone it means "
+        "Strategy = Graded hp and Maximum Levels = 100");
+    keys.add(&estimate, "Target Estimate",
+             "as the estimate: root of stress length^2 under Weights Energy",
+             bem::from(0), "a run ends at the first level with a smaller estimate");
+    keys.add(&levels, "Maximum Levels", "1", bem::from(1),
+             "levels computed, the first included");
+    keys.add(
+        &degreesOfFreedom, "Maximum Degrees of Freedom", "1", bem::from(1),
+        "a level with more, displacement and contact stress together, is not computed");
+    keys.add(&memory, "Maximum Memory", "MiB", bem::above(0),
+             "a level that is foretold to take more, all processes together, is not "
+             "computed; without it what the machine and its control groups have free");
+  }
 };
 
-/// Schema rows of RunLimits; limits of a validated list.
-bem::SchemaRows limitRows();
-RunLimits parseLimits(const Teuchos::ParameterList& list);
-
-/// Output of a level besides the tables.
+/// What is written of a level beside tables.
 struct OutputOptions {
   int contactSamples = 8;  ///< per element
   std::vector<bem::Vec2> interiorPoints;
-  bool fields = true;  ///< write boundary.csv, solution.hdf, data of pictures
-};
+  bool fields = true;  ///< write boundary.csv and what shows fields
 
-/// Schema rows of OutputOptions; options of a validated list.
-bem::SchemaRows outputRows();
-OutputOptions parseOutput(const Teuchos::ParameterList& list);
+  void keys(bem::Keys& keys) {
+    keys.add(
+        &fields, "Fields", "", {},
+        "write boundary.csv, the pictures' data, and solution.hdf, which restarts and "
+        "epafi fields read");
+    keys.add(&contactSamples, "Contact Samples per Element", "1", {1, 1000},
+             "points in contact.csv");
+    keys.add(&interiorPoints, "Interior Points", "length", {},
+             "points inside the body for interior.csv");
+  }
+};
 
 }  // namespace epafi::drivers

@@ -9,14 +9,13 @@
 #include "contact/results/Summary.hpp"
 #include "contact/solve/CoulombIteration.hpp"
 #include "contact/stabilization/Stabilization.hpp"
-#include "drivers/scene/ConstantNumbers.hpp"
 #include "drivers/scene/History.hpp"
 #include "drivers/scene/LinearMethod.hpp"
+#include "drivers/scene/Part.hpp"
 #include "drivers/scene/RunOptions.hpp"
 #include "drivers/scene/Symmetry.hpp"
 
 #include <Teuchos_ParameterList.hpp>
-#include <Teuchos_RCP.hpp>
 
 #include <algorithm>
 #include <array>
@@ -27,10 +26,10 @@
 
 namespace epafi::drivers {
 
-/// A point of an edge at which meshes must have a node.
+/// A place on an edge that a mesh must have a node at.
 struct RequiredNode {
   int edge = 0;
-  double place = 0;  ///< arc length from the edge's start, scaled as the outline
+  double place = 0;  ///< from the edge's start, in lengths of the outline's scaling
 };
 
 /// An elastic body, its conditions and its first mesh.
@@ -46,28 +45,28 @@ struct Body {
   std::vector<RequiredNode> nodes;  ///< of the mesh: where contact with others ends
 };
 
-/// A rigid body.
+/// A body without elasticity: held, moved, or under a force, about its reference point.
 struct RigidBody {
-  /// Motion in x or y, or rotation about the reference point.
+  /// Of x, y and the rotation.
   struct Component {
     using Course = std::function<double(double t)>;
-    bool free = false;     ///< under a force or on a spring; else prescribed
+    bool free = false;     ///< under a force, by a spring
     Course value{};        ///< the force or moment, or the motion [radian]
     double stiffness = 0;  ///< of the spring; 0: there is none
-    Course end{};          ///< motion of its other end; empty: fixed
+    Course end{};          ///< the motion of its other end; empty: it stays
   };
   std::string name;
   std::shared_ptr<const bem::Outline> outline;
   std::array<Component, 3> components;
   bem::Vec2 pole;  ///< reference point
-  /// Resultant of body loads about the reference point; empty: none.
+  /// Of what acts inside, about that point; empty: nothing does.
   std::function<contact::Resultant(double t)> inside{};
 };
 
 /// A boundary of a body.
 struct SideOfBody {
   bool rigid = false;
-  std::size_t body = 0;  ///< index among the elastic or the rigid bodies
+  std::size_t body = 0;  ///< among the elastic ones or among the rigid ones
   std::string boundary;
 };
 
@@ -89,22 +88,28 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<RigidBody> rigid;
   std::vector<ContactPair> contacts;
-  double stress = 1;  ///< common unit of stresses
+  double stress = 1;  ///< that all of them count in
 
   History history;
-  /// Conditions of the bodies at a time, with pins and body loads, but without conducted
-  /// heat.  Their kinds do not depend on t.
+  /// The bodies' conditions at a time, their pins included, what is inside without heat that is
+  /// conducted; of the same kinds on the same
+  /// boundaries at all times.
   std::function<std::vector<contact::Conditions>(double t)> conditionsAt;
 
   std::string multiplier;
   contact::Stabilization stabilization;
 
-  /// Options of the nonlinear solver, see solve().
+  /// What a nonlinear solver is assembled from, see solve().
   struct Solver {
     contact::ContactSolverOptions contact;
     contact::CoulombOptions coulomb;
-    /// List for NOX; null: defaults of Epafi.
+    /// Handed to NOX in every run; null means Epafi's own choice.
     std::shared_ptr<const Teuchos::ParameterList> nox;
+
+    void keys(bem::Keys& keys) {
+      coulomb.keys(keys);
+      contact.keys(keys);
+    }
   } solver;
 
   LinearOptions linear;
@@ -113,22 +118,28 @@ struct Scene {
     adaptivity::StrategyOptions strategy;
     adaptivity::EstimatorOptions estimator;
     RunLimits limits;
+
+    void keys(bem::Keys& keys) {
+      strategy.keys(keys);
+      estimator.keys(keys);
+      limits.keys(keys);
+    }
   } adaptivity;
 
   OutputOptions output;
 
-  /// Motions, forces and springs of rigid bodies at a time.
+  /// How bodies without elasticity are moved at a time.
   std::vector<contact::Drive> drivesAt(double t) const;
   double endOfPath() const { return history ? history.times.back() : 1; }
 
   bem::Units units() const { return bodies.front().outline->units(stress); }
-  /// Unit of energies of the whole scene (twice that of a drawn half).
+  /// The unit of energies of the whole scene, of which the half may be drawn.
   double energy() const {
     return symmetry.copies() * stress * units().length * units().length;
   }
   bem::Lame lame(std::size_t b) const { return {bodies[b].material, stress}; }
   bool hasSeveral() const { return bodies.size() + rigid.size() > 1; }
-  /// Does the output contain forces by bodies (bodies.csv)?
+  /// Do bodies have forces of their own to be told, beside those of the scene?
   bool tellsBodies() const {
     return hasSeveral() || bodies.front().conditions.inside != nullptr;
   }
@@ -136,18 +147,20 @@ struct Scene {
   std::string boundaryName(std::size_t b, const std::string& boundary) const {
     return !hasSeveral() ? boundary : bodies[b].name + ":" + boundary;
   }
-  /// Names for expressions at t = 1, without normal.
+  /// What its expressions know at t = 1, where no boundary is meant.
   Names names() const { return {constants, 1, {}, tables}; }
+  /// Its complete list, which must outlive what is made of it.
+  Part root() const { return {used, {file, ""}, names()}; }
 
-  /// Index of the body that contains a point; bodies.size() if there is none.
+  /// The body that a point lies inside; their number if there is none.
   std::size_t bodyAt(bem::Vec2 point) const {
     std::size_t b = 0;
     while (b < bodies.size() && !bodies[b].outline->contains(point))
       ++b;
     return b;
   }
-  /// The point or its mirror image, whichever is inside a drawn body; for a point on the
-  /// line of symmetry a point beside it.
+  /// What lies inside a body that is drawn where a point or its mirror image does: that one; of a
+  /// point on the line of symmetry, which bounds what is drawn, one beside it.
   bem::Vec2 drawn(bem::Vec2 point) const;
   const std::string& nameOf(const SideOfBody& side) const {
     return side.rigid ? rigid[side.body].name : bodies[side.body].name;
@@ -155,18 +168,18 @@ struct Scene {
   const bem::Outline& outlineOf(const SideOfBody& side) const {
     return side.rigid ? *rigid[side.body].outline : *bodies[side.body].outline;
   }
-  /// Scaled coordinates of a point in the opposite body minus those in the body of `side`.
+  /// A scaled place on what is met less the same place on the side.
   bem::Vec2 shift(const ContactPair& pair) const {
     return (1 / units().length) *
            (outlineOf(pair.side).scaling().origin - outlineOf(pair.met).scaling().origin);
   }
-  /// The opposite boundary: numbers of its edges, and the edges in this scene's length.
+  /// The boundary that is met: its edges' numbers, and the edges in this scene's length.
   struct MetEdges {
     std::vector<int> edges;
     std::vector<bem::Curve> curves;
   };
   MetEdges metEdges(const ContactPair& pair) const;
-  /// Largest distance of opposite points along normals: the smaller diameter, scaled.
+  /// How far along its normals a side looks: the smaller one's diameter, scaled.
   double reach(const ContactPair& pair) const {
     return std::min(outlineOf(pair.side).diameter(), outlineOf(pair.met).diameter()) /
            units().length;
@@ -176,10 +189,10 @@ struct Scene {
                        [](const Body& body) { return !body.conditions.contact.empty(); });
   }
 
-  /// The complete list, with defaults.
-  Teuchos::RCP<Teuchos::ParameterList> used;
-  /// The expressions in constants that `used` has evaluated; used.xml contains them.
-  Entries expressions;
+  /// The complete list with every default filled in.
+  std::shared_ptr<Teuchos::ParameterList> used;
+  /// What it is made of: expressions in place of numbers, which used.xml says.
+  Teuchos::ParameterList given;
 };
 
 /// The names of an outline's boundaries, in the order of its edges.

@@ -2,9 +2,7 @@
 
 #include "bem/base/Error.hpp"
 #include "bem/base/SchemaRow.hpp"
-#include "drivers/scene/LexicalCheck.hpp"
-#include "drivers/scene/NestingCheck.hpp"
-#include "drivers/scene/Text.hpp"
+#include "drivers/scene/ListReader.hpp"
 #include "drivers/scene/YamlText.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -12,7 +10,6 @@
 #include <Teuchos_StringInputSource.hpp>
 #include <Teuchos_TwoDArray.hpp>
 #include <Teuchos_XMLObject.hpp>
-#include <Teuchos_XMLParameterListReader.hpp>
 
 #include <algorithm>
 #include <boost/algorithm/string/case_conv.hpp>
@@ -48,37 +45,37 @@ std::string complaint(const std::exception& error) {
   return text;
 }
 
-/// Arrays of texts for Teuchos, and back.
-void hideNesting(const XMLObject& object) {
-  for (int i = 0; i < object.numChildren(); ++i) {
-    XMLObject child = object.getChild(i);
-    if (child.getTag() == "ParameterList")
-      hideNesting(child);
-    else if (child.getRequired("type").find("Array(string)") != std::string::npos)
-      child.addAttribute("value", hidden(child.getRequired("value")));
-  }
+/// Where a tag's '>' is, the one behind its attributes' quotes; or the text's size.
+std::size_t endOfTag(const std::string& text, std::size_t at) {
+  for (char quote = 0; at < text.size() && (quote != 0 || text[at] != '>'); ++at)
+    if (quote == 0 && (text[at] == '"' || text[at] == '\''))
+      quote = text[at];
+    else if (text[at] == quote)
+      quote = 0;
+  return at;
 }
 
-void showNesting(Teuchos::ParameterList& list) {
-  using Texts = Teuchos::Array<std::string>;
-  for (const auto& item : list) {
-    Teuchos::ParameterEntry& entry = *list.getEntryPtr(item.first);
-    if (entry.isList())
-      showNesting(Teuchos::getValue<Teuchos::ParameterList>(entry));
-    else if (entry.isType<Texts>())
-      for (std::string& text : Teuchos::getValue<Texts>(entry))
-        text = shown(text);
-    else if (entry.isType<Teuchos::TwoDArray<std::string>>()) {
-      auto& texts = Teuchos::getValue<Teuchos::TwoDArray<std::string>>(entry);
-      for (int i = 0; i < texts.getNumRows(); ++i)
-        for (int j = 0; j < texts.getNumCols(); ++j)
-          texts(i, j) = shown(texts(i, j));
+/// Parsers, and what they make, go down by recursion, on a stack that ends.
+void checkNesting(const std::string& text) {
+  constexpr int deepest = 1000;
+  int depth = 0;
+  for (std::size_t at = text.find('<'); at < text.size(); at = text.find('<', at)) {
+    if (text.compare(at, 4, "<!--") == 0) {
+      at = text.find("-->", at);
+      continue;
     }
+    const std::size_t end = endOfTag(text, at + 1);
+    const char first = text[at + 1];
+    const bool opens = first != '!' && first != '?' && text[end - 1] != '/';
+    depth += first == '/' ? -1 : opens ? 1 : 0;
+    if (depth > deepest)
+      throw InputError("lists stand in lists more than ", deepest, " deep");
+    at = end;
   }
 }
 
 XMLObject parsedXml(const std::string& text) {
-  checkNestingOfXml(text);
+  checkNesting(text);
   XMLObject root;
   try {
     root = Teuchos::StringInputSource(text).getObject();
@@ -91,18 +88,10 @@ XMLObject parsedXml(const std::string& text) {
 }
 
 RawScene sceneOf(const XMLObject& root, const std::string& standardTitle) {
-  checkLexically(root);
-  hideNesting(root);
-  try {
-    RawScene scene{standardTitle,
-                   Teuchos::XMLParameterListReader().toParameterList(root)};
-    showNesting(scene.list);
-    if (root.hasAttribute("name") && !root.getRequired("name").empty())
-      scene.title = root.getRequired("name");
-    return scene;
-  } catch (const std::exception& error) {
-    throw InputError("cannot be read as a list of parameters: " + complaint(error));
-  }
+  RawScene scene{standardTitle, readList(root)};
+  if (root.hasAttribute("name") && !root.getRequired("name").empty())
+    scene.title = root.getRequired("name");
+  return scene;
 }
 
 /// The type and value that an entry has in XML: doubles, alone and in arrays, with as few digits

@@ -1,6 +1,7 @@
 #include "drivers/scene/SceneReader.hpp"
 
 #include "bem/base/Error.hpp"
+#include "contact/compressed/CompressedStiffness.hpp"
 #include "contact/multiplier/MultiplierBasis.hpp"
 #include "drivers/process/Versions.hpp"
 #include "drivers/scene/BodiesReader.hpp"
@@ -8,12 +9,14 @@
 #include "drivers/scene/ConditionsReader.hpp"
 #include "drivers/scene/ContactsReader.hpp"
 #include "drivers/scene/GeometryReader.hpp"
-#include "drivers/scene/Incompressible.hpp"
 #include "drivers/scene/Override.hpp"
-#include "drivers/scene/RemovedKeys.hpp"
 #include "drivers/scene/SceneFile.hpp"
 #include "drivers/scene/Schema.hpp"
 
+#include <Teuchos_Array.hpp>
+#include <Teuchos_TwoDArray.hpp>
+
+#include <algorithm>
 #include <utility>
 
 namespace epafi::drivers {
@@ -30,14 +33,74 @@ void checkAnyBody(const ParameterList& list) {
 }
 
 Scene::Solver readSolver(const ParameterList& list) {
-  Scene::Solver solver{contact::parseContactSolver(list), contact::parseCoulomb(list),
-                       nullptr};
+  auto solver = bem::parsed<Scene::Solver>(list);
   if (list.isSublist("NOX") && list.sublist("NOX").numParams() > 0) {
     const auto nox = std::make_shared<ParameterList>(list.sublist("NOX"));
     nox->setName("Solver->NOX");
     solver.nox = nox;
   }
   return solver;
+}
+
+/// Is there neither a condition on a boundary of a body, nor a load, nor another body?
+bool isFree(const Scene& scene, std::size_t b, const std::string& boundary) {
+  const contact::Conditions& conditions = scene.bodies[b].conditions;
+  const auto neumann = conditions.neumann.find(boundary);
+  const bool met = std::any_of(
+      scene.contacts.begin(), scene.contacts.end(), [&](const ContactPair& pair) {
+        return !pair.met.rigid && pair.met.body == b && pair.met.boundary == boundary;
+      });
+  return !met && conditions.dirichlet.count(boundary) == 0 &&
+         (neumann == conditions.neumann.end() ||
+          (!neumann->second.x && !neumann->second.y));
+}
+
+/// At ν = 1/2 in plane strain, V has the normals of each closed line of a body in its kernel.
+/// What Form Density adds on contact elements takes them out; on other lines this pins ψ on
+/// the longest edge without load, see contact::Conditions::pins.
+/// \throws InputError for another form, and for a line without such an edge.
+void pinIncompressible(std::size_t b, Scene& scene) {
+  Body& body = scene.bodies[b];
+  if (body.material.poissonsRatio < 0.5 || body.material.planeStress)
+    return;
+  const std::string path = "Bodies->" + body.name + "->Material->Poisson's Ratio";
+  if (scene.stabilization.form != contact::Stabilization::Form::Density)
+    throw InputError(path +
+                     ": is 1/2, which Discretization->Stabilization->Form = Density "
+                     "allows in plane strain; other forms want less");
+  const contact::Conditions& conditions = body.conditions;
+  const bool fixes = conditions.fix.x || conditions.fix.y || conditions.fix.rotation;
+  const std::vector<bem::Edge>& edges = body.outline->edges();
+  std::vector<bool> seen(edges.size(), false);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    bool held = seen[k];
+    double longest = 0;
+    int pin = -1;
+    for (std::size_t i = k; !seen[i]; i = static_cast<std::size_t>(edges[i].next)) {
+      seen[i] = true;
+      held = held || conditions.contact.count(edges[i].boundary) != 0;
+      if (edges[i].curve.length() > longest && isFree(scene, b, edges[i].boundary)) {
+        longest = edges[i].curve.length();
+        pin = static_cast<int>(i);
+      }
+    }
+    if (!held && (pin < 0 || fixes))
+      throw InputError(path +
+                       ": is 1/2, which needs on every closed line of the outline a "
+                       "boundary that carries contact stresses or, without Rigid "
+                       "Motions->Fix, one without any condition; the line with '" +
+                       edges[k].boundary + "' has none");
+    if (!held)
+      body.conditions.pins.push_back(pin);
+  }
+}
+
+void checkLinear(const Scene& scene) {
+  const LinearMethod& method = linearMethods().at(scene.linear.method);
+  const std::string reason = contact::whyNotCompressed(scene.stabilization);
+  if (method.operators == LinearMethod::Operators::Compressed && !reason.empty())
+    throw InputError("Solver->Linear->Method = ", method.name, ": ", reason,
+                     "; Dense, Belos and Automatic are possible");
 }
 
 /// The scene with what a tolerance alone asks for.
@@ -54,8 +117,7 @@ ParameterList withStrategy(ParameterList scene) {
 }
 
 Scene::Adaptivity readAdaptivity(const ParameterList& list) {
-  Scene::Adaptivity adaptivity{adaptivity::parseStrategy(list),
-                               adaptivity::parseEstimator(list), parseLimits(list)};
+  auto adaptivity = bem::parsed<Scene::Adaptivity>(list);
   if (adaptivity.limits.tolerance && adaptivity.estimator.weights != "Energy")
     throw InputError(
         "Adaptivity->Tolerance: is a part of the energy norm, and so needs Weights = "
@@ -67,7 +129,7 @@ Scene::Adaptivity readAdaptivity(const ParameterList& list) {
 }
 
 OutputOptions readOutput(const ParameterList& list, const Scene& scene) {
-  OutputOptions output = parseOutput(list);
+  OutputOptions output = bem::parsed<OutputOptions>(list);
   for (std::size_t i = 0; i < output.interiorPoints.size(); ++i)
     if (scene.bodyAt(scene.drawn(output.interiorPoints[i])) == scene.bodies.size())
       throw InputError("Output->Interior Points: point ", i, " = (",
@@ -99,26 +161,22 @@ void readNames(ParameterList& given, Scene& scene) {
 /// bodies and their contacts has found for good.
 std::function<std::vector<contact::Conditions>(double t)> conditionsOf(
     const Scene& scene) {
-  return [lists = scene.used, file = scene.file, bodies = scene.bodies,
-          symmetry = scene.symmetry, stress = scene.stress,
-          names = scene.names()](double t) {
-    Names now = names;
-    now.t = t;
+  return [root = scene.root(), bodies = scene.bodies, symmetry = scene.symmetry,
+          stress = scene.stress](double t) {
+    const Part now = root.then(t);
     std::vector<contact::Conditions> all;
     for (const Body& body : bodies) {
-      all.push_back(readConditions(lists->sublist("Bodies").sublist(body.name),
-                                   {file, "Bodies->" + body.name}, *body.outline,
-                                   symmetry, now));
+      all.push_back(
+          readConditions(now.sub("Bodies").sub(body.name), *body.outline, symmetry));
       all.back().pins = body.conditions.pins;
-      const BodyLoadsReader reader(*lists, body.name, {file, ""});
-      all.back().inside = reader.inside(*body.outline, body.material, stress, now);
-      all.back().heat = reader.heat(*body.outline, now);
+      const BodyLoadsReader reader(now, body.name);
+      all.back().inside = reader.inside(*body.outline, body.material, stress);
+      all.back().heat = reader.heat(*body.outline);
       for (const auto& [boundary, contact] : body.conditions.contact)
         if (!contact.name.empty()) {
-          now.normal = normalOn(*body.outline, boundary);
-          contact::Conditions::Contact condition =
-              readContactOfBodies(lists->sublist("Contacts").sublist(contact.name),
-                                  {file, "Contacts->" + contact.name}, now);
+          Part part = now.sub("Contacts").sub(contact.name);
+          part.names.normal = normalOn(*body.outline, boundary);
+          contact::Conditions::Contact condition = readContactOfBodies(part);
           condition.name = contact.name;
           condition.parts = contact.parts;
           all.back().contact[boundary] = std::move(condition);
@@ -150,28 +208,49 @@ Scene build(const std::string& file, const RawScene& raw) {
   scene.file = file;
   ParameterList given = withStrategy(raw.list);
   readNames(given, scene);
-  scene.expressions = evaluateNumbers(given, file, scene.names());
-  scene.used =
-      Teuchos::rcp(new ParameterList(bem::complete(parameters(), given, raw.title)));
+  scene.given = given;
+  const auto constant = [&](const std::string& text, const std::string& path) {
+    return evaluateConstant(text, {file, path}, scene.names());
+  };
+  scene.used = std::make_shared<ParameterList>(
+      bem::complete(parameters(), given, raw.title, constant));
   ParameterList& used = *scene.used;
   const ParameterList& discretization = used.sublist("Discretization");
   scene.symmetry = parseSymmetry(used.sublist("Geometry"));
-  readBodies(used.sublist("Bodies"), discretization, scene);
-  readContacts(used.sublist("Contacts"), file, scene);
+  readBodies(scene);
+  readContacts(scene);
   scene.multiplier = discretization.get<std::string>("Multiplier");
   scene.stabilization =
-      contact::parseStabilization(discretization.sublist("Stabilization"));
+      bem::parsed<contact::Stabilization>(discretization.sublist("Stabilization"));
   if (contact::multiplierBasis(scene.multiplier).sharesNodes)
     scene.stabilization.form = contact::Stabilization::Form::None;
-  pinIncompressible(scene);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    pinIncompressible(b, scene);
   scene.solver = readSolver(used.sublist("Solver"));
   readHistory(used, scene);
   scene.drivesAt(scene.endOfPath());  // what is no number in t shall be said at once
-  scene.linear = parseLinear(used.sublist("Solver").sublist("Linear"));
+  scene.linear = bem::parsed<LinearOptions>(used.sublist("Solver").sublist("Linear"));
   checkLinear(scene);
   scene.adaptivity = readAdaptivity(used.sublist("Adaptivity"));
   scene.output = readOutput(used.sublist("Output"), scene);
   return scene;
+}
+
+/// Where a scene has expressions in place of numbers: these in place of their values.
+void putBackTexts(const ParameterList& given, ParameterList& used) {
+  for (const auto& item : given) {
+    if (!used.isParameter(item.first))
+      continue;
+    const Teuchos::ParameterEntry& entry = item.second;
+    const bool isText = entry.isType<std::string>() ||
+                        entry.isType<Teuchos::Array<std::string>>() ||
+                        entry.isType<Teuchos::TwoDArray<std::string>>();
+    if (entry.isList() && used.isSublist(item.first))
+      putBackTexts(given.sublist(item.first), used.sublist(item.first));
+    else if (isText &&
+             entry.getAny(false).type() != used.getEntry(item.first).getAny(false).type())
+      used.setEntry(item.first, entry);
+  }
 }
 
 /// Every message names the file first.
@@ -208,7 +287,7 @@ Scene sceneOf(const std::string& text, const std::string& file,
 
 std::string usedXml(const Scene& scene) {
   ParameterList list(*scene.used);
-  putBack(scene.expressions, list);
+  putBackTexts(scene.given, list);
   const Versions current = versions();
   list.remove("Versions", false);
   list.sublist("Versions")

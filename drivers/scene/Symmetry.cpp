@@ -37,10 +37,9 @@ std::set<std::string> align(const Symmetry& symmetry, double tolerance,
       renamed.insert(name);
       name = Symmetry::boundary;
     } else if (name == Symmetry::boundary) {
-      throw InputError(
-          path, ": edge ", i, " is named '", name,
-          "', as edges on the line of symmetry are, and lies off it (Geometry->"
-          "Symmetry); take another name");
+      throw InputError(path, ": edge ", i, " is named '", name,
+                       "', as edges on the line of symmetry are, and lies off it "
+                       "(Geometry->Symmetry); take another name");
     }
   }
   return renamed;
@@ -55,11 +54,10 @@ double sideOf(const Symmetry& symmetry, double tolerance, double side,
                                         loop.bulges.empty() ? 0 : loop.bulges[i]))) {
       const double across = symmetry.across(point);
       if (side * across < -tolerance)
-        throw InputError(
-            path, ": the point (", point.x, ", ", point.y,
-            ") lies beyond the line of symmetry, ", symmetry.line(),
-            "; with Geometry->Symmetry one half of the scene is drawn, all of it "
-            "on one side");
+        throw InputError(path, ": the point (", point.x, ", ", point.y,
+                         ") lies beyond the line of symmetry, ", symmetry.line(),
+                         "; with Geometry->Symmetry one half of the scene is drawn, all "
+                         "of it on one side");
       if (side == 0 && std::abs(across) > tolerance)
         side = across < 0 ? -1 : 1;
     }
@@ -70,10 +68,9 @@ double sideOf(const Symmetry& symmetry, double tolerance, double side,
 void checkUnnamed(const Symmetry& symmetry, const std::set<std::string>& names,
                   const std::string& body, const ParameterList& scene) {
   const auto refuse = [&](const std::string& path) {
-    throw InputError(
-        path, ": these edges lie on the line of symmetry, ", symmetry.line(),
-        " (Geometry->Symmetry); they are rollers by themselves, without heat "
-        "across; remove it");
+    throw InputError(path, ": these edges lie on the line of symmetry, ", symmetry.line(),
+                     " (Geometry->Symmetry); they are rollers by themselves, without "
+                     "heat across; remove it");
   };
   for (const std::string& name : names) {
     for (const char* part : {"Boundary Conditions", "Thermal Conditions"})

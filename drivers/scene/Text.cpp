@@ -69,21 +69,6 @@ std::string hiddenEntry(std::string entry) {
   return entry;
 }
 
-std::string hidden(const std::string& array) {
-  const auto first = array.find('{');
-  const auto last = array.rfind('}');
-  if (first == std::string::npos || last <= first ||
-      array.find_first_of("{(", first + 1) == std::string::npos)
-    return array;
-  std::string result = array.substr(0, first) + "{";
-  const char* separator = "";
-  for (const std::string& entry : pieces(array.substr(first + 1, last - first - 1))) {
-    result += separator + hiddenEntry(entry);
-    separator = ",";
-  }
-  return result + array.substr(last);
-}
-
 std::string shown(const std::string& entry) {
   std::string result = entry;
   for (char& c : result)

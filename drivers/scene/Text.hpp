@@ -46,11 +46,9 @@ std::vector<std::string> pieces(const std::string& text);
 /// Are braces and parentheses in pairs?
 bool isBalanced(const std::string& text);
 
-/// An array of texts "{A={4, 4}, B=1}" in which Teuchos, who splits at every comma and ends
-/// at the first brace, finds the entries: signs within an entry are hidden.
-std::string hidden(const std::string& array);
+/// An entry of an array of texts "{A={4, 4}, B=1}" whose own commas and braces do not count.
 std::string hiddenEntry(std::string entry);
-/// An entry with its own signs again.
+/// With its own signs again.
 std::string shown(const std::string& entry);
 
 }  // namespace epafi::drivers

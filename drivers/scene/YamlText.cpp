@@ -190,8 +190,7 @@ std::string advice(const std::string& text, const YAML::Exception& error) {
     return "; indent by blanks, not by tabs";
   const bool isUnfinished = error.msg.rfind("end of ", 0) == 0;
   return isUnfinished ? "; a bracket, a brace or a comma is missing, or a text in "
-                        "brackets that has a "
-                        "comma needs quotes"
+                        "brackets that has a comma needs quotes"
                       : "; put quotes round a text with ': ' or ' #' in it, or one that "
                         "begins with * & ! | > % @ ? - [ or {";
 }

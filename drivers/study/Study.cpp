@@ -171,8 +171,7 @@ std::vector<Parameter> makeStudyParameters() {
                         .standard("false"),
                     Row("Keep Solutions", Kind::Flag,
                         "write history.csv, boundary.csv and solution.hdf of every "
-                        "variant, of sweeps "
-                        "too, as `epafi fields` wants them")
+                        "variant, of sweeps too, as `epafi fields` wants them")
                         .standard("false"),
                     Row("Scenes", Kind::List, "the scenes that are solved").required(),
                     Row(scene, Kind::List, "a scene, under a name of your choice"),

@@ -1,10 +1,12 @@
 #include "bem/base/Schema.hpp"
 
 #include "bem/base/Error.hpp"
+#include "bem/base/Keys.hpp"
 #include "bem/base/Suggestion.hpp"
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
+#include <Teuchos_TwoDArray.hpp>
 #include <Teuchos_UnitTestHarness.hpp>
 
 namespace epafi {
@@ -17,8 +19,8 @@ const bem::SchemaRows& rows() {
   using bem::Kind;
   using bem::Row;
   static const bem::SchemaRows table = {
-      Row("Tolerance", Kind::Real, "accuracy").standard(1e-6).range({0, 1, true, true}),
-      Row("Steps", Kind::Whole, "how many").standard(10).range(bem::from(1)),
+      Row("Tolerance", Kind::Real, "", {0, 1, true, true}, "accuracy").standard(1e-6),
+      Row("Steps", Kind::Whole, "", bem::from(1), "how many").standard(10),
       Row("Values", Kind::Names, "texts").standard("{}"),
       Row("Inner", Kind::List, "of its own"),
       Row("Inner->Law", Kind::Text, "law").standard("None").allowed({"None", "Tresca"}),
@@ -94,6 +96,75 @@ TEUCHOS_UNIT_TEST(Schema, takesNumbersForTexts) {
   TEST_EQUALITY(texts.size(), 2);
   TEST_EQUALITY(texts[0], "0.25");
   TEST_EQUALITY(texts[1], "120000");
+}
+
+/// Keys of all sorts, each of which is declared once.
+struct Part {
+  double size = 0.25;
+  void keys(bem::Keys& keys) {
+    keys.add(&size, "Size", "length", bem::above(0), "of a part");
+  }
+};
+enum class Shape { Round, Square };
+constexpr bem::Named<Shape> shapes[] = {{"Round", Shape::Round},
+                                        {"Square", Shape::Square}};
+struct Options {
+  Part part;
+  int count = 3;
+  bool hollow = false;
+  std::optional<double> weight;
+  Shape shape = Shape::Square;
+  std::string color = "Red";
+  std::vector<bem::Vec2> points;
+  void keys(bem::Keys& keys) {
+    keys.add(&count, "Count", "1", {1, 9}, "of parts");
+    keys.add(&hollow, "Hollow", "", {}, "inside");
+    keys.add(&weight, "Weight", "mass", bem::from(0), "of all", "1.5");
+    keys.add(&shape, "Shape", shapes, "of each");
+    keys.add(&color, "Color", {"Red", "Blue"}, "outside");
+    keys.add(&points, "Points", "length", {}, "of contact");
+    keys.add(&part, bem::Row("Part", bem::Kind::List, "one of them"));
+  }
+};
+
+TEUCHOS_UNIT_TEST(Schema, aKeyDeclaredOnceHasItsMembersDefaultAndSetsIt) {
+  const bem::SchemaRows rows = bem::rowsOf<Options>();
+  TEST_EQUALITY(bem::declared(rows, "Part->Size").standard, "0.25");
+  TEST_EQUALITY(bem::declared(rows, "Shape").standard, "Square");
+  const auto plain = bem::parsed<Options>(bem::complete(rows, {}, ""));
+  TEST_EQUALITY(plain.count, 3);
+  TEST_EQUALITY(plain.color, "Red");
+  TEST_ASSERT(!plain.weight && plain.points.empty() && plain.shape == Shape::Square);
+
+  ParameterList list = with("Count", 4);
+  list.set("Hollow", true)
+      .set("Weight", 1.5)
+      .set("Points", Teuchos::TwoDArray<int>(3, 2, 7));
+  list.set<std::string>("Shape", "Round").set<std::string>("Color", "Blue");
+  list.sublist("Part").set("Size", 1);
+  const auto given = bem::parsed<Options>(bem::complete(rows, list, ""));
+  TEST_ASSERT(given.hollow && given.weight == 1.5 && given.shape == Shape::Round);
+  TEST_EQUALITY(given.count, 4);
+  TEST_EQUALITY(given.color, "Blue");
+  TEST_EQUALITY(given.part.size, 1);
+  TEST_EQUALITY(given.points.size(), 3u);
+  TEST_EQUALITY(given.points[2].y, 7);
+  TEST_THROW(bem::complete(rows, with("Count", 10), ""), bem::InputError);
+}
+
+TEUCHOS_UNIT_TEST(Schema, textsInPlaceOfNumbersAreConstants) {
+  const auto length = [](const std::string& text, const std::string&) {
+    return static_cast<double>(text.size());
+  };
+  const bem::SchemaRows rows = bem::rowsOf<Options>();
+  const auto options = bem::parsed<Options>(
+      bem::complete(rows, with<std::string>("Count", "abcd"), "", length));
+  TEST_EQUALITY(options.count, 4);
+  TEST_THROW(bem::complete(rows, with<std::string>("Count", "abcd"), ""),
+             bem::InputError);
+  const auto half = [](const std::string&, const std::string&) { return 2.5; };
+  TEST_THROW(bem::complete(rows, with<std::string>("Count", "a"), "", half),
+             bem::InputError);
 }
 
 TEUCHOS_UNIT_TEST(Schema, intervalsIncludeTheirClosedEndsOnly) {

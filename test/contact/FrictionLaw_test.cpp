@@ -107,9 +107,8 @@ TEUCHOS_UNIT_TEST(FrictionLaw, aProgramAddsOneToTheTableAndTheKeys) {
   bem::Family<FrictionLawMember>& laws = contact::frictionLaws();
   const FrictionLawMember member = {
       "Offset Coulomb of a test",
-      {bem::Row("Coefficient", Kind::Expression, "mu").unit("1").required(),
-       bem::Row("Offset", Kind::Real, "shear without pressure")
-           .unit("stress")
+      {bem::Row("Coefficient", Kind::Expression, "1", "mu").required(),
+       bem::Row("Offset", Kind::Real, "stress", "shear without pressure")
            .standard("0.5")},
       [](const Teuchos::ParameterList& list) {
         return std::make_shared<const Offset>(list.get<double>("Offset"));

@@ -1,7 +1,7 @@
-// The lexical check of values.  The first byte chooses a type.  What passes as a number
+// The reading of values.  The first byte chooses a type.  What passes as a number
 // is the number that the C library reads, all of it and finite.
 #include "bem/base/Error.hpp"
-#include "drivers/scene/LexicalCheck.hpp"
+#include "drivers/scene/ListReader.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string type = types[data[0] % (sizeof types / sizeof *types)];
   const std::string value(reinterpret_cast<const char*>(data + 1), size - 1);
   try {
-    drivers::checkValue(type, value);
+    drivers::readValue(type, value);
   } catch (const bem::InputError&) {
     return 0;
   }

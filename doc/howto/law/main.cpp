@@ -50,25 +50,18 @@ class Layer final : public epafi::contact::NormalLaw {
 int main(int argc, char* argv[]) {
   epafi::contact::frictionLaws().add(
       {"Shaw",
-       {Row("Coefficient", Kind::Expression, "friction at low pressure")
-            .unit("1")
-            .required(),
-        Row("Cap", Kind::Expression, "shear at high pressure").unit("stress").required(),
-        Row("Exponent", Kind::Real, "how sharply the one becomes the other")
-            .unit("1")
-            .standard("2")
-            .range(epafi::bem::from(1))},
+       {Row("Coefficient", Kind::Expression, "1", "friction at low pressure").required(),
+        Row("Cap", Kind::Expression, "stress", "shear at high pressure").required(),
+        Row("Exponent", Kind::Real, "1", epafi::bem::from(1),
+            "how sharply the one becomes the other")
+            .standard("2")},
        [](const Teuchos::ParameterList& list) {
          return std::make_shared<const Shaw>(list.get<double>("Exponent"));
        }});
   epafi::contact::normalLaws().add(
       {"Layer",
-       {Row("Length", Kind::Expression, "closing at high pressure")
-            .unit("length")
-            .required(),
-        Row("Pressure", Kind::Expression, "that closes half of it")
-            .unit("stress")
-            .required()},
+       {Row("Length", Kind::Expression, "length", "closing at high pressure").required(),
+        Row("Pressure", Kind::Expression, "stress", "that closes half of it").required()},
        [](const Teuchos::ParameterList&) { return std::make_shared<const Layer>(); }});
   return epafi::program(argc, argv);
 }

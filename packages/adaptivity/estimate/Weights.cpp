@@ -2,8 +2,6 @@
 
 #include "adaptivity/estimate/ResidualEstimator.hpp"
 
-#include <Teuchos_ParameterList.hpp>
-
 namespace epafi::adaptivity {
 
 namespace {
@@ -30,39 +28,23 @@ Contributions paper(const bem::Lame&, bem::Units units) {
 
 bem::Family<Weights>& weightings() {
   static bem::Family<Weights> table(
-      "weights", {
-                     {"Energy",
-                      "all terms as energies: residual, tension and bound divided by the "
-                      "shear modulus, "
-                      "density and penetration multiplied by it; of the multipliers that "
-                      "do the same "
-                      "work the best, slip of its admissible shear",
-                      energy, Bounds::Sharp},
-                     {"Paper", "as printed, in the scene's units, which then matter",
-                      paper, Bounds::Printed},
-                 });
+      "weights",
+      {
+          {"Energy",
+           "all terms as energies: residual, tension and bound divided by the shear "
+           "modulus, density and penetration multiplied by it; of the multipliers that "
+           "do the same work the best, slip of its admissible shear",
+           energy, Bounds::Sharp},
+          {"Paper", "as printed, in the scene's units, which then matter", paper,
+           Bounds::Printed},
+      });
   return table;
 }
 
-bem::SchemaRows estimatorRows() {
-  using bem::Kind;
-  using bem::Row;
-  const EstimatorOptions defaults;
-  return {
-      Row("Weights", Kind::Text,
-          "how the estimate adds its terms up; " + meanings(weightings()))
-          .standard(defaults.weights)
-          .allowed(weightings().names()),
-      Row("Residual Factor", Kind::Real,
-          "multiplies the squares of eta_neumann, eta_contact and eta_density")
-          .unit("1")
-          .standard(defaults.residualFactor)
-          .range(bem::above(0)),
-  };
-}
-
-EstimatorOptions parseEstimator(const Teuchos::ParameterList& list) {
-  return {list.get<std::string>("Weights"), list.get<double>("Residual Factor")};
+void EstimatorOptions::keys(bem::Keys& keys) {
+  keys.add(&weights, "Weights", weightings(), "how the estimate adds its terms up; ");
+  keys.add(&residualFactor, "Residual Factor", "1", bem::above(0),
+           "multiplies the squares of eta_neumann, eta_contact and eta_density");
 }
 
 }  // namespace epafi::adaptivity

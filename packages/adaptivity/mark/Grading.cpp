@@ -1,14 +1,9 @@
 #include "adaptivity/mark/Grading.hpp"
 
-#include <Teuchos_ParameterList.hpp>
-
 #include <algorithm>
 #include <utility>
 
 namespace epafi::adaptivity {
-
-using bem::Kind;
-using bem::Row;
 
 namespace {
 
@@ -75,46 +70,19 @@ bem::Family<SmoothElements>& smoothElements() {
   return family;
 }
 
-bem::SchemaRows gradingRows() {
-  const GradingOptions defaults;
-  return {
-      Row("Ratio", Kind::Real,
-          "length of the piece that is cut off next to a singular point, relative to the "
-          "element's")
-          .unit("1")
-          .standard(defaults.ratio)
-          .range({0, 0.5, true, false}),
-      Row("Degree Step", Kind::Whole,
-          "by how much the piece away from the singular point raises its degree")
-          .unit("1")
-          .standard(defaults.degreeStep)
-          .range({0, 4}),
-      Row("Weak Point Degree", Kind::Whole,
-          "next to corners and changes of boundary the degree is raised as long as it is "
-          "lower and coefficients decay")
-          .unit("1")
-          .standard(defaults.weakDegree)
-          .range(bem::from(1)),
-      Row("Transitions", Kind::Text,
-          "where contact or friction changes its state inside an element; " +
-              meanings(transitions()))
-          .standard(defaults.transitions)
-          .allowed(transitions().names()),
-      Row("Smooth Elements", Kind::Text,
-          "raise the degree away from singular points; " + meanings(smoothElements()))
-          .standard(defaults.smooth)
-          .allowed(smoothElements().names()),
-  };
-}
-
-GradingOptions parseGrading(const Teuchos::ParameterList& list) {
-  GradingOptions grading;
-  grading.ratio = list.get<double>("Ratio");
-  grading.degreeStep = list.get<int>("Degree Step");
-  grading.weakDegree = list.get<int>("Weak Point Degree");
-  grading.transitions = list.get<std::string>("Transitions");
-  grading.smooth = list.get<std::string>("Smooth Elements");
-  return grading;
+void GradingOptions::keys(bem::Keys& keys) {
+  keys.add(&ratio, "Ratio", "1", {0, 0.5, true, false},
+           "length of the piece that is cut off next to a singular point, relative to "
+           "the element's");
+  keys.add(&degreeStep, "Degree Step", "1", {0, 4},
+           "by how much the piece away from the singular point raises its degree");
+  keys.add(&weakDegree, "Weak Point Degree", "1", bem::from(1),
+           "next to corners and changes of boundary the degree is raised as long as it "
+           "is lower and coefficients decay");
+  keys.add(&transitions, "Transitions", adaptivity::transitions(),
+           "where contact or friction changes its state inside an element; ");
+  keys.add(&smooth, "Smooth Elements", smoothElements(),
+           "raise the degree away from singular points; ");
 }
 
 Mark gradedMark(const bem::Mesh& mesh, int element, const SingularPoints& singular,

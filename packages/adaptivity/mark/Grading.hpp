@@ -3,7 +3,7 @@
 #include "adaptivity/refine/Refine.hpp"
 #include "adaptivity/singular/SingularPoints.hpp"
 #include "bem/base/Family.hpp"
-#include "bem/base/SchemaRow.hpp"
+#include "bem/base/Keys.hpp"
 #include "bem/basis/Legendre.hpp"
 
 #include <string>
@@ -40,11 +40,9 @@ struct GradingOptions {
   std::string transitions = "Node";        ///< a name of transitions()
   int largestDegree = bem::largestDegree;  ///< that is used: the multiplier's basis'
   std::string smooth = "Raise Degree";     ///< a name of smoothElements()
-};
 
-/// Schema of the options; and options from a list completed by it.
-bem::SchemaRows gradingRows();
-GradingOptions parseGrading(const Teuchos::ParameterList& list);
+  void keys(bem::Keys& keys);
+};
 
 /// The mark of a refined element: cut toward singular points, a higher degree elsewhere.
 ///

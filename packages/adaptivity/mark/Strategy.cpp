@@ -2,14 +2,9 @@
 
 #include "bem/basis/Legendre.hpp"
 
-#include <Teuchos_ParameterList.hpp>
-
 #include <algorithm>
 
 namespace epafi::adaptivity {
-
-using bem::Kind;
-using bem::Row;
 
 namespace {
 
@@ -143,34 +138,15 @@ bem::Family<Strategy>& strategies() {
   return family;
 }
 
-bem::SchemaRows strategyRows() {
-  const StrategyOptions defaults;
-  bem::SchemaRows rows = {
-      Row("Strategy", Kind::Text, meanings(strategies()))
-          .standard(defaults.name)
-          .allowed(strategies().names()),
-      Row("Marking Fraction", Kind::Real,
-          "adaptive strategies refine the fewest elements that carry this part of the "
-          "squared estimate")
-          .unit("1")
-          .standard(defaults.markingFraction)
-          .range({0, 1, true, false}),
-      Row("Analyticity Threshold", Kind::Real,
-          "Adaptive hp raises the degree where Legendre coefficients decay at least this "
-          "fast from one degree to the next")
-          .unit("1")
-          .standard(defaults.analyticityThreshold)
-          .range({0, 1, true, true}),
-      Row("Grading", Kind::List, "what Graded hp does"),
-  };
-  append(rows, gradingRows(), "Grading");
-  return rows;
-}
-
-StrategyOptions parseStrategy(const Teuchos::ParameterList& list) {
-  return {list.get<std::string>("Strategy"), list.get<double>("Marking Fraction"),
-          list.get<double>("Analyticity Threshold"),
-          parseGrading(list.sublist("Grading"))};
+void StrategyOptions::keys(bem::Keys& keys) {
+  keys.add(&name, "Strategy", strategies(), "");
+  keys.add(&markingFraction, "Marking Fraction", "1", {0, 1, true, false},
+           "adaptive strategies refine the fewest elements that carry this part of the "
+           "squared estimate");
+  keys.add(&analyticityThreshold, "Analyticity Threshold", "1", {0, 1, true, true},
+           "Adaptive hp raises the degree where Legendre coefficients decay at least "
+           "this fast from one degree to the next");
+  keys.add(&grading, bem::Row("Grading", bem::Kind::List, "what Graded hp does"));
 }
 
 }  // namespace epafi::adaptivity

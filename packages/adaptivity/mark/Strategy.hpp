@@ -34,11 +34,9 @@ struct StrategyOptions {
   double markingFraction = 0.6;       ///< of the squared estimate, in (0, 1]
   double analyticityThreshold = 0.5;  ///< see looksAnalytic
   GradingOptions grading;
-};
 
-/// Schema of the options; and options from a list completed by it.
-bem::SchemaRows strategyRows();
-StrategyOptions parseStrategy(const Teuchos::ParameterList& list);
+  void keys(bem::Keys& keys);
+};
 
 /// Whether there is another level than the first.
 enum class Levels { One, Many };

@@ -22,6 +22,14 @@ std::vector<std::string> namesOf(const Named<Enum> (&table)[N]) {
   return names;
 }
 
+template <class Enum, std::size_t N>
+std::string nameOf(const Named<Enum> (&table)[N], Enum value) {
+  for (const Named<Enum>& row : table)
+    if (value == row.value)
+      return row.name;
+  return "";
+}
+
 /// The value of a name.  \throws InputError if the table has no such name
 template <class Enum, std::size_t N>
 Enum named(const Named<Enum> (&table)[N], const std::string& name) {

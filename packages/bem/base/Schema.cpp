@@ -1,20 +1,219 @@
 #include "bem/base/Schema.hpp"
 
 #include "bem/base/Error.hpp"
-#include "bem/base/SchemaValue.hpp"
 #include "bem/base/Suggestion.hpp"
 
+#include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
+#include <Teuchos_TwoDArray.hpp>
 
 #include <algorithm>
-#include <cstring>
+#include <cmath>
+#include <limits>
+#include <variant>
 
 namespace epafi::bem {
 
 namespace {
 
+using Teuchos::Array;
+using Teuchos::getValue;
 using Teuchos::ParameterEntry;
 using Teuchos::ParameterList;
+using Teuchos::TwoDArray;
+using Texts = std::vector<std::string>;
+
+/// What an entry holds: one value, those of an array or, row by row, of a table.
+struct Cells {
+  enum class Shape { Other, One, Array, Table } shape = Shape::Other;
+  std::variant<std::vector<int>, std::vector<double>, Texts> values;
+  int rows = 1;
+  int columns = 1;
+
+  template <class T>
+  bool take(const ParameterEntry& entry) {
+    if (entry.isType<T>())
+      *this = {Shape::One, std::vector<T>{getValue<T>(entry)}};
+    else if (entry.isType<Array<T>>())
+      *this = {Shape::Array, getValue<Array<T>>(entry).toVector()};
+    else if (entry.isType<TwoDArray<T>>()) {
+      const auto& table = getValue<TwoDArray<T>>(entry);
+      *this = {Shape::Table, table.getDataArray().toVector(),
+               static_cast<int>(table.getNumRows()),
+               static_cast<int>(table.getNumCols())};
+    }
+    return shape != Shape::Other;
+  }
+};
+
+/// Of flags and lists nothing.
+Cells cellsOf(const ParameterEntry& entry) {
+  Cells cells;
+  if (!cells.take<int>(entry) && !cells.take<double>(entry))
+    cells.take<std::string>(entry);
+  return cells;
+}
+
+std::string spell(int value) { return std::to_string(value); }
+std::string spell(double value) { return shortest(value); }
+std::string spell(const std::string& value) { return value; }
+
+std::string describe(const ParameterEntry& entry) {
+  if (entry.isList())
+    return "a sublist";
+  return entry.isType<std::string>() ? "the string '" + getValue<std::string>(entry) + "'"
+                                     : "of type " + entry.getAny(false).typeName();
+}
+
+/// The default of a row, marked as default.  \pre the row has one
+ParameterEntry standardOf(const SchemaRow& row) {
+  switch (row.kind) {
+    case Kind::Real:
+      return ParameterEntry(std::stod(row.standard), true);
+    case Kind::Whole:
+      return ParameterEntry(std::stoi(row.standard), true);
+    case Kind::Flag:
+      return ParameterEntry(row.standard == "true", true);
+    default:
+      return ParameterEntry(row.standard, true);
+  }
+}
+
+/// Makes of what a list holds at a place the value that a row declares.
+class Conversion {
+ public:
+  Conversion(const ParameterEntry& entry, const SchemaRow& row, const std::string& place,
+             const Constant& constant)
+      : entry_(entry),
+        cells_(cellsOf(entry)),
+        row_(row),
+        place_(place),
+        constant_(constant) {}
+
+  /// \throws InputError, beginning with the place, for a wrong type or a value out of range
+  ParameterEntry checked() const {
+    ParameterEntry result = converted();
+    const Cells cells = cellsOf(result);
+    std::visit(
+        [this](const auto& values) {
+          for (const auto& value : values)
+            check(value);
+        },
+        cells.values);
+    if (row_.kind == Kind::Points && cells.columns != 2)
+      throw InputError(place_, ": a point has 2 coordinates, the table has ",
+                       cells.columns, " columns");
+    // a default that used.xml tells apart from what the user wrote remains one
+    const Teuchos::any value = result.getAny(false);
+    if (entry_.isDefault() && !row_.standard.empty() &&
+        value == standardOf(row_).getAny(false))
+      result.setAnyValue(value, true);
+    return result;
+  }
+
+ private:
+  ParameterEntry converted() const {
+    const bool one = cells_.shape == Cells::Shape::One;
+    const bool row = one || cells_.shape == Cells::Shape::Array;
+    const bool texts = std::holds_alternative<Texts>(cells_.values);
+    switch (row_.kind) {
+      case Kind::Real:
+        return one ? ParameterEntry(numbers<double>().front()) : throw refusal();
+      case Kind::Whole:
+        return one ? ParameterEntry(numbers<int>().front()) : throw refusal();
+      case Kind::Reals:
+        return row ? ParameterEntry(Array<double>(numbers<double>())) : throw refusal();
+      case Kind::Counts:
+        return row ? ParameterEntry(Array<int>(numbers<int>())) : throw refusal();
+      case Kind::Points:
+        return cells_.shape == Cells::Shape::Table ? table() : throw refusal();
+      case Kind::Text:
+        return one && texts ? ParameterEntry(spelled().front()) : throw refusal();
+      case Kind::Expression:
+        return one ? ParameterEntry(spelled().front()) : throw refusal();
+      case Kind::Names:  // numbers count as their texts
+        return row && (texts ? !one : !spelled().empty())
+                   ? ParameterEntry(Array<std::string>(spelled()))
+                   : throw refusal();
+      default:  // a flag: lists do not come here
+        return entry_.isType<bool>() ? ParameterEntry(getValue<bool>(entry_))
+                                     : throw refusal();
+    }
+  }
+
+  InputError refusal() const {
+    return InputError(place_, ": is ", describe(entry_),
+                      ", wanted: ", textOf(row_.kind).wanted);
+  }
+
+  /// No fractions for whole numbers; of texts the values of constant expressions.
+  template <class Number>
+  std::vector<Number> numbers() const {
+    if (const auto* whole = std::get_if<std::vector<int>>(&cells_.values))
+      return {whole->begin(), whole->end()};
+    if (const auto* same = std::get_if<std::vector<Number>>(&cells_.values))
+      return *same;
+    if (!constant_ || !std::holds_alternative<Texts>(cells_.values))
+      throw refusal();
+    std::vector<Number> result;
+    for (const std::string& text : std::get<Texts>(cells_.values))
+      result.push_back(static_cast<Number>(evaluated(text)));
+    return result;
+  }
+
+  double evaluated(const std::string& text) const {
+    try {
+      const double value = constant_(text, place_);
+      constexpr double largest = std::numeric_limits<int>::max();
+      const bool whole = row_.kind == Kind::Whole || row_.kind == Kind::Counts;
+      if (whole && (value != std::round(value) || std::abs(value) > largest))
+        throw InputError(place_, " = '", text, "' is ", shortest(value));
+      return value;
+    } catch (const InputError& error) {
+      throw InputError(error.what(), "; wanted: ", textOf(row_.kind).wanted,
+                       ", or an expression in Constants for each number");
+    }
+  }
+
+  ParameterEntry table() const {
+    const std::vector<double> values = numbers<double>();
+    TwoDArray<double> table(cells_.rows, cells_.columns);
+    for (std::size_t i = 0; i < values.size(); ++i)
+      table(static_cast<int>(i) / cells_.columns, static_cast<int>(i) % cells_.columns) =
+          values[i];
+    return ParameterEntry(table);
+  }
+
+  Texts spelled() const {
+    Texts result;
+    std::visit(
+        [&result](const auto& values) {
+          for (const auto& value : values)
+            result.push_back(spell(value));
+        },
+        cells_.values);
+    return result;
+  }
+
+  void check(double number) const {
+    if (!row_.interval.contains(number) || !std::isfinite(number))
+      throw InputError(place_, " = ", shortest(number),
+                       "; allowed: ", row_.interval.text());
+  }
+
+  void check(const std::string& text) const {
+    const Texts& names = row_.allowed;
+    if (!names.empty() && std::find(names.begin(), names.end(), text) == names.end())
+      throw InputError(place_, " = '", text, "'; did you mean '", nearest(text, names),
+                       "'? allowed: ", quotedList(names));
+  }
+
+  const ParameterEntry& entry_;
+  const Cells cells_;
+  const SchemaRow& row_;
+  const std::string& place_;
+  const Constant& constant_;
+};
 
 bool isAnyName(const std::string& pattern) { return pattern.front() == '<'; }
 
@@ -67,9 +266,10 @@ const SchemaRow& required(const SchemaRow* row, const std::vector<const SchemaRo
 /// One level of the list against the rows under one pattern.
 class Level {
  public:
-  Level(const SchemaRows& table, const ParameterList& given, const std::string& pattern,
-        std::string path)
+  Level(const SchemaRows& table, const Constant& constant, const ParameterList& given,
+        const std::string& pattern, std::string path)
       : table_(table),
+        constant_(constant),
         given_(given),
         path_(std::move(path)),
         rows_(childrenOf(table, pattern)) {}
@@ -126,17 +326,19 @@ class Level {
   void take(const SchemaRow& row, const std::string& name, const ParameterEntry& entry,
             ParameterList& result) const {
     if (row.kind != Kind::List && row.kind != Kind::Free) {
-      result.setEntry(name, checked(entry, row, join(path_, name)));
+      result.setEntry(name,
+                      Conversion(entry, row, join(path_, name), constant_).checked());
       return;
     }
     if (!entry.isList())
       throw InputError(join(path_, name), ": is ", describe(entry),
                        ", wanted: a sublist (ParameterList)");
-    const auto& sublist = Teuchos::getValue<ParameterList>(entry);
+    const auto& sublist = getValue<ParameterList>(entry);
     if (row.kind == Kind::Free)
       result.sublist(name).setParameters(sublist);
     else
-      Level(table_, sublist, row.path, join(path_, name)).complete(result.sublist(name));
+      Level(table_, constant_, sublist, row.path, join(path_, name))
+          .complete(result.sublist(name));
   }
 
   void fill(const SchemaRow& row, ParameterList& result) const {
@@ -144,13 +346,14 @@ class Level {
       throw InputError(join(path_, row.name()), ": missing; ", row.meaning,
                        row.range().empty() ? "" : ", " + row.range());
     if (row.kind == Kind::List && !isAnyName(row.name()))
-      Level(table_, ParameterList(), row.path, join(path_, row.name()))
+      Level(table_, constant_, ParameterList(), row.path, join(path_, row.name()))
           .complete(result.sublist(row.name()));
     else if (!row.standard.empty())
       result.setEntry(row.name(), standardOf(row));
   }
 
   const SchemaRows& table_;
+  const Constant& constant_;
   const ParameterList& given_;
   std::string path_;
   std::vector<const SchemaRow*> rows_;
@@ -162,22 +365,19 @@ const SchemaRow& declared(const SchemaRows& table, const std::string& path) {
   std::string pattern;
   std::string walked;
   const SchemaRow* row = nullptr;
-  for (std::size_t at = 0; at <= path.size();) {
-    const std::size_t end = std::min(path.find(arrow, at), path.size());
-    const std::string name = path.substr(at, end - at);
+  for (const std::string& name : namesOf(path)) {
     const auto rows = childrenOf(table, pattern);
     row = &required(name.empty() ? nullptr : find(rows, name), rows, walked, name);
     pattern = row->path;
     walked = join(walked, name);
-    at = end + std::strlen(arrow);
   }
   return *row;
 }
 
 ParameterList complete(const SchemaRows& table, const ParameterList& given,
-                       const std::string& title) {
+                       const std::string& title, const Constant& constant) {
   ParameterList result(title);
-  Level(table, given, "", "").complete(result);
+  Level(table, constant, given, "", "").complete(result);
   return result;
 }
 

@@ -2,18 +2,23 @@
 
 #include "bem/base/SchemaRow.hpp"
 
+#include <functional>
+
 namespace epafi::bem {
 
 /// The row of a concrete path A->B->Key.
 /// \throws InputError for an unknown path, naming the nearest known key
 const SchemaRow& declared(const SchemaRows& table, const std::string& path);
 
-/// Checks a list and returns it in the order of the table, numbers converted to the declared
-/// type, with all defaults.
+/// The value of a text that stands for a number at a place.  \throws InputError if it has none
+using Constant = std::function<double(const std::string& text, const std::string& place)>;
+
+/// Checks a list and returns it in the order of the table, values converted to the declared
+/// type, with all defaults; texts in place of numbers are refused without `constant`.
 /// \throws InputError with the path for an unknown or missing key, a wrong type or a value
 /// out of range
 Teuchos::ParameterList complete(const SchemaRows& table,
                                 const Teuchos::ParameterList& given,
-                                const std::string& title);
+                                const std::string& title, const Constant& constant = {});
 
 }  // namespace epafi::bem

@@ -4,9 +4,10 @@
 #include "bem/base/Suggestion.hpp"
 
 #include <algorithm>
+#include <boost/algorithm/string/finder.hpp>
+#include <boost/algorithm/string/iter_find.hpp>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 
 namespace epafi::bem {
 
@@ -49,6 +50,11 @@ std::string join(const std::string& path, const std::string& name) {
   return path.empty() ? name : path + arrow + name;
 }
 
+std::vector<std::string> namesOf(const std::string& path) {
+  std::vector<std::string> names;
+  return boost::algorithm::iter_split(names, path, boost::algorithm::first_finder(arrow));
+}
+
 std::string shortest(double value) {
   char text[32];
   const auto end = std::to_chars(text, text + sizeof text, value);
@@ -60,10 +66,7 @@ std::string SchemaRow::parent() const {
   return at == std::string::npos ? "" : path.substr(0, at);
 }
 
-std::string lastOf(const std::string& path) {
-  const auto at = path.rfind(arrow);
-  return at == std::string::npos ? path : path.substr(at + std::strlen(arrow));
-}
+std::string lastOf(const std::string& path) { return namesOf(path).back(); }
 
 std::string SchemaRow::range() const {
   if (!allowed.empty())

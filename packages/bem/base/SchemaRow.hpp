@@ -56,6 +56,8 @@ const KindText& textOf(Kind kind);
 inline constexpr char arrow[] = "->";
 /// A->B->Key from A->B and Key; Key alone if the path is empty.
 std::string join(const std::string& path, const std::string& name);
+/// A, B and Key of A->B->Key.
+std::vector<std::string> namesOf(const std::string& path);
 /// Key of A->B->Key.
 std::string lastOf(const std::string& path);
 
@@ -86,29 +88,30 @@ struct SchemaRow {
 /// The shortest text that reads back to the same number.
 std::string shortest(double value);
 
-/// Builder of a SchemaRow: mandatory members in the constructor, others by name.
-class Row {
- public:
-  Row(const std::string& path, Kind kind, const std::string& meaning) {
-    row_.path = path;
-    row_.kind = kind;
-    row_.meaning = meaning;
+/// A row as a table says it: name, type, unit and range of numbers, meaning; the rest by name.
+struct Row : SchemaRow {
+  Row(const std::string& name, Kind type, const std::string& sense) {
+    path = name;
+    kind = type;
+    meaning = sense;
   }
-  Row& unit(const std::string& unit) { return row_.unit = unit, *this; }
-  Row& standard(const std::string& text) { return row_.standard = text, *this; }
+  Row(const std::string& name, Kind type, const std::string& one,
+      const std::string& sense)
+      : Row(name, type, sense) {
+    unit = one;
+  }
+  Row(const std::string& name, Kind type, const std::string& one, const Interval& range,
+      const std::string& sense)
+      : Row(name, type, one, sense) {
+    interval = range;
+  }
+  Row& standard(const std::string& text) { return SchemaRow::standard = text, *this; }
   Row& standard(double value) { return standard(shortest(value)); }
-  Row& required() { return row_.required = true, *this; }
-  Row& only(const std::string& selector) { return row_.only = {selector}, *this; }
-  Row& range(const Interval& interval) { return row_.interval = interval, *this; }
+  Row& required() { return SchemaRow::required = true, *this; }
+  Row& only(const std::string& selector) { return SchemaRow::only = {selector}, *this; }
   Row& allowed(const std::vector<std::string>& names) {
-    return row_.allowed = names, *this;
+    return SchemaRow::allowed = names, *this;
   }
-
-  // NOLINTNEXTLINE(google-explicit-constructor): tables are written as lists of Rows
-  operator SchemaRow() const { return row_; }
-
- private:
-  SchemaRow row_;
 };
 
 using SchemaRows = std::vector<SchemaRow>;

@@ -31,9 +31,8 @@ bem::Family<FrictionLawMember>& frictionLaws() {
 bem::SchemaRows frictionRows() {
   bem::SchemaRows rows = lawRows(frictionLaws(), "friction law");
   bem::SchemaRow compliance =
-      bem::Row("Compliance", bem::Kind::Expression,
-               "of the surfaces to shear: slip is less by compliance times shear")
-          .unit("length/stress");
+      bem::Row("Compliance", bem::Kind::Expression, "length/stress",
+               "of the surfaces to shear: slip is less by compliance times shear");
   compliance.only = frictionLaws().names();
   compliance.only.erase(compliance.only.begin());  // no friction, no shear
   append(rows, {compliance});

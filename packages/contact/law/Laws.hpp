@@ -11,9 +11,8 @@ namespace epafi::contact {
 class TrescaLaw final : public FrictionLaw {
  public:
   static bem::SchemaRows rows() {
-    return {bem::Row("Threshold", bem::Kind::Expression,
+    return {bem::Row("Threshold", bem::Kind::Expression, "stress",
                      "largest shear stress, independent of the pressure")
-                .unit("stress")
                 .required()};
   }
 
@@ -28,9 +27,8 @@ class TrescaLaw final : public FrictionLaw {
 class CoulombLaw final : public FrictionLaw {
  public:
   static bem::SchemaRows rows() {
-    return {bem::Row("Coefficient", bem::Kind::Expression,
+    return {bem::Row("Coefficient", bem::Kind::Expression, "1",
                      "friction coefficient: shear up to coefficient times pressure")
-                .unit("1")
                 .required()};
   }
 
@@ -48,10 +46,9 @@ class CappedCoulombLaw final : public FrictionLaw {
  public:
   static bem::SchemaRows rows() {
     bem::SchemaRows rows = CoulombLaw::rows();
-    rows.push_back(
-        bem::Row("Cap", bem::Kind::Expression, "largest shear stress, at any pressure")
-            .unit("stress")
-            .required());
+    rows.push_back(bem::Row("Cap", bem::Kind::Expression, "stress",
+                            "largest shear stress, at any pressure")
+                       .required());
     return rows;
   }
 

@@ -18,8 +18,8 @@ using bem::Row;
 class LinearLaw final : public NormalLaw {
  public:
   static bem::SchemaRows rows() {
-    return {Row("Compliance", Kind::Expression, "closing = compliance times pressure")
-                .unit("length/stress")
+    return {Row("Compliance", Kind::Expression, "length/stress",
+                "closing = compliance times pressure")
                 .required()};
   }
 
@@ -32,11 +32,8 @@ class LinearLaw final : public NormalLaw {
 };
 
 bem::SchemaRows lengthAndPressure() {
-  return {
-      Row("Length", Kind::Expression, "unit of the closing").unit("length").required(),
-      Row("Pressure", Kind::Expression, "unit of the pressure")
-          .unit("stress")
-          .required()};
+  return {Row("Length", Kind::Expression, "length", "unit of the closing").required(),
+          Row("Pressure", Kind::Expression, "stress", "unit of the pressure").required()};
 }
 
 /// φ = L (p/P)^e
@@ -44,11 +41,9 @@ class PowerLaw final : public NormalLaw {
  public:
   static bem::SchemaRows rows() {
     bem::SchemaRows rows = lengthAndPressure();
-    rows.push_back(
-        Row("Exponent", Kind::Real, "e: closing = Length (pressure/Pressure)^e")
-            .unit("1")
-            .range({0, 10, true, false})
-            .required());
+    rows.push_back(Row("Exponent", Kind::Real, "1", {0, 10, true, false},
+                       "e: closing = Length (pressure/Pressure)^e")
+                       .required());
     return rows;
   }
 

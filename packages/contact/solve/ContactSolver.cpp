@@ -14,24 +14,12 @@ namespace epafi::contact {
 using bem::Kind;
 using bem::Row;
 
-bem::SchemaRows contactSolverRows() {
-  const ContactSolverOptions defaults;
-  return {
-      Row("Tolerance", Kind::Real, "residual, relative to the load")
-          .unit("1")
-          .standard(defaults.tolerance)
-          .range({0, 1, true, true}),
-      Row("Maximum Iterations", Kind::Whole,
-          "Newton steps of one run; where one does not suffice, complementary pivoting "
-          "follows, for at most some four times as many")
-          .unit("1")
-          .standard(defaults.maximumIterations)
-          .range(bem::from(1)),
-  };
-}
-
-ContactSolverOptions parseContactSolver(const Teuchos::ParameterList& list) {
-  return {list.get<double>("Tolerance"), list.get<int>("Maximum Iterations")};
+void ContactSolverOptions::keys(bem::Keys& keys) {
+  keys.add(&tolerance, "Tolerance", "1", {0, 1, true, true},
+           "residual, relative to the load");
+  keys.add(&maximumIterations, "Maximum Iterations", "1", bem::from(1),
+           "Newton steps of one run; where one does not suffice, complementary pivoting "
+           "follows, for at most some four times as many");
 }
 
 namespace {

@@ -1,15 +1,11 @@
 #pragma once
 
-#include "bem/base/SchemaRow.hpp"
+#include "bem/base/Keys.hpp"
 #include "contact/newton/Newton.hpp"
 #include "contact/newton/OffsetPath.hpp"
 #include "contact/solve/NonlinearSolver.hpp"
 
 #include <utility>
-
-namespace Teuchos {
-class ParameterList;
-}
 
 namespace epafi::contact {
 
@@ -19,18 +15,16 @@ struct ContactSolverOptions {
   int maximumIterations = 50;  ///< steps of one run
   double mostWork = 5e12;      ///< limit of operations of all pivots of a solve, see
                                ///< workOfPivot; about twenty minutes
+
+  void keys(bem::Keys& keys);
 };
 
-/// Schema rows of ContactSolverOptions; options of a validated list.
-bem::SchemaRows contactSolverRows();
-ContactSolverOptions parseContactSolver(const Teuchos::ParameterList& list);
-
-/// Solver for frictionless contact and Tresca friction, whose slip bounds do not depend
-/// on the pressure; its inStages() is also used by solvers for Coulomb friction.
+/// Solver for frictionless contact and Tresca friction, whose slip bounds do not depend on the
+/// pressure; its inStages() is also used by solvers for Coulomb friction.
 class ContactSolver final : public NonlinearSolver {
  public:
-  /// Largest number of coefficients for which D is formed to follow the offset; more need
-  /// a tableau above half a gigabyte and many minutes.
+  /// If D is not formed, the offset is followed for at most this many coefficients: more need a
+  /// tableau of more than half a gigabyte and many minutes.
   static constexpr Index mostToPivot = 8000;
 
   /// Refers to `newton`.  \param watch receives the progress of a path of offsets

@@ -2,14 +2,9 @@
 
 #include "contact/solve/CoulombFixedPoint.hpp"
 
-#include <Teuchos_ParameterList.hpp>
-
 #include <algorithm>
 
 namespace epafi::contact {
-
-using bem::Kind;
-using bem::Row;
 
 namespace {
 
@@ -62,30 +57,13 @@ std::unique_ptr<NonlinearSolver> makeCoulomb(const ContactSolver& solver,
   return coulombIterations().at(options.iteration).make(solver, options);
 }
 
-bem::SchemaRows coulombRows() {
-  const CoulombOptions defaults;
-  return {
-      Row("Coulomb Iteration", Kind::Text,
-          "how a friction bound that depends on the pressure is found; " +
-              meanings(coulombIterations()))
-          .standard(defaults.iteration)
-          .allowed(coulombIterations().names()),
-      Row("Coulomb Tolerance", Kind::Real,
-          "change of the friction bound, relative to the load")
-          .unit("1")
-          .standard(defaults.tolerance)
-          .range({0, 1, true, true}),
-      Row("Coulomb Maximum Iterations", Kind::Whole, "updates of the friction bound")
-          .unit("1")
-          .standard(defaults.maximumIterations)
-          .range(bem::from(1)),
-  };
-}
-
-CoulombOptions parseCoulomb(const Teuchos::ParameterList& list) {
-  return {list.get<std::string>("Coulomb Iteration"),
-          list.get<double>("Coulomb Tolerance"),
-          list.get<int>("Coulomb Maximum Iterations")};
+void CoulombOptions::keys(bem::Keys& keys) {
+  keys.add(&iteration, "Coulomb Iteration", coulombIterations(),
+           "how a friction bound that depends on the pressure is found; ");
+  keys.add(&tolerance, "Coulomb Tolerance", "1", {0, 1, true, true},
+           "change of the friction bound, relative to the load");
+  keys.add(&maximumIterations, "Coulomb Maximum Iterations", "1", bem::from(1),
+           "updates of the friction bound");
 }
 
 }  // namespace epafi::contact

@@ -1,16 +1,12 @@
 #pragma once
 
 #include "bem/base/Family.hpp"
-#include "bem/base/SchemaRow.hpp"
+#include "bem/base/Keys.hpp"
 #include "contact/solve/ContactSolver.hpp"
 
 #include <memory>
 #include <string>
 #include <utility>
-
-namespace Teuchos {
-class ParameterList;
-}
 
 namespace epafi::contact {
 
@@ -19,11 +15,9 @@ struct CoulombOptions {
   std::string iteration = "Newton";  ///< a name of coulombIterations()
   double tolerance = 1e-10;          ///< for the change of the bound relative to the load
   int maximumIterations = 100;       ///< updates of the bound
-};
 
-/// Schema rows of CoulombOptions; options of a validated list.
-bem::SchemaRows coulombRows();
-CoulombOptions parseCoulomb(const Teuchos::ParameterList& list);
+  void keys(bem::Keys& keys);
+};
 
 /// Solves problems whose slip bound depends on the pressure.
 class CoulombSolver : public NonlinearSolver {

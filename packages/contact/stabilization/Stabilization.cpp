@@ -1,9 +1,5 @@
 #include "contact/stabilization/Stabilization.hpp"
 
-#include "bem/base/Named.hpp"
-
-#include <Teuchos_ParameterList.hpp>
-
 #include <algorithm>
 #include <cmath>
 
@@ -13,8 +9,6 @@ namespace {
 
 using bem::above;
 using bem::from;
-using bem::Kind;
-using bem::Row;
 
 constexpr bem::Named<Stabilization::Form> forms[] = {
     {"Density", Stabilization::Form::Density},
@@ -49,55 +43,27 @@ double gammaOn(const bem::Mesh& mesh, int e, const Stabilization& s, double nu,
   return s.firstGamma0() * nearlyIncompressible * std::pow(h, 1 + s.beta) * degrees;
 }
 
-bem::SchemaRows stabilizationRows() {
-  const Stabilization defaults;
-  return {
-      Row("Form", Kind::Text,
-          "what stands for the boundary stress in the stabilisation: the density psi, an "
-          "unknown; S u projected onto polynomials; S u exactly; None: none")
-          .standard(forms[0].name)
-          .allowed(bem::namesOf(forms)),
-      Row("Gamma0", Kind::Real,
-          "strength gamma0. Form Density is stable with any, accurate from 1e-3 to 1e3. "
-          "Forms Projected and Exact take 0.1 "
-          "by default and lose definiteness near 0.6 under Scaling Stiffness: the "
-          "default gives way then, what is written is refused")
-          .unit("1, or as Scaling says")
-          .standard(defaults.firstGamma0())
-          .range(above(0)),
-      Row("Density Degree", Kind::Text,
-          "degree of psi on contact elements under Form Density: p, or p - 1 as "
-          "elsewhere")
-          .standard(densityDegrees[0].name)
-          .allowed(bem::namesOf(densityDegrees)),
-      Row("Beta", Kind::Real, "extra power of the element size")
-          .unit("1")
-          .standard(defaults.beta)
-          .range(from(0)),
-      Row("Eta", Kind::Real, "extra power of 1 / degree")
-          .unit("1")
-          .standard(defaults.eta)
-          .range(from(0)),
-      Row("Scaling", Kind::Text,
-          "Stiffness: gamma = Gamma0 min(1, 50(1-2nu)) (h/d)^Beta h p^(-2-Eta) / E, "
-          "without the min under Form Density; Absolute: gamma = Gamma0 h^(1+Beta) "
-          "p^(-2-Eta) in the scene's units")
-          .standard(scalings[0].name)
-          .allowed(bem::namesOf(scalings)),
-  };
-}
-
-Stabilization parseStabilization(const Teuchos::ParameterList& list) {
-  Stabilization stabilization;
-  stabilization.form = bem::named(forms, list.get<std::string>("Form"));
-  stabilization.raised =
-      bem::named(densityDegrees, list.get<std::string>("Density Degree"));
-  stabilization.scaling = bem::named(scalings, list.get<std::string>("Scaling"));
-  if (!list.getEntry("Gamma0").isDefault())
-    stabilization.gamma0 = list.get<double>("Gamma0");
-  stabilization.beta = list.get<double>("Beta");
-  stabilization.eta = list.get<double>("Eta");
-  return stabilization;
+void Stabilization::keys(bem::Keys& keys) {
+  keys.add(
+      &form, "Form", forms,
+      "what stands for the boundary stress in the stabilisation: the density psi, an "
+      "unknown; S u projected onto polynomials; S u exactly; None: none");
+  keys.add(
+      &gamma0, "Gamma0", "1, or as Scaling says", above(0),
+      "strength gamma0. Form Density is stable with any, accurate from 1e-3 to 1e3. "
+      "Forms Projected and Exact take 0.1 by default and lose definiteness near 0.6 "
+      "under Scaling Stiffness: the default gives way then, what is written is refused",
+      bem::shortest(firstGamma0()));
+  keys.add(
+      &raised, "Density Degree", densityDegrees,
+      "degree of psi on contact elements under Form Density: p, or p - 1 as elsewhere");
+  keys.add(&beta, "Beta", "1", from(0), "extra power of the element size");
+  keys.add(&eta, "Eta", "1", from(0), "extra power of 1 / degree");
+  keys.add(
+      &scaling, "Scaling", scalings,
+      "Stiffness: gamma = Gamma0 min(1, 50(1-2nu)) (h/d)^Beta h p^(-2-Eta) / E, without "
+      "the min under Form Density; Absolute: gamma = Gamma0 h^(1+Beta) p^(-2-Eta) in "
+      "the scene's units");
 }
 
 }  // namespace epafi::contact

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "bem/base/Keys.hpp"
 #include "bem/base/Material.hpp"
-#include "bem/base/SchemaRow.hpp"
 #include "bem/mesh/Mesh.hpp"
 
 #include <optional>
@@ -31,6 +31,8 @@ struct Stabilization {
   /// Whether ψ is of degree p on contact elements under Form::Density, not p - 1.
   bool raised = true;
 
+  void keys(bem::Keys& keys);
+
   double firstGamma0() const {
     return gamma0.value_or(form == Form::Density ? 0.5 : 0.1);
   }
@@ -40,9 +42,5 @@ struct Stabilization {
 /// the inverse inequality ||S u||_E <= c p h^(-1/2) requires.  Zero for Form::None.
 double gammaOn(const bem::Mesh& mesh, int element, const Stabilization& stabilization,
                double nu, bem::Units units);
-
-/// Schema of the options; and options from a list completed by it.
-bem::SchemaRows stabilizationRows();
-Stabilization parseStabilization(const Teuchos::ParameterList& list);
 
 }  // namespace epafi::contact

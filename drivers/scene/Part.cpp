@@ -1,0 +1,46 @@
+#include "drivers/scene/Part.hpp"
+
+#include "bem/base/Error.hpp"
+
+#include <Teuchos_Array.hpp>
+
+#include <algorithm>
+
+namespace epafi::drivers {
+
+using bem::InputError;
+
+bool Part::isGiven() const {
+  return std::any_of(list->begin(), list->end(),
+                     [](const auto& item) { return !item.second.isDefault(); });
+}
+
+bem::Function Part::function(const std::string& key) const {
+  return has(key) ? makeExpression(list->get<std::string>(key), at(key), names)
+                  : bem::Function();
+}
+
+bem::Function Part::nonNegative(const std::string& key) const {
+  return [function = function(key), place = at(key), t = names.t](bem::Vec2 point) {
+    const double value = function(point);
+    if (value < 0)
+      throw InputError(place.file, ": ", place.path, " is ", value, " at (x, y) = (",
+                       point.x, ", ", point.y, ")",
+                       t == 1 ? "" : bem::message(", t = ", t),
+                       "; it must be >= 0 there");
+    return value;
+  };
+}
+
+double Part::number(const std::string& key, double t) const {
+  return evaluateAt(t, list->get<std::string>(key), at(key), names);
+}
+
+bem::Vec2 Part::point(const std::string& key) const {
+  const auto& numbers = list->get<Teuchos::Array<double>>(key);
+  if (numbers.size() != 2)
+    throw InputError(path(key), ": has ", numbers.size(), " numbers; a point has two");
+  return {numbers[0], numbers[1]};
+}
+
+}  // namespace epafi::drivers
