@@ -30,9 +30,9 @@ struct CompressedCoupling {
   /// numbered as `numberOf` says.
   void addOwn(const bem::Space& space, const Coupling& coupling, std::size_t body,
               Index start, const Numbers& numberOf);
-  /// What a multiplier does to the rotation of a body with arcs; null: it has none.
-  void addRests(const std::shared_ptr<const bem::Rotation>& rotation, std::size_t body,
-                Index start, const Vector& work, const Numbers& numberOf);
+  /// The part of Ĉ on the displacements of one body.
+  void add(const TraceCoupling& trace, std::size_t body, Index start,
+           const Numbers& numberOf);
 
   /// x += s Ĉᵀ λ on displacements and densities.
   void push(double s, const double* multiplier, double* x) const;
